@@ -283,6 +283,38 @@ static void medium_cost(double contrast)
     report("making the medium", under, cost(make_medium, &body), 30000.0);
 }
 
+/* What a cohesive zone costs at one contact radius, in states of the same radius without a range. */
+static void zone_cost(double contrast)
+{
+    static layers body;
+    static const double radii[] = {0.1, 1.0, 5.0}, stresses[] = {0.2, 5.0};
+    mdr_medium *film = fill_layers(&body, 1, contrast);
+    mdr_contact_options options = MDR_SIZED(mdr_contact_options);
+    options.work_of_adhesion = 0.2;
+    for (int which = 0; which < 2; ++which) {
+        mdr_profile *profile = new_profile(which, 1.0);
+        mdr_contact *sticky = NULL, *ranged = NULL;
+        options.cohesive_stress = 0.0;
+        check(mdr_contact_new(profile, film, &options, &sticky));
+        for (int j = 0; j < 2; ++j) {
+            options.cohesive_stress = stresses[j];
+            check(mdr_contact_new(profile, film, &options, &ranged));
+            for (int i = 0; i < 3; ++i) {
+                char under[100];
+                states with = {.contact = ranged, .count = 1, .given = {radii[i]}};
+                states without = {.contact = sticky, .count = 1, .given = {radii[i]}};
+                snprintf(under, sizeof under, "%s, E0/E1 = %g, a/h = %g, sigma = %g", profile_names[which], contrast, radii[i],
+                         stresses[j]);
+                report("a cohesive zone, in states without", under, cost(from_radius, &with) / cost(from_radius, &without), 4.0);
+            }
+            mdr_contact_free(&ranged);
+        }
+        mdr_contact_free(&sticky);
+        mdr_profile_free(&profile);
+    }
+    mdr_medium_free(&film);
+}
+
 static void layers_cost(int count, double bound)
 {
     static layers body;
@@ -372,6 +404,7 @@ int main(void)
     history_cost(0.1);
     history_cost(2.0);
     for (int i = 0; i < FILMS; ++i) medium_cost(contrasts[i]);
+    for (int i = 0; i < FILMS; i += 2) zone_cost(contrasts[i]);
     layers_cost(FEW, 1500.0);
     layers_cost(MANY, 15000.0);
     fit_cost();

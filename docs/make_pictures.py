@@ -180,9 +180,15 @@ def adhesion_range(quick: bool) -> Any:
         axes[1].plot(1e6 * np.append(r, r[-1]), 1e-3 * np.append(contact.pressure(r, state), 0.0), color=colour)
     states = mdr.Contact(tip, film, work_of_adhesion=0.05).at_radius(np.linspace(0.0, 1.5e-6, count))
     axes[0].plot(1e9 * states.depth, 1e6 * states.force, color=GREY, linewidth=1.0, label="no range (JKR)")
-    axes[0].set(xlabel="depth [nm]", ylabel="force [\u00b5N]", title="equilibria; dots: the surfaces touch", ylim=(-0.8, 0.6))
+    axes[0].set(
+        xlabel="depth [nm]",
+        ylabel="force [µN]",
+        title="equilibria; dots: the surfaces touch",
+        xlim=(-550, 250),
+        ylim=(-0.8, 0.6),
+    )
     axes[0].legend(frameon=False, title="cohesive stress")
-    axes[1].set(xlabel="r [\u00b5m]", ylabel="pressure [kPa]", title="contact radius 1 \u00b5m and its zone", ylim=(-2200, 900))
+    axes[1].set(xlabel="r [µm]", ylabel="pressure [kPa]", title="contact radius 1 µm and its zone", ylim=(-2200, 1250))
     for axis in axes:
         axis.axhline(0.0, color=GREY, linewidth=0.7)
         axis.spines[["top", "right"]].set_visible(False)

@@ -735,11 +735,12 @@ enum mdr_given {
 /** Fields of a state. */
 enum mdr_field_kind {
     MDR_FIELD_PRESSURE = 1,     /**< p(r), the contact pressure, equation (6), 0 <= r <= a [modulus]. Infinite where theory says
-                                     so: at the edge of a flat punch or of an adhesive contact, at the apex of a cone. */
+                                     so: at the edge of a flat punch or of an adhesive contact, at the apex of a cone. With a
+                                     cohesive stress sigma up to zone_radius, finite at a and -sigma from there on. */
     MDR_FIELD_DISPLACEMENT = 2, /**< u(r), the displacement of the surface: d - f(r) for r <= a, where f(r) must be defined; the
                                      free surface beyond; any r >= 0. Of two bodies both together, each into its body [length]. */
-    MDR_FIELD_LINE_LOAD = 3,    /**< q(x), the line load of the one-dimensional springs, equations (5), (21), 0 <= x <= a [modulus
-                                     length]. */
+    MDR_FIELD_LINE_LOAD = 3,    /**< q(x), the line load of the one-dimensional springs, equations (5), (21), 0 <= x <= a, or to
+                                     zone_radius [modulus length]. */
     MDR_FIELD_DISPLACEMENT_LOWER = 4, /**< u(r) of the medium, or of the lower of two bodies, into that body: where its surface was
                                            flat, the shape of the deformed interface for r <= a [length]. */
     MDR_FIELD_DISPLACEMENT_UPPER = 5  /**< u(r) of the upper body, into that body; 0 for a rigid indenter [length]. */
@@ -2211,7 +2212,9 @@ enum mdr_fit_instrument {
     MDR_FIT_CONTACT_DEPTH_SCALE = 7,  /**< Factor of h_c, usually 1; 1.2 with epsilon = 1: Loubet's contact depth [1]. */
     MDR_FIT_AREA_FACTOR = 8,          /**< True over assumed projected contact area, for all data but force against depth; usually
                                            1 [1]. */
-    MDR_FIT_INSTRUMENT_COUNT = 9      /**< How many there are. */
+    MDR_FIT_COHESIVE_STRESS = 9,      /**< sigma >= 0: adhesion with a range, as in mdr_contact_options; 0: a range of nothing
+                                           [modulus]. */
+    MDR_FIT_INSTRUMENT_COUNT = 10     /**< How many there are. */
 };
 
 /** How residuals r, in standard deviations, count; s is loss_scale. */

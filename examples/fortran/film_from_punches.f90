@@ -78,7 +78,7 @@ contains
         allocate (problem%parameters(stack_numbers + instrument_numbers))
         problem%parameters%value = [1.0_wp, 0.49_wp, 2.0_wp, ieee_value(1.0_wp, ieee_positive_inf), 0.0_wp, 1.0_wp, &
                                     0.0_wp, 0.0_wp, 0.0_wp, 0.0_wp, ieee_value(1.0_wp, ieee_positive_inf), 0.75_wp, 1.0_wp, &
-                                    1.0_wp, 1.0_wp]
+                                    1.0_wp, 1.0_wp, 0.0_wp]
         problem%parameters([film_young, film_thickness])%is_free = .true.
     end subroutine set_problem
 

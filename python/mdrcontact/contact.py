@@ -327,6 +327,7 @@ class Contact(Value):
         gave, or the one with this depth, force or radius.
 
         Infinite where theory says so: at the edge of a flat punch, at the apex of a cone; minus infinity at an adhesive edge.
+        With a cohesive stress sigma r goes up to the zone's end c; p is finite at a and -sigma where a < r < c.
         branch : which state of that depth or force, as in `at_depth`
         """
         return self._field(_layout.FIELD_PRESSURE, "r", r, state, depth, force, radius, branch)
@@ -364,7 +365,8 @@ class Contact(Value):
         body: str | None = None,
     ) -> float:
         """Elastic energy [modulus length^3] of one state: the work of the force from first touch; with adhesion the energy
-        gained by the surfaces, pi a^2 work_of_adhesion, comes on top. Arguments as of `displacement`; body=None: of both."""
+        gained by the surfaces, pi a^2 work_of_adhesion, comes on top. Arguments as of `displacement`; body=None: of both. With a
+        cohesive stress the energy of the zone is int (sigma h - gamma) over it, h its gap."""
         energies = call(_native.contact_energy, self._handle.address, self._row(state, depth, force, radius, branch))
         return float(sum(energies) if body is None else energies[code("body", body, _BODIES)])
 
@@ -378,8 +380,8 @@ class Contact(Value):
         radius: float | None = None,
         branch: str = "unloading",
     ) -> FloatOrArray:
-        """Line load q(x) [modulus length] of the one-dimensional springs, equations (5), (21), at 0 <= x <= a, any shape, of one
-        state. Arguments as of `pressure`."""
+        """Line load q(x) [modulus length] of the one-dimensional springs, equations (5), (21), at 0 <= x <= a, or up to
+        the end of a cohesive zone, any shape, of one state. Arguments as of `pressure`."""
         return self._field(_layout.FIELD_LINE_LOAD, "x", x, state, depth, force, radius, branch)
 
     def lowest_pressure(self, state: State) -> tuple[float, float]:

@@ -35,14 +35,14 @@ module mdrcontact_contact
     type :: contact_options_t
         !> gamma >= 0 [modulus length]
         real(wp) :: work_of_adhesion = 0.0_wp
-        !> sigma >= 0, under which the bodies pull on each other up to a gap of gamma/sigma; 0: a range of nothing [modulus]
-        real(wp) :: cohesive_stress = 0.0_wp
         !> adhesion_automatic, adhesion_paper or adhesion_energy
         integer :: adhesion_rule = adhesion_automatic
         !> zeta(a) of (9), d = zeta(a) g(a), for a medium with an effective modulus; the source's zeta = 1 if not allocated
         type(radius_law_t), allocatable :: zeta
         !> whether zeta is that of the same body solved exactly, for radii up to 1000 thicknesses, instead of a given one
         logical :: zeta_is_exact = .false.
+        !> sigma >= 0, under which the bodies pull on each other up to a gap of gamma/sigma; 0: a range of nothing [modulus]
+        real(wp) :: cohesive_stress = 0.0_wp
     end type contact_options_t
 
     !> An indenter on a medium. It holds copies of both and never changes; any number of threads may share it.

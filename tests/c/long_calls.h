@@ -308,7 +308,7 @@ static void fits(numbers *out)
 {
     enum { POINTS = 6, MOST = 20 };
     static const double film[6] = {5.0, 0.25, 1.0, 1.0, 0.35, 1.0};
-    static const double rest[9] = {0.0, 0.0, 0.0, 0.0, INFINITY, 0.75, 1.0, 1.0, 1.0};
+    static const double rest[10] = {0.0, 0.0, 0.0, 0.0, INFINITY, 0.75, 1.0, 1.0, 1.0, 0.0};
     static const double d[POINTS] = {0.02, 0.04, 0.06, 0.08, 0.1, 0.12}, sd[POINTS] = {0.1, 0.1, 0.1, 0.1, 0.1, 0.1};
     double F[POINTS], values[MOST];
     mdr_fit_problem problem;
@@ -319,7 +319,7 @@ static void fits(numbers *out)
     problem.indenter = MDR_FIT_INDENTER_PARABOLOID;
     problem.medium = MDR_FIT_MEDIUM_STACK;
     CHECK_SUCCESS(mdr_fit_parameter_count(&problem, &count));
-    CHECK_INT(count, 16);
+    CHECK_INT(count, 17);
     for (int i = 0; i < count && i < MOST; i++) {
         const double value = i == 0 ? 5.0 : i < 7 ? film[i - 1] : rest[i - 7];
         parameters[i] = (mdr_fit_parameter){value, -INFINITY, INFINITY, 0.0, 0.0, i == 1};

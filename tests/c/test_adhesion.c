@@ -30,6 +30,17 @@ static void options_refuse(void)
         CHECK_STATUS(new_contact(&options, &c), MDR_EINVALID, "work_of_adhesion = ");
     }
     options.work_of_adhesion = work;
+    for (int i = 0; i < 4; i++) {
+        options.cohesive_stress = bad[i];
+        CHECK_STATUS(new_contact(&options, &c), MDR_EINVALID, "cohesive_stress = ");
+    }
+    options.cohesive_stress = 1.0;
+    options.work_of_adhesion = 0.0;
+    CHECK_STATUS(new_contact(&options, &c), MDR_EINVALID, "without a work_of_adhesion");
+    options.work_of_adhesion = work;
+    options.adhesion_rule = MDR_ADHESION_PAPER;
+    CHECK_STATUS(new_contact(&options, &c), MDR_EINVALID, "paper");
+    options.cohesive_stress = 0.0;
     options.adhesion_rule = 3;
     CHECK_STATUS(new_contact(&options, &c), MDR_EINVALID, "adhesion_rule = 3");
     options.adhesion_rule = -1;
@@ -101,9 +112,37 @@ static void pull_off(const mdr_contact *c)
                  "depth = ");
 }
 
+/* Maugis 1992: with m = c/a, h(c) = (a^2/(pi R)) [(m^2 - 2) arcsec m + sqrt(m^2 - 1)]
+ * + (4 sigma a/(pi E*)) [sqrt(m^2 - 1) arcsec m - m + 1] = gamma/sigma. */
+static void maugis(double sigma)
+{
+    mdr_contact *c = NULL;
+    mdr_state states[3];
+    const double radii[3] = {0.1, 0.3, 1.0};
+    mdr_contact_options options = MDR_SIZED(mdr_contact_options);
+    options.work_of_adhesion = work;
+    options.cohesive_stress = sigma;
+    CHECK_SUCCESS(new_contact(&options, &c));
+    CHECK_SUCCESS(mdr_contact_states(c, MDR_GIVEN_RADIUS, MDR_ON_UNLOADING, 3, radii, states));
+    for (int i = 0; i < 3; i++) {
+        const double a = states[i].radius, m = states[i].zone_radius / a, root = sqrt(m * m - 1), angle = acos(1 / m);
+        const double gap = a * a / (pi * R) * ((m * m - 2) * angle + root) + 4 * sigma * a / (pi * modulus) * (root * angle - m + 1);
+        CHECK_CLOSE(gap, work / sigma, 1e-11 * work / sigma);
+        CHECK_CLOSE(states[i].depth, a * a / R - 2 * sigma / modulus * a * root, 1e-13);
+        CHECK_CLOSE(states[i].force, 4 * modulus * a * a * a / (3 * R) - 2 * sigma * a * a * (root + m * m * angle), 1e-12);
+        double pressure = 0.0;
+        CHECK_SUCCESS(mdr_contact_field(c, MDR_FIELD_PRESSURE, &states[i], 1, &states[i].zone_radius, &pressure));
+        CHECK_CLOSE(pressure, -sigma, 1e-15);
+    }
+    CHECK_SUCCESS(mdr_contact_free(&c));
+}
+
 int main(void)
 {
     options_refuse();
+    maugis(0.05);
+    maugis(0.5);
+    maugis(5.0);
     for (int rule = MDR_ADHESION_AUTOMATIC; rule <= MDR_ADHESION_ENERGY; rule++) {
         mdr_contact *c = NULL;
         mdr_contact_options options;

@@ -75,7 +75,7 @@ static int inside(void)
 /* Force against depth of a cone on a graded body, E at three depths free. */
 static int fit(void)
 {
-    enum { NUMBERS = 1 + 3 * 12 + 9 };
+    enum { NUMBERS = 1 + 3 * 12 + 10 };
     mdr_fit_problem problem;
     mdr_fit_parameter p[NUMBERS];
     double y[POINTS];
@@ -96,9 +96,9 @@ static int fit(void)
         p[2 + 3 * i] = (mdr_fit_parameter){1.0 + 0.3 * i, -INFINITY, INFINITY, 0.0, 0.0, 1};
         p[3 + 3 * i].value = 0.3;
     }
-    p[NUMBERS - 5].value = INFINITY;
-    p[NUMBERS - 4].value = 0.75;
-    for (int i = NUMBERS - 3; i < NUMBERS; i++) p[i].value = 1.0;
+    p[NUMBERS - 6].value = INFINITY;
+    p[NUMBERS - 5].value = 0.75;
+    for (int i = NUMBERS - 4; i < NUMBERS - 1; i++) p[i].value = 1.0;
     for (int i = 0; i < POINTS; i++) y[i] = in[i] * in[i] * (3.0 + sin(7.0 * in[i]));
     return mdr_fit_solve(&problem, POINTS, in, y, NULL, NULL, NULL, NULL, NULL, NULL, NULL, out, NULL, NULL);
 }

@@ -2,12 +2,12 @@
 /* Fits through the C API: noise-free data give the truth back, bad input is refused. */
 #include "check.h"
 
-enum { POINTS = 40, NUMBERS = 16 };
+enum { POINTS = 40, NUMBERS = 17 };
 
 /* A paraboloid on a film under the Gao model; numbers: R; E, nu, h; E, nu, constant; the instrument's seven. */
 static void fill(mdr_fit_problem *problem, mdr_fit_parameter parameters[NUMBERS])
 {
-    static const double values[NUMBERS] = { 10e-6, 72e9, 0.17, 500e-9, 163e9, 0.22, 1, 0, 0, 0, 0, INFINITY, 0.75, 1, 1, 1 };
+    static const double values[NUMBERS] = { 10e-6, 72e9, 0.17, 500e-9, 163e9, 0.22, 1, 0, 0, 0, 0, INFINITY, 0.75, 1, 1, 1, 0 };
 
     *problem = MDR_SIZED(mdr_fit_problem);
     problem->data_kind = MDR_FIT_FORCE_DEPTH;
@@ -92,9 +92,9 @@ static void truth_comes_back(void)
 /* The upper body of two: its numbers stand between those of the lower one and of the instrument. */
 static void counterbody(void)
 {
-    enum { COUNT = 1 + 6 + 2 + 9 };
+    enum { COUNT = 1 + 6 + 2 + 10 };
     static const double values[COUNT] = { 10e-6, 72e9, 0.17, 500e-9, 163e9, 0.22, 1, 1141e9, 0.07, 0, 0, 0, 0,
-                                          INFINITY, 0.75, 1, 1, 1 };
+                                          INFINITY, 0.75, 1, 1, 1, 0 };
     mdr_fit_problem problem;
     mdr_fit_parameter parameters[COUNT];
     const double a[2] = { 1e-7, 1e-6 }, y[2] = { 1e11, 1e11 };
@@ -189,8 +189,8 @@ static void bad_input_is_refused(void)
 static void one_reading_does_not_determine_two_numbers(void)
 {
     static const int losses[3] = { MDR_FIT_LINEAR, MDR_FIT_HUBER, MDR_FIT_CAUCHY };
-    enum { COUNT = 12 };
-    static const double numbers[COUNT] = { 10e-6, 72e9, 0.17, 0, 0, 0, 0, INFINITY, 0.75, 1, 1, 1 };
+    enum { COUNT = 13 };
+    static const double numbers[COUNT] = { 10e-6, 72e9, 0.17, 0, 0, 0, 0, INFINITY, 0.75, 1, 1, 1, 0 };
     const double d[3] = { -2e-8, -1e-8, 1e-8 };
     mdr_fit_problem problem;
     mdr_fit_parameter parameters[NUMBERS];

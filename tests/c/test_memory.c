@@ -14,7 +14,7 @@ void *malloc(size_t size)
     return size > largest_request ? NULL : __libc_malloc(size);
 }
 
-enum { COUNT = 200000, LARGE_TEXT = 300000, NUMBERS = 12 };
+enum { COUNT = 200000, LARGE_TEXT = 300000, NUMBERS = 13 };
 
 static double in[COUNT], out[COUNT];
 static char large_text[LARGE_TEXT + 1];

@@ -13,7 +13,7 @@
 void *__libc_malloc(size_t size);
 void *__libc_realloc(void *old, size_t size);
 
-enum { LARGE = 65536, POINTS = 8500, ROWS = 100, GRADES = 400, LAYERS = 3000, NUMBERS = 13, SURVIVED = 42 };
+enum { LARGE = 65536, POINTS = 8500, ROWS = 100, GRADES = 400, LAYERS = 3000, NUMBERS = 14, SURVIVED = 42 };
 
 /* Large requests so far, and which one is refused; 0: none. */
 static int requests, refused;
@@ -332,7 +332,7 @@ static int fit(trial t, const double *given)
     p[6].value = t.frame_compliance;
     p[7].value = INFINITY;
     p[8].value = 0.75;
-    for (int i = 9; i < NUMBERS - 1; i++) p[i].value = 1.0;
+    for (int i = 9; i < NUMBERS - 2; i++) p[i].value = 1.0;
     return t.end(&problem, given);
 }
 static int predicted(const mdr_fit_problem *p, const double *given)

@@ -15,8 +15,8 @@ double evaluate(double x, void *params) { return calls++, params != NULL ? 0.0 :
 /* A sphere's force on a medium of E* = 3e9 found back from the data; the depths come from the library's root search. */
 int main(void)
 {
-    enum { POINTS = 20, NUMBERS = 12 };
-    static const double numbers[NUMBERS] = { 1e-6, 1e9, 0.3, 0, 0, 0, 0, INFINITY, 0.75, 1, 1, 1 };
+    enum { POINTS = 20, NUMBERS = 13 };
+    static const double numbers[NUMBERS] = { 1e-6, 1e9, 0.3, 0, 0, 0, 0, INFINITY, 0.75, 1, 1, 1, 0 };
     mdr_fit_problem problem;
     mdr_fit_parameter parameters[NUMBERS];
     mdr_fit_summary summary = MDR_SIZED(mdr_fit_summary);

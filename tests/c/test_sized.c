@@ -107,11 +107,11 @@ static int use_summary(const objects *o, void *structure)
 {
     static const double d[4] = {0.1, 0.2, 0.3, 0.4}, F[4] = {1.0, 3.0, 5.0, 8.0};
     static const double rest[9] = {0.0, 0.0, 0.0, 0.0, INFINITY, 0.75, 1.0, 1.0, 1.0};
-    mdr_fit_parameter parameters[10] = {{1.0, 0.1, 100.0, 0.0, 0.0, 1}};
+    mdr_fit_parameter parameters[11] = {{1.0, 0.1, 100.0, 0.0, 0.0, 1}};
     mdr_fit_problem problem = MDR_SIZED(mdr_fit_problem);
     problem.indenter = MDR_FIT_INDENTER_PARABOLOID;
     problem.medium_object = o->film;
-    problem.parameter_count = 10;
+    problem.parameter_count = 11;
     problem.parameters = parameters;
     for (int i = 0; i < 9; i++) parameters[i + 1] = (mdr_fit_parameter){rest[i], -INFINITY, INFINITY, 0.0, 0.0, 0};
     return mdr_fit_solve(&problem, 4, d, F, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, structure);

@@ -14,7 +14,7 @@ typedef struct shared {
     mdr_law *law;
     mdr_structure *shapes, *voxels;
     mdr_fit_problem fit;
-    mdr_fit_parameter parameters[10];
+    mdr_fit_parameter parameters[11];
 } shared;
 
 typedef struct task {
@@ -118,7 +118,7 @@ static void make_structures(shared *s)
 /* A stack under a paraboloid of free radius, on a rigid and exact instrument. */
 static void make_fit(shared *s)
 {
-    static const double values[10] = {1.0, 0.0, 0.0, 0.0, 0.0, INFINITY, 0.75, 1.0, 1.0, 1.0};
+    static const double values[11] = {1.0, 0.0, 0.0, 0.0, 0.0, INFINITY, 0.75, 1.0, 1.0, 1.0, 0.0};
     int count = 0;
 
     s->fit = MDR_SIZED(mdr_fit_problem);
@@ -127,8 +127,8 @@ static void make_fit(shared *s)
     s->fit.medium = MDR_FIT_MEDIUM_GIVEN;
     s->fit.medium_object = s->media[1];
     CHECK_SUCCESS(mdr_fit_parameter_count(&s->fit, &count));
-    CHECK_INT(count, 10);
-    for (int i = 0; i < 10; i++) s->parameters[i] = (mdr_fit_parameter){values[i], -INFINITY, INFINITY, 0.0, 0.0, i == 0};
+    CHECK_INT(count, 11);
+    for (int i = 0; i < 11; i++) s->parameters[i] = (mdr_fit_parameter){values[i], -INFINITY, INFINITY, 0.0, 0.0, i == 0};
     s->fit.parameters = s->parameters;
     s->fit.parameter_count = count;
 }

@@ -3,6 +3,8 @@
 
 import math
 import pickle
+import subprocess
+import sys
 import warnings
 
 import numpy as np
@@ -189,3 +191,36 @@ def test_pickles_and_problem_files(tmp_path):
     again = pickle.loads(pickle.dumps(contact))
     assert again == contact and again.at_radius(1.0) == contact.at_radius(1.0)
     assert "cohesive_stress=1.0" in repr(contact)
+
+
+def test_fits_find_the_stress():
+    """Modulus, work of adhesion and cohesive stress from one retraction, on a half-space and on a film."""
+    rng = np.random.default_rng(1)
+    tip, rubber = mdr.Paraboloid(2e-6), mdr.Elastic(2e6, 0.5)
+    film = mdr.Coated(rubber, 1e-6, mdr.Elastic(70e9, 0.23), model="exact")
+    for body, modulus in ((mdr.Homogeneous(rubber), "E"), (film, "coating.E")):
+        contact = mdr.Contact(tip, body, work_of_adhesion=0.05, cohesive_stress=0.3e6)
+        depth = np.linspace(-250e-9, 200e-9, 80)
+        end = contact.pull_off("depth").depth
+        force = np.array([contact.at_depth(d).force if d > end else 0.0 for d in depth])
+        instrument = mdr.Instrument(work_of_adhesion=0.045, cohesive_stress=0.25e6)
+        for noise, accuracy in ((0.0, 1e-6), (0.005, 0.15)):
+            data = mdr.ForceDepth(depth, force + rng.normal(0.0, noise * force.max(), depth.size), branch="unloading")
+            result = mdr.fit(data, tip, body, [modulus, "work_of_adhesion", "cohesive_stress"], instrument=instrument)
+            assert result.values[modulus] == pytest.approx(2e6, rel=accuracy)
+            assert result.values["work_of_adhesion"] == pytest.approx(0.05, rel=accuracy)
+            assert result.values["cohesive_stress"] == pytest.approx(0.3e6, rel=2 * accuracy)
+
+
+def test_the_stress_in_problem_files_and_on_the_command_line(tmp_path):
+    """The key is read in its unit, and the command prints how far adhesion reaches."""
+
+    def run(*words):
+        command = [sys.executable, "-m", "mdrcontact", *words]
+        return subprocess.run(command, capture_output=True, text=True, check=True).stdout
+
+    problem = tmp_path / "problem.toml"
+    problem.write_text(run("example", "afm_on_pdms").replace("[adhesion]", '[adhesion]\ncohesive_stress = "0.4 MPa"'))
+    said = run("adhesion", str(problem))
+    assert "cohesive stress: 400 kPa, up to a gap of 125 nm" in said
+    assert "on approach                -0.125  0 to" in said

@@ -100,6 +100,8 @@ class Instrument:
     """What stands between the contact and the data.
 
     work_of_adhesion : gamma >= 0 [modulus length]; for ForceDepth
+    cohesive_stress : sigma >= 0 [modulus], under which the surfaces pull on each other up to a gap of work_of_adhesion/sigma; 0: a
+        range of nothing. Free, with work_of_adhesion, where data show the range: bodies that part slowly, or jump in from afar
     depth_offset, force_offset : what the instrument reads at first contact [length], [modulus length^2]
     frame_compliance : of frame and holder, beyond what the instrument has already taken off [1/(modulus length)]
     indenter : material of the indenter, an Elastic, or None for a rigid one: the contact is that of `Pair(medium, indenter)`. An
@@ -122,6 +124,7 @@ class Instrument:
     stiffness_factor: float = 1.0
     contact_depth_scale: float = 1.0
     area_factor: float = 1.0
+    cohesive_stress: float = 0.0
 
     def __post_init__(self) -> None:
         if self.indenter is not None and not isinstance(self.indenter, Elastic):
@@ -161,6 +164,7 @@ INSTRUMENT = (
     "stiffness_factor",
     "contact_depth_scale",
     "area_factor",
+    "cohesive_stress",
 )
 
 AREA_TERMS = 8

@@ -52,6 +52,7 @@ _WORDS = {
     "contact_depth_scale": "factor of the contact depth",
     "stiffness_factor": "beta of the stiffness",
     "area_factor": "true over assumed contact area",
+    "cohesive_stress": "cohesive stress",
 }
 _LAYER_WORDS = {"E": "modulus E", "nu": "Poisson's ratio nu", "thickness": "thickness h"}
 _DATA = {
@@ -98,7 +99,7 @@ def dimension_of(name: str) -> Dimension:
         unit = "nm" if power == 1.0 else f"nm^{power:g}"
         return Dimension("a coefficient of an area function", f"m^{power:g}", f"1 {unit}", ((unit, 10.0 ** (-9.0 * power)),))
     last = name.split(".")[-1].split("[")[0]
-    if last in ("E", "E0", "indenter_modulus", "relaxed_shear_modulus", "modulus", "bulk_modulus"):
+    if last in ("E", "E0", "indenter_modulus", "relaxed_shear_modulus", "modulus", "bulk_modulus", "cohesive_stress"):
         return MODULUS
     if last in ("thickness", "radius", "end_radius", "blend_radius", "depth_offset", "z", "z0"):
         return LENGTH

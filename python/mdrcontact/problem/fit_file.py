@@ -25,7 +25,7 @@ from .record import Cantilever
 from .section import ProblemError, Section
 from .tip_file import with_calibration
 from .toml import parse_file
-from .units import COMPLIANCE, FORCE, LENGTH, SENSITIVITY, STIFFNESS, WORK_OF_ADHESION, Dimension, shown
+from .units import COMPLIANCE, FORCE, LENGTH, MODULUS, SENSITIVITY, STIFFNESS, WORK_OF_ADHESION, Dimension, shown
 
 _INSTRUMENT: Mapping[str, Dimension | None] = {
     "work_of_adhesion": WORK_OF_ADHESION,
@@ -37,6 +37,7 @@ _INSTRUMENT: Mapping[str, Dimension | None] = {
     "contact_depth_scale": None,
     "stiffness_factor": None,
     "area_factor": None,
+    "cohesive_stress": MODULUS,
     "spring_constant": STIFFNESS,
     "deflection_sensitivity": SENSITIVITY,
 }
@@ -173,7 +174,7 @@ def _read_gel(
 
 def _read_instrument(section: Section) -> Instrument:
     given: dict[str, Any] = {}
-    for key in ("work_of_adhesion", "depth_offset", "force_offset", "frame_compliance"):
+    for key in ("work_of_adhesion", "cohesive_stress", "depth_offset", "force_offset", "frame_compliance"):
         if key in section:
             given[key] = section.quantity(key)
     for key in ("contact_depth_factor", "contact_depth_scale", "stiffness_factor", "area_factor"):

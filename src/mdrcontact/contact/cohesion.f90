@@ -40,6 +40,10 @@ module mdrcontact_contact_cohesion
     type :: zone_guess_t
         !> c - a [length], and d ln h/d ln(c - a) there [1]
         real(wp) :: length = 0.0_wp, slope = 1.1_wp
+        !> dd/d ln(c - a) [length], and dF/d ln(c - a) over E0* [length^2]
+        real(wp) :: depth_rate = 0.0_wp, force_rate = 0.0_wp
+        !> the slopes are good to some digits: a guess that is nearly right is mended by them
+        logical :: is_close = .false.
     end type zone_guess_t
 
     !> ln of h(c) over the range, as a function of ln l, l the length of the zone.
@@ -55,6 +59,8 @@ module mdrcontact_contact_cohesion
     !> Newton's steps from a guess, which end where ln h is so close to its value.
     integer, parameter :: most_steps = 6
     real(wp), parameter :: close_enough = 1.0e-13_wp, widest_step = 1.5_wp
+    !> Slopes are taken from steps longer than this, and trusted to be right to as many digits over a step up to this.
+    real(wp), parameter :: shortest_secant = 1.0e-5_wp, last_step = 1.0e-8_wp
     !> Where c - a of a state has lost its digits [a].
     real(wp), parameter :: shortest_length = 1.0e-9_wp
     !> The opening beside the contact may be below 0 by so much of the range: rounding.
@@ -189,6 +195,7 @@ contains
         type(zone_guess_t), intent(inout) :: guess
         type(zone_state_t), intent(out) :: zone
         type(error_t), allocatable, intent(inout) :: error
+        type(zone_state_t) :: before
         real(wp) :: x, y, step, y_before
         integer :: i
 
@@ -199,13 +206,21 @@ contains
             call springs%with_zone(exp(x), 2.0_wp*self%stress/self%modulus, zone, error)
             if (allocated(error)) return
             y = log(max(zone%gap, tiny(y))/self%range)
-            if (i > 1 .and. abs(step) > 0.0_wp) then
-                if ((y - y_before)/step > 0.2_wp .and. abs(y - y_before) > 1.0e-9_wp) guess%slope = (y - y_before)/step
+            if (abs(step) > shortest_secant .and. (y - y_before)/sign(max(abs(step), tiny(y)), step) > 0.2_wp) then
+                guess%slope = (y - y_before)/step
+                guess%depth_rate = (zone%depth - before%depth)/step
+                guess%force_rate = (zone%force - before%force)/step
             end if
             if (abs(y) <= close_enough) exit
             y_before = y
+            before = zone
             step = -max(-widest_step, min(widest_step, y/guess%slope))
             x = x + step
+            if (guess%is_close .and. abs(step) <= last_step) then
+                zone%depth = zone%depth + guess%depth_rate*step
+                zone%force = zone%force + guess%force_rate*step
+                exit
+            end if
         end do
         if (i > most_steps .or. exp(x) > self%last_radius - springs%a) then
             call solve_for_length(self, springs, guess%length, error)
@@ -253,7 +268,7 @@ contains
         type(zone_state_t) :: zone
         type(zone_guess_t) :: guess
 
-        call new_zoned_springs(springs, self%kernel, self%tolerance, profile, state%radius, error)
+        call new_zoned_springs(springs, self%kernel, self%tolerance, profile, state%radius, error, at_points=.true.)
         if (allocated(error)) return
         guess%length = state%zone_radius - state%radius
         if (guess%length < shortest_length*state%radius) guess%length = self%small_zone

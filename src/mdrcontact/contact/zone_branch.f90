@@ -27,6 +27,7 @@ module mdrcontact_contact_zone_branch
         procedure :: state_on
         procedure :: at_radius
         procedure :: work_between
+        procedure :: sampled
     end type zone_branch_t
 
     !> s - offset of an equilibrium as a function of the coordinate.
@@ -176,6 +177,37 @@ contains
         guess = self%curve%guess_at(x)
         call zone_state(equilibrium, x, state, error, guess)
     end subroutine state_on
+
+    !> F and a from the samples where they reach: for data, which are never as exact.
+    subroutine sampled(self, equilibrium, control, segment, s, force, radius, error)
+        class(zone_branch_t), intent(in) :: self
+        type(equilibrium_t), intent(in), target :: equilibrium
+        type(control_t), intent(in) :: control
+        type(stable_segment_t), intent(in) :: segment
+        !> at the lowest or beyond: the state there
+        real(wp), intent(in) :: s
+        real(wp), intent(out) :: force, radius
+        type(error_t), allocatable, intent(inout) :: error
+        type(contact_state_t) :: state
+        type(error_t), allocatable :: failed
+        real(wp) :: last, highest, unused, x
+
+        force = 0.0_wp
+        radius = 0.0_wp
+        last = min(segment%last, self%curve%edges(size(self%curve%edges)))
+        call self%curve%control_at(control, last, highest, unused)
+        if (s > highest) then
+            call self%state_on(equilibrium, control, segment, s, state, failed)
+            if (allocated(failed)) error = failed
+            force = state%force
+            radius = state%radius
+            return
+        end if
+        x = segment%first
+        if (s > segment%lowest) x = self%curve%find(control, s, segment%first, last)
+        force = self%curve%force_at(x)
+        if (x > 0.0_wp) radius = equilibrium%cohesion%touching_zone*sinh(x)
+    end subroutine sampled
 
     subroutine find_coordinate(curve, equilibrium, control, segment, s, x, found, error)
         type(zone_curve_t), intent(in), target :: curve

@@ -17,7 +17,7 @@ module mdrcontact_contact_zone_curve
     private
     public :: zone_curve_t, new_zone_curve, zone_state, coordinate_of
 
-    integer, parameter :: rows = 4, of_depth = 1, of_force = 2, of_length = 3, of_slope = 4
+    integer, parameter :: rows = 6, of_depth = 1, of_force = 2, of_length = 3, of_slope = 4, of_depth_rate = 5, of_force_rate = 6
     integer, parameter :: most_panels = 400, probes = 48, work_nodes = 20
     !> Panels are this long at first, and none is halved below the second.
     real(wp), parameter :: usual_length = 1.0_wp, shortest_length = 1.0e-4_wp
@@ -26,7 +26,7 @@ module mdrcontact_contact_zone_curve
     !> The slope behind a break is taken no closer to it than this.
     real(wp), parameter :: smallest_root = 1.0e-5_wp
 
-    !> Chebyshev series of d, F, ln(c - a) and its slope d ln h/d ln(c - a) on panels of x.
+    !> Chebyshev series of d, F, ln(c - a), and the slopes of ln h, d and F over ln(c - a), on panels of x.
     type :: zone_curve_t
         real(wp), allocatable :: edges(:)
         !> whether a panel begins at a break of the indenter, and is a series in the root of the distance from it
@@ -36,6 +36,7 @@ module mdrcontact_contact_zone_curve
     contains
         procedure :: guess_at
         procedure :: control_at
+        procedure :: force_at
         procedure :: turns
         procedure :: find
         procedure :: work_between
@@ -170,7 +171,8 @@ contains
             ! without contact there is no search
             call zone_state(equilibrium, left + (right - left)*t, state, error, guess)
             if (allocated(error)) return
-            values(:, i) = [state%depth, state%force, log(max(guess%length, tiny(1.0_wp))), guess%slope]
+            values(:, i) = [state%depth, state%force, log(max(guess%length, tiny(1.0_wp))), guess%slope, &
+                            guess%depth_rate, guess%force_rate]
         end do
         panel = series_of_values(values)
         scales = maxval(abs(values), dim=2)
@@ -188,7 +190,7 @@ contains
         real(wp) :: v(rows), dv(rows)
 
         call evaluate(self, min(max(x, 0.0_wp), self%edges(size(self%edges))), v, dv)
-        guess = zone_guess_t(exp(v(of_length)), v(of_slope))
+        guess = zone_guess_t(exp(v(of_length)), v(of_slope), v(of_depth_rate), v(of_force_rate), is_close=.true.)
     end function guess_at
 
     !> s and its slope at a coordinate.
@@ -203,6 +205,17 @@ contains
         s = control%of(v(of_depth), v(of_force))
         slope = control%of(dv(of_depth), dv(of_force))
     end subroutine control_at
+
+    !> F at a coordinate.
+    pure function force_at(self, x) result(force)
+        class(zone_curve_t), intent(in) :: self
+        real(wp), intent(in) :: x
+        real(wp) :: force
+        real(wp) :: v(rows), dv(rows)
+
+        call evaluate(self, x, v, dv)
+        force = v(of_force)
+    end function force_at
 
     !> The rows and their slopes at a coordinate.
     pure subroutine evaluate(self, x, v, dv)

@@ -9,7 +9,9 @@ module mdrcontact_fit_predict
     use mdrcontact_fit_body, only: body_count, make_body
     use mdrcontact_fit_contact_radius, only: contact_radii
     use mdrcontact_fit_force_curve, only: force_curve_t, new_force_curve
-    use mdrcontact_fit_problem, only: at_area_factor, at_contact_depth_factor, at_contact_depth_scale, at_depth_offset, &
+    use mdrcontact_fit_zone_force, only: add_cohesion, zone_forces
+    use mdrcontact_fit_problem, only: at_area_factor, at_cohesive_stress, at_contact_depth_factor, at_contact_depth_scale, &
+                                      at_depth_offset, &
                                       at_force_offset, at_frame_compliance, at_indenter_modulus, at_stiffness_factor, &
                                       at_work_of_adhesion, data_force_depth, data_force_time, data_modulus_radius, &
                                       data_stiffness_depth, fit_data_t, fit_problem_t
@@ -137,6 +139,7 @@ contains
         type(error_t), allocatable, intent(inout) :: error
 
         call check_not_negative(error, "work_of_adhesion", instrument(at_work_of_adhesion))
+        call check_not_negative(error, "cohesive_stress", instrument(at_cohesive_stress))
         call check_finite(error, "depth_offset", instrument(at_depth_offset))
         call check_finite(error, "force_offset", instrument(at_force_offset))
         call check_finite(error, "frame_compliance", instrument(at_frame_compliance))
@@ -166,11 +169,12 @@ contains
         real(wp), allocatable :: d(:), sd(:)
         integer, allocatable :: branch(:)
         real(wp) :: smallest
+        logical, allocatable :: apart(:)
         logical :: reached, everywhere
         integer :: i, n, stat
 
         n = size(y)
-        allocate (a(n), d(n), sd(n), branch(n), stat=stat)
+        allocate (a(n), d(n), sd(n), branch(n), apart(n), stat=stat)
         call check_memory(error, stat)
         if (allocated(error)) return
         a(:) = 0.0_wp
@@ -182,26 +186,32 @@ contains
         if (maxval(d) <= 0.0_wp .and. .not. instrument(at_work_of_adhesion) > 0.0_wp) return
         call make_equilibrium(problem, instrument, profile, medium, equilibrium, error)
         if (allocated(error)) return
-        smallest = minval(d)
-        if (.not. instrument(at_work_of_adhesion) > 0.0_wp) smallest = minval(d, mask=d > 0.0_wp)
-        call new_force_curve(curve, equilibrium, smallest, maxval(d), error, n)
-        if (allocated(error)) return
+        branch(:) = on_unloading
+        if (allocated(data%branch)) branch(:) = data%branch
         everywhere = .true.
-        do i = 1, n
-            call curve%at(d(i), y(i), a(i), reached)
-            everywhere = everywhere .and. reached
-        end do
+        if (allocated(equilibrium%cohesion)) then
+            call zone_forces(equilibrium, d, branch == on_loading, y, a, apart, error)
+            if (allocated(error)) return
+        else
+            smallest = minval(d)
+            if (.not. instrument(at_work_of_adhesion) > 0.0_wp) smallest = minval(d, mask=d > 0.0_wp)
+            call new_force_curve(curve, equilibrium, smallest, maxval(d), error, n)
+            if (allocated(error)) return
+            do i = 1, n
+                call curve%at(d(i), y(i), a(i), reached)
+                everywhere = everywhere .and. reached
+            end do
+            apart(:) = (branch == on_loading .and. d < 0.0_wp) .or. d < curve%pull_off_depth()
+        end if
         y = y + instrument(at_force_offset)
         if (instrument(at_work_of_adhesion) > 0.0_wp) then
-            branch(:) = on_unloading
-            if (allocated(data%branch)) branch(:) = data%branch
             if (associated(order)) then
                 sd(:) = 1.0_wp
                 if (allocated(data%sd)) sd(:) = data%sd
                 call separate(order, branch, data%y, sd, instrument(at_force_offset), y)
             else
                 do i = 1, n
-                    if (.not. ((branch(i) == on_loading .and. d(i) < 0.0_wp) .or. d(i) < curve%pull_off_depth())) cycle
+                    if (.not. apart(i)) cycle
                     y(i) = instrument(at_force_offset)
                     a(i) = 0.0_wp
                 end do
@@ -222,6 +232,8 @@ contains
         call new_equilibrium(equilibrium, profile, medium, error)
         equilibrium%work_of_adhesion = instrument(at_work_of_adhesion)
         equilibrium%rule = problem%adhesion_rule
+        if (allocated(error) .or. .not. equilibrium%work_of_adhesion > 0.0_wp) return
+        if (instrument(at_cohesive_stress) > 0.0_wp) call add_cohesion(equilibrium, instrument(at_cohesive_stress), error)
     end subroutine make_equilibrium
 
     !> E_eff(a) of medium and indenter.

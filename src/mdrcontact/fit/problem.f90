@@ -18,7 +18,8 @@ module mdrcontact_fit_problem
               data_depth_time, data_dynamic_stiffness, part_storage, part_loss
     public :: loss_linear, loss_huber, loss_cauchy
     public :: at_work_of_adhesion, at_depth_offset, at_force_offset, at_frame_compliance, at_indenter_modulus, &
-              at_contact_depth_factor, at_stiffness_factor, at_contact_depth_scale, at_area_factor, instrument_numbers
+              at_contact_depth_factor, at_stiffness_factor, at_contact_depth_scale, at_area_factor, at_cohesive_stress, &
+              instrument_numbers
 
     !> What x and y are: d and F; d and k, given F (dynamic nanoindentation); a and E_eff; a and k; time and F, given d; time and d,
     !> given F; angular frequency and k' or k'', given a, of which `branch` says which.
@@ -34,10 +35,11 @@ module mdrcontact_fit_problem
     !> gamma [modulus length]; depth and force at which the instrument reads first contact [length], [force]; compliance of the
     !> frame [length/force]; contact modulus E*_i of the indenter, infinite for a rigid one [modulus]; epsilon of Oliver and
     !> Pharr's contact depth h - epsilon P/S on a half-space; beta of S = 2 beta a E_r; factor of the contact depth, 1.2 with
-    !> epsilon = 1 for Loubet's (N. X. Randall et al., J. Mater. Res. 24 (2009) 679); true over assumed projected contact area.
+    !> epsilon = 1 for Loubet's (N. X. Randall et al., J. Mater. Res. 24 (2009) 679); true over assumed projected contact area;
+    !> sigma, adhesion with a range [modulus].
     integer, parameter :: at_work_of_adhesion = 1, at_depth_offset = 2, at_force_offset = 3, at_frame_compliance = 4, &
                           at_indenter_modulus = 5, at_contact_depth_factor = 6, at_stiffness_factor = 7, &
-                          at_contact_depth_scale = 8, at_area_factor = 9, instrument_numbers = 9
+                          at_contact_depth_scale = 8, at_area_factor = 9, at_cohesive_stress = 10, instrument_numbers = 10
 
     !> One parameter of the problem: fixed, or free within bounds and known beforehand to a standard deviation.
     type :: fit_parameter_t

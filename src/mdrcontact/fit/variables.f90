@@ -9,7 +9,8 @@ module mdrcontact_fit_variables
     use mdrcontact_fit_medium_of, only: medium_choice_t, medium_count, medium_graded, medium_homogeneous, &
                                         medium_power_graded, medium_stack, medium_viscoelastic
     use mdrcontact_fit_rheology_of, only: at_exponent, rheology_count
-    use mdrcontact_fit_problem, only: at_contact_depth_factor, at_depth_offset, at_force_offset, at_frame_compliance, &
+    use mdrcontact_fit_problem, only: at_cohesive_stress, at_contact_depth_factor, at_depth_offset, at_force_offset, &
+                                      at_frame_compliance, &
                                       at_work_of_adhesion, data_depth_time, data_force_depth, data_force_time, &
                                       data_stiffness_depth, fit_data_t, fit_parameter_t, &
                                       fit_problem_t, instrument_numbers
@@ -121,6 +122,7 @@ contains
         last = body_count(body)
         call mark(body%counterbody, kinds(first:last))
         kinds(last + at_work_of_adhesion) = not_negative
+        kinds(last + at_cohesive_stress) = not_negative
         kinds(last + at_contact_depth_factor) = signed
         kinds(last + at_depth_offset) = signed
         kinds(last + at_force_offset) = signed

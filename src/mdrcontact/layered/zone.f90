@@ -24,7 +24,7 @@ module mdrcontact_layered_zone
     public :: zoned_springs_t, new_zoned_springs, zone_state_t, zone_load_t
 
     !> Unknowns at most, and how many more than those of a state without a zone are begun with.
-    integer, parameter :: most_unknowns = 1500, more = 4
+    integer, parameter :: most_unknowns = 1500, more = 2
     !> Part of the tolerance that the last terms of a series and the integrals may leave.
     real(wp), parameter :: share = 0.01_wp
     !> Accuracy of integrals that end nowhere near it.
@@ -81,7 +81,7 @@ module mdrcontact_layered_zone
 contains
 
     !> Factorizes the springs' equation at contact radius a.
-    subroutine new_zoned_springs(self, kernel, tolerance, profile, a, error)
+    subroutine new_zoned_springs(self, kernel, tolerance, profile, a, error, at_points)
         type(zoned_springs_t), intent(out) :: self
         !> referred to, not copied
         type(kernel_t), intent(in), target :: kernel
@@ -92,7 +92,11 @@ contains
         !> >= 0; 0: the bodies attract each other without contact [length]
         real(wp), intent(in) :: a
         type(error_t), allocatable, intent(out) :: error
+        !> for values of the load at points, not for the numbers of a state, in which last terms show by their squares; default
+        !> false
+        logical, intent(in), optional :: at_points
         real(wp), allocatable :: exponents(:), coefficients(:)
+        logical :: for_points
 
         self%a = a
         self%kernel => kernel
@@ -106,45 +110,53 @@ contains
         self%height = profile%mdr(a)
         self%depth = self%height
         self%stiffness = 2.0_wp*a
-        if (a > 0.0_wp .and. .not. kernel%vanishes) call factorize_equation(self, tolerance, error)
+        if (.not. a > 0.0_wp .or. kernel%vanishes) return
+        for_points = .false.
+        if (present(at_points)) for_points = at_points
+        call factorize_equation(self, tolerance, for_points, error)
     end subroutine new_zoned_springs
 
-    subroutine factorize_equation(self, tolerance, error)
+    subroutine factorize_equation(self, tolerance, at_points, error)
         type(zoned_springs_t), intent(inout) :: self
+        !> see new_zoned_springs
         real(wp), intent(in) :: tolerance
+        logical, intent(in) :: at_points
         type(error_t), allocatable, intent(inout) :: error
-        real(wp) :: reached
+        real(wp) :: reached, last_term
         integer :: n
         logical :: solved
 
         reached = huge(reached)
+        last_term = merge(share*tolerance, sqrt(share*tolerance), at_points)
         n = min(first_unknowns(self%kernel, tolerance, self%a/self%kernel%unit, .not. is_smooth(self%profile), .true.) + more, &
                 most_unknowns)
         do
             call check_cancelled(error)
             if (allocated(error)) return
-            call factorize_with(self, n, reached, solved, error)
+            call factorize_with(self, n, at_points, reached, solved, error)
             if (allocated(error)) return
             if (.not. solved) exit
-            if (reached <= share*tolerance) then
+            if (reached <= last_term) then
                 call place_nodes(self, n, error)
                 return
             end if
             if (n >= most_unknowns) exit
-            n = min(next_unknowns(n, reached/(share*tolerance)), most_unknowns)
+            n = min(next_unknowns(n, reached/last_term), most_unknowns)
         end do
         call raise_missed(error, "a cohesive zone", tolerance, self%a, reached)
     end subroutine factorize_equation
 
     !> With n unknowns.
-    subroutine factorize_with(self, n, reached, solved, error)
+    subroutine factorize_with(self, n, at_points, reached, solved, error)
         type(zoned_springs_t), intent(inout) :: self
         integer, intent(in) :: n
+        !> see new_zoned_springs
+        logical, intent(in) :: at_points
         !> how large the last coefficients of K q still are
         real(wp), intent(out) :: reached
         logical, intent(out) :: solved
         type(error_t), allocatable, intent(inout) :: error
-        real(wp) :: x(n, 3), of_edge(n)
+        real(wp) :: x(n, 3), of_edge(n), part(2)
         integer :: nodes
 
         reached = 0.0_wp
@@ -160,7 +172,10 @@ contains
         self%punch_edge = sum(of_edge*x(:, 1))
         self%depth = self%equation%mean + (self%equation%rise + sum(of_edge*x(:, 3)))/self%punch_edge
         self%stiffness = self%a*sqrt(2.0_wp)*x(1, 1)
-        reached = max(last_terms(self%equation%rhs(:, 1), x(:, 1)), last_terms(self%equation%rhs(:, 3), x(:, 3)))
+        part(1) = last_terms(self%equation%rhs(:, 1), x(:, 1))
+        part(2) = last_terms(self%equation%rhs(:, 3), x(:, 3))
+        ! numbers of a state miss products of last terms, of which a zone's fall as those of the punch
+        reached = max(part(1), merge(part(2), sqrt(part(1)*part(2)), at_points))
     end subroutine factorize_with
 
     !> How large the last coefficients of K q are against q.
@@ -319,18 +334,24 @@ contains
         real(wp), intent(in) :: load(:)
         real(wp), intent(in) :: shift
         real(wp), intent(out) :: values(0:)
-        real(wp) :: distances(2*size(load)), x(2*size(load)), here
-        integer :: i, n
+        real(wp) :: x(2*size(load))
+        integer :: i, m, n
 
         n = size(load)
-        do i = 0, n
-            here = 0.0_wp
-            if (i > 0) here = rule%beyond(i)
-            distances(:n) = abs(rule%beyond - here)/self%unit
-            distances(n + 1:) = (2.0_wp*self%a + here + rule%beyond)/self%unit
-            call self%kernel%evaluate(distances, shift, x)
-            values(i) = sum(load*(x(:n) + x(n + 1:)))/(pi*self%unit)
+        call self%kernel%evaluate([rule%beyond, 2.0_wp*self%a + rule%beyond]/self%unit, shift, x)
+        values = 0.0_wp
+        values(0) = sum(load*(x(:n) + x(n + 1:)))
+        ! each pair of nodes once
+        do i = 1, n
+            m = n - i + 1
+            associate (others => rule%beyond(i:), here => rule%beyond(i))
+                call self%kernel%evaluate([abs(others - here), 2.0_wp*self%a + here + others]/self%unit, shift, x(:2*m))
+            end associate
+            x(:m) = x(:m) + x(m + 1:2*m)
+            values(i) = values(i) + sum(load(i:)*x(:m))
+            values(i + 1:) = values(i + 1:) + load(i)*x(2:m)
         end do
+        values = values/(pi*self%unit)
     end subroutine within_zone
 
     !> What the kernel makes of the zone's load in the displacement of the surface at r > a:

@@ -25,6 +25,10 @@ void fuzz_contacts(world *w)
         if (!afford(w, is_exact ? 4 * PRICE_OF_ADHESION : PRICE_OF_ADHESION)) return;
         options.work_of_adhesion = take_positive(in);
         options.adhesion_rule = take_choice(in, 3);
+        if (take_byte(in) % 5 == 0) {
+            if (!afford(w, is_exact ? 20 * PRICE_OF_ADHESION : 2 * PRICE_OF_ADHESION)) return;
+            options.cohesive_stress = take_positive(in);
+        }
         if (take_chance(in)) {
             options.zeta_count = take_count(in);
             take_ascending(in, zeta_radius);

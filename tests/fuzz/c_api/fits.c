@@ -47,7 +47,7 @@ static void widen(world *w, mdr_fit_problem *problem, int branch[MOST_POINTS], d
 /* An instrument that reads what is, which viscoelastic bodies ask for; one byte in four leaves it as it came. */
 static void settle_instrument(input *in, int count, mdr_fit_parameter parameters[MOST_NUMBERS])
 {
-    static const double values[MDR_FIT_INSTRUMENT_COUNT] = {0.0, 0.0, 0.0, 0.0, INFINITY, 0.75, 1.0, 1.0, 1.0};
+    static const double values[MDR_FIT_INSTRUMENT_COUNT] = {0.0, 0.0, 0.0, 0.0, INFINITY, 0.75, 1.0, 1.0, 1.0, 0.0};
     if (take_byte(in) % 4 == 3 || count > MOST_NUMBERS || count < MDR_FIT_INSTRUMENT_COUNT) return;
     for (int i = 0; i < MDR_FIT_INSTRUMENT_COUNT; i++) {
         parameters[count - MDR_FIT_INSTRUMENT_COUNT + i] = (mdr_fit_parameter){values[i], -INFINITY, INFINITY, 0.0, 0.0, 0};

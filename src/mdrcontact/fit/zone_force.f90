@@ -1,0 +1,62 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> F(d) of a contact with a cohesive zone at many depths: the stable states, with contact and without, inverted on their samples.
+module mdrcontact_fit_zone_force
+    use mdrcontact_contact_adhesive_branch, only: stable_segment_t
+    use mdrcontact_contact_cohesion, only: new_cohesion
+    use mdrcontact_contact_control, only: depth_control
+    use mdrcontact_contact_equilibrium, only: equilibrium_t
+    use mdrcontact_contact_zone_branch, only: new_zone_branch, zone_branch_t, zone_is_resolved
+    use mdrcontact_error, only: error_t
+    use mdrcontact_kinds, only: wp
+    implicit none (type, external)
+    private
+    public :: add_cohesion, zone_forces
+
+contains
+
+    !> Gives an equilibrium its range of adhesion, unless the zone is too short to change a digit.
+    subroutine add_cohesion(equilibrium, stress, error)
+        type(equilibrium_t), intent(inout) :: equilibrium
+        !> sigma > 0 [modulus]
+        real(wp), intent(in) :: stress
+        type(error_t), allocatable, intent(inout) :: error
+        logical :: is_resolved
+
+        allocate (equilibrium%cohesion)
+        call new_cohesion(equilibrium%cohesion, equilibrium%profile, equilibrium%medium, equilibrium%last_radius, &
+                          equilibrium%work_of_adhesion, stress, error)
+        is_resolved = .true.
+        if (.not. allocated(error)) call zone_is_resolved(equilibrium, is_resolved, error)
+        if (.not. is_resolved) deallocate (equilibrium%cohesion)
+    end subroutine add_cohesion
+
+    !> F and a at depths on loading or unloading, those of pull-off below it; where the bodies are apart, `apart` says so.
+    subroutine zone_forces(equilibrium, depth, is_loading, force, radius, apart, error)
+        type(equilibrium_t), intent(in), target :: equilibrium
+        !> [length], and the same size: whether the bodies approach, F [modulus length^2], a [length], whether they are apart
+        real(wp), intent(in) :: depth(:)
+        logical, intent(in) :: is_loading(:)
+        real(wp), intent(out) :: force(:), radius(:)
+        logical, intent(out) :: apart(:)
+        type(error_t), allocatable, intent(inout) :: error
+        type(zone_branch_t) :: branch
+        type(stable_segment_t), allocatable :: list(:)
+        integer :: i, chosen
+
+        force = 0.0_wp
+        radius = 0.0_wp
+        apart = .true.
+        call new_zone_branch(branch, equilibrium, error)
+        if (.not. allocated(error)) call branch%stable_segments(equilibrium, depth_control, list, error)
+        if (allocated(error)) return
+        if (size(list) == 0) return
+        do i = 1, size(depth)
+            chosen = findloc(list%lowest <= depth(i) .and. depth(i) <= list%highest, .true., dim=1, back=.not. is_loading(i))
+            apart(i) = chosen == 0 .or. (is_loading(i) .and. depth(i) < branch%first_attraction(depth_control))
+            if (chosen == 0) chosen = minloc(list%lowest, dim=1)
+            call branch%sampled(equilibrium, depth_control, list(chosen), depth(i), force(i), radius(i), error)
+            if (allocated(error)) return
+        end do
+    end subroutine zone_forces
+
+end module mdrcontact_fit_zone_force
