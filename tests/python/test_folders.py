@@ -12,7 +12,7 @@ ORDER = [
     {"profile"},
     {"material"},
     {"body"},
-    {"line", "layered", "poroelastic"},
+    {"line", "layered", "poroelastic", "conduction"},
     {"medium", "model", "weights"},
     {"contact"},
     {"inside", "field"},
