@@ -12,7 +12,7 @@ ORDER = [
     {"profile"},
     {"material"},
     {"body"},
-    {"line", "layered", "poroelastic", "conduction"},
+    {"line", "layered", "poroelastic"},
     {"medium", "model", "weights"},
     {"contact"},
     {"inside", "field"},
