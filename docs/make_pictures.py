@@ -303,11 +303,45 @@ def rate(quick: bool) -> Any:
     return figure
 
 
+def conduction(quick: bool) -> Any:
+    """Temperatures in a section under a ball that frets on a hard carbon coating, and conductance against two rules."""
+    figure, axes = plt.subplots(1, 2, figsize=(9.0, 3.4), layout="constrained")
+    film, steel = mdr.Elastic(150e9, 0.2, mdr.Conductor(1.0)), mdr.Elastic(210e9, 0.3, mdr.Conductor(45.0))
+    body = mdr.Coated(film, 2e-6, steel)
+    contact = mdr.Contact(mdr.Paraboloid(3e-3), mdr.Pair(body, mdr.Homogeneous(steel)))
+    heat = mdr.Conduction(contact.medium).friction_heat(contact, contact.at_radius(6e-6), 0.15, 1.0)
+    x, z = np.linspace(0.0, 12.0, 25 if quick else 97), np.linspace(0.0, 6.0, 19 if quick else 73)
+    half = np.asarray(heat.temperature(1e-6 * x[None, :], 1e-6 * z[:, None]))
+    drawn = axes[0].contourf(np.r_[-x[:0:-1], x], z, np.hstack([half[:, :0:-1], half]), levels=20, cmap="inferno")
+    axes[0].axhline(2.0, color="white", linewidth=1.0)
+    axes[0].text(-11.5, 1.8, "DLC", color="white", fontsize=8)
+    axes[0].text(-11.5, 2.8, "steel", color="white", fontsize=8)
+    axes[0].plot([-6.0, 6.0], [0.0, 0.0], color=BLUE, linewidth=4.0, clip_on=False)
+    axes[0].set(xlabel="x [um]", ylabel="depth z [um]", ylim=(6.0, 0.0), title="temperature rise, 0.15 x 1 m/s [K]")
+    figure.colorbar(drawn, ax=axes[0], shrink=0.9)
+    a = np.geomspace(0.05, 30.0, 40 if quick else 150)
+    coated = mdr.LayeredConductor([(mdr.Conductor(9.17), 1.0)], mdr.Conductor(59.6))
+    exact = np.asarray(mdr.Conduction(coated).at_radius(a).conductance)
+    axes[1].loglog(a, exact, color=BLUE, label="exact")
+    axes[1].loglog(a, 4.0 * 59.6 * a, color=RED, linestyle="--", label="substrate alone, 4 S a")
+    axes[1].loglog(
+        a,
+        1.0 / (1.0 / (np.pi * a**2 * 9.17) + 1.0 / (4.0 * 59.6 * a)),
+        color=GREEN,
+        linestyle=":",
+        label="film and substrate in series",
+    )
+    axes[1].set(xlabel="a/h", ylabel="conductance [1e6 S per m of h]", title="a spot on tinned copper")
+    axes[1].legend(frameon=False, fontsize=8)
+    axes[1].spines[["top", "right"]].set_visible(False)
+    return figure
+
+
 def _elastic_models() -> tuple[str, ...]:
     return mdr.accuracy_map([2.0], [1.0]).models
 
 
-PICTURES = (springs, indenters, media, accuracy, adhesion, adhesion_range, stress, gels, wear, rate)
+PICTURES = (springs, indenters, media, accuracy, adhesion, adhesion_range, stress, gels, wear, rate, conduction)
 
 
 def save(figure: Any, file: Path) -> None:

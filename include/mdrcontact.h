@@ -1014,6 +1014,84 @@ int mdr_conduction_admittance(const mdr_conduction *p, int answer, double radius
  *  @return also MDR_EINVALID, MDR_EDOMAIN, MDR_ENOCONVERGENCE */
 int mdr_conduction_step(const mdr_conduction *p, int answer, double radius, int n, const double time[], double out[]);
 
+/** The flux density through a spot without a film, a time after a step of its potential to 1.
+ *  @param p       conduction
+ *  @param radius  a > 0 [length]
+ *  @param time    as for mdr_conduction_step() [time]
+ *  @param n       number of points
+ *  @param r       [n] 0 <= r < a [length]
+ *  @param out     [n] flux density [conductance/length^2]
+ *  @return also MDR_EINVALID, MDR_EDOMAIN, MDR_ENOCONVERGENCE */
+int mdr_conduction_step_flux(const mdr_conduction *p, double radius, double time, int n, const double r[], double out[]);
+
+/** The steady conductance of a state of contact between rough surfaces, whose area conductance goes with the pressure: a film of
+ *  area resistance kappa/p(r) in the spot, by the pressure of the state. Right to 1e-9 under smooth indenters.
+ *  @param p      conduction; its own film is left out
+ *  @param c      contact
+ *  @param state  of that contact, a > 0, whose pressure is nowhere a tension
+ *  @param kappa  > 0: area resistance times pressure [modulus length^2/conductance]
+ *  @param out    receives the conductance
+ *  @return also MDR_EINVALID, MDR_EDOMAIN, MDR_ENOCONVERGENCE */
+int mdr_conduction_rough(const mdr_conduction *p, const mdr_contact *c, const mdr_state *state, double kappa, double *out);
+
+/** The conductance along the loading of a contact: G(a) of each state, and how it grows with the force and the depth there,
+ *  dG/dF = G'(a)/F'(a), dG/dd = G'(a)/d'(a): 0 at a vertical wall.
+ *  @param p            conduction
+ *  @param c            contact, of bodies of the same layers or not
+ *  @param n            number of states
+ *  @param states       [n] of that contact, a > 0
+ *  @param conductance  [n] G; NULL: not wanted [conductance]
+ *  @param by_force     [n] dG/dF; NULL: not wanted [conductance/force]
+ *  @param by_depth     [n] dG/dd; NULL: not wanted [conductance/length]
+ *  @return also MDR_EINVALID, MDR_EDOMAIN, MDR_ENOCONVERGENCE */
+int mdr_conduction_along(const mdr_conduction *p, const mdr_contact *c, int n, const mdr_state states[], double conductance[],
+                         double by_force[], double by_depth[]);
+
+/** How the heat of friction is made. */
+enum mdr_heat_motion {
+    MDR_HEAT_SLIDING = 1,  /**< q = mu v p(r), the source resting on both bodies: fretting, or low speeds. */
+    MDR_HEAT_SPINNING = 2, /**< q = mu omega r p(r) of a twist about the axis: exact at any speed. */
+    MDR_HEAT_MOVING = 3    /**< q = mu v p(r), all of it into the one body over which the source moves at any speed. */
+};
+
+/** The heat of friction of a state, and temperature rises of the contact over those far away. */
+typedef struct mdr_friction_heat {
+    double total;     /**< Q = mu v F, or mu omega times the moment of p. */
+    double share;     /**< Part of it that the lower body takes: 1 without an upper one. */
+    double centre;    /**< Temperature rise at r = 0, for MDR_HEAT_MOVING under the centre. */
+    double flux_mean; /**< Its mean weighted with the heat. */
+    double area_mean; /**< Its mean over the contact; 0 for MDR_HEAT_MOVING. */
+} mdr_friction_heat;
+
+/** The heat of friction of a state and its temperatures. Two bodies share it so that their temperatures are the same all over the
+ *  contact; a film in the spot is not offered then.
+ *  @param p         conduction of heat
+ *  @param c         contact
+ *  @param state     of that contact, a > 0
+ *  @param motion    one of enum mdr_heat_motion
+ *  @param strength  mu v >= 0, heat per normal force; mu omega of MDR_HEAT_SPINNING
+ *  @param speed     v > 0 of the source over the body, of MDR_HEAT_MOVING alone [length/time]
+ *  @param out       receives the result
+ *  @return also MDR_EINVALID, MDR_EDOMAIN, MDR_ENOCONVERGENCE */
+int mdr_conduction_heat(const mdr_conduction *p, const mdr_contact *c, const mdr_state *state, int motion, double strength,
+                        double speed, mdr_friction_heat *out);
+
+/** The temperature rise that the heat of friction makes at points of a body.
+ *  @param p         conduction of heat
+ *  @param c         contact
+ *  @param state     of that contact, a > 0
+ *  @param motion    MDR_HEAT_SLIDING or MDR_HEAT_SPINNING
+ *  @param strength  as for mdr_conduction_heat()
+ *  @param body      one of enum mdr_body
+ *  @param below     at an interface with a resistance: 1 the side below it, 0 the side above
+ *  @param n         number of points
+ *  @param r         [n] >= 0 [length]
+ *  @param z         [n] >= 0, depth below the body's own surface [length]
+ *  @param out       [n] temperature rise. Near kinks of the indenter at the surface within 1e-4 of the largest
+ *  @return also MDR_EINVALID, MDR_EDOMAIN, MDR_ENOCONVERGENCE */
+int mdr_conduction_heat_field(const mdr_conduction *p, const mdr_contact *c, const mdr_state *state, int motion, double strength,
+                              int body, int below, int n, const double r[], const double z[], double out[]);
+
 /** Frees a conduction and sets *p to NULL. p = NULL and *p = NULL are allowed.
  *  @return MDR_SUCCESS, or MDR_EINVALID (and frees nothing) if *p is not a conduction */
 int mdr_conduction_free(mdr_conduction **p);

@@ -84,11 +84,16 @@ module mdrcontact
     use mdrcontact_medium_wave, only: new_wave, wave_t
     use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous, new_homogeneous_from_modulus, new_rigid
     use mdrcontact_model, only: find_model, model_options_t, models, new_solver
-    use mdrcontact_conduction_answers, only: admittance_of, step_of, spot_conductance_answer, spot_resistance_answer
+    use mdrcontact_conduction_along, only: conductance_along
+    use mdrcontact_conduction_answers, only: admittance_of, flux_after_step, step_of, spot_conductance_answer, &
+                                             spot_resistance_answer
     use mdrcontact_conduction_bodies, only: conduction_t, new_conduction
     use mdrcontact_conduction_conductors, only: conductor_t, conductors_t, half_space_base, insulating_base, new_conductors, &
                                                 perfect_base
     use mdrcontact_conduction_fields, only: conductance_at, flux_at, inside_at
+    use mdrcontact_conduction_heat, only: friction_heat, heat_field, heat_t, moving_heat
+    use mdrcontact_conduction_rough, only: rough_conductance
+    use mdrcontact_conduction_source, only: sliding, spinning
     use mdrcontact_conduction_transient, only: gaussian, uniform_centre, uniform_mean
     use mdrcontact_poroelastic_answers, only: gel_creep => creep, gel_mean_creep => mean_creep, &
                                               gel_mean_relaxation => mean_relaxation, gel_paraboloid => paraboloid, &

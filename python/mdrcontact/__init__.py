@@ -21,6 +21,7 @@ from . import (
     adhesion,
     closed_forms,
     conduction,
+    conductor,
     contact,
     critical,
     errors,
@@ -46,6 +47,7 @@ from .accuracy import *  # noqa: F403
 from .adhesion import *  # noqa: F403
 from .closed_forms import *  # noqa: F403
 from .conduction import *  # noqa: F403
+from .conductor import *  # noqa: F403
 from .contact import *  # noqa: F403
 from .critical import *  # noqa: F403
 from .errors import *  # noqa: F403
@@ -71,6 +73,7 @@ __all__ = [
     *adhesion.__all__,
     *closed_forms.__all__,
     *conduction.__all__,
+    *conductor.__all__,
     *contact.__all__,
     *critical.__all__,
     *errors.__all__,

@@ -75,6 +75,16 @@ conductor = np.dtype(
     ],
     align=True,
 )
+friction_heat = np.dtype(
+    [
+        ("total", np.float64),
+        ("share", np.float64),
+        ("centre", np.float64),
+        ("flux_mean", np.float64),
+        ("area_mean", np.float64),
+    ],
+    align=True,
+)
 interior = np.dtype(
     [
         ("u_r", np.float64),
@@ -432,6 +442,10 @@ CONDUCTION_RESISTANCE = 2
 CONDUCTION_MEAN = 3
 CONDUCTION_CENTRE = 4
 CONDUCTION_GAUSSIAN = 5
+
+HEAT_SLIDING = 1
+HEAT_SPINNING = 2
+HEAT_MOVING = 3
 
 WARNING_SLOPE = 1
 WARNING_PRESSURE = 2

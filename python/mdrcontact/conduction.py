@@ -3,11 +3,13 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import Any, Final
+from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from . import _layout, _native
 from ._boundary import (
@@ -15,6 +17,7 @@ from ._boundary import (
     FloatOrArray,
     Handle,
     address,
+    call,
     check,
     complex_values,
     evaluate,
@@ -25,10 +28,12 @@ from ._boundary import (
 )
 from ._value import Value
 from .adhesion import code
+from .conductor import Conductor, LayeredConductor
+from .contact import Contact, State
 from .errors import ArgumentTypeError, InvalidArgumentError
 from .interior import BODIES
 
-__all__ = ["Conductor", "Interface", "LayeredConductor", "Conduction", "Spot", "PERFECT", "INSULATING"]
+__all__ = ["Conduction", "Spot", "FrictionHeat", "ContactConductance"]
 
 ANSWERS: dict[str, int] = {
     "conductance": _layout.CONDUCTION_CONDUCTANCE,
@@ -38,110 +43,24 @@ ANSWERS: dict[str, int] = {
     "gaussian": _layout.CONDUCTION_GAUSSIAN,
 }
 """What a spot answers in time."""
+MOTIONS: dict[str, int] = {
+    "sliding": _layout.HEAT_SLIDING,
+    "spinning": _layout.HEAT_SPINNING,
+    "moving": _layout.HEAT_MOVING,
+}
+"""How the heat of friction is made."""
+SIDES: dict[str, int] = {"below": 1, "above": 0}
+"""Of an interface."""
 
 
-class _Base:
-    """What layers lie on where it is no half-space."""
-
-    def __init__(self, name: str, number: int) -> None:
-        self._name, self._code = name, number
-
-    def __repr__(self) -> str:
-        return self._name
-
-    def __reduce__(self) -> str:
-        return self._name
-
-
-PERFECT: Final = _Base("PERFECT", _layout.BASE_PERFECT)
-"""A perfect conductor at potential 0 below all layers."""
-INSULATING: Final = _Base("INSULATING", _layout.BASE_INSULATING)
-"""No flux below all layers: a body that answers in time, and with a sink in a steady state."""
-
-
-def _check(rows: NDArray[np.float64]) -> None:
-    """Lets the library check layers: what lies on an insulating base without a sink costs nothing to make."""
-    base = _layout.BASE_INSULATING
-    Handle(_native.conduction_new(rows, base, 0, 0, base, 0.0, 0.0), _native.conduction_free)
-
-
-@dataclass(frozen=True)
-class Conductor(Value):
-    """A material that conducts current or heat; a body of it alone is a half-space.
-
-    sigma : conductivity > 0 into the body, S/m or W/(m K) [conductance/length]
-    along : conductivity > 0 along the surface; None: sigma
-    capacity : heat capacity >= 0 per volume, J/(m^3 K); 0: it follows at once
-    """
-
-    sigma: float
-    along: float | None = None
-    capacity: float = 0.0
-    _handle: Any = field(init=False, repr=False, compare=False)
-
-    def __post_init__(self) -> None:
-        self._set(sigma=number("sigma", self.sigma), capacity=number("capacity", self.capacity), _handle=None)
-        if self.along is not None:
-            self._set(along=number("along", self.along))
-        _check(np.array([self._row(1.0)]))
-
-    def _row(self, thickness: float = 0.0, resistance: float = 0.0) -> tuple[float, ...]:
-        """Of struct mdr_conductor."""
-        return thickness, self.sigma, self.sigma if self.along is None else self.along, self.capacity, resistance
-
-
-@dataclass(frozen=True)
-class Interface(Value):
-    """What lies between two layers.
-
-    resistance : area resistance >= 0: Kapitza resistance, an oxide [length^2/conductance]
-    """
-
-    resistance: float
-    _handle: Any = field(init=False, repr=False, compare=False)
-
-    def __post_init__(self) -> None:
-        self._set(resistance=number("resistance", self.resistance), _handle=None)
-        _check(np.array([(1.0, 1.0, 1.0, 0.0, self.resistance)]))
-
-
-@dataclass(frozen=True)
-class LayeredConductor(Value):
-    """A body of layers that conduct.
-
-    layers : from the surface down, (Conductor, thickness > 0), with Interface(resistance) between two, or above the substrate
-    substrate : Conductor, PERFECT or INSULATING
-    """
-
-    layers: tuple[Any, ...]
-    substrate: Conductor | _Base
-    _handle: Any = field(init=False, repr=False, compare=False)
-
-    def __post_init__(self) -> None:
-        self._set(layers=tuple(layer if isinstance(layer, Interface) else tuple(layer) for layer in self.layers), _handle=None)
-        rows, base = self._rows()
-        if base == _layout.BASE_HALF_SPACE:
-            rows[-1, 0] = 1.0
-        _check(rows)
-
-    def _rows(self) -> tuple[NDArray[np.float64], int]:
-        """Rows of struct mdr_conductor, and the base."""
-        rows: list[list[float]] = []
-        for layer in self.layers:
-            if isinstance(layer, Interface):
-                if not rows or rows[-1][4]:
-                    raise InvalidArgumentError("an Interface is not allowed there: it lies below a layer, one at most")
-                rows[-1][4] = layer.resistance
-            elif len(layer) == 2 and isinstance(layer[0], Conductor):
-                rows.append(list(layer[0]._row(number("thickness", layer[1]))))
-            else:
-                raise ArgumentTypeError(f"{layer!r} is not allowed: it must be (Conductor, thickness) or an Interface")
-        if isinstance(self.substrate, Conductor):
-            rows.append(list(self.substrate._row()))
-            return np.array(rows), _layout.BASE_HALF_SPACE
-        if not isinstance(self.substrate, _Base):
-            raise ArgumentTypeError(f"substrate = {self.substrate!r} is not allowed: it must be a Conductor, PERFECT or INSULATING")
-        return np.array(rows).reshape(-1, 5), self.substrate._code
+def _at_points(r: ArrayLike, z: ArrayLike, function: Callable[..., Any]) -> FloatOrArray:
+    """Values of a compiled function at points whose coordinates broadcast."""
+    radii, depths = together(r=r, z=z)
+    if not radii.size:
+        return np.empty(radii.shape)
+    status, values = function(*(np.ascontiguousarray(axis, float).ravel() for axis in (radii, depths)))
+    check(status, single=not radii.shape)
+    return values.reshape(radii.shape) if radii.shape else float(values[0])
 
 
 def _conductor(material: Any) -> Conductor:
@@ -168,6 +87,59 @@ def _body(body: Any) -> LayeredConductor:
                             "with conductors")  # fmt: skip
 
 
+def _bodies(body: Any, other: Any) -> tuple[LayeredConductor, LayeredConductor | None]:
+    """Both sides: a `Pair` has two."""
+    if hasattr(body, "lower") and hasattr(body, "upper"):
+        if other is not None:
+            raise ArgumentTypeError("other is not allowed beside a Pair, which has two bodies")
+        return _body(body.lower), _body(body.upper)
+    return _body(body), None if other is None else _body(other)
+
+
+class ContactConductance(NamedTuple):
+    """Conductance along the loading of a contact; each entry has the shape of the states."""
+
+    conductance: FloatOrArray
+    """G, flux per potential [conductance]"""
+    by_force: FloatOrArray
+    """dG/dF [conductance/force]"""
+    by_depth: FloatOrArray
+    """dG/dd [conductance/length]"""
+
+
+@dataclass(frozen=True)
+class FrictionHeat:
+    """The heat that friction makes in a state of a contact, and its temperatures over those far away."""
+
+    total: float
+    """Q, heat per time"""
+    share: float
+    """part of it that the lower body takes: 1 without an upper one"""
+    centre: float
+    """temperature rise at r = 0"""
+    flux_mean: float
+    """its mean weighted with the heat"""
+    area_mean: float
+    """its mean over the contact; NaN for a moving source"""
+    _field: Any = field(repr=False, compare=False)
+
+    def temperature(self, r: ArrayLike, z: ArrayLike, body: str = "lower", side: str = "below") -> FloatOrArray:
+        """Temperature rise in a body at r >= 0 and depth z >= 0 below its surface; not of a moving source.
+
+        side : "below" or "above", of an interface with a resistance
+        """
+        if self._field is None:
+            raise InvalidArgumentError("the temperature of a moving source is not axisymmetric: its centre and its mean are known")
+        conduction, contact, row, motion, strength = self._field
+        which, below = code("body", body, BODIES), code("side", side, SIDES)
+
+        def values(flat_r: Any, flat_z: Any) -> Any:
+            handles = conduction._handle.address, contact._handle.address
+            return _native.conduction_heat_field(handles[0], handles[1], row, motion, strength, which, below, flat_r, flat_z)
+
+        return _at_points(r, z, values)
+
+
 @dataclass(frozen=True)
 class Conduction(Value):
     """One conductor whose spot is held at a potential, or two that touch at a circular spot; no flux passes beside it.
@@ -186,8 +158,9 @@ class Conduction(Value):
 
     def __post_init__(self) -> None:
         film, sink = number("film", self.film), None if self.sink is None else number("sink", self.sink)
-        lower, lower_base = _body(self.body)._rows()
-        upper, upper_base = (None, 0) if self.other is None else _body(self.other)._rows()
+        bodies = _bodies(self.body, self.other)
+        lower, lower_base = bodies[0].rows()
+        upper, upper_base = (None, 0) if bodies[1] is None else bodies[1].rows()
         count = 0 if upper is None else len(upper)
         created = _native.conduction_new(lower, lower_base, count, address(upper), upper_base, film, sink or 0.0)
         self._set(_handle=Handle(created, _native.conduction_free), film=film, sink=sink)
@@ -198,6 +171,50 @@ class Conduction(Value):
         conductance, slope = evaluate_all("radius", radius, lambda a: _native.conduction_spot(handle, a))
         given = numbers("radius", radius) if np.ndim(radius) else number("radius", radius)
         return Spot(self, given, conductance, slope)
+
+    def along(self, contact: Contact, states: State) -> ContactConductance:
+        """Conductance of states of a contact, and how it grows with force and depth: G'(a)/F'(a), G'(a)/d'(a)."""
+        shape = np.shape(states.radius)
+        rows = np.stack([np.broadcast_to(np.asarray(value, float), shape) for value in states], axis=-1).reshape(-1, len(states))
+        if not rows.size:
+            return ContactConductance(*(np.empty(shape) for _ in range(3)))
+        status, *values = _native.conduction_along(self._handle.address, contact._handle.address, np.ascontiguousarray(rows))
+        check(status, single=not shape)
+        return ContactConductance(*(value.reshape(shape) if shape else float(value[0]) for value in values))
+
+    def rough(self, contact: Contact, state: State, kappa: float) -> float:
+        """Steady conductance of one state between rough surfaces: area resistance kappa/p(r) in the spot, by the pressure of the
+        state, in place of `film`.
+
+        kappa : > 0, area resistance times pressure [modulus length^2/conductance]
+        """
+        row = contact._one(state)
+        return float(call(_native.conduction_rough, self._handle.address, contact._handle.address, row, number("kappa", kappa)))
+
+    def step_flux(self, r: ArrayLike, time: float, radius: float) -> FloatOrArray:
+        """Flux density through a spot without a film at 0 <= r < a, a time after a step of its potential to 1."""
+        a, t = number("radius", radius), number("time", time)
+        return evaluate("r", r, lambda points: _native.conduction_step_flux(self._handle.address, a, t, points))
+
+    def friction_heat(
+        self, contact: Contact, state: State, mu: float, speed: float, motion: str = "sliding", source_speed: float | None = None
+    ) -> FrictionHeat:
+        """The heat of friction of one state, q = mu speed p(r), and its temperatures.
+
+        motion : "sliding", the source resting on both bodies, as in fretting or at low speeds; "spinning", q = mu speed r p(r),
+            speed being the twist rate [1/time]: exact at any speed; "moving", all heat into the one body over which the source
+            moves
+        source_speed : speed of the source over that body; None: speed [length/time]
+        """
+        kind = code("motion", motion, MOTIONS)
+        strength = number("mu", mu) * number("speed", speed)
+        over = strength and (number("speed", speed) if source_speed is None else number("source_speed", source_speed))
+        row = contact._one(state)
+        values = call(_native.conduction_heat, self._handle.address, contact._handle.address, row, kind, strength, over)
+        total, share, centre, flux_mean, area_mean = (float(value) for value in values)
+        if motion == "moving":
+            return FrictionHeat(total, share, centre, flux_mean, math.nan, None)
+        return FrictionHeat(total, share, centre, flux_mean, area_mean, (self, contact, row, kind, strength))
 
     def step(self, time: ArrayLike, radius: float, answer: str = "conductance") -> FloatOrArray:
         """What follows a step at time 0, at times with D t/a^2 >= 1e-4 of the surface, any shape.
@@ -252,12 +269,10 @@ class Spot:
 
     def _field(self, kind: int, r: ArrayLike, z: ArrayLike, body: str, side: str) -> FloatOrArray:
         radius = number("radius", self.radius)
-        which, below = code("body", body, BODIES), code("side", side, {"below": 1, "above": 0})
-        radii, depths = together(r=r, z=z)
-        flat = np.ascontiguousarray(radii, float).ravel(), np.ascontiguousarray(depths, float).ravel()
-        if not radii.size:
-            return np.empty(radii.shape)
+        which, below = code("body", body, BODIES), code("side", side, SIDES)
         handle = self.conduction._handle.address
-        status, values = _native.conduction_field(handle, kind, radius, which, below, flat[0], address(flat[1]))
-        check(status, single=not radii.shape)
-        return values.reshape(radii.shape) if radii.shape else float(values[0])
+
+        def values(flat_r: Any, flat_z: Any) -> Any:
+            return _native.conduction_field(handle, kind, radius, which, below, flat_r, address(flat_z))
+
+        return _at_points(r, z, values)

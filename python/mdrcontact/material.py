@@ -14,6 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _layout, _native
 from ._boundary import ComplexOrArray, FloatOrArray, Handle, address, call, complex_values, evaluate, number, numbers
 from ._value import Value
+from .conductor import Conductor
 from .errors import ArgumentTypeError, InvalidArgumentError
 
 __all__ = ["Elastic", "Viscoelastic", "PowerLawRheology", "RIGID"]
@@ -25,14 +26,23 @@ class Elastic(Value):
 
     E : Young's modulus, > 0, in the unit of pressure of the whole problem (Pa with metres and newtons)
     nu : Poisson's ratio, -1 < nu <= 0.5
+    conductor : what it conducts heat or current with, so that a body serves a contact and its `Conduction` alike; None: not known
     """
 
     E: float
     nu: float
+    conductor: Conductor | None = None
 
     def __post_init__(self) -> None:
+        self._set(E=number("E", self.E), nu=number("nu", self.nu))
+        if self.conductor is not None and not isinstance(self.conductor, Conductor):
+            raise ArgumentTypeError(f"conductor = {self.conductor!r} is not allowed: it must be a Conductor")
         # the library's half-space of this material checks E and nu, and knows E*
-        self._set(_handle=Handle(_native.medium_homogeneous(*self._numbers()), _native.medium_free))
+        self._set(_handle=Handle(_native.medium_homogeneous(self.E, self.nu), _native.medium_free))
+
+    def __repr__(self) -> str:
+        known = "" if self.conductor is None else f", conductor={self.conductor!r}"
+        return f"Elastic(E={self.E!r}, nu={self.nu!r}{known})"
 
     @property
     def contact_modulus(self) -> float:

@@ -51,6 +51,54 @@ static void test_pair(void)
     CHECK_SUCCESS(mdr_conduction_free(&p));
 }
 
+static void test_of_contact(void)
+{
+    const double E = 3.0, nu = 0.25, radius[1] = {0.3};
+    double conductance, by_force, by_depth, rough, out[2], r[2] = {0.0, 0.1}, z[2] = {0.0, 0.2};
+    mdr_conduction *p = NULL;
+    mdr_profile *ball = NULL;
+    mdr_medium *body = NULL;
+    mdr_contact *c = NULL;
+    mdr_state state;
+    mdr_friction_heat heat = {7.0, 7.0, 7.0, 7.0, 7.0};
+
+    CHECK_SUCCESS(mdr_conduction_new(1, &HALF_SPACE, MDR_BASE_HALF_SPACE, 0, NULL, 0, 0.0, 0.0, &p));
+    CHECK_SUCCESS(mdr_profile_paraboloid(2.0, &ball));
+    CHECK_SUCCESS(mdr_medium_homogeneous(E, nu, &body));
+    CHECK_SUCCESS(mdr_contact_new(ball, body, NULL, &c));
+    CHECK_SUCCESS(mdr_contact_states(c, MDR_GIVEN_RADIUS, MDR_ON_UNLOADING, 1, radius, &state));
+    CHECK_SUCCESS(mdr_conduction_along(p, c, 1, &state, &conductance, &by_force, &by_depth));
+    /* Barber: G = k 2 S/E*; d = a^2/R, F ~ a^3 */
+    CHECK_CLOSE(conductance, state.stiffness * 8.0 * (1.0 - nu * nu) / E, 1e-10);
+    CHECK_CLOSE(by_force, conductance / (3.0 * state.force), 1e-10);
+    CHECK_CLOSE(by_depth, conductance / (2.0 * state.depth), 1e-10);
+    CHECK_SUCCESS(mdr_conduction_heat(p, c, &state, MDR_HEAT_SLIDING, 0.5, 0.0, &heat));
+    CHECK_CLOSE(heat.total, 0.5 * state.force, 1e-10);
+    CHECK_CLOSE(heat.centre, 3.0 * heat.total / (8.0 * 4.0 * 0.3), 1e-10);
+    CHECK_SUCCESS(mdr_conduction_heat_field(p, c, &state, MDR_HEAT_SLIDING, 0.5, MDR_BODY_LOWER, 1, 2, r, z, out));
+    CHECK_CLOSE(out[0], heat.centre, 1e-8);
+    CHECK_TRUE(out[1] > 0.0 && out[1] < out[0]);
+    CHECK_SUCCESS(mdr_conduction_rough(p, c, &state, 1e3, &rough));
+    /* so large a resistance lets everything through by itself: int p dA/kappa */
+    CHECK_CLOSE(rough, state.force / 1e3, 1e-2);
+    CHECK_SUCCESS(mdr_conduction_step_flux(p, 0.3, 1.0, 2, r, out));
+    CHECK_TRUE(out[1] > out[0] && out[0] > 0.0);
+    CHECK_STATUS(mdr_conduction_along(p, c, 1, NULL, &conductance, NULL, NULL), MDR_ENULL, "states");
+    CHECK_STATUS(mdr_conduction_along(p, NULL, 1, &state, &conductance, NULL, NULL), MDR_ENULL, "c");
+    CHECK_STATUS(mdr_conduction_heat(p, c, &state, 4, 0.5, 0.0, &heat), MDR_EINVALID, "motion = 4");
+    CHECK_STATUS(mdr_conduction_heat(p, c, &state, MDR_HEAT_MOVING, 0.5, 0.0, &heat), MDR_EINVALID, "speed = 0");
+    CHECK_STATUS(mdr_conduction_heat(p, c, &state, MDR_HEAT_SLIDING, -0.5, 0.0, &heat), MDR_EINVALID, "strength");
+    CHECK_STATUS(mdr_conduction_heat(p, c, NULL, MDR_HEAT_SLIDING, 0.5, 0.0, &heat), MDR_ENULL, "state");
+    CHECK_STATUS(mdr_conduction_heat(p, c, &state, MDR_HEAT_SLIDING, 0.5, 0.0, NULL), MDR_ENULL, "out");
+    CHECK_STATUS(mdr_conduction_rough(p, c, &state, 0.0, &rough), MDR_EINVALID, "kappa = 0");
+    CHECK_STATUS(mdr_conduction_step_flux(p, 0.05, 1.0, 2, r, out), MDR_EDOMAIN, "entry 2 of r");
+    CHECK_STATUS(mdr_conduction_heat_field(p, c, &state, 1, 0.5, 2, 1, 2, r, z, out), MDR_EINVALID, "body = 2");
+    CHECK_SUCCESS(mdr_contact_free(&c));
+    CHECK_SUCCESS(mdr_medium_free(&body));
+    CHECK_SUCCESS(mdr_profile_free(&ball));
+    CHECK_SUCCESS(mdr_conduction_free(&p));
+}
+
 static void test_refusals(void)
 {
     const mdr_conductor bad = {1.0, -1.0, 1.0, 0.0, 0.0}, layer = {1.0, 1.0, 1.0, 1.0, 0.0};
@@ -103,6 +151,7 @@ int main(void)
 {
     test_half_space();
     test_pair();
+    test_of_contact();
     test_refusals();
     return check_report("conduction");
 }

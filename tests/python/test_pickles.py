@@ -165,7 +165,17 @@ def conductors():
     tin, copper = mdr.Conductor(9.17e6), mdr.Conductor(59.6e6, 50e6, 3.4e6)
     body = mdr.LayeredConductor(((tin, 1e-6), mdr.Interface(1e-12)), copper)
     conduction = mdr.Conduction(body, copper, film=1e-13)
-    return [tin, mdr.Interface(1e-9), body, conduction, mdr.PERFECT, mdr.INSULATING, conduction.at_radius(1e-6)]
+    return [
+        tin,
+        mdr.Interface(1e-9),
+        body,
+        conduction,
+        mdr.PERFECT,
+        mdr.INSULATING,
+        conduction.at_radius(1e-6),
+        conduction.replace(film=0.0).friction_heat(CONTACT, CONTACT.at_depth(1e-8), 0.1, 1.0),
+        conduction.along(CONTACT, CONTACT.at_depth(1e-8)),
+    ]
 
 
 def bodies():

@@ -13,7 +13,23 @@ from typing import Any
 from .. import __version__
 from ..errors import MDRError, MDRWarning
 from ..problem import ProblemError
-from . import adhesion, calibrate, compare, curve, example, fit, friction, history, inspect, law, modulus, stress, validate, wear
+from . import (
+    adhesion,
+    calibrate,
+    compare,
+    conduction,
+    curve,
+    example,
+    fit,
+    friction,
+    history,
+    inspect,
+    law,
+    modulus,
+    stress,
+    validate,
+    wear,
+)
 from . import map as map_
 from .files import OutputError
 
@@ -26,6 +42,7 @@ COMMANDS = (
     stress,
     friction,
     wear,
+    conduction,
     history,
     law,
     inspect,

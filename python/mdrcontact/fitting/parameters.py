@@ -350,7 +350,7 @@ def _of_material(material: Any) -> dict[str, float]:
 def _with_numbers(material: Any, v: list[float]) -> Any:
     """The same kind of material with other numbers."""
     if isinstance(material, Elastic):
-        return Elastic(*v)
+        return Elastic(v[0], v[1])
     if isinstance(material, PowerLawRheology):
         return PowerLawRheology(*v)
     terms = list(zip(v[1:-2:2], v[2:-2:2], strict=True))

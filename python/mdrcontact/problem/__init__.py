@@ -11,9 +11,10 @@ from ..medium import Medium
 from ..medium.viscoelastic import is_viscoelastic
 from ..poroelastic import is_poroelastic
 from ..profile import Profile
-from . import adhesion, compute, friction, history, indenter, medium, strength, wear
+from . import adhesion, compute, conduction, friction, history, indenter, medium, strength, wear
 from .adhesion import Adhesion
 from .compute import Control
+from .conduction import Conducting
 from .friction import Sliding
 from .history import HistoryPath
 from .section import ProblemError, Section
@@ -24,7 +25,9 @@ from .wear import Rubbing
 
 __all__ = ["Problem", "ProblemError", "load", "read"]
 
-_TABLES = dict.fromkeys(("title", "indenter", "medium", "compute", "adhesion", "strength", "friction", "history", "wear"))
+_TABLES = dict.fromkeys(
+    ("title", "indenter", "medium", "compute", "adhesion", "strength", "friction", "history", "wear", "conduction")
+)
 
 
 class Problem(NamedTuple):
@@ -39,6 +42,7 @@ class Problem(NamedTuple):
     friction: Sliding | None = None
     history: HistoryPath | None = None
     wear: Rubbing | None = None
+    conduction: Conducting | None = None
 
     def check_elastic(self) -> None:
         """Refuses a medium whose states depend on time, for a command that knows no time."""
@@ -109,4 +113,5 @@ def read(table: dict[str, Any], title: str = "", folder: Path = Path()) -> Probl
         sliding,
         path,
         wear.read_wear(Section(table["wear"], "wear", wear.KNOWN)) if "wear" in table else None,
+        conduction.read_conduction(Section(table["conduction"], "conduction", conduction.KNOWN)) if "conduction" in table else None,
     )

@@ -10,6 +10,7 @@ from .. import medium
 from ..material import RIGID, Elastic, PowerLawRheology, Viscoelastic
 from ..medium.models import MODELS, OPTIONS
 from ..poroelastic import Poroelastic
+from .conductor import CONDUCTING, read_conductor
 from .section import ProblemError, Section
 from .units import AREA, DIFFUSIVITY, LENGTH, MODULUS, TIME, VISCOSITY, Dimension
 
@@ -27,8 +28,9 @@ MATERIAL: Mapping[str, Dimension | None] = {
     "shear_modulus": MODULUS,
     "diffusivity": DIFFUSIVITY,
     "permeability": AREA,
+    **CONDUCTING,
 }
-_ELASTIC = ("E", "nu")
+_ELASTIC = ("E", "nu", *CONDUCTING)
 _PRONY = ("relaxed_shear_modulus", "moduli", "times", "nu", "bulk_modulus", "viscosity")
 _GEL = ("shear_modulus", "nu", "diffusivity")
 _GEL_BY_FLOW = ("shear_modulus", "nu", "permeability", "viscosity")
@@ -63,7 +65,7 @@ def read_material(section: Section) -> Elastic | Viscoelastic | PowerLawRheology
             section.only((*_PRONY, "thickness"), "a Prony series, which has a relaxed_shear_modulus")
             return _prony(section)
         section.only((*_ELASTIC, "thickness"), "an elastic material")
-        return Elastic(section.quantity("E"), section.number("nu"))
+        return Elastic(section.quantity("E"), section.number("nu"), read_conductor(section))
 
 
 def _gel(section: Section) -> Poroelastic:

@@ -7,7 +7,8 @@ import math
 
 import numpy as np
 
-from ..conduction import Conduction, Conductor, LayeredConductor
+from ..conduction import Conduction
+from ..conductor import Conductor, LayeredConductor
 from ..contact import Contact, State
 from ..friction import Friction
 from ..material import Elastic, PowerLawRheology

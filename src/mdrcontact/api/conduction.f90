@@ -5,7 +5,7 @@ module mdrcontact_api_conduction
     use mdrcontact_api_arrays, only: check_array, check_count, check_in_out, check_results, make_room
     use mdrcontact_api_handles, only: deliver, open_handle
     use mdrcontact_api_status, only: check_given, status_of
-    use mdrcontact_conduction_answers, only: admittance_of, step_of
+    use mdrcontact_conduction_answers, only: admittance_of, flux_after_step, step_of
     use mdrcontact_conduction_bodies, only: conduction_t, new_conduction
     use mdrcontact_conduction_conductors, only: conductor_t, conductors_t, new_conductors
     use mdrcontact_conduction_fields, only: conductance_at, flux_at, inside_at
@@ -13,7 +13,8 @@ module mdrcontact_api_conduction
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
-    public :: mdr_conduction_new, mdr_conduction_spot, mdr_conduction_field, mdr_conduction_admittance, mdr_conduction_step
+    public :: mdr_conduction_new, mdr_conduction_spot, mdr_conduction_field, mdr_conduction_admittance, mdr_conduction_step, &
+              mdr_conduction_step_flux
 
     !> Members of struct mdr_conductor.
     integer, parameter :: members = 5
@@ -191,5 +192,28 @@ contains
         end if
         status = status_of(error)
     end function mdr_conduction_step
+
+    function mdr_conduction_step_flux(p, radius, time, n, r, out) result(status) &
+        bind(C, name="mdrcontact_entry_conduction_step_flux")
+        type(c_ptr), value :: p
+        integer(c_int), value :: n
+        real(c_double), value :: radius, time
+        real(c_double), intent(in), optional :: r(*)
+        real(c_double), intent(inout), optional :: out(*)
+        integer(c_int) :: status
+        type(conduction_t), pointer :: conduction
+        real(c_double), allocatable :: values(:)
+        type(error_t), allocatable :: error
+
+        call open_handle(p, "p", conduction, error)
+        call check_in_out(error, n, "r", present(r), present(out))
+        call make_room(error, n, values)
+        if (.not. allocated(error) .and. n > 0) then
+            call flux_after_step(conduction, radius, time, r(:n), values, error)
+            if (.not. allocated(error)) call check_results(error, values)
+            if (.not. allocated(error)) out(:n) = values
+        end if
+        status = status_of(error)
+    end function mdr_conduction_step_flux
 
 end module mdrcontact_api_conduction

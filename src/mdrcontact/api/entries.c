@@ -773,6 +773,70 @@ int mdr_conduction_step(const mdr_conduction *p, int answer, double radius, int 
     return status;
 }
 
+int mdrcontact_entry_conduction_step_flux(const mdr_conduction *p, double radius, double time, int n, const double r[],
+        double out[]);
+int mdr_conduction_step_flux(const mdr_conduction *p, double radius, double time, int n, const double r[], double out[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_conduction_step_flux(p, radius, time, n, r, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_conduction_step_flux(p, radius, time, n, r, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_conduction_rough(const mdr_conduction *p, const mdr_contact *c, const mdr_state *state, double kappa,
+        double *out);
+int mdr_conduction_rough(const mdr_conduction *p, const mdr_contact *c, const mdr_state *state, double kappa, double *out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_conduction_rough(p, c, state, kappa, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_conduction_rough(p, c, state, kappa, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_conduction_along(const mdr_conduction *p, const mdr_contact *c, int n, const mdr_state states[],
+        double conductance[], double by_force[], double by_depth[]);
+int mdr_conduction_along(const mdr_conduction *p, const mdr_contact *c, int n, const mdr_state states[], double conductance[],
+        double by_force[], double by_depth[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_conduction_along(p, c, n, states, conductance, by_force, by_depth);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_conduction_along(p, c, n, states, conductance, by_force, by_depth);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_conduction_heat(const mdr_conduction *p, const mdr_contact *c, const mdr_state *state, int motion,
+        double strength, double speed, mdr_friction_heat *out);
+int mdr_conduction_heat(const mdr_conduction *p, const mdr_contact *c, const mdr_state *state, int motion, double strength,
+        double speed, mdr_friction_heat *out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_conduction_heat(p, c, state, motion, strength, speed, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_conduction_heat(p, c, state, motion, strength, speed, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_conduction_heat_field(const mdr_conduction *p, const mdr_contact *c, const mdr_state *state, int motion,
+        double strength, int body, int below, int n, const double r[], const double z[], double out[]);
+int mdr_conduction_heat_field(const mdr_conduction *p, const mdr_contact *c, const mdr_state *state, int motion, double strength,
+        int body, int below, int n, const double r[], const double z[], double out[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_conduction_heat_field(p, c, state, motion, strength, body, below, n, r, z,
+        out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_conduction_heat_field(p, c, state, motion, strength, body, below, n, r, z, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
 int mdrcontact_entry_contact_energy(const mdr_contact *c, const mdr_state *state, double *lower, double *upper);
 int mdr_contact_energy(const mdr_contact *c, const mdr_state *state, double *lower, double *upper)
 {

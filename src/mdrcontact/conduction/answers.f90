@@ -7,14 +7,16 @@ module mdrcontact_conduction_answers
     use mdrcontact_conduction_basis, only: basis_t
     use mdrcontact_conduction_bodies, only: conduction_t
     use mdrcontact_conduction_film_in_time, only: film_basis_t, film_spot_at, new_film_basis
-    use mdrcontact_conduction_fields, only: conductance_at
+    use mdrcontact_conduction_fields, only: check_inside, conductance_at
+    use mdrcontact_conduction_spot, only: spot_t
     use mdrcontact_conduction_transient, only: basis_for, gaussian, given_flux, spot_at, uniform_centre, uniform_mean
     use mdrcontact_cancel, only: check_cancelled
-    use mdrcontact_error, only: check_choice, check_not_negative, check_positive, error_domain, error_t, raise, to_text
+    use mdrcontact_error, only: check_choice, check_not_negative, check_positive, error_domain, error_invalid, error_t, raise, &
+                                to_text
     use mdrcontact_kinds, only: pi, wp
     implicit none (type, external)
     private
-    public :: spot_conductance_answer, spot_resistance_answer, admittance_of, step_of
+    public :: spot_conductance_answer, spot_resistance_answer, admittance_of, step_of, flux_after_step
 
     !> Of an equipotential spot: flux per potential, and potential per flux; beside uniform_mean, uniform_centre, gaussian.
     integer, parameter :: spot_conductance_answer = 1, spot_resistance_answer = 2
@@ -59,6 +61,20 @@ contains
             if (allocated(error)) return
         end do
     end subroutine admittance_of
+
+    !> Raises for times that come too early.
+    subroutine check_time(conduction, a, time, entry, error)
+        type(conduction_t), intent(in) :: conduction
+        real(wp), intent(in) :: a, time
+        integer, intent(in) :: entry
+        type(error_t), allocatable, intent(inout) :: error
+
+        call check_positive(error, "time", time, entry)
+        if (allocated(error) .or. time >= first_time*a**2*diffusivity_limit(conduction)) return
+        call raise(error, error_domain, " = "//to_text(time)//" is not allowed: D t/a^2 of the surface must be at least "// &
+                   to_text(first_time)//"; before, heat flows one-dimensionally, "// &
+                   "G = pi a^2 sqrt(sigma c/(pi t)) + pi a sigma", "time", entry)
+    end subroutine check_time
 
     subroutine check_answer(answer, a, error)
         integer, intent(in) :: answer
@@ -135,13 +151,7 @@ contains
         values = 0.0_wp
         call check_answer(answer, a, error)
         do i = 1, size(time)
-            call check_positive(error, "time", time(i), i)
-            if (allocated(error)) return
-            if (time(i) >= first_time*a**2*diffusivity_limit(conduction)) cycle
-            call raise(error, error_domain, " = "//to_text(time(i))//" is not allowed: D t/a^2 of the surface must be at least "// &
-                       to_text(first_time)//"; before, heat flows one-dimensionally, "// &
-                       "G = pi a^2 sqrt(sigma c/(pi t)) + pi a sigma", "time", i)
-            return
+            call check_time(conduction, a, time(i), i, error)
         end do
         if (allocated(error)) return
         done = .false.
@@ -154,6 +164,48 @@ contains
             done = done .or. chosen
         end do
     end subroutine step_of
+
+    !> Flux density through a spot without a film, a time after a step of its potential to 1.
+    subroutine flux_after_step(conduction, a, time, r, values, error)
+        type(conduction_t), intent(in) :: conduction
+        !> > 0 [length]
+        real(wp), intent(in) :: a
+        !> as in step_of
+        real(wp), intent(in) :: time
+        !> 0 <= r < a [length]
+        real(wp), intent(in) :: r(:)
+        !> same size as r [conductance/length^2]
+        real(wp), intent(out) :: values(:)
+        type(error_t), allocatable, intent(inout) :: error
+        complex(wp) :: s(shared_nodes), weight(shared_nodes), conductance
+        complex(wp), allocatable :: series(:), total(:)
+        type(basis_t) :: basis
+        type(spot_t) :: spot
+        integer :: i, n
+
+        values = 0.0_wp
+        call check_answer(spot_conductance_answer, a, error)
+        call check_time(conduction, a, time, 1, error)
+        if (conduction%film > 0.0_wp .and. .not. allocated(error)) then
+            call raise(error, error_invalid, "the flux density through a film in time is not offered")
+        end if
+        call check_inside(r, a, error)
+        if (allocated(error)) return
+        call parabola(time, time, n, s, weight)
+        call basis_for(conduction, a, abs(s(1)), abs(s(n)), basis, error)
+        if (allocated(error)) return
+        allocate (series(basis%order), total(basis%order))
+        total = 0.0_wp
+        do i = 1, n
+            call spot_at(conduction, a, s(i), basis, conductance, error, series)
+            if (allocated(error)) return
+            total = total + weight(i)*exp(s(i)*time)*series
+        end do
+        spot%radius = a
+        spot%q = aimag(total)
+        spot%edge = sum(spot%q)
+        values = [(spot%flux(r(i)), i=1, size(r))]
+    end subroutine flux_after_step
 
     !> Times within a span by one parabola.
     subroutine on_parabola(conduction, answer, a, time, values, chosen, error)

@@ -10,7 +10,7 @@ module mdrcontact_conduction_fields
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
-    public :: conductance_at, flux_at, inside_at
+    public :: conductance_at, flux_at, inside_at, check_inside
 
 contains
 
@@ -48,6 +48,23 @@ contains
         call raise(error, error_domain, "a film in the spot on layers with an insulating base is not offered")
     end subroutine check
 
+    !> Raises unless points lie in a spot.
+    pure subroutine check_inside(r, a, error)
+        !> [length]
+        real(wp), intent(in) :: r(:)
+        !> its radius [length]
+        real(wp), intent(in) :: a
+        type(error_t), allocatable, intent(inout) :: error
+        integer :: i
+
+        do i = 1, size(r)
+            if (allocated(error)) return
+            if (r(i) >= 0.0_wp .and. r(i) < a) cycle
+            call raise(error, error_domain, " = "//to_text(r(i))//" is not allowed: it must be at least 0 and less than the "// &
+                       "spot's radius "//to_text(a), "r", i)
+        end do
+    end subroutine check_inside
+
     !> j(r) in the spot.
     subroutine flux_at(self, a, r, density, error)
         type(conduction_t), intent(in) :: self
@@ -64,12 +81,7 @@ contains
 
         density = 0.0_wp
         call check(self, a, error)
-        do i = 1, size(r)
-            if (allocated(error)) return
-            if (r(i) >= 0.0_wp .and. r(i) < a) cycle
-            call raise(error, error_domain, " = "//to_text(r(i))//" is not allowed: it must be at least 0 and less than the "// &
-                       "spot's radius "//to_text(a), "r", i)
-        end do
+        call check_inside(r, a, error)
         if (allocated(error)) return
         if (self%film > 0.0_wp) then
             call new_film_spot(film, self, a, error, terms_of_flux)

@@ -54,5 +54,22 @@ void fuzz_conduction(world *w)
         fill(out);
         judge("mdr_conduction_step", mdr_conduction_step(p, answer, a, points, x, out), points, out, NOT_NAN);
     }
+    if (p && afford(w, PRICE_OF_ANSWER)) {
+        int slot;
+        const mdr_contact *contact = some_contact(w, &slot);
+        const mdr_state state = some_state(w, contact);
+        fill(out);
+        judge("mdr_conduction_along", mdr_conduction_along(p, contact, 1, &state, out, out + 1, out + 2), 3, out, NOT_NAN);
+        fill(out);
+        judge("mdr_conduction_rough", mdr_conduction_rough(p, contact, &state, x[0], out), 1, out, NOT_NEGATIVE);
+        fill(out);
+        status = mdr_conduction_heat(p, contact, &state, take_code(&w->in, 3), x[1], x[2], (mdr_friction_heat *)out);
+        judge("mdr_conduction_heat", status, 5, out, NOT_NAN);
+        fill(out);
+        status = mdr_conduction_heat_field(p, contact, &state, take_code(&w->in, 2), x[1], 1, 1, points, x, z, out);
+        judge("mdr_conduction_heat_field", status, points, out, NOT_NAN);
+        fill(out);
+        judge("mdr_conduction_step_flux", mdr_conduction_step_flux(p, a, x[0], points, z, out), points, out, NOT_NAN);
+    }
     judge_status("mdr_conduction_free", mdr_conduction_free(&p));
 }

@@ -1,0 +1,121 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What conducts current or heat (docs/conduction.md): materials, interfaces, and stacks of them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any, Final
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _layout, _native
+from ._boundary import Handle, number
+from ._value import Value
+from .errors import ArgumentTypeError, InvalidArgumentError
+
+__all__ = ["Conductor", "Interface", "LayeredConductor", "PERFECT", "INSULATING"]
+
+
+class _Base:
+    """What layers lie on where it is no half-space."""
+
+    def __init__(self, name: str, number: int) -> None:
+        self._name, self._code = name, number
+
+    def __repr__(self) -> str:
+        return self._name
+
+    def __reduce__(self) -> str:
+        return self._name
+
+
+PERFECT: Final = _Base("PERFECT", _layout.BASE_PERFECT)
+"""A perfect conductor at potential 0 below all layers."""
+INSULATING: Final = _Base("INSULATING", _layout.BASE_INSULATING)
+"""No flux below all layers: a body that answers in time, and with a sink in a steady state."""
+
+
+def _check(rows: NDArray[np.float64]) -> None:
+    """Lets the library check layers: what lies on an insulating base without a sink costs nothing to make."""
+    base = _layout.BASE_INSULATING
+    Handle(_native.conduction_new(rows, base, 0, 0, base, 0.0, 0.0), _native.conduction_free)
+
+
+@dataclass(frozen=True)
+class Conductor(Value):
+    """A material that conducts current or heat; a body of it alone is a half-space.
+
+    sigma : conductivity > 0 into the body, S/m or W/(m K) [conductance/length]
+    along : conductivity > 0 along the surface; None: sigma
+    capacity : heat capacity >= 0 per volume, J/(m^3 K); 0: it follows at once
+    """
+
+    sigma: float
+    along: float | None = None
+    capacity: float = 0.0
+    _handle: Any = field(init=False, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        self._set(sigma=number("sigma", self.sigma), capacity=number("capacity", self.capacity), _handle=None)
+        if self.along is not None:
+            self._set(along=number("along", self.along))
+        _check(np.array([self._row(1.0)]))
+
+    def _row(self, thickness: float = 0.0, resistance: float = 0.0) -> tuple[float, ...]:
+        """Of struct mdr_conductor."""
+        return thickness, self.sigma, self.sigma if self.along is None else self.along, self.capacity, resistance
+
+
+@dataclass(frozen=True)
+class Interface(Value):
+    """What lies between two layers.
+
+    resistance : area resistance >= 0: Kapitza resistance, an oxide [length^2/conductance]
+    """
+
+    resistance: float
+    _handle: Any = field(init=False, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        self._set(resistance=number("resistance", self.resistance), _handle=None)
+        _check(np.array([(1.0, 1.0, 1.0, 0.0, self.resistance)]))
+
+
+@dataclass(frozen=True)
+class LayeredConductor(Value):
+    """A body of layers that conduct.
+
+    layers : from the surface down, (Conductor, thickness > 0), with Interface(resistance) between two, or above the substrate
+    substrate : Conductor, PERFECT or INSULATING
+    """
+
+    layers: tuple[Any, ...]
+    substrate: Conductor | _Base
+    _handle: Any = field(init=False, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        self._set(layers=tuple(layer if isinstance(layer, Interface) else tuple(layer) for layer in self.layers), _handle=None)
+        rows, base = self.rows()
+        if base == _layout.BASE_HALF_SPACE:
+            rows[-1, 0] = 1.0
+        _check(rows)
+
+    def rows(self) -> tuple[NDArray[np.float64], int]:
+        """Rows of struct mdr_conductor, and the base."""
+        rows: list[list[float]] = []
+        for layer in self.layers:
+            if isinstance(layer, Interface):
+                if not rows or rows[-1][4]:
+                    raise InvalidArgumentError("an Interface is not allowed there: it lies below a layer, one at most")
+                rows[-1][4] = layer.resistance
+            elif len(layer) == 2 and isinstance(layer[0], Conductor):
+                rows.append(list(layer[0]._row(number("thickness", layer[1]))))
+            else:
+                raise ArgumentTypeError(f"{layer!r} is not allowed: it must be (Conductor, thickness) or an Interface")
+        if isinstance(self.substrate, Conductor):
+            rows.append(list(self.substrate._row()))
+            return np.array(rows), _layout.BASE_HALF_SPACE
+        if not isinstance(self.substrate, _Base):
+            raise ArgumentTypeError(f"substrate = {self.substrate!r} is not allowed: it must be a Conductor, PERFECT or INSULATING")
+        return np.array(rows).reshape(-1, 5), self.substrate._code

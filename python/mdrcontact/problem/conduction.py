@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The table [conduction] of a problem file: resistances, and the heat of friction; materials have their conductivities."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any, NamedTuple
+
+from ..conduction import Conduction
+from ..conductor import Interface, LayeredConductor
+from ..medium import Pair
+from .conductor import ELECTRICAL, THERMAL
+from .section import ProblemError, Section
+from .units import AREA_RESISTANCE, SPEED, THERMAL_AREA_RESISTANCE, Dimension
+
+__all__ = ["THERMAL", "ELECTRICAL", "Conducting", "read_conduction"]
+
+KNOWN: Mapping[str, Dimension | None] = {
+    "kind": None,
+    "film": AREA_RESISTANCE,
+    "interfaces": AREA_RESISTANCE,
+    "thermal_film": THERMAL_AREA_RESISTANCE,
+    "thermal_interfaces": THERMAL_AREA_RESISTANCE,
+    "friction_coefficient": None,
+    "speed": SPEED,
+}
+
+
+class Conducting(NamedTuple):
+    """What [conduction] says."""
+
+    kind: str
+    """ "thermal" or "electrical" """
+    film: float
+    interfaces: tuple[float, ...]
+    """below each layer of the lower body, from the surface down"""
+    heat: tuple[float, float] | None
+    """friction coefficient and speed"""
+
+    def conduction(self, medium: Any) -> Conduction:
+        """Of the conductors of a medium."""
+        lower, upper = (medium.lower, medium.upper) if isinstance(medium, Pair) else (medium, None)
+        return Conduction(self._with_interfaces(lower), upper, self.film)
+
+    def _with_interfaces(self, body: Any) -> Any:
+        if not any(self.interfaces):
+            return body
+        layers = (
+            list(body.layers) if hasattr(body, "layers") else [(body.coating, body.thickness)] if hasattr(body, "coating") else []
+        )
+        if len(self.interfaces) > len(layers):
+            raise ProblemError(f"[conduction]: interfaces has {len(self.interfaces)} entries, and the medium {len(layers)} layers")
+        stack: list[Any] = []
+        for i, (material, thickness) in enumerate(layers):
+            stack.append((material.conductor, thickness))
+            if i < len(self.interfaces) and self.interfaces[i]:
+                stack.append(Interface(self.interfaces[i]))
+        return LayeredConductor(tuple(stack), body.substrate.conductor)
+
+
+def read_conduction(section: Section) -> Conducting:
+    """What [conduction] describes."""
+    kind = section.choice("kind", (THERMAL, ELECTRICAL))
+    prefix = "thermal_" if kind == THERMAL else ""
+    film = section.quantity(f"{prefix}film") if f"{prefix}film" in section else 0.0
+    interfaces = tuple(section.quantities(f"{prefix}interfaces")) if f"{prefix}interfaces" in section else ()
+    heat = None
+    if "speed" in section or "friction_coefficient" in section:
+        if kind != THERMAL:
+            raise ProblemError(f'[{section.path}]: speed and friction_coefficient belong to kind = "thermal"')
+        heat = section.number("friction_coefficient"), section.quantity("speed")
+    return Conducting(kind, film, interfaces, heat)

@@ -1,0 +1,145 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> Conductance along the loading of a contact, and the heat of its friction, for C.
+module mdrcontact_api_conduction_heat
+    use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
+    use mdrcontact_api_arrays, only: check_array, check_count, check_in_out, check_results, make_room
+    use mdrcontact_api_handles, only: open_handle
+    use mdrcontact_api_status, only: check_given, status_of
+    use mdrcontact_conduction_along, only: conductance_along
+    use mdrcontact_conduction_bodies, only: conduction_t
+    use mdrcontact_conduction_rough, only: rough_conductance
+    use mdrcontact_conduction_heat, only: friction_heat, heat_field, heat_t, moving_heat
+    use mdrcontact_contact, only: contact_t
+    use mdrcontact_contact_state, only: contact_state_t
+    use mdrcontact_error, only: check_choice, check_memory, error_t, raise_at
+    implicit none (type, external)
+    private
+    public :: mdr_conduction_along, mdr_conduction_rough, mdr_conduction_heat, mdr_conduction_heat_field
+
+    !> Struct mdr_friction_heat.
+    type, bind(C) :: record_t
+        real(c_double) :: total, share, centre, flux_mean, area_mean
+    end type record_t
+
+contains
+
+    function mdr_conduction_along(p, c, n, states, conductance, by_force, by_depth) result(status) &
+        bind(C, name="mdrcontact_entry_conduction_along")
+        type(c_ptr), value :: p, c
+        integer(c_int), value :: n
+        type(contact_state_t), intent(in), optional :: states(*)
+        real(c_double), intent(inout), optional :: conductance(*), by_force(*), by_depth(*)
+        integer(c_int) :: status
+        type(conduction_t), pointer :: conduction
+        type(contact_t), pointer :: contact
+        real(c_double), allocatable :: values(:, :)
+        type(error_t), allocatable :: error
+        integer :: i, stat
+
+        call open_handle(p, "p", conduction, error)
+        call open_handle(c, "c", contact, error)
+        call check_count(error, n)
+        call check_array(error, "states", n, present(states))
+        if (.not. allocated(error)) then
+            allocate (values(n, 3), stat=stat)
+            call check_memory(error, stat)
+        end if
+        if (.not. allocated(error)) then
+            do i = 1, n
+                call conductance_along(conduction, contact, states(i), values(i, 1), values(i, 2), values(i, 3), error)
+                if (.not. allocated(error)) call check_results(error, values(i, :))
+                if (allocated(error)) call raise_at(error, i)
+                if (allocated(error)) exit
+            end do
+        end if
+        status = status_of(error)
+        if (allocated(error)) return
+        if (present(conductance)) conductance(:n) = values(:, 1)
+        if (present(by_force)) by_force(:n) = values(:, 2)
+        if (present(by_depth)) by_depth(:n) = values(:, 3)
+    end function mdr_conduction_along
+
+    function mdr_conduction_rough(p, c, state, kappa, out) result(status) bind(C, name="mdrcontact_entry_conduction_rough")
+        type(c_ptr), value :: p, c
+        type(contact_state_t), intent(in), optional :: state
+        real(c_double), value :: kappa
+        real(c_double), intent(inout), optional :: out
+        integer(c_int) :: status
+        type(conduction_t), pointer :: conduction
+        type(contact_t), pointer :: contact
+        real(c_double) :: value
+        type(error_t), allocatable :: error
+
+        call open_handle(p, "p", conduction, error)
+        call open_handle(c, "c", contact, error)
+        call check_given(error, "state", present(state))
+        call check_given(error, "out", present(out))
+        if (.not. allocated(error)) call rough_conductance(conduction, contact, state, kappa, value, error)
+        if (.not. allocated(error)) call check_results(error, [value])
+        status = status_of(error)
+        if (.not. allocated(error)) out = value
+    end function mdr_conduction_rough
+
+    function mdr_conduction_heat(p, c, state, motion, strength, speed, out) result(status) &
+        bind(C, name="mdrcontact_entry_conduction_heat")
+        type(c_ptr), value :: p, c
+        type(contact_state_t), intent(in), optional :: state
+        integer(c_int), value :: motion
+        real(c_double), value :: strength, speed
+        type(record_t), intent(inout), optional :: out
+        integer(c_int) :: status
+        type(conduction_t), pointer :: conduction
+        type(contact_t), pointer :: contact
+        type(heat_t) :: heat
+        type(error_t), allocatable :: error
+
+        call open_handle(p, "p", conduction, error)
+        call open_handle(c, "c", contact, error)
+        call check_given(error, "state", present(state))
+        call check_given(error, "out", present(out))
+        ! the third motion is that of a source over the lower body
+        call check_choice(error, "motion", int(motion), 1, 3, "1 (sliding), 2 (spinning) or 3 (moving)")
+        if (.not. allocated(error)) then
+            if (motion == 3) then
+                call moving_heat(conduction, contact, state, strength, speed, heat, error)
+            else
+                call friction_heat(conduction, contact, state, int(motion), strength, heat, error)
+            end if
+        end if
+        if (.not. allocated(error)) then
+            call check_results(error, [heat%total, heat%share, heat%centre, heat%flux_mean, heat%area_mean])
+        end if
+        status = status_of(error)
+        if (.not. allocated(error)) out = record_t(heat%total, heat%share, heat%centre, heat%flux_mean, heat%area_mean)
+    end function mdr_conduction_heat
+
+    function mdr_conduction_heat_field(p, c, state, motion, strength, body, below, n, r, z, out) result(status) &
+        bind(C, name="mdrcontact_entry_conduction_heat_field")
+        type(c_ptr), value :: p, c
+        type(contact_state_t), intent(in), optional :: state
+        integer(c_int), value :: motion, body, below, n
+        real(c_double), value :: strength
+        real(c_double), intent(in), optional :: r(*), z(*)
+        real(c_double), intent(inout), optional :: out(*)
+        integer(c_int) :: status
+        type(conduction_t), pointer :: conduction
+        type(contact_t), pointer :: contact
+        real(c_double), allocatable :: values(:)
+        type(error_t), allocatable :: error
+
+        call open_handle(p, "p", conduction, error)
+        call open_handle(c, "c", contact, error)
+        call check_given(error, "state", present(state))
+        call check_in_out(error, n, "r", present(r), present(out))
+        call check_array(error, "z", n, present(z))
+        call check_choice(error, "below", int(below), 0, 1, "0 (above an interface) or 1 (below it)")
+        call make_room(error, n, values)
+        if (.not. allocated(error) .and. n > 0) then
+            call heat_field(conduction, contact, state, int(motion), strength, int(body), r(:n), z(:n), below == 1, values, error)
+            if (.not. allocated(error)) call check_results(error, values)
+            if (.not. allocated(error)) out(:n) = values
+        end if
+        status = status_of(error)
+    end function mdr_conduction_heat_field
+
+end module mdrcontact_api_conduction_heat

@@ -1,0 +1,165 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> A spot between rough surfaces, whose area conductance goes with the pressure of the contact: R_c(r) = kappa/p(r).
+!>
+!> With j = w sum c_n P_n(1 - 2 r^2/a^2), w = sqrt(1 - r^2/a^2), line loads are polynomials times 1 - u^2, and with their Legendre
+!> coefficients T_nj and the springs' matrix H
+!>     [(a/(4 pi S_0)) T (1 + H) T^t + int R_c j_m j_n r dr] c = f = (a sqrt(2)/(2 pi)) T_.0,  G = 2 pi (f, c)   (V = 1).
+module mdrcontact_conduction_rough
+    use mdrcontact_conduction_bodies, only: conduction_t, tolerance
+    use mdrcontact_contact, only: contact_t
+    use mdrcontact_contact_state, only: contact_state_t
+    use mdrcontact_error, only: check_memory, check_positive, error_domain, error_no_convergence, error_t, raise, to_text
+    use mdrcontact_kinds, only: half_pi, pi, wp
+    use mdrcontact_layered_legendre, only: moments_t, new_interaction, normalisation
+    use mdrcontact_layered_rule, only: new_rule, rule_t
+    use mdrcontact_layered_series, only: add_projections
+    use mdrcontact_layered_solve, only: factorize, first_unknowns, solve_lower
+    use mdrcontact_numerics_quadrature, only: legendre
+    implicit none (type, external)
+    private
+    public :: rough_conductance
+
+    !> Terms, fewer of them that must agree, nodes of the rules, and by how much both may differ.
+    integer, parameter :: terms = 28, fewer = 20, nodes = 96
+    real(wp), parameter :: allowed = 1.0e-6_wp
+
+contains
+
+    !> G of a state.
+    subroutine rough_conductance(conduction, contact, state, kappa, conductance, error)
+        type(conduction_t), intent(in) :: conduction
+        type(contact_t), intent(in) :: contact
+        !> of that contact, a > 0, nowhere with tension
+        type(contact_state_t), intent(in) :: state
+        !> > 0: area resistance times pressure [modulus length^2/conductance]
+        real(wp), intent(in) :: kappa
+        !> [conductance]
+        real(wp), intent(out) :: conductance
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp), allocatable :: matrix(:, :), spectrum(:, :)
+        real(wp) :: f(terms, 1), few
+        logical :: done
+        integer :: i, m, stat
+
+        conductance = 0.0_wp
+        call check_positive(error, "kappa", kappa)
+        call conduction%check_steady(error)
+        call conduction%check_radius(state%radius, error)
+        if (allocated(error)) return
+        m = terms + 2 + ceiling(1.5_wp*first_unknowns(conduction%kernel, tolerance, state%radius/conduction%kernel%unit, &
+                                                      .false., .true.))
+        allocate (matrix(terms, terms), spectrum(terms, m), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
+        call fill_spectrum(spectrum, error)
+        call fill_springs(conduction, state%radius, spectrum, matrix, error)
+        call add_resistance(contact, state, kappa, matrix, error)
+        if (allocated(error)) return
+        f(:, 1) = state%radius**2*sqrt(2.0_wp)/(2.0_wp*pi)*spectrum(:, 1)
+        call factorize(terms, terms, matrix, done)
+        if (.not. done) then
+            call raise(error, error_no_convergence, "the flux through a rough contact could not be solved for")
+            return
+        end if
+        call solve_lower(terms, terms, 1, matrix, f)
+        conductance = 2.0_wp*pi*sum(f**2)
+        few = 2.0_wp*pi*sum([(f(i, 1)**2, i=1, fewer)])
+        if (abs(conductance - few) > allowed*conductance) then
+            call raise(error, error_no_convergence, "the flux through this rough contact is off by about "// &
+                       to_text(abs(conductance - few)/conductance)//": its resistance is too small, or its pressure not smooth")
+        end if
+    end subroutine rough_conductance
+
+    !> T_nj at a = 1: q_n(u) = 2 sqrt(1 - u^2) int_0^1 j_n dt at r^2 = u^2 + (1 - u^2) t^2, by Gauss in angles.
+    subroutine fill_spectrum(spectrum, error)
+        real(wp), intent(out) :: spectrum(:, :)
+        type(error_t), allocatable, intent(inout) :: error
+        type(rule_t) :: rule
+        real(wp), allocatable :: angle(:), weight(:), p(:, :), q(:, :), row(:)
+        integer :: i, j, n
+
+        spectrum = 0.0_wp
+        call new_rule(rule, nodes, error)
+        if (allocated(error)) return
+        angle = 0.5_wp*half_pi*rule%distance
+        weight = 0.5_wp*half_pi*rule%weights
+        n = size(spectrum, 1)
+        allocate (p(size(angle), n), q(size(angle), n), row(size(spectrum, 2)))
+        do i = 1, size(angle)
+            associate (root => cos(angle(i)), u => sin(angle(i)))
+                p = legendre(n, 1.0_wp - 2.0_wp*(u**2 + (root*sin(angle))**2))
+                ! w = root cos, dt = cos
+                q(i, :) = [(2.0_wp*root**2*sum(weight*cos(angle)**2*p(:, j)), j=1, n)]
+            end associate
+        end do
+        do j = 1, n
+            row = 0.0_wp
+            call add_projections(size(angle), sin(angle), 2.0_wp*weight*cos(angle)*q(:, j), row)
+            spectrum(j, :) = row*normalisation(size(row))
+        end do
+    end subroutine fill_spectrum
+
+    !> (a/(4 pi S_0)) T (1 + H) T^t, T of a spot of radius a being a times that of radius 1.
+    subroutine fill_springs(conduction, a, spectrum, matrix, error)
+        type(conduction_t), intent(in) :: conduction
+        real(wp), intent(in) :: a, spectrum(:, :)
+        real(wp), intent(out) :: matrix(:, :)
+        type(error_t), allocatable, intent(inout) :: error
+        type(moments_t) :: moments
+        real(wp), allocatable :: h(:, :), whole(:, :)
+        integer :: i, m, stat
+
+        matrix = 0.0_wp
+        if (allocated(error)) return
+        m = size(spectrum, 2)
+        allocate (whole(m, m), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
+        whole = 0.0_wp
+        if (.not. conduction%kernel%vanishes) then
+            call new_interaction(moments, h, conduction%kernel, a, m, m, 4*m + 4, 4*m, error)
+            if (allocated(error)) return
+            do i = 1, m
+                whole(i:, i) = h(i:, i)
+                whole(i, i:) = h(i:, i)
+                whole(i, i) = whole(i, i) + moments%diagonal - 1.0_wp
+            end do
+        end if
+        do i = 1, m
+            whole(i, i) = whole(i, i) + 1.0_wp
+        end do
+        matrix = a**3/(4.0_wp*pi*conduction%scale)*matmul(spectrum, matmul(whole, transpose(spectrum)))
+    end subroutine fill_springs
+
+    !> int kappa/p j_m j_n r dr.
+    subroutine add_resistance(contact, state, kappa, matrix, error)
+        type(contact_t), intent(in) :: contact
+        type(contact_state_t), intent(in) :: state
+        real(wp), intent(in) :: kappa
+        real(wp), intent(inout) :: matrix(:, :)
+        type(error_t), allocatable, intent(inout) :: error
+        type(rule_t) :: rule
+        real(wp), allocatable :: angle(:), weight(:), pressure(:), p(:, :)
+        integer :: i, j
+
+        call new_rule(rule, nodes, error)
+        if (allocated(error)) return
+        angle = 0.5_wp*half_pi*rule%distance
+        allocate (pressure(size(angle)), p(size(angle), size(matrix, 1)))
+        call contact%pressure(state, min(state%radius*sin(angle), state%radius), pressure, error)
+        if (allocated(error)) return
+        if (.not. all(pressure > 0.0_wp)) then
+            call raise(error, error_domain, "the pressure of this contact is not greater than 0 everywhere: its conductance "// &
+                       "cannot go with it")
+            return
+        end if
+        p = legendre(size(p, 2), 1.0_wp - 2.0_wp*sin(angle)**2)
+        weight = 0.5_wp*half_pi*rule%weights*kappa*state%radius**2*cos(angle)**3*sin(angle)/pressure
+        do j = 1, size(matrix, 1)
+            do i = 1, size(matrix, 1)
+                matrix(i, j) = matrix(i, j) + sum(weight*p(:, i)*p(:, j))
+            end do
+        end do
+    end subroutine add_resistance
+
+end module mdrcontact_conduction_rough
