@@ -960,6 +960,16 @@ int mdr_conduction_new(int n, const mdr_conductor lower[], int lower_base, int m
  *  @return also MDR_EINVALID, MDR_EDOMAIN, MDR_ENOCONVERGENCE */
 int mdr_conduction_spot(const mdr_conduction *p, int n, const double radius[], double conductance[], double slope[]);
 
+/** The same conduction with a table of its conductance between two radii, made once and compared with the solution between its nodes:
+ *  mdr_conduction_spot() and mdr_conduction_along() read it there, some hundred nanoseconds a radius, for codes that integrate motion.
+ *  @param p          conduction
+ *  @param smallest   radius > 0 [length]
+ *  @param largest    > smallest [length]
+ *  @param tolerance  relative, of G, 1e-10 to 1e-2
+ *  @param out        receives the handle
+ *  @return also MDR_EINVALID, MDR_EDOMAIN, MDR_ENOCONVERGENCE */
+int mdr_conduction_tabulate(const mdr_conduction *p, double smallest, double largest, double tolerance, mdr_conduction **out);
+
 /** A field of the steady spot at potential difference 1. */
 enum mdr_conduction_field {
     MDR_CONDUCTION_FLUX = 1,      /**< Flux density through the spot; without a film it is infinite at its edge, 0 <= r < a. */

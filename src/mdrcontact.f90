@@ -94,6 +94,7 @@ module mdrcontact
     use mdrcontact_conduction_heat, only: friction_heat, heat_field, heat_t, moving_heat
     use mdrcontact_conduction_rough, only: rough_conductance
     use mdrcontact_conduction_source, only: sliding, spinning
+    use mdrcontact_conduction_table, only: tabulate_conductance
     use mdrcontact_conduction_transient, only: gaussian, uniform_centre, uniform_mean
     use mdrcontact_poroelastic_answers, only: gel_creep => creep, gel_mean_creep => mean_creep, &
                                               gel_mean_relaxation => mean_relaxation, gel_paraboloid => paraboloid, &

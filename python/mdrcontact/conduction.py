@@ -33,7 +33,7 @@ from .contact import Contact, State
 from .errors import ArgumentTypeError, InvalidArgumentError
 from .interior import BODIES
 
-__all__ = ["Conduction", "Spot", "FrictionHeat", "ContactConductance"]
+__all__ = ["Conduction", "TabulatedConduction", "Spot", "FrictionHeat", "ContactConductance"]
 
 ANSWERS: dict[str, int] = {
     "conductance": _layout.CONDUCTION_CONDUCTANCE,
@@ -172,6 +172,14 @@ class Conduction(Value):
         given = numbers("radius", radius) if np.ndim(radius) else number("radius", radius)
         return Spot(self, given, conductance, slope)
 
+    def tabulated(self, smallest: float, largest: float, tolerance: float = 1e-8) -> TabulatedConduction:
+        """The same with a table of its conductance between two radii, compared with the solution between its nodes: a conductance
+        then takes some hundred nanoseconds, for codes that integrate motion and have the radius from a `ContactLaw`.
+
+        tolerance : relative, 1e-10 to 1e-2
+        """
+        return TabulatedConduction(self.body, self.other, self.film, self.sink, smallest, largest, tolerance)
+
     def along(self, contact: Contact, states: State) -> ContactConductance:
         """Conductance of states of a contact, and how it grows with force and depth: G'(a)/F'(a), G'(a)/d'(a)."""
         shape = np.shape(states.radius)
@@ -234,6 +242,20 @@ class Conduction(Value):
     def impedance(self, omega: ArrayLike, radius: float) -> ComplexOrArray:
         """Potential over flux of an equipotential spot at angular frequencies omega >= 0 [1/time]."""
         return self.admittance(omega, radius, "resistance")
+
+
+@dataclass(frozen=True)
+class TabulatedConduction(Conduction):
+    """A conduction with a table of its conductance, made by `Conduction.tabulated`; beyond the table it is solved."""
+
+    smallest: float = 0.0
+    largest: float = 0.0
+    tolerance: float = 1e-8
+
+    def __post_init__(self) -> None:
+        super().__post_init__()
+        ends = [number(name, getattr(self, name)) for name in ("smallest", "largest", "tolerance")]
+        self._set(_handle=Handle(_native.conduction_tabulate(self._handle.address, *ends), _native.conduction_free))
 
 
 @dataclass(frozen=True)

@@ -92,7 +92,7 @@ class Argument:
 
     def length(self):
         """The integer that this array's length determines, and the expression for it."""
-        match = re.fullmatch(r"(n|nx|ny|phases)( \+ 1)?(, [357])?", self.size or "")
+        match = re.fullmatch(r"(n|nx|ny|phases)( \+ 1)?(, [3567])?", self.size or "")
         return match and self.way == "in" and (match[1], f"{'shape' if match[3] else 'len'}({self.name}{', 0' if match[3] else ''})"
                                                f"{' - 1' if match[2] else ''}")  # fmt: skip
 

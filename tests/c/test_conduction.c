@@ -55,7 +55,7 @@ static void test_of_contact(void)
 {
     const double E = 3.0, nu = 0.25, radius[1] = {0.3};
     double conductance, by_force, by_depth, rough, out[2], r[2] = {0.0, 0.1}, z[2] = {0.0, 0.2};
-    mdr_conduction *p = NULL;
+    mdr_conduction *p = NULL, *table = NULL;
     mdr_profile *ball = NULL;
     mdr_medium *body = NULL;
     mdr_contact *c = NULL;
@@ -83,6 +83,14 @@ static void test_of_contact(void)
     CHECK_CLOSE(rough, state.force / 1e3, 1e-2);
     CHECK_SUCCESS(mdr_conduction_step_flux(p, 0.3, 1.0, 2, r, out));
     CHECK_TRUE(out[1] > out[0] && out[0] > 0.0);
+    CHECK_SUCCESS(mdr_conduction_tabulate(p, 0.1, 0.5, 1e-8, &table));
+    CHECK_SUCCESS(mdr_conduction_spot(table, 1, radius, out, out + 1));
+    CHECK_CLOSE(out[0], conductance, 1e-8);
+    CHECK_CLOSE(out[1], 16.0, 1e-6);
+    CHECK_SUCCESS(mdr_conduction_free(&table));
+    CHECK_STATUS(mdr_conduction_tabulate(p, 0.5, 0.1, 1e-8, &table), MDR_EINVALID, "largest_radius");
+    CHECK_STATUS(mdr_conduction_tabulate(p, 0.1, 0.5, 1.0, &table), MDR_EINVALID, "tolerance");
+    CHECK_STATUS(mdr_conduction_tabulate(p, 0.1, 0.5, 1e-8, NULL), MDR_ENULL, "out");
     CHECK_STATUS(mdr_conduction_along(p, c, 1, NULL, &conductance, NULL, NULL), MDR_ENULL, "states");
     CHECK_STATUS(mdr_conduction_along(p, NULL, 1, &state, &conductance, NULL, NULL), MDR_ENULL, "c");
     CHECK_STATUS(mdr_conduction_heat(p, c, &state, 4, 0.5, 0.0, &heat), MDR_EINVALID, "motion = 4");

@@ -4,7 +4,7 @@
 
 #include <pthread.h>
 
-enum { THREADS = 4, POINTS = 6, ROUNDS = 5, VALUES = 16 * POINTS };
+enum { THREADS = 4, POINTS = 6, ROUNDS = 5, VALUES = 18 * POINTS };
 
 typedef struct task {
     const mdr_profile *profile;
@@ -14,6 +14,7 @@ typedef struct task {
     const mdr_contact *relaxing;
     const mdr_friction *friction;
     const mdr_poroelastic *pores;
+    const mdr_conduction *conduction;
     int number;
     int failed_calls;
     int wrong_texts;
@@ -67,6 +68,8 @@ static void evaluate(task *t)
     failed += lead(t->friction, v + 11 * POINTS);
     failed += mdr_poroelastic_response(t->pores, MDR_POROELASTIC_RELAXATION, 1.0, 1.0, 1.0, POINTS, a, v + 15 * POINTS)
               != MDR_SUCCESS;
+    failed += mdr_conduction_spot(t->conduction, POINTS, a, v + 16 * POINTS, NULL) != MDR_SUCCESS;
+    failed += mdr_conduction_step(t->conduction, MDR_CONDUCTION_CONDUCTANCE, 0.3, 1, a, v + 17 * POINTS) != MDR_SUCCESS;
     t->failed_calls += failed;
 }
 
@@ -103,6 +106,8 @@ int main(int argc, char **argv)
     mdr_material *material = NULL;
     mdr_medium *gel = NULL;
     mdr_poroelastic *pores = NULL;
+    mdr_conduction *conduction = NULL;
+    const mdr_conductor layers[2] = {{0.5, 2.0, 2.0, 1.0, 0.1}, {0.0, 1.0, 1.0, 3.0, 0.0}};
     const double modulus = 2.0, relaxation_time = 0.5, thickness = 0.5;
     task alone = {0}, tasks[THREADS] = {{0}};
     pthread_t threads[THREADS];
@@ -118,6 +123,8 @@ int main(int argc, char **argv)
     CHECK_SUCCESS(mdr_contact_new(profile, film, NULL, &sheared));
     CHECK_SUCCESS(mdr_friction_new(sheared, 0.3, &friction));
     CHECK_SUCCESS(mdr_poroelastic_new(0.2, MDR_DRAINAGE_SURFACE, 0.0, &pores));
+    CHECK_SUCCESS(mdr_conduction_new(2, layers, MDR_BASE_HALF_SPACE, 0, NULL, 0, 0.0, 0.0, &conduction));
+    alone.conduction = conduction;
     alone.friction = friction;
     alone.pores = pores;
     alone.material = material;
@@ -144,6 +151,7 @@ int main(int argc, char **argv)
     CHECK_SUCCESS(mdr_contact_free(&contact));
     CHECK_SUCCESS(mdr_contact_free(&relaxing));
     CHECK_SUCCESS(mdr_poroelastic_free(&pores));
+    CHECK_SUCCESS(mdr_conduction_free(&conduction));
     CHECK_SUCCESS(mdr_friction_free(&friction));
     CHECK_SUCCESS(mdr_contact_free(&sheared));
     CHECK_SUCCESS(mdr_medium_free(&film));

@@ -437,3 +437,51 @@ def test_command_line_refuses(old, new, words, tmp_path, capsys):
     wrong.write_text(text.replace(old, new), encoding="utf-8")
     assert main(["conduction", str(wrong)]) in (1, 2)
     assert re.search(words, capsys.readouterr().err)
+
+
+def test_tables_are_compared_with_the_solution():
+    for name in ("stack", "pair", "perfect base"):
+        table, a = CASES[name].tabulated(0.05, 20.0, 1e-7), np.geomspace(0.05, 20.0, 171)
+        exact, read = CASES[name].at_radius(a), table.at_radius(a)
+        assert read.conductance == pytest.approx(exact.conductance, rel=2e-7)
+        assert read.slope == pytest.approx(exact.slope, rel=1e-5)
+        assert table.at_radius(30.0).conductance == CASES[name].at_radius(30.0).conductance
+
+
+def test_a_law_and_a_table_conduct():
+    """What a discrete-element code does: depth to radius by a law, radius to conductance by a table."""
+    contact = mdr.Contact(mdr.Paraboloid(10.0), mdr.Coated(mdr.Elastic(5.0, 0.3), 1.0, mdr.Elastic(50.0, 0.3)))
+    law = mdr.ContactLaw(contact, 0.5, tolerance=1e-8)
+    conduction = mdr.Conduction(mdr.LayeredConductor([(mdr.Conductor(3.0), 1.0)], mdr.Conductor(1.0)))
+    table, depth = conduction.tabulated(0.05, 3.0), np.linspace(0.02, 0.45, 20)
+    found = table.at_radius(np.asarray(law.at_depth(depth).radius)).conductance
+    assert found == pytest.approx(conduction.at_radius(np.asarray(contact.at_depth(depth).radius)).conductance, rel=1e-7)
+
+
+def test_fits_find_what_made_the_data():
+    noise = np.random.default_rng(5)
+    tin, copper = mdr.Conductor(9.17e6), mdr.Conductor(59.6e6)
+    true = mdr.Conduction(mdr.LayeredConductor([(tin, 1e-6), mdr.Interface(2e-14)], copper))
+    contact = mdr.Contact(mdr.Paraboloid(1e-3), mdr.Coated(mdr.Elastic(50e9, 0.36), 1e-6, mdr.Elastic(117e9, 0.34)))
+    force = np.geomspace(1e-4, 1.0, 40)
+    conductance = np.asarray(true.along(contact, contact.at_force(force)).conductance)
+    measured = conductance * (1.0 + 1e-3 * noise.standard_normal(40))
+    start = true.replace(body=mdr.LayeredConductor([(mdr.Conductor(3e6), 1e-6), mdr.Interface(1e-14)], mdr.Conductor(30e6)))
+    data = mdr.ConductanceForce(force, measured, contact, 1e-3 * conductance)
+    fit = mdr.fit_conduction(data, start, ["layer1.sigma", "layer1.resistance", "substrate.sigma"])
+    for name, value in (("layer1.sigma", 9.17e6), ("layer1.resistance", 2e-14), ("substrate.sigma", 59.6e6)):
+        assert abs(fit.values[name] - value) < 4.0 * fit.errors[name], fit
+    assert fit.errors["layer1.sigma"] < 0.02 * 9.17e6 and 0.4 < fit.chi_square / 40 < 1.8
+    silica, silicon = mdr.Conductor(1.4, None, 1.66e6), mdr.Conductor(148.0, None, 1.66e6)
+    true = mdr.Conduction(mdr.LayeredConductor([(silica, 1e-7), mdr.Interface(2e-8)], silicon))
+    omega = np.geomspace(1e4, 1e8, 30)
+    z = np.asarray(true.admittance(omega, 3e-6, "gaussian"))
+    sd = 1e-3 * abs(z).max()
+    z = z + sd * (noise.standard_normal(30) + 1j * noise.standard_normal(30))
+    start = true.replace(body=mdr.LayeredConductor([(silica, 1e-7), mdr.Interface(5e-9)], silicon.replace(sigma=60.0)))
+    fit = mdr.fit_conduction(mdr.Impedance(omega, z, 3e-6, "gaussian", sd), start, ["layer1.resistance", "substrate.sigma"])
+    for name, value in (("layer1.resistance", 2e-8), ("substrate.sigma", 148.0)):
+        assert abs(fit.values[name] - value) < 4.0 * fit.errors[name], fit
+        assert fit.errors[name] < 0.1 * value
+    with pytest.raises(mdr.MDRError, match="did you mean 'layer1.sigma'"):
+        mdr.fit_conduction(data, start, ["layer1.sigm"])

@@ -175,6 +175,10 @@ def conductors():
         conduction.at_radius(1e-6),
         conduction.replace(film=0.0).friction_heat(CONTACT, CONTACT.at_depth(1e-8), 0.1, 1.0),
         conduction.along(CONTACT, CONTACT.at_depth(1e-8)),
+        conduction.replace(film=0.0).tabulated(1e-7, 1e-6, 1e-4),
+        mdr.ConductanceForce([1e-6, 2e-6], [1.0, 1.2], CONTACT),
+        mdr.Impedance([1.0, 10.0], [1.0 + 0.1j, 0.9], 1e-6),
+        mdr.fit_conduction(mdr.ConductanceForce([1e-6, 2e-6], [1.0, 1.2], CONTACT), conduction.replace(film=0.0), ["layer1.sigma"]),
     ]
 
 

@@ -4,6 +4,7 @@
 from .between import MeanOfTests, mean_of_tests
 from .calibration import as_prior
 from .compare import ModelRanking, RankedModel, compare_models
+from .conduction import ConductanceForce, ConductionFit, Impedance, fit_conduction
 from .data import ForceDepth, ModulusRadius, StiffnessDepth, StiffnessRadius, UnloadingPoint
 from .depth_profile import DepthProfile, modulus_at_depths
 from .gel import GelFit, compare_drainages, fit_gel
@@ -28,6 +29,10 @@ __all__ = [
     "RateCurve",
     "RateFit",
     "GelFit",
+    "fit_conduction",
+    "ConductanceForce",
+    "Impedance",
+    "ConductionFit",
     "compare_models",
     "FitResult",
     "FailedFit",

@@ -2,19 +2,20 @@
 !> Conduction through spots, for C.
 module mdrcontact_api_conduction
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
-    use mdrcontact_api_arrays, only: check_array, check_count, check_in_out, check_results, make_room
+    use mdrcontact_api_arrays, only: check_array, check_count, check_in_out, check_results, deliver_parts, make_room
     use mdrcontact_api_handles, only: deliver, open_handle
     use mdrcontact_api_status, only: check_given, status_of
     use mdrcontact_conduction_answers, only: admittance_of, flux_after_step, step_of
     use mdrcontact_conduction_bodies, only: conduction_t, new_conduction
     use mdrcontact_conduction_conductors, only: conductor_t, conductors_t, new_conductors
+    use mdrcontact_conduction_table, only: tabulate_conductance
     use mdrcontact_conduction_fields, only: conductance_at, flux_at, inside_at
     use mdrcontact_error, only: check_choice, check_memory, error_t, raise_at
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
     public :: mdr_conduction_new, mdr_conduction_spot, mdr_conduction_field, mdr_conduction_admittance, mdr_conduction_step, &
-              mdr_conduction_step_flux
+              mdr_conduction_step_flux, mdr_conduction_tabulate
 
     !> Members of struct mdr_conductor.
     integer, parameter :: members = 5
@@ -104,6 +105,22 @@ contains
         if (present(slope)) slope(:n) = values(:, 2)
     end function mdr_conduction_spot
 
+    function mdr_conduction_tabulate(p, smallest, largest, tolerance, out) result(status) &
+        bind(C, name="mdrcontact_entry_conduction_tabulate")
+        type(c_ptr), value :: p
+        real(c_double), value :: smallest, largest, tolerance
+        type(c_ptr), intent(inout), optional :: out
+        integer(c_int) :: status
+        type(conduction_t), pointer :: conduction
+        type(conduction_t) :: tabulated
+        type(error_t), allocatable :: error
+
+        call open_handle(p, "p", conduction, error)
+        call check_given(error, "out", present(out))
+        if (.not. allocated(error)) call tabulate_conductance(conduction, smallest, largest, tolerance, tabulated, error)
+        status = deliver(tabulated, out, error)
+    end function mdr_conduction_tabulate
+
     function mdr_conduction_field(p, field, radius, body, below, n, r, z, out) result(status) &
         bind(C, name="mdrcontact_entry_conduction_field")
         type(c_ptr), value :: p
@@ -152,23 +169,16 @@ contains
         type(conduction_t), pointer :: conduction
         complex(wp), allocatable :: values(:)
         type(error_t), allocatable :: error
-        integer :: stat
 
         call open_handle(p, "p", conduction, error)
         call check_count(error, n)
         call check_array(error, "omega", n, present(omega))
         call check_array(error, "in_phase", n, present(in_phase))
         call check_array(error, "ahead", n, present(ahead))
+        call make_room(error, n, values)
+        if (.not. allocated(error) .and. n > 0) call admittance_of(conduction, int(answer), radius, omega(:n), values, error)
+        call deliver_parts(error, values, in_phase, ahead)
         status = status_of(error)
-        if (allocated(error) .or. n == 0) return
-        allocate (values(n), stat=stat)
-        call check_memory(error, stat)
-        if (.not. allocated(error)) call admittance_of(conduction, int(answer), radius, omega(:n), values, error)
-        if (.not. allocated(error)) call check_results(error, real(values, wp))
-        status = status_of(error)
-        if (allocated(error)) return
-        in_phase(:n) = real(values, wp)
-        ahead(:n) = aimag(values)
     end function mdr_conduction_admittance
 
     function mdr_conduction_step(p, answer, radius, n, time, out) result(status) bind(C, name="mdrcontact_entry_conduction_step")

@@ -736,6 +736,18 @@ int mdr_conduction_spot(const mdr_conduction *p, int n, const double radius[], d
     return status;
 }
 
+int mdrcontact_entry_conduction_tabulate(const mdr_conduction *p, double smallest, double largest, double tolerance,
+        mdr_conduction **out);
+int mdr_conduction_tabulate(const mdr_conduction *p, double smallest, double largest, double tolerance, mdr_conduction **out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_conduction_tabulate(p, smallest, largest, tolerance, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_conduction_tabulate(p, smallest, largest, tolerance, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
 int mdrcontact_entry_conduction_field(const mdr_conduction *p, int field, double radius, int body, int below, int n,
         const double r[], const double z[], double out[]);
 int mdr_conduction_field(const mdr_conduction *p, int field, double radius, int body, int below, int n, const double r[],

@@ -38,6 +38,11 @@ contains
             call raise(error, error_invalid, "the state has the radius 0: nothing passes")
             return
         end if
+        if (state%zone_radius > 0.0_wp) then
+            call raise(error, error_invalid, "how the conductance of a contact with a cohesive stress grows is not "// &
+                       "offered: take the conductance at its radius")
+            return
+        end if
         call conductance_at(conduction, state%radius, conductance, slope, error)
         if (allocated(error)) return
         associate (equilibrium => contact%equilibrium)

@@ -10,6 +10,7 @@ module mdrcontact_conduction_bodies
     use mdrcontact_layered_combine, only: add_kernels
     use mdrcontact_layered_kernel, only: kernel_t
     use mdrcontact_layered_shared, only: layered_shared_t, shared_kernel
+    use mdrcontact_numerics_radius_law, only: radius_law_t
     implicit none (type, external)
     private
     public :: conduction_t, new_conduction, tolerance
@@ -33,6 +34,8 @@ module mdrcontact_conduction_bodies
         real(wp) :: scale = 1.0_wp
         !> S_0/S_i of each body [1]
         real(wp), allocatable :: share(:)
+        !> G(a)/a where it has been tabulated
+        type(radius_law_t), allocatable :: table
         !> R_c >= 0, resistance in the spot
         real(wp) :: film = 0.0_wp
         !> b, where the flux leaves a body on an insulating base; 0: not given

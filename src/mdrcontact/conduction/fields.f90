@@ -26,6 +26,15 @@ contains
 
         conductance = 0.0_wp
         slope = 0.0_wp
+        if (allocated(error)) return
+        if (allocated(self%table)) then
+            if (a >= self%table%smallest_radius .and. a <= self%table%largest_radius) then
+                slope = self%table%at(a)
+                conductance = slope*a
+                slope = slope + a*self%table%slope_at(a)
+                return
+            end if
+        end if
         call check(self, a, error)
         if (allocated(error)) return
         if (.not. self%film > 0.0_wp) then

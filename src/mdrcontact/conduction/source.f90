@@ -47,7 +47,7 @@ contains
         !> of a rule over a smooth contact
         integer, intent(in) :: nodes
         type(error_t), allocatable, intent(inout) :: error
-        real(wp) :: values(1)
+        real(wp), allocatable :: x(:), values(:)
 
         call check_choice(error, "motion", motion, sliding, spinning, "1 (sliding) or 2 (spinning)")
         call check_not_negative(error, "strength", strength)
@@ -60,14 +60,16 @@ contains
         ! r p(r) of a smooth p has a kink at the axis
         call place_nodes(self, contact, nodes, motion == sliding .and. is_smooth(contact%equilibrium%profile), error)
         if (allocated(error)) return
+        ! the centre with the others: one solution serves all of them
+        x = [0.0_wp, self%u]
+        allocate (values, mold=x)
         if (motion == sliding) then
-            call contact%line_load(state, self%radius*self%u, self%q, error)
-            if (.not. allocated(error)) call contact%line_load(state, [0.0_wp], values, error)
+            call contact%line_load(state, self%radius*x, values, error)
         else
-            call fill_spin(contact, state, self%u, self%q, error)
-            if (.not. allocated(error)) call fill_spin(contact, state, [0.0_wp], values, error)
+            call fill_spin(contact, state, x, values, error)
         end if
         if (allocated(error)) return
+        self%q = values(2:)
         self%q = strength*self%q
         self%centre = strength*values(1)
         self%total = 2.0_wp*sum(self%dx*self%q)

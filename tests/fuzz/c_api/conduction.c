@@ -27,7 +27,7 @@ void fuzz_conduction(world *w)
     const double film = take_chance(&w->in) ? take_positive(&w->in) : 0.0, sink = take_chance(&w->in) ? take_positive(&w->in) : 0.0;
     const double a = take_positive(&w->in);
     double x[MOST_POINTS], z[MOST_POINTS], out[MOST_POINTS], more[MOST_POINTS];
-    mdr_conduction *p = NULL;
+    mdr_conduction *p = NULL, *table = NULL;
     int status;
 
     take_positives(&w->in, x);
@@ -70,6 +70,11 @@ void fuzz_conduction(world *w)
         judge("mdr_conduction_heat_field", status, points, out, NOT_NAN);
         fill(out);
         judge("mdr_conduction_step_flux", mdr_conduction_step_flux(p, a, x[0], points, z, out), points, out, NOT_NAN);
+    }
+    if (p && afford(w, 10 * PRICE_OF_ANSWER)) {
+        status = mdr_conduction_tabulate(p, x[0], x[1], 1e-6, &table);
+        judge_object("mdr_conduction_tabulate", status, table);
+        judge_status("mdr_conduction_free", mdr_conduction_free(&table));
     }
     judge_status("mdr_conduction_free", mdr_conduction_free(&p));
 }
