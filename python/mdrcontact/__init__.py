@@ -7,7 +7,7 @@
     silicon = mdr.Elastic(165e9, 0.22)
     medium = mdr.Coated(oxide, 500e-9, silicon)         # h [m]
     contact = mdr.Contact(mdr.Sphere(10e-6), medium)
-    state = contact.at_depth([20e-9, 50e-9, 100e-9])    # State(depth, radius, force, stiffness, excess)
+    state = contact.at_depth([20e-9, 50e-9, 100e-9])    # State(depth, radius, force, ...)
 
 Any consistent units: in the descriptions the unit of each number stands in brackets, [length], [modulus] (that of pressure), and
 forces are in [modulus length^2]; [1] has none. Equation numbers are those of the source; "theory 5" is section 5 of

@@ -64,10 +64,10 @@ def test_masked_elements_are_refused(coated):
 
 
 def test_state_unpacks(coated):
-    depth, radius, force, stiffness, excess = coated.at_depth(1e-8)
-    state = mdr.State(depth, radius, force, stiffness, excess)
+    depth, radius, force, stiffness, excess, zone_radius = coated.at_depth(1e-8)
+    state = mdr.State(depth, radius, force, stiffness, excess, zone_radius)
     assert state == coated.at_depth(1e-8)
-    assert state._fields == ("depth", "radius", "force", "stiffness", "excess")
+    assert state._fields == ("depth", "radius", "force", "stiffness", "excess", "zone_radius")
 
 
 @pytest.mark.parametrize("profile", every_profile(), ids=lambda p: type(p).__name__)

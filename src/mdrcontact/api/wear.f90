@@ -41,7 +41,7 @@ contains
         call open_handle(c, "c", contact, error)
         call check_count_from(error, "n", int(n), 1)
         call check_array(error, "coefficient", n, present(coefficient))
-        call check_array(error, "thickness", n - 1, present(thickness))
+        call check_array(error, "thickness", max(n, 1) - 1, present(thickness))
         if (.not. allocated(error)) then
             if (n > 1) then
                 call new_wear(wear, contact, coefficient(:n), error, thickness(:n - 1), body_coefficient)

@@ -117,6 +117,7 @@ contains
     !> W(r) [length].
     elemental function worn_depth(self, x) result(y)
         class(worn_profile_t), intent(in) :: self
+        !> radius, from 0 to the largest one [length]
         real(wp), intent(in) :: x
         real(wp) :: y
         integer :: i

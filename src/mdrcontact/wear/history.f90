@@ -66,6 +66,7 @@ module mdrcontact_wear_history
     type :: wear_past_t
         !> s [length] and int F ds [modulus length^3] since the beginning
         real(wp) :: sliding = 0.0_wp, work = 0.0_wp
+        !> of n/2 and of n intervals
         type(disc_t) :: discs(2)
     end type wear_past_t
 
