@@ -28,7 +28,7 @@ module mdrcontact_wear_history
     integer, parameter :: usual_intervals = 80, fewest_intervals = 16, most_intervals = 640
     !> Legendre polynomials in which a film's springs act on each other at most.
     integer, parameter :: most_waves = 128
-    !> Steps: (i/n)^1.5 of the contact radius at first, later in proportion to the distance, but at most this multiple of a/n,
+    !> A history begins with steps to (i/n)^1.5 of the contact radius; later ones grow with distance, up to this multiple of a/n,
     !> beyond which the pressure rings.
     real(wp), parameter :: step_power = 1.5_wp, longest_step = 4.0_wp
     !> Pressures below minus this part of the mean one are no errors of the hats.
