@@ -167,7 +167,7 @@ def adhesion_range(quick: bool) -> Any:
     count = 30 if quick else 200
     for stress, colour in ((0.1e6, GREEN), (0.4e6, RED), (2e6, BLUE)):
         contact = mdr.Contact(tip, film, work_of_adhesion=0.05, cohesive_stress=stress)
-        states = contact.at_radius(np.linspace(0.0, 1.5e-6, count))
+        states = contact.at_radius(np.linspace(0.0, 1.3e-6, count))
         (line,) = axes[0].plot(1e9 * states.depth, 1e6 * states.force, color=colour, label=f"{1e-6 * stress:g} MPa")
         touch = contact.at_radius(0.0)
         depth = np.linspace(contact.pull_off("depth").depth, float(touch.depth), count)
@@ -178,7 +178,7 @@ def adhesion_range(quick: bool) -> Any:
         state = contact.at_radius(1e-6)
         r = np.linspace(0.0, float(state.zone_radius), 400)
         axes[1].plot(1e6 * np.append(r, r[-1]), 1e-3 * np.append(contact.pressure(r, state), 0.0), color=colour)
-    states = mdr.Contact(tip, film, work_of_adhesion=0.05).at_radius(np.linspace(0.0, 1.5e-6, count))
+    states = mdr.Contact(tip, film, work_of_adhesion=0.05).at_radius(np.linspace(0.0, 1.3e-6, count))
     axes[0].plot(1e9 * states.depth, 1e6 * states.force, color=GREY, linewidth=1.0, label="no range (JKR)")
     axes[0].set(
         xlabel="depth [nm]",
