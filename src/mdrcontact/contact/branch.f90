@@ -5,7 +5,7 @@
 !> segments.
 module mdrcontact_contact_branch
     use mdrcontact_contact_adhesive_branch, only: adhesive_branch_t, stable_segment_t
-    use mdrcontact_contact_control, only: control_t, depth_control, force_control
+    use mdrcontact_contact_control, only: control_t
     use mdrcontact_contact_curve, only: curve_point_t, curve_t, new_curve
     use mdrcontact_contact_equilibrium, only: equilibrium_t
     use mdrcontact_contact_range, only: adhesive_range, coordinates_between, smallest_log
@@ -23,10 +23,8 @@ module mdrcontact_contact_branch
         private
         !> not allocated without a range of radii (flat punch): there are wall states only
         type(curve_t), allocatable :: curve
-        !> stable segments under depth and force control
-        type(stable_segment_t), allocatable :: of_depth(:), of_force(:)
     contains
-        procedure :: stable_segments
+        procedure :: find_segments
         procedure :: state_on
         procedure :: at_radius
         procedure :: work_between
@@ -54,7 +52,6 @@ contains
         type(branch_t), intent(out) :: self
         type(equilibrium_t), intent(in), target :: equilibrium
         type(error_t), allocatable, intent(out) :: error
-        type(stable_segment_t), allocatable :: of_depth(:), of_force(:)
         real(wp), allocatable :: coordinates(:)
         real(wp) :: first, last
 
@@ -70,16 +67,12 @@ contains
                 return
             end if
         end if
-        call self%stable_segments(equilibrium, depth_control, of_depth, error)
-        if (.not. allocated(error)) call self%stable_segments(equilibrium, force_control, of_force, error)
-        if (allocated(error)) return
-        call move_alloc(of_depth, self%of_depth)
-        call move_alloc(of_force, self%of_force)
+        call self%keep_segments(equilibrium, error)
     end subroutine new_branch
 
     !> The stable segments under a control, in ascending order of the contact radius. The last reaches to the end of the
     !> indenter or medium, or climbs its vertical wall without end.
-    subroutine stable_segments(self, equilibrium, control, list, error)
+    subroutine find_segments(self, equilibrium, control, list, error)
         class(branch_t), intent(in) :: self
         type(equilibrium_t), intent(in), target :: equilibrium
         type(control_t), intent(in) :: control
@@ -91,13 +84,6 @@ contains
         real(wp) :: end_coordinate
         integer :: i, n
 
-        if (allocated(self%of_depth) .and. control%force_weight == 0.0_wp) then
-            list = self%of_depth
-            return
-        else if (allocated(self%of_force) .and. control%depth_weight == 0.0_wp) then
-            list = self%of_force
-            return
-        end if
         allocate (list(0))
         if (allocated(self%curve)) then
             call turning_points(self%curve, equilibrium, control, turns, s, error)
@@ -127,7 +113,7 @@ contains
             if (list(size(list))%last >= wall%first) list(size(list))%highest = wall%lowest
         end if
         list = [list, wall]
-    end subroutine stable_segments
+    end subroutine find_segments
 
     !> Ends and extrema of s along the sampled branch, with s there.
     subroutine turning_points(curve, equilibrium, control, turns, s, error)
@@ -286,12 +272,7 @@ contains
         type(contact_state_t) :: state
 
         call self%equilibrium%at(self%equilibrium%radius_of(x), state, self%error)
-        y = self%control%of(state%depth, state%force)
-        if (self%is_logarithmic) then
-            y = log(max(y, tiny(y))/self%offset)
-        else
-            y = y - self%offset
-        end if
+        y = self%control%distance(state%depth, state%force, self%offset, self%is_logarithmic)
     end function quantity_at
 
 end module mdrcontact_contact_branch

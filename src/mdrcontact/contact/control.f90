@@ -15,6 +15,7 @@ module mdrcontact_contact_control
         real(wp) :: force_weight = 0.0_wp
     contains
         procedure :: of
+        procedure :: distance
     end type control_t
 
     !> The machine prescribes the indentation depth.
@@ -33,5 +34,22 @@ contains
 
         s = self%depth_weight*depth + self%force_weight*force
     end function of
+
+    !> How far a state is from a given s: s - offset, or ln(s/offset).
+    elemental function distance(self, depth, force, offset, is_logarithmic) result(y)
+        class(control_t), intent(in) :: self
+        !> d [length], F [modulus length^2], the given s
+        real(wp), intent(in) :: depth, force, offset
+        !> offset > 0; s is taken for positive
+        logical, intent(in) :: is_logarithmic
+        real(wp) :: y
+
+        y = self%of(depth, force)
+        if (is_logarithmic) then
+            y = log(max(y, tiny(y))/offset)
+        else
+            y = y - offset
+        end if
+    end function distance
 
 end module mdrcontact_contact_control

@@ -3,7 +3,7 @@
 module mdrcontact_contact_zone_branch
     use mdrcontact_contact_adhesive_branch, only: adhesive_branch_t, stable_segment_t
     use mdrcontact_contact_cohesion, only: zone_guess_t
-    use mdrcontact_contact_control, only: control_t, depth_control, force_control
+    use mdrcontact_contact_control, only: control_t
     use mdrcontact_contact_equilibrium, only: equilibrium_t
     use mdrcontact_contact_range, only: adhesive_range
     use mdrcontact_contact_state, only: contact_state_t
@@ -20,10 +20,8 @@ module mdrcontact_contact_zone_branch
     type, extends(adhesive_branch_t) :: zone_branch_t
         private
         type(zone_curve_t) :: curve
-        !> stable segments under depth and force control
-        type(stable_segment_t), allocatable :: of_depth(:), of_force(:)
     contains
-        procedure :: stable_segments
+        procedure :: find_segments
         procedure :: state_on
         procedure :: at_radius
         procedure :: work_between
@@ -73,7 +71,6 @@ contains
         type(zone_branch_t), intent(out) :: self
         type(equilibrium_t), intent(in), target :: equilibrium
         type(error_t), allocatable, intent(inout) :: error
-        type(stable_segment_t), allocatable :: of_depth(:), of_force(:)
         real(wp) :: first, last, equal
 
         self%range = equilibrium%cohesion%range
@@ -82,11 +79,7 @@ contains
         call last_coordinate(equilibrium, min(equilibrium%radius_of(last), far_from_handover*equilibrium%radius_of(equal)), last, &
                              error)
         if (.not. allocated(error)) call new_zone_curve(self%curve, equilibrium, last, error)
-        if (.not. allocated(error)) call self%stable_segments(equilibrium, depth_control, of_depth, error)
-        if (.not. allocated(error)) call self%stable_segments(equilibrium, force_control, of_force, error)
-        if (allocated(error)) return
-        call move_alloc(of_depth, self%of_depth)
-        call move_alloc(of_force, self%of_force)
+        if (.not. allocated(error)) call self%keep_segments(equilibrium, error)
     end subroutine new_zone_branch
 
     !> Up to where adhesion is over, with or without a range, or the last state that indenter and medium allow.
@@ -111,7 +104,7 @@ contains
         error = refused
     end subroutine last_coordinate
 
-    subroutine stable_segments(self, equilibrium, control, list, error)
+    subroutine find_segments(self, equilibrium, control, list, error)
         class(zone_branch_t), intent(in) :: self
         type(equilibrium_t), intent(in), target :: equilibrium
         type(control_t), intent(in) :: control
@@ -122,13 +115,6 @@ contains
         type(zone_guess_t) :: guess
         integer :: i
 
-        if (allocated(self%of_depth) .and. control%force_weight == 0.0_wp) then
-            list = self%of_depth
-            return
-        else if (allocated(self%of_force) .and. control%depth_weight == 0.0_wp) then
-            list = self%of_force
-            return
-        end if
         allocate (list(0))
         turns = [self%curve%edges(1), self%curve%turns(control), self%curve%edges(size(self%curve%edges))]
         allocate (s(size(turns)))
@@ -145,7 +131,7 @@ contains
         if (list(size(list))%last < turns(size(turns))) return
         list(size(list))%last = max(turns(size(turns)), coordinate_of(equilibrium, equilibrium%last_radius, 0.0_wp))
         list(size(list))%highest = huge(1.0_wp)
-    end subroutine stable_segments
+    end subroutine find_segments
 
     !> Begins on the samples where they reach, then solves on the equilibrium itself.
     subroutine state_on(self, equilibrium, control, segment, s, state, error)
@@ -269,12 +255,7 @@ contains
 
         guess = self%curve%guess_at(x)
         call zone_state(self%equilibrium, x, state, self%error, guess)
-        y = self%control%of(state%depth, state%force)
-        if (self%is_logarithmic) then
-            y = log(max(y, tiny(y))/self%offset)
-        else
-            y = y - self%offset
-        end if
+        y = self%control%distance(state%depth, state%force, self%offset, self%is_logarithmic)
     end function quantity_at
 
 end module mdrcontact_contact_zone_branch
