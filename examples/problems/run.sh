@@ -28,4 +28,7 @@ for problem in "$(dirname "${BASH_SOURCE[0]}")"/*.toml; do
     if has friction "$problem"; then
         "$mdrcontact" friction "$problem" --csv "$name-friction.csv" --plot "$name-friction.png" --overwrite
     fi
+    if has conduction "$problem"; then
+        "$mdrcontact" conduction "$problem" --csv "$name-conduction.csv" --plot "$name-conduction.png" --overwrite
+    fi
 done
