@@ -1512,18 +1512,30 @@ enum mdr_wear_places {
     MDR_WEAR_SAME = 2   /**< The same places, as both do that move back and forth by much less than a: both change. */
 };
 
-/** A contact that is pressed on and has not slid yet.
- *
- *  Discs of n/2 and n intervals march side by side, of second order in the intervals and steps; results are extrapolated. With 80
- *  intervals a, d, F are good to 1e-4 or better on bodies of any layers; a step takes about a millisecond.
- *  @param w          contact that wears, on a homogeneous or an exact medium; the indenter may have an apex but no vertical wall
- *  @param given      MDR_GIVEN_DEPTH or MDR_GIVEN_FORCE
- *  @param value      d [length] or F [modulus length^2] at the beginning, > 0
- *  @param intervals  n, a multiple of 4, 16 to 640; 0: 80
- *  @param places     of enum mdr_wear_places
- *  @param out        receives the handle
- *  @return also MDR_EDOMAIN where the pressure would be negative, MDR_EINVALID for a flat punch and other media */
-int mdr_wear_history_new(const mdr_wear *w, int given, double value, int intervals, int places, mdr_wear_history **out);
+/** How a sliding contact is followed. Two resolutions, of n/2 and n intervals, march side by side; they state the error. */
+enum mdr_wear_scheme {
+    MDR_WEAR_DISC = 1, /**< A disc that moves with the edge of the contact, of second order, extrapolated: with 80 intervals a, d, F
+                            are good to 1e-4 on bodies of any layers. For contacts that do not shrink, and no flat punch. */
+    MDR_WEAR_RINGS = 2 /**< Rings that stay on the indenter, of first order: some 1e-2 with 80 intervals, but k F s is met to
+                            rounding, any path of load and depth can be followed, and a flat punch too. */
+};
+
+/** What a history of wear leaves to choose. Begun by MDR_SIZED. */
+typedef struct mdr_wear_options {
+    size_t size;   /**< Of this structure; MDR_SIZED sets it. */
+    int intervals; /**< n, a multiple of 4, 16 to 640; default 0: 80. */
+    int places;    /**< Of enum mdr_wear_places; default 0: MDR_WEAR_FRESH. */
+    int scheme;    /**< Of enum mdr_wear_scheme; default 0: MDR_WEAR_DISC. */
+} mdr_wear_options;
+
+/** A contact that is pressed on and has not slid yet. A step takes about a millisecond.
+ *  @param w        contact that wears, on a homogeneous or an exact medium
+ *  @param given    MDR_GIVEN_DEPTH or MDR_GIVEN_FORCE
+ *  @param value    d [length] or F [modulus length^2] at the beginning, > 0
+ *  @param options  see there; NULL: all defaults
+ *  @param out      receives the handle
+ *  @return also MDR_EDOMAIN where the pressure would be negative, MDR_EINVALID for other media */
+int mdr_wear_history_new(const mdr_wear *w, int given, double value, const mdr_wear_options *options, mdr_wear_history **out);
 
 /** An independent copy.
  *  @param h    history
@@ -1538,8 +1550,9 @@ int mdr_wear_history_copy(const mdr_wear_history *h, mdr_wear_history **out);
  *  @param sliding  [n] sliding distances, >= 0 [length]
  *  @param value    [n] d [length] or F [modulus length^2] at their ends, > 0
  *  @param out      [n] states at their ends
- *  @return also MDR_EDOMAIN where the contact would shrink, as it does under a falling load, grow beyond the end of the indenter, or
- *          carry no pressure somewhere, and where a coating of the body would lose more than a quarter of its thickness */
+ *  @return also MDR_EDOMAIN where the contact would shrink (MDR_WEAR_DISC), as it does under a falling load, lift off, grow beyond
+ *          the end of the indenter, or carry no pressure somewhere, and where a coating of the body would lose more than a quarter
+ *          of its thickness */
 int mdr_wear_history_advance(mdr_wear_history *h, int given, int n, const double sliding[], const double value[],
                              mdr_wear_state out[]);
 

@@ -120,7 +120,7 @@ module mdrcontact
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
     use mdrcontact_version, only: version_major, version_minor, version_patch, version_string
     use mdrcontact_wear, only: new_wear, wear_t
-    use mdrcontact_wear_history, only: new_wear_history, wear_history_t, wear_past_t, wear_state_t
+    use mdrcontact_wear_history, only: fixed_rings, moving_disc, new_wear_history, wear_history_t, wear_past_t, wear_state_t
     use mdrcontact_wear_limit, only: wear_limit_t
     use mdrcontact_weights, only: weight_i0, weight_i0_tangential, weight_i1, weight_j0, weight_j0_tangential, weight_j1, &
                                   weight_phi

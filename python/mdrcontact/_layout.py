@@ -137,6 +137,15 @@ wear_state = np.dtype(
     ],
     align=True,
 )
+wear_options = np.dtype(
+    [
+        ("size", np.uintp),
+        ("intervals", np.intc),
+        ("places", np.intc),
+        ("scheme", np.intc),
+    ],
+    align=True,
+)
 rate_options = np.dtype(
     [
         ("size", np.uintp),
@@ -470,6 +479,9 @@ GIVEN_TORQUE = 2
 
 WEAR_FRESH = 1
 WEAR_SAME = 2
+
+WEAR_DISC = 1
+WEAR_RINGS = 2
 
 SHAPE_LAYER = 0
 SHAPE_HALF_SPACE = 1

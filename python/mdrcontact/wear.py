@@ -11,7 +11,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _layout, _native
-from ._boundary import FloatOrArray, Handle, address, call, evaluate, number, numbers, row, together, whole
+from ._boundary import FloatOrArray, Handle, address, call, evaluate, number, numbers, record, row, together, whole
+from ._choices import nearest
 from ._value import Value
 from .contact import Contact, State
 from .errors import ArgumentTypeError, InvalidArgumentError
@@ -28,6 +29,8 @@ __all__ = [
     "wear_coefficient_from_volume",
 ]
 
+_PLACES, _SCHEMES = ("fresh", "same"), ("disc", "rings")
+"""In the order of the library's codes."""
 _LONGEST_PAST = 2000
 """Numbers of a saved past at most."""
 _ROUNDS, _CLOSE, _PART = 40, 1e-9, 1e-2
@@ -152,22 +155,36 @@ class Wear(Value):
         return float(call(_native.wear_passes, self._handle.address, _row(state), number("depth", depth)))
 
     def history(
-        self, *, force: float | None = None, depth: float | None = None, intervals: int = 80, places: str = "fresh"
+        self,
+        *,
+        force: float | None = None,
+        depth: float | None = None,
+        intervals: int = 80,
+        places: str = "fresh",
+        scheme: str = "disc",
     ) -> WearHistory:
         """The contact pressed on by a force [modulus length^2] or to a depth [length], that has not slid yet.
 
         intervals : a multiple of 4, 16 to 640; errors fall as their square or faster
         places : "fresh" places of the body, as a tip that goes its way; or the "same", as both sides do that move back and forth by
             much less than the contact radius: then the body wears too, its coating by a quarter of its thickness at most
+        scheme : "disc", which moves with the edge of a contact that does not shrink, of second order; or "rings" that stay on the
+            indenter, of first order, for any path of load and depth and for flat punches too
         """
-        return WearHistory(self, *_led(force, depth), intervals, places)
+        return WearHistory(self, *_led(force, depth), intervals, places, scheme)
 
     def advance(
-        self, sliding: ArrayLike, *, force: float | None = None, depth: float | None = None, intervals: int = 80
+        self,
+        sliding: ArrayLike,
+        *,
+        force: float | None = None,
+        depth: float | None = None,
+        intervals: int = 80,
+        scheme: str = "disc",
     ) -> tuple[WearState, WornProfile]:
         """States at ascending sliding distances from the unworn contact on, under a constant force [modulus length^2] or depth
-        [length], and the worn indenter at the last one; `history` goes on from state to state."""
-        history = self.history(force=force, depth=depth, intervals=intervals)
+        [length], and the worn indenter at the last one; `history` goes on from state to state, and says what can be chosen."""
+        history = self.history(force=force, depth=depth, intervals=intervals, scheme=scheme)
         distances = numbers("sliding", sliding)
         states = history.advance(np.diff(distances.ravel(), prepend=0.0), force=force, depth=depth)
         return WearState._make(_shaped(values, distances.shape) for values in states), history.profile
@@ -223,21 +240,25 @@ class WornProfile(Profile):
 
     def worn_depth(self, r: ArrayLike) -> FloatOrArray:
         """What wear has taken at radii r >= 0 [length], any shape, measured from the original indenter [length]."""
-        far = 2.0 * self._rim()
-        lost = self.wear.contact.indenter.height(far) - self.height(far)
-        return self.height(r) - self.wear.contact.indenter.height(r) + lost
+        return self.height(r) - self.wear.contact.indenter.height(r) + self._worn_on_axis()
 
-    def _rim(self) -> float:
-        """A radius beyond which nothing is worn, or up to where the indenter goes."""
+    def _worn_on_axis(self) -> float:
+        """Where nothing is worn the heights differ by it."""
         if self.kind == "limit":
             *rows, c, given = self.numbers
-            return float(call(_native.wear_limit, self.wear._handle.address, np.array(rows), c, int(given))[1])
-        return float(_restored(self.wear, self.numbers).state.radius)
+            far = 2.0 * float(call(_native.wear_limit, self.wear._handle.address, np.array(rows), c, int(given))[1])
+        else:
+            history = _restored(self.wear, self.numbers)
+            if history.scheme == "rings":
+                return float(history.state.worn_depth + history.state.body_depth)
+            far = 2.0 * float(history.state.radius)
+        return float(self.wear.contact.indenter.height(far) - self.height(far))
 
 
 def _restored(wear: Wear, past: Sequence[float]) -> WearHistory:
-    kind, value, intervals, places, *saved = past
-    history = WearHistory(wear, "force" if kind else "depth", value, int(intervals), "same" if places else "fresh")
+    kind, value, intervals, places, scheme, *saved = past
+    chosen = int(intervals), _PLACES[int(places)], _SCHEMES[int(scheme)]
+    history = WearHistory(wear, "force" if kind else "depth", value, *chosen)
     return history.restored(saved)
 
 
@@ -248,22 +269,26 @@ def _native_profile(history: WearHistory) -> int:
 class WearHistory:
     """A sliding contact and what it has lost so far: `wear.history(force=...)`.
 
-    Two resolutions march side by side, of second order in the intervals and steps; results are their extrapolation, and their
-    difference is `state.error`. It changes as it advances: not for several threads at a time. Each `copy()` goes its own way;
+    Two resolutions march side by side and their difference is `state.error`; a disc's results are their extrapolation. It changes
+    as it advances: not for several threads at a time. Each `copy()` goes its own way;
     a pickled one goes on with the same bits.
     """
 
-    def __init__(self, wear: Wear, constant: str, value: float, intervals: int = 80, places: str = "fresh") -> None:
+    def __init__(
+        self, wear: Wear, constant: str, value: float, intervals: int = 80, places: str = "fresh", scheme: str = "disc"
+    ) -> None:
         if not isinstance(wear, Wear):
             raise ArgumentTypeError(f"wear = {wear!r} is not allowed: it must be a Wear")
-        if places not in ("fresh", "same"):
-            raise InvalidArgumentError(f"places = {places!r} is not allowed: it must be 'fresh' or 'same'")
+        for name, word, words in (("places", places, _PLACES), ("scheme", scheme, _SCHEMES)):
+            if word not in words:
+                raise InvalidArgumentError(f"{name} = {word!r} is not allowed: {nearest(str(word), words)}")
         count = whole("intervals", intervals, 1)
-        code = _layout.WEAR_SAME if places == "same" else _layout.WEAR_FRESH
-        made = _native.wear_history_new(wear._handle.address, _given(constant), number(constant, value), count, code)
-        self._own(made)
-        self._made_from = constant, float(value), count, places
-        self.wear = wear
+        options = record(_layout.wear_options, intervals=count, places=1 + _PLACES.index(places),
+                         scheme=1 + _SCHEMES.index(scheme))  # fmt: skip
+        given = _given(constant), number(constant, value)
+        self._own(_native.wear_history_new(wear._handle.address, *given, address(options)))
+        self._made_from = constant, float(value), count, places, scheme
+        self.wear, self.scheme = wear, scheme
 
     def _own(self, made: tuple[int, int]) -> None:
         self._handle = Handle(made, _native.wear_history_free)
@@ -272,8 +297,8 @@ class WearHistory:
         """Slides on by a distance >= 0 [length], while the force [modulus length^2] or the depth from the original apex [length]
         goes evenly to its value; arrays of one dimension, which broadcast, are parts of the path one after the other.
 
-        Returns the states at the ends of the parts. After an error the history is as before and can go on with other values. A
-        contact that would shrink, as under a falling force, is refused.
+        Returns the states at the ends of the parts. After an error the history is as before and can go on with other values. By
+        the scheme "disc" a contact that would shrink, as under a falling force, is refused.
         """
         if (force is None) == (depth is None):
             raise ArgumentTypeError("a contact that wears needs one of force and depth, and not both")
@@ -298,8 +323,9 @@ class WearHistory:
     @property
     def profile(self) -> WornProfile:
         """The indenter as it is now, for new contacts; of the gap, where both sides wear."""
-        constant, value, intervals, places = self._made_from
-        past = (float(constant == "force"), value, float(intervals), float(places == "same"), *self.saved().tolist())
+        constant, value, intervals, places, scheme = self._made_from
+        chosen = float(intervals), float(_PLACES.index(places)), float(_SCHEMES.index(scheme))
+        past = (float(constant == "force"), value, *chosen, *self.saved().tolist())
         return WornProfile(self.wear, "history", past, _made=_native_profile(self))
 
     def saved(self) -> NDArray[np.float64]:
@@ -332,8 +358,8 @@ class WearHistory:
         return f"<WearHistory of {self.wear!r} after sliding {self.state.sliding:g}>"
 
 
-def _gone_on(wear: Wear, constant: str, value: float, intervals: int, places: str, past: ArrayLike) -> WearHistory:
-    return WearHistory(wear, constant, value, intervals, places).restored(past)
+def _gone_on(wear: Wear, constant: str, value: float, intervals: int, places: str, scheme: str, past: ArrayLike) -> WearHistory:
+    return WearHistory(wear, constant, value, intervals, places, scheme).restored(past)
 
 
 def wear_coefficient_from_volume(volume: ArrayLike, sliding: ArrayLike, force: ArrayLike) -> WearFit:

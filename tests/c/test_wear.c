@@ -72,9 +72,12 @@ static void test_history(const mdr_contact *contact)
     mdr_wear_history *h = NULL, *copy = NULL, *other = NULL;
     mdr_profile *worn = NULL;
     mdr_wear_state states[2], now;
+    mdr_wear_options options = MDR_SIZED(mdr_wear_options);
+
+    options.intervals = 40;
 
     CHECK_SUCCESS(mdr_wear_new(contact, 1, &k, NULL, 0.0, &wear));
-    CHECK_SUCCESS(mdr_wear_history_new(wear, MDR_GIVEN_FORCE, 1.0, 40, MDR_WEAR_FRESH, &h));
+    CHECK_SUCCESS(mdr_wear_history_new(wear, MDR_GIVEN_FORCE, 1.0, &options, &h));
     CHECK_SUCCESS(mdr_wear_history_advance(h, MDR_GIVEN_FORCE, 2, sliding, force, states));
     CHECK_CLOSE(states[1].work, 0.5, 1e-9);
     CHECK_CLOSE(states[1].worn_volume, k * 0.5, 1e-3);
@@ -84,7 +87,7 @@ static void test_history(const mdr_contact *contact)
     CHECK_TRUE(count > 0 && count < MOST);
     CHECK_SUCCESS(mdr_wear_history_save(h, MOST, numbers, &count));
     CHECK_SUCCESS(mdr_wear_history_copy(h, &copy));
-    CHECK_SUCCESS(mdr_wear_history_new(wear, MDR_GIVEN_FORCE, 0.1, 40, MDR_WEAR_FRESH, &other));
+    CHECK_SUCCESS(mdr_wear_history_new(wear, MDR_GIVEN_FORCE, 0.1, &options, &other));
     CHECK_SUCCESS(mdr_wear_history_restore(other, count, numbers));
     CHECK_SUCCESS(mdr_wear_history_advance(h, MDR_GIVEN_FORCE, 1, sliding, &more, states));
     CHECK_SUCCESS(mdr_wear_history_save(h, MOST, numbers, &count));
@@ -114,6 +117,25 @@ static void test_history(const mdr_contact *contact)
     CHECK_SUCCESS(mdr_wear_free(&wear));
 }
 
+/* Rings follow a load that falls; what is worn off is k F s to rounding. */
+static void test_rings(const mdr_contact *contact)
+{
+    const double sliding[3] = {0.2, 0.1, 0.3}, force[3] = {1.0, 0.1, 0.1};
+    mdr_wear *wear = NULL;
+    mdr_wear_history *h = NULL;
+    mdr_wear_state states[3];
+    mdr_wear_options options = MDR_SIZED(mdr_wear_options);
+
+    options.scheme = MDR_WEAR_RINGS;
+    CHECK_SUCCESS(mdr_wear_new(contact, 1, &k, NULL, 0.0, &wear));
+    CHECK_SUCCESS(mdr_wear_history_new(wear, MDR_GIVEN_FORCE, 1.0, &options, &h));
+    CHECK_SUCCESS(mdr_wear_history_advance(h, MDR_GIVEN_FORCE, 3, sliding, force, states));
+    for (int i = 0; i < 3; i++) CHECK_CLOSE(states[i].worn_volume, k * states[i].work, 1e-12);
+    CHECK_TRUE(states[1].radius < states[0].radius && states[2].radius > 0.0);
+    CHECK_SUCCESS(mdr_wear_history_free(&h));
+    CHECK_SUCCESS(mdr_wear_free(&wear));
+}
+
 static void test_refusals(const mdr_contact *contact)
 {
     const double bad = -1.0, one = 1.0, layers[2] = {1.0, 2.0};
@@ -122,6 +144,7 @@ static void test_refusals(const mdr_contact *contact)
     mdr_wear_history *h = NULL;
     mdr_material *other = NULL;
     mdr_state state;
+    mdr_wear_options options = MDR_SIZED(mdr_wear_options);
 
     CHECK_STATUS(mdr_wear_new(contact, 1, &bad, NULL, 0.0, &wear), MDR_EINVALID, "coefficient = -1");
     CHECK_STATUS(mdr_wear_new(contact, 0, &one, NULL, 0.0, &wear), MDR_EINVALID, "n = 0");
@@ -141,11 +164,20 @@ static void test_refusals(const mdr_contact *contact)
     CHECK_STATUS(mdr_wear_track(wear, &state, 1.0, 1, &one, &out), MDR_EINVALID, "body_coefficient");
     CHECK_STATUS(mdr_wear_track(wear, &state, 1.0, 1, NULL, &out), MDR_ENULL, "y");
     CHECK_STATUS(mdr_wear_passes(wear, &state, 1.0, NULL), MDR_ENULL, "passes");
-    CHECK_STATUS(mdr_wear_history_new(wear, MDR_GIVEN_FORCE, 1.0, 42, MDR_WEAR_FRESH, &h), MDR_EINVALID, "multiple of 4");
-    CHECK_STATUS(mdr_wear_history_new(wear, MDR_GIVEN_FORCE, 1.0, 4, MDR_WEAR_FRESH, &h), MDR_EINVALID, "intervals = 4");
-    CHECK_STATUS(mdr_wear_history_new(wear, MDR_GIVEN_FORCE, 0.0, 40, MDR_WEAR_FRESH, &h), MDR_EINVALID, "force = 0");
-    CHECK_STATUS(mdr_wear_history_new(wear, MDR_GIVEN_FORCE, 1.0, 40, 3, &h), MDR_EINVALID, "places = 3");
-    CHECK_STATUS(mdr_wear_history_new(NULL, MDR_GIVEN_FORCE, 1.0, 40, 1, &h), MDR_ENULL, "w");
+    options.intervals = 42;
+    CHECK_STATUS(mdr_wear_history_new(wear, MDR_GIVEN_FORCE, 1.0, &options, &h), MDR_EINVALID, "multiple of 4");
+    options.intervals = 4;
+    CHECK_STATUS(mdr_wear_history_new(wear, MDR_GIVEN_FORCE, 1.0, &options, &h), MDR_EINVALID, "intervals = 4");
+    options.intervals = 40;
+    CHECK_STATUS(mdr_wear_history_new(wear, MDR_GIVEN_FORCE, 0.0, &options, &h), MDR_EINVALID, "force = 0");
+    options.places = 3;
+    CHECK_STATUS(mdr_wear_history_new(wear, MDR_GIVEN_FORCE, 1.0, &options, &h), MDR_EINVALID, "places = 3");
+    options.places = 0;
+    options.scheme = 3;
+    CHECK_STATUS(mdr_wear_history_new(wear, MDR_GIVEN_FORCE, 1.0, &options, &h), MDR_EINVALID, "scheme = 3");
+    options.size = 1;
+    CHECK_STATUS(mdr_wear_history_new(wear, MDR_GIVEN_FORCE, 1.0, &options, &h), MDR_EINVALID, "options->size");
+    CHECK_STATUS(mdr_wear_history_new(NULL, MDR_GIVEN_FORCE, 1.0, NULL, &h), MDR_ENULL, "w");
     CHECK_STATUS(mdr_wear_history_copy(NULL, &h), MDR_ENULL, "h");
     CHECK_STATUS(mdr_wear_history_state(h, NULL), MDR_ENULL, "h");
     CHECK_STATUS(mdr_wear_history_profile(h, NULL), MDR_ENULL, "h");
@@ -165,6 +197,7 @@ int main(void)
     test_limit(contact);
     test_track(contact);
     test_history(contact);
+    test_rings(contact);
     test_refusals(contact);
     CHECK_SUCCESS(mdr_contact_free(&contact));
     return check_report("wear");

@@ -63,6 +63,72 @@ def test_history_goes_on_from_where_it_was(contact):
     assert np.all(profile.worn_depth(r) > -1e-12) and history.pressure(2.0) == 0.0
 
 
+@pytest.mark.parametrize("contact", [HERTZ, COATED])
+def test_rings_follow_any_path(contact):
+    """Falling and rising loads, depth and force in turn, far enough for rings to double: k F s to 1e-12 at each end; where the load
+    was least, the contact is within what it was; copies and pickles go on with the same bits."""
+    history = mdr.Wear(contact, 0.7).history(force=0.5, intervals=80, scheme="rings")
+    states = history.advance([0.5, 0.0, 1.0, 0.2, 40.0], force=[0.5, 0.05, 0.05, 0.6, 0.6])
+    np.testing.assert_allclose(states.worn_volume, 0.7 * states.work, rtol=1e-12)
+    assert states.radius[1] < 0.7 * states.radius[0] and states.radius[2] > states.radius[1]
+    assert np.all(np.diff(states.worn_depth) >= 0.0) and states.worn_depth[1] == states.worn_depth[0]
+    held = history.advance(0.5, depth=history.state.depth)
+    assert held.force < 0.6 and held.worn_volume == pytest.approx(0.7 * held.work, rel=1e-12)
+    others = [history.copy(), pickle.loads(pickle.dumps(history))]
+    history.advance(0.3, force=0.2)
+    for other in others:
+        other.advance(0.3, force=0.2)
+        assert np.array_equal(other.saved(), history.saved())
+    before = history.saved()
+    with pytest.raises(mdr.DomainError, match="lift off"):
+        history.advance(0.1, depth=0.5 * history.state.worn_depth)
+    assert np.array_equal(history.saved(), before)
+    again = mdr.Contact(history.profile, contact.medium).at_force(0.2)
+    assert again.depth + history.state.worn_depth == pytest.approx(history.state.depth, rel=1e-3)
+
+
+@pytest.mark.parametrize("contact", [HERTZ, COATED])
+@pytest.mark.parametrize("given", ["force", "depth"])
+def test_rings_and_disc_agree(contact, given):
+    """Two schemes with nothing in common but the body: within what the rings state, which falls as their width."""
+    wear, value = mdr.Wear(contact, 1.0), {"force": 0.5, "depth": 0.8}[given]
+    disc = wear.advance([0.1, 1.0, 5.0], intervals=80, **{given: value})[0]
+    before = np.inf
+    for intervals in (40, 80, 160):
+        rings = wear.advance([0.1, 1.0, 5.0], intervals=intervals, scheme="rings", **{given: value})[0]
+        off = [np.abs(np.asarray(a) / b - 1.0) for a, b in zip(rings[1:6], disc[1:6], strict=True)]
+        assert np.all(np.max(off, axis=0) < rings.error)
+        assert np.max(rings.error) < 0.75 * before
+        before = np.max(rings.error)
+        np.testing.assert_allclose(rings.worn_volume, rings.work, rtol=1e-12)
+
+
+@pytest.mark.parametrize(("medium", "modulus"), [(HERTZ.medium, 1.0), (mdr.Coated(SOFT, 1.0, HARD), 0.1)])
+def test_a_flat_punch_runs_in(medium, modulus):
+    """At constant force to uniform pressure, at constant depth to no force, and to a profile that bears it nowhere else."""
+    contact = mdr.Contact(mdr.FlatPunch(1.0), medium)
+    wear = mdr.Wear(contact, 1.0)
+    history = wear.history(force=1.0, intervals=40, scheme="rings")
+    assert history.state.depth == pytest.approx(contact.at_force(1.0).depth, rel=1e-4)
+    now = history.advance(40.0 / modulus, force=1.0)
+    assert now.worn_volume == pytest.approx(40.0 / modulus, rel=1e-12) and now.radius == pytest.approx(1.0, rel=1e-12)
+    np.testing.assert_allclose(history.pressure([0.0, 0.5, 0.99]), 1.0 / np.pi, rtol=1e-6)
+    assert history.profile.worn_depth(0.0) == pytest.approx(now.worn_depth, rel=1e-12)
+    pressed = mdr.Contact(history.profile, medium).at_force(1.0)
+    assert pressed.depth + now.worn_depth == pytest.approx(now.depth, rel=1e-3)
+    held = wear.advance(15.0 / modulus, depth=0.3, scheme="rings", intervals=40)[0]
+    assert held.force < 1e-3 and held.worn_depth == pytest.approx(0.3, rel=1e-3)
+    with pytest.raises(mdr.InvalidArgumentError, match="rings"):
+        wear.history(force=1.0)
+
+
+def test_a_coated_tip_on_rings():
+    wear = mdr.Wear(HERTZ, (0.1, 1.0), (0.05,))
+    states = [wear.advance([1.0, 4.0, 10.0], force=1.0, scheme=scheme)[0] for scheme in ("disc", "rings")]
+    np.testing.assert_allclose(states[1].worn_volume, states[0].worn_volume, rtol=5e-3)
+    np.testing.assert_allclose(states[1].worn_depth, states[0].worn_depth, rtol=1e-2)
+
+
 def test_volume_and_coefficients():
     """The volume identity; k from volumes, and from radii of the scar, is that of the history that made them."""
     s = np.array([0.5, 1.0, 2.0])
@@ -96,6 +162,12 @@ def test_bad_input_is_refused_with_the_reason():
         wear.track(0.0, HERTZ.at_depth(0.1))
     with pytest.raises(mdr.InvalidArgumentError, match="flat punch"):
         mdr.Wear(mdr.Contact(mdr.FlatPunch(1.0), mdr.Homogeneous(HARD)), 1.0).history(force=1.0)
+    with pytest.raises(mdr.InvalidArgumentError, match="did you mean 'rings'"):
+        wear.history(force=1.0, scheme="ring")
+    sphere = mdr.Wear(mdr.Contact(mdr.Sphere(1.0), mdr.Homogeneous(HARD)), 1.0).history(force=0.1, intervals=16, scheme="rings")
+    with pytest.raises(mdr.DomainError, match="indenter ends"):
+        sphere.advance(60.0, force=0.1)
+    assert sphere.advance(0.1, force=0.05).sliding == 0.1
     history = wear.history(force=1.0, intervals=16)
     before = history.saved()
     with pytest.raises(mdr.DomainError, match="shrink"):

@@ -64,9 +64,11 @@ def _slide(problem: Problem) -> tuple[WearState, WornProfile]:
     assert problem.wear is not None
     contact, control = problem.contact(), problem.control
     largest = float(np.max(control.values))
-    held = {"force": float(contact.at_radius(largest).force)} if control.name == "radius" else {control.name: largest}
-    wear = Wear(contact, problem.wear.coefficient)
-    return wear.advance(np.array(problem.wear.sliding), intervals=problem.wear.intervals, **held)
+    wear, distances = Wear(contact, problem.wear.coefficient), np.array(problem.wear.sliding)
+    if control.name == "depth":
+        return wear.advance(distances, depth=largest, intervals=problem.wear.intervals)
+    force = float(contact.at_radius(largest).force) if control.name == "radius" else largest
+    return wear.advance(distances, force=force, intervals=problem.wear.intervals)
 
 
 def columns(states: WearState) -> list[Column]:

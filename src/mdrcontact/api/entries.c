@@ -1126,14 +1126,14 @@ int mdr_wear_passes(const mdr_wear *w, const mdr_state *state, double depth, dou
     return status;
 }
 
-int mdrcontact_entry_wear_history_new(const mdr_wear *w, int given, double value, int intervals, int places,
+int mdrcontact_entry_wear_history_new(const mdr_wear *w, int given, double value, const mdr_wear_options *options,
         mdr_wear_history **out);
-int mdr_wear_history_new(const mdr_wear *w, int given, double value, int intervals, int places, mdr_wear_history **out)
+int mdr_wear_history_new(const mdr_wear *w, int given, double value, const mdr_wear_options *options, mdr_wear_history **out)
 {
-    if (arithmetic_is_set()) return mdrcontact_entry_wear_history_new(w, given, value, intervals, places, out);
+    if (arithmetic_is_set()) return mdrcontact_entry_wear_history_new(w, given, value, options, out);
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_wear_history_new(w, given, value, intervals, places, out);
+    const int status = mdrcontact_entry_wear_history_new(w, given, value, options, out);
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }

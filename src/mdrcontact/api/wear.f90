@@ -1,9 +1,10 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Wear, for C.
 module mdrcontact_api_wear
-    use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
+    use, intrinsic :: iso_c_binding, only: c_double, c_int, c_loc, c_ptr, c_size_t, c_sizeof
     use mdrcontact_api_arrays, only: check_array, check_count, check_in_out, check_results, make_room
     use mdrcontact_api_handles, only: hand_over, open_handle
+    use mdrcontact_api_options, only: read_options
     use mdrcontact_api_status, only: check_given, status_of
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_state, only: contact_state_t
@@ -21,6 +22,12 @@ module mdrcontact_api_wear
 
     !> enum mdr_wear_places
     integer, parameter :: fresh_places = 1, same_places = 2
+
+    !> struct mdr_wear_options
+    type, bind(C) :: wear_options_t
+        integer(c_size_t) :: size = 0_c_size_t
+        integer(c_int) :: intervals = 0_c_int, places = 0_c_int, scheme = 0_c_int
+    end type wear_options_t
 
 contains
 
@@ -127,13 +134,14 @@ contains
         if (.not. allocated(error)) passes = found
     end function mdr_wear_passes
 
-    function mdr_wear_history_new(w, given, value, intervals, places, out) result(status) &
+    function mdr_wear_history_new(w, given, value, options, out) result(status) &
         bind(C, name="mdrcontact_entry_wear_history_new")
-        type(c_ptr), value :: w
-        integer(c_int), value :: given, intervals, places
+        type(c_ptr), value :: w, options
+        integer(c_int), value :: given
         real(c_double), value :: value
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
+        type(wear_options_t), target :: chosen
         type(wear_t), pointer :: wear
         type(wear_history_t), allocatable :: history
         class(*), allocatable :: object
@@ -141,9 +149,12 @@ contains
 
         allocate (history)
         call open_handle(w, "w", wear, error)
-        call check_choice(error, "places", int(places), fresh_places, same_places, "1 (fresh) or 2 (the same)")
+        call read_options(error, "options", options, c_loc(chosen), c_sizeof(chosen))
+        if (chosen%places == 0) chosen%places = fresh_places
+        call check_choice(error, "places", int(chosen%places), fresh_places, same_places, "1 (fresh) or 2 (the same)")
         if (.not. allocated(error)) then
-            call new_wear_history(history, wear, int(given), value, error, int(intervals), places == same_places)
+            call new_wear_history(history, wear, int(given), value, error, int(chosen%intervals), chosen%places == same_places, &
+                                  int(chosen%scheme))
         end if
         call move_alloc(history, object)
         status = hand_over(object, out, error)

@@ -38,9 +38,10 @@ contains
         type(worn_profile_t), intent(out) :: self
         !> copied
         class(profile_t), intent(in) :: base
-        !> ascending, >= 0, at least 2; W is 0 beyond the last one, and has its first value below the first one [length]
+        !> ascending, >= 0, at least 2; below the first and beyond the last one W has its value there [length]
         real(wp), intent(in) :: radii(:)
-        !> W >= 0, 0 at the last radius [length]; W' [1]: the first or the last one, if infinite, is that of one parabola
+        !> W >= 0, 0 at the last radius unless the indenter ends there [length]; W' [1]: the first or the last one, if infinite, is
+        !> that of one parabola
         real(wp), intent(in) :: depths(:), slopes(:)
         type(error_t), allocatable, intent(inout) :: error
         real(wp) :: step, rise, middle, from, to
@@ -70,7 +71,7 @@ contains
             call set_piece(self, 2*i + 1, radii(i) + 0.5_wp*step, middle, 2.0_wp*(to - middle)/step, &
                            depths(i) + 0.25_wp*step*(from + middle))
         end do
-        call set_piece(self, 2*n, radii(n), 0.0_wp, 0.0_wp, 0.0_wp)
+        call set_piece(self, 2*n, radii(n), 0.0_wp, 0.0_wp, depths(n))
     end subroutine new_worn_profile
 
     !> The piece i from a radius on, where W, its slope and its curvature are given.

@@ -12,10 +12,10 @@
 module mdrcontact_wear_disc
     use mdrcontact_error, only: error_domain, error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: pi, wp
-    use mdrcontact_lapack, only: dgemm, dgesv
+    use mdrcontact_lapack, only: dgesv
     use mdrcontact_medium_solver, only: solver_t
     use mdrcontact_profile, only: profile_t
-    use mdrcontact_wear_hats, only: hat_points, hats_t
+    use mdrcontact_wear_hats, only: hat_points, hats_t, line_compliance
     use mdrcontact_wear_ledger, only: disc_t, ledger_t, new_ledger
     use mdrcontact_wear_rate, only: wear_rate_t
     implicit none (type, external)
@@ -91,7 +91,7 @@ contains
         else if (next%radius < disc%radius*(1.0_wp - shrinks/real(hats%n, wp))) then
             call raise(error, error_domain, "the contact would shrink from radius "//to_text(disc%radius)//" to "// &
                        to_text(next%radius)//": a disc that moves with its edge does not keep the wear outside it; hold the "// &
-                       "load or let it grow")
+                       "load, let it grow, or choose rings as the scheme")
         end if
     end subroutine step_disc
 
@@ -135,6 +135,7 @@ contains
             if (is_settled(hats, rate, load, sliding*weight, rhs, further)) exit
         end do
         next%radius = a
+        next%extent = a
         next%power = hats%power
         next%force = dot_product(hats%areas, rhs)*a**2
         allocate (next%pressure(0:n), next%load(0:n))
@@ -147,31 +148,6 @@ contains
         end do
         next%load(n) = 0.0_wp
     end subroutine disc_at
-
-    !> int phi_i S phi_j 2 pi r dr = (2/E0*) int_0^a Q_i (Q_j + K Q_j) dx.
-    subroutine line_compliance(hats, solver, a, matrix, modulus, error)
-        type(hats_t), intent(in) :: hats
-        class(solver_t), intent(in) :: solver
-        real(wp), intent(in) :: a
-        real(wp), intent(out) :: matrix(0:, 0:)
-        !> E0* [modulus]
-        real(wp), intent(out) :: modulus
-        type(error_t), allocatable, intent(inout) :: error
-        real(wp), allocatable :: interaction(:, :), coupled(:, :)
-        integer :: m, n
-
-        n = hats%n + 1
-        call solver%interaction(a, size(hats%waves, 1), modulus, interaction, error)
-        if (allocated(error)) return
-        matrix = hats%products
-        m = size(interaction, 1)
-        if (m > 0) then
-            allocate (coupled(m, 0:hats%n))
-            call dgemm("N", "N", m, n, m, 0.5_wp, interaction, m, hats%waves, size(hats%waves, 1), 0.0_wp, coupled, m)
-            call dgemm("T", "N", n, n, m, 1.0_wp, hats%waves, size(hats%waves, 1), coupled, m, 1.0_wp, matrix, n)
-        end if
-        matrix = (2.0_wp*a**3/modulus)*matrix
-    end subroutine line_compliance
 
     !> w_n: of the pressure at the end of the step in int p ds over it, where the edge moves evenly from one radius to the other.
     elemental function new_weight(r, from, to, exponent) result(weight)
@@ -265,6 +241,10 @@ contains
         type(ledger_t) :: ledger
         real(wp), dimension(hat_points, hats%n) :: load, pressure
 
+        if (disc%stays) then
+            volume = sum(hats%areas*rate%worn_depth(disc%load))*disc%extent**2
+            return
+        end if
         call new_ledger(ledger, disc)
         call ledger%at(disc%radius*hats%radii, load, pressure)
         volume = sum(hats%weights*rate%worn_depth(load))*disc%radius**2

@@ -2,7 +2,7 @@
 !> Pressures on a disc of radius 1 as sums of hats, and what follows from them on the line (theory 11).
 !>
 !> The hats phi_i are linear between the radii u_i = sin(pi/2 (i/n)^m), dense at the edge, and with m = 2 also at the axis,
-!> where the pressure under an apex is infinite at first. Their line loads
+!> where the pressure under an apex is infinite at first; with m = 0 they are u_i = i/n. Their line loads
 !>
 !>     Q_i(x) = 2 int_x^1 r phi_i/sqrt(r^2 - x^2) dr
 !>
@@ -13,10 +13,11 @@ module mdrcontact_wear_hats
     use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_kinds, only: half_pi, pi, wp
     use mdrcontact_lapack, only: dgemm
+    use mdrcontact_medium_solver, only: solver_t
     use mdrcontact_numerics_quadrature, only: gauss_legendre, legendre
     implicit none (type, external)
     private
-    public :: hats_t, new_hats, hat_points, hat_nodes
+    public :: hats_t, new_hats, hat_points, hat_nodes, line_compliance
 
     !> Points of the rule in each interval for integrals over the disc, for line loads, and for Legendre coefficients.
     integer, parameter :: hat_points = 4, line_points = 16, wave_points = 16
@@ -31,7 +32,7 @@ module mdrcontact_wear_hats
     type :: hats_t
         !> number of intervals
         integer :: n = 0
-        !> m
+        !> m: 0, 1 or 2
         integer :: power = 1
         !> u_i, 0 ... n
         real(wp), allocatable :: nodes(:)
@@ -50,7 +51,7 @@ contains
     !> n hats, and those whose line loads are wanted in Legendre polynomials.
     subroutine new_hats(self, n, power, modes, error)
         type(hats_t), intent(out) :: self
-        !> intervals, m = 1 or 2, and polynomials: 0 for none
+        !> intervals, m, and polynomials: 0 for none
         integer, intent(in) :: n, power, modes
         type(error_t), allocatable, intent(inout) :: error
         integer :: stat
@@ -72,7 +73,8 @@ contains
         real(wp) :: u(0:n)
         integer :: i
 
-        u = [(sin(half_pi*(real(i, wp)/real(n, wp))**power), i=0, n)]
+        u = [(real(i, wp)/real(n, wp), i=0, n)]
+        if (power > 0) u = sin(half_pi*u**power)
         u(n) = 1.0_wp
     end function hat_nodes
 
@@ -211,5 +213,30 @@ contains
             factor = -factor*real(2*m + 1, wp)/real(2*m + 2, wp)
         end do
     end subroutine set_waves
+
+    !> int phi_i S phi_j 2 pi r dr = (2/E0*) int_0^a Q_i (Q_j + K Q_j) dx.
+    subroutine line_compliance(hats, solver, a, matrix, modulus, error)
+        type(hats_t), intent(in) :: hats
+        class(solver_t), intent(in) :: solver
+        real(wp), intent(in) :: a
+        real(wp), intent(out) :: matrix(0:, 0:)
+        !> E0* [modulus]
+        real(wp), intent(out) :: modulus
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp), allocatable :: interaction(:, :), coupled(:, :)
+        integer :: m, n
+
+        n = hats%n + 1
+        call solver%interaction(a, size(hats%waves, 1), modulus, interaction, error)
+        if (allocated(error)) return
+        matrix = hats%products
+        m = size(interaction, 1)
+        if (m > 0) then
+            allocate (coupled(m, 0:hats%n))
+            call dgemm("N", "N", m, n, m, 0.5_wp, interaction, m, hats%waves, size(hats%waves, 1), 0.0_wp, coupled, m)
+            call dgemm("T", "N", n, n, m, 1.0_wp, hats%waves, size(hats%waves, 1), coupled, m, 1.0_wp, matrix, n)
+        end if
+        matrix = (2.0_wp*a**3/modulus)*matrix
+    end subroutine line_compliance
 
 end module mdrcontact_wear_hats

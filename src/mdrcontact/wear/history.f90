@@ -3,14 +3,15 @@
 !>
 !> Two discs of n/2 and n intervals march side by side, the first with steps twice as long. Both are of second order: results are
 !> their extrapolation, and their difference states the error; it holds at the apex of a cone too, which wears off with errors of
-!> first order.
+!> first order. Rings in place of discs are of first order: results are those of the n intervals, and the difference states the
+!> error as well.
 module mdrcontact_wear_history
     use, intrinsic :: iso_c_binding, only: c_double
     use mdrcontact_base_nonfinite, only: infinity, is_finite
     use mdrcontact_cancel, only: check_cancelled, report_progress
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_contact_values, only: given_depth
-    use mdrcontact_error, only: check_count_within, check_not_negative, check_positive, count_text, error_domain, &
+    use mdrcontact_error, only: check_choice, check_count_within, check_not_negative, check_positive, count_text, error_domain, &
                                 error_invalid, error_t, raise, to_text
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_profile_worn, only: new_worn_profile, worn_profile_t
@@ -20,10 +21,14 @@ module mdrcontact_wear_history
     use mdrcontact_wear_ledger, only: disc_t, ledger_t, new_ledger
     use mdrcontact_wear_limit, only: check_carries, check_control
     use mdrcontact_wear_rate, only: wear_rate_t
+    use mdrcontact_wear_rings, only: first_extent, step_rings
     implicit none (type, external)
     private
-    public :: new_wear_history, wear_history_t, wear_past_t, wear_state_t
+    public :: new_wear_history, moving_disc, fixed_rings, wear_history_t, wear_past_t, wear_state_t
 
+    !> Schemes, enum mdr_wear_scheme: a disc that moves with the edge of the contact, of second order, for contacts that do not
+    !> shrink; rings that stay on the indenter, of first order, for any path.
+    integer, parameter :: moving_disc = 1, fixed_rings = 2
     !> Intervals: by default, fewest, most; a multiple of 4.
     integer, parameter :: usual_intervals = 80, fewest_intervals = 16, most_intervals = 640
     !> Legendre polynomials in which a film's springs act on each other at most.
@@ -76,6 +81,7 @@ module mdrcontact_wear_history
         private
         type(wear_t) :: wear
         type(hats_t) :: hats(2)
+        logical :: has_rings = .false.
         !> of the indenter, and of both where the body wears at the same places
         type(wear_rate_t) :: rate
         !> k of the body where it does, else 0 [1/modulus]
@@ -97,7 +103,7 @@ module mdrcontact_wear_history
 contains
 
     !> A contact that is pressed on and has not slid yet.
-    subroutine new_wear_history(self, wear, control, target, error, intervals, both)
+    subroutine new_wear_history(self, wear, control, target, error, intervals, both, scheme)
         type(wear_history_t), intent(out) :: self
         !> copied
         type(wear_t), intent(in) :: wear
@@ -111,19 +117,14 @@ contains
         !> indenter and body rub at the same places, as they do where both move back and forth by much less than the contact
         !> radius: the gap opens by what both lose. Default: the body meets the indenter with fresh places
         logical, intent(in), optional :: both
+        !> moving_disc or fixed_rings; default or 0: moving_disc
+        integer, intent(in), optional :: scheme
         type(contact_state_t) :: state
-        integer :: n, i
-        type(disc_t) :: seed
+        integer :: n
 
-        n = 0
-        if (present(intervals)) n = intervals
-        if (n == 0) n = usual_intervals
-        call check_count_within(error, "intervals", n, fewest_intervals, most_intervals)
-        if (.not. allocated(error) .and. modulo(n, 4) /= 0) then
-            call raise(error, error_invalid, "intervals = "//count_text(n)//" is not allowed: it must be a multiple of 4")
-        end if
+        call choose(self, intervals, scheme, n, error)
         call check_target(control, target, error)
-        if (.not. allocated(error)) call check_indenter(wear, error)
+        if (.not. allocated(error) .and. .not. self%has_rings) call check_indenter(wear, error)
         if (allocated(error)) return
         self%wear = wear
         self%rate = wear%rate
@@ -133,15 +134,57 @@ contains
         if (.not. allocated(error)) call press(wear, control, target, state, error)
         if (.not. allocated(error)) call find_modulus(self, state%radius, error)
         if (allocated(error)) return
+        call begin(self, n, state%radius, control, target, error)
+    end subroutine new_wear_history
+
+    !> Intervals and scheme.
+    subroutine choose(self, intervals, scheme, n, error)
+        type(wear_history_t), intent(inout) :: self
+        integer, intent(in), optional :: intervals, scheme
+        integer, intent(out) :: n
+        type(error_t), allocatable, intent(inout) :: error
+
+        n = 0
+        if (present(intervals)) n = intervals
+        if (n == 0) n = usual_intervals
+        call check_count_within(error, "intervals", n, fewest_intervals, most_intervals)
+        if (.not. allocated(error) .and. modulo(n, 4) /= 0) then
+            call raise(error, error_invalid, "intervals = "//count_text(n)//" is not allowed: it must be a multiple of 4")
+        end if
+        if (.not. present(scheme)) return
+        if (scheme /= 0) call check_choice(error, "scheme", scheme, moving_disc, fixed_rings, "1 (disc) or 2 (rings)")
+        self%has_rings = scheme == fixed_rings
+    end subroutine choose
+
+    !> Both discs under the first target.
+    subroutine begin(self, n, radius, control, target, error)
+        type(wear_history_t), intent(inout) :: self
+        integer, intent(in) :: n, control
+        !> of the unworn contact [length]
+        real(wp), intent(in) :: radius, target
+        type(error_t), allocatable, intent(inout) :: error
+        type(disc_t) :: seed
+        real(wp) :: extent
+        integer :: i, power
+
+        extent = first_extent(self%wear%contact%equilibrium%profile, radius)
+        power = merge(2, 1, is_pointed(self%wear))
+        ! under a wall the pressure is infinite at first
+        if (self%has_rings) power = merge(0, 1, extent > radius)
         do i = 1, 2
-            call new_hats(self%hats(i), n*i/2, merge(2, 1, is_pointed(wear)), &
-                          merge(0, most_waves, wear%contact%is_formula()), error)
+            call new_hats(self%hats(i), n*i/2, power, merge(0, most_waves, self%wear%contact%is_formula()), error)
             if (allocated(error)) return
-            call make_seed(self%hats(i), 0.9_wp*state%radius, seed)
+            if (self%has_rings) then
+                call make_seed(self%hats(i), radius, seed)
+                seed%stays = .true.
+                seed%extent = extent
+            else
+                call make_seed(self%hats(i), 0.9_wp*radius, seed)
+            end if
             call one_step(self, i, seed, 0.0_wp, control, target, self%past%discs(i), error)
             if (allocated(error)) return
         end do
-    end subroutine new_wear_history
+    end subroutine begin
 
     pure subroutine check_target(control, target, error)
         integer, intent(in) :: control
@@ -165,7 +208,7 @@ contains
         associate (profile => wear%contact%equilibrium%profile)
             if (profile%has_wall .and. profile%end_radius >= profile%largest_radius) then
                 call raise(error, error_invalid, "a flat punch ends in a wall, where the pressure is infinite: the wear of a "// &
-                           "sliding indenter is known for one whose contact can grow; give it a rounded rim")
+                           "sliding indenter is followed by rings there; choose them as the scheme, or give it a rounded rim")
             end if
         end associate
     end subroutine check_indenter
@@ -192,6 +235,7 @@ contains
         type(disc_t), intent(out) :: seed
 
         seed%radius = radius
+        seed%extent = radius
         seed%power = hats%power
         allocate (seed%pressure(0:hats%n), seed%load(0:hats%n), source=0.0_wp)
     end subroutine make_seed
@@ -331,13 +375,16 @@ contains
         real(wp), intent(in) :: targets(2)
         type(error_t), allocatable, intent(inout) :: error
         type(disc_t) :: coarse, middle, fine
+        real(wp) :: share
 
         call one_step(self, 1, past%discs(1), distances(2), control, targets(2), coarse, error)
         if (.not. allocated(error)) call one_step(self, 2, past%discs(2), distances(1), control, targets(1), middle, error)
         if (.not. allocated(error)) call one_step(self, 2, middle, distances(2) - distances(1), control, targets(2), fine, error)
         if (allocated(error)) return
-        past%work = past%work + 0.5_wp*(distances(1)*(past%discs(2)%force + middle%force) &
-                                        + (distances(2) - distances(1))*(middle%force + fine%force))
+        ! rings take the pressure at the end of a step
+        share = merge(0.0_wp, 0.5_wp, self%has_rings)
+        past%work = past%work + distances(1)*(share*past%discs(2)%force + (1.0_wp - share)*middle%force) &
+                    + (distances(2) - distances(1))*(share*middle%force + (1.0_wp - share)*fine%force)
         past%sliding = past%sliding + distances(2)
         past%discs(1) = coarse
         past%discs(2) = fine
@@ -352,8 +399,13 @@ contains
         type(error_t), allocatable, intent(inout) :: error
 
         associate (equilibrium => self%wear%contact%equilibrium)
-            call step_disc(self%hats(level), equilibrium%medium, equilibrium%profile, self%rate, disc, sliding, &
-                           control == given_depth, target, next, error)
+            if (self%has_rings) then
+                call step_rings(self%hats(level), equilibrium%medium, equilibrium%profile, self%rate, disc, sliding, &
+                                control == given_depth, target, next, error)
+            else
+                call step_disc(self%hats(level), equilibrium%medium, equilibrium%profile, self%rate, disc, sliding, &
+                               control == given_depth, target, next, error)
+            end if
         end associate
         if (allocated(error)) return
         if (lowest(next%pressure) < -noticeable*next%force/(pi*next%radius**2)) then
@@ -381,7 +433,7 @@ contains
     subroutine state(self, now)
         class(wear_history_t), intent(in) :: self
         type(wear_state_t), intent(out) :: now
-        real(wp) :: values(9, 2), best(9)
+        real(wp) :: values(8, 2), best(8)
         integer :: i
 
         do i = 1, 2
@@ -393,7 +445,8 @@ contains
             end associate
         end do
         values(8, :) = self%body_coefficient*values(8, :)
-        best = values(:, 2) + (values(:, 2) - values(:, 1))/3.0_wp
+        best = values(:, 2)
+        if (.not. self%has_rings) best = best + (values(:, 2) - values(:, 1))/3.0_wp
         now%sliding = self%past%sliding
         now%depth = best(1)
         now%radius = best(2)
@@ -405,6 +458,10 @@ contains
         now%body_volume = best(8)
         now%work = self%past%work
         now%error = maxval(abs(values(:4, 2) - values(:4, 1))/abs(best(:4)))
+        associate (disc => self%past%discs(2))
+            ! the edge lies within a ring
+            if (disc%extent > disc%radius) now%error = max(now%error, disc%extent/(real(self%hats(2)%n, wp)*disc%radius))
+        end associate
         if (best(5) > 0.0_wp) now%error = max(now%error, abs(values(5, 2) - values(5, 1))/best(5))
     end subroutine state
 
@@ -417,8 +474,8 @@ contains
         real(wp), dimension(size(hats%radii, 1), size(hats%radii, 2)) :: load, pressure
 
         call new_ledger(ledger, disc)
-        call ledger%at(disc%radius*hats%radii, load, pressure)
-        volume = sum(hats%weights*load)*disc%radius**2
+        call ledger%at(disc%extent*hats%radii, load, pressure)
+        volume = sum(hats%weights*load)*disc%extent**2
     end subroutine loaded_volume
 
     !> The indenter as it is now, for contacts with it, whose depth counts from its new apex; of the gap, where both wear.
@@ -435,10 +492,14 @@ contains
         allocate (profile)
         associate (coarse => self%past%discs(1), fine => self%past%discs(2))
             call new_ledger(ledger, coarse)
-            call ledger%at(coarse%radius*self%hats(2)%nodes, other, unused)
-            radius = fine%radius + (fine%radius - coarse%radius)/3.0_wp
-            load = max(fine%load + (fine%load - other)/3.0_wp, 0.0_wp)
-            load(n) = 0.0_wp
+            load = fine%load
+            radius = fine%extent
+            if (.not. self%has_rings) then
+                call ledger%at(coarse%radius*self%hats(2)%nodes, other, unused)
+                radius = fine%radius + (fine%radius - coarse%radius)/3.0_wp
+                load = max(fine%load + (fine%load - other)/3.0_wp, 0.0_wp)
+                load(n) = 0.0_wp
+            end if
         end associate
         depths = self%rate%worn_depth(load)
         slopes(0) = 0.0_wp
@@ -486,7 +547,7 @@ contains
         class(wear_history_t), intent(in) :: self
         integer :: count
 
-        count = saved_numbers + 2*(self%hats(1)%n + self%hats(2)%n) + 10
+        count = saved_numbers + 2*(self%hats(1)%n + self%hats(2)%n) + 12
     end function saved_size
 
     !> The past as numbers, from which another history of the same contact goes on with the same bits.
@@ -496,15 +557,16 @@ contains
         real(wp), intent(out) :: numbers(:)
         integer :: i, n, at
 
-        numbers(:saved_numbers) = [real(self%hats(2)%n, wp), self%past%sliding, self%past%work, 0.0_wp]
+        numbers(:saved_numbers) = [real(self%hats(2)%n, wp), self%past%sliding, self%past%work, &
+                                   merge(1.0_wp, 0.0_wp, self%has_rings)]
         at = saved_numbers
         do i = 1, 2
             associate (disc => self%past%discs(i))
                 n = self%hats(i)%n + 1
-                numbers(at + 1:at + 3) = [disc%radius, disc%depth, disc%force]
-                numbers(at + 4:at + 3 + n) = disc%pressure
-                numbers(at + 4 + n:at + 3 + 2*n) = disc%load
-                at = at + 3 + 2*n
+                numbers(at + 1:at + 4) = [disc%radius, disc%depth, disc%force, disc%extent]
+                numbers(at + 5:at + 4 + n) = disc%pressure
+                numbers(at + 5 + n:at + 4 + 2*n) = disc%load
+                at = at + 4 + 2*n
             end associate
         end do
     end subroutine save
@@ -523,8 +585,9 @@ contains
                        count_text(self%hats(2)%n)//" intervals")
             return
         end if
-        if (nint(numbers(1)) /= self%hats(2)%n .or. .not. numbers(saved_numbers + 1) > 0.0_wp &
-            .or. .not. numbers(saved_numbers + 2*self%hats(1)%n + 6) > 0.0_wp) then
+        if (nint(numbers(1)) /= self%hats(2)%n .or. (numbers(saved_numbers) > 0.0_wp .neqv. self%has_rings) &
+            .or. any(.not. numbers(saved_numbers + [1, 4]) > 0.0_wp) &
+            .or. any(.not. numbers(saved_numbers + 2*self%hats(1)%n + [7, 10]) > 0.0_wp)) then
             call raise(error, error_invalid, "these are not the numbers of a history of this contact")
             return
         end if
@@ -537,9 +600,10 @@ contains
                 disc%radius = numbers(at + 1)
                 disc%depth = numbers(at + 2)
                 disc%force = numbers(at + 3)
-                disc%pressure(:) = numbers(at + 4:at + 3 + n)
-                disc%load(:) = numbers(at + 4 + n:at + 3 + 2*n)
-                at = at + 3 + 2*n
+                disc%extent = numbers(at + 4)
+                disc%pressure(:) = numbers(at + 5:at + 4 + n)
+                disc%load(:) = numbers(at + 5 + n:at + 4 + 2*n)
+                at = at + 4 + 2*n
             end associate
         end do
     end subroutine restore

@@ -8,16 +8,20 @@ enum { PRICE_OF_WEAR = 8, PRICE_OF_HISTORY = 30, MOST_LAYERS = 3, INTERVALS = 16
 
 static void march(world *w, const mdr_wear *wear, const mdr_state *state)
 {
-    const int given = take_code(&w->in, 2), places = take_code(&w->in, 2), n = take_count(&w->in) % 3;
+    const int given = take_code(&w->in, 2), n = take_count(&w->in) % 3;
     double sliding[MOST_POINTS], value[MOST_POINTS], out[MOST_POINTS], numbers[MOST_NUMBERS];
     mdr_wear_state found[MOST_POINTS];
     mdr_wear_history *h = NULL, *copy = NULL;
     mdr_profile *worn = NULL;
+    mdr_wear_options options = MDR_SIZED(mdr_wear_options);
     int status, count = 0;
 
+    options.intervals = INTERVALS;
+    options.places = take_code(&w->in, 2);
+    options.scheme = take_code(&w->in, 2);
     take_positives(&w->in, sliding);
     for (int i = 0; i < MOST_POINTS; i++) value[i] = given == MDR_GIVEN_DEPTH ? state->depth : state->force;
-    status = mdr_wear_history_new(wear, given, value[0], INTERVALS, places, &h);
+    status = mdr_wear_history_new(wear, given, value[0], &options, &h);
     judge_object("mdr_wear_history_new", status, h);
     if (!h) return;
     judge_status("mdr_wear_history_advance", mdr_wear_history_advance(h, given, n, sliding, value, found));
