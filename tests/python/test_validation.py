@@ -10,7 +10,7 @@ import pytest
 from conftest import ROOT
 
 from mdrcontact.__main__ import main
-from mdrcontact.validation import CHECKS
+from mdrcontact.validation import CHECKS, GROUPS
 from mdrcontact.validation import page as pages
 from mdrcontact.validation.check import comparison
 from mdrcontact.validation.limits import refusals
@@ -18,12 +18,15 @@ from mdrcontact.validation.limits import refusals
 PAGE = (ROOT / "docs" / "validation.md").read_text()
 
 
-@pytest.mark.parametrize("check", CHECKS, ids=lambda check: check.name)
+MARKS = {check.name: [pytest.mark.slow] if check.is_long else [] for check in CHECKS}
+
+
+@pytest.mark.parametrize("check", [pytest.param(check, id=check.name, marks=MARKS[check.name]) for check in CHECKS])
 def test_within_what_the_source_explains(check):
     if check.needs:
         pytest.importorskip(check.needs)
     found = check.run()
-    assert np.isfinite(found.here).all() and len(found.x) == len(found.here)
+    assert np.isfinite(found.here).all() and len(found.x) == len(found.here) == len(found.there)
     assert found.deviation <= check.error
 
 
@@ -54,14 +57,19 @@ def test_the_files_that_are_written(tmp_path, capsys):
     assert main(given) == 0
     text = (tmp_path / "a.html").read_text()
     assert "Johnson, Kendall, Roberts 1971" in text and text.count("data:image/png") == 1
+    assert "(pictures/validation_adhesion.png)" in (tmp_path / "a.md").read_text()
+    assert [path.name for path in (tmp_path / "pictures").iterdir()] == ["validation_adhesion.png"]
     assert main(given) == 1 and "exists" in capsys.readouterr().err
 
 
 def test_the_page_of_the_guide():
-    """Each comparison with its command, each refusal as the library words it today."""
+    """Each comparison with its command and its picture, each limit in the words and constants of the library."""
     for check in CHECKS:
         assert f"| {check.capability} | {check.source} | " in PAGE and f"--only {check.name}`" in PAGE
+    for group in GROUPS:
+        picture = ROOT / "docs" / "pictures" / f"validation_{group.name}.png"
+        assert f"](pictures/{picture.name})" in PAGE and picture.read_bytes().startswith(b"\x89PNG")
     assert "BEYOND" not in PAGE and "not run" not in PAGE
-    for beyond, words in refusals()[1:]:
-        assert f"| {beyond} | {words} |" in PAGE
-        assert words != "it is computed"
+    for cells in refusals()[1:]:
+        assert f"| {' | '.join(cells)} |" in PAGE
+        assert cells[-1] != "it is computed"

@@ -11,7 +11,7 @@ from .._choices import nearest
 from ..errors import MDRError
 from ..problem import ProblemError
 from ..validation import CHECKS
-from ..validation.page import TITLES, Row, html, markdown, programs
+from ..validation.page import TITLES, Row, html, markdown, pictures, programs
 from ..validation.page import run as run_checks
 from . import files
 from .table import aligned
@@ -24,7 +24,7 @@ off, whose error that is, and by which command a row is repeated:
     mdrcontact validate                            # some seconds
     mdrcontact validate --full --html validation.html
 
-Finite elements need scikit-fem (pip install "mdrcontact[validate]"); a program that is missing is named. Status 1 if a deviation is
+The programs come with pip install "mdrcontact[validate]"; one that is missing is named. Status 1 if a deviation is
 larger than the source's own error explains.
 """
 
@@ -34,7 +34,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--full", action="store_true", help="run what takes longer, too")
     parser.add_argument("--only", metavar="NAME", help="run one comparison")
     parser.add_argument("--html", type=Path, metavar="FILE.html", help="write one HTML file, with a picture of each row")
-    parser.add_argument("--markdown", type=Path, metavar="FILE.md", help="write the tables as a page of the guide")
+    parser.add_argument("--markdown", type=Path, metavar="FILE.md", help="write a page of the guide, its pictures into pictures/")
     parser.add_argument("--overwrite", action="store_true", help="replace files that exist")
 
 
@@ -56,6 +56,9 @@ def run(arguments: argparse.Namespace) -> None:
         contents[arguments.html] = html(rows).encode()
     if arguments.markdown:
         contents[arguments.markdown] = markdown(rows).encode()
+        folder = arguments.markdown.parent / "pictures"
+        folder.mkdir(exist_ok=True)
+        contents.update({folder / name: drawn for name, drawn in pictures(rows).items()})
     files.write(contents, arguments.overwrite)
     beyond = [row.check.name for row in rows if not row.holds]
     if beyond:

@@ -3,12 +3,32 @@
 
 from __future__ import annotations
 
-from .check import Check, Comparison
+from .adhesive import ADHESION
+from .check import Check, Comparison, Group
+from .conducting import CONDUCTING
 from .elements import ELEMENTS
-from .formulas import FORMULAS
-from .published import PUBLISHED
+from .inside import INSIDE
+from .normal import NORMAL
+from .products import PRODUCTS
+from .programs import PROGRAMS
+from .relaxing import RELAXING
+from .rubbing import RUBBING
+from .wearing import WEARING
 
-__all__ = ["CHECKS", "Check", "Comparison"]
+__all__ = ["CHECKS", "GROUPS", "Check", "Comparison"]
 
-CHECKS: tuple[Check, ...] = (*FORMULAS, *PUBLISHED, *ELEMENTS)
-"""Every comparison, by the age of its source within each kind."""
+GROUPS: tuple[Group, ...] = (
+    Group("normal", "Normal contact", NORMAL),
+    Group("inside", "Stresses inside", INSIDE),
+    Group("adhesion", "Adhesion", ADHESION),
+    Group("friction", "Friction", RUBBING),
+    Group("time", "Bodies that relax", RELAXING),
+    Group("conduction", "Heat and current", CONDUCTING),
+    Group("wear", "Wear", WEARING),
+    Group("products", "Laws, fits, composites", PRODUCTS),
+    Group("elements", "Finite elements", ELEMENTS),
+    Group("programs", "Boundary-element programs", PROGRAMS),
+)
+"""The comparisons by capability, and those with programs of others."""
+CHECKS: tuple[Check, ...] = tuple(check for group in GROUPS for check in group.checks)
+"""All of them."""

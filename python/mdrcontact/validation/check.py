@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -53,3 +53,12 @@ def comparison(x_name: str, x: ArrayLike, here: ArrayLike, there: ArrayLike, sca
     """A comparison; the deviation is relative to each number of the source, unless a scale is given."""
     at, ours, theirs = (np.atleast_1d(np.asarray(values, dtype=float)) for values in (x, here, there))
     return Comparison(x_name, at, ours, theirs, np.abs(theirs) if scale is None else scale)
+
+
+class Group(NamedTuple):
+    """Checks that share a section and a picture."""
+
+    name: str
+    """of the picture's file"""
+    title: str
+    checks: tuple[Check, ...]

@@ -9,11 +9,14 @@ from typing import Any
 
 import numpy as np
 
-from ..contact import Contact
+from .. import fitting
+from ..contact import Contact, State
+from ..friction import Friction
 from ..material import RIGID, Elastic
 from ..medium import Coated, Homogeneous
-from ..profile import Paraboloid
+from ..profile import FlatPunch, Paraboloid
 from .check import Array, Check, Comparison, comparison
+from .elements_slip import Sheared
 
 _FAR = 60.0
 """Where a half-space ends, in contact radii."""
@@ -87,6 +90,17 @@ class _Body:
 
         return self.fem.solve(*self.fem.condense(self.matrix, self.fem.LinearForm(form).assemble(top), D=self.held))
 
+    def stresses(self, u: Array, moduli: Callable[[Array], tuple[Array, Array]]) -> tuple[Array, Array, tuple[Array, ...]]:
+        """r, z and s_zz, s_rr, s_tt, s_rz at all points of the quadrature."""
+        field = self.basis.interpolate(u)
+        r, z = np.asarray(self.basis.global_coordinates())
+        lame, shear = moduli(z)
+        slope, hoop = field.grad, np.asarray(field)[0] / r
+        trace = lame * (slope[0][0] + slope[1][1] + hoop)
+        rz = shear * (slope[0][1] + slope[1][0])
+        stresses = (trace + 2.0 * shear * part for part in (slope[1][1], slope[0][0], hoop))
+        return r.ravel(), z.ravel(), (*(np.asarray(s).ravel() for s in stresses), np.asarray(rz).ravel())
+
 
 def _moduli(layers: list[tuple[float, Elastic]]) -> Callable[[Array], tuple[Array, Array]]:
     """Lame's constants at depths, of layers that end at depths."""
@@ -138,20 +152,79 @@ def coated() -> Comparison:
 def pressed() -> Comparison:
     """The surface and the axis of a coated body under the pressure of its contact: where the pressure is that of the contact the
     surface has the shape of the indenter."""
-    film, base, a = Elastic(4.0, 0.3), Elastic(1.0, 0.25), 1.0
-    contact = Contact(Paraboloid(100.0), Coated(film, 1.0, base))
-    state = contact.at_radius(a)
-    far = _FAR * a
-    r = _lines([a, 0.0, far], 0.005, 1.2)
-    z = np.unique(np.concatenate([_lines([0.0, 1.0], 0.01, 1.2), _lines([1.0, far], 0.02, 1.2)]))
-    body = _Body(_moduli([(1.0, film), (far, base)]), r, z)
-    u = body.loaded(lambda at: np.asarray(contact.pressure(np.minimum(at.ravel(), a), state)).reshape(at.shape), a)
+    contact, state, body, u = _coated_state()
+    a = float(state.radius)
     top = np.flatnonzero((body.component == 1) & (body.places[1] < 1e-12) & (body.places[0] <= 3.0 * a))
     top = top[np.argsort(body.places[0][top])][:: max(len(top) // 40, 1)]
     places = body.places[0][top]
     here = np.asarray(contact.displacement(places, state))
     # the far end of the mesh moves all of the surface alike: differences from the axis
     return comparison("r/a", places / a, here - here[0], u[top] - u[top[0]], float(np.abs(here).max()))
+
+
+_FILM, _BASE = Elastic(4.0, 0.3), Elastic(1.0, 0.25)
+"""Of the coated body whose fields and friction are compared, h = 1."""
+
+
+def _coated_state() -> tuple[Contact, State, Any, Any]:
+    """A coated body in contact at a = h, and the elements under its pressure."""
+    a = 1.0
+    contact = Contact(Paraboloid(100.0), Coated(_FILM, 1.0, _BASE))
+    state = contact.at_radius(a)
+    far = _FAR * a
+    r = _lines([a, 0.0, far], 0.005, 1.2)
+    z = np.unique(np.concatenate([_lines([0.0, 1.0], 0.01, 1.2), _lines([1.0, 0.0], 0.02, 1.2), _lines([1.0, far], 0.02, 1.2)]))
+    body = _Body(_moduli([(1.0, _FILM), (far, _BASE)]), r, z)
+    return contact, state, body, body.loaded(_pressure(contact, state, a), a)
+
+
+def _pressure(contact: Contact, state: State, a: float) -> Callable[[Array], Array]:
+    return lambda at: np.asarray(contact.pressure(np.minimum(at.ravel(), a), state)).reshape(at.shape)
+
+
+def inside() -> Comparison:
+    """s_zz, s_rr, s_tt and s_rz in film and substrate of a coated body, at the Gauss points of elements up to 2 a."""
+    contact, state, body, u = _coated_state()
+    r, z, elastic = body.stresses(u, _moduli([(1.0, _FILM), (_FAR, _BASE)]))
+    near = np.flatnonzero((r < 2.0) & (z < 2.0) & (np.hypot(r - 1.0, z) > 0.1) & (z > 0.02))
+    near = near[:: max(near.size // 150, 1)]
+    field = contact.interior(r[near], z[near], state)
+    here = np.concatenate([np.asarray(s) for s in (field.s_zz, field.s_rr, field.s_tt, field.s_rz)])
+    there = np.concatenate([s[near] for s in elastic])
+    x = np.concatenate([np.hypot(r[near], z[near]) + 2.9 * i for i in range(4)])
+    return comparison("distance/a: s_zz, s_rr, s_tt, s_rz", x, here, there, float(contact.pressure(0.0, state)))
+
+
+def slipping() -> Comparison:
+    """The tangential force at a shift of a coated body with Coulomb's law on every ring of nodes. What lies beyond the mesh adds
+    the compliance that Mindlin's stiffness 8 G a/(2 - nu) of the base alone shows to be missing."""
+    film, base, a, mu = _FILM, _BASE, 1.0, 0.3
+    contact = Contact(Paraboloid(100.0), Coated(film, 1.0, base))
+    state = contact.at_radius(a)
+    r = np.unique(np.concatenate([a * np.sin(np.linspace(0.0, 0.5 * np.pi, 31)), _lines([a, _FAR * a], 2e-3, 1.5)]))
+    z = np.unique(np.concatenate([_lines([0.0, 1.0], 4e-3, 1.5), _lines([1.0, _FAR * a], 0.1, 1.5)]))
+    bare = Sheared(_moduli([(_FAR * a, base)]), r, z, a)
+    beyond = (2.0 - base.nu) * (1.0 + base.nu) / (4.0 * base.E * a) - 1.0 / bare.stiffness.sum()
+    body = Sheared(_moduli([(1.0, film), (_FAR * a, base)]), r, z, a)
+    limits = mu * body.normal_forces(_pressure(contact, state, a))
+    friction = Friction(contact, mu)
+    shift = np.array([0.1, 0.3, 0.5, 0.7, 0.85]) * float(friction.sliding_shift(state))
+    there = np.array([body.tangential_force(s, limits) for s in shift])
+    here = friction.at_shift(shift + beyond * there, state).tangential_force
+    limit = mu * float(state.force)
+    return comparison("T/(mu F)", there / limit, here / limit, there / limit, 1.0)
+
+
+def fitted() -> Comparison:
+    """The modulus of a layer, from stiffnesses that finite elements gave."""
+    film, a = Elastic(3.0, 0.3), np.array([0.5, 1.0, 2.0, 4.0])
+    there = []
+    for radius in a:
+        r = _lines([radius, 0.0, radius + 12.0], _FINEST * radius, _RATIO)
+        there.append(_Body(_moduli([(1.0, film)]), r, _lines([0.0, 1.0], _FINEST * radius, _RATIO)).punch(radius))
+    data = fitting.StiffnessRadius(a, there, relative_sd=1e-3)
+    found = fitting.fit(data, FlatPunch(1.0), Coated(Elastic(1.0, 0.3), 1.0, RIGID), ["coating.E"]).estimates["coating.E"]
+    return comparison("modulus of the layer", [0.0], [found], [film.E])
 
 
 ELEMENTS = (
@@ -161,4 +234,10 @@ ELEMENTS = (
           "the elements': end of the mesh at 60 a", coated, is_long=True, needs="skfem"),
     Check("elements-pressed", "pressure and surface of a coated body", "finite elements (scikit-fem)", 2e-3,
           "the elements': cells beside the edge, end of the mesh", pressed, is_long=True, needs="skfem"),
+    Check("elements-inside", "stresses inside a coated body", "finite elements (scikit-fem)", 1e-2,
+          "the elements': derivatives between nodes", inside, is_long=True, needs="skfem"),
+    Check("elements-slip", "partial slip of a coated body", "finite elements (scikit-fem)", 1e-2,
+          "the elements': limits of slip at nodes, end of the mesh", slipping, is_long=True, needs="skfem"),
+    Check("elements-fitted", "fit of a layer's modulus to stiffnesses", "finite elements (scikit-fem)", 1e-3,
+          "the elements': singular edge, 12 thicknesses", fitted, needs="skfem"),
 )  # fmt: skip

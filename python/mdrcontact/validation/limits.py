@@ -1,27 +1,98 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The map of validity: what is exact, what is a model, and what the library itself says it does not do."""
+"""The map of validity: what is exact, what is a model, and what the library itself says where it ends."""
 
 from __future__ import annotations
 
+import warnings
 from collections.abc import Callable
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
+from .. import lateral
 from ..accuracy import accuracy_map
+from ..conduction import Conduction
+from ..conductor import Conductor, LayeredConductor
 from ..contact import Contact
 from ..errors import MDRError
 from ..friction import Friction
+from ..law import ContactLaw
 from ..material import RIGID, Elastic, PowerLawRheology
 from ..medium import Coated, Homogeneous, PowerLawGraded
 from ..medium.models import MODELS
 from ..poroelastic import Poroelastic
 from ..profile import Cone, FlatPunch, Paraboloid
+from ..wear import Wear
 
 _SOFT, _HARD = Elastic(1.0, 0.3), Elastic(10.0, 0.3)
 _FILM = Coated(_HARD, 1.0, _SOFT)
+_RELAXING = Homogeneous(PowerLawRheology(1.0, 1.0, 0.2, 0.5))
+_GEL = Poroelastic(1.0, 0.2, 1.0)
+_BONDED = Coated(Elastic(1.0, 0.5), 1.0, RIGID, "dimitriadis")
 _RATIOS, _RADII = np.geomspace(0.5, 2.0, 5), np.geomspace(0.1, 10.0, 9)
 """Moduli of film over base and a/h, between which the models' errors are given."""
+
+
+def _ball() -> Contact:
+    """A new one each time: a contact warns once."""
+    return Contact(Paraboloid(1.0), Homogeneous(_SOFT))
+
+
+class Limit(NamedTuple):
+    """A capability, what its numbers are, and a step beyond its end."""
+
+    capability: str
+    kind: str
+    beyond: str
+    step: Callable[[], Any]
+
+
+_EXACT = "exact, to the tolerance"
+LIMITS: tuple[Limit, ...] = (
+    Limit("any body", "linear elasticity", "Poisson's ratio 0.51", lambda: Elastic(1.0, 0.51)),
+    Limit("any body", "linear elasticity", "d = 2 R", lambda: _ball().at_depth(2.0)),
+    Limit("any body", "linear elasticity", "E0/E1 = 1e10", lambda: Contact(
+        Paraboloid(1.0), Coated(Elastic(1e10, 0.3), 1.0, _SOFT)).at_radius(0.1)),
+    Limit("indenters", "exact", "a punch, a = 2 of its radius", lambda: Contact(FlatPunch(1.0), _FILM).at_radius(2.0)),
+    Limit("layers, model exact", _EXACT, "a/h = 2e4", lambda: Contact(Paraboloid(1e9), _FILM).at_radius(2e4)),
+    Limit("layers, model exact", _EXACT, "tolerance 1e-13", lambda: Coated(_HARD, 1.0, _SOFT, tolerance=1e-13)),
+    Limit("power-law grading", "exact", "exponent 1", lambda: PowerLawGraded(1.0, 1.0, 1.0, 0.3)),
+    Limit("dimitriadis, garcia", "model", "a/h = 1.5", lambda: Contact(Paraboloid(5.0), _BONDED).at_radius(1.5)),
+    Limit("dimitriadis, garcia", "model", "a cone", lambda: Contact(Cone(0.3), _BONDED).at_radius(0.1)),
+    Limit("adhesion with a range", _EXACT, "a model of the medium", lambda: Contact(
+        Paraboloid(1.0), _FILM.with_model("gao"), work_of_adhesion=1.0, cohesive_stress=1.0).at_radius(0.1)),
+    Limit("adhesion", "exact", "a viscoelastic body", lambda: Contact(Paraboloid(1.0), _RELAXING, work_of_adhesion=1.0)),
+    Limit("stresses inside", "exact, to ten digits", "power-law grading", lambda: Contact(
+        Paraboloid(1.0), PowerLawGraded(1.0, 1.0, 0.5, 0.3)).interior(0.0, 0.1, Contact(
+            Paraboloid(1.0), PowerLawGraded(1.0, 1.0, 0.5, 0.3)).at_radius(0.1))),
+    Limit("partial slip", "exact mean around the axis", "power-law grading", lambda: Friction(
+        Contact(Paraboloid(1.0), PowerLawGraded(1.0, 1.0, 0.5, 0.3)), 0.3).at_shift(0.01, depth=0.1)),
+    Limit("torsion", "exact", "a coated body", lambda: Friction(
+        Contact(Paraboloid(1.0), _FILM), 0.3).torsion.at_twist(0.01, depth=0.1)),
+    Limit("histories of viscoelastic bodies", _EXACT, "an elastic state", lambda: Contact(
+        Paraboloid(1.0), _RELAXING).at_depth(0.1)),
+    Limit("histories of viscoelastic bodies", _EXACT, "a jump onto a power law", lambda: Contact(
+        Paraboloid(1.0), _RELAXING).history([0.0, 1.0], depth=[0.1, 0.1])),
+    Limit("gels", "exact at a held radius", "a contact that moves", lambda: Contact(
+        Paraboloid(1.0), Homogeneous(_GEL)).history([0.0, 1.0, 2.0], depth=[0.1, 0.1, 0.2], drainage="surface")),
+    Limit("gels", "exact at a held radius", "a film, a/h = 5", lambda: Contact(
+        FlatPunch(5.0), Coated(_GEL, 1.0, RIGID)).relaxation(1.0, drainage="surface")),
+    Limit("conduction", "exact, to 1e-11", "a/h = 2e4", lambda: Conduction(
+        LayeredConductor(((Conductor(2.0), 1.0),), Conductor(1.0))).at_radius(2e4)),
+    Limit("wear", "to the error that each state has", "the body loses more of its coating", lambda: Wear(
+        Contact(Paraboloid(1.0), _FILM), 1.0, body_coefficient=1.0).history(force=1.0, places="same").advance(10.0, force=1.0)),
+    Limit("wear", "to the error that each state has", "adhesion", lambda: Wear(
+        Contact(Paraboloid(1.0), _FILM, work_of_adhesion=1.0), 1.0).limit(_ball().at_radius(0.1), 0.05)),
+    Limit("compiled laws", "to the tolerance, verified", "tolerance 1e-13", lambda: ContactLaw(_ball(), 0.1, tolerance=1e-13)),
+    Limit("compiled laws", "to the tolerance, verified", "a depth beyond the largest", lambda: ContactLaw(_ball(), 0.1).force(0.2)),
+    Limit("composites", "first order in the contrast", "tolerance 1e-11", lambda: lateral.Shapes(_SOFT, tolerance=1e-11)),
+)  # fmt: skip
+"""By capability; what is beyond is the library's own sentence, constants and all."""
+
+
+def tables() -> list[tuple[str, list[list[str]]]]:
+    """Titles and rows of the map."""
+    return [("What each model is good for", models()), ("Map of validity: where the library ends", refusals())]
 
 
 def models() -> list[list[str]]:
@@ -37,34 +108,19 @@ def models() -> list[list[str]]:
     return rows
 
 
-def _refusals() -> list[tuple[str, Callable[[], Any]]]:
-    relaxing = Homogeneous(PowerLawRheology(1.0, 1.0, 0.2, 0.5))
-    gel = Contact(Paraboloid(1.0), Homogeneous(Poroelastic(1.0, 0.2, 1.0)))
-    bonded = Coated(Elastic(1.0, 0.5), 1.0, RIGID, "dimitriadis")
-    return [
-        ("Poisson's ratio", lambda: Elastic(1.0, 0.51)),
-        ("dimitriadis, contacts wider than the layer", lambda: Contact(Paraboloid(5.0), bonded).at_radius(1.5)),
-        ("dimitriadis, other indenters", lambda: Contact(Cone(0.3), bonded).at_radius(0.1)),
-        ("adhesion with a range, models", lambda: Contact(
-            Paraboloid(1.0), _FILM.with_model("gao"), work_of_adhesion=1.0, cohesive_stress=1.0).at_radius(0.1)),
-        ("adhesion of viscoelastic bodies", lambda: Contact(Paraboloid(1.0), relaxing, work_of_adhesion=1.0)),
-        ("states of viscoelastic bodies", lambda: Contact(Paraboloid(1.0), relaxing).at_depth(0.1)),
-        ("a jump onto a power law", lambda: Contact(Paraboloid(1.0), relaxing).history([0.0, 1.0], depth=[0.1, 0.1])),
-        ("gels whose contact moves", lambda: gel.history([0.0, 1.0, 2.0], depth=[0.1, 0.1, 0.2], drainage="surface")),
-        ("partial slip, power-law grading", lambda: Friction(
-            Contact(Paraboloid(1.0), PowerLawGraded(1.0, 1.0, 0.5, 0.3)), 0.3).at_shift(0.01, depth=0.1)),
-        ("depths beyond the end of an indenter", lambda: Contact(FlatPunch(1.0), _FILM).at_radius(2.0)),
-    ]  # fmt: skip
-
-
 def refusals() -> list[list[str]]:
-    """What is tried beyond the limits, and the library's own sentence."""
-    rows = [["beyond", "what the library says"]]
-    for name, attempt in _refusals():
-        try:
-            attempt()
-        except MDRError as refusal:
-            rows.append([name, " ".join(str(refusal).split())])
-        else:
-            rows.append([name, "it is computed"])
+    """What is tried beyond each limit, and the library's own sentence: an error, or a warning."""
+    rows = [["capability", "its numbers are", "beyond", "what the library says"]]
+    for limit in LIMITS:
+        rows.append([limit.capability, limit.kind, limit.beyond, _answer(limit.step)])
     return rows
+
+
+def _answer(step: Callable[[], Any]) -> str:
+    try:
+        with warnings.catch_warnings(record=True) as caught:
+            warnings.simplefilter("always")
+            step()
+    except MDRError as refusal:
+        return " ".join(str(refusal).split())
+    return f"a warning: {' '.join(str(caught[0].message).split())}" if caught else "it is computed"

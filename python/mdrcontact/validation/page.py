@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import importlib
 import importlib.util
+import io
 from collections.abc import Sequence
 from importlib import metadata
 from typing import Any, NamedTuple
@@ -12,12 +13,11 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..fitting import report
-from . import limits
-from .check import Check, Comparison
+from . import GROUPS, limits
+from .check import Check, Comparison, Group
 
-PROGRAMS = {"skfem": "scikit-fem", "tamaas": "tamaas", "ContactMechanics": "ContactMechanics"}
-"""Modules of programs of others, and their names: the extra `validate` installs the first; the others compare half-spaces and, by
-`compliance`, layers (examples/clients/layered_bem.py)."""
+PROGRAMS = {"scipy": "SciPy", "skfem": "scikit-fem", "tamaas": "tamaas", "ContactMechanics": "ContactMechanics"}
+"""Modules of programs of others, and their names; the extra `validate` installs them."""
 COMMAND = "mdrcontact validate --full --only"
 
 
@@ -72,41 +72,61 @@ def programs() -> list[str]:
     return words
 
 
+def sections(rows: Sequence[Row]) -> list[tuple[Group, list[Row]]]:
+    """The rows by capability."""
+    found = [(group, [row for row in rows if row.check in group.checks]) for group in GROUPS]
+    return [(group, held) for group, held in found if held]
+
+
 def html(rows: Sequence[Row]) -> str:
     """The page, with a picture of each comparison where matplotlib is installed."""
-    blocks = [report.heading("Against formulas, tables and programs of others"), report.table([TITLES, *(r.cells() for r in rows)])]
+    blocks = []
+    for group, held in sections(rows):
+        blocks.append(report.heading(group.title))
+        if is_installed("matplotlib") and any(row.found for row in held):
+            blocks.append(report.picture(figure(held), group.title))
+        blocks.append(report.table([TITLES, *(row.cells() for row in held)]))
     blocks += [report.paragraph(f"Programs: {', '.join(programs())}.")]
-    blocks += [report.heading("What each model is good for"), report.table(limits.models())]
-    blocks += [report.heading("Where the library ends"), report.table(limits.refusals())]
-    if is_installed("matplotlib"):
-        blocks.append(report.heading("Pictures"))
-        blocks += [report.picture(_figure(row), row.check.capability) for row in rows if row.found is not None]
+    for title, table in limits.tables():
+        blocks += [report.heading(title), report.table(table)]
     return report.page("Validation", blocks)
 
 
+def pictures(rows: Sequence[Row]) -> dict[str, bytes]:
+    """The pictures of the page of the guide, by the names of their files; none without matplotlib."""
+    if not is_installed("matplotlib"):
+        return {}
+    image: Any = importlib.import_module("PIL.Image")
+    drawn = {}
+    for group, held in sections(rows):
+        if any(row.found for row in held):
+            whole, small = io.BytesIO(), io.BytesIO()
+            figure(held).savefig(whole, format="png", dpi=75)
+            image.open(whole).convert("RGB").quantize(32).save(small, "png", optimize=True)
+            drawn[f"validation_{group.name}.png"] = small.getvalue()
+    return drawn
+
+
 def markdown(rows: Sequence[Row]) -> str:
-    """The tables as a page of the guide."""
+    """Tables and pictures as a page of the guide."""
+    held = sum(row.holds and row.found is not None for row in rows)
     parts = [
         "# Validation",
         "",
-        "What the library computes beside formulas, tables and programs of others. `mdrcontact validate --full --markdown FILE`",
-        'writes this page, `--html FILE` the same with a picture of each row; `pip install "mdrcontact[validate]"` brings',
-        "the finite elements. The command at the end of a row repeats it.",
-        "",
-        *_table([TITLES, *([*r.cells()[:-1], f"`{r.cells()[-1]}`"] for r in rows)]),
-        "",
-        f"Programs: {', '.join(programs())}. Half-spaces and layers against ContactMechanics: [clients](clients.md).",
-        "",
-        "## What each model is good for",
-        "",
-        *_table(limits.models()),
-        "",
-        "## Where the library ends",
-        "",
-        *_table(limits.refusals()),
+        f"**{held} of {len(rows)} comparisons** with formulas, tables and programs that share nothing with the library are within",
+        "what their source's own error explains. `mdrcontact validate --full --markdown FILE` writes this page, `--html FILE`",
+        'the same as one HTML file; `pip install "mdrcontact[validate]"` brings the programs. The command at the end of a row',
+        "repeats it.",
         "",
     ]
-    return "\n".join(parts)
+    for group, some in sections(rows):
+        cells = [[*row.cells()[:-1], f"`{row.cells()[-1]}`"] for row in some]
+        picture = f"![{group.title}: circles are the source, crosses the library](pictures/validation_{group.name}.png)"
+        parts += [f"## {group.title}", "", picture, "", *_table([TITLES, *cells]), ""]
+    parts += [f"Programs: {', '.join(programs())}."]
+    for title, table in limits.tables():
+        parts += ["", f"## {title}", "", *_table(table)]
+    return "\n".join([*parts, ""])
 
 
 def _table(rows: Sequence[Sequence[str]]) -> list[str]:
@@ -114,19 +134,23 @@ def _table(rows: Sequence[Sequence[str]]) -> list[str]:
     return [lines[0], "|" + "---|" * len(rows[0]), *lines[1:]]
 
 
-def _figure(row: Row) -> Any:
+_ACROSS = 3
+"""Panels side by side."""
+
+
+def figure(rows: Sequence[Row]) -> Any:
+    """A panel for each row that was run: circles are the source, crosses the library."""
+    drawn_rows = [(row, row.found) for row in rows if row.found is not None]
+    across, down = min(len(drawn_rows), _ACROSS), -(-len(drawn_rows) // _ACROSS)
     figure_class = importlib.import_module("matplotlib.figure").Figure
-    figure = figure_class(figsize=(9.0, 3.2), layout="constrained")
-    left, right = figure.subplots(1, 2)
-    found = row.found
-    assert found is not None
-    left.plot(found.x, found.there, "o", mfc="none", label=row.check.source)
-    left.plot(found.x, found.here, "+", label="mdrcontact")
-    left.set(xlabel=found.x_name, title=row.check.capability)
-    left.legend()
-    off = np.maximum(np.abs(found.here - found.there) / found.scale, 1e-17)
-    right.semilogy(found.x, off, ".")
-    right.axhline(row.check.error, color="0.5", ls="--")
-    right.set(xlabel=found.x_name, ylabel="deviation")
-    right.set_title(f"bound: {row.check.whose}", fontsize="small")
-    return figure
+    drawn = figure_class(figsize=(4.0 * across, 3.0 * down), layout="constrained")
+    panels = np.ravel(drawn.subplots(down, across, squeeze=False))
+    for panel, (row, found) in zip(panels, drawn_rows, strict=False):
+        panel.plot(found.x, found.there, "o", mfc="none", color="0.5")
+        panel.plot(found.x, found.here, "+", color="C0")
+        panel.set_title(f"{row.check.capability}\n{row.check.source}", fontsize="small")
+        panel.set_xlabel(f"{found.x_name};  deviation {found.deviation:.0e}", fontsize="small")
+        panel.tick_params(labelsize="small")
+    for panel in panels[len(drawn_rows) :]:
+        panel.set_visible(False)
+    return drawn
