@@ -1,11 +1,14 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The packages as their users get them: ./tools/check_packages.sh [WHEEL]
+# The packages as their users get them: ./tools/check_packages.sh [--tests] [WHEEL]
 # Source package, unpacked in an empty place; a wheel from it, made self-contained by auditwheel; installed with what it declares in
-# an empty environment; the smoke test there, on a machine that seems to have no compiler, GSL, LAPACK or gfortran.
+# an empty environment; the smoke test and `mdrcontact validate` there, on a machine that seems to have no compiler, GSL, LAPACK or
+# gfortran. --tests: the Python tests there, too, which take some ten minutes.
 # A WHEEL that was made from this folder saves compiling another: the source package holds the same files.
 # Linux only. Needs what quickstart.sh installs. The packages are left in build/packages.
 set -euo pipefail
+tests=false
+[[ ${1:-} != --tests ]] || { tests=true && shift; }
 [[ -z ${1:-} ]] || wheel=$(realpath "$1")
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 log_dir=build/logs
@@ -69,14 +72,26 @@ if command -v pkg-config > /dev/null; then
         -o "$place/by_pkg_config"
     "$place/by_pkg_config"
 fi
-smoke=("$place/clean/bin/python" -I "$place/smoke.py" "$place/work")
 unset LD_LIBRARY_PATH
-cd "$place/work"
-if [[ $(id -u) == 0 ]] && unshare --mount true 2> /dev/null; then
-    unshare --mount "$root/tools/without_libraries.sh" "${smoke[@]}"
-elif unshare --mount --map-root-user true 2> /dev/null; then
-    unshare --mount --map-root-user "$root/tools/without_libraries.sh" "${smoke[@]}"
-else
-    note "namespaces are not allowed here: nothing is hidden, the smoke test looks where libraries are loaded from"
-    env -i PATH=/usr/bin:/bin HOME="$HOME" LANG=C.UTF-8 "${smoke[@]}"
+
+# alone FOLDER COMMAND...: in FOLDER, on a machine that seems to have no compiler and no library of ours.
+alone() {
+    cd "$1"
+    shift
+    if [[ $(id -u) == 0 ]] && unshare --mount true 2> /dev/null; then
+        unshare --mount "$root/tools/without_libraries.sh" "$@"
+    elif unshare --mount --map-root-user true 2> /dev/null; then
+        unshare --mount --map-root-user "$root/tools/without_libraries.sh" "$@"
+    else
+        note "namespaces are not allowed here: nothing is hidden, the smoke test looks where libraries are loaded from"
+        env -i PATH=/usr/bin:/bin HOME="$HOME" LANG=C.UTF-8 "$@"
+    fi
+}
+alone "$place/work" "$place/clean/bin/python" -I "$place/smoke.py" "$place/work"
+note "the library beside formulas and tables, from the wheel"
+alone "$place/work" "$place/clean/bin/mdrcontact" validate
+if $tests; then
+    note "the Python tests with the wheel"
+    pip_install "$place/clean" packages-tests.log "$wheel[test]"
+    alone "$root" "$place/clean/bin/python" -I -m pytest -q -n 2 -p no:cacheprovider -m "not slow"
 fi
