@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The header's macros, fpm.toml, CITATION.cff and the newest heading of CHANGELOG.md against the project's version.
+# The header's macros, fpm.toml, CITATION.cff, recipes/ and the newest heading of CHANGELOG.md against the project's version.
 string(REPLACE "." ";" parts "${version}")
 string(REPLACE "." "\\." pattern "${version}")
 
@@ -17,6 +17,8 @@ foreach(name IN ITEMS MAJOR MINOR PATCH)
 endforeach()
 expect(fpm.toml "version = \"${pattern}\"")
 expect(CITATION.cff "version: ${pattern}")
+expect(recipes/conda/recipe.yaml "  version: \"${pattern}\"")
+expect(recipes/spack/package.py "    version\\(\"${pattern}\"\\)")
 
 file(STRINGS "${source_dir}/CHANGELOG.md" headings REGEX "^## ")
 list(GET headings 0 newest)
