@@ -9,6 +9,8 @@ import sys
 import pytest
 from conftest import ROOT, run
 
+from mdrcontact.validation import GROUPS
+
 DOCS = ROOT / "docs"
 SHOWN = {name for page in DOCS.glob("*.md") for name in re.findall(r"\]\(pictures/([\w.]+)\)", page.read_text(encoding="utf-8"))}
 
@@ -26,6 +28,7 @@ def test_pictures_are_drawn(script, options, tmp_path):
 def test_every_picture_has_a_script_and_a_page():
     kept = {path.name for path in (DOCS / "pictures").iterdir()}
     scripts = "".join((DOCS / name).read_text(encoding="utf-8") for name in ("make_pictures.py", "make_fitting_pictures.py"))
+    scripts += " ".join(f"validation_{group.name}" for group in GROUPS)  # by mdrcontact validate
     assert kept >= SHOWN
     for name in kept:
         stem = name.removesuffix(".png")
