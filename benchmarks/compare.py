@@ -199,7 +199,14 @@ def main():
     curve_rows = exact_curve()
     solve_128 = next((row[2] for row in elements if row[:2] == ("tamaas", 128)), None)
 
-    text = ["# Benchmarks", "", "Made by `benchmarks/run.sh`, all in one run.", ""]
+    text = [
+        "# Benchmarks",
+        "",
+        "![Error over time for Hertz's contact, scaling](benchmarks.png)",
+        "",
+        "Made by `benchmarks/run.sh`, all in one run.",
+        "",
+    ]
     text += [f"Machine: {machine()}.", "", "## One force", ""]
     text += ["| what | cost in units of one libm atan + one log |", "|---|---|"]
     text += [f"| atan + log | 1 ({cost['atan_plus_log_ns']:.1f} ns) |"]
@@ -234,7 +241,7 @@ def main():
     text += ["", "## Arrays", ""]
     text += ["What a point of an array costs, and what a second thread gains. Results are the same to the last bit.", ""]
     text += batches.table()
-    text += ["", "![Error over time for Hertz's contact, scaling](benchmarks.png)", ""]
+    text += [""]
     (folder / "benchmarks.md").write_text("\n".join(text))
     picture(folder / "benchmarks.png", elements, hertz, radius_rows, points_rows)
 
