@@ -911,6 +911,22 @@ enum mdr_gel_pressure {
 int mdr_poroelastic_pressure(const mdr_poroelastic *p, int kind, int is_flat, double shear_modulus, double diffusivity,
                              double radius, double time, int n, const double r[], double out[]);
 
+/** C(k), what the surface of a gel answers to a wave of pressure that oscillates: displacement over pressure at wavenumber k,
+ *  1/(2 G k) of an incompressible half-space, (1 - nu)/(G k) of one that has drained. See mdr_medium_compliance().
+ *  @param nu             drained Poisson's ratio, -1 < nu < 1/2
+ *  @param drainage       MDR_DRAINAGE_SURFACE or MDR_DRAINAGE_SEALED
+ *  @param thickness      > 0 of a film on a rigid base that lets no fluid through; 0: half-space [length]
+ *  @param shear_modulus  G > 0 [modulus]
+ *  @param diffusivity    D > 0 [length^2/time]
+ *  @param omega          angular frequency >= 0; 0: drained [1/time]
+ *  @param n              number of wavenumbers
+ *  @param k              [n] > 0 [1/length]
+ *  @param out            [n] real parts [length/modulus]
+ *  @param imaginary      [n] or NULL: imaginary parts, <= 0
+ *  @return also MDR_EINVALID */
+int mdr_poroelastic_compliance(double nu, int drainage, double thickness, double shear_modulus, double diffusivity, double omega,
+                               int n, const double k[], double out[], double imaginary[]);
+
 /** Frees a gel and sets *p to NULL. p = NULL and *p = NULL are allowed.
  *  @return MDR_SUCCESS, or MDR_EINVALID (and frees nothing) if *p is not a gel */
 int mdr_poroelastic_free(mdr_poroelastic **p);
@@ -1001,6 +1017,17 @@ enum mdr_conduction_answer {
     MDR_CONDUCTION_GAUSSIAN = 5     /**< Mean over a Gaussian probe per flux of a Gaussian pump with radii w0 and w1 (1/e^2):
                                          `radius` is sqrt(w0^2 + w1^2). */
 };
+
+/** C(k), what the surfaces answer to a wave of flux: potential over flux at wavenumber k, 1/(sqrt(sigma along) k) of a half-space at
+ *  rest; of two bodies the sum of both, without the film in the spot. See mdr_medium_compliance().
+ *  @param p          conduction
+ *  @param omega      angular frequency >= 0, 0: steady [1/time]
+ *  @param n          number of wavenumbers
+ *  @param k          [n] > 0 [1/length]
+ *  @param out        [n] real parts [length/conductance]
+ *  @param imaginary  [n] or NULL: imaginary parts, <= 0
+ *  @return also MDR_EINVALID */
+int mdr_conduction_compliance(const mdr_conduction *p, double omega, int n, const double k[], double out[], double imaginary[]);
 
 /** Answers to exp(i omega t): complex, ahead of its cause or behind it.
  *  @param p         conduction
@@ -1482,6 +1509,15 @@ int mdr_wear_track(const mdr_wear *w, const mdr_state *state, double passes, int
  *  @param passes  receives N [1]
  *  @return as mdr_wear_track() */
 int mdr_wear_passes(const mdr_wear *w, const mdr_state *state, double depth, double *passes);
+
+/** l: under a flat punch what the pressure still differs by from that at the end - F/(pi a^2) at constant force, 0 at constant depth -
+ *  falls as exp(-s/l) after a few l. Of a coated punch that is worn through. a/(2.060650 k E*) at constant force and
+ *  a/(0.578887 k E*) at constant depth on a homogeneous body.
+ *  @param w       contact of a flat punch that wears, on a homogeneous or an exact medium
+ *  @param given   what is constant: MDR_GIVEN_DEPTH or MDR_GIVEN_FORCE
+ *  @param length  receives l, a sliding distance [length]
+ *  @return also MDR_EINVALID for other indenters and media */
+int mdr_wear_running_in(const mdr_wear *w, int given, double *length);
 
 /** Frees it and sets *w to NULL. w = NULL and *w = NULL are allowed.
  *  @return MDR_SUCCESS, or MDR_EINVALID (and frees nothing) if *w is not a contact that wears */

@@ -100,6 +100,7 @@ module mdrcontact
                                               gel_mean_relaxation => mean_relaxation, gel_paraboloid => paraboloid, &
                                               gel_relaxation => relaxation
     use mdrcontact_poroelastic_gel, only: drains_by_surface, sealed, sealed_by_indenter
+    use mdrcontact_poroelastic_compliance, only: poroelastic_compliance
     use mdrcontact_poroelastic_response, only: poroelastic_dynamic_stiffness, poroelastic_pressure, poroelastic_response, &
                                                pore_pressure, total_pressure
     use mdrcontact_poroelastic_table, only: new_poroelastic, poroelastic_t

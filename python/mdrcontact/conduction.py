@@ -28,9 +28,9 @@ from ._boundary import (
 )
 from ._value import Value
 from .adhesion import code
-from .conductor import Conductor, LayeredConductor
+from .conductor import conduction_of, flux_compliance
 from .contact import Contact, State
-from .errors import ArgumentTypeError, InvalidArgumentError
+from .errors import InvalidArgumentError
 from .interior import BODIES
 
 __all__ = ["Conduction", "TabulatedConduction", "Spot", "FrictionHeat", "ContactConductance"]
@@ -61,39 +61,6 @@ def _at_points(r: ArrayLike, z: ArrayLike, function: Callable[..., Any]) -> Floa
     status, values = function(*(np.ascontiguousarray(axis, float).ravel() for axis in (radii, depths)))
     check(status, single=not radii.shape)
     return values.reshape(radii.shape) if radii.shape else float(values[0])
-
-
-def _conductor(material: Any) -> Conductor:
-    """What a material of an elastic body conducts with."""
-    found = material if isinstance(material, Conductor) else getattr(material, "conductor", None)
-    if not isinstance(found, Conductor):
-        raise ArgumentTypeError(f"{material!r} has no conductivity: give Elastic(E, nu, conductor=Conductor(...))")
-    return found
-
-
-def _body(body: Any) -> LayeredConductor:
-    """A conductor, a stack of them, or the conductors of an elastic body."""
-    if isinstance(body, LayeredConductor):
-        return body
-    if isinstance(body, Conductor):
-        return LayeredConductor((), body)
-    if hasattr(body, "material"):
-        return LayeredConductor((), _conductor(body.material))
-    if hasattr(body, "coating"):
-        return LayeredConductor(((_conductor(body.coating), body.thickness),), _conductor(body.substrate))
-    if hasattr(body, "layers"):
-        return LayeredConductor(tuple((_conductor(m), h) for m, h in body.layers), _conductor(body.substrate))
-    raise ArgumentTypeError(f"{body!r} is not allowed: it must be a Conductor, a LayeredConductor or an elastic body of materials "
-                            "with conductors")  # fmt: skip
-
-
-def _bodies(body: Any, other: Any) -> tuple[LayeredConductor, LayeredConductor | None]:
-    """Both sides: a `Pair` has two."""
-    if hasattr(body, "lower") and hasattr(body, "upper"):
-        if other is not None:
-            raise ArgumentTypeError("other is not allowed beside a Pair, which has two bodies")
-        return _body(body.lower), _body(body.upper)
-    return _body(body), None if other is None else _body(other)
 
 
 class ContactConductance(NamedTuple):
@@ -158,12 +125,7 @@ class Conduction(Value):
 
     def __post_init__(self) -> None:
         film, sink = number("film", self.film), None if self.sink is None else number("sink", self.sink)
-        bodies = _bodies(self.body, self.other)
-        lower, lower_base = bodies[0].rows()
-        upper, upper_base = (None, 0) if bodies[1] is None else bodies[1].rows()
-        count = 0 if upper is None else len(upper)
-        created = _native.conduction_new(lower, lower_base, count, address(upper), upper_base, film, sink or 0.0)
-        self._set(_handle=Handle(created, _native.conduction_free), film=film, sink=sink)
+        self._set(_handle=conduction_of(self.body, self.other, film, sink or 0.0), film=film, sink=sink)
 
     def at_radius(self, radius: ArrayLike) -> Spot:
         """The steady spot of radius a > 0 [length], any shape: conductance and slope; its fields take one radius."""
@@ -171,6 +133,14 @@ class Conduction(Value):
         conductance, slope = evaluate_all("radius", radius, lambda a: _native.conduction_spot(handle, a))
         given = numbers("radius", radius) if np.ndim(radius) else number("radius", radius)
         return Spot(self, given, conductance, slope)
+
+    def compliance(self, k: ArrayLike, omega: float = 0.0) -> FloatOrArray | ComplexOrArray:
+        """C(k) [length/conductance]: potential over flux at the surface of a wave, at wavenumbers k > 0 [1/length], any shape; of
+        two bodies the sum of both, without the film. It makes codes that solve conduction by Fourier transforms layered.
+
+        omega : angular frequency >= 0, at which C is complex; 0: steady [1/time]
+        """
+        return flux_compliance(self._handle, k, omega)
 
     def tabulated(self, smallest: float, largest: float, tolerance: float = 1e-8) -> TabulatedConduction:
         """The same with a table of its conductance between two radii, compared with the solution between its nodes: a conductance

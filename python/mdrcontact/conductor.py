@@ -7,10 +7,10 @@ from dataclasses import dataclass, field
 from typing import Any, Final
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from . import _layout, _native
-from ._boundary import Handle, number
+from ._boundary import ComplexOrArray, FloatOrArray, Handle, address, complex_values, number
 from ._value import Value
 from .errors import ArgumentTypeError, InvalidArgumentError
 
@@ -119,3 +119,52 @@ class LayeredConductor(Value):
         if not isinstance(self.substrate, _Base):
             raise ArgumentTypeError(f"substrate = {self.substrate!r} is not allowed: it must be a Conductor, PERFECT or INSULATING")
         return np.array(rows).reshape(-1, 5), self.substrate._code
+
+
+def _conductor(material: Any) -> Conductor:
+    """What a material of an elastic body conducts with."""
+    found = material if isinstance(material, Conductor) else getattr(material, "conductor", None)
+    if not isinstance(found, Conductor):
+        raise ArgumentTypeError(f"{material!r} has no conductivity: give Elastic(E, nu, conductor=Conductor(...))")
+    return found
+
+
+def _body(body: Any) -> LayeredConductor:
+    """A conductor, a stack of them, or the conductors of an elastic body."""
+    if isinstance(body, LayeredConductor):
+        return body
+    if isinstance(body, Conductor):
+        return LayeredConductor((), body)
+    if hasattr(body, "material"):
+        return LayeredConductor((), _conductor(body.material))
+    if hasattr(body, "coating"):
+        return LayeredConductor(((_conductor(body.coating), body.thickness),), _conductor(body.substrate))
+    if hasattr(body, "layers"):
+        return LayeredConductor(tuple((_conductor(m), h) for m, h in body.layers), _conductor(body.substrate))
+    raise ArgumentTypeError(f"{body!r} is not allowed: it must be a Conductor, a LayeredConductor or an elastic body of materials "
+                            "with conductors")  # fmt: skip
+
+
+def _bodies(body: Any, other: Any) -> tuple[LayeredConductor, LayeredConductor | None]:
+    """Both sides: a `Pair` has two."""
+    if hasattr(body, "lower") and hasattr(body, "upper"):
+        if other is not None:
+            raise ArgumentTypeError("other is not allowed beside a Pair, which has two bodies")
+        return _body(body.lower), _body(body.upper)
+    return _body(body), None if other is None else _body(other)
+
+
+def conduction_of(body: Any, other: Any = None, film: float = 0.0, sink: float = 0.0) -> Handle:
+    """The library's object of one or two bodies, see `Conduction`."""
+    first, second = _bodies(body, other)
+    lower, lower_base = first.rows()
+    upper, upper_base = (None, 0) if second is None else second.rows()
+    count = 0 if upper is None else len(upper)
+    return Handle(_native.conduction_new(lower, lower_base, count, address(upper), upper_base, film, sink), _native.conduction_free)
+
+
+def flux_compliance(conduction: Handle, k: ArrayLike, omega: float) -> FloatOrArray | ComplexOrArray:
+    """See `Conduction.compliance`."""
+    frequency = number("omega", omega)
+    both = complex_values("k", k, lambda q: _native.conduction_compliance(conduction.address, frequency, q))
+    return both if frequency else both.real

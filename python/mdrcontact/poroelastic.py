@@ -181,6 +181,13 @@ def dynamic_stiffness(contact: Any, omega: ArrayLike, radius: float | None, drai
     return complex_values("omega", omega, lambda w: _native.poroelastic_dynamic_stiffness(handle, modulus, diffusivity, a, w))
 
 
+def compliance(medium: Any, k: ArrayLike, omega: float, drainage: str | None) -> ComplexOrArray:
+    """See `Medium.compliance`."""
+    gel, code, frequency = gel_of(medium), drainage_code(drainage), number("omega", omega)
+    constants = gel.nu, code, getattr(medium, "thickness", 0.0), gel.shear_modulus, gel.diffusivity, frequency
+    return complex_values("k", k, lambda q: _native.poroelastic_compliance(*constants, q))
+
+
 def pressure(
     contact: Any, kind: str, r: ArrayLike, time: float, depth: float | None, radius: float | None, drainage: str | None
 ) -> FloatOrArray:

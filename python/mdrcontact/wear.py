@@ -154,6 +154,13 @@ class Wear(Value):
         """Passes until the track is so deep, > 0 [length]: a coating of this thickness is then worn through on the axis."""
         return float(call(_native.wear_passes, self._handle.address, _row(state), number("depth", depth)))
 
+    def running_in_length(self, constant: str = "force") -> float:
+        """l [length]: under a flat punch what the pressure still differs by from that at the end falls as exp(-s/l) after a few l.
+
+        constant : the "force", where the pressure tends to F/(pi a^2), or the "depth", where it tends to 0
+        """
+        return float(call(_native.wear_running_in, self._handle.address, _given(constant)))
+
     def history(
         self,
         *,

@@ -4,12 +4,14 @@
 module mdrcontact_wear
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_state, only: contact_state_t
+    use mdrcontact_contact_values, only: given_depth
     use mdrcontact_error, only: check_memory, check_not_negative, check_positive, error_domain, error_invalid, error_t, &
                                 raise, to_text
     use mdrcontact_kinds, only: wp
     use mdrcontact_profile_worn, only: worn_profile_t
-    use mdrcontact_wear_limit, only: check_carries, find_limit, wear_limit_t
+    use mdrcontact_wear_limit, only: check_carries, check_control, find_limit, wear_limit_t
     use mdrcontact_wear_rate, only: new_wear_rate, wear_rate_t
+    use mdrcontact_wear_running_in, only: slowest_decay
     implicit none (type, external)
     private
     public :: new_wear, wear_t
@@ -29,6 +31,7 @@ module mdrcontact_wear
         procedure :: limit
         procedure :: track
         procedure :: passes_through
+        procedure :: running_in_length
     end type wear_t
 
 contains
@@ -131,6 +134,30 @@ contains
         if (.not. allocated(error)) call check_shallow(depth, state, error)
         if (.not. allocated(error)) passes = depth/(self%body_coefficient*axis(1))
     end subroutine passes_through
+
+    !> l: under a flat punch what the pressure still differs by from that at the end, F/(pi a^2) at constant force, 0 at constant
+    !> depth, falls as exp(-s/l) after some of them. Of a coated punch that is worn through.
+    subroutine running_in_length(self, control, length, error)
+        class(wear_t), intent(in) :: self
+        !> given_depth or given_force: what is constant
+        integer, intent(in) :: control
+        !> sliding distance [length]
+        real(wp), intent(out) :: length
+        type(error_t), allocatable, intent(out) :: error
+
+        length = 0.0_wp
+        call check_control(error, control)
+        if (allocated(error)) return
+        associate (profile => self%contact%equilibrium%profile)
+            if (.not. profile%has_wall .or. profile%end_radius < profile%largest_radius) then
+                call raise(error, error_invalid, "running_in_length is that of a flat punch: the contact of other indenters "// &
+                           "grows, and a sliding history follows it")
+                return
+            end if
+            call slowest_decay(self%contact%equilibrium%medium, profile%largest_radius, &
+                               self%rate%coefficients(size(self%rate%coefficients)), control == given_depth, length, error)
+        end associate
+    end subroutine running_in_length
 
     pure subroutine check_body(self, error)
         class(wear_t), intent(in) :: self

@@ -60,6 +60,22 @@ static void test_means(const mdr_poroelastic *gel)
     }
 }
 
+static void test_compliance(void)
+{
+    const double k = 0.3;
+    double out = 0.0, more = 0.0;
+
+    /* drained, (1 - nu)/(G k), and at once 1/(2 G k) */
+    CHECK_SUCCESS(mdr_poroelastic_compliance(0.2, MDR_DRAINAGE_SEALED, 0.0, 2.0, 1.0, 0.0, 1, &k, &out, &more));
+    CHECK_CLOSE(out, 0.4 / k, 1e-12);
+    CHECK_SUCCESS(mdr_poroelastic_compliance(0.2, MDR_DRAINAGE_SURFACE, 0.0, 2.0, 1.0, 1e20, 1, &k, &out, NULL));
+    CHECK_CLOSE(out, 0.25 / k, 1e-8);
+    CHECK_STATUS(mdr_poroelastic_compliance(0.2, MDR_DRAINAGE_INDENTER, 0.0, 2.0, 1.0, 0.0, 1, &k, &out, &more), MDR_EINVALID,
+                 "drainage = 3");
+    CHECK_STATUS(mdr_poroelastic_compliance(0.2, 1, -1.0, 2.0, 1.0, 0.0, 1, &k, &out, &more), MDR_EINVALID, "thickness");
+    CHECK_STATUS(mdr_poroelastic_compliance(0.2, 1, 0.0, 2.0, 1.0, 0.0, 1, NULL, &out, &more), MDR_ENULL, "k");
+}
+
 static void test_pressure(const mdr_poroelastic *gel)
 {
     const double r[3] = {0.0, 0.3, 0.6}, edge[1] = {1.0};
@@ -120,6 +136,7 @@ int main(void)
     test_limits(gel, 0.3);
     test_paraboloid(gel);
     test_means(gel);
+    test_compliance();
     test_pressure(gel);
     test_refusals(gel);
     CHECK_SUCCESS(mdr_poroelastic_free(&gel));

@@ -169,6 +169,8 @@ static void test_refusals(const mdr_contact *contact)
     options.intervals = 4;
     CHECK_STATUS(mdr_wear_history_new(wear, MDR_GIVEN_FORCE, 1.0, &options, &h), MDR_EINVALID, "intervals = 4");
     options.intervals = 40;
+    CHECK_STATUS(mdr_wear_running_in(wear, MDR_GIVEN_FORCE, &out), MDR_EINVALID, "flat punch");
+    CHECK_STATUS(mdr_wear_running_in(wear, MDR_GIVEN_FORCE, NULL), MDR_ENULL, "length");
     CHECK_STATUS(mdr_wear_history_new(wear, MDR_GIVEN_FORCE, 0.0, &options, &h), MDR_EINVALID, "force = 0");
     options.places = 3;
     CHECK_STATUS(mdr_wear_history_new(wear, MDR_GIVEN_FORCE, 1.0, &options, &h), MDR_EINVALID, "places = 3");

@@ -122,6 +122,19 @@ def test_a_flat_punch_runs_in(medium, modulus):
         wear.history(force=1.0)
 
 
+@pytest.mark.parametrize("medium", [HERTZ.medium, mdr.Coated(SOFT, 0.5, HARD)])
+@pytest.mark.parametrize("constant", ["force", "depth"])
+def test_a_flat_punch_runs_in_over_its_length(medium, constant):
+    """Rings know nothing of eigenvalues; an implicit step of ds leaves 1/(1 + ds/l), and the finer rings take two half as long."""
+    wear = mdr.Wear(mdr.Contact(mdr.FlatPunch(1.0), medium), 0.5)
+    length = wear.running_in_length(constant)
+    history = wear.history(**{constant: 1.0}, scheme="rings")
+    history.advance(15.0 * length, **{constant: 1.0})
+    now = history.advance([0.01 * length] * 9, **{constant: 1.0})
+    left = np.asarray(now.force if constant == "depth" else now.pressure - 1.0 / np.pi)
+    assert 200.0 * ((left[0] / left[-1]) ** (1.0 / 16.0) - 1.0) == pytest.approx(1.0, rel=2e-3 if constant == "force" else 2e-4)
+
+
 def test_a_coated_tip_on_rings():
     wear = mdr.Wear(HERTZ, (0.1, 1.0), (0.05,))
     states = [wear.advance([1.0, 4.0, 10.0], force=1.0, scheme=scheme)[0] for scheme in ("disc", "rings")]
@@ -162,6 +175,8 @@ def test_bad_input_is_refused_with_the_reason():
         wear.track(0.0, HERTZ.at_depth(0.1))
     with pytest.raises(mdr.InvalidArgumentError, match="flat punch"):
         mdr.Wear(mdr.Contact(mdr.FlatPunch(1.0), mdr.Homogeneous(HARD)), 1.0).history(force=1.0)
+    with pytest.raises(mdr.InvalidArgumentError, match="that of a flat punch"):
+        wear.running_in_length()
     with pytest.raises(mdr.InvalidArgumentError, match="did you mean 'rings'"):
         wear.history(force=1.0, scheme="ring")
     sphere = mdr.Wear(mdr.Contact(mdr.Sphere(1.0), mdr.Homogeneous(HARD)), 1.0).history(force=0.1, intervals=16, scheme="rings")

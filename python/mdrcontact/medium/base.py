@@ -12,7 +12,10 @@ from .. import _layout, _native
 from .._boundary import ComplexOrArray, FloatOrArray, Handle, complex_values, evaluate, number, numbers
 from .._choices import nearest
 from .._value import Value
+from ..conductor import conduction_of, flux_compliance
 from ..errors import InvalidArgumentError
+from ..poroelastic import compliance as gel_compliance
+from ..poroelastic import is_poroelastic
 from .viscoelastic import is_viscoelastic
 
 _LOADS = {"normal": _layout.LOAD_NORMAL, "shear": _layout.LOAD_SHEAR, "twist": _layout.LOAD_TWIST}
@@ -51,20 +54,34 @@ class Medium(Value):
         """
         return evaluate("a", a, lambda radii: _native.medium_tangential_modulus(self._handle.address, radii))
 
-    def compliance(self, k: ArrayLike, load: str = "normal", omega: float = 0.0) -> FloatOrArray | ComplexOrArray:
+    def compliance(
+        self, k: ArrayLike, load: str = "normal", omega: float = 0.0, drainage: str | None = None
+    ) -> FloatOrArray | ComplexOrArray:
         """C(k) [length/modulus], what the surface answers to a wave of load: displacement over traction at wavenumbers k > 0
         [1/length], any shape; of a pair the sum over both bodies. It makes codes that solve contacts by Fourier transforms layered.
 
         load : "normal": a pressure, 2/(E* k) of a homogeneous body; "shear": a traction of one direction along the surface, mean
             over the directions of the wave, (2 - nu)/(2 G k); "twist": a traction across the wave, 1/(G k). Under a traction along
-            the wave it is twice that of "shear" less that of "twist"
-        omega : angular frequency at which a viscoelastic medium is taken, 0 for its relaxed one [1/time]; its C is complex
+            the wave it is twice that of "shear" less that of "twist"; "flux": of a current or heat, potential over flux, of
+            materials with a conductor (`Conduction.compliance`) [length/conductance]
+        omega : angular frequency at which a viscoelastic or poroelastic medium is taken, 0 for its relaxed one [1/time]; its C is
+            complex
+        drainage : of a poroelastic medium, under a normal load: "surface" or "sealed"
 
         The model by which the medium solves its contacts does not matter. Refused for media given by their modulus alone, of a
         power of the depth, and rigid ones.
         """
+        if load == "flux":
+            return flux_compliance(conduction_of(self), k, omega)
         if load not in _LOADS:
-            raise InvalidArgumentError(f"load = {load!r} is not allowed: {nearest(str(load), _LOADS)}")
+            words = nearest(str(load), [*_LOADS, "flux"])
+            raise InvalidArgumentError(f"load = {load!r} is not allowed: {words}")
+        if is_poroelastic(self):
+            if load != "normal":
+                raise InvalidArgumentError(f"load = {load!r} is not allowed: of a gel the answer to a normal load is known")
+            return gel_compliance(self, k, omega, drainage)
+        if drainage is not None:
+            raise InvalidArgumentError(f"drainage = {drainage!r} is not allowed: this medium has no pores")
         both = complex_values(
             "k", k, lambda q: _native.medium_compliance(self._handle.address, _LOADS[load], number("omega", omega), q)
         )

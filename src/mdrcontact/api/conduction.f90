@@ -2,7 +2,8 @@
 !> Conduction through spots, for C.
 module mdrcontact_api_conduction
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
-    use mdrcontact_api_arrays, only: check_array, check_count, check_in_out, check_results, deliver_parts, make_room
+    use mdrcontact_api_arrays, only: check_array, check_count, check_each_not_negative, check_each_positive, check_in_out, &
+                                     check_results, deliver_parts, make_room
     use mdrcontact_api_handles, only: deliver, open_handle
     use mdrcontact_api_status, only: check_given, status_of
     use mdrcontact_conduction_answers, only: admittance_of, flux_after_step, step_of
@@ -15,7 +16,7 @@ module mdrcontact_api_conduction
     implicit none (type, external)
     private
     public :: mdr_conduction_new, mdr_conduction_spot, mdr_conduction_field, mdr_conduction_admittance, mdr_conduction_step, &
-              mdr_conduction_step_flux, mdr_conduction_tabulate
+              mdr_conduction_step_flux, mdr_conduction_tabulate, mdr_conduction_compliance
 
     !> Members of struct mdr_conductor.
     integer, parameter :: members = 5
@@ -157,6 +158,28 @@ contains
         end if
         status = status_of(error)
     end function mdr_conduction_field
+
+    function mdr_conduction_compliance(p, omega, n, k, out, imaginary) result(status) &
+        bind(C, name="mdrcontact_entry_conduction_compliance")
+        type(c_ptr), value :: p
+        real(c_double), value :: omega
+        integer(c_int), value :: n
+        real(c_double), intent(in), optional :: k(*)
+        real(c_double), intent(inout), optional :: out(*), imaginary(*)
+        integer(c_int) :: status
+        type(conduction_t), pointer :: conduction
+        complex(wp), allocatable :: values(:)
+        type(error_t), allocatable :: error
+
+        call open_handle(p, "p", conduction, error)
+        if (.not. allocated(error)) call check_each_not_negative(error, "omega", [omega])
+        call check_in_out(error, n, "k", present(k), present(out))
+        if (.not. allocated(error) .and. n > 0) call check_each_positive(error, "k", k(:n))
+        call make_room(error, n, values)
+        if (.not. allocated(error) .and. n > 0) call conduction%compliance(k(:n), omega, values)
+        call deliver_parts(error, values, out, imaginary)
+        status = status_of(error)
+    end function mdr_conduction_compliance
 
     function mdr_conduction_admittance(p, answer, radius, n, omega, in_phase, ahead) result(status) &
         bind(C, name="mdrcontact_entry_conduction_admittance")

@@ -712,6 +712,21 @@ int mdr_poroelastic_pressure(const mdr_poroelastic *p, int kind, int is_flat, do
     return status;
 }
 
+int mdrcontact_entry_poroelastic_compliance(double nu, int drainage, double thickness, double shear_modulus, double diffusivity,
+        double omega, int n, const double k[], double out[], double imaginary[]);
+int mdr_poroelastic_compliance(double nu, int drainage, double thickness, double shear_modulus, double diffusivity, double omega,
+        int n, const double k[], double out[], double imaginary[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_poroelastic_compliance(nu, drainage, thickness, shear_modulus, diffusivity,
+        omega, n, k, out, imaginary);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_poroelastic_compliance(nu, drainage, thickness, shear_modulus, diffusivity, omega, n, k,
+        out, imaginary);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
 int mdrcontact_entry_conduction_new(int n, const mdr_conductor lower[], int lower_base, int m, const mdr_conductor upper[],
         int upper_base, double film, double sink, mdr_conduction **out);
 int mdr_conduction_new(int n, const mdr_conductor lower[], int lower_base, int m, const mdr_conductor upper[], int upper_base,
@@ -757,6 +772,18 @@ int mdr_conduction_field(const mdr_conduction *p, int field, double radius, int 
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
     const int status = mdrcontact_entry_conduction_field(p, field, radius, body, below, n, r, z, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_conduction_compliance(const mdr_conduction *p, double omega, int n, const double k[], double out[],
+        double imaginary[]);
+int mdr_conduction_compliance(const mdr_conduction *p, double omega, int n, const double k[], double out[], double imaginary[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_conduction_compliance(p, omega, n, k, out, imaginary);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_conduction_compliance(p, omega, n, k, out, imaginary);
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }
@@ -1122,6 +1149,17 @@ int mdr_wear_passes(const mdr_wear *w, const mdr_state *state, double depth, dou
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
     const int status = mdrcontact_entry_wear_passes(w, state, depth, passes);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_wear_running_in(const mdr_wear *w, int given, double *length);
+int mdr_wear_running_in(const mdr_wear *w, int given, double *length)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_wear_running_in(w, given, length);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_wear_running_in(w, given, length);
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }

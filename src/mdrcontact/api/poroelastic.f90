@@ -2,17 +2,19 @@
 !> Poroelastic gels, for C.
 module mdrcontact_api_poroelastic
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
-    use mdrcontact_api_arrays, only: check_complex_arrays, check_in_out, check_results, deliver_parts, make_room
+    use mdrcontact_api_arrays, only: check_complex_arrays, check_each_positive, check_in_out, check_results, deliver_parts, &
+                                     make_room
     use mdrcontact_api_handles, only: deliver, open_handle
     use mdrcontact_api_status, only: check_given, status_of
     use mdrcontact_error, only: check_choice, error_t
     use mdrcontact_kinds, only: wp
+    use mdrcontact_poroelastic_compliance, only: poroelastic_compliance
     use mdrcontact_poroelastic_response, only: poroelastic_dynamic_stiffness, poroelastic_pressure, poroelastic_response
     use mdrcontact_poroelastic_table, only: new_poroelastic, poroelastic_t
     implicit none (type, external)
     private
     public :: mdr_poroelastic_new, mdr_poroelastic_error, mdr_poroelastic_response, mdr_poroelastic_dynamic_stiffness, &
-              mdr_poroelastic_pressure
+              mdr_poroelastic_pressure, mdr_poroelastic_compliance
 
 contains
 
@@ -111,5 +113,28 @@ contains
         end if
         status = status_of(error)
     end function mdr_poroelastic_pressure
+
+    function mdr_poroelastic_compliance(nu, drainage, thickness, shear_modulus, diffusivity, omega, n, k, out, imaginary) &
+        result(status) bind(C, name="mdrcontact_entry_poroelastic_compliance")
+        real(c_double), value :: nu, thickness, shear_modulus, diffusivity, omega
+        integer(c_int), value :: drainage, n
+        real(c_double), intent(in), optional :: k(*)
+        real(c_double), intent(inout), optional :: out(*), imaginary(*)
+        integer(c_int) :: status
+        complex(wp), allocatable :: values(:)
+        real(c_double), allocatable :: wavenumbers(:)
+        type(error_t), allocatable :: error
+
+        call check_in_out(error, n, "k", present(k), present(out))
+        if (.not. allocated(error) .and. n > 0) call check_each_positive(error, "k", k(:n))
+        call make_room(error, n, values)
+        call make_room(error, n, wavenumbers)
+        if (.not. allocated(error)) then
+            if (n > 0) wavenumbers(:) = k(:n)
+            call poroelastic_compliance(nu, int(drainage), thickness, shear_modulus, diffusivity, omega, wavenumbers, values, error)
+        end if
+        call deliver_parts(error, values, out, imaginary)
+        status = status_of(error)
+    end function mdr_poroelastic_compliance
 
 end module mdrcontact_api_poroelastic

@@ -16,7 +16,7 @@ module mdrcontact_api_wear
     use mdrcontact_wear_limit, only: wear_limit_t
     implicit none (type, external)
     private
-    public :: mdr_wear_new, mdr_wear_limit, mdr_wear_track, mdr_wear_passes
+    public :: mdr_wear_new, mdr_wear_limit, mdr_wear_track, mdr_wear_passes, mdr_wear_running_in
     public :: mdr_wear_history_new, mdr_wear_history_copy, mdr_wear_history_advance, mdr_wear_history_state, &
               mdr_wear_history_pressure, mdr_wear_history_profile, mdr_wear_history_save, mdr_wear_history_restore
 
@@ -133,6 +133,23 @@ contains
         status = status_of(error)
         if (.not. allocated(error)) passes = found
     end function mdr_wear_passes
+
+    function mdr_wear_running_in(w, given, length) result(status) bind(C, name="mdrcontact_entry_wear_running_in")
+        type(c_ptr), value :: w
+        integer(c_int), value :: given
+        real(c_double), intent(inout), optional :: length
+        integer(c_int) :: status
+        type(wear_t), pointer :: wear
+        real(wp) :: found
+        type(error_t), allocatable :: error
+
+        call open_handle(w, "w", wear, error)
+        call check_given(error, "length", present(length))
+        if (.not. allocated(error)) call wear%running_in_length(int(given), found, error)
+        if (.not. allocated(error)) call check_results(error, [found])
+        status = status_of(error)
+        if (.not. allocated(error)) length = found
+    end function mdr_wear_running_in
 
     function mdr_wear_history_new(w, given, value, options, out) result(status) &
         bind(C, name="mdrcontact_entry_wear_history_new")

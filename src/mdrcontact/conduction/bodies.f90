@@ -46,6 +46,7 @@ module mdrcontact_conduction_bodies
         logical :: is_insulated = .false.
     contains
         procedure :: check_radius
+        procedure :: compliance
         procedure :: check_steady
     end type conduction_t
 
@@ -85,6 +86,25 @@ contains
         end if
         call tabulate(self, error)
     end subroutine new_conduction
+
+    !> C(k): potential over flux at the surface of a wave, of two bodies the sum of both; what lies in the spot is left out.
+    pure subroutine compliance(self, k, omega, values)
+        class(conduction_t), intent(in) :: self
+        !> wavenumbers > 0 [1/length]
+        real(wp), intent(in) :: k(:)
+        !> angular frequency >= 0 [1/time]
+        real(wp), intent(in) :: omega
+        !> same size as k [length/conductance]
+        complex(wp), intent(out) :: values(:)
+        complex(wp) :: sigma(size(k)), chi(size(k))
+        integer :: i
+
+        values = 0.0_wp
+        do i = 1, size(self%bodies)
+            call self%bodies(i)%response(cmplx(k, kind=wp), cmplx(0.0_wp, omega, wp), sigma, chi)
+            values = values + sigma/(self%bodies(i)%s(1)*k)
+        end do
+    end subroutine compliance
 
     subroutine tabulate(self, error)
         type(conduction_t), intent(inout) :: self

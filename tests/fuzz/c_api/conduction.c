@@ -52,6 +52,11 @@ void fuzz_conduction(world *w)
         judge("mdr_conduction_admittance", status, points, out, NOT_NAN);
         judge("mdr_conduction_admittance", status, points, more, NOT_NAN);
         fill(out);
+        fill(more);
+        status = mdr_conduction_compliance(p, a, points, x, out, more);
+        judge("mdr_conduction_compliance", status, points, out, NOT_NAN);
+        judge("mdr_conduction_compliance", status, points, more, NOT_NAN);
+        fill(out);
         judge("mdr_conduction_step", mdr_conduction_step(p, answer, a, points, x, out), points, out, NOT_NAN);
     }
     if (p && afford(w, PRICE_OF_ANSWER)) {

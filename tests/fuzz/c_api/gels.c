@@ -31,5 +31,10 @@ void fuzz_gels(world *w)
     fill(out);
     status = mdr_poroelastic_pressure(gel, take_code(&w->in, 2), take_byte(&w->in) % 2, G, D, a, take_positive(&w->in), n, x, out);
     judge("mdr_poroelastic_pressure", status, n, out, NOT_NAN);
+    fill(out);
+    fill(loss);
+    status = mdr_poroelastic_compliance(nu, drainage, ratio, G, D, take_positive(&w->in), n, x, out, loss);
+    judge("mdr_poroelastic_compliance", status, n, out, NOT_NAN);
+    judge("mdr_poroelastic_compliance", status, n, loss, NOT_NAN);
     judge_status("mdr_poroelastic_free", mdr_poroelastic_free(&gel));
 }

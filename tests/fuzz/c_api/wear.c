@@ -64,6 +64,7 @@ void fuzz_wear(world *w)
     judge_status("mdr_wear_limit", mdr_wear_limit(wear, &state, part * state.radius, take_code(&w->in, 2), &reached, &rim, &volume,
                                                   &worn));
     judge_status("mdr_profile_free", mdr_profile_free(&worn));
+    judge_status("mdr_wear_running_in", mdr_wear_running_in(wear, take_code(&w->in, 2), &rim));
     if (afford(w, PRICE_OF_HISTORY)) march(w, wear, &state);
     judge_status("mdr_wear_free", mdr_wear_free(&wear));
 }

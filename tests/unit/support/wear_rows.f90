@@ -21,6 +21,9 @@ contains
 
         if (index(row, "G0/G1=10") > 0) then
             call new_layered_exact(film, [material_t(e0, 0.3_wp)], [1.0_wp], material_t(e0/10.0_wp, 0.3_wp), error)
+        else if (index(row, "rigid base nu=.4") > 0) then
+            call new_layered_exact(film, [material_t(0.84_wp, 0.4_wp)], [1.0_wp], material_t(1.0_wp, 0.3_wp), error, &
+                                   rigid_base=.true.)
         else if (index(row, "film") > 0) then
             call new_layered_exact(film, [material_t(e0, 0.3_wp)], [1.0_wp], material_t(e0*10.0_wp, 0.3_wp), error)
         else
