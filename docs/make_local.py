@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """FORD's pages without the network: make_local.py FOLDER.
 
-They ask other hosts for Bootstrap, which MkDocs brings along, and for MathJax, which no docstring needs.
+They load from other hosts Bootstrap, which MkDocs brings along, and for MathJax, which no docstring needs.
 """
 
 from __future__ import annotations

@@ -6,7 +6,7 @@
  * A rigid axisymmetric indenter (mdr_profile) is pressed into an elastic half-space (mdr_medium); the two make a contact
  * (mdr_contact), which gives indentation depth d, contact radius a, normal force F and stiffness k from any one of
  * the first three, and the pressure, line load and surface displacement. A structure (mdr_structure) whose moduli vary in
- * all directions gives a medium for each place on it; a compiled law (mdr_law) is a contact for programs that ask
+ * all directions gives a medium for each place on it; a compiled law (mdr_law) is a contact for programs that call it
  * millions of times; a fit goes from measured curves back to the moduli. Equation numbers are those of V. L. Popov,
  * "Method of dimensionality reduction in contact mechanics and tribology. Heterogeneous media", Physical
  * Mesomechanics 17 (2014) 50-57; docs/theory.md states the equations and says where they are misprinted.
@@ -38,8 +38,8 @@
  * that both it and the program know: a program runs with older and newer libraries than the header it was compiled with.
  * MDR_EINVALID for a size that cannot be, and for members that are not 0 and that the library does not know.
  *
- * @par Handles and who frees them
- * They are made by the functions with an argument `out`, belong to the caller, and are freed by mdr_profile_free() and so on, which
+ * @par Handles and their release
+ * Functions with an argument `out` make handles; the calling program owns them and frees them by mdr_profile_free() and so on, which
  * also set the caller's pointer to NULL. What a handle was made from may be freed at once: it holds copies (but
  * mdr_structure_callback() keeps the user's function and context). A handle never changes after its creation, but for
  * mdr_friction_history and mdr_wear_history, which must not be used by two threads at a time.
@@ -115,7 +115,7 @@ const char *mdr_status_name(int status);
  * The text of the calling thread's last failure. Successful calls leave it as it is; it is empty before the first failure.
  *
  * Writes at most `length` characters, the closing zero included; what does not fit is cut off.
- * @param buffer  receives the text; NULL to ask for the length only
+ * @param buffer  receives the text; NULL: the length only
  * @param length  size of buffer; nothing is written if it is less than 1
  * @return        the full length of the text without its closing zero, at most 1023: length + 1 characters hold all of it
  */
@@ -156,7 +156,7 @@ int mdr_set_threads(int threads);
 typedef int (*mdr_cancel)(void *context);
 
 /**
- * From now on all calls of the calling thread that take long - fits, maps, tables, laws, loops, arrays of states - ask `cancel`
+ * From now on all calls of the calling thread that take long - fits, maps, tables, laws, loops, arrays of states - call `cancel`
  * whether to stop: after at most 0.2 s, not more often than every 0.05 s, in this thread. A call that is cancelled returns
  * MDR_ECANCELLED, has written nothing, and leaves every handle as it was. Each thread has its own.
  * @param cancel   NULL: none is called, as at first
@@ -223,7 +223,7 @@ int mdr_profile_cone(double inclination, mdr_profile **out);
 int mdr_profile_power(double exponent, double coefficient, mdr_profile **out);
 
 /** Flat cylindrical punch: f = g = 0 up to its radius, where it ends in a vertical wall. The contact radius is that radius
- *  at every depth: ask for states by depth or force.
+ *  at every depth: compute states by depth or force.
  *  @param radius  b > 0 [length]
  *  @param out     receives the handle */
 int mdr_profile_flat_punch(double radius, mdr_profile **out);
@@ -345,7 +345,7 @@ int mdr_model_name(int model, int length, char *name);
  *  @return MDR_SUCCESS, MDR_ENULL, or MDR_EINVALID for a name that no model has */
 int mdr_model_from_name(const char *name, int *model);
 
-/** What a model asks of the substrate. */
+/** Which substrates a model takes. */
 enum mdr_model_base {
     MDR_BASE_ELASTIC = 0, /**< An elastic half-space. */
     MDR_BASE_ANY = 1,     /**< An elastic half-space or a rigid base. */
@@ -590,7 +590,7 @@ int mdr_medium_stiffness(const mdr_medium *m, int n, const double a[], double ou
 
 /** G_t(a) = k_t(a)/(2 a), what takes E_eff's place where a contact that sticks all over is displaced along the surface:
  *  4 G/(2 - nu) of a homogeneous body, 1/G_t adds where two bodies touch. The kernel of a layered body is tabulated in each call:
- *  ask for all radii at once.
+ *  give all radii at once.
  *  @param m    homogeneous with E and nu; coated, layered or graded under the model MDR_MODEL_EXACT, exact but for the displacement
  *              that varies as cos 2 phi around the axis (k_t is low by at most 0.35 %), or by Gao's weights with those of a
  *              tangential load; pairs of these
@@ -1166,7 +1166,7 @@ int mdr_contact_field(const mdr_contact *c, int field, const mdr_state *state, i
  *  @return also MDR_EINVALID with adhesion, MDR_ENOCONVERGENCE */
 int mdr_contact_lowest_pressure(const mdr_contact *c, const mdr_state *state, double *pressure, double *r);
 
-/** What speaks against the numbers of a state; bits of a sum. Linear elasticity answers beyond its range too. */
+/** Doubts about the numbers of a state; bits of a sum. Linear elasticity gives numbers beyond its range, too. */
 enum mdr_warning {
     MDR_WARNING_SLOPE = 1,       /**< The indenter's surface has a slope f'(a) of more than 1.2 at the edge of the contact: 50 degrees,
                                       or a = 1.2 R of a paraboloid, which stands for a sphere at a well below R only. */
@@ -1178,7 +1178,7 @@ enum mdr_warning {
     MDR_WARNING_SHORT_ZONE = 16  /**< The zone of a cohesive stress is too short to change a digit: adhesion without a range. */
 };
 
-/** What speaks against the numbers of a state.
+/** Doubts about the numbers of a state.
  *  @param c         contact
  *  @param state     a state of this contact
  *  @param buffer    receives a line of text for each warning, in the order of the codes; may be NULL if length < 1
@@ -1360,7 +1360,7 @@ typedef struct mdr_torsional_state {
     double stick_radius;      /**< c, radius of the disc of stick; 0 where the contact slides [length]. */
     double stiffness;         /**< dM/dphi, that of a contact of radius c that sticks all over [modulus length^3]. */
     double dissipated_energy; /**< Energy dissipated since phi = 0 [modulus length^3]. */
-    double sliding;           /**< 1 if the disc of stick is smaller than 1e-6 a, which no torque tells from 0; else 0. */
+    double sliding;           /**< 1 if the disc of stick is smaller than 1e-6 a, which no torque distinguishes from 0; else 0. */
 } mdr_torsional_state;
 
 /** Which number determines a torsional state. */
@@ -1731,7 +1731,7 @@ int mdr_rate_work(const mdr_rate_options *options, int n, const double v[], doub
  *  @param zone     or NULL: length of the cohesive zone of a crack at rest, pi E* work/(4 cohesive_stress^2); 0 without [length] */
 int mdr_rate_scales(const mdr_rate_options *options, double *time, double *zone);
 
-/** What a history remembers: a datum of the caller's, from which it goes on. All 0: the bodies are apart. */
+/** The state of a history: a record that the calling program keeps, and from which the history goes on. All 0: the bodies are apart. */
 typedef struct mdr_rate_state {
     double radius;        /**< a, 0 where the bodies are apart; less than 0 at the start: in equilibrium, G = work, with the first
                                value, the largest stable one [length]. */
@@ -2235,7 +2235,7 @@ int mdr_law_free(mdr_law **law);
  * a few vector sliders; no path yields energy, T is continuous, and each step has a derivative. How far it can be trusted:
  * docs/laws.md.
  *
- * What a contact remembers is a record of the caller's: memory_size numbers (of mdr_law_facts), all 0 before the first step. It may
+ * The memory of a contact is a record that the calling program keeps: memory_size numbers (of mdr_law_facts), all 0 before the first step. It may
  * be copied and stored; what stands in it is the library's. Records of n contacts follow each other in one array. Records of
  * another law are refused, and so are laws without friction: MDR_EINVALID. */
 
@@ -2414,7 +2414,7 @@ typedef struct mdr_fit_problem {
     int counterbody_model_is_given;      /**< As `model_is_given`. */
 } mdr_fit_problem;
 
-/** What speaks for or against a fit. */
+/** What supports a fit or makes it doubtful. */
 typedef struct mdr_fit_summary {
     size_t size;               /**< Of this structure; MDR_SIZED sets it. */
     int converged;             /**< 1, or 0: the parameters are the best point found. */
@@ -2455,7 +2455,7 @@ int mdr_fit_parameter_count(const mdr_fit_problem *problem, int *count);
  *  @param weakest_direction  [m] or NULL: the relative change of the free parameters that the data determine least
  *  @param fitted             [n] or NULL: the model at the data, in the unit of y
  *  @param residuals          [n] or NULL: (y - model)/standard deviation [1]
- *  @param summary            or NULL; begun by MDR_SIZED: what speaks for or against the fit
+ *  @param summary            or NULL; begun by MDR_SIZED: what supports the fit or makes it doubtful
  *  @return MDR_EINVALID also for data in other units than the start, or too few; what the model answers at the start */
 int mdr_fit_solve(const mdr_fit_problem *problem, int n, const double x[], const double y[], const double given[],
                   const double sd[], double values[], double covariance[], double widening[], int at_bound[],

@@ -45,7 +45,7 @@ typedef struct mdr_law_view {
     const double *force;    /**< [8] for each panel: F in powers of y less the middle. */
     const double *contact;  /**< [16] for each panel: a and k likewise. */
     const double *energy;   /**< For each panel: U in its middle. */
-    const double *buffer;   /**< All of the law: an mdr_law_head, and what it tells of. */
+    const double *buffer;   /**< All of the law: an mdr_law_head, and what it describes. */
     int branch;             /**< One of enum mdr_branch. */
     int shift;              /**< Of the bits, to give the panel. */
     double open;            /**< Up to this depth the bodies are apart [length]. */
@@ -75,7 +75,7 @@ MDR_INLINE const mdr_law_interval *mdr_law_intervals_of(const mdr_law_view *view
 
 /** The view of a buffer, to be used where the buffer has another address: on a device.
  *  @param buffer  as mdr_law_buffer() writes it; read here
- *  @param there   where the same numbers lie for those who use the view
+ *  @param there   where the same numbers lie at the place of use
  *  @param branch  one of enum mdr_branch
  *  @param view    receives the view */
 MDR_INLINE int mdr_law_view_at(const double *buffer, const double *there, int branch, mdr_law_view *view)

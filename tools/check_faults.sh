@@ -39,7 +39,7 @@ check_address() {
 }
 
 # Only Fortran programs set traps. Left out: test_layered_and_graded takes the root of a negative number on purpose, and
-# test_adhesion asks for works of adhesion at the ends of the number range, where the overflow is what the library reports.
+# test_adhesion takes works of adhesion at the ends of the number range, where the overflow is what the library reports.
 check_traps() {
     build_and_test traps "-g -O1" "-g -O2 -fcheck=all,no-recursion -ffpe-trap=invalid,zero,overflow -finit-real=snan" \
         all -L "unit" -E "^(test_layered_and_graded|test_adhesion)$"

@@ -42,7 +42,7 @@ install_python_package() {
     fi
     wanted="mdrcontact[$extra] $* $(fingerprint pyproject.toml)"
     if ! grep -qxF -- "$wanted" .venv/mdrcontact.extras 2> /dev/null; then
-        note "installing what mdrcontact[$extra] asks for${*:+ and }$*"
+        note "installing what mdrcontact[$extra] needs${*:+ and }$*"
         with_progress "$log_dir/pip-extras.log" .venv/bin/python -m pip install --disable-pip-version-check "mdrcontact[$extra]" "$@" ||
             give_up "Python packages could not be installed; is there a network?"
         printf '%s\n' "$wanted" >> .venv/mdrcontact.extras

@@ -13,7 +13,7 @@ has_library() {
 
 has_header() { printf '#include <%s>\n' "$1" | gcc -E -x c - > /dev/null 2>&1; }
 
-# CMake asks pkg-config first, which knows folders that compilers do not search by themselves.
+# CMake calls pkg-config first, which knows folders that compilers do not search by themselves.
 has_gsl() { pkg-config --exists 'gsl >= 2.5' 2> /dev/null || { has_library gsl && has_header gsl/gsl_version.h; }; }
 
 # macOS always has LAPACK and BLAS, in its framework Accelerate.
@@ -81,8 +81,8 @@ install_system_packages() {
         command -v sudo > /dev/null ||
             give_up "Missing: $packages" "Only root can install them here, and there is no sudo. As root:  apt-get install $packages"
         as_root=(sudo)
-        note "sudo may ask for your password to install: $packages"
-        sudo -v || give_up "Without it, ask your administrator for:  apt-get install $packages"
+        note "sudo may need your password to install: $packages"
+        sudo -v || give_up "Without it, an administrator can install them:  apt-get install $packages"
         as_root+=(env)
     else
         as_root=(env)

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Every problem beside this file, each by the commands that its sections ask for: run.sh MDRCONTACT OUTPUT_FOLDER
+# Every problem beside this file, each by the commands that its sections are for: run.sh MDRCONTACT OUTPUT_FOLDER
 set -euo pipefail
 mdrcontact=$1
 output=$2

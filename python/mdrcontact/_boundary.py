@@ -135,7 +135,7 @@ def evaluate(name: str, values: ArrayLike, function: Callable[[NDArray[np.float6
 def evaluate_all(name: str, values: ArrayLike, function: Callable[[NDArray[np.float64]], Any]) -> list[FloatOrArray]:
     """The same for a function that gives several results, as arrays or as the columns of one."""
     points = numbers(name, values)
-    # f2py takes no empty arrays: for them one harmless point tells how many results there are
+    # f2py takes no empty arrays: for them one harmless point shows how many results there are
     status, *results = function(points.ravel() if points.size else _ONE_POINT)
     if results[0].ndim > 1:
         results = list(results[0].T)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Ctrl-C during long calls: the library asks now and then whether to stop."""
+"""Ctrl-C during long calls: the library checks now and then whether to stop."""
 
 from __future__ import annotations
 

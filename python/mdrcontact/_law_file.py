@@ -27,7 +27,7 @@ class LawFile:
     _free: ClassVar[Callable[[int], Any]]
     _info: ClassVar[Callable[..., Any]]
     _table: ClassVar[np.dtype[Any]]
-    """of what `_info` tells"""
+    """of what `_info` gives"""
     _write: ClassVar[Callable[..., Any]]
     _read: ClassVar[Callable[..., Any]]
     _describe: ClassVar[Callable[..., Any]]

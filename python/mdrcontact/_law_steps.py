@@ -38,7 +38,7 @@ class LawSteps(LawFile):
 
     @property
     def memory_size(self) -> int:
-        """How many numbers a contact remembers; 0 in a law without friction."""
+        """Length of a contact's memory; 0 in a law without friction."""
         return int(self._facts["memory_size"])
 
     @property

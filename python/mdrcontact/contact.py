@@ -41,7 +41,7 @@ __all__ = ["Contact", "State"]
 _NOTICEABLE = 1e-4
 """A negative pressure of this part of the mean pressure is more than the solver's error; of the depth, an overlap."""
 _DEEPER = 1.2
-"""States this much deeper than those looked at before are looked at for what speaks against them."""
+"""States this much deeper than those looked at before are checked for doubts."""
 _BEYOND = np.geomspace(1.1, 60.0, 30)
 """Radii, in contact radii, at which the surface beyond the contact is looked at."""
 
@@ -54,7 +54,7 @@ _WARNINGS = {
     _layout.WARNING_CONTRAST: UnitsWarning,
     _layout.WARNING_SHORT_ZONE: ShortZoneWarning,
 }
-"""What speaks against a state, in the order of the library's sentences."""
+"""Doubts about a state, in the order of the library's sentences."""
 _BODIES = {"lower": 0, "upper": 1}
 
 
@@ -402,7 +402,7 @@ class Contact(Value):
         return sensitivity.gradient(self, state)
 
     def warnings(self, state: State) -> tuple[str, ...]:
-        """What speaks against the numbers of one state: slopes and strains that are not small, moduli in two units; empty where
+        """Doubts about the numbers of one state: slopes and strains that are not small, moduli in two units; empty where
         nothing does. States are looked at as they are made, and a `LargeStrainWarning` and a `UnitsWarning` are given once for each
         contact."""
         return tuple(self._cautions(state)[1])
@@ -518,7 +518,7 @@ class Contact(Value):
             self._states("depth", _layout.GIVEN_DEPTH, depth, "unloading")
 
     def _cautions(self, state: State) -> tuple[list[int], list[str]]:
-        """Codes and texts of what speaks against one state."""
+        """Codes and texts of the doubts about one state."""
         buffer = np.zeros(1000, np.uint8)
         found = call(_native.contact_warnings, self._handle.address, self._one(state), address(buffer), buffer.size)
         return [code for code in _WARNINGS if found & code], bytes(buffer).rstrip(b"\0").decode().splitlines()

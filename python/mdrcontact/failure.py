@@ -80,7 +80,7 @@ def first_failure(
 
 
 def _under_punch(contact: Any, wanted: list[tuple[str, int, float]], body: str, friction: float) -> tuple[Failure, ...]:
-    """A contact of one radius: its stresses grow with the depth, so that one state tells all."""
+    """A contact of one radius: its stresses grow with the depth, so that one state suffices."""
     state = contact.at_depth(1e-3 * contact.indenter.radius)
     search = Search(contact, state, body, friction)
     found = []

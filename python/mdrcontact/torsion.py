@@ -31,7 +31,7 @@ class TorsionalState(NamedTuple):
     dissipated_energy: FloatOrArray
     """energy dissipated since phi = 0 [modulus length^3]"""
     sliding: bool | NDArray[np.bool_]
-    """whether the disc of stick is smaller than 1e-6 a, which no torque tells from 0"""
+    """whether the disc of stick is smaller than 1e-6 a, which no torque distinguishes from 0"""
 
 
 class TorsionLoop(NamedTuple):

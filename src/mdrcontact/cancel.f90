@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Calls that take long ask now and then whether to stop, and say how far they are: see mdr_set_cancel() and mdr_set_progress() in
-!> mdrcontact.h.
+!> Calls that take long check now and then whether to stop, and report how far they are: see mdr_set_cancel() and
+!> mdr_set_progress() in mdrcontact.h.
 module mdrcontact_cancel
     use, intrinsic :: iso_c_binding, only: c_double, c_funloc, c_funptr, c_int, c_loc, c_null_funptr, &
                                            c_null_ptr, c_ptr
@@ -50,7 +50,7 @@ module mdrcontact_cancel
 
 contains
 
-    !> From now on every call of the calling thread that takes long asks `cancel`, at least every 0.2 s, and ends with
+    !> From now on every call of the calling thread that takes long calls `cancel`, at least every 0.2 s, and ends with
     !> error_cancelled where it says so; without arguments none is called any more.
     subroutine set_cancel(cancel, context)
         !> absent: none

@@ -223,7 +223,7 @@ contains
         call merge_breaks(breaks, all_breaks(count(all_breaks <= smallest) + 1:count(all_breaks < largest)), error)
     end subroutine radius_range
 
-    !> What speaks against the numbers of a state: slopes and strains that are not small, moduli in two units.
+    !> Doubts about the numbers of a state: slopes and strains that are not small, moduli in two units.
     subroutine warnings(self, state, found, error)
         class(contact_t), intent(in) :: self
         !> a state of this contact

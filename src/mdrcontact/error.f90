@@ -42,7 +42,7 @@ module mdrcontact_error
         integer :: code = success
         !> the finished sentence: names the argument, its value and what is allowed
         character(len=:), allocatable :: message
-        !> its parts, for a layer that speaks to the user in its own way: the argument, if it is known,
+        !> its parts, for a layer with messages of its own: the argument, if it is known,
         character(len=:), allocatable :: argument
         !> which entry of it, counted from 1; 0: none,
         integer :: entry = 0

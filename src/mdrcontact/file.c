@@ -112,7 +112,7 @@ static char *place_of(const char *path, mode_t *mode, char *reason, size_t space
 
     for (int links = 0; place && links < MOST_LINKS; links++) {
         if (lstat(place, &facts) != 0) {
-            if (errno == ENOENT) return place; /* a new file; or no such folder, which opening it tells */
+            if (errno == ENOENT) return place; /* a new file; or no such folder, which opening it shows */
             refuse_by_system(reason, space, errno);
             free(place);
             return NULL;

@@ -31,7 +31,7 @@ module mdrcontact_fit
     integer, parameter :: propagation_rounds = 3
     real(wp), parameter :: wrong_units = 300.0_wp
 
-    !> The answer of a fit: estimates, their uncertainty, and what speaks for or against them.
+    !> The result of a fit: estimates, their uncertainty, and what supports them or makes them doubtful.
     type :: fit_result_t
         !> the best point found, all numbers of the problem
         real(wp), allocatable :: values(:)

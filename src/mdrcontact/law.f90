@@ -76,7 +76,7 @@ contains
 
     !> The law of the same bodies for a paraboloid of another radius R. At a given contact radius depth and force are proportional
     !> to 1/R on any linear body, and the stiffness is the same: F(d; R) = (R0/R) F0(d R/R0), up to R0/R times the largest depth.
-    !> What a contact remembers under friction is that of one law: records of the other are refused.
+    !> The memory of a contact with friction belongs to one law: records of the other are refused.
     subroutine with_radius(self, radius, law, error)
         class(contact_law_t), intent(in) :: self
         !> R > 0 [length]

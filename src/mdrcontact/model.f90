@@ -38,7 +38,7 @@ module mdrcontact_model
     !> The codes by name: models%exact
     type(model_codes_t), parameter :: models = model_codes_t()
 
-    !> What a model asks of the base: an elastic half-space, nothing, a rigid one.
+    !> What base a model takes: an elastic half-space, nothing, a rigid one.
     integer, parameter :: base_elastic = 0, base_any = 1, base_rigid = 2
 
     !> What a model leaves to choose, struct mdr_medium_options; a model looks only at what concerns it.

@@ -211,7 +211,7 @@ static void test_callers_with_threads(const objects *o, const double *alone, int
 }
 
 #ifdef _OPENMP
-/* A structure's function tells on which thread and at which level it is called. */
+/* A structure's function records on which thread and at which level it is called. */
 static int material(double x, double y, double z, double *E, double *nu, void *context)
 {
     (void)x, (void)y, (void)z;

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Calls that would take seconds to minutes are cancelled at the second question: each asks again before its end, asks at most
+ * Calls that would take seconds to minutes are cancelled at the second question: each calls again before its end, at most
  * once a thread after the answer, writes nothing, and leaves its handles as they were. How long that took is printed, in processor
  * time.
  */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
  * One large request for memory is refused, each in turn: the call must say so, or do without. This program brings its own malloc
- * and realloc. Each trial is a process of its own, since the run-time system of Fortran ends one that asks without a status: where
+ * and realloc. Each trial is a process of its own, since the run-time system of Fortran ends one that allocates without a status: where
  * the library still does, the number of such requests is known here and must not grow.
  */
 #define _GNU_SOURCE

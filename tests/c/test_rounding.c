@@ -59,7 +59,7 @@ static void under_flush_to_zero(void)
 #endif
 }
 
-/* Traps of the host fire in the host alone; flags tell of what happened inside. */
+/* Traps of the host fire in the host alone; flags show what happened inside. */
 static void under_traps(void)
 {
 #ifdef __GLIBC__

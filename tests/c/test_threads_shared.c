@@ -32,7 +32,7 @@ static double *next(task *t, int n)
     return v;
 }
 
-static void tell(task *t, int status)
+static void record(task *t, int status)
 {
     char words[200];
     if (status == MDR_SUCCESS) return;
@@ -44,19 +44,19 @@ static void evaluate_contact(task *t, const mdr_contact *contact)
 {
     double depth[1], *F;
     F = next(t, 1);
-    tell(t, mdr_contact_from_radius(contact, 1, &radii[1], depth, NULL, F, NULL));
-    tell(t, mdr_contact_from_depth(contact, 1, depth, NULL, next(t, 1), NULL, NULL));
-    tell(t, mdr_contact_from_force(contact, 1, F, next(t, 1), NULL, NULL, NULL));
-    tell(t, field_at(contact, MDR_FIELD_PRESSURE, MDR_GIVEN_RADIUS, 0.31, 1, &radii[0], next(t, 1)));
-    tell(t, field_at(contact, MDR_FIELD_DISPLACEMENT, MDR_GIVEN_RADIUS, 0.31, 1, &radii[2], next(t, 1)));
+    record(t, mdr_contact_from_radius(contact, 1, &radii[1], depth, NULL, F, NULL));
+    record(t, mdr_contact_from_depth(contact, 1, depth, NULL, next(t, 1), NULL, NULL));
+    record(t, mdr_contact_from_force(contact, 1, F, next(t, 1), NULL, NULL, NULL));
+    record(t, field_at(contact, MDR_FIELD_PRESSURE, MDR_GIVEN_RADIUS, 0.31, 1, &radii[0], next(t, 1)));
+    record(t, field_at(contact, MDR_FIELD_DISPLACEMENT, MDR_GIVEN_RADIUS, 0.31, 1, &radii[2], next(t, 1)));
 }
 
 static void evaluate_fit(task *t, const mdr_fit_problem *problem)
 {
     static const double depth[FIT_POINTS] = {0.1, 0.2, 0.3, 0.4};
     double force[FIT_POINTS], values[1 + MDR_FIT_INSTRUMENT_COUNT];
-    tell(t, mdr_fit_predict(problem, FIT_POINTS, depth, depth, NULL, force, NULL));
-    tell(t, mdr_fit_solve(problem, FIT_POINTS, depth, force, NULL, NULL, values, NULL, NULL, NULL, NULL, next(t, FIT_POINTS), NULL,
+    record(t, mdr_fit_predict(problem, FIT_POINTS, depth, depth, NULL, force, NULL));
+    record(t, mdr_fit_solve(problem, FIT_POINTS, depth, force, NULL, NULL, values, NULL, NULL, NULL, NULL, next(t, FIT_POINTS), NULL,
                           NULL));
 }
 
@@ -68,18 +68,18 @@ static void *evaluate(void *argument)
     const shared *s = t->objects;
     int segment = 0;
 
-    tell(t, mdr_profile_height(s->table, POINTS, radii, next(t, POINTS)));
-    tell(t, mdr_profile_mdr(s->sum, POINTS, radii, next(t, POINTS)));
-    for (int i = 0; i < MEDIA; i++) tell(t, mdr_medium_modulus(s->media[i], POINTS, radii, next(t, POINTS)));
+    record(t, mdr_profile_height(s->table, POINTS, radii, next(t, POINTS)));
+    record(t, mdr_profile_mdr(s->sum, POINTS, radii, next(t, POINTS)));
+    for (int i = 0; i < MEDIA; i++) record(t, mdr_medium_modulus(s->media[i], POINTS, radii, next(t, POINTS)));
     for (int i = 0; i < CONTACTS; i++) evaluate_contact(t, s->contacts[i]);
     evaluate_contact(t, s->adhesive);
-    tell(t, mdr_contact_pull_off(s->adhesive, MDR_CONTROL_FORCE, 1, next(t, 1), NULL, NULL, NULL));
-    tell(t, mdr_loop_path(s->loop, POINTS, NULL, NULL, NULL, next(t, POINTS)));
-    tell(t, mdr_law_force(s->law, MDR_ON_UNLOADING, 0.1, next(t, 1), NULL));
-    tell(t, mdr_law_follow(s->law, 0.1, &segment, (mdr_law_point *)next(t, sizeof(mdr_law_point) / sizeof(double))));
-    tell(t, mdr_law_from_depth(s->law, MDR_ON_UNLOADING, POINTS, radii, next(t, POINTS), NULL, NULL, NULL));
-    tell(t, mdr_structure_modulus(s->shapes, 1, zero, zero, radii, next(t, 1)));
-    tell(t, mdr_structure_modulus(s->voxels, 1, zero, zero, radii, next(t, 1)));
+    record(t, mdr_contact_pull_off(s->adhesive, MDR_CONTROL_FORCE, 1, next(t, 1), NULL, NULL, NULL));
+    record(t, mdr_loop_path(s->loop, POINTS, NULL, NULL, NULL, next(t, POINTS)));
+    record(t, mdr_law_force(s->law, MDR_ON_UNLOADING, 0.1, next(t, 1), NULL));
+    record(t, mdr_law_follow(s->law, 0.1, &segment, (mdr_law_point *)next(t, sizeof(mdr_law_point) / sizeof(double))));
+    record(t, mdr_law_from_depth(s->law, MDR_ON_UNLOADING, POINTS, radii, next(t, POINTS), NULL, NULL, NULL));
+    record(t, mdr_structure_modulus(s->shapes, 1, zero, zero, radii, next(t, 1)));
+    record(t, mdr_structure_modulus(s->voxels, 1, zero, zero, radii, next(t, 1)));
     evaluate_fit(t, &s->fit);
     return NULL;
 }

@@ -69,7 +69,7 @@ def blocks(path: Path) -> list[Block]:
 
 
 class Reader:
-    """Somebody who works through a page in a folder of their own, with the library installed under ~/.local."""
+    """Works through a page in a folder of its own, with the library installed under ~/.local."""
 
     def __init__(self, folder: Path, prefix: Path) -> None:
         self.folder, self.prefix = folder, prefix

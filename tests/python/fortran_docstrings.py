@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Which public Fortran entities have no docstring, by FORD's own parser.
 
-FORD's `warn` asks for a docstring on every local variable too, so the question is put here. Every public module, constant, type,
+FORD's `warn` wants a docstring on every local variable too, so the question is put here. Every public module, constant, type,
 interface and procedure needs one. What the facade module exports is for users: there the components and bindings of types and the
 numbers, texts and arrays among the arguments need one as well. An argument of derived type is clear by its type, and a binding
 that overrides another one by that.

@@ -64,7 +64,7 @@ def test_outputs_are_compared(said, printed, same):
 
 
 def test_the_readme_has_the_speeds_of_the_benchmarks():
-    """Another run of them changes the page and asks for the README too."""
+    """Another run of them changes the page and needs the README, too."""
     seconds = {"ns": 1e-9, "µs": 1e-6, "ms": 1e-3, "s": 1.0}
     readme, page = ((ROOT / name).read_text(encoding="utf-8") for name in ("README.md", "docs/benchmarks.md"))
     for said, measured in (

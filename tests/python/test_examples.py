@@ -43,7 +43,7 @@ def test_scripts(script, tmp_path):
 
 @pytest.mark.slow
 def test_problems(tmp_path):
-    """What quickstart.sh computes: every problem by the commands that its sections ask for, with tables and figures."""
+    """What quickstart.sh computes: every problem by the commands that its sections are for, with tables and figures."""
     assert "examples/problems/run.sh " in (ROOT / "quickstart.sh").read_text(encoding="utf-8")
     run([ROOT / "examples/problems/run.sh", Path(sys.executable).with_name("mdrcontact"), tmp_path], tmp_path)
     written = {path.name for path in tmp_path.iterdir() if path.stat().st_size > 200}

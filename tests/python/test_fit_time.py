@@ -236,7 +236,7 @@ def test_the_unit_of_a_frequency_decides_not_its_spelling(unit, per_unit, where,
 @pytest.mark.parametrize("loss", ["linear", "huber"])
 @pytest.mark.parametrize("force", [1.45e-6, 1.4829e-6, 1.5e-6, 1.6e-6])
 def test_one_reading_does_not_determine_two_moduli(force, loss):
-    """The others are 0 whatever the moduli are: the matrix of the fit is singular, and noise of rounding tells no variances."""
+    """The others are 0 whatever the moduli are: the matrix of the fit is singular, and noise of rounding gives no variances."""
     body = mdr.Homogeneous(mdr.Viscoelastic(1e6, [(2e6, 1.0)], nu=0.49))
     data = mdr.ForceTime([0.0, 1.5, 3.0], [0.0, 1.5e-7, 0.3e-7], [0.0, force, 0.0])
     found = mdr.fit(data, mdr.Paraboloid(5e-6), body, ["terms[0].modulus", "relaxed_shear_modulus"], loss=loss)

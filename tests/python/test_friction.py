@@ -512,19 +512,19 @@ def test_slip_that_begins_inside_warns(force_first):
     assert rings.advance(depth=state.depth, shift=slides).tangential_force < 0.95 * 0.3 * state.force
 
 
-@pytest.mark.parametrize("ask", [
+@pytest.mark.parametrize("attempt", [
     lambda friction, state: friction.at_shift(0.4, state),
     lambda friction, state: friction.at_tangential_force(0.29 * state.force, state),
     lambda friction, state: friction.at_tangential_force([0.29 * state.force], state),
     lambda friction, state: friction.loop(0.4, state=state),
     lambda friction, state: friction.cycle_energy(0.4, state=state),
 ])  # fmt: skip
-def test_slip_inside_is_warned_of_at_the_line_that_asks(ask):
+def test_slip_inside_is_warned_of_at_the_line_of_the_call(attempt):
     friction = mdr.Friction(mdr.Contact(mdr.FlatEndedCone(0.608, 0.191), STIFF_FILM), 0.3)
     state = friction.contact.at_radius(0.614)
     with pytest.warns(mdr.SlipInsideWarning) as shown:
-        ask(friction, state)
-    assert [(Path(one.filename), one.lineno) for one in shown] == [(Path(__file__), ask.__code__.co_firstlineno)]
+        attempt(friction, state)
+    assert [(Path(one.filename), one.lineno) for one in shown] == [(Path(__file__), attempt.__code__.co_firstlineno)]
 
 
 def test_states_are_answered_where_the_pressure_is_refused(monkeypatch):

@@ -302,7 +302,7 @@ def fitted(folder, name, change=None):
 
 @pytest.fixture(scope="module")
 def usual(tmp_path_factory):
-    """The first words of the warnings of each sound file: whatever numbers follow, they tell of no damage."""
+    """The first words of the warnings of each sound file: whatever numbers follow, they speak of no damage."""
     folder = tmp_path_factory.mktemp("sound")
     shown = {name: {words[:20] for words in fitted(folder, name)[2]} for name in FILES}
     assert set().union(*shown.values()) == {"the tip is taken as "}

@@ -42,7 +42,7 @@ def dialects(draw):
         missing = draw(st.integers(0, len(cells) - 1)) if lost and i and len(cells) > 2 and draw(st.booleans()) else -1
         rows.append([gap if j == missing else text for j, (text, _) in enumerate(cells)])
         values.append([np.nan if j == missing else exact for j, (_, exact) in enumerate(cells)])
-    # between commas nothing but quotes tells a decimal comma
+    # between commas nothing but quotes shows a decimal comma
     quoted = (
         draw(st.booleans())
         or separator == mark == ","

@@ -5,15 +5,17 @@ import re
 from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
-WORDS = re.compile(r"\b(asked|told|had|dear|whoever|nobody)\b", re.IGNORECASE)
-FOLDERS = ["src", "include", "python", "tests", "tools", "examples", "benchmarks", "docs", "cmake"]
+WORDS = re.compile(
+    r"\b(ask|asks|asked|asking|tell|tells|told|telling|had|dear|whoever|nobody|somebody|anybody|everybody)\b", re.IGNORECASE
+)
+FOLDERS = ["recipes", "src", "include", "python", "tests", "tools", "examples", "benchmarks", "docs", "cmake"]
 KINDS = {".f90", ".pf", ".c", ".h", ".hpp", ".cpp", ".py", ".md", ".toml", ".cmake", ".txt", ".sh", ".f", ".rs"}
 EXCEPTIONS = {"tests/python/test_words.py": "lists them"}
 
 
 def files():
     """What people read of the project; data and what is built or fetched are not."""
-    yield from (ROOT / name for name in ("README.md", "CONTRIBUTING.md", "CMakeLists.txt"))
+    yield from (ROOT / name for name in ("README.md", "CONTRIBUTING.md", "CHANGELOG.md", "ford.md", "CMakeLists.txt"))
     for folder in FOLDERS:
         for path in sorted((ROOT / folder).rglob("*")):
             if path.suffix in KINDS and not {"data", "site", "_build", "__pycache__", "problems"} & set(path.parts):

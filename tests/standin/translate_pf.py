@@ -108,7 +108,7 @@ class Translator:
         return ["! @" + keyword]
 
     def procedure(self, line):
-        """Take the subroutine that the directives above it ask for."""
+        """Take the subroutine that the directives above it name."""
         match = SUBROUTINE.match(line)
         if not match:
             raise Rejected(f"a subroutine without arguments must follow @{self.wanted[-1]} on the next line")

@@ -29,7 +29,7 @@ class Answer(NamedTuple):
     curve: Curve
 
 
-def ask(problem: Problem) -> tuple[list[Answer], list[tuple[str, str]]]:
+def answers_of(problem: Problem) -> tuple[list[Answer], list[tuple[str, str]]]:
     """The answers of all models, and the words of those that refuse."""
     problem.check_elastic()
     names = candidates(problem.medium)
@@ -50,7 +50,7 @@ def ask(problem: Problem) -> tuple[list[Answer], list[tuple[str, str]]]:
 
 
 def candidates(medium: object) -> list[tuple[str, str, object]]:
-    """(label, model, substrate) of every model worth asking; substrate None leaves it as it is."""
+    """(label, model, substrate) of every model worth a comparison; substrate None leaves it as it is."""
     if isinstance(medium, Pair):
         same = all(candidates(body) for body in (medium.lower, medium.upper) if not isinstance(body, Homogeneous))
         return candidates(medium.lower) if same else []

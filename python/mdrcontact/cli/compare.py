@@ -10,7 +10,7 @@ import numpy as np
 from ..problem import Problem, load
 from ..problem.units import FORCE, LENGTH, MODULUS, Dimension, practical
 from . import figures, files
-from .answers import Answer, ask, reference, response_of, spread_text
+from .answers import Answer, answers_of, reference, response_of, spread_text
 from .solve import Array, columns
 from .table import Column, aligned, as_csv, number, spread_over
 
@@ -40,7 +40,7 @@ def run(arguments: argparse.Namespace) -> None:
     """Computes, prints, writes."""
     files.check(arguments)
     problem = load(arguments.problem)
-    answers, refusals = ask(problem)
+    answers, refusals = answers_of(problem)
     print(f"{problem.title}\n")
     if problem.adhesion:
         print("The models are compared without adhesion.\n")

@@ -90,7 +90,7 @@ def _check(paths: Sequence[Path], overwrite: bool) -> None:
 
 
 def figure_format(path: Path) -> str:
-    """The format a figure's file name asks for."""
+    """The format that the ending of a figure's file name stands for."""
     suffix = path.suffix.lower().removeprefix(".")
     if suffix not in FIGURE_FORMATS:
         raise OutputError(f"{path}: a figure's name must end in " + ", ".join(f".{name}" for name in FIGURE_FORMATS))

@@ -19,7 +19,7 @@ from .table import aligned
 
 HELP = "say what a file of measurements is, and write a problem file to begin with"
 DESCRIPTION = """\
-Says what a file of measurements is: its tests, segments, units and what it tells of the instrument, what would be fitted, and what
+Says what a file of measurements is: its tests, segments, units and what it says of the instrument, what would be fitted, and what
 is missing. The picture shows the segments; the problem file is one to begin with.
 
     mdrcontact inspect FILE

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The states a problem asks for, with a progress bar where that takes long."""
+"""The states of a problem, with a progress bar where that takes long."""
 
 from __future__ import annotations
 

@@ -143,7 +143,7 @@ def _regime(result: FitResult, radius: np.ndarray) -> str | None:
     if low > _LARGE_CONTACT:
         return f"{reach}: the contacts are wide against the thickness and hardly feel the film; only its stiffness times thickness"
     if high < 0.5:
-        return f"{reach}: larger contacts would tell the film from the substrate"
+        return f"{reach}: larger contacts would distinguish the film from the substrate"
     if low > 0.3:
         return f"{reach}: smaller contacts would show the film alone"
     return f"{reach}: film and substrate are both felt, so the noise limits the estimates"

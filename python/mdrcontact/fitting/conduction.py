@@ -108,7 +108,7 @@ class ConductionFit:
     points: int
     """readings"""
     notes: tuple[str, ...]
-    """what the data do not tell"""
+    """what the data do not determine"""
 
 
 def fit_conduction(data: Any, conduction: Conduction, free: Iterable[str]) -> ConductionFit:

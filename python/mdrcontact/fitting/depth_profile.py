@@ -56,7 +56,7 @@ class DepthProfile(NamedTuple):
 
     @property
     def warnings(self) -> list[str]:
-        """What speaks against the modulus at zero depth."""
+        """Doubts about the modulus at zero depth."""
         words = (
             [f"{len(self.failures)} points have no modulus; the first: {next(iter(self.failures.values()))}"]
             if self.failures
@@ -137,7 +137,7 @@ def modulus_at_depths(
         raise ArgumentTypeError(f"data = {data!r} is not allowed: it must be StiffnessDepth(...)")
     if data.sd is None:
         raise InvalidArgumentError(
-            "the data have no standard deviations, which one point alone cannot tell: give sd or relative_sd"
+            "the data have no standard deviations, which one point alone cannot show: give sd or relative_sd"
         )
     if len(data) < _FEWEST:
         raise InvalidArgumentError(f"too few points: {len(data)}; at least {_FEWEST} are needed")

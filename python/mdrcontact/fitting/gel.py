@@ -68,7 +68,7 @@ class GelFit:
     points: int
     """readings"""
     notes: tuple[str, ...]
-    """what the data do not tell, and tell together only"""
+    """what the data do not determine, and determine together only"""
 
     def summary(self) -> str:
         """All of it in words."""
@@ -296,7 +296,7 @@ def _result(search: _Search, data: Any, medium: Any, drainage: str, u: Array, co
 
 
 def _notes(names: tuple[str, ...], u: Array, spread: Array, correlation: Array) -> tuple[str, ...]:
-    """What the data do not tell."""
+    """What the data do not determine."""
     notes = []
     for name, at, sd in zip(names, u, spread, strict=True):
         if not sd <= _LOOSE * (_HIGHEST - _LOWEST if name == "nu" else 1.0):

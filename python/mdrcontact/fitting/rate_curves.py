@@ -128,7 +128,7 @@ class RateFit:
 def fit_rate(curves: Sequence[RateCurve], contact: Contact, free: Iterable[str] = ("work", "speed", "exponent")) -> RateFit:
     """Finds modulus, work of adhesion and its dependence on speed from retract curves at several speeds together, by least squares.
 
-    curves : RateCurve(...) from rest in contact; one speed alone does not tell `speed` from `work`
+    curves : RateCurve(...) from rest in contact; one speed alone does not determine both `speed` and `work`
     contact : Contact(tip, medium, adhesion=...), whose numbers are the start, and stay where they are not free
     free : fields of the adhesion ("work", "speed", "exponent"; "work", "cohesive_stress" of a rheology), "E" of a homogeneous body,
         "coating.E", "substrate.E" of a coated one, and the offsets "position_offset", "force_offset", which are subtracted from the
@@ -153,7 +153,7 @@ def fit_rate(curves: Sequence[RateCurve], contact: Contact, free: Iterable[str] 
     residuals, slopes = problem.residuals(u, lag), problem.slopes(u, lag)
     covariance = np.linalg.pinv(slopes.T @ slopes) * float(residuals @ residuals) / max(len(residuals) - len(u), 1)
     spread = np.sqrt(np.diag(covariance))
-    # readings whose noise is correlated tell its size as fewer free ones would
+    # readings whose noise is correlated show its size as fewer free ones would
     freedom = len(residuals) * (1.0 - lag) / (1.0 + lag) - len(u)
     reach = student.ppf(0.975, max(freedom, 1.0)) * spread
     values = problem.values(u)

@@ -27,7 +27,7 @@ class Rating(NamedTuple):
 
     @property
     def is_sound(self) -> bool:
-        """Whether nothing speaks against it."""
+        """Whether there is no doubt about it."""
         return not self.reasons
 
 

@@ -211,7 +211,7 @@ class FitResult:
         return along
 
     def summary(self, level: float = 0.95) -> str:
-        """Estimates with units, what speaks against each beside it, quality of the fit, correlations, warnings. The numbers of the
+        """Estimates with units, doubts about each beside it, quality of the fit, correlations, warnings. The numbers of the
         problem are taken as SI."""
         rows = [["", "estimate", f"{100.0 * level:g} % interval", ""]]
         for name in self.names:
@@ -291,7 +291,7 @@ class FitResult:
         return " to ".join(digits(end / unit.factor, error / unit.factor) for end in self.interval(name, level))
 
     def doubts(self, name: str) -> list[str]:
-        """What speaks against an estimate, in a few words for each."""
+        """Doubts about an estimate, in a few words for each."""
         words = [f"it would be {measured(name, self.estimates[name], self.standard_errors[name])}, softer than its base"]
         words = words if name in contradictions(self) else []
         if not self.converged:

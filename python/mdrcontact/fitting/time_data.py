@@ -180,7 +180,7 @@ def _straightened(time: Array, depth: Array, steps: Array, noise: float) -> Arra
 
 
 def _where_lines_meet(time: Array, depth: Array, at: Array) -> Array:
-    """Corners between straight lines through the readings of each piece, where those tell."""
+    """Corners between straight lines through the readings of each piece, where those suffice."""
     ends = np.searchsorted(time, at)
     lines = [np.polyfit(time[a:b], depth[a:b], 1) if b - a >= _FEWEST else None for a, b in pairwise(ends)]
     moved = at.copy()

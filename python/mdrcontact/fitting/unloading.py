@@ -134,7 +134,7 @@ def _power_law(h: Array, p: Array, largest: float) -> _Law:
 
 
 def _doubts(law: _Law, low: float, high: float, h: Array, p: Array, largest: float) -> list[str]:
-    """What speaks against the stiffness."""
+    """Doubts about the stiffness."""
     words = []
     if not _EXPONENTS[0] < law.exponent < _EXPONENTS[1]:
         words.append(

@@ -85,7 +85,7 @@ def tiled_map(
     """The map in tiles of `tile` = (rows, columns) cells, for arrays larger than memory.
 
     Each tile sees `halo` cells around it; all beyond counts with the slice's mean (periodic) or as what lies beside. The error in
-    E_eff is at most the contrast there times `weight_beyond`, which tells before what a halo is worth.
+    E_eff is at most the contrast there times `weight_beyond`, which gives what a halo is worth before it is computed.
 
     Where voxels.labels is a Dask array the result is one too, computed on demand, tile by tile on any cluster. Else it is an
     array, or `out` (for instance a numpy.memmap), of shape (len(a), ny, nx).
@@ -235,7 +235,7 @@ def _radii(a: ArrayLike) -> Array:
 
 
 def _team(threads: int) -> int:
-    """How many threads `threads` asks for; 0: one per core."""
+    """How many threads `threads` stands for; 0: one per core."""
     if thread_count(threads) < 0:
         raise InvalidArgumentError(f"threads = {threads!r} is not allowed: it must be at least 1, or 0 for one per core")
     if threads:

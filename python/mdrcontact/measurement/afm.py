@@ -24,7 +24,7 @@ _HINTS = {
     ".zip": "; unpack it, and give the folder of its files",
     ".h5": "; of HDF5 only force curves that it wrote are read: export depth, force and time as text",
 }
-"""What to do with a file that is not of the format that its ending promises."""
+"""What to do with a file whose format is not that of its ending."""
 _MODALITIES = ("force-distance", "creep-compliance", "stress-relaxation")
 _HEIGHTS = ("height (measured)", "height (piezo)")
 
@@ -44,7 +44,7 @@ class AfmCurve(NamedTuple):
     place: tuple[float, float] | None
     """column and row in a map, or None"""
     segments: tuple[Segment, ...] | None
-    """as the file has them; None where it does not tell them apart"""
+    """as the file has them; None where it does not separate them"""
     notes: tuple[str, ...]
     position: tuple[float, float] | None = None
     """x and y in a map [m]"""

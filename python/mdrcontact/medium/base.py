@@ -50,7 +50,7 @@ class Medium(Value):
 
         Known for homogeneous media with E and nu, the model "exact" (but for the displacement that varies as cos 2 phi around the
         axis: low by at most 0.35 %), Gao's weights with those of a tangential load, and pairs of these. The kernel of a layered
-        body is tabulated in each call: ask for all radii at once.
+        body is tabulated in each call: give all radii at once.
         """
         return evaluate("a", a, lambda radii: _native.medium_tangential_modulus(self._handle.address, radii))
 

@@ -58,7 +58,7 @@ class MeasuredTable(NamedTuple):
     notes: list[str]
     units: Mapping[str, str]
     warnings: list[str]
-    """what speaks against it"""
+    """doubts about it"""
     name: str = ""
     """of the sheet or the test, where the file has several"""
     marks: tuple[Mark, ...] = ()
@@ -215,7 +215,7 @@ def _rows_above(cells: Cells, block: Block, begin: int) -> list[list[str]]:
 def _table_of(
     cells: Cells, block: Block, above: Sequence[Sequence[str]], options: TableOptions, known: Format | None = None
 ) -> MeasuredTable:
-    """The table of a block below a header, of a known format or of one that the header tells."""
+    """The table of a block below a header, of a known format or of one that the header names."""
     titles, units = _named(cells, above, block.width, options)
     values = read_values(cells, block, titles, options.decimal)
     # of programs that write the largest number where there is none
@@ -253,12 +253,12 @@ def _split(table: MeasuredTable) -> list[MeasuredTable]:
 
 
 def _check_rows(cells: Cells, block: Block) -> None:
-    """Refuses rows of another number of cells, where nothing tells which of them are missing."""
+    """Refuses rows of another number of cells, where nothing shows which of them are missing."""
     odd = block.odd_row() if cells.by_blanks else None
     if odd is not None:
         raise ProblemError(
             f"{cells.path}: {cells.place(block.line(odd))} has another number of words than the other rows: where blanks separate "
-            "the columns, nothing tells which cell is missing: write nan for it, or separate the columns by tabs or semicolons"
+            "the columns, nothing shows which cell is missing: write nan for it, or separate the columns by tabs or semicolons"
         )
     beside = block.neighbour()
     if beside is not None:

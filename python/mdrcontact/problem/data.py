@@ -240,7 +240,7 @@ def _read_columns(section: Section, table: MeasuredTable, kind: str) -> tuple[Da
 def _loading(
     section: Section, table: MeasuredTable, depth: Array, force: Array, stiffness: Array, notes: list[str]
 ) -> NDArray[np.bool_]:
-    """Which readings of a record with stiffnesses load the contact, where the file or [data] branch tells them apart."""
+    """Which readings of a record with stiffnesses load the contact, where the file or [data] branch separates them."""
     branch = section.choice("branch", ("loading",), default="")
     if not branch and not table.marks:
         return np.ones(len(depth), dtype=bool)

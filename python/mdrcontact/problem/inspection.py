@@ -50,7 +50,7 @@ class Test(NamedTuple):
     force: Array
     segments: Sequence[Segment]
     said_by: str
-    """who says the segments"""
+    """source of the segments"""
     facts: Sequence[Fact]
 
 

@@ -61,7 +61,7 @@ class Record:
     notes: list[str]
     """what was understood and done"""
     warnings: list[str] = field(default_factory=list)
-    """what speaks against it"""
+    """doubts about it"""
     sd: Array | None = None
     sign: int | None = None
     """of the height, 1 if it grows into the sample; None: to be found"""
@@ -99,7 +99,7 @@ class Record:
             self.segments = joined(s for s in kept if s.stop > s.start)
 
     def parts(self) -> tuple[Sequence[Segment], str]:
-        """The segments, and who says them."""
+        """The segments, and their source."""
         if self.segments is not None:
             return self.segments, "segments as the file has them"
         along = self.height if self.depth is None else self.depth

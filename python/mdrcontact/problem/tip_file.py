@@ -33,7 +33,7 @@ def with_calibration(table: dict[str, Any], folder: Path) -> dict[str, Any]:
     if prior is None or "fit" not in table:
         return changed
     instrument, fit = table.get("instrument", {}), table["fit"]
-    # what is no table or list here is refused by those who read it
+    # what is no table or list here is refused where it is read
     if not isinstance(fit, dict) or not isinstance(instrument, dict) or not isinstance(fit.get("joint_prior", []), list):
         return changed
     changed["fit"] = {**fit, "joint_prior": [*fit.get("joint_prior", []), prior]}

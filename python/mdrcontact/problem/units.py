@@ -82,7 +82,7 @@ _LONGEST_UNIT, _LONGEST_TEXT = 60, 200
 
 @functools.cache
 def _registry() -> Any:
-    import pint  # here, because most who import this package never read a unit
+    import pint  # here, because most programs never read a unit
 
     # decimal arithmetic: 10 um is then 1e-5 m to the last digit
     return pint.UnitRegistry(non_int_type=Decimal)
@@ -127,7 +127,7 @@ def _as_turns(unit: Any) -> Any:
         return unit * registry.Unit("turn/count")
     if root != registry.Unit("1/s"):
         return unit
-    # hertz is 1/s by definition: its name alone tells cycles
+    # hertz is 1/s by definition: its name alone distinguishes cycles
     named = [(registry.parse_unit_name(name)[0][1], power) for name, power in registry.Quantity(1, unit).to_tuple()[1]]
     return unit * registry.turn if ("hertz", 1) in named else unit
 

@@ -72,7 +72,7 @@ def _evidence(cells: Cells, block: Block, titles: Sequence[str]) -> _Cell | None
     whole, rest = text.replace(",", ".").split(".")
     raise ProblemError(
         f"{_where(cells, titles, doubtful)}: {text!r} may be {whole}{rest} or {whole}.{rest}0, and no other number of the table "
-        f"tells which: write {whole}{rest}, or all with another number of decimals; or, for a fit, name the decimal mark in the "
+        f"shows which: write {whole}{rest}, or all with another number of decimals; or, for a fit, name the decimal mark in the "
         'problem file: [data] decimal = "." or ","'
     )
 

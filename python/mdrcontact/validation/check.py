@@ -38,7 +38,7 @@ class Check:
     """of the check, for `mdrcontact validate --only`"""
     capability: str
     source: str
-    """who published or computed what it is compared with"""
+    """publication or program with which it is compared"""
     error: float
     """the largest deviation that the source's own error explains, relative"""
     whose: str

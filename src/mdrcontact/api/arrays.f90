@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Checks of the arrays that cross the C boundary: every element, before anything is computed. Loops and not array
-!> expressions: a check must not need memory of the array's size, which a temporary would take without asking.
+!> expressions: a check must not need memory of the array's size, which a temporary would take without a status.
 module mdrcontact_api_arrays
     use, intrinsic :: iso_c_binding, only: c_double, c_int
     use, intrinsic :: ieee_arithmetic, only: ieee_is_finite, ieee_is_nan

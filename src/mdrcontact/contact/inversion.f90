@@ -379,7 +379,7 @@ contains
         depth_slope = formula
         modulus = 0.0_wp
         force = 0.0_wp
-        ! Where the depth is a formula the force, an integral, is not computed in vain.
+        ! Where the depth is a formula the force, an integral, is not computed.
         self%has_state = self%control%force_weight > 0.0_wp .or. depth_slope < 0.0_wp
         if (self%has_state) then
             call self%equilibrium%medium%response(self%equilibrium%profile, radius, depth, force, modulus, stiffness_slope, &

@@ -150,7 +150,7 @@ contains
         batch%stride = min(team_size(size(positions), field_smallest, wanted), max(size(positions), 1))
         call run_batch(batch, batch%stride, 1, 2, wanted, error)
         if (.not. allocated(error) .or. batch%stride == 1) return
-        ! Which position failed first is known to one who takes them in order.
+        ! Only an evaluation in order finds the first position that fails.
         batch%stride = 1
         deallocate (error)
         call batch%work(1, 1, error)

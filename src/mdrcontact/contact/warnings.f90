@@ -36,7 +36,7 @@ module mdrcontact_contact_warnings
 
 contains
 
-    !> What speaks against the numbers of a state, in the order of the codes.
+    !> Doubts about the numbers of a state, in the order of the codes.
     subroutine find_warnings(equilibrium, state, found)
         type(equilibrium_t), intent(in) :: equilibrium
         !> a state of this contact; none is found without a contact, a = 0

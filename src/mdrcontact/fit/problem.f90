@@ -229,7 +229,7 @@ contains
         if (allocated(problem%prior_weights)) priors = priors + size(problem%prior_weights, 1)
         known = allocated(self%sd) .and. problem%sd_is_absolute
         fewest = max(free - priors, 1)
-        ! what the scatter of the points must tell needs one more of them
+        ! what the scatter of the points must show needs one more of them
         if (.not. known) fewest = fewest + 1
         if (free == 0) then
             call raise(error, error_invalid, "no parameter is free: there is nothing to fit")

@@ -74,7 +74,7 @@ contains
     end function inverse
 
     !> A variance beyond all measure, of unknowns of order one, along the directions that are not determined. Their eigenvalues
-    !> tell none: they are rounding, and noise that is estimated from too few data is, too.
+    !> show none: they are rounding, and noise that is estimated from too few data is, too.
     pure function undetermined_spread(self) result(matrix)
         class(spectrum_t), intent(in) :: self
         real(wp) :: matrix(size(self%scale), size(self%scale))

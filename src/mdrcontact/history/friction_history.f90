@@ -40,7 +40,7 @@ module mdrcontact_history_friction_history
         real(wp) :: modulus = 0.0_wp
         !> where springs interact, and where they are requested
         type(ring_grid_t), allocatable :: grid
-        !> who keeps a copy can go back to it
+        !> a copy of it restores this state
         type(friction_past_t), allocatable, public :: past
     contains
         procedure :: advance

@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Friction along any path where springs interact: rings of constant traction in the plane, each under Coulomb's law (theory 10).
 !>
-!> A step to a new contact and a shift s asks for the forces t of the rings that minimise
+!> A step to a new contact and a shift s needs the forces t of the rings that minimise
 !>     t.C t/2 - t.(s + sigma),    |t_j| <= mu P_j,
 !> C_jk the mean displacement of ring j by a force of 1 on ring k, P_j the normal force on ring j, sigma_j the mean of u - s where
 !> the ring came to stick. C is positive definite: there is one answer, whatever mu. Slip need not be an annulus.

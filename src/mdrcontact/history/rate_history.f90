@@ -39,7 +39,7 @@ module mdrcontact_history_rate_history
 
 contains
 
-    !> Follows s, linear in time between samples, and remembers.
+    !> Follows s, linear in time between samples, and keeps the last state.
     subroutine rate_history(contact, control, time, s, state, path, error, tolerance)
         type(rate_contact_t), intent(in), target :: contact
         !> what s is

@@ -171,7 +171,7 @@ contains
                 now = before
                 edge = edge_depth(path, now)
             end if
-            ! what the spring at the edge remembers, int_t1^t exp(-rate (t - u)) d'(u) du, and the load of those inside
+            ! the memory of the spring at the edge, int_t1^t exp(-rate (t - u)) d'(u) du, and the load of those inside
             behind = rise
             if (.not. now%is_lost) then
                 call partial_integrals(path, now%panel + 1, now%fraction, load, passed)

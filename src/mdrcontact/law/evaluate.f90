@@ -22,7 +22,7 @@ module mdrcontact_law_evaluate
         integer(c_int64_t) :: mask = 0_c_int64_t, half = 0_c_int64_t
         !> first coefficients of F or d, and of a and k; first energy, by depth
         type(c_ptr) :: force = c_null_ptr, contact = c_null_ptr, energy = c_null_ptr
-        !> all of the law, as law/pack.f90 writes it; not needed by those who stay within the interval
+        !> all of the law, as law/pack.f90 writes it; not needed within the interval
         type(c_ptr) :: buffer = c_null_ptr
         integer(c_int) :: branch = on_unloading, shift = 0_c_int
         !> up to where the bodies are apart

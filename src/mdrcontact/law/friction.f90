@@ -32,7 +32,7 @@ module mdrcontact_law_friction
     !> How many sliders stand for the springs of a contact where the caller does not say.
     integer, parameter :: default_sliders = 8
 
-    !> The law of a contact with friction. It never changes. What a contact remembers is a record of the caller's, an array of
+    !> The law of a contact with friction. It never changes. The memory of a contact is a record of the caller's, an array of
     !> memory_size() numbers, all 0 before the first step.
     type :: friction_law_t
         !> Coulomb's law: F and k_t over S = int dF/k_t, which stands in the place of the depth, and S over F

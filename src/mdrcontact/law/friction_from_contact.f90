@@ -61,7 +61,7 @@ contains
         if (.not. allocated(error)) call new_friction_law(self%friction, friction, largest_depth, error, options, sliders)
     end subroutine new_law_with_friction
 
-    !> Raises unless friction is that of a contact, as far as states tell.
+    !> Raises unless friction is that of a contact, as far as states show.
     subroutine check_same_contact(contact, friction, largest_depth, error)
         type(contact_t), intent(in) :: contact
         type(friction_t), intent(in) :: friction

@@ -130,7 +130,7 @@ contains
         panel = int(shifta(transfer(y, 1_int64) - bits_of_one, shift_of(self))) + 1
     end function panel_of
 
-    !> Whether the ends of an interval without a root lie in its panels, and hence all that is between: needed by those who do not
+    !> Whether the ends of an interval without a root lie in its panels, and hence all that is between: needed where callers do not
     !> move y there.
     pure function contains_ends(self) result(within)
         type(interval_t), intent(in) :: self

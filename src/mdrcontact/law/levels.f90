@@ -34,7 +34,7 @@ module mdrcontact_law_levels
         integer, allocatable :: places(:)
         !> shares of springs that interact, (share_nodes, share_index(count, count)); not allocated where all are 1
         real(wp), allocatable :: share(:, :)
-        !> what tells records of this law from those of another, >= 1
+        !> what distinguishes records of this law from those of another, >= 1
         real(wp) :: mark = 0.0_wp
         !> how many sliders a record has
         integer :: sliders = 0

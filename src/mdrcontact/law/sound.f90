@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Whether the numbers of a file are those of a contact: a checksum tells damage, not what somebody wrote on purpose.
+!> Whether the numbers of a file are those of a contact: a checksum finds damage, not what was written on purpose.
 module mdrcontact_law_sound
     use mdrcontact_kinds, only: wp
     use mdrcontact_law, only: contact_law_t

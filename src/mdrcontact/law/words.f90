@@ -101,7 +101,7 @@ contains
         self%next = self%next + 1
     end function whole
 
-    !> The inverse of put_table; reader%sound tells whether the result can be used.
+    !> The inverse of put_table; reader%sound says whether the result can be used.
     subroutine read_table(reader, table, error)
         type(reader_t), intent(inout) :: reader
         type(law_table_t), intent(out) :: table

@@ -81,7 +81,7 @@ contains
         is_kinked = .false.
         if (present(profile)) is_kinked = .not. is_smooth(profile)
         n = first_unknowns(kernel, tolerance, a/kernel%unit, is_kinked, to_edge)
-        ! the kernel of a film; Legendre coefficients of a kinked profile fall so slowly that they ask for more of it
+        ! the kernel of a film; Legendre coefficients of a kinked profile fall so slowly that they need more of it
         nodes = ceiling(min((11.5_wp*sqrt(a/kernel%unit) + 10.0_wp)*(1.0_wp - 0.025_wp*log(tolerance/1.0e-10_wp)), 1.0e4_wp) &
                         *merge(1.4_wp, 1.0_wp, is_kinked))
         do
@@ -312,7 +312,7 @@ contains
     contains
 
         !> What is unsure of the terms x y of a sum, and those left out. Where the last quarter of the terms does not cancel, it
-        !> tells how many times the last one these are, whether they fall as a power or as an exponential; where it does, the
+        !> gives how many times the last one these are, whether they fall as a power or as an exponential; where it does, the
         !> sum depends little on how it ends.
         pure subroutine find_not_seen(x, y, terms, error, apart)
             real(wp), intent(in) :: x(n + 1:m), y(n + 1:m)

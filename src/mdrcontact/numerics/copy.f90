@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Copies of arrays that say where there is no memory for them. gfortran copies the components of an object without asking: who
+!> Copies of arrays that say where there is no memory for them. gfortran copies the components of an object without a status: who
 !> holds arrays that grow with a caller's data copies them by this.
 module mdrcontact_numerics_copy
     use mdrcontact_error, only: check_memory, error_t

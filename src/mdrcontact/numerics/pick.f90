@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Some of many positions, where a part of them is evaluated apart: pack and unpack ask for memory without a status.
+!> Some of many positions, where a part of them is evaluated apart: pack and unpack take memory without a status.
 module mdrcontact_numerics_pick
     use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_kinds, only: wp

@@ -19,7 +19,7 @@ module mdrcontact_numerics_roots
     integer, parameter :: most_refused = 6
     real(wp), parameter :: relative_width = 4.0_wp*epsilon(1.0_wp)
     real(wp), parameter :: widest_step = 50.0_wp
-    !> A slope between points that are not farther apart speaks for the function near them.
+    !> A slope between points that are not farther apart is one of the function near them.
     real(wp), parameter :: nearby = 0.1_wp
     !> Steps that shrink less do not converge yet; how far from the root they end.
     real(wp), parameter :: largest_ratio = 0.1_wp, negligible = 0.1_wp*epsilon(1.0_wp)
@@ -84,7 +84,7 @@ contains
     !> The root of an increasing f in [smallest, largest] that is close to linear: Newton's steps where f knows its slope, and
     !> from the second on a cubic through two points with theirs, in y, or in x where f is nearly flat or falls for a while; else
     !> secant steps, from `guess` until they converge, bracketed
-    !> by the signs seen on the way; Brent's method if they do not. The last step, which leaves less than rounding or than f asks
+    !> by the signs seen on the way; Brent's method if they do not. The last step, which leaves less than rounding or than f needs
     !> for, is taken without looking at f again, unless f is rough. Far from the root f is evaluated with less accuracy.
     !> A step up to where f has no value is halved, a few times.
     !> `found` is false, and `root` the nearer end, if f keeps its sign over the whole interval.
@@ -307,7 +307,7 @@ contains
         distance = curvature*product(root - x)**2
     end function cubic_error
 
-    !> Where f would vanish if it went on as straight as it begins at `start`, and its slope there: a first guess that never asks
+    !> Where f would vanish if it went on as straight as it begins at `start`, and its slope there: a first guess that never takes
     !> a medium for a contact larger than needed. Falls back to `otherwise` where f is flat.
     subroutine guess_from_below(f, start, otherwise, guess, slope)
         class(scalar_function_t), intent(inout) :: f

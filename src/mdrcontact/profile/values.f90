@@ -45,7 +45,7 @@ contains
         real(wp), intent(out) :: y(:)
         integer :: i
 
-        ! Loops, since an array expression of a type-bound function takes memory of the array's size without asking.
+        ! Loops, since an array expression of a type-bound function takes memory of the array's size without a status.
         select case (self%quantity)
         case (of_height)
             do i = 1, size(x)

@@ -44,7 +44,7 @@ static void widen(world *w, mdr_fit_problem *problem, int branch[MOST_POINTS], d
     }
 }
 
-/* An instrument that reads what is, which viscoelastic bodies ask for; one byte in four leaves it as it came. */
+/* An instrument that reads what is, which viscoelastic bodies need; one byte in four leaves it as it came. */
 static void settle_instrument(input *in, int count, mdr_fit_parameter parameters[MOST_NUMBERS])
 {
     static const double values[MDR_FIT_INSTRUMENT_COUNT] = {0.0, 0.0, 0.0, 0.0, INFINITY, 0.75, 1.0, 1.0, 1.0, 0.0};

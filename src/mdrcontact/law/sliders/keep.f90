@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> What a contact remembers after a step, and what slip has taken in it.
+!> The memory of a contact after a step, and the energy that slip took in it.
 module mdrcontact_law_sliders_keep
     use mdrcontact_kinds, only: wp
     use mdrcontact_law_levels, only: levels_t

@@ -7,7 +7,7 @@
 !> A g what springs bear that touched in the step: g = ds/max(S - S_old, |ds|/mu). K of a slider never falls while it bears
 !> anything, which is why no cycle of F and shift yields energy: T.ds is at least the growth of the sum of |t|^2/(2 K).
 !>
-!> A record remembers the sliders: 0, the core, with all springs below a level, and one between each two of its levels above, the
+!> A record holds the sliders: 0, the core, with all springs below a level, and one between each two of its levels above, the
 !> last of them open.
 module mdrcontact_law_sliders_motion
     use mdrcontact_kinds, only: wp

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> What a contact remembers of its sliders: where each number stands, and what it means together with the levels of the law.
+!> The memory of the sliders of a contact: where each number stands, and what it means together with the levels of the law.
 module mdrcontact_law_sliders_record
     use mdrcontact_kinds, only: wp
     use mdrcontact_law_levels, only: levels_t
