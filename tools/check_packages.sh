@@ -93,5 +93,7 @@ alone "$place/work" "$place/clean/bin/mdrcontact" validate
 if $tests; then
     note "the Python tests with the wheel"
     pip_install "$place/clean" packages-tests.log "$wheel[test]"
-    alone "$root" "$place/clean/bin/python" -I -m pytest -q -n 2 -p no:cacheprovider -m "not slow"
+    mkdir "$place/tests"
+    tar -xzf "$sdist" -C "$place/tests" --strip-components 1
+    alone "$place/tests" "$place/clean/bin/python" -I -m pytest -q -n 2 -p no:cacheprovider -m "not slow"
 fi
