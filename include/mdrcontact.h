@@ -428,6 +428,52 @@ int mdr_medium_coated(double coating_E, double coating_nu, double thickness, dou
 int mdr_medium_layered(int n, const double E[], const double nu[], const double thickness[],
                        double substrate_E, double substrate_nu, int model, const mdr_medium_options *options, mdr_medium **out);
 
+/** A layer, or a half-space, of an isotropic material or of one that is isotropic in its plane with another stiffness along its
+ *  normal z, perhaps under a stress in its plane, and the interface below it. Set all of it with MDR_SIZED first. */
+typedef struct mdr_layer {
+    size_t size;        /**< sizeof(mdr_layer), as MDR_SIZED sets it; the elements of an array have the size of the first. */
+    double thickness;   /**< h > 0; not looked at in a substrate [length]. */
+    double E;           /**< Young's modulus > 0, in the plane: E_t [modulus]. */
+    double nu;          /**< Poisson's ratio, -1 < nu <= 1/2; in the plane: nu_t, -1 < nu_t < 1 [1]. */
+    double E_z;         /**< Young's modulus along z > 0; E_z, nu_tz and G_z all 0: isotropic [modulus]. */
+    double nu_tz;       /**< -strain along z over strain along t, under a stress along t in the plane; 2 nu_tz^2 E_z/E_t <= 1 - nu_t,
+                             equal: incompressible [1]. */
+    double G_z;         /**< Shear modulus of planes that hold z, > 0 [modulus]. */
+    double C11;         /**< Or the stiffness matrix in place of the six above, all 0: not given. C11 > |C12| [modulus]. */
+    double C12;         /**< [modulus] */
+    double C13;         /**< 2 C13^2 < C33 (C11 + C12) [modulus] */
+    double C33;         /**< > 0 [modulus] */
+    double C44;         /**< > 0 [modulus] */
+    double prestress;   /**< Equibiaxial stress in the plane, tension > 0; the constants are the tangent moduli of the stressed state,
+                             those of the free state are off by O(prestress/modulus) [modulus]. */
+    double normal_compliance;     /**< 1/K_n >= 0 of the interface below, finite; 0: bonded; not looked at in a substrate
+                                       [length/modulus]. */
+    double tangential_compliance; /**< 1/K_t >= 0 likewise; INFINITY: it slides without friction [length/modulus]. */
+} mdr_layer;
+
+/** Layers on a substrate, of any kinds of mdr_layer. What is not isotropic, bonded and free of stress takes MDR_MODEL_EXACT; a
+ *  tangential contact over a sliding interface is refused, as stresses inside are of layers that are not isotropic.
+ *  @param n          number of layers; 0: a half-space
+ *  @param layers     [n] from the surface down; with n = 0 it may be NULL
+ *  @param substrate  the half-space below; NULL: a rigid base, which holds the last layer by its interface: a sliding one is a
+ *                    smooth rigid base
+ *  @param model      one of enum mdr_model
+ *  @param options    NULL for the defaults
+ *  @param out        receives the handle
+ *  @return also MDR_EINVALID where compression is beyond that at which the surface wrinkles */
+int mdr_medium_stack(int n, const mdr_layer *layers, const mdr_layer *substrate, int model, const mdr_medium_options *options,
+                     mdr_medium **out);
+
+/** The compression of one layer, all else as it is, at which the surface wrinkles: some wave then has no stiffness. The stress that
+ *  the layer itself was given is not used. Exact; the limit of a thin stiff film is that of Chen and Hutchinson (2004).
+ *  @param n           number of layers, at least 1
+ *  @param layers      [n] from the surface down
+ *  @param substrate   the half-space below, or NULL: a rigid base
+ *  @param layer       which layer, 1 to n from the surface down
+ *  @param stress      or NULL: receives the stress, < 0 [modulus]
+ *  @param wavelength  or NULL: receives the wavelength of the wrinkles [length] */
+int mdr_layers_wrinkling(int n, const mdr_layer *layers, const mdr_layer *substrate, int layer, double *stress, double *wavelength);
+
 /** Graded half-space, equation (16): E and nu are linear between the given depths and constant below the last one. A thin
  *  interval makes a step.
  *  @param n        number of depths, at least 2

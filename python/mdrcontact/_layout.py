@@ -41,6 +41,26 @@ medium_options = np.dtype(
     ],
     align=True,
 )
+layer = np.dtype(
+    [
+        ("size", np.uintp),
+        ("thickness", np.float64),
+        ("E", np.float64),
+        ("nu", np.float64),
+        ("E_z", np.float64),
+        ("nu_tz", np.float64),
+        ("G_z", np.float64),
+        ("C11", np.float64),
+        ("C12", np.float64),
+        ("C13", np.float64),
+        ("C33", np.float64),
+        ("C44", np.float64),
+        ("prestress", np.float64),
+        ("normal_compliance", np.float64),
+        ("tangential_compliance", np.float64),
+    ],
+    align=True,
+)
 contact_options = np.dtype(
     [
         ("size", np.uintp),

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import dataclass, field
 from typing import Any, Final
 
@@ -14,7 +15,7 @@ from ._boundary import ComplexOrArray, FloatOrArray, Handle, address, complex_va
 from ._value import Value
 from .errors import ArgumentTypeError, InvalidArgumentError
 
-__all__ = ["Conductor", "Interface", "LayeredConductor", "PERFECT", "INSULATING"]
+__all__ = ["Conductor", "Interface", "LayeredConductor", "PERFECT", "INSULATING", "SLIDING"]
 
 
 class _Base:
@@ -72,14 +73,38 @@ class Interface(Value):
     """What lies between two layers.
 
     resistance : area resistance >= 0: Kapitza resistance, an oxide [length^2/conductance]
+    normal : K_n > 0 of springs per area across it, a glue line of C33/thickness; None: bonded [modulus/length]
+    tangential : K_t >= 0 along it, C44/thickness; 0: it slides without friction (`SLIDING`); None: bonded [modulus/length]
     """
 
-    resistance: float
+    resistance: float = 0.0
+    normal: float | None = None
+    tangential: float | None = None
     _handle: Any = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
         self._set(resistance=number("resistance", self.resistance), _handle=None)
         _check(np.array([(1.0, 1.0, 1.0, 0.0, self.resistance)]))
+        for name, least in (("normal", "> 0"), ("tangential", ">= 0")):
+            value = getattr(self, name)
+            if value is None:
+                continue
+            value = number(name, value)
+            if not value >= 0.0 or (name == "normal" and value == 0.0):
+                raise InvalidArgumentError(f"{name} = {value!r} is not allowed: a spring's stiffness must be {least}")
+            self._set(**{name: value})
+
+    def _layer(self) -> dict[str, float]:
+        """Members of struct mdr_layer: compliances."""
+        normal, tangential = self.normal, self.tangential
+        return {
+            "normal_compliance": 0.0 if normal is None else 1.0 / normal,
+            "tangential_compliance": 0.0 if tangential is None else 1.0 / tangential if tangential else math.inf,
+        }
+
+
+SLIDING: Final = Interface(tangential=0.0)
+"""An interface that slides without friction and does not open."""
 
 
 @dataclass(frozen=True)

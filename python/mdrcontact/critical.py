@@ -17,7 +17,7 @@ from .medium import Coated, Homogeneous, Layered, Pair
 from .profile import FlatEndedCone, FlatEndedParaboloid, Profile
 from .profile.base import _terms
 
-__all__ = ["Critical", "Layer", "Maximum"]
+__all__ = ["Critical", "InterfaceMaxima", "LayerMaxima", "Maximum"]
 
 _FARTHEST = 3.0
 """Maxima are looked for up to so many times a + z from the axis: the ring of tension on a coating need not lie at the edge."""
@@ -41,7 +41,7 @@ class Maximum(NamedTuple):
     """azimuth from the direction of sliding, 0 or pi; 0 without friction"""
 
 
-class Layer(NamedTuple):
+class LayerMaxima(NamedTuple):
     """The largest stresses in one layer."""
 
     von_mises: Maximum
@@ -54,7 +54,7 @@ class Layer(NamedTuple):
     """elastic energy without friction [modulus length^3]; 0 in a rigid base"""
 
 
-class Interface(NamedTuple):
+class InterfaceMaxima(NamedTuple):
     """The largest tractions at one interface."""
 
     z: float
@@ -68,9 +68,9 @@ class Interface(NamedTuple):
 class Critical(NamedTuple):
     """What decides inside a body."""
 
-    layers: tuple[Layer, ...]
+    layers: tuple[LayerMaxima, ...]
     """from the surface down, the half-space last"""
-    interfaces: tuple[Interface, ...]
+    interfaces: tuple[InterfaceMaxima, ...]
     """from the surface down"""
     surface: Maximum
     """largest principal stress on the free surface a <= r <= 3 a: the tension that opens ring cracks"""
@@ -96,11 +96,11 @@ def critical(contact: Any, state: Any, body: str, friction: float) -> Critical:
     search = Search(contact, state, body, friction)
     energies = layer_energies(contact._handle.address, contact._one(state), body, len(search.faces))
     layers = [
-        Layer(search.in_layer(i, von_mises), search.in_layer(i, _tresca), search.in_layer(i, tension), float(energies[i]))
+        LayerMaxima(search.in_layer(i, von_mises), search.in_layer(i, _tresca), search.in_layer(i, tension), float(energies[i]))
         for i in range(search.layers)
     ]
     interfaces = [
-        Interface(float(depth), search.at_interface(i, shear), search.at_interface(i, normal))
+        InterfaceMaxima(float(depth), search.at_interface(i, shear), search.at_interface(i, normal))
         for i, depth in enumerate(search.faces[1:])
     ]
     return Critical(tuple(layers), tuple(interfaces), search.outside())

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Materials: an isotropic elastic body, viscoelastic ones, and the rigid one."""
+"""Materials: elastic ones, isotropic or with an axis, viscoelastic ones, and the rigid one."""
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Iterable
 from dataclasses import dataclass
@@ -12,12 +13,12 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _layout, _native
-from ._boundary import ComplexOrArray, FloatOrArray, Handle, address, call, complex_values, evaluate, number, numbers
+from ._boundary import ComplexOrArray, FloatOrArray, Handle, address, call, complex_values, evaluate, number, numbers, record
 from ._value import Value
 from .conductor import Conductor
 from .errors import ArgumentTypeError, InvalidArgumentError
 
-__all__ = ["Elastic", "Viscoelastic", "PowerLawRheology", "RIGID"]
+__all__ = ["Elastic", "TransverselyIsotropic", "Viscoelastic", "PowerLawRheology", "RIGID", "SMOOTH"]
 
 
 @dataclass(frozen=True)
@@ -49,9 +50,99 @@ class Elastic(Value):
         """E* = E/(1 - nu^2), equation (2) [modulus]."""
         return float(evaluate("a", 1.0, lambda radii: _native.medium_modulus(self._handle.address, radii)))
 
+    def _layer(self) -> dict[str, float]:
+        """Members of struct mdr_layer."""
+        return {"E": self.E, "nu": self.nu}
+
     def _rheology(self) -> Handle:
         """The material as a part of a viscoelastic body."""
         return Handle(_native.material_elastic(self.E, self.nu), _native.material_free)
+
+
+@dataclass(frozen=True)
+class TransverselyIsotropic(Value):
+    """An elastic material that is isotropic in the plane of the surface, with another stiffness along its normal z: hexagonal
+    crystals with the axis c along z (ZnO, GaN, graphite), columnar films, bone, fibre mats.
+
+    C11, C12, C13, C33, C44 : stiffnesses [modulus], 3 the axis z; every strain must cost energy: C11 > |C12|, C33 > 0, C44 > 0,
+        2 C13^2 < C33 (C11 + C12)
+    engineering : E_t, E_z, nu_t, nu_tz, G_z in their place, see `from_engineering`; the stiffnesses are then computed, and infinite
+        where the material is incompressible
+
+    docs/coatings.md. `Elastic(E, nu)` is the special case of no axis.
+    """
+
+    C11: float = 0.0
+    C12: float = 0.0
+    C13: float = 0.0
+    C33: float = 0.0
+    C44: float = 0.0
+    engineering: tuple[float, float, float, float, float] | None = None
+
+    def __post_init__(self) -> None:
+        if self.engineering is None:
+            self._set(**{name: number(name, getattr(self, name)) for name in _STIFFNESSES})
+        else:
+            given = tuple(number(name, value) for name, value in zip(_ENGINEERING, self.engineering, strict=True))
+            self._set(engineering=given)
+        # the library's half-space of this material checks the numbers, and knows E*
+        half_space = record(_layout.layer, **self._layer())
+        created = _native.medium_stack(0, 0, address(half_space), _layout.MODEL_EXACT, 0)
+        self._set(_handle=Handle(created, _native.medium_free))
+        if self.engineering is not None:
+            self._set(**_stiffnesses(*self.engineering))
+
+    @classmethod
+    def from_engineering(cls, E_t: float, E_z: float, nu_t: float, nu_tz: float, G_z: float) -> TransverselyIsotropic:
+        """The same from Young's moduli in the plane (E_t) and along z (E_z), > 0 [modulus], Poisson's ratios in the plane
+        (-1 < nu_t < 1) and nu_tz = -strain along z/strain along t under a stress along t in the plane,
+        2 nu_tz^2 E_z/E_t <= 1 - nu_t, and the shear modulus of planes that hold z, G_z > 0 [modulus]."""
+        return cls(engineering=(E_t, E_z, nu_t, nu_tz, G_z))
+
+    def __repr__(self) -> str:
+        if self.engineering is not None:
+            given = ", ".join(f"{name}={value!r}" for name, value in zip(_ENGINEERING, self.engineering, strict=True))
+            return f"TransverselyIsotropic.from_engineering({given})"
+        return f"TransverselyIsotropic({', '.join(f'{name}={getattr(self, name)!r}' for name in _STIFFNESSES)})"
+
+    def _given(self) -> dict[str, Any]:
+        if self.engineering is not None:
+            return {"engineering": self.engineering}
+        return {name: getattr(self, name) for name in _STIFFNESSES}
+
+    @property
+    def contact_modulus(self) -> float:
+        """E* of a half-space of it [modulus]: 2 sqrt((C11 C33 - C13^2)/C11/(1/C44 + 2/(sqrt(C11 C33) + C13))); Delafargue, Ulm
+        2004, Int. J. Solids Struct. 41, 7351."""
+        return float(evaluate("a", 1.0, lambda radii: _native.medium_modulus(self._handle.address, radii)))
+
+    @property
+    def tangential_modulus(self) -> float:
+        """G0* of a half-space of it [modulus]: its contact, sticking all over, has the tangential stiffness 2 a G0*."""
+        return float(evaluate("a", 1.0, lambda radii: _native.medium_tangential_modulus(self._handle.address, radii)))
+
+    def _layer(self) -> dict[str, float]:
+        """Members of struct mdr_layer."""
+        if self.engineering is not None:
+            return dict(zip(_ENGINEERING_MEMBERS, self.engineering, strict=True))
+        return {name: getattr(self, name) for name in _STIFFNESSES}
+
+    def _rheology(self) -> Handle:
+        raise InvalidArgumentError(f"{self!r} is not allowed in a body that relaxes: its parts must be isotropic")
+
+
+_STIFFNESSES = ("C11", "C12", "C13", "C33", "C44")
+_ENGINEERING = ("E_t", "E_z", "nu_t", "nu_tz", "G_z")
+_ENGINEERING_MEMBERS = ("E", "E_z", "nu", "nu_tz", "G_z")
+
+
+def _stiffnesses(E_t: float, E_z: float, nu_t: float, nu_tz: float, G_z: float) -> dict[str, float]:
+    in_plane, shear = E_t / (1.0 - nu_t**2), E_t / (2.0 * (1.0 + nu_t))
+    rest = 1.0 - nu_t - 2.0 * nu_tz**2 * E_z / E_t
+    C33 = E_z * (1.0 - nu_t) / rest if rest > 0.0 else math.inf
+    C13 = C33 * nu_tz / (1.0 - nu_t) if nu_tz else 0.0
+    C11 = in_plane + (C13 * nu_tz / (1.0 - nu_t) if nu_tz else 0.0)
+    return {"C11": C11, "C12": C11 - 2.0 * shear, "C13": C13, "C33": C33, "C44": G_z}
 
 
 class _Rheology(Value):
@@ -212,14 +303,14 @@ class PowerLawRheology(_Rheology):
         self._set(_handle=Handle(_native.material_power_law(*self._numbers()), _native.material_free))
 
 
-Material = Elastic | Viscoelastic | PowerLawRheology
+Material = Elastic | TransverselyIsotropic | Viscoelastic | PowerLawRheology
 """What a body can be made of."""
 
 
 def material(name: str, value: object) -> Any:
     """`value` if it is a material; an exception if it is anything else."""
     if not isinstance(value, Material):
-        words = "it must be an Elastic(E, nu), a Viscoelastic(...) or a PowerLawRheology(...)"
+        words = "it must be an Elastic(E, nu), a TransverselyIsotropic(...), a Viscoelastic(...) or a PowerLawRheology(...)"
         raise ArgumentTypeError(f"{name} = {value!r} is not allowed: {words}")
     return value
 
@@ -234,14 +325,19 @@ def _pairs(name: str, values: Iterable[tuple[float, float]]) -> NDArray[np.float
 
 
 class _Rigid:
-    """The type of `RIGID`; there is one object of it."""
+    """The type of `RIGID` and `SMOOTH`; there is one object of each."""
+
+    def __init__(self, name: str) -> None:
+        self._name = name
 
     def __repr__(self) -> str:
-        return "RIGID"
+        return self._name
 
     def __reduce__(self) -> str:
-        return "RIGID"
+        return self._name
 
 
-RIGID = _Rigid()
+RIGID = _Rigid("RIGID")
 """A rigid base under a layer: for the models "exact", "dimitriadis" and "garcia"."""
+SMOOTH = _Rigid("SMOOTH")
+"""A rigid base without friction under a layer, for the model "exact": the same as RIGID below a sliding interface."""

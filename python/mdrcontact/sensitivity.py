@@ -23,6 +23,7 @@ from numpy.typing import NDArray
 from .errors import InvalidArgumentError, NoConvergenceError
 from .material import RIGID, Elastic
 from .medium import Coated, Homogeneous, Layered
+from .medium.layer import is_bonded
 from .profile import FlatPunch, Paraboloid
 
 __all__: list[str] = []
@@ -83,7 +84,7 @@ def _parts(medium: Any) -> tuple[list[tuple[Elastic, float]], Any, list[str]]:
     elif isinstance(medium, Coated):
         stack, below, names = [(medium.coating, medium.thickness)], medium.substrate, ["coating."]
     elif isinstance(medium, Layered):
-        stack, below = list(medium.layers), medium.substrate
+        stack, below = [(material, h) for material, h in medium.layers], medium.substrate
         names = [f"layers[{i}]." for i in range(len(stack))]
     else:
         raise InvalidArgumentError(
@@ -91,6 +92,8 @@ def _parts(medium: Any) -> tuple[list[tuple[Elastic, float]], Any, list[str]]:
         )
     if getattr(medium, "model", "exact") != "exact":
         raise InvalidArgumentError(f"model = {medium.model!r} is not allowed: derivatives are known of the model 'exact'")
+    if not is_bonded(medium):
+        raise InvalidArgumentError("layers with a prestress or an interface that gives are not allowed: derivatives are not known")
     if not all(isinstance(material, Elastic) for material, _ in stack) or not (below is RIGID or isinstance(below, Elastic)):
         raise InvalidArgumentError("the materials must be Elastic(E, nu)")
     return stack, below, names

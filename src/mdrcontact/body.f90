@@ -27,6 +27,10 @@ module mdrcontact_body
         real(wp) :: softest = 0.0_wp, stiffest = 0.0_wp
         !> whether the constants vary continuously with depth: it has no layers
         logical :: is_graded = .false.
+        !> whether all of it is isotropic, bonded and free of stress
+        logical :: is_plain = .true.
+        !> whether a layer slides on what lies below it: an endless sheet, which opposes nothing to a traction along the surface
+        logical :: slides = .false.
     contains
         !> the compliance of its surface under a load
         procedure(compliance_under), deferred :: compliance
@@ -102,6 +106,8 @@ contains
         self%softest = other%softest
         self%stiffest = other%stiffest
         self%is_graded = other%is_graded
+        self%is_plain = other%is_plain
+        self%slides = other%slides
     end subroutine take_numbers
 
 end module mdrcontact_body

@@ -1,27 +1,40 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> An isotropic elastic material: Young's modulus E and Poisson's ratio nu.
+!> An elastic material: Young's modulus E and Poisson's ratio nu, or another stiffness along z, or a stress in its plane.
 module mdrcontact_material
     use mdrcontact_error, only: check_poisson, check_positive, error_t
     use mdrcontact_kinds, only: wp
+    use mdrcontact_material_transverse, only: of_isotropic, transverse_t
     implicit none (type, external)
     private
-    public :: material_t, moduli_t, new_material, in_series
+    public :: material_t, moduli_t, new_material, new_transverse, in_series
 
-    !> What an isotropic material opposes to a load: real of an elastic one, complex of one that relaxes.
+    !> What a material opposes to a load: real of an elastic one, complex of one that relaxes.
     type :: moduli_t
-        !> G and E* = 2 G/(1 - nu) [modulus]
+        !> G of waves across their plane and E* [modulus]; of an isotropic material E* = 2 G/(1 - nu)
         complex(wp) :: shear = 0.0_wp, contact = 0.0_wp
         !> nu [1]
         complex(wp) :: poisson = 0.0_wp
+        !> whether it is isotropic and free of stress
+        logical :: is_plain = .true.
+        !> its six numbers where it is not
+        type(transverse_t) :: constants
+    contains
+        procedure :: in_plane
     end type moduli_t
 
     !> E and nu, checked when it is made.
     type :: material_t
-        !> Young's modulus E > 0 [modulus]
+        !> Young's modulus E > 0 [modulus], of one that is not isotropic in its plane
         real(wp) :: young = 0.0_wp
-        !> Poisson's ratio, -1 < nu <= 1/2
+        !> Poisson's ratio, -1 < nu <= 1/2, likewise
         real(wp) :: poisson = 0.0_wp
+        !> whether it is isotropic and free of stress
+        logical :: is_plain = .true.
+        !> its six numbers where it is not
+        type(transverse_t) :: constants
     contains
+        procedure :: as_transverse
+        procedure :: stretch
         procedure :: shear
         procedure :: contact
         procedure :: tangential
@@ -49,28 +62,81 @@ contains
         self%poisson = poisson
     end subroutine new_material
 
-    !> G = E/(2 (1 + nu)) [modulus]
+    !> A material of six numbers that were checked when they were made.
+    pure subroutine new_transverse(self, constants)
+        type(material_t), intent(out) :: self
+        type(transverse_t), intent(in) :: constants
+
+        self%is_plain = .false.
+        self%constants = constants
+        ! H = E/(1 - nu^2), C66 = E/(2 (1 + nu))
+        self%poisson = 1.0_wp - 2.0_wp*constants%c66/constants%h
+        self%young = 2.0_wp*constants%c66*(1.0_wp + self%poisson)
+    end subroutine new_transverse
+
+    !> Its six numbers, isotropic or not.
+    elemental function as_transverse(self) result(constants)
+        class(material_t), intent(in) :: self
+        type(transverse_t) :: constants
+
+        constants = self%constants
+        if (self%is_plain) constants = of_isotropic(self%shear(), self%poisson)
+    end function as_transverse
+
+    !> Puts it under an equibiaxial stress in its plane; its constants are the tangent ones of the stressed state.
+    pure subroutine stretch(self, prestress, error, role)
+        class(material_t), intent(inout) :: self
+        !> tension > 0 [modulus]
+        real(wp), intent(in) :: prestress
+        type(error_t), allocatable, intent(inout) :: error
+        !> what the layer is called in an error message
+        character(len=*), intent(in) :: role
+        type(transverse_t) :: constants
+
+        if (allocated(error) .or. prestress == 0.0_wp) return
+        constants = self%as_transverse()
+        call constants%stretched(prestress, self%constants, error, role//" ")
+        self%is_plain = .false.
+    end subroutine stretch
+
+    !> G = E/(2 (1 + nu)), or that of waves across their plane [modulus]
     elemental function shear(self) result(modulus)
         class(material_t), intent(in) :: self
         real(wp) :: modulus
 
-        modulus = 0.5_wp*self%young/(1.0_wp + self%poisson)
+        if (self%is_plain) then
+            modulus = 0.5_wp*self%young/(1.0_wp + self%poisson)
+        else
+            modulus = self%constants%shear()
+        end if
     end function shear
 
-    !> Contact (plane-strain) modulus E* = E/(1 - nu^2), equation (2) [modulus]
+    !> Contact (plane-strain) modulus E* = E/(1 - nu^2), equation (2), or that of a half-space of six numbers [modulus]
     elemental function contact(self) result(modulus)
         class(material_t), intent(in) :: self
         real(wp) :: modulus
 
-        modulus = self%young/((1.0_wp - self%poisson)*(1.0_wp + self%poisson))
+        if (self%is_plain) then
+            modulus = self%young/((1.0_wp - self%poisson)*(1.0_wp + self%poisson))
+        else
+            modulus = self%constants%contact()
+        end if
     end function contact
 
-    !> G* = 4 G/(2 - nu), which takes the place of E* where a contact is sheared: k_t = 2 a G* [modulus]
+    !> G* = 4 G/(2 - nu), which takes the place of E* where a contact is sheared: k_t = 2 a G* [modulus]. Of six numbers
+    !> 4/(k C_L + k C_T).
     elemental function tangential(self) result(modulus)
         class(material_t), intent(in) :: self
         real(wp) :: modulus
 
-        modulus = 4.0_wp*self%shear()/(2.0_wp - self%poisson)
+        type(moduli_t) :: moduli
+
+        if (self%is_plain) then
+            modulus = 4.0_wp*self%shear()/(2.0_wp - self%poisson)
+        else
+            moduli = self%moduli()
+            modulus = real(4.0_wp/(1.0_wp/moduli%in_plane() + 1.0_wp/moduli%shear), wp)
+        end if
     end function tangential
 
     !> G, E* and nu.
@@ -78,8 +144,23 @@ contains
         class(material_t), intent(in) :: self
         type(moduli_t) :: values
 
-        values = moduli_t(cmplx(self%shear(), kind=wp), cmplx(self%contact(), kind=wp), cmplx(self%poisson, kind=wp))
+        values = moduli_t(cmplx(self%shear(), kind=wp), cmplx(self%contact(), kind=wp), cmplx(self%poisson, kind=wp), &
+                          self%is_plain, self%constants)
     end function moduli
+
+    !> 1/(k C_L), what a half-space opposes to a traction along the wave: G/(1 - nu) of an isotropic one [modulus]
+    elemental function in_plane(self) result(modulus)
+        class(moduli_t), intent(in) :: self
+        complex(wp) :: modulus
+        type(transverse_t) :: six
+
+        if (self%is_plain) then
+            modulus = 0.5_wp*self%contact
+        else
+            six = self%constants
+            modulus = six%along()
+        end if
+    end function in_plane
 
     !> The modulus of two bodies under the same pressure, 1/E* = 1/E1* + 1/E2*. An infinite one is a rigid body and leaves the other
     !> as it is, to the last digit.

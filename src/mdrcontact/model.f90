@@ -194,6 +194,9 @@ contains
         i = model_position(model)
         if (i == 0) then
             call refuse(model, "", model_table%code >= 0, error)
+        else if (.not. body%is_plain .and. model /= models%exact) then
+            call refuse(model, " for layers that are not isotropic, bonded and free of stress", model_table%code == models%exact, &
+                        error)
         else if (body%is_graded) then
             if (.not. model_table(i)%graded) call refuse(model, " for a graded body", model_table%graded, error)
         else

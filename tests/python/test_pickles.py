@@ -25,6 +25,15 @@ BASES = {mdr.Profile, mdr.Medium, lateral.Structure}
 """Classes without objects of their own."""
 
 
+def coatings():
+    """Layers that are not isotropic, bonded or free of stress, and their parts."""
+    bone = mdr.TransverselyIsotropic(23.4, 9.06, 9.11, 32.5, 9.12)
+    springs = mdr.Interface(normal=20.0, tangential=3.0)
+    film = mdr.Layer(mdr.TransverselyIsotropic.from_engineering(10.0, 25.0, 0.2, 0.15, 3.0), 1.0, 0.1, springs)
+    body = mdr.Layered([film, (bone, 2.0)], mdr.SMOOTH)
+    return [bone, film, springs, mdr.SLIDING, body, body.wrinkling(), mdr.Homogeneous(bone)]
+
+
 def history_in_time():
     gel = mdr.Coated(mdr.PowerLawRheology(400.0, 1.0, 0.18, 0.5), 4e-6, mdr.RIGID)
     return mdr.Contact(mdr.Paraboloid(5e-6), gel).history([0.0, 0.5, 1.0], depth=[0.0, 1e-7, 1e-7])
@@ -185,7 +194,17 @@ def conductors():
 def bodies():
     gel = mdr.Viscoelastic(500.0, [(300.0, 0.05)], bulk_modulus=5e3)
     fluid = mdr.Poroelastic(2e3, 0.2, 1e-9)
-    return [OXIDE, gel, fluid, mdr.PowerLawRheology(400.0, 1.0, 0.18, 0.5), mdr.RIGID, *every_profile(), *every_medium()]
+    return [
+        OXIDE,
+        gel,
+        fluid,
+        mdr.PowerLawRheology(400.0, 1.0, 0.18, 0.5),
+        mdr.RIGID,
+        mdr.SMOOTH,
+        *coatings(),
+        *every_profile(),
+        *every_medium(),
+    ]
 
 
 def structures():

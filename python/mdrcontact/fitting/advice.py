@@ -154,7 +154,7 @@ def _ratio_range(result: FitResult, radius: np.ndarray) -> tuple[float, float] |
     medium = result.medium
     if not len(radius) or not isinstance(medium, media.Coated | media.Layered):
         return None
-    h = medium.thickness if isinstance(medium, media.Coated) else medium.layers[0][1]
+    h = medium.thickness if isinstance(medium, media.Coated) else next(h for _, h in medium.layers)
     return float(radius.min() / h), float(radius.max() / h)
 
 

@@ -5,6 +5,7 @@ from .base import Medium
 from .coated import Coated
 from .graded import Graded, PowerLawGraded
 from .homogeneous import Homogeneous
+from .layer import Layer, Wrinkling
 from .layered import Layered
 from .pair import Pair
 from .sampled import CallableMedium, TabulatedMedium
@@ -14,6 +15,8 @@ __all__ = [
     "Homogeneous",
     "Coated",
     "Layered",
+    "Layer",
+    "Wrinkling",
     "Graded",
     "PowerLawGraded",
     "TabulatedMedium",

@@ -12,16 +12,17 @@ from .._boundary import number
 from ..errors import ArgumentTypeError, InvalidArgumentError
 from ..material import RIGID, Material, _Rigid, material
 from ..poroelastic import NoHandle, Poroelastic, check_body
+from .layer import Layer, is_plain, stack
 from .models import MODELS, UnderModel, settings
 from .viscoelastic import is_elastic, viscoelastic
 
 
 def substrate_material(substrate: object) -> Any:
     """`substrate` if it is a material or RIGID; an exception if it is anything else."""
-    if substrate is RIGID:
+    if isinstance(substrate, _Rigid):
         return substrate
     if not isinstance(substrate, Material):
-        words = "it must be an Elastic(E, nu), a Viscoelastic(...), a PowerLawRheology(...) or RIGID"
+        words = "it must be an Elastic, TransverselyIsotropic, Viscoelastic or PowerLawRheology material, RIGID or SMOOTH"
         raise ArgumentTypeError(f"substrate = {substrate!r} is not allowed: {words}")
     return substrate
 
@@ -33,11 +34,12 @@ def base(substrate: Any) -> tuple[float, float]:
 
 @dataclass(frozen=True, repr=False)
 class Coated(UnderModel):
-    """A half-space with one bonded coating.
+    """A half-space with one bonded coating; with a stress in it, or an interface that gives, see `Layered`.
 
-    coating : Elastic(E, nu), Viscoelastic(...) or PowerLawRheology(...); or Poroelastic(...) on a RIGID base, model "exact"
+    coating : Elastic(E, nu), TransverselyIsotropic(...), Viscoelastic(...) or PowerLawRheology(...); or Poroelastic(...) on a RIGID
+        base, model "exact"
     thickness : h > 0 [length]
-    substrate : likewise; RIGID for the models "exact", "dimitriadis", "garcia"
+    substrate : likewise; RIGID for the models "exact", "dimitriadis", "garcia"; SMOOTH for "exact"
     model : how E_eff(a) is found; the default is the exact solution
         "gao" (12)-(15), "gao-series"           options: weight_nu = "surface" (default), "substrate", "effective" or a number
         "gao-power"                             options: exponent = -0.65, of the mean: 1 is "gao", -1 "gao-series"; weight_nu
@@ -76,7 +78,10 @@ class Coated(UnderModel):
             return
         film = material("coating", coating)
         below = substrate_material(substrate)
-        if is_elastic(film, below):
+        layer = Layer(film, thickness)
+        if is_elastic(film, below) and not is_plain([layer], below):
+            created = stack([layer], below, chosen.native)
+        elif is_elastic(film, below):
             created = _native.medium_coated(film.E, film.nu, thickness, *base(below), *chosen.native)
         else:
             created = viscoelastic([film], [thickness], below, chosen.native)

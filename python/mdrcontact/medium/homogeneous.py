@@ -7,9 +7,10 @@ from dataclasses import dataclass
 
 from .. import _native
 from ..errors import ArgumentTypeError
-from ..material import Elastic, Material, material
+from ..material import Elastic, Material, TransverselyIsotropic, material
 from ..poroelastic import NoHandle, Poroelastic
 from .base import Medium
+from .layer import stack
 from .viscoelastic import is_elastic, viscoelastic
 
 
@@ -22,8 +23,9 @@ def elastic(name: str, value: object) -> Elastic:
 
 @dataclass(frozen=True)
 class Homogeneous(Medium):
-    """A homogeneous half-space of one material: Elastic(E, nu), Viscoelastic(...) or PowerLawRheology(...) or Poroelastic(...). The
-    indenter is rigid; for a deformable one see `Pair`. A contact with a viscoelastic or poroelastic body answers in time only.
+    """A homogeneous half-space of one material: Elastic(E, nu), TransverselyIsotropic(...), Viscoelastic(...),
+    PowerLawRheology(...) or Poroelastic(...). The indenter is rigid; for a deformable one see `Pair`. A contact with a viscoelastic
+    or poroelastic body answers in time only.
     """
 
     material: Material | Poroelastic
@@ -33,4 +35,7 @@ class Homogeneous(Medium):
             self._set(_handle=NoHandle())
             return
         body = material("material", self.material)
+        if isinstance(body, TransverselyIsotropic):
+            self._own(stack([], body))
+            return
         self._own(_native.medium_homogeneous(body.E, body.nu) if is_elastic(body) else viscoelastic([], [], body))

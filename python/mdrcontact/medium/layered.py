@@ -12,51 +12,75 @@ from .._boundary import number
 from ..errors import ArgumentTypeError, InvalidArgumentError
 from ..material import Material, _Rigid, material
 from .coated import base, substrate_material
+from .layer import Layer, Wrinkling, is_plain, stack, wrinkling
 from .models import UnderModel, settings
 from .viscoelastic import is_elastic, viscoelastic
 
 
 @dataclass(frozen=True, repr=False)
 class Layered(UnderModel):
-    """A half-space under any number of bonded layers.
+    """A half-space under any number of layers.
 
-    layers : [(material, thickness), ...] from the surface down; material an Elastic(E, nu), Viscoelastic(...) or
-        PowerLawRheology(...), thickness > 0 [length]
-    substrate : likewise a material; RIGID for the model "exact"
+    layers : [(material, thickness), ...] from the surface down, bonded; material an Elastic(E, nu), TransverselyIsotropic(...),
+        Viscoelastic(...) or PowerLawRheology(...), thickness > 0 [length]; or Layer(material, thickness, prestress, interface),
+        with a stress in its plane, or springs or sliding below it
+    substrate : likewise a material; RIGID, or SMOOTH without friction, for the model "exact"
     model : "exact" (default), "gao", "gao-series" or "gao-power"; options as for `Coated`
     """
 
-    layers: tuple[tuple[Material, float], ...]
+    layers: tuple[Layer | tuple[Material, float], ...]
     substrate: Material | _Rigid
     model: str
     options: tuple[tuple[str, float | str], ...]
 
     def __init__(
         self,
-        layers: Iterable[tuple[Material, float]],
+        layers: Iterable[Layer | tuple[Material, float]],
         substrate: Material | _Rigid,
         model: str = "exact",
         **options: float | str,
     ) -> None:
-        stack, chosen = _stack(layers), settings(model, options, layers=True)
+        given, chosen = _layers(layers), settings(model, options, layers=True)
         below = substrate_material(substrate)
-        materials: list[Any] = [m for m, _ in stack]
-        h = [t for _, t in stack]
-        if is_elastic(*materials, below):
+        stacked = [layer if isinstance(layer, Layer) else Layer(*layer) for layer in given]
+        materials: list[Any] = [layer.material for layer in stacked]
+        h = [layer.thickness for layer in stacked]
+        if not is_elastic(*materials, below):
+            if not is_plain(stacked, below):
+                raise InvalidArgumentError("a body that relaxes must be isotropic, bonded and free of stress")
+            created = viscoelastic(materials, h, below, chosen.native)
+        elif is_plain(stacked, below):
             E, nu = [m.E for m in materials], [m.nu for m in materials]
             created = _native.medium_layered(E, nu, h, *base(below), *chosen.native)
         else:
-            created = viscoelastic(materials, h, below, chosen.native)
-        self._own_with(created, chosen.given, layers=stack, substrate=substrate, model=model)
+            created = stack(stacked, below, chosen.native)
+        self._own_with(created, chosen.given, layers=given, substrate=substrate, model=model)
+
+    def wrinkling(self, layer: int = 0) -> Wrinkling:
+        """The compression of one layer at which the surface wrinkles, and the wavelength: `.stress` < 0 [modulus] and `.wavelength`
+        [length]. All else stays as it is; the layer's own prestress is not used. docs/coatings.md
+
+        layer : number of the layer from the surface down, 0 the first
+        """
+        stacked = [part if isinstance(part, Layer) else Layer(*part) for part in self.layers]
+        if isinstance(layer, bool) or not isinstance(layer, int) or not 0 <= layer < len(stacked):
+            raise InvalidArgumentError(f"layer = {layer!r} is not allowed: it must be an integer from 0 to {len(stacked) - 1}")
+        if not is_elastic(*(part.material for part in stacked), self.substrate):
+            raise InvalidArgumentError("wrinkling of a body that relaxes is not known: take the elastic body of one of its limits")
+        return wrinkling(stacked, self.substrate, layer)
 
 
-def _stack(layers: Iterable[tuple[Material, float]]) -> tuple[tuple[Material, float], ...]:
-    stack = []
+def _layers(layers: Iterable[Layer | tuple[Material, float]]) -> tuple[Layer | tuple[Material, float], ...]:
+    stack: list[Layer | tuple[Material, float]] = []
     for i, layer in enumerate(layers, start=1):
+        if isinstance(layer, Layer):
+            stack.append(layer)
+            continue
         try:
             body, thickness = layer
         except (TypeError, ValueError) as problem:
-            raise ArgumentTypeError(f"layer {i} = {layer!r} is not allowed: it must be a pair (material, thickness)") from problem
+            words = "it must be a Layer or a pair (material, thickness)"
+            raise ArgumentTypeError(f"layer {i} = {layer!r} is not allowed: {words}") from problem
         stack.append((material(f"material of layer {i}", body), number(f"thickness of layer {i}", thickness)))
     if not stack:
         raise InvalidArgumentError("layers is not allowed: it is empty; a body without layers is Homogeneous(material)")

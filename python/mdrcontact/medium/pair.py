@@ -9,7 +9,7 @@ from typing import Any
 from .. import _native
 from .._boundary import Handle
 from ..errors import ArgumentTypeError
-from ..material import RIGID, Elastic, _Rigid
+from ..material import RIGID, Elastic, TransverselyIsotropic, _Rigid
 from .base import Medium
 from .homogeneous import Homogeneous
 
@@ -52,7 +52,7 @@ class Pair(Medium):
 
 
 def _body(name: str, body: Any) -> Any:
-    if isinstance(body, Elastic):
+    if isinstance(body, (Elastic, TransverselyIsotropic)):
         return Homogeneous(body)
     if body is RIGID or isinstance(body, Medium):
         return body

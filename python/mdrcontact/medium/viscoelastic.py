@@ -10,12 +10,13 @@ import numpy as np
 
 from .. import _layout, _native
 from .._boundary import address
-from ..material import Elastic, Material, _Rigid
+from ..errors import InvalidArgumentError
+from ..material import SMOOTH, Elastic, Material, TransverselyIsotropic, _Rigid
 
 
 def is_elastic(*materials: object) -> bool:
     """Whether none of the materials relaxes."""
-    return all(isinstance(material, (Elastic, _Rigid)) for material in materials)
+    return all(isinstance(material, (Elastic, TransverselyIsotropic, _Rigid)) for material in materials)
 
 
 def is_viscoelastic(medium: object) -> bool:
@@ -33,6 +34,8 @@ def viscoelastic(
     """What the library's constructor returns for layers from the surface down on a substrate."""
     handles: list[Any] = [material._rheology() for material in layers]
     places = np.array([handle.address for handle in handles], np.uintp)
+    if substrate is SMOOTH:
+        raise InvalidArgumentError("substrate = SMOOTH is not allowed below a layer that relaxes: only RIGID is")
     base = None if isinstance(substrate, _Rigid) else substrate._rheology()
     thickness = np.array(thicknesses, np.float64)
     below = 0 if base is None else base.address

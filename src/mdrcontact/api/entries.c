@@ -242,6 +242,31 @@ int mdr_medium_layered(int n, const double E[], const double nu[], const double 
     return status;
 }
 
+int mdrcontact_entry_medium_stack(int n, const mdr_layer *layers, const mdr_layer *substrate, int model,
+        const mdr_medium_options *options, mdr_medium **out);
+int mdr_medium_stack(int n, const mdr_layer *layers, const mdr_layer *substrate, int model, const mdr_medium_options *options,
+        mdr_medium **out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_medium_stack(n, layers, substrate, model, options, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_medium_stack(n, layers, substrate, model, options, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_layers_wrinkling(int n, const mdr_layer *layers, const mdr_layer *substrate, int layer, double *stress,
+        double *wavelength);
+int mdr_layers_wrinkling(int n, const mdr_layer *layers, const mdr_layer *substrate, int layer, double *stress, double *wavelength)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_layers_wrinkling(n, layers, substrate, layer, stress, wavelength);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_layers_wrinkling(n, layers, substrate, layer, stress, wavelength);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
 int mdrcontact_entry_medium_graded(int n, const double z[], const double E[], const double nu[], int model,
         const mdr_medium_options *options, mdr_medium **out);
 int mdr_medium_graded(int n, const double z[], const double E[], const double nu[], int model, const mdr_medium_options *options,

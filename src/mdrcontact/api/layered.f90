@@ -2,22 +2,42 @@
 !> Coated, layered and graded half-spaces under a model of the caller's choice, for C.
 module mdrcontact_api_layered
     use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
-    use, intrinsic :: iso_c_binding, only: c_double, c_funptr, c_int, c_ptr
+    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_funptr, c_int, c_int8_t, c_loc, c_ptr, c_size_t, &
+                                           c_sizeof
     use mdrcontact_api_arrays, only: check_array, check_count, check_each_positive, check_not_empty
     use mdrcontact_api_callback, only: c_function_t, new_c_function
     use mdrcontact_api_handles, only: deliver_solver, hand_over_solver
     use mdrcontact_api_medium_options, only: read_medium_options
+    use mdrcontact_api_options, only: read_options
+    use mdrcontact_api_status, only: check_given, status_of
     use mdrcontact_body, only: body_t
     use mdrcontact_body_graded, only: graded_body_t, new_graded_body, new_graded_body_from_functions
+    use mdrcontact_body_elements_interface, only: bond_t
+    use mdrcontact_body_layers, only: layers_t
     use mdrcontact_body_stack, only: new_stack, stack_t
-    use mdrcontact_error, only: check_memory, count_text, error_invalid, error_t, raise
-    use mdrcontact_material, only: material_t, new_material
+    use mdrcontact_body_wrinkling, only: find_wrinkling
+    use mdrcontact_error, only: check_choice, check_memory, count_text, error_invalid, error_t, raise
+    use mdrcontact_material, only: material_t, new_material, new_transverse
+    use mdrcontact_material_transverse, only: from_engineering, from_stiffness, transverse_t
+    use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous
     use mdrcontact_medium_solver, only: solver_t
     use mdrcontact_medium_power_graded, only: new_power_graded, power_graded_t
     use mdrcontact_model, only: model_options_t, new_solver
     implicit none (type, external)
     private
-    public :: mdr_medium_coated, mdr_medium_layered, mdr_medium_graded, mdr_medium_graded_callback, mdr_medium_power_graded
+    public :: mdr_layers_wrinkling
+    public :: mdr_medium_coated, mdr_medium_layered, mdr_medium_stack, mdr_medium_graded, mdr_medium_graded_callback, &
+              mdr_medium_power_graded
+
+    !> struct mdr_layer; the order of the components is that of the header.
+    type, bind(C) :: layer_t
+        integer(c_size_t) :: size = 0_c_size_t
+        real(c_double) :: thickness = 0.0_c_double, young = 0.0_c_double, poisson = 0.0_c_double
+        real(c_double) :: axial_young = 0.0_c_double, axial_poisson = 0.0_c_double, axial_shear = 0.0_c_double
+        real(c_double) :: stiffness(5) = 0.0_c_double
+        real(c_double) :: prestress = 0.0_c_double
+        real(c_double) :: normal_compliance = 0.0_c_double, tangential_compliance = 0.0_c_double
+    end type layer_t
 
 contains
 
@@ -60,6 +80,124 @@ contains
         if (.not. allocated(error)) call new_body(body, layers, thickness(:n), substrate_e, substrate_nu, error)
         status = deliver_model(body, model, options, out, error)
     end function mdr_medium_layered
+
+    function mdr_medium_stack(n, layers, substrate, model, options, out) result(status) &
+        bind(C, name="mdrcontact_entry_medium_stack")
+        integer(c_int), value :: n, model
+        type(c_ptr), value :: layers, substrate, options
+        type(c_ptr), intent(inout), optional :: out
+        integer(c_int) :: status
+        type(layers_t) :: layered
+        type(homogeneous_t) :: half_space
+        type(stack_t) :: body
+        type(error_t), allocatable :: error
+
+        call read_layers(error, n, layers, substrate, layered)
+        if (.not. allocated(error) .and. n == 0 .and. .not. layered%rigid_base) then
+            if (.not. layered%materials(1)%is_plain) then
+                call new_homogeneous(half_space, layered%materials(1))
+                status = deliver_solver(half_space, out, error)
+                return
+            end if
+        end if
+        if (.not. allocated(error)) call new_stack(body, layered%materials(:n), layered%thickness, layered%materials(n + 1), &
+                                                   error, layered%rigid_base, layered%bonds)
+        status = deliver_model(body, model, options, out, error)
+    end function mdr_medium_stack
+
+    function mdr_layers_wrinkling(n, layers, substrate, layer, stress, wavelength) result(status) &
+        bind(C, name="mdrcontact_entry_layers_wrinkling")
+        integer(c_int), value :: n, layer
+        type(c_ptr), value :: layers, substrate
+        real(c_double), intent(inout), optional :: stress, wavelength
+        integer(c_int) :: status
+        type(layers_t) :: layered
+        real(c_double) :: found(2)
+        type(error_t), allocatable :: error
+
+        call read_layers(error, n, layers, substrate, layered)
+        if (.not. allocated(error)) call check_choice(error, "layer", int(layer), 1, int(n), "1 to n, from the surface down")
+        if (.not. allocated(error)) call find_wrinkling(layered%materials(:n), layered%thickness, layered%materials(n + 1), &
+                                                        layered%rigid_base, layered%bonds, int(layer), found(1), found(2), error)
+        status = status_of(error)
+        if (allocated(error)) return
+        if (present(stress)) stress = found(1)
+        if (present(wavelength)) wavelength = found(2)
+    end function mdr_layers_wrinkling
+
+    !> An array of struct mdr_layer, and the half-space below it or NULL.
+    subroutine read_layers(error, n, layers, substrate, layered)
+        type(error_t), allocatable, intent(inout) :: error
+        integer(c_int), intent(in) :: n
+        type(c_ptr), intent(in) :: layers, substrate
+        !> without moduli
+        type(layers_t), intent(out) :: layered
+        type(bond_t) :: unused
+        real(c_double) :: ignored
+        integer :: i, stat
+
+        layered%rigid_base = .not. c_associated(substrate)
+        call check_count(error, n)
+        if (n > 0) call check_given(error, "layers", c_associated(layers))
+        if (n == 0 .and. layered%rigid_base) then
+            call raise(error, error_invalid, "substrate is NULL, a rigid base: it must carry a layer")
+        end if
+        if (allocated(error)) return
+        allocate (layered%materials(n + 1), layered%bonds(n), layered%thickness(n), stat=stat)
+        call check_memory(error, stat)
+        do i = 1, n
+            if (allocated(error)) return
+            call read_layer(error, "layer "//count_text(i), nth(layers, i), layered%materials(i), layered%thickness(i), &
+                            layered%bonds(i))
+        end do
+        if (.not. layered%rigid_base) call read_layer(error, "substrate", substrate, layered%materials(n + 1), ignored, unused)
+    end subroutine read_layers
+
+    !> A structure of an array whose elements have the size that the first one states.
+    function nth(first, i) result(element)
+        type(c_ptr), intent(in) :: first
+        integer, intent(in) :: i
+        type(c_ptr) :: element
+        integer(c_size_t), pointer :: size
+        integer(c_int8_t), pointer :: bytes(:)
+
+        call c_f_pointer(first, size)
+        call c_f_pointer(first, bytes, [int(i, c_size_t)*max(size, 1_c_size_t)])
+        element = c_loc(bytes(int(i - 1, c_size_t)*size + 1_c_size_t))
+    end function nth
+
+    !> A layer, or a half-space, whose thickness and interface are then not looked at.
+    subroutine read_layer(error, role, given, material, thickness, bond)
+        type(error_t), allocatable, intent(inout) :: error
+        !> what it is called in an error message
+        character(len=*), intent(in) :: role
+        !> struct mdr_layer
+        type(c_ptr), intent(in) :: given
+        type(material_t), intent(out) :: material
+        real(c_double), intent(out) :: thickness
+        type(bond_t), intent(out) :: bond
+        type(layer_t), target :: layer
+        type(transverse_t) :: constants
+
+        thickness = 0.0_c_double
+        call read_options(error, role, given, c_loc(layer), c_sizeof(layer))
+        if (allocated(error)) return
+        thickness = layer%thickness
+        bond = bond_t(layer%normal_compliance, layer%tangential_compliance)
+        if (any(layer%stiffness /= 0.0_c_double)) then
+            associate (c => layer%stiffness)
+                call from_stiffness(constants, c(1), c(2), c(3), c(4), c(5), error, role//" ")
+            end associate
+            if (.not. allocated(error)) call new_transverse(material, constants)
+        else if (any([layer%axial_young, layer%axial_poisson, layer%axial_shear] /= 0.0_c_double)) then
+            call from_engineering(constants, layer%young, layer%axial_young, layer%poisson, layer%axial_poisson, &
+                                  layer%axial_shear, error, role//" ")
+            if (.not. allocated(error)) call new_transverse(material, constants)
+        else
+            call new_material(material, layer%young, layer%poisson, error, role)
+        end if
+        call material%stretch(layer%prestress, error, role)
+    end subroutine read_layer
 
     function mdr_medium_graded(n, z, e, nu, model, options, out) result(status) bind(C, name="mdrcontact_entry_medium_graded")
         integer(c_int), value :: n

@@ -1,14 +1,17 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The surface compliance of bonded elements on a half-space or a rigid base (theory 6), for real elastic constants and for the
-!> complex ones of an oscillation or of a Laplace transform.
+!> The surface compliance of layers, and of what lies between them, on a half-space or a rigid base (theory 6), for real elastic
+!> constants and for the complex ones of an oscillation or of a Laplace transform.
 module mdrcontact_body_chain
     use mdrcontact_body_compliance, only: along, plane_compliance_t
     use mdrcontact_body_elements_element, only: element_t
+    use mdrcontact_body_elements_interface, only: bond_t, interface_t, new_interface
     use mdrcontact_body_elements_layer, only: half_space_compliance, layer_t, new_layer
+    use mdrcontact_body_elements_transverse, only: new_transverse_layer, transverse_half_space, transverse_layer_t
     use mdrcontact_body_film, only: film_t, new_film
     use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: moduli_t
+    use mdrcontact_material_transverse, only: transverse_t
     implicit none (type, external)
     private
     public :: chain_t, new_chain
@@ -28,13 +31,16 @@ module mdrcontact_body_chain
     type, extends(plane_compliance_t) :: chain_t
         private
         type(link_t), allocatable :: links(:)
-        !> of a single layer
+        !> of a single bonded isotropic layer, which has a closed form
+        logical :: is_film = .false.
         type(film_t) :: film
         !> compliances of the base, relative to those of the surface: 1/(2 G) in the plane and 1/G across it; 0 if rigid
         complex(wp) :: base(2, 2) = 0.0_wp, base_across = 0.0_wp
         !> the power series in k of all elements' transfer matrix with the base below them, what the surface compliance takes of
-        !> it: (1, 1), (1, 2), (2, 1), (2, 2) of the displacements, then the same of the tractions
+        !> it: (1, 1), (1, 2), (2, 1), (2, 2) of the displacements, then the same of the tractions; taken where |k| is below
+        !> series_end, nowhere where layers are not bonded
         complex(wp) :: series(8, 0:series_order) = 0.0_wp
+        real(wp) :: series_end = 0.0_wp
         !> numbers without a unit that determine chi, where it is real
         real(wp), allocatable :: numbers(:)
     contains
@@ -46,7 +52,7 @@ module mdrcontact_body_chain
 contains
 
     !> Layers from the surface down under a load.
-    pure subroutine new_chain(self, load, thickness, moduli, rigid_base, error)
+    pure subroutine new_chain(self, load, thickness, moduli, rigid_base, error, bonds)
         type(chain_t), intent(out) :: self
         integer, intent(in) :: load
         !> of the layers [length]
@@ -55,70 +61,130 @@ contains
         type(moduli_t), intent(in) :: moduli(:)
         logical, intent(in) :: rigid_base
         type(error_t), allocatable, intent(inout) :: error
-        complex(wp) :: series(4, 4, 0:series_order), contrast
-        complex(wp) :: shear
-        integer :: i, count, stat
+        !> below each layer; without them all are bonded
+        type(bond_t), intent(in), optional :: bonds(:)
+        type(bond_t) :: below(size(thickness))
+        complex(wp) :: contrast
+        integer :: i, last, count, stat
 
         if (allocated(error)) return
         count = size(thickness)
-        allocate (self%links(count), stat=stat)
+        if (present(bonds)) below = bonds
+        contrast = 0.0_wp
+        allocate (self%links(count + size(pack(below, .not. below%is_bonded()))), stat=stat)
         call check_memory(error, stat)
         if (stat /= 0) return
-        contrast = 0.0_wp
         if (rigid_base) then
             call self%set_load(load, moduli(1))
         else
             call self%set_load(load, moduli(1), moduli(count + 1))
             contrast = moduli(1)%shear/moduli(count + 1)%shear
-            self%base = half_space_compliance(moduli(count + 1)%poisson)*contrast
+            self%base_across = contrast
+            self%base = half_space(moduli(count + 1), moduli(1), contrast)
         end if
-        self%base_across = contrast
         self%last_depth = sum(thickness)
-        if (count > 0) self%first_depth = thickness(1)
-        series = 0.0_wp
-        do i = 1, 4
-            series(i, i, 0) = 1.0_wp
-        end do
+        last = 0
         do i = 1, count
-            ! a complex number divided by itself need not be 1
-            shear = 1.0_wp
-            if (i > 1) shear = moduli(i)%shear/moduli(1)%shear
-            call append_layer(self%links(i), thickness(i), shear, moduli(i)%poisson, error)
+            last = last + 1
+            call append_layer(self%links(last), thickness(i), moduli(i), moduli(1), i == 1, error)
             if (allocated(error)) return
-            call self%links(i)%element%extend(series)
+            if (below(i)%is_bonded()) cycle
+            last = last + 1
+            call append_interface(self%links(last), below(i), moduli(1), error)
+            if (allocated(error)) return
         end do
-        self%series = with_base(series, self%base)
-        if (count == 1) self%film = new_film(moduli(1)%poisson, moduli(2)%poisson, contrast)
-        call take_numbers(self, thickness, moduli, error)
+        if (count > 0) self%first_depth = thickness(1)*self%links(1)%element%decay
+        if (count > 0 .and. last == count) call add_series(self)
+        self%is_film = last == 1 .and. all(moduli%is_plain)
+        if (self%is_film) self%film = new_film(moduli(1)%poisson, moduli(2)%poisson, contrast)
+        call take_numbers(self, thickness, moduli, below, error)
     end subroutine new_chain
 
-    pure subroutine append_layer(link, thickness, shear, poisson, error)
+    !> What the surface compliance takes of the series of transfer matrices above the base.
+    pure subroutine add_series(self)
+        type(chain_t), intent(inout) :: self
+        complex(wp) :: transfer(4, 4, 0:series_order), rows(4, 2)
+        real(wp) :: depth
+        integer :: i, n
+
+        transfer = 0.0_wp
+        do i = 1, 4
+            transfer(i, i, 0) = 1.0_wp
+        end do
+        depth = 0.0_wp
+        do i = 1, size(self%links)
+            associate (element => self%links(i)%element)
+                call element%extend(transfer)
+                depth = depth + element%fastest*element%thickness
+            end associate
+        end do
+        self%series_end = longest/depth
+        do n = 0, series_order
+            rows = matmul(transfer(:, 1:2, n), self%base) + transfer(:, 3:4, n)
+            self%series(:, n) = [rows(1, :), rows(2, :), rows(3, :), rows(4, :)]
+        end do
+    end subroutine add_series
+
+    !> S of the base, relative to the surface.
+    pure function half_space(base, surface, contrast) result(compliance)
+        type(moduli_t), intent(in) :: base, surface
+        !> shear modulus of the surface over that of the base
+        complex(wp), intent(in) :: contrast
+        complex(wp) :: compliance(2, 2)
+
+        if (base%is_plain) then
+            compliance = half_space_compliance(base%poisson)*contrast
+        else
+            compliance = transverse_half_space(base%constants, real(surface%shear, wp))
+        end if
+    end function half_space
+
+    pure subroutine append_layer(link, thickness, moduli, surface, is_surface, error)
         type(link_t), intent(inout) :: link
         real(wp), intent(in) :: thickness
-        complex(wp), intent(in) :: shear, poisson
+        !> of the layer, and of that at the surface
+        type(moduli_t), intent(in) :: moduli, surface
+        logical, intent(in) :: is_surface
         type(error_t), allocatable, intent(inout) :: error
         type(layer_t), allocatable :: layer
+        type(transverse_layer_t), allocatable :: transverse
+        complex(wp) :: shear
         integer :: stat
 
-        allocate (layer, stat=stat)
+        if (moduli%is_plain) then
+            allocate (layer, stat=stat)
+        else
+            allocate (transverse, stat=stat)
+        end if
         call check_memory(error, stat)
         if (stat /= 0) return
-        call new_layer(layer, thickness, shear, poisson)
-        call move_alloc(layer, link%element)
+        if (moduli%is_plain) then
+            ! a complex number divided by itself need not be 1
+            shear = 1.0_wp
+            if (.not. is_surface) shear = moduli%shear/surface%shear
+            call new_layer(layer, thickness, shear, moduli%poisson)
+            call move_alloc(layer, link%element)
+        else
+            call new_transverse_layer(transverse, thickness, moduli%constants, real(surface%shear, wp))
+            call move_alloc(transverse, link%element)
+        end if
     end subroutine append_layer
 
-    !> What the surface compliance takes of a series of transfer matrices above a base.
-    pure function with_base(transfer, base) result(series)
-        complex(wp), intent(in) :: transfer(4, 4, 0:series_order), base(2, 2)
-        complex(wp) :: series(8, 0:series_order)
-        complex(wp) :: rows(4, 2)
-        integer :: n
+    pure subroutine append_interface(link, bond, surface, error)
+        type(link_t), intent(inout) :: link
+        type(bond_t), intent(in) :: bond
+        !> of the layer at the surface
+        type(moduli_t), intent(in) :: surface
+        type(error_t), allocatable, intent(inout) :: error
+        type(interface_t), allocatable :: between
+        integer :: stat
 
-        do n = 0, series_order
-            rows = matmul(transfer(:, 1:2, n), base) + transfer(:, 3:4, n)
-            series(:, n) = [rows(1, :), rows(2, :), rows(3, :), rows(4, :)]
-        end do
-    end function with_base
+        allocate (between, stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
+        call new_interface(between, bond, real(surface%shear, wp))
+        call move_alloc(between, link%element)
+    end subroutine append_interface
 
     !> Numbers without a unit that determine the compliance.
     pure subroutine key(self, values, error)
@@ -138,23 +204,31 @@ contains
         end if
     end subroutine key
 
-    !> Thicknesses, shear moduli, Poisson's ratios and the base, if they are real: no two frequencies have the same kernel.
-    pure subroutine take_numbers(self, thickness, moduli, error)
+    !> Thicknesses, elastic constants, interfaces and the base, if they are real: no two frequencies have the same kernel.
+    pure subroutine take_numbers(self, thickness, moduli, bonds, error)
         type(chain_t), intent(inout) :: self
         real(wp), intent(in) :: thickness(:)
         type(moduli_t), intent(in) :: moduli(:)
+        type(bond_t), intent(in) :: bonds(:)
         type(error_t), allocatable, intent(inout) :: error
-        integer :: n, stat
+        integer, parameter :: of_layer = 11
+        type(transverse_t) :: six
+        real(wp) :: shear
+        integer :: i, n, stat
 
         n = size(thickness)
         if (any(abs(aimag(moduli%shear)) > 0.0_wp .or. abs(aimag(moduli%poisson)) > 0.0_wp)) return
-        allocate (self%numbers(3*n + 4), stat=stat)
+        allocate (self%numbers(of_layer*n + 5), stat=stat)
         call check_memory(error, stat)
         if (stat /= 0) return
-        if (n > 0) self%numbers(:n) = thickness/thickness(1)
-        self%numbers(n + 1:2*n) = real(moduli(:n)%shear/moduli(1)%shear, wp)
-        self%numbers(2*n + 1:3*n) = real(moduli(:n)%poisson, wp)
-        self%numbers(3*n + 1:) = real([self%base(:, 1), self%base(:, 2)], wp)
+        shear = real(moduli(1)%shear, wp)
+        do i = 1, n
+            six = moduli(i)%constants%scaled(shear)
+            self%numbers(of_layer*(i - 1) + 1:of_layer*i) = &
+                [thickness(i)/thickness(1), real(moduli(i)%shear, wp)/shear, real(moduli(i)%poisson, wp), six%s44, six%s33, six%c, &
+                 six%h, six%c66, six%prestress, shear*bonds(i)%normal/thickness(1), shear*bonds(i)%tangential/thickness(1)]
+        end do
+        self%numbers(of_layer*n + 1:) = real([self%base(:, 1), self%base(:, 2), self%base_across], wp)
     end subroutine take_numbers
 
     !> In the plane of the wave: a single layer by its closed form.
@@ -167,10 +241,10 @@ contains
         sigma = 1.0_wp
         chi = 0.0_wp
         if (size(self%links) == 0) return
-        if (size(self%links) > 1) then
-            call carry(self, k, direction, sigma, chi)
-        else
+        if (self%is_film) then
             call self%film%response(k*self%last_depth, direction, sigma, chi)
+        else
+            call carry(self, k, direction, sigma, chi)
         end if
     end subroutine chi_in_plane
 
@@ -185,7 +259,7 @@ contains
 
         associate (top => self%links(1)%element)
             scale = top%half_space(direction, direction)
-            if (abs(k)*self%last_depth < longest) then
+            if (abs(k) < self%series_end) then
                 sigma = long_wave_compliance(self%series, k, direction)/scale
                 chi = sigma - 1.0_wp
                 return
@@ -238,7 +312,9 @@ contains
 
         depth = 0.0_wp
         do count = 1, size(self%links) - 2
-            depth = depth + self%links(count + 1)%element%thickness*real(k, wp)
+            associate (element => self%links(count + 1)%element)
+                depth = depth + element%decay*element%thickness*real(k, wp)
+            end associate
             if (depth > deepest) return
         end do
         count = size(self%links)

@@ -95,22 +95,37 @@ contains
         !> of the surface, and of what lies below the last interface; without it a rigid base
         type(moduli_t), intent(in) :: surface
         type(moduli_t), intent(in), optional :: base
-        complex(wp) :: across, in_plane
+        complex(wp) :: across, in_plane, sideways
+        logical :: is_plain
 
         self%load = load
         across = 0.0_wp
         in_plane = 0.0_wp
-        if (present(base)) across = surface%shear/base%shear
-        if (present(base)) in_plane = across*(1.0_wp - base%poisson)/(1.0_wp - surface%poisson)
+        is_plain = surface%is_plain
+        if (present(base)) then
+            across = surface%shear/base%shear
+            is_plain = is_plain .and. base%is_plain
+            if (is_plain) in_plane = across*(1.0_wp - base%poisson)/(1.0_wp - surface%poisson)
+            if (.not. is_plain) in_plane = surface%in_plane()/base%in_plane()
+        end if
         select case (load)
         case (normal_load)
             self%scale = surface%contact
             self%at_zero = 0.0_wp
-            if (present(base)) self%at_zero = surface%shear*(1.0_wp - base%poisson)/(base%shear*(1.0_wp - surface%poisson))
+            if (present(base) .and. is_plain) self%at_zero = surface%shear*(1.0_wp - base%poisson) &
+                                                             /(base%shear*(1.0_wp - surface%poisson))
+            if (present(base) .and. .not. is_plain) self%at_zero = surface%contact/base%contact
         case (shear_load)
-            self%scale = 4.0_wp*surface%shear/(2.0_wp - surface%poisson)
-            self%in_plane = (1.0_wp - surface%poisson)/(2.0_wp - surface%poisson)
-            self%across = 1.0_wp/(2.0_wp - surface%poisson)
+            if (surface%is_plain) then
+                self%scale = 4.0_wp*surface%shear/(2.0_wp - surface%poisson)
+                self%in_plane = (1.0_wp - surface%poisson)/(2.0_wp - surface%poisson)
+                self%across = 1.0_wp/(2.0_wp - surface%poisson)
+            else
+                sideways = surface%in_plane()
+                self%scale = 4.0_wp/(1.0_wp/sideways + 1.0_wp/surface%shear)
+                self%in_plane = surface%shear/(sideways + surface%shear)
+                self%across = sideways/(sideways + surface%shear)
+            end if
             self%at_zero = self%in_plane*in_plane + self%across*across
         case default ! twist_load
             self%scale = 4.0_wp*surface%shear

@@ -1,6 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Bonded homogeneous layers with their elastic constants: a body as the stresses inside it need it.
+!> Homogeneous layers with their elastic constants: a body as the stresses inside it need it.
 module mdrcontact_body_layers
+    use mdrcontact_body_elements_interface, only: bond_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t
     implicit none (type, external)
@@ -13,6 +14,8 @@ module mdrcontact_body_layers
         real(wp), allocatable :: thickness(:)
         !> materials of the layers and, one more, of the half-space; not allocated of layers that were not given as such
         type(material_t), allocatable :: materials(:)
+        !> how each holds to what lies below it; not allocated: all are bonded
+        type(bond_t), allocatable :: bonds(:)
         !> shear moduli mu [modulus] and Poisson's ratios of the layers and, one more, of the half-space
         real(wp), allocatable :: shear(:), poisson(:)
         !> bonded to a rigid base: the half-space's constants are not used

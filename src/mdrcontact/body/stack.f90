@@ -1,25 +1,30 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> A stack of bonded isotropic layers on an elastic half-space or a rigid base, as a surface compliance (theory 6).
+!> A stack of layers on an elastic half-space or a rigid base, bonded or held by springs, as a surface compliance (theory 6).
 module mdrcontact_body_stack
     use mdrcontact_body, only: body_t
     use mdrcontact_body_chain, only: chain_t, new_chain
+    use mdrcontact_body_elements_interface, only: bond_t, check_bond
     use mdrcontact_body_compliance, only: compliance_t, normal_load
     use mdrcontact_body_layers, only: layers_t
+    use mdrcontact_body_stability, only: check_stable
     use mdrcontact_error, only: check_memory, check_positive, error_invalid, error_t, raise, to_text
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t, moduli_t
+    use mdrcontact_material_transverse, only: transverse_t
     use mdrcontact_numerics_copy, only: copy_array
     use mdrcontact_numerics_quadrature, only: merge_breaks
     implicit none (type, external)
     private
     public :: stack_t, new_stack
 
-    !> Bonded layers on a half-space or on a rigid base.
+    !> Layers on a half-space or on a rigid base.
     type, extends(body_t) :: stack_t
         !> materials from the surface down
         type(material_t), allocatable :: layers(:)
         !> their thicknesses [length]
         real(wp), allocatable :: thickness(:)
+        !> how each holds to what lies below it
+        type(bond_t), allocatable :: bonds(:)
         !> what lies below them, unless the base is rigid
         type(material_t) :: substrate
         !> whether the layers lie on a rigid base; the substrate is then not used
@@ -35,7 +40,7 @@ module mdrcontact_body_stack
 contains
 
     !> A stack of layers. Equal neighbours are one layer to the compliance: a stack of equal layers is a homogeneous body.
-    pure subroutine new_stack(self, layers, thickness, substrate, error, rigid_base)
+    subroutine new_stack(self, layers, thickness, substrate, error, rigid_base, bonds)
         type(stack_t), intent(out) :: self
         !> materials from the surface down, as made by new_material
         type(material_t), intent(in) :: layers(:)
@@ -46,8 +51,11 @@ contains
         type(error_t), allocatable, intent(out) :: error
         !> bonded to a rigid base instead of the substrate, which is then ignored; default false. At least one layer then.
         logical, intent(in), optional :: rigid_base
+        !> how each layer holds to what lies below it; without it all are bonded
+        type(bond_t), intent(in), optional :: bonds(:)
         type(material_t), allocatable :: kept(:)
         real(wp), allocatable :: kept_thickness(:)
+        type(bond_t), allocatable :: kept_bonds(:)
         type(material_t) :: surface
         logical :: rigid
         integer :: i, count, stat
@@ -66,15 +74,21 @@ contains
             call check_positive(error, "E of a layer", layers(i)%young)
         end do
         if (.not. rigid) call check_positive(error, "E of the substrate", substrate%young)
+        if (present(bonds)) then
+            do i = 1, size(layers)
+                call check_bond(bonds(i), error)
+            end do
+        end if
         if (allocated(error)) return
-        allocate (self%layers(size(layers)), self%thickness(size(layers)), stat=stat)
+        allocate (self%layers(size(layers)), self%thickness(size(layers)), self%bonds(size(layers)), stat=stat)
         call check_memory(error, stat)
         if (stat /= 0) return
         self%layers(:) = layers
         self%thickness(:) = thickness
+        if (present(bonds)) self%bonds(:) = bonds
         self%substrate = substrate
         self%rigid_base = rigid
-        call join(self, count, kept, kept_thickness, error)
+        call join(self, count, kept, kept_thickness, kept_bonds, error)
         if (allocated(error)) return
         surface = kept(1)
         self%surface_material = surface
@@ -83,31 +97,37 @@ contains
         self%last_depth = sum(kept_thickness(:count))
         self%softest = minval(layers%young)
         self%stiffest = maxval(layers%young)
-        if (rigid) return
-        self%softest = min(self%softest, substrate%young)
-        self%stiffest = max(self%stiffest, substrate%young)
-        self%long_wave_limit = surface%contact()/substrate%contact()
+        self%slides = any(self%bonds%slides())
+        self%is_plain = all(layers%is_plain) .and. all(self%bonds%is_bonded())
+        if (.not. rigid) then
+            self%softest = min(self%softest, substrate%young)
+            self%stiffest = max(self%stiffest, substrate%young)
+            self%long_wave_limit = surface%contact()/substrate%contact()
+            self%is_plain = self%is_plain .and. substrate%is_plain
+        end if
+        if (any(layers%constants%prestress < 0.0_wp)) call check_stable(self, error)
     end subroutine new_stack
 
     !> The layers with neighbours of one material joined, and the substrate after them.
-    pure subroutine join(self, count, materials, thickness, error)
+    pure subroutine join(self, count, materials, thickness, bonds, error)
         class(stack_t), intent(in) :: self
         !> of the joined layers: 0 if the body is homogeneous
         integer, intent(out) :: count
         !> the first count + 1, the last of them not used if the base is rigid, and the first count
         type(material_t), allocatable, intent(out) :: materials(:)
         real(wp), allocatable, intent(out) :: thickness(:)
+        type(bond_t), allocatable, intent(out) :: bonds(:)
         type(error_t), allocatable, intent(inout) :: error
         logical :: is_new
         integer :: i, stat
 
         count = 0
-        allocate (materials(size(self%layers) + 1), thickness(size(self%layers)), stat=stat)
+        allocate (materials(size(self%layers) + 1), thickness(size(self%layers)), bonds(size(self%layers)), stat=stat)
         call check_memory(error, stat)
         if (stat /= 0) return
         do i = 1, size(self%layers)
             is_new = count == 0
-            if (.not. is_new) is_new = .not. same(self%layers(i), materials(count))
+            if (.not. is_new) is_new = .not. (same(self%layers(i), materials(count)) .and. bonds(count)%is_bonded())
             if (is_new) then
                 count = count + 1
                 materials(count) = self%layers(i)
@@ -115,9 +135,10 @@ contains
             else
                 thickness(count) = thickness(count) + self%thickness(i)
             end if
+            bonds(count) = self%bonds(i)
         end do
         if (count > 0 .and. .not. self%rigid_base) then
-            if (same(self%substrate, materials(count))) count = count - 1
+            if (same(self%substrate, materials(count)) .and. bonds(count)%is_bonded()) count = count - 1
         end if
         materials(count + 1) = self%substrate
     end subroutine join
@@ -135,10 +156,11 @@ contains
         own%rigid_base = self%rigid_base
         call copy_array(self%thickness, own%thickness, error)
         if (allocated(error)) return
-        allocate (own%layers(size(self%layers)), stat=stat)
+        allocate (own%layers(size(self%layers)), own%bonds(size(self%layers)), stat=stat)
         call check_memory(error, stat)
         if (stat /= 0) return
         own%layers(:) = self%layers
+        own%bonds(:) = self%bonds
         call move_alloc(own, copy)
     end subroutine copy_to
 
@@ -146,8 +168,17 @@ contains
         type(material_t), intent(in) :: one, other
         logical :: answer
 
-        answer = one%young == other%young .and. one%poisson == other%poisson
+        answer = one%young == other%young .and. one%poisson == other%poisson .and. (one%is_plain .eqv. other%is_plain)
+        if (.not. answer .or. one%is_plain) return
+        answer = all(numbers_of(one%constants) == numbers_of(other%constants))
     end function same
+
+    pure function numbers_of(constants) result(numbers)
+        type(transverse_t), intent(in) :: constants
+        real(wp) :: numbers(6)
+
+        numbers = [constants%s44, constants%s33, constants%c, constants%h, constants%c66, constants%prestress]
+    end function numbers_of
 
     subroutine surface_compliance(self, load, compliance, error)
         class(stack_t), intent(in) :: self
@@ -158,10 +189,11 @@ contains
         real(wp), allocatable :: thickness(:)
         type(chain_t), allocatable :: chain
         type(moduli_t), allocatable :: moduli(:)
+        type(bond_t), allocatable :: bonds(:)
         integer :: i, count, stat
 
         allocate (chain)
-        call join(self, count, materials, thickness, error)
+        call join(self, count, materials, thickness, bonds, error)
         if (allocated(error)) return
         allocate (moduli(count + 1), stat=stat)
         call check_memory(error, stat)
@@ -169,7 +201,7 @@ contains
         do i = 1, size(moduli)
             moduli(i) = materials(i)%moduli()
         end do
-        call new_chain(chain, load, thickness(:count), moduli, self%rigid_base, error)
+        call new_chain(chain, load, thickness(:count), moduli, self%rigid_base, error, bonds(:count))
         if (load == normal_load) chain%at_zero = self%long_wave_limit
         call move_alloc(chain, compliance)
     end subroutine surface_compliance
@@ -183,10 +215,12 @@ contains
 
         n = size(self%layers)
         layers%rigid_base = self%rigid_base
-        allocate (layers%thickness(n), layers%shear(n + 1), layers%poisson(n + 1), layers%materials(n + 1), stat=stat)
+        allocate (layers%thickness(n), layers%shear(n + 1), layers%poisson(n + 1), layers%materials(n + 1), layers%bonds(n), &
+                  stat=stat)
         call check_memory(error, stat)
         if (stat /= 0) return
         layers%thickness(:) = self%thickness
+        layers%bonds(:) = self%bonds
         layers%materials(:n) = self%layers
         layers%materials(n + 1) = self%substrate
         do i = 1, n

@@ -116,6 +116,11 @@ contains
         type(layered_shared_t) :: own
         class(compliance_t), allocatable :: compliance
 
+        if (load /= normal_load .and. body%slides) then
+            call raise(error, error_invalid, "a tangential contact is not allowed: a sheet over a sliding interface has no "// &
+                       "stiffness along the surface; give the interface a tangential stiffness")
+            return
+        end if
         call disable_gsl_abort()
         call body%compliance(load, compliance, error)
         if (allocated(error)) return

@@ -27,6 +27,47 @@ static double take_substrate(input *in)
     return take_byte(in) % 8 == 7 ? INFINITY : take_positive(in);
 }
 
+/* Layers of all kinds, and the stress at which one wrinkles. */
+static int make_stack(world *w, mdr_medium **out, int *is_exact)
+{
+    input *in = &w->in;
+    mdr_layer layers[4];
+    mdr_medium_options options;
+    const mdr_medium_options *chosen;
+    double stress, wavelength;
+    int model, n = take_count(in) % 4, rigid = take_byte(in) % 8 == 7;
+
+    for (int i = 0; i < 4; i++) {
+        layers[i] = MDR_SIZED(mdr_layer);
+        layers[i].thickness = take_positive(in);
+        layers[i].E = take_positive(in);
+        layers[i].nu = take_ratio(in);
+        switch (take_byte(in) % 4) {
+        case 0: break;
+        case 1:
+            layers[i].E_z = take_positive(in);
+            layers[i].nu_tz = take_ratio(in);
+            layers[i].G_z = take_positive(in);
+            break;
+        case 2:
+            layers[i].C11 = take_positive(in);
+            layers[i].C12 = take_number(in);
+            layers[i].C13 = take_number(in);
+            layers[i].C33 = take_positive(in);
+            layers[i].C44 = take_positive(in);
+            break;
+        default: layers[i].prestress = take_number(in);
+        }
+        if (take_byte(in) % 4 == 3) layers[i].normal_compliance = take_number(in);
+        if (take_byte(in) % 4 == 3) layers[i].tangential_compliance = take_chance(in) ? take_number(in) : INFINITY;
+    }
+    chosen = take_options(in, &model, &options);
+    *is_exact = 1;
+    if (!afford(w, PRICE_OF_EXACT)) return MDR_ENULL;
+    if (take_byte(in) % 8 == 7) mdr_layers_wrinkling(n, layers, rigid ? NULL : &layers[3], take_count(in), &stress, &wavelength);
+    return mdr_medium_stack(n, layers, rigid ? NULL : &layers[3], take_chance(in) ? MDR_MODEL_EXACT : model, chosen, out);
+}
+
 /* MDR_ENULL without an object where a costly one was left out. */
 static int make(world *w, mdr_medium **out, int *is_exact)
 {
@@ -41,7 +82,9 @@ static int make(world *w, mdr_medium **out, int *is_exact)
     case 0:
         p = take_positive(in);
         return mdr_medium_homogeneous(p, take_ratio(in), out);
-    case 1: return mdr_medium_contact_modulus(take_positive(in), out);
+    case 1:
+        p = take_positive(in);
+        return take_byte(in) % 4 < 3 ? mdr_medium_contact_modulus(p, out) : make_stack(w, out, is_exact);
     case 2:
     case 3:
         chosen = take_options(in, &model, &options);

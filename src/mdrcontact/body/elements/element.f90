@@ -13,6 +13,12 @@ module mdrcontact_body_elements_element
     type, abstract :: element_t
         !> h [length]
         real(wp) :: thickness = 0.0_wp
+        !> the slowest wave in it decays as exp(-decay k z)
+        real(wp) :: decay = 1.0_wp
+        !> the transfer matrix of (u, w, tau/(2 G k), sigma/(2 G k)) from its bottom to its top is exp(k generator) [length]
+        complex(wp) :: generator(4, 4) = 0.0_wp
+        !> its fastest wave decays as exp(-fastest k z)
+        real(wp) :: fastest = 1.0_wp
         !> S and s of a half-space of its material, whose waves see nothing below it
         complex(wp) :: half_space(2, 2) = 0.0_wp, half_space_across = 0.0_wp
     contains
@@ -22,8 +28,7 @@ module mdrcontact_body_elements_element
         !> the same across the plane
         procedure(carried_across), deferred :: above_across
         procedure(carried_across), deferred :: reflected_across
-        !> multiplies a power series in k of transfer matrices of (u, w, tau/(2 G k), sigma/(2 G k)) by its own from the right
-        procedure(multiplied), deferred :: extend
+        procedure, non_overridable :: extend
     end type element_t
 
     abstract interface
@@ -44,13 +49,30 @@ module mdrcontact_body_elements_element
             complex(wp), intent(in) :: below
             complex(wp) :: above
         end function carried_across
-
-        pure subroutine multiplied(self, series)
-            import :: element_t, wp
-            class(element_t), intent(in) :: self
-            !> (4, 4, 0:order)
-            complex(wp), intent(inout) :: series(:, :, 0:)
-        end subroutine multiplied
     end interface
+
+contains
+
+    !> Multiplies a power series in k of transfer matrices by its own from the right.
+    pure subroutine extend(self, series)
+        class(element_t), intent(in) :: self
+        !> (4, 4, 0:order)
+        complex(wp), intent(inout) :: series(:, :, 0:)
+        complex(wp) :: power(4, 4), product(4, 4, 0:ubound(series, 3))
+        integer :: i, n
+
+        product = series
+        power = 0.0_wp
+        do i = 1, 4
+            power(i, i) = 1.0_wp
+        end do
+        do n = 1, ubound(series, 3)
+            power = matmul(power, self%generator)/real(n, wp)
+            do i = n, ubound(series, 3)
+                product(:, :, i) = product(:, :, i) + matmul(series(:, :, i - n), power)
+            end do
+        end do
+        series = product
+    end subroutine extend
 
 end module mdrcontact_body_elements_element

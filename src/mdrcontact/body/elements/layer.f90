@@ -11,7 +11,7 @@ module mdrcontact_body_elements_layer
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
-    public :: layer_t, new_layer, half_space_compliance, transferred
+    public :: layer_t, new_layer, half_space_compliance, transferred, times, inverse
 
     !> Layers thinner than this, in units of 1/|k|, are carried by the transfer matrix.
     real(wp), parameter :: thin = 0.5_wp
@@ -34,7 +34,6 @@ module mdrcontact_body_elements_layer
         procedure :: reflected
         procedure :: above_across
         procedure :: reflected_across
-        procedure :: extend
     end type layer_t
 
 contains
@@ -70,6 +69,10 @@ contains
             self%rate_even(i, i) = self%rate_even(i, i) - 1.0_wp
         end do
         self%rate_odd = matmul(self%rate, self%rate_even)
+        ! tractions of the state are relative to those of the surface
+        self%generator = -thickness*self%rate
+        self%generator(1:2, 3:4) = self%generator(1:2, 3:4)/shear
+        self%generator(3:4, 1:2) = self%generator(3:4, 1:2)*shear
     end subroutine new_layer
 
     !> (u, w) = S (tau, sigma)/(2 G k) at the surface of a half-space.
@@ -146,30 +149,6 @@ contains
         above = times(displacement, inverse(traction))
     end function transferred
 
-    !> By exp(-k h A), with tractions relative to 2 G k of the surface.
-    pure subroutine extend(self, series)
-        class(layer_t), intent(in) :: self
-        complex(wp), intent(inout) :: series(:, :, 0:)
-        complex(wp) :: step(4, 4), power(4, 4), product(4, 4, 0:ubound(series, 3))
-        integer :: i, n
-
-        step = -self%thickness*self%rate
-        step(1:2, 3:4) = step(1:2, 3:4)/self%shear
-        step(3:4, 1:2) = step(3:4, 1:2)*self%shear
-        product = series
-        power = 0.0_wp
-        do i = 1, 4
-            power(i, i) = 1.0_wp
-        end do
-        do n = 1, ubound(series, 3)
-            power = matmul(power, step)/real(n, wp)
-            do i = n, ubound(series, 3)
-                product(:, :, i) = product(:, :, i) + matmul(series(:, :, i - n), power)
-            end do
-        end do
-        series = product
-    end subroutine extend
-
     !> What the layer's bottom adds to the compliance of a half-space of its material; exponentially small in t, to full
     !> relative precision.
     pure function reflected_part(layer, t, below) result(part)
@@ -220,6 +199,7 @@ contains
         c(2, 2) = a(2, 1)*b(1, 2) + a(2, 2)*b(2, 2)
     end function times
 
+    !> The inverse of a 2x2 matrix.
     pure function inverse(a) result(b)
         complex(wp), intent(in) :: a(2, 2)
         complex(wp) :: b(2, 2)

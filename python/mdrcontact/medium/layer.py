@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A layer of a body, and the body of layers of any kind."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .. import _layout, _native
+from .._boundary import address, call, number
+from .._value import Value
+from ..conductor import SLIDING, Interface
+from ..errors import ArgumentTypeError, InvalidArgumentError
+from ..material import RIGID, SMOOTH, Elastic, Material, TransverselyIsotropic, material
+
+
+@dataclass(frozen=True)
+class Layer(Value):
+    """A layer of a `Layered` body. It unpacks as the pair (material, thickness).
+
+    material : Elastic(E, nu) or TransverselyIsotropic(...); where prestress and interface are left out any material
+    thickness : > 0 [length]
+    prestress : equibiaxial stress in its plane, tension > 0 [modulus]. The material's constants are the tangent moduli of the
+        stressed state; with those of the free state the error is of the order prestress/modulus
+    interface : between it and what lies below, Interface(normal=K_n, tangential=K_t) or SLIDING; None: bonded
+
+    docs/coatings.md
+    """
+
+    material: Material
+    thickness: float
+    prestress: float = 0.0
+    interface: Interface | None = None
+    _handle: Any = field(init=False, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        self._set(material=material("material", self.material), thickness=number("thickness", self.thickness))
+        self._set(prestress=number("prestress", self.prestress), _handle=None)
+        if self.interface is not None and not isinstance(self.interface, Interface):
+            words = "it must be an Interface(normal=..., tangential=...), SLIDING or None"
+            raise ArgumentTypeError(f"interface = {self.interface!r} is not allowed: {words}")
+        if not self._is_plain() and not isinstance(self.material, (Elastic, TransverselyIsotropic)):
+            raise InvalidArgumentError("a layer that relaxes is not allowed to have a prestress or an interface that gives")
+
+    def __iter__(self) -> Iterator[Any]:
+        return iter((self.material, self.thickness))
+
+    def _is_plain(self) -> bool:
+        return not self.prestress and (self.interface is None or not any(self.interface._layer().values()))
+
+
+class Wrinkling(NamedTuple):
+    """Where the surface of a body wrinkles."""
+
+    stress: float
+    """of the layer, < 0: compression [modulus]"""
+    wavelength: float
+    """of the wrinkles [length]"""
+
+
+def is_plain(layers: Sequence[Layer], substrate: Any) -> bool:
+    """Whether all of a body is isotropic, bonded and free of stress."""
+    materials = [layer.material for layer in layers] + [substrate]
+    return (
+        substrate is not SMOOTH
+        and all(layer._is_plain() for layer in layers)
+        and not any(isinstance(m, TransverselyIsotropic) for m in materials)
+    )
+
+
+def is_bonded(medium: Any) -> bool:
+    """Whether no layer of a medium has a prestress or an interface that gives, as far as it has layers of that kind."""
+    return all(layer._is_plain() for layer in getattr(medium, "layers", ()) if isinstance(layer, Layer))
+
+
+def stack(layers: Sequence[Layer], substrate: Any, native: tuple[int, int] = (_layout.MODEL_EXACT, 0)) -> tuple[int, int]:
+    """What the library's constructor returns for layers of any kind, none of which relaxes, from the surface down."""
+    rows, base = _structures(layers, substrate)
+    created: tuple[int, int] = _native.medium_stack(len(layers), address(rows), address(base), *native)
+    return created
+
+
+def wrinkling(layers: Sequence[Layer], substrate: Any, layer: int) -> Wrinkling:
+    """Of one layer, counted from 0."""
+    rows, base = _structures(layers, substrate)
+    return Wrinkling(*call(_native.layers_wrinkling, len(layers), address(rows), address(base), layer + 1))
+
+
+def _structures(layers: Sequence[Layer], substrate: Any) -> tuple[NDArray[Any], NDArray[Any] | None]:
+    """Structures mdr_layer of the layers, and of the half-space."""
+    rows = np.zeros(max(len(layers), 1), _layout.layer)
+    rows["size"] = _layout.layer.itemsize
+    for row, layer in zip(rows, layers, strict=False):
+        below = layer.interface
+        if substrate is SMOOTH and layer is layers[-1]:
+            if below is not None:
+                raise InvalidArgumentError("an interface above a SMOOTH base is not allowed: the base slides by itself")
+            below = SLIDING
+        members = {**layer.material._layer(), "thickness": layer.thickness, "prestress": layer.prestress}  # type: ignore[union-attr]
+        members.update({} if below is None else below._layer())
+        for name, value in members.items():
+            row[name] = value
+    base = None
+    if substrate is not RIGID and substrate is not SMOOTH:
+        base = np.zeros(1, _layout.layer)
+        base["size"] = _layout.layer.itemsize
+        for name, value in substrate._layer().items():
+            base[name] = value
+    return rows, base

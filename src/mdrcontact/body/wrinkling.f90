@@ -1,0 +1,89 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> The compression of a layer at which the surface of a body wrinkles (theory of surfaces 7): Chen, Hutchinson, J. Appl. Mech. 71
+!> (2004) 597 in the limit of a thin stiff film, exact for any layers.
+module mdrcontact_body_wrinkling
+    use mdrcontact_body_elements_interface, only: bond_t
+    use mdrcontact_body_stability, only: softest_wave
+    use mdrcontact_body_stack, only: new_stack, stack_t
+    use mdrcontact_error, only: error_t
+    use mdrcontact_kinds, only: pi, wp
+    use mdrcontact_material, only: material_t
+    use mdrcontact_material_transverse, only: transverse_t
+    implicit none (type, external)
+    private
+    public :: find_wrinkling
+
+    !> Relative accuracy of the stress.
+    real(wp), parameter :: accuracy = 1.0e-12_wp
+
+contains
+
+    !> The stress of one layer, all else as it is, at which a wave has no stiffness. The stress of that layer itself is not used.
+    subroutine find_wrinkling(layers, thickness, substrate, rigid_base, bonds, which, stress, wavelength, error)
+        !> from the surface down, each free of stress or under one that is stable
+        type(material_t), intent(in) :: layers(:)
+        !> > 0 [length]
+        real(wp), intent(in) :: thickness(:)
+        !> the half-space below, unless the base is rigid
+        type(material_t), intent(in) :: substrate
+        logical, intent(in) :: rigid_base
+        type(bond_t), intent(in) :: bonds(:)
+        !> number of the layer from the surface down
+        integer, intent(in) :: which
+        !> < 0: compression [modulus], and the wavelength of the wrinkles [length]
+        real(wp), intent(out) :: stress, wavelength
+        type(error_t), allocatable, intent(inout) :: error
+        type(stack_t) :: body
+        real(wp) :: low, high, middle, k, stiffness
+
+        stress = 0.0_wp
+        wavelength = 0.0_wp
+        if (.not. allocated(error)) call stretched_stack(0.0_wp, error)
+        if (allocated(error)) return
+        high = 0.0_wp
+        low = -1.0e-15_wp*layers(which)%contact()
+        do while (is_stable(low))
+            high = low
+            low = 4.0_wp*low
+        end do
+        do while (high - low > accuracy*abs(low))
+            middle = 0.5_wp*(low + high)
+            if (is_stable(middle)) then
+                high = middle
+            else
+                low = middle
+            end if
+        end do
+        stress = high
+        call stretched_stack(stress, error)
+        if (.not. allocated(error)) call softest_wave(body, k, stiffness, error)
+        if (.not. allocated(error)) wavelength = 2.0_wp*pi/k
+
+    contains
+
+        function is_stable(trial) result(answer)
+            real(wp), intent(in) :: trial
+            logical :: answer
+            type(error_t), allocatable :: refused
+
+            call stretched_stack(trial, refused)
+            answer = .not. allocated(refused)
+        end function is_stable
+
+        !> The body with the layer under a stress; refused where that is unstable.
+        subroutine stretched_stack(trial, refused)
+            real(wp), intent(in) :: trial
+            type(error_t), allocatable, intent(inout) :: refused
+            type(material_t) :: materials(size(layers))
+            type(transverse_t) :: constants
+
+            materials = layers
+            constants = layers(which)%as_transverse()
+            materials(which)%is_plain = .false.
+            call constants%stretched(trial, materials(which)%constants, refused, "")
+            if (.not. allocated(refused)) call new_stack(body, materials, thickness, substrate, refused, rigid_base, bonds)
+        end subroutine stretched_stack
+
+    end subroutine find_wrinkling
+
+end module mdrcontact_body_wrinkling
