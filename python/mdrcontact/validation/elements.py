@@ -13,7 +13,7 @@ from .. import fitting
 from ..contact import Contact, State
 from ..friction import Friction
 from ..material import RIGID, Elastic
-from ..medium import Coated, Homogeneous
+from ..medium import Coated, Graded, Homogeneous
 from ..profile import FlatPunch, Paraboloid
 from .check import Array, Check, Comparison, comparison
 from .elements_slip import Sheared
@@ -124,9 +124,7 @@ def bonded() -> Comparison:
     for nu in (0.3, 0.45):
         for a in (0.5, 1.0, 2.0, 4.0):
             film = Elastic(1.0, nu)
-            r = _lines([a, 0.0, a + 12.0], _FINEST * a, _RATIO)
-            z = _lines([0.0, 1.0], _FINEST * a, _RATIO)
-            rows.append((a, Coated(film, 1.0, RIGID).stiffness(a), _Body(_moduli([(1.0, film)]), r, z).punch(a)))
+            rows.append((a, Coated(film, 1.0, RIGID).stiffness(a), _bonded_punch(film, a)))
     a, here, there = np.array(rows, dtype=float).T
     return comparison("a/h (nu = 0.3, then 0.45)", np.concatenate([a[:4], 5.0 + a[4:]]), here, there)
 
@@ -147,6 +145,48 @@ def coated() -> Comparison:
             rows.append((a, float(Coated(film, 1.0, base).stiffness(a)), there))
     a, here, there = np.array(rows, dtype=float).T
     return comparison("a/h (soft, then stiff)", np.concatenate([a[:3], 4.0 + a[3:]]), here, there)
+
+
+def graded() -> Comparison:
+    """A body whose modulus falls from 4 to 1 over the depth h; what lies beyond the mesh as for a coated body."""
+    base, rows = Elastic(1.0, 0.3), []
+
+    def moduli(z: Array) -> tuple[Array, Array]:
+        shear = np.maximum(4.0 - 3.0 * z, 1.0) / (2.0 * (1.0 + base.nu))
+        return 2.0 * shear * base.nu / (1.0 - 2.0 * base.nu), shear
+
+    body = Graded([0.0, 1.0], [4.0, 1.0], base.nu)
+    for a in (0.3, 1.0, 3.0):
+        far = _FAR * max(a, 1.0)
+        r = _lines([a, 0.0, far], _FINEST * a, _RATIO)
+        z = np.unique(np.concatenate([_lines([0.0, 1.0], _FINEST * a, _RATIO), _lines([1.0, far], 0.05, _RATIO)]))
+        added = 1.0 / _Body(moduli, r, z).punch(a) - 1.0 / _Body(_moduli([(far, base)]), r, z).punch(a)
+        rows.append((a, float(body.stiffness(a)), 1.0 / (1.0 / float(Homogeneous(base).stiffness(a)) + added)))
+    return comparison("a/h", *np.array(rows).T)
+
+
+_WIDER = 1.1
+"""Ratio of the radii between which a stiffness is differentiated."""
+
+
+def sticking() -> Comparison:
+    """The tension k sqrt(4 pi a gamma/k') of an adhesive edge on a bonded layer, by stiffnesses k and k' = dk/da of punches."""
+    film, gamma, rows = Elastic(1.0, 0.3), 1e-3, []
+    body = Coated(film, 1.0, RIGID)
+    tip = Paraboloid(10.0)
+    for a in (0.5, 1.0, 2.0):
+        k = [_bonded_punch(film, a * ratio) for ratio in (1.0 / _WIDER, 1.0, _WIDER)]
+        slope = k[1] / a * (np.log(k[2]) - np.log(k[0])) / (2.0 * np.log(_WIDER))
+        free, held = Contact(tip, body), Contact(tip, body, work_of_adhesion=gamma)
+        tension = float(free.at_radius(a).force) - float(held.at_radius(a).force)
+        rows.append((a, tension, k[1] * float(np.sqrt(4.0 * np.pi * a * gamma / slope))))
+    return comparison("a/h", *np.array(rows).T)
+
+
+def _bonded_punch(film: Elastic, a: float) -> float:
+    """Stiffness of a punch on a layer of thickness 1 on a rigid base."""
+    r = _lines([a, 0.0, a + 12.0], _FINEST * a, _RATIO)
+    return _Body(_moduli([(1.0, film)]), r, _lines([0.0, 1.0], _FINEST * a, _RATIO)).punch(a)
 
 
 def pressed() -> Comparison:
@@ -218,10 +258,7 @@ def slipping() -> Comparison:
 def fitted() -> Comparison:
     """The modulus of a layer, from stiffnesses that finite elements gave."""
     film, a = Elastic(3.0, 0.3), np.array([0.5, 1.0, 2.0, 4.0])
-    there = []
-    for radius in a:
-        r = _lines([radius, 0.0, radius + 12.0], _FINEST * radius, _RATIO)
-        there.append(_Body(_moduli([(1.0, film)]), r, _lines([0.0, 1.0], _FINEST * radius, _RATIO)).punch(radius))
+    there = [_bonded_punch(film, radius) for radius in a]
     data = fitting.StiffnessRadius(a, there, relative_sd=1e-3)
     found = fitting.fit(data, FlatPunch(1.0), Coated(Elastic(1.0, 0.3), 1.0, RIGID), ["coating.E"]).estimates["coating.E"]
     return comparison("modulus of the layer", [0.0], [found], [film.E])
@@ -232,6 +269,10 @@ ELEMENTS = (
           "the elements': singular edge, 12 thicknesses", bonded, needs="skfem"),
     Check("elements-coated", "stiffness, coated half-space", "finite elements (scikit-fem)", 4e-3,
           "the elements': end of the mesh at 60 a", coated, is_long=True, needs="skfem"),
+    Check("elements-graded", "stiffness, graded half-space", "finite elements (scikit-fem)", 4e-3,
+          "the elements': end of the mesh at 60 a", graded, is_long=True, needs="skfem"),
+    Check("elements-adhesion", "adhesion on a bonded layer", "finite elements (scikit-fem)", 4e-3,
+          "the elements': stiffness differentiated over 20 % of a", sticking, needs="skfem"),
     Check("elements-pressed", "pressure and surface of a coated body", "finite elements (scikit-fem)", 2e-3,
           "the elements': cells beside the edge, end of the mesh", pressed, is_long=True, needs="skfem"),
     Check("elements-inside", "stresses inside a coated body", "finite elements (scikit-fem)", 1e-2,
