@@ -49,11 +49,10 @@ def main() -> int:
     mine, theirs = compare(lambda: mdr.Conduction(body), lambda: mdr.Coated(film, 1.0, base), 5)
     rows.append(("a conduction", "an exact medium", mine / theirs, 1.0))
     for a in RATIOS:
-        of_state, radii = contact.at_radius(a), np.full(200, a)
-        mine, states = compare(
-            partial(conduction.friction_heat, contact, of_state, 0.1, 1.0), partial(contact.at_radius, radii), 60
-        )
-        rows.append((f"friction heat, a/h = {a:g}", "an exact state from its radius", 200.0 * mine / states, 2.0))
+        radii = np.full(200, a)
+        states = contact.at_radius(radii)
+        mine, state = compare(partial(conduction.friction_heat, contact, states, 0.1, 1.0), partial(contact.at_radius, radii), 2)
+        rows.append((f"friction heat, a/h = {a:g}", "an exact state from its radius", mine / state, 2.0))
     print("\n## Heat and current\n\n| what | beside | ratio | at most |\n|---|---|---|---|")
     for what, beside, ratio, most in rows:
         late += ratio > most

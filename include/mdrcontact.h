@@ -1134,30 +1134,34 @@ int mdr_conduction_along(const mdr_conduction *p, const mdr_contact *c, int n, c
 enum mdr_heat_motion {
     MDR_HEAT_SLIDING = 1,  /**< q = mu v p(r), the source resting on both bodies: fretting, or low speeds. */
     MDR_HEAT_SPINNING = 2, /**< q = mu omega r p(r) of a twist about the axis: exact at any speed. */
-    MDR_HEAT_MOVING = 3    /**< q = mu v p(r), all of it into the one body over which the source moves at any speed. */
+    MDR_HEAT_MOVING = 3    /**< q = mu v p(r), the source moving over the lower body at any speed and resting on the upper one.
+                                Of two bodies the share is that of equal flux_mean, an approximation. */
 };
 
 /** The heat of friction of a state, and temperature rises of the contact over those far away. */
 typedef struct mdr_friction_heat {
     double total;     /**< Q = mu v F, or mu omega times the moment of p. */
     double share;     /**< Part of it that the lower body takes: 1 without an upper one. */
-    double centre;    /**< Temperature rise at r = 0, for MDR_HEAT_MOVING under the centre. */
+    double centre;    /**< Temperature rise at r = 0, for MDR_HEAT_MOVING that of the lower body, as all below. */
     double flux_mean; /**< Its mean weighted with the heat. */
     double area_mean; /**< Its mean over the contact; 0 for MDR_HEAT_MOVING. */
+    double largest;   /**< For MDR_HEAT_MOVING the largest rise on the line of motion through the centre; else 0. */
+    double behind;    /**< How far behind the centre it is; else 0 [length]. */
 } mdr_friction_heat;
 
-/** The heat of friction of a state and its temperatures. Two bodies share it so that their temperatures are the same all over the
+/** The heat of friction of states and its temperatures. Two bodies share it so that their temperatures are the same all over the
  *  contact; a film in the spot is not offered then.
  *  @param p         conduction of heat
  *  @param c         contact
- *  @param state     of that contact, a > 0
+ *  @param n         number of states
+ *  @param states    [n] of that contact, a > 0
  *  @param motion    one of enum mdr_heat_motion
  *  @param strength  mu v >= 0, heat per normal force; mu omega of MDR_HEAT_SPINNING
- *  @param speed     v > 0 of the source over the body, of MDR_HEAT_MOVING alone [length/time]
- *  @param out       receives the result
+ *  @param speed     v > 0 of the source over the lower body, of MDR_HEAT_MOVING alone [length/time]
+ *  @param out       [n] results: means as exact as the states, the centre to 1e-8
  *  @return also MDR_EINVALID, MDR_EDOMAIN, MDR_ENOCONVERGENCE */
-int mdr_conduction_heat(const mdr_conduction *p, const mdr_contact *c, const mdr_state *state, int motion, double strength,
-                        double speed, mdr_friction_heat *out);
+int mdr_conduction_heat(const mdr_conduction *p, const mdr_contact *c, int n, const mdr_state states[], int motion,
+                        double strength, double speed, mdr_friction_heat out[]);
 
 /** The temperature rise that the heat of friction makes at points of a body.
  *  @param p         conduction of heat

@@ -91,7 +91,8 @@ module mdrcontact
     use mdrcontact_conduction_conductors, only: conductor_t, conductors_t, half_space_base, insulating_base, new_conductors, &
                                                 perfect_base
     use mdrcontact_conduction_fields, only: conductance_at, flux_at, inside_at
-    use mdrcontact_conduction_heat, only: friction_heat, heat_field, heat_t, moving_heat
+    use mdrcontact_conduction_heat, only: friction_heat, heat_field, heat_t
+    use mdrcontact_conduction_moving, only: moving_heat
     use mdrcontact_conduction_rough, only: rough_conductance
     use mdrcontact_conduction_source, only: sliding, spinning
     use mdrcontact_conduction_table, only: tabulate_conductance

@@ -102,6 +102,8 @@ friction_heat = np.dtype(
         ("centre", np.float64),
         ("flux_mean", np.float64),
         ("area_mean", np.float64),
+        ("largest", np.float64),
+        ("behind", np.float64),
     ],
     align=True,
 )

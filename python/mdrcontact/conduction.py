@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from . import _layout, _native
 from ._boundary import (
@@ -63,6 +63,15 @@ def _at_points(r: ArrayLike, z: ArrayLike, function: Callable[..., Any]) -> Floa
     return values.reshape(radii.shape) if radii.shape else float(values[0])
 
 
+def _rows(states: State) -> tuple[NDArray[np.float64], tuple[int, ...]]:
+    """States as the library takes them, and their shape."""
+    shape = np.shape(states.radius)
+    if not shape:
+        return np.array([states], float), shape
+    rows = np.stack([np.broadcast_to(np.asarray(value, float), shape) for value in states], axis=-1).reshape(-1, len(states))
+    return np.ascontiguousarray(rows), shape
+
+
 class ContactConductance(NamedTuple):
     """Conductance along the loading of a contact; each entry has the shape of the states."""
 
@@ -76,28 +85,36 @@ class ContactConductance(NamedTuple):
 
 @dataclass(frozen=True)
 class FrictionHeat:
-    """The heat that friction makes in a state of a contact, and its temperatures over those far away."""
+    """The heat that friction makes in states of a contact, and its temperatures over those far away; each number has the shape
+    of the states."""
 
-    total: float
+    total: FloatOrArray
     """Q, heat per time"""
-    share: float
+    share: FloatOrArray
     """part of it that the lower body takes: 1 without an upper one"""
-    centre: float
-    """temperature rise at r = 0"""
-    flux_mean: float
+    centre: FloatOrArray
+    """temperature rise at r = 0, to 1e-8; for a moving source that of the lower body, as all below"""
+    flux_mean: FloatOrArray
     """its mean weighted with the heat"""
-    area_mean: float
+    area_mean: FloatOrArray
     """its mean over the contact; NaN for a moving source"""
+    largest: FloatOrArray
+    """of a moving source: the largest rise on the line of motion through the centre; else NaN"""
+    behind: FloatOrArray
+    """how far behind the centre it is [length]; else NaN"""
     _field: Any = field(repr=False, compare=False)
 
     def temperature(self, r: ArrayLike, z: ArrayLike, body: str = "lower", side: str = "below") -> FloatOrArray:
-        """Temperature rise in a body at r >= 0 and depth z >= 0 below its surface; not of a moving source.
+        """Temperature rise in a body at r >= 0 and depth z >= 0 below its surface, of one state; not of a moving source.
 
         side : "below" or "above", of an interface with a resistance
         """
         if self._field is None:
             raise InvalidArgumentError("the temperature of a moving source is not axisymmetric: its centre and its mean are known")
-        conduction, contact, row, motion, strength = self._field
+        conduction, contact, rows, motion, strength = self._field
+        if np.ndim(self.total):
+            raise InvalidArgumentError("temperatures are those of one state: give friction_heat one of them")
+        row = rows[0]
         which, below = code("body", body, BODIES), code("side", side, SIDES)
 
         def values(flat_r: Any, flat_z: Any) -> Any:
@@ -152,11 +169,8 @@ class Conduction(Value):
 
     def along(self, contact: Contact, states: State) -> ContactConductance:
         """Conductance of states of a contact, and how it grows with force and depth: G'(a)/F'(a), G'(a)/d'(a)."""
-        shape = np.shape(states.radius)
-        rows = np.stack([np.broadcast_to(np.asarray(value, float), shape) for value in states], axis=-1).reshape(-1, len(states))
-        if not rows.size:
-            return ContactConductance(*(np.empty(shape) for _ in range(3)))
-        status, *values = _native.conduction_along(self._handle.address, contact._handle.address, np.ascontiguousarray(rows))
+        rows, shape = _rows(states)
+        status, *values = _native.conduction_along(self._handle.address, contact._handle.address, rows)
         check(status, single=not shape)
         return ContactConductance(*(value.reshape(shape) if shape else float(value[0]) for value in values))
 
@@ -175,24 +189,29 @@ class Conduction(Value):
         return evaluate("r", r, lambda points: _native.conduction_step_flux(self._handle.address, a, t, points))
 
     def friction_heat(
-        self, contact: Contact, state: State, mu: float, speed: float, motion: str = "sliding", source_speed: float | None = None
+        self, contact: Contact, states: State, mu: float, speed: float, motion: str = "sliding", source_speed: float | None = None
     ) -> FrictionHeat:
-        """The heat of friction of one state, q = mu speed p(r), and its temperatures.
+        """The heat of friction of states, any shape, q = mu speed p(r), and its temperatures.
 
         motion : "sliding", the source resting on both bodies, as in fretting or at low speeds; "spinning", q = mu speed r p(r),
-            speed being the twist rate [1/time]: exact at any speed; "moving", all heat into the one body over which the source
-            moves
-        source_speed : speed of the source over that body; None: speed [length/time]
+            speed being the twist rate [1/time]: exact at any speed; "moving", the source moving over the lower body at any speed
+            and resting on the upper one. Of two bodies the share is then that of equal flux_mean, an approximation
+        source_speed : speed of the source over the lower body; None: speed [length/time]
         """
         kind = code("motion", motion, MOTIONS)
         strength = number("mu", mu) * number("speed", speed)
         over = strength and (number("speed", speed) if source_speed is None else number("source_speed", source_speed))
-        row = contact._one(state)
-        values = call(_native.conduction_heat, self._handle.address, contact._handle.address, row, kind, strength, over)
-        total, share, centre, flux_mean, area_mean = (float(value) for value in values)
+        rows, shape = _rows(states)
+        given = (self._handle.address, contact._handle.address, rows, kind, strength, over)
+        status, values = _native.conduction_heat(*given)
+        check(status, single=not shape)
+        columns = [values[:, i].reshape(shape) if shape else float(values[0, i]) for i in range(values.shape[1])]
+        total, share, centre, flux_mean, area_mean, largest, behind = columns
+        not_known = np.full(shape, np.nan) if shape else math.nan
         if motion == "moving":
-            return FrictionHeat(total, share, centre, flux_mean, math.nan, None)
-        return FrictionHeat(total, share, centre, flux_mean, area_mean, (self, contact, row, kind, strength))
+            return FrictionHeat(total, share, centre, flux_mean, not_known, largest, behind, None)
+        on_field = (self, contact, rows, kind, strength)
+        return FrictionHeat(total, share, centre, flux_mean, area_mean, not_known, not_known, on_field)
 
     def step(self, time: ArrayLike, radius: float, answer: str = "conductance") -> FloatOrArray:
         """What follows a step at time 0, at times with D t/a^2 >= 1e-4 of the surface, any shape.

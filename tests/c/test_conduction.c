@@ -60,7 +60,7 @@ static void test_of_contact(void)
     mdr_medium *body = NULL;
     mdr_contact *c = NULL;
     mdr_state state;
-    mdr_friction_heat heat = {7.0, 7.0, 7.0, 7.0, 7.0};
+    mdr_friction_heat heat = {7.0, 7.0, 7.0, 7.0, 7.0, 7.0, 7.0};
 
     CHECK_SUCCESS(mdr_conduction_new(1, &HALF_SPACE, MDR_BASE_HALF_SPACE, 0, NULL, 0, 0.0, 0.0, &p));
     CHECK_SUCCESS(mdr_profile_paraboloid(2.0, &ball));
@@ -72,8 +72,10 @@ static void test_of_contact(void)
     CHECK_CLOSE(conductance, state.stiffness * 8.0 * (1.0 - nu * nu) / E, 1e-10);
     CHECK_CLOSE(by_force, conductance / (3.0 * state.force), 1e-10);
     CHECK_CLOSE(by_depth, conductance / (2.0 * state.depth), 1e-10);
-    CHECK_SUCCESS(mdr_conduction_heat(p, c, &state, MDR_HEAT_SLIDING, 0.5, 0.0, &heat));
+    CHECK_SUCCESS(mdr_conduction_heat(p, c, 1, &state, MDR_HEAT_SLIDING, 0.5, 0.0, &heat));
     CHECK_CLOSE(heat.total, 0.5 * state.force, 1e-10);
+    CHECK_SUCCESS(mdr_conduction_heat(p, c, 0, NULL, MDR_HEAT_SLIDING, 0.5, 0.0, NULL));
+    CHECK_STATUS(mdr_conduction_heat(p, c, -1, &state, MDR_HEAT_SLIDING, 0.5, 0.0, &heat), MDR_EINVALID, "n = -1");
     CHECK_CLOSE(heat.centre, 3.0 * heat.total / (8.0 * 4.0 * 0.3), 1e-10);
     CHECK_SUCCESS(mdr_conduction_heat_field(p, c, &state, MDR_HEAT_SLIDING, 0.5, MDR_BODY_LOWER, 1, 2, r, z, out));
     CHECK_CLOSE(out[0], heat.centre, 1e-8);
@@ -93,11 +95,11 @@ static void test_of_contact(void)
     CHECK_STATUS(mdr_conduction_tabulate(p, 0.1, 0.5, 1e-8, NULL), MDR_ENULL, "out");
     CHECK_STATUS(mdr_conduction_along(p, c, 1, NULL, &conductance, NULL, NULL), MDR_ENULL, "states");
     CHECK_STATUS(mdr_conduction_along(p, NULL, 1, &state, &conductance, NULL, NULL), MDR_ENULL, "c");
-    CHECK_STATUS(mdr_conduction_heat(p, c, &state, 4, 0.5, 0.0, &heat), MDR_EINVALID, "motion = 4");
-    CHECK_STATUS(mdr_conduction_heat(p, c, &state, MDR_HEAT_MOVING, 0.5, 0.0, &heat), MDR_EINVALID, "speed = 0");
-    CHECK_STATUS(mdr_conduction_heat(p, c, &state, MDR_HEAT_SLIDING, -0.5, 0.0, &heat), MDR_EINVALID, "strength");
-    CHECK_STATUS(mdr_conduction_heat(p, c, NULL, MDR_HEAT_SLIDING, 0.5, 0.0, &heat), MDR_ENULL, "state");
-    CHECK_STATUS(mdr_conduction_heat(p, c, &state, MDR_HEAT_SLIDING, 0.5, 0.0, NULL), MDR_ENULL, "out");
+    CHECK_STATUS(mdr_conduction_heat(p, c, 1, &state, 4, 0.5, 0.0, &heat), MDR_EINVALID, "motion = 4");
+    CHECK_STATUS(mdr_conduction_heat(p, c, 1, &state, MDR_HEAT_MOVING, 0.5, 0.0, &heat), MDR_EINVALID, "speed = 0");
+    CHECK_STATUS(mdr_conduction_heat(p, c, 1, &state, MDR_HEAT_SLIDING, -0.5, 0.0, &heat), MDR_EINVALID, "strength");
+    CHECK_STATUS(mdr_conduction_heat(p, c, 1, NULL, MDR_HEAT_SLIDING, 0.5, 0.0, &heat), MDR_ENULL, "states");
+    CHECK_STATUS(mdr_conduction_heat(p, c, 1, &state, MDR_HEAT_SLIDING, 0.5, 0.0, NULL), MDR_ENULL, "out");
     CHECK_STATUS(mdr_conduction_rough(p, c, &state, 0.0, &rough), MDR_EINVALID, "kappa = 0");
     CHECK_STATUS(mdr_conduction_step_flux(p, 0.05, 1.0, 2, r, out), MDR_EDOMAIN, "entry 2 of r");
     CHECK_STATUS(mdr_conduction_heat_field(p, c, &state, 1, 0.5, 2, 1, 2, r, z, out), MDR_EINVALID, "body = 2");

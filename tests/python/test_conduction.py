@@ -349,10 +349,70 @@ def test_a_slow_source_rests():
     rest = conduction.friction_heat(contact, state, 1.0, 1.0)
     slow = conduction.friction_heat(contact, state, 1.0, 1.0, "moving", 1e-7)
     fast = conduction.friction_heat(contact, state, 1.0, 1.0, "moving", 30.0)
+    assert slow.largest == pytest.approx(rest.centre, rel=1e-6) and slow.behind < 1e-3
     assert slow.centre == pytest.approx(rest.centre, rel=1e-6) and slow.flux_mean == pytest.approx(rest.flux_mean, rel=1e-6)
     assert fast.flux_mean < 0.6 * rest.flux_mean
     with pytest.raises(mdr.MDRError, match="axisymmetric"):
         slow.temperature(0.0, 0.0)
+
+
+def of_jaeger(x, y, v):
+    """T under q = sqrt(1 - r^2), a = 1, lambda = c = 1, moving at v: point sources exp(-v (R + X)/2)/(2 pi R), in polar
+    coordinates around the point, along whose rays R cancels."""
+    u, w = np.polynomial.legendre.leggauss(200)
+    phi = np.pi * np.linspace(0.0, 2.0, 400, endpoint=False)
+    # from the edge of the disc behind the point to that before it, or from the point
+    b = x * np.cos(phi) + y * np.sin(phi)
+    reach = -b + np.sqrt(b**2 + 1.0 - x**2 - y**2)
+    rho = 0.5 * reach[:, None] * (1.0 + np.sin(0.5 * np.pi * u))
+    weight = 0.25 * np.pi * reach[:, None] * np.cos(0.5 * np.pi * u) * w
+    q = np.sqrt(np.maximum(1.0 - (x + rho * np.cos(phi[:, None])) ** 2 - (y + rho * np.sin(phi[:, None])) ** 2, 0.0))
+    # the source at x + rho cos phi lies ahead of the point that it heats where cos phi < 0
+    fall = np.exp(-0.5 * v * rho * (1.0 + np.cos(phi[:, None])))
+    return np.sum(weight * q * fall) * 2.0 * np.pi / len(phi) / (2.0 * np.pi)
+
+
+@pytest.mark.parametrize("v", [0.3, 5.0, 60.0])
+def test_largest_temperature_of_a_moving_source(v):
+    """Beside Jaeger's source, whose temperatures along the line are integrated at places around the one found."""
+    contact = mdr.Contact(mdr.Paraboloid(1.0), mdr.Homogeneous(mdr.Elastic(0.5 * np.pi, 0.0)))
+    heat = mdr.Conduction(mdr.Conductor(1.0, None, 1.0)).friction_heat(contact, contact.at_radius(1.0), 1.0, 1.0, "moving", v)
+    assert heat.centre == pytest.approx(of_jaeger(0.0, 0.0, v), rel=1e-5)
+    assert heat.largest == pytest.approx(of_jaeger(heat.behind, 0.0, v), rel=1e-5)
+    for step in (-0.05, 0.05):
+        assert of_jaeger(heat.behind + step, 0.0, v) < heat.largest
+    if v > 50.0:
+        assert heat.largest == pytest.approx(1.2346 / np.sqrt(v), rel=0.05)
+
+
+def test_share_of_a_moving_source():
+    """Equal means over the heat: the faster, the more goes into the body that moves; slow, what two bodies at rest share."""
+    contact = mdr.Contact(mdr.Paraboloid(10.0), mdr.Homogeneous(mdr.Elastic(2.0, 0.3)))
+    state, body = contact.at_radius(1.0), mdr.Conductor(2.0, None, 1.0)
+    both = mdr.Conduction(body, mdr.Conductor(1.0))
+    slow, fast = (both.friction_heat(contact, state, 1.0, 1.0, "moving", v) for v in (1e-7, 20.0))
+    assert slow.share == pytest.approx(2.0 / 3.0, rel=1e-6) and fast.share > 0.8
+    moved = mdr.Conduction(body).friction_heat(contact, state, 1.0, 1.0, "moving", 20.0)
+    rest = mdr.Conduction(mdr.Conductor(1.0)).friction_heat(contact, state, 1.0, 1.0)
+    assert fast.flux_mean == pytest.approx(fast.share * moved.flux_mean, rel=1e-12)
+    assert fast.flux_mean == pytest.approx((1.0 - fast.share) * rest.flux_mean, rel=1e-9)
+    assert fast.largest == pytest.approx(fast.share * moved.largest, rel=1e-12) and fast.behind == moved.behind
+
+
+def test_heat_of_many_states():
+    """As one by one; and the series of the medium gives what sampling gives."""
+    coated = mdr.Coated(mdr.Elastic(10.0, 0.3, mdr.Conductor(0.1)), 1.0, mdr.Elastic(1.0, 0.3, mdr.Conductor(1.0)))
+    contact, conduction = mdr.Contact(mdr.Paraboloid(1e3), coated), mdr.Conduction(coated)
+    states = contact.at_radius([[0.1, 1.0, 3.0], [10.0, 30.0, 100.0]])
+    heat = conduction.friction_heat(contact, states, 0.2, 3.0)
+    assert heat.centre.shape == (2, 3) and np.all(np.isnan(heat.largest))
+    assert heat.total == pytest.approx(0.6 * np.asarray(states.force), rel=1e-10)
+    for i in range(6):
+        one = conduction.friction_heat(contact, contact.at_radius(float(np.ravel(states.radius)[i])), 0.2, 3.0)
+        assert one.centre == heat.centre.flat[i] and one.flux_mean == heat.flux_mean.flat[i]
+        assert one.temperature(0.0, 0.0) == pytest.approx(one.centre, rel=1e-8)
+    with pytest.raises(mdr.MDRError, match="one state"):
+        heat.temperature(0.0, 0.0)
 
 
 def test_mechanical_bodies_conduct():

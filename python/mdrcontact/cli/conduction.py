@@ -81,10 +81,10 @@ def columns(contact: Contact, conduction: Conduction, given: Conducting, states:
     ]
     if given.heat is not None:
         mu, speed = given.heat
-        heats = [conduction.friction_heat(contact, states.one(i), mu, speed) for i in range(np.size(states.radius))]
-        table.append(column("centre", np.array([heat.centre for heat in heats]), TEMPERATURE))
-        table.append(column("mean", np.array([heat.flux_mean for heat in heats]), TEMPERATURE))
-        table.append(Column("share", np.array([heat.share for heat in heats]), Unit("", 1.0)))
+        heat = conduction.friction_heat(contact, states, mu, speed)
+        table.append(column("centre", np.asarray(heat.centre), TEMPERATURE))
+        table.append(column("mean", np.asarray(heat.flux_mean), TEMPERATURE))
+        table.append(Column("share", np.asarray(heat.share), Unit("", 1.0)))
     return table
 
 

@@ -8,7 +8,8 @@ module mdrcontact_api_conduction_heat
     use mdrcontact_conduction_along, only: conductance_along
     use mdrcontact_conduction_bodies, only: conduction_t
     use mdrcontact_conduction_rough, only: rough_conductance
-    use mdrcontact_conduction_heat, only: friction_heat, heat_field, heat_t, moving_heat
+    use mdrcontact_conduction_heat, only: friction_heat, heat_field, heat_t
+    use mdrcontact_conduction_moving, only: moving_heat
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: check_choice, check_memory, error_t, raise_at
@@ -16,9 +17,12 @@ module mdrcontact_api_conduction_heat
     private
     public :: mdr_conduction_along, mdr_conduction_rough, mdr_conduction_heat, mdr_conduction_heat_field
 
+    !> enum mdr_heat_motion: the third is that of a source over the lower body.
+    integer, parameter :: moving = 3
+
     !> Struct mdr_friction_heat.
     type, bind(C) :: record_t
-        real(c_double) :: total, share, centre, flux_mean, area_mean
+        real(c_double) :: total, share, centre, flux_mean, area_mean, largest, behind
     end type record_t
 
 contains
@@ -80,38 +84,60 @@ contains
         if (.not. allocated(error)) out = value
     end function mdr_conduction_rough
 
-    function mdr_conduction_heat(p, c, state, motion, strength, speed, out) result(status) &
+    function mdr_conduction_heat(p, c, n, states, motion, strength, speed, out) result(status) &
         bind(C, name="mdrcontact_entry_conduction_heat")
         type(c_ptr), value :: p, c
-        type(contact_state_t), intent(in), optional :: state
-        integer(c_int), value :: motion
+        integer(c_int), value :: n, motion
+        type(contact_state_t), intent(in), optional :: states(*)
         real(c_double), value :: strength, speed
-        type(record_t), intent(inout), optional :: out
+        type(record_t), intent(inout), optional :: out(*)
         integer(c_int) :: status
         type(conduction_t), pointer :: conduction
         type(contact_t), pointer :: contact
-        type(heat_t) :: heat
+        type(record_t), allocatable :: records(:)
         type(error_t), allocatable :: error
+        integer :: i, stat
 
         call open_handle(p, "p", conduction, error)
         call open_handle(c, "c", contact, error)
-        call check_given(error, "state", present(state))
-        call check_given(error, "out", present(out))
-        ! the third motion is that of a source over the lower body
-        call check_choice(error, "motion", int(motion), 1, 3, "1 (sliding), 2 (spinning) or 3 (moving)")
+        call check_in_out(error, n, "states", present(states), present(out))
         if (.not. allocated(error)) then
-            if (motion == 3) then
-                call moving_heat(conduction, contact, state, strength, speed, heat, error)
-            else
-                call friction_heat(conduction, contact, state, int(motion), strength, heat, error)
-            end if
+            allocate (records(n), stat=stat)
+            call check_memory(error, stat)
         end if
         if (.not. allocated(error)) then
-            call check_results(error, [heat%total, heat%share, heat%centre, heat%flux_mean, heat%area_mean])
+            do i = 1, n
+                call take_heat(conduction, contact, states(i), int(motion), strength, speed, records(i), error)
+                if (allocated(error)) call raise_at(error, i)
+                if (allocated(error)) exit
+            end do
         end if
         status = status_of(error)
-        if (.not. allocated(error)) out = record_t(heat%total, heat%share, heat%centre, heat%flux_mean, heat%area_mean)
+        if (.not. allocated(error)) out(:n) = records
     end function mdr_conduction_heat
+
+    !> Of one state.
+    subroutine take_heat(conduction, contact, state, motion, strength, speed, record, error)
+        type(conduction_t), intent(in) :: conduction
+        type(contact_t), intent(in) :: contact
+        type(contact_state_t), intent(in) :: state
+        integer, intent(in) :: motion
+        real(c_double), intent(in) :: strength, speed
+        type(record_t), intent(inout) :: record
+        type(error_t), allocatable, intent(inout) :: error
+        type(heat_t) :: heat
+
+        call check_choice(error, "motion", motion, 1, moving, "1 (sliding), 2 (spinning) or 3 (moving)")
+        if (allocated(error)) return
+        if (motion == moving) then
+            call moving_heat(conduction, contact, state, strength, speed, heat, error)
+        else
+            call friction_heat(conduction, contact, state, motion, strength, heat, error)
+        end if
+        record = record_t(heat%total, heat%share, heat%centre, heat%flux_mean, heat%area_mean, heat%largest, heat%behind)
+        if (.not. allocated(error)) call check_results(error, [record%total, record%share, record%centre, record%flux_mean, &
+                                                               record%area_mean, record%largest, record%behind])
+    end subroutine take_heat
 
     function mdr_conduction_heat_field(p, c, state, motion, strength, body, below, n, r, z, out) result(status) &
         bind(C, name="mdrcontact_entry_conduction_heat_field")

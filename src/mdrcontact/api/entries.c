@@ -874,15 +874,15 @@ int mdr_conduction_along(const mdr_conduction *p, const mdr_contact *c, int n, c
     return status;
 }
 
-int mdrcontact_entry_conduction_heat(const mdr_conduction *p, const mdr_contact *c, const mdr_state *state, int motion,
-        double strength, double speed, mdr_friction_heat *out);
-int mdr_conduction_heat(const mdr_conduction *p, const mdr_contact *c, const mdr_state *state, int motion, double strength,
-        double speed, mdr_friction_heat *out)
+int mdrcontact_entry_conduction_heat(const mdr_conduction *p, const mdr_contact *c, int n, const mdr_state states[], int motion,
+        double strength, double speed, mdr_friction_heat out[]);
+int mdr_conduction_heat(const mdr_conduction *p, const mdr_contact *c, int n, const mdr_state states[], int motion, double strength,
+        double speed, mdr_friction_heat out[])
 {
-    if (arithmetic_is_set()) return mdrcontact_entry_conduction_heat(p, c, state, motion, strength, speed, out);
+    if (arithmetic_is_set()) return mdrcontact_entry_conduction_heat(p, c, n, states, motion, strength, speed, out);
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_conduction_heat(p, c, state, motion, strength, speed, out);
+    const int status = mdrcontact_entry_conduction_heat(p, c, n, states, motion, strength, speed, out);
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }

@@ -5,30 +5,24 @@
 !> over the contact: (C_1 + C_2) q_1 = C_2 q. One body takes it all.
 module mdrcontact_conduction_heat
     use mdrcontact_conduction_bodies, only: conduction_t, tolerance
-    use mdrcontact_conduction_conductors, only: conductors_t
     use mdrcontact_conduction_inside, only: fields_inside
-    use mdrcontact_conduction_source, only: new_source, source_t, spinning
-    use mdrcontact_conduction_waves, only: wave_rule
+    use mdrcontact_conduction_source, only: centre_and_arc, new_source, source_t, spinning
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_state, only: contact_state_t
-    use mdrcontact_error, only: check_choice, check_memory, check_positive, error_invalid, error_no_convergence, error_t, raise
-    use mdrcontact_kinds, only: half_pi, pi, wp
-    use mdrcontact_layered_kernel, only: kernel_t
-    use mdrcontact_layered_legendre, only: moments_t, new_interaction, normalisation
+    use mdrcontact_error, only: check_choice, error_invalid, error_no_convergence, error_t, raise, to_text
+    use mdrcontact_kinds, only: pi, wp
+    use mdrcontact_layered_legendre, only: interaction_matrix, normalisation
     use mdrcontact_layered_moments, only: is_smooth
-    use mdrcontact_layered_series, only: add_projections, even_sum
-    use mdrcontact_layered_solve, only: factorize, first_unknowns, solve_lower, solve_upper
-    use mdrcontact_numerics_even_waves, only: even_waves
-    use mdrcontact_numerics_quadrature, only: gauss_legendre
+    use mdrcontact_layered_solve, only: factorize, first_unknowns, nodes_of_film, solve_lower, solve_upper
     implicit none (type, external)
     private
-    public :: heat_t, friction_heat, heat_field, moving_heat
+    public :: heat_t, friction_heat, heat_field
 
-    !> Nodes of a panel of directions, and the angle below which nothing is left.
-    integer, parameter :: direction_nodes = 10
-    real(wp), parameter :: shortest_panel = 1.0e-9_wp
     !> Terms of a series for temperatures inside under an indenter that is not smooth.
     integer, parameter :: terms_of_kinked = 200
+    !> What the last terms of a temperature on the line may be, relative, and terms at most.
+    real(wp), parameter :: settled = 1.0e-10_wp
+    integer, parameter :: most_unknowns = 1500
 
     !> Per the strength of the source.
     type :: heat_t
@@ -36,6 +30,8 @@ module mdrcontact_conduction_heat
         real(wp) :: total = 0.0_wp, share = 1.0_wp
         !> temperature rise in the centre, its mean over the flux, and over the area of the contact
         real(wp) :: centre = 0.0_wp, flux_mean = 0.0_wp, area_mean = 0.0_wp
+        !> of a source that moves, along the line through the centre: the largest temperature rise, and how far behind the centre
+        real(wp) :: largest = 0.0_wp, behind = 0.0_wp
     end type heat_t
 
 contains
@@ -54,8 +50,10 @@ contains
         !> coefficients of P_2j(x/a) (term, body)
         real(wp), allocatable, intent(out), optional :: loads(:, :)
         type(source_t) :: source
-        real(wp), allocatable :: t(:), given(:), taken(:)
-        integer :: n, m
+        real(wp), allocatable :: taken(:), given(:)
+        real(wp) :: reached
+        integer :: n, terms
+        logical :: is_kinked
 
         call conduction%check_steady(error)
         call conduction%check_radius(state%radius, error)
@@ -65,30 +63,52 @@ contains
         end if
         if (allocated(error)) return
         n = unknowns_for(conduction, state%radius)
-        ! the load of a spinning contact has a kink on the axis
-        if (motion == spinning) n = 3*n
-        m = n
-        if (present(loads) .and. .not. is_smooth(contact%equilibrium%profile)) m = max(n, terms_of_kinked)
-        call new_source(source, contact, state, motion, strength, max(64, m + 8), error)
+        is_kinked = motion == spinning .or. .not. is_smooth(contact%equilibrium%profile)
+        ! coefficients that fall slowly
+        if (is_kinked) n = 2*n
+        terms = 4*n
+        if (is_kinked .and. present(loads)) terms = max(terms, terms_of_kinked)
+        call new_source(source, contact, state, motion, strength, terms, present(loads), error)
         if (allocated(error)) return
-        allocate (t(m), taken(n), given(n))
-        t = 0.0_wp
-        call add_projections(size(source%u), source%u, 2.0_wp*source%dx*source%q/source%radius, t)
-        t = t*normalisation(m)
-        call share_out(conduction, source, t(:n), taken, given, error)
-        if (.not. allocated(error)) call take_means(conduction, source, taken, given, heat)
-        if (allocated(error) .or. .not. present(loads)) return
-        allocate (loads(m, size(conduction%bodies)))
-        loads(:, 1) = t
-        if (size(conduction%bodies) > 1) then
-            loads(:, 1) = conduction%share(2)*t
-            loads(:n, 1) = loads(:n, 1) + taken
-            loads(:, 2) = t - loads(:, 1)
-        end if
-        do n = 1, size(loads, 2)
-            loads(:, n) = loads(:, n)*normalisation(m)
+        do
+            if (allocated(taken)) deallocate (taken, given)
+            allocate (taken(n), given(n))
+            call share_out(conduction, source, n, taken, given, reached, error)
+            if (allocated(error)) return
+            if (reached <= settled) exit
+            if (n >= most_unknowns) then
+                call raise(error, error_no_convergence, "the temperature under the heat of friction at contact radius "// &
+                           to_text(state%radius)//" is off by about "//to_text(reached))
+                return
+            end if
+            n = n + n/2
         end do
+        call take_means(conduction, source, taken, given, heat)
+        if (present(loads)) call split(conduction, source, taken, loads)
     end subroutine friction_heat
+
+    !> Coefficients of P_2j(x/a) of what enters each body.
+    subroutine split(conduction, source, taken, loads)
+        type(conduction_t), intent(in) :: conduction
+        type(source_t), intent(in) :: source
+        real(wp), intent(in) :: taken(:)
+        real(wp), allocatable, intent(out) :: loads(:, :)
+        integer :: i, m, n
+
+        n = size(taken)
+        m = max(size(source%t), n)
+        allocate (loads(m, size(conduction%bodies)))
+        loads(:, 1) = source%series(m)
+        if (size(loads, 2) > 1) then
+            loads(:, 2) = conduction%share(1)*loads(:, 1)
+            loads(:n, 2) = loads(:n, 2) - taken
+            loads(:, 1) = conduction%share(2)*loads(:, 1)
+            loads(:n, 1) = loads(:n, 1) + taken
+        end if
+        do i = 1, size(loads, 2)
+            loads(:, i) = loads(:, i)*normalisation(m)
+        end do
+    end subroutine split
 
     !> Terms that the kernels take.
     pure function unknowns_for(conduction, a) result(n)
@@ -97,81 +117,77 @@ contains
         integer :: n
         integer :: i
 
-        n = 16
+        n = 6
         do i = 1, size(conduction%bodies)
             associate (kernel => conduction%kernels(i))
-                n = max(n, 8 + ceiling(1.5_wp*first_unknowns(kernel, tolerance, a/kernel%unit, .false., .true.)))
+                n = max(n, 3 + ceiling(1.4_wp*first_unknowns(kernel, tolerance, a/kernel%unit, .false., .false.)))
             end associate
         end do
     end function unknowns_for
 
     !> What the lower body takes beside its part S_0/S_2 of the source, (1 + H) c' = (S_0/S_2) (H_2 - H) t, and what the layers of
     !> the lower body add to the line's temperature, c' + H_1 c.
-    subroutine share_out(conduction, source, t, taken, given, error)
+    subroutine share_out(conduction, source, n, taken, given, reached, error)
         type(conduction_t), intent(in) :: conduction
         type(source_t), intent(in) :: source
-        real(wp), intent(in) :: t(:)
-        real(wp), intent(out) :: taken(:)
-        real(wp), intent(out) :: given(:)
+        !> terms
+        integer, intent(in) :: n
+        real(wp), intent(out) :: taken(n)
+        real(wp), intent(out) :: given(n)
+        !> how large their last terms are, relative to the source
+        real(wp), intent(out) :: reached
         type(error_t), allocatable, intent(inout) :: error
-        real(wp), allocatable :: lower(:, :), upper(:, :), both(:, :), c(:, :)
-        integer :: i, n, stat
+        real(wp), allocatable :: lower(:, :), upper(:, :), c(:, :)
+        real(wp) :: t(n)
+        integer :: i
         logical :: done
 
-        n = size(t)
+        reached = 0.0_wp
         taken = 0.0_wp
         given = 0.0_wp
-        call new_interactions(conduction%kernels(1), source%radius, n, lower, error)
+        call springs_of(conduction, 1, source%radius, n, lower, error)
         if (allocated(error)) return
+        t = source%series(n)
         if (size(conduction%bodies) == 1) then
             given = matmul(lower, t)
-            return
+        else
+            call springs_of(conduction, 2, source%radius, n, upper, error)
+            if (allocated(error)) return
+            allocate (c(n, 1))
+            c(:, 1) = conduction%share(2)*conduction%share(1)*(matmul(upper, t) - matmul(lower, t))
+            upper = conduction%share(1)*lower + conduction%share(2)*upper
+            do i = 1, n
+                upper(i, i) = upper(i, i) + 1.0_wp
+            end do
+            call factorize(n, n, upper, done)
+            if (.not. done) then
+                call raise(error, error_no_convergence, "the heat of friction could not be shared out between these bodies")
+                return
+            end if
+            call solve_lower(n, n, 1, upper, c)
+            call solve_upper(n, n, 1, upper, c)
+            taken = c(:, 1)
+            given = taken + matmul(lower, conduction%share(2)*t + taken)
         end if
-        call new_interactions(conduction%kernels(2), source%radius, n, upper, error)
-        if (allocated(error)) return
-        allocate (both(n, n), c(n, 1), stat=stat)
-        call check_memory(error, stat)
-        if (stat /= 0) return
-        both = conduction%share(1)*lower + conduction%share(2)*upper
-        c(:, 1) = conduction%share(2)*(matmul(upper, t) - matmul(both, t))
-        do i = 1, n
-            both(i, i) = both(i, i) + 1.0_wp
-        end do
-        call factorize(n, n, both, done)
-        if (.not. done) then
-            call raise(error, error_no_convergence, "the heat of friction could not be shared out between these bodies")
-            return
-        end if
-        call solve_lower(n, n, 1, both, c)
-        call solve_upper(n, n, 1, both, c)
-        taken = c(:, 1)
-        given = taken + matmul(lower, conduction%share(2)*t + taken)
+        if (source%total > 0.0_wp) reached = 3.0_wp*maxval(abs(given(n - 1:)))/(norm2(t) + norm2(given))
     end subroutine share_out
 
-    !> The whole matrix H of a kernel.
-    subroutine new_interactions(kernel, a, n, matrix, error)
-        type(kernel_t), intent(in) :: kernel
+    !> H of a body.
+    subroutine springs_of(conduction, body, a, n, matrix, error)
+        type(conduction_t), intent(in) :: conduction
+        integer, intent(in) :: body
         real(wp), intent(in) :: a
         integer, intent(in) :: n
         real(wp), allocatable, intent(out) :: matrix(:, :)
         type(error_t), allocatable, intent(inout) :: error
-        type(moments_t) :: moments
-        real(wp), allocatable :: h(:, :)
-        integer :: i, stat
+        integer :: nodes
 
-        allocate (matrix(n, n), stat=stat)
-        call check_memory(error, stat)
-        if (stat /= 0) return
-        matrix = 0.0_wp
-        if (kernel%vanishes) return
-        call new_interaction(moments, h, kernel, a, n, n, 4*n + 4, 4*n, error)
-        if (allocated(error)) return
-        do i = 1, n
-            matrix(i:, i) = h(i:, i)
-            matrix(i, i:) = h(i:, i)
-            matrix(i, i) = matrix(i, i) + moments%diagonal - 1.0_wp
-        end do
-    end subroutine new_interactions
+        associate (kernel => conduction%kernels(body))
+            nodes = 0
+            if (.not. kernel%vanishes) nodes = max(ceiling(nodes_of_film(tolerance, a/kernel%unit)), 2*n)
+            call interaction_matrix(kernel, a, n, nodes, matrix, error)
+        end associate
+    end subroutine springs_of
 
     !> Of w = (part q + sum of given)/(2 S_1).
     pure subroutine take_means(conduction, source, taken, given, heat)
@@ -179,30 +195,20 @@ contains
         type(source_t), intent(in) :: source
         real(wp), intent(in) :: taken(:), given(:)
         type(heat_t), intent(out) :: heat
-        real(wp) :: part, at_zero, s, a, series(size(given)), w(size(source%q))
-        integer :: j
+        real(wp) :: part, own(2), s, a
 
         a = source%radius
         part = 1.0_wp
         if (size(conduction%bodies) > 1) part = conduction%share(2)
-        series = given*normalisation(size(given))
-        w = part*source%q + even_sum(series, source%u)
         s = conduction%bodies(1)%s(1)
         heat%total = source%total
         if (.not. source%total > 0.0_wp) return
+        own = centre_and_arc(given)
         heat%share = part + sqrt(2.0_wp)*a*taken(1)/source%total
-        heat%flux_mean = sum(source%dx*source%q*w)/(s*source%total)
+        heat%flux_mean = (part*source%square + 0.5_wp*a*sum(source%series(size(given))*given))/(s*source%total)
+        heat%centre = 0.5_wp*(part*source%centre + own(1))/s
         ! (4/(pi a^2)) int_0^a w sqrt(a^2 - x^2) dx
-        heat%area_mean = part*4.0_wp/(pi*a)*sum(source%dx*source%q*source%cosine)
-        heat%centre = part*source%centre
-        at_zero = 1.0_wp
-        do j = 0, size(series) - 1
-            heat%centre = heat%centre + series(j + 1)*at_zero
-            heat%area_mean = heat%area_mean + series(j + 1)*at_zero**2/((1 - 2*j)*(j + 1))
-            at_zero = -at_zero*(2*j + 1)/(2*j + 2)
-        end do
-        heat%centre = 0.5_wp*heat%centre/s
-        heat%area_mean = 0.5_wp*heat%area_mean/s
+        heat%area_mean = 2.0_wp/(pi*s)*(part*source%arc/a + own(2))
     end subroutine take_means
 
     !> Temperature rise at points of a body.
@@ -234,78 +240,5 @@ contains
         if (allocated(error)) return
         call fields_inside(conduction%bodies(body), state%radius, loads(:, body), r, z, lower, temperature, flux_z, flux_r, error)
     end subroutine heat_field
-
-    !> The same of a source that moves over the lower body at any speed, all heat entering it: its mean over
-    !> all directions of C(k, s = i v k cos phi).
-    subroutine moving_heat(conduction, contact, state, strength, speed, heat, error)
-        type(conduction_t), intent(in) :: conduction
-        type(contact_t), intent(in) :: contact
-        type(contact_state_t), intent(in) :: state
-        !> mu v >= 0 with the speed of sliding
-        real(wp), intent(in) :: strength
-        !> v > 0 of the source over the body [length/time]
-        real(wp), intent(in) :: speed
-        !> without the mean over the area
-        type(heat_t), intent(out) :: heat
-        type(error_t), allocatable, intent(inout) :: error
-        real(wp), allocatable :: loads(:, :), z(:), weight(:), waves(:)
-        real(wp) :: last, waves_of_speed, hat, less, node(direction_nodes), rule(direction_nodes)
-        integer :: i
-
-        call check_positive(error, "speed", speed)
-        if (size(conduction%bodies) > 1 .and. .not. allocated(error)) then
-            call raise(error, error_invalid, "a source that moves over one of two bodies has no axisymmetric field: give one "// &
-                       "body, and its share of the heat")
-        end if
-        if (allocated(error)) return
-        call friction_heat(conduction, contact, state, 1, strength, heat, error, loads)
-        if (allocated(error) .or. .not. heat%total > 0.0_wp) return
-        associate (body => conduction%bodies(1), a => state%radius)
-            waves_of_speed = speed*a*maxval(body%rate)
-            last = max(60.0_wp, 2000.0_wp*sqrt(max(waves_of_speed, 1.0e-4_wp)))
-            if (body%layers > 0) last = max(last, 20.0_wp*a/body%h(1))
-            call gauss_legendre(node, rule, error)
-            call wave_rule(1.0e-8_wp, last, 1.0_wp, z, weight, error)
-            if (allocated(error)) return
-            allocate (waves(size(loads, 1)))
-            do i = 1, size(z)
-                call even_waves(z(i), waves, error)
-                if (allocated(error)) return
-                hat = a/pi*sum(waves*loads(:, 1))
-                less = weight(i)/a*mean_less_rest(body, z(i)/a, speed, node, rule)/body%s(1)
-                heat%centre = heat%centre + hat*less
-                heat%flux_mean = heat%flux_mean + 2.0_wp*pi/heat%total*hat**2*less
-            end do
-        end associate
-        heat%area_mean = 0.0_wp
-    end subroutine moving_heat
-
-    !> The mean of Re chi(k, i v k cos phi) over all directions, less chi(k, 0): S_0 k (Cbar - C_0). Panels are halved towards
-    !> cos phi = 0, near which lies the branch point cos phi = i k/(v c/sigma_r).
-    pure function mean_less_rest(body, k, speed, node, weight) result(mean)
-        type(conductors_t), intent(in) :: body
-        real(wp), intent(in) :: k, speed
-        !> of a rule on [0, 1]
-        real(wp), intent(in) :: node(:), weight(:)
-        real(wp) :: mean
-        complex(wp) :: sigma, chi, rest
-        real(wp) :: left, right, near
-        integer :: j
-
-        mean = 0.0_wp
-        call body%response(cmplx(k, 0.0_wp, wp), (0.0_wp, 0.0_wp), sigma, rest)
-        near = min(k, 1.0_wp/max(body%depth(), tiny(k)))/max(speed*maxval(body%rate), tiny(k))
-        right = half_pi
-        do while (right > 0.0_wp)
-            left = 0.5_wp*right
-            if (right <= near .or. right < shortest_panel) left = 0.0_wp
-            do j = 1, size(node)
-                call body%response(cmplx(k, 0.0_wp, wp), cmplx(0.0_wp, speed*k*sin(left + (right - left)*node(j)), wp), sigma, chi)
-                mean = mean + (right - left)*weight(j)*real(chi - rest, wp)
-            end do
-            right = left
-        end do
-        mean = mean/half_pi
-    end function mean_less_rest
 
 end module mdrcontact_conduction_heat

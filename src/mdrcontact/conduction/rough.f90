@@ -10,7 +10,7 @@ module mdrcontact_conduction_rough
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: check_memory, check_positive, error_domain, error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: half_pi, pi, wp
-    use mdrcontact_layered_legendre, only: moments_t, new_interaction, normalisation
+    use mdrcontact_layered_legendre, only: interaction_matrix, normalisation
     use mdrcontact_layered_rule, only: new_rule, rule_t
     use mdrcontact_layered_series, only: add_projections
     use mdrcontact_layered_solve, only: factorize, first_unknowns, solve_lower
@@ -105,26 +105,13 @@ contains
         real(wp), intent(in) :: a, spectrum(:, :)
         real(wp), intent(out) :: matrix(:, :)
         type(error_t), allocatable, intent(inout) :: error
-        type(moments_t) :: moments
-        real(wp), allocatable :: h(:, :), whole(:, :)
-        integer :: i, m, stat
+        real(wp), allocatable :: whole(:, :)
+        integer :: i, m
 
         matrix = 0.0_wp
-        if (allocated(error)) return
         m = size(spectrum, 2)
-        allocate (whole(m, m), stat=stat)
-        call check_memory(error, stat)
-        if (stat /= 0) return
-        whole = 0.0_wp
-        if (.not. conduction%kernel%vanishes) then
-            call new_interaction(moments, h, conduction%kernel, a, m, m, 4*m + 4, 4*m, error)
-            if (allocated(error)) return
-            do i = 1, m
-                whole(i:, i) = h(i:, i)
-                whole(i, i:) = h(i:, i)
-                whole(i, i) = whole(i, i) + moments%diagonal - 1.0_wp
-            end do
-        end if
+        call interaction_matrix(conduction%kernel, a, m, 4*m + 4, whole, error)
+        if (allocated(error)) return
         do i = 1, m
             whole(i, i) = whole(i, i) + 1.0_wp
         end do

@@ -1,17 +1,20 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The heat that friction makes in a contact, as a line load: mu v q(x) of a contact that slides, and of one that spins the
-!> line load of mu omega r p(r). At the nodes of a rule in theta, x = a sin theta, that follows kinks of the indenter.
+!> line load of mu omega r p(r). As a Legendre series: the medium's own where it has one, else by sampling.
 module mdrcontact_conduction_source
     use mdrcontact_contact, only: contact_t
+    use mdrcontact_contact_fields, only: check_state
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: check_choice, check_memory, check_not_negative, error_invalid, error_t, raise
     use mdrcontact_kinds, only: half_pi, wp
+    use mdrcontact_layered_legendre, only: normalisation
     use mdrcontact_layered_moments, only: is_smooth
     use mdrcontact_layered_rule, only: new_rule, rule_t
+    use mdrcontact_layered_series, only: add_projections
     use mdrcontact_numerics_quadrature, only: gauss_legendre
     implicit none (type, external)
     private
-    public :: source_t, new_source, sliding, spinning
+    public :: source_t, new_source, centre_and_arc, sliding, spinning
 
     !> Kinds of motion.
     integer, parameter :: sliding = 1, spinning = 2
@@ -21,21 +24,30 @@ module mdrcontact_conduction_source
     !> Nodes of a panel of a spinning contact, and its shortest panel.
     integer, parameter :: spin_nodes = 20
     real(wp), parameter :: smallest = 1.0e-7_wp
+    !> What the last coefficients of a series may be, relative to their mean square.
+    real(wp), parameter :: negligible = 1.0e-5_wp
 
-    !> A line load of heat.
+    !> A line load of heat, and what is made of it by itself.
     type :: source_t
         !> a [length], and the heat Q [conductance potential]
         real(wp) :: radius = 0.0_wp, total = 0.0_wp
-        !> sin theta, the weights of int_0^a dx, cos theta, and q there
-        real(wp), allocatable :: u(:), dx(:), cosine(:), q(:)
-        !> q(0)
-        real(wp) :: centre = 0.0_wp
+        !> coefficients of s_j P_2j(x/a), s_j = sqrt((4j + 1)/2); further ones of smooth loads are nothing
+        real(wp), allocatable :: t(:)
+        !> q(0), int_0^a q^2 dx, int_0^a q sqrt(a^2 - x^2) dx/a
+        real(wp) :: centre = 0.0_wp, square = 0.0_wp, arc = 0.0_wp
+    contains
+        procedure :: series
     end type source_t
+
+    !> Nodes for a line load that has no series: sin theta, the weights of int_0^a dx, cos theta.
+    type :: places_t
+        real(wp), allocatable :: u(:), dx(:), cosine(:)
+    end type places_t
 
 contains
 
     !> The heat of a state.
-    subroutine new_source(self, contact, state, motion, strength, nodes, error)
+    subroutine new_source(self, contact, state, motion, strength, terms, at_points, error)
         type(source_t), intent(out) :: self
         type(contact_t), intent(in) :: contact
         !> of that contact, a > 0
@@ -44,10 +56,11 @@ contains
         integer, intent(in) :: motion
         !> mu v [flux/force], or mu omega [flux/(force length)], >= 0
         real(wp), intent(in) :: strength
-        !> of a rule over a smooth contact
-        integer, intent(in) :: nodes
+        !> of the series, where the medium has none
+        integer, intent(in) :: terms
+        !> for values at points too, not for integrals and the centre alone
+        logical, intent(in) :: at_points
         type(error_t), allocatable, intent(inout) :: error
-        real(wp), allocatable :: x(:), values(:)
 
         call check_choice(error, "motion", motion, sliding, spinning, "1 (sliding) or 2 (spinning)")
         call check_not_negative(error, "strength", strength)
@@ -57,11 +70,87 @@ contains
             return
         end if
         self%radius = state%radius
+        call check_state(contact, state, error)
+        if (allocated(error)) return
+        if (motion == sliding .and. .not. at_points .and. .not. allocated(contact%equilibrium%cohesion)) then
+            call contact%equilibrium%medium%line_load_series(contact%equilibrium%profile, state%radius, state%excess, self%t, &
+                                                             error)
+            if (allocated(error)) return
+        end if
+        if (has_ended(self%t)) then
+            call take_series(self, strength)
+        else
+            call sample(self, contact, state, motion, strength, terms, error)
+        end if
+    end subroutine new_source
+
+    !> Whether a series is known, and its last terms are nothing.
+    pure function has_ended(t) result(answer)
+        real(wp), allocatable, intent(in) :: t(:)
+        logical :: answer
+
+        answer = allocated(t)
+        if (answer) answer = maxval(abs(t(size(t) - 1:))) <= negligible*norm2(t)
+    end function has_ended
+
+    !> What follows from the coefficients, which are those of a strength of 1.
+    pure subroutine take_series(self, strength)
+        type(source_t), intent(inout) :: self
+        real(wp), intent(in) :: strength
+        real(wp) :: values(2)
+
+        self%t = strength*self%t
+        self%total = self%radius*sqrt(2.0_wp)*self%t(1)
+        self%square = 0.5_wp*self%radius*sum(self%t**2)
+        values = centre_and_arc(self%t)
+        self%centre = values(1)
+        self%arc = self%radius*values(2)
+    end subroutine take_series
+
+    !> Of a series in s_j P_2j(u): its value at 0, and int_0^1 of it sqrt(1 - u^2) du.
+    pure function centre_and_arc(t) result(values)
+        real(wp), intent(in) :: t(:)
+        real(wp) :: values(2)
+        real(wp) :: c(size(t)), at_zero
+        integer :: j
+
+        values = 0.0_wp
+        c = t*normalisation(size(t))
+        at_zero = 1.0_wp
+        do j = 0, size(t) - 1
+            values = values + c(j + 1)*at_zero*[1.0_wp, 0.5_wp*half_pi*at_zero/((1 - 2*j)*(j + 1))]
+            at_zero = -at_zero*(2*j + 1)/(2*j + 2)
+        end do
+    end function centre_and_arc
+
+    !> The first n coefficients.
+    pure function series(self, n) result(t)
+        class(source_t), intent(in) :: self
+        integer, intent(in) :: n
+        real(wp) :: t(n)
+
+        t = 0.0_wp
+        t(:min(n, size(self%t))) = self%t(:min(n, size(self%t)))
+    end function series
+
+    !> By a rule in theta, x = a sin theta, that follows kinks of the indenter.
+    subroutine sample(self, contact, state, motion, strength, terms, error)
+        type(source_t), intent(inout) :: self
+        type(contact_t), intent(in) :: contact
+        type(contact_state_t), intent(in) :: state
+        integer, intent(in) :: motion
+        real(wp), intent(in) :: strength
+        integer, intent(in) :: terms
+        type(error_t), allocatable, intent(inout) :: error
+        type(places_t) :: places
+        real(wp), allocatable :: x(:), values(:)
+
         ! r p(r) of a smooth p has a kink at the axis
-        call place_nodes(self, contact, nodes, motion == sliding .and. is_smooth(contact%equilibrium%profile), error)
+        call place_nodes(places, contact, self%radius, terms + 8, motion == sliding .and. is_smooth(contact%equilibrium%profile), &
+                         error)
         if (allocated(error)) return
         ! the centre with the others: one solution serves all of them
-        x = [0.0_wp, self%u]
+        x = [0.0_wp, places%u]
         allocate (values, mold=x)
         if (motion == sliding) then
             call contact%line_load(state, self%radius*x, values, error)
@@ -69,16 +158,25 @@ contains
             call fill_spin(contact, state, x, values, error)
         end if
         if (allocated(error)) return
-        self%q = values(2:)
-        self%q = strength*self%q
-        self%centre = strength*values(1)
-        self%total = 2.0_wp*sum(self%dx*self%q)
-    end subroutine new_source
+        values = strength*values
+        self%centre = values(1)
+        associate (q => values(2:), dx => places%dx)
+            self%total = 2.0_wp*sum(dx*q)
+            self%square = sum(dx*q**2)
+            self%arc = sum(dx*q*places%cosine)
+            if (allocated(self%t)) deallocate (self%t)
+            allocate (self%t(terms), source=0.0_wp)
+            call add_projections(size(q), places%u, 2.0_wp*dx*q/self%radius, self%t)
+        end associate
+        self%t = self%t*normalisation(terms)
+    end subroutine sample
 
     !> The rule: one panel where the load is smooth; else panels towards the axis and, with room for a root, behind each kink.
-    subroutine place_nodes(self, contact, nodes, smooth, error)
-        type(source_t), intent(inout) :: self
+    subroutine place_nodes(self, contact, radius, nodes, smooth, error)
+        type(places_t), intent(out) :: self
         type(contact_t), intent(in) :: contact
+        !> a [length]
+        real(wp), intent(in) :: radius
         integer, intent(in) :: nodes
         logical, intent(in) :: smooth
         type(error_t), allocatable, intent(inout) :: error
@@ -91,22 +189,22 @@ contains
         else
             call contact%equilibrium%add_breaks(breaks, error)
             if (allocated(error)) return
-            breaks = pack(breaks, breaks > 0.0_wp .and. breaks < self%radius)
+            breaks = pack(breaks, breaks > 0.0_wp .and. breaks < radius)
         end if
         kinks = size(breaks)
-        call new_rule(rule, merge(nodes, max(nodes, 64), smooth), error)
+        call new_rule(rule, max(nodes, 64), error)
         if (allocated(error)) return
         t = 0.5_wp*rule%distance
         w = 0.5_wp*rule%weights
         if (smooth) then
             edges = [0.0_wp, half_pi]
         else
-            edges = asin(min([breaks, self%radius]/self%radius, 1.0_wp))
+            edges = asin(min([breaks, radius]/radius, 1.0_wp))
             edges = [0.0_wp, [(edges(1)*shrinking**(panels - i), i=1, panels - 1)], edges]
         end if
         each = size(t)
         n = each*(size(edges) - 1)
-        allocate (theta(n), weight(n), self%q(n), stat=stat)
+        allocate (theta(n), weight(n), stat=stat)
         call check_memory(error, stat)
         if (stat /= 0) return
         do i = 1, size(edges) - 1
@@ -122,7 +220,7 @@ contains
         end do
         self%u = sin(theta)
         self%cosine = cos(theta)
-        self%dx = self%radius*self%cosine*weight
+        self%dx = radius*self%cosine*weight
     end subroutine place_nodes
 
     !> 2 int_x^a r p(r) r/sqrt(r^2 - x^2) dr = 2 sqrt(a^2 - x^2) int_0^1 r p dt, r^2 = x^2 + (a^2 - x^2) t^2, t = sin tau in

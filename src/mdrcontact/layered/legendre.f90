@@ -12,7 +12,8 @@ module mdrcontact_layered_legendre
     use mdrcontact_layered_rule, only: largest_rule, new_rule, rule_t
     implicit none (type, external)
     private
-    public :: moments_t, new_interaction, contact_rule, edge_kernel, edge_row, edge_slopes, is_fine, normalisation
+    public :: moments_t, new_interaction, interaction_matrix, contact_rule, edge_kernel, edge_row, edge_slopes, is_fine, &
+              normalisation
 
     !> Of a rule of N nodes, moments up to order 0.8 N are right.
     real(wp), parameter :: trusted = 0.8_wp
@@ -59,6 +60,33 @@ contains
         if (status /= 0) return
         call fill_matrix(moments, h, work(:rows, 1), work(:, 2), work(:, 3), work(:, 4), work(:, 5), odd)
     end subroutine new_interaction
+
+    !> All of H_ij, i, j = 0 ... n - 1, with `diagonal`; 0 where there are no layers.
+    subroutine interaction_matrix(kernel, a, n, nodes, matrix, error)
+        type(kernel_t), intent(in) :: kernel
+        !> [length]
+        real(wp), intent(in) :: a
+        !> polynomials, and nodes that the kernel takes
+        integer, intent(in) :: n, nodes
+        real(wp), allocatable, intent(out) :: matrix(:, :)
+        type(error_t), allocatable, intent(inout) :: error
+        type(moments_t) :: moments
+        integer :: i, stat
+
+        if (allocated(error)) return
+        if (kernel%vanishes) then
+            allocate (matrix(n, n), stat=stat)
+            call check_memory(error, stat)
+            if (stat == 0) matrix = 0.0_wp
+            return
+        end if
+        call new_interaction(moments, matrix, kernel, a, n, n, nodes, 4*n, error)
+        if (allocated(error)) return
+        do i = 1, n
+            matrix(i, i) = matrix(i, i) + (moments%diagonal - 1.0_wp)
+            matrix(i, i + 1:) = matrix(i + 1:, i)
+        end do
+    end subroutine interaction_matrix
 
     !> s_j, j = 0 ... size - 1.
     pure function normalisation(count) result(s)

@@ -16,8 +16,8 @@ module mdrcontact_layered_solve
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
     private
-    public :: equation_t, new_equation, solution_t, solve, first_unknowns, next_unknowns, factorize, solve_lower, solve_upper, &
-              raise_missed
+    public :: equation_t, new_equation, solution_t, solve, first_unknowns, next_unknowns, nodes_of_film, factorize, solve_lower, &
+              solve_upper, raise_missed
 
     !> Unknowns at most, and those that a graded body is begun with at most.
     integer, parameter :: most_unknowns = 1500, first_graded = 16
@@ -26,6 +26,8 @@ module mdrcontact_layered_solve
     integer, parameter :: large = 300
     !> Moments of a fine kernel beyond this part of the highest order do not show in numbers that depend on them by squares.
     real(wp), parameter :: needed = 0.6_wp
+    !> Unknowns where the coefficients themselves are wanted, in those of a state, and what the last of them may be, in tolerances.
+    real(wp), parameter :: more_of_series = 1.4_wp, loose = 10.0_wp
     !> What the estimate is multiplied by: it has been seen too small by a factor 2.
     real(wp), parameter :: safety = 4.0_wp
     !> Rounding of the kernel and its moments, with some to spare.
@@ -59,7 +61,7 @@ module mdrcontact_layered_solve
 contains
 
     !> The solution at contact radius a; without a profile for the flat punch alone.
-    subroutine solve(kernel, tolerance, a, solution, error, profile, edge)
+    subroutine solve(kernel, tolerance, a, solution, error, profile, edge, series)
         type(kernel_t), intent(in) :: kernel
         !> relative, of E_eff, d and F
         real(wp), intent(in) :: tolerance
@@ -70,6 +72,9 @@ contains
         class(profile_t), intent(in), optional :: profile
         !> q_1 at the edge, slower to converge on a graded body, meets the tolerance too; default false
         logical, intent(in), optional :: edge
+        !> coefficients of s_j P_2j(x/a) of q_1 [1] and of q/E0* without adhesion [length] (term, 2), the last of
+        !> which are within 10 tolerances
+        real(wp), allocatable, intent(out), optional :: series(:, :)
         real(wp), allocatable :: edge_load
         real(wp) :: reached
         integer :: n, nodes
@@ -81,13 +86,13 @@ contains
         is_kinked = .false.
         if (present(profile)) is_kinked = .not. is_smooth(profile)
         n = first_unknowns(kernel, tolerance, a/kernel%unit, is_kinked, to_edge)
-        ! the kernel of a film; Legendre coefficients of a kinked profile fall so slowly that they need more of it
-        nodes = ceiling(min((11.5_wp*sqrt(a/kernel%unit) + 10.0_wp)*(1.0_wp - 0.025_wp*log(tolerance/1.0e-10_wp)), 1.0e4_wp) &
-                        *merge(1.4_wp, 1.0_wp, is_kinked))
+        ! Legendre coefficients of a kinked profile fall so slowly that they need more of the kernel
+        nodes = ceiling(nodes_of_film(tolerance, a/kernel%unit)*merge(1.4_wp, 1.0_wp, is_kinked))
+        if (present(series)) n = ceiling(more_of_series*n)
         do
             call check_cancelled(error)
             if (allocated(error)) return
-            call solve_with(kernel, a, n, max(nodes, 2*n), edge_load, solution, solved, error, profile)
+            call solve_with(kernel, a, n, max(nodes, 2*n), edge_load, solution, solved, error, profile, series)
             if (allocated(error)) return
             if (.not. solved) then
                 call raise(error, error_no_convergence, "the springs of this body nearly cancel at contact radius "//to_text(a)// &
@@ -95,6 +100,7 @@ contains
                 return
             end if
             reached = maxval(solution%errors, mask=[.true., to_edge, .true., .true.])
+            if (present(series)) reached = max(reached, maxval(abs(series(2*n - 1:, 2)))/(loose*norm2(series(:, 2))))
             if (reached <= tolerance) return
             ! more unknowns do not help against rounding
             if (solution%rounding > tolerance) exit
@@ -103,6 +109,15 @@ contains
         end do
         call raise_missed(error, "a state", tolerance, a, reached)
     end subroutine solve
+
+    !> Nodes of the rule that resolves the kernel of a film.
+    pure function nodes_of_film(tolerance, a) result(nodes)
+        !> relative tolerance, and contact radius [unit]
+        real(wp), intent(in) :: tolerance, a
+        real(wp) :: nodes
+
+        nodes = min((11.5_wp*sqrt(a) + 10.0_wp)*(1.0_wp - 0.025_wp*log(tolerance/1.0e-10_wp)), 1.0e4_wp)
+    end function nodes_of_film
 
     !> Says that the tolerance was missed, and what to do.
     pure subroutine raise_missed(error, what, tolerance, a, reached)
@@ -191,7 +206,7 @@ contains
     end subroutine new_equation
 
     !> The solution by n unknowns, with its errors.
-    subroutine solve_with(kernel, a, n, nodes, edge_load, solution, solved, error, profile)
+    subroutine solve_with(kernel, a, n, nodes, edge_load, solution, solved, error, profile, series)
         type(kernel_t), intent(in) :: kernel
         real(wp), intent(in) :: a
         !> unknowns, and nodes of the rule that resolves the kernel of a film
@@ -203,6 +218,8 @@ contains
         logical, intent(out) :: solved
         type(error_t), allocatable, intent(inout) :: error
         class(profile_t), intent(in), optional :: profile
+        !> as of `solve`
+        real(wp), allocatable, intent(out), optional :: series(:, :)
         type(equation_t) :: equation
         real(wp), allocatable :: forward(:, :), rest(:, :), known(:), work(:, :)
         real(wp) :: beyond, tail
@@ -244,6 +261,7 @@ contains
                 call edge_slopes(moments, known)
                 solution%depth_slope = sum(known*(beyond*rhs(:, 1) - rhs(:, 3)))/kernel%unit
                 solution%depth_slope = (profile%mdr_slope(a) + solution%depth_slope)/solution%punch_edge
+                if (present(series)) series = reshape([rhs(:, 1), beyond*rhs(:, 1) - rhs(:, 3)], [m, 2])
             end if
             ! a relative error of the kernel changes E_eff by itself times magnitude times E_eff/E0*
             solution%rounding = rounding*(2.0_wp + moments%magnitude*max(1.0_wp, solution%modulus))

@@ -17,7 +17,8 @@ module mdrcontact_medium_exact
     use mdrcontact_layered_combine, only: add_kernels
     use mdrcontact_layered_fields, only: line_load_t, new_line_load
     use mdrcontact_layered_kernel, only: kernel_t
-    use mdrcontact_layered_legendre, only: moments_t, new_interaction
+    use mdrcontact_layered_legendre, only: interaction_matrix
+    use mdrcontact_layered_moments, only: is_smooth
     use mdrcontact_layered_shared, only: layered_shared_t, shared_kernel
     use mdrcontact_medium_exact_slip, only: layered_slip_t, new_layered_slip
     use mdrcontact_layered_solve, only: solution_t, solve
@@ -62,6 +63,7 @@ module mdrcontact_medium_exact
     contains
         procedure :: modulus
         procedure :: line_load
+        procedure :: line_load_series
         procedure :: pressure
         procedure :: displacement_outside
         procedure :: response
@@ -320,6 +322,21 @@ contains
         call load%at(profile, r, values)
         values = self%surface_modulus*values
     end subroutine line_load
+
+    !> Of smooth indenters on films: the coefficients of a state's own solution.
+    subroutine line_load_series(self, profile, a, excess, series, error)
+        class(layered_exact_t), intent(in) :: self
+        class(profile_t), intent(in) :: profile
+        real(wp), intent(in) :: a, excess
+        real(wp), allocatable, intent(out) :: series(:)
+        type(error_t), allocatable, intent(inout) :: error
+        type(solution_t) :: solution
+        real(wp), allocatable :: parts(:, :)
+
+        if (.not. is_smooth(profile)) return
+        call solve(self%kernel, self%tolerance, a, solution, error, profile, abs(excess) > 0.0_wp, parts)
+        if (.not. allocated(error)) series = self%surface_modulus*(parts(:, 2) + excess*parts(:, 1))
+    end subroutine line_load_series
 
     !> p(r) by equation (6): the half-space of the surface material under d - g, and what the layers below it add.
     subroutine pressure(self, profile, a, excess, r, values, error)
@@ -594,8 +611,7 @@ contains
         real(wp), intent(out) :: modulus
         real(wp), allocatable, intent(out) :: matrix(:, :)
         type(error_t), allocatable, intent(inout) :: error
-        type(moments_t) :: moments
-        integer :: i, n, nodes
+        integer :: n
 
         modulus = self%surface_modulus
         if (self%kernel%vanishes) then
@@ -603,13 +619,7 @@ contains
             return
         end if
         n = min(most, ceiling(min(fewest_waves + waves_per_depth*a/self%kernel%unit, real(most, wp))))
-        nodes = max(ceiling(16.0_wp*sqrt(a/self%kernel%unit)) + 14, 2*n)
-        call new_interaction(moments, matrix, self%kernel, a, n, n, nodes, 4*n, error)
-        if (allocated(error)) return
-        do i = 1, n
-            matrix(i, i) = matrix(i, i) + (moments%diagonal - 1.0_wp)
-            matrix(i, i + 1:) = matrix(i + 1:, i)
-        end do
+        call interaction_matrix(self%kernel, a, n, max(ceiling(16.0_wp*sqrt(a/self%kernel%unit)) + 14, 2*n), matrix, error)
     end subroutine interaction
 
 end module mdrcontact_medium_exact

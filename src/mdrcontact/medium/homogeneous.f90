@@ -8,6 +8,7 @@ module mdrcontact_medium_homogeneous
     use mdrcontact_gsl, only: gsl_sf_ellint_ecomp, gsl_sf_ellint_kcomp
     use mdrcontact_kinds, only: wp
     use mdrcontact_layered_kernel, only: kernel_t
+    use mdrcontact_layered_moments, only: is_smooth, profile_moments
     use mdrcontact_material, only: in_series, material_t
     use mdrcontact_medium_solver, only: set_pair, solver_t
     use mdrcontact_medium_effective, only: effective_medium_t
@@ -16,6 +17,9 @@ module mdrcontact_medium_homogeneous
     implicit none (type, external)
     private
     public :: homogeneous_t, new_homogeneous, new_homogeneous_from_modulus, new_homogeneous_pair, new_rigid
+
+    !> Terms of a series: a paraboloid has two.
+    integer, parameter :: terms = 12
 
     !> A half-space of one material, or two of them pressed together.
     type, extends(effective_medium_t) :: homogeneous_t
@@ -26,6 +30,7 @@ module mdrcontact_medium_homogeneous
         procedure :: effective_modulus
         procedure :: effective_modulus_slope
         procedure :: depth_and_force
+        procedure :: line_load_series
         procedure :: half_space_modulus
         procedure :: new_tangential
         procedure :: disc_products
@@ -143,6 +148,21 @@ contains
         depth = profile%mdr(a)
         force = 2.0_wp*self%contact_modulus*profile%mdr_moment(a)
     end subroutine depth_and_force
+
+    !> q = E* (g(a) + excess - g(x)).
+    subroutine line_load_series(self, profile, a, excess, series, error)
+        class(homogeneous_t), intent(in) :: self
+        class(profile_t), intent(in) :: profile
+        real(wp), intent(in) :: a, excess
+        real(wp), allocatable, intent(out) :: series(:)
+        type(error_t), allocatable, intent(inout) :: error
+
+        if (.not. is_smooth(profile)) return
+        allocate (series(terms))
+        call profile_moments(profile, a, series, error)
+        series = -self%contact_modulus*series
+        series(1) = series(1) + sqrt(2.0_wp)*self%contact_modulus*(profile%mdr(a) + excess)
+    end subroutine line_load_series
 
     !> (16/3) G a^3.
     subroutine torsional_stiffness(self, a, values, error)

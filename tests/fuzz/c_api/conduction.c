@@ -61,6 +61,7 @@ void fuzz_conduction(world *w)
     }
     if (p && afford(w, PRICE_OF_ANSWER)) {
         int slot;
+        double heat[sizeof(mdr_friction_heat) / sizeof(double)];
         const mdr_contact *contact = some_contact(w, &slot);
         const mdr_state state = some_state(w, contact);
         fill(out);
@@ -68,8 +69,9 @@ void fuzz_conduction(world *w)
         fill(out);
         judge("mdr_conduction_rough", mdr_conduction_rough(p, contact, &state, x[0], out), 1, out, NOT_NEGATIVE);
         fill(out);
-        status = mdr_conduction_heat(p, contact, &state, take_code(&w->in, 3), x[1], x[2], (mdr_friction_heat *)out);
-        judge("mdr_conduction_heat", status, 5, out, NOT_NAN);
+        fill(heat);
+        status = mdr_conduction_heat(p, contact, 1, &state, take_code(&w->in, 3), x[1], x[2], (mdr_friction_heat *)heat);
+        judge("mdr_conduction_heat", status, (int)(sizeof heat / sizeof *heat), heat, NOT_NAN);
         fill(out);
         status = mdr_conduction_heat_field(p, contact, &state, take_code(&w->in, 2), x[1], 1, 1, points, x, z, out);
         judge("mdr_conduction_heat_field", status, points, out, NOT_NAN);

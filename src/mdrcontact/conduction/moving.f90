@@ -1,0 +1,244 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> The heat of friction of a source that moves over the lower body at any speed: what it adds to the source at rest,
+!>     T(x) - T_static(x) = (1/S_0) int j_hat(k) (2/pi) int_0^(pi/2) Re[dchi exp(i k x cos phi)] dphi dk,
+!>     dchi = chi(k, i v k cos phi) - chi(k, 0)
+!> at a distance x behind the centre; with J_0 in the place of the last factor, means.
+module mdrcontact_conduction_moving
+    use mdrcontact_conduction_bodies, only: conduction_t
+    use mdrcontact_conduction_conductors, only: conductors_t
+    use mdrcontact_conduction_heat, only: friction_heat, heat_t
+    use mdrcontact_conduction_inside, only: fields_inside
+    use mdrcontact_conduction_source, only: sliding
+    use mdrcontact_conduction_waves, only: wave_rule
+    use mdrcontact_contact, only: contact_t
+    use mdrcontact_contact_state, only: contact_state_t
+    use mdrcontact_error, only: check_positive, error_domain, error_t, raise, to_text
+    use mdrcontact_kinds, only: half_pi, pi, wp
+    use mdrcontact_numerics_chebyshev, only: node, series_of_values, series_value, terms
+    use mdrcontact_numerics_even_waves, only: even_waves
+    use mdrcontact_numerics_quadrature, only: gauss_legendre
+    implicit none (type, external)
+    private
+    public :: moving_heat
+
+    !> Nodes of a panel of directions, the angle below which nothing is left, and the phase that a panel takes.
+    integer, parameter :: direction_nodes = 10
+    real(wp), parameter :: shortest_panel = 1.0e-9_wp, longest_phase = 6.0_wp
+    !> Waves up to (quiet Pe)^(2/7)/a, and beyond the source's own, show in temperatures along its line to 1e-7.
+    real(wp), parameter :: quiet = 1.0e7_wp, own_waves = 4.0_wp, fewest_waves = 60.0_wp
+    !> Waves of the means: chi falls as Pe^2/k^2.
+    real(wp), parameter :: waves_of_means = 2000.0_wp
+    !> Places between two nodes of the series at which the largest value is looked for.
+    integer, parameter :: places = 400
+    !> v a c/sigma_r up to which this is offered.
+    real(wp), parameter :: fastest = 1.0e4_wp
+
+    !> j_hat and its waves.
+    type :: waves_t
+        real(wp), allocatable :: z(:), weight(:), hat(:)
+        !> of a rule on [0, 1] for directions
+        real(wp) :: node(direction_nodes) = 0.0_wp, share(direction_nodes) = 0.0_wp
+        !> up to which wave temperatures along the line take them
+        real(wp) :: last = 0.0_wp
+    end type waves_t
+
+contains
+
+    !> The temperatures of the lower body under a source that moves over it at the speed v and rests on the upper one. Of two bodies
+    !> the share is that at which their means over the heat are the same, an approximation: their temperatures do not agree at
+    !> every point.
+    subroutine moving_heat(conduction, contact, state, strength, speed, heat, error)
+        type(conduction_t), intent(in) :: conduction
+        type(contact_t), intent(in) :: contact
+        type(contact_state_t), intent(in) :: state
+        !> mu v >= 0 with the speed of sliding
+        real(wp), intent(in) :: strength
+        !> v > 0 of the source over the body [length/time]
+        real(wp), intent(in) :: speed
+        !> without the mean over the area
+        type(heat_t), intent(out) :: heat
+        type(error_t), allocatable, intent(inout) :: error
+        type(conduction_t) :: one
+        type(heat_t) :: upper
+        real(wp) :: share
+
+        call check_positive(error, "speed", speed)
+        if (allocated(error)) return
+        call conduction%check_steady(error)
+        if (allocated(error)) return
+        call take_one(conduction, 1, one)
+        call heat_all(one, contact, state, strength, speed, heat, error)
+        if (size(conduction%bodies) == 1 .or. allocated(error) .or. .not. heat%total > 0.0_wp) return
+        call take_one(conduction, 2, one)
+        call friction_heat(one, contact, state, sliding, strength, upper, error)
+        if (allocated(error)) return
+        share = upper%flux_mean/(upper%flux_mean + heat%flux_mean)
+        heat = heat_t(heat%total, share, share*heat%centre, share*heat%flux_mean, 0.0_wp, share*heat%largest, heat%behind)
+    end subroutine moving_heat
+
+    !> One of the bodies.
+    pure subroutine take_one(conduction, body, one)
+        type(conduction_t), intent(in) :: conduction
+        integer, intent(in) :: body
+        type(conduction_t), intent(out) :: one
+
+        one%bodies = conduction%bodies(body:body)
+        one%kernels = conduction%kernels(body:body)
+        one%kernel = one%kernels(1)
+        one%scale = one%bodies(1)%s(1)
+        one%share = [1.0_wp]
+        one%largest_radius = conduction%largest_radius
+        one%is_insulated = conduction%is_insulated
+        one%sink = conduction%sink
+    end subroutine take_one
+
+    !> All heat into one body.
+    subroutine heat_all(conduction, contact, state, strength, speed, heat, error)
+        type(conduction_t), intent(in) :: conduction
+        type(contact_t), intent(in) :: contact
+        type(contact_state_t), intent(in) :: state
+        real(wp), intent(in) :: strength, speed
+        type(heat_t), intent(out) :: heat
+        type(error_t), allocatable, intent(inout) :: error
+        type(waves_t) :: waves
+        real(wp), allocatable :: loads(:, :)
+        real(wp) :: along(terms), one(1), x(terms)
+        integer :: i
+
+        call friction_heat(conduction, contact, state, sliding, strength, heat, error, loads)
+        heat%area_mean = 0.0_wp
+        if (allocated(error) .or. .not. heat%total > 0.0_wp) return
+        associate (body => conduction%bodies(1), a => state%radius)
+            call find_waves(body, a, speed, loads(:, 1), waves, error)
+            if (allocated(error)) return
+            call add_means(body, a, speed, waves, heat)
+            x = [(0.5_wp*a*(1.0_wp + node(i, terms)), i=1, terms)]
+            call temperatures(body, a, speed, loads(:, 1), waves, x, along, error)
+            heat%behind = 0.5_wp*a*(1.0_wp + place_of_largest(along))
+            call temperatures(body, a, speed, loads(:, 1), waves, [heat%behind], one, error)
+            heat%largest = one(1)
+        end associate
+    end subroutine heat_all
+
+    !> The transform of the source.
+    subroutine find_waves(body, a, speed, load, waves, error)
+        type(conductors_t), intent(in) :: body
+        real(wp), intent(in) :: a, speed
+        !> coefficients of P_2j(x/a)
+        real(wp), intent(in) :: load(:)
+        type(waves_t), intent(out) :: waves
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp) :: peclet, last, values(size(load))
+        integer :: i
+
+        peclet = speed*a*maxval(body%rate)
+        if (peclet > fastest) then
+            call raise(error, error_domain, " = "//to_text(speed)//" is not allowed: speed a c/sigma must be at most "// &
+                       to_text(fastest)//"; beyond, heat flows one-dimensionally", "source speed")
+            return
+        end if
+        waves%last = max(fewest_waves, (quiet*peclet)**(2.0_wp/7.0_wp), own_waves*peclet)
+        last = max(fewest_waves, waves_of_means*sqrt(max(peclet, 1.0e-4_wp)))
+        if (body%layers > 0) last = max(last, 20.0_wp*a/body%h(1))
+        call gauss_legendre(waves%node, waves%share, error)
+        call wave_rule(1.0e-8_wp, last, 1.0_wp, waves%z, waves%weight, error)
+        if (allocated(error)) return
+        allocate (waves%hat, mold=waves%z)
+        do i = 1, size(waves%z)
+            call even_waves(waves%z(i), values, error)
+            if (allocated(error)) return
+            waves%hat(i) = a/pi*sum(values*load)
+        end do
+    end subroutine find_waves
+
+    !> Of the centre, and of the mean over the heat.
+    subroutine add_means(body, a, speed, waves, heat)
+        type(conductors_t), intent(in) :: body
+        real(wp), intent(in) :: a, speed
+        type(waves_t), intent(in) :: waves
+        type(heat_t), intent(inout) :: heat
+        real(wp) :: less(1)
+        integer :: i
+
+        do i = 1, size(waves%z)
+            call find_directions(body, waves, waves%z(i)/a, speed, [0.0_wp], less)
+            less = less*waves%weight(i)/(a*body%s(1))*waves%hat(i)
+            heat%centre = heat%centre + less(1)
+            heat%flux_mean = heat%flux_mean + 2.0_wp*pi/heat%total*waves%hat(i)*less(1)
+        end do
+    end subroutine add_means
+
+    !> T at distances behind the centre, along the line through it.
+    subroutine temperatures(body, a, speed, load, waves, x, values, error)
+        type(conductors_t), intent(in) :: body
+        real(wp), intent(in) :: a, speed, load(:)
+        type(waves_t), intent(in) :: waves
+        !> 0 <= x <= a [length]
+        real(wp), intent(in) :: x(:)
+        real(wp), intent(out) :: values(:)
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp) :: less(size(x)), flux_z(size(x)), flux_r(size(x))
+        integer :: i
+
+        values = 0.0_wp
+        call fields_inside(body, a, load, x, spread(0.0_wp, 1, size(x)), .true., values, flux_z, flux_r, error)
+        if (allocated(error)) return
+        do i = 1, size(waves%z)
+            if (waves%z(i) > waves%last) exit
+            call find_directions(body, waves, waves%z(i)/a, speed, x, less)
+            values = values + waves%hat(i)*waves%weight(i)/(a*body%s(1))*less
+        end do
+    end subroutine temperatures
+
+    !> The place, -1 to 1, where a series with these values at its points is largest.
+    pure function place_of_largest(values) result(place)
+        real(wp), intent(in) :: values(terms)
+        real(wp) :: place
+        real(wp) :: series(2, terms), x(0:places), found(0:places), step
+        integer :: i
+
+        series = series_of_values(spread(values, 1, 2))
+        x = [(-1.0_wp + 2.0_wp*i/places, i=0, places)]
+        do i = 0, places
+            found(i) = minval(series_value(series, x(i)))
+        end do
+        i = min(max(maxloc(found, dim=1) - 1, 1), places - 1)
+        ! the top of a parabola through the largest and its neighbours
+        step = found(i + 1) - 2.0_wp*found(i) + found(i - 1)
+        place = x(i)
+        if (step < 0.0_wp) place = x(i) - 0.5_wp*(x(2) - x(1))*(found(i + 1) - found(i - 1))/step
+        place = min(max(place, -1.0_wp), 1.0_wp)
+    end function place_of_largest
+
+    !> The mean over all directions of Re[(chi(k, i v k cos phi) - chi(k, 0)) exp(i k x cos phi)]. Panels are halved towards
+    !> cos phi = 0, near which lies the branch point cos phi = i k/(v c/sigma_r), and short where the phase turns.
+    pure subroutine find_directions(body, waves, k, speed, x, mean)
+        type(conductors_t), intent(in) :: body
+        type(waves_t), intent(in) :: waves
+        real(wp), intent(in) :: k, speed, x(:)
+        !> same size as x
+        real(wp), intent(out) :: mean(:)
+        complex(wp) :: sigma, chi, rest
+        real(wp) :: left, right, near, longest, cosine
+        integer :: j
+
+        mean = 0.0_wp
+        call body%response(cmplx(k, 0.0_wp, wp), (0.0_wp, 0.0_wp), sigma, rest)
+        near = min(k, 1.0_wp/max(body%depth(), tiny(k)))/max(speed*maxval(body%rate), tiny(k))
+        longest = longest_phase/max(k*maxval(x), tiny(k))
+        right = half_pi
+        do while (right > 0.0_wp)
+            left = max(0.5_wp*right, right - longest)
+            if (right <= min(near, longest) .or. right < shortest_panel) left = 0.0_wp
+            do j = 1, direction_nodes
+                cosine = sin(left + (right - left)*waves%node(j))
+                call body%response(cmplx(k, 0.0_wp, wp), cmplx(0.0_wp, speed*k*cosine, wp), sigma, chi)
+                chi = (right - left)*waves%share(j)*(chi - rest)
+                mean = mean + real(chi, wp)*cos(k*cosine*x) - aimag(chi)*sin(k*cosine*x)
+            end do
+            right = left
+        end do
+        mean = mean/half_pi
+    end subroutine find_directions
+
+end module mdrcontact_conduction_moving
