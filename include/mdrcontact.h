@@ -48,8 +48,8 @@
  * Every function that computes does so rounding to nearest, with denormal numbers and without traps of exceptions, and then sets
  * the calling thread's own arithmetic again; flags of exceptions stay set, as after any computation. User functions are called in
  * this arithmetic and leave it as it is. States of laws, which take nanoseconds - mdr_law_force(), mdr_law_at_depth(), mdr_law_at_force(),
- * mdr_law_follow(), mdr_law_from_depth(), mdr_law_from_force(), mdr_law_energy() and mdrcontact_law.h -, compute in the caller's:
- * under another rounding mode they differ in the last digits, by 1e-14.
+ * mdr_law_follow(), mdr_law_from_depth(), mdr_law_from_force(), mdr_law_energy(), mdr_law_conductance() and mdrcontact_law.h -,
+ * compute in the caller's: under another rounding mode they differ in the last digits, by 1e-14.
  *
  * @par Threads
  * Any number of threads may use the same handle at the same time; the error text belongs to the thread that failed.
@@ -2043,6 +2043,8 @@ typedef struct mdr_law_options {
                                   smooth dry contacts with adhesion do; on homogeneous bodies, with or without adhesion. What
                                   mdr_law_advance() takes is then the contact radius in place of the normal force. Default 0: none
                                   [modulus]. */
+    const mdr_conduction *conduction; /**< Of the same bodies: the law has their conductance too, mdr_law_conductance(), within the
+                                           tolerance. Default NULL: none. */
 } mdr_law_options;
 
 /** A state of a law. */
@@ -2146,6 +2148,17 @@ int mdr_law_from_force(const mdr_law *law, int branch, int n, const double F[], 
  *  @return also MDR_EDOMAIN beyond the largest depth */
 int mdr_law_energy(const mdr_law *law, int branch, int n, const double d[], double U[]);
 
+/** Conductances G of a law that was made with a conduction, and dG/dd along the branch. Outputs that are NULL are skipped. Beyond
+ *  the largest depth of a law that goes on there G is that at its end, as a and k are.
+ *  @param law          law with options.conduction
+ *  @param branch       one of enum mdr_branch
+ *  @param n            number of states
+ *  @param d            [n] depths up to the largest one; G is 0 where the bodies are apart [length]
+ *  @param conductance  [n] or NULL: G [conductance]
+ *  @param slope        [n] or NULL: dG/dd [conductance/length]
+ *  @return also MDR_EDOMAIN beyond the largest depth, MDR_EINVALID for other laws */
+int mdr_law_conductance(const mdr_law *law, int branch, int n, const double d[], double conductance[], double slope[]);
+
 /** What a law is. */
 typedef struct mdr_law_facts {
     size_t size;            /**< Of this structure; MDR_SIZED sets it. */
@@ -2172,6 +2185,7 @@ typedef struct mdr_law_facts {
     double shear_strength;  /**< Where that is constant: coefficient and path_error are then 0 and -1, first_shear_error is relative
                                  to T in sliding, and highest_sliding_shift is that of the largest contact radius; else 0
                                  [modulus]. */
+    int conducts;           /**< 1 if it was made with a conduction, else 0. */
 } mdr_law_facts;
 
 /** What a law is.
@@ -2206,7 +2220,8 @@ typedef struct mdr_law_head {
     double panel_count;    /**< Panels, those of an interval one after the other. */
     double force;          /**< Place of the coefficients of F, [8] for each panel; a multiple of 8. */
     double contact;        /**< Place of those of a and k, [8] and [8] for each panel. */
-    double energy;         /**< Place of U in the middle of each panel. */
+    double energy;         /**< Place of U in the middle of each panel. Of a law that conducts the coefficients of G, [8] for each
+                                panel, begin at the next multiple of 8 behind: size tells whether they are there. */
 } mdr_law_head;
 
 /** A stable segment of a law. */

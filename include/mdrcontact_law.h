@@ -441,6 +441,47 @@ MDR_INLINE int mdr_law_view_follow(const mdr_law_view *view, double d, int *segm
     return MDR_SUCCESS;
 }
 
+/* The coefficients of G, NULL in a law that does not conduct. */
+MDR_INLINE const double *mdr_law_conductance_of(const mdr_law_view *view)
+{
+    const mdr_law_head *const head = mdr_law_head_of(view);
+    const size_t place = ((size_t)head->energy + (size_t)head->panel_count + 7) / 8 * 8;
+    return (size_t)head->size >= place + 8 * (size_t)head->panel_count ? view->buffer + place : NULL;
+}
+
+/** G and dG/dd at one depth, as mdr_law_conductance(). The polynomials of a law that conducts lie in its buffer as those of F do.
+ *  @param view         view of a law that was made with a conduction; MDR_EINVALID of another one
+ *  @param d            indentation depth [length]
+ *  @param conductance  receives G [conductance]
+ *  @param slope        receives dG/dd along the branch [conductance/length] */
+MDR_INLINE int mdr_law_view_conductance(const mdr_law_view *view, double d, double *conductance, double *slope)
+{
+    const mdr_law_head *const head = mdr_law_head_of(view);
+    const double *const rows = mdr_law_conductance_of(view);
+    const double highest = head->highest, within = d < highest ? d : highest, at = within > head->lowest ? within : head->lowest;
+    int segment, status = mdr_law_check_depth(view, d);
+    mdr_law_view of_conductance = *view;
+    *conductance = *slope = (double)NAN;
+    if (status != MDR_SUCCESS) return status;
+    if (!rows) return MDR_EINVALID;
+    *conductance = *slope = 0.0;
+    if (mdr_law_is_open(view, d)) return MDR_SUCCESS;
+    segment = mdr_law_segment_at(view, view->branch, within);
+    if (head->adhesive == 0.0) segment = within > 0.0;
+    if (segment == 0) return MDR_SUCCESS;
+    mdr_law_point point;
+    of_conductance.force = rows;
+    mdr_law_state_in(&of_conductance, mdr_law_interval_at(view, segment, at), at, &point);
+    *conductance = point.force;
+    *slope = d > within ? 0.0 : point.slope;
+    if (within < at && point.force > 0.0) {
+        const double power = (point.slope > 0.0 ? point.slope : 0.0) * at / point.force;
+        *conductance = point.force * mdr_law_power(d / at, power);
+        *slope = power * *conductance / d;
+    }
+    return MDR_SUCCESS;
+}
+
 #ifdef __cplusplus
 }
 #endif

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """A discrete-element client that conducts heat: a column of coated grains, packed by its weight and heated from below.
 
-A compiled law gives force and contact radius of each neck in nanoseconds, a table of the conduction its conductance. The column
+A compiled law gives force and conductance of each neck in nanoseconds. The column
 rests under its load; the temperatures of the grains follow from the heat that their necks carry. Compared: grains of the bulk
 material, as codes take them that do not know the coating.
 """
@@ -23,13 +23,12 @@ steel = mdr.Elastic(210e9, 0.3, mdr.Conductor(45.0))
 grain = mdr.Coated(oxide, COATING, steel)
 contact = mdr.Contact(mdr.Paraboloid.between(RADIUS, RADIUS), mdr.Pair(grain, grain))
 deepest = contact.at_force(60.0)
-law = mdr.ContactLaw(contact, float(deepest.depth), tolerance=1e-6)
-necks = mdr.Conduction(contact.medium).tabulated(1e-3 * float(deepest.radius), 1.01 * float(deepest.radius), tolerance=1e-6)
+law = mdr.ContactLaw(contact, float(deepest.depth), tolerance=1e-6, conduction=mdr.Conduction(contact.medium))
 bare = mdr.Conduction(steel.conductor, steel.conductor)
 
 force = np.linspace(50.0, 5.0, GRAINS - 1)  # each neck bears the load and what lies above it
-radius = np.asarray(law.at_force(force).radius)
-found = necks.at_radius(radius).conductance, bare.at_radius(radius).conductance
+necks = law.at_force(force)
+found = law.conductance(necks.depth)[0], bare.at_radius(np.asarray(necks.radius)).conductance
 
 
 def march(conductance):

@@ -227,6 +227,7 @@ law_options = np.dtype(
         ("friction", np.uintp),
         ("sliders", np.intc),
         ("shear_strength", np.float64),
+        ("conduction", np.uintp),
     ],
     align=True,
 )
@@ -264,6 +265,7 @@ law_facts = np.dtype(
         ("path_error", np.float64),
         ("buffer_size", np.intc),
         ("shear_strength", np.float64),
+        ("conducts", np.intc),
     ],
     align=True,
 )

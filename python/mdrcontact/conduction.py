@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
@@ -96,12 +95,12 @@ class FrictionHeat:
     """temperature rise at r = 0, to 1e-8; for a moving source that of the lower body, as all below"""
     flux_mean: FloatOrArray
     """its mean weighted with the heat"""
-    area_mean: FloatOrArray
-    """its mean over the contact; NaN for a moving source"""
-    largest: FloatOrArray
-    """of a moving source: the largest rise on the line of motion through the centre; else NaN"""
-    behind: FloatOrArray
-    """how far behind the centre it is [length]; else NaN"""
+    area_mean: FloatOrArray | None
+    """its mean over the contact; None for a moving source"""
+    largest: FloatOrArray | None
+    """of a moving source: the largest rise on the line of motion through the centre; else None"""
+    behind: FloatOrArray | None
+    """how far behind the centre it is [length]; else None"""
     _field: Any = field(repr=False, compare=False)
 
     def temperature(self, r: ArrayLike, z: ArrayLike, body: str = "lower", side: str = "below") -> FloatOrArray:
@@ -207,11 +206,9 @@ class Conduction(Value):
         check(status, single=not shape)
         columns = [values[:, i].reshape(shape) if shape else float(values[0, i]) for i in range(values.shape[1])]
         total, share, centre, flux_mean, area_mean, largest, behind = columns
-        not_known = np.full(shape, np.nan) if shape else math.nan
         if motion == "moving":
-            return FrictionHeat(total, share, centre, flux_mean, not_known, largest, behind, None)
-        on_field = (self, contact, rows, kind, strength)
-        return FrictionHeat(total, share, centre, flux_mean, area_mean, not_known, not_known, on_field)
+            return FrictionHeat(total, share, centre, flux_mean, None, largest, behind, None)
+        return FrictionHeat(total, share, centre, flux_mean, area_mean, None, None, (self, contact, rows, kind, strength))
 
     def step(self, time: ArrayLike, radius: float, answer: str = "conductance") -> FloatOrArray:
         """What follows a step at time 0, at times with D t/a^2 >= 1e-4 of the surface, any shape.

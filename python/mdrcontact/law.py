@@ -16,6 +16,7 @@ from ._law_steps import LawSteps
 from ._law_table import table_text
 from ._warn import warn
 from .adhesion import BRANCHES
+from .conduction import Conduction
 from .contact import Contact
 from .errors import ArgumentTypeError, BeyondRangeWarning
 from .friction import Friction
@@ -48,6 +49,7 @@ class ContactLaw(LawSteps):
 
     contact : the Contact to compile, with or without adhesion
     largest_depth : > 0 [length]
+    conduction : the `Conduction` of the same bodies: the law has their conductance too, within the tolerance; None: it has none
     friction : the `Friction` of this contact, for tangential forces; None: the law has none
     sliders : with friction or a shear strength, 4 to 64 vector sliders for the springs of a contact; errors fall about as
         sliders^-1.6, time and memory grow in proportion. 16 for finite elements
@@ -88,6 +90,7 @@ class ContactLaw(LawSteps):
         tolerance: float = 1e-9,
         description: str | None = None,
         continue_beyond: bool = False,
+        conduction: Conduction | None = None,
     ) -> None:
         if not isinstance(contact, Contact):
             raise ArgumentTypeError(f"contact = {contact!r} is not allowed: it must be a Contact")
@@ -97,6 +100,10 @@ class ContactLaw(LawSteps):
         options["sliders"] = whole("sliders", sliders, 1)
         if friction is not None:
             options["friction"] = friction._handle.address
+        if conduction is not None:
+            if not isinstance(conduction, Conduction):
+                raise ArgumentTypeError(f"conduction = {conduction!r} is not allowed: it must be a Conduction")
+            options["conduction"] = conduction._handle.address
         if shear_strength is not None:
             options["shear_strength"] = not_zero("shear_strength", shear_strength)
         self._own(_native.law_new(contact._handle.address, number("largest_depth", largest_depth), address(options)))
@@ -142,6 +149,13 @@ class ContactLaw(LawSteps):
         counted from first touch; with adhesion counted from pull-off. Further arguments as in `force`."""
         chosen = adhesion.code("branch", branch, BRANCHES)
         return evaluate("depth", depth, lambda d: self._warn("depth", d, _native.law_energy(self._address, chosen, d)))
+
+    def conductance(self, depth: ArrayLike, branch: str = "unloading") -> tuple[FloatOrArray, FloatOrArray]:
+        """G [conductance] and dG/dd along the branch [conductance/length] at depths d [length], any shape, of a law that was made
+        with a conduction. Further arguments as in `force`."""
+        chosen = adhesion.code("branch", branch, BRANCHES)
+        G, slope = evaluate_all("depth", depth, lambda d: self._warn("depth", d, _native.law_conductance(self._address, chosen, d)))
+        return G, slope
 
     def _warn(self, name: str, values: NDArray[np.float64], answer: tuple[Any, ...]) -> tuple[Any, ...]:
         """`answer`, with a warning where values lie beyond the range of a law that is continued."""

@@ -16,8 +16,8 @@ module mdrcontact_law
     use mdrcontact_law_evaluate, only: count_within, energy_at, point_at, point_in, run_points, wanted_t
     use mdrcontact_law_friction, only: friction_law_t
     use mdrcontact_law_interval, only: interval_place, place_t, polynomial, polynomial_with_slope
-    use mdrcontact_law_table, only: below_range, interval_for, interval_in, law_table_t, no_contact, scale_table, segment_for, &
-                                    value_below, values_in
+    use mdrcontact_law_table, only: below_range, conductance_in, interval_for, interval_in, law_table_t, no_contact, scale_table, &
+                                    segment_for, value_below, values_in
     implicit none (type, external)
     private
     public :: contact_law_t, law_point_t
@@ -67,6 +67,7 @@ module mdrcontact_law
         procedure :: force
         procedure :: force_and_slope
         procedure :: energy
+        procedure :: conductance
         procedure :: from_depths
         procedure :: from_forces
         procedure :: with_radius
@@ -244,6 +245,34 @@ contains
         value = point%energy
         if (allocated(error)) value = quiet_nan
     end function energy
+
+    !> G at depth d of a law that conducts, and its slope along the branch: 0 where the bodies are apart, beyond the range G at its
+    !> end; NaN where at_depth has an error.
+    elemental subroutine conductance(self, depth, value, slope, branch)
+        class(contact_law_t), intent(in) :: self
+        !> [length]
+        real(wp), intent(in) :: depth
+        !> [conductance], [conductance/length]
+        real(wp), intent(out) :: value, slope
+        !> on_loading or on_unloading (default)
+        integer, intent(in), optional :: branch
+        type(error_t), allocatable :: error
+        integer :: way, interval
+
+        way = on_unloading
+        if (present(branch)) way = branch
+        call check_branch(error, way)
+        call check_point(error, self%by_depth, way, depth)
+        value = quiet_nan
+        slope = value
+        if (allocated(error) .or. .not. allocated(self%by_depth%conductance)) return
+        value = 0.0_wp
+        slope = 0.0_wp
+        interval = interval_for(self%by_depth, way, min(depth, self%by_depth%highest))
+        if (interval == no_contact) return
+        call conductance_in(self%by_depth, interval, min(depth, self%by_depth%highest), value, slope)
+        if (depth > self%by_depth%highest) slope = 0.0_wp
+    end subroutine conductance
 
     pure subroutine force_elsewhere(self, depth, branch, force, slope)
         class(contact_law_t), intent(in) :: self

@@ -53,7 +53,7 @@ static void test_bits(double work_of_adhesion, double flat, int branch)
 {
     static double d[N], F[N], slope[N], a[N], k[N], only_F[N], also_F[N], also_slope[N], untouched = 3.0;
     mdr_law *law = law_with(work_of_adhesion, flat, 0);
-    mdr_law_view view;
+    mdr_law_view view = {0};
     int inside = 0;
 
     CHECK_SUCCESS(mdr_law_view_of(law, branch, &view));
@@ -122,7 +122,7 @@ static void test_copy(double work_of_adhesion, double flat, int continue_beyond)
     for (int branch = MDR_ON_LOADING; branch <= MDR_ON_UNLOADING; ++branch) {
         mdr_law *law = law_with(work_of_adhesion, flat, continue_beyond);
         double *buffer = buffer_of(law);
-        mdr_law_view view;
+        mdr_law_view view = {0};
         int segment = 0, followed = 0, failures = 0;
 
         CHECK_SUCCESS(mdr_law_view_from(buffer, branch, &view));
@@ -143,6 +143,78 @@ static void test_copy(double work_of_adhesion, double flat, int continue_beyond)
         free(buffer);
         CHECK_SUCCESS(mdr_law_free(&law));
     }
+}
+
+/* A law that conducts: inline, from a copy of its buffer, and from its file, with the bits of the library; near the solution. */
+static void test_conductance(double work_of_adhesion)
+{
+    static double d[N], G[N], slope[N], a[N], again[N];
+    const mdr_conductor layers[2] = {{0.5, 0.1, 0.1, 0.0, 0.0}, {0.0, 1.0, 1.0, 0.0, 0.0}};
+    mdr_conduction *conduction = NULL;
+    mdr_profile *ball = NULL;
+    mdr_medium *film = NULL;
+    mdr_contact *contact = NULL;
+    mdr_law *law = NULL, *read = NULL, *none = NULL;
+    mdr_contact_options options = MDR_SIZED(mdr_contact_options);
+    mdr_law_options law_options = MDR_SIZED(mdr_law_options);
+    mdr_law_facts facts = MDR_SIZED(mdr_law_facts);
+    mdr_law_view view = {0};
+    int length, failures = 0;
+
+    options.work_of_adhesion = work_of_adhesion;
+    CHECK_SUCCESS(mdr_conduction_new(2, layers, MDR_BASE_HALF_SPACE, 0, NULL, 0, 0.0, 0.0, &conduction));
+    CHECK_SUCCESS(mdr_profile_paraboloid(1.0, &ball));
+    CHECK_SUCCESS(mdr_medium_coated(3.0, 0.3, 0.5, 1.0, 0.4, MDR_MODEL_GAO, NULL, &film));
+    CHECK_SUCCESS(mdr_contact_new(ball, film, &options, &contact));
+    law_options.conduction = conduction;
+    law_options.tolerance = 1e-8;
+    CHECK_SUCCESS(mdr_law_new(contact, 1.0, &law_options, &law));
+    CHECK_SUCCESS(mdr_law_info(law, &facts));
+    CHECK_INT(facts.conducts, 1);
+    CHECK_SUCCESS(mdr_law_write(law, NULL, 0, &length));
+    char *text = malloc((size_t)length + 1);
+    CHECK_SUCCESS(mdr_law_write(law, text, length + 1, &length));
+    CHECK_SUCCESS(mdr_law_read(text, length, &read));
+    free(text);
+    for (int branch = MDR_ON_LOADING; branch <= MDR_ON_UNLOADING; ++branch) {
+        CHECK_SUCCESS(mdr_law_view_of(law, branch, &view));
+        for (int i = 0; i < N; ++i) d[i] = some_depth(mdr_law_head_of(&view), i);
+        CHECK_SUCCESS(mdr_law_conductance(law, branch, N, d, G, slope));
+        CHECK_SUCCESS(mdr_law_conductance(read, branch, N, d, again, NULL));
+        CHECK_INT(memcmp(G, again, sizeof G), 0);
+        CHECK_SUCCESS(mdr_law_from_depth(law, branch, N, d, NULL, NULL, a, NULL));
+        double *buffer = malloc((size_t)facts.buffer_size * sizeof *buffer);
+        CHECK_SUCCESS(mdr_law_buffer(law, facts.buffer_size, buffer));
+        CHECK_SUCCESS(mdr_law_view_from(buffer, branch, &view));
+        for (int i = 0; i < N; ++i) {
+            double one, rise, exact;
+            failures += mdr_law_view_conductance(&view, d[i], &one, &rise) != MDR_SUCCESS;
+            failures += !same(one, G[i]) + !same(rise, slope[i]);
+            if (i % 40 || a[i] <= 1e-3) continue;
+            CHECK_SUCCESS(mdr_conduction_spot(conduction, 1, &a[i], &exact, NULL));
+            if (d[i] >= mdr_law_head_of(&view)->lowest) CHECK_CLOSE(G[i], exact, 2e-8);
+        }
+        CHECK_INT(failures, 0);
+        free(buffer);
+    }
+    CHECK_STATUS(mdr_law_conductance(law, MDR_ON_UNLOADING, 1, (double[]){7.0}, G, slope), MDR_EDOMAIN, "depth = 7");
+    CHECK_STATUS(mdr_law_conductance(law, 5, 1, d, G, slope), MDR_EINVALID, "branch");
+    CHECK_STATUS(mdr_law_conductance(law, MDR_ON_UNLOADING, 1, NULL, G, slope), MDR_ENULL, "d");
+    CHECK_STATUS(mdr_law_conductance(law, MDR_ON_UNLOADING, -1, d, G, slope), MDR_EINVALID, "n = -1");
+    CHECK_STATUS(mdr_law_conductance(NULL, MDR_ON_UNLOADING, 1, d, G, slope), MDR_ENULL, "law");
+    law_options.conduction = (const mdr_conduction *)ball;
+    CHECK_STATUS(mdr_law_new(contact, 1.0, &law_options, &none), MDR_EINVALID, "options.conduction");
+    none = law_with(work_of_adhesion, 0.0, 0);
+    CHECK_STATUS(mdr_law_conductance(none, MDR_ON_UNLOADING, 1, d, G, slope), MDR_EINVALID, "does not conduct");
+    CHECK_SUCCESS(mdr_law_view_of(none, MDR_ON_UNLOADING, &view));
+    CHECK_INT(mdr_law_view_conductance(&view, 0.5, G, slope), MDR_EINVALID);
+    CHECK_SUCCESS(mdr_law_free(&none));
+    CHECK_SUCCESS(mdr_law_free(&read));
+    CHECK_SUCCESS(mdr_law_free(&law));
+    CHECK_SUCCESS(mdr_contact_free(&contact));
+    CHECK_SUCCESS(mdr_medium_free(&film));
+    CHECK_SUCCESS(mdr_profile_free(&ball));
+    CHECK_SUCCESS(mdr_conduction_free(&conduction));
 }
 
 static void test_power(void)
@@ -166,7 +238,7 @@ typedef void points(const mdr_law_view *view, int n, const double s[], double F[
 static void test_lanes(points *some)
 {
     mdr_law *law = law_with(0.0, 0.0, 0);
-    mdr_law_view view;
+    mdr_law_view view = {0};
 
     CHECK_SUCCESS(mdr_law_view_of(law, MDR_ON_UNLOADING, &view));
     for (int n = 1; n < 11; ++n) {
@@ -193,7 +265,7 @@ static void test_beyond(void)
 {
     mdr_law *law = law_with(0.0, 0.0, 1);
     mdr_law_point last, point;
-    mdr_law_view view;
+    mdr_law_view view = {0};
     mdr_law_facts facts = MDR_SIZED(mdr_law_facts);
     double F, U, d;
 
@@ -219,7 +291,7 @@ static void test_refusals(void)
 {
     mdr_law *law = law_with(0.0, 0.0, 0);
     mdr_law_point point;
-    mdr_law_view view;
+    mdr_law_view view = {0};
     double d[2] = {0.5, 2.0}, U[2];
 
     CHECK_STATUS(mdr_law_view_of(NULL, MDR_ON_UNLOADING, &view), MDR_ENULL, "law");
@@ -253,6 +325,8 @@ int main(void)
     test_copy(0.0, 0.2, 1);
     test_copy(0.05, 0.0, 0);
     test_copy(0.05, 0.0, 1);
+    test_conductance(0.0);
+    test_conductance(0.05);
     test_power();
     test_beyond();
     test_refusals();

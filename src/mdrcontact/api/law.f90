@@ -6,6 +6,7 @@ module mdrcontact_api_law
     use mdrcontact_api_options, only: check_size, read_options, write_facts
     use mdrcontact_api_status, only: check_given, status_of
     use mdrcontact_api_text, only: read_text, write_text
+    use mdrcontact_conduction_table, only: conductance_function_t
     use mdrcontact_contact, only: check_branch, contact_t, on_unloading
     use mdrcontact_error, only: count_text, error_invalid, error_t, raise
     use mdrcontact_history_friction, only: friction_t
@@ -30,6 +31,7 @@ module mdrcontact_api_law
         type(c_ptr) :: friction = c_null_ptr
         integer(c_int) :: sliders = 0_c_int
         real(c_double) :: shear_strength = 0.0_c_double
+        type(c_ptr) :: conduction = c_null_ptr
     end type c_law_options_t
 
     !> struct mdr_law_facts
@@ -48,6 +50,7 @@ module mdrcontact_api_law
         real(c_double) :: first_shear_error = 0.0_c_double, path_error = 0.0_c_double
         integer(c_int) :: buffer_size = 0_c_int
         real(c_double) :: shear_strength = 0.0_c_double
+        integer(c_int) :: conducts = 0_c_int
     end type c_law_facts_t
 
     interface
@@ -73,12 +76,17 @@ contains
         type(c_law_options_t) :: given
         type(law_options_t) :: chosen
         type(friction_t), pointer :: friction
+        type(conductance_function_t), target :: conductance
         type(error_t), allocatable :: error
         integer :: sliders
 
         allocate (law)
         call open_handle(contact, "contact", inside, error)
         call read_law_options(options, given, chosen, error)
+        if (c_associated(given%conduction)) then
+            call open_handle(given%conduction, "options.conduction", conductance%conduction, error)
+            chosen%conductance => conductance
+        end if
         sliders = merge(default_sliders, int(given%sliders), given%sliders == 0_c_int)
         if (c_associated(given%friction)) then
             call open_handle(given%friction, "options.friction", friction, error)
@@ -264,6 +272,7 @@ contains
         made%description_length = len(inside%description, kind=c_int)
         made%continue_beyond = merge(1_c_int, 0_c_int, inside%by_depth%continued)
         made%buffer_size = int(packed_size(inside%by_depth), c_int)
+        made%conducts = merge(1_c_int, 0_c_int, allocated(inside%by_depth%conductance))
         if (allocated(inside%friction)) call add_friction(inside%friction, made)
         call write_facts(facts, c_loc(made), used)
     end function mdr_law_info

@@ -9,6 +9,7 @@ module mdrcontact_law_compile
     use mdrcontact_law_interval, only: coefficient_count, column_count, in_units_of, interval_t, most_bits, new_interval, &
                                       panel_count, panel_ends, polynomial, row_t, u_of_y
     use mdrcontact_law_table, only: add_energies, contact_rows_t, find_direct, law_table_t, table_segment_t, values_in
+    use mdrcontact_numerics_scalar_function, only: scalar_function_t
     implicit none (type, external)
     private
     public :: piece_t, compile_pieces, compile_straight, control_of, open_table, close_table
@@ -20,6 +21,8 @@ module mdrcontact_law_compile
         logical :: singular_first = .false., fold_last = .false.
     end type piece_t
 
+    !> The column of G, where there is one.
+    integer, parameter :: conductance_column = column_count + 1
     !> Panels close to a singular end begin this part of the root of s there away from it.
     real(wp), parameter :: singular_scale = 0.5_wp
 
@@ -40,12 +43,14 @@ contains
     end subroutine open_table
 
     !> Adds one segment, given as its pieces by ascending radius.
-    subroutine compile_pieces(table, curve, pieces, tolerance, error)
+    subroutine compile_pieces(table, curve, pieces, tolerance, error, conductance)
         type(law_table_t), intent(inout) :: table
         type(curve_t), intent(in) :: curve
         type(piece_t), intent(in) :: pieces(:)
         real(wp), intent(in) :: tolerance
         type(error_t), allocatable, intent(out) :: error
+        !> G(a), for a law that conducts
+        class(scalar_function_t), intent(inout), optional :: conductance
         real(wp) :: low, high, middle
         integer :: i, first
 
@@ -55,13 +60,16 @@ contains
             high = curve_value(table, curve, pieces(i)%last)
             if (pieces(i)%fold_last) then
                 middle = 0.5_wp*(low + high)
-                call compile_interval(table, curve, pieces(i), low, 1.0_wp, .true., [0.0_wp, middle - low], tolerance, error)
+                call compile_interval(table, curve, pieces(i), low, 1.0_wp, .true., [0.0_wp, middle - low], tolerance, error, &
+                                      conductance)
                 if (allocated(error)) return
-                call compile_interval(table, curve, pieces(i), high, -1.0_wp, .true., [0.0_wp, high - middle], tolerance, error)
+                call compile_interval(table, curve, pieces(i), high, -1.0_wp, .true., [0.0_wp, high - middle], tolerance, error, &
+                                      conductance)
             else if (pieces(i)%singular_first) then
-                call compile_interval(table, curve, pieces(i), low, 1.0_wp, .true., [0.0_wp, high - low], tolerance, error)
+                call compile_interval(table, curve, pieces(i), low, 1.0_wp, .true., [0.0_wp, high - low], tolerance, error, &
+                                      conductance)
             else
-                call compile_interval(table, curve, pieces(i), 0.0_wp, 1.0_wp, .false., [low, high], tolerance, error)
+                call compile_interval(table, curve, pieces(i), 0.0_wp, 1.0_wp, .false., [low, high], tolerance, error, conductance)
             end if
             if (allocated(error)) return
         end do
@@ -69,9 +77,11 @@ contains
     end subroutine compile_pieces
 
     !> Adds a segment on which the radius and hence the stiffness stay: a flat punch, F = k d.
-    subroutine compile_straight(table, radius, stiffness, low, high)
+    subroutine compile_straight(table, radius, stiffness, low, high, conductance)
         type(law_table_t), intent(inout) :: table
         real(wp), intent(in) :: radius, stiffness, low, high
+        !> G(a), for a law that conducts
+        class(scalar_function_t), intent(inout), optional :: conductance
         type(interval_t) :: interval
         real(wp) :: ends(2), s(2), other(2)
         real(wp), allocatable :: coefficients(:, :, :)
@@ -80,12 +90,13 @@ contains
         first = size(table%intervals) + 1
         interval = new_interval(low, 1.0_wp, .false., 0.0_wp, high - low, 1.0_wp, 0)
         interval%first_panel = size(table%other)
-        allocate (coefficients(coefficient_count, column_count, panel_count(interval)), source=0.0_wp)
+        allocate (coefficients(coefficient_count, columns_of(conductance), panel_count(interval)), source=0.0_wp)
+        if (present(conductance)) coefficients(1, conductance_column, :) = conductance%value(radius)
         do panel = 1, size(coefficients, 3)
             ends = panel_ends(interval, panel)
             s = [u_of_y(interval, ends(1)), u_of_y(interval, ends(2))]
             other = s*merge(stiffness, 1.0_wp/stiffness, table%by_depth)
-            coefficients(1, :, panel) = [0.5_wp*(other(1) + other(2)), radius, stiffness]
+            coefficients(1, :column_count, panel) = [0.5_wp*(other(1) + other(2)), radius, stiffness]
             coefficients(2, 1, panel) = 0.5_wp*(other(2) - other(1))
         end do
         call append(table, interval, coefficients)
@@ -157,14 +168,24 @@ contains
         s = merge(point%depth, point%force, table%by_depth)
     end function curve_value
 
+    !> Columns of a table, with or without G.
+    pure function columns_of(conductance) result(columns)
+        class(scalar_function_t), intent(in), optional :: conductance
+        integer :: columns
+
+        columns = column_count
+        if (present(conductance)) columns = conductance_column
+    end function columns_of
+
     !> Adds an interval in as few panels as the tolerance allows.
-    subroutine compile_interval(table, curve, piece, origin, side, root, u, tolerance, error)
+    subroutine compile_interval(table, curve, piece, origin, side, root, u, tolerance, error, conductance)
         type(law_table_t), intent(inout) :: table
         type(curve_t), intent(in) :: curve
         type(piece_t), intent(in) :: piece
         real(wp), intent(in) :: origin, side, u(2), tolerance
         logical, intent(in) :: root
         type(error_t), allocatable, intent(out) :: error
+        class(scalar_function_t), intent(inout), optional :: conductance
         type(interval_t) :: interval
         real(wp), allocatable :: coefficients(:, :, :)
         real(wp) :: margin
@@ -177,11 +198,15 @@ contains
             interval = new_interval(origin, side, root, u(1), u(2), margin, bits)
             interval%first_panel = size(table%other)
             if (allocated(coefficients)) deallocate (coefficients)
-            allocate (coefficients(coefficient_count, column_count, panel_count(interval)))
+            allocate (coefficients(coefficient_count, columns_of(conductance), panel_count(interval)))
             do panel = 1, size(coefficients, 3)
                 call check_cancelled(error)
                 if (allocated(error)) return
-                call fit_panel(table, curve, piece, interval, panel, tolerance, coefficients(:, :, panel), fits)
+                call fit_panel(table, curve, piece, interval, panel, tolerance, coefficients(:, :, panel), fits, conductance)
+                if (present(conductance)) then
+                    if (allocated(conductance%error)) call move_alloc(conductance%error, error)
+                    if (allocated(error)) return
+                end if
                 if (.not. fits) exit
             end do
             if (fits) exit
@@ -200,7 +225,7 @@ contains
         type(law_table_t), intent(inout) :: table
         type(interval_t), intent(in) :: interval
         real(wp), intent(in) :: coefficients(:, :, :)
-        type(row_t) :: other(size(coefficients, 3))
+        type(row_t) :: other(size(coefficients, 3)), conductance(size(coefficients, 3))
         type(contact_rows_t) :: contact(size(coefficients, 3))
         real(wp) :: ends(2), unit
         integer :: i
@@ -212,32 +237,44 @@ contains
             contact(i)%radius%c = in_units_of(coefficients(:, 2, i), unit)
             contact(i)%stiffness%c = in_units_of(coefficients(:, 3, i), unit)
         end do
+        if (size(coefficients, 2) == conductance_column) then
+            do i = 1, size(other)
+                ends = panel_ends(interval, i)
+                conductance(i)%c = in_units_of(coefficients(:, conductance_column, i), 0.5_wp*(ends(2) - ends(1)))
+            end do
+            if (.not. allocated(table%conductance)) allocate (table%conductance(0))
+            table%conductance = [table%conductance, conductance]
+        end if
         table%intervals = [table%intervals, interval]
         table%other = [table%other, other]
         table%contact = [table%contact, contact]
     end subroutine append
 
     !> Interpolates the columns at Chebyshev's extrema, ends included: the law is continuous from panel to panel.
-    subroutine fit_panel(table, curve, piece, interval, panel, tolerance, coefficients, fits)
+    subroutine fit_panel(table, curve, piece, interval, panel, tolerance, coefficients, fits, conductance)
         type(law_table_t), intent(in) :: table
         type(curve_t), intent(in) :: curve
         type(piece_t), intent(in) :: piece
         type(interval_t), intent(in) :: interval
         integer, intent(in) :: panel
         real(wp), intent(in) :: tolerance
-        real(wp), intent(out) :: coefficients(coefficient_count, column_count)
+        !> (coefficient, column)
+        real(wp), intent(out) :: coefficients(:, :)
         logical, intent(out) :: fits
-        real(wp) :: t(coefficient_count), values(coefficient_count, column_count), ends(2), between(column_count), found, &
-                    scale(column_count), u(2)
+        class(scalar_function_t), intent(inout), optional :: conductance
+        real(wp), dimension(coefficient_count, size(coefficients, 2)) :: values
+        real(wp), dimension(size(coefficients, 2)) :: between, scale
+        real(wp) :: t(coefficient_count), ends(2), found, u(2)
         integer :: i, j
 
         ends = panel_ends(interval, panel)
         do i = 1, coefficient_count
             t(i) = -cos(pi*(i - 1)/(coefficient_count - 1))
-            values(i, :) = columns_at(table, curve, piece, interval, &
-                                      0.5_wp*(ends(1)*(1.0_wp - t(i)) + ends(2)*(1.0_wp + t(i))))
+            call find_columns(table, curve, piece, interval, 0.5_wp*(ends(1)*(1.0_wp - t(i)) + ends(2)*(1.0_wp + t(i))), &
+                              between, conductance)
+            values(i, :) = between
         end do
-        do j = 1, column_count
+        do j = 1, size(values, 2)
             coefficients(:, j) = interpolating(t, values(:, j))
         end do
         fits = .true.
@@ -250,8 +287,9 @@ contains
         end if
         do i = 1, coefficient_count - 1, 3
             found = 0.5_wp*(t(i) + t(i + 1))
-            between = columns_at(table, curve, piece, interval, 0.5_wp*(ends(1)*(1.0_wp - found) + ends(2)*(1.0_wp + found)))
-            do j = 1, column_count
+            call find_columns(table, curve, piece, interval, 0.5_wp*(ends(1)*(1.0_wp - found) + ends(2)*(1.0_wp + found)), &
+                              between, conductance)
+            do j = 1, size(values, 2)
                 fits = fits .and. abs(polynomial(coefficients(:, j), found) - between(j)) <= tolerance*scale(j)
             end do
         end do
@@ -278,19 +316,21 @@ contains
         end do
     end function interpolating
 
-    !> F or d, a and k of the state at y.
-    pure function columns_at(table, curve, piece, interval, y) result(columns)
+    !> F or d, a and k of the state at y, and G.
+    subroutine find_columns(table, curve, piece, interval, y, columns, conductance)
         type(law_table_t), intent(in) :: table
         type(curve_t), intent(in) :: curve
         type(piece_t), intent(in) :: piece
         type(interval_t), intent(in) :: interval
         real(wp), intent(in) :: y
-        real(wp) :: columns(column_count)
+        real(wp), intent(out) :: columns(:)
+        class(scalar_function_t), intent(inout), optional :: conductance
         type(curve_point_t) :: point
 
         point = curve%find(control_of(table), interval%origin, interval%side, interval%root, u_of_y(interval, y), piece%first, &
                            piece%last)
-        columns = [merge(point%force, point%depth, table%by_depth), point%radius, point%stiffness]
-    end function columns_at
+        columns(:column_count) = [merge(point%force, point%depth, table%by_depth), point%radius, point%stiffness]
+        if (present(conductance)) columns(conductance_column) = conductance%value(point%radius)
+    end subroutine find_columns
 
 end module mdrcontact_law_compile

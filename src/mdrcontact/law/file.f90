@@ -9,10 +9,11 @@ module mdrcontact_law_file
     use mdrcontact_law, only: contact_law_t
     use mdrcontact_law_crc32, only: crc32_text
     use mdrcontact_law_friction, only: find_levels, friction_law_t
+    use mdrcontact_law_interval, only: coefficient_count
     use mdrcontact_law_levels, only: fewest_sliders, most_sliders, share_index, share_nodes
     use mdrcontact_law_sound, only: is_sound
     use mdrcontact_law_table, only: add_energies, find_direct
-    use mdrcontact_law_words, only: put_table, read_table, reader_t, word_count
+    use mdrcontact_law_words, only: put_conductance, put_table, read_conductance, read_table, reader_t, word_count
     implicit none (type, external)
     private
     public :: save_law, load_law, law_to_text, law_from_text
@@ -68,9 +69,12 @@ contains
 
         count = own_numbers + word_count(law%by_depth) + word_count(law%by_force)
         if (allocated(law%friction)) count = count + friction_count(law%friction)
+        next = count + 1
+        if (allocated(law%by_depth%conductance)) count = count + coefficient_count*size(law%by_depth%conductance)
         allocate (words(count), stat=stat)
         call check_memory(error, stat)
         if (allocated(error)) return
+        call put_conductance(law%by_depth, words, next)
         words(:3) = [transfer([law%tolerance, law%error], [0_int64]), int(law%solutions, int64)]
         next = 4
         call put_table(law%by_depth, words, next)
@@ -135,6 +139,7 @@ contains
         if (allocated(error)) return
         law%radius = reader%number()
         call read_friction(reader, law%friction, shares, error)
+        if (.not. allocated(error)) call read_conductance(reader, law%by_depth, error)
         if (allocated(error)) return
         reader%sound = reader%sound .and. law%radius >= 0.0_wp .and. reader%next == size(reader%words) + 1
         if (reader%sound) reader%sound = is_sound(law)

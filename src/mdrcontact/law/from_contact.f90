@@ -13,8 +13,9 @@ module mdrcontact_law_from_contact
     use mdrcontact_law, only: contact_law_t
     use mdrcontact_law_compile, only: close_table, compile_straight, open_table
     use mdrcontact_law_segments, only: compile_segments, fold_margin
-    use mdrcontact_law_verify, only: largest_error
+    use mdrcontact_law_verify, only: add_conductance_error, largest_error
     use mdrcontact_medium_solver, only: solver_t
+    use mdrcontact_numerics_scalar_function, only: scalar_function_t
     implicit none (type, external)
     private
     public :: new_contact_law, law_options_t, default_law_tolerance
@@ -44,6 +45,8 @@ module mdrcontact_law_from_contact
         !> whether the law answers beyond its largest depth and force too, along the tangent there, and says so in `beyond`: one
         !> hard collision then does not end a run. Else it refuses
         logical :: continue_beyond = .false.
+        !> G(a), for a law that conducts: a function of the caller's, which lives as long as the options
+        class(scalar_function_t), pointer :: conductance => null()
         !> the problem the law is made from, in words
         character(len=:), allocatable :: description
     end type law_options_t
@@ -66,6 +69,7 @@ contains
         real(wp), allocatable :: breaks(:)
 
         if (present(options)) chosen = options
+        if (present(tangential)) nullify (chosen%conductance)
         if (.not. allocated(chosen%description)) chosen%description = ""
         call check_positive(error, "largest_depth", largest_depth)
         call check_within(error, "tolerance", chosen%tolerance, smallest_tolerance, largest_tolerance)
@@ -89,9 +93,9 @@ contains
         call open_table(self%by_depth, .true., contact%is_adhesive(), end_radius)
         call open_table(self%by_force, .false., contact%is_adhesive(), end_radius)
         if (smallest >= largest*(1.0_wp - 1.0e-12_wp)) then
-            call compile_punch(self, contact, largest_depth, chosen%smallest_depth, error, tangential)
+            call compile_punch(self, contact, largest_depth, chosen, error, tangential)
         else
-            call compile_branch(self, contact, end_radius, smallest, largest_depth, chosen%smallest_depth, error, tangential)
+            call compile_branch(self, contact, end_radius, smallest, largest_depth, chosen, error, tangential)
         end if
         if (allocated(error)) return
         call close_table(self%by_depth)
@@ -101,17 +105,18 @@ contains
     end subroutine new_contact_law
 
     !> A flat punch: one state determines the law.
-    subroutine compile_punch(self, contact, largest_depth, smallest_depth, error, tangential)
+    subroutine compile_punch(self, contact, largest_depth, options, error, tangential)
         type(contact_law_t), intent(inout) :: self
         type(contact_t), intent(in) :: contact
-        real(wp), intent(in) :: largest_depth, smallest_depth
+        real(wp), intent(in) :: largest_depth
+        type(law_options_t), intent(in) :: options
         type(error_t), allocatable, intent(out) :: error
         class(solver_t), intent(in), optional :: tangential
         type(contact_state_t) :: state, pull_off
         real(wp) :: low, modulus(1), stiffness, share
 
         call contact%at_depth(largest_depth, state, error)
-        low = smallest_depth
+        low = options%smallest_depth
         if (contact%is_adhesive() .and. .not. allocated(error)) then
             call contact%pull_off(depth_control, pull_off, error)
             low = pull_off%depth
@@ -125,23 +130,31 @@ contains
             stiffness = 2.0_wp*state%radius*modulus(1)
         end if
         share = state%stiffness/stiffness
-        call compile_straight(self%by_depth, state%radius, stiffness, share*low, share*largest_depth)
+        if (associated(options%conductance)) then
+            call compile_straight(self%by_depth, state%radius, stiffness, share*low, share*largest_depth, options%conductance)
+            if (allocated(options%conductance%error)) call move_alloc(options%conductance%error, error)
+            if (allocated(error)) return
+        else
+            call compile_straight(self%by_depth, state%radius, stiffness, share*low, share*largest_depth)
+        end if
         call compile_straight(self%by_force, state%radius, stiffness, low*state%stiffness, largest_depth*state%stiffness)
     end subroutine compile_punch
 
-    subroutine compile_branch(self, contact, end_radius, smallest, largest_depth, smallest_depth, error, tangential)
+    subroutine compile_branch(self, contact, end_radius, smallest, largest_depth, options, error, tangential)
         type(contact_law_t), intent(inout) :: self
         type(contact_t), intent(in) :: contact
-        real(wp), intent(in) :: end_radius, smallest, largest_depth, smallest_depth
+        real(wp), intent(in) :: end_radius, smallest, largest_depth
+        type(law_options_t), intent(in) :: options
         type(error_t), allocatable, intent(out) :: error
         class(solver_t), intent(in), optional :: tangential
         type(curve_t) :: curve
         type(stable_segment_t), allocatable :: of_depth(:), of_force(:)
         real(wp), allocatable :: coordinates(:)
-        real(wp) :: first, last, found
+        real(wp) :: first, last, found, smallest_depth
         logical :: jumps
         integer :: i
 
+        smallest_depth = options%smallest_depth
         jumps = size(contact%equilibrium%falls) > 0
         found = largest_depth
         if (jumps) then
@@ -190,7 +203,12 @@ contains
         if (allocated(error)) return
         self%solutions = self%solutions + curve%solutions
         coordinates = coordinates(2:size(coordinates) - 1)
-        call compile_segments(self%by_depth, curve, of_depth, coordinates, fit_share*self%tolerance, error)
+        if (associated(options%conductance)) then
+            call compile_segments(self%by_depth, curve, of_depth, coordinates, fit_share*self%tolerance, error, &
+                                  options%conductance)
+        else
+            call compile_segments(self%by_depth, curve, of_depth, coordinates, fit_share*self%tolerance, error)
+        end if
         if (allocated(error)) return
         do i = 2, size(of_depth)
             self%by_depth%segments(i)%energy = curve%work_between(of_depth(1)%first, of_depth(i)%first)
@@ -201,6 +219,10 @@ contains
         if (allocated(error) .or. present(tangential)) return
         call largest_error(self%by_depth, self%by_force, contact, curve, of_depth, of_force, self%error, self%solutions, error)
         if (allocated(error)) return
+        if (associated(options%conductance)) then
+            call add_conductance_error(self%by_depth, contact, curve, of_depth, options%conductance, self%error, error)
+            if (allocated(error)) return
+        end if
         if (.not. self%error <= self%tolerance) then
             call raise(error, error_no_convergence, "the compiled law misses the tolerance "//to_text(self%tolerance)// &
                        ": its error is "//to_text(self%error)//"; the contact itself may not be computed more accurately")

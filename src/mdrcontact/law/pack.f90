@@ -25,7 +25,16 @@ contains
         integer :: size_of_all
 
         size_of_all = force_place(table) + (3*row + 1)*size(table%other)
+        if (allocated(table%conductance)) size_of_all = conductance_place(table) + row*size(table%other)
     end function packed_size
+
+    !> Where those of G begin, behind the energies.
+    pure function conductance_place(table) result(place)
+        type(law_table_t), intent(in) :: table
+        integer :: place
+
+        place = row*((force_place(table) + (3*row + 1)*size(table%other) + row - 1)/row)
+    end function conductance_place
 
     !> Where the polynomials begin, counted from 0.
     pure function force_place(table) result(place)
@@ -41,7 +50,7 @@ contains
         type(law_table_t), intent(in) :: table
         !> [packed_size(table)]
         real(c_double), intent(out) :: buffer(:)
-        integer :: i, panels, force, contact, energy, intervals
+        integer :: i, panels, force, contact, energy, intervals, conductance
 
         panels = size(table%other)
         intervals = head_size + segment_size*size(table%segments)
@@ -65,6 +74,11 @@ contains
             buffer(contact + 2*row*(i - 1) + 1:contact + 2*row*i) = [table%contact(i)%radius%c, table%contact(i)%stiffness%c]
         end do
         buffer(energy + 1:energy + panels) = table%energy
+        if (.not. allocated(table%conductance)) return
+        conductance = conductance_place(table)
+        do i = 1, panels
+            buffer(conductance + row*(i - 1) + 1:conductance + row*i) = table%conductance(i)%c
+        end do
     end subroutine pack_table
 
     !> The number, from 0, of the interval in which nothing has to be looked for; -1: none.

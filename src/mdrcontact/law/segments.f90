@@ -7,6 +7,7 @@ module mdrcontact_law_segments
     use mdrcontact_kinds, only: wp
     use mdrcontact_law_compile, only: compile_pieces, control_of, piece_t
     use mdrcontact_law_table, only: law_table_t
+    use mdrcontact_numerics_scalar_function, only: scalar_function_t
     implicit none (type, external)
     private
     public :: compile_segments, fold_margin
@@ -17,7 +18,7 @@ module mdrcontact_law_segments
 contains
 
     !> Compiles the segments under one control; their ends are moved to the extrema of the samples.
-    subroutine compile_segments(table, curve, list, breaks, tolerance, error)
+    subroutine compile_segments(table, curve, list, breaks, tolerance, error, conductance)
         type(law_table_t), intent(inout) :: table
         type(curve_t), intent(in) :: curve
         !> by ascending coordinate
@@ -26,6 +27,8 @@ contains
         real(wp), intent(in) :: breaks(:)
         real(wp), intent(in) :: tolerance
         type(error_t), allocatable, intent(out) :: error
+        !> G(a), for a law that conducts
+        class(scalar_function_t), intent(inout), optional :: conductance
         type(piece_t), allocatable :: pieces(:)
         real(wp), allocatable :: cuts(:)
         real(wp) :: range_end
@@ -48,7 +51,7 @@ contains
             do j = 1, size(pieces)
                 pieces(j) = piece_t(cuts(j), cuts(j + 1), table%adhesive .or. j > 1, ends_at_fold .and. j == size(pieces))
             end do
-            call compile_pieces(table, curve, pieces, tolerance, error)
+            call compile_pieces(table, curve, pieces, tolerance, error, conductance)
             if (allocated(error)) return
         end do
     end subroutine compile_segments

@@ -11,7 +11,7 @@ module mdrcontact_law_table
     private
     public :: contact_rows_t, law_table_t, table_segment_t
     public :: interval_for, segment_for, interval_in, below_range, no_contact
-    public :: values_in, value_below, values_below, energy_in, energy_below, find_direct, add_energies, scale_table
+    public :: conductance_in, values_in, value_below, values_below, energy_in, energy_below, find_direct, add_energies, scale_table
 
     !> What interval_for says where there is no interval: below the compiled range of a contact without adhesion; open.
     integer, parameter :: below_range = -1, no_contact = 0
@@ -52,6 +52,8 @@ module mdrcontact_law_table
         type(contact_rows_t), allocatable :: contact(:)
         !> by depth: int F dd from the beginning of the branch to the middle of each panel
         real(wp), allocatable :: energy(:)
+        !> of each panel, of a law that conducts: G
+        type(row_t), allocatable :: conductance(:)
         !> the interval in which nothing has to be looked for: no root, one segment, the first panels; empty if there is none
         type(interval_t) :: direct = interval_t(lowest=1.0_wp, highest=-1.0_wp)
     end type law_table_t
@@ -138,6 +140,29 @@ contains
         radius = polynomial(self%contact(place%panel)%radius%c, place%t)
         stiffness = polynomial(self%contact(place%panel)%stiffness%c, place%t)
     end subroutine values_in
+
+    !> G and its derivative with respect to s along the branch in an interval of a table that has them, or below its range as the
+    !> power of s with the same value and slope.
+    pure subroutine conductance_in(self, interval, s, conductance, slope)
+        type(law_table_t), intent(in) :: self
+        !> or below_range
+        integer, intent(in) :: interval
+        real(wp), intent(in) :: s
+        real(wp), intent(out) :: conductance, slope
+        type(place_t) :: place
+        real(wp) :: within
+
+        within = max(s, self%lowest)
+        associate (range => self%intervals(max(interval, 1)))
+            place = interval_place(range, within)
+            call polynomial_with_slope(self%conductance(place%panel)%c, place%t, conductance, slope)
+            slope = interval_rate(range, within)*slope
+        end associate
+        if (interval /= below_range .or. .not. conductance > 0.0_wp) return
+        slope = max(slope, 0.0_wp)*within/conductance
+        conductance = conductance*power_of(s/within, slope)
+        slope = slope*conductance/s
+    end subroutine conductance_in
 
     !> int F dd from the beginning of the branch to depth s in an interval.
     pure function energy_in(self, interval, s) result(energy)

@@ -8,10 +8,11 @@ module mdrcontact_law_verify
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: wp
-    use mdrcontact_law_table, only: law_table_t, interval_in, values_in
+    use mdrcontact_law_table, only: conductance_in, law_table_t, interval_in, values_in
+    use mdrcontact_numerics_scalar_function, only: scalar_function_t
     implicit none (type, external)
     private
-    public :: largest_error
+    public :: add_conductance_error, largest_error
 
     !> Where in each panel of the samples, away from its nodes, law and contact are compared.
     real(wp), parameter :: probes(3) = [0.027_wp, 0.452_wp, 0.964_wp]
@@ -49,6 +50,37 @@ contains
             end do
         end do
     end subroutine largest_error
+
+    !> The same of G from the depth: `worst` becomes that where it is larger.
+    subroutine add_conductance_error(by_depth, contact, curve, of_depth, conductance, worst, error)
+        type(law_table_t), intent(in) :: by_depth
+        type(contact_t), intent(in) :: contact
+        type(curve_t), intent(in) :: curve
+        type(stable_segment_t), intent(in) :: of_depth(:)
+        !> G(a)
+        class(scalar_function_t), intent(inout) :: conductance
+        real(wp), intent(inout) :: worst
+        type(error_t), allocatable, intent(out) :: error
+        type(contact_state_t) :: state
+        real(wp) :: x, found, slope, exact
+        integer :: panel, segment
+
+        do panel = 1, size(curve%edges) - 1
+            x = curve%edges(panel) + probes(2)*(curve%edges(panel + 1) - curve%edges(panel))
+            segment = findloc(of_depth%first <= x .and. x <= of_depth%last, .true., dim=1)
+            if (segment == 0) cycle
+            call check_cancelled(error)
+            if (.not. allocated(error)) call contact%at_radius(curve%end_radius + exp(x), state, error)
+            if (allocated(error)) return
+            exact = conductance%value(state%radius)
+            if (allocated(conductance%error)) then
+                call move_alloc(conductance%error, error)
+                return
+            end if
+            call conductance_in(by_depth, interval_in(by_depth, segment, state%depth), state%depth, found, slope)
+            worst = max(worst, abs(found - exact)/(exact + merge(abs(state%depth*slope), 0.0_wp, by_depth%adhesive)))
+        end do
+    end subroutine add_conductance_error
 
     !> The errors of F or d, a and k at a state on a segment, relative to the value y of the contact and, with adhesion, to
     !> |y| + |s dy/ds|: y is then zero somewhere, and no number can be better than its argument s.

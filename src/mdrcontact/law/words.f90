@@ -9,7 +9,7 @@ module mdrcontact_law_words
     use mdrcontact_law_table, only: law_table_t, table_segment_t
     implicit none (type, external)
     private
-    public :: put_table, read_table, reader_t, word_count
+    public :: put_conductance, put_table, read_conductance, read_table, reader_t, word_count
 
     !> Words still to be read, and whether all were sound so far.
     type :: reader_t
@@ -145,6 +145,38 @@ contains
             call read_row(reader, table%contact(i)%stiffness)
         end do
     end subroutine read_table
+
+    !> G of each panel of a table that has it, from `next` on, which moves behind: nothing of other tables.
+    pure subroutine put_conductance(table, words, next)
+        type(law_table_t), intent(in) :: table
+        integer(int64), intent(inout) :: words(:)
+        integer, intent(inout) :: next
+        integer :: i
+
+        if (.not. allocated(table%conductance)) return
+        do i = 1, size(table%conductance)
+            words(next:next + coefficient_count - 1) = transfer(table%conductance(i)%c, [0_int64])
+            next = next + coefficient_count
+        end do
+    end subroutine put_conductance
+
+    !> The inverse, of all words that are left.
+    subroutine read_conductance(reader, table, error)
+        type(reader_t), intent(inout) :: reader
+        type(law_table_t), intent(inout) :: table
+        type(error_t), allocatable, intent(inout) :: error
+        integer :: i, stat
+
+        if (.not. reader%sound .or. reader%next > size(reader%words)) return
+        reader%sound = size(reader%words) - reader%next + 1 == coefficient_count*size(table%other)
+        if (.not. reader%sound) return
+        allocate (table%conductance(size(table%other)), stat=stat)
+        call check_memory(error, stat)
+        if (allocated(error)) return
+        do i = 1, size(table%conductance)
+            call read_row(reader, table%conductance(i))
+        end do
+    end subroutine read_conductance
 
     subroutine read_row(reader, row)
         type(reader_t), intent(inout) :: reader

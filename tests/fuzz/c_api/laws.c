@@ -86,6 +86,8 @@ static void derive(world *w)
     fill(U);
     status = mdr_law_energy(law, branch, n, x, U);
     judge("mdr_law_energy", status, n, U, FINITE);
+    fill(U);
+    judge("mdr_law_conductance", mdr_law_conductance(law, branch, n, x, U, NULL), n, U, FINITE);
     status = mdr_law_with_radius(law, take_positive(&w->in), &other);
     judge_object("mdr_law_with_radius", status, other);
     fill(U);
