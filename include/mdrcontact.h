@@ -1097,6 +1097,18 @@ int mdr_conduction_admittance(const mdr_conduction *p, int answer, double radius
  *  @return also MDR_EINVALID, MDR_EDOMAIN, MDR_ENOCONVERGENCE */
 int mdr_conduction_step(const mdr_conduction *p, int answer, double radius, int n, const double time[], double out[]);
 
+/** Answers to any history of potential, for MDR_CONDUCTION_CONDUCTANCE, else of flux, that goes evenly from one value to the next.
+ *  @param p       conduction
+ *  @param answer  one of enum mdr_conduction_answer
+ *  @param radius  as for mdr_conduction_admittance()
+ *  @param n       number of times
+ *  @param time    [n] ascending, apart as mdr_conduction_step() takes times [time]
+ *  @param given   [n] the history; its first value is 0
+ *  @param out     [n] flux, or potential
+ *  @return also MDR_EINVALID, MDR_EDOMAIN, MDR_ENOCONVERGENCE */
+int mdr_conduction_follow(const mdr_conduction *p, int answer, double radius, int n, const double time[], const double given[],
+                          double out[]);
+
 /** The flux density through a spot without a film, a time after a step of its potential to 1.
  *  @param p       conduction
  *  @param radius  a > 0 [length]

@@ -85,7 +85,7 @@ module mdrcontact
     use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous, new_homogeneous_from_modulus, new_rigid
     use mdrcontact_model, only: find_model, model_options_t, models, new_solver
     use mdrcontact_conduction_along, only: conductance_along
-    use mdrcontact_conduction_answers, only: admittance_of, flux_after_step, step_of, spot_conductance_answer, &
+    use mdrcontact_conduction_answers, only: admittance_of, flux_after_step, follow_history, step_of, spot_conductance_answer, &
                                              spot_resistance_answer
     use mdrcontact_conduction_bodies, only: conduction_t, new_conduction
     use mdrcontact_conduction_conductors, only: conductor_t, conductors_t, half_space_base, insulating_base, new_conductors, &

@@ -23,6 +23,7 @@ from ._boundary import (
     evaluate_all,
     number,
     numbers,
+    one_path,
     together,
 )
 from ._value import Value
@@ -219,6 +220,20 @@ class Conduction(Value):
         """
         wanted, a = code("answer", answer, ANSWERS), number("radius", radius)
         return evaluate("time", time, lambda t: _native.conduction_step(self._handle.address, wanted, a, t))
+
+    def follow(self, time: ArrayLike, given: ArrayLike, radius: float, answer: str = "conductance") -> NDArray[np.float64]:
+        """What follows a history of potential, for the answer "conductance" (a flux), else of flux (a potential), that goes evenly
+        from one value to the next.
+
+        time : ascending, one dimension, apart as `step` takes times
+        given : as many, the first is 0
+        answer : as of `step`
+        """
+        wanted, a = code("answer", answer, ANSWERS), number("radius", radius)
+        _, t, values = one_path(time, given=given)
+        status, found = _native.conduction_follow(self._handle.address, wanted, a, t, values)
+        check(status)
+        return np.asarray(found)
 
     def admittance(self, omega: ArrayLike, radius: float, answer: str = "conductance") -> ComplexOrArray:
         """The same answers to exp(i omega t), at angular frequencies omega >= 0 [1/time], 0: steady."""

@@ -31,6 +31,16 @@ static void test_half_space(void)
     CHECK_TRUE(ahead[0] == 0.0 && ahead[1] > 0.0 && out[1] > out[0]);
     CHECK_SUCCESS(mdr_conduction_step(p, MDR_CONDUCTION_CONDUCTANCE, 1.5, 2, time, out));
     CHECK_TRUE(out[0] > conductance[0] && out[1] > out[0]);
+    CHECK_SUCCESS(mdr_conduction_follow(p, MDR_CONDUCTION_CONDUCTANCE, 1.5, 2, (double[]){1.0, 1.0 + 1e8}, z, out));
+    CHECK_TRUE(out[0] == 0.0 && out[1] == 0.0);
+    CHECK_SUCCESS(mdr_conduction_follow(p, MDR_CONDUCTION_CONDUCTANCE, 1.5, 2, (double[]){1.0, 1.0 + 1e8}, r, out));
+    CHECK_CLOSE(out[1], 0.5 * conductance[0], 1e-2);
+    CHECK_STATUS(mdr_conduction_follow(p, 1, 1.5, 2, time, r, out), MDR_EINVALID, "entry 2 of time");
+    CHECK_STATUS(mdr_conduction_follow(p, 1, 1.5, 2, r, time, out), MDR_EINVALID, "given");
+    CHECK_STATUS(mdr_conduction_follow(p, 1, 1.5, 2, (double[]){0.0, 1e-7}, r, out), MDR_EDOMAIN, "time");
+    CHECK_STATUS(mdr_conduction_follow(p, 1, 1.5, 1, NULL, r, out), MDR_ENULL, "time");
+    CHECK_STATUS(mdr_conduction_follow(p, 1, 1.5, 1, r, NULL, out), MDR_ENULL, "given");
+    CHECK_STATUS(mdr_conduction_follow(p, 7, 1.5, 2, (double[]){0.0, 1.0}, r, out), MDR_EINVALID, "answer = 7");
     CHECK_SUCCESS(mdr_conduction_free(&p));
     CHECK_TRUE(p == NULL);
 }

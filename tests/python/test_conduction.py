@@ -284,6 +284,35 @@ def test_times_share_parabolas():
     assert np.all(np.diff(together) < 0.0)
 
 
+def test_any_history():
+    """Ramps superposed: evenly spaced times as others; two ramps make a step; oscillations end in the admittance."""
+    body = mdr.LayeredConductor([(mdr.Conductor(2.0, None, 1.0), 1.0), mdr.Interface(0.2)], mdr.Conductor(1.0, None, 3.0))
+    for spot, answer in (
+        (mdr.Conduction(body), "conductance"),
+        (mdr.Conduction(body, film=0.3), "resistance"),
+        (mdr.Conduction(body), "centre"),
+    ):
+        late, width = 0.7, 1e-3
+        steep = spot.follow([0.0, width, late + 0.5 * width], [0.0, 1.0, 1.0], 1.0, answer)
+        assert steep[0] == 0.0 and steep[2] == pytest.approx(spot.step(late, 1.0, answer), rel=1e-6)
+    spot, omega = mdr.Conduction(body), 3.0
+    t = np.linspace(0.0, 24.0, 1921)
+    found = spot.follow(t, np.sin(omega * t), 1.0)
+    y = complex(spot.admittance(omega, 1.0))
+    last = t > 18.0
+    expected = y.real * np.sin(omega * t) + y.imag * np.cos(omega * t)
+    # chords of a sine, and what is left of the beginning
+    assert found[last] == pytest.approx(expected[last], abs=2e-3 * abs(y))
+    uneven = np.delete(t[:25], [3, 7, 8, 15])
+    values = np.interp(t[:25], uneven, np.sin(uneven))
+    assert spot.follow(uneven, np.sin(uneven), 1.0)[-1] == pytest.approx(spot.follow(t[:25], values, 1.0)[-1], rel=1e-10)
+    for wrong, words in (([0.0, 1.0, 1.0], "ascend"), ([0.0, 1e-7, 1.0], "time"), ([0.0, 1.0], "same length")):
+        with pytest.raises(mdr.MDRError, match=words):
+            spot.follow(wrong, [0.0, 1.0, 1.0], 1.0)
+    with pytest.raises(mdr.MDRError, match="begins with 0"):
+        spot.follow([0.0, 1.0], [1.0, 1.0], 1.0)
+
+
 @pytest.mark.parametrize("gamma", [0.0, 0.3])
 def test_conductance_along_a_load(gamma):
     """dG/dF and dG/dd by differences along the curve."""

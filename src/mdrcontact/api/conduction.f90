@@ -6,7 +6,7 @@ module mdrcontact_api_conduction
                                      check_results, deliver_parts, make_room
     use mdrcontact_api_handles, only: deliver, open_handle
     use mdrcontact_api_status, only: check_given, status_of
-    use mdrcontact_conduction_answers, only: admittance_of, flux_after_step, step_of
+    use mdrcontact_conduction_answers, only: admittance_of, flux_after_step, follow_history, step_of
     use mdrcontact_conduction_bodies, only: conduction_t, new_conduction
     use mdrcontact_conduction_conductors, only: conductor_t, conductors_t, new_conductors
     use mdrcontact_conduction_table, only: tabulate_conductance
@@ -16,7 +16,7 @@ module mdrcontact_api_conduction
     implicit none (type, external)
     private
     public :: mdr_conduction_new, mdr_conduction_spot, mdr_conduction_field, mdr_conduction_admittance, mdr_conduction_step, &
-              mdr_conduction_step_flux, mdr_conduction_tabulate, mdr_conduction_compliance
+              mdr_conduction_step_flux, mdr_conduction_follow, mdr_conduction_tabulate, mdr_conduction_compliance
 
     !> Members of struct mdr_conductor.
     integer, parameter :: members = 5
@@ -203,6 +203,30 @@ contains
         call deliver_parts(error, values, in_phase, ahead)
         status = status_of(error)
     end function mdr_conduction_admittance
+
+    function mdr_conduction_follow(p, answer, radius, n, time, given, out) result(status) &
+        bind(C, name="mdrcontact_entry_conduction_follow")
+        type(c_ptr), value :: p
+        integer(c_int), value :: answer, n
+        real(c_double), value :: radius
+        real(c_double), intent(in), optional :: time(*), given(*)
+        real(c_double), intent(inout), optional :: out(*)
+        integer(c_int) :: status
+        type(conduction_t), pointer :: conduction
+        real(c_double), allocatable :: values(:)
+        type(error_t), allocatable :: error
+
+        call open_handle(p, "p", conduction, error)
+        call check_in_out(error, n, "time", present(time), present(out))
+        call check_array(error, "given", n, present(given))
+        call make_room(error, n, values)
+        if (.not. allocated(error) .and. n > 0) then
+            call follow_history(conduction, int(answer), radius, time(:n), given(:n), values, error)
+            if (.not. allocated(error)) call check_results(error, values)
+            if (.not. allocated(error)) out(:n) = values
+        end if
+        status = status_of(error)
+    end function mdr_conduction_follow
 
     function mdr_conduction_step(p, answer, radius, n, time, out) result(status) bind(C, name="mdrcontact_entry_conduction_step")
         type(c_ptr), value :: p

@@ -837,6 +837,19 @@ int mdr_conduction_step(const mdr_conduction *p, int answer, double radius, int 
     return status;
 }
 
+int mdrcontact_entry_conduction_follow(const mdr_conduction *p, int answer, double radius, int n, const double time[],
+        const double given[], double out[]);
+int mdr_conduction_follow(const mdr_conduction *p, int answer, double radius, int n, const double time[], const double given[],
+        double out[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_conduction_follow(p, answer, radius, n, time, given, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_conduction_follow(p, answer, radius, n, time, given, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
 int mdrcontact_entry_conduction_step_flux(const mdr_conduction *p, double radius, double time, int n, const double r[],
         double out[]);
 int mdr_conduction_step_flux(const mdr_conduction *p, double radius, double time, int n, const double r[], double out[])

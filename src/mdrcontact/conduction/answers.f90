@@ -11,12 +11,12 @@ module mdrcontact_conduction_answers
     use mdrcontact_conduction_spot, only: spot_t
     use mdrcontact_conduction_transient, only: basis_for, gaussian, given_flux, spot_at, uniform_centre, uniform_mean
     use mdrcontact_cancel, only: check_cancelled
-    use mdrcontact_error, only: check_choice, check_not_negative, check_positive, error_domain, error_invalid, error_t, raise, &
-                                to_text
+    use mdrcontact_error, only: check_choice, check_finite, check_memory, check_not_negative, check_positive, error_domain, &
+                                error_invalid, error_t, raise, to_text
     use mdrcontact_kinds, only: pi, wp
     implicit none (type, external)
     private
-    public :: spot_conductance_answer, spot_resistance_answer, admittance_of, step_of, flux_after_step
+    public :: spot_conductance_answer, spot_resistance_answer, admittance_of, step_of, follow_history, flux_after_step
 
     !> Of an equipotential spot: flux per potential, and potential per flux; beside uniform_mean, uniform_centre, gaussian.
     integer, parameter :: spot_conductance_answer = 1, spot_resistance_answer = 2
@@ -24,6 +24,8 @@ module mdrcontact_conduction_answers
     !> fewer.
     real(wp), parameter :: span = 4.0_wp
     integer, parameter :: shared_nodes = 28, own_nodes = 16
+    !> By how much of themselves steps of time may differ to be taken as one.
+    real(wp), parameter :: even = 1.0e-9_wp
     !> D t/a^2 from which on answers are solved, D the largest diffusivity at the surface, and omega a^2/D up to which.
     real(wp), parameter :: first_time = 1.0e-4_wp, last_frequency = 1.0e5_wp
 
@@ -143,10 +145,103 @@ contains
         !> same size as time
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(inout) :: error
-        logical :: done(size(time))
-        logical :: chosen(size(time))
-        real(wp) :: from
+
+        call respond(conduction, answer, a, time, .false., values, error)
+    end subroutine step_of
+
+    !> The answer to a history of potential or flux that begins with 0 and goes evenly from one value to the next: ramps that begin
+    !> at each time, superposed.
+    subroutine follow_history(conduction, answer, a, time, given, values, error)
+        type(conduction_t), intent(in) :: conduction
+        !> as in admittance_of
+        integer, intent(in) :: answer
+        !> > 0 [length]
+        real(wp), intent(in) :: a
+        !> ascending, apart as step_of takes times [time]
+        real(wp), intent(in) :: time(:)
+        !> same size as time; the first is 0
+        real(wp), intent(in) :: given(:)
+        !> same size as time
+        real(wp), intent(out) :: values(:)
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp), allocatable :: since(:), ramp(:)
+        real(wp) :: slope, before
+        integer :: i, j, n, stat
+        logical :: is_even
+
+        values = 0.0_wp
+        n = size(time)
+        call check_answer(answer, a, error)
+        call check_history(time, given, error)
+        if (allocated(error) .or. n < 2) return
+        is_even = maxval(abs(time(2:) - time(:n - 1) - (time(n) - time(1))/(n - 1))) <= even*(time(n) - time(1))/(n - 1)
+        allocate (since(merge(n - 1, n*(n - 1)/2, is_even)), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
+        if (is_even) then
+            since = [((time(n) - time(1))/(n - 1)*i, i=1, n - 1)]
+        else
+            do i = 2, n
+                since(place(i, 1):place(i, i - 1)) = time(i) - time(:i - 1)
+            end do
+        end if
+        allocate (ramp, mold=since)
+        call respond(conduction, answer, a, since, .true., ramp, error)
+        if (allocated(error)) return
+        before = 0.0_wp
+        do j = 1, n - 1
+            slope = (given(j + 1) - given(j))/(time(j + 1) - time(j))
+            do i = j + 1, n
+                values(i) = values(i) + (slope - before)*ramp(merge(i - j, place(i, j), is_even))
+            end do
+            before = slope
+        end do
+
+    contains
+
+        !> Where a pair of times stands.
+        pure integer function place(i, j)
+            integer, intent(in) :: i, j
+
+            place = (i - 1)*(i - 2)/2 + j
+        end function place
+
+    end subroutine follow_history
+
+    !> Raises unless times ascend and what is given begins with 0.
+    subroutine check_history(time, given, error)
+        real(wp), intent(in) :: time(:), given(:)
+        type(error_t), allocatable, intent(inout) :: error
         integer :: i
+
+        do i = 1, size(time)
+            call check_finite(error, "time", time(i), i)
+            call check_finite(error, "given", given(i), i)
+        end do
+        if (allocated(error) .or. size(time) == 0) return
+        if (abs(given(1)) > 0.0_wp) then
+            call raise(error, error_invalid, " = "//to_text(given(1))//" is not allowed: a history begins with 0, let it "// &
+                       "rise within a short time", "given", 1)
+            return
+        end if
+        do i = 2, size(time)
+            if (time(i) > time(i - 1)) cycle
+            call raise(error, error_invalid, " = "//to_text(time(i))//" is not allowed: times must ascend", "time", i)
+            return
+        end do
+    end subroutine check_history
+
+    !> At times after a step, or after the beginning of a ramp of slope 1, those near to each other by one parabola.
+    subroutine respond(conduction, answer, a, time, is_ramp, values, error)
+        type(conduction_t), intent(in) :: conduction
+        integer, intent(in) :: answer
+        real(wp), intent(in) :: a, time(:)
+        logical, intent(in) :: is_ramp
+        real(wp), intent(out) :: values(:)
+        type(error_t), allocatable, intent(inout) :: error
+        logical, allocatable :: done(:), chosen(:)
+        real(wp) :: from
+        integer :: i, stat
 
         values = 0.0_wp
         call check_answer(answer, a, error)
@@ -154,16 +249,19 @@ contains
             call check_time(conduction, a, time(i), i, error)
         end do
         if (allocated(error)) return
+        allocate (done(size(time)), chosen(size(time)), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
         done = .false.
         do while (.not. all(done))
             from = minval(time, mask=.not. done)
             chosen = .not. done .and. time <= span*from
             call check_cancelled(error)
-            call on_parabola(conduction, answer, a, pack(time, chosen), values, chosen, error)
+            call on_parabola(conduction, answer, a, pack(time, chosen), is_ramp, values, chosen, error)
             if (allocated(error)) return
             done = done .or. chosen
         end do
-    end subroutine step_of
+    end subroutine respond
 
     !> Flux density through a spot without a film, a time after a step of its potential to 1.
     subroutine flux_after_step(conduction, a, time, r, values, error)
@@ -208,10 +306,12 @@ contains
     end subroutine flux_after_step
 
     !> Times within a span by one parabola.
-    subroutine on_parabola(conduction, answer, a, time, values, chosen, error)
+    subroutine on_parabola(conduction, answer, a, time, is_ramp, values, chosen, error)
         type(conduction_t), intent(in) :: conduction
         integer, intent(in) :: answer
         real(wp), intent(in) :: a, time(:)
+        !> of slope 1, instead of a step
+        logical, intent(in) :: is_ramp
         real(wp), intent(inout) :: values(:)
         !> where they belong in `values`
         logical, intent(in) :: chosen(:)
@@ -243,6 +343,7 @@ contains
             end if
             if (allocated(error)) return
             if (answer == spot_resistance_answer) answered(i) = 1.0_wp/answered(i)
+            if (is_ramp) answered(i) = answered(i)/s(i)
         end do
         totals = [(sum(aimag(weight(:n)*exp(s(:n)*time(i))*answered(:n))), i=1, size(time))]
         values = unpack(totals, chosen, values)

@@ -58,6 +58,8 @@ void fuzz_conduction(world *w)
         judge("mdr_conduction_compliance", status, points, more, NOT_NAN);
         fill(out);
         judge("mdr_conduction_step", mdr_conduction_step(p, answer, a, points, x, out), points, out, NOT_NAN);
+        fill(out);
+        judge("mdr_conduction_follow", mdr_conduction_follow(p, answer, a, points, x, z, out), points, out, NOT_NAN);
     }
     if (p && afford(w, PRICE_OF_ANSWER)) {
         int slot;
