@@ -1186,7 +1186,7 @@ int mdr_conduction_heat(const mdr_conduction *p, const mdr_contact *c, int n, co
  *  @param n         number of points
  *  @param r         [n] >= 0 [length]
  *  @param z         [n] >= 0, depth below the body's own surface [length]
- *  @param out       [n] temperature rise. Near kinks of the indenter at the surface within 1e-4 of the largest
+ *  @param out       [n] temperature rise. At the surface near kinks of the indenter within 2e-3 of the largest, else 1e-8
  *  @return also MDR_EINVALID, MDR_EDOMAIN, MDR_ENOCONVERGENCE */
 int mdr_conduction_heat_field(const mdr_conduction *p, const mdr_contact *c, const mdr_state *state, int motion, double strength,
                               int body, int below, int n, const double r[], const double z[], double out[]);

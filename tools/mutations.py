@@ -51,7 +51,7 @@ MUTATIONS = [
     ("layered/legendre.f90", "+ (real(4*c + 3, wp)*over_even(j))", "+ (real(4*c + 5, wp)*over_even(j))", "test_layered_reference"),
     ("layered/legendre.f90", "+ moments%spike))", "))", "test_layered_exact test_layered_reference"),
     ("layered/solve.f90", "safety = 4.0_wp", "safety = 1.0e-9_wp", "test_layered_exact test_layered_reference"),
-    ("layered/solve.f90", "ceiling(min((11.5_wp*sqrt", "ceiling(min((3.5_wp*sqrt", "test_layered_exact test_layered_reference"),
+    ("layered/solve.f90", "min((11.5_wp*sqrt(a)", "min((3.5_wp*sqrt(a)", "test_layered_exact test_layered_reference"),
     ("layered/solve.f90", "solution%errors = solution%errors + solution%rounding", "", "test_layered_exact test_layered_reference"),
     ("body/film.f90", "(c + b + 4.0_wp*b*x)*e", "(c + b + 2.0_wp*b*x)*e", "test_layered_reference"),
     ("body/film.f90", "-self%c_rest, way > 0.0_wp", "self%c_rest, way > 0.0_wp", "test_friction"),
@@ -163,5 +163,12 @@ MUTATIONS = [
     ("medium/compliance.f90", "merge(4.0_wp, 2.0_wp", "merge(2.0_wp, 2.0_wp", "test_compliance.py"),
     ("law/sliders/tangent.f90", "by_way(j, j) = 1.0_wp/", "by_way(j, j) = 2.0_wp/", "law_friction"),
     ("api/arrays.f90", "imaginary_part(i) = aimag(values(i))", "imaginary_part(i) = abs(values(i))", "c_poroelastic c_history"),
+    ("conduction/heat.f90", "heat%share = part + sqrt(2.0_wp)*a*taken(1)/source%total", "heat%share = part",
+     "test_conduction.py"),
+    ("conduction/moving.f90", "*cos(k*cosine*x) - aimag(chi)", "*cos(k*cosine*x) + aimag(chi)", "test_conduction.py"),
+    ("conduction/along.f90", "by_force = slope/rates(2)", "by_force = slope/rates(1)", "c_conduction"),
+    ("conduction/answers.f90", "(slope - before)*ramp", "slope*ramp", "test_conduction.py"),
+    ("conduction/inside.f90", "flux = part*y*fall*(1.0_wp - rho)", "flux = part*y*fall*(1.0_wp + rho)", "test_conduction.py"),
+    ("law/table.f90", "conductance*power_of(s/within, slope)", "conductance*power_of(s/within, 0.0_wp)", "law_view"),
 ]  # fmt: skip
 """files of src/mdrcontact, or of the Python package after "python:"; tests: patterns of ctest's names, files of tests/python"""

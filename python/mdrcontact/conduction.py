@@ -105,7 +105,8 @@ class FrictionHeat:
     _field: Any = field(repr=False, compare=False)
 
     def temperature(self, r: ArrayLike, z: ArrayLike, body: str = "lower", side: str = "below") -> FloatOrArray:
-        """Temperature rise in a body at r >= 0 and depth z >= 0 below its surface, of one state; not of a moving source.
+        """Temperature rise in a body at r >= 0 and depth z >= 0 below its surface, of one state; not of a moving source. At the
+        surface near kinks of the indenter it is within 2e-3 of the largest, `centre` is exact.
 
         side : "below" or "above", of an interface with a resistance
         """

@@ -228,6 +228,20 @@ def test_limits_of_resistances():
     assert 1.0 / much - 1e6 / np.pi == pytest.approx(mean, rel=1e-4)
 
 
+@pytest.mark.parametrize("name", ["half-space", "stack"])
+def test_thin_films_lead_to_the_bare_spot(name):
+    """G over delta = S R_c/a goes as 1 + delta (A ln delta + B) + delta^2 (C ln^2 delta + D ln delta + E): its limit, to 1e-4."""
+    spot, a = CASES[name], 1.0
+    bare = spot.at_radius(a).conductance
+    scale = {"half-space": 4.0, "stack": 2.0}[name]
+    delta = np.geomspace(6e-3, 6e-2, 8)
+    found = [spot.replace(film=d * a / scale).at_radius(a).conductance for d in delta]
+    log = np.log(delta)
+    terms = np.stack([np.ones(8), delta * log, delta, (delta * log) ** 2, delta**2 * log, delta**2], axis=1)
+    assert np.linalg.lstsq(terms, found, rcond=None)[0][0] == pytest.approx(bare, rel=1e-4)
+    assert np.all(np.diff(found) < 0.0) and found[0] < bare
+
+
 def test_pair_of_equals_is_half():
     one = mdr.Conduction(STACK).at_radius([0.2, 1.0, 5.0])
     two = mdr.Conduction(STACK, STACK).at_radius([0.2, 1.0, 5.0])
@@ -361,6 +375,32 @@ def test_heat_of_homogeneous_bodies():
     assert heat.centre == pytest.approx(expected, rel=1e-9)
     still = mdr.Conduction(mdr.Conductor(3.0)).friction_heat(cone, state, 0.0, 1.0)
     assert still.total == 0.0 and still.centre == 0.0
+
+
+def test_temperatures_near_kinks():
+    """Within 2e-3 of the largest: of a cone T(r) = c (pi a/2 - r)/S, kinked on the axis; of a flat end by quadrature."""
+    body, S = mdr.Homogeneous(mdr.Elastic(2.0, 0.3)), 3.0
+    conduction = mdr.Conduction(mdr.Conductor(S))
+    cone = mdr.Contact(mdr.Cone(0.1), body)
+    heat = conduction.friction_heat(cone, cone.at_radius(0.4), 1.0, 1.0)
+    r = np.concatenate([[0.0], np.geomspace(1e-6, 0.399, 25)])
+    expected = heat.centre * (1.0 - r / (0.2 * np.pi))
+    assert heat.temperature(r, 0.0) == pytest.approx(expected, abs=2e-3 * heat.centre)
+    assert heat.centre == pytest.approx(expected[0], rel=1e-12)
+    assert heat.temperature(0.3, 0.0) == pytest.approx(heat.centre * (1.0 - 1.5 / np.pi), abs=1e-5 * heat.centre)
+    b = 0.25
+    blunt = mdr.Contact(mdr.FlatEndedCone(b, 0.1), body)
+    state = blunt.at_radius(0.4)
+    heat = conduction.friction_heat(blunt, state, 1.0, 1.0)
+    u, w = np.polynomial.legendre.leggauss(60)
+    for x in (0.1, 0.24, 0.249, 0.25, 0.251, 0.26, 0.35):
+        # x sin t, with the square root that starts at the kink from either side
+        ends = sorted({0.0, np.arcsin(min(b / x, 1.0)), 0.5 * np.pi})
+        total = 0.0
+        for low, high in zip(ends, ends[1:], strict=False):
+            t = low + (high - low) * (0.5 * (1.0 + u)) ** 2
+            total += np.sum(w * 0.5 * (1.0 + u) * (high - low) * blunt.line_load(np.minimum(x * np.sin(t), 0.4), state))
+        assert heat.temperature(x, 0.0) == pytest.approx(total / (np.pi * S), abs=2e-3 * heat.centre)
 
 
 def test_heat_leaves_both_bodies_at_one_temperature():
@@ -569,7 +609,7 @@ def test_a_law_conducts(gamma):
         ends, slopes = law.conductance([0.999999 * lowest, lowest])
         assert ends[0] == pytest.approx(ends[1] - 1e-6 * lowest * slopes[1], rel=1e-10)
         small = conduction.at_radius(float(contact.at_depth(0.5 * lowest).radius)).conductance
-        assert law.conductance(0.5 * lowest)[0] == pytest.approx(small, rel=1e-2)
+        assert law.conductance(0.5 * lowest)[0] == pytest.approx(small, rel=2e-2)
     plain = mdr.ContactLaw(contact, 0.5, tolerance=1e-8)
     assert plain.force(0.3) == pytest.approx(law.force(0.3), rel=2e-8)
     with pytest.raises(mdr.MDRError, match="does not conduct"):
