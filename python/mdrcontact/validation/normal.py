@@ -8,8 +8,8 @@ import math
 import numpy as np
 
 from ..contact import Contact
-from ..material import RIGID, Elastic
-from ..medium import Coated, Pair, PowerLawGraded
+from ..material import RIGID, Elastic, TransverselyIsotropic
+from ..medium import Coated, Homogeneous, Pair, PowerLawGraded
 from ..profile import Cone, FlatPunch, Paraboloid
 from .bodies import BODY, LIBRARY, MATERIAL, MODULUS, RADIUS, ROUNDING, ball, hertz_force
 from .check import Check, Comparison, comparison
@@ -64,6 +64,16 @@ def equal() -> Comparison:
     return comparison("d", d, Contact(Paraboloid(RADIUS), film).at_depth(d).force, hertz_force(d))
 
 
+def with_an_axis() -> Comparison:
+    """E* = 2 sqrt((C11 C33 - C13^2)/C11/(1/C44 + 2/(sqrt(C11 C33) + C13))) of hexagonal crystals, the axis along z [GPa]."""
+    crystals = ((209.7, 121.1, 105.1, 210.9, 42.5), (390.0, 145.0, 106.0, 398.0, 105.0), (1060.0, 180.0, 15.0, 36.5, 4.5))
+    here, there = [], []
+    for C11, C12, C13, C33, C44 in crystals:
+        here.append(float(Homogeneous(TransverselyIsotropic(C11, C12, C13, C33, C44)).modulus(1.0)))
+        there.append(2.0 * math.sqrt((C11 * C33 - C13**2) / C11 / (1.0 / C44 + 2.0 / (math.sqrt(C11 * C33) + C13))))
+    return comparison("ZnO, GaN, graphite", np.arange(3.0), here, there)
+
+
 def gibson() -> Comparison:
     """An incompressible body with G = m z gives way like a bed of springs, p = 2 m u: F = 2 pi m R d^2."""
     slope = 0.7
@@ -101,6 +111,7 @@ NORMAL = (
     Check("punch", "pressure, flat punch", "Boussinesq 1885", ROUNDING, LIBRARY, punch),
     Check("surface", "displacement beside the contact", "Huber 1904; Johnson 1985, (3.42)", ROUNDING, LIBRARY, surface),
     Check("equal", "coated bodies, exact, of equal materials", "Hertz 1882", ROUNDING, LIBRARY, equal),
+    Check("crystals", "transversely isotropic half-space", "Hanson 1992; Delafargue, Ulm 2004", ROUNDING, LIBRARY, with_an_axis),
     Check("gibson", "power-law graded body", "Gibson 1967", 5e-3, "the limit's: exponent 0.999 in place of 1", gibson),
     Check("hayes", "flat punch on a bonded layer", "Hayes, Keer, Herrmann, Mockros 1972, table", 1e-2,
           "the table's: 0.3 and 0.9 % low, finite elements agree with the library to 0.006 %", hayes),
