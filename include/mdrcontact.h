@@ -2233,7 +2233,7 @@ typedef struct mdr_law_head {
     double force;          /**< Place of the coefficients of F, [8] for each panel; a multiple of 8. */
     double contact;        /**< Place of those of a and k, [8] and [8] for each panel. */
     double energy;         /**< Place of U in the middle of each panel. Of a law that conducts the coefficients of G, [8] for each
-                                panel, begin at the next multiple of 8 behind: size tells whether they are there. */
+                                panel, begin at the next multiple of 8 behind: size shows whether they are there. */
 } mdr_law_head;
 
 /** A stable segment of a law. */
