@@ -1632,7 +1632,7 @@ typedef struct mdr_wear_options {
  *  @param value    d [length] or F [modulus length^2] at the beginning, > 0
  *  @param options  see there; NULL: all defaults
  *  @param out      receives the handle
- *  @return also MDR_EDOMAIN where the pressure would be negative, MDR_EINVALID for other media */
+ *  @return also MDR_EDOMAIN where the pressure would be negative (MDR_WEAR_DISC; rings open there), MDR_EINVALID for other media */
 int mdr_wear_history_new(const mdr_wear *w, int given, double value, const mdr_wear_options *options, mdr_wear_history **out);
 
 /** An independent copy.

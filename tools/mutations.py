@@ -170,5 +170,18 @@ MUTATIONS = [
     ("conduction/answers.f90", "(slope - before)*ramp", "slope*ramp", "test_conduction.py"),
     ("conduction/inside.f90", "flux = part*y*fall*(1.0_wp - rho)", "flux = part*y*fall*(1.0_wp + rho)", "test_conduction.py"),
     ("law/table.f90", "conductance*power_of(s/within, slope)", "conductance*power_of(s/within, 0.0_wp)", "law_view"),
+    ("wear/rings.f90", "means(i - 1) = means(i - 1) + 0.5_wp*parts(2*i - 1)", "means(i - 1) = means(i - 1) + parts(2*i - 1)",
+     "test_wear.py"),
+    ("wear/rings.f90", "system(i, i) + softness(rings(i))", "system(i, i) + 0.5_wp*softness(rings(i))",
+     "test_wear.py"),
+    ("wear/rings.f90", "gap < -rounding*areas*abs(depth)", "gap < -1.0_wp", "test_wear.py"),
+    ("wear/disc.f90", "/((1.0_wp + lambda)*(1.0_wp - ratio)) - power)", "/(1.0_wp - ratio) - power)", "test_wear_history"),
+    ("wear/running_in.f90", "1.0_wp/real(1 - 4*(i + j + 1)**2, wp)", "1.0_wp/real(1 - 4*(i + j)**2, wp)", "^test_wear$"),
+    ("wear/rate.f90", "+ thickness(i - 1)/coefficients(i - 1)", "+ thickness(i - 1)/coefficients(i)",
+     "test_wear_history test_wear.py"),
+    ("wear/limit.f90", "further = (unworn%force - state%force)/state%stiffness", "further = unworn%depth - state%depth",
+     "^test_wear$"),
+    ("conduction/bodies.f90", "sigma/(self%bodies(i)%s(1)*k)", "chi/(self%bodies(i)%s(1)*k)", "test_compliance.py"),
+    ("poroelastic/compliance.f90", "omega*unit**2/diffusivity", "omega*unit/diffusivity", "test_compliance.py"),
 ]  # fmt: skip
 """files of src/mdrcontact, or of the Python package after "python:"; tests: patterns of ctest's names, files of tests/python"""

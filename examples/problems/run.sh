@@ -28,6 +28,9 @@ for problem in "$(dirname "${BASH_SOURCE[0]}")"/*.toml; do
     if has friction "$problem"; then
         "$mdrcontact" friction "$problem" --csv "$name-friction.csv" --plot "$name-friction.png" --overwrite
     fi
+    if has wear "$problem"; then
+        "$mdrcontact" wear "$problem" --csv "$name-wear.csv" --plot "$name-wear.png" --overwrite
+    fi
     if has conduction "$problem"; then
         "$mdrcontact" conduction "$problem" --csv "$name-conduction.csv" --plot "$name-conduction.png" --overwrite
     fi

@@ -53,7 +53,8 @@ def joint(law, separation, points=200, reach=9.0):
 
 
 def law_of(medium):
-    return mdr.ContactLaw(mdr.Contact(mdr.Paraboloid(RADIUS), medium), 10.0 * DEVIATION, tolerance=1e-9)
+    largest = 10.0 * DEVIATION
+    return mdr.ContactLaw(mdr.Contact(mdr.Paraboloid(RADIUS), medium), largest, smallest_depth=1e-6 * largest, tolerance=1e-9)
 
 
 def at_pressure(law, pressure):

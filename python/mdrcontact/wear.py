@@ -16,6 +16,7 @@ from ._choices import nearest
 from ._value import Value
 from .contact import Contact, State
 from .errors import ArgumentTypeError, InvalidArgumentError
+from .medium import Coated, Layered, Medium
 from .profile.base import Profile
 
 __all__ = [
@@ -29,7 +30,7 @@ __all__ = [
     "wear_coefficient_from_volume",
 ]
 
-_PLACES, _SCHEMES = ("fresh", "same"), ("disc", "rings")
+_PLACES, SCHEMES = ("fresh", "same"), ("disc", "rings")
 """In the order of the library's codes."""
 _LONGEST_PAST = 2000
 """Numbers of a saved past at most."""
@@ -196,6 +197,53 @@ class Wear(Value):
         states = history.advance(np.diff(distances.ravel(), prepend=0.0), force=force, depth=depth)
         return WearState._make(_shaped(values, distances.shape) for values in states), history.profile
 
+    def bracket(
+        self,
+        sliding: ArrayLike,
+        *,
+        force: float | None = None,
+        depth: float | None = None,
+        intervals: int = 80,
+        scheme: str = "disc",
+    ) -> tuple[WearState, WearState]:
+        """What the wear of a coating, or of the first layer, leaves open: states as of `advance`, where both sides rub on the same
+        places, with the layers as they were, and with a coating that is thinner by what it loses up to the end.
+
+        With layers as they were wear of the body is of first order in depth lost over thickness. A coating that is thinner by at
+        most so much, whatever its shape, stores an energy between those of the two uniform ones: the force at a depth, and the
+        depth under a force, lie between. Refused for media without layers, and beyond a loss of a quarter of the thickness.
+        """
+        distances = numbers("sliding", sliding)
+        steps = np.diff(distances.ravel(), prepend=0.0)
+
+        def run(wear: Wear) -> WearState:
+            history = wear.history(force=force, depth=depth, intervals=intervals, places="same", scheme=scheme)
+            return history.advance(steps, force=force, depth=depth)
+
+        first = last = run(_thinner(self, 0.0))
+        lost = 0.0
+        for _ in range(_ROUNDS):
+            now = float(np.ravel(last.body_depth)[-1])
+            if now <= lost:
+                break
+            lost = now * (1.0 + _CLOSE)
+            last = run(_thinner(self, lost))
+        first, last = (WearState._make(_shaped(values, distances.shape) for values in states) for states in (first, last))
+        return first, last
+
+
+def _thinner(wear: Wear, lost: float) -> Wear:
+    """The same with a first layer that is thinner."""
+    contact, medium = wear.contact, wear.contact.medium
+    if isinstance(medium, Coated):
+        body: Medium = medium.replace(thickness=medium.thickness - lost)
+    elif isinstance(medium, Layered):
+        (material, thickness), *below = medium.layers
+        body = medium.replace(layers=((material, thickness - lost), *below))
+    else:
+        raise InvalidArgumentError(f"medium = {medium!r} is not allowed: it must be Coated or Layered, with a coating to lose")
+    return wear.replace(contact=contact.replace(medium=body))
+
 
 def _shaped(values: FloatOrArray, shape: tuple[int, ...]) -> FloatOrArray:
     return np.reshape(values, shape) if shape else float(np.ravel(values)[0])
@@ -264,7 +312,7 @@ class WornProfile(Profile):
 
 def _restored(wear: Wear, past: Sequence[float]) -> WearHistory:
     kind, value, intervals, places, scheme, *saved = past
-    chosen = int(intervals), _PLACES[int(places)], _SCHEMES[int(scheme)]
+    chosen = int(intervals), _PLACES[int(places)], SCHEMES[int(scheme)]
     history = WearHistory(wear, "force" if kind else "depth", value, *chosen)
     return history.restored(saved)
 
@@ -286,12 +334,12 @@ class WearHistory:
     ) -> None:
         if not isinstance(wear, Wear):
             raise ArgumentTypeError(f"wear = {wear!r} is not allowed: it must be a Wear")
-        for name, word, words in (("places", places, _PLACES), ("scheme", scheme, _SCHEMES)):
+        for name, word, words in (("places", places, _PLACES), ("scheme", scheme, SCHEMES)):
             if word not in words:
                 raise InvalidArgumentError(f"{name} = {word!r} is not allowed: {nearest(str(word), words)}")
         count = whole("intervals", intervals, 1)
         options = record(_layout.wear_options, intervals=count, places=1 + _PLACES.index(places),
-                         scheme=1 + _SCHEMES.index(scheme))  # fmt: skip
+                         scheme=1 + SCHEMES.index(scheme))  # fmt: skip
         given = _given(constant), number(constant, value)
         self._own(_native.wear_history_new(wear._handle.address, *given, address(options)))
         self._made_from = constant, float(value), count, places, scheme
@@ -331,7 +379,7 @@ class WearHistory:
     def profile(self) -> WornProfile:
         """The indenter as it is now, for new contacts; of the gap, where both sides wear."""
         constant, value, intervals, places, scheme = self._made_from
-        chosen = float(intervals), float(_PLACES.index(places)), float(_SCHEMES.index(scheme))
+        chosen = float(intervals), float(_PLACES.index(places)), float(SCHEMES.index(scheme))
         past = (float(constant == "force"), value, *chosen, *self.saved().tolist())
         return WornProfile(self.wear, "history", past, _made=_native_profile(self))
 

@@ -136,6 +136,44 @@ static void test_rings(const mdr_contact *contact)
     CHECK_SUCCESS(mdr_wear_free(&wear));
 }
 
+static int enough(void *looks)
+{
+    return ++*(int *)looks > 0;
+}
+
+/* Ended halfway, a path leaves the history as it was, by either scheme; the part that is done grows. */
+static void test_cancel(const mdr_contact *contact)
+{
+    const double far = 100.0, near = 0.01, force = 1.0;
+    mdr_wear *wear = NULL;
+
+    CHECK_SUCCESS(mdr_wear_new(contact, 1, &k, NULL, 0.0, &wear));
+    for (int scheme = MDR_WEAR_DISC; scheme <= MDR_WEAR_RINGS; scheme++) {
+        mdr_wear_options options = MDR_SIZED(mdr_wear_options);
+        mdr_wear_history *h = NULL;
+        mdr_wear_state before, after;
+        double part = 0.0;
+        int looks = 0;
+
+        options.scheme = scheme;
+        options.intervals = scheme == MDR_WEAR_DISC ? 160 : 320;
+        CHECK_SUCCESS(mdr_wear_history_new(wear, MDR_GIVEN_FORCE, force, &options, &h));
+        CHECK_SUCCESS(mdr_wear_history_advance(h, MDR_GIVEN_FORCE, 1, &near, &force, &before));
+        CHECK_SUCCESS(mdr_set_cancel(enough, &looks));
+        CHECK_SUCCESS(mdr_set_progress(&part));
+        CHECK_STATUS(mdr_wear_history_advance(h, MDR_GIVEN_FORCE, 1, &far, &force, &after), MDR_ECANCELLED, "");
+        CHECK_SUCCESS(mdr_set_cancel(NULL, NULL));
+        CHECK_TRUE(looks > 0 && part < 1.0);
+        CHECK_SUCCESS(mdr_wear_history_state(h, &after));
+        CHECK_TRUE(!memcmp(&before, &after, sizeof before));
+        CHECK_SUCCESS(mdr_wear_history_advance(h, MDR_GIVEN_FORCE, 1, &near, &force, &after));
+        CHECK_TRUE(part == 1.0 && after.sliding == near + near);
+        CHECK_SUCCESS(mdr_set_progress(NULL));
+        CHECK_SUCCESS(mdr_wear_history_free(&h));
+    }
+    CHECK_SUCCESS(mdr_wear_free(&wear));
+}
+
 static void test_refusals(const mdr_contact *contact)
 {
     const double bad = -1.0, one = 1.0, layers[2] = {1.0, 2.0};
@@ -200,6 +238,7 @@ int main(void)
     test_track(contact);
     test_history(contact);
     test_rings(contact);
+    test_cancel(contact);
     test_refusals(contact);
     CHECK_SUCCESS(mdr_contact_free(&contact));
     return check_report("wear");

@@ -16,6 +16,7 @@ from mdrcontact.problem import load
 CLIENTS = {
     "plate_fem": "skfem",
     "layered_bem": "ContactMechanics",
+    "layered_tamaas": "tamaas",
     "ball_mujoco": "mujoco",
     "chain_numba": "numba",
     "column_jax": "jax",
@@ -48,7 +49,7 @@ def test_problems(tmp_path):
     run([ROOT / "examples/problems/run.sh", Path(sys.executable).with_name("mdrcontact"), tmp_path], tmp_path)
     written = {path.name for path in tmp_path.iterdir() if path.stat().st_size > 200}
     problems = {path.stem for path in (ROOT / "examples/problems").glob("*.toml")}
-    extra = {"afm_on_pdms": "loop", "tin_on_steel": "stress friction"}
+    extra = {"afm_on_pdms": "loop", "tin_on_steel": "stress friction wear"}
     for name in problems:
         endings = [""] + [f"-{end}" for end in extra.get(name, "").split()]
         assert {f"{name}{end}.{kind}" for end in endings for kind in ("png", "csv")} <= written

@@ -24,6 +24,9 @@ depth = np.linspace(0.01, 1.0, 300)
 curve = mdr.ForceDepth(depth, depth**2 * (1 + np.sin(9 * depth)))
 relaxing = mdr.Viscoelastic(1.0, [(2.0, 0.5)], nu=0.5)
 film = mdr.Contact(mdr.Paraboloid(1.0), mdr.Coated(relaxing, 1.0, mdr.Viscoelastic(0.6, [(0.4, 2.0)], nu=0.3)))
+soft, hard = mdr.Elastic(0.091, 0.3), mdr.Elastic(0.91, 0.3)
+wear = mdr.Wear(mdr.Contact(mdr.Paraboloid(1.0), mdr.Coated(hard, 1.0, soft)), 1.0)
+worn = wear.history(force=0.5, intervals=160, scheme="rings")
 time_of_path = np.linspace(0.0, 30.0, 2000)
 names = ["E[1]", "E[2]", "nu[1]", "z[1]"]
 
@@ -41,6 +44,7 @@ for name, call in calls.items():
     except KeyboardInterrupt:
         print(name, time.monotonic() - pressed[0])
 assert contact.at_depth(0.5) == before
+assert worn.state.sliding == 0.0 and worn.advance(0.001, force=0.5).sliding == 0.001
 """
 
 CALLS = {
@@ -48,6 +52,7 @@ CALLS = {
     "map": "lambda: structure.modulus(many, many, 0.5)",
     "fit": "lambda: mdr.fit(curve, mdr.FlatEndedCone(0.1, 0.3), graded, names, check_units=False)",
     "history": "lambda: film.history(time_of_path, depth=np.sin(time_of_path) ** 2, tolerance=1e-9)",
+    "wear": "worn.advance(np.full(1000, 1.0), force=0.5)",
     "fits": "lambda: mdr.fit_many([curve] * 1000, mdr.Cone(0.3), graded, names, check_units=False)",
 }
 

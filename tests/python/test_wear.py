@@ -2,10 +2,12 @@
 """Wear from Python: limits, tracks, histories, fits."""
 
 import copy
+import csv
 import pickle
 
 import numpy as np
 import pytest
+from conftest import ROOT
 
 import mdrcontact as mdr
 from mdrcontact.cli import main
@@ -14,6 +16,60 @@ BALL = mdr.Paraboloid(1.0)
 SOFT, HARD = mdr.Elastic(0.091, 0.3), mdr.Elastic(0.91, 0.3)
 HERTZ = mdr.Contact(BALL, mdr.Homogeneous(HARD))
 COATED = mdr.Contact(BALL, mdr.Coated(HARD, 1.0, SOFT))
+
+LINES = (ROOT / "tests" / "data" / "wear.csv").read_text(encoding="utf-8").splitlines()
+ROWS = list(csv.DictReader(line for line in LINES if not line.startswith("#")))
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize("case", sorted({row["case"] for row in ROWS if row["case"].startswith("self")}))
+def test_self_similar(case):
+    """f = r^n pushed in as s^n: an exact solution with an edge that moves, which the marching knows nothing of; 3e-4 with 80
+    intervals and parts of 1 %, in which d or F is led evenly."""
+    n, v = int(case.split("n=")[1][0]), float(case.split("V=")[1])
+    known = {row["quantity"]: float(row["value"]) for row in ROWS if row["case"] == case}
+    tip = {1: mdr.Cone(np.pi / 4.0), 2: mdr.Paraboloid(0.5), 3: mdr.PowerLaw(3.0, 1.0)}[n]
+    s = np.geomspace(1e-2, 1.0, 400)
+    given, value = ("depth", known["delta"] * s**n) if "delta" in known else ("force", known["phi"] * s ** (n + 1))
+    history = mdr.Wear(mdr.Contact(tip, HERTZ.medium), 1.0).history(**{given: value[0]})
+    history.advance(np.diff(s, prepend=0.0), **{given: value})
+    now = history.state
+    found = {
+        "delta": now.depth,
+        "phi": now.force,
+        "f(0)": now.worn_depth,
+        "f(a/2)": history.profile.height(0.5 * v) + now.worn_depth,
+        "lambda": np.arctan(2.0 * v) / np.pi,
+    }
+    assert now.radius == pytest.approx(v, rel=3e-4)
+    for name, value in known.items():
+        assert found[name] == pytest.approx(value, rel=3e-4), name
+
+
+def late_radius(body, force, sliding):
+    """Of a uniform pressure under the unworn paraboloid that has worn k F s = V(a); its free surface by a flat punch that has run
+    in, which is worn to it."""
+    low, high = 1.0, 4.0
+    for _ in range(16):
+        a = 0.5 * (low + high)
+        punch = mdr.Wear(mdr.Contact(mdr.FlatPunch(a), body), 1.0)
+        history = punch.history(force=force, intervals=40, scheme="rings")
+        history.advance(25.0 * punch.running_in_length(), force=force)
+        # worn to d - u
+        r = a * np.sqrt((np.arange(400) + 0.5) / 400)
+        worn = np.asarray(history.profile.worn_depth(r)) - history.profile.worn_depth(a)
+        lost = 0.5 * a**2 + worn - 0.5 * r**2
+        low, high = (a, high) if np.pi * a**2 * np.mean(lost) < sliding * force else (low, a)
+    return a
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("substrate", "force"), [(SOFT, 0.792316748517), (mdr.Elastic(9.1, 0.3), 1.62583672745)])
+def test_the_late_law_on_films(substrate, force):
+    """0.3 and 0.07 % at sigma = 10 h by the theory."""
+    body = mdr.Coated(HARD, 1.0, substrate)
+    states, _ = mdr.Wear(mdr.Contact(BALL, body), 1.0).advance(10.0, force=force)
+    assert late_radius(body, force, 10.0) == pytest.approx(states.radius, rel=4e-3)
 
 
 @pytest.mark.parametrize("contact", [HERTZ, COATED])
@@ -135,6 +191,18 @@ def test_a_flat_punch_runs_in_over_its_length(medium, constant):
     assert 200.0 * ((left[0] / left[-1]) ** (1.0 / 16.0) - 1.0) == pytest.approx(1.0, rel=2e-3 if constant == "force" else 2e-4)
 
 
+def test_a_stiff_film_opens_under_a_flat_punch():
+    """Its middle carries nothing at first: a contact of a ring, which a disc cannot be; with wear it closes."""
+    contact = mdr.Contact(mdr.FlatPunch(1.0), COATED.medium)
+    with pytest.warns(mdr.NotOneDiscWarning, match="not one disc"):
+        pressed = contact.at_force(1.0)
+    history = mdr.Wear(contact, 1.0).history(force=1.0, scheme="rings")
+    assert history.pressure(0.0) == 0.0 and history.state.radius < 1.0
+    assert history.state.depth == pytest.approx(pressed.depth, rel=1e-2)
+    now = history.advance(30.0, force=1.0)
+    assert now.radius == pytest.approx(1.0, rel=1e-12) and now.pressure == pytest.approx(1.0 / np.pi, rel=1e-3)
+
+
 def test_a_coated_tip_on_rings():
     wear = mdr.Wear(HERTZ, (0.1, 1.0), (0.05,))
     states = [wear.advance([1.0, 4.0, 10.0], force=1.0, scheme=scheme)[0] for scheme in ("disc", "rings")]
@@ -159,6 +227,35 @@ def test_noise_shows_in_the_deviation():
     noise = 1.0 + 0.02 * np.sin(np.arange(12) * 2.4)
     fit = mdr.wear_coefficient_from_volume(0.3 * s * noise, s, 1.0)
     assert abs(fit.coefficient - 0.3) < 3.0 * fit.sd < 0.02
+
+
+@pytest.mark.parametrize("body", ["coated", "layered"])
+def test_the_bracket_of_a_worn_coating(body):
+    """With the layers as they were, what `history(places="same")` says; with the thinner coating, what that of the thinner body
+    says; they draw together with the loss, and further from each other than from a coating thinner by half as much."""
+    thin = {"coated": mdr.Coated(HARD, 1.0, SOFT), "layered": mdr.Layered([(HARD, 1.0), (HARD, 0.5)], SOFT)}[body]
+    wear = mdr.Wear(mdr.Contact(BALL, thin), 1.0, body_coefficient=0.5)
+    first, last = wear.bracket([0.1, 0.4], force=0.5, intervals=40)
+    direct = wear.history(force=0.5, places="same", intervals=40)
+    direct.advance([0.1, 0.3], force=0.5)
+    assert direct.state.depth == pytest.approx(first.depth[-1], rel=1e-10)
+    lost = max(first.body_depth[-1], last.body_depth[-1])
+    assert 0.0 < lost < 0.1
+    depths = []
+    for part in (0.5, 1.0):
+        if body == "coated":
+            other = thin.replace(thickness=1.0 - part * lost)
+        else:
+            other = thin.replace(layers=((HARD, 1.0 - part * lost), (HARD, 0.5)))
+        run = mdr.Wear(mdr.Contact(BALL, other), 1.0, body_coefficient=0.5).history(force=0.5, places="same", intervals=40)
+        run.advance([0.1, 0.3], force=0.5)
+        depths.append(run.state.depth)
+    assert depths[1] == pytest.approx(last.depth[-1], rel=1e-6)
+    assert first.depth[-1] < depths[0] < last.depth[-1]
+    with pytest.raises(mdr.DomainError, match="quarter"):
+        wear.bracket(20.0, force=0.5, intervals=16)
+    with pytest.raises(mdr.InvalidArgumentError, match="with a coating to lose"):
+        mdr.Wear(HERTZ, 1.0, body_coefficient=0.5).bracket(1.0, force=0.5)
 
 
 def test_bad_input_is_refused_with_the_reason():
@@ -207,7 +304,7 @@ substrate = { E = "210 GPa", nu = 0.3 }
 max_force = "5 N"
 
 [wear]
-coefficient = 1e-15
+coefficient = "1e-6 mm^3/(N*m)"
 sliding = ["10 m", "50 m"]
 intervals = 40
 """
@@ -222,6 +319,17 @@ intervals = 40
     assert len(rows) >= 3 and picture.stat().st_size > 10_000
     assert float(rows[-1].split(",")[0]) == pytest.approx(50.0)
     assert states.radius[-1] > states.radius[0]
-    problem.write_text(problem.read_text().replace("intervals = 40", "intervals = 42"))
-    assert main(["wear", str(problem)]) == 2
-    assert "multiple of 4" in capsys.readouterr().err
+    for before, after, words in (
+        ("intervals = 40", "intervals = 42", "multiple of 4"),
+        ('"1e-6 mm^3/(N*m)"', "1e-15", "has no unit"),
+        ('"1e-6 mm^3/(N*m)"', '"1e-15 mm^2"', "not a unit of a coefficient of wear"),
+        ('"1e-6 mm^3/(N*m)"', '"0 Pa^-1"', "greater than 0"),
+        ("intervals = 40", 'scheme = "disk"', "did you mean 'disc'"),
+    ):
+        wrong = tmp_path / "wrong.toml"
+        wrong.write_text(problem.read_text().replace(before, after))
+        assert main(["wear", str(wrong)]) == 2
+        assert words in capsys.readouterr().err
+    problem.write_text(problem.read_text().replace('"1e-6 mm^3/(N*m)"', '"1e-6 GPa^-1"').replace("40", '40\nscheme = "rings"'))
+    assert main(["wear", str(problem)]) == 0
+    assert "1e-06 mm^3/(N*m)" in capsys.readouterr().out

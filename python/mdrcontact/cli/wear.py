@@ -8,7 +8,7 @@ import argparse
 import numpy as np
 
 from ..problem import Problem, ProblemError, load
-from ..problem.units import FORCE, LENGTH, MODULUS, RATIO, VOLUME, practical, shown
+from ..problem.units import FORCE, LENGTH, MODULUS, RATIO, VOLUME, WEAR, practical, shown
 from ..wear import Wear, WearState, WornProfile
 from . import files
 from .figures import COLOURS, _figure, _render, _style
@@ -25,9 +25,10 @@ force, pressure and worn depth on the axis after each sliding distance, and the 
 The problem file has one table more than for the other commands:
 
     [wear]
-    coefficient = 1e-15                       # worn volume per force and sliding distance [m^3/(N m)]
+    coefficient = "1e-6 mm^3/(N*m)"           # worn volume per force and sliding distance
     sliding = ["1 m", "10 m", "100 m"]
     intervals = 80                            # 16 to 640; errors fall as their square
+    scheme = "disc"                           # or "rings", for flat punches too
 
 The error is stated: the difference from half the intervals.
 """
@@ -47,7 +48,7 @@ def run(arguments: argparse.Namespace) -> None:
     problem = load(arguments.problem)
     if problem.wear is None:
         raise ProblemError(
-            f'{arguments.problem}: the table [wear] is missing: write it with coefficient = 1e-15, sliding = ["1 m"]'
+            f'{arguments.problem}: the table [wear] is missing: write it with coefficient = "1e-6 mm^3/(N*m)", sliding = ["1 m"]'
         )
     states, profile = _slide(problem)
     table = columns(states)
@@ -65,10 +66,11 @@ def _slide(problem: Problem) -> tuple[WearState, WornProfile]:
     contact, control = problem.contact(), problem.control
     largest = float(np.max(control.values))
     wear, distances = Wear(contact, problem.wear.coefficient), np.array(problem.wear.sliding)
+    intervals, scheme = problem.wear.intervals, problem.wear.scheme
     if control.name == "depth":
-        return wear.advance(distances, depth=largest, intervals=problem.wear.intervals)
+        return wear.advance(distances, depth=largest, intervals=intervals, scheme=scheme)
     force = float(contact.at_radius(largest).force) if control.name == "radius" else largest
-    return wear.advance(distances, force=force, intervals=problem.wear.intervals)
+    return wear.advance(distances, force=force, intervals=intervals, scheme=scheme)
 
 
 def columns(states: WearState) -> list[Column]:
@@ -89,7 +91,7 @@ def _words(problem: Problem, states: WearState) -> str:
     assert problem.wear is not None
     last = {name: float(np.asarray(value)[-1]) for name, value in states._asdict().items()}
     return (
-        f"coefficient of wear {problem.wear.coefficient:g} m^3/(N m), after {shown(last['sliding'], LENGTH)}:\n"
+        f"coefficient of wear {shown(problem.wear.coefficient, WEAR)}, after {shown(last['sliding'], LENGTH)}:\n"
         f"worn volume {shown(last['worn_volume'], VOLUME)}, contact radius {shown(last['radius'], LENGTH)}, "
         f"error {last['error']:.1g}"
     )

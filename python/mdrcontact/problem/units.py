@@ -67,6 +67,9 @@ AREA_RESISTANCE = Dimension("an area resistance", "ohm*m^2", "1e-12 ohm*m^2", ((
 THERMAL_AREA_RESISTANCE = Dimension("a thermal area resistance", "m^2*K/W", "1e-8 m^2*K/W", (("m^2*K/W", 1.0),))
 TEMPERATURE = Dimension("a temperature difference", "K", "1 K", (("mK", 1e-3), ("K", 1.0)))
 ANGLE = Dimension("an angle", "rad", "20 deg", (("rad", 1.0),), ("deg",))
+WEAR = Dimension(
+    "a coefficient of wear", "m^3/(N*m)", "1e-6 mm^3/(N*m)", (("mm^3/(N*m)", 1e-9), ("m^3/(N*m)", 1.0)), ("Pa^-1", "GPa^-1")
+)
 RATIO = Dimension("a number", "", "1", (("", 1.0),))
 _USUAL = (LENGTH, FORCE, STIFFNESS, MODULUS, TIME, AREA, VOLTAGE)
 """Of the columns of tables."""

@@ -6,13 +6,15 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import NamedTuple
 
+from ..wear import SCHEMES
 from .section import ProblemError, Section
-from .units import LENGTH, Dimension
+from .units import LENGTH, WEAR, Dimension
 
 KNOWN: Mapping[str, Dimension | None] = {
-    "coefficient": None,
+    "coefficient": WEAR,
     "sliding": LENGTH,
     "intervals": None,
+    "scheme": None,
 }
 
 _USUAL_INTERVALS, _FEWEST_INTERVALS, _MOST_INTERVALS = 80, 16, 640
@@ -26,17 +28,16 @@ class Rubbing(NamedTuple):
     sliding: tuple[float, ...]
     """ascending distances"""
     intervals: int
+    scheme: str
 
 
 def read_wear(section: Section) -> Rubbing:
     """What [wear] says."""
-    coefficient = section.number("coefficient")
-    if not 0.0 < coefficient < float("inf"):
-        raise ProblemError(f"[{section.path}]: coefficient = {coefficient!r} is not allowed: it must be greater than 0 and finite")
     intervals = section.count("intervals", default=_USUAL_INTERVALS, largest=_MOST_INTERVALS)
     if intervals < _FEWEST_INTERVALS or intervals % 4:
         raise ProblemError(
             f"[{section.path}]: intervals = {intervals} is not allowed: it must be a multiple of 4 from {_FEWEST_INTERVALS} to "
             f"{_MOST_INTERVALS}"
         )
-    return Rubbing(coefficient, tuple(section.ascending("sliding", positive=True)), intervals)
+    scheme = section.choice("scheme", SCHEMES, SCHEMES[0])
+    return Rubbing(section.positive("coefficient"), tuple(section.ascending("sliding", positive=True)), intervals, scheme)

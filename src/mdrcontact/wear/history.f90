@@ -131,7 +131,7 @@ contains
         if (present(both)) then
             if (both) call add_body(self, error)
         end if
-        if (.not. allocated(error)) call press(wear, control, target, state, error)
+        if (.not. allocated(error)) call press(self, control, target, state, error)
         if (.not. allocated(error)) call find_modulus(self, state%radius, error)
         if (allocated(error)) return
         call begin(self, n, state%radius, control, target, error)
@@ -240,19 +240,20 @@ contains
         allocate (seed%pressure(0:hats%n), seed%load(0:hats%n), source=0.0_wp)
     end subroutine make_seed
 
-    subroutine press(wear, control, target, state, error)
-        type(wear_t), intent(in) :: wear
+    subroutine press(self, control, target, state, error)
+        type(wear_history_t), intent(in) :: self
         integer, intent(in) :: control
         real(wp), intent(in) :: target
         type(contact_state_t), intent(out) :: state
         type(error_t), allocatable, intent(inout) :: error
 
         if (control == given_depth) then
-            call wear%contact%at_depth(target, state, error)
+            call self%wear%contact%at_depth(target, state, error)
         else
-            call wear%contact%at_force(target, state, error)
+            call self%wear%contact%at_force(target, state, error)
         end if
-        if (.not. allocated(error)) call check_carries(wear%contact, state, error)
+        ! rings that would pull do not touch
+        if (.not. allocated(error) .and. .not. self%has_rings) call check_carries(self%wear%contact, state, error)
     end subroutine press
 
     subroutine find_modulus(self, radius, error)
@@ -410,7 +411,8 @@ contains
         if (allocated(error)) return
         if (lowest(next%pressure) < -noticeable*next%force/(pi*next%radius**2)) then
             call raise(error, error_domain, "the worn contact is no longer one disc: its pressure would be "// &
-                       to_text(lowest(next%pressure))//" somewhere (contact radius "//to_text(next%radius)//")")
+                       to_text(lowest(next%pressure))//" somewhere (contact radius "//to_text(next%radius)//"); choose rings "// &
+                       "as the scheme, or other intervals")
         else if (self%body_coefficient*maxval(next%load) > deepest_loss*self%thickness) then
             call raise(error, error_domain, "the coating would lose "//to_text(self%body_coefficient*maxval(next%load))// &
                        " of its thickness "//to_text(self%thickness)//": its layers are taken as they were, which holds up to "// &
