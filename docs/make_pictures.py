@@ -279,6 +279,40 @@ def wear(quick: bool) -> Any:
     return figure
 
 
+def coatings(quick: bool) -> Any:
+    """A graphite layer and its isotropic readings; a film on interfaces that give; a skin under stress: modulus against radius."""
+    figure, axes = plt.subplots(1, 3, figsize=(12.0, 3.2), layout="constrained")
+    a = np.geomspace(0.03, 30.0, 20 if quick else 80)
+    graphite, silicon = mdr.CRYSTALS["graphite"].material, mdr.Elastic(163e9, 0.22)
+    E = graphite.contact_modulus * (1.0 - 0.25**2)
+    for nu, style in ((0.0, "--"), (0.25, ":"), (0.49, "-.")):
+        reading = mdr.Coated(mdr.Elastic(E / (1.0 - 0.25**2) * (1.0 - nu**2), nu), 1.0, silicon)
+        axes[0].loglog(a, reading.modulus(a) / 1e9, color=GREY, linestyle=style, label=f"isotropic, nu = {nu:g}")
+    axes[0].loglog(a, mdr.Coated(graphite, 1.0, silicon).modulus(a) / 1e9, color=RED, label="graphite")
+    film, base = mdr.Elastic(300.0, 0.25), mdr.Elastic(70.0, 0.2)
+    for below, label, colour in (
+        (None, "bonded", BLUE),
+        (mdr.Interface(tangential=3.0), "K_t h = 0.01 E", GREEN),
+        (mdr.SLIDING, "sliding", RED),
+        (mdr.Interface(normal=30.0, tangential=3.0), "and K_n h = 0.1 E", GREY),
+    ):
+        body = mdr.Layered([mdr.Layer(film, 1.0, interface=below)], base)
+        axes[1].semilogx(a, body.modulus(a) / film.contact_modulus, color=colour, label=label)
+    skin, soft = mdr.Elastic(1e3, 0.3), mdr.Elastic(1.0, 0.5)
+    wrinkles = mdr.Layered([(skin, 1.0)], soft).wrinkling().stress
+    wide = np.geomspace(0.3, 300.0, len(a))
+    for part, colour in ((0.7, RED), (0.0, GREY), (-1.0, GREEN), (-10.0, BLUE)):
+        body = mdr.Layered([mdr.Layer(skin, 1.0, prestress=part * wrinkles)], soft)
+        axes[2].loglog(wide, body.modulus(wide), color=colour, label=f"{-part:g}" if part else "0")
+    axes[0].set(xlabel="a/h", ylabel="E_eff [GPa]", title="an axis: graphite on silicon")
+    axes[1].set(xlabel="a/h", ylabel="E_eff/E0*", title="an interface that gives")
+    axes[2].set(xlabel="a/h", ylabel="E_eff/E_base", title="stress in a skin")
+    for axis, title in zip(axes, (None, None, "stress/|wrinkling stress|"), strict=True):
+        axis.legend(title=title, frameon=False, fontsize="small")
+        axis.spines[["top", "right"]].set_visible(False)
+    return figure
+
+
 def rate(quick: bool) -> Any:
     """Retract curves of a rubber at three speeds, with what is fitted to all of them; pull-off against speed, with the fit."""
     tip, body = mdr.Paraboloid(20e-6), mdr.Homogeneous(mdr.Elastic(1e6, 0.5))
@@ -341,7 +375,7 @@ def _elastic_models() -> tuple[str, ...]:
     return mdr.accuracy_map([2.0], [1.0]).models
 
 
-PICTURES = (springs, indenters, media, accuracy, adhesion, adhesion_range, stress, gels, wear, rate, conduction)
+PICTURES = (springs, indenters, media, coatings, accuracy, adhesion, adhesion_range, stress, gels, wear, rate, conduction)
 
 
 def save(figure: Any, file: Path) -> None:

@@ -24,6 +24,7 @@ from . import (
     conductor,
     contact,
     critical,
+    crystals,
     errors,
     failure,
     fitting,
@@ -50,6 +51,7 @@ from .conduction import *  # noqa: F403
 from .conductor import *  # noqa: F403
 from .contact import *  # noqa: F403
 from .critical import *  # noqa: F403
+from .crystals import *  # noqa: F403
 from .errors import *  # noqa: F403
 from .failure import *  # noqa: F403
 from .fitting import *  # noqa: F403
@@ -76,6 +78,7 @@ __all__ = [
     *conductor.__all__,
     *contact.__all__,
     *critical.__all__,
+    *crystals.__all__,
     *errors.__all__,
     *failure.__all__,
     *fitting.__all__,

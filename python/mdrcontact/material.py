@@ -6,7 +6,7 @@ from __future__ import annotations
 import math
 import re
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -77,7 +77,7 @@ class TransverselyIsotropic(Value):
     C13: float = 0.0
     C33: float = 0.0
     C44: float = 0.0
-    engineering: tuple[float, float, float, float, float] | None = None
+    engineering: tuple[float, float, float, float, float] | None = field(default=None, kw_only=True)
 
     def __post_init__(self) -> None:
         if self.engineering is None:

@@ -137,6 +137,7 @@ contains
         logical, intent(in) :: upper
         class(load_t), allocatable, intent(inout) :: load
         type(error_t), allocatable, intent(out) :: error
+        logical :: is_known
 
         associate (equilibrium => contact%equilibrium)
             if (upper .and. .not. equilibrium%medium%is_pair) then
@@ -152,9 +153,18 @@ contains
             if (allocated(error)) return
             call equilibrium%medium%surface_load(equilibrium%profile, state%radius, state%excess, load, error)
             if (allocated(error)) return
-            if (upper .and. allocated(equilibrium%medium%counterbody)) return
-            if (allocated(equilibrium%medium%pressed) .and. .not. upper) return
-            call raise(error, error_invalid, "stresses inside are not known for this medium: E and nu of its layers are needed")
+            is_known = allocated(equilibrium%medium%pressed)
+            if (upper) is_known = allocated(equilibrium%medium%counterbody)
+            if (.not. is_known) then
+                call raise(error, error_invalid, "stresses inside are not known for this medium: E and nu of its layers are needed")
+                return
+            end if
+            if (upper) is_known = equilibrium%medium%counterbody%is_plain
+            if (.not. upper) is_known = equilibrium%medium%pressed%is_plain
+            if (.not. is_known) then
+                call raise(error, error_invalid, "stresses and energies inside are not known of layers that are not isotropic, "// &
+                           "bonded and free of stress")
+            end if
         end associate
     end subroutine load_of
 

@@ -12,12 +12,15 @@ import pytest
 from conftest import ROOT
 
 import mdrcontact as mdr
+from mdrcontact import problem
 
 WAVES = np.geomspace(1e-6, 20.0, 60)
 LOADS = ("normal", "shear", "twist")
 GAN = mdr.TransverselyIsotropic(C11=390.0, C12=145.0, C13=106.0, C33=398.0, C44=105.0)
 GRAPHITE = mdr.TransverselyIsotropic(C11=1060.0, C12=180.0, C13=15.0, C33=36.5, C44=4.5)
 SHEET = mdr.Coated(GAN, 1.0, mdr.SMOOTH)
+CONTACT = mdr.Contact(mdr.Paraboloid(2.0), mdr.Coated(GAN, 1.0, mdr.Elastic(130.0, 0.28)))
+RECORD = mdr.ForceDepth([0.01, 0.02, 0.03], np.asarray(CONTACT.at_depth([0.01, 0.02, 0.03]).force), relative_sd=0.01)
 
 
 def rows(name):
@@ -264,6 +267,9 @@ def test_stiffnesses_and_engineering_constants_are_one_material():
             lambda: mdr.Friction(mdr.Contact(mdr.Paraboloid(1.0), mdr.Coated(GAN, 1.0, mdr.SMOOTH)), 0.3),
             "no stiffness along the surface",
         ),
+        (lambda: CONTACT.interior(0.0, 0.5, CONTACT.at_depth(0.01)), "stresses and energies inside are not known"),
+        (lambda: CONTACT.critical(CONTACT.at_depth(0.01)), "stresses and energies inside are not known"),
+        (lambda: mdr.fit(RECORD, mdr.Paraboloid(2.0), CONTACT.medium, ["coating.E"]), "coating.E"),
     ],
 )
 def test_refusals_say_why(make, words):
@@ -283,3 +289,59 @@ def test_energy_balance_and_inverses_on_a_weak_interface():
     adhesive = mdr.Contact(mdr.Paraboloid(2.0), medium, work_of_adhesion=0.1)
     pull = adhesive.pull_off("force")
     assert pull.force < 0.0
+
+
+PROBLEM = """
+[indenter]
+shape = "sphere"
+radius = "10 um"
+[medium]
+type = "coated"
+substrate = {substrate}
+[medium.coating]
+thickness = "500 nm"
+{coating}
+[compute]
+depths = ["20 nm"]
+"""
+
+
+@pytest.mark.parametrize(
+    ("coating", "substrate", "medium"),
+    [
+        ('material = "GaN"', '"ZnO"', lambda: mdr.Coated(NAMED["GaN"].material, 5e-7, NAMED["ZnO"].material)),
+        (
+            'E_t = "10 GPa"\nE_z = "25 GPa"\nnu_t = 0.2\nnu_tz = 0.15\nG_z_GPa = 3\nprestress = "-10 MPa"',
+            '"rigid"',
+            lambda: mdr.Layered(
+                [mdr.Layer(mdr.TransverselyIsotropic.from_engineering(1e10, 2.5e10, 0.2, 0.15, 3e9), 5e-7, -1e7)], mdr.RIGID
+            ),
+        ),
+        (
+            'E = "70 GPa"\nnu = 0.3\ninterface = { normal = "20 GPa/um", tangential = "3e15 Pa/m" }',
+            "{ E = '1 GPa', nu = 0.4 }",
+            lambda: mdr.Layered(
+                [mdr.Layer(mdr.Elastic(7e10, 0.3), 5e-7, interface=mdr.Interface(normal=2e16, tangential=3e15))],
+                mdr.Elastic(1e9, 0.4),
+            ),
+        ),
+        (
+            'C11 = "390 GPa"\nC12 = "145 GPa"\nC13 = "106 GPa"\nC33 = "398 GPa"\nC44 = "105 GPa"\ninterface = "sliding"',
+            "{ material = 'graphite' }",
+            lambda: mdr.Layered([mdr.Layer(NAMED["GaN"].material, 5e-7, interface=mdr.SLIDING)], NAMED["graphite"].material),
+        ),
+    ],
+)
+def test_problem_files(tmp_path, coating, substrate, medium):
+    file = tmp_path / "film.toml"
+    file.write_text(PROBLEM.format(coating=coating, substrate=substrate))
+    assert problem.load(file).medium == medium()
+
+
+NAMED = mdr.CRYSTALS
+
+
+def test_named_materials_say_where_their_constants_are_from():
+    for name, (made, source) in mdr.CRYSTALS.items():
+        assert made.contact_modulus > 1e9, name
+        assert re.search(r" (19|20)\d\d, ", source), name

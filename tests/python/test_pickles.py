@@ -31,7 +31,7 @@ def coatings():
     springs = mdr.Interface(normal=20.0, tangential=3.0)
     film = mdr.Layer(mdr.TransverselyIsotropic.from_engineering(10.0, 25.0, 0.2, 0.15, 3.0), 1.0, 0.1, springs)
     body = mdr.Layered([film, (bone, 2.0)], mdr.SMOOTH)
-    return [bone, film, springs, mdr.SLIDING, body, body.wrinkling(), mdr.Homogeneous(bone)]
+    return [bone, film, springs, mdr.SLIDING, body, body.wrinkling(), mdr.Homogeneous(bone), mdr.CRYSTALS["GaN"]]
 
 
 def history_in_time():
@@ -298,8 +298,8 @@ def state_of(thing):
 
 def test_nothing_public_is_missing(things):
     packages = (mdr, lateral, measurement, fitting, problem)
-    public = {vars(package)[name] for package in packages for name in package.__all__}
-    classes = {thing for thing in public if inspect.isclass(thing)} - BASES
+    public = (vars(package)[name] for package in packages for name in package.__all__)
+    classes = set(filter(inspect.isclass, public)) - BASES
     shown = {type(thing) for thing in things}
     assert not {cls.__name__ for cls in classes - shown}
 

@@ -18,6 +18,7 @@ from .._choices import nearest
 from ..errors import ArgumentTypeError, InvalidArgumentError
 from ..material import RIGID, Elastic, PowerLawRheology, Viscoelastic
 from ..medium.coated import base
+from ..medium.layer import has_constants_of_its_own
 from ..medium.models import MODELS, settings
 from ..medium.viscoelastic import is_viscoelastic
 from ..poroelastic import is_poroelastic
@@ -217,6 +218,8 @@ def of_medium(medium: Any) -> MediumNumbers:
         return of_medium(medium.lower)
     if isinstance(medium, media.Pair) and RIGID not in (medium.lower, medium.upper):
         return _two_bodies(of_medium(medium.lower), of_medium(medium.upper))
+    if has_constants_of_its_own(medium):
+        return MediumNumbers(Numbers(0, [], [], lambda _: medium), medium)
     if isinstance(medium, (media.Coated, media.Layered)):
         return _stack(medium)
     if isinstance(medium, media.Homogeneous):

@@ -7,16 +7,22 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from .. import medium
-from ..material import RIGID, Elastic, PowerLawRheology, Viscoelastic
+from ..conductor import SLIDING, Interface
+from ..crystals import CRYSTALS
+from ..material import RIGID, SMOOTH, Elastic, PowerLawRheology, TransverselyIsotropic, Viscoelastic
 from ..medium.models import MODELS, OPTIONS
 from ..poroelastic import Poroelastic
 from .conductor import CONDUCTING, read_conductor
 from .section import ProblemError, Section
-from .units import AREA, DIFFUSIVITY, LENGTH, MODULUS, TIME, VISCOSITY, Dimension
+from .units import AREA, DIFFUSIVITY, LENGTH, MODULUS, MODULUS_PER_LENGTH, TIME, VISCOSITY, Dimension
 
 MATERIAL: Mapping[str, Dimension | None] = {
     "E": MODULUS,
     "nu": None,
+    "material": None,
+    **dict.fromkeys(("C11", "C12", "C13", "C33", "C44", "E_t", "E_z", "G_z"), MODULUS),
+    "nu_t": None,
+    "nu_tz": None,
     "relaxed_shear_modulus": MODULUS,
     "moduli": MODULUS,
     "times": TIME,
@@ -35,7 +41,12 @@ _PRONY = ("relaxed_shear_modulus", "moduli", "times", "nu", "bulk_modulus", "vis
 _GEL = ("shear_modulus", "nu", "diffusivity")
 _GEL_BY_FLOW = ("shear_modulus", "nu", "permeability", "viscosity")
 _POWER_LAW = ("modulus", "time", "exponent", "nu")
-_FILM: Mapping[str, Dimension | None] = {**MATERIAL, "thickness": LENGTH}
+_STIFFNESSES = ("C11", "C12", "C13", "C33", "C44")
+_ENGINEERING = ("E_t", "E_z", "nu_t", "nu_tz", "G_z")
+_PLACE: Mapping[str, Dimension | None] = {"thickness": LENGTH, "prestress": MODULUS, "interface": None}
+"""Keys of a layer beside those of its material."""
+_SPRINGS: Mapping[str, Dimension | None] = {"normal": MODULUS_PER_LENGTH, "tangential": MODULUS_PER_LENGTH}
+_FILM: Mapping[str, Dimension | None] = {**MATERIAL, **_PLACE}
 _MATERIALS = ("material", "coating", "layer", "substrate")
 """Tables in that of a medium."""
 
@@ -51,26 +62,37 @@ KNOWN: Mapping[str, Dimension | None] = {
 }
 
 
-def read_material(section: Section) -> Elastic | Viscoelastic | PowerLawRheology | Poroelastic:
-    """The material of a table: E and nu of an elastic one, a Prony series with relaxed_shear_modulus, moduli and times, a power law
+def read_material(section: Section) -> Elastic | TransverselyIsotropic | Viscoelastic | PowerLawRheology | Poroelastic:
+    """The material of a table: E and nu of an elastic one, C11 to C44, or E_t, E_z, nu_t, nu_tz, G_z, or the name of a crystal as
+    `material` of one with its axis along z, a Prony series with relaxed_shear_modulus, moduli and times, a power law
     with modulus, time and exponent, or a gel with shear_modulus, nu and diffusivity."""
     with section.words():
         if "diffusivity" in section or "permeability" in section:
             return _gel(section)
         if "exponent" in section:
-            section.only((*_POWER_LAW, "thickness"), "a power law, which has an exponent")
+            section.only((*_POWER_LAW, *_PLACE), "a power law, which has an exponent")
             modulus, time = section.quantity("modulus"), section.quantity("time")
             return PowerLawRheology(modulus, time, section.number("exponent"), section.number("nu"))
         if "relaxed_shear_modulus" in section:
-            section.only((*_PRONY, "thickness"), "a Prony series, which has a relaxed_shear_modulus")
+            section.only((*_PRONY, *_PLACE), "a Prony series, which has a relaxed_shear_modulus")
             return _prony(section)
-        section.only((*_ELASTIC, "thickness"), "an elastic material")
+        if "material" in section:
+            section.only(("material", *_PLACE), "a material with a name")
+            return CRYSTALS[section.choice("material", CRYSTALS)].material
+        if any(name in section for name in _STIFFNESSES):
+            section.only((*_STIFFNESSES, *_PLACE), "a material with an axis, which has C11, C12, C13, C33, C44")
+            return TransverselyIsotropic(*(section.quantity(name) for name in _STIFFNESSES))
+        if any(name in section for name in _ENGINEERING):
+            section.only((*_ENGINEERING, *_PLACE), f"a material with an axis, which has {', '.join(_ENGINEERING)}")
+            moduli = {name: section.quantity(name) for name in ("E_t", "E_z", "G_z")}
+            return TransverselyIsotropic.from_engineering(**moduli, nu_t=section.number("nu_t"), nu_tz=section.number("nu_tz"))
+        section.only((*_ELASTIC, *_PLACE), "an elastic material")
         return Elastic(section.quantity("E"), section.number("nu"), read_conductor(section))
 
 
 def _gel(section: Section) -> Poroelastic:
     keys = _GEL if "diffusivity" in section else _GEL_BY_FLOW
-    section.only((*keys, "thickness"), f"a gel, which has {', '.join(keys)}")
+    section.only((*keys, *_PLACE), f"a gel, which has {', '.join(keys)}")
     modulus, nu = section.quantity("shear_modulus"), section.number("nu")
     if "diffusivity" in section:
         return Poroelastic(modulus, nu, section.quantity("diffusivity"))
@@ -97,23 +119,49 @@ def _model(section: Section) -> tuple[str, dict[str, Any]]:
 
 def _substrate(section: Section) -> Any:
     if "substrate" in section and isinstance(section.plain("substrate"), str):
-        section.choice("substrate", ["rigid"])
-        return RIGID
+        bases: dict[str, Any] = {"rigid": RIGID, "smooth": SMOOTH}
+        bases.update((name, crystal.material) for name, crystal in CRYSTALS.items())
+        return bases[section.choice("substrate", bases)]
     return read_material(section.child("substrate", MATERIAL))
 
 
-def _film(section: Section) -> tuple[Any, float]:
-    return read_material(section), section.quantity("thickness")
+def _named_or_table(section: Section, key: str) -> Any:
+    """A material by the name of a crystal, or by a table."""
+    if isinstance(section.plain(key), str):
+        return CRYSTALS[section.choice(key, CRYSTALS)].material
+    return read_material(section.child(key, MATERIAL))
+
+
+def _film(section: Section) -> medium.Layer | tuple[Any, float]:
+    film: tuple[Any, float] = read_material(section), section.quantity("thickness")
+    if "prestress" not in section and "interface" not in section:
+        return film
+    stress = section.quantity("prestress") if "prestress" in section else 0.0
+    with section.words():
+        return medium.Layer(*film, stress, _interface(section) if "interface" in section else None)
+
+
+def _interface(section: Section) -> Interface:
+    """ "sliding", or a table of springs."""
+    if isinstance(section.plain("interface"), str):
+        section.choice("interface", ["sliding"])
+        return SLIDING
+    springs = section.child("interface", _SPRINGS)
+    given = {name: springs.quantity(name) for name in _SPRINGS if name in springs}
+    with springs.words():
+        return Interface(**given)
 
 
 def _homogeneous(section: Section) -> medium.Medium:
-    return medium.Homogeneous(read_material(section.child("material", MATERIAL)))
+    return medium.Homogeneous(_named_or_table(section, "material"))
 
 
 def _coated(section: Section) -> medium.Medium:
-    coating, thickness = _film(section.child("coating", _FILM))
+    film = _film(section.child("coating", _FILM))
     model, options = _model(section)
-    return medium.Coated(coating, thickness, _substrate(section), model, **options)
+    if isinstance(film, medium.Layer):
+        return medium.Layered([film], _substrate(section), model, **options)
+    return medium.Coated(*film, _substrate(section), model, **options)
 
 
 def _layered(section: Section) -> medium.Medium:

@@ -33,6 +33,12 @@ class Dimension(NamedTuple):
 
 LENGTH = Dimension("a length", "m", "500 nm", (("pm", 1e-12), ("nm", 1e-9), ("um", 1e-6), ("mm", 1e-3), ("m", 1.0)), ("angstrom",))
 MODULUS = Dimension("a modulus", "Pa", "70 GPa", (("Pa", 1.0), ("kPa", 1e3), ("MPa", 1e6), ("GPa", 1e9)), ("N/m^2", "N/mm^2"))
+MODULUS_PER_LENGTH = Dimension(
+    "a stiffness per area",
+    "Pa/m",
+    "20 GPa/um",
+    (("Pa/m", 1.0), ("MPa/um", 1e12), ("GPa/um", 1e15), ("GPa/nm", 1e18)),
+)
 FORCE = Dimension("a force", "N", "2 mN", (("pN", 1e-12), ("nN", 1e-9), ("uN", 1e-6), ("mN", 1e-3), ("N", 1.0), ("kN", 1e3)))
 STIFFNESS = Dimension("a stiffness", "N/m", "50 kN/m", (("uN/m", 1e-6), ("mN/m", 1e-3), ("N/m", 1.0), ("kN/m", 1e3), ("MN/m", 1e6)))
 WORK_OF_ADHESION = Dimension(

@@ -3,7 +3,7 @@
 module mdrcontact_field_body_field
     use mdrcontact_body, only: body_t
     use mdrcontact_body_layers, only: layers_t
-    use mdrcontact_error, only: check_memory, error_invalid, error_t, raise
+    use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_field_gradient_states, only: gradient_states_t, new_gradient_states
     use mdrcontact_field_interior, only: check_distances, components, depth_of, interior_field, state_field
     use mdrcontact_field_lattice, only: distinct, lattice_t, new_lattice
@@ -37,9 +37,6 @@ contains
 
         if (body%is_graded) then
             call graded_field(load, body, r, z, field, error, friction, angle, threads)
-        else if (.not. body%is_plain) then
-            call raise(error, error_invalid, "stresses inside are not known of layers that are not isotropic, bonded and "// &
-                       "free of stress")
         else
             call body%sublayers(layers, error)
             if (allocated(error)) return

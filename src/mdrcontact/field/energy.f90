@@ -39,8 +39,8 @@ contains
         if (allocated(error)) return
         if (size(layers%thickness) > 0) then
             n = size(layers%thickness) + merge(0, 1, layers%rigid_base)
-            scaled = layers
-            scaled%thickness = layers%thickness/load%radius
+            call layers%in_units_of(load%radius, scaled, error)
+            if (allocated(error)) return
             contrast = maxval(layers%shear(:n))/minval(layers%shear(:n))
             ! p_hat^2 holds waves up to 2 a, and the states e^(-2 k z)
             call wave_rule(2.0_wp, sum(scaled%thickness)*contrast, faded/(2.0_wp*scaled%top(2)), k, weight, error)

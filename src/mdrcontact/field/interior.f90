@@ -81,8 +81,8 @@ contains
 
         call check_points(load, layers, r, z, below, error)
         if (allocated(error) .or. size(r) == 0) return
-        scaled = layers
-        scaled%thickness = layers%thickness/load%radius
+        call layers%in_units_of(load%radius, scaled, error)
+        if (allocated(error)) return
         call new_layered_states(states, scaled)
         allocate (depths(size(r)), stat=stat)
         call check_memory(error, stat)
