@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _layout, _native
 from ._boundary import ComplexOrArray, FloatOrArray, Handle, address, complex_values, number
+from ._parameters import WithParameters
 from ._value import Value
 from .errors import ArgumentTypeError, InvalidArgumentError
 
@@ -44,7 +45,7 @@ def _check(rows: NDArray[np.float64]) -> None:
 
 
 @dataclass(frozen=True)
-class Conductor(Value):
+class Conductor(WithParameters):
     """A material that conducts current or heat; a body of it alone is a half-space.
 
     sigma : conductivity > 0 into the body, S/m or W/(m K) [conductance/length]
@@ -69,7 +70,7 @@ class Conductor(Value):
 
 
 @dataclass(frozen=True)
-class Interface(Value):
+class Interface(WithParameters):
     """What lies between two layers.
 
     resistance : area resistance >= 0: Kapitza resistance, an oxide [length^2/conductance]

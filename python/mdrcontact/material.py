@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _layout, _native
 from ._boundary import ComplexOrArray, FloatOrArray, Handle, address, call, complex_values, evaluate, number, numbers, record
-from ._value import Value
+from ._parameters import WithParameters
 from .conductor import Conductor
 from .errors import ArgumentTypeError, InvalidArgumentError
 
@@ -22,7 +22,7 @@ __all__ = ["Elastic", "TransverselyIsotropic", "Viscoelastic", "PowerLawRheology
 
 
 @dataclass(frozen=True)
-class Elastic(Value):
+class Elastic(WithParameters):
     """An isotropic elastic material.
 
     E : Young's modulus, > 0, in the unit of pressure of the whole problem (Pa with metres and newtons)
@@ -60,7 +60,7 @@ class Elastic(Value):
 
 
 @dataclass(frozen=True)
-class TransverselyIsotropic(Value):
+class TransverselyIsotropic(WithParameters):
     """An elastic material that is isotropic in the plane of the surface, with another stiffness along its normal z: hexagonal
     crystals with the axis c along z (ZnO, GaN, graphite), columnar films, bone, fibre mats.
 
@@ -110,6 +110,13 @@ class TransverselyIsotropic(Value):
             return {"engineering": self.engineering}
         return {name: getattr(self, name) for name in _STIFFNESSES}
 
+    def _constants(self) -> dict[str, Any]:
+        return self._given() if self.engineering is None else dict(zip(_ENGINEERING, self.engineering, strict=True))
+
+    def _rebuilt(self, constants: dict[str, Any]) -> TransverselyIsotropic:
+        make = TransverselyIsotropic if self.engineering is None else TransverselyIsotropic.from_engineering
+        return make(**constants)
+
     @property
     def contact_modulus(self) -> float:
         """E* of a half-space of it [modulus]: 2 sqrt((C11 C33 - C13^2)/C11/(1/C44 + 2/(sqrt(C11 C33) + C13))); Delafargue, Ulm
@@ -145,7 +152,7 @@ def _stiffnesses(E_t: float, E_z: float, nu_t: float, nu_tz: float, G_z: float) 
     return {"C11": C11, "C12": C11 - 2.0 * shear, "C13": C13, "C33": C33, "C44": G_z}
 
 
-class _Rheology(Value):
+class _Rheology(WithParameters):
     """What viscoelastic materials have in common."""
 
     def relaxation(self, t: ArrayLike) -> FloatOrArray:
@@ -216,6 +223,17 @@ class Viscoelastic(_Rheology):
         self._set(terms=tuple((g, tau) for g, tau in pairs.tolist()), nu=None if nu is None else ratio)
         self._set(bulk_modulus=None if bulk_modulus is None else bulk)
 
+    def _constants(self) -> dict[str, Any]:
+        given = self._given()
+        terms = {f"terms[{i}].{name}": term[j] for i, term in enumerate(given.pop("terms")) for j, name in enumerate(_TERM)}
+        relaxed = {"relaxed_shear_modulus": given.pop("relaxed_shear_modulus")}
+        viscosity = {"viscosity": given.pop("viscosity")}
+        return {**relaxed, **terms, **viscosity, **given}
+
+    def _rebuilt(self, constants: dict[str, Any]) -> Viscoelastic:
+        terms = [tuple(constants.pop(f"terms[{i}].{name}") for name in _TERM) for i in range(len(self.terms))]
+        return self.replace(terms=terms, **constants)
+
     @classmethod
     def from_fractions(
         cls,
@@ -282,6 +300,9 @@ class Viscoelastic(_Rheology):
         if not rows:
             raise InvalidArgumentError("the text is not allowed: no line of it holds numbers g, tau or g, k, tau alone")
         return cls.from_fractions(instant_modulus, rows, nu, modulus=modulus, elastic_bulk=elastic_bulk)
+
+
+_TERM = ("modulus", "time")
 
 
 @dataclass(frozen=True)

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _layout, _native
 from ._boundary import ComplexOrArray, FloatOrArray, Handle, check, complex_values, evaluate, number, one_path
-from ._value import Value
+from ._parameters import WithParameters
 from .errors import ArgumentTypeError, InvalidArgumentError
 from .profile import FlatPunch, Paraboloid, Profile
 
@@ -43,7 +43,7 @@ class NoHandle:
 
 
 @dataclass(frozen=True)
-class Poroelastic(Value):
+class Poroelastic(WithParameters):
     """A poroelastic gel: an elastic skeleton full of a fluid that flows through it (Biot), both incompressible themselves.
 
     shear_modulus : G > 0, of a sudden and of a lasting load alike [modulus]

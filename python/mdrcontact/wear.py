@@ -280,6 +280,8 @@ class WornProfile(Profile):
     numbers : what it was made from
     """
 
+    _is_table = True
+
     wear: Wear
     kind: str
     numbers: tuple[float, ...]

@@ -16,7 +16,7 @@ from .. import profile as profiles
 from .._boundary import number
 from .._choices import nearest
 from ..errors import ArgumentTypeError, InvalidArgumentError
-from ..material import RIGID, Elastic, PowerLawRheology, Viscoelastic
+from ..material import RIGID, Elastic
 from ..medium.coated import base
 from ..medium.layer import has_constants_of_its_own
 from ..medium.models import MODELS, settings
@@ -144,15 +144,25 @@ class Numbers(NamedTuple):
     build: Callable[[Sequence[float]], Any]
 
 
-_SHAPES: Mapping[type, tuple[int, tuple[str, ...]]] = {
-    profiles.Paraboloid: (1, ("radius",)),
-    profiles.Sphere: (2, ("radius",)),
-    profiles.Cone: (3, ("inclination",)),
-    profiles.PowerLaw: (4, ("exponent", "coefficient")),
-    profiles.FlatPunch: (5, ("radius",)),
-    profiles.FlatEndedCone: (6, ("end_radius", "inclination")),
-    profiles.FlatEndedParaboloid: (7, ("end_radius", "radius")),
-    profiles.RoundedCone: (8, ("blend_radius", "inclination")),
+def _numbers(code: int, part: Any, names: Sequence[str] = (), prefix: str = "") -> Numbers:
+    """Those of an object by its own names, in the order in which the library takes them."""
+    known = part.parameters()
+
+    def build(v: Sequence[float]) -> Any:
+        return part.with_parameters({name: value for name, value in zip(names, v, strict=True) if name in known})
+
+    return Numbers(code, [prefix + name for name in names], [known[name] for name in names], build)
+
+
+_SHAPES: Mapping[type, int] = {
+    profiles.Paraboloid: 1,
+    profiles.Sphere: 2,
+    profiles.Cone: 3,
+    profiles.PowerLaw: 4,
+    profiles.FlatPunch: 5,
+    profiles.FlatEndedCone: 6,
+    profiles.FlatEndedParaboloid: 7,
+    profiles.RoundedCone: 8,
 }
 
 INSTRUMENT = (
@@ -179,17 +189,15 @@ def of_indenter(indenter: Any) -> Numbers:
     if isinstance(indenter, profiles.AreaFunction) and len(indenter.coefficients) <= AREA_TERMS:
         return _area_function(indenter)
     if type(indenter) not in _SHAPES:
-        return Numbers(0, [], [], lambda _: indenter)
-    code, names = _SHAPES[type(indenter)]
-    values = [float(getattr(indenter, name)) for name in names]
-    return Numbers(code, [f"indenter.{n}" for n in names], values, lambda v: type(indenter)(**dict(zip(names, v, strict=True))))
+        return _numbers(0, indenter)
+    return _numbers(_SHAPES[type(indenter)], indenter, list(indenter.parameters()), "indenter.")
 
 
 def _area_function(tip: profiles.AreaFunction) -> Numbers:
-    count = len(tip.coefficients)
-    values = [tip.min_height, tip.max_height, *tip.coefficients, *(AREA_TERMS - count) * [0.0]]
-    names = ["", "", *(f"indenter.C{i}" for i in range(count)), *(AREA_TERMS - count) * [""]]
-    return Numbers(9, names, values, lambda v: replace(tip, coefficients=tuple(v[2 : 2 + count])))
+    of_tip = _numbers(9, tip, list(tip.parameters()), "indenter.")
+    rest = AREA_TERMS - len(of_tip.names)
+    values = [tip.min_height, tip.max_height, *of_tip.values, *rest * [0.0]]
+    return Numbers(9, ["", "", *of_tip.names, *rest * [""]], values, lambda v: of_tip.build(v[2 : 2 + len(of_tip.names)]))
 
 
 class MediumNumbers(NamedTuple):
@@ -219,20 +227,16 @@ def of_medium(medium: Any) -> MediumNumbers:
     if isinstance(medium, media.Pair) and RIGID not in (medium.lower, medium.upper):
         return _two_bodies(of_medium(medium.lower), of_medium(medium.upper))
     if has_constants_of_its_own(medium):
-        return MediumNumbers(Numbers(0, [], [], lambda _: medium), medium)
+        return MediumNumbers(_numbers(0, medium), medium)
     if isinstance(medium, (media.Coated, media.Layered)):
         return _stack(medium)
     if isinstance(medium, media.Homogeneous):
-        material: Any = medium.material
-        names, values = ["E", "nu"], [material.E, material.nu]
-        return MediumNumbers(Numbers(1, names, values, lambda v: media.Homogeneous(Elastic(v[0], v[1]))), medium)
+        return MediumNumbers(_numbers(1, medium, ["E", "nu"]), medium)
     if isinstance(medium, media.PowerLawGraded):
-        names = ["E0", "z0", "exponent", "nu"]
-        values = [float(getattr(medium, name)) for name in names]
-        return MediumNumbers(Numbers(4, names, values, lambda v: media.PowerLawGraded(*v)), medium)
+        return MediumNumbers(_numbers(4, medium, ["E0", "z0", "exponent", "nu"]), medium)
     if isinstance(medium, media.Graded) and isinstance(medium.E, tuple):
         return _graded(medium)
-    return MediumNumbers(Numbers(0, [], [], lambda _: medium), medium)
+    return MediumNumbers(_numbers(0, medium), medium)
 
 
 def _two_bodies(lower: MediumNumbers, upper: MediumNumbers) -> MediumNumbers:
@@ -263,103 +267,38 @@ def with_indenter(instrument: Instrument, medium: Any) -> Instrument:
 
 
 def _graded(medium: Any) -> MediumNumbers:
-    z, E, nu = medium.z, medium.E, medium.nu
-    ratios = nu if isinstance(nu, tuple) else (nu,) * len(z)
-    options = dict(medium.options)
-    chosen = settings(medium.model, options)
-    names = [f"{name}[{i}]" for i in range(len(z)) for name in ("z", "E", "nu")]
-    values = [value for row in zip(z, E, ratios, strict=True) for value in row]
-    numbers = Numbers(3, names, values, lambda v: media.Graded(v[0::3], v[1::3], v[2::3], medium.model, **options))
-    return MediumNumbers(numbers, medium, chosen.code, chosen.record, len(z))
+    chosen = settings(medium.model, dict(medium.options))
+    names = [f"{name}[{i}]" for i in range(len(medium.z)) for name in ("z", "E", "nu")]
+    return MediumNumbers(_numbers(3, medium, names), medium, chosen.code, chosen.record, len(medium.z))
 
 
 def _stack(medium: Any) -> MediumNumbers:
-    coated = isinstance(medium, media.Coated)
-    layers = [(medium.coating, medium.thickness)] if coated else list(medium.layers)
-    options = dict(medium.options)
-    chosen, model = settings(medium.model, options), MODELS[medium.model]
-    constant = model.constant
-    names, values = [], []
-    for i, (material, h) in enumerate(layers):
-        of = ("coating.", "") if coated else (f"layers[{i}].",) * 2
-        names += [f"{of[0]}E", f"{of[0]}nu", f"{of[1]}thickness"]
-        values += [material.E, material.nu, h]
-    names += ["substrate.E", "substrate.nu", constant]
-    values += [*base(medium.substrate), float(options.get(constant, model.default_constant)) if constant else 1.0]
-
-    def build(v: Sequence[float]) -> Any:
-        substrate = RIGID if medium.substrate is RIGID else Elastic(v[-3], v[-2])
-        given = {**options, constant: v[-1]} if constant else options
-        stack = [(Elastic(v[3 * i], v[3 * i + 1]), v[3 * i + 2]) for i in range(len(layers))]
-        if coated:
-            return media.Coated(*stack[0], substrate, medium.model, **given)
-        return media.Layered(stack, substrate, medium.model, **given)
-
-    return MediumNumbers(Numbers(2, names, values, build), medium, chosen.code, chosen.record, len(layers))
+    chosen, constant = settings(medium.model, dict(medium.options)), MODELS[medium.model].constant
+    parts = ["coating."] if isinstance(medium, media.Coated) else [f"layers[{i}]." for i in range(len(medium.layers))]
+    names = [part + name for part in parts for name in ("E", "nu", "thickness")]
+    if isinstance(medium, media.Coated):
+        names[-1] = "thickness"
+    below = [] if medium.substrate is RIGID else ["substrate.E", "substrate.nu"]
+    numbers = _numbers(2, medium, [*names, *below, *([constant] if constant else [])])
+    n = len(names)
+    # a rigid base is one of infinite E, and a model without a constant has one that is not used
+    rest = [*base(medium.substrate), numbers.values[-1] if constant else 1.0]
+    all_names = [*names, *(below or ["", ""]), constant]
+    given = [i for i, name in enumerate(all_names) if name]
+    build = numbers.build
+    numbers = Numbers(2, all_names, [*numbers.values[:n], *rest], lambda v: build([v[i] for i in given]))
+    return MediumNumbers(numbers, medium, chosen.code, chosen.record, len(parts))
 
 
 def _viscoelastic(medium: Any) -> MediumNumbers:
-    """The numbers of each material from the surface down, and thicknesses; the kinds of the materials stay."""
-    if isinstance(medium, media.Homogeneous):
-        parts = [("", medium.material, "")]
-    elif isinstance(medium, media.Coated):
-        parts = [("coating.", medium.coating, "thickness")]
-    else:
-        parts = [(f"layers[{i}].", layer, f"layers[{i}].thickness") for i, (layer, _) in enumerate(medium.layers)]
-    thicknesses = [h for _, h in medium.layers] if isinstance(medium, media.Layered) else [getattr(medium, "thickness", 0.0)]
-    if getattr(medium, "substrate", RIGID) is not RIGID:
-        parts.append(("substrate.", medium.substrate, ""))
-    names: list[str] = []
-    values: list[float] = []
-    for i, (prefix, material, thickness) in enumerate(parts):
-        found = _of_material(material)
-        names += [prefix + name for name in found] + ([thickness] if thickness else [])
-        values += [*found.values(), *([thicknesses[i]] if thickness else [])]
-
-    def build(v: Sequence[float]) -> Any:
-        rest = list(v)
-        made, heights = [], []
-        for _, material, thickness in parts:
-            count = len(_of_material(material))
-            made.append(_with_numbers(material, rest[:count]))
-            if thickness:
-                heights.append(rest[count])
-            rest = rest[count + bool(thickness) :]
-        if isinstance(medium, media.Homogeneous):
-            return media.Homogeneous(made[0])
-        substrate = RIGID if medium.substrate is RIGID else made[-1]
-        if isinstance(medium, media.Coated):
-            return medium.replace(coating=made[0], thickness=heights[0], substrate=substrate)
-        return medium.replace(layers=list(zip(made, heights, strict=False)), substrate=substrate)
-
-    return MediumNumbers(Numbers(5, names, values, build), medium)
-
-
-def _of_material(material: Any) -> dict[str, float]:
-    """The numbers of a material by name, in the library's order."""
-    if isinstance(material, Elastic):
-        return {"E": material.E, "nu": material.nu}
-    if isinstance(material, PowerLawRheology):
-        return {name: getattr(material, name) for name in ("modulus", "time", "exponent", "nu")}
-    if len({tau for _, tau in material.terms}) < len(material.terms):
-        raise InvalidArgumentError("terms is not allowed: two terms of equal time are one, which has no two moduli to be fitted")
-    found = {"relaxed_shear_modulus": material.relaxed_shear_modulus}
-    for i, (modulus, tau) in enumerate(material.terms):
-        found |= {f"terms[{i}].modulus": modulus, f"terms[{i}].time": tau}
-    last = "nu" if material.bulk_modulus is None else "bulk_modulus"
-    return {**found, "viscosity": material.viscosity, last: getattr(material, last)}
-
-
-def _with_numbers(material: Any, v: list[float]) -> Any:
-    """The same kind of material with other numbers."""
-    if isinstance(material, Elastic):
-        return Elastic(v[0], v[1])
-    if isinstance(material, PowerLawRheology):
-        return PowerLawRheology(*v)
-    terms = list(zip(v[1:-2:2], v[2:-2:2], strict=True))
-    if material.bulk_modulus is None:
-        return Viscoelastic(v[0], terms, nu=v[-1], viscosity=v[-2])
-    return Viscoelastic(v[0], terms, bulk_modulus=v[-1], viscosity=v[-2])
+    """The numbers of each material from the surface down, behind those of a layer its thickness."""
+    known = medium.parameters()
+    times = [(name.split("terms[")[0], value) for name, value in known.items() if name.endswith("].time")]
+    if len(set(times)) < len(times):
+        words = "two terms of equal time are one, which has no two moduli to be fitted"
+        raise InvalidArgumentError(f"terms is not allowed: {words}")
+    names = [name for name in known if "conductor." not in name and not name.endswith("prestress")]
+    return MediumNumbers(_numbers(5, medium, names), medium)
 
 
 def of_instrument(instrument: Instrument) -> Numbers:

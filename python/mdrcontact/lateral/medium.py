@@ -25,6 +25,8 @@ class LateralMedium(Medium):
     points : number of samples, 3 to 1000000
     """
 
+    _is_table = True
+
     structure: Structure
     x: float
     y: float

@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike
 from .. import _layout, _native
 from .._boundary import ComplexOrArray, FloatOrArray, Handle, complex_values, evaluate, number, numbers
 from .._choices import nearest
-from .._value import Value
+from .._parameters import WithParameters
 from ..conductor import conduction_of, flux_compliance
 from ..errors import InvalidArgumentError
 from ..poroelastic import compliance as gel_compliance
@@ -22,7 +22,7 @@ _LOADS = {"normal": _layout.LOAD_NORMAL, "shear": _layout.LOAD_SHEAR, "twist": _
 
 
 @dataclass(frozen=True)
-class Medium(Value):
+class Medium(WithParameters):
     """An elastic half-space: for a contact radius a it gives the effective contact modulus E_eff(a), equation (10).
 
     Lengths and moduli are in the units of the whole problem. A medium never changes and may be shared between threads.

@@ -53,6 +53,10 @@ class Graded(UnderModel):
             created, arguments = _from_tables(z, E, nu, chosen.native)
         self._own_with(created, chosen.given, **arguments, model=model)
 
+    def _constants(self) -> dict[str, Any]:
+        constants = super()._constants()
+        return constants if isinstance(self.E, tuple) and isinstance(self.nu, tuple) else {}
+
 
 def _from_functions(z: Any, E: Any, nu: Any, native: tuple[Any, ...]) -> tuple[tuple[int, int], dict[str, Any]]:
     depth = number("z", z)

@@ -12,14 +12,14 @@ from numpy.typing import NDArray
 
 from .. import _layout, _native
 from .._boundary import address, call, number
-from .._value import Value
+from .._parameters import WithParameters
 from ..conductor import SLIDING, Interface
 from ..errors import ArgumentTypeError, InvalidArgumentError
 from ..material import RIGID, SMOOTH, Elastic, Material, TransverselyIsotropic, material
 
 
 @dataclass(frozen=True)
-class Layer(Value):
+class Layer(WithParameters):
     """A layer of a `Layered` body. It unpacks as the pair (material, thickness).
 
     material : Elastic(E, nu) or TransverselyIsotropic(...); where prestress and interface are left out any material

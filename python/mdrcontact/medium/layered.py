@@ -42,7 +42,7 @@ class Layered(UnderModel):
     ) -> None:
         given, chosen = _layers(layers), settings(model, options, layers=True)
         below = substrate_material(substrate)
-        stacked = [layer if isinstance(layer, Layer) else Layer(*layer) for layer in given]
+        stacked = [_as_layer(layer) for layer in given]
         materials: list[Any] = [layer.material for layer in stacked]
         h = [layer.thickness for layer in stacked]
         if not is_elastic(*materials, below):
@@ -56,18 +56,30 @@ class Layered(UnderModel):
             created = stack(stacked, below, chosen.native)
         self._own_with(created, chosen.given, layers=given, substrate=substrate, model=model)
 
+    def _constants(self) -> dict[str, Any]:
+        return {**super()._constants(), "layers": tuple(map(_as_layer, self.layers))}
+
+    def _rebuilt(self, constants: dict[str, Any]) -> Layered:
+        pairs = [isinstance(old, tuple) and new._is_plain() for old, new in zip(self.layers, constants["layers"], strict=True)]
+        layers = [tuple(new) if pair else new for pair, new in zip(pairs, constants.pop("layers"), strict=True)]
+        return super()._rebuilt({**constants, "layers": layers})
+
     def wrinkling(self, layer: int = 0) -> Wrinkling:
         """The compression of one layer at which the surface wrinkles, and the wavelength: `.stress` < 0 [modulus] and `.wavelength`
         [length]. All else stays as it is; the layer's own prestress is not used. docs/coatings.md
 
         layer : number of the layer from the surface down, 0 the first
         """
-        stacked = [part if isinstance(part, Layer) else Layer(*part) for part in self.layers]
+        stacked = [_as_layer(part) for part in self.layers]
         if isinstance(layer, bool) or not isinstance(layer, int) or not 0 <= layer < len(stacked):
             raise InvalidArgumentError(f"layer = {layer!r} is not allowed: it must be an integer from 0 to {len(stacked) - 1}")
         if not is_elastic(*(part.material for part in stacked), self.substrate):
             raise InvalidArgumentError("wrinkling of a body that relaxes is not known: take the elastic body of one of its limits")
         return wrinkling(stacked, self.substrate, layer)
+
+
+def _as_layer(part: Layer | tuple[Material, float]) -> Layer:
+    return part if isinstance(part, Layer) else Layer(*part)
 
 
 def _layers(layers: Iterable[Layer | tuple[Material, float]]) -> tuple[Layer | tuple[Material, float], ...]:

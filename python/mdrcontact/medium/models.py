@@ -112,6 +112,19 @@ class UnderModel(Medium):
         body = {name: value for name, value in self._given().items() if name not in dict(self.options)}
         return type(self)(**{**body, "model": model, **options})
 
+    def _constants(self) -> dict[str, Any]:
+        """Those of the body, and the constant of its model; other options choose how the body is solved."""
+        model = MODELS[self.model]
+        given = {name: value for name, value in super()._given().items() if name not in ("model", "options")}
+        options = dict(self.options)
+        return {**given, model.constant: float(options.get(model.constant, model.default_constant))} if model.constant else given
+
+    def _rebuilt(self: Self, constants: dict[str, Any]) -> Self:
+        model = MODELS[self.model]
+        if model.constant not in dict(self.options) and constants.get(model.constant) == model.default_constant:
+            del constants[model.constant]
+        return super()._rebuilt(constants)
+
     def _tolerance(self) -> float:
         return float(dict(self.options).get("tolerance", 0.0))
 

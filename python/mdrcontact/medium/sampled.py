@@ -24,6 +24,8 @@ class TabulatedMedium(Medium):
     moduli : E_eff there, > 0 [modulus]; interpolated in ln a without overshoot
     """
 
+    _is_table = True
+
     a: tuple[float, ...]
     moduli: tuple[float, ...]
 
@@ -45,6 +47,8 @@ class CallableMedium(Medium):
 
     Pickles if the function does (a function of a module does, a lambda does not).
     """
+
+    _is_table = True
 
     function: Callable[[float], float]
     smallest_radius: float

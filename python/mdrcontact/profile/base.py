@@ -10,12 +10,12 @@ from numpy.typing import ArrayLike
 
 from .. import _native
 from .._boundary import FloatOrArray, Handle, evaluate
-from .._value import Value
+from .._parameters import WithParameters
 from ..errors import ArgumentTypeError, InvalidArgumentError
 
 
 @dataclass(frozen=True)
-class Profile(Value):
+class Profile(WithParameters):
     """A rigid axisymmetric indenter: its profile f(r), f(0) = 0, and its one-dimensional profile g(x), equation (3).
 
     Lengths are in the unit of length of the whole problem. Profiles add: `Cone(...) + Paraboloid(...)`. They never change and may

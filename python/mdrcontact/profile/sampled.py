@@ -31,6 +31,8 @@ class TabulatedProfile(Profile):
     f : heights, f[0] = 0, same length [length]
     """
 
+    _is_table = True
+
     r: tuple[float, ...]
     f: tuple[float, ...]
 
@@ -46,6 +48,8 @@ class TabulatedMDRProfile(Profile):
     x : positions, x[0] = 0, ascending, at least 3 [length]
     g : values, g[0] = 0, same length [length]
     """
+
+    _is_table = True
 
     x: tuple[float, ...]
     g: tuple[float, ...]
@@ -68,6 +72,8 @@ class CallableProfile(Profile):
 
     Pickles if f does (a function of a module does, a lambda does not).
     """
+
+    _is_table = True
 
     f: Callable[[float], float]
     r_max: float

@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import Any, ClassVar
 
 from numpy.typing import ArrayLike
 
@@ -73,3 +73,9 @@ class AreaFunction(Profile):
             max_height=max_height,
             min_height=min_height,
         )
+
+    def _constants(self) -> dict[str, Any]:
+        return {f"C{i}": value for i, value in enumerate(self.coefficients)}
+
+    def _rebuilt(self, constants: dict[str, Any]) -> AreaFunction:
+        return self.replace(coefficients=tuple(constants.values()))
