@@ -389,6 +389,12 @@ typedef struct mdr_medium_options {
     double tolerance;     /**< Exact: relative tolerance, 1e-12 to 1e-2; default 1e-10. */
     double exponent;      /**< Gao's power mean: p, -1 (series) to 1 (parallel), 0 for the logarithm's; default -0.65. */
     int exponent_is_given; /**< Not 0: an exponent of 0 is meant. */
+    double surface_tension; /**< Exact: tau of the surface, 1/C + tau k^2 + B k^4 in place of 1/C(k): the tension of a gel; > 0, or with a
+                                 plate greater than 0.95 times the one under which it wrinkles [modulus length]; default 0. */
+    double surface_bending; /**< Exact: B >= 0 of a plate that slides on the surface [modulus length^3]; default 0. Coated and
+                                 layered elastic bodies take both, a homogeneous one by mdr_medium_stack() with n = 0. Their contacts
+                                 answer states, adhesion, fields of the surface and laws, to 1e-9 (cones 1e-8); friction, stresses
+                                 inside, energies and pairs return MDR_EINVALID. */
 } mdr_medium_options;
 
 /** Homogeneous half-space of one material, equations (1)-(8); E_eff = E/(1 - nu^2).
@@ -1237,7 +1243,8 @@ enum mdr_warning {
     MDR_WARNING_COMPRESSION = 4, /**< Layers are compressed by more than half of their thickness: a depth beyond that on a rigid base, and
                                       on an elastic one the depth less F/(a E1*), the most by which the base gives way. */
     MDR_WARNING_CONTRAST = 8,    /**< Young's moduli of one contact are 1e9 apart or more, as GPa beside Pa. */
-    MDR_WARNING_SHORT_ZONE = 16  /**< The zone of a cohesive stress is too short to change a digit: adhesion without a range. */
+    MDR_WARNING_SHORT_ZONE = 16, /**< The zone of a cohesive stress is too short to change a digit: adhesion without a range. */
+    MDR_WARNING_WETTING = 32     /**< Work of adhesion above 0.05 of the surface tension: the contact angle is not small. */
 };
 
 /** Doubts about the numbers of a state.

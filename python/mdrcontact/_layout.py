@@ -38,6 +38,8 @@ medium_options = np.dtype(
         ("tolerance", np.float64),
         ("exponent", np.float64),
         ("exponent_is_given", np.intc),
+        ("surface_tension", np.float64),
+        ("surface_bending", np.float64),
     ],
     align=True,
 )
@@ -485,6 +487,7 @@ WARNING_PRESSURE = 2
 WARNING_COMPRESSION = 4
 WARNING_CONTRAST = 8
 WARNING_SHORT_ZONE = 16
+WARNING_WETTING = 32
 
 BODY_LOWER = 1
 BODY_UPPER = 2

@@ -53,6 +53,7 @@ _WARNINGS = {
     _layout.WARNING_COMPRESSION: LargeStrainWarning,
     _layout.WARNING_CONTRAST: UnitsWarning,
     _layout.WARNING_SHORT_ZONE: ShortZoneWarning,
+    _layout.WARNING_WETTING: LargeStrainWarning,
 }
 """Doubts about a state, in the order of the library's sentences."""
 _BODIES = {"lower": 0, "upper": 1}

@@ -90,6 +90,8 @@ def _parts(medium: Any) -> tuple[list[tuple[Elastic, float]], Any, list[str]]:
         raise InvalidArgumentError(
             f"{type(medium).__name__} is not allowed: derivatives are known of Homogeneous, Coated and Layered"
         )
+    if medium.surface is not None:
+        raise InvalidArgumentError("surface is not allowed: derivatives are known of bodies without tension or plate")
     if getattr(medium, "model", "exact") != "exact":
         raise InvalidArgumentError(f"model = {medium.model!r} is not allowed: derivatives are known of the model 'exact'")
     if not is_bonded(medium):

@@ -8,6 +8,7 @@ module mdrcontact_medium
     use mdrcontact_medium_solver, only: solver_t
     use mdrcontact_medium_viscoelastic, only: viscoelastic_t
     use mdrcontact_model, only: model_options_t, new_solver
+    use mdrcontact_tension_surface, only: surface_t
     implicit none (type, external)
     private
     public :: medium_t, new_medium, new_pair, refuse_states
@@ -33,7 +34,7 @@ module mdrcontact_medium
 contains
 
     !> A body under a model.
-    subroutine new_medium(self, body, model, error, options, shared)
+    subroutine new_medium(self, body, model, error, options, shared, surface)
         type(medium_t), intent(out) :: self
         class(body_t), intent(in) :: body
         !> one of models%...
@@ -43,8 +44,10 @@ contains
         type(model_options_t), intent(in), optional :: options
         !> what exact media made one after the other have in common
         type(layered_shared_t), intent(inout), optional :: shared
+        !> tension and plate of its surface; default none
+        type(surface_t), intent(in), optional :: surface
 
-        call new_solver(self%solver, body, model, error, options, shared)
+        call new_solver(self%solver, body, model, error, options, shared, surface)
     end subroutine new_medium
 
     !> The medium of two bodies, of which a relaxing one may be the lower of a rigid upper one.

@@ -23,7 +23,9 @@ module mdrcontact_model
     use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous
     use mdrcontact_medium_mencik, only: mencik_t, new_mencik
     use mdrcontact_medium_perriot_barthel, only: new_perriot_barthel, perriot_barthel_t
+    use mdrcontact_medium_springless, only: new_springless, springless_t
     use mdrcontact_medium_wave, only: new_wave, wave_t
+    use mdrcontact_tension_surface, only: is_bare, surface_t
     implicit none (type, external)
     private
     public :: models, model_table, new_solver, find_model, model_position
@@ -152,7 +154,7 @@ contains
     end function with_constant
 
     !> A body under a model. The medium keeps the body.
-    subroutine new_solver(medium, body, model, error, options, shared)
+    subroutine new_solver(medium, body, model, error, options, shared, surface)
         class(solver_t), allocatable, intent(out) :: medium
         class(body_t), intent(in) :: body
         !> one of models%...
@@ -162,12 +164,20 @@ contains
         type(model_options_t), intent(in), optional :: options
         !> what exact media made one after the other have in common
         type(layered_shared_t), intent(inout), optional :: shared
+        !> tension and plate of its surface; default none
+        type(surface_t), intent(in), optional :: surface
         type(model_options_t) :: chosen
         type(layered_exact_t), allocatable :: exact
 
         if (present(options)) chosen = options
         call check_model(body, model, error)
         if (allocated(error)) return
+        if (present(surface)) then
+            if (.not. is_bare(surface)) then
+                call new_sheeted(medium, body, model, surface, error, shared)
+                return
+            end if
+        end if
         if (model == models%exact) then
             allocate (exact)
             call new_layered_exact(exact, body, error, chosen%tolerance, shared)
@@ -182,6 +192,27 @@ contains
         if (allocated(error) .or. .not. allocated(medium)) return
         if (.not. allocated(medium%pressed)) call body%copy_to(medium%pressed, error)
     end subroutine new_solver
+
+    !> A body under a surface with tension or a plate, solved exactly.
+    subroutine new_sheeted(medium, body, model, surface, error, shared)
+        class(solver_t), allocatable, intent(out) :: medium
+        class(body_t), intent(in) :: body
+        integer, intent(in) :: model
+        type(surface_t), intent(in) :: surface
+        type(error_t), allocatable, intent(inout) :: error
+        type(layered_shared_t), intent(inout), optional :: shared
+        type(springless_t), allocatable :: springless
+
+        if (model /= models%exact) then
+            call refuse(model, " for a surface with tension or a plate", model_table%code == models%exact, error)
+        else if (body%is_graded) then
+            call raise(error, error_invalid, "a surface with tension or a plate is not allowed on a graded body: use layers")
+        end if
+        if (allocated(error)) return
+        allocate (springless)
+        call new_springless(springless, body, surface, error, shared)
+        call move_alloc(springless, medium)
+    end subroutine new_sheeted
 
     !> Raises unless the model exists and knows this kind of body.
     pure subroutine check_model(body, model, error)

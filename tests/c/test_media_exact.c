@@ -40,6 +40,36 @@ static void rigid_base(void)
     CHECK_SUCCESS(mdr_medium_free(&m));
 }
 
+/* A flat punch on a surface with tension, l = 2 tau/E* = 10 a (theory_surfaces 6); what such a surface does not take. */
+static void surface_with_tension(void)
+{
+    const double a = 1.0, bad[4] = {-1.0, NAN, INFINITY, -INFINITY};
+    double found;
+    mdr_medium *m = NULL;
+    mdr_medium_options options = MDR_SIZED(mdr_medium_options);
+    mdr_material *gel = NULL;
+
+    options.surface_tension = 5.0;
+    CHECK_SUCCESS(mdr_medium_coated(0.75, 0.5, 1.0, 0.75, 0.5, MDR_MODEL_EXACT, &options, &m));
+    CHECK_SUCCESS(mdr_medium_stiffness(m, 1, &a, &found));
+    CHECK_CLOSE(found, 12.4154001386, 1e-10);
+    CHECK_STATUS(mdr_medium_tangential_modulus(m, 1, &a, &found), MDR_EINVALID, "surface with tension");
+    CHECK_SUCCESS(mdr_medium_free(&m));
+    CHECK_STATUS(mdr_medium_coated(0.75, 0.5, 1.0, 0.75, 0.5, MDR_MODEL_GAO, &options, &m), MDR_EINVALID, "exact");
+    CHECK_SUCCESS(mdr_material_elastic(0.75, 0.5, &gel));
+    CHECK_STATUS(mdr_medium_viscoelastic(0, NULL, NULL, gel, MDR_MODEL_EXACT, &options, &m), MDR_EINVALID, "surface_tension");
+    CHECK_SUCCESS(mdr_material_free(&gel));
+    for (int i = 0; i < 4; i++) {
+        options.surface_tension = bad[i];
+        CHECK_STATUS(mdr_medium_coated(0.75, 0.5, 1.0, 0.75, 0.5, MDR_MODEL_EXACT, &options, &m), MDR_EINVALID, "tension");
+        options.surface_tension = 0.5;
+        options.surface_bending = bad[i];
+        CHECK_STATUS(mdr_medium_coated(0.75, 0.5, 1.0, 0.75, 0.5, MDR_MODEL_EXACT, &options, &m), MDR_EINVALID, "bending");
+        options.surface_bending = 0.0;
+    }
+    CHECK_TRUE(m == NULL);
+}
+
 static void degenerate_stacks(void)
 {
     const double E[2] = {2.0, 2.0}, nu[2] = {0.3, 0.3}, h[2] = {0.1, 0.2}, a[3] = {0.01, 0.3, 2.0};
@@ -220,6 +250,7 @@ int main(void)
     graded_bodies();
     one_material();
     rigid_base();
+    surface_with_tension();
     degenerate_stacks();
     depth_of_first_touch();
     exact_zeta_of_a_model();

@@ -12,7 +12,7 @@ ORDER = [
     {"profile"},
     {"material"},
     {"body"},
-    {"line", "layered", "poroelastic"},
+    {"line", "layered", "poroelastic", "tension"},
     {"medium", "model", "weights"},
     {"contact"},
     {"inside", "field"},

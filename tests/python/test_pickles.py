@@ -202,6 +202,7 @@ def bodies():
         mdr.RIGID,
         mdr.SMOOTH,
         *coatings(),
+        mdr.Surface(0.03),
         *every_profile(),
         *every_medium(),
     ]

@@ -231,12 +231,18 @@ def of_medium(medium: Any) -> MediumNumbers:
     if isinstance(medium, (media.Coated, media.Layered)):
         return _stack(medium)
     if isinstance(medium, media.Homogeneous):
-        return MediumNumbers(_numbers(1, medium, ["E", "nu"]), medium)
+        options = settings("exact", {}, surface=medium.surface).record
+        return MediumNumbers(_numbers(1, medium, ["E", "nu", *_of_surface(medium)]), medium, options=options)
     if isinstance(medium, media.PowerLawGraded):
         return MediumNumbers(_numbers(4, medium, ["E0", "z0", "exponent", "nu"]), medium)
     if isinstance(medium, media.Graded) and isinstance(medium.E, tuple):
         return _graded(medium)
     return MediumNumbers(_numbers(0, medium), medium)
+
+
+def _of_surface(medium: Any) -> list[str]:
+    """Names of the numbers of its surface."""
+    return [] if medium.surface is None else ["surface.tension", "surface.bending"]
 
 
 def _two_bodies(lower: MediumNumbers, upper: MediumNumbers) -> MediumNumbers:
@@ -273,17 +279,19 @@ def _graded(medium: Any) -> MediumNumbers:
 
 
 def _stack(medium: Any) -> MediumNumbers:
-    chosen, constant = settings(medium.model, dict(medium.options)), MODELS[medium.model].constant
+    chosen = settings(medium.model, dict(medium.options), surface=medium.surface)
+    constant = MODELS[medium.model].constant
     parts = ["coating."] if isinstance(medium, media.Coated) else [f"layers[{i}]." for i in range(len(medium.layers))]
     names = [part + name for part in parts for name in ("E", "nu", "thickness")]
     if isinstance(medium, media.Coated):
         names[-1] = "thickness"
     below = [] if medium.substrate is RIGID else ["substrate.E", "substrate.nu"]
-    numbers = _numbers(2, medium, [*names, *below, *([constant] if constant else [])])
-    n = len(names)
+    surface = _of_surface(medium)
+    numbers = _numbers(2, medium, [*names, *below, *([constant] if constant else []), *surface])
+    n, m = len(names), len(numbers.names) - len(surface)
     # a rigid base is one of infinite E, and a model without a constant has one that is not used
-    rest = [*base(medium.substrate), numbers.values[-1] if constant else 1.0]
-    all_names = [*names, *(below or ["", ""]), constant]
+    rest = [*base(medium.substrate), numbers.values[m - 1] if constant else 1.0, *numbers.values[m:]]
+    all_names = [*names, *(below or ["", ""]), constant, *surface]
     given = [i for i, name in enumerate(all_names) if name]
     build = numbers.build
     numbers = Numbers(2, all_names, [*numbers.values[:n], *rest], lambda v: build([v[i] for i in given]))

@@ -8,6 +8,7 @@ import re
 
 from ..problem.units import (
     ANGLE,
+    BENDING,
     COMPLIANCE,
     FORCE,
     FREQUENCY,
@@ -15,6 +16,7 @@ from ..problem.units import (
     MODULUS,
     RATIO,
     STIFFNESS,
+    SURFACE_TENSION,
     TIME,
     VISCOSITY,
     WORK_OF_ADHESION,
@@ -53,6 +55,8 @@ _WORDS = {
     "stiffness_factor": "beta of the stiffness",
     "area_factor": "true over assumed contact area",
     "cohesive_stress": "cohesive stress",
+    "surface.tension": "surface tension tau",
+    "surface.bending": "bending stiffness B of the surface",
 }
 _LAYER_WORDS = {"E": "modulus E", "nu": "Poisson's ratio nu", "thickness": "thickness h"}
 _DATA = {
@@ -110,6 +114,8 @@ def dimension_of(name: str) -> Dimension:
         "force_offset": FORCE,
         "work_of_adhesion": WORK_OF_ADHESION,
         "frame_compliance": COMPLIANCE,
+        "tension": SURFACE_TENSION,
+        "bending": BENDING,
     }
     return others.get(last, RATIO)
 

@@ -9,6 +9,7 @@ from .layer import Layer, Wrinkling
 from .layered import Layered
 from .pair import Pair
 from .sampled import CallableMedium, TabulatedMedium
+from .surface import Surface
 
 __all__ = [
     "Medium",
@@ -22,4 +23,5 @@ __all__ = [
     "TabulatedMedium",
     "CallableMedium",
     "Pair",
+    "Surface",
 ]

@@ -32,6 +32,10 @@ class Medium(WithParameters):
         """Takes over what a compiled constructor returned, and the fields as they were understood."""
         self._set(_handle=Handle(created, _native.medium_free), **values)
 
+    def _given(self) -> dict[str, Any]:
+        """Without a surface that adds nothing."""
+        return {name: value for name, value in super()._given().items() if name != "surface" or value is not None}
+
     def _tolerance(self) -> float:
         """The tolerance that was given for its solution, 0 where none was."""
         return 0.0

@@ -14,6 +14,7 @@ from ..material import RIGID, Material, _Rigid, material
 from ..poroelastic import NoHandle, Poroelastic, check_body
 from .layer import Layer, is_plain, stack
 from .models import MODELS, UnderModel, settings
+from .surface import Surface, given_surface
 from .viscoelastic import is_elastic, viscoelastic
 
 
@@ -53,6 +54,8 @@ class Coated(UnderModel):
                                                 Dimitriadis et al. 2002, Garcia, Garcia 2018
         "exact"                                 options: tolerance = 1e-10, relative, 1e-12 to 1e-2
 
+    surface : Surface(tension, bending) of elastic materials under the model "exact", None for a bare one
+
     The indenter is rigid; for a deformable one see `Pair`.
     """
 
@@ -61,6 +64,7 @@ class Coated(UnderModel):
     substrate: Material | _Rigid
     model: str
     options: tuple[tuple[str, float | str], ...]
+    surface: Surface | None
 
     def __init__(
         self,
@@ -68,13 +72,18 @@ class Coated(UnderModel):
         thickness: float,
         substrate: Material | _Rigid,
         model: str = "exact",
+        *,
+        surface: Surface | None = None,
         **options: float | str,
     ) -> None:
-        thickness, chosen = number("thickness", thickness), settings(model, options)
+        surface = given_surface(surface, elastic=is_elastic(coating, substrate))
+        thickness, chosen = number("thickness", thickness), settings(model, options, surface=surface)
         if check_body(coating, substrate, model, options, RIGID):
             if not 0.0 < thickness < math.inf:
                 raise InvalidArgumentError(f"thickness = {thickness!r} is not allowed: it must be finite and greater than 0")
-            self._set(_handle=NoHandle(), coating=coating, thickness=thickness, substrate=substrate, model=model, options=())
+            self._set(
+                _handle=NoHandle(), coating=coating, thickness=thickness, substrate=substrate, model=model, options=(), surface=None
+            )
             return
         film = material("coating", coating)
         below = substrate_material(substrate)
@@ -85,7 +94,7 @@ class Coated(UnderModel):
             created = _native.medium_coated(film.E, film.nu, thickness, *base(below), *chosen.native)
         else:
             created = viscoelastic([film], [thickness], below, chosen.native)
-        self._own_with(created, chosen.given, coating=film, thickness=thickness, substrate=substrate, model=model)
+        self._own_with(created, chosen.given, coating=film, thickness=thickness, substrate=substrate, model=model, surface=surface)
 
     @staticmethod
     def models() -> tuple[str, ...]:

@@ -11,6 +11,8 @@ from ..material import Elastic, Material, TransverselyIsotropic, material
 from ..poroelastic import NoHandle, Poroelastic
 from .base import Medium
 from .layer import stack
+from .models import settings
+from .surface import Surface, given_surface
 from .viscoelastic import is_elastic, viscoelastic
 
 
@@ -21,21 +23,30 @@ def elastic(name: str, value: object) -> Elastic:
     return value
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Homogeneous(Medium):
     """A homogeneous half-space of one material: Elastic(E, nu), TransverselyIsotropic(...), Viscoelastic(...),
     PowerLawRheology(...) or Poroelastic(...). The indenter is rigid; for a deformable one see `Pair`. A contact with a viscoelastic
     or poroelastic body answers in time only.
+
+    surface : Surface(tension, bending) of an elastic body, None for a bare one
     """
 
     material: Material | Poroelastic
+    surface: Surface | None = None
 
     def __post_init__(self) -> None:
         if isinstance(self.material, Poroelastic):
-            self._set(_handle=NoHandle())
+            self._set(_handle=NoHandle(), surface=given_surface(self.surface, elastic=False))
             return
         body = material("material", self.material)
-        if isinstance(body, TransverselyIsotropic):
-            self._own(stack([], body))
-            return
-        self._own(_native.medium_homogeneous(body.E, body.nu) if is_elastic(body) else viscoelastic([], [], body))
+        surface = given_surface(self.surface, elastic=is_elastic(body))
+        if surface is not None or isinstance(body, TransverselyIsotropic):
+            chosen = settings("exact", {}, surface=surface)
+            created = stack([], body, chosen.native)
+        else:
+            created = _native.medium_homogeneous(body.E, body.nu) if is_elastic(body) else viscoelastic([], [], body)
+        self._own(created, surface=surface)
+
+    def __repr__(self) -> str:
+        return f"Homogeneous({', '.join(f'{name}={value!r}' for name, value in self._given().items())})"

@@ -14,6 +14,7 @@ from ..material import Material, _Rigid, material
 from .coated import base, substrate_material
 from .layer import Layer, Wrinkling, is_plain, stack, wrinkling
 from .models import UnderModel, settings
+from .surface import Surface, given_surface
 from .viscoelastic import is_elastic, viscoelastic
 
 
@@ -26,21 +27,28 @@ class Layered(UnderModel):
         with a stress in its plane, or springs or sliding below it
     substrate : likewise a material; RIGID, or SMOOTH without friction, for the model "exact"
     model : "exact" (default), "gao", "gao-series" or "gao-power"; options as for `Coated`
+    surface : Surface(tension, bending) of elastic materials under the model "exact", None for a bare one
     """
 
     layers: tuple[Layer | tuple[Material, float], ...]
     substrate: Material | _Rigid
     model: str
     options: tuple[tuple[str, float | str], ...]
+    surface: Surface | None
 
     def __init__(
         self,
         layers: Iterable[Layer | tuple[Material, float]],
         substrate: Material | _Rigid,
         model: str = "exact",
+        *,
+        surface: Surface | None = None,
         **options: float | str,
     ) -> None:
-        given, chosen = _layers(layers), settings(model, options, layers=True)
+        given = _layers(layers)
+        elastic = is_elastic(*(layer.material if isinstance(layer, Layer) else layer[0] for layer in given), substrate)
+        surface = given_surface(surface, elastic=elastic)
+        chosen = settings(model, options, layers=True, surface=surface)
         below = substrate_material(substrate)
         stacked = [_as_layer(layer) for layer in given]
         materials: list[Any] = [layer.material for layer in stacked]
@@ -54,7 +62,7 @@ class Layered(UnderModel):
             created = _native.medium_layered(E, nu, h, *base(below), *chosen.native)
         else:
             created = stack(stacked, below, chosen.native)
-        self._own_with(created, chosen.given, layers=given, substrate=substrate, model=model)
+        self._own_with(created, chosen.given, layers=given, substrate=substrate, model=model, surface=surface)
 
     def _constants(self) -> dict[str, Any]:
         return {**super()._constants(), "layers": tuple(map(_as_layer, self.layers))}

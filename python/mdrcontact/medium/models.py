@@ -14,6 +14,7 @@ from .._boundary import address, not_zero, number, record
 from .._choices import nearest
 from ..errors import InvalidArgumentError
 from .base import Medium
+from .surface import Surface, write_surface
 
 Self = TypeVar("Self", bound="UnderModel")
 
@@ -67,12 +68,15 @@ class Settings(NamedTuple):
         return self.code, address(self.record)
 
 
-def settings(model: str, options: Mapping[str, Any], *, layers: bool = False, graded: bool = False) -> Settings:
+def settings(
+    model: str, options: Mapping[str, Any], *, layers: bool = False, graded: bool = False, surface: Surface | None = None
+) -> Settings:
     """Checks a model's name and its options; wrong names are answered with the nearest right one."""
     known = {name: row for name, row in MODELS.items() if row.layers >= layers and row.graded >= graded}
     if not isinstance(model, str) or model not in known:
         raise InvalidArgumentError(f"model = {model!r} is not allowed: {nearest(str(model), known)}")
     values = record(_layout.medium_options)
+    write_surface(surface, values)
     given: dict[str, float | str] = {}
     for name, value in options.items():
         if name not in known[model].options:

@@ -14,7 +14,18 @@ from ..medium.models import MODELS, OPTIONS
 from ..poroelastic import Poroelastic
 from .conductor import CONDUCTING, read_conductor
 from .section import ProblemError, Section
-from .units import AREA, DIFFUSIVITY, LENGTH, MODULUS, MODULUS_PER_LENGTH, TIME, VISCOSITY, Dimension
+from .units import (
+    AREA,
+    BENDING,
+    DIFFUSIVITY,
+    LENGTH,
+    MODULUS,
+    MODULUS_PER_LENGTH,
+    SURFACE_TENSION,
+    TIME,
+    VISCOSITY,
+    Dimension,
+)
 
 MATERIAL: Mapping[str, Dimension | None] = {
     "E": MODULUS,
@@ -41,6 +52,7 @@ _PRONY = ("relaxed_shear_modulus", "moduli", "times", "nu", "bulk_modulus", "vis
 _GEL = ("shear_modulus", "nu", "diffusivity")
 _GEL_BY_FLOW = ("shear_modulus", "nu", "permeability", "viscosity")
 _POWER_LAW = ("modulus", "time", "exponent", "nu")
+_SURFACE: Mapping[str, Dimension | None] = {"surface_tension": SURFACE_TENSION, "surface_bending": BENDING}
 _STIFFNESSES = ("C11", "C12", "C13", "C33", "C44")
 _ENGINEERING = ("E_t", "E_z", "nu_t", "nu_tz", "G_z")
 _PLACE: Mapping[str, Dimension | None] = {"thickness": LENGTH, "prestress": MODULUS, "interface": None}
@@ -54,6 +66,7 @@ KNOWN: Mapping[str, Dimension | None] = {
     "type": None,
     "model": None,
     **dict.fromkeys((*_MATERIALS, *OPTIONS)),
+    **_SURFACE,
     "z": LENGTH,
     "E0": MODULUS,
     "z0": LENGTH,
@@ -152,22 +165,28 @@ def _interface(section: Section) -> Interface:
         return Interface(**given)
 
 
+def _surface(section: Section) -> medium.Surface | None:
+    given = {key.removeprefix("surface_"): section.quantity(key) for key in _SURFACE if key in section}
+    return medium.Surface(**given) if given else None
+
+
 def _homogeneous(section: Section) -> medium.Medium:
-    return medium.Homogeneous(_named_or_table(section, "material"))
+    return medium.Homogeneous(_named_or_table(section, "material"), _surface(section))
 
 
 def _coated(section: Section) -> medium.Medium:
     film = _film(section.child("coating", _FILM))
     model, options = _model(section)
+    surface = _surface(section)
     if isinstance(film, medium.Layer):
-        return medium.Layered([film], _substrate(section), model, **options)
-    return medium.Coated(*film, _substrate(section), model, **options)
+        return medium.Layered([film], _substrate(section), model, surface=surface, **options)
+    return medium.Coated(*film, _substrate(section), model, surface=surface, **options)
 
 
 def _layered(section: Section) -> medium.Medium:
     layers = [_film(layer) for layer in section.children("layer", _FILM)]
     model, options = _model(section)
-    return medium.Layered(layers, _substrate(section), model, **options)
+    return medium.Layered(layers, _substrate(section), model, surface=_surface(section), **options)
 
 
 def _graded(section: Section) -> medium.Medium:
@@ -185,12 +204,12 @@ def _table(section: Section) -> medium.Medium:
 
 
 _TYPES: Mapping[str, tuple[tuple[str, ...], Callable[[Section], medium.Medium]]] = {
-    "coated": (("coating", "substrate", "model", *OPTIONS), _coated),
-    "layered": (("layer", "substrate", "model", *OPTIONS), _layered),
+    "coated": (("coating", "substrate", "model", *_SURFACE, *OPTIONS), _coated),
+    "layered": (("layer", "substrate", "model", *_SURFACE, *OPTIONS), _layered),
     "graded": (("z", "E", "nu", "model", *OPTIONS), _graded),
     "power-law-graded": (("E0", "z0", "exponent", "nu"), _power_law_graded),
     "table": (("a", "moduli"), _table),
-    "homogeneous": (("material",), _homogeneous),
+    "homogeneous": (("material", *_SURFACE), _homogeneous),
 }
 
 

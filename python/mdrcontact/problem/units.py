@@ -44,6 +44,10 @@ STIFFNESS = Dimension("a stiffness", "N/m", "50 kN/m", (("uN/m", 1e-6), ("mN/m",
 WORK_OF_ADHESION = Dimension(
     "a work of adhesion", "J/m^2", "50 mJ/m^2", (("uJ/m^2", 1e-6), ("mJ/m^2", 1e-3), ("J/m^2", 1.0)), ("N/m",)
 )
+SURFACE_TENSION = Dimension("a surface tension", "N/m", "30 mN/m", (("uN/m", 1e-6), ("mN/m", 1e-3), ("N/m", 1.0)), ("J/m^2",))
+BENDING = Dimension(
+    "a bending stiffness", "N*m", "1 nN*m", (("fN*m", 1e-15), ("pN*m", 1e-12), ("nN*m", 1e-9), ("uN*m", 1e-6), ("N*m", 1.0)), ("J",)
+)
 COMPLIANCE = Dimension("a compliance", "m/N", "0.5 nm/mN", (("nm/N", 1e-9), ("nm/mN", 1e-6), ("m/N", 1.0)), ("um/N",))
 ENERGY = Dimension(
     "an energy", "J", "1 fJ", (("aJ", 1e-18), ("fJ", 1e-15), ("pJ", 1e-12), ("nJ", 1e-9), ("uJ", 1e-6), ("mJ", 1e-3), ("J", 1.0))

@@ -5,7 +5,7 @@ module mdrcontact_api_fit_problem
                                            c_size_t, c_sizeof
     use mdrcontact_api_arrays, only: check_count, make_room
     use mdrcontact_api_handles, only: open_handle
-    use mdrcontact_api_medium_options, only: read_medium_options
+    use mdrcontact_api_medium_options, only: read_medium_options, read_surface
     use mdrcontact_api_options, only: read_options
     use mdrcontact_api_status, only: check_given, status_of
     use mdrcontact_error, only: check_count_from, check_count_within, check_memory, count_text, error_invalid, error_t, raise
@@ -15,6 +15,7 @@ module mdrcontact_api_fit_problem
     use mdrcontact_medium, only: medium_t
     use mdrcontact_model, only: models
     use mdrcontact_profile, only: profile_t
+    use mdrcontact_tension_surface, only: is_bare, surface_t
     implicit none (type, external)
     private
     public :: read_problem, read_data
@@ -127,9 +128,12 @@ contains
         type(c_ptr), intent(in) :: options
         type(medium_choice_t), intent(out) :: choice
         type(error_t), allocatable, intent(inout) :: error
+        type(surface_t) :: surface
 
         call check_count_within(error, name, merge(1, int(layers), layers == 0), 1, most_layers)
         call read_medium_options(error, options, choice%options)
+        call read_surface(error, options, surface)
+        choice%has_surface = .not. is_bare(surface)
         choice%kind = int(kind)
         choice%model = int(model)
         if (model == 0 .and. model_is_given == 0) choice%model = models%exact

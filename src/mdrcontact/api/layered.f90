@@ -7,7 +7,7 @@ module mdrcontact_api_layered
     use mdrcontact_api_arrays, only: check_array, check_count, check_each_positive, check_not_empty
     use mdrcontact_api_callback, only: c_function_t, new_c_function
     use mdrcontact_api_handles, only: deliver_solver, hand_over_solver
-    use mdrcontact_api_medium_options, only: read_medium_options
+    use mdrcontact_api_medium_options, only: read_medium_options, read_surface
     use mdrcontact_api_options, only: read_options
     use mdrcontact_api_status, only: check_given, status_of
     use mdrcontact_body, only: body_t
@@ -23,6 +23,7 @@ module mdrcontact_api_layered
     use mdrcontact_medium_solver, only: solver_t
     use mdrcontact_medium_power_graded, only: new_power_graded, power_graded_t
     use mdrcontact_model, only: model_options_t, new_solver
+    use mdrcontact_tension_surface, only: is_bare, surface_t
     implicit none (type, external)
     private
     public :: mdr_layers_wrinkling
@@ -90,10 +91,12 @@ contains
         type(layers_t) :: layered
         type(homogeneous_t) :: half_space
         type(stack_t) :: body
+        type(surface_t) :: surface
         type(error_t), allocatable :: error
 
         call read_layers(error, n, layers, substrate, layered)
-        if (.not. allocated(error) .and. n == 0 .and. .not. layered%rigid_base) then
+        call read_surface(error, options, surface)
+        if (.not. allocated(error) .and. n == 0 .and. .not. layered%rigid_base .and. is_bare(surface)) then
             if (.not. layered%materials(1)%is_plain) then
                 call new_homogeneous(half_space, layered%materials(1))
                 status = deliver_solver(half_space, out, error)
@@ -258,9 +261,11 @@ contains
         integer(c_int) :: status
         class(solver_t), allocatable :: medium
         type(model_options_t) :: chosen
+        type(surface_t) :: surface
 
         call read_medium_options(error, options, chosen)
-        if (.not. allocated(error)) call new_solver(medium, body, int(model), error, chosen)
+        call read_surface(error, options, surface)
+        if (.not. allocated(error)) call new_solver(medium, body, int(model), error, chosen, surface=surface)
         status = hand_over_solver(medium, out, error)
     end function deliver_model
 

@@ -5,7 +5,7 @@ module mdrcontact_api_material
     use mdrcontact_api_arrays, only: check_array, check_complex_arrays, check_count, check_each_positive, check_in_out, &
                                      check_results, deliver_parts, make_room
     use mdrcontact_api_handles, only: deliver, hand_over, open_handle
-    use mdrcontact_api_medium_options, only: read_medium_options
+    use mdrcontact_api_medium_options, only: read_medium_options, read_surface
     use mdrcontact_api_status, only: check_given, status_of
     use mdrcontact_error, only: check_choice, check_memory, check_not_negative, error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
@@ -14,6 +14,7 @@ module mdrcontact_api_material
     use mdrcontact_medium, only: medium_t
     use mdrcontact_medium_viscoelastic, only: new_viscoelastic_medium
     use mdrcontact_model, only: model_options_t
+    use mdrcontact_tension_surface, only: is_bare, surface_t
     implicit none (type, external)
     private
     public :: mdr_material_elastic, mdr_material_viscoelastic, mdr_material_power_law
@@ -190,6 +191,7 @@ contains
         type(rheology_t), allocatable :: stack(:)
         type(rheology_t), pointer :: material
         type(model_options_t) :: chosen
+        type(surface_t) :: surface
         real(c_double), allocatable :: h(:)
         type(error_t), allocatable :: error
         logical :: rigid_base
@@ -200,6 +202,11 @@ contains
         call check_array(error, "thickness", n, present(thickness))
         call check_given(error, "out", present(out))
         call read_medium_options(error, options, chosen)
+        call read_surface(error, options, surface)
+        if (.not. is_bare(surface)) then
+            call raise(error, error_invalid, "surface_tension and surface_bending are not allowed: a body under a surface "// &
+                       "with tension or a plate must be elastic")
+        end if
         rigid_base = .not. c_associated(substrate)
         if (n == 0 .and. rigid_base) then
             call raise(error, error_invalid, "substrate is NULL, a rigid base: it must carry at least one layer")

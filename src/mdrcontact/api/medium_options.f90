@@ -8,9 +8,10 @@ module mdrcontact_api_medium_options
     use mdrcontact_error, only: check_count_from, count_text, error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
     use mdrcontact_model, only: find_model, model_options_t, model_position, model_table, option_names, option_values
+    use mdrcontact_tension_surface, only: surface_t
     implicit none (type, external)
     private
-    public :: read_medium_options
+    public :: read_medium_options, read_surface
     public :: mdr_model_name, mdr_model_from_name, mdr_model_info
 
     !> struct mdr_medium_options
@@ -18,6 +19,7 @@ module mdrcontact_api_medium_options
         integer(c_size_t) :: size = 0_c_size_t
         type(model_options_t) :: options = model_options_t(0.0_wp, 0.0_wp, 0, 0.0_wp, 0.0_wp, 0.0_wp)
         integer(c_int) :: exponent_is_given = 0_c_int
+        type(surface_t) :: surface
     end type c_medium_options_t
 
     !> Room for a name, with the null character that ends it.
@@ -51,6 +53,17 @@ contains
             if (given%exponent /= 0.0_wp .or. chosen%exponent_is_given /= 0_c_int) options%exponent = given%exponent
         end associate
     end subroutine read_medium_options
+
+    !> Tension and plate of the surface; bare for a null pointer.
+    subroutine read_surface(error, structure, surface)
+        type(error_t), allocatable, intent(inout) :: error
+        type(c_ptr), intent(in) :: structure
+        type(surface_t), intent(out) :: surface
+        type(c_medium_options_t), target :: chosen
+
+        call read_options(error, "options", structure, c_loc(chosen), c_sizeof(chosen))
+        surface = chosen%surface
+    end subroutine read_surface
 
     function mdr_model_name(model, length, name) result(status) bind(C)
         integer(c_int), value :: model, length

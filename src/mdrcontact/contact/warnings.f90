@@ -10,11 +10,12 @@ module mdrcontact_contact_warnings
     implicit none (type, external)
     private
     public :: contact_warning_t, find_warnings
-    public :: warning_slope, warning_pressure, warning_compression, warning_contrast, warning_short_zone, add
+    public :: warning_slope, warning_pressure, warning_compression, warning_contrast, warning_short_zone, warning_wetting, &
+              add
 
     !> enum mdr_warning of the C header; bits of a sum.
     integer, parameter :: warning_slope = 1, warning_pressure = 2, warning_compression = 4, warning_contrast = 8, &
-                          warning_short_zone = 16
+                          warning_short_zone = 16, warning_wetting = 32
 
     !> The largest slope of the indenter in the contact: 50 degrees, a little more than the cone of a cube corner has.
     real(wp), parameter :: largest_slope = 1.2_wp
@@ -25,6 +26,9 @@ module mdrcontact_contact_warnings
     real(wp), parameter :: largest_compression = 0.5_wp
     !> The largest ratio of two Young's moduli: a gel of 1 kPa on glass has 7e7, GPa beside Pa 1e9.
     real(wp), parameter :: largest_contrast = 1.0e9_wp
+
+    !> The largest work of adhesion over the surface tension, 1 - cos theta of the angle of contact: 18 degrees.
+    real(wp), parameter :: largest_wetting = 0.05_wp
 
     !> One warning: its code and what it means, as a sentence without a full stop.
     type :: contact_warning_t
@@ -50,7 +54,22 @@ contains
             call look_at_layers(equilibrium, state, found)
         end if
         call look_at_moduli(equilibrium, found)
+        call look_at_wetting(equilibrium, found)
     end subroutine find_warnings
+
+    !> The slope of the surface jumps by sqrt(2 gamma/tau) at an adhesive edge (theory_surfaces 5).
+    pure subroutine look_at_wetting(equilibrium, found)
+        type(equilibrium_t), intent(in) :: equilibrium
+        type(contact_warning_t), allocatable, intent(inout) :: found(:)
+
+        associate (gamma => equilibrium%work_of_adhesion, sheet => equilibrium%medium%sheet)
+            if (.not. (sheet%tension > 0.0_wp .and. gamma > largest_wetting*sheet%tension)) return
+            if (sheet%bending > 0.0_wp) return
+            call add(found, warning_wetting, "the work of adhesion is "//to_text(gamma/sheet%tension)//" of the surface "// &
+                     "tension: the surface meets the indenter at an angle that is not small, and its tension is taken for "// &
+                     "small slopes")
+        end associate
+    end subroutine look_at_wetting
 
     pure subroutine look_at_slope(equilibrium, state, found)
         type(equilibrium_t), intent(in) :: equilibrium

@@ -14,9 +14,10 @@ module mdrcontact_fit_medium_of
     use mdrcontact_medium_power_graded, only: new_power_graded, power_graded_t
     use mdrcontact_medium_viscoelastic, only: new_viscoelastic_medium, viscoelastic_t
     use mdrcontact_model, only: model_options_t, models, with_constant
+    use mdrcontact_tension_surface, only: surface_t
     implicit none (type, external)
     private
-    public :: medium_choice_t, make_medium, medium_count
+    public :: medium_choice_t, make_medium, medium_count, surface_count
     public :: modulus_parameter
     public :: medium_none, medium_given, medium_homogeneous, medium_stack, medium_graded, medium_power_graded, medium_viscoelastic
 
@@ -37,6 +38,8 @@ module mdrcontact_fit_medium_of
         integer :: layers = 0
         !> what the model leaves to choose; the constant of a stack's model is among the parameters instead
         type(model_options_t) :: options = model_options_t()
+        !> whether the surface of a homogeneous medium or a stack has tension and bending: its last two parameters
+        logical :: has_surface = .false.
         !> the finished medium for medium_given
         type(medium_t), allocatable :: object
         !> for medium_viscoelastic: what its materials are like, with model and options
@@ -52,14 +55,32 @@ contains
 
         select case (choice%kind)
         case (medium_none, medium_given); count = 0
-        case (medium_homogeneous); count = 2
-        case (medium_stack); count = 3*max(choice%layers, 1) + 3
+        case (medium_homogeneous); count = 2 + surface_count(choice)
+        case (medium_stack); count = 3*max(choice%layers, 1) + 3 + surface_count(choice)
         case (medium_graded); count = 3*max(choice%layers, 2)
         case (medium_power_graded); count = 4
         case (medium_viscoelastic); count = viscoelastic_count(choice)
         case default; count = -1
         end select
     end function medium_count
+
+    !> How many parameters its surface has.
+    pure function surface_count(choice) result(count)
+        type(medium_choice_t), intent(in) :: choice
+        integer :: count
+
+        count = 0
+        if (choice%has_surface .and. any(choice%kind == [medium_homogeneous, medium_stack])) count = 2
+    end function surface_count
+
+    !> Tension and plate among the parameters of a medium.
+    pure function surface_of(choice, values) result(surface)
+        type(medium_choice_t), intent(in) :: choice
+        real(wp), intent(in) :: values(:)
+        type(surface_t) :: surface
+
+        if (surface_count(choice) > 0) surface = surface_t(values(size(values) - 1), values(size(values)))
+    end function surface_of
 
     !> The medium of a kind from its parameters.
     subroutine make_medium(choice, values, shared, medium, error)
@@ -73,6 +94,7 @@ contains
         type(homogeneous_t) :: homogeneous
         type(graded_body_t) :: graded
         type(power_graded_t) :: power_graded
+        type(stack_t) :: bare
 
         select case (choice%kind)
         case (medium_given)
@@ -84,6 +106,12 @@ contains
         case (medium_homogeneous)
             call new_material(material, values(1), values(2), error, "material")
             if (allocated(error)) return
+            if (choice%has_surface) then
+                call new_stack(bare, [material_t ::], [real(wp) ::], material, error)
+                if (allocated(error)) return
+                call new_medium(medium, bare, models%exact, error, shared=shared, surface=surface_of(choice, values))
+                return
+            end if
             call new_homogeneous(homogeneous, material)
             allocate (medium%solver, source=homogeneous)
         case (medium_stack)
@@ -180,7 +208,7 @@ contains
         if (.not. allocated(error)) call new_stack(body, layers, thickness, substrate, error, rigid)
         if (.not. allocated(error)) then
             call new_medium(medium, body, choice%model, error, &
-                            with_constant(choice%options, choice%model, values(3*n + 3)), shared)
+                            with_constant(choice%options, choice%model, values(3*n + 3)), shared, surface_of(choice, values))
         end if
     end subroutine make_stack
 

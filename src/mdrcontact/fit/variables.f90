@@ -7,7 +7,7 @@ module mdrcontact_fit_variables
     use mdrcontact_error, only: error_invalid, error_t, raise, to_text
     use mdrcontact_fit_body, only: area_terms, body_count, fit_body_t, indenter_area_function, indenter_count
     use mdrcontact_fit_medium_of, only: medium_choice_t, medium_count, medium_graded, medium_homogeneous, &
-                                        medium_power_graded, medium_stack, medium_viscoelastic
+                                        medium_power_graded, medium_stack, medium_viscoelastic, surface_count
     use mdrcontact_fit_rheology_of, only: at_exponent, rheology_count
     use mdrcontact_fit_problem, only: at_cohesive_stress, at_contact_depth_factor, at_depth_offset, at_force_offset, &
                                       at_frame_compliance, &
@@ -136,7 +136,7 @@ contains
 
         select case (choice%kind)
         case (medium_homogeneous); kinds(2) = poisson
-        case (medium_stack); kinds(2:size(kinds) - 1:3) = poisson
+        case (medium_stack); kinds(2:size(kinds) - surface_count(choice) - 1:3) = poisson
         case (medium_graded); kinds(3::3) = poisson
         case (medium_power_graded); kinds(3:) = [signed, poisson]
         case (medium_viscoelastic); call mark_materials(choice, kinds)

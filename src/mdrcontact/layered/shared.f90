@@ -8,6 +8,7 @@ module mdrcontact_layered_shared
     use mdrcontact_body_compliance, only: compliance_t
     use mdrcontact_layered_tabulate, only: attempts, elastic_misfit, tabulate_kernel
     use mdrcontact_layered_waves, only: wave_table_t
+    use mdrcontact_tension_table, only: punch_table_t
     implicit none (type, external)
     private
     public :: layered_shared_t, shared_kernel
@@ -23,12 +24,13 @@ module mdrcontact_layered_shared
 
     !> Empty at first, and filled as media are made. Not for several threads at a time.
     type :: layered_shared_t
-        private
+        !> flat punches under surface tension; none before the first half-space with it
+        type(punch_table_t), allocatable :: punches
         !> none before the first medium
-        type(wave_table_t), allocatable :: tables(:)
+        type(wave_table_t), allocatable, private :: tables(:)
         !> the kernels made last, and the one to be overwritten next
-        type(kept_kernel_t), allocatable :: kernels(:)
-        integer :: oldest = 1
+        type(kept_kernel_t), allocatable, private :: kernels(:)
+        integer, private :: oldest = 1
     end type layered_shared_t
 
 contains

@@ -4,11 +4,12 @@ module mdrcontact_medium_compliance
     use mdrcontact_base_nonfinite, only: is_finite
     use mdrcontact_body, only: body_t
     use mdrcontact_body_chain, only: chain_t, new_chain
-    use mdrcontact_body_compliance, only: compliance_t, twist_load
+    use mdrcontact_body_compliance, only: compliance_t, normal_load, twist_load
     use mdrcontact_error, only: error_domain, error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
     use mdrcontact_medium_solver, only: solver_t
     use mdrcontact_medium_viscoelastic, only: viscoelastic_t
+    use mdrcontact_tension_surface, only: is_bare, surface_t
     implicit none (type, external)
     private
     public :: surface_compliance
@@ -42,6 +43,7 @@ contains
         else
             call add_body(solver%pressed, load, k, values, error)
             if (allocated(solver%counterbody)) call add_body(solver%counterbody, load, k, values, error)
+            if (.not. is_bare(solver%sheet)) call add_sheet(solver%sheet, load, k, values, error)
         end if
         call check_values(error, values)
     end subroutine of_elastic
@@ -65,6 +67,22 @@ contains
         if (.not. allocated(error)) call add(chain, load, k, values)
         call check_values(error, values)
     end subroutine of_relaxing
+
+    !> 1/C + tau k^2 + B k^4 in place of 1/C (theory_surfaces 5).
+    pure subroutine add_sheet(sheet, load, k, values, error)
+        type(surface_t), intent(in) :: sheet
+        integer, intent(in) :: load
+        real(wp), intent(in) :: k(:)
+        complex(wp), intent(inout) :: values(:)
+        type(error_t), allocatable, intent(inout) :: error
+
+        if (load == normal_load) then
+            values = values/(1.0_wp + (sheet%tension + sheet%bending*k**2)*k**2*values)
+        else if (.not. allocated(error)) then
+            call raise(error, error_invalid, " is not allowed: under a surface with tension or a plate the compliance is known "// &
+                       "under a pressure", "load")
+        end if
+    end subroutine add_sheet
 
     pure subroutine check_values(error, values)
         type(error_t), allocatable, intent(inout) :: error

@@ -14,6 +14,7 @@ module mdrcontact_medium_pair
     use mdrcontact_medium_power_graded, only: new_power_graded_pair, power_graded_t
     use mdrcontact_medium_series, only: new_series, series_t
     use mdrcontact_medium_tabulated, only: tabulated_medium_t
+    use mdrcontact_tension_surface, only: is_bare
     implicit none (type, external)
     private
     public :: new_pair
@@ -41,6 +42,11 @@ contains
             call raise(error, error_invalid, " is not allowed: one of the two bodies must be deformable", "upper")
         end if
         if (allocated(error)) return
+        if (.not. (is_bare(lower%sheet) .or. upper%is_rigid) .or. .not. is_bare(upper%sheet)) then
+            call raise(error, error_invalid, "a pair is not allowed of bodies whose surface has a tension or a plate: what the "// &
+                       "surfaces in contact do to each other is not known; take the other body as rigid")
+            return
+        end if
         if (upper%is_rigid) then
             call lower%copy_to(medium, error)
             return

@@ -15,6 +15,7 @@ module mdrcontact_medium_solver
     use mdrcontact_layered_kernel, only: kernel_t
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
     use mdrcontact_profile, only: profile_t
+    use mdrcontact_tension_surface, only: surface_t
     implicit none (type, external)
     private
     public :: solver_t, modulus_of_radius_t, depth_and_force, set_pair, take_common, not_known
@@ -30,6 +31,8 @@ module mdrcontact_medium_solver
     type, abstract :: solver_t
         !> the body that is pressed and, of two deformable ones, the upper one, where they are known; not allocated else
         class(body_t), allocatable :: pressed, counterbody
+        !> tension and plate of the surface; bare for most
+        type(surface_t) :: sheet
         !> whether it stands for two deformable bodies, and whether it holds for paraboloids and spheres alone
         logical :: is_pair = .false., spherical_only = .false.
         !> what the upper body takes of a change of depth, where that is the same at all radii: 0 if the indenter is rigid [1]
@@ -211,6 +214,7 @@ contains
         class(solver_t), intent(in) :: other
         type(error_t), allocatable, intent(inout) :: error
 
+        self%sheet = other%sheet
         self%is_pair = other%is_pair
         self%spherical_only = other%spherical_only
         self%share_of_upper = other%share_of_upper

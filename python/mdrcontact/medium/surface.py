@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The surface of a body: tension and plate (theory_surfaces 5)."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import Any
+
+from .._parameters import WithParameters
+from ..errors import ArgumentTypeError, InvalidArgumentError
+
+
+@dataclass(frozen=True)
+class Surface(WithParameters):
+    """What the surface of a body adds to it: 1/C(k) becomes 1/C + tension k^2 + bending k^4.
+
+    tension : tau [modulus length], the same under the indenter and beside it: of a gel 0.01 to 0.07 N/m. Greater than 0; with a
+        plate greater than 0.95 times the tension tau_c < 0 under which the surface wrinkles
+    bending : B >= 0 of a plate that slides on the body, E h^3/(12 (1 - nu^2)) [modulus length^3]
+
+    Contacts with it answer states, adhesion, pressure and displacement of the surface, laws and fits, to 1e-9 (cones 1e-8).
+    Friction, stresses inside, energies, time and pairs of deformable bodies are refused. Slopes are taken as small; a stiff film
+    that is bonded, or whose thickness is known, is a layer.
+    """
+
+    tension: float = 0.0
+    bending: float = 0.0
+    _handle: Any = field(init=False, repr=False, compare=False)
+
+    def __post_init__(self) -> None:
+        self._numbers()
+        self._set(_handle=None)
+
+
+def given_surface(surface: object, *, elastic: bool) -> Surface | None:
+    """The surface if there is one that adds something; an exception if it is anything else, or the body is not elastic."""
+    if surface is None:
+        return None
+    if not isinstance(surface, Surface):
+        raise ArgumentTypeError(f"surface = {surface!r} is not allowed: it must be a Surface(tension=..., bending=...) or None")
+    if surface == Surface():
+        return None
+    if not elastic:
+        raise InvalidArgumentError(
+            "surface is not allowed: under a surface with tension or a plate all materials must be Elastic(E, nu)"
+        )
+    return surface
+
+
+def write_surface(surface: Surface | None, record: Any) -> None:
+    """Into the options of a medium, as the library takes them."""
+    if surface is not None:
+        record["surface_tension"], record["surface_bending"] = surface.tension, surface.bending

@@ -1,0 +1,138 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> What layers below the surface add to the Galerkin matrices: products of Bessel functions over wavenumbers (theory_surfaces 6).
+!>
+!> kappa - kappa_0 = chi kappa_0^2/(1 + (1 - kappa_0) chi) falls as chi does, so that a plain rule over k serves all entries.
+module mdrcontact_tension_body_part
+    use, intrinsic :: iso_c_binding, only: c_int
+    use mdrcontact_body_compliance, only: compliance_t
+    use mdrcontact_error, only: error_no_convergence, error_t, raise
+    use mdrcontact_gsl, only: gsl_sf_bessel_jn_array, gsl_success
+    use mdrcontact_kinds, only: pi, wp
+    use mdrcontact_numerics_quadrature, only: gauss_legendre
+    use mdrcontact_tension_green, only: green_t
+    implicit none (type, external)
+    private
+    public :: add_body_part, wave_basis, wave_rule
+
+    !> Nodes of a panel of wavenumbers, and how many radians of a wave it may hold.
+    integer, parameter :: nodes = 16
+    real(wp), parameter :: radians = 8.0_wp
+    !> First and last wavenumber [1/depth of all layers], [1/depth of the first]; growth of the panels.
+    real(wp), parameter :: first_wave = 1.0e-13_wp, last_wave = 22.0_wp, growth = 3.0_wp
+    !> Bessel functions below this are nothing.
+    real(wp), parameter :: smallest_bessel = 1.0e-60_wp
+
+contains
+
+    !> Adds int (kappa - kappa_0) q_i q_j dk/pi and its slope.
+    subroutine add_body_part(green, compliance, a, matrix, slope, error)
+        type(green_t), intent(in) :: green
+        class(compliance_t), intent(in) :: compliance
+        real(wp), intent(in) :: a
+        real(wp), intent(inout) :: matrix(:, :), slope(:, :)
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp), allocatable :: k(:), weight(:), basis(:, :), rates(:, :), weighted(:, :)
+
+        if (.not. compliance%first_depth > 0.0_wp) return
+        call wave_rule(green, compliance, 2.0_wp*a, k, weight, error)
+        if (allocated(error)) return
+        allocate (basis(size(matrix, 1), size(k)), rates(size(matrix, 1), size(k)))
+        call fill_basis(k, a, size(matrix, 1) - merge(1, 0, green%columns > 2), basis, rates, error)
+        if (allocated(error)) return
+        weighted = basis*spread(pi*weight, 1, size(basis, 1))
+        matrix = matrix + matmul(weighted, transpose(basis))
+        weighted = matmul(weighted, transpose(rates))
+        slope = slope + weighted + transpose(weighted)
+    end subroutine add_body_part
+
+    !> Wavenumbers, and weights times kappa - kappa_0, for integrals with waves over a distance.
+    subroutine wave_rule(green, compliance, distance, k, weight, error)
+        type(green_t), intent(in) :: green
+        class(compliance_t), intent(in) :: compliance
+        !> [length]
+        real(wp), intent(in) :: distance
+        real(wp), allocatable, intent(out) :: k(:), weight(:)
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp), allocatable :: edges(:), bare(:)
+        complex(wp), allocatable :: sigma(:), chi(:)
+        real(wp) :: t(nodes), w(nodes), longest, edge
+        integer :: i
+
+        call gauss_legendre(t, w, error)
+        if (allocated(error)) return
+        longest = min(radians/distance, 2.0_wp/compliance%first_depth)
+        edges = [0.0_wp, first_wave/compliance%last_depth]
+        do while (edges(size(edges)) < last_wave/compliance%first_depth)
+            edge = edges(size(edges))
+            edges = [edges, edge + min((growth - 1.0_wp)*edge, longest)]
+        end do
+        k = [(edges(i) + (edges(i + 1) - edges(i))*t, i=1, size(edges) - 1)]
+        weight = [((edges(i + 1) - edges(i))*w, i=1, size(edges) - 1)]
+        allocate (sigma(size(k)), chi(size(k)))
+        call compliance%chi(cmplx(k, 0.0_wp, wp), sigma, chi)
+        bare = green%spectrum(k)
+        weight = weight*real(chi, wp)*bare**2/(1.0_wp + (1.0_wp - bare)*real(chi, wp))
+    end subroutine wave_rule
+
+    !> The basis alone.
+    subroutine wave_basis(k, a, n, couple, basis, error)
+        real(wp), intent(in) :: k(:), a
+        !> how many cosines, and 1 with a plate, else 0
+        integer, intent(in) :: n, couple
+        !> (couple + n, size(k))
+        real(wp), allocatable, intent(out) :: basis(:, :)
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp), allocatable :: rates(:, :)
+
+        allocate (basis(couple + n, size(k)), rates(couple + n, size(k)))
+        call fill_basis(k, a, n, basis, rates, error)
+    end subroutine wave_basis
+
+    !> (-1)^j J_2j(ka), after ka J_1(ka) with a plate, and their slopes over a.
+    subroutine fill_basis(k, a, n, basis, rates, error)
+        real(wp), intent(in) :: k(:), a
+        integer, intent(in) :: n
+        !> (basis, wavenumber)
+        real(wp), intent(out) :: basis(:, :), rates(:, :)
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp) :: bessel(0:2*n), x
+        integer :: i, j, couple, last
+
+        couple = size(basis, 1) - n
+        do i = 1, size(k)
+            x = k(i)*a
+            bessel = 0.0_wp
+            last = min(2*n, last_order(x))
+            if (gsl_sf_bessel_jn_array(0_c_int, int(last, c_int), x, bessel(:last)) /= gsl_success) then
+                call raise(error, error_no_convergence, "Bessel functions could not be computed")
+                return
+            end if
+            if (couple == 1) then
+                basis(1, i) = x*bessel(1)
+                rates(1, i) = k(i)*x*bessel(0)
+            end if
+            basis(couple + 1:, i) = bessel(0:2*n - 2:2)
+            rates(couple + 1, i) = -k(i)*bessel(1)
+            do j = 1, n - 1
+                rates(couple + 1 + j, i) = 0.5_wp*k(i)*(bessel(2*j - 1) - bessel(2*j + 1))
+            end do
+            basis(couple + 2::2, i) = -basis(couple + 2::2, i)
+            rates(couple + 2::2, i) = -rates(couple + 2::2, i)
+        end do
+    end subroutine fill_basis
+
+    !> Beyond this order J_m(x) < (x/2)^m/m! is nothing, and GSL's recurrence would underflow.
+    pure function last_order(x) result(m)
+        real(wp), intent(in) :: x
+        integer :: m
+        real(wp) :: bound
+
+        bound = 1.0_wp
+        m = 1
+        do while (bound > smallest_bessel)
+            bound = bound*0.5_wp*x/real(m, wp)
+            m = m + 1
+        end do
+    end function last_order
+
+end module mdrcontact_tension_body_part

@@ -1,0 +1,180 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Surfaces with tension and plates: objects, limits, refusals, fits, problem files."""
+
+import pickle
+
+import numpy as np
+import pytest
+
+import mdrcontact as mdr
+from mdrcontact.problem import load
+
+GEL = mdr.Elastic(0.75, 0.5)
+"""E* = 1"""
+TENSE = mdr.Surface(0.5)
+BALL = mdr.Paraboloid(10.0)
+
+
+STATES = [
+    ("smooth", "flat", 0.3, 0.0, 0.019960218651104, 1.0, 0.011976131190662),
+    ("smooth", "paraboloid", 0.3, 0.0, 0.019960218651104, 0.15841201552737, 0.0013909432368862),
+    ("smooth", "paraboloid", 0.3, 8e-05, 0.019960218651104, 0.055097966922366, 0.00015364063695424),
+    ("smooth", "flat", 1.0, 0.0, 0.018419438361791, 1.0, 0.036838876723583),
+    ("smooth", "cone", 1.0, 0.0, 0.018419438361791, 1.5643265154427, 0.024864881242176),
+    ("smooth", "paraboloid", 1.0, 8e-05, 0.018419438361791, 0.91109676226843, 0.018222939143143),
+    ("film", "paraboloid", 0.3, 0.0, 23.406370030544, 0.29039579945618, 3.5076284237758),
+    ("film", "cone", 0.3, 0.0, 23.406370030544, 1.1432904732664, 12.10800075081),
+    ("film", "flat", 1.0, 0.0, 10.877043623871, 1.0, 21.754087247741),
+    ("film", "paraboloid", 1.0, 0.0, 10.877043623871, 2.6621528871031, 47.719346404493),
+    ("film", "paraboloid", 1.0, 0.531214776459776, 10.877043623871, 1.8292332399293, 29.599939729515),
+]
+"""Body, profile, a, work of adhesion, E_eff, d, F, from Chebyshev polynomials in another program."""
+BONE = mdr.TransverselyIsotropic(23.4, 9.06, 9.11, 32.5, 9.12)
+
+
+@pytest.mark.filterwarnings("ignore::mdrcontact.MDRWarning")
+@pytest.mark.parametrize(("body", "profile", "a", "work", "modulus", "depth", "force"), STATES)
+def test_reference_states_of_layers(body, profile, a, work, modulus, depth, force):
+    """A gel on a smooth base, and a film with an axis; half-spaces and bonded gels are in the Fortran tests."""
+    medium = {
+        "smooth": lambda: mdr.Coated(mdr.Elastic(0.003, 0.5), 1.0, mdr.SMOOTH, surface=mdr.Surface(0.002)),
+        "film": lambda: mdr.Coated(BONE, 1.0, mdr.Elastic(3.0, 0.4), surface=mdr.Surface(4.0)),
+    }[body]()
+    assert medium.modulus(a) == pytest.approx(modulus, rel=1e-9)
+    tip = {"flat": mdr.FlatPunch(a), "cone": mdr.PowerLaw(1.0, 1.0), "paraboloid": mdr.Paraboloid(1.0)}[profile]
+    contact = mdr.Contact(tip, medium, work_of_adhesion=work)
+    state = contact.at_depth(1.0) if profile == "flat" else contact.at_radius(a)
+    allowed = 1e-8 if profile == "cone" else 1e-9
+    assert state.depth == pytest.approx(depth, rel=allowed)
+    assert state.force == pytest.approx(force, rel=allowed)
+
+
+@pytest.fixture(scope="module")
+def half_space():
+    return mdr.Homogeneous(GEL, surface=TENSE)
+
+
+def test_values(half_space):
+    assert half_space.surface == TENSE
+    assert pickle.loads(pickle.dumps(half_space)) == half_space
+    assert repr(half_space) == "Homogeneous(material=Elastic(E=0.75, nu=0.5), surface=Surface(tension=0.5, bending=0.0))"
+    assert repr(mdr.Homogeneous(GEL)) == "Homogeneous(material=Elastic(E=0.75, nu=0.5))"
+    assert mdr.Homogeneous(GEL, surface=mdr.Surface()) == mdr.Homogeneous(GEL)
+    film = mdr.Coated(GEL, 1.0, mdr.RIGID, surface=TENSE)
+    assert pickle.loads(pickle.dumps(film)) == film == film.replace(thickness=1.0)
+    assert film.replace(surface=None) == mdr.Coated(GEL, 1.0, mdr.RIGID)
+
+
+def test_a_layer_is_a_coating_and_a_thick_one_a_half_space(half_space):
+    film = mdr.Coated(GEL, 1.0, mdr.Elastic(3.0, 0.3), surface=TENSE)
+    stack = mdr.Layered([(GEL, 0.4), (GEL, 0.6)], mdr.Elastic(3.0, 0.3), surface=TENSE)
+    assert stack.stiffness(0.8) == pytest.approx(film.stiffness(0.8), rel=1e-9)
+    same = mdr.Coated(GEL, 1.0, GEL, surface=TENSE)
+    assert same.stiffness(0.8) == pytest.approx(half_space.stiffness(0.8), rel=1e-10)
+    thick = mdr.Coated(GEL, 1e5, mdr.RIGID, surface=TENSE)
+    assert thick.stiffness(0.8) == pytest.approx(half_space.stiffness(0.8), rel=3e-5)
+
+
+def test_a_small_tension_changes_little():
+    bare, tense = mdr.Coated(GEL, 1.0, mdr.RIGID), mdr.Coated(GEL, 1.0, mdr.RIGID, surface=mdr.Surface(1e-3))
+    ratio = tense.stiffness(0.5) / bare.stiffness(0.5)
+    assert 1.0 < ratio < 1.02
+
+
+def test_compliance(half_space):
+    k = np.array([0.1, 1.0, 10.0])
+    plate = mdr.Homogeneous(GEL, surface=mdr.Surface(0.5, 0.2))
+    assert 1.0 / plate.compliance(k) == pytest.approx(1.0 / mdr.Homogeneous(GEL).compliance(k) + 0.5 * k**2 + 0.2 * k**4, rel=1e-13)
+    with pytest.raises(mdr.InvalidArgumentError, match="under a pressure"):
+        half_space.compliance(k, load="shear")
+
+
+def test_states_are_found_from_depth_force_and_radius(half_space):
+    for medium in (half_space, mdr.Coated(GEL, 1.0, mdr.RIGID, surface=TENSE), mdr.Homogeneous(GEL, surface=mdr.Surface(0.1, 0.1))):
+        contact = mdr.Contact(BALL, medium)
+        state = contact.at_radius(0.7)
+        assert contact.at_depth(state.depth).radius == pytest.approx(0.7, rel=1e-8)
+        assert contact.at_force(state.force).radius == pytest.approx(0.7, rel=1e-8)
+
+
+def test_work_of_the_force_and_the_law(half_space):
+    contact = mdr.Contact(BALL, half_space)
+    law = mdr.ContactLaw(contact, 0.2)
+    for depth in (0.013, 0.11, 0.19):
+        assert law.at_depth(depth).force == pytest.approx(contact.at_depth(depth).force, rel=1e-6)
+
+
+@pytest.mark.parametrize("profile", [mdr.Sphere(3.0), mdr.FlatEndedCone(0.3, 0.1), mdr.FlatEndedParaboloid(0.3, 2.0)])
+def test_shapes_without_powers(half_space, profile):
+    """dF = k dd along the radius."""
+    contact = mdr.Contact(profile, half_space)
+    a = 0.8 * (1.0 + 1e-3 * np.array([-1.0, 0.0, 1.0]))
+    state = contact.at_radius(a)
+    assert np.diff(state.force)[[0, 1]].sum() == pytest.approx(state.stiffness[1] * (state.depth[2] - state.depth[0]), rel=1e-5)
+
+
+def test_a_sphere_is_a_paraboloid_near_its_axis(half_space):
+    sphere, ball = (mdr.Contact(shape, half_space).at_radius(0.05) for shape in (mdr.Sphere(10.0), BALL))
+    assert sphere.depth == pytest.approx(ball.depth, rel=2e-5)
+    assert sphere.force == pytest.approx(ball.force, rel=2e-5)
+
+
+def test_wetting_warns():
+    contact = mdr.Contact(mdr.Paraboloid(1e3), mdr.Homogeneous(GEL, surface=TENSE), work_of_adhesion=0.03)
+    with pytest.warns(mdr.LargeStrainWarning, match="surface tension"):
+        contact.at_radius(1.0)
+
+
+@pytest.mark.parametrize(
+    ("make", "words"),
+    [
+        (lambda: mdr.Homogeneous(GEL, surface=mdr.Surface(-0.1)), "wrinkles"),
+        (lambda: mdr.Homogeneous(GEL, surface=mdr.Surface(-1.0, 1e-3)), "tau_c = .* k_c = "),
+        (lambda: mdr.Homogeneous(GEL, surface=mdr.Surface(0.1, -1e-3)), "bending"),
+        (lambda: mdr.Homogeneous(GEL, surface=mdr.Surface(np.nan)), "tension"),
+        (lambda: mdr.Homogeneous(GEL, surface=3.0), "Surface"),
+        (lambda: mdr.Homogeneous(mdr.PowerLawRheology(1.0, 1.0, 0.2, 0.5), surface=TENSE), "Elastic"),
+        (lambda: mdr.Coated(GEL, 1.0, mdr.Elastic(1.0, 0.3), "gao", surface=TENSE), "exact"),
+        (lambda: mdr.Pair(mdr.Homogeneous(GEL, surface=TENSE), mdr.Homogeneous(GEL)), "pair"),
+        (lambda: mdr.Pair(mdr.Homogeneous(GEL), mdr.Homogeneous(GEL, surface=TENSE)), "pair"),
+    ],
+)
+def test_refused_bodies(make, words):
+    with pytest.raises(mdr.MDRError, match=words):
+        make()
+
+
+def test_refused_answers(half_space):
+    contact = mdr.Contact(BALL, half_space)
+    state = contact.at_radius(0.5)
+    for request in (
+        lambda: half_space.tangential_modulus(1.0),
+        lambda: half_space.torsional_stiffness(1.0),
+        lambda: mdr.Friction(contact, 0.3),
+        lambda: contact.interior(0.1, 0.1, state),
+        lambda: contact.gradient(state),
+        lambda: mdr.Contact(BALL, half_space, work_of_adhesion=0.01, cohesive_stress=0.1),
+        lambda: mdr.Contact(BALL, half_space).at_radius(1200.0),
+    ):
+        with pytest.raises(mdr.MDRError):
+            request()
+
+
+def test_fit_of_tension_and_modulus_together(half_space):
+    depth = np.linspace(0.01, 0.5, 20)
+    data = mdr.ForceDepth(depth, mdr.Contact(BALL, half_space).at_depth(depth).force)
+    start = mdr.Homogeneous(mdr.Elastic(0.5, 0.5), surface=mdr.Surface(0.2))
+    found = mdr.fit(data, BALL, start, free=["E", "surface.tension"])
+    assert found.estimates["E"] == pytest.approx(0.75, rel=1e-6)
+    assert found.estimates["surface.tension"] == pytest.approx(0.5, rel=1e-6)
+
+
+def test_problem_file(tmp_path):
+    path = tmp_path / "gel.toml"
+    path.write_text(
+        '[indenter]\nshape = "paraboloid"\nradius = "10 um"\n\n[medium]\ntype = "homogeneous"\nsurface_tension = "30 mN/m"\n'
+        'surface_bending = "1e-18 N*m"\n\n[medium.material]\nE = "3 kPa"\nnu = 0.5\n\n[compute]\nmax_depth = "1 um"\npoints = 5\n',
+        encoding="utf-8",
+    )
+    medium = load(path).medium
+    assert medium.surface == mdr.Surface(0.03, 1e-18)
