@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from .errors import InvalidArgumentError
 from .interior import Interior, layer_energies
-from .material import RIGID
+from .material import RIGID, SMOOTH
 from .medium import Coated, Homogeneous, Layered, Pair
 from .profile import FlatEndedCone, FlatEndedParaboloid, Profile
 from .profile.base import _terms
@@ -83,9 +83,9 @@ def layers_of(medium: Any, body: str = "lower") -> tuple[list[float], bool]:
     if isinstance(medium, Homogeneous):
         return [], False
     if isinstance(medium, Coated):
-        return [medium.thickness], medium.substrate is RIGID
+        return [medium.thickness], medium.substrate in (RIGID, SMOOTH)
     if isinstance(medium, Layered):
-        return [thickness for _, thickness in medium.layers], medium.substrate is RIGID
+        return [thickness for _, thickness in medium.layers], medium.substrate in (RIGID, SMOOTH)
     if medium is RIGID:
         raise InvalidArgumentError(f"body = {body!r} is not allowed: it is rigid")
     raise InvalidArgumentError(f"a {type(medium).__name__} has no layers to look into: use interior(...) for its stresses")

@@ -159,12 +159,6 @@ contains
                 call raise(error, error_invalid, "stresses inside are not known for this medium: E and nu of its layers are needed")
                 return
             end if
-            if (upper) is_known = equilibrium%medium%counterbody%is_plain
-            if (.not. upper) is_known = equilibrium%medium%pressed%is_plain
-            if (.not. is_known) then
-                call raise(error, error_invalid, "stresses and energies inside are not known of layers that are not isotropic, "// &
-                           "bonded and free of stress")
-            end if
         end associate
     end subroutine load_of
 

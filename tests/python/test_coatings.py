@@ -267,8 +267,6 @@ def test_stiffnesses_and_engineering_constants_are_one_material():
             lambda: mdr.Friction(mdr.Contact(mdr.Paraboloid(1.0), mdr.Coated(GAN, 1.0, mdr.SMOOTH)), 0.3),
             "no stiffness along the surface",
         ),
-        (lambda: CONTACT.interior(0.0, 0.5, CONTACT.at_depth(0.01)), "stresses and energies inside are not known"),
-        (lambda: CONTACT.critical(CONTACT.at_depth(0.01)), "stresses and energies inside are not known"),
         (lambda: mdr.fit(RECORD, mdr.Paraboloid(2.0), CONTACT.medium, ["coating.E"]), "coating.E"),
     ],
 )

@@ -10,6 +10,7 @@ module mdrcontact_field_body_field
     use mdrcontact_medium_load, only: load_t
     use mdrcontact_field_states, only: depth_t
     use mdrcontact_kinds, only: wp
+    use mdrcontact_material_transverse, only: of_isotropic
     implicit none (type, external)
     private
     public :: body_field
@@ -93,7 +94,7 @@ contains
         type(lattice_t) :: lattice
         type(depth_t), allocatable :: depths(:)
         integer, allocatable :: first(:), which(:)
-        real(wp) :: shear
+        real(wp) :: shear, poisson
         integer :: i, stat
 
         allocate (depths(size(z)), which(size(z)), stat=stat)
@@ -107,8 +108,8 @@ contains
             depths(i)%z = depth(i)
             depths(i)%layer = which(i)
             depths(i)%shear = body%surface_material%shear()
-            call body%moduli(z(i), shear, depths(i)%poisson)
-            depths(i)%local = shear/depths(i)%shear
+            call body%moduli(z(i), shear, poisson)
+            depths(i)%constants = of_isotropic(shear/(2.0_wp*depths(i)%shear), poisson)
         end do
         call state_field(load, states, lattice, r, z, depths, field, error, friction, angle, threads)
     end subroutine group_field

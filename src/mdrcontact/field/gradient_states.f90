@@ -11,10 +11,13 @@ module mdrcontact_field_gradient_states
     use mdrcontact_body_elements_layer, only: half_space_compliance
     use mdrcontact_body_sublayers, only: faces_through
     use mdrcontact_error, only: check_memory, error_no_convergence, error_t, raise, to_text
+    use mdrcontact_field_half_space, only: half_space_rule_t
+    use mdrcontact_field_isotropic, only: isotropic_half_space_t, new_isotropic_half_space
     use mdrcontact_field_states, only: depth_t, normal_rows, shear_rows, states_t
     use mdrcontact_field_waves, only: faded
     use mdrcontact_kinds, only: wp
     use mdrcontact_lapack, only: dgels
+    use mdrcontact_medium_load, only: load_t
     use mdrcontact_numerics_quadrature, only: new_antiderivative
     use mdrcontact_numerics_small_matrices, only: inverse, times_matrix
     implicit none (type, external)
@@ -47,11 +50,16 @@ module mdrcontact_field_gradient_states
         real(wp), allocatable :: compliance(:, :, :), compliance_across(:)
         !> (wavenumber, row, depth)
         real(wp), allocatable :: y(:, :, :)
+        !> images of the half-space, so far above the surface [a]: (alpha + beta k z) e^(-k (z + shift)), (image, row, depth)
+        real(wp), allocatable :: shifts(:), alpha(:, :, :), beta(:, :, :)
+        !> of the surface
+        type(isotropic_half_space_t) :: surface
         !> depths at which the half-space is taken away, and where its images begin [1/a]
         logical, allocatable :: is_near(:)
         real(wp) :: cutoff = 0.0_wp
     contains
         procedure :: turn
+        procedure :: add_images
         procedure :: prepare
         procedure :: state
     end type gradient_states_t
@@ -82,7 +90,8 @@ contains
         end do
         call build(self, body, radius, error)
         self%steps = size(self%faces) - 1
-        self%surface_poisson = body%surface_material%poisson
+        call new_isotropic_half_space(self%surface, body%surface_material%poisson)
+        allocate (self%half_space, source=self%surface)
         surface = constants(body, 0.0_wp)
         most = 1.0_wp
         least = 1.0_wp
@@ -217,6 +226,29 @@ contains
         end do
     end subroutine find_images
 
+    !> What has a closed form beside the half-space.
+    pure subroutine add_images(self, rule, load, depth, r, sums)
+        class(gradient_states_t), intent(in) :: self
+        type(half_space_rule_t), intent(in) :: rule
+        class(load_t), intent(in) :: load
+        type(depth_t), intent(in) :: depth
+        !> distance from the axis [length]
+        real(wp), intent(in) :: r
+        real(wp), intent(inout) :: sums(:)
+        integer :: j
+
+        if (.not. allocated(self%shifts)) return
+        do j = 1, size(self%shifts)
+            associate (shift => self%shifts(j), alpha => self%alpha(j, :, depth%layer), beta => self%beta(j, :, depth%layer))
+                if (self%along_surface) then
+                    call self%surface%add_shear_image(rule, load, shift, alpha, beta, r, depth%z, sums)
+                else
+                    call self%surface%add_normal_image(rule, load, shift, alpha, beta, r, depth%z, sums)
+                end if
+            end associate
+        end do
+    end subroutine add_images
+
     !> At one depth; on the surface no state is left where waves are short.
     subroutine fit_images(k, weight, z, shifts, y, alpha, beta, misfit, error)
         real(wp), intent(in) :: k(:), weight(:), z, shifts(:), y(:, :)
@@ -298,7 +330,7 @@ contains
         real(wp) :: y(size(k), merge(shear_rows, normal_rows, self%along_surface))
         integer :: i
 
-        associate (nu => self%surface_poisson)
+        associate (nu => self%surface%poisson)
             if (self%along_surface) then
                 y(:, 1) = k*z - 2.0_wp*(1.0_wp - nu)
                 y(:, 2) = 1.0_wp - 2.0_wp*nu + k*z

@@ -1,11 +1,9 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Stresses and displacements inside a homogeneous half-space under a line load q(x), by closed kernels integrated by parts.
 !>
-!> With zeta = z + i x and rho = sqrt(r^2 + zeta^2), Re rho >= 0, each field is a sum of I[f] = (1/pi) int_0^a q Re f dx with
-!>     A0 = 1/rho   A1 = zeta/rho^3   A2 = (2 zeta^2 - r^2)/rho^5                                   (Hankel integrals with J0)
-!>     b0 = 1/(rho (rho + zeta))   b1 = 1/rho^3   b2 = 3 zeta/rho^5                                 (J1/r)
-!>     c0 = 1/(rho (rho + zeta)^2)   c1 = (zeta + 2 rho)/(rho^3 (rho + zeta)^2)                     (J2/r^2)
-!> and I[f] = (1/pi) {q(a) Im P(z + i a) - int_0^a q' Im P dx} with dP/dzeta = f: no factor a/z is lost near the surface.
+!> A wave exp(-lambda k z) stands for a function f of zeta = lambda z + i x under the integral I[f] = (1/pi) int_0^a q Re f dx, and
+!> I[f] = (1/pi) {q(a) Im P(lambda z + i a) - int_0^a q' Im P dx} with dP/dzeta = f: no factor a/z is lost near the surface. Which
+!> functions P, the extensions know: mdrcontact_field_isotropic, mdrcontact_field_transverse.
 module mdrcontact_field_half_space
     use mdrcontact_medium_load, only: load_t, panel_t
     use mdrcontact_error, only: check_memory, error_t
@@ -13,14 +11,11 @@ module mdrcontact_field_half_space
     use mdrcontact_numerics_quadrature, only: gauss_legendre
     implicit none (type, external)
     private
-    public :: half_space_rule_t, new_half_space_rule, add_normal_sums, add_shear_sums, &
-              add_normal_image, add_shear_image
+    public :: half_space_t, half_space_rule_t, new_half_space_rule, integrate, on_surface
     public :: normal_sums, shear_sums
 
-    !> How many sums describe the field of a normal and of a shear load, see add_normal_sums and add_shear_sums.
+    !> How many sums describe the field of a normal and of a shear load, see add_normal and add_shear.
     integer, parameter :: normal_sums = 5, shear_sums = 8
-    !> The integrals I[f] by their place in a list.
-    integer, parameter :: a0 = 1, a1 = 2, a2 = 3, b0 = 4, b1 = 5, b2 = 6, c0 = 7, c1 = 8, kernels = 8
 
     !> Nodes of a panel no longer than its distance to the nearest singularity: 1e-15 of the integral.
     integer, parameter :: nodes = 10
@@ -59,6 +54,39 @@ module mdrcontact_field_half_space
         real(wp) :: last = 0.0_wp
     end type segment_t
 
+    !> A material below a plane surface.
+    type, abstract :: half_space_t
+        !> the least real part of lambda, and the largest imaginary one
+        real(wp) :: decay = 1.0_wp, turn = 0.0_wp
+        !> -s_rr/p, -s_tt/p and, on the axis, either of them on the surface where p is infinite
+        real(wp) :: singular(3) = 1.0_wp
+    contains
+        !> adds this body's part to the sums of a normal load, and of one that shears
+        procedure(add_sums), deferred :: add_normal
+        procedure(add_sums), deferred :: add_shear
+        !> adds sums of weight Im P(lambda z + i (r + t)) for its functions
+        procedure(add_kernel_sums), deferred :: add_kernels
+    end type half_space_t
+
+    abstract interface
+        pure subroutine add_sums(self, rule, load, r, z, sums)
+            import :: half_space_rule_t, half_space_t, load_t, wp
+            class(half_space_t), intent(in) :: self
+            type(half_space_rule_t), intent(in) :: rule
+            class(load_t), intent(in) :: load
+            !> distance from the axis [length] and depth [a] of the point
+            real(wp), intent(in) :: r, z
+            real(wp), intent(inout) :: sums(:)
+        end subroutine add_sums
+
+        pure subroutine add_kernel_sums(self, r, z, t, weight, integrals)
+            import :: half_space_t, wp
+            class(half_space_t), intent(in) :: self
+            real(wp), intent(in) :: r, z, t(:), weight(:)
+            real(wp), intent(inout) :: integrals(:)
+        end subroutine add_kernel_sums
+    end interface
+
 contains
 
     !> The rule that all points under a load share.
@@ -84,83 +112,14 @@ contains
         self%first(size(load%kinks) + 1) = size(panels) + 1
     end subroutine new_half_space_rule
 
-    !> Adds the homogeneous body's part to the five sums of a normal load at one point:
-    !>     2 mu u_z, sigma_zz, int p_hat y1 k J0 dk, 2 mu u_r/r, sigma_rz/r                               (lengths in units of a)
-    pure subroutine add_normal_sums(rule, load, poisson, r, z, sums)
+    !> I[f] for all functions of a half-space; at z = 0 those that only occur with a factor z are left 0.
+    pure subroutine integrate(half_space, rule, load, r, z, integrals)
+        class(half_space_t), intent(in) :: half_space
         type(half_space_rule_t), intent(in) :: rule
         class(load_t), intent(in) :: load
-        real(wp), intent(in) :: poisson
         !> distance from the axis [length] and depth [a] of the point
         real(wp), intent(in) :: r, z
-        real(wp), intent(inout) :: sums(normal_sums)
-        real(wp) :: i(kernels)
-
-        call integrate(rule, load, r, z, i)
-        sums = sums + [2.0_wp*(1.0_wp - poisson)*i(a0) + z*i(a1), -i(a1) - z*i(a2), &
-                       -(1.0_wp - 2.0_wp*poisson)*i(a1) + z*i(a2), -(1.0_wp - 2.0_wp*poisson)*i(b0) + z*i(b1), -z*i(b2)]
-    end subroutine add_normal_sums
-
-    !> Adds the homogeneous body's part to the eight sums of a load that shears, p(r) in +x: the Hankel integrals of
-    !>     (y5 - y1) J0, (N - T) k J0, y2 J1/r, S k J1/r, y1 k J1/r, y5 k J1/r, (y5 + y1) J2/r^2, (N + T) k J2
-    pure subroutine add_shear_sums(rule, load, poisson, r, z, sums)
-        type(half_space_rule_t), intent(in) :: rule
-        class(load_t), intent(in) :: load
-        real(wp), intent(in) :: poisson
-        !> distance from the axis [length] and depth [a] of the point
-        real(wp), intent(in) :: r, z
-        real(wp), intent(inout) :: sums(shear_sums)
-        real(wp) :: i(kernels)
-
-        call integrate(rule, load, r, z, i)
-        sums = sums + [(4.0_wp - 2.0_wp*poisson)*i(a0) - z*i(a1), -2.0_wp*i(a1) + z*i(a2), &
-                       (1.0_wp - 2.0_wp*poisson)*i(b0) + z*i(b1), -z*i(b2), -2.0_wp*(1.0_wp - poisson)*i(b1) + z*i(b2), &
-                       2.0_wp*i(b1), 2.0_wp*poisson*i(c0) + z*i(c1), z*(i(a2) - 2.0_wp*i(b1))]
-    end subroutine add_shear_sums
-
-    !> Adds the normal load's sums of a state (alpha + beta k z) e^(-k (z + shift)).
-    pure subroutine add_normal_image(rule, load, shift, alpha, beta, r, z, sums)
-        type(half_space_rule_t), intent(in) :: rule
-        class(load_t), intent(in) :: load
-        !> [a], and y1 to y4
-        real(wp), intent(in) :: shift, alpha(:), beta(:)
-        !> distance from the axis [length] and depth [a] of the point
-        real(wp), intent(in) :: r, z
-        real(wp), intent(inout) :: sums(normal_sums)
-        real(wp) :: i(kernels)
-
-        call integrate(rule, load, r, z + shift, i)
-        associate (b => z*beta)
-            sums = sums + [alpha(2)*i(a0) + b(2)*i(a1), alpha(4)*i(a1) + b(4)*i(a2), alpha(1)*i(a1) + b(1)*i(a2), &
-                           alpha(1)*i(b0) + b(1)*i(b1), alpha(3)*i(b1) + b(3)*i(b2)]
-        end associate
-    end subroutine add_normal_image
-
-    !> The same under a load that shears; k J2 = 2 J1/r - k J0.
-    pure subroutine add_shear_image(rule, load, shift, alpha, beta, r, z, sums)
-        type(half_space_rule_t), intent(in) :: rule
-        class(load_t), intent(in) :: load
-        !> [a], and y1 to y5 and N
-        real(wp), intent(in) :: shift, alpha(:), beta(:)
-        !> distance from the axis [length] and depth [a] of the point
-        real(wp), intent(in) :: r, z
-        real(wp), intent(inout) :: sums(shear_sums)
-        real(wp) :: i(kernels)
-
-        call integrate(rule, load, r, z + shift, i)
-        associate (b => z*beta)
-            sums = sums + [(alpha(5) - alpha(1))*i(a0) + (b(5) - b(1))*i(a1), (alpha(6) - alpha(3))*i(a1) + (b(6) - b(3))*i(a2), &
-                           alpha(2)*i(b0) + b(2)*i(b1), alpha(4)*i(b1) + b(4)*i(b2), alpha(1)*i(b1) + b(1)*i(b2), &
-                           alpha(5)*i(b1) + b(5)*i(b2), (alpha(5) + alpha(1))*i(c0) + (b(5) + b(1))*i(c1), &
-                           (alpha(6) + alpha(3))*(2.0_wp*i(b0) - i(a1)) + (b(6) + b(3))*(2.0_wp*i(b1) - i(a2))]
-        end associate
-    end subroutine add_shear_image
-
-    !> I[f] for all kernels; at z = 0 those that only occur with a factor z are left 0.
-    pure subroutine integrate(rule, load, r, z, integrals)
-        type(half_space_rule_t), intent(in) :: rule
-        class(load_t), intent(in) :: load
-        real(wp), intent(in) :: r, z
-        real(wp), intent(out) :: integrals(kernels)
+        real(wp), intent(out) :: integrals(:)
         type(segment_t) :: segment
         !> where the integrand is not analytic in x, ascending [length]
         real(wp) :: ends(size(load%kinks) + 3)
@@ -179,7 +138,7 @@ contains
                 length = segment%high - low
                 call enter_panel(rule, segment, low)
                 do while (length > shortest)
-                    if (length <= reach(segment, z, low, low + length)) then
+                    if (length <= reach(segment, z*half_space%decay, z*half_space%turn, low, low + length)) then
                         if (is_smooth(rule, segment, z, low, length)) exit
                     end if
                     length = 0.5_wp*length
@@ -192,12 +151,12 @@ contains
                 if (filled < chunk .and. low < segment%high) cycle
                 weight(:filled) = weight(:filled) &
                                   *load%slope(segment%start, min(load%radius*distance(:filled), segment%last))
-                call add_kernels(segment%r, z, t(:filled), weight(:filled), integrals)
+                call half_space%add_kernels(segment%r, z, t(:filled), weight(:filled), integrals)
                 filled = 0
             end do
         end do
         if (load%edge /= 0.0_wp) then
-            call add_kernels(segment%r, z, [(load%radius - r)/load%radius], [-load%edge/load%radius], integrals)
+            call half_space%add_kernels(segment%r, z, [(load%radius - r)/load%radius], [-load%edge/load%radius], integrals)
         end if
         integrals = -integrals/pi
     end subroutine integrate
@@ -261,17 +220,17 @@ contains
     end function is_smooth
 
     !> How long a panel from `low` to `high` may be: its distance to the nearest singularity.
-    pure function reach(segment, z, low, high) result(length)
+    pure function reach(segment, z, aside, low, high) result(length)
         type(segment_t), intent(in) :: segment
-        !> depth of the point, and ends of the panel relative to r [a]
-        real(wp), intent(in) :: z, low, high
+        !> how far singularities lie from the real axis, and at most from r along it, and ends of the panel relative to r [a]
+        real(wp), intent(in) :: z, aside, low, high
         real(wp) :: length
         logical :: at_kink, at_r, ends_at_r
 
         at_kink = low <= segment%kink
         at_r = z <= 0.0_wp .and. (low == 0.0_wp .or. high == 0.0_wp)
         ends_at_r = at_r .and. low < 0.0_wp
-        length = hypot(max(low, -high, 0.0_wp), z)
+        length = hypot(max(low - aside, -high - aside, 0.0_wp), z)
         if (at_r) then
             ! x = r -+ s^2 there: what remains is singular at x = -r
             length = 0.4_wp*segment%r
@@ -324,82 +283,29 @@ contains
         weight(1) = length/load%order_on_axis()
     end subroutine place_nodes
 
-    !> Adds sum of weight Im P(z + i (r + t)) for all kernels.
-    pure subroutine add_kernels(r, z, t, weight, integrals)
-        real(wp), intent(in) :: r, z, t(:), weight(:)
-        real(wp), intent(inout) :: integrals(kernels)
-
-        if (z > 0.0_wp) then
-            call add_inside(r, z, t, weight, integrals)
-        else
-            call add_on_surface(r, t, weight, integrals)
-        end if
-    end subroutine add_kernels
-
-    pure subroutine add_inside(r, z, t, weight, integrals)
-        real(wp), intent(in) :: r, z, t(:), weight(:)
-        real(wp), intent(inout) :: integrals(kernels)
-        real(wp), dimension(size(t)) :: im_a0, im_a1, im_a2, im_b0, im_b1, im_b2, im_c0, im_c1
-        real(wp) :: x, square, cross, modulus, root, rho_re, rho_im, g_re, g_im, inv_re, inv_im, inv2_re, inv2_im, inv3_re, &
-                    inv3_im, h_re, h_im, b_re, b_im
-        integer :: i
-
-        do i = 1, size(t)
-            x = r + t(i)
-            ! rho^2 without the cancellation of r^2 + zeta^2
-            square = z**2 - t(i)*(2.0_wp*r + t(i))
-            cross = 2.0_wp*z*x
-            modulus = sqrt(square**2 + cross**2)
-            root = sqrt(0.5_wp*(modulus + abs(square)))
-            rho_re = merge(root, 0.5_wp*cross/root, square >= 0.0_wp)
-            rho_im = merge(0.5_wp*cross/root, root, square >= 0.0_wp)
-            inv_re = rho_re/modulus
-            inv_im = -rho_im/modulus
-            h_re = rho_re + z
-            h_im = rho_im + x
-            root = 1.0_wp/(h_re**2 + h_im**2)
-            g_re = h_re*root
-            g_im = -h_im*root
-            inv2_re = inv_re**2 - inv_im**2
-            inv2_im = 2.0_wp*inv_re*inv_im
-            inv3_re = inv2_re*inv_re - inv2_im*inv_im
-            inv3_im = inv2_re*inv_im + inv2_im*inv_re
-            b_re = inv_re*g_re - inv_im*g_im
-            b_im = inv_re*g_im + inv_im*g_re
-            im_a0(i) = atan2(h_im, h_re)
-            im_a1(i) = -inv_im
-            im_a2(i) = -(z*inv3_im + x*inv3_re)
-            im_b0(i) = -g_im
-            im_b1(i) = -b_im
-            im_b2(i) = -inv3_im
-            im_c0(i) = -g_re*g_im
-            im_c1(i) = -(b_re*g_im + b_im*g_re)
-        end do
-        integrals = integrals + [sum(weight*im_a0), sum(weight*im_a1), sum(weight*im_a2), sum(weight*im_b0), sum(weight*im_b1), &
-                                 sum(weight*im_b2), sum(weight*im_c0), sum(weight*im_c1)]
-    end subroutine add_inside
-
-    !> The limits for z = 0 of the kernels that do not occur with a factor z; the others do not matter there.
-    pure subroutine add_on_surface(r, t, weight, integrals)
+    !> The limits on the surface of Im P of ln(rho + zeta), -1/rho, -1/(rho + zeta), -1/(rho (rho + zeta)), -1/(2 (rho + zeta)^2),
+    !> summed over nodes, with zeta = i (r + t).
+    pure function on_surface(r, t, weight) result(sums)
         real(wp), intent(in) :: r, t(:), weight(:)
-        real(wp), intent(inout) :: integrals(kernels)
+        real(wp) :: sums(5)
         real(wp) :: x, root
         integer :: i
 
+        sums = 0.0_wp
         do i = 1, size(t)
             x = r + t(i)
             root = sqrt(abs(t(i))*(2.0_wp*r + t(i)))
             if (t(i) > 0.0_wp) then
-                integrals(a0) = integrals(a0) + weight(i)*half_pi
-                integrals(a1) = integrals(a1) + weight(i)/root
-                integrals(b0) = integrals(b0) + weight(i)/(x + root)
+                sums(1) = sums(1) + weight(i)*half_pi
+                sums(2) = sums(2) + weight(i)/root
+                sums(3) = sums(3) + weight(i)/(x + root)
             else
-                integrals(a0) = integrals(a0) + weight(i)*atan2(x, root)
-                integrals(b0) = integrals(b0) + weight(i)*x/r**2
-                if (root > 0.0_wp) integrals(b1) = integrals(b1) + weight(i)*x/(root*r**2)
-                integrals(c0) = integrals(c0) + weight(i)*x*root/r**4
+                sums(1) = sums(1) + weight(i)*atan2(x, root)
+                sums(3) = sums(3) + weight(i)*x/r**2
+                if (root > 0.0_wp) sums(4) = sums(4) + weight(i)*x/(root*r**2)
+                sums(5) = sums(5) + weight(i)*x*root/r**4
             end if
         end do
-    end subroutine add_on_surface
+    end function on_surface
 
 end module mdrcontact_field_half_space

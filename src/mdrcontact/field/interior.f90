@@ -7,14 +7,13 @@ module mdrcontact_field_interior
     use mdrcontact_base_nonfinite, only: infinity
     use mdrcontact_batch, only: batch_t, run_batch
     use mdrcontact_error, only: check_memory, check_not_negative, error_domain, error_t, raise, to_text
-    use mdrcontact_field_half_space, only: add_normal_image, add_normal_sums, add_shear_image, add_shear_sums, half_space_rule_t, &
-                                           new_half_space_rule, normal_sums, shear_sums
+    use mdrcontact_field_half_space, only: half_space_rule_t, new_half_space_rule, normal_sums, shear_sums
     use mdrcontact_field_hankel, only: add_grid, add_point, hankel_t, new_hankel
     use mdrcontact_field_lattice, only: distinct_among, lattice_t, new_lattice
     use mdrcontact_medium_load, only: load_t
     use mdrcontact_body_layers, only: layers_t
-    use mdrcontact_field_layered_states, only: layered_states_t, new_layered_states
     use mdrcontact_field_states, only: depth_t, states_t
+    use mdrcontact_field_states_of_layers, only: displacement_unit, new_states
     use mdrcontact_field_waves, only: faded
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
@@ -74,16 +73,14 @@ contains
         !> how many threads; default 1
         integer, intent(in), optional :: threads
         type(depth_t), allocatable :: depths(:)
-        type(layers_t) :: scaled
-        type(layered_states_t), target :: states
+        class(states_t), allocatable, target :: states
         type(lattice_t) :: lattice
         integer :: stat
 
         call check_points(load, layers, r, z, below, error)
         if (allocated(error) .or. size(r) == 0) return
-        call layers%in_units_of(load%radius, scaled, error)
+        call new_states(states, layers, load%radius, error)
         if (allocated(error)) return
-        call new_layered_states(states, scaled)
         allocate (depths(size(r)), stat=stat)
         call check_memory(error, stat)
         call new_lattice(lattice, r, z, error)
@@ -129,7 +126,7 @@ contains
                 call add_shear_components(depths, radii, load%radius, sums, friction, field, angle)
             end if
         end if
-        call mark_singular(load, states%surface_poisson, r, z, field, friction, angle)
+        call mark_singular(load, states%half_space%singular, r, z, field, friction, angle)
     end subroutine state_field
 
     !> Refuses points outside the body or too far away.
@@ -176,23 +173,21 @@ contains
         logical, intent(in) :: below, is_grid
         !> same size as z
         type(depth_t), intent(inout) :: depths(:)
+        type(depth_t) :: in_layer(size(layers%thickness) + merge(0, 1, layers%rigid_base))
         integer :: i
 
+        do i = 1, size(in_layer)
+            in_layer(i)%layer = i
+            in_layer(i)%shear = displacement_unit(layers, i)
+            in_layer(i)%constants = layers%constants(i, in_layer(i)%shear)
+        end do
         do i = 1, size(z)
+            depths(i) = in_layer(layers%layer_at(z(i), below))
             depths(i)%z = depth_of(load, r(i), z(i))
-            depths(i)%layer = layers%layer_at(z(i), below)
-            depths(i)%shear = layers%shear(depths(i)%layer)
-            depths(i)%poisson = layers%poisson(depths(i)%layer)
             depths(i)%less = depths(i)%layer == 1
             if (size(layers%thickness) == 0) cycle
-            associate (thickness => layers%thickness(1)/load%radius)
-                if (is_grid) depths(i)%less = depths(i)%less .and. depths(i)%z < shared_from*thickness
-                if (depths(i)%less) then
-                    depths(i)%last = faded/(2.0_wp*thickness - depths(i)%z)
-                else
-                    depths(i)%last = faded/depths(i)%z
-                end if
-            end associate
+            if (is_grid) depths(i)%less = depths(i)%less .and. depths(i)%z < shared_from*layers%thickness(1)/load%radius
+            depths(i)%last = faded*load%radius/layers%decays_to(depths(i)%z*load%radius, depths(i)%less)
         end do
     end subroutine set_depths
 
@@ -335,25 +330,14 @@ contains
     pure subroutine add_closed(self, i)
         class(points_t), intent(inout) :: self
         integer, intent(in) :: i
-        integer :: j
 
         associate (states => self%states, depth => self%depths(i), r => self%position(i))
             if (states%along_surface) then
-                call add_shear_sums(self%rule, self%load, states%surface_poisson, r, depth%z, self%sums(:, i))
+                call states%half_space%add_shear(self%rule, self%load, r, depth%z, self%sums(:, i))
             else
-                call add_normal_sums(self%rule, self%load, states%surface_poisson, r, depth%z, self%sums(:, i))
+                call states%half_space%add_normal(self%rule, self%load, r, depth%z, self%sums(:, i))
             end if
-            if (.not. allocated(states%shifts)) return
-            do j = 1, size(states%shifts)
-                associate (shift => states%shifts(j), alpha => states%alpha(j, :, depth%layer), &
-                           beta => states%beta(j, :, depth%layer))
-                    if (states%along_surface) then
-                        call add_shear_image(self%rule, self%load, shift, alpha, beta, r, depth%z, self%sums(:, i))
-                    else
-                        call add_normal_image(self%rule, self%load, shift, alpha, beta, r, depth%z, self%sums(:, i))
-                    end if
-                end associate
-            end do
+            call states%add_images(self%rule, self%load, depth, r, self%sums(:, i))
         end associate
     end subroutine add_closed
 
@@ -365,12 +349,13 @@ contains
 
         field(:, [u_t, s_rt, s_tz]) = 0.0_wp
         do i = 1, size(r)
-            associate (s => sums(:, i), mu => depths(i)%shear, nu => depths(i)%poisson, local => depths(i)%local)
+            associate (s => sums(:, i), mu => depths(i)%shear, h => depths(i)%constants%h, c => depths(i)%constants%c, &
+                       c66 => depths(i)%constants%c66)
                 field(i, u_z) = unit*s(1)/(2.0_wp*mu)
                 field(i, u_r) = unit*r(i)*s(4)/(2.0_wp*mu)
                 field(i, s_zz) = s(2)
-                field(i, s_rr) = (local*s(3) + nu*s(2))/(1.0_wp - nu) - local*s(4)
-                field(i, s_tt) = nu*(local*s(3) + s(2))/(1.0_wp - nu) + local*s(4)
+                field(i, s_rr) = h*s(3) + c*s(2) - 2.0_wp*c66*s(4)
+                field(i, s_tt) = (h - 2.0_wp*c66)*s(3) + c*s(2) + 2.0_wp*c66*s(4)
                 field(i, s_rz) = r(i)*s(5)
             end associate
         end do
@@ -391,15 +376,16 @@ contains
                 along = friction*cos(angle(i))
                 across = friction*sin(angle(i))
             end if
-            associate (s => sums(:, i), mu => depths(i)%shear, nu => depths(i)%poisson, local => depths(i)%local)
+            associate (s => sums(:, i), mu => depths(i)%shear, h => depths(i)%constants%h, c => depths(i)%constants%c, &
+                       c66 => depths(i)%constants%c66)
                 field(i, u_r) = field(i, u_r) + along*unit*(s(1) + r(i)**2*s(7))/(4.0_wp*mu)
                 field(i, u_t) = field(i, u_t) - across*unit*(s(1) - r(i)**2*s(7))/(4.0_wp*mu)
                 field(i, u_z) = field(i, u_z) + along*unit*r(i)*s(3)/(2.0_wp*mu)
-                field(i, s_rr) = field(i, s_rr) + along*r(i)*((local*s(5) + nu*s(4))/(1.0_wp - nu) - local*s(7))
-                field(i, s_tt) = field(i, s_tt) + along*r(i)*(nu*(local*s(5) + s(4))/(1.0_wp - nu) + local*s(7))
+                field(i, s_rr) = field(i, s_rr) + along*r(i)*(h*s(5) + c*s(4) - 2.0_wp*c66*s(7))
+                field(i, s_tt) = field(i, s_tt) + along*r(i)*((h - 2.0_wp*c66)*s(5) + c*s(4) + 2.0_wp*c66*s(7))
                 field(i, s_zz) = field(i, s_zz) + along*r(i)*s(4)
                 field(i, s_rz) = field(i, s_rz) + along*0.5_wp*(s(2) + s(8))
-                field(i, s_rt) = field(i, s_rt) + across*r(i)*local*(0.5_wp*s(6) - s(7))
+                field(i, s_rt) = field(i, s_rt) + across*r(i)*c66*(s(6) - 2.0_wp*s(7))
                 field(i, s_tz) = field(i, s_tz) - across*0.5_wp*(s(2) - s(8))
             end associate
         end do
@@ -431,26 +417,23 @@ contains
     end function infinite_pressure
 
     !> Infinities where the pressure is infinite: the quadratures do not see them.
-    pure subroutine mark_singular(load, poisson, r, z, field, friction, angle)
+    pure subroutine mark_singular(load, ratio, r, z, field, friction, angle)
         class(load_t), intent(in) :: load
-        real(wp), intent(in) :: poisson, r(:), z(:)
+        !> see half_space_t
+        real(wp), intent(in) :: ratio(3), r(:), z(:)
         real(wp), intent(inout) :: field(:, :)
         real(wp), intent(in), optional :: friction, angle(:)
-        real(wp) :: pressure, azimuth
+        real(wp) :: pressure, azimuth, part
         integer :: i, j
 
         do i = 1, size(r)
             pressure = infinite_pressure(load, r(i), z(i))
             if (.not. abs(pressure) > 0.0_wp) cycle
             field(i, s_zz) = -pressure
-            if (r(i) > 0.0_wp) then
-                field(i, s_rr) = -pressure
-                if (abs(poisson) > 0.0_wp) field(i, s_tt) = -sign(1.0_wp, poisson)*pressure
-            else
-                do j = s_rr, s_tt
-                    if (abs(poisson + 0.5_wp) > 0.0_wp) field(i, j) = -sign(1.0_wp, poisson + 0.5_wp)*pressure
-                end do
-            end if
+            do j = s_rr, s_tt
+                part = ratio(merge(j - s_rr + 1, 3, r(i) > 0.0_wp))
+                if (abs(part) > 0.0_wp) field(i, j) = -sign(1.0_wp, part)*pressure
+            end do
             if (.not. present(friction)) cycle
             azimuth = 0.0_wp
             if (present(angle)) azimuth = angle(i)

@@ -2,7 +2,8 @@
 !> The states of homogeneous layers, by the sweep through them.
 module mdrcontact_field_layered_states
     use mdrcontact_body_layers, only: layers_t
-    use mdrcontact_error, only: error_t
+    use mdrcontact_error, only: check_memory, error_t
+    use mdrcontact_field_isotropic, only: isotropic_half_space_t, new_isotropic_half_space
     use mdrcontact_field_states, only: depth_t, states_t
     use mdrcontact_field_sweep, only: layer_state, new_sweep, sweep_t
     use mdrcontact_kinds, only: wp
@@ -25,19 +26,23 @@ module mdrcontact_field_layered_states
 contains
 
     !> Of layers with lengths in units of a.
-    pure subroutine new_layered_states(self, layers)
+    subroutine new_layered_states(self, layers, error)
         type(layered_states_t), intent(out) :: self
         type(layers_t), intent(in) :: layers
-        integer :: i, n
+        type(error_t), allocatable, intent(inout) :: error
+        type(isotropic_half_space_t), allocatable :: surface
+        integer :: i, n, stat
 
         n = size(layers%thickness)
+        allocate (surface, stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
+        call new_isotropic_half_space(surface, layers%poisson(1))
+        call move_alloc(surface, self%half_space)
         self%layers = layers
         self%tops = [(layers%top(i), i=1, n + 1)]
-        self%surface_poisson = layers%poisson(1)
         self%steps = n + 1
-        if (n == 0) return
-        if (.not. layers%rigid_base) n = n + 1
-        self%structure = sum(layers%thickness)*maxval(layers%shear(:n))/minval(layers%shear(:n))
+        if (n > 0) self%structure = sum(layers%thickness)*layers%contrast()
     end subroutine new_layered_states
 
     subroutine prepare(self, k, error)

@@ -3,7 +3,10 @@
 !> mdrcontact_field_sweep for what a state is.
 module mdrcontact_field_states
     use mdrcontact_error, only: error_t
+    use mdrcontact_field_half_space, only: half_space_rule_t, half_space_t
     use mdrcontact_kinds, only: wp
+    use mdrcontact_material_transverse, only: transverse_t
+    use mdrcontact_medium_load, only: load_t
     implicit none (type, external)
     private
     public :: states_t, depth_t, normal_rows, shear_rows
@@ -21,25 +24,27 @@ module mdrcontact_field_states
         logical :: less = .false.
         !> largest wavenumber needed [1/a]
         real(wp) :: last = 0.0_wp
-        !> G to which the state's displacements are referred [modulus]; nu and G relative to that at the depth
-        real(wp) :: shear = 1.0_wp, poisson = 0.0_wp, local = 1.0_wp
+        !> G to which the state's displacements are referred [modulus]
+        real(wp) :: shear = 1.0_wp
+        !> the constants at the depth, in units of 2 G
+        type(transverse_t) :: constants
     end type depth_t
 
     !> A body with its lengths in units of a.
     type, abstract :: states_t
-        !> nu at the surface
-        real(wp) :: surface_poisson = 0.0_wp
+        !> of the material at the surface
+        class(half_space_t), allocatable :: half_space
         !> the longest length on which the states vary [a]; 0 for a homogeneous body, whose field is closed
         real(wp) :: structure = 0.0_wp
         !> steps from the surface to the base
         integer :: steps = 1
         !> whether the load shears the surface instead of pressing it
         logical :: along_surface = .false.
-        !> images of the half-space, so far above the surface [a]: (alpha + beta k z) e^(-k (z + shift)), (image, row, depth)
-        real(wp), allocatable :: shifts(:), alpha(:, :, :), beta(:, :, :)
     contains
         !> to the load in one direction, before anything else
         procedure :: turn
+        !> what has a closed form beside the half-space
+        procedure :: add_images
         !> the states at wavenumbers k > 0, ascending [1/a]
         procedure(prepare_at), deferred :: prepare
         !> those of the wavenumbers first to last at a depth: (wavenumber, row)
@@ -64,6 +69,20 @@ module mdrcontact_field_states
     end interface
 
 contains
+
+    !> Extensions that have them add the images of the half-space to the sums of a point.
+    pure subroutine add_images(self, rule, load, depth, r, sums)
+        class(states_t), intent(in) :: self
+        type(half_space_rule_t), intent(in) :: rule
+        class(load_t), intent(in) :: load
+        type(depth_t), intent(in) :: depth
+        !> distance from the axis [length]
+        real(wp), intent(in) :: r
+        real(wp), intent(inout) :: sums(:)
+
+        associate (unused => self, also_unused => rule, unused_too => load, not_used => depth, nor_used => r, and_not => sums)
+        end associate
+    end subroutine add_images
 
     !> Extensions that take images find them here, and say at which depths.
     subroutine turn(self, along_surface, depths, error)

@@ -20,6 +20,7 @@ module mdrcontact_body_elements_interface
     contains
         procedure :: is_bonded
         procedure :: slides
+        procedure :: per_length
     end type bond_t
 
     !> An interface.
@@ -33,6 +34,7 @@ module mdrcontact_body_elements_interface
         procedure :: reflected
         procedure :: above_across
         procedure :: reflected_across
+        procedure :: softness
     end type interface_t
 
 contains
@@ -50,6 +52,16 @@ contains
 
         answer = self%tangential > huge(1.0_wp)
     end function slides
+
+    !> The same with another unit of length.
+    elemental function per_length(self, unit) result(scaled)
+        class(bond_t), intent(in) :: self
+        !> [length]
+        real(wp), intent(in) :: unit
+        type(bond_t) :: scaled
+
+        scaled = bond_t(self%normal/unit, self%tangential/unit)
+    end function per_length
 
     !> Raises unless compliances are at least 0, and the normal one is finite.
     pure subroutine check_bond(bond, error)
@@ -74,6 +86,14 @@ contains
         self%half_space(2, 2) = -1.0_wp
         self%half_space_across = 1.0_wp
     end subroutine new_interface
+
+    !> The longer one of 2 G/K_n and, where it does not slide, 2 G/K_t [length]
+    pure function softness(self) result(length)
+        class(interface_t), intent(in) :: self
+        real(wp) :: length
+
+        length = maxval(self%jump)
+    end function softness
 
     pure function above(self, k, below) result(compliance)
         class(interface_t), intent(in) :: self

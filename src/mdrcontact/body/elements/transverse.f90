@@ -32,6 +32,7 @@ module mdrcontact_body_elements_transverse
         real(wp) :: across = 1.0_wp, shear = 0.5_wp
     contains
         procedure :: fall
+        procedure :: roots
     end type modes_t
 
     !> A layer.
@@ -116,15 +117,23 @@ contains
         self%shear = constants%shear()
     end subroutine new_modes
 
+    !> Both lambda, the one that decays faster first.
+    pure function roots(self) result(lambda)
+        class(modes_t), intent(in) :: self
+        complex(wp) :: lambda(2)
+
+        lambda = 0.5_wp*self%total + self%apart*[1.0_wp, -1.0_wp]
+        if (real(self%apart, wp) > 0.0_wp) lambda(2) = self%product/lambda(1)
+    end function roots
+
     !> exp(-Q x).
     pure function fall(self, x) result(matrix)
         class(modes_t), intent(in) :: self
         complex(wp), intent(in) :: x
         complex(wp) :: matrix(2, 2)
-        complex(wp) :: slow, y, other, even, odd
+        complex(wp) :: lambda(2), y, other, even, odd
 
-        slow = 0.5_wp*self%total - self%apart
-        if (real(self%apart, wp) > 0.0_wp) slow = self%product/(0.5_wp*self%total + self%apart)
+        lambda = self%roots()
         y = self%apart*x
         if (real(y, wp)**2 + aimag(y)**2 < 0.25_wp) then
             other = exp(-0.5_wp*self%total*x)
@@ -135,7 +144,7 @@ contains
                   *(1.0_wp + y/156.0_wp))))))
         else
             other = exp(-2.0_wp*y)
-            even = exp(-slow*x)
+            even = exp(-lambda(2)*x)
             odd = 0.5_wp*even*(1.0_wp - other)/self%apart
             even = 0.5_wp*even*(1.0_wp + other)
         end if
