@@ -85,7 +85,8 @@ contains
         call check_memory(error, stat)
         call new_lattice(lattice, r, z, error)
         if (allocated(error)) return
-        call set_depths(load, layers, r, z, below, lattice%is_grid, depths)
+        call set_depths(load, layers, r, z, below, lattice%is_grid, depths, error)
+        if (allocated(error)) return
         call state_field(load, states, lattice, r, z, depths, field, error, friction, angle, threads)
     end subroutine interior_field
 
@@ -166,16 +167,20 @@ contains
         end do
     end subroutine check_points
 
-    subroutine set_depths(load, layers, r, z, below, is_grid, depths)
+    subroutine set_depths(load, layers, r, z, below, is_grid, depths, error)
         class(load_t), intent(in) :: load
         type(layers_t), intent(in) :: layers
         real(wp), intent(in) :: r(:), z(:)
         logical, intent(in) :: below, is_grid
         !> same size as z
         type(depth_t), intent(inout) :: depths(:)
-        type(depth_t) :: in_layer(size(layers%thickness) + merge(0, 1, layers%rigid_base))
-        integer :: i
+        type(error_t), allocatable, intent(inout) :: error
+        type(depth_t), allocatable :: in_layer(:)
+        integer :: i, stat
 
+        allocate (in_layer(size(layers%thickness) + merge(0, 1, layers%rigid_base)), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
         do i = 1, size(in_layer)
             in_layer(i)%layer = i
             in_layer(i)%shear = displacement_unit(layers, i)
