@@ -52,7 +52,7 @@ CALLS = {
     "map": "lambda: structure.modulus(many, many, 0.5)",
     "fit": "lambda: mdr.fit(curve, mdr.FlatEndedCone(0.1, 0.3), graded, names, check_units=False)",
     "history": "lambda: film.history(time_of_path, depth=np.sin(time_of_path) ** 2, tolerance=1e-9)",
-    "wear": "worn.advance(np.full(1000, 1.0), force=0.5)",
+    "wear": "lambda: worn.advance(np.full(100_000, 1.0), force=0.5)",
     "fits": "lambda: mdr.fit_many([curve] * 1000, mdr.Cone(0.3), graded, names, check_units=False)",
 }
 
