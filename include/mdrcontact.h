@@ -1152,8 +1152,8 @@ int mdr_conduction_along(const mdr_conduction *p, const mdr_contact *c, int n, c
 enum mdr_heat_motion {
     MDR_HEAT_SLIDING = 1,  /**< q = mu v p(r), the source resting on both bodies: fretting, or low speeds. */
     MDR_HEAT_SPINNING = 2, /**< q = mu omega r p(r) of a twist about the axis: exact at any speed. */
-    MDR_HEAT_MOVING = 3    /**< q = mu v p(r), the source moving over the lower body at any speed and resting on the upper one.
-                                Of two bodies the share is that of equal flux_mean, an approximation. */
+    MDR_HEAT_MOVING = 3    /**< q = mu v p(r), the source moving over the lower body, v a c/sigma <= 1000, and resting on the
+                                upper one. Of two bodies the share is that of equal flux_mean, an approximation. */
 };
 
 /** The heat of friction of a state, and temperature rises of the contact over those far away. */

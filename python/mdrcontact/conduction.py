@@ -195,8 +195,9 @@ class Conduction(Value):
         """The heat of friction of states, any shape, q = mu speed p(r), and its temperatures.
 
         motion : "sliding", the source resting on both bodies, as in fretting or at low speeds; "spinning", q = mu speed r p(r),
-            speed being the twist rate [1/time]: exact at any speed; "moving", the source moving over the lower body at any speed
-            and resting on the upper one. Of two bodies the share is then that of equal flux_mean, an approximation
+            speed being the twist rate [1/time]: exact at any speed; "moving", the source moving over the lower body, at
+            v a c/sigma <= 1000, and resting on the upper one. Of two bodies the share is then that of equal
+            flux_mean, an approximation
         source_speed : speed of the source over the lower body; None: speed [length/time]
         """
         kind = code("motion", motion, MOTIONS)

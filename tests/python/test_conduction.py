@@ -442,7 +442,7 @@ def of_jaeger(x, y, v):
     return np.sum(weight * q * fall) * 2.0 * np.pi / len(phi) / (2.0 * np.pi)
 
 
-@pytest.mark.parametrize("v", [0.3, 5.0, 60.0])
+@pytest.mark.parametrize("v", [0.3, 5.0, 60.0, 150.0])
 def test_largest_temperature_of_a_moving_source(v):
     """Beside Jaeger's source, whose temperatures along the line are integrated at places around the one found."""
     contact = mdr.Contact(mdr.Paraboloid(1.0), mdr.Homogeneous(mdr.Elastic(0.5 * np.pi, 0.0)))

@@ -4,6 +4,7 @@
 !>     dchi = chi(k, i v k cos phi) - chi(k, 0)
 !> at a distance x behind the centre; with J_0 in the place of the last factor, means.
 module mdrcontact_conduction_moving
+    use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_conduction_bodies, only: conduction_t
     use mdrcontact_conduction_conductors, only: conductors_t
     use mdrcontact_conduction_heat, only: friction_heat, heat_t
@@ -30,8 +31,12 @@ module mdrcontact_conduction_moving
     real(wp), parameter :: waves_of_means = 2000.0_wp
     !> Places between two nodes of the series at which the largest value is looked for.
     integer, parameter :: places = 400
-    !> v a c/sigma_r up to which this is offered.
-    real(wp), parameter :: fastest = 1.0e4_wp
+    !> Waves up to this over a show where the largest value lies, to a tenth of a.
+    real(wp), parameter :: waves_of_search = 40.0_wp
+    !> Distances over a at which parabolas are laid through three temperatures: the last is within 3e-4 a of the place.
+    real(wp), parameter :: reaches(*) = [0.08_wp, 0.02_wp]
+    !> v a c/sigma_r up to which this is offered: it takes 10 to 20 s there, and its square.
+    real(wp), parameter :: fastest = 1.0e3_wp
 
     !> j_hat and its waves.
     type :: waves_t
@@ -102,8 +107,6 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         type(waves_t) :: waves
         real(wp), allocatable :: loads(:, :)
-        real(wp) :: along(terms), one(1), x(terms)
-        integer :: i
 
         call friction_heat(conduction, contact, state, sliding, strength, heat, error, loads)
         heat%area_mean = 0.0_wp
@@ -111,14 +114,35 @@ contains
         associate (body => conduction%bodies(1), a => state%radius)
             call find_waves(body, a, speed, loads(:, 1), waves, error)
             if (allocated(error)) return
-            call add_means(body, a, speed, waves, heat)
-            x = [(0.5_wp*a*(1.0_wp + node(i, terms)), i=1, terms)]
-            call temperatures(body, a, speed, loads(:, 1), waves, x, along, error)
-            heat%behind = 0.5_wp*a*(1.0_wp + place_of_largest(along))
-            call temperatures(body, a, speed, loads(:, 1), waves, [heat%behind], one, error)
-            heat%largest = one(1)
+            call add_means(body, a, speed, waves, heat, error)
+            if (.not. allocated(error)) call find_largest(body, a, speed, loads(:, 1), waves, heat, error)
         end associate
     end subroutine heat_all
+
+    !> The largest temperature on the line of motion: sought among long waves, found by parabolas through three values.
+    subroutine find_largest(body, a, speed, load, waves, heat, error)
+        type(conductors_t), intent(in) :: body
+        real(wp), intent(in) :: a, speed, load(:)
+        type(waves_t), intent(in) :: waves
+        type(heat_t), intent(inout) :: heat
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp) :: along(terms), x(terms), near(3), values(3), reach
+        integer :: i
+
+        x = [(0.5_wp*a*(1.0_wp + node(i, terms)), i=1, terms)]
+        call temperatures(body, a, speed, load, waves, x, min(waves%last, waves_of_search), along, error)
+        if (allocated(error)) return
+        heat%behind = 0.5_wp*a*(1.0_wp + place_of_largest(along))
+        do i = 1, size(reaches)
+            reach = reaches(i)*a
+            near = min(max(heat%behind, reach), a - reach) + [-reach, 0.0_wp, reach]
+            call temperatures(body, a, speed, load, waves, near, waves%last, values, error)
+            if (allocated(error)) return
+            heat%behind = min(max(near(2) + reach*top(values), 0.0_wp), a)
+        end do
+        call temperatures(body, a, speed, load, waves, [heat%behind], waves%last, values(:1), error)
+        heat%largest = values(1)
+    end subroutine find_largest
 
     !> The transform of the source.
     subroutine find_waves(body, a, speed, load, waves, error)
@@ -152,15 +176,18 @@ contains
     end subroutine find_waves
 
     !> Of the centre, and of the mean over the heat.
-    subroutine add_means(body, a, speed, waves, heat)
+    subroutine add_means(body, a, speed, waves, heat, error)
         type(conductors_t), intent(in) :: body
         real(wp), intent(in) :: a, speed
         type(waves_t), intent(in) :: waves
         type(heat_t), intent(inout) :: heat
+        type(error_t), allocatable, intent(inout) :: error
         real(wp) :: less(1)
         integer :: i
 
         do i = 1, size(waves%z)
+            call check_cancelled(error)
+            if (allocated(error)) return
             call find_directions(body, waves, waves%z(i)/a, speed, [0.0_wp], less)
             less = less*waves%weight(i)/(a*body%s(1))*waves%hat(i)
             heat%centre = heat%centre + less(1)
@@ -169,12 +196,14 @@ contains
     end subroutine add_means
 
     !> T at distances behind the centre, along the line through it.
-    subroutine temperatures(body, a, speed, load, waves, x, values, error)
+    subroutine temperatures(body, a, speed, load, waves, x, last, values, error)
         type(conductors_t), intent(in) :: body
         real(wp), intent(in) :: a, speed, load(:)
         type(waves_t), intent(in) :: waves
         !> 0 <= x <= a [length]
         real(wp), intent(in) :: x(:)
+        !> wave up to which the motion shows
+        real(wp), intent(in) :: last
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(inout) :: error
         real(wp) :: less(size(x)), flux_z(size(x)), flux_r(size(x))
@@ -184,7 +213,9 @@ contains
         call fields_inside(body, a, load, x, spread(0.0_wp, 1, size(x)), .true., values, flux_z, flux_r, error)
         if (allocated(error)) return
         do i = 1, size(waves%z)
-            if (waves%z(i) > waves%last) exit
+            if (waves%z(i) > last) exit
+            call check_cancelled(error)
+            if (allocated(error)) return
             call find_directions(body, waves, waves%z(i)/a, speed, x, less)
             values = values + waves%hat(i)*waves%weight(i)/(a*body%s(1))*less
         end do
@@ -194,7 +225,7 @@ contains
     pure function place_of_largest(values) result(place)
         real(wp), intent(in) :: values(terms)
         real(wp) :: place
-        real(wp) :: series(2, terms), x(0:places), found(0:places), step
+        real(wp) :: series(2, terms), x(0:places), found(0:places)
         integer :: i
 
         series = series_of_values(spread(values, 1, 2))
@@ -203,12 +234,18 @@ contains
             found(i) = minval(series_value(series, x(i)))
         end do
         i = min(max(maxloc(found, dim=1) - 1, 1), places - 1)
-        ! the top of a parabola through the largest and its neighbours
-        step = found(i + 1) - 2.0_wp*found(i) + found(i - 1)
-        place = x(i)
-        if (step < 0.0_wp) place = x(i) - 0.5_wp*(x(2) - x(1))*(found(i + 1) - found(i - 1))/step
-        place = min(max(place, -1.0_wp), 1.0_wp)
+        place = min(max(x(i) + (x(2) - x(1))*top(found(i - 1:i + 1)), -1.0_wp), 1.0_wp)
     end function place_of_largest
+
+    !> Where the parabola through values at -1, 0 and 1 is largest, within -2 and 2; of one that opens upwards, 0.
+    pure function top(values) result(place)
+        real(wp), intent(in) :: values(3)
+        real(wp) :: place, bend
+
+        place = 0.0_wp
+        bend = values(3) - 2.0_wp*values(2) + values(1)
+        if (bend < 0.0_wp) place = min(max(0.5_wp*(values(1) - values(3))/bend, -2.0_wp), 2.0_wp)
+    end function top
 
     !> The mean over all directions of Re[(chi(k, i v k cos phi) - chi(k, 0)) exp(i k x cos phi)]. Panels are halved towards
     !> cos phi = 0, near which lies the branch point cos phi = i k/(v c/sigma_r), and short where the phase turns.

@@ -1,5 +1,8 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Even Legendre polynomials in Fourier space: int_0^1 P_2j(x) cos(kx) dx = (-1)^j j_2j(k).
+!>
+!> Above its order j_l neither grows nor falls with l, so that the recurrence keeps its digits upwards; below GSL goes down from high
+!> orders, which takes as many steps as k is large, and fails beyond 2e4.
 module mdrcontact_numerics_even_waves
     use, intrinsic :: iso_c_binding, only: c_int
     use mdrcontact_error, only: error_no_convergence, error_t, raise, to_text
@@ -22,6 +25,10 @@ contains
 
         values = 0.0_wp
         if (allocated(error)) return
+        if (k > max(ubound(bessel, 1), 1)) then
+            call go_up(k, values)
+            return
+        end if
         call disable_gsl_abort()
         bessel = 0.0_wp
         if (gsl_sf_bessel_jl_steed_array(int(highest_order(k, ubound(bessel, 1)), c_int), k, bessel) /= gsl_success) then
@@ -32,6 +39,22 @@ contains
             values(j) = (-1)**j*bessel(2*j)
         end do
     end subroutine even_waves
+
+    !> The same for orders below k.
+    pure subroutine go_up(k, values)
+        real(wp), intent(in) :: k
+        real(wp), intent(out) :: values(0:)
+        real(wp) :: even, odd
+        integer :: j
+
+        even = sin(k)/k
+        odd = (even - cos(k))/k
+        do j = 0, ubound(values, 1)
+            values(j) = (-1)**j*even
+            even = real(4*j + 3, wp)/k*odd - even
+            odd = real(4*j + 5, wp)/k*even - odd
+        end do
+    end subroutine go_up
 
     !> The highest l <= order for which j_l(k) ~ k^l/(2l + 1)!! is not far below all others.
     pure function highest_order(k, order) result(l)
