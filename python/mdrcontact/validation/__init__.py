@@ -8,6 +8,7 @@ from .check import Check, Comparison, Group
 from .conducting import CONDUCTING
 from .elements import ELEMENTS
 from .inside import INSIDE
+from .layers import LAYERS
 from .normal import NORMAL
 from .products import PRODUCTS
 from .programs import PROGRAMS
@@ -19,6 +20,7 @@ __all__ = ["CHECKS", "GROUPS", "Check", "Comparison"]
 
 GROUPS: tuple[Group, ...] = (
     Group("normal", "Normal contact", NORMAL),
+    Group("layers", "Layers that slide, rest on springs, or are under stress", LAYERS),
     Group("inside", "Stresses inside", INSIDE),
     Group("adhesion", "Adhesion", ADHESION),
     Group("friction", "Friction", RUBBING),

@@ -10,6 +10,8 @@ from typing import Any
 import numpy as np
 
 from ..contact import Contact
+from ..material import Elastic
+from ..medium import Homogeneous, Surface
 from ..profile import Paraboloid
 from ..rate_adhesion import RateAdhesion
 from .bodies import BODY, LIBRARY, MODULUS, RADIUS
@@ -74,9 +76,19 @@ def rate() -> Comparison:
     return comparison("t", time, found.force, there, float(np.abs(there).max()))
 
 
+def with_tension() -> Comparison:
+    """The depth W R/tau at which a ball rests on a surface that is held by its tension tau alone: the angle of Young and Dupré."""
+    work, tip, modulus = 0.01, Paraboloid(RADIUS), np.geomspace(1e-6, 1e-3, 7)
+    bodies = [Homogeneous(Elastic(E, 0.5), surface=Surface(tension=1.0)) for E in modulus]
+    here = [float(Contact(tip, body, work_of_adhesion=work).at_force(0.0).depth) for body in bodies]
+    return comparison("log10(E R/tau)", np.log10(modulus * RADIUS), here, np.full(7, work * RADIUS))
+
+
 ADHESION = (
     Check("jkr", "adhesion", "Johnson, Kendall, Roberts 1971", 1e-8, LIBRARY, jkr),
     Check("maugis", "adhesion with a range", "Maugis 1992", 1e-8, LIBRARY, maugis),
+    Check("tension", "adhesion on a surface with tension", "Young 1805; Dupré 1869; Style et al. 2013", 1e-3,
+          "the limit's: E R/tau up to 2e-3", with_tension),
     Check("rate", "pull-off that depends on speed", "Maugis, Barquins 1978, integrated by SciPy", 1e-6,
           "SciPy's: step control", rate, needs="scipy"),
 )  # fmt: skip

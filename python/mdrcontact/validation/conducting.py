@@ -39,8 +39,31 @@ def heat() -> Comparison:
     return comparison("r/a", r, found.temperature(0.1 * r, np.zeros(r.size)), there)
 
 
+def moving() -> Comparison:
+    """The largest temperature under a source q (1 - r^2/a^2)^(1/2) that moves at any speed: 2.32 qm a/(S sqrt(pi (1.234 + Pe))),
+    Pe = v a/(2 D), qm its mean."""
+    contact, sigma, capacity = ball(), 2.0, 3.0
+    state, speed = contact.at_radius(0.1), np.geomspace(0.1, 1e3, 13)
+    body = Conduction(Conductor(sigma, None, capacity))
+    heats = [body.friction_heat(contact, state, 0.3, 1.0, "moving", v) for v in speed]
+    peclet = 0.5 * speed * 0.1 * capacity / sigma
+    there = 2.32 * heats[0].total / (math.pi * 0.1 * sigma * np.sqrt(math.pi * (1.234 + peclet)))
+    return comparison("log10(Pe)", np.log10(peclet), [float(heat.largest or 0.0) for heat in heats], there)
+
+
+def step() -> Comparison:
+    """The flux after a step of potential, over the steady one: 0.7854 + 0.8862/sqrt(t) + 0.2146 exp(-0.7823/sqrt(t)), with t in
+    units of a^2/(4 D)."""
+    sigma, capacity, t = 2.0, 3.0, np.geomspace(1e-3, 1e3, 25)
+    here = Conduction(Conductor(sigma, None, capacity)).step(0.25 * t * capacity / sigma, 1.0)
+    there = 0.7854 + 0.8862 / np.sqrt(t) + 0.2146 * np.exp(-0.7823 / np.sqrt(t))
+    return comparison("log10(4 D t/a^2)", np.log10(t), np.asarray(here) / (4.0 * sigma), there)
+
+
 CONDUCTING = (
     Check("holm", "conductance of a spot", "Holm 1967", ROUNDING, LIBRARY, holm),
     Check("dryden", "spot on a layered conductor, thick layer", "Dryden 1983", 3e-3, "the limit's next term, (a/H)^2", dryden),
     Check("heat", "temperature by the heat of friction", "Carslaw, Jaeger 1959; Hertz 1882", 1e-8, LIBRARY, heat),
+    Check("moving", "largest temperature under a moving source", "Tian, Kennedy 1994, fit", 2e-2, "the fit's", moving),
+    Check("step", "flux after a step of potential", "Shoup, Szabo 1982, fit", 8e-3, "the fit's, stated as 6e-3", step),
 )

@@ -12,7 +12,7 @@ import numpy as np
 from .. import fitting
 from ..contact import Contact, State
 from ..friction import Friction
-from ..material import RIGID, Elastic
+from ..material import RIGID, Elastic, TransverselyIsotropic
 from ..medium import Coated, Graded, Homogeneous
 from ..profile import FlatPunch, Paraboloid
 from .check import Array, Check, Comparison, comparison
@@ -38,10 +38,13 @@ def _lines(points: list[float], finest: float, ratio: float) -> Array:
     return np.unique(np.array(lines))
 
 
+Moduli = Callable[[Array], tuple[Array, ...]]
+
+
 class _Body:
     """A mesh of biquadratic elements over 0 < r < far, 0 < z < depth, the base held."""
 
-    def __init__(self, moduli: Callable[[Array], tuple[Array, Array]], r: Array, z: Array) -> None:
+    def __init__(self, moduli: Moduli, r: Array, z: Array) -> None:
         fem: Any = importlib.import_module("skfem")
         self.fem = fem
         mesh = fem.MeshQuad.init_tensor(r, z)
@@ -57,16 +60,12 @@ class _Body:
         far = (self.places[1] > z[-1] - 1e-12) | ((self.places[0] > r[-1] - 1e-12) & (r[-1] > z[-1]) & (self.component == 0))
         self.held = np.flatnonzero(far | ((self.places[0] < 1e-12) & (self.component == 0)))
 
-    def _stiffness(self, moduli: Callable[[Array], tuple[Array, Array]]) -> Any:
+    def _stiffness(self, moduli: Moduli) -> Any:
         def form(u: Any, v: Any, w: Any) -> Any:
             r = w.x[0]
-            lame, shear = moduli(w.x[1])
-            du, dv = u.grad, v.grad
-            hoop_u, hoop_v = u[0] / r, v[0] / r
-            trace_u, trace_v = du[0][0] + du[1][1] + hoop_u, dv[0][0] + dv[1][1] + hoop_v
-            pairs = du[0][0] * dv[0][0] + du[1][1] * dv[1][1] + hoop_u * hoop_v
-            pairs = pairs + 0.5 * (du[0][1] + du[1][0]) * (dv[0][1] + dv[1][0])
-            return 2.0 * np.pi * r * (lame * trace_u * trace_v + 2.0 * shear * pairs)
+            strains, others = _strains(u.grad, u[0] / r), _strains(v.grad, v[0] / r)
+            stresses = _stresses(moduli(w.x[1]), strains)
+            return 2.0 * np.pi * r * sum(s * e for s, e in zip(stresses, others, strict=True))
 
         return self.fem.BilinearForm(form).assemble(self.basis)
 
@@ -90,16 +89,27 @@ class _Body:
 
         return self.fem.solve(*self.fem.condense(self.matrix, self.fem.LinearForm(form).assemble(top), D=self.held))
 
-    def stresses(self, u: Array, moduli: Callable[[Array], tuple[Array, Array]]) -> tuple[Array, Array, tuple[Array, ...]]:
+    def stresses(self, u: Array, moduli: Moduli) -> tuple[Array, Array, tuple[Array, ...]]:
         """r, z and s_zz, s_rr, s_tt, s_rz at all points of the quadrature."""
         field = self.basis.interpolate(u)
         r, z = np.asarray(self.basis.global_coordinates())
-        lame, shear = moduli(z)
-        slope, hoop = field.grad, np.asarray(field)[0] / r
-        trace = lame * (slope[0][0] + slope[1][1] + hoop)
-        rz = shear * (slope[0][1] + slope[1][0])
-        stresses = (trace + 2.0 * shear * part for part in (slope[1][1], slope[0][0], hoop))
-        return r.ravel(), z.ravel(), (*(np.asarray(s).ravel() for s in stresses), np.asarray(rz).ravel())
+        zz, rr, tt, rz = _stresses(moduli(z), _strains(field.grad, np.asarray(field)[0] / r))
+        return r.ravel(), z.ravel(), tuple(np.asarray(s).ravel() for s in (zz, rr, tt, rz))
+
+
+def _strains(slope: Any, hoop: Any) -> tuple[Any, ...]:
+    """e_zz, e_rr, e_tt and 2 e_rz."""
+    return slope[1][1], slope[0][0], hoop, slope[0][1] + slope[1][0]
+
+
+def _stresses(moduli: tuple[Array, ...], strains: tuple[Any, ...]) -> tuple[Any, ...]:
+    """s_zz, s_rr, s_tt and s_rz, by lambda and G or by C11, C12, C13, C33, C44."""
+    if len(moduli) == 2:
+        lame, shear = moduli
+        moduli = lame + 2.0 * shear, lame, lame, lame + 2.0 * shear, shear
+    c11, c12, c13, c33, c44 = moduli
+    zz, rr, tt, rz = strains
+    return c33 * zz + c13 * (rr + tt), c11 * rr + c12 * tt + c13 * zz, c12 * rr + c11 * tt + c13 * zz, c44 * rz
 
 
 def _moduli(layers: list[tuple[float, Elastic]]) -> Callable[[Array], tuple[Array, Array]]:
@@ -127,6 +137,20 @@ def bonded() -> Comparison:
             rows.append((a, Coated(film, 1.0, RIGID).stiffness(a), _bonded_punch(film, a)))
     a, here, there = np.array(rows, dtype=float).T
     return comparison("a/h (nu = 0.3, then 0.45)", np.concatenate([a[:4], 5.0 + a[4:]]), here, there)
+
+
+def with_an_axis() -> Comparison:
+    """A layer of graphite, and of a fibre mat, on a rigid base under a flat punch."""
+    rows = []
+    for film in (TransverselyIsotropic(1060.0, 180.0, 15.0, 36.5, 4.5), TransverselyIsotropic(3.0, 1.0, 1.5, 12.0, 2.0)):
+
+        def moduli(z: Array, film: TransverselyIsotropic = film) -> tuple[Array, ...]:
+            return tuple(np.full_like(z, c) for c in (film.C11, film.C12, film.C13, film.C33, film.C44))
+
+        for a in (0.5, 1.0, 2.0, 4.0):
+            rows.append((a, Coated(film, 1.0, RIGID).stiffness(a), _punch_on_layer(moduli, a)))
+    a, here, there = np.array(rows, dtype=float).T
+    return comparison("a/h (graphite, then fibres)", np.concatenate([a[:4], 5.0 + a[4:]]), here, there)
 
 
 def coated() -> Comparison:
@@ -184,9 +208,13 @@ def sticking() -> Comparison:
 
 
 def _bonded_punch(film: Elastic, a: float) -> float:
+    return _punch_on_layer(_moduli([(1.0, film)]), a)
+
+
+def _punch_on_layer(moduli: Moduli, a: float) -> float:
     """Stiffness of a punch on a layer of thickness 1 on a rigid base."""
     r = _lines([a, 0.0, a + 12.0], _FINEST * a, _RATIO)
-    return _Body(_moduli([(1.0, film)]), r, _lines([0.0, 1.0], _FINEST * a, _RATIO)).punch(a)
+    return _Body(moduli, r, _lines([0.0, 1.0], _FINEST * a, _RATIO)).punch(a)
 
 
 def pressed() -> Comparison:
@@ -267,6 +295,8 @@ def fitted() -> Comparison:
 ELEMENTS = (
     Check("elements-bonded", "stiffness, layer on a rigid base", "finite elements (scikit-fem)", 1e-3,
           "the elements': singular edge, 12 thicknesses", bonded, needs="skfem"),
+    Check("elements-axis", "stiffness, layer with an axis on a rigid base", "finite elements (scikit-fem)", 1e-3,
+          "the elements': singular edge, 12 thicknesses", with_an_axis, needs="skfem"),
     Check("elements-coated", "stiffness, coated half-space", "finite elements (scikit-fem)", 4e-3,
           "the elements': end of the mesh at 60 a", coated, is_long=True, needs="skfem"),
     Check("elements-graded", "stiffness, graded half-space", "finite elements (scikit-fem)", 4e-3,

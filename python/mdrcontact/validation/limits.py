@@ -12,13 +12,13 @@ import numpy as np
 from .. import lateral
 from ..accuracy import accuracy_map
 from ..conduction import Conduction
-from ..conductor import Conductor, LayeredConductor
+from ..conductor import INSULATING, SLIDING, Conductor, LayeredConductor
 from ..contact import Contact
 from ..errors import MDRError
 from ..friction import Friction
 from ..law import ContactLaw
-from ..material import RIGID, Elastic, PowerLawRheology
-from ..medium import Coated, Homogeneous, PowerLawGraded
+from ..material import RIGID, Elastic, PowerLawRheology, TransverselyIsotropic
+from ..medium import Coated, Homogeneous, Layer, Layered, PowerLawGraded, Surface
 from ..medium.models import MODELS
 from ..poroelastic import Poroelastic
 from ..profile import Cone, FlatPunch, Paraboloid
@@ -28,6 +28,7 @@ _SOFT, _HARD = Elastic(1.0, 0.3), Elastic(10.0, 0.3)
 _FILM = Coated(_HARD, 1.0, _SOFT)
 _RELAXING = Homogeneous(PowerLawRheology(1.0, 1.0, 0.2, 0.5))
 _GEL = Poroelastic(1.0, 0.2, 1.0)
+_SLIDING = Layered([Layer(_HARD, 1.0, interface=SLIDING)], _SOFT)
 _BONDED = Coated(Elastic(1.0, 0.5), 1.0, RIGID, "dimitriadis")
 _RATIOS, _RADII = np.geomspace(0.5, 2.0, 5), np.geomspace(0.1, 10.0, 9)
 """Moduli of film over base and a/h, between which the models' errors are given."""
@@ -56,6 +57,18 @@ LIMITS: tuple[Limit, ...] = (
     Limit("indenters", "exact", "a punch, a = 2 of its radius", lambda: Contact(FlatPunch(1.0), _FILM).at_radius(2.0)),
     Limit("layers, model exact", _EXACT, "a/h = 2e4", lambda: Contact(Paraboloid(1e9), _FILM).at_radius(2e4)),
     Limit("layers, model exact", _EXACT, "tolerance 1e-13", lambda: Coated(_HARD, 1.0, _SOFT, tolerance=1e-13)),
+    Limit("layers with an axis", _EXACT, "C13 so large that a strain yields energy", lambda: TransverselyIsotropic(
+        10.0, 2.0, 8.0, 10.0, 3.0)),
+    Limit("layers with an axis", _EXACT, "model gao", lambda: Coated(
+        TransverselyIsotropic(10.0, 2.0, 3.0, 5.0, 3.0), 1.0, _SOFT, "gao")),
+    Limit("interfaces", _EXACT, "shear of a sheet that slides", lambda: Friction(
+        Contact(Paraboloid(1.0), _SLIDING), 0.3).at_shift(0.01, depth=0.1)),
+    Limit("prestress", _EXACT, "more than wrinkles the surface", lambda: Layered(
+        [Layer(Elastic(1000.0, 0.3), 1.0, prestress=-20.0)], _SOFT)),
+    Limit("surfaces with tension", "exact, to 1e-9", "compression without a plate", lambda: Contact(
+        Paraboloid(1.0), Homogeneous(_SOFT, surface=Surface(tension=-1.0)))),
+    Limit("surfaces with tension", "exact, to 1e-9", "partial slip", lambda: Friction(Contact(
+        Paraboloid(1.0), Homogeneous(_SOFT, surface=Surface(tension=1.0))), 0.3).at_shift(0.01, depth=0.1)),
     Limit("power-law grading", "exact", "exponent 1", lambda: PowerLawGraded(1.0, 1.0, 1.0, 0.3)),
     Limit("dimitriadis, garcia", "model", "a/h = 1.5", lambda: Contact(Paraboloid(5.0), _BONDED).at_radius(1.5)),
     Limit("dimitriadis, garcia", "model", "a cone", lambda: Contact(Cone(0.3), _BONDED).at_radius(0.1)),
@@ -79,6 +92,13 @@ LIMITS: tuple[Limit, ...] = (
         FlatPunch(5.0), Coated(_GEL, 1.0, RIGID)).relaxation(1.0, drainage="surface")),
     Limit("conduction", "exact, to 1e-11", "a/h = 2e4", lambda: Conduction(
         LayeredConductor(((Conductor(2.0), 1.0),), Conductor(1.0))).at_radius(2e4)),
+    Limit("conduction", "exact, to 1e-11", "a film in the spot, S R/a = 1e-7", lambda: Conduction(
+        Conductor(1.0), film=1e-7).at_radius(1.0)),
+    Limit("conduction", "exact, to 1e-11", "an insulating base without a sink", lambda: Conduction(
+        LayeredConductor(((Conductor(2.0), 1.0),), INSULATING)).at_radius(1.0)),
+    Limit("conduction in time", "to 1e-8", "D t/a^2 = 1e-6", lambda: Conduction(Conductor(1.0, None, 1.0)).step(1e-6, 1.0)),
+    Limit("heat of friction", "exact for a prescribed flux", "a source with v a/D = 2000", lambda: Conduction(
+        Conductor(1.0, None, 1.0)).friction_heat(_ball(), _ball().at_radius(0.1), 0.3, 1.0, "moving", 2e4)),
     Limit("wear", "to the error that each state has", "the body loses more of its coating", lambda: Wear(
         Contact(Paraboloid(1.0), _FILM), 1.0, body_coefficient=1.0).history(force=1.0, places="same").advance(10.0, force=1.0)),
     Limit("wear", "to the error that each state has", "adhesion", lambda: Wear(

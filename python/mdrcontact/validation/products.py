@@ -12,7 +12,7 @@ from ..law import ContactLaw
 from ..material import Elastic
 from ..medium import Homogeneous
 from ..profile import Paraboloid
-from .bodies import LIBRARY, MODULUS, NU, RADIUS, ball, hertz_force
+from .bodies import FRICTION, LIBRARY, MODULUS, NU, RADIUS, SHEAR, ball, hertz_force, pressed
 from .check import Check, Comparison, comparison
 
 _TOLERANCE = 1e-9
@@ -52,6 +52,29 @@ def fit_jkr() -> Comparison:
     return comparison("E, work of adhesion", np.arange(2.0), here, np.ones(2))
 
 
+def friction_law() -> Comparison:
+    """T(s) of a compiled law with friction as a contact is first sheared."""
+    friction, state = pressed()
+    limit, largest = FRICTION * float(state.force), 0.02
+    made = ContactLaw(ball(), largest, friction=friction, sliders=32)
+    part = np.linspace(0.05, 0.95, 19)
+    shift = 3.0 * limit * (2.0 - NU) / (16.0 * float(state.radius) * SHEAR) * (1.0 - (1.0 - part) ** (2.0 / 3.0))
+    memory = made.contacts(part.size)
+    made.advance(memory, np.full(part.size, float(state.force)), np.zeros((part.size, 2)))
+    found = made.advance(memory, np.full(part.size, float(state.force)), np.column_stack([shift, np.zeros(part.size)]))
+    return comparison("T/(mu F)", part, np.abs(found[:, 0]) / limit, part, 1.0)
+
+
+def instrumented() -> Comparison:
+    """E_r and H of an indentation by a paraboloid, of whose contact depth 3/4 F/S is exactly half of the depth."""
+    d = np.linspace(0.002, 0.1, 25)
+    force = hertz_force(d)
+    found = fitting.oliver_pharr(fitting.StiffnessDepth(d, force, 1.5 * force / d), Paraboloid(RADIUS))
+    hardness = force / (math.pi * RADIUS * d)
+    here = np.concatenate([found.reduced_modulus / MODULUS, found.hardness / hardness])
+    return comparison("d: E_r, then H", np.concatenate([d, d + 0.1]), here, np.ones(here.size))
+
+
 def gao() -> Comparison:
     """A layer as an inclusion: G by the weight I0, nu by I1 of h/a."""
     film, base = Elastic(5.0, 0.25), Elastic(2.0, 0.35)
@@ -72,5 +95,14 @@ PRODUCTS = (
     Check("law", "compiled law, force and energy", "Hertz 1882", _TOLERANCE, "the law's tolerance", law),
     Check("fit-hertz", "fit of modulus and offset", "Hertz 1882", 1e-6, LIBRARY, fit_hertz),
     Check("fit-jkr", "fit of modulus and work of adhesion", "Johnson, Kendall, Roberts 1971", 1e-6, LIBRARY, fit_jkr),
+    Check(
+        "friction-law",
+        "compiled law with friction, 32 sliders",
+        "Cattaneo 1938; Mindlin 1949",
+        5e-3,
+        "the law's, which it states",
+        friction_law,
+    ),
+    Check("oliver-pharr", "modulus and hardness of an indentation", "Hertz 1882; Oliver, Pharr 1992", 1e-6, LIBRARY, instrumented),
     Check("gao", "effective modulus of a composite: a layer", "Gao, Chiu, Lee 1992", 1e-5, "the quadrature's tolerance", gao),
 )

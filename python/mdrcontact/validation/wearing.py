@@ -7,9 +7,13 @@ import math
 
 import numpy as np
 
+from ..contact import Contact
+from ..profile import FlatPunch
 from ..wear import Wear
-from .bodies import LIBRARY, MODULUS, RADIUS, ball
+from .bodies import BODY, LIBRARY, MODULUS, RADIUS, ball
 from .check import Check, Comparison, comparison
+
+_EIGENVALUE = 1.1577738837
 
 
 def limit() -> Comparison:
@@ -38,9 +42,19 @@ def archard() -> Comparison:
     return comparison("s", s, states.worn_volume, k * force * s)
 
 
+def running_in() -> Comparison:
+    """Half of the first eigenvalue of (-Laplace)^(1/2) on (-1, 1): how fast a flat punch at constant depth loses its load."""
+    radii = np.array([0.5, 1.0, 2.0])
+    punches = [Wear(Contact(FlatPunch(a), BODY), 1.0) for a in radii]
+    here = [a / (MODULUS * punch.running_in_length("depth")) for a, punch in zip(radii, punches, strict=True)]
+    return comparison("a", radii, here, np.full(3, 0.5 * _EIGENVALUE))
+
+
 WEARING = (
     Check("limit", "force where fretting ends", "Popov 2014; Dimaki et al. 2014", 1e-8, LIBRARY, limit),
     Check("worn", "worn profile where fretting ends", "Popov 2014; Dimaki et al. 2014", 3e-3,
           "the library's: parabolas through 120 radii, where the profile rises from the stick disc as a root", worn_profile),
+    Check("running-in", "running-in length of a flat punch", "Kwasnicki 2012, an eigenvalue", 1e-9, "the printed digits",
+          running_in),
     Check("archard", "worn volume of a sliding ball", "Archard 1953", 5e-4, "the library's: 80 intervals", archard),
 )  # fmt: skip
