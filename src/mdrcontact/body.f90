@@ -4,6 +4,7 @@
 !> Its surface answers to a load with its compliance in Hankel space (mdrcontact_body_compliance, theory 6).
 !> Concrete bodies are made by their `new_...` procedures, keep their materials and never change afterwards.
 module mdrcontact_body
+    use mdrcontact_base_parameter, only: parameter_t
     use mdrcontact_body_compliance, only: compliance_t
     use mdrcontact_body_layers, only: layers_t
     use mdrcontact_error, only: check_memory, error_t
@@ -40,6 +41,10 @@ module mdrcontact_body
         procedure(moduli_at), deferred :: moduli
         !> depths between which they are analytic
         procedure(breaks_of), deferred :: add_breaks
+        !> its numbers, from the surface down; none of what is not made of a few
+        procedure :: parameters
+        !> the same kind of body with other numbers
+        procedure :: with_parameters
         !> a copy, or error_memory; those with arrays that grow with a caller's data override it
         procedure :: copy_to
         !> makes the numbers that every body has those of another one
@@ -82,6 +87,27 @@ module mdrcontact_body
     end interface
 
 contains
+
+    pure subroutine parameters(self, list)
+        class(body_t), intent(in) :: self
+        type(parameter_t), allocatable, intent(out) :: list(:)
+
+        associate (unused => self)
+        end associate
+        allocate (list(0))
+    end subroutine parameters
+
+    subroutine with_parameters(self, values, body, error)
+        class(body_t), intent(in) :: self
+        !> in the order of `parameters`
+        real(wp), intent(in) :: values(:)
+        class(body_t), allocatable, intent(out) :: body
+        type(error_t), allocatable, intent(inout) :: error
+
+        associate (unused => values)
+        end associate
+        call self%copy_to(body, error)
+    end subroutine with_parameters
 
     subroutine copy_to(self, copy, error)
         class(body_t), intent(in) :: self

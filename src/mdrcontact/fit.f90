@@ -25,6 +25,8 @@ module mdrcontact_fit
     !> Median of |z| of a normal distribution.
     real(wp), parameter :: normal_median = 0.6744897501960817_wp
     integer, parameter :: most_releases = 5
+    !> A parameter that moves the readings by less than this, in parts of them where it changes by all of itself, is rounding.
+    real(wp), parameter :: least_felt = 1.0e-8_wp
     !> Searches, each around where the one before ended, for a parameter that runs to the end of what is tried around its start.
     integer, parameter :: most_centres = 4
     !> Searches with the errors of readings that enter the model propagated at the point found before.
@@ -330,6 +332,8 @@ contains
         integer :: i, n, stat
 
         n = size(residuals%data%x)
+        call check_felt(residuals, outcome, fit, error)
+        if (allocated(error)) return
         inner = pack([(i, i=1, size(u))], fit%at_bound == 0)
         allocate (fit%covariance(size(u), size(u)), fit%weakest_direction(size(u)))
         allocate (fit%widening(size(u)))
@@ -363,6 +367,26 @@ contains
         fit%weakest_direction(inner) = spectrum%vectors(:, 1)/spectrum%scale
         fit%weakest_direction = fit%weakest_direction/max(maxval(abs(fit%weakest_direction)), tiny(1.0_wp))
     end subroutine describe_spread
+
+    !> Raises where a parameter without a prior leaves all readings as they are, as C12 does under a normal load: any value of it
+    !> would be a result.
+    pure subroutine check_felt(residuals, outcome, fit, error)
+        type(fit_residuals_t), intent(in) :: residuals
+        type(outcome_t), intent(in) :: outcome
+        type(fit_result_t), intent(in) :: fit
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp) :: least
+        integer :: i, n
+
+        n = size(residuals%data%x)
+        least = least_felt*norm2(residuals%data%y/(residuals%sd*residuals%noise))
+        do i = 1, size(fit%free)
+            if (fit%at_bound(i) /= 0 .or. any(abs(outcome%jacobian(n + 1:, i)) > 0.0_wp)) cycle
+            if (norm2(outcome%jacobian(:n, i)) > least) cycle
+            call raise(error, error_invalid, " must not be free: the readings do not depend on it; fix it, or give it a prior", &
+                       "parameters", fit%free(i))
+        end do
+    end subroutine check_felt
 
     !> Huber's H^-1 V H^-1, and the spectrum of H.
     subroutine robust_covariance(loss, scale, z, jacobian, spectrum, inverse, error)

@@ -168,6 +168,7 @@ contains
         type(surface_t), intent(in), optional :: surface
         type(model_options_t) :: chosen
         type(layered_exact_t), allocatable :: exact
+        type(homogeneous_t), allocatable :: half_space
 
         if (present(options)) chosen = options
         call check_model(body, model, error)
@@ -178,7 +179,12 @@ contains
                 return
             end if
         end if
-        if (model == models%exact) then
+        if (model == models%exact .and. has_no_layers(body)) then
+            allocate (half_space)
+            call new_homogeneous(half_space, body%surface_material)
+            call move_alloc(half_space, medium)
+            return
+        else if (model == models%exact) then
             allocate (exact)
             call new_layered_exact(exact, body, error, chosen%tolerance, shared)
             call move_alloc(exact, medium)
@@ -213,6 +219,19 @@ contains
         call new_springless(springless, body, surface, error, shared)
         call move_alloc(springless, medium)
     end subroutine new_sheeted
+
+    !> Whether it is a half-space, and not layers of one material either.
+    pure function has_no_layers(body) result(answer)
+        class(body_t), intent(in) :: body
+        logical :: answer
+        type(layers_t) :: layers
+        type(error_t), allocatable :: error
+
+        answer = .false.
+        if (body%is_graded .or. body%last_depth > 0.0_wp) return
+        call body%sublayers(layers, error)
+        if (.not. allocated(error)) answer = size(layers%thickness) == 0
+    end function has_no_layers
 
     !> Raises unless the model exists and knows this kind of body.
     pure subroutine check_model(body, model, error)

@@ -255,8 +255,70 @@ static void elastic_contact_depths(void)
     CHECK_SUCCESS(mdr_profile_free(&profile));
 }
 
+/* A crystalline film, held by springs, on silicon: C44 and K_n come back from curves of the same body; the handle says what the body
+   is like, the parameters its numbers. */
+static void a_body_is_a_pattern(void)
+{
+    enum { COUNT = 1 + 9 + 2 + 10, C12 = 2, C44 = 5, STRESS = 7, NORMAL = 8, TANGENTIAL = 9 };
+    static const double numbers[COUNT] = { 5e-6, 390e9, 145e9, 106e9, 398e9, 105e9, 1e-6, 0, 2e17, INFINITY, 163e9, 0.22,
+                                           0, 0, 0, 0, INFINITY, 0.75, 1, 1, 1, 0 };
+    static const int sought[3] = { C44, NORMAL, STRESS };
+    mdr_layer film = MDR_SIZED(mdr_layer), silicon = MDR_SIZED(mdr_layer);
+    mdr_fit_problem problem = MDR_SIZED(mdr_fit_problem);
+    mdr_fit_parameter parameters[COUNT];
+    mdr_profile *profile = NULL;
+    mdr_medium *medium = NULL, *pair = NULL;
+    mdr_contact *contact = NULL;
+    double d[POINTS], F[POINTS], fitted[POINTS], values[COUNT], covariance[COUNT * COUNT];
+    int count = 0;
+
+    film.C11 = 390e9, film.C12 = 145e9, film.C13 = 106e9, film.C33 = 398e9, film.C44 = 105e9;
+    film.thickness = 1e-6, film.normal_compliance = 1.0 / 2e17;
+    silicon.E = 163e9, silicon.nu = 0.22;
+    CHECK_SUCCESS(mdr_profile_paraboloid(5e-6, &profile));
+    CHECK_SUCCESS(mdr_medium_stack(1, &film, &silicon, MDR_MODEL_EXACT, NULL, &medium));
+    CHECK_SUCCESS(mdr_contact_new(profile, medium, NULL, &contact));
+    for (int i = 0; i < POINTS; i++) d[i] = 1e-8 * (i + 1);
+    CHECK_SUCCESS(mdr_contact_from_depth(contact, POINTS, d, NULL, NULL, F, NULL));
+
+    problem.indenter = MDR_FIT_INDENTER_PARABOLOID;
+    problem.medium = MDR_FIT_MEDIUM_PATTERN;
+    CHECK_STATUS(mdr_fit_parameter_count(&problem, &count), MDR_ENULL, "medium_object");
+    problem.medium_object = medium;
+    CHECK_SUCCESS(mdr_fit_parameter_count(&problem, &count));
+    CHECK_INT(count, COUNT);
+    problem.parameter_count = COUNT, problem.parameters = parameters;
+    for (int i = 0; i < COUNT; i++) parameters[i] = (mdr_fit_parameter){ numbers[i], -INFINITY, INFINITY, 0, 0, 0 };
+    CHECK_SUCCESS(mdr_fit_predict(&problem, POINTS, d, F, NULL, fitted, NULL));
+    for (int i = 0; i < POINTS; i++) CHECK_CLOSE(fitted[i], F[i], 1e-9);
+    for (int i = 0; i < 3; i++) {
+        const int j = sought[i];
+        parameters[j].is_free = 1;
+        parameters[j].value = j == STRESS ? 1e9 : 0.7 * numbers[j];
+        CHECK_SUCCESS(mdr_fit_solve(&problem, POINTS, d, F, NULL, NULL, values, covariance, NULL, NULL, NULL, NULL, NULL, NULL));
+        CHECK_TRUE(fabs(values[j] - numbers[j]) < 1e-5 * (j == STRESS ? 100e9 : numbers[j]));
+        parameters[j] = (mdr_fit_parameter){ numbers[j], -INFINITY, INFINITY, 0, 0, 0 };
+    }
+    /* no reading depends on C12; a bonded interface has no stiffness to begin from */
+    parameters[C12].is_free = 1;
+    CHECK_STATUS(mdr_fit_solve(&problem, POINTS, d, F, NULL, NULL, values, NULL, NULL, NULL, NULL, NULL, NULL, NULL), MDR_EINVALID,
+                 "must not be free: the readings do not depend on it");
+    parameters[C12].is_free = 0;
+    parameters[TANGENTIAL].is_free = 1;
+    CHECK_STATUS(mdr_fit_solve(&problem, POINTS, d, F, NULL, NULL, values, NULL, NULL, NULL, NULL, NULL, NULL, NULL), MDR_EINVALID,
+                 "the value of a free parameter");
+    CHECK_SUCCESS(mdr_medium_pair(medium, medium, &pair));
+    problem.medium_object = pair;
+    CHECK_STATUS(mdr_fit_parameter_count(&problem, &count), MDR_EINVALID, "is not allowed as a pattern");
+    CHECK_SUCCESS(mdr_contact_free(&contact));
+    CHECK_SUCCESS(mdr_medium_free(&pair));
+    CHECK_SUCCESS(mdr_medium_free(&medium));
+    CHECK_SUCCESS(mdr_profile_free(&profile));
+}
+
 int main(void)
 {
+    a_body_is_a_pattern();
     elastic_contact_depths();
     one_reading_does_not_determine_two_numbers();
     truth_comes_back();

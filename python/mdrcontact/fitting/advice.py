@@ -124,9 +124,10 @@ def _is_prior(result: FitResult, name: str) -> bool:
 
 
 def _relative(result: FitResult, name: str) -> float:
-    """The standard error as a part of the value; offsets and Poisson's ratios have no natural size and are left out."""
+    """The standard error as a part of the value; offsets, stresses and Poisson's ratios have no natural size and are left out."""
     value, error = result.estimates[name], result.standard_errors[name]
-    if result.at_bound[name] or name.endswith(("offset", "nu", "exponent")) or name == "frame_compliance":
+    sizeless = name.endswith(("offset", "nu", "nu_t", "nu_tz", "exponent", "prestress", "frame_compliance"))
+    if result.at_bound[name] or sizeless:
         return 0.0
     return error / abs(value) if value and math.isfinite(error) else math.inf
 

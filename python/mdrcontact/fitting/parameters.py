@@ -16,9 +16,7 @@ from .. import profile as profiles
 from .._boundary import number
 from .._choices import nearest
 from ..errors import ArgumentTypeError, InvalidArgumentError
-from ..material import RIGID, Elastic
-from ..medium.coated import base
-from ..medium.layer import has_constants_of_its_own
+from ..material import RIGID, SMOOTH, Elastic, TransverselyIsotropic
 from ..medium.models import MODELS, settings
 from ..medium.viscoelastic import is_viscoelastic
 from ..poroelastic import is_poroelastic
@@ -144,14 +142,16 @@ class Numbers(NamedTuple):
     build: Callable[[Sequence[float]], Any]
 
 
-def _numbers(code: int, part: Any, names: Sequence[str] = (), prefix: str = "") -> Numbers:
-    """Those of an object by its own names, in the order in which the library takes them."""
+def _numbers(code: int, part: Any, entries: Sequence[str | float] = (), prefix: str = "") -> Numbers:
+    """Those of an object in the order in which the library takes them: by the object's own names, or numbers that stay."""
     known = part.parameters()
+    named = [i for i, entry in enumerate(entries) if isinstance(entry, str)]
 
     def build(v: Sequence[float]) -> Any:
-        return part.with_parameters({name: value for name, value in zip(names, v, strict=True) if name in known})
+        return part.with_parameters({entries[i]: v[i] for i in named})
 
-    return Numbers(code, [prefix + name for name in names], [known[name] for name in names], build)
+    names = [prefix + entry if isinstance(entry, str) else "" for entry in entries]
+    return Numbers(code, names, [known[entry] if isinstance(entry, str) else entry for entry in entries], build)
 
 
 _SHAPES: Mapping[type, int] = {
@@ -194,10 +194,8 @@ def of_indenter(indenter: Any) -> Numbers:
 
 
 def _area_function(tip: profiles.AreaFunction) -> Numbers:
-    of_tip = _numbers(9, tip, list(tip.parameters()), "indenter.")
-    rest = AREA_TERMS - len(of_tip.names)
-    values = [tip.min_height, tip.max_height, *of_tip.values, *rest * [0.0]]
-    return Numbers(9, ["", "", *of_tip.names, *rest * [""]], values, lambda v: of_tip.build(v[2 : 2 + len(of_tip.names)]))
+    names = list(tip.parameters())
+    return _numbers(9, tip, [tip.min_height, tip.max_height, *names, *(AREA_TERMS - len(names)) * [0.0]], "indenter.")
 
 
 class MediumNumbers(NamedTuple):
@@ -206,10 +204,9 @@ class MediumNumbers(NamedTuple):
     numbers: Numbers
     body: Any
     """the medium itself; of a pair the lower body"""
-    model: int = 0
+    model: int = MODELS["exact"].code
     options: NDArray[Any] | None = None
     """those of the model, as the library takes them; None: the defaults"""
-    layers: int = 1
     counterbody: MediumNumbers | None = None
     """the upper body of a pair, unless the instrument has it as its indenter"""
 
@@ -226,23 +223,11 @@ def of_medium(medium: Any) -> MediumNumbers:
         return of_medium(medium.lower)
     if isinstance(medium, media.Pair) and RIGID not in (medium.lower, medium.upper):
         return _two_bodies(of_medium(medium.lower), of_medium(medium.upper))
-    if has_constants_of_its_own(medium):
-        return MediumNumbers(_numbers(0, medium), medium)
-    if isinstance(medium, (media.Coated, media.Layered)):
-        return _stack(medium)
-    if isinstance(medium, media.Homogeneous):
-        options = settings("exact", {}, surface=medium.surface).record
-        return MediumNumbers(_numbers(1, medium, ["E", "nu", *_of_surface(medium)]), medium, options=options)
     if isinstance(medium, media.PowerLawGraded):
         return MediumNumbers(_numbers(4, medium, ["E0", "z0", "exponent", "nu"]), medium)
-    if isinstance(medium, media.Graded) and isinstance(medium.E, tuple):
-        return _graded(medium)
-    return MediumNumbers(_numbers(0, medium), medium)
-
-
-def _of_surface(medium: Any) -> list[str]:
-    """Names of the numbers of its surface."""
-    return [] if medium.surface is None else ["surface.tension", "surface.bending"]
+    if not medium.parameters():
+        return MediumNumbers(_numbers(0, medium), medium)
+    return _pattern(medium)
 
 
 def _two_bodies(lower: MediumNumbers, upper: MediumNumbers) -> MediumNumbers:
@@ -260,7 +245,8 @@ def _two_bodies(lower: MediumNumbers, upper: MediumNumbers) -> MediumNumbers:
 def has_homogeneous_indenter(medium: Any) -> bool:
     """Whether a medium is a pair whose upper body is the number indenter_modulus to a fit."""
     pair = isinstance(medium, media.Pair)
-    return pair and isinstance(medium.upper, media.Homogeneous) and isinstance(medium.lower, media.Medium)
+    upper = getattr(medium, "upper", None)
+    return pair and isinstance(getattr(upper, "material", None), Elastic) and isinstance(medium.lower, media.Medium)
 
 
 def with_indenter(instrument: Instrument, medium: Any) -> Instrument:
@@ -272,30 +258,38 @@ def with_indenter(instrument: Instrument, medium: Any) -> Instrument:
     return replace(instrument, indenter=medium.upper.material)
 
 
-def _graded(medium: Any) -> MediumNumbers:
-    chosen = settings(medium.model, dict(medium.options))
-    names = [f"{name}[{i}]" for i in range(len(medium.z)) for name in ("z", "E", "nu")]
-    return MediumNumbers(_numbers(3, medium, names), medium, chosen.code, chosen.record, len(medium.z))
+def _pattern(medium: Any) -> MediumNumbers:
+    """An elastic body of any kind: what lies in each layer and below it, from the surface down, then what its model and its surface
+    have."""
+    surface = getattr(medium, "surface", None)
+    model = getattr(medium, "model", "exact")
+    chosen, constant = settings(model, dict(getattr(medium, "options", ())), surface=surface), MODELS[model].constant
+    entries: list[str | float] = []
+    if isinstance(medium, media.Homogeneous):
+        entries += _of_material(medium.material)
+    elif isinstance(medium, media.Graded):
+        entries += [f"{name}[{i}]" for i in range(len(medium.parameters()) // 3) for name in ("z", "E", "nu")]
+    elif isinstance(medium, media.Coated):
+        slides = 0.0 if medium.substrate is SMOOTH else math.inf
+        entries += [*_of_material(medium.coating, "coating."), "thickness", 0.0, math.inf, slides]
+    else:
+        known = medium.parameters()
+        for i, (material, _) in enumerate(medium.layers):
+            place = f"layers[{i}]."
+            entries += [*_of_material(material, place), place + "thickness", place + "prestress"]
+            springs = [f"{place}interface.{name}" for name in ("normal", "tangential")]
+            entries += [name if known.get(name) else math.inf for name in springs]
+            if known.get(springs[1]) == 0.0 or (medium.substrate is SMOOTH and i == len(medium.layers) - 1):
+                entries[-1] = 0.0
+    if isinstance(getattr(medium, "substrate", None), (Elastic, TransverselyIsotropic)):
+        entries += _of_material(medium.substrate, "substrate.")
+    entries += [*([constant] if constant else []), *(["surface.tension", "surface.bending"] if surface else [])]
+    return MediumNumbers(_numbers(6, medium, entries), medium, chosen.code, chosen.record)
 
 
-def _stack(medium: Any) -> MediumNumbers:
-    chosen = settings(medium.model, dict(medium.options), surface=medium.surface)
-    constant = MODELS[medium.model].constant
-    parts = ["coating."] if isinstance(medium, media.Coated) else [f"layers[{i}]." for i in range(len(medium.layers))]
-    names = [part + name for part in parts for name in ("E", "nu", "thickness")]
-    if isinstance(medium, media.Coated):
-        names[-1] = "thickness"
-    below = [] if medium.substrate is RIGID else ["substrate.E", "substrate.nu"]
-    surface = _of_surface(medium)
-    numbers = _numbers(2, medium, [*names, *below, *([constant] if constant else []), *surface])
-    n, m = len(names), len(numbers.names) - len(surface)
-    # a rigid base is one of infinite E, and a model without a constant has one that is not used
-    rest = [*base(medium.substrate), numbers.values[m - 1] if constant else 1.0, *numbers.values[m:]]
-    all_names = [*names, *(below or ["", ""]), constant, *surface]
-    given = [i for i, name in enumerate(all_names) if name]
-    build = numbers.build
-    numbers = Numbers(2, all_names, [*numbers.values[:n], *rest], lambda v: build([v[i] for i in given]))
-    return MediumNumbers(numbers, medium, chosen.code, chosen.record, len(parts))
+def _of_material(material: Any, place: str = "") -> list[str | float]:
+    """What a contact feels of an elastic material."""
+    return [place + name for name in material.parameters() if not name.startswith("conductor.")]
 
 
 def _viscoelastic(medium: Any) -> MediumNumbers:

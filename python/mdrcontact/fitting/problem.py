@@ -183,7 +183,6 @@ def make_problem(
         medium_object=parts[1].body._handle.address,
         model=parts[1].model,
         model_is_given=True,
-        layers=parts[1].layers,
         options=address(parts[1].options),
         **_counterbody(parts[1].counterbody),
         adhesion_rule=rule,
@@ -226,7 +225,6 @@ def _counterbody(upper: MediumNumbers | None) -> dict[str, Any]:
         "counterbody_object": upper.body._handle.address,
         "counterbody_model": upper.model,
         "counterbody_model_is_given": True,
-        "counterbody_layers": upper.layers,
         "counterbody_options": address(upper.options),
     }
 

@@ -14,6 +14,7 @@ from ..problem.units import (
     FREQUENCY,
     LENGTH,
     MODULUS,
+    MODULUS_PER_LENGTH,
     RATIO,
     STIFFNESS,
     SURFACE_TENSION,
@@ -33,6 +34,13 @@ _WORDS = {
     "substrate.nu": "substrate Poisson's ratio nu",
     "E": "modulus E",
     "nu": "Poisson's ratio nu",
+    **{name: f"stiffness {name}" for name in ("C11", "C12", "C13", "C33", "C44")},
+    "E_t": "modulus E_t in the plane",
+    "E_z": "modulus E_z along the normal",
+    "G_z": "shear modulus G_z",
+    "nu_t": "Poisson's ratio nu_t in the plane",
+    "nu_tz": "Poisson's ratio nu_tz",
+    "prestress": "prestress",
     "E0": "modulus E0 at depth z0",
     "relaxed_shear_modulus": "relaxed shear modulus",
     "bulk_modulus": "bulk modulus K",
@@ -73,6 +81,9 @@ def words_of(name: str) -> str:
     if layer:
         which = "film" if layer[1] == "0" else f"layer {int(layer[1]) + 1}"
         return f"{which} {_LAYER_WORDS[layer[2]]}"
+    springs = re.fullmatch(r"layers\[(\d+)\]\.interface\.(normal|tangential)", name)
+    if springs:
+        return f"{springs[2]} stiffness of the interface below {_of_part(f'layers[{springs[1]}].', '').strip()}"
     term = re.fullmatch(r"(.*)terms\[(\d+)\]\.(modulus|time)", name)
     if term:
         what = "shear modulus" if term[3] == "modulus" else "relaxation time"
@@ -103,6 +114,10 @@ def dimension_of(name: str) -> Dimension:
         unit = "nm" if power == 1.0 else f"nm^{power:g}"
         return Dimension("a coefficient of an area function", f"m^{power:g}", f"1 {unit}", ((unit, 10.0 ** (-9.0 * power)),))
     last = name.split(".")[-1].split("[")[0]
+    if ".interface." in name:
+        return MODULUS_PER_LENGTH
+    if re.fullmatch(r"C\d\d|E_t|E_z|G_z|prestress", last):
+        return MODULUS
     if last in ("E", "E0", "indenter_modulus", "relaxed_shear_modulus", "modulus", "bulk_modulus", "cohesive_stress"):
         return MODULUS
     if last in ("thickness", "radius", "end_radius", "blend_radius", "depth_offset", "z", "z0"):

@@ -42,11 +42,9 @@ def fit(
         ForceTime(...), DepthTime(...) or DynamicStiffness(...)
     indenter, medium : any of the library; their parameters are the fixed values, and the start of the free ones
     free : names of the free parameters, or a mapping from names to Free(start, lower=, upper=, prior=(value, sd)), a starting
-        value or None. Names: indenter.radius, ...; coating.E, coating.nu, thickness, substrate.E, substrate.nu, alpha;
-        layers[0].E, ...; E, nu; indenter.C0, ... of an AreaFunction; of viscoelastic materials
-        relaxed_shear_modulus, terms[0].modulus, terms[0].time, ..., viscosity, bulk_modulus or modulus, exponent, with coating.,
-        layers[0]. or substrate. before them; work_of_adhesion, depth_offset, force_offset,
-        frame_compliance, indenter_modulus, contact_depth_factor, area_factor
+        value or None. Names: those of `medium.parameters()`, as coating.E, thickness, substrate.E, alpha, layers[0].C44,
+        layers[0].prestress, layers[0].interface.normal, E; indenter.radius, indenter.C0 of an AreaFunction, ...; work_of_adhesion,
+        depth_offset, force_offset, frame_compliance, indenter_modulus, contact_depth_factor, area_factor
     instrument : Instrument(...): adhesion, offsets, frame compliance, the indenter's material
     loss : "linear"; "huber" or "cauchy" are robust against outliers beyond loss_scale standard deviations
     adhesion_rule : "automatic" (energy balance for the exact medium, the source's rule else), "paper" or "energy"

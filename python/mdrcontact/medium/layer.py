@@ -77,13 +77,6 @@ def is_bonded(medium: Any) -> bool:
     return all(layer._is_plain() for layer in getattr(medium, "layers", ()) if isinstance(layer, Layer))
 
 
-def has_constants_of_its_own(medium: Any) -> bool:
-    """Whether a body has numbers beside E, nu and thickness: an axis, a prestress, an interface that gives."""
-    parts = [getattr(medium, name, None) for name in ("material", "coating", "substrate")]
-    parts += [layer for layer, _ in getattr(medium, "layers", ())]
-    return not is_bonded(medium) or any(isinstance(part, TransverselyIsotropic) or part is SMOOTH for part in parts)
-
-
 def stack(layers: Sequence[Layer], substrate: Any, native: tuple[int, int] = (_layout.MODEL_EXACT, 0)) -> tuple[int, int]:
     """What the library's constructor returns for layers of any kind, none of which relaxes, from the surface down."""
     rows, base = _structures(layers, substrate)

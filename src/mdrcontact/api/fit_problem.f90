@@ -10,7 +10,8 @@ module mdrcontact_api_fit_problem
     use mdrcontact_api_status, only: check_given, status_of
     use mdrcontact_error, only: check_count_from, check_count_within, check_memory, count_text, error_invalid, error_t, raise
     use mdrcontact_fit_body, only: indenter_given
-    use mdrcontact_fit_medium_of, only: medium_choice_t, medium_given, medium_none, medium_viscoelastic
+    use mdrcontact_fit_medium_of, only: medium_choice_t, medium_given, medium_none, medium_pattern, &
+                                        medium_viscoelastic, set_pattern
     use mdrcontact_fit_problem, only: check_problem, fit_data_t, fit_problem_t, parameter_count
     use mdrcontact_medium, only: medium_t
     use mdrcontact_model, only: models
@@ -206,7 +207,7 @@ contains
         call medium%copy_to(choice%object, error)
     end subroutine take_object
 
-    !> The viscoelastic medium that says what the materials of a choice are like.
+    !> The medium that says what the bodies of a choice are like.
     subroutine take_pattern(handle, name, choice, error)
         type(c_ptr), intent(in) :: handle
         character(len=*), intent(in) :: name
@@ -215,9 +216,13 @@ contains
         type(medium_t), pointer :: medium
         integer :: stat
 
-        if (choice%kind /= medium_viscoelastic .or. allocated(error)) return
+        if (all(choice%kind /= [medium_viscoelastic, medium_pattern]) .or. allocated(error)) return
         call open_handle(handle, name, medium, error)
         if (allocated(error)) return
+        if (choice%kind == medium_pattern) then
+            call set_pattern(choice, medium, error)
+            return
+        end if
         if (.not. allocated(medium%relaxing)) then
             call raise(error, error_invalid, " is not allowed: it must be viscoelastic", name)
             return

@@ -17,13 +17,11 @@ module mdrcontact_api_layered
     use mdrcontact_body_stack, only: new_stack, stack_t
     use mdrcontact_body_wrinkling, only: find_wrinkling
     use mdrcontact_error, only: check_choice, check_memory, count_text, error_invalid, error_t, raise
-    use mdrcontact_material, only: material_t, new_material, new_transverse
-    use mdrcontact_material_transverse, only: from_engineering, from_stiffness, transverse_t
-    use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous
+    use mdrcontact_material, only: by_engineering, by_stiffness, material_t, new_material, new_transverse
     use mdrcontact_medium_solver, only: solver_t
     use mdrcontact_medium_power_graded, only: new_power_graded, power_graded_t
     use mdrcontact_model, only: model_options_t, new_solver
-    use mdrcontact_tension_surface, only: is_bare, surface_t
+    use mdrcontact_tension_surface, only: surface_t
     implicit none (type, external)
     private
     public :: mdr_layers_wrinkling
@@ -89,20 +87,10 @@ contains
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
         type(layers_t) :: layered
-        type(homogeneous_t) :: half_space
         type(stack_t) :: body
-        type(surface_t) :: surface
         type(error_t), allocatable :: error
 
         call read_layers(error, n, layers, substrate, layered)
-        call read_surface(error, options, surface)
-        if (.not. allocated(error) .and. n == 0 .and. .not. layered%rigid_base .and. is_bare(surface)) then
-            if (.not. layered%materials(1)%is_plain) then
-                call new_homogeneous(half_space, layered%materials(1))
-                status = deliver_solver(half_space, out, error)
-                return
-            end if
-        end if
         if (.not. allocated(error)) call new_stack(body, layered%materials(:n), layered%thickness, layered%materials(n + 1), &
                                                    error, layered%rigid_base, layered%bonds)
         status = deliver_model(body, model, options, out, error)
@@ -180,7 +168,6 @@ contains
         real(c_double), intent(out) :: thickness
         type(bond_t), intent(out) :: bond
         type(layer_t), target :: layer
-        type(transverse_t) :: constants
 
         thickness = 0.0_c_double
         call read_options(error, role, given, c_loc(layer), c_sizeof(layer))
@@ -188,14 +175,10 @@ contains
         thickness = layer%thickness
         bond = bond_t(layer%normal_compliance, layer%tangential_compliance)
         if (any(layer%stiffness /= 0.0_c_double)) then
-            associate (c => layer%stiffness)
-                call from_stiffness(constants, c(1), c(2), c(3), c(4), c(5), error, role//" ")
-            end associate
-            if (.not. allocated(error)) call new_transverse(material, constants)
+            call new_transverse(material, by_stiffness, layer%stiffness, error, role)
         else if (any([layer%axial_young, layer%axial_poisson, layer%axial_shear] /= 0.0_c_double)) then
-            call from_engineering(constants, layer%young, layer%axial_young, layer%poisson, layer%axial_poisson, &
-                                  layer%axial_shear, error, role//" ")
-            if (.not. allocated(error)) call new_transverse(material, constants)
+            call new_transverse(material, by_engineering, [layer%young, layer%axial_young, layer%poisson, layer%axial_poisson, &
+                                                           layer%axial_shear], error, role)
         else
             call new_material(material, layer%young, layer%poisson, error, role)
         end if

@@ -1,12 +1,14 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> A body with E(z) and nu(z) varying with depth: its constants at any depth, and sublayers that thin towards the surface.
 module mdrcontact_body_graded
+    use mdrcontact_base_parameter, only: nature_poisson, parameter_t
     use mdrcontact_body, only: body_t
     use mdrcontact_body_compliance, only: compliance_t, normal_load
     use mdrcontact_body_gradation, only: gradation_t, new_gradation, nodes
     use mdrcontact_body_layers, only: layers_t
     use mdrcontact_body_sublayers, only: sublayer_ends
-    use mdrcontact_error, only: check_memory, check_poisson, check_positive, check_table, error_invalid, error_t, raise, to_text
+    use mdrcontact_error, only: check_memory, check_poisson, check_positive, check_table, count_text, error_invalid, error_t, &
+                                raise, to_text
     use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t
@@ -38,6 +40,8 @@ module mdrcontact_body_graded
         procedure :: add_breaks
         procedure :: compliance => surface_compliance
         procedure :: sublayers
+        procedure :: parameters
+        procedure :: with_parameters
         procedure :: copy_to
     end type graded_body_t
 
@@ -75,6 +79,38 @@ contains
         end do
         call build(self, merge(z(i), scale(z(2), -table_octaves), i > 1), error)
     end subroutine new_graded_body
+
+    !> Depth, E and nu of each point of its table; none of functions.
+    pure subroutine parameters(self, list)
+        class(graded_body_t), intent(in) :: self
+        type(parameter_t), allocatable, intent(out) :: list(:)
+        character(len=:), allocatable :: at
+        integer :: i
+
+        allocate (list(0))
+        if (.not. allocated(self%z)) return
+        do i = 1, size(self%z)
+            at = "["//count_text(i - 1)//"]"
+            list = [list, parameter_t("z"//at, self%z(i)), parameter_t("E"//at, self%young(i)), &
+                    parameter_t("nu"//at, self%poisson(i), nature_poisson)]
+        end do
+    end subroutine parameters
+
+    subroutine with_parameters(self, values, body, error)
+        class(graded_body_t), intent(in) :: self
+        real(wp), intent(in) :: values(:)
+        class(body_t), allocatable, intent(out) :: body
+        type(error_t), allocatable, intent(inout) :: error
+        type(graded_body_t), allocatable :: graded
+
+        if (.not. allocated(self%z)) then
+            call self%copy_to(body, error)
+            return
+        end if
+        allocate (graded)
+        call new_graded_body(graded, values(1::3), values(2::3), values(3::3), error)
+        call move_alloc(graded, body)
+    end subroutine with_parameters
 
     !> E(z) and nu(z) as functions on 0 < z <= depth, constant below. They are called here and never again.
     subroutine new_graded_body_from_functions(self, young, poisson, depth, error)

@@ -1,13 +1,14 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> A stack of layers on an elastic half-space or a rigid base, bonded or held by springs, as a surface compliance (theory 6).
 module mdrcontact_body_stack
+    use mdrcontact_base_parameter, only: nature_signed, parameter_t, prefixed
     use mdrcontact_body, only: body_t
     use mdrcontact_body_chain, only: chain_t, new_chain
-    use mdrcontact_body_elements_interface, only: bond_t, check_bond
+    use mdrcontact_body_elements_interface, only: bond_of, bond_t, check_bond
     use mdrcontact_body_compliance, only: compliance_t, normal_load
     use mdrcontact_body_layers, only: layers_t
     use mdrcontact_body_stability, only: check_stable
-    use mdrcontact_error, only: check_memory, check_positive, error_invalid, error_t, raise, to_text
+    use mdrcontact_error, only: check_memory, check_positive, count_text, error_invalid, error_t, raise, to_text
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t, moduli_t
     use mdrcontact_material_transverse, only: transverse_t
@@ -34,8 +35,13 @@ module mdrcontact_body_stack
         procedure :: sublayers
         procedure :: moduli => moduli_at
         procedure :: add_breaks
+        procedure :: parameters
+        procedure :: with_parameters
         procedure :: copy_to
     end type stack_t
+
+    !> Numbers of a layer behind those of its material: thickness, prestress, K_n and K_t.
+    integer, parameter :: of_place = 4
 
 contains
 
@@ -142,6 +148,64 @@ contains
         end if
         materials(count + 1) = self%substrate
     end subroutine join
+
+    !> Of each layer the numbers of its material, thickness, prestress, and K_n and K_t of the interface below it; then those of the
+    !> substrate, whose names stand alone where there is no layer.
+    pure subroutine parameters(self, list)
+        class(stack_t), intent(in) :: self
+        type(parameter_t), allocatable, intent(out) :: list(:)
+        type(parameter_t), allocatable :: own(:)
+        type(transverse_t) :: six
+        integer :: i
+
+        allocate (list(0))
+        do i = 1, size(self%layers)
+            call self%layers(i)%parameters(own)
+            six = self%layers(i)%as_transverse()
+            own = [own, parameter_t("thickness", self%thickness(i)), &
+                   parameter_t("prestress", six%prestress, nature_signed, six%c66), self%bonds(i)%parameters()]
+            list = [list, prefixed(own, "layers["//count_text(i - 1)//"].")]
+        end do
+        if (self%rigid_base) return
+        call self%substrate%parameters(own)
+        if (size(self%layers) > 0) own = prefixed(own, "substrate.")
+        list = [list, own]
+    end subroutine parameters
+
+    subroutine with_parameters(self, values, body, error)
+        class(stack_t), intent(in) :: self
+        real(wp), intent(in) :: values(:)
+        class(body_t), allocatable, intent(out) :: body
+        type(error_t), allocatable, intent(inout) :: error
+        type(material_t) :: materials(size(self%layers) + 1)
+        type(bond_t) :: bonds(size(self%layers))
+        real(wp) :: thickness(size(self%layers))
+        type(parameter_t), allocatable :: own(:)
+        type(stack_t), allocatable :: stack
+        integer :: i, first, last
+        character(len=:), allocatable :: role
+
+        first = 1
+        do i = 1, size(self%layers)
+            call self%layers(i)%parameters(own)
+            last = first + size(own) - 1
+            role = "layer "//count_text(i)
+            call self%layers(i)%with_parameters(values(first:last), materials(i), error, role)
+            if (allocated(error)) return
+            thickness(i) = values(last + 1)
+            call materials(i)%stretch(values(last + 2), error, role)
+            bonds(i) = bond_of(values(last + 3:last + 4))
+            first = last + of_place + 1
+        end do
+        materials(size(materials)) = self%substrate
+        associate (substrate => materials(size(materials)))
+            if (.not. self%rigid_base) call self%substrate%with_parameters(values(first:), substrate, error, "substrate")
+        end associate
+        if (allocated(error)) return
+        allocate (stack)
+        call new_stack(stack, materials(:size(self%layers)), thickness, materials(size(materials)), error, self%rigid_base, bonds)
+        call move_alloc(stack, body)
+    end subroutine with_parameters
 
     subroutine copy_to(self, copy, error)
         class(stack_t), intent(in) :: self

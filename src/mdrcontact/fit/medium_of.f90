@@ -1,6 +1,8 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The medium that belongs to a vector of parameters.
 module mdrcontact_fit_medium_of
+    use mdrcontact_base_parameter, only: parameter_t
+    use mdrcontact_body, only: body_t
     use mdrcontact_body_graded, only: graded_body_t, new_graded_body
     use mdrcontact_body_stack, only: new_stack, stack_t
     use mdrcontact_error, only: count_text, error_invalid, error_t, raise
@@ -13,20 +15,22 @@ module mdrcontact_fit_medium_of
     use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous
     use mdrcontact_medium_power_graded, only: new_power_graded, power_graded_t
     use mdrcontact_medium_viscoelastic, only: new_viscoelastic_medium, viscoelastic_t
-    use mdrcontact_model, only: model_options_t, models, with_constant
-    use mdrcontact_tension_surface, only: surface_t
+    use mdrcontact_model, only: model_options_t, model_position, model_table, models, option_names, option_values, with_constant
+    use mdrcontact_tension_surface, only: is_bare, surface_t
     implicit none (type, external)
     private
-    public :: medium_choice_t, make_medium, medium_count, surface_count
+    public :: medium_choice_t, is_half_space, make_medium, medium_count, set_pattern, surface_count
     public :: modulus_parameter
-    public :: medium_none, medium_given, medium_homogeneous, medium_stack, medium_graded, medium_power_graded, medium_viscoelastic
+    public :: medium_none, medium_given, medium_homogeneous, medium_stack, medium_graded, medium_power_graded, &
+              medium_viscoelastic, medium_pattern
 
     !> Kinds of medium and their parameters: none; E, nu; E, nu, h of each layer from the surface down, then E, nu of the
     !> substrate (infinite E: rigid base) and the model's constant (its option that is a number); z, E, nu at each depth;
     !> E0, z0, exponent, nu; for a viscoelastic body those of each material (rheology_of) from the surface down, with h behind those
-    !> of a layer. A counterbody may be missing.
+    !> of a layer; those of the body of an elastic medium (body%parameters), then the model's constant if it has one, then tension
+    !> and bending of the surface unless it is bare. A counterbody may be missing.
     integer, parameter :: medium_none = -1, medium_given = 0, medium_homogeneous = 1, medium_stack = 2, medium_graded = 3, &
-                          medium_power_graded = 4, medium_viscoelastic = 5
+                          medium_power_graded = 4, medium_viscoelastic = 5, medium_pattern = 6
 
     !> Which medium the parameters belong to.
     type :: medium_choice_t
@@ -38,15 +42,28 @@ module mdrcontact_fit_medium_of
         integer :: layers = 0
         !> what the model leaves to choose; the constant of a stack's model is among the parameters instead
         type(model_options_t) :: options = model_options_t()
-        !> whether the surface of a homogeneous medium or a stack has tension and bending: its last two parameters
+        !> whether the surface of a half-space or of layers has tension and bending: its last two parameters
         logical :: has_surface = .false.
         !> the finished medium for medium_given
         type(medium_t), allocatable :: object
         !> for medium_viscoelastic: what its materials are like, with model and options
         type(viscoelastic_t), allocatable :: pattern
+        !> for medium_pattern: the body that trials are like, and its numbers; see set_pattern
+        class(body_t), allocatable :: body
+        type(parameter_t), allocatable :: parameters(:)
     end type medium_choice_t
 
 contains
+
+    !> Whether it is a half-space of E and nu.
+    pure function is_half_space(choice) result(answer)
+        type(medium_choice_t), intent(in) :: choice
+        logical :: answer
+
+        answer = choice%kind == medium_homogeneous
+        if (choice%kind /= medium_pattern .or. .not. allocated(choice%parameters)) return
+        if (size(choice%parameters) == 2) answer = choice%parameters(1)%name == "E"
+    end function is_half_space
 
     !> How many parameters a medium has; -1 for a kind that does not exist.
     elemental function medium_count(choice) result(count)
@@ -60,6 +77,9 @@ contains
         case (medium_graded); count = 3*max(choice%layers, 2)
         case (medium_power_graded); count = 4
         case (medium_viscoelastic); count = viscoelastic_count(choice)
+        case (medium_pattern)
+            count = -1
+            if (allocated(choice%parameters)) count = size(choice%parameters)
         case default; count = -1
         end select
     end function medium_count
@@ -70,7 +90,7 @@ contains
         integer :: count
 
         count = 0
-        if (choice%has_surface .and. any(choice%kind == [medium_homogeneous, medium_stack])) count = 2
+        if (choice%has_surface .and. any(choice%kind == [medium_homogeneous, medium_stack, medium_pattern])) count = 2
     end function surface_count
 
     !> Tension and plate among the parameters of a medium.
@@ -124,11 +144,67 @@ contains
             allocate (medium%solver, source=power_graded)
         case (medium_viscoelastic)
             call make_viscoelastic(choice, values, shared, medium, error)
+        case (medium_pattern)
+            call make_alike(choice, values, shared, medium, error)
         case default
             call raise(error, error_invalid, "medium = "//count_text(choice%kind)//" is not allowed: it must be a kind of "// &
                        "medium in enum mdr_fit_medium")
         end select
     end subroutine make_medium
+
+    !> Trials are media like this one, of bodies with other numbers under the model of the choice.
+    subroutine set_pattern(choice, medium, error)
+        type(medium_choice_t), intent(inout) :: choice
+        !> elastic and of one body
+        type(medium_t), intent(in) :: medium
+        type(error_t), allocatable, intent(inout) :: error
+        type(parameter_t), allocatable :: list(:)
+        real(wp) :: constant
+        integer :: i
+
+        call medium%check_elastic(error)
+        if (allocated(error)) return
+        if (.not. allocated(medium%solver%pressed) .or. medium%solver%is_pair) then
+            call raise(error, error_invalid, "the medium is not allowed as a pattern: it must be a half-space, layers or a "// &
+                       "graded body, and no pair")
+            return
+        end if
+        call medium%solver%pressed%copy_to(choice%body, error)
+        if (allocated(error)) return
+        call choice%body%parameters(list)
+        i = model_position(choice%model)
+        if (i > 0) then
+            if (model_table(i)%constant /= "") then
+                constant = sum(option_values(choice%options), mask=option_names == model_table(i)%constant)
+                list = [list, parameter_t(model_table(i)%constant, constant)]
+            end if
+        end if
+        associate (sheet => medium%solver%sheet)
+            choice%has_surface = .not. is_bare(sheet)
+            if (choice%has_surface) list = [list, parameter_t("surface.tension", sheet%tension), &
+                                            parameter_t("surface.bending", sheet%bending)]
+        end associate
+        call move_alloc(list, choice%parameters)
+    end subroutine set_pattern
+
+    subroutine make_alike(choice, values, shared, medium, error)
+        type(medium_choice_t), intent(in) :: choice
+        real(wp), intent(in) :: values(:)
+        type(layered_shared_t), intent(inout) :: shared
+        type(medium_t), intent(out) :: medium
+        type(error_t), allocatable, intent(out) :: error
+        class(body_t), allocatable :: body
+        real(wp) :: constant
+        integer :: last
+
+        call choice%body%with_parameters(values, body, error)
+        if (allocated(error)) return
+        constant = 0.0_wp
+        last = size(values) - surface_count(choice)
+        if (last > 0) constant = values(last)
+        call new_medium(medium, body, choice%model, error, with_constant(choice%options, choice%model, constant), shared, &
+                        surface_of(choice, values))
+    end subroutine make_alike
 
     !> -1 where the pattern is missing.
     pure function viscoelastic_count(choice) result(count)

@@ -3,7 +3,7 @@
 module mdrcontact_fit_proportional
     use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_fit_body, only: body_count, indenter_count
-    use mdrcontact_fit_medium_of, only: medium_homogeneous, medium_none, modulus_parameter
+    use mdrcontact_fit_medium_of, only: is_half_space, medium_none, modulus_parameter
     use mdrcontact_fit_predict, only: predict
     use mdrcontact_fit_problem, only: at_force_offset, at_frame_compliance, at_indenter_modulus, at_work_of_adhesion, &
                                       data_force_depth, data_force_time, fit_data_t, fit_problem_t
@@ -34,7 +34,7 @@ contains
         logical :: answer
 
         answer = .false.
-        if (problem%body%medium%kind /= medium_homogeneous .or. problem%body%counterbody%kind /= medium_none) return
+        if (.not. is_half_space(problem%body%medium) .or. problem%body%counterbody%kind /= medium_none) return
         associate (instrument => problem%parameters(body_count(problem%body) + 1:))
             answer = .not. any(instrument([at_work_of_adhesion, at_frame_compliance, at_indenter_modulus])%is_free) &
                      .and. .not. instrument(at_work_of_adhesion)%value > 0.0_wp &

@@ -4,10 +4,12 @@
 !> What must be positive is sought as its logarithm, u = 1 + ln(p/p0); what may have either sign as u = 1 + (p - p0)/scale; the work
 !> of adhesion, which may be 0 and enters by its square root, as u = sqrt(p/p0). Beyond a bound the parameter stays at the bound.
 module mdrcontact_fit_variables
+    use mdrcontact_base_parameter, only: fraction => nature_fraction, not_negative => nature_not_negative, parameter_t, &
+                                         poisson => nature_poisson, signed => nature_signed
     use mdrcontact_error, only: error_invalid, error_t, raise, to_text
     use mdrcontact_fit_body, only: area_terms, body_count, fit_body_t, indenter_area_function, indenter_count
     use mdrcontact_fit_medium_of, only: medium_choice_t, medium_count, medium_graded, medium_homogeneous, &
-                                        medium_power_graded, medium_stack, medium_viscoelastic, surface_count
+                                        medium_pattern, medium_power_graded, medium_stack, medium_viscoelastic, surface_count
     use mdrcontact_fit_rheology_of, only: at_exponent, rheology_count
     use mdrcontact_fit_problem, only: at_cohesive_stress, at_contact_depth_factor, at_depth_offset, at_force_offset, &
                                       at_frame_compliance, &
@@ -19,7 +21,6 @@ module mdrcontact_fit_variables
     private
     public :: variables_t, new_variables
 
-    integer, parameter :: positive = 1, poisson = 2, signed = 3, not_negative = 4, fraction = 5
     real(wp), parameter :: smallest_poisson = -0.999_wp, largest_poisson = 0.5_wp
     !> Exponents of power laws: between an elastic body and a viscous one.
     real(wp), parameter :: smallest_fraction = 1.0e-4_wp, largest_fraction = 0.999_wp
@@ -52,7 +53,8 @@ contains
         type(fit_problem_t), intent(in) :: problem
         type(fit_data_t), intent(in) :: data
         type(error_t), allocatable, intent(out) :: error
-        integer :: kinds(size(problem%parameters)), i, j, instrument
+        type(parameter_t) :: kinds(size(problem%parameters))
+        integer :: i, j, instrument
 
         kinds = natures(problem%body)
         self%free = pack([(i, i=1, size(kinds))], problem%parameters%is_free)
@@ -64,7 +66,7 @@ contains
         instrument = body_count(problem%body)
         do i = 1, size(self%free)
             j = self%free(i)
-            select case (kinds(j))
+            select case (kinds(j)%nature)
             case (poisson)
                 self%scale(i) = 1.0_wp
                 self%lower(i) = max(self%lower(i), smallest_poisson)
@@ -80,6 +82,8 @@ contains
             case (signed)
                 if (j <= indenter_count(problem%body)) then
                     call scale_coefficient(self, i, problem%parameters(:indenter_count(problem%body)), maxval(abs(data%x)))
+                else if (kinds(j)%scale > 0.0_wp) then
+                    self%scale(i) = kinds(j)%scale
                 else
                     self%scale(i) = typical(j - instrument, problem%parameters(j), problem%data_kind, data)
                 end if
@@ -87,7 +91,7 @@ contains
                 ! a parameter that runs to the end of what is tried has no optimum: it is at a bound, and marked so
                 self%lower(i) = max(self%lower(i), self%start(i)*exp(-widest_logarithm))
                 self%upper(i) = min(self%upper(i), self%start(i)*exp(widest_logarithm))
-                if (kinds(j) == not_negative) then
+                if (kinds(j)%nature == not_negative) then
                     self%scale(i) = -1.0_wp
                     self%lower(i) = max(problem%parameters(j)%lower, 0.0_wp)
                 end if
@@ -106,40 +110,41 @@ contains
         end do
     end subroutine new_variables
 
-    !> What kind of parameter each is: positive, a Poisson's ratio, or of either sign.
+    !> Which values each parameter may take.
     pure function natures(body) result(kinds)
         type(fit_body_t), intent(in) :: body
-        integer :: kinds(body_count(body) + instrument_numbers)
+        type(parameter_t) :: kinds(body_count(body) + instrument_numbers)
         integer :: first, last
 
-        kinds = positive
         ! the coefficients, not the smallest and the largest height before them
-        if (body%indenter == indenter_area_function) kinds(indenter_count(body) - area_terms + 1:indenter_count(body)) = signed
-        first = indenter_count(body) + 1
+        last = indenter_count(body)
+        if (body%indenter == indenter_area_function) kinds(last - area_terms + 1:last)%nature = signed
+        first = last + 1
         last = indenter_count(body) + medium_count(body%medium)
         call mark(body%medium, kinds(first:last))
         first = last + 1
         last = body_count(body)
         call mark(body%counterbody, kinds(first:last))
-        kinds(last + at_work_of_adhesion) = not_negative
-        kinds(last + at_cohesive_stress) = not_negative
-        kinds(last + at_contact_depth_factor) = signed
-        kinds(last + at_depth_offset) = signed
-        kinds(last + at_force_offset) = signed
-        kinds(last + at_frame_compliance) = signed
+        kinds(last + at_work_of_adhesion)%nature = not_negative
+        kinds(last + at_cohesive_stress)%nature = not_negative
+        kinds(last + at_contact_depth_factor)%nature = signed
+        kinds(last + at_depth_offset)%nature = signed
+        kinds(last + at_force_offset)%nature = signed
+        kinds(last + at_frame_compliance)%nature = signed
     end function natures
 
     !> The parameters of a medium that are not positive quantities.
     pure subroutine mark(choice, kinds)
         type(medium_choice_t), intent(in) :: choice
-        integer, intent(inout) :: kinds(:)
+        type(parameter_t), intent(inout) :: kinds(:)
 
         select case (choice%kind)
-        case (medium_homogeneous); kinds(2) = poisson
-        case (medium_stack); kinds(2:size(kinds) - surface_count(choice) - 1:3) = poisson
-        case (medium_graded); kinds(3::3) = poisson
-        case (medium_power_graded); kinds(3:) = [signed, poisson]
+        case (medium_homogeneous); kinds(2)%nature = poisson
+        case (medium_stack); kinds(2:size(kinds) - surface_count(choice) - 1:3)%nature = poisson
+        case (medium_graded); kinds(3::3)%nature = poisson
+        case (medium_power_graded); kinds(3:)%nature = [signed, poisson]
         case (medium_viscoelastic); call mark_materials(choice, kinds)
+        case (medium_pattern); kinds(:) = choice%parameters
         case default; continue
         end select
     end subroutine mark
@@ -147,7 +152,7 @@ contains
     !> The same of a viscoelastic body, material by material.
     pure subroutine mark_materials(choice, kinds)
         type(medium_choice_t), intent(in) :: choice
-        integer, intent(inout) :: kinds(:)
+        type(parameter_t), intent(inout) :: kinds(:)
         integer :: i, first, last
 
         if (.not. allocated(choice%pattern)) return
@@ -157,13 +162,13 @@ contains
                 associate (material => pattern%materials(i))
                     first = last + 1
                     last = last + rheology_count(material)
-                    if (.not. material%bulk > 0.0_wp) kinds(last) = poisson
+                    if (.not. material%bulk > 0.0_wp) kinds(last)%nature = poisson
                     if (material%is_power_law()) then
-                        kinds(first - 1 + at_exponent) = fraction
+                        kinds(first - 1 + at_exponent)%nature = fraction
                     else if (.not. material%is_elastic()) then
                         ! the relaxed modulus and the viscosity may be nothing
-                        kinds(first) = not_negative
-                        kinds(last - 1) = not_negative
+                        kinds(first)%nature = not_negative
+                        kinds(last - 1)%nature = not_negative
                     end if
                     last = last + 1
                 end associate

@@ -2,12 +2,14 @@
 !> What lies between two layers: springs per area, normal and along the surface. Tractions pass unchanged, displacements jump by
 !> traction over stiffness (theory of surfaces 3).
 module mdrcontact_body_elements_interface
+    use mdrcontact_base_nonfinite, only: infinity
+    use mdrcontact_base_parameter, only: parameter_t
     use mdrcontact_body_elements_element, only: element_t
     use mdrcontact_error, only: check_not_negative, error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
-    public :: interface_t, bond_t, check_bond, new_interface
+    public :: interface_t, bond_t, bond_of, check_bond, new_interface
 
     !> What a sliding interface adds to the compliance along the surface: all else is lost beside it, so that what comes of it is
     !> the limit to the last digit.
@@ -18,6 +20,7 @@ module mdrcontact_body_elements_interface
         !> 1/K_n and 1/K_t; an infinite second one slides without friction [length/modulus]
         real(wp) :: normal = 0.0_wp, tangential = 0.0_wp
     contains
+        procedure :: parameters
         procedure :: is_bonded
         procedure :: slides
         procedure :: per_length
@@ -38,6 +41,34 @@ module mdrcontact_body_elements_interface
     end type interface_t
 
 contains
+
+    !> K_n and K_t [modulus/length]: infinite where it is bonded, 0 where it slides.
+    pure function parameters(self) result(list)
+        class(bond_t), intent(in) :: self
+        type(parameter_t) :: list(2)
+
+        list = [parameter_t("interface.normal", inverse(self%normal)), &
+                parameter_t("interface.tangential", inverse(self%tangential))]
+    end function parameters
+
+    !> The bond of springs.
+    pure function bond_of(stiffnesses) result(bond)
+        !> K_n and K_t, as `parameters` has them [modulus/length]
+        real(wp), intent(in) :: stiffnesses(2)
+        type(bond_t) :: bond
+
+        bond = bond_t(inverse(stiffnesses(1)), inverse(stiffnesses(2)))
+    end function bond_of
+
+    !> 1/x, without a flag.
+    elemental function inverse(x) result(y)
+        !> >= 0
+        real(wp), intent(in) :: x
+        real(wp) :: y
+
+        y = infinity
+        if (abs(x) > 0.0_wp) y = 1.0_wp/x
+    end function inverse
 
     elemental function is_bonded(self) result(answer)
         class(bond_t), intent(in) :: self

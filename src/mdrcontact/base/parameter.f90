@@ -1,0 +1,37 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> A number of an object that a fit may vary: what it is called, its value, and which values it may take.
+module mdrcontact_base_parameter
+    use mdrcontact_kinds, only: wp
+    implicit none (type, external)
+    private
+    public :: parameter_t, prefixed
+    public :: nature_positive, nature_poisson, nature_signed, nature_not_negative, nature_fraction
+
+    !> Which values a parameter may take: > 0; those of an isotropic material's Poisson's ratio; any; >= 0; between 0 and 1.
+    integer, parameter :: nature_positive = 1, nature_poisson = 2, nature_signed = 3, nature_not_negative = 4, nature_fraction = 5
+
+    !> One number of an object.
+    type :: parameter_t
+        !> as in problem files: "layers[0].C44"; blank where it has none
+        character(len=48) :: name = ""
+        !> in the unit of the whole problem
+        real(wp) :: value = 0.0_wp
+        !> one of nature_...
+        integer :: nature = nature_positive
+        !> of one of nature_signed: by how much it changes things, > 0; 0: not known, see the data [unit of the value]
+        real(wp) :: scale = 0.0_wp
+    end type parameter_t
+
+contains
+
+    !> The same numbers, called as those of a part.
+    elemental function prefixed(parameter, prefix) result(part)
+        type(parameter_t), intent(in) :: parameter
+        character(len=*), intent(in) :: prefix
+        type(parameter_t) :: part
+
+        part = parameter
+        part%name = prefix//parameter%name
+    end function prefixed
+
+end module mdrcontact_base_parameter
