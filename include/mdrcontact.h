@@ -458,7 +458,7 @@ typedef struct mdr_layer {
 } mdr_layer;
 
 /** Layers on a substrate, of any kinds of mdr_layer. What is not isotropic, bonded and free of stress takes MDR_MODEL_EXACT; a
- *  tangential contact over a sliding interface is refused, as stresses inside are of layers that are not isotropic.
+ *  tangential contact over a sliding interface is refused, as stresses inside layers under a prestress are.
  *  @param n          number of layers; 0: a half-space
  *  @param layers     [n] from the surface down; with n = 0 it may be NULL
  *  @param substrate  the half-space below; NULL: a rigid base, which holds the last layer by its interface: a sliding one is a

@@ -8,7 +8,7 @@
 !> entries are small where they should be and not by cancellation.
 module mdrcontact_body_elements_transverse
     use mdrcontact_body_elements_element, only: element_t
-    use mdrcontact_body_elements_layer, only: inverse, times, transferred
+    use mdrcontact_body_elements_layer, only: times, transferred
     use mdrcontact_kinds, only: wp
     use mdrcontact_material_transverse, only: transverse_t
     implicit none (type, external)
@@ -41,6 +41,8 @@ module mdrcontact_body_elements_transverse
         type(modes_t) :: modes
         !> displacement (k U, k W) and traction (T, S) of the decaying and growing modes where they are referred to
         complex(wp), dimension(2, 2) :: decaying_u = 0.0_wp, decaying_t = 0.0_wp, growing_u = 0.0_wp, growing_t = 0.0_wp
+        !> displacement of the growing modes less that of a half-space under their traction
+        complex(wp) :: edge(2, 2) = 0.0_wp
         !> largest k h at which the transfer matrix is taken
         real(wp) :: thinnest = thin
     contains
@@ -74,6 +76,7 @@ contains
             self%growing_t(2, 2) = one
         end associate
         self%half_space = transverse_half_space(constants, surface_shear)
+        self%edge = self%growing_u - times(self%half_space, self%growing_t)
         self%half_space_across = surface_shear/constants%shear()
         self%fastest = sqrt(max(1.0_wp, abs(self%modes%squares), self%modes%product))
         self%thinnest = thin/self%fastest
@@ -223,15 +226,29 @@ contains
         type(transverse_layer_t), intent(in) :: layer
         complex(wp), intent(in) :: t, below(2, 2)
         complex(wp) :: part(2, 2)
-        complex(wp), dimension(2, 2) :: reflection, added, traction, down
+        complex(wp), dimension(2, 2) :: reflection, traction, down, sheared
+        complex(wp) :: determinant
 
-        reflection = times(inverse(layer%growing_u - times(below, layer%growing_t)), &
-                           times(below, layer%decaying_t) - layer%decaying_u)
+        ! the tractions (T, S) of both modes are (-Z2, e_S) and (Z2, e_S)
+        sheared(:, 1) = layer%growing_t(1, 1)*below(:, 1)
+        sheared(:, 2) = layer%growing_t(1, 2)*below(:, 1)
+        traction = layer%growing_u - sheared
+        traction(:, 2) = traction(:, 2) - below(:, 2)
+        determinant = 1.0_wp/(traction(1, 1)*traction(2, 2) - traction(1, 2)*traction(2, 1))
+        down = -layer%decaying_u - sheared
+        down(:, 2) = down(:, 2) + below(:, 2)
+        reflection(1, :) = determinant*(traction(2, 2)*down(1, :) - traction(1, 2)*down(2, :))
+        reflection(2, :) = determinant*(traction(1, 1)*down(2, :) - traction(2, 1)*down(1, :))
         down = layer%modes%fall(t)
         reflection = times(times(down, reflection), down)
-        added = times(layer%growing_u - times(layer%half_space, layer%growing_t), reflection)
-        traction = layer%decaying_t + times(layer%growing_t, reflection)
-        part = times(added, inverse(traction))
+        ! decaying_t + growing_t R
+        traction(1, :) = layer%decaying_t(1, :) + layer%growing_t(1, 1)*reflection(1, :) + layer%growing_t(1, 2)*reflection(2, :)
+        traction(2, :) = layer%decaying_t(2, :) + reflection(2, :)
+        determinant = 1.0_wp/(traction(1, 1)*traction(2, 2) - traction(1, 2)*traction(2, 1))
+        part = times(layer%edge, reflection)
+        down(:, 1) = determinant*(part(:, 1)*traction(2, 2) - part(:, 2)*traction(2, 1))
+        down(:, 2) = determinant*(part(:, 2)*traction(1, 1) - part(:, 1)*traction(1, 2))
+        part = down
     end function reflected_part
 
     !> The state (k U, k W, T, S) at the top from that at the bottom:
