@@ -135,8 +135,8 @@ contains
         if (.not. allocated(error)) passes = depth/(self%body_coefficient*axis(1))
     end subroutine passes_through
 
-    !> l: under a flat punch what the pressure still differs by from that at the end, F/(pi a^2) at constant force, 0 at constant
-    !> depth, falls as exp(-s/l) after some of them. Of a coated punch that is worn through.
+    !> The length l [length]: under a flat punch what the pressure still differs by from that at the end, F/(pi a^2) at constant
+    !> force, 0 at constant depth, falls as exp(-s/l) after some of them. Of a coated punch that is worn through.
     subroutine running_in_length(self, control, length, error)
         class(wear_t), intent(in) :: self
         !> given_depth or given_force: what is constant

@@ -1,8 +1,8 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Even Legendre polynomials in Fourier space: int_0^1 P_2j(x) cos(kx) dx = (-1)^j j_2j(k).
 !>
-!> Above its order j_l neither grows nor falls with l, so that the recurrence keeps its digits upwards; below GSL goes down from high
-!> orders, which takes as many steps as k is large, and fails beyond 2e4.
+!> Above its order j_l neither grows nor falls with l, so that the recurrence keeps its digits upwards; below GSL goes down from
+!> high orders, which takes as many steps as k is large, and fails beyond 2e4.
 module mdrcontact_numerics_even_waves
     use, intrinsic :: iso_c_binding, only: c_int
     use mdrcontact_error, only: error_no_convergence, error_t, raise, to_text
