@@ -2411,17 +2411,16 @@ enum mdr_fit_medium {
                                          alpha or wave_factor of the model, 1 if it has neither. */
     MDR_FIT_MEDIUM_GRADED = 3,      /**< z, E, nu at each depth from the surface down. */
     MDR_FIT_MEDIUM_POWER_GRADED = 4, /**< E0, z0, exponent, nu. */
-    MDR_FIT_MEDIUM_VISCOELASTIC = 5, /**< Materials, model and layers of the handle `medium_object`, a viscoelastic medium, with
-                                         other numbers: of each material from the surface down, behind a layer's its thickness.
-                                         Elastic: E, nu; power law: modulus, time, exponent, nu; Prony series: relaxed modulus,
-                                         modulus and time of each term, viscosity, bulk modulus or nu. */
-    MDR_FIT_MEDIUM_PATTERN = 6       /**< The body of the handle `medium_object`, made by mdr_medium_stack() or any other homogeneous,
-                                          coated, layered or graded elastic medium, with other numbers, under `model` and `options`:
-                                          of each layer from the surface down those of its material as they were given (E, nu; C11,
-                                          C12, C13, C33, C44; or E_t, E_z, nu_t, nu_tz, G_z), thickness, prestress, K_n and K_t of
-                                          the interface below it (INFINITY: bonded; K_t 0: it slides); those of the substrate unless
-                                          it is rigid; of a graded one z, E, nu at each depth; then alpha, wave_factor or exponent
-                                          of a model that has one; then tension and bending of a surface that is not bare. */
+    MDR_FIT_MEDIUM_PATTERN = 5      /**< The body of the handle `medium_object`, any homogeneous, coated, layered or graded medium, with
+                                         other numbers. Elastic, under `model` and `options`: of each layer from the surface down
+                                         those of its material as they were given (E, nu; C11, C12, C13, C33, C44; or E_t, E_z,
+                                         nu_t, nu_tz, G_z), thickness, prestress, K_n and K_t of the interface below it (INFINITY:
+                                         bonded; K_t 0: it slides); those of the substrate unless it is rigid; of a graded one z, E,
+                                         nu at each depth; then alpha, wave_factor or exponent of a model that has one; then tension
+                                         and bending of a surface that is not bare. Viscoelastic, under the handle's model: of each
+                                         material from the surface down, behind a layer's its thickness: E, nu; of a power law
+                                         modulus, time, exponent, nu; of a Prony series relaxed modulus, modulus and time of each
+                                         term, viscosity, bulk modulus or nu. */
 };
 
 /** The parameters of the instrument, by their place behind those of indenter, medium and counterbody. */
@@ -2469,7 +2468,7 @@ typedef struct mdr_fit_problem {
     int indenter;                        /**< One of enum mdr_fit_indenter; default MDR_FIT_INDENTER_GIVEN. */
     const mdr_profile *profile;          /**< For MDR_FIT_INDENTER_GIVEN. */
     int medium;                          /**< One of enum mdr_fit_medium; default MDR_FIT_MEDIUM_GIVEN. */
-    const mdr_medium *medium_object;     /**< For MDR_FIT_MEDIUM_GIVEN, ..._VISCOELASTIC, ..._PATTERN. */
+    const mdr_medium *medium_object;     /**< For MDR_FIT_MEDIUM_GIVEN and MDR_FIT_MEDIUM_PATTERN. */
     int model;                           /**< One of enum mdr_model, for stacks, graded media, patterns; default
                                               MDR_MODEL_EXACT. */
     int layers;                          /**< Layers of a stack, or depths of a graded medium, 1 to 100000; default 1. */

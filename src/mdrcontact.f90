@@ -7,6 +7,8 @@
 !>
 !> The procedures compute in the caller's arithmetic, which must be the default: rounding to nearest.
 module mdrcontact
+    use mdrcontact_base_parameter, only: nature_fraction, nature_not_negative, nature_poisson, nature_positive, nature_signed, &
+                                         parameter_t
     use mdrcontact_body, only: body_t
     use mdrcontact_body_compliance, only: compliance_t, normal_load, shear_load, twist_load
     use mdrcontact_body_graded, only: graded_body_t, new_graded_body, new_graded_body_from_functions
@@ -30,7 +32,7 @@ module mdrcontact
                                    indenter_given, indenter_paraboloid, indenter_power_law, indenter_rounded_cone, indenter_sphere
     use mdrcontact_fit_interval, only: profile_interval
     use mdrcontact_fit_medium_of, only: medium_choice_t, medium_given, medium_graded, medium_homogeneous, medium_none, &
-                                        medium_power_graded, medium_stack, medium_viscoelastic
+                                        medium_pattern, medium_power_graded, medium_stack, set_pattern
     use mdrcontact_fit_predict, only: predict
     use mdrcontact_fit_problem, only: at_contact_depth_factor, at_depth_offset, at_force_offset, at_frame_compliance, &
                                       at_indenter_modulus, at_stiffness_factor, at_work_of_adhesion, data_depth_time, &

@@ -13,8 +13,6 @@ exp(-2 k h). No contact is solved again.
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterator
-from functools import partial
 from typing import Any
 
 import numpy as np
@@ -39,95 +37,62 @@ _BACKWARD = ((0, 49 / 20), (-1, -6.0), (-2, 7.5), (-3, -20 / 3), (-4, 3.75), (-5
 
 def gradient(contact: Any, state: Any) -> dict[str, float]:
     """See `Contact.gradient`."""
-    stack, base, names = _parts(contact.medium)
+    thinnest = _top_layer(contact.medium)
     if contact.work_of_adhesion:
         raise InvalidArgumentError("work_of_adhesion is not allowed: derivatives are known of contacts without adhesion")
     if not all(np.ndim(value) == 0 for value in state) or not state.radius > 0.0:
         raise InvalidArgumentError("state is not allowed: it must be one state, of closed bodies")
-    thinnest = stack[0][1] if stack else math.inf
     if thinnest < SMALLEST_LAYER * state.radius:
         raise InvalidArgumentError(
             f"state is not allowed: its radius {state.radius:g} is above {1 / SMALLEST_LAYER:g} thicknesses of the top layer"
         )
     top = 25.0 / thinnest
     x, q, q1 = _line_loads(contact, state, top)
-    k, weights = _octaves(top, state.radius) if stack else (np.zeros(0), np.zeros(0))
+    k, weights = _octaves(top, state.radius) if top else (np.zeros(0), np.zeros(0))
     waves = weights * _transform(x, q, k) * _transform(x, q1, k)
-    surface = 16.0 * top if stack else 1.0
+    surface = 16.0 * top if top else 1.0
     all_k = np.append(k, surface)
     local = 2.0 * math.pi * float((q * q1 / x[1]).sum())
 
-    def of(changed: Callable[[float], Any], value: float, steps: Any, step: float) -> float:
-        c = sum(weight * all_k * changed(value + i * step).compliance(all_k) for i, weight in steps) / step
+    def of(name: str, value: float, steps: Any, step: float) -> float:
+        changed = ((contact.medium.with_parameters({name: value + i * step}), weight) for i, weight in steps)
+        c = sum(weight * all_k * medium.compliance(all_k) for medium, weight in changed) / step
         return -(local * float(c[-1]) + float((waves * (c[:-1] - c[-1])).sum())) / (2.0 * math.pi)
 
     found = {}
-    for name, change, value in _constants(stack, base, names):
+    for name, value in contact.medium.parameters().items():
+        if not name.endswith(("E", "nu", "thickness")):
+            continue
         steps: Any = _CENTRAL
         step = 1e-2 * value
         if name.endswith("nu"):
             steps, step = (_CENTRAL, 3e-3) if value < 0.49 else (_BACKWARD, 2e-3)
-        found[name] = of(change, value, steps, step)
+        found[name] = of(name, value, steps, step)
     if isinstance(contact.indenter, Paraboloid):
         # at a given radius depth and force are proportional to 1/R
         found["radius"] = (state.depth * state.stiffness - state.force) / contact.indenter.radius
     return found
 
 
-def _parts(medium: Any) -> tuple[list[tuple[Elastic, float]], Any, list[str]]:
-    """Layers from the surface down, what lies below, and the names of the layers."""
-    stack: list[tuple[Any, float]] = []
-    below: Any = RIGID
-    names: list[str] = []
-    if isinstance(medium, Homogeneous):
-        below = medium.material
-    elif isinstance(medium, Coated):
-        stack, below, names = [(medium.coating, medium.thickness)], medium.substrate, ["coating."]
-    elif isinstance(medium, Layered):
-        stack, below = [(material, h) for material, h in medium.layers], medium.substrate
-        names = [f"layers[{i}]." for i in range(len(stack))]
-    else:
+def _top_layer(medium: Any) -> float:
+    """Thickness of the uppermost layer, infinite of a half-space; refuses what derivatives are not known of."""
+    if not isinstance(medium, (Homogeneous, Coated, Layered)):
         raise InvalidArgumentError(
             f"{type(medium).__name__} is not allowed: derivatives are known of Homogeneous, Coated and Layered"
         )
+    model = getattr(medium, "model", "exact")
+    if model != "exact":
+        raise InvalidArgumentError(f"model = {model!r} is not allowed: derivatives are known of the model 'exact'")
     if medium.surface is not None:
         raise InvalidArgumentError("surface is not allowed: derivatives are known of bodies without tension or plate")
-    if getattr(medium, "model", "exact") != "exact":
-        raise InvalidArgumentError(f"model = {medium.model!r} is not allowed: derivatives are known of the model 'exact'")
     if not is_bonded(medium):
         raise InvalidArgumentError("layers with a prestress or an interface that gives are not allowed: derivatives are not known")
-    if not all(isinstance(material, Elastic) for material, _ in stack) or not (below is RIGID or isinstance(below, Elastic)):
+    layers = [(medium.coating, medium.thickness)] if isinstance(medium, Coated) else getattr(medium, "layers", ())
+    stack: list[tuple[Any, float]] = [(material, h) for material, h in layers]
+    base = medium.material if isinstance(medium, Homogeneous) else medium.substrate
+    if not all(isinstance(material, Elastic) for material, _ in stack) or not (base is RIGID or isinstance(base, Elastic)):
         raise InvalidArgumentError("the materials must be Elastic(E, nu)")
-    return stack, below, names
-
-
-def _constants(
-    stack: list[tuple[Elastic, float]], base: Any, names: list[str]
-) -> Iterator[tuple[str, Callable[[float], Any], float]]:
-    """Name, body with another value, and value of each constant."""
-    for i, (name, (material, h)) in enumerate(zip(names, stack, strict=True)):
-        yield name + "E", partial(_with_layer, stack, base, i, "E"), material.E
-        yield name + "nu", partial(_with_layer, stack, base, i, "nu"), material.nu
-        yield "thickness" if name == "coating." else name + "thickness", partial(_with_layer, stack, base, i, "thickness"), h
-    if base is not RIGID:
-        below = "substrate." if stack else ""
-        yield below + "E", partial(_with_base, stack, base, "E"), base.E
-        yield below + "nu", partial(_with_base, stack, base, "nu"), base.nu
-
-
-def _with_layer(stack: list[tuple[Elastic, float]], base: Any, i: int, key: str, value: float) -> Any:
-    material, h = stack[i]
-    layer = (material, value) if key == "thickness" else (_with(material, key, value), h)
-    return Layered([*stack[:i], layer, *stack[i + 1 :]], base)
-
-
-def _with_base(stack: list[tuple[Elastic, float]], base: Elastic, key: str, value: float) -> Any:
-    below = _with(base, key, value)
-    return Layered(stack, below) if stack else Homogeneous(below)
-
-
-def _with(material: Elastic, key: str, value: float) -> Elastic:
-    return Elastic(value, material.nu) if key == "E" else Elastic(material.E, value)
+    return stack[0][1] if stack else math.inf
 
 
 def _nodes(count: int, low: float, high: float) -> tuple[Reals, Reals]:

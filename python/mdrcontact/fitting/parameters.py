@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from .. import _layout
 from .. import medium as media
 from .. import profile as profiles
 from .._boundary import number
@@ -224,7 +225,7 @@ def of_medium(medium: Any) -> MediumNumbers:
     if isinstance(medium, media.Pair) and RIGID not in (medium.lower, medium.upper):
         return _two_bodies(of_medium(medium.lower), of_medium(medium.upper))
     if isinstance(medium, media.PowerLawGraded):
-        return MediumNumbers(_numbers(4, medium, ["E0", "z0", "exponent", "nu"]), medium)
+        return MediumNumbers(_numbers(_layout.FIT_MEDIUM_POWER_GRADED, medium, ["E0", "z0", "exponent", "nu"]), medium)
     if not medium.parameters():
         return MediumNumbers(_numbers(0, medium), medium)
     return _pattern(medium)
@@ -284,7 +285,7 @@ def _pattern(medium: Any) -> MediumNumbers:
     if isinstance(getattr(medium, "substrate", None), (Elastic, TransverselyIsotropic)):
         entries += _of_material(medium.substrate, "substrate.")
     entries += [*([constant] if constant else []), *(["surface.tension", "surface.bending"] if surface else [])]
-    return MediumNumbers(_numbers(6, medium, entries), medium, chosen.code, chosen.record)
+    return MediumNumbers(_numbers(_layout.FIT_MEDIUM_PATTERN, medium, entries), medium, chosen.code, chosen.record)
 
 
 def _of_material(material: Any, place: str = "") -> list[str | float]:
@@ -300,7 +301,7 @@ def _viscoelastic(medium: Any) -> MediumNumbers:
         words = "two terms of equal time are one, which has no two moduli to be fitted"
         raise InvalidArgumentError(f"terms is not allowed: {words}")
     names = [name for name in known if "conductor." not in name and not name.endswith("prestress")]
-    return MediumNumbers(_numbers(5, medium, names), medium)
+    return MediumNumbers(_numbers(_layout.FIT_MEDIUM_PATTERN, medium, names), medium)
 
 
 def of_instrument(instrument: Instrument) -> Numbers:

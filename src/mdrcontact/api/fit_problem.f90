@@ -10,8 +10,7 @@ module mdrcontact_api_fit_problem
     use mdrcontact_api_status, only: check_given, status_of
     use mdrcontact_error, only: check_count_from, check_count_within, check_memory, count_text, error_invalid, error_t, raise
     use mdrcontact_fit_body, only: indenter_given
-    use mdrcontact_fit_medium_of, only: medium_choice_t, medium_given, medium_none, medium_pattern, &
-                                        medium_viscoelastic, set_pattern
+    use mdrcontact_fit_medium_of, only: medium_choice_t, medium_given, medium_none, medium_pattern, set_pattern
     use mdrcontact_fit_problem, only: check_problem, fit_data_t, fit_problem_t, parameter_count
     use mdrcontact_medium, only: medium_t
     use mdrcontact_model, only: models
@@ -214,21 +213,10 @@ contains
         type(medium_choice_t), intent(inout) :: choice
         type(error_t), allocatable, intent(inout) :: error
         type(medium_t), pointer :: medium
-        integer :: stat
 
-        if (all(choice%kind /= [medium_viscoelastic, medium_pattern]) .or. allocated(error)) return
+        if (choice%kind /= medium_pattern .or. allocated(error)) return
         call open_handle(handle, name, medium, error)
-        if (allocated(error)) return
-        if (choice%kind == medium_pattern) then
-            call set_pattern(choice, medium, error)
-            return
-        end if
-        if (.not. allocated(medium%relaxing)) then
-            call raise(error, error_invalid, " is not allowed: it must be viscoelastic", name)
-            return
-        end if
-        allocate (choice%pattern, source=medium%relaxing, stat=stat)
-        call check_memory(error, stat)
+        if (.not. allocated(error)) call set_pattern(choice, medium, error)
     end subroutine take_pattern
 
     !> The data; given and sd may be absent.

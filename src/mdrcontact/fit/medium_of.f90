@@ -6,15 +6,13 @@ module mdrcontact_fit_medium_of
     use mdrcontact_body_graded, only: graded_body_t, new_graded_body
     use mdrcontact_body_stack, only: new_stack, stack_t
     use mdrcontact_error, only: count_text, error_invalid, error_t, raise
-    use mdrcontact_fit_rheology_of, only: make_rheology, rheology_count
     use mdrcontact_kinds, only: wp
     use mdrcontact_layered_shared, only: layered_shared_t
     use mdrcontact_material, only: material_t, new_material
-    use mdrcontact_material_rheology, only: rheology_t
     use mdrcontact_medium, only: medium_t, new_medium
     use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous
     use mdrcontact_medium_power_graded, only: new_power_graded, power_graded_t
-    use mdrcontact_medium_viscoelastic, only: new_viscoelastic_medium, viscoelastic_t
+    use mdrcontact_medium_viscoelastic, only: viscoelastic_t
     use mdrcontact_model, only: model_options_t, model_position, model_table, models, option_names, option_values, with_constant
     use mdrcontact_tension_surface, only: is_bare, surface_t
     implicit none (type, external)
@@ -22,15 +20,14 @@ module mdrcontact_fit_medium_of
     public :: medium_choice_t, is_half_space, make_medium, medium_count, set_pattern, surface_count
     public :: modulus_parameter
     public :: medium_none, medium_given, medium_homogeneous, medium_stack, medium_graded, medium_power_graded, &
-              medium_viscoelastic, medium_pattern
+              medium_pattern
 
     !> Kinds of medium and their parameters: none; E, nu; E, nu, h of each layer from the surface down, then E, nu of the
     !> substrate (infinite E: rigid base) and the model's constant (its option that is a number); z, E, nu at each depth;
-    !> E0, z0, exponent, nu; for a viscoelastic body those of each material (rheology_of) from the surface down, with h behind those
-    !> of a layer; those of the body of an elastic medium (body%parameters), then the model's constant if it has one, then tension
-    !> and bending of the surface unless it is bare. A counterbody may be missing.
+    !> E0, z0, exponent, nu; those of a pattern: of the body of an elastic medium (body%parameters), then the model's constant if it
+    !> has one, then tension and bending of the surface unless it is bare; or of a viscoelastic body. A counterbody may be missing.
     integer, parameter :: medium_none = -1, medium_given = 0, medium_homogeneous = 1, medium_stack = 2, medium_graded = 3, &
-                          medium_power_graded = 4, medium_viscoelastic = 5, medium_pattern = 6
+                          medium_power_graded = 4, medium_pattern = 5
 
     !> Which medium the parameters belong to.
     type :: medium_choice_t
@@ -46,10 +43,9 @@ module mdrcontact_fit_medium_of
         logical :: has_surface = .false.
         !> the finished medium for medium_given
         type(medium_t), allocatable :: object
-        !> for medium_viscoelastic: what its materials are like, with model and options
-        type(viscoelastic_t), allocatable :: pattern
-        !> for medium_pattern: the body that trials are like, and its numbers; see set_pattern
+        !> for medium_pattern, see set_pattern: the body that trials are like, elastic or not, and its numbers
         class(body_t), allocatable :: body
+        type(viscoelastic_t), allocatable :: relaxing
         type(parameter_t), allocatable :: parameters(:)
     end type medium_choice_t
 
@@ -76,7 +72,6 @@ contains
         case (medium_stack); count = 3*max(choice%layers, 1) + 3 + surface_count(choice)
         case (medium_graded); count = 3*max(choice%layers, 2)
         case (medium_power_graded); count = 4
-        case (medium_viscoelastic); count = viscoelastic_count(choice)
         case (medium_pattern)
             count = -1
             if (allocated(choice%parameters)) count = size(choice%parameters)
@@ -142,8 +137,6 @@ contains
         case (medium_power_graded)
             call new_power_graded(power_graded, values(1), values(2), values(3), values(4), error)
             allocate (medium%solver, source=power_graded)
-        case (medium_viscoelastic)
-            call make_viscoelastic(choice, values, shared, medium, error)
         case (medium_pattern)
             call make_alike(choice, values, shared, medium, error)
         case default
@@ -155,15 +148,19 @@ contains
     !> Trials are media like this one, of bodies with other numbers under the model of the choice.
     subroutine set_pattern(choice, medium, error)
         type(medium_choice_t), intent(inout) :: choice
-        !> elastic and of one body
+        !> of one body
         type(medium_t), intent(in) :: medium
         type(error_t), allocatable, intent(inout) :: error
         type(parameter_t), allocatable :: list(:)
         real(wp) :: constant
         integer :: i
 
-        call medium%check_elastic(error)
         if (allocated(error)) return
+        if (allocated(medium%relaxing)) then
+            choice%relaxing = medium%relaxing
+            call choice%relaxing%parameters(choice%parameters)
+            return
+        end if
         if (.not. allocated(medium%solver%pressed) .or. medium%solver%is_pair) then
             call raise(error, error_invalid, "the medium is not allowed as a pattern: it must be a half-space, layers or a "// &
                        "graded body, and no pair")
@@ -197,6 +194,11 @@ contains
         real(wp) :: constant
         integer :: last
 
+        if (allocated(choice%relaxing)) then
+            allocate (medium%relaxing)
+            call choice%relaxing%with_parameters(values, medium%relaxing, error, shared)
+            return
+        end if
         call choice%body%with_parameters(values, body, error)
         if (allocated(error)) return
         constant = 0.0_wp
@@ -206,19 +208,6 @@ contains
                         surface_of(choice, values))
     end subroutine make_alike
 
-    !> -1 where the pattern is missing.
-    pure function viscoelastic_count(choice) result(count)
-        type(medium_choice_t), intent(in) :: choice
-        integer :: count
-        integer :: i
-
-        count = -1
-        if (.not. allocated(choice%pattern)) return
-        associate (pattern => choice%pattern)
-            count = size(pattern%thickness) + sum([(rheology_count(pattern%materials(i)), i=1, size(pattern%materials))])
-        end associate
-    end function viscoelastic_count
-
     !> The one parameter to which all forces are proportional: the modulus of a power law that stands alone or on a rigid base; 0:
     !> there is none.
     pure function modulus_parameter(choice) result(position)
@@ -226,40 +215,12 @@ contains
         integer :: position
 
         position = 0
-        if (choice%kind /= medium_viscoelastic .or. .not. allocated(choice%pattern)) return
-        associate (materials => choice%pattern%materials)
+        if (.not. allocated(choice%relaxing)) return
+        associate (materials => choice%relaxing%materials)
             if (size(materials) > 1) return
             if (materials(1)%is_power_law()) position = 1
         end associate
     end function modulus_parameter
-
-    subroutine make_viscoelastic(choice, values, shared, medium, error)
-        type(medium_choice_t), intent(in) :: choice
-        real(wp), intent(in) :: values(:)
-        type(layered_shared_t), intent(inout) :: shared
-        type(medium_t), intent(out) :: medium
-        type(error_t), allocatable, intent(out) :: error
-        type(rheology_t), allocatable :: materials(:)
-        real(wp), allocatable :: thickness(:)
-        integer :: i, first, count
-
-        associate (pattern => choice%pattern)
-            allocate (materials(size(pattern%materials)), thickness(size(pattern%thickness)))
-            first = 0
-            do i = 1, size(materials)
-                count = rheology_count(pattern%materials(i))
-                call make_rheology(pattern%materials(i), values(first + 1:first + count), materials(i), error)
-                if (allocated(error)) return
-                first = first + count
-                if (i > size(thickness)) exit
-                first = first + 1
-                thickness(i) = values(first)
-            end do
-            allocate (medium%relaxing)
-            call new_viscoelastic_medium(medium%relaxing, materials, thickness, pattern%rigid_base, pattern%model, &
-                                         pattern%options, error, shared)
-        end associate
-    end subroutine make_viscoelastic
 
     subroutine make_stack(choice, values, shared, medium, error)
         type(medium_choice_t), intent(in) :: choice

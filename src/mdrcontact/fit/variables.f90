@@ -9,8 +9,7 @@ module mdrcontact_fit_variables
     use mdrcontact_error, only: error_invalid, error_t, raise, to_text
     use mdrcontact_fit_body, only: area_terms, body_count, fit_body_t, indenter_area_function, indenter_count
     use mdrcontact_fit_medium_of, only: medium_choice_t, medium_count, medium_graded, medium_homogeneous, &
-                                        medium_pattern, medium_power_graded, medium_stack, medium_viscoelastic, surface_count
-    use mdrcontact_fit_rheology_of, only: at_exponent, rheology_count
+                                        medium_pattern, medium_power_graded, medium_stack, surface_count
     use mdrcontact_fit_problem, only: at_cohesive_stress, at_contact_depth_factor, at_depth_offset, at_force_offset, &
                                       at_frame_compliance, &
                                       at_work_of_adhesion, data_depth_time, data_force_depth, data_force_time, &
@@ -143,38 +142,10 @@ contains
         case (medium_stack); kinds(2:size(kinds) - surface_count(choice) - 1:3)%nature = poisson
         case (medium_graded); kinds(3::3)%nature = poisson
         case (medium_power_graded); kinds(3:)%nature = [signed, poisson]
-        case (medium_viscoelastic); call mark_materials(choice, kinds)
         case (medium_pattern); kinds(:) = choice%parameters
         case default; continue
         end select
     end subroutine mark
-
-    !> The same of a viscoelastic body, material by material.
-    pure subroutine mark_materials(choice, kinds)
-        type(medium_choice_t), intent(in) :: choice
-        type(parameter_t), intent(inout) :: kinds(:)
-        integer :: i, first, last
-
-        if (.not. allocated(choice%pattern)) return
-        associate (pattern => choice%pattern)
-            last = 0
-            do i = 1, size(pattern%materials)
-                associate (material => pattern%materials(i))
-                    first = last + 1
-                    last = last + rheology_count(material)
-                    if (.not. material%bulk > 0.0_wp) kinds(last)%nature = poisson
-                    if (material%is_power_law()) then
-                        kinds(first - 1 + at_exponent)%nature = fraction
-                    else if (.not. material%is_elastic()) then
-                        ! the relaxed modulus and the viscosity may be nothing
-                        kinds(first)%nature = not_negative
-                        kinds(last - 1)%nature = not_negative
-                    end if
-                    last = last + 1
-                end associate
-            end do
-        end associate
-    end subroutine mark_materials
 
     !> Scale and bounds of a coefficient of an area function. The last term is the area next to the apex, which is not negative.
     pure subroutine scale_coefficient(self, i, indenter, deepest)

@@ -4,7 +4,9 @@
 !> Laplace transforms of moduli are multiplied by s, so that s = i omega gives the complex modulus and an elastic formula holds
 !> between them as it stands.
 module mdrcontact_material_rheology
-    use mdrcontact_error, only: check_not_negative, check_poisson, check_positive, error_invalid, error_t, raise, to_text
+    use mdrcontact_base_parameter, only: nature_fraction, nature_not_negative, nature_poisson, parameter_t
+    use mdrcontact_error, only: check_not_negative, check_poisson, check_positive, count_text, error_invalid, error_t, raise, &
+                                to_text
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t, moduli_t, new_material
     use mdrcontact_material_prony, only: creep_of, creep_t, merged, power_law_series, prony_t
@@ -24,6 +26,10 @@ module mdrcontact_material_rheology
         !> G(t) = modulus (t/time)^(-exponent); an exponent of 0 means that it is not
         real(wp) :: modulus = 0.0_wp, time = 0.0_wp, exponent = 0.0_wp
     contains
+        !> its numbers
+        procedure :: parameters
+        !> the same kind of material, of as many terms, with other numbers
+        procedure :: with_parameters
         !> whether G(t) is a power law, without a glassy and a relaxed limit
         procedure :: is_power_law
         !> whether G does not depend on time
@@ -129,6 +135,56 @@ contains
         self%shear%limit = material%shear()
         allocate (self%shear%weight(0), self%shear%rate(0))
     end function new_elastic_rheology
+
+    !> Of an elastic material E, nu; of a power law modulus, time, exponent, nu; of a Prony series the relaxed modulus, modulus and
+    !> time of each term, viscosity, and nu or the bulk modulus.
+    pure subroutine parameters(self, list)
+        class(rheology_t), intent(in) :: self
+        type(parameter_t), allocatable, intent(out) :: list(:)
+        type(parameter_t) :: last
+        character(len=:), allocatable :: term
+        integer :: i
+
+        last = parameter_t("nu", self%poisson, nature_poisson)
+        if (self%bulk > 0.0_wp) last = parameter_t("bulk_modulus", self%bulk)
+        if (self%is_elastic()) then
+            list = [parameter_t("E", 2.0_wp*self%shear%limit*(1.0_wp + self%poisson)), last]
+        else if (self%is_power_law()) then
+            list = [parameter_t("modulus", self%modulus), parameter_t("time", self%time), &
+                    parameter_t("exponent", self%exponent, nature_fraction), last]
+        else
+            list = [parameter_t("relaxed_shear_modulus", self%shear%limit, nature_not_negative)]
+            do i = 1, size(self%shear%rate)
+                term = "terms["//count_text(i - 1)//"]."
+                list = [list, parameter_t(term//"modulus", self%shear%weight(i)), &
+                        parameter_t(term//"time", 1.0_wp/self%shear%rate(i))]
+            end do
+            list = [list, parameter_t("viscosity", self%shear%viscosity, nature_not_negative), last]
+        end if
+    end subroutine parameters
+
+    subroutine with_parameters(self, values, rheology, error)
+        class(rheology_t), intent(in) :: self
+        !> in the order of `parameters`
+        real(wp), intent(in) :: values(:)
+        type(rheology_t), intent(out) :: rheology
+        type(error_t), allocatable, intent(out) :: error
+        type(material_t) :: material
+        real(wp) :: poisson, bulk
+        integer :: n
+
+        n = size(values)
+        if (self%is_elastic()) then
+            call new_material(material, values(1), values(2), error)
+            if (.not. allocated(error)) rheology = new_elastic_rheology(material)
+        else if (self%is_power_law()) then
+            call new_power_law_rheology(rheology, values(1), values(2), values(3), values(4), error)
+        else
+            poisson = merge(0.0_wp, values(n), self%bulk > 0.0_wp)
+            bulk = merge(values(n), 0.0_wp, self%bulk > 0.0_wp)
+            call new_viscoelastic(rheology, values(1), values(2:n - 2:2), values(3:n - 2:2), values(n - 1), poisson, bulk, error)
+        end if
+    end subroutine with_parameters
 
     elemental function is_power_law(self) result(answer)
         class(rheology_t), intent(in) :: self

@@ -2,8 +2,9 @@
 !> A viscoelastic half-space, homogeneous or layered. It has no elastic states, and so no solver: histories
 !> (mdrcontact_history_relaxation) and oscillations (mdrcontact_history_relaxation_stiffness) start from its materials.
 module mdrcontact_medium_viscoelastic
+    use mdrcontact_base_parameter, only: parameter_t, prefixed
     use mdrcontact_body_stack, only: new_stack, stack_t
-    use mdrcontact_error, only: check_positive, error_t
+    use mdrcontact_error, only: check_positive, count_text, error_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_layered_shared, only: layered_shared_t
     use mdrcontact_material, only: material_t, moduli_t, new_material
@@ -34,6 +35,8 @@ module mdrcontact_medium_viscoelastic
         !> dashpots, with power laws at their unit of time
         class(solver_t), allocatable :: reference
     contains
+        procedure :: parameters
+        procedure :: with_parameters
         procedure :: relaxation_shape
         procedure :: moduli_at
     end type viscoelastic_t
@@ -86,6 +89,52 @@ contains
             if (.not. allocated(error)) call new_solver(self%reference, body, model, error, options, shared)
         end if
     end subroutine new_viscoelastic_medium
+
+    !> Of each material from the surface down its numbers, and behind those of a layer its thickness.
+    pure subroutine parameters(self, list)
+        class(viscoelastic_t), intent(in) :: self
+        type(parameter_t), allocatable, intent(out) :: list(:)
+        type(parameter_t), allocatable :: own(:)
+        integer :: i
+
+        allocate (list(0))
+        do i = 1, size(self%materials)
+            call self%materials(i)%parameters(own)
+            if (i <= size(self%thickness)) then
+                own = prefixed([own, parameter_t("thickness", self%thickness(i))], "layers["//count_text(i - 1)//"].")
+            else if (i > 1) then
+                own = prefixed(own, "substrate.")
+            end if
+            list = [list, own]
+        end do
+    end subroutine parameters
+
+    !> The same kind of body with other numbers.
+    subroutine with_parameters(self, values, body, error, shared)
+        class(viscoelastic_t), intent(in) :: self
+        !> in the order of `parameters`
+        real(wp), intent(in) :: values(:)
+        type(viscoelastic_t), intent(out) :: body
+        type(error_t), allocatable, intent(out) :: error
+        !> what exact media have in common from one body to the next
+        type(layered_shared_t), intent(inout) :: shared
+        type(rheology_t) :: materials(size(self%materials))
+        real(wp) :: thickness(size(self%thickness))
+        type(parameter_t), allocatable :: own(:)
+        integer :: i, first
+
+        first = 1
+        do i = 1, size(materials)
+            call self%materials(i)%parameters(own)
+            call self%materials(i)%with_parameters(values(first:first + size(own) - 1), materials(i), error)
+            if (allocated(error)) return
+            first = first + size(own)
+            if (i > size(thickness)) exit
+            thickness(i) = values(first)
+            first = first + 1
+        end do
+        call new_viscoelastic_medium(body, materials, thickness, self%rigid_base, self%model, self%options, error, shared)
+    end subroutine with_parameters
 
     !> The elastic material that stands for a relaxing one; of a power law its modulus at the time for which that of the first
     !> is given.

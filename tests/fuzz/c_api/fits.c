@@ -78,7 +78,7 @@ static void fit(world *w, choices of)
     problem.sd_is_relative = take_choice(in, 2);
     problem.max_iterations = 5;
     problem.any_units = take_choice(in, 2);
-    if (problem.medium == MDR_FIT_MEDIUM_GIVEN || problem.medium >= MDR_FIT_MEDIUM_VISCOELASTIC) {
+    if (problem.medium == MDR_FIT_MEDIUM_GIVEN || problem.medium == MDR_FIT_MEDIUM_PATTERN) {
         const int slot = take_byte(in) % SLOTS;
         if (!w->medium_is_exact[slot]) problem.medium_object = w->media[slot];
     }
@@ -121,5 +121,5 @@ void fuzz_wide_fits(world *w)
 
     fill(factor);
     judge("mdr_fit_quantile", mdr_fit_quantile(level, degrees_of_freedom, factor), 1, factor, NOT_NEGATIVE);
-    fit(w, (choices){.kinds = 7, .indenters = 10, .media = 7, .numbers = MOST_NUMBERS, .is_wide = 1});
+    fit(w, (choices){.kinds = 7, .indenters = 10, .media = 6, .numbers = MOST_NUMBERS, .is_wide = 1});
 }
