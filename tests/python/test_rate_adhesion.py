@@ -261,6 +261,9 @@ def test_fits_that_cannot_be():
     guess = mdr.Contact(mdr.Paraboloid(20e-6), RUBBERY, adhesion=mdr.RateAdhesion(0.05, 1e-6, 0.4))
     with pytest.raises(mdr.InvalidArgumentError, match="free = 'gamma'"):
         mdr.fit_rate(curves, guess, ["gamma"])
+    layered = guess.replace(medium=mdr.Layered([(mdr.Elastic(1e6, 0.5), 1e-4)], mdr.Elastic(2e6, 0.5)))
+    with pytest.raises(mdr.InvalidArgumentError, match=r"free = 'layers\[0\].e' .*layers\[0\]\.E"):
+        mdr.fit_rate(curves, layered, ["layers[0].e"])
     with pytest.raises(mdr.ArgumentTypeError, match="adhesion="):
         mdr.fit_rate(curves, mdr.Contact(mdr.Paraboloid(20e-6), RUBBERY), ["work"])
     with pytest.raises(mdr.ArgumentTypeError, match="RateCurve"):

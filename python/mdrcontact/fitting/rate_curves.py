@@ -263,26 +263,21 @@ def _follow(contact: Contact, time: ArrayLike, position: ArrayLike, stiffness: f
     return contact.history(time, position=position, spring_stiffness=stiffness, start="rest", tolerance=_TOLERANCE)
 
 
-def _bodies(contact: Contact) -> dict[str, tuple[str, Any]]:
-    """Names of the moduli that can be free, with the field of the medium and its material."""
-    fields = {"E": "material", "coating.E": "coating", "substrate.E": "substrate"}
-    found = {name: (key, getattr(contact.medium, key, None)) for name, key in fields.items()}
-    return {name: (key, material) for name, (key, material) in found.items() if hasattr(material, "E")}
+def _moduli(contact: Contact) -> dict[str, float]:
+    """The moduli of the medium, by the names of its parameters."""
+    return {name: value for name, value in contact.medium.parameters().items() if name.split(".")[-1] == "E"}
 
 
 def _numbers(contact: Contact) -> dict[str, float]:
     """What can be free, and its value."""
     law = contact.adhesion
     given = {} if law is None else law._given()
-    moduli = {name: float(material.E) for name, (_, material) in _bodies(contact).items()}
-    return {**{name: value for name, value in given.items() if isinstance(value, float)}, **moduli}
+    return {**{name: value for name, value in given.items() if isinstance(value, float)}, **_moduli(contact)}
 
 
 def _with_numbers(contact: Contact, values: Mapping[str, float]) -> Contact:
     """The contact with some of them changed."""
-    bodies = _bodies(contact)
-    changes = {key: material.replace(E=values[name]) for name, (key, material) in bodies.items() if name in values}
+    moduli = {name: values[name] for name in _moduli(contact) if name in values}
     law: Any = contact.adhesion
-    law = law.replace(**{name: value for name, value in values.items() if name not in bodies})
-    medium: Any = contact.medium
-    return contact.replace(medium=medium.replace(**changes) if changes else medium, adhesion=law, work_of_adhesion=0.0)
+    law = law.replace(**{name: value for name, value in values.items() if name not in moduli})
+    return contact.replace(medium=contact.medium.with_parameters(moduli), adhesion=law, work_of_adhesion=0.0)
