@@ -88,6 +88,64 @@ def test_random_bodies_give_their_constants_back():
         assert abs(result.estimates[name] - truth) < 4.5 * result.standard_errors[name]
 
 
+def with_noise(values, rng, sd=0.003):
+    return np.asarray(values) * (1.0 + sd * rng.standard_normal(len(values))), sd * np.abs(values)
+
+
+SPRINGS = "layers[0].interface.normal"
+DEPTH, RADIUS = np.linspace(1e-8, 4e-7, 30), np.geomspace(1e-7, 3e-6, 25)
+
+
+def moduli(rng):
+    y, sd = with_noise(FILM.modulus(RADIUS), rng)
+    return mdr.ModulusRadius(RADIUS, y, sd=sd), TIP, FILM, {}, {}
+
+
+def stiffnesses(rng):
+    y, sd = with_noise(FILM.stiffness(RADIUS), rng)
+    return mdr.StiffnessRadius(RADIUS, y, sd=sd), TIP, FILM, {}, {}
+
+
+def dynamic(rng):
+    states = mdr.Contact(TIP, FILM).at_depth(DEPTH)
+    y, sd = with_noise(states.stiffness, rng)
+    return mdr.StiffnessDepth(DEPTH, np.asarray(states.force), y, sd=sd, elastic=True), TIP, FILM, {}, {}
+
+
+def calibrated_tip(rng):
+    tip = mdr.AreaFunction([24.5, 2e-6], max_height=1e-6)
+    y, sd = with_noise(mdr.Contact(tip, FILM).at_depth(DEPTH).force, rng)
+    return mdr.ForceDepth(DEPTH, y, sd=sd), tip, FILM, {"indenter.C1": mdr.Free(prior=(2e-6, 1e-8))}, {}
+
+
+def pair(rng):
+    medium = mdr.Pair(FILM, mdr.Elastic(1141e9, 0.07))
+    y, sd = with_noise(mdr.Contact(TIP, medium).at_depth(DEPTH).force, rng)
+    return mdr.ForceDepth(DEPTH, y, sd=sd), TIP, medium, {}, {"loss": "huber"}
+
+
+def adhesion(rng):
+    layer = mdr.TransverselyIsotropic.from_engineering(10e6, 25e6, 0.2, 0.15, 3e6)
+    medium = mdr.Layered([mdr.Layer(layer, 1e-6, 0.0, mdr.Interface(normal=2e13))], mdr.Elastic(50e6, 0.4))
+    depth = np.linspace(-2e-8, 3e-7, 40)
+    force = np.asarray(mdr.Contact(TIP, medium, work_of_adhesion=0.05).at_depth(depth).force)
+    sd = 0.003 * np.max(force)
+    data = mdr.ForceDepth(depth, force + sd * rng.standard_normal(40), sd=sd)
+    return data, TIP, medium, {"work_of_adhesion": 0.04, "layers[0].G_z": 2.5e6}, {}
+
+
+@pytest.mark.filterwarnings("ignore::mdrcontact.LargeStrainWarning")
+@pytest.mark.parametrize("make", [moduli, stiffnesses, dynamic, calibrated_tip, pair, adhesion])
+def test_all_data_tips_pairs_and_adhesion(make):
+    """Springs from every kind of data, and with what else may be free or known beforehand."""
+    data, tip, medium, also, options = make(np.random.default_rng(3))
+    truth = {**medium.parameters(), "work_of_adhesion": 0.05, "indenter.C1": 2e-6}
+    result = mdr.fit(data, tip, medium, {SPRINGS: 0.75 * truth[SPRINGS], **also}, **options)
+    assert result.converged
+    for name in (SPRINGS, *also):
+        assert abs(result.estimates[name] - truth[name]) < 3.5 * result.standard_errors[name] < 0.5 * abs(truth[name])
+
+
 def test_what_the_readings_do_not_depend_on_is_refused():
     rng = np.random.default_rng(3)
     for medium, name in [(FILM, "layers[0].C12"), (mdr.Homogeneous(GAN), "C12")]:
