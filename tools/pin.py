@@ -40,6 +40,7 @@ below its own tolerance: other versions of LAPACK move its numbers by up to 9e-9
 LENGTH = np.array([3e-8, 2e-7, 1.3e-6])
 BALL = mdr.Paraboloid(5e-6)
 FILM = mdr.Coated(OXIDE, 5e-7, SILICON)
+GLUED = mdr.Layered([mdr.Layer(mdr.CRYSTALS["GaN"].material, 2e-7, interface=mdr.Interface(normal=2e17))], SILICON)
 
 
 def labelled(objects: list[Any]) -> list[tuple[str, Any]]:
@@ -186,6 +187,8 @@ def fits() -> Iterator[Row]:
         ("half-space", mdr.Homogeneous(OXIDE), ["E", "depth_offset"], {}),
         ("power law graded", mdr.PowerLawGraded(7e10, 1e-6, 0.3, 0.2), ["E0", "exponent"], {}),
         ("graded", mdr.Graded([0.0, 1e-6], [72e9, 160e9], 0.2, "gao"), ["E[0]", "E[1]"], {}),
+        ("springs", GLUED, ["layers[0].C44", "layers[0].interface.normal"], {}),
+        ("stress", GLUED, ["layers[0].prestress"], {}),
         ("frame", FILM, ["coating.E", "frame_compliance"], {"frame_compliance": 1e-7}),
         ("adhesion", mdr.Homogeneous(RUBBER), ["E", "work_of_adhesion"], {"work_of_adhesion": 0.05}),
     ):  # fmt: skip
