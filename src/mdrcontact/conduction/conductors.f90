@@ -12,7 +12,7 @@ module mdrcontact_conduction_conductors
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
-    public :: conductor_t, conductors_t, new_conductors, half_space_base, perfect_base, insulating_base, layer_at, tanh_of
+    public :: conductor_t, conductors_t, new_conductors, half_space_base, perfect_base, insulating_base, layer_at
 
     !> What the layers lie on: a half-space (the last of them), what conducts perfectly, what does not conduct.
     integer, parameter :: half_space_base = 1, perfect_base = 2, insulating_base = 3
@@ -142,7 +142,7 @@ contains
         !> Laplace variable, 0: steady
         complex(wp), intent(in) :: s
         complex(wp) :: c
-        complex(wp) :: y, t
+        complex(wp) :: x, y, t
         integer :: i
 
         c = self%r(self%layers)
@@ -155,12 +155,14 @@ contains
                 return
             end if
             y = self%s(i)*kappa_of(self, i, k, s)
-            c = 1.0_wp/(y*tanh_of(kappa_of(self, i, k, s)*self%h(i))) + self%r(i - 1)
+            x = kappa_of(self, i, k, s)*self%h(i)
+            c = 1.0_wp/(y*tanh_of(x, exp(-2.0_wp*x))) + self%r(i - 1)
             i = i - 1
         end if
         do i = i, layer + 1, -1
             y = self%s(i)*kappa_of(self, i, k, s)
-            t = tanh_of(kappa_of(self, i, k, s)*self%h(i))
+            x = kappa_of(self, i, k, s)*self%h(i)
+            t = tanh_of(x, exp(-2.0_wp*x))
             c = (y*c + t)/(y*(1.0_wp + y*c*t)) + self%r(i - 1)
         end do
     end function below
@@ -186,8 +188,8 @@ contains
         end if
         sigma = ratio
         if (self%layers == 0) return
-        t = tanh_of(kappa*self%h(1))
         fall = exp(-2.0_wp*kappa*self%h(1))
+        t = tanh_of(kappa*self%h(1), fall)
         if (self%base == insulating_base .and. self%layers == 1) then
             sigma = ratio/t
             chi = chi + ratio*2.0_wp*fall/(1.0_wp - fall)
@@ -211,16 +213,15 @@ contains
         if (abs(s) > 0.0_wp) kappa = sqrt(k**2 + s*self%rate(layer))
     end function kappa_of
 
-    !> tanh, at a fraction of its cost where no digits are lost.
-    elemental function tanh_of(x) result(t)
-        complex(wp), intent(in) :: x
+    !> tanh x, by exp(-2 x) where no digits are lost.
+    elemental function tanh_of(x, fall) result(t)
+        complex(wp), intent(in) :: x, fall
         complex(wp) :: t
 
         if (abs(x) < 0.3_wp) then
             t = tanh(x)
         else
-            t = exp(-2.0_wp*x)
-            t = (1.0_wp - t)/(1.0_wp + t)
+            t = (1.0_wp - fall)/(1.0_wp + fall)
         end if
     end function tanh_of
 
