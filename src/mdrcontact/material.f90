@@ -37,8 +37,9 @@ module mdrcontact_material
         logical :: is_plain = .true.
         !> its six numbers where it is not
         type(transverse_t) :: constants
-        !> isotropic, by_stiffness or by_engineering, and the five numbers of the latter two
+        !> isotropic, by_stiffness or by_engineering
         integer :: form = isotropic
+        !> the five numbers of the latter two
         real(wp) :: given(5) = 0.0_wp
     contains
         procedure :: parameters

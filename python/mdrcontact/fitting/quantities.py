@@ -83,7 +83,8 @@ def words_of(name: str) -> str:
         return f"{which} {_LAYER_WORDS[layer[2]]}"
     springs = re.fullmatch(r"layers\[(\d+)\]\.interface\.(normal|tangential)", name)
     if springs:
-        return f"{springs[2]} stiffness of the interface below {_of_part(f'layers[{springs[1]}].', '').strip()}"
+        above = "the film" if springs[1] == "0" else f"layer {int(springs[1]) + 1}"
+        return f"{springs[2]} stiffness of the interface below {above}"
     term = re.fullmatch(r"(.*)terms\[(\d+)\]\.(modulus|time)", name)
     if term:
         what = "shear modulus" if term[3] == "modulus" else "relaxation time"

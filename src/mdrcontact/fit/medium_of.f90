@@ -43,9 +43,11 @@ module mdrcontact_fit_medium_of
         logical :: has_surface = .false.
         !> the finished medium for medium_given
         type(medium_t), allocatable :: object
-        !> for medium_pattern, see set_pattern: the body that trials are like, elastic or not, and its numbers
+        !> for medium_pattern, see set_pattern: the elastic body that trials are like
         class(body_t), allocatable :: body
+        !> or the one that relaxes
         type(viscoelastic_t), allocatable :: relaxing
+        !> its numbers
         type(parameter_t), allocatable :: parameters(:)
     end type medium_choice_t
 
