@@ -395,10 +395,11 @@ class Contact(Value):
         """dF/dp at the depth of one state, for the constants p of the bodies and R of a paraboloid: by reciprocity, exact, without
         solving a contact again; for fits, design and propagation of errors. At a given force the depth changes by -dF/dp/k.
 
-        The names are those of fits: "E", "nu" of a homogeneous body; "coating.E", "coating.nu", "thickness", "substrate.E",
-        "substrate.nu"; "layers[0].E", "layers[0].thickness" and so on; "radius". Of homogeneous, coated and layered elastic bodies
-        under the model "exact", without adhesion, up to contact radii of 100 thicknesses of the top layer; all else is refused
-        (InvalidArgumentError), and indenters whose line load has kinks (NoConvergenceError).
+        The names are those of `medium.parameters()`: "E", "nu" of a homogeneous body; "coating.E", "coating.C44", "thickness",
+        "substrate.nu"; "layers[0].E", "layers[0].prestress", "layers[0].interface.normal" and so on, but for those that are 0; and
+        "radius". Of homogeneous, coated and layered elastic bodies under the model "exact", without adhesion, up to contact radii
+        of 100 thicknesses of the top layer; all else is refused (InvalidArgumentError), and indenters whose line load has kinks
+        (NoConvergenceError).
         """
         return sensitivity.gradient(self, state)
 

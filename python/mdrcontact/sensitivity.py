@@ -13,15 +13,16 @@ exp(-2 k h). No contact is solved again.
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
+from functools import partial
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from .errors import InvalidArgumentError, NoConvergenceError
-from .material import RIGID, Elastic
-from .medium import Coated, Homogeneous, Layered
-from .medium.layer import is_bonded
+from .material import RIGID, SMOOTH, Elastic, TransverselyIsotropic
+from .medium import Coated, Homogeneous, Layer, Layered
 from .profile import FlatPunch, Paraboloid
 
 __all__: list[str] = []
@@ -31,68 +32,110 @@ SMALLEST_LAYER = 1e-2
 """of the contact radius: thinner top layers take too many waves"""
 TOLERANCE = 1e-10
 _CENTRAL = ((1, 0.75), (-1, -0.75), (2, -0.15), (-2, 0.15), (3, 1 / 60), (-3, -1 / 60))
-# for Poisson's ratio, which may be 0.5
+# beside a bound, as of Poisson's ratio
 _BACKWARD = ((0, 49 / 20), (-1, -6.0), (-2, 7.5), (-3, -20 / 3), (-4, 3.75), (-5, -1.2), (-6, 1 / 6))
+
+_MECHANICAL = {"E", "nu", "thickness", "prestress", "normal", "tangential", "C11", "C12", "C13", "C33", "C44"}
+_MECHANICAL |= {"E_t", "E_z", "nu_t", "nu_tz", "G_z"}
 
 
 def gradient(contact: Any, state: Any) -> dict[str, float]:
     """See `Contact.gradient`."""
-    thinnest = _top_layer(contact.medium)
+    surface_layer = _surface_layer(contact.medium)
     if contact.work_of_adhesion:
         raise InvalidArgumentError("work_of_adhesion is not allowed: derivatives are known of contacts without adhesion")
     if not all(np.ndim(value) == 0 for value in state) or not state.radius > 0.0:
         raise InvalidArgumentError("state is not allowed: it must be one state, of closed bodies")
+    thinnest = math.inf if surface_layer is None else surface_layer.thickness
     if thinnest < SMALLEST_LAYER * state.radius:
         raise InvalidArgumentError(
             f"state is not allowed: its radius {state.radius:g} is above {1 / SMALLEST_LAYER:g} thicknesses of the top layer"
         )
-    top = 25.0 / thinnest
+    top = 25.0 / thinnest / (1.0 if surface_layer is None else _decay(surface_layer.material))
     x, q, q1 = _line_loads(contact, state, top)
-    k, weights = _octaves(top, state.radius) if top else (np.zeros(0), np.zeros(0))
+    k, weights = (np.zeros(0), np.zeros(0)) if surface_layer is None else _octaves(top, state.radius)
     waves = weights * _transform(x, q, k) * _transform(x, q1, k)
-    surface = 16.0 * top if top else 1.0
+    surface = 1.0 if surface_layer is None else 16.0 * top
     all_k = np.append(k, surface)
     local = 2.0 * math.pi * float((q * q1 / x[1]).sum())
 
-    def of(name: str, value: float, steps: Any, step: float) -> float:
-        changed = ((contact.medium.with_parameters({name: value + i * step}), weight) for i, weight in steps)
-        c = sum(weight * all_k * medium.compliance(all_k) for medium, weight in changed) / step
+    def of(changed: Callable[[float], Any], value: float, steps: Any, step: float) -> float:
+        c = sum(weight * all_k * changed(value + i * step).compliance(all_k) for i, weight in steps) / step
         return -(local * float(c[-1]) + float((waves * (c[:-1] - c[-1])).sum())) / (2.0 * math.pi)
 
     found = {}
-    for name, value in contact.medium.parameters().items():
-        if not name.endswith(("E", "nu", "thickness")):
+    constants = contact.medium.parameters()
+    for name, value in constants.items():
+        if name.rpartition(".")[2] not in _MECHANICAL or value == 0.0:
             continue
-        steps: Any = _CENTRAL
-        step = 1e-2 * value
-        if name.endswith("nu"):
-            steps, step = (_CENTRAL, 3e-3) if value < 0.49 else (_BACKWARD, 2e-3)
-        found[name] = of(name, value, steps, step)
+        change = partial(_changed, contact.medium, name)
+        found[name] = _first_allowed(partial(of, change, value), _steps(constants, name))
     if isinstance(contact.indenter, Paraboloid):
         # at a given radius depth and force are proportional to 1/R
         found["radius"] = (state.depth * state.stiffness - state.force) / contact.indenter.radius
     return found
 
 
-def _top_layer(medium: Any) -> float:
-    """Thickness of the uppermost layer, infinite of a half-space; refuses what derivatives are not known of."""
+def _surface_layer(medium: Any) -> Layer | None:
+    """The layer at the surface; None of a half-space. Refuses media without derivatives."""
     if not isinstance(medium, (Homogeneous, Coated, Layered)):
         raise InvalidArgumentError(
             f"{type(medium).__name__} is not allowed: derivatives are known of Homogeneous, Coated and Layered"
         )
+    if medium.surface is not None:
+        raise InvalidArgumentError("surface is not allowed: derivatives are known of bodies without tension or plate")
     model = getattr(medium, "model", "exact")
     if model != "exact":
         raise InvalidArgumentError(f"model = {model!r} is not allowed: derivatives are known of the model 'exact'")
-    if medium.surface is not None:
-        raise InvalidArgumentError("surface is not allowed: derivatives are known of bodies without tension or plate")
-    if not is_bonded(medium):
-        raise InvalidArgumentError("layers with a prestress or an interface that gives are not allowed: derivatives are not known")
-    layers = [(medium.coating, medium.thickness)] if isinstance(medium, Coated) else getattr(medium, "layers", ())
-    stack: list[tuple[Any, float]] = [(material, h) for material, h in layers]
-    base = medium.material if isinstance(medium, Homogeneous) else medium.substrate
-    if not all(isinstance(material, Elastic) for material, _ in stack) or not (base is RIGID or isinstance(base, Elastic)):
-        raise InvalidArgumentError("the materials must be Elastic(E, nu)")
-    return stack[0][1] if stack else math.inf
+    layers: list[Any] = []
+    if isinstance(medium, Coated):
+        layers = [(medium.coating, medium.thickness)]
+    elif isinstance(medium, Layered):
+        layers = list(medium.layers)
+    below = medium.material if isinstance(medium, Homogeneous) else medium.substrate
+    bodies = [material for material, _ in layers] + ([] if below in (RIGID, SMOOTH) else [below])
+    if not all(isinstance(material, (Elastic, TransverselyIsotropic)) for material in bodies):
+        raise InvalidArgumentError("the materials must be elastic: Elastic or TransverselyIsotropic")
+    return Layer(*layers[0]) if layers else None
+
+
+def _decay(material: Any) -> float:
+    """The slowest wave in a material decays as exp(-decay k z)."""
+    if isinstance(material, Elastic):
+        return 1.0
+    C11, C13, C33, C44 = material.C11, material.C13, material.C33, material.C44
+    squares = (C11 - C13**2 / C33) / C44 - 2.0 * C13 / C33
+    product = math.sqrt(C11 / C33)
+    total, apart = math.sqrt(squares + 2.0 * product), math.sqrt(max(squares - 2.0 * product, 0.0))
+    return min(1.0, 2.0 * product / (total + apart))
+
+
+def _changed(medium: Any, name: str, value: float) -> Any:
+    return medium.with_parameters({name: value})
+
+
+def _steps(constants: dict[str, float], name: str) -> list[tuple[Any, float]]:
+    """Rules and steps of differences, the best one first: others stay within what a constant may be."""
+    body, dot, last = name.rpartition(".")
+    step = 2e-3 * abs(constants[name])
+    if last in ("nu", "nu_t"):
+        step = 3e-3 if constants[name] < 0.49 else 2e-3
+    elif last == "nu_tz":
+        # it is smooth on the scale of its bound
+        step = 2e-3 * min(1.0, math.sqrt(0.5 * constants[body + dot + "E_t"] / constants[body + dot + "E_z"]))
+    elif last in ("C12", "C13"):
+        step = 1e-3 * constants[body + dot + "C33"]
+    return [(_CENTRAL, step), (_BACKWARD, step), (_BACKWARD, -step), (_CENTRAL, 1e-2 * step), (_BACKWARD, 1e-2 * step)]
+
+
+def _first_allowed(of: Callable[[Any, float], float], rules: list[tuple[Any, float]]) -> float:
+    """By the first rule whose values are all allowed."""
+    for rule in rules[:-1]:
+        try:
+            return of(*rule)
+        except InvalidArgumentError:
+            continue
+    return of(*rules[-1])
 
 
 def _nodes(count: int, low: float, high: float) -> tuple[Reals, Reals]:

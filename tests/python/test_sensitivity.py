@@ -5,6 +5,7 @@ import math
 
 import numpy as np
 import pytest
+from test_coatings import random_material
 
 import mdrcontact as mdr
 
@@ -67,6 +68,38 @@ def test_homogeneity(base):
         assert sum(found[name] * E for name, E in moduli.items()) == pytest.approx(state.force, rel=1e-8)
         lengths = sum(found[f"layers[{i}].thickness"] * h for i, (_, h) in enumerate(layers)) + 5e-5 * found["radius"]
         assert lengths + depth * state.stiffness == pytest.approx(2.0 * state.force, rel=1e-8)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_layers_with_an_axis_against_differences(seed):
+    """All constants of random layers, interfaces and prestress, by differences of the force; homogeneity of all moduli."""
+    rng = np.random.default_rng(seed)
+    springs = mdr.Interface(normal=10.0 ** rng.uniform(-1, 2), tangential=10.0 ** rng.uniform(-1, 2))
+    medium = mdr.Layered(
+        [mdr.Layer(random_material(rng), rng.uniform(0.3, 2.0), prestress=0.01, interface=springs), (mdr.Elastic(2.0, 0.3), 0.7)],
+        mdr.TransverselyIsotropic(23.4, 9.06, 9.11, 32.5, 8.71),
+        tolerance=1e-12,
+    )
+    tip = mdr.Paraboloid(2.0)
+    contact = mdr.Contact(tip, medium)
+    state = contact.at_depth(0.1)
+    found = contact.gradient(state)
+    constants = medium.parameters()
+    assert {name for name, value in constants.items() if value != 0.0 and "resistance" not in name} == set(found) - {"radius"}
+    for name, value in constants.items():
+        if name not in found:
+            continue
+        step = 3e-4 if "nu" in name else 2e-3 * abs(value)
+        expected = differences(
+            lambda v, name=name: mdr.Contact(tip, medium.with_parameters({name: v})).at_depth(0.1).force, value, step
+        )
+        assert abs(found[name] - expected) < 1e-8 * max(abs(expected), 1e-2 * state.force / abs(value)), name
+    scaled = sum(found[name] * value for name, value in constants.items() if name in found and is_modulus(name))
+    assert scaled == pytest.approx(state.force, rel=1e-8)
+
+
+def is_modulus(name):
+    return name.rpartition(".")[2] not in ("nu", "nu_t", "nu_tz", "thickness")
 
 
 @pytest.mark.parametrize(
