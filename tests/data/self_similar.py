@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The self-similar rows of wear.csv (delta, phi, f(0)) by their series in 40 digits: python tests/data/self_similar.py (with mpmath).
+"""The self-similar rows of wear.csv (delta, phi, f(0)) by their series in 40 digits; needs mpmath.
 
 f = r^n, a = V s, d = delta s^n, F = phi s^(n + 1) on a homogeneous body, E* = 1: the load Q(u) = sum c_j (1 - u^2)^(mu + j),
-mu = 1/2 + arctan(2 V)/pi, solves n Q - u Q' + |D| Q/(2 V) = n delta at points of |u| < 1. It converges as the fourth power of their
-number; two numbers of points are extrapolated. Prints each row with its deviation over its accuracy, and ends with status 1 where one
-is more than 3.
+mu = 1/2 + arctan(2 V)/pi, solves n Q - u Q' + |D| Q/(2 V) = n delta at points of |u| < 1. It converges as the fourth power of
+their number; two numbers of points are extrapolated. Prints each row with its deviation over its accuracy, and ends with status 1
+where one is more than 3.
 """
 
 import csv
