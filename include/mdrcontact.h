@@ -1843,6 +1843,36 @@ int mdr_rate_history(const mdr_rate *r, int control, double spring_stiffness, do
                      const double time[], const double in[], double d[], double a[], double F[], double v[], double dissipated[],
                      double work[], mdr_rate_state *end);
 
+/** A path in time of a viscoelastic half-space whose surface the indenter attracts: a contact of mdr_medium_viscoelastic() without
+ *  layers, with a work_of_adhesion and a cohesive_stress. Approach, jump-in, dwell, retraction, pull-off; all loss is in the solid.
+ *
+ *  Each spring of the body remembers its own load (Haiat, Phan Huy, Barthel, J. Mech. Phys. Solids 51 (2003) 69), and the edges of
+ *  contact and zone follow. Steps are halved until the force does not change any more; second order, extrapolated. Layers are refused
+ *  (no second solution to compare with), and materials without a glassy or a relaxed modulus, flat ends, walls, and zones shorter than
+ *  1e-3 of the contact radius: there mdr_rate_new() holds. Outputs that are NULL are skipped.
+ *  @param c                 contact
+ *  @param control           one of enum mdr_control: what `in` holds; MDR_CONTROL_SPRING: the far end of a spring, d + F/stiffness.
+ *                           Under a force bodies that have come apart stay so
+ *  @param spring_stiffness  > 0 for MDR_CONTROL_SPRING [modulus length], not looked at otherwise
+ *  @param tolerance         of the force, relative to its largest, 1e-7 to 1e-2; 0: 1e-4
+ *  @param start             all 0: the bodies are apart; radius < 0: the contact has had the first value for ever, in the largest stable
+ *                           state; nothing else is looked at
+ *  @param n                 number of samples
+ *  @param time              [n] strictly ascending [time]
+ *  @param in                [n] depths, forces or positions, linear in time in between; the first is reached in a jump where the
+ *                           bodies are apart
+ *  @param d                 [n] or NULL: indentation depths, those of the bodies where they are apart [length]
+ *  @param a                 [n] or NULL: contact radii, 0 without contact [length]
+ *  @param zone_radius       [n] or NULL: outer radii of the cohesive zone, 0 where the bodies do not attract each other [length]
+ *  @param F                 [n] or NULL: normal forces [modulus length^2]
+ *  @param end               receives the lowest force with its time, the last rupture and int F dd; dissipated is 0: it is not known
+ *                           what the body still stores
+ *  @return also MDR_EINVALID for other contacts and where the contact would not be one disc, MDR_EUNREACHABLE without a stable state
+ *          to begin with, MDR_EDOMAIN, MDR_ENOCONVERGENCE */
+int mdr_contact_adhesive_history(const mdr_contact *c, int control, double spring_stiffness, double tolerance,
+                                 const mdr_rate_state *start, int n, const double time[], const double in[], double d[], double a[],
+                                 double zone_radius[], double F[], mdr_rate_state *end);
+
 /** Frees a contact with a rate and sets *r to NULL. r = NULL and *r = NULL are allowed.
  *  @return MDR_SUCCESS, or MDR_EINVALID (and frees nothing) if *r is not one */
 int mdr_rate_free(mdr_rate **r);

@@ -42,6 +42,7 @@ module mdrcontact
     use mdrcontact_history_friction, only: first_shear_t, friction_t, new_friction, tangential_state_t
     use mdrcontact_history_friction_history, only: friction_history_t, given_shift, given_tangential_force, new_friction_history
     use mdrcontact_history_rate_contact, only: new_rate_contact, rate_contact_t
+    use mdrcontact_history_cohesive_history, only: cohesive_columns, cohesive_history
     use mdrcontact_history_rate_history, only: rate_history
     use mdrcontact_history_rate_law, only: new_rate_law, new_surface_law, rate_law_t
     use mdrcontact_history_rate_state, only: rate_state_t

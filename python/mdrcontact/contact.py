@@ -30,7 +30,7 @@ from .errors import (
     UnitsWarning,
 )
 from .failure import Failure
-from .history import History
+from .history import AdhesiveHistory, History
 from .interior import Interior
 from .medium import Medium
 from .profile import Paraboloid, Profile
@@ -91,7 +91,7 @@ class Contact(Value):
     work_of_adhesion : gamma >= 0 [modulus length], J/m^2 in SI units; 0 is the contact without adhesion
     cohesive_stress : sigma >= 0 [modulus]; adhesion with a range (Dugdale, Maugis): the surfaces pull on each other with sigma
         wherever they are less than work_of_adhesion/sigma apart, in a zone around the contact. 0: a range of nothing (JKR). On
-        homogeneous bodies and under the model "exact", pairs included
+        homogeneous bodies and under the model "exact", pairs included; on a viscoelastic half-space for its `history` alone
     adhesion_rule : the edge opening, by which the springs at the edge are stretched when they let go
         "paper": sqrt(2 pi a gamma/E_eff), equation (28); "energy": sqrt(4 pi a gamma/k'(a)), the balance of energy;
         "automatic": energy for exact media, where it is exact, and the paper's rule for all others
@@ -192,7 +192,7 @@ class Contact(Value):
         tolerance: float | None = None,
         progress: bool = False,
         drainage: str | None = None,
-    ) -> History | RateHistory:
+    ) -> History | RateHistory | AdhesiveHistory:
         """The path in time of a contact with a viscoelastic or poroelastic body, or of one whose `adhesion` depends on speed: one
         of depth, force, radius and position is prescribed.
 
@@ -213,6 +213,10 @@ class Contact(Value):
             is taken as it comes. A paraboloid is pressed in at once and held at one contact radius, `radius` a constant. Its true
             contact grows by up to 9 % and comes back: at "indenter" its force then differs by up to 0.05 of the part that relaxes
 
+        With a `cohesive_stress` on a viscoelastic half-space the result is an `AdhesiveHistory`: each place of the surface remembers
+        what it bore, and contact and zone move over it. position, spring_stiffness, and start "apart" or "rest" (relaxed) as below;
+        tolerance of the force, relative to its largest, 1e-7 to 1e-2, default 1e-4. Layers are refused
+
         With `adhesion`, on an elastic body (of a viscoelastic one the relaxed moduli), the result is a `RateHistory`:
 
         position, spring_stiffness : the far end of a spring that presses the indenter, d + F/spring_stiffness [length], in place of
@@ -226,9 +230,15 @@ class Contact(Value):
             if radius is not None:
                 raise ArgumentTypeError("radius is not allowed with adhesion=: it follows from position, depth or force")
             given = {"position": position, "depth": depth, "force": force}
-            return rate_adhesion.history(self, time, given, spring_stiffness, start, tolerance)
+            return rate_adhesion.history(self, time, given, spring_stiffness, start, tolerance, progress)
+        if self.cohesive_stress > 0.0:
+            history.refuse_drainage(drainage)
+            if radius is not None:
+                raise ArgumentTypeError("radius is not allowed with adhesion: it follows from position, depth or force")
+            given = {"position": position, "depth": depth, "force": force}
+            return history.adhesive_history(self._handle.address, time, given, spring_stiffness, start, tolerance, progress)
         if position is not None or spring_stiffness is not None or start != "apart":
-            raise ArgumentTypeError("position, spring_stiffness and start belong to contacts with adhesion=")
+            raise ArgumentTypeError("position, spring_stiffness and start belong to contacts with adhesion= or a cohesive_stress")
         tolerance = 1e-5 if tolerance is None else tolerance
         if poroelastic.is_poroelastic(self.medium):
             return History(*poroelastic.history(self, time, depth, force, radius, drainage))

@@ -11,12 +11,13 @@ from numpy.typing import ArrayLike, NDArray
 from . import _layout, _native, poroelastic
 from ._boundary import ComplexOrArray, FloatOrArray, check, evaluate, number, one_path, together
 from ._progress import marching
+from .adhesion import CONTROLS
 from .errors import ArgumentTypeError, InvalidArgumentError
 from .material import RIGID, Elastic, PowerLawRheology, Viscoelastic
 from .medium import Coated, Homogeneous, Layered
 from .profile import FlatPunch
 
-__all__ = ["History"]
+__all__ = ["AdhesiveHistory", "History"]
 
 
 class History(NamedTuple):
@@ -38,6 +39,28 @@ class History(NamedTuple):
         return float(np.sum(0.5 * (self.force[1:] + self.force[:-1]) * np.diff(np.maximum(self.depth, 0.0))))
 
 
+class AdhesiveHistory(NamedTuple):
+    """The path of a contact with a viscoelastic half-space that attracts the indenter: arrays of one length, then what happened
+    once."""
+
+    time: NDArray[np.float64]
+    """[time]"""
+    depth: NDArray[np.float64]
+    """d, that of the bodies where they are apart [length]"""
+    radius: NDArray[np.float64]
+    """a, 0 without contact [length]"""
+    zone_radius: NDArray[np.float64]
+    """c, outer radius of the cohesive zone, 0 where the bodies do not attract each other [length]"""
+    force: NDArray[np.float64]
+    """F [modulus length^2]"""
+    end: dict[str, float]
+    """pull-off, between the samples, too: "lowest_force", "lowest_time", "lowest_depth", "lowest_radius", "lowest_speed"; of the last
+    time that the bodies came apart "rupture_time" and "rupture_depth"; how often they did, "ruptures"; "work", int F dd"""
+
+
+STATE = _layout.rate_state.names or ()
+"""What the library remembers of an adhesive history."""
+_HAPPENED = [name for name in STATE if name.startswith(("lowest", "rupture")) or name == "work"]
 _GIVEN = {"depth": _layout.GIVEN_DEPTH, "force": _layout.GIVEN_FORCE, "radius": _layout.GIVEN_RADIUS}
 
 
@@ -59,6 +82,40 @@ def history(
         status, *columns = _native.contact_history(contact, _GIVEN[given], accuracy, t, values)
     check(status)
     return History(t, *columns)
+
+
+def adhesive_history(
+    contact: int,
+    time: ArrayLike,
+    given: dict[str, ArrayLike | None],
+    spring_stiffness: float | None,
+    start: Any,
+    tolerance: float | None,
+    progress: bool,
+) -> AdhesiveHistory:
+    """The history of a contact's handle whose body attracts the indenter over a range."""
+    name, t, s = one_path(time, **given)
+    control, stiffness = spring_control(name, spring_stiffness)
+    if not t.size:
+        raise InvalidArgumentError("time must not be empty")
+    if start not in ("apart", "rest"):
+        raise InvalidArgumentError(f'start = {start!r} is not allowed: it must be "apart" or "rest"')
+    row = np.zeros(len(STATE))
+    row[0] = -1.0 if start == "rest" else 0.0
+    accuracy = 0.0 if tolerance is None else number("tolerance", tolerance)
+    with marching(t.size, progress):
+        status, *columns, end = _native.contact_adhesive_history(contact, control, stiffness, accuracy, row, t, s)
+    check(status)
+    happened = dict(zip(STATE, end.tolist(), strict=True))
+    return AdhesiveHistory(t, *columns, {key: happened[key] for key in _HAPPENED})
+
+
+def spring_control(name: str, spring_stiffness: float | None) -> tuple[int, float]:
+    """The library's code of what is controlled, and the stiffness of a spring."""
+    if (name == "position") != (spring_stiffness is not None):
+        raise ArgumentTypeError("spring_stiffness is needed with position=, the far end of the spring, and only there")
+    stiffness = 0.0 if spring_stiffness is None else number("spring_stiffness", spring_stiffness)
+    return CONTROLS[{"position": "spring"}.get(name, name)], stiffness
 
 
 def dynamic_stiffness(

@@ -12,15 +12,16 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _layout, _native
 from ._boundary import FloatOrArray, Handle, address, call, evaluate, number, one_path, record
+from ._progress import marching
 from ._value import Value
 from ._warn import warn
 from .adhesion import CONTROLS
 from .errors import AdhesionRateWarning, ArgumentTypeError, InvalidArgumentError
+from .history import STATE, spring_control
 from .material import Viscoelastic
 
 __all__ = ["RateAdhesion", "RateHistory", "RheologicalAdhesion"]
 
-_STATE = _layout.rate_state.names or ()
 _FASTEST, _LONGEST = 0.02, 0.03
 """v time/a and zone/a up to which a steady crack gives pull-off to 2 %."""
 _ROOM = 1.02
@@ -156,20 +157,19 @@ def history(
     spring_stiffness: float | None,
     start: Any,
     tolerance: float | None,
+    progress: bool,
 ) -> RateHistory:
     """See `Contact.history`."""
     name, t, s = one_path(time, **given)
-    if (name == "position") != (spring_stiffness is not None):
-        raise ArgumentTypeError("spring_stiffness is needed with position=, the far end of the spring, and only there")
+    control, stiffness = spring_control(name, spring_stiffness)
     if not t.size:
         raise InvalidArgumentError("time must not be empty")
-    stiffness = 0.0 if spring_stiffness is None else number("spring_stiffness", spring_stiffness)
-    control = CONTROLS[{"position": "spring"}.get(name, name)]
     row = _start(start)
     handle = contact._rate_handle(contact.adhesion, max(row[0], _largest(contact, control, float(np.max(s)))) * _ROOM)
     accuracy = 0.0 if tolerance is None else number("tolerance", tolerance)
-    d, a, F, v, lost, done, end = call(_native.rate_history, handle.address, control, stiffness, accuracy, row, t, s)
-    found = RateHistory(t, d, a, F, v, lost, done, dict(zip(_STATE, end.tolist(), strict=True)))
+    with marching(t.size, progress):
+        d, a, F, v, lost, done, end = call(_native.rate_history, handle.address, control, stiffness, accuracy, row, t, s)
+    found = RateHistory(t, d, a, F, v, lost, done, dict(zip(STATE, end.tolist(), strict=True)))
     _warn_of(contact.adhesion, found)
     return found
 
@@ -196,7 +196,7 @@ def _warn_of(adhesion: _Rate, found: RateHistory) -> None:
 
 def _start(start: Any) -> list[float]:
     """The library's record of where a history begins."""
-    row = dict.fromkeys(_STATE, 0.0)
+    row = dict.fromkeys(STATE, 0.0)
     if isinstance(start, Mapping):
         row.update({key: number(key, value) for key, value in start.items() if key in row})
     elif start == "rest":

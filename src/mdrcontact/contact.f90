@@ -24,7 +24,7 @@ module mdrcontact_contact
     use mdrcontact_numerics_radius_law, only: radius_law_t
     implicit none (type, external)
     private
-    public :: contact_t, new_contact, check_adhesion, contact_options_t
+    public :: contact_t, new_contact, check_adhesion, check_cohesion, contact_options_t
     public :: on_loading, on_unloading, check_branch
 
     !> Which stable state is meant where an adhesive contact has several: the one met when the bodies approach, or

@@ -34,7 +34,7 @@ def rows(kind):
         found = [row for row in table if row["kind"] == kind]
     for row in found:
         words = dict(word.split("=") for word in row["inputs"].split(";"))
-        row["inputs"] = {key: value if key == "control" else float(value) for key, value in words.items()}
+        row["inputs"] = {key: value if key in ("control", "start") else float(value) for key, value in words.items()}
     return [pytest.param(row, id=f"{kind}-{i}") for i, row in enumerate(found)]
 
 

@@ -1378,6 +1378,23 @@ int mdr_rate_history(const mdr_rate *r, int control, double spring_stiffness, do
     return status;
 }
 
+int mdrcontact_entry_contact_adhesive_history(const mdr_contact *c, int control, double spring_stiffness, double tolerance,
+        const mdr_rate_state *start, int n, const double time[], const double in[], double d[], double a[], double zone_radius[],
+        double F[], mdr_rate_state *end);
+int mdr_contact_adhesive_history(const mdr_contact *c, int control, double spring_stiffness, double tolerance,
+        const mdr_rate_state *start, int n, const double time[], const double in[], double d[], double a[], double zone_radius[],
+        double F[], mdr_rate_state *end)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_contact_adhesive_history(c, control, spring_stiffness, tolerance, start, n,
+        time, in, d, a, zone_radius, F, end);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_contact_adhesive_history(c, control, spring_stiffness, tolerance, start, n, time, in, d, a,
+        zone_radius, F, end);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
 int mdrcontact_entry_coated_paraboloid_force(int n, const double a[], double radius, double coating_shear, double substrate_shear,
         double thickness, double out[]);
 int mdr_coated_paraboloid_force(int n, const double a[], double radius, double coating_shear, double substrate_shear,

@@ -2,18 +2,22 @@
 !> Histories of contacts with viscoelastic bodies, for C.
 module mdrcontact_api_history
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
+    use mdrcontact_api_adhesion, only: choose_control
     use mdrcontact_api_arrays, only: check_array, check_complex_arrays, check_count, check_in_out, check_results, deliver_parts, &
                                      make_room
     use mdrcontact_api_handles, only: open_handle
-    use mdrcontact_api_status, only: status_of
-    use mdrcontact_error, only: check_memory, error_t
+    use mdrcontact_api_status, only: check_given, status_of
+    use mdrcontact_contact_control, only: control_t
+    use mdrcontact_error, only: check_memory, error_invalid, error_t, raise, to_text
+    use mdrcontact_history_cohesive_history, only: cohesive_columns, cohesive_history
+    use mdrcontact_history_rate_state, only: rate_state_t
     use mdrcontact_history_relaxation, only: contact_history
     use mdrcontact_history_relaxation_stiffness, only: dynamic_stiffness, step_response
     use mdrcontact_history_relaxing_contact, only: relaxing_contact_t
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
-    public :: mdr_contact_history, mdr_contact_dynamic_stiffness, mdr_contact_step_response
+    public :: mdr_contact_history, mdr_contact_adhesive_history, mdr_contact_dynamic_stiffness, mdr_contact_step_response
 
 contains
 
@@ -50,6 +54,53 @@ contains
         if (present(a)) a(:n) = values(:, 2)
         if (present(f)) f(:n) = values(:, 3)
     end function mdr_contact_history
+
+    function mdr_contact_adhesive_history(c, control, spring_stiffness, tolerance, start, n, time, in, d, a, zone_radius, f, end) &
+        result(status) bind(C, name="mdrcontact_entry_contact_adhesive_history")
+        type(c_ptr), value :: c
+        integer(c_int), value :: control, n
+        real(c_double), value :: spring_stiffness, tolerance
+        type(rate_state_t), intent(in), optional :: start
+        real(c_double), intent(in), optional :: time(*), in(*)
+        real(c_double), intent(inout), optional :: d(*), a(*), zone_radius(*), f(*)
+        type(rate_state_t), intent(inout), optional :: end
+        integer(c_int) :: status
+        type(relaxing_contact_t), pointer :: contact
+        type(control_t) :: chosen
+        type(rate_state_t) :: state
+        real(c_double), allocatable :: path(:, :)
+        type(error_t), allocatable :: error
+        integer :: i, stat
+
+        call open_handle(c, "c", contact, error)
+        call choose_control(chosen, control, spring_stiffness, .true., error)
+        call check_given(error, "start", present(start))
+        call check_given(error, "end", present(end))
+        call check_count(error, n)
+        call check_array(error, "time", n, present(time))
+        call check_array(error, "in", n, present(in))
+        if (.not. allocated(error)) then
+            if (start%radius > 0.0_c_double) call raise(error, error_invalid, " = "//to_text(real(start%radius, wp))// &
+                                                        " is not allowed: it must be 0 (apart) or less (at rest)", "start")
+        end if
+        status = status_of(error)
+        if (allocated(error)) return
+        allocate (path(cohesive_columns, n), stat=stat)
+        call check_memory(error, stat)
+        if (.not. allocated(error) .and. n > 0) then
+            call cohesive_history(contact, chosen, start%radius < 0.0_c_double, time(:n), in(:n), path, state, error, tolerance)
+        end if
+        do i = 1, cohesive_columns
+            if (.not. allocated(error)) call check_results(error, path(i, :))
+        end do
+        status = status_of(error)
+        if (allocated(error)) return
+        if (present(d)) d(:n) = path(1, :)
+        if (present(a)) a(:n) = path(2, :)
+        if (present(zone_radius)) zone_radius(:n) = path(3, :)
+        if (present(f)) f(:n) = path(4, :)
+        end = state
+    end function mdr_contact_adhesive_history
 
     function mdr_contact_dynamic_stiffness(c, n, omega, radius, storage, loss) result(status) &
         bind(C, name="mdrcontact_entry_contact_dynamic_stiffness")

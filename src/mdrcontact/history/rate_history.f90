@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The path of a contact whose work of adhesion depends on the speed of its edge: approach, dwell, retraction, pull-off.
 module mdrcontact_history_rate_history
-    use mdrcontact_cancel, only: check_cancelled
+    use mdrcontact_cancel, only: check_cancelled, report_progress
     use mdrcontact_contact_control, only: control_t
     use mdrcontact_error, only: check_finite, check_not_negative, check_within, error_domain, error_invalid, error_no_convergence, &
                                 error_t, error_unreachable, raise, to_text
@@ -73,6 +73,7 @@ contains
         call record(contact, control, s(1), next, now, path(:, 1))
         do i = 2, size(time)
             call check_cancelled(error)
+            call report_progress(real(i - 2, wp)/real(size(time), wp))
             if (.not. allocated(error)) call pass(contact, control, time(i - 1:i), s(i - 1:i), accuracy, next, now, error)
             if (allocated(error)) return
             call record(contact, control, s(i), next, now, path(:, i))

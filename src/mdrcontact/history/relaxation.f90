@@ -9,7 +9,7 @@ module mdrcontact_history_relaxation
     use mdrcontact_history_relaxation_follow, only: follow_depth
     use mdrcontact_history_relaxation_steps, only: march_through
     use mdrcontact_history_relaxation_under_force, only: follow_force
-    use mdrcontact_history_relaxing_contact, only: relaxing_contact_t
+    use mdrcontact_history_relaxing_contact, only: refuse_attraction, relaxing_contact_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_material_prony, only: prony_t
     use mdrcontact_medium_viscoelastic, only: viscoelastic_t
@@ -51,6 +51,7 @@ contains
         radius = 0.0_wp
         force = 0.0_wp
         call check_choice(error, "given", given, given_depth, given_radius, "1 (depth), 2 (force) or 3 (radius)")
+        call refuse_attraction(contact, error)
         if (allocated(error)) return
         call check_within(error, "tolerance", accuracy, smallest_tolerance, largest_tolerance)
         call check_table(error, "time", time, trim(word(given)), values, 1)

@@ -9,7 +9,7 @@ module mdrcontact_history_relaxation_march
     use mdrcontact_contact_values, only: given_depth, given_force, given_radius
     use mdrcontact_error, only: check_memory, error_domain, error_no_convergence, error_t, raise, to_text
     use mdrcontact_history_relaxation_memory, only: memory_t
-    use mdrcontact_history_relaxation_panels, only: interpolate, new_panels, panels_t, per_panel
+    use mdrcontact_history_relaxation_panels, only: add_turn, cut, interpolate, new_panels, panels_t, per_panel
     use mdrcontact_history_relaxation_path, only: mean_lag, mean_rise
     use mdrcontact_kinds, only: wp
     use mdrcontact_profile, only: profile_t
@@ -25,8 +25,6 @@ module mdrcontact_history_relaxation_march
     integer, parameter :: patience = 3
     real(wp), parameter :: fallen = 0.1_wp
     integer, parameter :: most_trials = 200
-    !> Of radii between panels.
-    integer, parameter :: most_turns = 16
 
     !> Where a history stands.
     type :: march_t
@@ -213,20 +211,6 @@ contains
         if (self%radius > 0.0_wp) call add_turn(self%turns, self%radius, self%limit)
     end subroutine mark_kink
 
-    !> Ascending; those very near each other are one, and of too many the nearest to each other.
-    pure subroutine add_turn(turns, radius, limit)
-        real(wp), allocatable, intent(inout) :: turns(:)
-        real(wp), intent(in) :: radius, limit
-        integer :: n
-
-        if (any(abs(turns - radius) <= 1.0e-6_wp*limit)) return
-        turns = [pack(turns, turns < radius), radius, pack(turns, turns > radius)]
-        n = size(turns)
-        if (n <= most_turns) return
-        n = minloc(turns(2:) - turns(:n - 1), dim=1)
-        turns = [turns(:n), turns(n + 2:)]
-    end subroutine add_turn
-
     !> The state at the end of the step if the contact then has a given radius. The memory y is not touched.
     subroutine try(self, h, radius, given, value, is_held, trial, error)
         type(march_t), intent(in) :: self
@@ -407,18 +391,5 @@ contains
         end if
         panels = new_panels(inside)
     end subroutine place
-
-    !> Ends of panels, none longer than allowed.
-    pure function cut(ends, longest) result(finer)
-        real(wp), intent(in) :: ends(:), longest
-        real(wp), allocatable :: finer(:)
-        integer :: i, j, pieces
-
-        finer = ends(:1)
-        do i = 2, size(ends)
-            pieces = max(1, ceiling((ends(i) - ends(i - 1))/longest))
-            finer = [finer, (ends(i - 1) + (ends(i) - ends(i - 1))*j/pieces, j=1, pieces - 1), ends(i)]
-        end do
-    end function cut
 
 end module mdrcontact_history_relaxation_march

@@ -6,10 +6,12 @@ module mdrcontact_history_relaxation_panels
     use mdrcontact_kinds, only: pi, wp
     implicit none (type, external)
     private
-    public :: panels_t, new_panels, interpolate, per_panel
+    public :: panels_t, new_panels, interpolate, per_panel, add_turn, cut
 
     !> Nodes in a panel.
     integer, parameter :: per_panel = 16
+    !> Of radii between panels.
+    integer, parameter :: most_turns = 16
     !> Ends weigh nothing, and what is divided by weights nothing else.
     real(wp), parameter :: no_weight = 1.0e-30_wp
 
@@ -17,6 +19,8 @@ module mdrcontact_history_relaxation_panels
     type :: panels_t
         !> (0:count) ends; nodes and weights, (per_panel*count)
         real(wp), allocatable :: ends(:), x(:), weights(:)
+        !> Lobatto's nodes of s, and the weights of interpolation between them
+        real(wp), private :: nodes(per_panel) = 0.0_wp, barycentric(per_panel) = 0.0_wp
     end type panels_t
 
 contains
@@ -26,9 +30,17 @@ contains
         real(wp), intent(in) :: ends(0:)
         type(panels_t) :: self
         real(wp) :: nodes(per_panel), weights(per_panel)
-        integer :: i, first
+        integer :: i, j, first
 
         call lobatto(nodes, weights)
+        self%nodes = nodes
+        do i = 1, per_panel
+            self%barycentric(i) = 1.0_wp
+            do j = 1, per_panel
+                if (j /= i) self%barycentric(i) = self%barycentric(i)/(nodes(i) - nodes(j))
+            end do
+        end do
+        self%barycentric = self%barycentric/maxval(abs(self%barycentric))
         weights = max(6.0_wp*nodes*(1.0_wp - nodes)*weights, no_weight)
         nodes = nodes**2*(3.0_wp - 2.0_wp*nodes)
         allocate (self%ends(0:ubound(ends, 1)))
@@ -47,17 +59,9 @@ contains
         type(panels_t), intent(in) :: panels
         real(wp), intent(in) :: values(:, :), x(:)
         real(wp) :: found(size(x), size(values, 2))
-        real(wp) :: nodes(per_panel), weights(per_panel), barycentric(per_panel), s, row(per_panel)
+        real(wp) :: s, row(per_panel)
         integer :: i, j, panel, first
 
-        call lobatto(nodes, weights)
-        do i = 1, per_panel
-            barycentric(i) = 1.0_wp
-            do j = 1, per_panel
-                if (j /= i) barycentric(i) = barycentric(i)/(nodes(i) - nodes(j))
-            end do
-        end do
-        barycentric = barycentric/maxval(abs(barycentric))
         found = 0.0_wp
         if (size(panels%x) == 0) return
         panel = 1
@@ -70,15 +74,42 @@ contains
             s = (x(i) - panels%ends(panel - 1))/(panels%ends(panel) - panels%ends(panel - 1))
             s = 0.5_wp - sin(asin(1.0_wp - 2.0_wp*s)/3.0_wp)
             first = per_panel*(panel - 1)
-            j = minloc(abs(s - nodes), dim=1)
-            if (abs(s - nodes(j)) < 4.0_wp*epsilon(s)) then
+            j = minloc(abs(s - panels%nodes), dim=1)
+            if (abs(s - panels%nodes(j)) < 4.0_wp*epsilon(s)) then
                 found(i, :) = values(first + j, :)
             else
-                row = barycentric/(s - nodes)
+                row = panels%barycentric/(s - panels%nodes)
                 found(i, :) = matmul(row/sum(row), values(first + 1:first + per_panel, :))
             end if
         end do
     end function interpolate
+
+    !> Ascending; those very near each other are one, and of too many the nearest to each other.
+    pure subroutine add_turn(turns, radius, limit)
+        real(wp), allocatable, intent(inout) :: turns(:)
+        real(wp), intent(in) :: radius, limit
+        integer :: n
+
+        if (any(abs(turns - radius) <= 1.0e-6_wp*limit)) return
+        turns = [pack(turns, turns < radius), radius, pack(turns, turns > radius)]
+        n = size(turns)
+        if (n <= most_turns) return
+        n = minloc(turns(2:) - turns(:n - 1), dim=1)
+        turns = [turns(:n), turns(n + 2:)]
+    end subroutine add_turn
+
+    !> Ends of panels, none longer than allowed.
+    pure function cut(ends, longest) result(finer)
+        real(wp), intent(in) :: ends(:), longest
+        real(wp), allocatable :: finer(:)
+        integer :: i, j, pieces
+
+        finer = ends(:1)
+        do i = 2, size(ends)
+            pieces = max(1, ceiling((ends(i) - ends(i - 1))/longest))
+            finer = [finer, (ends(i - 1) + (ends(i) - ends(i - 1))*j/pieces, j=1, pieces - 1), ends(i)]
+        end do
+    end function cut
 
     !> Gauss-Lobatto nodes and weights on [0, 1].
     pure subroutine lobatto(nodes, weights)

@@ -6,7 +6,7 @@ module mdrcontact_history_relaxation_stiffness
     use mdrcontact_body_compliance, only: normal_load
     use mdrcontact_error, only: check_choice, check_positive, error_domain, error_invalid, error_no_convergence, error_t, raise, &
                                 raise_at, to_text
-    use mdrcontact_history_relaxing_contact, only: relaxing_contact_t
+    use mdrcontact_history_relaxing_contact, only: refuse_attraction, relaxing_contact_t
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_layered_kernel, only: kernel_t
     use mdrcontact_layered_part, only: new_part, part_memory_t, part_t
@@ -119,6 +119,7 @@ contains
         integer, intent(in) :: entry
         type(error_t), allocatable, intent(inout) :: error
 
+        call refuse_attraction(contact, error)
         call check_positive(error, "radius", radius, entry)
         if (allocated(error)) return
         if (radius > contact%equilibrium%medium%largest_radius) then

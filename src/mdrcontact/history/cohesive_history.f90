@@ -1,0 +1,356 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> Approach, dwell, retraction and pull-off of an indenter on a viscoelastic half-space whose surface it attracts: the march of
+!> history/cohesive_march.f90 with steps that are halved until nothing changes any more; second order, extrapolated.
+module mdrcontact_history_cohesive_history
+    use mdrcontact_cancel, only: check_cancelled, report_progress
+    use mdrcontact_contact_control, only: control_t
+    use mdrcontact_error, only: check_table, check_within, error_invalid, error_no_convergence, error_t, error_unreachable, raise, &
+                                to_text
+    use mdrcontact_history_cohesive_march, only: cohesive_march_t, first_attraction, jump_march, mark_edges, rest_march, &
+                                                 start_march, step_apart, step_march
+    use mdrcontact_history_rate_state, only: rate_state_t
+    use mdrcontact_history_relaxing_contact, only: relaxing_contact_t
+    use mdrcontact_kinds, only: pi, wp
+    use mdrcontact_material_prony, only: creep_of, creep_t
+    implicit none (type, external)
+    private
+    public :: cohesive_history, cohesive_columns
+
+    !> Depth, radius of the contact, radius of the zone, force.
+    integer, parameter :: cohesive_columns = 4
+    integer, parameter :: of_zone = 3, of_force = 4
+    real(wp), parameter :: default_tolerance = 1.0e-4_wp, smallest_tolerance = 1.0e-7_wp, largest_tolerance = 1.0e-2_wp
+    !> Steps before they are halved: the edge goes by so much of its zone, and what is controlled by so much of its span.
+    real(wp), parameter :: part_of_zone = 0.2_wp, part_of_span = 0.01_wp
+    !> The first after a kink, of the shortest time of creep, or of the interval; how fast they grow, and what is a kink [steepest].
+    real(wp), parameter :: first_of_time = 0.1_wp, first_of_interval = 0.01_wp, growth = 1.5_wp, kink = 0.1_wp
+    integer, parameter :: most_levels = 7
+    !> Steps this much shorter find no state either: it jumps [step].
+    real(wp), parameter :: shortest = 1.0e-4_wp
+    !> A zone shorter than this takes too many steps [contact radius].
+    real(wp), parameter :: shortest_zone = 1.0e-3_wp
+
+    !> The way of one round, and what was lowest on it.
+    type :: round_t
+        type(cohesive_march_t) :: march
+        type(rate_state_t) :: state
+        !> time and force of the last states that no jump parts
+        real(wp) :: times(3) = 0.0_wp, forces(3) = 0.0_wp
+        integer :: count = 0
+    end type round_t
+
+contains
+
+    !> Depth, radii and force at samples of what is controlled, linear in time in between.
+    subroutine cohesive_history(contact, control, at_rest, time, s, path, state, error, tolerance)
+        !> with a cohesive stress
+        type(relaxing_contact_t), intent(in) :: contact
+        !> what s is: depth, force, or the far end of a spring
+        type(control_t), intent(in) :: control
+        !> before the first time: the contact has had the first value for ever, as large as it is stable; else the bodies are apart
+        logical, intent(in) :: at_rest
+        !> strictly ascending [time]
+        real(wp), intent(in) :: time(:)
+        real(wp), intent(in) :: s(:)
+        !> (cohesive_columns, size(time)): depth, radius, zone radius, 0 where the bodies are apart, and force
+        real(wp), intent(out) :: path(:, :)
+        !> where it ends: lowest force, last rupture, work
+        type(rate_state_t), intent(out) :: state
+        type(error_t), allocatable, intent(out) :: error
+        !> of the force, relative to its largest, 1e-7 to 1e-2; default or 0: 1e-4
+        real(wp), intent(in), optional :: tolerance
+        real(wp), dimension(size(path, 1), size(path, 2)) :: now, before, best, best_before
+        type(rate_state_t) :: states(2)
+        real(wp) :: accuracy, change, lowest, lowest_before
+        integer :: level
+
+        accuracy = default_tolerance
+        if (present(tolerance)) then
+            if (tolerance /= 0.0_wp) accuracy = tolerance
+        end if
+        call check_within(error, "tolerance", accuracy, smallest_tolerance, largest_tolerance)
+        call check_table(error, "time", time, "in", s, 1)
+        if (.not. contact%cohesive_stress > 0.0_wp .and. .not. allocated(error)) then
+            call raise(error, error_invalid, " = 0 is not allowed here: adhesive histories are those of a contact with a "// &
+                       "cohesive zone", "cohesive_stress")
+        end if
+        if (allocated(error)) return
+        change = huge(1.0_wp)
+        lowest = 0.0_wp
+        lowest_before = 0.0_wp
+        do level = 0, most_levels
+            call march_once(contact, control, at_rest, time, s, level, now, states(2), error)
+            if (allocated(error)) return
+            best = now
+            lowest = real(states(2)%lowest_force, wp)
+            if (level > 0) then
+                where (spread(same_side(now, before), 1, size(now, 1))) best = now + (now - before)/3.0_wp
+                lowest = lowest + (lowest - real(states(1)%lowest_force, wp))/3.0_wp
+                if (level == 1) then
+                    change = change_of(now, before, lowest - real(states(2)%lowest_force, wp))/3.0_wp
+                else
+                    change = change_of(best, best_before, lowest - lowest_before)
+                end if
+            end if
+            if (change <= accuracy) exit
+            before = now
+            states(1) = states(2)
+            best_before = best
+            lowest_before = lowest
+        end do
+        if (.not. change <= accuracy) then
+            call raise(error, error_no_convergence, "the history did not reach the relative tolerance "//to_text(accuracy)// &
+                       ": the last halving of the steps changed it by "//to_text(change))
+            return
+        end if
+        path = best
+        state = states(2)
+        state%lowest_force = lowest
+    end subroutine cohesive_history
+
+    !> Of the force, relative to its largest; not where the bodies have come apart in one of two rounds only.
+    pure function change_of(one, other, lowest) result(change)
+        real(wp), intent(in) :: one(:, :), other(:, :), lowest
+        real(wp) :: change
+
+        change = maxval(abs(one(of_force, :) - other(of_force, :)), mask=same_side(one, other))
+        change = max(change, abs(lowest))/max(maxval(abs(one(of_force, :))), tiny(1.0_wp))
+    end function change_of
+
+    !> Whether the bodies attract each other in both of two rounds or in none.
+    pure function same_side(one, other) result(answer)
+        real(wp), intent(in) :: one(:, :), other(:, :)
+        logical :: answer(size(one, 2))
+
+        answer = (one(of_zone, :) > 0.0_wp) .eqv. (other(of_zone, :) > 0.0_wp)
+    end function same_side
+
+    !> The whole history with each step cut into 2^level.
+    subroutine march_once(contact, control, at_rest, time, s, level, path, state, error)
+        type(relaxing_contact_t), intent(in) :: contact
+        type(control_t), intent(in) :: control
+        logical, intent(in) :: at_rest
+        real(wp), intent(in) :: time(:), s(:)
+        integer, intent(in) :: level
+        real(wp), intent(out) :: path(:, :)
+        type(rate_state_t), intent(out) :: state
+        type(error_t), allocatable, intent(inout) :: error
+        type(round_t) :: round
+        type(creep_t) :: creep
+        real(wp) :: next, slope, slope_before, steepest, span, shortest_time
+        integer :: i
+
+        path = 0.0_wp
+        creep = creep_of(contact%medium%materials(1)%contact_series(1.0_wp, 1.0_wp))
+        shortest_time = first_of_time/max(maxval([0.0_wp, creep%rate]), tiny(1.0_wp))
+        span = max(maxval(s) - minval(s), tiny(1.0_wp))
+        call start_march(round%march, contact%equilibrium%profile, creep, contact%cohesive_stress, &
+                         contact%work_of_adhesion/contact%cohesive_stress, contact%equilibrium%last_radius, error)
+        if (.not. allocated(error)) call begin(round, control, at_rest, s(1), time(1), error)
+        if (allocated(error)) return
+        call record(round%march, path(:, 1))
+        next = shortest_time
+        slope_before = huge(1.0_wp)
+        steepest = maxval([0.0_wp, abs((s(2:) - s(:size(s) - 1))/(time(2:) - time(:size(time) - 1)))])
+        do i = 2, size(time)
+            call report_progress(real(level, wp) + real(i - 2, wp)/real(size(time), wp))
+            slope = (s(i) - s(i - 1))/(time(i) - time(i - 1))
+            if (abs(slope - slope_before) > kink*steepest) then
+                next = min(shortest_time, first_of_interval*(time(i) - time(i - 1)))
+                call mark_edges(round%march)
+            end if
+            slope_before = slope
+            call pass(round, control, time(i - 1:i), s(i - 1:i), 2**level, span, next, error)
+            if (allocated(error)) return
+            call record(round%march, path(:, i))
+        end do
+        round%state%radius = path(2, size(time))
+        round%state%depth = path(1, size(time))
+        state = round%state
+    end subroutine march_once
+
+    subroutine begin(round, control, at_rest, s, time, error)
+        type(round_t), intent(inout) :: round
+        type(control_t), intent(in) :: control
+        logical, intent(in) :: at_rest
+        real(wp), intent(in) :: s, time
+        type(error_t), allocatable, intent(inout) :: error
+
+        associate (march => round%march)
+            if (at_rest) then
+                call rest_march(march, control, s, error)
+                if (march%is_apart .and. .not. allocated(error)) then
+                    call raise(error, error_unreachable, " = "//to_text(s)//" cannot be reached: there is no stable adhesive "// &
+                               "state", "in")
+                end if
+            else if (control%depth_weight > 0.0_wp) then
+                march%depth = s
+                if (s > first_attraction(march)) call jump_march(march, control, s, 1, error)
+            else
+                call jump_march(march, control, s, 1, error)
+            end if
+            if (allocated(error)) return
+            associate (zone => march%springs%c(2) - march%springs%a(2))
+                if (march%springs%a(2) > 0.0_wp .and. zone < shortest_zone*march%springs%a(2)) then
+                    call raise(error, error_invalid, " = "//to_text(0.5_wp*march%springs%stress)//" is not allowed with this "// &
+                               "body: its zone of length "//to_text(zone)//" is too short to be followed around a contact of "// &
+                               "radius "//to_text(march%springs%a(2))//"; the relaxed body with the work of adhesion that "// &
+                               "follows from its rheology holds there", "cohesive_stress")
+                end if
+            end associate
+        end associate
+        call note(round, time, .true.)
+    end subroutine begin
+
+    pure subroutine record(march, row)
+        type(cohesive_march_t), intent(in) :: march
+        real(wp), intent(out) :: row(:)
+
+        row = [march%depth, march%springs%a(2), march%springs%c(2), march%force]
+    end subroutine record
+
+    !> From one sample to the next.
+    subroutine pass(round, control, time, s, cuts, span, next, error)
+        type(round_t), intent(inout) :: round
+        type(control_t), intent(in) :: control
+        real(wp), intent(in) :: time(2), s(2)
+        integer, intent(in) :: cuts
+        !> of what is controlled
+        real(wp), intent(in) :: span
+        !> the next step before it is cut [time]
+        real(wp), intent(inout) :: next
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp) :: done, from, h, length, slope, moved
+        integer :: j
+
+        length = time(2) - time(1)
+        slope = (s(2) - s(1))/length
+        done = 0.0_wp
+        do while (done < length)
+            call check_cancelled(error)
+            if (allocated(error)) return
+            h = next
+            if (length - done < 1.3_wp*h) h = length - done
+            do j = 1, cuts
+                from = done + h*real(j - 1, wp)/real(cuts, wp)
+                call advance(round, control, time(1) + from, s(1) + slope*from, slope, h/real(cuts, wp), error)
+                if (allocated(error)) return
+            end do
+            done = merge(length, done + h, .not. h < length - done)
+            associate (march => round%march)
+                moved = abs(march%speed)/max(part_of_zone*(march%springs%c(2) - march%springs%a(2)), tiny(1.0_wp))
+                if (march%is_apart) moved = 0.0_wp
+                moved = max(moved, abs(slope)/(part_of_span*span))
+            end associate
+            next = growth*max(next, h)
+            if (moved > 0.0_wp) next = min(next, 1.0_wp/moved)
+        end do
+        if (control%depth_weight > 0.0_wp .and. round%march%is_apart) round%march%depth = s(2)
+    end subroutine pass
+
+    !> A step of length h, or several shorter ones, jumps included.
+    subroutine advance(round, control, time, s, slope, h, error)
+        type(round_t), intent(inout) :: round
+        type(control_t), intent(in) :: control
+        !> at its beginning, and ds/dt
+        real(wp), intent(in) :: time, s, slope, h
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp) :: done, part, depth
+        integer :: direction
+        logical :: found
+
+        done = 0.0_wp
+        part = h
+        do while (done < h)
+            part = min(part, h - done)
+            if (round%march%is_apart) then
+                call wait(round%march, control, s + slope*done, slope, part, error)
+            else
+                depth = round%march%depth
+                call step_march(round%march, part, control, s + slope*(done + part), found, direction, error)
+                if (allocated(error)) return
+                if (.not. found .and. part > shortest*h) then
+                    part = 0.25_wp*part
+                    cycle
+                end if
+                if (.not. found) call jump(round, control, time + done, s + slope*(done + part), direction, error)
+            end if
+            if (allocated(error)) return
+            done = merge(h, done + part, .not. part < h - done)
+            call note(round, time + done, .false.)
+            part = 2.0_wp*part
+        end do
+    end subroutine advance
+
+    subroutine jump(round, control, time, s, direction, error)
+        type(round_t), intent(inout) :: round
+        type(control_t), intent(in) :: control
+        real(wp), intent(in) :: time, s
+        integer, intent(in) :: direction
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp) :: depth
+
+        depth = round%march%depth
+        call jump_march(round%march, control, s, direction, error)
+        if (round%march%is_apart) then
+            round%state%rupture_time = time
+            round%state%rupture_depth = depth
+            round%state%ruptures = round%state%ruptures + 1.0_wp
+        end if
+        round%count = 0
+    end subroutine jump
+
+    !> Bodies that are apart, until they attract each other; the part of the step that has passed.
+    subroutine wait(march, control, s, slope, part, error)
+        type(cohesive_march_t), intent(inout) :: march
+        type(control_t), intent(in) :: control
+        real(wp), intent(in) :: s, slope
+        real(wp), intent(inout) :: part
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp) :: left
+        logical :: meets
+
+        meets = .false.
+        left = first_attraction(march) - s
+        if (control%depth_weight > 0.0_wp .and. slope > 0.0_wp .and. left < slope*part) then
+            part = max(left/slope, 0.0_wp)
+            meets = .true.
+        end if
+        call step_apart(march, part, error)
+        if (control%depth_weight > 0.0_wp) march%depth = s + slope*part
+        if (meets .and. .not. allocated(error)) call jump_march(march, control, s + slope*part, 1, error)
+    end subroutine wait
+
+    !> Remembers the lowest force, between states by a parabola, and the work.
+    subroutine note(round, time, is_first)
+        type(round_t), intent(inout) :: round
+        real(wp), intent(in) :: time
+        logical, intent(in) :: is_first
+        real(wp) :: rate(2), bend, at, least
+
+        associate (march => round%march, state => round%state)
+            if (.not. is_first) state%work = state%work + 0.5_wp*(march%force + round%forces(3))*(march%depth - state%depth)
+            state%depth = march%depth
+            round%times = [round%times(2:), time]
+            round%forces = [round%forces(2:), march%force]
+            round%count = min(round%count + 1, 3)
+            if (march%force < state%lowest_force) then
+                state%lowest_force = march%force
+                state%lowest_time = time
+                state%lowest_depth = march%depth
+                state%lowest_radius = march%springs%a(2)
+                state%lowest_speed = -march%speed
+            end if
+            if (round%count < 3 .or. .not. round%forces(2) < min(round%forces(1), round%forces(3))) return
+            rate = (round%forces(2:) - round%forces(:2))/(round%times(2:) - round%times(:2))
+            bend = (rate(2) - rate(1))/(round%times(3) - round%times(1))
+            at = 0.5_wp*(round%times(1) + round%times(2) - rate(1)/bend)
+            least = round%forces(2) - bend*(round%times(2) - at)**2
+            if (least < state%lowest_force) then
+                state%lowest_force = least
+                state%lowest_time = at
+            end if
+        end associate
+    end subroutine note
+
+end module mdrcontact_history_cohesive_history
