@@ -213,9 +213,9 @@ class Contact(Value):
             is taken as it comes. A paraboloid is pressed in at once and held at one contact radius, `radius` a constant. Its true
             contact grows by up to 9 % and comes back: at "indenter" its force then differs by up to 0.05 of the part that relaxes
 
-        With a `cohesive_stress` on a viscoelastic half-space the result is an `AdhesiveHistory`: each place of the surface remembers
-        what it bore, and contact and zone move over it. position, spring_stiffness, and start "apart" or "rest" (relaxed) as below;
-        tolerance of the force, relative to its largest, 1e-7 to 1e-2, default 1e-4. Layers are refused
+        With a `cohesive_stress` on a viscoelastic half-space the result is an `AdhesiveHistory`: each place of the surface
+        remembers what it bore, and contact and zone move over it. position, spring_stiffness, and start "apart" or "rest" (relaxed)
+        as below; tolerance of the force, relative to its largest, 1e-7 to 1e-2, default 1e-4. Layers are refused
 
         With `adhesion`, on an elastic body (of a viscoelastic one the relaxed moduli), the result is a `RateHistory`:
 

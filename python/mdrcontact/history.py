@@ -54,8 +54,8 @@ class AdhesiveHistory(NamedTuple):
     force: NDArray[np.float64]
     """F [modulus length^2]"""
     end: dict[str, float]
-    """pull-off, between the samples, too: "lowest_force", "lowest_time", "lowest_depth", "lowest_radius", "lowest_speed"; of the last
-    time that the bodies came apart "rupture_time" and "rupture_depth"; how often they did, "ruptures"; "work", int F dd"""
+    """pull-off, between the samples, too: "lowest_force", "lowest_time", "lowest_depth", "lowest_radius", "lowest_speed"; of the
+    last time that the bodies came apart "rupture_time" and "rupture_depth"; how often they did, "ruptures"; "work", int F dd"""
 
 
 STATE = _layout.rate_state.names or ()
@@ -104,10 +104,10 @@ def adhesive_history(
     row[0] = -1.0 if start == "rest" else 0.0
     accuracy = 0.0 if tolerance is None else number("tolerance", tolerance)
     with marching(t.size, progress):
-        status, *columns, end = _native.contact_adhesive_history(contact, control, stiffness, accuracy, row, t, s)
+        status, d, a, c, F, end = _native.contact_adhesive_history(contact, control, stiffness, accuracy, row, t, s)
     check(status)
     happened = dict(zip(STATE, end.tolist(), strict=True))
-    return AdhesiveHistory(t, *columns, {key: happened[key] for key in _HAPPENED})
+    return AdhesiveHistory(t, d, a, c, F, {key: happened[key] for key in _HAPPENED})
 
 
 def spring_control(name: str, spring_stiffness: float | None) -> tuple[int, float]:

@@ -108,6 +108,43 @@ static void test_surface(const mdr_contact *contact)
     CHECK_SUCCESS(mdr_material_free(&rubber));
 }
 
+/* A row of the table: 1/E* = 0.1 + 0.9 (1 - exp(-t)), gamma = 0.01, sigma = 0.25, from rest at a = 0.6. */
+static void test_viscoelastic_zone(void)
+{
+    const double modulus = 4.5, relaxation = 0.1, time[N] = {0.0, 10.0}, depth[N] = {0.20863054002498174, -0.79136945997501826};
+    const mdr_rate_state rest = {.radius = -1.0}, wrong = {.radius = 1.0};
+    mdr_contact_options options = MDR_SIZED(mdr_contact_options);
+    mdr_rate_state end = {.radius = 7.0};
+    mdr_material *rubber = NULL;
+    mdr_medium *body = NULL;
+    mdr_profile *ball = NULL;
+    mdr_contact *contact = NULL, *plain = NULL;
+    double d[N], a[N], c[N] = {7.0, 7.0}, F[N];
+
+    options.work_of_adhesion = 0.01;
+    options.cohesive_stress = 0.25;
+    CHECK_SUCCESS(mdr_material_viscoelastic(0.5, 1, &modulus, &relaxation, 0.0, 0.0, 0.0, &rubber));
+    CHECK_SUCCESS(mdr_medium_viscoelastic(0, NULL, NULL, rubber, MDR_MODEL_EXACT, NULL, &body));
+    CHECK_SUCCESS(mdr_profile_paraboloid(1.0, &ball));
+    CHECK_SUCCESS(mdr_contact_new(ball, body, &options, &contact));
+    CHECK_SUCCESS(mdr_contact_new(ball, body, NULL, &plain));
+    CHECK_STATUS(mdr_contact_adhesive_history(plain, 1, 0.0, 0.0, &rest, N, time, depth, d, a, c, F, &end), MDR_EINVALID,
+                 "cohesive_stress");
+    CHECK_STATUS(mdr_contact_adhesive_history(contact, 1, 0.0, 0.0, &wrong, N, time, depth, d, a, c, F, &end), MDR_EINVALID, "start");
+    CHECK_STATUS(mdr_contact_adhesive_history(contact, 1, 0.0, 0.0, NULL, N, time, depth, d, a, c, F, &end), MDR_ENULL, "start");
+    CHECK_STATUS(mdr_contact_adhesive_history(NULL, 1, 0.0, 0.0, &rest, N, time, depth, d, a, c, F, &end), MDR_ENULL, "c");
+    CHECK_TRUE(c[0] == 7.0 && end.radius == 7.0);
+    CHECK_SUCCESS(mdr_contact_adhesive_history(contact, 1, 0.0, 0.0, &rest, N, time, depth, d, a, c, F, &end));
+    CHECK_CLOSE(end.lowest_force, -2.645998 * 0.047123889803846899, 1e-4);
+    CHECK_TRUE(a[0] > 0.5999 && c[0] > a[0] && F[0] > 0.0 && a[1] == 0.0 && c[1] == 0.0 && d[1] == depth[1] && end.ruptures == 1.0);
+    CHECK_SUCCESS(mdr_contact_adhesive_history(contact, 1, 0.0, 0.0, &rest, N, time, depth, NULL, NULL, NULL, NULL, &end));
+    CHECK_SUCCESS(mdr_contact_free(&contact));
+    CHECK_SUCCESS(mdr_contact_free(&plain));
+    CHECK_SUCCESS(mdr_profile_free(&ball));
+    CHECK_SUCCESS(mdr_medium_free(&body));
+    CHECK_SUCCESS(mdr_material_free(&rubber));
+}
+
 int main(void)
 {
     mdr_rate_options options = MDR_SIZED(mdr_rate_options);
@@ -120,6 +157,7 @@ int main(void)
     options.largest_radius = 0.51;
     CHECK_SUCCESS(mdr_rate_new(contact, &options, &rate));
     test_pull_off(rate);
+    test_viscoelastic_zone();
     test_refusals(contact, rate, options);
     test_surface(contact);
     test_no_zone(options);

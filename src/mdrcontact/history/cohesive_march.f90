@@ -3,8 +3,8 @@
 !> history/cohesive_spring.f90
 !>     x < a: w = d - g;      w(a) = d - g(a) with q(a) = -2 sigma sqrt(c^2 - a^2);
 !>     h(c) = (2/pi) int_a^c [w - (d - g)]/sqrt(c^2 - x^2) dx = gamma/sigma
-!> determine c and d for each a, and what a machine controls determines a. Without contact, a = 0, d follows from c. Memories live on
-!> panels of x that end at a, at c and where these have turned.
+!> determine c and d for each a, and what a machine controls determines a. Without contact, a = 0, d follows from c. Memories live
+!> on panels of x that end at a, at c and where these have turned.
 module mdrcontact_history_cohesive_march
     use mdrcontact_contact_control, only: control_t
     use mdrcontact_error, only: error_domain, error_invalid, error_no_convergence, error_t, raise, to_text
@@ -214,8 +214,8 @@ contains
         depth = sum(self%springs%creep%weight*past(1, 2:)) - self%range
     end function first_attraction
 
-    !> From here to the nearest state that is controlled, at once: the body answers as it does at first. Towards larger contacts (1) or
-    !> smaller ones (-1); where there is none smaller the bodies come apart.
+    !> From here to the nearest state that is controlled, at once: the body answers as it does at first. Towards larger contacts (1)
+    !> or smaller ones (-1); where there is none smaller the bodies come apart.
     subroutine jump_march(self, control, s, direction, error)
         type(cohesive_march_t), intent(inout) :: self
         type(control_t), intent(in) :: control
@@ -509,31 +509,31 @@ contains
         type(trial_t), intent(inout) :: trial
         real(wp), intent(in) :: reach
         type(error_t), allocatable, intent(inout) :: error
-        real(wp), allocatable :: ends(:), all(:)
-        real(wp) :: extent, close
+        real(wp), allocatable :: ends(:), edges(:)
+        real(wp) :: extent, slack
         integer :: i
 
         extent = reach
         if (.not. reach < trial%c) extent = max(trial%c, self%panels%ends(ubound(self%panels%ends, 1)))
-        close = near*trial%c
+        slack = near*trial%c
         call self%profile%add_breaks(ends, error)
         if (allocated(error)) return
         ends = [ends, self%turns, trial%a, trial%c, extent]
-        all = [0.0_wp]
+        edges = [0.0_wp]
         do
-            i = minloc(ends, dim=1, mask=ends > all(size(all)) + close)
+            i = minloc(ends, dim=1, mask=ends > edges(size(edges)) + slack)
             if (i == 0) exit
             if (ends(i) > extent) exit
-            all = [all, ends(i)]
+            edges = [edges, ends(i)]
         end do
         ! a turn beside an edge gives way to it
-        do i = 2, size(all)
-            if (abs(all(i) - trial%a) <= close) all(i) = trial%a
-            if (abs(all(i) - trial%c) <= close) all(i) = trial%c
+        do i = 2, size(edges)
+            if (abs(edges(i) - trial%a) <= slack) edges(i) = trial%a
+            if (abs(edges(i) - trial%c) <= slack) edges(i) = trial%c
         end do
-        i = count(all <= trial%a + close)
-        ends = cut(all(i:), longest_outside*extent)
-        trial%panels = new_panels([cut(all(:i), longest_inside*extent), ends(2:)])
+        i = count(edges <= trial%a + slack)
+        ends = cut(edges(i:), longest_outside*extent)
+        trial%panels = new_panels([cut(edges(:i), longest_inside*extent), ends(2:)])
     end subroutine place
 
     !> The radius of the zone at which the bodies touch at the end of the step.

@@ -52,4 +52,10 @@ void fuzz_rates(world *w)
     judge("mdr_rate_history", status, n, out[1], NOT_NEGATIVE);
     for (int i = 2; i < 6; i++) judge("mdr_rate_history", status, n, out[i], FINITE);
     judge_status("mdr_rate_free", mdr_rate_free(&rate));
+    for (int i = 0; i < 4; i++) fill(out[i]);
+    status = mdr_contact_adhesive_history(contact, take_choice(&w->in, 3), take_positive(&w->in), 1e-2, &start, n < 3 ? n : 2, x, x,
+                                          out[0], out[1], out[2], out[3], &end);
+    judge("mdr_contact_adhesive_history", status, n < 3 ? n : 2, out[0], FINITE);
+    for (int i = 1; i < 3; i++) judge("mdr_contact_adhesive_history", status, n < 3 ? n : 2, out[i], NOT_NEGATIVE);
+    judge("mdr_contact_adhesive_history", status, n < 3 ? n : 2, out[3], FINITE);
 }
