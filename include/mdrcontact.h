@@ -1855,8 +1855,8 @@ int mdr_rate_history(const mdr_rate *r, int control, double spring_stiffness, do
  *                           Under a force bodies that have come apart stay so
  *  @param spring_stiffness  > 0 for MDR_CONTROL_SPRING [modulus length], not looked at otherwise
  *  @param tolerance         of the force, relative to its largest, 1e-7 to 1e-2; 0: 1e-4
- *  @param start             all 0: the bodies are apart; radius < 0: the contact has had the first value for ever, in the largest stable
- *                           state; nothing else is looked at
+ *  @param start             all 0: the bodies are apart; radius < 0: the contact is in equilibrium with the first value, in the largest
+ *                           stable state; nothing else is looked at
  *  @param n                 number of samples
  *  @param time              [n] strictly ascending [time]
  *  @param in                [n] depths, forces or positions, linear in time in between; the first is reached in a jump where the

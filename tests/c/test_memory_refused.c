@@ -33,7 +33,7 @@ void *realloc(void *old, size_t size)
     return is_refused(size) ? NULL : __libc_realloc(old, size);
 }
 
-static double x[POINTS], y[POINTS], half[POINTS], one[POINTS], small[POINTS], out[POINTS], other[POINTS];
+static double x[POINTS], y[POINTS], half[POINTS], low[POINTS], one[POINTS], small[POINTS], out[POINTS], other[POINTS];
 static int branches[POINTS];
 static int labels[ROWS * ROWS * 10];
 static mdr_profile *ball, *tip;
@@ -42,7 +42,7 @@ static mdr_medium *coating, *soft_film, *multilayer, *exact_layers, *exact_grade
 static mdr_contact *contact, *on_film, *by_tip, *coated, *adhesive, *scaled, *on_pair, *relaxing_film, *on_layers;
 static mdr_law *law;
 static mdr_structure *voxels;
-static mdr_contact *relaxing, *scaled_gao;
+static mdr_contact *relaxing, *relaxing_zone, *scaled_gao;
 static mdr_material *springs;
 static mdr_friction *rubbed, *rubbed_coating, *rubbed_scaled;
 static mdr_state pressed;
@@ -233,6 +233,15 @@ static int loop_path(void)
 static int creep(void) { return mdr_material_creep(springs, POINTS - 1, x + 1, out); }
 static int new_frequencies(void) { return mdr_contact_dynamic_stiffness(relaxing_film, 3, x + 1, one, out, other); }
 static int steps(void) { return mdr_contact_step_response(relaxing_film, MDR_STEP_CREEP, 0.5, 3, x + 1, out); }
+/* bodies that stay apart */
+static int march_of_zone(void)
+{
+    static const mdr_rate_state apart;
+    mdr_rate_state end;
+    return mdr_contact_adhesive_history(relaxing_zone, MDR_CONTROL_DEPTH, 0.0, 0.0, &apart, POINTS - 1, x + 1, low + 1, out, NULL,
+                                        NULL, NULL, &end);
+}
+
 static int march(void)
 {
     const double t[4] = {0.0, 0.1, 0.2, 0.3}, d[4] = {0.0, 0.1, 0.05, 0.1};
@@ -405,7 +414,7 @@ int main(void)
 
     for (int i = 0; i < POINTS; i++) x[i] = i * 1e-4, y[i] = x[i] * x[i] * (1.0 + 0.01 * sin(30.0 * x[i]));
     for (int i = 0; i < POINTS; i++) small[i] = 1e-3 * y[i] * x[i], branches[i] = i % 2 ? MDR_ON_LOADING : MDR_ON_UNLOADING;
-    for (int i = 0; i < POINTS; i++) one[i] = 1.0, half[i] = 0.5 * x[i];
+    for (int i = 0; i < POINTS; i++) one[i] = 1.0, half[i] = 0.5 * x[i], low[i] = x[i] - 10.0;
     for (int i = 0; i < ROWS * ROWS * 10; i++) labels[i] = i % 2;
     CHECK_SUCCESS(mdr_profile_paraboloid(1.0, &ball));
     CHECK_SUCCESS(mdr_profile_table(POINTS, x, y, &tip));
@@ -422,6 +431,10 @@ int main(void)
     CHECK_SUCCESS(mdr_material_viscoelastic(1.0, 1, (double[]){2.0}, (double[]){0.5}, 0.0, 0.5, 0.0, &springs));
     CHECK_SUCCESS(mdr_medium_viscoelastic(0, NULL, NULL, springs, MDR_MODEL_EXACT, NULL, &soft));
     CHECK_SUCCESS(mdr_contact_new(ball, soft, NULL, &relaxing));
+    chosen = MDR_SIZED(mdr_contact_options);
+    chosen.work_of_adhesion = 1e-2;
+    chosen.cohesive_stress = 0.5;
+    CHECK_SUCCESS(mdr_contact_new(ball, soft, &chosen, &relaxing_zone));
     CHECK_SUCCESS(mdr_medium_coated(2.0, 0.3, 1.0, 1.0, 0.3, MDR_MODEL_EXACT, NULL, &coating));
     CHECK_SUCCESS(mdr_contact_new(ball, coating, NULL, &coated));
     CHECK_SUCCESS(mdr_friction_new(contact, 0.3, &rubbed));
@@ -509,6 +522,7 @@ int main(void)
     refuse_each("frequencies of a film", 0, new_frequencies);
     refuse_each("step of a film", 0, steps);
     refuse_each("path in time on a film", 0, march);
+    refuse_each("path in time of a zone", 0, march_of_zone);
     refuse_each("torsional states", 0, torsional_states);
     refuse_each("tractions", 0, tractions);
     refuse_each("tractions on a coating", 0, tractions_on_coating);

@@ -144,6 +144,13 @@ def wear():
     return [worn, worn.limit(state, 0.5 * state.radius), history, history.state, history.profile, fit]
 
 
+def zone_in_time():
+    sticky = mdr.Contact(
+        mdr.Paraboloid(10e-6), mdr.Homogeneous(mdr.Viscoelastic(0.5e6, [(4.5e6, 1e-3)], nu=0.5)), 0.05, cohesive_stress=0.5e6
+    )
+    return sticky.history([0.0, 1e-3], depth=[-1e-5, -0.9e-5])
+
+
 def results():
     adhesive = mdr.Contact(mdr.Paraboloid(5e-6), mdr.Coated(RUBBER, 2e-6, mdr.RIGID), 0.05)
     law = mdr.ContactLaw(CONTACT, 1e-7)
@@ -163,6 +170,7 @@ def results():
         *CONTACT.first_failure({"yield": [1e8, 1e8]}),
         history_in_time(),
         *rates(),
+        zone_in_time(),
         law,
         law.at_depth(5e-8),
         law.arrays(),

@@ -4,8 +4,8 @@
 module mdrcontact_history_cohesive_history
     use mdrcontact_cancel, only: check_cancelled, report_progress
     use mdrcontact_contact_control, only: control_t
-    use mdrcontact_error, only: check_table, check_within, error_invalid, error_no_convergence, error_t, error_unreachable, raise, &
-                                to_text
+    use mdrcontact_error, only: check_memory, check_table, check_within, error_invalid, error_no_convergence, error_t, &
+                                error_unreachable, raise, to_text
     use mdrcontact_history_cohesive_march, only: cohesive_march_t, first_attraction, jump_march, mark_edges, rest_march, &
                                                  start_march, step_apart, step_march
     use mdrcontact_history_rate_state, only: rate_state_t
@@ -39,6 +39,15 @@ module mdrcontact_history_cohesive_history
         integer :: count = 0
     end type round_t
 
+    !> What rounds of one fineness give.
+    type :: estimate_t
+        !> (cohesive_columns, samples): of the round, and extrapolated
+        real(wp), allocatable :: path(:, :), best(:, :)
+        type(rate_state_t) :: state
+        !> the lowest force, extrapolated
+        real(wp) :: lowest = 0.0_wp
+    end type estimate_t
+
 contains
 
     !> Depth, radii and force at samples of what is controlled, linear in time in between.
@@ -47,10 +56,11 @@ contains
         type(relaxing_contact_t), intent(in) :: contact
         !> what s is: depth, force, or the far end of a spring
         type(control_t), intent(in) :: control
-        !> before the first time: the contact has had the first value for ever, as large as it is stable; else the bodies are apart
+        !> before the first time: in equilibrium with the first value, as large as it is stable; else the bodies are apart
         logical, intent(in) :: at_rest
         !> strictly ascending [time]
         real(wp), intent(in) :: time(:)
+        !> as many
         real(wp), intent(in) :: s(:)
         !> (cohesive_columns, size(time)): depth, radius, zone radius, 0 where the bodies are apart, and force
         real(wp), intent(out) :: path(:, :)
@@ -59,10 +69,9 @@ contains
         type(error_t), allocatable, intent(out) :: error
         !> of the force, relative to its largest, 1e-7 to 1e-2; default or 0: 1e-4
         real(wp), intent(in), optional :: tolerance
-        real(wp), dimension(size(path, 1), size(path, 2)) :: now, before, best, best_before
-        type(rate_state_t) :: states(2)
-        real(wp) :: accuracy, change, lowest, lowest_before
-        integer :: level
+        type(estimate_t) :: rounds(2)
+        real(wp) :: accuracy, change
+        integer :: level, one, other
 
         accuracy = default_tolerance
         if (present(tolerance)) then
@@ -74,56 +83,70 @@ contains
             call raise(error, error_invalid, " = 0 is not allowed here: adhesive histories are those of a contact with a "// &
                        "cohesive zone", "cohesive_stress")
         end if
-        if (allocated(error)) return
+        do one = 1, 2
+            if (.not. allocated(error)) call make_room(rounds(one), size(time), error)
+        end do
         change = huge(1.0_wp)
-        lowest = 0.0_wp
-        lowest_before = 0.0_wp
         do level = 0, most_levels
-            call march_once(contact, control, at_rest, time, s, level, now, states(2), error)
             if (allocated(error)) return
-            best = now
-            lowest = real(states(2)%lowest_force, wp)
-            if (level > 0) then
-                where (spread(same_side(now, before), 1, size(now, 1))) best = now + (now - before)/3.0_wp
-                lowest = lowest + (lowest - real(states(1)%lowest_force, wp))/3.0_wp
-                if (level == 1) then
-                    change = change_of(now, before, lowest - real(states(2)%lowest_force, wp))/3.0_wp
-                else
-                    change = change_of(best, best_before, lowest - lowest_before)
-                end if
-            end if
+            one = 1 + mod(level, 2)
+            other = 3 - one
+            call march_once(contact, control, at_rest, time, s, level, rounds(one)%path, rounds(one)%state, error)
+            if (level == 0 .or. allocated(error)) cycle
+            call extrapolate(rounds(one), rounds(other), level == 1, change)
             if (change <= accuracy) exit
-            before = now
-            states(1) = states(2)
-            best_before = best
-            lowest_before = lowest
         end do
         if (.not. change <= accuracy) then
             call raise(error, error_no_convergence, "the history did not reach the relative tolerance "//to_text(accuracy)// &
                        ": the last halving of the steps changed it by "//to_text(change))
             return
         end if
-        path = best
-        state = states(2)
-        state%lowest_force = lowest
+        path = rounds(one)%best
+        state = rounds(one)%state
+        state%lowest_force = rounds(one)%lowest
     end subroutine cohesive_history
 
-    !> Of the force, relative to its largest; not where the bodies have come apart in one of two rounds only.
-    pure function change_of(one, other, lowest) result(change)
-        real(wp), intent(in) :: one(:, :), other(:, :), lowest
-        real(wp) :: change
+    subroutine make_room(self, count, error)
+        type(estimate_t), intent(inout) :: self
+        integer, intent(in) :: count
+        type(error_t), allocatable, intent(inout) :: error
+        integer :: stat
 
-        change = maxval(abs(one(of_force, :) - other(of_force, :)), mask=same_side(one, other))
-        change = max(change, abs(lowest))/max(maxval(abs(one(of_force, :))), tiny(1.0_wp))
-    end function change_of
+        allocate (self%path(cohesive_columns, count), self%best(cohesive_columns, count), stat=stat)
+        call check_memory(error, stat)
+    end subroutine make_room
 
-    !> Whether the bodies attract each other in both of two rounds or in none.
-    pure function same_side(one, other) result(answer)
-        real(wp), intent(in) :: one(:, :), other(:, :)
-        logical :: answer(size(one, 2))
+    !> What a round and that of twice its steps tend to, and by how much the force changes, relative to its largest: from the round
+    !> itself where it is the first that has one before, else from what was extrapolated before. Samples at which the bodies attract
+    !> each other in one of the rounds alone are taken as they come.
+    pure subroutine extrapolate(self, before, is_first, change)
+        type(estimate_t), intent(inout) :: self
+        type(estimate_t), intent(in) :: before
+        logical, intent(in) :: is_first
+        real(wp), intent(out) :: change
+        real(wp) :: largest
+        integer :: i
 
-        answer = (one(of_zone, :) > 0.0_wp) .eqv. (other(of_zone, :) > 0.0_wp)
-    end function same_side
+        self%lowest = beyond(real(self%state%lowest_force, wp), real(before%state%lowest_force, wp))
+        change = abs(self%lowest - merge(real(self%state%lowest_force, wp), before%lowest, is_first))
+        largest = tiny(1.0_wp)
+        do i = 1, size(self%path, 2)
+            self%best(:, i) = self%path(:, i)
+            largest = max(largest, abs(self%path(of_force, i)))
+            if ((self%path(of_zone, i) > 0.0_wp) .neqv. (before%path(of_zone, i) > 0.0_wp)) cycle
+            self%best(:, i) = beyond(self%path(:, i), before%path(:, i))
+            change = max(change, abs(self%best(of_force, i) - merge(self%path(of_force, i), before%best(of_force, i), is_first)))
+        end do
+        change = change/largest
+    end subroutine extrapolate
+
+    !> The limit of errors that halved steps divide by four.
+    elemental function beyond(fine, coarse) result(limit)
+        real(wp), intent(in) :: fine, coarse
+        real(wp) :: limit
+
+        limit = fine + (fine - coarse)/3.0_wp
+    end function beyond
 
     !> The whole history with each step cut into 2^level.
     subroutine march_once(contact, control, at_rest, time, s, level, path, state, error)
@@ -151,7 +174,10 @@ contains
         call record(round%march, path(:, 1))
         next = shortest_time
         slope_before = huge(1.0_wp)
-        steepest = maxval([0.0_wp, abs((s(2:) - s(:size(s) - 1))/(time(2:) - time(:size(time) - 1)))])
+        steepest = 0.0_wp
+        do i = 2, size(time)
+            steepest = max(steepest, abs((s(i) - s(i - 1))/(time(i) - time(i - 1))))
+        end do
         do i = 2, size(time)
             call report_progress(real(level, wp) + real(i - 2, wp)/real(size(time), wp))
             slope = (s(i) - s(i - 1))/(time(i) - time(i - 1))

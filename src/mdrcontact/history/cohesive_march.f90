@@ -23,7 +23,7 @@ module mdrcontact_history_cohesive_march
     !> Newton's steps, and where they end: of ln h, and of what is controlled.
     integer, parameter :: most_trials = 40, enough = 8
     real(wp), parameter :: zone_tolerance = 1.0e-11_wp, tolerance = 1.0e-10_wp, widest_step = 1.5_wp
-    !> What rounding and breaks of w leave of ln h, at most, where the steps do not end.
+    !> What rounding and breaks of w leave of ln h and of what is controlled, at most, where the steps do not end.
     real(wp), parameter :: rounding = 1.0e-7_wp
     !> d ln h/d ln(c - a), about.
     real(wp), parameter :: usual_slope = 1.1_wp
@@ -156,6 +156,7 @@ contains
         integer, intent(out) :: direction
         type(error_t), allocatable, intent(inout) :: error
         real(wp) :: x, x_before, y, y_before, most, scale, next
+        logical :: grows
         integer :: i
 
         found = .false.
@@ -170,10 +171,14 @@ contains
         do i = 1, most_trials
             if (allocated(error) .or. x < smallest*self%touching - self%touching) return
             y = value_at(self, control, x, error) - s
-            ! s grows with the contact, or the state is not stable
-            if (allocated(error) .or. .not. (y - y_before)*(x - x_before) > 0.0_wp) return
+            if (allocated(error)) return
+            ! s grows with the contact, or the state is not stable; where the edge rests rounding may say otherwise
+            grows = (y - y_before)*(x - x_before) > 0.0_wp
+            found = abs(y) <= merge(tolerance, rounding, grows)*scale
+            if (found) exit
+            if (.not. grows) return
             next = x - y*(x - x_before)/(y - y_before)
-            found = abs(y) <= tolerance*scale .or. abs(next - x) <= tolerance*most
+            found = abs(next - x) <= tolerance*most
             if (found) exit
             if (abs(next - self%place) > most) return
             x_before = x
