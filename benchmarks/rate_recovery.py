@@ -41,10 +41,10 @@ def clean_curves() -> list[mdr.RateCurve]:
     return curves
 
 
-def autoregression(random: np.random.Generator, lag: float) -> np.ndarray:
+def autoregression(random: np.random.Generator, lag: float, points: int = POINTS) -> np.ndarray:
     """Noise of variance 1 whose neighbours have the correlation `lag`."""
-    noise = random.standard_normal(POINTS)
-    for i in range(1, POINTS):
+    noise = random.standard_normal(points)
+    for i in range(1, points):
         noise[i] = lag * noise[i - 1] + np.sqrt(1.0 - lag**2) * noise[i]
     return noise
 
