@@ -212,6 +212,24 @@ def test_fits_find_the_stress():
             assert result.values["cohesive_stress"] == pytest.approx(0.3e6, rel=2 * accuracy)
 
 
+@pytest.mark.parametrize("seed", range(3))
+def test_a_fit_finds_back_from_bodies_that_let_go_too_early(seed):
+    """It begins where pull-off comes before the last readings in contact, which must say that it should come later."""
+    rng = np.random.default_rng(seed)
+    tip, size = mdr.Paraboloid(2e-6), 2e-9
+    contact = mdr.Contact(tip, mdr.Homogeneous(mdr.Elastic(2e6, 0.5)), work_of_adhesion=0.05, cohesive_stress=0.3e6)
+    depth = np.linspace(contact.pull_off("depth").depth + 2e-9, 200e-9, 160)
+    data = mdr.ForceDepth(depth, contact.at_depth(depth).force + rng.normal(0.0, size, depth.size), branch="unloading")
+    found = [
+        mdr.fit(data, tip, mdr.Homogeneous(mdr.Elastic(E, 0.5)), ["E", "work_of_adhesion", "cohesive_stress"], instrument=start)
+        for E, start in (
+            (2e6, mdr.Instrument(work_of_adhesion=0.05, cohesive_stress=0.3e6)),
+            (1.5e6, mdr.Instrument(work_of_adhesion=0.04, cohesive_stress=0.2e6)),
+        )
+    ]
+    assert found[1].values == pytest.approx(found[0].values, rel=1e-4)
+
+
 def test_the_stress_in_problem_files_and_on_the_command_line(tmp_path):
     """The key is read in its unit, and the command prints how far adhesion reaches."""
 

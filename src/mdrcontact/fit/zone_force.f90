@@ -30,7 +30,8 @@ contains
         if (.not. is_resolved) deallocate (equilibrium%cohesion)
     end subroutine add_cohesion
 
-    !> F and a at depths on loading or unloading, those of pull-off below it; where the bodies are apart, `apart` says so.
+    !> F and a at depths on loading or unloading; where the bodies are apart, `apart` says so. Below pull-off F goes on as above it,
+    !> up to 0: readings of bodies that still touch there show a search where pull-off should be.
     subroutine zone_forces(equilibrium, depth, is_loading, force, radius, apart, error)
         type(equilibrium_t), intent(in), target :: equilibrium
         !> [length], and the same size: whether the bodies approach, F [modulus length^2], a [length], whether they are apart
@@ -41,6 +42,7 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         type(zone_branch_t) :: branch
         type(stable_segment_t), allocatable :: list(:)
+        real(wp) :: slope
         integer :: i, chosen
 
         force = 0.0_wp
@@ -56,7 +58,28 @@ contains
             if (chosen == 0) chosen = minloc(list%lowest, dim=1)
             call branch%sampled(equilibrium, depth_control, list(chosen), depth(i), force(i), radius(i), error)
             if (allocated(error)) return
+            if (depth(i) >= list(chosen)%lowest .or. is_loading(i)) cycle
+            slope = mean_slope(list(chosen))
+            if (allocated(error)) return
+            force(i) = min(0.0_wp, force(i) - slope*(list(chosen)%lowest - depth(i)))
         end do
+
+    contains
+
+        !> From pull-off to a fifth of its depth above.
+        function mean_slope(segment) result(slope)
+            type(stable_segment_t), intent(in) :: segment
+            real(wp) :: slope
+            real(wp) :: lowest, above, unused, rise
+
+            slope = 0.0_wp
+            rise = 0.2_wp*abs(segment%lowest)
+            call branch%sampled(equilibrium, depth_control, segment, segment%lowest, lowest, unused, error)
+            if (.not. allocated(error)) call branch%sampled(equilibrium, depth_control, segment, segment%lowest + rise, above, &
+                                                            unused, error)
+            if (.not. allocated(error) .and. rise > 0.0_wp) slope = (above - lowest)/rise
+        end function mean_slope
+
     end subroutine zone_forces
 
 end module mdrcontact_fit_zone_force
