@@ -18,7 +18,7 @@ mkdir -p "$page"
 "$build/venv/bin/python" benchmarks/compare.py "$build/benchmarks/law_cost" "$page"
 late=()
 "$build/benchmarks/exact_states" >> "$page/benchmarks.md" || late+=(exact_states)
-for section in pairs stresses histories tangential coatings conduction wear fits; do
+for section in pairs stresses histories tangential coatings tension conduction wear fits; do
     echo >> "$page/benchmarks.md" # a heading right behind a table would be a row of it
     "$build/venv/bin/python" "benchmarks/$section.py" >> "$page/benchmarks.md" || late+=("$section")
 done
