@@ -13,6 +13,8 @@ module mdrcontact
     use mdrcontact_body_compliance, only: compliance_t, normal_load, shear_load, twist_load
     use mdrcontact_body_graded, only: graded_body_t, new_graded_body, new_graded_body_from_functions
     use mdrcontact_body_stack, only: new_stack, stack_t
+    use mdrcontact_body_elements_interface, only: bond_t
+    use mdrcontact_body_wrinkling, only: find_wrinkling
     use mdrcontact_contact_control, only: control_t, depth_control, force_control
     use mdrcontact_contact_closed_forms, only: adhesive_depth_scale, adhesive_radius_scale, coated_cone_force, &
                                                coated_paraboloid_adhesive_depth, coated_paraboloid_force, reduced_adhesive_depth
@@ -67,7 +69,8 @@ module mdrcontact
     use mdrcontact_medium_exact, only: layered_exact_t, new_layered_exact
     use mdrcontact_layered_shared, only: layered_shared_t
     use mdrcontact_contact_loop, only: loop_t, new_loop, spring_control
-    use mdrcontact_material, only: material_t, new_material
+    use mdrcontact_material, only: material_t, new_material, new_transverse
+    use mdrcontact_material_transverse, only: from_engineering, from_stiffness, transverse_t
     use mdrcontact_material_rheology, only: new_elastic_rheology, new_power_law_rheology, new_viscoelastic, rheology_t
     use mdrcontact_medium, only: medium_t, new_medium, new_pair
     use mdrcontact_medium_solver, only: lower_body, solver_t, upper_body
@@ -123,6 +126,7 @@ module mdrcontact
     use mdrcontact_profile_worn, only: worn_profile_t
     use mdrcontact_numerics_radius_law, only: new_radius_law_from_function, new_radius_law_from_table, radius_law_t
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
+    use mdrcontact_tension_surface, only: surface_t
     use mdrcontact_version, only: version_major, version_minor, version_patch, version_string
     use mdrcontact_wear, only: new_wear, wear_t
     use mdrcontact_wear_history, only: fixed_rings, moving_disc, new_wear_history, wear_history_t, wear_past_t, wear_state_t
