@@ -26,7 +26,9 @@ contains
         real(wp), intent(in) :: thickness(:)
         !> the half-space below, unless the base is rigid
         type(material_t), intent(in) :: substrate
+        !> in place of the half-space
         logical, intent(in) :: rigid_base
+        !> below each layer
         type(bond_t), intent(in) :: bonds(:)
         !> number of the layer from the surface down
         integer, intent(in) :: which

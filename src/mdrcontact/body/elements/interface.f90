@@ -70,6 +70,7 @@ contains
         if (abs(x) > 0.0_wp) y = 1.0_wp/x
     end function inverse
 
+    !> Whether nothing gives.
     elemental function is_bonded(self) result(answer)
         class(bond_t), intent(in) :: self
         logical :: answer
@@ -77,6 +78,7 @@ contains
         answer = .not. max(self%normal, self%tangential) > 0.0_wp
     end function is_bonded
 
+    !> Whether there is no stiffness along the surface.
     elemental function slides(self) result(answer)
         class(bond_t), intent(in) :: self
         logical :: answer
