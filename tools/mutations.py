@@ -131,7 +131,7 @@ MUTATIONS = [
     ("contact/falls.f90", "            fall%last = last\n", "            fall%last = fall%first\n", "contact_falls"),
     ("contact/falls.f90", "least_at_flat_end = 7.0_wp", "least_at_flat_end = 70.0_wp", "contact_falls"),
     ("layered/fields.f90", "self%level = equation%mean - self%v(1)", "self%level = equation%mean + self%v(1)", "layered_fields"),
-    ("history/relaxation_march.f90", "pieces = max(1, ceiling(", "pieces = min(1, ceiling(", "history_relaxation test_march.py"),
+    ("history/relaxation_panels.f90", "pieces = max(1, ceiling(", "pieces = min(1, ceiling(", "history_relaxation test_march.py"),
     ("medium/twisted_slip.f90", "here*merge(growth, far_growth, here > far*self%radius)",
      "here*merge(8.0_wp, far_growth, here > far*self%radius)", "test_torsion.py"),
     ("lateral/breaks.f90", "< self%radius(k)**2) return", "> self%radius(k)**2) return", "lateral_structures"),
