@@ -135,7 +135,7 @@ class Function:
                 lines.append(f"  {argument.declaration()}")
         return [*lines, f"end {kind.split()[-1]}"]
 
-    def stub(self):
+    def typed(self):
         """What the type checker reads."""
         taken = [argument for argument in self.arguments if "in" in argument.way and argument.name not in self.lengths]
         # f2py puts lengths of outputs where they stand
@@ -228,7 +228,7 @@ def main(header, pyf, pyi, layout_file):
             "Reals = NDArray[np.float64]",
             "interrupted: int",
             "",
-            *(function.stub() for function in functions),
+            *(function.typed() for function in functions),
             *(f"def {name}({words}: ..." for name, words in SCALARS.items()),
         ],
     )

@@ -7,12 +7,21 @@ module mdrcontact_body_stability
     use mdrcontact_body_compliance, only: compliance_t, normal_load
     use mdrcontact_error, only: error_invalid, error_t, raise, to_text
     use mdrcontact_kinds, only: pi, wp
+    use mdrcontact_numerics_lowest, only: find_lowest
+    use mdrcontact_numerics_scalar_function, only: scalar_function_t
     implicit none (type, external)
     private
     public :: check_stable, softest_wave
 
     !> Octaves of k h below and above 1 that are looked at, and waves in each.
     integer, parameter :: lowest = -30, highest = 5, in_octave = 8
+
+    !> What waves meet, over the logarithm of their wavenumbers.
+    type, extends(scalar_function_t) :: stiffness_t
+        class(compliance_t), allocatable :: compliance
+    contains
+        procedure :: value => stiffness_at
+    end type stiffness_t
 
 contains
 
@@ -35,54 +44,28 @@ contains
         !> its wavenumber [1/length], and 1/sigma [1], 0 or less where the body is unstable
         real(wp), intent(out) :: k, stiffness
         type(error_t), allocatable, intent(inout) :: error
-        class(compliance_t), allocatable :: compliance
-        real(wp) :: waves((highest - lowest)*in_octave + 1), values((highest - lowest)*in_octave + 1)
-        real(wp) :: low, high, inner, outer, at_inner, at_outer
-        real(wp), parameter :: golden = 0.3819660112501051_wp
-        integer :: i, least
+        type(stiffness_t) :: of_wave
+        real(wp) :: octaves((highest - lowest)*in_octave + 1), place
+        integer :: i
 
         k = 1.0_wp
         stiffness = 1.0_wp
-        call body%compliance(normal_load, compliance, error)
+        call body%compliance(normal_load, of_wave%compliance, error)
         if (allocated(error)) return
-        waves = [(2.0_wp**(lowest + real(i, wp)/in_octave)/body%first_depth, i=0, size(waves) - 1)]
-        do i = 1, size(waves)
-            values(i) = stiffness_at(compliance, waves(i))
-        end do
-        least = minloc(values, dim=1)
-        low = waves(max(1, least - 1))
-        high = waves(min(size(waves), least + 1))
-        inner = low + golden*(high - low)
-        outer = high - golden*(high - low)
-        at_inner = stiffness_at(compliance, inner)
-        at_outer = stiffness_at(compliance, outer)
-        do while (high - low > 1.0e-8_wp*high)
-            if (at_inner < at_outer) then
-                high = outer
-                outer = inner
-                at_outer = at_inner
-                inner = low + golden*(high - low)
-                at_inner = stiffness_at(compliance, inner)
-            else
-                low = inner
-                inner = outer
-                at_inner = at_outer
-                outer = high - golden*(high - low)
-                at_outer = stiffness_at(compliance, outer)
-            end if
-        end do
-        k = inner
-        stiffness = min(at_inner, values(least))
+        octaves = [(log(2.0_wp)*(lowest + real(i, wp)/in_octave) - log(body%first_depth), i=0, size(octaves) - 1)]
+        call find_lowest(of_wave, octaves, place, stiffness)
+        k = exp(place)
     end subroutine softest_wave
 
-    function stiffness_at(compliance, k) result(stiffness)
-        class(compliance_t), intent(in) :: compliance
-        real(wp), intent(in) :: k
-        real(wp) :: stiffness
+    !> 1/sigma at ln k.
+    function stiffness_at(self, x) result(y)
+        class(stiffness_t), intent(inout) :: self
+        real(wp), intent(in) :: x
+        real(wp) :: y
         complex(wp) :: sigma(1), chi(1)
 
-        call compliance%chi([cmplx(k, kind=wp)], sigma, chi)
-        stiffness = 1.0_wp/real(sigma(1), wp)
+        call self%compliance%chi([cmplx(exp(x), kind=wp)], sigma, chi)
+        y = 1.0_wp/real(sigma(1), wp)
     end function stiffness_at
 
 end module mdrcontact_body_stability

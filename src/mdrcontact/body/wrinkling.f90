@@ -5,7 +5,7 @@ module mdrcontact_body_wrinkling
     use mdrcontact_body_elements_interface, only: bond_t
     use mdrcontact_body_stability, only: softest_wave
     use mdrcontact_body_stack, only: new_stack, stack_t
-    use mdrcontact_error, only: error_t
+    use mdrcontact_error, only: error_memory, error_t
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_material, only: material_t
     use mdrcontact_material_transverse, only: transverse_t
@@ -44,13 +44,14 @@ contains
         if (allocated(error)) return
         high = 0.0_wp
         low = -1.0e-15_wp*layers(which)%contact()
-        do while (is_stable(low))
+        do while (is_stable(low, error))
             high = low
             low = 4.0_wp*low
         end do
         do while (high - low > accuracy*abs(low))
+            if (allocated(error)) return
             middle = 0.5_wp*(low + high)
-            if (is_stable(middle)) then
+            if (is_stable(middle, error)) then
                 high = middle
             else
                 low = middle
@@ -63,13 +64,17 @@ contains
 
     contains
 
-        function is_stable(trial) result(answer)
+        !> Raises where that cannot be known.
+        function is_stable(trial, error) result(answer)
             real(wp), intent(in) :: trial
+            type(error_t), allocatable, intent(inout) :: error
             logical :: answer
             type(error_t), allocatable :: refused
 
             call stretched_stack(trial, refused)
             answer = .not. allocated(refused)
+            if (answer) return
+            if (refused%code == error_memory) call move_alloc(refused, error)
         end function is_stable
 
         !> The body with the layer under a stress; refused where that is unstable.

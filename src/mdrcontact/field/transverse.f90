@@ -80,17 +80,10 @@ contains
         real(wp) :: i(2*kinds)
 
         call integrate(self, rule, load, r, z, i)
-        sums = sums + [of_row(2, j0), of_row(4, k_j0), of_row(1, k_j0), of_row(1, j1), of_row(3, k_j1)]
-
-    contains
-
-        !> The Hankel integral of a row.
-        pure function of_row(row, kind) result(value)
-            integer, intent(in) :: row, kind
-            real(wp) :: value
-
-            value = self%pressed(row, 1)*i(kind) + self%pressed(row, 2)*i(parted + kind)
-        end function of_row
+        associate (y => self%pressed)
+            sums = sums + [of_row(y(2, :), i, j0), of_row(y(4, :), i, k_j0), of_row(y(1, :), i, k_j0), of_row(y(1, :), i, j1), &
+                           of_row(y(3, :), i, k_j1)]
+        end associate
 
     end subroutine add_normal
 
@@ -106,21 +99,22 @@ contains
         call integrate(self, rule, load, r, z, i)
         y5 = 1.0_wp/self%modes%shear
         ! N = -exp(-lambda_3 k z)
-        sums = sums + [y5*i(across + j0) - of_row(1, j0), -i(across + k_j0) - of_row(3, k_j0), of_row(2, j1), of_row(4, k_j1), &
-                       of_row(1, k_j1), y5*i(across + k_j1), y5*i(across + j2) + of_row(1, j2), &
-                       2.0_wp*(of_row(3, j1) - i(across + j1)) - of_row(3, k_j0) + i(across + k_j0)]
-
-    contains
-
-        !> The Hankel integral of a row.
-        pure function of_row(row, kind) result(value)
-            integer, intent(in) :: row, kind
-            real(wp) :: value
-
-            value = self%sheared(row, 1)*i(kind) + self%sheared(row, 2)*i(parted + kind)
-        end function of_row
-
+        associate (y => self%sheared)
+            sums = sums + [y5*i(across + j0) - of_row(y(1, :), i, j0), -i(across + k_j0) - of_row(y(3, :), i, k_j0), &
+                           of_row(y(2, :), i, j1), of_row(y(4, :), i, k_j1), of_row(y(1, :), i, k_j1), y5*i(across + k_j1), &
+                           y5*i(across + j2) + of_row(y(1, :), i, j2), 2.0_wp*(of_row(y(3, :), i, j1) - i(across + j1)) &
+                           - of_row(y(3, :), i, k_j0) + i(across + k_j0)]
+        end associate
     end subroutine add_shear
+
+    !> The Hankel integral of a row of the state: of what goes with the mean, and with the divided difference.
+    pure function of_row(row, integrals, kind) result(value)
+        real(wp), intent(in) :: row(2), integrals(:)
+        integer, intent(in) :: kind
+        real(wp) :: value
+
+        value = row(1)*integrals(kind) + row(2)*integrals(parted + kind)
+    end function of_row
 
     pure subroutine add_kernels(self, r, z, t, weight, integrals)
         class(transverse_half_space_t), intent(in) :: self

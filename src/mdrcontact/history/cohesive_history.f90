@@ -281,7 +281,7 @@ contains
         !> at its beginning, and ds/dt
         real(wp), intent(in) :: time, s, slope, h
         type(error_t), allocatable, intent(inout) :: error
-        real(wp) :: done, part, depth
+        real(wp) :: done, part
         integer :: direction
         logical :: found
 
@@ -292,7 +292,6 @@ contains
             if (round%march%is_apart) then
                 call wait(round%march, control, s + slope*done, slope, part, error)
             else
-                depth = round%march%depth
                 call step_march(round%march, part, control, s + slope*(done + part), found, direction, error)
                 if (allocated(error)) return
                 if (.not. found .and. part > shortest*h) then

@@ -76,17 +76,15 @@ contains
         self%is_modulus_formula = .false.
         call set_lengths(self)
         if (surface%bending > 0.0_wp .or. self%compliance%first_depth > 0.0_wp) return
-        allocate (self%table)
         if (present(shared)) then
-            if (.not. allocated(shared%punches)) then
-                call new_punch_table(self%table, self%compliance, error)
-                if (.not. allocated(error)) shared%punches = self%table
-            else
+            if (allocated(shared%punches)) then
                 self%table = shared%punches
+                return
             end if
-        else
-            call new_punch_table(self%table, self%compliance, error)
         end if
+        allocate (self%table)
+        call new_punch_table(self%table, self%compliance, error)
+        if (present(shared) .and. .not. allocated(error)) shared%punches = self%table
     end subroutine new_springless
 
     !> Phi, and between which radii the solver holds.

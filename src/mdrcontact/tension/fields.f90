@@ -5,6 +5,7 @@ module mdrcontact_tension_fields
     use mdrcontact_body_compliance, only: compliance_t
     use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: half_pi, pi, wp
+    use mdrcontact_numerics_chebyshev, only: chebyshev_sum, chebyshev_sums
     use mdrcontact_numerics_quadrature, only: gauss_legendre, legendre
     use mdrcontact_tension_body_part, only: wave_basis, wave_rule
     use mdrcontact_tension_green, only: green_t, of_couple, of_load
@@ -58,14 +59,10 @@ contains
         real(wp), intent(in) :: x
         real(wp) :: q
         real(wp) :: root
-        integer :: j
 
         root = sqrt((self%radius - x)*(self%radius + x))
-        q = 0.0_wp
-        do j = size(self%cosines) - 1, 0, -1
-            q = q + self%cosines(j + 1)*cos(2.0_wp*j*acos(x/self%radius))
-        end do
-        q = q/root + self%couple*self%radius**2/root**3
+        ! cos 2 theta
+        q = chebyshev_sum(self%cosines, 2.0_wp*(x/self%radius)**2 - 1.0_wp)/root + self%couple*self%radius**2/root**3
     end function line_load
 
     !> p(r)/E0* [1], 0 <= r <= a, without what line force and couple put on the edge itself.
@@ -112,7 +109,6 @@ contains
         real(wp), intent(out) :: w
         type(error_t), allocatable, intent(inout) :: error
         real(wp) :: t(nodes), weight(nodes), theta(nodes), psi(nodes), y(nodes), phi(nodes, green%columns), low, length
-        integer :: j
 
         call gauss_legendre(t, weight, error)
         w = 0.0_wp
@@ -122,10 +118,7 @@ contains
             length = min(length, 8.0_wp/size(self%cosines), half_pi - low)
             if (low + 1.01_wp*length > half_pi) length = half_pi - low
             theta = low + length*t
-            psi = 0.0_wp
-            do j = 0, size(self%cosines) - 1
-                psi = psi + self%cosines(j + 1)*cos(2.0_wp*j*theta)
-            end do
+            call chebyshev_sums(self%cosines, -1.0_wp, 1.0_wp, cos(2.0_wp*theta), psi)
             ! both halves of the contact, from the points beside x on; x - a cos theta without cancellation
             y = (x - self%radius) + 2.0_wp*self%radius*sin(0.5_wp*theta)**2
             call green%at(y, phi)

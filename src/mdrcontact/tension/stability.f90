@@ -5,17 +5,26 @@ module mdrcontact_tension_stability
     use mdrcontact_body_compliance, only: compliance_t
     use mdrcontact_error, only: error_invalid, error_t, raise, to_text
     use mdrcontact_kinds, only: wp
+    use mdrcontact_numerics_lowest, only: find_lowest
+    use mdrcontact_numerics_scalar_function, only: scalar_function_t
     use mdrcontact_tension_surface, only: surface_t
     implicit none (type, external)
     private
     public :: check_stability, critical_tension
 
-    !> Wavenumbers looked at: those of a half-space under the plate times this much, both ways, in so many steps; then between the
-    !> neighbours of the lowest, so often.
+    !> Wavenumbers looked at: those of a half-space under the plate times this much, both ways, in so many steps.
     real(wp), parameter :: widest = 1.0e6_wp
-    integer, parameter :: steps = 400, rounds = 40
+    integer, parameter :: steps = 400
     !> Part of the critical tension that is allowed: beyond it the compliance is nearly infinite at k_c.
     real(wp), parameter :: largest_part = 0.95_wp
+
+    !> What waves meet beside the tension, over the logarithm of their wavenumbers.
+    type, extends(scalar_function_t) :: resistance_t
+        real(wp) :: bending = 0.0_wp
+        class(compliance_t), allocatable :: compliance
+    contains
+        procedure :: value => resistance_at
+    end type resistance_t
 
 contains
 
@@ -41,41 +50,27 @@ contains
         real(wp), intent(in) :: bending
         class(compliance_t), intent(in) :: compliance
         real(wp), intent(out) :: tension, wave
-        real(wp) :: x(0:steps), y(0:steps), low, high, t(2), at_t(2), part
+        type(resistance_t) :: resistance
+        real(wp) :: usual, place
         integer :: i
 
-        wave = (0.25_wp*real(compliance%scale, wp)/bending)**(1.0_wp/3.0_wp)
-        x = [(log(wave) + log(widest)*(2.0_wp*i/steps - 1.0_wp), i=0, steps)]
-        y = resistance(bending, compliance, x)
-        i = min(max(minloc(y, dim=1) - 1, 1), steps - 1)
-        low = x(i - 1)
-        high = x(i + 1)
-        part = 0.5_wp*(sqrt(5.0_wp) - 1.0_wp)
-        do i = 1, rounds
-            t = [high - part*(high - low), low + part*(high - low)]
-            at_t = resistance(bending, compliance, t)
-            if (at_t(1) < at_t(2)) then
-                high = t(2)
-            else
-                low = t(1)
-            end if
-        end do
-        t = 0.5_wp*(low + high)
-        at_t = resistance(bending, compliance, t)
-        wave = exp(t(1))
-        tension = -at_t(1)
+        resistance%bending = bending
+        allocate (resistance%compliance, source=compliance)
+        usual = log(0.25_wp*real(compliance%scale, wp)/bending)/3.0_wp
+        call find_lowest(resistance, [(usual + log(widest)*(2.0_wp*i/steps - 1.0_wp), i=0, steps)], place, tension)
+        wave = exp(place)
+        tension = -tension
     end subroutine critical_tension
 
     !> E0*/(2 k (1 + chi)) + B k^2 at ln k.
-    function resistance(bending, compliance, x) result(values)
-        real(wp), intent(in) :: bending
-        class(compliance_t), intent(in) :: compliance
-        real(wp), intent(in) :: x(:)
-        real(wp) :: values(size(x))
-        complex(wp), dimension(size(x)) :: sigma, chi
+    function resistance_at(self, x) result(y)
+        class(resistance_t), intent(inout) :: self
+        real(wp), intent(in) :: x
+        real(wp) :: y
+        complex(wp) :: sigma(1), chi(1)
 
-        call compliance%chi(cmplx(exp(x), 0.0_wp, wp), sigma, chi)
-        values = 0.5_wp*real(compliance%scale, wp)/(exp(x)*real(sigma, wp)) + bending*exp(x)**2
-    end function resistance
+        call self%compliance%chi([cmplx(exp(x), kind=wp)], sigma, chi)
+        y = 0.5_wp*real(self%compliance%scale, wp)/(exp(x)*real(sigma(1), wp)) + self%bending*exp(x)**2
+    end function resistance_at
 
 end module mdrcontact_tension_stability
