@@ -23,6 +23,7 @@ from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import numpy as np
+from recovery import autoregression
 from tqdm import tqdm
 
 import mdrcontact as mdr
@@ -38,14 +39,6 @@ REACHES = (0.5, 1.5, 4.0)
 """largest a/h of the curve"""
 INDENTERS = (("sphere", mdr.Paraboloid(10e-6), 0.3), ("cone", mdr.Cone(0.34), 0.35))
 """name, shape, Poisson's ratio of the film it is pressed on"""
-
-
-def autoregression(random: np.random.Generator, lag: float) -> np.ndarray:
-    """Noise of variance 1 whose neighbours have the correlation `lag`."""
-    noise = random.standard_normal(POINTS)
-    for i in range(1, POINTS):
-        noise[i] = lag * noise[i - 1] + np.sqrt(1.0 - lag**2) * noise[i]
-    return noise
 
 
 def study(
@@ -70,7 +63,7 @@ def study(
     errors: list[float] = []
     failed = 0
     for _ in range(repetitions):
-        factor = 1.0 + NOISE * autoregression(random, lag)
+        factor = 1.0 + NOISE * autoregression(random, lag, POINTS)
         free = {"coating.E": None, "thickness": mdr.Free(prior=(THICKNESS + PRIOR * random.standard_normal(), PRIOR))}
         data: mdr.ForceDepth | mdr.StiffnessRadius = mdr.ForceDepth(depth, force * factor, relative_sd=NOISE)
         if area_sd > 0.0:

@@ -12,12 +12,8 @@ Run: python benchmarks/range_recovery.py [--sets 200] [--lag 0.9] [--noise 0.02]
 
 from __future__ import annotations
 
-import argparse
-import sys
-import warnings
-
 import numpy as np
-from rate_recovery import autoregression
+from recovery import Count, autoregression, options
 
 import mdrcontact as mdr
 
@@ -39,30 +35,16 @@ def clean_curve() -> tuple[np.ndarray, np.ndarray]:
 
 def main() -> None:
     """Draws, fits, counts."""
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--sets", type=int, default=200)
-    parser.add_argument("--lag", type=float, default=0.9)
-    parser.add_argument("--noise", type=float, default=0.02)
-    parser.add_argument("--begin", type=float, default=0.9)
-    chosen = parser.parse_args()
-    warnings.simplefilter("ignore", mdr.MDRWarning)
+    chosen, count = options(__doc__, begin=0.9), Count(TRUTH)
     depth, force = clean_curve()
     random, size = np.random.default_rng(36), chosen.noise * abs(force.min())
     begin = {name: chosen.begin * value for name, value in TRUTH.items()}
     start = mdr.Instrument(work_of_adhesion=begin["work_of_adhesion"], cohesive_stress=begin["cohesive_stress"])
-    inside, ratios = dict.fromkeys(TRUTH, 0), []
     for _ in range(chosen.sets):
         data = mdr.ForceDepth(depth, force + size * autoregression(random, chosen.lag, POINTS), branch="unloading")
         found = mdr.fit(data, TIP, mdr.Homogeneous(mdr.Elastic(begin["E"], 0.5)), list(TRUTH), instrument=start)
-        for name, true in TRUTH.items():
-            low, high = found.interval(name)
-            inside[name] += low <= true <= high
-        ratios.append([found.values[name] / true for name, true in TRUTH.items()])
-    for i, name in enumerate(TRUTH):
-        middle, scatter = np.mean([row[i] for row in ratios]), np.std([row[i] for row in ratios])
-        print(f"{name:18} inside {100.0 * inside[name] / chosen.sets:5.1f} %   found/true {middle:.4f} +- {scatter:.4f}")
-    if not 0.91 <= inside["work_of_adhesion"] / chosen.sets <= 0.98:
-        sys.exit("the work's interval does not hold what it promises")
+        count.add(found.values, {name: found.interval(name) for name in TRUTH})
+    count.report("work_of_adhesion")
 
 
 if __name__ == "__main__":

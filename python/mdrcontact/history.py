@@ -94,15 +94,11 @@ def adhesive_history(
     progress: bool,
 ) -> AdhesiveHistory:
     """The history of a contact's handle whose body attracts the indenter over a range."""
-    name, t, s = one_path(time, **given)
-    control, stiffness = spring_control(name, spring_stiffness)
-    if not t.size:
-        raise InvalidArgumentError("time must not be empty")
+    control, stiffness, accuracy, t, s = controlled_path(time, given, spring_stiffness, tolerance)
     if start not in ("apart", "rest"):
         raise InvalidArgumentError(f'start = {start!r} is not allowed: it must be "apart" or "rest"')
     row = np.zeros(len(STATE))
     row[0] = -1.0 if start == "rest" else 0.0
-    accuracy = 0.0 if tolerance is None else number("tolerance", tolerance)
     with marching(t.size, progress):
         status, d, a, c, F, end = _native.contact_adhesive_history(contact, control, stiffness, accuracy, row, t, s)
     check(status)
@@ -110,12 +106,18 @@ def adhesive_history(
     return AdhesiveHistory(t, d, a, c, F, {key: happened[key] for key in _HAPPENED})
 
 
-def spring_control(name: str, spring_stiffness: float | None) -> tuple[int, float]:
-    """The library's code of what is controlled, and the stiffness of a spring."""
+def controlled_path(
+    time: ArrayLike, given: dict[str, ArrayLike | None], spring_stiffness: float | None, tolerance: float | None
+) -> tuple[int, float, float, NDArray[np.float64], NDArray[np.float64]]:
+    """The library's code of what is controlled, the stiffness of a spring, the tolerance (0: the library's), times and values."""
+    name, t, s = one_path(time, **given)
     if (name == "position") != (spring_stiffness is not None):
         raise ArgumentTypeError("spring_stiffness is needed with position=, the far end of the spring, and only there")
     stiffness = 0.0 if spring_stiffness is None else number("spring_stiffness", spring_stiffness)
-    return CONTROLS[{"position": "spring"}.get(name, name)], stiffness
+    if not t.size:
+        raise InvalidArgumentError("time must not be empty")
+    accuracy = 0.0 if tolerance is None else number("tolerance", tolerance)
+    return CONTROLS[{"position": "spring"}.get(name, name)], stiffness, accuracy, t, s
 
 
 def dynamic_stiffness(

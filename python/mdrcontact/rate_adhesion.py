@@ -11,13 +11,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _layout, _native
-from ._boundary import FloatOrArray, Handle, address, call, evaluate, number, one_path, record
+from ._boundary import FloatOrArray, Handle, address, call, evaluate, number, record
 from ._progress import marching
 from ._value import Value
 from ._warn import warn
 from .adhesion import CONTROLS
 from .errors import AdhesionRateWarning, ArgumentTypeError, InvalidArgumentError
-from .history import STATE, spring_control
+from .history import STATE, controlled_path
 from .material import Viscoelastic
 
 __all__ = ["RateAdhesion", "RateHistory", "RheologicalAdhesion"]
@@ -160,13 +160,9 @@ def history(
     progress: bool,
 ) -> RateHistory:
     """See `Contact.history`."""
-    name, t, s = one_path(time, **given)
-    control, stiffness = spring_control(name, spring_stiffness)
-    if not t.size:
-        raise InvalidArgumentError("time must not be empty")
+    control, stiffness, accuracy, t, s = controlled_path(time, given, spring_stiffness, tolerance)
     row = _start(start)
     handle = contact._rate_handle(contact.adhesion, max(row[0], _largest(contact, control, float(np.max(s)))) * _ROOM)
-    accuracy = 0.0 if tolerance is None else number("tolerance", tolerance)
     with marching(t.size, progress):
         d, a, F, v, lost, done, end = call(_native.rate_history, handle.address, control, stiffness, accuracy, row, t, s)
     found = RateHistory(t, d, a, F, v, lost, done, dict(zip(STATE, end.tolist(), strict=True)))

@@ -12,7 +12,7 @@ module mdrcontact_api_adhesion
     use mdrcontact_contact_loop, only: loop_t, new_loop, spring_control
     implicit none (type, external)
     private
-    public :: mdr_contact_pull_off, choose_control
+    public :: mdr_contact_pull_off, open_path
     public :: mdr_loop_new, mdr_loop_size, mdr_loop_path, mdr_loop_jumps, mdr_loop_dissipated_energy
 
     !> enum mdr_control
@@ -161,5 +161,22 @@ contains
             call spring_control(chosen, spring_stiffness, error)
         end select
     end subroutine choose_control
+
+    !> The control along a path in time from a state to another, and whether all arguments of the path are there.
+    subroutine open_path(chosen, control, spring_stiffness, n, are_given, error)
+        type(control_t), intent(out) :: chosen
+        integer(c_int), intent(in) :: control, n
+        real(c_double), intent(in) :: spring_stiffness
+        !> start, end, time, in
+        logical, intent(in) :: are_given(4)
+        type(error_t), allocatable, intent(inout) :: error
+
+        call choose_control(chosen, control, spring_stiffness, .true., error)
+        call check_given(error, "start", are_given(1))
+        call check_given(error, "end", are_given(2))
+        call check_count(error, n)
+        call check_array(error, "time", n, are_given(3))
+        call check_array(error, "in", n, are_given(4))
+    end subroutine open_path
 
 end module mdrcontact_api_adhesion

@@ -2,11 +2,11 @@
 !> Histories of contacts with viscoelastic bodies, for C.
 module mdrcontact_api_history
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
-    use mdrcontact_api_adhesion, only: choose_control
+    use mdrcontact_api_adhesion, only: open_path
     use mdrcontact_api_arrays, only: check_array, check_complex_arrays, check_count, check_in_out, check_results, deliver_parts, &
                                      make_room
     use mdrcontact_api_handles, only: open_handle
-    use mdrcontact_api_status, only: check_given, status_of
+    use mdrcontact_api_status, only: status_of
     use mdrcontact_contact_control, only: control_t
     use mdrcontact_error, only: check_memory, error_invalid, error_t, raise, to_text
     use mdrcontact_history_cohesive_history, only: cohesive_columns, cohesive_history
@@ -73,12 +73,7 @@ contains
         integer :: i, stat
 
         call open_handle(c, "c", contact, error)
-        call choose_control(chosen, control, spring_stiffness, .true., error)
-        call check_given(error, "start", present(start))
-        call check_given(error, "end", present(end))
-        call check_count(error, n)
-        call check_array(error, "time", n, present(time))
-        call check_array(error, "in", n, present(in))
+        call open_path(chosen, control, spring_stiffness, n, [present(start), present(end), present(time), present(in)], error)
         if (.not. allocated(error)) then
             if (start%radius > 0.0_c_double) call raise(error, error_invalid, " = "//to_text(real(start%radius, wp))// &
                                                         " is not allowed: it must be 0 (apart) or less (at rest)", "start")

@@ -2,8 +2,8 @@
 !> Contacts whose work of adhesion depends on the speed of their edge, for C.
 module mdrcontact_api_rate
     use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_int, c_loc, c_null_ptr, c_ptr, c_size_t, c_sizeof
-    use mdrcontact_api_adhesion, only: choose_control
-    use mdrcontact_api_arrays, only: check_array, check_count, check_each_finite, check_in_out, check_results, make_room
+    use mdrcontact_api_adhesion, only: open_path
+    use mdrcontact_api_arrays, only: check_each_finite, check_in_out, check_results, make_room
     use mdrcontact_api_handles, only: hand_over, open_handle
     use mdrcontact_api_options, only: read_options
     use mdrcontact_api_status, only: check_given, status_of
@@ -134,12 +134,7 @@ contains
         integer :: i, stat
 
         call open_handle(r, "r", contact, error)
-        call choose_control(chosen, control, spring_stiffness, .true., error)
-        call check_given(error, "start", present(start))
-        call check_given(error, "end", present(end))
-        call check_count(error, n)
-        call check_array(error, "time", n, present(time))
-        call check_array(error, "in", n, present(in))
+        call open_path(chosen, control, spring_stiffness, n, [present(start), present(end), present(time), present(in)], error)
         status = status_of(error)
         if (allocated(error)) return
         state = start
