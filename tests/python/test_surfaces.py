@@ -5,6 +5,7 @@ import pickle
 
 import numpy as np
 import pytest
+from scipy.special import j0, j1
 
 import mdrcontact as mdr
 from mdrcontact.problem import load
@@ -87,6 +88,97 @@ def test_compliance(half_space):
     assert 1.0 / plate.compliance(k) == pytest.approx(1.0 / mdr.Homogeneous(GEL).compliance(k) + 0.5 * k**2 + 0.2 * k**4, rel=1e-13)
     with pytest.raises(mdr.InvalidArgumentError, match="under a pressure"):
         half_space.compliance(k, load="shear")
+
+
+@pytest.mark.parametrize("interface", [mdr.Interface(), mdr.SLIDING])
+def test_a_thin_stiff_film_tends_to_a_plate(interface):
+    """B = E h^3/(12 (1 - nu^2)); shear of the film, h^2 k^2, is what a plate leaves out: a second order. The base takes no part
+    in the film's plane, nu = 1/2."""
+    k, bending, nu = np.array([1.0, 3.0]), 0.3, 0.3
+    plate = mdr.Homogeneous(GEL, surface=mdr.Surface(0.0, bending)).compliance(k)
+    for h in (1e-2, 1e-3, 1e-4, 1e-5):
+        film = mdr.Layer(mdr.Elastic(12.0 * bending * (1.0 - nu**2) / h**3, nu), h, interface=interface)
+        error = mdr.Layered([film], GEL).compliance(k) / plate - 1.0
+        assert np.all(np.abs(error) < 0.2 * (h * k) ** 2)
+        assert error[1] > 0.1 * (3.0 * h) ** 2
+
+
+class ByHankel:
+    """What the pressure of a contact and its line force do outside, u = int k p^ C J0(k r) dk, p^ = int p r J0(k r) dr."""
+
+    def __init__(self, contact, state, last=300.0, n=300):
+        self.radius, self.compliance = state.radius, contact.medium.compliance
+        t, weight = np.polynomial.legendre.leggauss(n)
+        angle = 0.25 * np.pi * (1.0 + t)
+        inside = 1.0 - 1e-15
+        self.r = np.sin(angle)
+        pressure = contact.pressure(self.radius * self.r * inside, state)
+        # a disc of even pressure and the line force have closed transforms, which need no end of their waves
+        self.end = contact.pressure(self.radius * inside, state)
+        self.rings = (pressure - self.end) * self.r * np.cos(angle) * weight * 0.25 * np.pi
+        self.line = state.force / (2.0 * np.pi * self.radius**2) - self.rings.sum() - 0.5 * self.end
+        self.short, self.long = self.waves(last), self.waves(20.0 * last)
+
+    @staticmethod
+    def waves(last):
+        ends = np.concatenate([[0.0], np.geomspace(1e-9, 0.5, 45), np.arange(1.0, last, 0.5)])
+        t, weight = np.polynomial.legendre.leggauss(12)
+        half = 0.5 * np.diff(ends)[:, None]
+        return (ends[:-1, None] + half * (1.0 + t)).ravel(), (half * weight).ravel()
+
+    def depth_of(self, waves, load, r):
+        k, weight = waves
+        spectrum = weight * k * load * self.compliance(k / self.radius)
+        return np.array([spectrum @ j0(k * x) for x in r])
+
+    def displacement(self, r):
+        k = self.short[0]
+        rings = np.concatenate([j0(np.outer(part, self.r)) @ self.rings for part in np.array_split(k, 20)])
+        far = self.long[0]
+        return self.depth_of(self.short, rings, r) + self.depth_of(self.long, self.line * j0(far) + self.end * j1(far) / far, r)
+
+    def displacement_by_couple(self, r):
+        """Of a ring couple of one unit of moment a length."""
+        k = self.long[0]
+        return self.depth_of(self.long, k * j1(k), r) / self.radius**2
+
+
+OUTSIDE = np.array([1.0 + 1e-9, 1.01, 1.1, 1.5, 3.0])
+TENSION_LIMITS = np.array([1e-7, 5e-8, 1e-8, 1e-9, 5e-10])
+"""Under tension the waves of the pressure fall slowly, and the integral ends before they do."""
+
+
+@pytest.mark.parametrize(
+    ("medium", "a", "allowed"),
+    [
+        (mdr.Homogeneous(GEL, surface=TENSE), 1.0, TENSION_LIMITS),
+        (mdr.Coated(GEL, 1.0, mdr.RIGID, surface=TENSE), 1.0, TENSION_LIMITS),
+        (mdr.Homogeneous(GEL, surface=mdr.Surface(0.0, 0.5)), 1.0, 1e-10),
+        (mdr.Homogeneous(GEL, surface=mdr.Surface(0.0, 0.5)), 0.1, 1e-11),
+        (mdr.Coated(GEL, 1.0, mdr.RIGID, surface=mdr.Surface(0.3, 0.005)), 1.0, 1e-10),
+    ],
+)
+def test_displacement_outside_by_hankel_transforms(medium, a, allowed):
+    contact = mdr.Contact(BALL, medium)
+    state = contact.at_radius(a)
+    found = contact.displacement(OUTSIDE * a, state)
+    hankel = ByHankel(contact, state)
+    assert np.all(np.abs(found - hankel.displacement(OUTSIDE)) < allowed * state.depth)
+    if medium.surface.bending == 0.0:
+        assert abs(hankel.line) * 2.0 * np.pi * a**2 < 2e-7 * state.force
+
+
+@pytest.mark.parametrize("tension", [0.0, 0.2])
+def test_adhesion_under_a_plate_is_an_edge_couple(tension):
+    """What pressure and line force leave of the displacement outside is that of a ring couple, and its moment opens the edge at
+    the cost of the adhesion, M^2/(2 B) = gamma."""
+    bending, work = 0.05, 1e-3
+    contact = mdr.Contact(BALL, mdr.Homogeneous(GEL, surface=mdr.Surface(tension, bending)), work_of_adhesion=work)
+    state = contact.at_radius(1.0)
+    hankel = ByHankel(contact, state)
+    moment = (contact.displacement(OUTSIDE, state) - hankel.displacement(OUTSIDE)) / hankel.displacement_by_couple(OUTSIDE)
+    assert moment == pytest.approx(np.sqrt(2.0 * bending * work), rel=1e-7)
+    assert np.ptp(moment) < 1e-8 * moment[0]
 
 
 def test_states_are_found_from_depth_force_and_radius(half_space):

@@ -18,7 +18,7 @@ class Surface(WithParameters):
         plate greater than 0.95 times the tension tau_c < 0 under which the surface wrinkles
     bending : B >= 0 of a plate that slides on the body, E h^3/(12 (1 - nu^2)) [modulus length^3]
 
-    Contacts with it answer states, adhesion, pressure and displacement of the surface, laws and fits, to 1e-9 (cones 1e-8).
+    Contacts with it answer states, adhesion, displacement of the surface, laws and fits to 1e-9 (cones 1e-8), the pressure to 2e-7.
     Friction, stresses inside, energies, time and pairs of deformable bodies are refused. Slopes are taken as small; a stiff film
     that is bonded, or whose thickness is known, is a layer.
     """

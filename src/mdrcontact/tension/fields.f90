@@ -24,6 +24,8 @@ module mdrcontact_tension_fields
         !> of the ring couple, 0 without a plate, and of the line force on the edge, 2 a f/E0* [length^2]
         real(wp) :: couple = 0.0_wp
         real(wp), public :: line_force = 0.0_wp
+        !> what the series leaves of a line force where there is none: its error, without which force and displacement lose digits
+        real(wp) :: remainder = 0.0_wp
         !> of the cosines [length^2]
         real(wp), allocatable :: cosines(:)
     contains
@@ -41,16 +43,17 @@ contains
         real(wp), intent(in) :: radius, coefficients(:)
         !> 1 where the first coefficient is that of the ring couple, else 0
         integer, intent(in) :: couple
-        !> whether the edge carries a line force; what is left of one elsewhere is the error of the series
+        !> whether the edge carries a line force
         logical, intent(in) :: has_line_force
 
         self%radius = radius
         if (couple == 1) self%couple = coefficients(1)
         self%cosines = coefficients(couple + 1:)
-        self%line_force = sum(self%cosines)
-        if (has_line_force) return
-        self%cosines(1) = self%cosines(1) - self%line_force
-        self%line_force = 0.0_wp
+        if (has_line_force) then
+            self%line_force = sum(self%cosines)
+        else
+            self%remainder = sum(self%cosines)
+        end if
     end subroutine new_load
 
     !> q(x)/E0* [length], 0 <= x < a.
@@ -62,7 +65,8 @@ contains
 
         root = sqrt((self%radius - x)*(self%radius + x))
         ! cos 2 theta
-        q = chebyshev_sum(self%cosines, 2.0_wp*(x/self%radius)**2 - 1.0_wp)/root + self%couple*self%radius**2/root**3
+        q = (chebyshev_sum(self%cosines, 2.0_wp*(x/self%radius)**2 - 1.0_wp) - self%remainder)/root &
+            + self%couple*self%radius**2/root**3
     end function line_load
 
     !> p(r)/E0* [1], 0 <= r <= a, without what line force and couple put on the edge itself.
@@ -75,7 +79,7 @@ contains
 
         waves = legendre(size(self%cosines), 2.0_wp*(r/self%radius)**2 - 1.0_wp)
         p = 0.0_wp
-        total = -self%line_force
+        total = -(self%line_force + self%remainder)
         do j = 0, size(self%cosines) - 1
             total = total + self%cosines(j + 1)
             p = p + total*real(2*j + 1, wp)*waves(:, j)

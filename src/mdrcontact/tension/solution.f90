@@ -104,12 +104,11 @@ contains
         type(solution_t), intent(in) :: self
         integer, intent(in) :: n
         real(wp), allocatable, intent(out) :: punch(:)
-        integer :: info
 
         allocate (punch(n))
         punch = 0.0_wp
         punch(self%couple + 1) = pi
-        call dpotrs("L", n, 1, self%factor, size(self%factor, 1), punch, n, info)
+        punch = solved(self, punch)
     end subroutine punch_of
 
     !> v = A^-1 A' c.
@@ -117,11 +116,8 @@ contains
         type(solution_t), intent(in) :: self
         real(wp), intent(in) :: slope(:, :), punch(:)
         real(wp), allocatable, intent(out) :: rate(:)
-        integer :: n, info
 
-        n = size(punch)
-        rate = matmul(slope(:n, :n), punch)
-        call dpotrs("L", n, 1, self%factor, size(self%factor, 1), rate, n, info)
+        rate = solved(self, matmul(slope(:size(punch), :size(punch)), punch))
     end subroutine rate_of
 
     !> k/E0* and k'/E0*.
@@ -191,17 +187,31 @@ contains
         !> those of q dx/E0* [length^2]
         real(wp), allocatable, intent(out) :: coefficients(:)
         type(error_t), allocatable, intent(inout) :: error
-        real(wp) :: slopes(size(self%punch))
-        integer :: n, info, stat
+        real(wp), dimension(size(self%punch)) :: moments, slopes, coarse
+        integer :: stat
 
-        n = size(self%punch)
-        allocate (coefficients(n), stat=stat)
+        allocate (coefficients(size(self%punch)), stat=stat)
         call check_memory(error, stat)
         if (allocated(error)) return
-        call profile_moments(profile, self%radius, self%couple, coefficients, slopes, error)
-        if (allocated(error)) return
-        call dpotrs("L", n, 1, self%factor, n, coefficients, n, info)
-        coefficients = depth*self%punch - coefficients
+        call profile_moments(profile, self%radius, self%couple, moments, slopes, error)
+        coefficients = depth*self%punch - solved(self, moments)
+        if (self%couple > 0) return
+        coarse = 0.0_wp
+        associate (fewer => size(self%fewer_punch))
+            coarse(:fewer) = depth*self%fewer_punch - solved(self, moments(:fewer))
+        end associate
+        coefficients = extrapolated(coefficients, coarse)
     end subroutine load_of
+
+    !> A^-1 of a right side, with as many of the basis as that has.
+    function solved(self, right) result(x)
+        type(solution_t), intent(in) :: self
+        real(wp), intent(in) :: right(:)
+        real(wp) :: x(size(right))
+        integer :: info
+
+        x = right
+        call dpotrs("L", size(x), 1, self%factor, size(self%factor, 1), x, size(x), info)
+    end function solved
 
 end module mdrcontact_tension_solution
