@@ -10,7 +10,7 @@ module mdrcontact_law_file
     use mdrcontact_law_crc32, only: crc32_text
     use mdrcontact_law_friction, only: find_levels, friction_law_t
     use mdrcontact_law_interval, only: coefficient_count
-    use mdrcontact_law_levels, only: fewest_sliders, most_sliders, share_index, share_nodes
+    use mdrcontact_law_levels, only: allocate_shares, count_shares, fewest_sliders, most_sliders, share_index, share_nodes
     use mdrcontact_law_sound, only: is_sound
     use mdrcontact_law_table, only: add_energies, find_direct
     use mdrcontact_law_words, only: put_conductance, put_table, read_conductance, read_table, reader_t, word_count
@@ -92,14 +92,14 @@ contains
         count = friction_numbers + radius_numbers
         if (friction%shear_strength > 0.0_wp) return
         count = friction_numbers + 1 + word_count(friction%by_shift) + word_count(friction%by_force)
-        if (allocated(friction%levels%share)) count = count + size(friction%levels%share)
+        if (allocated(friction%levels%share)) count = count + share_nodes*count_shares(friction%levels)
     end function friction_count
 
     pure subroutine put_friction(friction, words, first)
         type(friction_law_t), intent(in) :: friction
         integer(int64), intent(inout) :: words(:)
         integer, intent(in) :: first
-        integer :: next
+        integer :: next, m, l
 
         words(first) = int(friction%sliders, int64)
         words(first + 1:first + 4) = transfer([friction%coefficient, friction%shear_strength, friction%first_shear_error, &
@@ -113,10 +113,14 @@ contains
         call put_table(friction%by_force, words, next)
         words(next) = 0_int64
         if (.not. allocated(friction%levels%share)) return
-        associate (share => friction%levels%share)
-            words(next) = size(share, kind=int64)
-            words(next + 1:next + size(share)) = transfer(share, [0_int64])
-        end associate
+        words(next) = int(share_nodes*count_shares(friction%levels), int64)
+        next = next + 1
+        do m = 1, friction%levels%count
+            do l = share_index(1, m), share_index(m, m)
+                words(next:next + share_nodes - 1) = transfer(friction%levels%share(:share_nodes, l), [0_int64])
+                next = next + share_nodes
+            end do
+        end do
     end subroutine put_friction
 
     !> The law in a file's content.
@@ -200,6 +204,7 @@ contains
         type(friction_law_t), intent(inout) :: friction
         real(wp), intent(in) :: shares(:)
         type(error_t), allocatable, intent(inout) :: error
+        integer :: stat, next, m
 
         if (friction%coefficient > 0.0_wp) then
             call find_direct(friction%by_shift)
@@ -207,13 +212,19 @@ contains
         end if
         call find_levels(friction, size(shares) > 0)
         if (size(shares) == 0) return
-        associate (count => share_index(friction%levels%count, friction%levels%count))
-            if (size(shares) == share_nodes*count) then
-                friction%levels%share = reshape(shares, [share_nodes, count])
-            else
-                call raise_unsound(error)
-            end if
-        end associate
+        if (size(shares) /= share_nodes*count_shares(friction%levels)) then
+            call raise_unsound(error)
+            return
+        end if
+        call allocate_shares(friction%levels, stat)
+        call check_memory(error, stat)
+        if (allocated(error)) return
+        next = 1
+        do m = 1, friction%levels%count
+            friction%levels%share(:share_nodes, share_index(1, m):share_index(m, m)) = &
+                reshape(shares(next:next + share_nodes*m - 1), [share_nodes, m])
+            next = next + share_nodes*m
+        end do
     end subroutine close_friction
 
     pure subroutine raise_unsound(error)

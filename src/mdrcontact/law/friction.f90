@@ -20,9 +20,9 @@ module mdrcontact_law_friction
     use mdrcontact_law_levels, only: fewest_sliders, levels_t, most_sliders, new_levels, new_radius_levels
     use mdrcontact_law_sliders_frame, only: turn_record
     use mdrcontact_law_sliders_keep, only: keep
-    use mdrcontact_law_sliders_motion, only: motion_t, move
-    use mdrcontact_law_sliders_record, only: at_lost, at_shift, is_record, part, record_size, stored_energy
-    use mdrcontact_law_sliders_tangent, only: tangent_of
+    use mdrcontact_law_sliders_motion, only: mdrcontact_sliders_sound, mdrcontact_sliders_steps, motion_t, &
+                                             move
+    use mdrcontact_law_sliders_record, only: at_lost, is_record, part, record_size, stored_energy
     use mdrcontact_law_strengths, only: new_place, place_t
     use mdrcontact_law_table, only: law_table_t, scale_table
     implicit none (type, external)
@@ -222,17 +222,36 @@ contains
         integer :: i
 
         ! all are possible before the first one is done
-        do i = 1, size(contacts%force)
+        i = 1
+        do
+            i = i + sound_steps(self, contacts, i)
+            if (i > size(contacts%force)) exit
             call check_step(self, contacts%force(i), contacts%shift(:, i), contacts%memory(:, i), error)
-            if (.not. allocated(error)) cycle
-            call raise_at(error, i)
-            return
+            if (allocated(error)) then
+                call raise_at(error, i)
+                return
+            end if
+            i = i + 1
         end do
         work%is_quick = .true.
         work%law => self
         work%steps = contacts
         call run_batch(work, size(contacts%force), block_size, smallest_parallel, threads, error)
     end subroutine steps
+
+    !> How many contacts, from the first one on, certainly have no error; of another check_step says it.
+    function sound_steps(self, contacts, first) result(sound)
+        type(friction_law_t), intent(in) :: self
+        type(contact_steps_t), intent(in) :: contacts
+        integer, intent(in) :: first
+        integer :: sound, last
+
+        last = size(contacts%force)
+        associate (c => contacts, l => self%levels)
+            sound = mdrcontact_sliders_sound(l%row, l%count, l%sliders, l%mark, highest_given(self), last - first + 1, &
+                                             c%force(first:), c%shift(:, first:), c%memory(:, first:))
+        end associate
+    end function sound_steps
 
     !> Steps of contacts first to last; the law is evaluated for many points at a time, which is quicker, and gives the same bits.
     subroutine do_steps(self, first, last, error)
@@ -252,7 +271,11 @@ contains
                     call level_at(law, s%force(first + i - 1), level(i), compliance(i))
                 end do
             end if
-            do i = first, last
+            i = first
+            do while (i <= last)
+                n = i - first + 1
+                if (.not. law%levels%is_constant) i = i + quick_steps(law, s, i, last, level(n:), compliance(n:))
+                if (i > last) exit
                 n = i - first + 1
                 if (associated(s%tangent)) then
                     call step(law, s%force(i), s%shift(:, i), level(n), compliance(n), s%is_trial, s%memory(:, i), &
@@ -261,9 +284,29 @@ contains
                     call step(law, s%force(i), s%shift(:, i), level(n), compliance(n), s%is_trial, s%memory(:, i), &
                               s%traction(:, i))
                 end if
+                i = i + 1
             end do
         end associate
     end subroutine do_steps
+
+    !> Steps of contacts first to last, up to one that is left to `step`; how many.
+    function quick_steps(law, contacts, first, last, level, compliance) result(done)
+        type(friction_law_t), intent(in) :: law
+        type(contact_steps_t), intent(inout) :: contacts
+        integer, intent(in) :: first, last
+        !> S and dS/dF of each
+        real(wp), intent(in) :: level(last - first + 1), compliance(last - first + 1)
+        integer :: done
+        real(wp), pointer, contiguous :: tangent(:, :, :)
+
+        nullify (tangent)
+        if (associated(contacts%tangent)) tangent => contacts%tangent(:, :, first:last)
+        associate (c => contacts, l => law%levels)
+            done = mdrcontact_sliders_steps(l%row, l%share, l%count, l%sliders, l%strength, nothing*largest_given(law), &
+                                            last - first + 1, merge(1, 0, c%is_trial), c%force(first:last), level, compliance, &
+                                            c%shift(:, first:last), c%memory(:, first:last), c%traction(:, first:last), tangent)
+        end associate
+    end function quick_steps
 
     !> A step that is possible: check_step has no error.
     pure subroutine step(self, force, shift, level, compliance, is_trial, memory, traction, tangent)
@@ -285,9 +328,8 @@ contains
             return
         end if
         place = new_place(self%levels, force, level, compliance)
-        call move(self%levels, place, shift, memory, motion)
+        call move(self%levels, place, shift, memory, motion, tangent)
         traction = motion%total
-        if (present(tangent)) call tangent_of(self%levels, place, memory(at_shift), motion, tangent)
         if (.not. is_trial) call keep(self%levels, place, motion, memory)
     end subroutine step
 
@@ -298,6 +340,16 @@ contains
 
         largest = merge(self%radii(2), self%by_force%highest, self%levels%is_constant)
     end function largest_given
+
+    !> The largest F that a step may have, or contact radius.
+    pure function highest_given(self) result(highest)
+        type(friction_law_t), intent(in) :: self
+        real(wp) :: highest
+
+        highest = largest
+        if (.not. (self%by_force%continued .or. self%levels%is_constant)) highest = min(self%by_force%highest, largest)
+        if (self%levels%is_constant .and. .not. self%continued) highest = self%radii(2)
+    end function highest_given
 
     !> S and dS/dF at F; S = a where that is given.
     pure subroutine level_at(self, force, level, compliance)
@@ -402,26 +454,10 @@ contains
         logical :: sound
 
         sound = size(memory) == record_size(self%sliders)
-        if (sound) sound = total_size(size(memory), memory) <= largest*size(memory)
         if (sound) sound = is_record(self%levels, memory)
         if (sound) return
         call raise(error, error_invalid, " is not allowed: it must be all 0 before the first step, and then as this law left it", &
                    "memory")
     end subroutine check_memory
-
-    !> The sum of absolute values, vectorized; of a NaN and of infinity too.
-    pure function total_size(count, numbers) result(total)
-        integer, intent(in) :: count
-        real(wp), intent(in) :: numbers(count)
-        real(wp) :: total
-        integer :: i
-
-        total = 0.0_wp
-        ! sums that do not wait for each other
-        !$omp simd simdlen(8) reduction(+:total)
-        do i = 1, count
-            total = total + abs(numbers(i))
-        end do
-    end function total_size
 
 end module mdrcontact_law_friction

@@ -14,7 +14,7 @@ module mdrcontact_law_friction_from_contact
     use mdrcontact_law_evaluate, only: point_at
     use mdrcontact_law_friction, only: check_sliders, friction_law_t, find_levels
     use mdrcontact_law_from_contact, only: law_options_t, new_law_of_contact => new_contact_law
-    use mdrcontact_law_levels, only: levels_t, share_index, share_nodes
+    use mdrcontact_law_levels, only: allocate_shares, levels_t, share_index
     use mdrcontact_law_shear_strength, only: new_law_with_shear_strength
     use mdrcontact_law_strengths, only: growth_beyond, place_t
     implicit none (type, external)
@@ -121,7 +121,7 @@ contains
         integer :: m, stat
 
         associate (levels => self%levels)
-            allocate (levels%share(share_nodes, share_index(levels%count, levels%count)), stat=stat)
+            call allocate_shares(levels, stat)
             call check_memory(error, stat)
             if (.not. allocated(error)) call find_radii(levels, friction, radii, error)
             at_level = 1.0_wp
@@ -139,8 +139,7 @@ contains
                 at_level = at_next
             end do
             at_level(levels%count) = 1.0_wp
-            levels%share(:, share_index(1, levels%count):) = 0.0_wp
-            levels%share(1, share_index(1, levels%count):) = at_level
+            levels%share(1, share_index(1, levels%count):share_index(levels%count, levels%count)) = at_level
         end associate
         if (superposed(self%levels)) call find_levels(self, .false.)
     end subroutine find_shares

@@ -13,7 +13,7 @@ module mdrcontact_law_levels
     use mdrcontact_law_table, only: law_table_t
     implicit none (type, external)
     private
-    public :: levels_t, new_levels, new_radius_levels, find_places, share_index
+    public :: levels_t, new_levels, new_radius_levels, allocate_shares, share_index, count_shares
     public :: fewest_sliders, most_sliders, most_levels, share_nodes
 
     !> Sliders of a law, and levels whatever its range.
@@ -30,9 +30,14 @@ module mdrcontact_law_levels
         integer :: count = 0
         !> S_l [length], F_l [modulus length^2] and k_l = dF/dS there [modulus length], (0:count + 1)
         real(wp), allocatable :: shift(:), force(:), stiffness(:)
+        !> k at first touch: a flat end touches with all of its springs at once
+        real(wp) :: first_stiffness = 0.0_wp
         !> how far below the next level the lower ends of sliders best stand, in levels, ascending
         integer, allocatable :: places(:)
-        !> shares of springs that interact, (share_nodes, share_index(count, count)); not allocated where all are 1
+        !> the same together, with 1/(S_l+1 - S_l), 0 for the last: (4, 0:count + 1)
+        real(wp), allocatable :: row(:, :)
+        !> shares of springs that interact, share_nodes coefficients and 0, (4, 0:share_index(count + 1, count)); not allocated
+        !> where all are whole
         real(wp), allocatable :: share(:, :)
         !> what distinguishes records of this law from those of another, >= 1
         real(wp) :: mark = 0.0_wp
@@ -69,11 +74,11 @@ contains
             self%stiffness(l) = 1.0_wp/compliance
             shift = shift/ratio
         end do
-        ! a flat end touches with all of its springs at once
-        self%stiffness(0) = merge(self%stiffness(1), 0.0_wp, by_force%end_radius > 0.0_wp)
+        if (by_force%end_radius > 0.0_wp) self%first_stiffness = self%stiffness(1)
         do l = 1, self%count
             self%stiffness(l) = max(self%stiffness(l), self%stiffness(l - 1))
         end do
+        call lay_rows(self)
         call find_places(self, ratio)
     end subroutine new_levels
 
@@ -99,7 +104,7 @@ contains
             self%stiffness(l) = 2.0_wp*modulus*self%shift(l)
             self%force(l) = 0.5_wp*self%stiffness(l)*self%shift(l)
         end do
-        self%stiffness(0) = 0.0_wp
+        call lay_rows(self)
         call find_places(self, ratio)
     end subroutine new_radius_levels
 
@@ -118,8 +123,19 @@ contains
         allocate (self%shift(0:self%count + 1), self%force(0:self%count + 1), self%stiffness(0:self%count + 1))
         self%shift([0, self%count + 1]) = [0.0_wp, huge(1.0_wp)]
         self%force([0, self%count + 1]) = [0.0_wp, huge(1.0_wp)]
-        self%stiffness(self%count + 1) = huge(1.0_wp)
+        self%stiffness([0, self%count + 1]) = [0.0_wp, huge(1.0_wp)]
     end subroutine allocate_levels
+
+    !> What steps read of a level lies together.
+    pure subroutine lay_rows(self)
+        type(levels_t), intent(inout) :: self
+
+        allocate (self%row(4, 0:self%count + 1), source=0.0_wp)
+        self%row(1, :) = self%shift
+        self%row(2, :) = self%force
+        self%row(3, :) = self%stiffness
+        self%row(4, :self%count - 1) = 1.0_wp/(self%shift(1:self%count) - self%shift(:self%count - 1))
+    end subroutine lay_rows
 
     !> Where lower ends of sliders best stand: such that each lacks as much of first shear, T(s) being that of a paraboloid, and
     !> under Coulomb's law relative to the s at which it lacks that. S_l/S = cos^2 x there, c/a = cos x: to be found are equal
@@ -160,12 +176,30 @@ contains
 
     end subroutine find_places
 
-    !> Where the share of the springs beyond level l of a contact between levels m >= l and m + 1 stands.
+    !> Room for shares, all whole; stat is not 0 where there is none.
+    pure subroutine allocate_shares(self, stat)
+        type(levels_t), intent(inout) :: self
+        integer, intent(out) :: stat
+
+        allocate (self%share(4, 0:share_index(self%count + 1, self%count)), source=0.0_wp, stat=stat)
+        if (stat == 0) self%share(1, :) = 1.0_wp
+    end subroutine allocate_shares
+
+    !> Where the share of the springs beyond level l of a contact between levels m and m + 1 stands,
+    !> 0 <= l <= m + 1; it is whole for the first and the last of these.
     pure function share_index(l, m) result(place)
         integer, intent(in) :: l, m
         integer :: place
 
-        place = m*(m - 1)/2 + l
+        place = m*(m + 3)/2 + l
     end function share_index
+
+    !> How many shares are not whole for what they are.
+    pure function count_shares(self) result(count)
+        type(levels_t), intent(in) :: self
+        integer :: count
+
+        count = self%count*(self%count + 1)/2
+    end function count_shares
 
 end module mdrcontact_law_levels

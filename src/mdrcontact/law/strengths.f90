@@ -5,21 +5,19 @@
 !>     F - F_l - k_l (S - S_l),    2 (a^2 arccos(c/a) - c sqrt(a^2 - c^2)),
 !> 0 for S <= S_l; where they do it is Coulomb's times a share, which tables hold. P_0 is F, and pi a^2.
 module mdrcontact_law_strengths
+    use, intrinsic :: iso_c_binding, only: c_double
     use mdrcontact_kinds, only: pi, wp
-    use mdrcontact_law_levels, only: levels_t, most_levels, most_sliders, share_index, share_nodes
+    use mdrcontact_law_levels, only: levels_t, share_index
     implicit none (type, external)
     private
-    public :: place_t, new_place, load_beyond, loads_beyond, slopes_beyond, growth_beyond, most
-
-    !> As many levels as a step may meet.
-    integer, parameter :: most = most_sliders + most_levels + 1
+    public :: place_t, new_place, load_beyond, constant_loads, growth_beyond
 
     !> Where a contact is at the end of a step.
-    type :: place_t
+    type, bind(C) :: place_t
         !> F, S, k = dF/dS; and dS/dF, or 1 where S = a is what is given
-        real(wp) :: force, shift, stiffness, rate
+        real(c_double) :: force, shift, stiffness, rate
         !> P_0
-        real(wp) :: load
+        real(c_double) :: load
     end type place_t
 
 contains
@@ -39,54 +37,27 @@ contains
         end if
     end function new_place
 
-    !> P of some levels, without branches; S_m < S, S <= S_m+1 (m is needed where there are shares).
-    pure subroutine loads_beyond(levels, count, level, m, place, loads)
+    !> P of one level; S_m < S, S <= S_m+1 (m is needed where there are shares).
+    pure function load_beyond(levels, l, m, place) result(load)
         type(levels_t), intent(in) :: levels
-        integer, intent(in) :: count, level(count), m
+        integer, intent(in) :: l, m
         type(place_t), intent(in) :: place
-        real(wp), intent(out) :: loads(count)
-        real(wp) :: width, x
+        real(wp) :: load
+        real(wp) :: loads(1), x
 
         if (levels%is_constant) then
-            call constant_loads(levels, count, level, place, loads)
+            call constant_loads(levels, 1, [l], place, loads)
+            load = loads(1)
             return
         end if
-        call superposed_loads(count, level, place, levels%count, levels%shift, levels%force, levels%stiffness, loads)
-        if (.not. allocated(levels%share)) return
-        call place_between(levels, m, place%shift, x, width)
-        call share_out(size(levels%share, 2), levels%share, count, level, m, x, place%load, loads)
-    end subroutine loads_beyond
-
-    !> The shares of springs that interact.
-    pure subroutine share_out(pairs, share, count, level, m, x, largest, loads)
-        integer, intent(in) :: pairs, count, level(count), m
-        real(wp), intent(in) :: share(share_nodes, pairs), x, largest
-        real(wp), intent(inout) :: loads(count)
-        integer :: i, l, first
-
-        first = m*(m - 1)/2
-        do i = 1, count
-            if (level(i) > m) exit
-            l = first + level(i)
-            loads(i) = min(loads(i)*(share(1, l) + x*(share(2, l) + x*share(3, l))), largest)
-        end do
-    end subroutine share_out
-
-    !> F - F_l - k_l (S - S_l) of some levels; F <= F_l where S <= S_l.
-    pure subroutine superposed_loads(count, level, place, last, shift, force, stiffness, loads)
-        integer, intent(in) :: count, level(count)
-        type(place_t), intent(in) :: place
-        !> of all levels
-        integer, intent(in) :: last
-        real(wp), intent(in), dimension(0:last + 1) :: shift, force, stiffness
-        real(wp), intent(out) :: loads(count)
-        integer :: i, l
-
-        do i = 1, count
-            l = level(i)
-            loads(i) = max((place%force - force(l)) - stiffness(l)*max(place%shift - shift(l), 0.0_wp), 0.0_wp)
-        end do
-    end subroutine superposed_loads
+        load = max((place%force - levels%force(l)) - levels%stiffness(l)*max(place%shift - levels%shift(l), 0.0_wp), 0.0_wp)
+        if (.not. allocated(levels%share) .or. l > m) return
+        x = 0.0_wp
+        if (m < levels%count) x = (place%shift - levels%shift(m))/(levels%shift(m + 1) - levels%shift(m))
+        associate (c => levels%share(:, share_index(l, m)))
+            load = min(load*(c(1) + x*(c(2) + x*c(3))), place%load)
+        end associate
+    end function load_beyond
 
     !> P at constant shear strength of some levels, and its derivatives by the contact radius.
     pure subroutine constant_loads(levels, count, level, place, loads, slopes)
@@ -151,49 +122,6 @@ contains
         end do
     end subroutine halve_lack
 
-    !> P of one level.
-    pure function load_beyond(levels, l, m, place) result(load)
-        type(levels_t), intent(in) :: levels
-        integer, intent(in) :: l, m
-        type(place_t), intent(in) :: place
-        real(wp) :: load
-        real(wp) :: loads(1)
-
-        call loads_beyond(levels, 1, [l], m, place, loads)
-        load = loads(1)
-    end function load_beyond
-
-    !> The derivatives of P, by F or the contact radius, of some levels.
-    pure subroutine slopes_beyond(levels, count, level, m, place, slopes)
-        type(levels_t), intent(in) :: levels
-        !> as of loads_beyond
-        integer, intent(in) :: count, level(count), m
-        type(place_t), intent(in) :: place
-        real(wp), intent(out) :: slopes(count)
-        real(wp) :: loads(most), width, x, share, share_slope
-        integer :: i, first
-
-        if (levels%is_constant) then
-            call constant_loads(levels, count, level, place, loads, slopes)
-            return
-        end if
-        call superposed_loads(count, level, place, levels%count, levels%shift, levels%force, levels%stiffness, loads)
-        do i = 1, count
-            slopes(i) = merge(1.0_wp - min(levels%stiffness(level(i)), place%stiffness)*place%rate, 0.0_wp, loads(i) > 0.0_wp)
-        end do
-        if (.not. allocated(levels%share)) return
-        call place_between(levels, m, place%shift, x, width)
-        first = share_index(1, m) - 1
-        do i = 1, count
-            if (level(i) > m) exit
-            associate (c => levels%share(:, first + level(i)))
-                share = c(1) + x*(c(2) + x*c(3))
-                share_slope = (c(2) + 2.0_wp*x*c(3))*(place%rate/width)
-            end associate
-            slopes(i) = merge(1.0_wp, share*slopes(i) + share_slope*loads(i), share*loads(i) > place%load)
-        end do
-    end subroutine slopes_beyond
-
     !> int (k - k_l) dS from S_l, what springs beyond it bear for each unit of shift and S that grow together from there on; and its
     !> derivative.
     pure subroutine growth_beyond(levels, from, place, load, slope)
@@ -216,17 +144,5 @@ contains
             load = 0.0_wp
         end if
     end subroutine growth_beyond
-
-    !> Where S stands between levels m and m + 1, and how far these are apart; beyond the last level all stays as it is there.
-    pure subroutine place_between(levels, m, shift, x, width)
-        type(levels_t), intent(in) :: levels
-        integer, intent(in) :: m
-        real(wp), intent(in) :: shift
-        real(wp), intent(out) :: x, width
-
-        width = levels%shift(m + 1) - levels%shift(m)
-        x = 0.0_wp
-        if (m < levels%count) x = (shift - levels%shift(m))/width
-    end subroutine place_between
 
 end module mdrcontact_law_strengths

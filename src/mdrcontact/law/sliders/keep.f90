@@ -12,9 +12,6 @@ module mdrcontact_law_sliders_keep
     private
     public :: keep
 
-    !> No slip takes more energy, and none where there is no stiffness.
-    real(wp), parameter :: most_lost = 1.0e150_wp
-
 contains
 
     !> The record after the step.
@@ -25,13 +22,11 @@ contains
         type(motion_t), intent(inout) :: motion
         real(wp), intent(inout), contiguous :: record(:)
 
-        if (place%shift > motion%top(1)) then
+        record(at_lost) = record(at_lost) + motion%lost
+        if (motion%grows > 0) then
             motion%top = [place%shift, place%force, max(place%stiffness, motion%top(3))]
-            call stiffen(levels, motion)
-            call count_slip(motion, record(at_lost))
             if (motion%used > levels%sliders) call join_sliders(levels, motion, record(at_lost))
         else
-            call count_slip(motion, record(at_lost))
             call shrink(levels, place, motion)
         end if
         record(at_law) = levels%mark
@@ -41,22 +36,6 @@ contains
         record(at_top:at_top + 2) = motion%top
         call keep_sliders(levels%sliders, motion, record(head + 1:))
     end subroutine keep
-
-    !> K of the sliders in which springs touched.
-    pure subroutine stiffen(levels, motion)
-        type(levels_t), intent(in) :: levels
-        type(motion_t), intent(inout) :: motion
-        real(wp) :: above, below
-        integer :: i
-
-        above = motion%top(3)
-        do i = motion%used - 1, motion%first_newborn, -1
-            below = 0.0_wp
-            if (i > 0) below = min(levels%stiffness(motion%level(i)), above)
-            motion%stiffness(i) = above - below
-            above = below
-        end do
-    end subroutine stiffen
 
     !> Levels and t after the step.
     pure subroutine keep_sliders(sliders, motion, numbers)
@@ -77,26 +56,5 @@ contains
             numbers(i, 1:) = 0.0_wp
         end do
     end subroutine keep_sliders
-
-    !> What slip takes in a step: t.(y - t)/K of each slider, and what its load was above its limit before it moved. Along a line
-    !> under constant F that is exact, however long the step.
-    pure subroutine count_slip(motion, lost)
-        !> with K after the step
-        type(motion_t), intent(in) :: motion
-        !> to which it is added
-        real(wp), intent(inout) :: lost
-        integer :: i
-
-        associate (k => motion%stiffness, strength => motion%strength)
-            !$omp simd simdlen(2) reduction(+:lost)
-            do i = motion%first_slipping, motion%used - 1
-                lost = lost + min(motion%slipped(i), most_lost*k(i))/max(k(i), tiny(1.0_wp))
-            end do
-            if (.not. motion%is_weaker) return
-            do i = 0, motion%before - 1
-                if (k(i) > 0.0_wp) lost = lost + max(sqrt(motion%former(i)) - strength(i), 0.0_wp)**2/(2.0_wp*k(i))
-            end do
-        end associate
-    end subroutine count_slip
 
 end module mdrcontact_law_sliders_keep

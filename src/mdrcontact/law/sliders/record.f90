@@ -1,6 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The memory of the sliders of a contact: where each number stands, and what it means together with the levels of the law.
 module mdrcontact_law_sliders_record
+    use, intrinsic :: iso_c_binding, only: c_double, c_int32_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_law_levels, only: levels_t
     implicit none (type, external)
@@ -14,6 +15,21 @@ module mdrcontact_law_sliders_record
     !> none, and x, y and z of the sliders' t.
     integer, parameter :: at_law = 1, at_next = 2, at_used = 3, at_shift = 4, at_top = 5, at_lost = 8, at_normal = 9, head = 11
 
+    !> Numbers of larger size are refused.
+    real(wp), parameter :: largest = 1.0e150_wp
+
+    interface
+        !> Whether a record has begun, and is one that a step of the law left.
+        ! allow(assumed-size)
+        pure function mdrcontact_record_begun(count, sliders, mark, record) result(begun) bind(C)
+            import :: c_double, c_int32_t
+            integer(c_int32_t), value :: count, sliders
+            real(c_double), value :: mark
+            real(c_double), intent(in) :: record(*)
+            integer(c_int32_t) :: begun
+        end function mdrcontact_record_begun
+    end interface
+
 contains
 
     !> How many numbers a record of a law with so many sliders has.
@@ -24,36 +40,17 @@ contains
         count = head + 4*sliders
     end function record_size
 
-    !> Whether numbers, none of them NaN or infinite, are a record of a law with these levels.
+    !> Whether numbers are a record of a law with these levels.
     pure function is_record(levels, record) result(sound)
         type(levels_t), intent(in) :: levels
         real(wp), intent(in), contiguous :: record(:)
         logical :: sound
 
-        sound = record(at_law) == levels%mark .and. record(at_next) >= 1.0_wp .and. record(at_used) >= 1.0_wp .and. &
-                record(at_used) <= levels%sliders .and. record(at_next) <= levels%count + 1.0_wp
-        if (sound) sound = has_levels(int(record(at_used)), record(at_next), record(head + 1:))
-        if (sound) sound = record(at_shift) >= 0.0_wp .and. record(at_top) >= record(at_shift) .and. record(at_top + 2) >= 0.0_wp
-        if (.not. sound) sound = all(record(at_next:at_top + 2) == 0.0_wp) .and. all(record(head + 1:) == 0.0_wp) .and. &
-                                 (record(at_law) == levels%mark .or. all(record == 0.0_wp))
+        sound = mdrcontact_record_begun(levels%count, levels%sliders, levels%mark, record) /= 0
+        if (sound) return
+        sound = all(record(at_next:at_top + 2) == 0.0_wp) .and. all(record(head + 1:) == 0.0_wp) .and. &
+                all(abs(record(at_lost:head)) <= largest) .and. (record(at_law) == levels%mark .or. all(record == 0.0_wp))
     end function is_record
-
-    !> Whether the sliders of a record stand between levels that rise.
-    pure function has_levels(used, next, level) result(sound)
-        integer, intent(in) :: used
-        !> levels at the lower ends, of the first one 0
-        real(wp), intent(in) :: next, level(0:used - 1)
-        logical :: sound
-        real(wp) :: least
-        integer :: i
-
-        least = next - level(used - 1)
-        !$omp simd simdlen(2) reduction(min:least)
-        do i = 1, used - 1
-            least = min(least, level(i) - level(i - 1))
-        end do
-        sound = level(0) == 0.0_wp .and. least >= 1.0_wp
-    end function has_levels
 
     !> The bodies part: what is still stored is lost.
     pure subroutine part(levels, record)
