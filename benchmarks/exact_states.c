@@ -349,27 +349,17 @@ static void solve_fit(void *with)
 
 static void fit_cost(void)
 {
-    /* R, then E, nu, h of the film, E, nu of the substrate, and a constant that the model has not */
-    static const double values[] = {10e-6, 72e9, 0.17, 500e-9, 163e9, 0.22, 1.0};
     static curve c;
     unsigned long long state = 20140101;
-    int count;
+    mdr_profile *ball = NULL;
+    mdr_medium *film = NULL;
+    check(mdr_profile_paraboloid(10e-6, &ball));
+    check(mdr_medium_coated(72e9, 0.17, 500e-9, 163e9, 0.22, MDR_MODEL_EXACT, NULL, &film));
     c.problem = MDR_SIZED(mdr_fit_problem);
-    c.problem.indenter = MDR_FIT_INDENTER_PARABOLOID;
-    c.problem.medium = MDR_FIT_MEDIUM_STACK;
+    c.problem.profile = ball;
+    c.problem.medium = film;
     c.problem.parameters = c.parameters;
-    check(mdr_fit_parameter_count(&c.problem, &count));
-    c.problem.parameter_count = count;
-    for (int i = 0; i < count; ++i) {
-        c.parameters[i] = (mdr_fit_parameter){.lower = -INFINITY, .upper = INFINITY};
-        if (i < (int)(sizeof values / sizeof *values)) c.parameters[i].value = values[i];
-    }
-    mdr_fit_parameter *instrument = &c.parameters[count - MDR_FIT_INSTRUMENT_COUNT];
-    instrument[MDR_FIT_INDENTER_MODULUS].value = INFINITY;
-    instrument[MDR_FIT_CONTACT_DEPTH_FACTOR].value = 0.75;
-    instrument[MDR_FIT_STIFFNESS_FACTOR].value = 1.0;
-    instrument[MDR_FIT_CONTACT_DEPTH_SCALE].value = 1.0;
-    instrument[MDR_FIT_AREA_FACTOR].value = 1.0;
+    check(mdr_fit_parameters(&c.problem, 64, c.parameters, &c.problem.parameter_count));
     for (int i = 0; i < FIT_POINTS; ++i) c.depth[i] = 0.2e-9 + 99.8e-9 * i / (FIT_POINTS - 1);
     check(mdr_fit_predict(&c.problem, FIT_POINTS, c.depth, c.depth, NULL, c.force, NULL));
     for (int i = 0; i < FIT_POINTS; ++i) {
@@ -385,6 +375,8 @@ static void fit_cost(void)
     c.parameters[1] = (mdr_fit_parameter){.value = 60e9, .lower = 1e9, .upper = 1e12, .is_free = 1};
     c.parameters[3] = (mdr_fit_parameter){.value = 450e-9, .lower = 1e-9, .upper = 1e-5, .is_free = 1};
     report("fit of 500 points", "E and h of a film under a paraboloid", cost(solve_fit, &c), 345000.0);
+    mdr_medium_free(&film);
+    mdr_profile_free(&ball);
 }
 
 int main(void)

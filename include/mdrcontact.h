@@ -2417,42 +2417,6 @@ enum mdr_fit_data_kind {
 /** What a point of MDR_FIT_DYNAMIC_STIFFNESS is: the real or the imaginary part. */
 enum mdr_fit_part { MDR_FIT_STORAGE = 1, MDR_FIT_LOSS = 2 };
 
-/** Kinds of indenter. Their parameters are the arguments of mdr_profile_paraboloid() and so on, in that order. */
-enum mdr_fit_indenter {
-    MDR_FIT_INDENTER_GIVEN = 0, /**< The handle `profile`; no parameters. */
-    MDR_FIT_INDENTER_PARABOLOID = 1,
-    MDR_FIT_INDENTER_SPHERE = 2,
-    MDR_FIT_INDENTER_CONE = 3,
-    MDR_FIT_INDENTER_POWER = 4,
-    MDR_FIT_INDENTER_FLAT_PUNCH = 5,
-    MDR_FIT_INDENTER_FLAT_CONE = 6,
-    MDR_FIT_INDENTER_FLAT_PARABOLOID = 7,
-    MDR_FIT_INDENTER_ROUNDED_CONE = 8,
-    MDR_FIT_INDENTER_AREA_FUNCTION = 9 /**< min_height, max_height, C0 ... C7 of mdr_profile_area_function(), 0 for those it has
-                                            not. */
-};
-
-/** Kinds of medium, with their parameters in order. */
-enum mdr_fit_medium {
-    MDR_FIT_MEDIUM_NONE = -1,       /**< No counterbody; no parameters. */
-    MDR_FIT_MEDIUM_GIVEN = 0,       /**< The handle `medium_object`; no parameters. */
-    MDR_FIT_MEDIUM_HOMOGENEOUS = 1, /**< E, nu. */
-    MDR_FIT_MEDIUM_STACK = 2,       /**< E, nu, h of each layer from the surface down; E, nu of the substrate (E INFINITY: rigid);
-                                         alpha or wave_factor of the model, 1 if it has neither. */
-    MDR_FIT_MEDIUM_GRADED = 3,      /**< z, E, nu at each depth from the surface down. */
-    MDR_FIT_MEDIUM_POWER_GRADED = 4, /**< E0, z0, exponent, nu. */
-    MDR_FIT_MEDIUM_PATTERN = 5      /**< The body of the handle `medium_object`, any homogeneous, coated, layered or graded medium, with
-                                         other numbers. Elastic, under `model` and `options`: of each layer from the surface down
-                                         those of its material as they were given (E, nu; C11, C12, C13, C33, C44; or E_t, E_z,
-                                         nu_t, nu_tz, G_z), thickness, prestress, K_n and K_t of the interface below it (INFINITY:
-                                         bonded; K_t 0: it slides); those of the substrate unless it is rigid; of a graded one z, E,
-                                         nu at each depth; then alpha, wave_factor or exponent of a model that has one; then tension
-                                         and bending of a surface that is not bare. Viscoelastic, under the handle's model: of each
-                                         material from the surface down, behind a layer's its thickness: E, nu; of a power law
-                                         modulus, time, exponent, nu; of a Prony series relaxed modulus, modulus and time of each
-                                         term, viscosity, bulk modulus or nu. */
-};
-
 /** The parameters of the instrument, by their place behind those of indenter, medium and counterbody. */
 enum mdr_fit_instrument {
     MDR_FIT_WORK_OF_ADHESION = 0,     /**< gamma >= 0; the search begins above 0 [modulus length]. */
@@ -2489,21 +2453,18 @@ typedef struct mdr_fit_parameter {
     double prior;    /**< The value known beforehand. */
     double prior_sd; /**< Standard deviation of the prior >= 0; 0: nothing is known. */
     int is_free;     /**< 0: fixed; else the fit may change it. */
+    char name[48];   /**< Its name, see mdr_fit_parameters(); not read. */
 } mdr_fit_parameter;
 
-/** The question of a fit. Begun by MDR_SIZED. Handles and parameters are only read, during the call. */
+/** The question of a fit. Begun by MDR_SIZED. Handles and parameters are only read, during the call. The handles are patterns: the
+ *  fit takes objects of their kind, with the same layers, models and options, whose numbers are the parameters. */
 typedef struct mdr_fit_problem {
     size_t size;                         /**< Of this structure; MDR_SIZED sets it. */
     int data_kind;                       /**< One of enum mdr_fit_data_kind; default MDR_FIT_FORCE_DEPTH. */
-    int indenter;                        /**< One of enum mdr_fit_indenter; default MDR_FIT_INDENTER_GIVEN. */
-    const mdr_profile *profile;          /**< For MDR_FIT_INDENTER_GIVEN. */
-    int medium;                          /**< One of enum mdr_fit_medium; default MDR_FIT_MEDIUM_GIVEN. */
-    const mdr_medium *medium_object;     /**< For MDR_FIT_MEDIUM_GIVEN and MDR_FIT_MEDIUM_PATTERN. */
-    int model;                           /**< One of enum mdr_model, for stacks, graded media, patterns; default
-                                              MDR_MODEL_EXACT. */
-    int layers;                          /**< Layers of a stack, or depths of a graded medium, 1 to 100000; default 1. */
-    const mdr_medium_options *options;   /**< Or NULL (default): weight_nu_choice, weight_nu, tolerance; the model's constant
-                                              (alpha, wave_factor or exponent) is among the parameters of a stack. */
+    const mdr_profile *profile;          /**< The indenter. */
+    const mdr_medium *medium;            /**< What it presses on; a pair has no parameters. */
+    const mdr_medium *counterbody;       /**< The upper one of two deformable bodies, as in mdr_medium_pair(); NULL (default): the
+                                              indenter is rigid, or MDR_FIT_INDENTER_MODULUS says how stiff. */
     int adhesion_rule;                   /**< One of enum mdr_adhesion_rule; default MDR_ADHESION_AUTOMATIC. */
     int loss;                            /**< One of enum mdr_fit_loss; default MDR_FIT_LINEAR. */
     double loss_scale;                   /**< Standard deviations > 0 beyond which a residual counts less; default 1.345. */
@@ -2511,8 +2472,8 @@ typedef struct mdr_fit_problem {
     int max_iterations;                  /**< Of one search, at least 1; default 100. */
     int any_units;                       /**< 0: data more than 300 times larger or smaller than the model at the start are refused;
                                               default 0. */
-    int parameter_count;                 /**< See mdr_fit_parameter_count(). */
-    const mdr_fit_parameter *parameters; /**< [parameter_count] those of indenter, medium, counterbody, and instrument. */
+    int parameter_count;                 /**< How many parameters there are. */
+    const mdr_fit_parameter *parameters; /**< [parameter_count] in the order of mdr_fit_parameters(). */
     int prior_count;                     /**< Rows of prior_weights >= 0; default 0. */
     const double *prior_weights;         /**< [prior_count][parameter_count] what is known of several parameters together: the sum
                                               over j of weight j times (value - prior) of parameter j has mean 0 and variance 1. For
@@ -2521,18 +2482,9 @@ typedef struct mdr_fit_problem {
                                               with adhesion, where the bodies part at pull-off and read the force offset from there.
                                               In a fit the readings say which points are in contact, in mdr_fit_predict() the
                                               model does. For MDR_FIT_DYNAMIC_STIFFNESS of enum mdr_fit_part. */
-    int counterbody;                     /**< The upper one of two deformable bodies, as in mdr_medium_pair(): one of enum
-                                              mdr_fit_medium; default MDR_FIT_MEDIUM_GIVEN, and none where counterbody_object is
-                                              NULL: the indenter is rigid, or MDR_FIT_INDENTER_MODULUS says how stiff. */
-    const mdr_medium *counterbody_object; /**< As `medium_object`. */
-    int counterbody_model;               /**< As `model`. */
-    int counterbody_layers;              /**< As `layers`. */
-    const mdr_medium_options *counterbody_options; /**< As `options`. */
     int is_elastic;                      /**< Of MDR_FIT_STIFFNESS_DEPTH: 1: nothing has yielded, loading and unloading are one curve,
                                               and the surface sinks in as under the indenter itself; 0 (default): it sinks in as
                                               under the smooth indenter that MDR_FIT_CONTACT_DEPTH_FACTOR stands for. */
-    int model_is_given;                  /**< Not 0: a model of 0, MDR_MODEL_GAO, is meant. */
-    int counterbody_model_is_given;      /**< As `model_is_given`. */
 } mdr_fit_problem;
 
 /** What supports a fit or makes it doubtful. */
@@ -2553,11 +2505,22 @@ typedef struct mdr_fit_summary {
     double lag_correlation;    /**< Correlation of neighbouring residuals along the curve; standard errors allow for it. */
 } mdr_fit_summary;
 
-/** How many parameters a problem has: those of its kinds of indenter, medium and counterbody, their layers, and the
- *  instrument.
- *  @param problem  problem; its parameters need not be there yet
- *  @param count    receives the number */
-int mdr_fit_parameter_count(const mdr_fit_problem *problem, int *count);
+/** The parameters of a problem, fixed at the values that its objects have: those of the indenter, of the medium and of the
+ *  counterbody, and then, by enum mdr_fit_instrument, those of an instrument that reads what is.
+ *
+ *  An indenter has the arguments of its function, "indenter.radius", of an area function its coefficients, "indenter.C0"; tables,
+ *  callbacks and sums have none. An elastic half-space has "E", "nu"; layers from the surface down each "layers[0].E" and
+ *  "layers[0].nu", or the constants of mdr_layer as they were given, then thickness, prestress, interface.normal and
+ *  interface.tangential, K_n and K_t of the interface below (INFINITY: bonded; K_t 0: it slides); "substrate.E" and so on unless
+ *  the base is rigid; a graded body "z[0]", "E[0]", "nu[0]" at each depth, a power law E0, z0, exponent, nu; then alpha, wave_factor
+ *  or exponent of a model that has one; then "surface.tension" and "surface.bending" where the surface is not bare. Of a
+ *  viscoelastic material E, nu, or modulus, time, exponent, nu, or relaxed_shear_modulus, "terms[0].modulus" and "terms[0].time",
+ *  viscosity, and bulk_modulus or nu. Names of a counterbody begin with "upper.".
+ *  @param problem   problem; its parameters need not be there yet
+ *  @param capacity  room in `out` >= 0
+ *  @param out       [capacity] receives the first of them; NULL where capacity is 0
+ *  @param count     receives how many there are */
+int mdr_fit_parameters(const mdr_fit_problem *problem, int capacity, mdr_fit_parameter out[], int *count);
 
 /** Fits. A search that does not converge is no failure: it returns its best point, and says so in the summary. Outputs that are
  *  NULL are skipped; m is parameter_count.

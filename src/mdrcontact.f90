@@ -8,7 +8,7 @@
 !> The procedures compute in the caller's arithmetic, which must be the default: rounding to nearest.
 module mdrcontact
     use mdrcontact_base_parameter, only: nature_fraction, nature_not_negative, nature_poisson, nature_positive, nature_signed, &
-                                         parameter_t
+                                         nature_term, parameter_t
     use mdrcontact_body, only: body_t
     use mdrcontact_body_compliance, only: compliance_t, normal_load, shear_load, twist_load
     use mdrcontact_body_graded, only: graded_body_t, new_graded_body, new_graded_body_from_functions
@@ -30,17 +30,15 @@ module mdrcontact
                                 error_no_convergence, error_t, error_unreachable
     use mdrcontact_field, only: interior, interior_error, layer_energy
     use mdrcontact_fit, only: fit_result_t, solve_fit
-    use mdrcontact_fit_body, only: fit_body_t, indenter_cone, indenter_flat_cone, indenter_flat_paraboloid, indenter_flat_punch, &
-                                   indenter_given, indenter_paraboloid, indenter_power_law, indenter_rounded_cone, indenter_sphere
+    use mdrcontact_fit_body, only: fit_body_t, new_fit_body
     use mdrcontact_fit_interval, only: profile_interval
-    use mdrcontact_fit_medium_of, only: medium_choice_t, medium_given, medium_graded, medium_homogeneous, medium_none, &
-                                        medium_pattern, medium_power_graded, medium_stack, set_pattern
     use mdrcontact_fit_predict, only: predict
     use mdrcontact_fit_problem, only: at_contact_depth_factor, at_depth_offset, at_force_offset, at_frame_compliance, &
                                       at_indenter_modulus, at_stiffness_factor, at_work_of_adhesion, data_depth_time, &
                                       data_dynamic_stiffness, data_force_depth, data_force_time, data_modulus_radius, &
                                       data_stiffness_depth, data_stiffness_radius, fit_data_t, fit_parameter_t, fit_problem_t, &
-                                      instrument_numbers, loss_cauchy, loss_huber, loss_linear, part_loss, part_storage
+                                      instrument_numbers, loss_cauchy, loss_huber, loss_linear, part_loss, part_storage, &
+                                      problem_parameters, start_parameters
     use mdrcontact_history_friction, only: first_shear_t, friction_t, new_friction, tangential_state_t
     use mdrcontact_history_friction_history, only: friction_history_t, given_shift, given_tangential_force, new_friction_history
     use mdrcontact_history_rate_contact, only: new_rate_contact, rate_contact_t
@@ -113,7 +111,7 @@ module mdrcontact
     use mdrcontact_poroelastic_table, only: new_poroelastic, poroelastic_t
     use mdrcontact_profile, only: profile_t
     use mdrcontact_profile_power_law, only: new_cone, new_paraboloid, new_power_law, power_law_t
-    use mdrcontact_profile_area_function, only: new_area_function_profile
+    use mdrcontact_profile_area_function, only: area_function_t, new_area_function_profile
     use mdrcontact_profile_flat_cone, only: flat_cone_t, new_flat_cone
     use mdrcontact_profile_flat_paraboloid, only: flat_paraboloid_t, new_flat_paraboloid
     use mdrcontact_profile_flat_punch, only: flat_punch_t, new_flat_punch

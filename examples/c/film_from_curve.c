@@ -11,21 +11,11 @@
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 enum { MOST_POINTS = 10000 };
 
-/* The numbers of this problem, in the library's order: indenter, medium, instrument. */
-enum {
-    RADIUS,
-    FILM_E,
-    FILM_NU,
-    FILM_THICKNESS,
-    SUBSTRATE_E,
-    SUBSTRATE_NU,
-    MODEL_CONSTANT,
-    INSTRUMENT,
-    COUNT = INSTRUMENT + MDR_FIT_INSTRUMENT_COUNT
-};
+enum { MOST_NUMBERS = 30 };
 
 static void check(int status)
 {
@@ -60,51 +50,54 @@ static int read_curve(const char *path, double depth[], double load[], double sd
     return n;
 }
 
-static void set_problem(mdr_fit_problem *problem, mdr_fit_parameter numbers[COUNT])
+/* The position of a number of the problem, which becomes free. */
+static int set_free(mdr_fit_parameter numbers[MOST_NUMBERS], const char *name)
 {
-    static const double values[COUNT] = {10000, 60, 0.17, 500, 163, 0.22, 1, /* instrument: */ 0, 0, 0, 0, INFINITY, 0.75, 1,
-                                         1, 1};
+    int i = 0;
 
-    for (int i = 0; i < COUNT; i++) numbers[i] = (mdr_fit_parameter){values[i], -INFINITY, INFINITY, 0, 0, 0};
-    numbers[FILM_E].is_free = 1;
-    numbers[FILM_THICKNESS].is_free = 1;
-    numbers[FILM_THICKNESS].prior = 500;
-    numbers[FILM_THICKNESS].prior_sd = 10;
-    numbers[INSTRUMENT + MDR_FIT_DEPTH_OFFSET].is_free = 1;
-
-    *problem = MDR_SIZED(mdr_fit_problem);
-    problem->data_kind = MDR_FIT_FORCE_DEPTH;
-    problem->indenter = MDR_FIT_INDENTER_SPHERE;
-    problem->medium = MDR_FIT_MEDIUM_STACK;
-    problem->model = MDR_MODEL_EXACT;
-    problem->parameter_count = COUNT;
-    problem->parameters = numbers;
+    while (strcmp(numbers[i].name, name) != 0) i++;
+    numbers[i].is_free = 1;
+    return i;
 }
 
 int main(int argc, char *argv[])
 {
     static double depth[MOST_POINTS], load[MOST_POINTS], sd[MOST_POINTS];
-    mdr_fit_problem problem;
-    mdr_fit_parameter numbers[COUNT];
+    mdr_profile *sphere = NULL;
+    mdr_medium *oxide = NULL;
+    mdr_fit_problem problem = MDR_SIZED(mdr_fit_problem);
+    mdr_fit_parameter numbers[MOST_NUMBERS];
     mdr_fit_summary summary = MDR_SIZED(mdr_fit_summary);
-    double values[COUNT], covariance[COUNT * COUNT], lower, upper;
-    const int offset = INSTRUMENT + MDR_FIT_DEPTH_OFFSET;
-    int n;
+    double values[MOST_NUMBERS], covariance[MOST_NUMBERS * MOST_NUMBERS], lower, upper;
+    int n, count, modulus, thickness, offset;
 
     if (argc != 2) {
         fprintf(stderr, "usage: %s CURVE.csv\n", argv[0]);
         return EXIT_FAILURE;
     }
     n = read_curve(argv[1], depth, load, sd);
-    set_problem(&problem, numbers);
+    check(mdr_profile_sphere(10000.0, &sphere));
+    check(mdr_medium_coated(60.0, 0.17, 500.0, 163.0, 0.22, MDR_MODEL_EXACT, NULL, &oxide));
+    problem.profile = sphere;
+    problem.medium = oxide;
+    problem.parameters = numbers;
+    check(mdr_fit_parameters(&problem, MOST_NUMBERS, numbers, &count));
+    problem.parameter_count = count;
+    modulus = set_free(numbers, "layers[0].E");
+    thickness = set_free(numbers, "layers[0].thickness");
+    offset = set_free(numbers, "depth_offset");
+    numbers[thickness].prior = 500.0;
+    numbers[thickness].prior_sd = 10.0;
     check(mdr_fit_solve(&problem, n, depth, load, NULL, sd, values, covariance, NULL, NULL, NULL, NULL, NULL, &summary));
     printf("%d points, %s after %d evaluations, chi-square %.1f of %.1f degrees of freedom\n", n,
            summary.converged ? "converged" : "NOT converged", summary.evaluations, summary.chi_square, summary.degrees_of_freedom);
-    printf("film modulus    %7.2f +- %.2f GPa\n", values[FILM_E], sqrt(covariance[FILM_E * COUNT + FILM_E]));
-    printf("film thickness  %7.2f +- %.2f nm\n", values[FILM_THICKNESS],
-           sqrt(covariance[FILM_THICKNESS * COUNT + FILM_THICKNESS]));
-    printf("depth offset    %7.3f +- %.3f nm\n", values[offset], sqrt(covariance[offset * COUNT + offset]));
-    check(mdr_fit_interval(&problem, n, depth, load, NULL, sd, FILM_E, 0.95, &lower, &upper));
+    printf("film modulus    %7.2f +- %.2f GPa\n", values[modulus], sqrt(covariance[modulus * count + modulus]));
+    printf("film thickness  %7.2f +- %.2f nm\n", values[thickness],
+           sqrt(covariance[thickness * count + thickness]));
+    printf("depth offset    %7.3f +- %.3f nm\n", values[offset], sqrt(covariance[offset * count + offset]));
+    check(mdr_fit_interval(&problem, n, depth, load, NULL, sd, modulus, 0.95, &lower, &upper));
     printf("95 %% interval of the modulus by profile likelihood: %.2f to %.2f GPa\n", lower, upper);
+    mdr_medium_free(&oxide);
+    mdr_profile_free(&sphere);
     return EXIT_SUCCESS;
 }

@@ -5,15 +5,14 @@
 !> Usage: film_from_punches examples/fit/punches_on_rubber.csv   (contact radius in um, stiffness in N/m, one header line).
 !> Units of this program: um, MPa and uN; a stiffness in N/m is one in uN/um.
 program film_from_punches
-    use, intrinsic :: ieee_arithmetic, only: ieee_positive_inf, ieee_value
     use, intrinsic :: iso_fortran_env, only: error_unit, iostat_end
-    use mdrcontact, only: data_stiffness_radius, error_t, fit_data_t, fit_problem_t, fit_result_t, indenter_given, &
-                          instrument_numbers, medium_stack, models, new_paraboloid, power_law_t, profile_interval, &
-                          solve_fit, wp
+    use mdrcontact, only: data_stiffness_radius, error_t, fit_data_t, fit_problem_t, fit_result_t, material_t, medium_t, models, &
+                          new_fit_body, new_material, new_medium, new_paraboloid, new_stack, power_law_t, profile_interval, &
+                          solve_fit, stack_t, start_parameters, wp
     implicit none (type, external)
 
-    !> Positions of the numbers: E, nu, h of the film; E, nu of the base and the model's constant; then the instrument's.
-    integer, parameter :: film_young = 1, film_thickness = 3, stack_numbers = 6
+    !> Positions of the numbers: R of the indenter; E, nu, h of the film, then what is not sought here.
+    integer, parameter :: film_young = 2, film_thickness = 4
     type(fit_problem_t) :: problem
     type(fit_data_t) :: data
     type(fit_result_t) :: fit
@@ -65,20 +64,19 @@ contains
     subroutine set_problem(problem)
         type(fit_problem_t), intent(out) :: problem
         type(power_law_t) :: tip
+        type(material_t) :: rubber
+        type(stack_t) :: film
+        type(medium_t) :: medium
         type(error_t), allocatable :: error
 
         call new_paraboloid(tip, 1.0_wp, error)
+        if (.not. allocated(error)) call new_material(rubber, 1.0_wp, 0.49_wp, error)
+        if (.not. allocated(error)) call new_stack(film, [rubber], [2.0_wp], rubber, error, rigid_base=.true.)
+        if (.not. allocated(error)) call new_medium(medium, film, models%exact, error)
+        if (.not. allocated(error)) call new_fit_body(problem%body, tip, medium, error)
         call stop_on(error)
         problem%data_kind = data_stiffness_radius
-        problem%body%indenter = indenter_given
-        allocate (problem%body%profile, source=tip)
-        problem%body%medium%kind = medium_stack
-        problem%body%medium%model = models%exact
-        problem%body%medium%layers = 1
-        allocate (problem%parameters(stack_numbers + instrument_numbers))
-        problem%parameters%value = [1.0_wp, 0.49_wp, 2.0_wp, ieee_value(1.0_wp, ieee_positive_inf), 0.0_wp, 1.0_wp, &
-                                    0.0_wp, 0.0_wp, 0.0_wp, 0.0_wp, ieee_value(1.0_wp, ieee_positive_inf), 0.75_wp, 1.0_wp, &
-                                    1.0_wp, 1.0_wp, 0.0_wp]
+        problem%parameters = start_parameters(problem%body)
         problem%parameters([film_young, film_thickness])%is_free = .true.
     end subroutine set_problem
 

@@ -331,6 +331,7 @@ fit_parameter = np.dtype(
         ("prior", np.float64),
         ("prior_sd", np.float64),
         ("is_free", np.intc),
+        ("name", "S48"),
     ],
     align=True,
 )
@@ -338,13 +339,9 @@ fit_problem = np.dtype(
     [
         ("size", np.uintp),
         ("data_kind", np.intc),
-        ("indenter", np.intc),
         ("profile", np.uintp),
-        ("medium", np.intc),
-        ("medium_object", np.uintp),
-        ("model", np.intc),
-        ("layers", np.intc),
-        ("options", np.uintp),
+        ("medium", np.uintp),
+        ("counterbody", np.uintp),
         ("adhesion_rule", np.intc),
         ("loss", np.intc),
         ("loss_scale", np.float64),
@@ -356,14 +353,7 @@ fit_problem = np.dtype(
         ("prior_count", np.intc),
         ("prior_weights", np.uintp),
         ("branch", np.uintp),
-        ("counterbody", np.intc),
-        ("counterbody_object", np.uintp),
-        ("counterbody_model", np.intc),
-        ("counterbody_layers", np.intc),
-        ("counterbody_options", np.uintp),
         ("is_elastic", np.intc),
-        ("model_is_given", np.intc),
-        ("counterbody_model_is_given", np.intc),
     ],
     align=True,
 )
@@ -529,24 +519,6 @@ FIT_DYNAMIC_STIFFNESS = 7
 
 FIT_STORAGE = 1
 FIT_LOSS = 2
-
-FIT_INDENTER_GIVEN = 0
-FIT_INDENTER_PARABOLOID = 1
-FIT_INDENTER_SPHERE = 2
-FIT_INDENTER_CONE = 3
-FIT_INDENTER_POWER = 4
-FIT_INDENTER_FLAT_PUNCH = 5
-FIT_INDENTER_FLAT_CONE = 6
-FIT_INDENTER_FLAT_PARABOLOID = 7
-FIT_INDENTER_ROUNDED_CONE = 8
-FIT_INDENTER_AREA_FUNCTION = 9
-
-FIT_MEDIUM_GIVEN = 0
-FIT_MEDIUM_HOMOGENEOUS = 1
-FIT_MEDIUM_STACK = 2
-FIT_MEDIUM_GRADED = 3
-FIT_MEDIUM_POWER_GRADED = 4
-FIT_MEDIUM_PATTERN = 5
 
 FIT_WORK_OF_ADHESION = 0
 FIT_DEPTH_OFFSET = 1

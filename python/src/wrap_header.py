@@ -44,6 +44,7 @@ SIZES = {
     "mdr_fit_solve": dict.fromkeys(
         ("given", "sd", "values", "covariance", "widening", "at_bound", "weakest_direction", "fitted", "residuals"), ""
     ),
+    "mdr_fit_parameters": {"out": ""},
     "mdr_fit_predict": {"given": "", "radius": ""},
     "mdr_fit_interval": {"given": "", "sd": ""},
 }

@@ -1,14 +1,17 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> A medium: a body under a model, or two of them. Elastic bodies have a solver; one that relaxes has materials in its place.
 module mdrcontact_medium
+    use mdrcontact_base_parameter, only: parameter_t
     use mdrcontact_body, only: body_t
     use mdrcontact_error, only: check_memory, error_invalid, error_t, raise
+    use mdrcontact_kinds, only: wp
     use mdrcontact_layered_shared, only: layered_shared_t
     use mdrcontact_medium_pair, only: new_pair
+    use mdrcontact_medium_power_graded, only: new_power_graded, power_graded_t
     use mdrcontact_medium_solver, only: solver_t
     use mdrcontact_medium_viscoelastic, only: viscoelastic_t
-    use mdrcontact_model, only: model_options_t, new_solver
-    use mdrcontact_tension_surface, only: surface_t
+    use mdrcontact_model, only: constant_of, model_options_t, models, new_solver, with_constant
+    use mdrcontact_tension_surface, only: is_bare, surface_t
     implicit none (type, external)
     private
     public :: medium_t, new_medium, new_pair, refuse_states
@@ -19,9 +22,17 @@ module mdrcontact_medium
         class(solver_t), allocatable :: solver
         !> the materials of a body that relaxes
         type(viscoelastic_t), allocatable :: relaxing
+        !> the model of its one body
+        integer :: model = models%exact
+        !> and what that leaves to choose
+        type(model_options_t) :: options = model_options_t()
     contains
         !> raises unless it has a solver
         procedure :: check_elastic
+        !> its numbers: of one body, the model's constant, tension and bending of a surface that is not bare; none of two bodies
+        procedure :: parameters
+        !> the same kind of medium with other numbers
+        procedure :: with_parameters
         !> a copy, or error_memory
         procedure :: copy_to
     end type medium_t
@@ -47,6 +58,8 @@ contains
         !> tension and plate of its surface; default none
         type(surface_t), intent(in), optional :: surface
 
+        self%model = model
+        if (present(options)) self%options = options
         call new_solver(self%solver, body, model, error, options, shared, surface)
     end subroutine new_medium
 
@@ -65,7 +78,85 @@ contains
         end if
         call lower%check_elastic(error)
         if (.not. allocated(error)) call new_pair(self%solver, lower%solver, upper%solver, error)
+        ! under a rigid body it is the lower one alone
+        self%model = lower%model
+        self%options = lower%options
     end subroutine new_pair_of_media
+
+    pure subroutine parameters(self, list)
+        class(medium_t), intent(in) :: self
+        type(parameter_t), allocatable, intent(out) :: list(:)
+
+        allocate (list(0))
+        if (allocated(self%relaxing)) then
+            call self%relaxing%parameters(list)
+            return
+        end if
+        if (.not. allocated(self%solver)) return
+        if (self%solver%is_pair) return
+        select type (solver => self%solver)
+        class is (power_graded_t)
+            list = solver%parameters()
+        class default
+            if (.not. allocated(solver%pressed)) return
+            call solver%pressed%parameters(list)
+            list = [list, constant_of(self%model, self%options)]
+            if (.not. is_bare(solver%sheet)) list = [list, parameter_t("surface.tension", solver%sheet%tension), &
+                                                     parameter_t("surface.bending", solver%sheet%bending)]
+        end select
+    end subroutine parameters
+
+    subroutine with_parameters(self, values, medium, error, shared)
+        class(medium_t), intent(in) :: self
+        !> in the order of `parameters`
+        real(wp), intent(in) :: values(:)
+        type(medium_t), intent(out) :: medium
+        type(error_t), allocatable, intent(out) :: error
+        !> what exact media made one after the other have in common
+        type(layered_shared_t), intent(inout) :: shared
+        type(power_graded_t) :: power_graded
+
+        if (size(values) == 0) then
+            call self%copy_to(medium, error)
+        else if (allocated(self%relaxing)) then
+            allocate (medium%relaxing)
+            call self%relaxing%with_parameters(values, medium%relaxing, error, shared)
+        else
+            select type (solver => self%solver)
+            class is (power_graded_t)
+                call new_power_graded(power_graded, values(1), values(2), values(3), values(4), error)
+                allocate (medium%solver, source=power_graded)
+            class default
+                call make_alike(self, values, shared, medium, error)
+            end select
+        end if
+    end subroutine with_parameters
+
+    !> A body with other numbers, under the same model.
+    subroutine make_alike(self, values, shared, medium, error)
+        class(medium_t), intent(in) :: self
+        real(wp), intent(in) :: values(:)
+        type(layered_shared_t), intent(inout) :: shared
+        type(medium_t), intent(inout) :: medium
+        type(error_t), allocatable, intent(out) :: error
+        class(body_t), allocatable :: body
+        type(model_options_t) :: options
+        type(surface_t) :: surface
+        integer :: last
+
+        last = size(values)
+        if (.not. is_bare(self%solver%sheet)) then
+            surface = surface_t(values(last - 1), values(last))
+            last = last - 2
+        end if
+        options = self%options
+        if (size(constant_of(self%model, options)) > 0) then
+            options = with_constant(options, self%model, values(last))
+            last = last - 1
+        end if
+        call self%solver%pressed%with_parameters(values(:last), body, error)
+        if (.not. allocated(error)) call new_medium(medium, body, self%model, error, options, shared, surface)
+    end subroutine make_alike
 
     pure subroutine check_elastic(self, error)
         class(medium_t), intent(in) :: self
@@ -90,6 +181,8 @@ contains
         integer :: stat
 
         if (allocated(error)) return
+        copy%model = self%model
+        copy%options = self%options
         if (allocated(self%solver)) call self%solver%copy_to(copy%solver, error)
         if (.not. allocated(self%relaxing)) return
         allocate (copy%relaxing, source=self%relaxing, stat=stat)

@@ -5,6 +5,7 @@
 !>     if (.not. allocated(error)) call new_solver(medium, film, models%exact, error)
 module mdrcontact_model
     use, intrinsic :: iso_c_binding, only: c_double, c_int
+    use mdrcontact_base_parameter, only: parameter_t
     use mdrcontact_body, only: body_t
     use mdrcontact_body_layers, only: layers_t
     use mdrcontact_error, only: count_text, error_invalid, error_t, raise, to_text
@@ -29,7 +30,7 @@ module mdrcontact_model
     implicit none (type, external)
     private
     public :: models, model_table, new_solver, find_model, model_position
-    public :: model_options_t, option_names, option_values, options_of, with_constant
+    public :: constant_of, model_options_t, option_names, option_values, options_of, with_constant
 
     !> Codes of the models, enum mdr_model of the C header.
     type :: model_codes_t
@@ -135,6 +136,20 @@ contains
         options = model_options_t(values(1), values(2), nint(values(3), c_int), values(4), values(5), values(6))
     end function options_of
 
+    !> The model's constant, if it has one.
+    pure function constant_of(model, options) result(constant)
+        integer, intent(in) :: model
+        type(model_options_t), intent(in) :: options
+        type(parameter_t), allocatable :: constant(:)
+        integer :: i
+
+        i = findloc(model_table%code == model .and. model_table%constant /= "", .true., dim=1)
+        allocate (constant(min(i, 1)))
+        if (i == 0) return
+        constant(1)%name = model_table(i)%constant
+        constant(1)%value = sum(option_values(options), mask=option_names == model_table(i)%constant)
+    end function constant_of
+
     !> The options with another value for the model's constant, if it has one.
     pure function with_constant(options, model, constant) result(changed)
         type(model_options_t), intent(in) :: options
@@ -142,14 +157,13 @@ contains
         real(wp), intent(in) :: constant
         type(model_options_t) :: changed
         real(wp) :: values(size(option_names))
-        integer :: i
+        type(parameter_t) :: own(1)
 
         changed = options
-        i = model_position(model)
-        if (i == 0) return
-        if (model_table(i)%constant == "") return
+        if (size(constant_of(model, options)) == 0) return
+        own = constant_of(model, options)
         values = option_values(options)
-        where (option_names == model_table(i)%constant) values = constant
+        where (option_names == own(1)%name) values = constant
         changed = options_of(values)
     end function with_constant
 

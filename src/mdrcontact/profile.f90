@@ -5,6 +5,7 @@
 !> integral, which each shape provides in closed form where there is one.
 !> Popov, Phys. Mesomech. 17 (2014) 50, equations (3) and (4).
 module mdrcontact_profile
+    use mdrcontact_base_parameter, only: parameter_t
     use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
@@ -52,6 +53,12 @@ module mdrcontact_profile
         procedure :: linear_pieces => no_pieces
         !> whether it is a paraboloid, or a sphere, which is one near its axis
         procedure :: is_spherical
+        !> its numbers, the arguments of its `new_...` procedure; none of tables, functions and sums
+        procedure :: parameters => no_parameters
+        !> the same shape with other numbers
+        procedure :: with_parameters
+        !> puts these numbers into a copy of the shape
+        procedure :: set => nothing
         !> a copy, or error_memory; those with arrays that grow with a caller's data override it
         procedure :: copy_to
     end type profile_t
@@ -128,6 +135,36 @@ contains
         end associate
         allocate (radii(0), slopes(0), curvatures(0))
     end subroutine no_pieces
+
+    pure subroutine no_parameters(self, list)
+        class(profile_t), intent(in) :: self
+        type(parameter_t), allocatable, intent(out) :: list(:)
+
+        associate (unused => self)
+        end associate
+        allocate (list(0))
+    end subroutine no_parameters
+
+    subroutine with_parameters(self, values, profile, error)
+        class(profile_t), intent(in) :: self
+        !> in the order of `parameters`
+        real(wp), intent(in) :: values(:)
+        class(profile_t), allocatable, intent(out) :: profile
+        type(error_t), allocatable, intent(inout) :: error
+
+        call self%copy_to(profile, error)
+        if (.not. allocated(error)) call profile%set(values, error)
+    end subroutine with_parameters
+
+    subroutine nothing(self, values, error)
+        class(profile_t), intent(inout) :: self
+        !> in the order of `parameters`
+        real(wp), intent(in) :: values(:)
+        type(error_t), allocatable, intent(inout) :: error
+
+        associate (unused => self, also_unused => values, and_this => error)
+        end associate
+    end subroutine nothing
 
     pure function is_spherical(self) result(answer)
         class(profile_t), intent(in) :: self

@@ -307,23 +307,22 @@ static void friction_laws(numbers *out)
 static void fits(numbers *out)
 {
     enum { POINTS = 6, MOST = 20 };
-    static const double film[6] = {5.0, 0.25, 1.0, 1.0, 0.35, 1.0};
-    static const double rest[10] = {0.0, 0.0, 0.0, 0.0, INFINITY, 0.75, 1.0, 1.0, 1.0, 0.0};
     static const double d[POINTS] = {0.02, 0.04, 0.06, 0.08, 0.1, 0.12}, sd[POINTS] = {0.1, 0.1, 0.1, 0.1, 0.1, 0.1};
     double F[POINTS], values[MOST];
     mdr_fit_problem problem;
-    mdr_fit_parameter parameters[MOST] = {{0}};
+    mdr_fit_parameter parameters[MOST];
+    mdr_profile *ball = NULL;
+    mdr_medium *film = NULL;
     int count = 0;
 
+    CHECK_SUCCESS(mdr_profile_paraboloid(5.0, &ball));
+    CHECK_SUCCESS(mdr_medium_coated(5.0, 0.25, 1.0, 1.0, 0.35, MDR_MODEL_EXACT, NULL, &film));
     problem = MDR_SIZED(mdr_fit_problem);
-    problem.indenter = MDR_FIT_INDENTER_PARABOLOID;
-    problem.medium = MDR_FIT_MEDIUM_STACK;
-    CHECK_SUCCESS(mdr_fit_parameter_count(&problem, &count));
-    CHECK_INT(count, 17);
-    for (int i = 0; i < count && i < MOST; i++) {
-        const double value = i == 0 ? 5.0 : i < 7 ? film[i - 1] : rest[i - 7];
-        parameters[i] = (mdr_fit_parameter){value, -INFINITY, INFINITY, 0.0, 0.0, i == 1};
-    }
+    problem.profile = ball;
+    problem.medium = film;
+    CHECK_SUCCESS(mdr_fit_parameters(&problem, MOST, parameters, &count));
+    CHECK_INT(count, 19);
+    parameters[1].is_free = 1;
     problem.parameter_count = count;
     problem.parameters = parameters;
     CHECK_SUCCESS(mdr_fit_predict(&problem, POINTS, d, d, NULL, F, NULL));
@@ -332,6 +331,8 @@ static void fits(numbers *out)
     *more(out, 1) = values[1];
     CHECK_SUCCESS(mdr_fit_interval(&problem, POINTS, d, F, NULL, sd, 1, 0.9, more(out, 1), more(out, 1)));
     CHECK_SUCCESS(mdr_fit_quantile(0.9, 5.0, more(out, 1)));
+    mdr_profile_free(&ball);
+    mdr_medium_free(&film);
 }
 
 static void lateral(numbers *out)

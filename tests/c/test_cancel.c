@@ -10,7 +10,7 @@
 
 enum { MANY = 1000000, ROWS = 400, BALLS = 40, POINTS = 400 };
 
-enum { ANSWERED_AT = 2, MOST_AFTER = 2 };
+enum { ANSWERED_AT = 2, MOST_AFTER = 2, DEPTHS = 12 };
 
 /* When the function was last called, and cancelled; the longest time without a question; the number of questions. */
 static double called, answered, longest_gap;
@@ -34,6 +34,8 @@ static int stop(void *context)
 
 static double in[MANY], out[MANY], radii[MANY];
 static int labels[ROWS * ROWS];
+static mdr_profile *cone;
+static mdr_medium *deeply_graded;
 static mdr_contact *exact, *plain, *rough, *sharp, *relaxing, *on_film;
 static mdr_friction *rubbed, *rubbed_film;
 static mdr_friction_history *history, *rings;
@@ -75,30 +77,19 @@ static int inside(void)
 /* Force against depth of a cone on a graded body, E at three depths free. */
 static int fit(void)
 {
-    enum { NUMBERS = 1 + 3 * 12 + 10 };
+    enum { NUMBERS = 1 + 3 * DEPTHS + 10 };
     mdr_fit_problem problem;
     mdr_fit_parameter p[NUMBERS];
     double y[POINTS];
 
     problem = MDR_SIZED(mdr_fit_problem);
     problem.data_kind = MDR_FIT_FORCE_DEPTH;
-    problem.indenter = MDR_FIT_INDENTER_CONE;
-    problem.medium = MDR_FIT_MEDIUM_GRADED;
-    problem.model = MDR_MODEL_EXACT;
-    problem.layers = 12;
+    problem.profile = cone;
+    problem.medium = deeply_graded;
     problem.any_units = 1;
-    problem.parameter_count = NUMBERS;
     problem.parameters = p;
-    for (int i = 0; i < NUMBERS; i++) p[i] = (mdr_fit_parameter){0.0, -INFINITY, INFINITY, 0.0, 0.0, 0};
-    p[0].value = 0.3;
-    for (int i = 0; i < 12; i++) {
-        p[1 + 3 * i].value = 0.3 * i;
-        p[2 + 3 * i] = (mdr_fit_parameter){1.0 + 0.3 * i, -INFINITY, INFINITY, 0.0, 0.0, 1};
-        p[3 + 3 * i].value = 0.3;
-    }
-    p[NUMBERS - 6].value = INFINITY;
-    p[NUMBERS - 5].value = 0.75;
-    for (int i = NUMBERS - 4; i < NUMBERS - 1; i++) p[i].value = 1.0;
+    mdr_fit_parameters(&problem, NUMBERS, p, &problem.parameter_count);
+    for (int i = 0; i < DEPTHS; i++) p[2 + 3 * i].is_free = 1;
     for (int i = 0; i < POINTS; i++) y[i] = in[i] * in[i] * (3.0 + sin(7.0 * in[i]));
     return mdr_fit_solve(&problem, POINTS, in, y, NULL, NULL, NULL, NULL, NULL, NULL, NULL, out, NULL, NULL);
 }
@@ -125,7 +116,8 @@ int main(void)
     static double shapes[7 * BALLS], shape_E[BALLS], shape_nu[BALLS];
     int kinds[BALLS];
     double once;
-    mdr_profile *p = NULL, *cone = NULL;
+    mdr_profile *p = NULL;
+    double depths[DEPTHS], rising_E[DEPTHS], same_nu[DEPTHS];
     mdr_medium *graded = NULL, *half_space = NULL, *weighted = NULL, *soft = NULL;
     mdr_material *fast = NULL, *slow = NULL;
     const mdr_material *layers[1];
@@ -143,6 +135,8 @@ int main(void)
     CHECK_SUCCESS(mdr_profile_cone(0.3, &cone));
     CHECK_SUCCESS(mdr_medium_graded(3, z, E, nu, MDR_MODEL_EXACT, NULL, &graded));
     CHECK_SUCCESS(mdr_medium_homogeneous(1.0, 0.3, &half_space));
+    for (int i = 0; i < DEPTHS; i++) depths[i] = 0.3 * i, rising_E[i] = 1.0 + 0.3 * i, same_nu[i] = 0.3;
+    CHECK_SUCCESS(mdr_medium_graded(DEPTHS, depths, rising_E, same_nu, MDR_MODEL_EXACT, NULL, &deeply_graded));
     CHECK_SUCCESS(mdr_medium_graded(3, z, E, nu, MDR_MODEL_GAO, NULL, &weighted));
     CHECK_SUCCESS(mdr_contact_new(p, graded, NULL, &exact));
     CHECK_SUCCESS(mdr_contact_new(p, half_space, NULL, &plain));
@@ -221,6 +215,7 @@ int main(void)
     CHECK_SUCCESS(mdr_contact_free(&plain));
     CHECK_SUCCESS(mdr_contact_free(&exact));
     CHECK_SUCCESS(mdr_medium_free(&weighted));
+    CHECK_SUCCESS(mdr_medium_free(&deeply_graded));
     CHECK_SUCCESS(mdr_medium_free(&half_space));
     CHECK_SUCCESS(mdr_medium_free(&graded));
     CHECK_SUCCESS(mdr_profile_free(&cone));

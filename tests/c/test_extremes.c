@@ -2,7 +2,6 @@
 /* Numbers far from 1: a result that is right, or a refusal in words; never NaN, never a hang. */
 #include "check.h"
 
-#include <limits.h>
 
 /* f = r^80 falls by 24 orders of magnitude in an octave */
 static int steep(double r, double *f, void *context)
@@ -77,21 +76,6 @@ static void test_closed_forms(void)
     CHECK_UNTOUCHED(1, &out);
 }
 
-static void test_counts(void)
-{
-    mdr_fit_problem problem;
-    int count = 7;
-
-    problem = MDR_SIZED(mdr_fit_problem);
-    problem.indenter = MDR_FIT_INDENTER_SPHERE;
-    problem.medium = MDR_FIT_MEDIUM_STACK;
-    problem.layers = INT_MAX;
-    CHECK_STATUS(mdr_fit_parameter_count(&problem, &count), MDR_EINVALID, "layers = 2147483647");
-    problem.layers = -1;
-    CHECK_STATUS(mdr_fit_parameter_count(&problem, &count), MDR_EINVALID, "layers = -1");
-    CHECK_INT(count, 7);
-}
-
 /* p at radii whose squares are no numbers, against p(0), against a cone's logarithm, and against its power of r. */
 static void test_pressures_at_the_axis(void)
 {
@@ -138,6 +122,5 @@ int main(void)
     test_profiles();
     test_media();
     test_closed_forms();
-    test_counts();
     return check_report("extremes");
 }

@@ -153,19 +153,18 @@ static int fields(void) { return field_at(contact, MDR_FIELD_PRESSURE, MDR_GIVEN
 static int fit(void)
 {
     static const double depth[3] = {0.1, 0.2, 0.3}, load[3] = {0.05, 0.15, 0.3};
-    static const double values[11] = {1.0, 0.0, 0.0, 0.0, 0.0, INFINITY, 0.75, 1.0, 1.0, 1.0, 0.0};
-    mdr_fit_parameter p[11];
+    mdr_fit_parameter p[30];
     mdr_fit_problem problem;
     mdr_fit_summary summary = MDR_SIZED(mdr_fit_summary);
     int status;
     problem = MDR_SIZED(mdr_fit_problem);
     problem.data_kind = MDR_FIT_FORCE_DEPTH;
-    problem.indenter = MDR_FIT_INDENTER_PARABOLOID;
-    problem.medium = MDR_FIT_MEDIUM_GIVEN;
-    problem.medium_object = film;
-    for (int i = 0; i < 11; i++) p[i] = (mdr_fit_parameter){values[i], -INFINITY, INFINITY, 0.0, 0.0, i == 0};
+    problem.profile = ball;
+    problem.medium = film;
     problem.parameters = p;
-    problem.parameter_count = 11;
+    status = mdr_fit_parameters(&problem, 30, p, &problem.parameter_count);
+    if (status != MDR_SUCCESS) return status;
+    p[0].is_free = 1;
     status = mdr_fit_solve(&problem, 3, depth, load, NULL, NULL, NULL, NULL, NULL, NULL, NULL, out, NULL, &summary);
     /* the best point found is a result, marked by its flag */
     return status == MDR_SUCCESS && !summary.converged ? MDR_ENOCONVERGENCE : status;

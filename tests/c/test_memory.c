@@ -47,7 +47,7 @@ int main(void)
     mdr_structure *voxels = NULL;
     mdr_law_options law_options;
     mdr_fit_problem problem;
-    mdr_fit_parameter parameters[NUMBERS] = {{0.0, 0.0, 0.0, 0.0, 0.0, 0}};
+    mdr_fit_parameter parameters[NUMBERS];
     const int size[3] = {100, 100, 10};
 
     CHECK_SUCCESS(mdr_profile_paraboloid(1.0, &p));
@@ -66,15 +66,10 @@ int main(void)
     law_options = MDR_SIZED(mdr_law_options);
     problem = MDR_SIZED(mdr_fit_problem);
     problem.data_kind = MDR_FIT_FORCE_DEPTH;
-    problem.indenter = MDR_FIT_INDENTER_PARABOLOID;
-    problem.medium = MDR_FIT_MEDIUM_HOMOGENEOUS;
+    problem.profile = p;
+    problem.medium = m;
     problem.parameters = parameters;
-    problem.parameter_count = NUMBERS;
-    parameters[0].value = parameters[1].value = 1.0;
-    parameters[2].value = 0.3;
-    parameters[7].value = INFINITY;
-    parameters[8].value = 0.75;
-    for (int i = 9; i < 12; i++) parameters[i].value = 1.0;
+    CHECK_SUCCESS(mdr_fit_parameters(&problem, NUMBERS, parameters, &problem.parameter_count));
 
     refuse_large_requests();
     CHECK_TRUE(malloc(8 * COUNT) == NULL);

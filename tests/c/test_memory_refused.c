@@ -326,22 +326,18 @@ static int fit(trial t, const double *given)
     mdr_fit_parameter p[NUMBERS - 1];
     problem = MDR_SIZED(mdr_fit_problem);
     problem.data_kind = t.data_kind;
-    problem.indenter = MDR_FIT_INDENTER_PARABOLOID;
-    problem.medium = MDR_FIT_MEDIUM_HOMOGENEOUS;
+    problem.profile = ball;
+    problem.medium = half_space;
     problem.parameters = p;
-    problem.parameter_count = NUMBERS - 1;
     problem.any_units = 1;
     problem.loss = t.loss;
     problem.max_iterations = 2;
     if (t.use_branch) problem.branch = branches;
-    for (int i = 0; i < NUMBERS - 1; i++) p[i] = (mdr_fit_parameter){0.0, -INFINITY, INFINITY, 0.0, 0.0, i == t.free};
-    p[0].value = p[1].value = 1.0;
-    p[2].value = 0.3;
+    const int status = mdr_fit_parameters(&problem, NUMBERS - 1, p, &problem.parameter_count);
+    if (status != MDR_SUCCESS) return status;
+    if (t.free >= 0) p[t.free].is_free = 1;
     p[3].value = t.work_of_adhesion;
     p[6].value = t.frame_compliance;
-    p[7].value = INFINITY;
-    p[8].value = 0.75;
-    for (int i = 9; i < NUMBERS - 2; i++) p[i].value = 1.0;
     return t.end(&problem, given);
 }
 static int predicted(const mdr_fit_problem *p, const double *given)

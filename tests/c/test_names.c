@@ -16,7 +16,6 @@ double evaluate(double x, void *params) { return calls++, params != NULL ? 0.0 :
 int main(void)
 {
     enum { POINTS = 20, NUMBERS = 13 };
-    static const double numbers[NUMBERS] = { 1e-6, 1e9, 0.3, 0, 0, 0, 0, INFINITY, 0.75, 1, 1, 1, 0 };
     mdr_fit_problem problem;
     mdr_fit_parameter parameters[NUMBERS];
     mdr_fit_summary summary = MDR_SIZED(mdr_fit_summary);
@@ -32,11 +31,12 @@ int main(void)
     CHECK_INT(mdr_contact_from_depth(contact, POINTS, d, NULL, NULL, F, NULL), MDR_SUCCESS);
 
     problem = MDR_SIZED(mdr_fit_problem);
-    problem.indenter = MDR_FIT_INDENTER_SPHERE;
-    problem.medium = MDR_FIT_MEDIUM_HOMOGENEOUS;
-    problem.parameter_count = NUMBERS;
+    problem.profile = profile;
+    problem.medium = medium;
     problem.parameters = parameters;
-    for (int i = 0; i < NUMBERS; i++) parameters[i] = (mdr_fit_parameter){ numbers[i], -INFINITY, INFINITY, 0, 0, i == 1 };
+    CHECK_INT(mdr_fit_parameters(&problem, NUMBERS, parameters, &problem.parameter_count), MDR_SUCCESS);
+    parameters[1].value = 1e9;
+    parameters[1].is_free = 1;
     CHECK_INT(mdr_fit_solve(&problem, POINTS, d, F, NULL, NULL, values, NULL, NULL, NULL, NULL, NULL, NULL, &summary), MDR_SUCCESS);
     CHECK_INT(summary.converged, 1);
     CHECK_CLOSE(values[1], 3e9, 1e-6);

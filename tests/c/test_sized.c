@@ -84,9 +84,11 @@ static int use_structure(const objects *o, void *structure)
 
 static int use_problem(const objects *o, void *structure)
 {
-    int count;
+    int count, status;
     (void)o;
-    return mdr_fit_parameter_count(structure, &count);
+    status = mdr_fit_parameters(structure, 0, NULL, &count);
+    /* it was read, and names no indenter */
+    return status == MDR_ENULL ? MDR_SUCCESS : status;
 }
 
 static int use_model_facts(const objects *o, void *structure)
@@ -106,14 +108,13 @@ static int use_failure(const objects *o, void *structure)
 static int use_summary(const objects *o, void *structure)
 {
     static const double d[4] = {0.1, 0.2, 0.3, 0.4}, F[4] = {1.0, 3.0, 5.0, 8.0};
-    static const double rest[9] = {0.0, 0.0, 0.0, 0.0, INFINITY, 0.75, 1.0, 1.0, 1.0};
-    mdr_fit_parameter parameters[11] = {{1.0, 0.1, 100.0, 0.0, 0.0, 1}};
+    mdr_fit_parameter parameters[30];
     mdr_fit_problem problem = MDR_SIZED(mdr_fit_problem);
-    problem.indenter = MDR_FIT_INDENTER_PARABOLOID;
-    problem.medium_object = o->film;
-    problem.parameter_count = 11;
+    problem.profile = o->ball;
+    problem.medium = o->film;
     problem.parameters = parameters;
-    for (int i = 0; i < 9; i++) parameters[i + 1] = (mdr_fit_parameter){rest[i], -INFINITY, INFINITY, 0.0, 0.0, 0};
+    CHECK_SUCCESS(mdr_fit_parameters(&problem, 30, parameters, &problem.parameter_count));
+    parameters[0].lower = 0.1, parameters[0].upper = 100.0, parameters[0].is_free = 1;
     return mdr_fit_solve(&problem, 4, d, F, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, structure);
 }
 

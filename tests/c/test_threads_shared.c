@@ -5,16 +5,17 @@
 #include <pthread.h>
 
 enum { THREADS = 3, POINTS = 3, MOST_VALUES = 200, CONTACTS = 8, MEDIA = CONTACTS, LAYERS = 2, PHASES = 2, FIT_POINTS = 4 };
+enum { NUMBERS = 25 };
 
 typedef struct shared {
-    mdr_profile *cone, *table, *sum;
+    mdr_profile *ball, *cone, *table, *sum;
     mdr_medium *media[MEDIA];
     mdr_contact *contacts[CONTACTS], *adhesive;
     mdr_loop *loop;
     mdr_law *law;
     mdr_structure *shapes, *voxels;
     mdr_fit_problem fit;
-    mdr_fit_parameter parameters[11];
+    mdr_fit_parameter parameters[NUMBERS];
 } shared;
 
 typedef struct task {
@@ -118,17 +119,15 @@ static void make_structures(shared *s)
 /* A stack under a paraboloid of free radius, on a rigid and exact instrument. */
 static void make_fit(shared *s)
 {
-    static const double values[11] = {1.0, 0.0, 0.0, 0.0, 0.0, INFINITY, 0.75, 1.0, 1.0, 1.0, 0.0};
     int count = 0;
 
     s->fit = MDR_SIZED(mdr_fit_problem);
     s->fit.data_kind = MDR_FIT_FORCE_DEPTH;
-    s->fit.indenter = MDR_FIT_INDENTER_PARABOLOID;
-    s->fit.medium = MDR_FIT_MEDIUM_GIVEN;
-    s->fit.medium_object = s->media[1];
-    CHECK_SUCCESS(mdr_fit_parameter_count(&s->fit, &count));
-    CHECK_INT(count, 11);
-    for (int i = 0; i < 11; i++) s->parameters[i] = (mdr_fit_parameter){values[i], -INFINITY, INFINITY, 0.0, 0.0, i == 0};
+    s->fit.profile = s->ball;
+    s->fit.medium = s->media[1];
+    CHECK_SUCCESS(mdr_fit_parameters(&s->fit, NUMBERS, s->parameters, &count));
+    CHECK_INT(count, NUMBERS);
+    s->parameters[0].is_free = 1;
     s->fit.parameters = s->parameters;
     s->fit.parameter_count = count;
 }
@@ -140,6 +139,7 @@ static void make(shared *s)
     mdr_contact_options sticky;
     mdr_law_options loose;
 
+    CHECK_SUCCESS(mdr_profile_paraboloid(1.0, &s->ball));
     CHECK_SUCCESS(mdr_profile_rounded_cone(0.4, 0.35, &s->cone));
     CHECK_SUCCESS(mdr_profile_table(4, r, f, &s->table));
     terms[0] = s->cone;
@@ -160,6 +160,7 @@ static void make(shared *s)
 
 static void free_all(shared *s)
 {
+    mdr_profile_free(&s->ball);
     mdr_profile_free(&s->cone);
     mdr_profile_free(&s->table);
     mdr_profile_free(&s->sum);

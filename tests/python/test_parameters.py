@@ -88,3 +88,23 @@ def test_refusals_say_why():
         GAN.with_parameters({"C12": 400e9})
     with pytest.raises(mdr.ArgumentTypeError, match="must map names"):
         film.with_parameters([1.0])
+
+
+def test_a_graded_body_under_a_model_with_a_constant_is_fitted():
+    tip = mdr.Paraboloid(5e-6)
+    body = mdr.Graded([0.0, 1e-6], [1e9, 4e9], [0.3, 0.2], model="gao-power")
+    depth = np.linspace(1e-8, 3e-7, 20)
+    force = mdr.Contact(tip, body).at_depth(depth).force
+    found = mdr.fit(mdr.ForceDepth(depth, force, sd=0.01 * force), tip, body, {"E[1]": 3e9})
+    assert found.estimates["E[1]"] == pytest.approx(4e9, rel=1e-6)
+    assert found.medium.model == "gao-power"
+
+
+def test_an_area_function_of_many_terms_is_fitted():
+    tip = mdr.AreaFunction([24.5, 2e-7, 1e-12, 1e-14, *5 * [1e-15]], min_height=5e-9, max_height=3e-7)
+    body = mdr.Homogeneous(mdr.Elastic(72e9, 0.17))
+    depth = np.linspace(1e-8, 1e-7, 20)
+    force = mdr.Contact(tip, body).at_depth(depth).force
+    found = mdr.fit(mdr.ForceDepth(depth, force, sd=0.01 * force), tip, body, {"indenter.C1": 3e-7})
+    assert found.estimates["indenter.C1"] == pytest.approx(2e-7, rel=1e-6)
+    assert found.indenter.coefficients[2:] == tip.coefficients[2:]

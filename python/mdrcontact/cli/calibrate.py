@@ -13,7 +13,6 @@ import numpy as np
 
 from ..fitting import FitResult, StiffnessDepth, fit, report
 from ..fitting.calibration import as_prior, together, words_of_tests
-from ..fitting.parameters import of_indenter
 from ..fitting.quantities import dimension_of
 from ..problem import ProblemError
 from ..problem.fit_file import load_fit_file
@@ -91,11 +90,12 @@ def _numbers(result: FitResult) -> dict[str, Any]:
         return {"coefficients": terms, "length_unit": "nm", "max_height": f"{tip.max_height:.12g} m"}
     free = {name for name in result.names if name.startswith("indenter.")}
     found = {}
-    for name, value in zip(of_indenter(tip).names, of_indenter(tip).values, strict=True):
+    for key, value in tip.parameters().items():
+        name = f"indenter.{key}"
         if name in free:
             if not dimension_of(name).si:
                 raise ProblemError(f"{name} cannot be written to a calibration")
-            found[name.removeprefix("indenter.")] = _quantity(name, value)
+            found[key] = _quantity(name, value)
     return found
 
 

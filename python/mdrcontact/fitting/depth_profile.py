@@ -162,7 +162,7 @@ def modulus_at_depths(
     ]
 
     def moduli(at: Array, report: Callable[[int], Any] | None = None) -> list[Any]:
-        tip, body, tool = problem.objects_at(at)
+        tip, body, tool = problem.pattern.at(at)
         return fit_many(points, tip, body, {name: problem.free[name]}, instrument=tool, check_units=False, progress=report)
 
     found = moduli(values, progress)
@@ -173,7 +173,7 @@ def modulus_at_depths(
     common = np.sqrt(np.sum(np.square(shifts), axis=0)) if shifts else np.zeros_like(modulus)
     line = _line(data.x, modulus, error, shifts)
     values[place] = line[0]
-    tip, body, tool = problem.objects_at(values)
+    tip, body, tool = problem.pattern.at(values)
     return DepthProfile(name, oliver_pharr(data, tip, tool, medium=body), modulus, error, common, *line, failures)
 
 

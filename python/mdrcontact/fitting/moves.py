@@ -128,7 +128,7 @@ def _moved(result: FitResult, name: str, words: str, end: float, data: Data, hel
     """None where there is no such fit."""
     problem = result.problem
     values = [held.get(n, float(v)) for n, v in zip(problem.names, result._values, strict=True)]
-    tip, body, tool = problem.objects_at(np.array(values))
+    tip, body, tool = problem.pattern.at(np.array(values))
     free = {n: Free(None, lower=e.lower, upper=e.upper, prior=e.prior) for n, e in problem.free.items() if n not in held}
     options = dict(zip(_OPTIONS, problem.given[4:9], strict=True))
     data.also_free = ()

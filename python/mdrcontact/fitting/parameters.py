@@ -4,21 +4,20 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from .. import _layout
+from .. import _layout, _native
 from .. import medium as media
 from .. import profile as profiles
-from .._boundary import number
+from .._boundary import address, call, number, record
 from .._choices import nearest
 from ..errors import ArgumentTypeError, InvalidArgumentError
-from ..material import RIGID, SMOOTH, Elastic, TransverselyIsotropic
-from ..medium.models import MODELS, settings
+from ..material import RIGID, Elastic
 from ..medium.viscoelastic import is_viscoelastic
 from ..poroelastic import is_poroelastic
 
@@ -134,113 +133,114 @@ class Instrument:
                 object.__setattr__(self, name, number(name, value))
 
 
-class Numbers(NamedTuple):
-    """A part of the problem as the library takes it: its kind, the names and values of its parameters, and the way back."""
+class Pattern(NamedTuple):
+    """What trials of a fit are like, and all parameters in the order in which the library takes them."""
 
-    code: int
+    indenter: Any
+    medium: Any
+    instrument: Instrument
     names: list[str]
+    """empty for numbers that stay as they are"""
     values: list[float]
-    build: Callable[[Sequence[float]], Any]
+
+    def at(self, values: Iterable[float]) -> tuple[Any, Any, Instrument]:
+        """Indenter, medium and instrument with these numbers."""
+        entries = zip(self.names, map(float, values), self.values, strict=True)
+        changed: dict[str, Any] = {name: value for name, value, before in entries if name and value != before}
+        tip = {name.removeprefix(_TIP): changed.pop(name) for name in self.names if name in changed and name.startswith(_TIP)}
+        tool = {name: changed.pop(name) for name in self.names[-_layout.FIT_INSTRUMENT_COUNT :] if name in changed}
+        if _MODULUS in tool:
+            tool["indenter"] = Elastic(tool.pop(_MODULUS), 0.0)
+        indenter, medium = self.indenter.with_parameters(tip), self.medium.with_parameters(changed)
+        instrument = replace(self.instrument, **tool)
+        if "indenter" in tool and has_homogeneous_indenter(medium):
+            medium = medium.replace(upper=instrument.indenter)
+        return indenter, medium, instrument
 
 
-def _numbers(code: int, part: Any, entries: Sequence[str | float] = (), prefix: str = "") -> Numbers:
-    """Those of an object in the order in which the library takes them: by the object's own names, or numbers that stay."""
-    known = part.parameters()
-    named = [i for i, entry in enumerate(entries) if isinstance(entry, str)]
-
-    def build(v: Sequence[float]) -> Any:
-        return part.with_parameters({entries[i]: v[i] for i in named})
-
-    names = [prefix + entry if isinstance(entry, str) else "" for entry in entries]
-    return Numbers(code, names, [known[entry] if isinstance(entry, str) else entry for entry in entries], build)
+_TIP, _UPPER, _MODULUS = "indenter.", "upper.", "indenter_modulus"
 
 
-_SHAPES: Mapping[type, int] = {
-    profiles.Paraboloid: 1,
-    profiles.Sphere: 2,
-    profiles.Cone: 3,
-    profiles.PowerLaw: 4,
-    profiles.FlatPunch: 5,
-    profiles.FlatEndedCone: 6,
-    profiles.FlatEndedParaboloid: 7,
-    profiles.RoundedCone: 8,
-}
-
-INSTRUMENT = (
-    "work_of_adhesion",
-    "depth_offset",
-    "force_offset",
-    "frame_compliance",
-    "indenter_modulus",
-    "contact_depth_factor",
-    "stiffness_factor",
-    "contact_depth_scale",
-    "area_factor",
-    "cohesive_stress",
-)
-
-AREA_TERMS = 8
-"""Coefficients C0, C1, ... that an area function may have in a fit."""
-
-
-def of_indenter(indenter: Any) -> Numbers:
-    """An indenter's parameters; tables, sums and pyramids are fixed as they are."""
+def pattern_of(indenter: Any, medium: Any, instrument: Instrument) -> Pattern:
+    """The parameters of these objects; tables, functions, sums and pyramids have none."""
     if not isinstance(indenter, profiles.Profile):
         raise ArgumentTypeError(f"indenter = {indenter!r} is not allowed: it must be an indenter profile")
-    if isinstance(indenter, profiles.AreaFunction) and len(indenter.coefficients) <= AREA_TERMS:
-        return _area_function(indenter)
-    if type(indenter) not in _SHAPES:
-        return _numbers(0, indenter)
-    return _numbers(_SHAPES[type(indenter)], indenter, list(indenter.parameters()), "indenter.")
-
-
-def _area_function(tip: profiles.AreaFunction) -> Numbers:
-    names = list(tip.parameters())
-    return _numbers(9, tip, [tip.min_height, tip.max_height, *names, *(AREA_TERMS - len(names)) * [0.0]], "indenter.")
-
-
-class MediumNumbers(NamedTuple):
-    """A medium's parameters and choices."""
-
-    numbers: Numbers
-    body: Any
-    """the medium itself; of a pair the lower body"""
-    model: int = MODELS["exact"].code
-    options: NDArray[Any] | None = None
-    """those of the model, as the library takes them; None: the defaults"""
-    counterbody: MediumNumbers | None = None
-    """the upper body of a pair, unless the instrument has it as its indenter"""
-
-
-def of_medium(medium: Any) -> MediumNumbers:
-    """A medium's parameters; tables and functions are fixed as they are."""
     if not isinstance(medium, media.Medium):
         raise ArgumentTypeError(f"medium = {medium!r} is not allowed: it must be a medium")
+    if not isinstance(instrument, Instrument):
+        raise ArgumentTypeError(f"instrument = {instrument!r} is not allowed: it must be an Instrument(...)")
     if is_poroelastic(medium):
         raise InvalidArgumentError("a poroelastic gel is fitted by fit_gel(data, indenter, medium, free, drainage=...)")
-    if is_viscoelastic(medium):
-        return _viscoelastic(medium)
-    if isinstance(medium, media.Pair) and has_homogeneous_indenter(medium):
-        return of_medium(medium.lower)
-    if isinstance(medium, media.Pair) and RIGID not in (medium.lower, medium.upper):
-        return _two_bodies(of_medium(medium.lower), of_medium(medium.upper))
-    if isinstance(medium, media.PowerLawGraded):
-        return MediumNumbers(_numbers(_layout.FIT_MEDIUM_POWER_GRADED, medium, ["E0", "z0", "exponent", "nu"]), medium)
-    if not medium.parameters():
-        return MediumNumbers(_numbers(0, medium), medium)
-    return _pattern(medium)
+    listed = _listed(record(_layout.fit_problem, **handles_of(indenter, medium)))
+    lower, upper = _bodies(medium)
+    last = len(listed) - _layout.FIT_INSTRUMENT_COUNT
+    tip = sum(name.startswith(_TIP) for name, _ in listed)
+    above = sum(name.startswith(_UPPER) for name, _ in listed[tip:last])
+    found = [
+        *_numbers(indenter, listed[:tip], _TIP),
+        *_numbers(lower, listed[tip : last - above]),
+        *(_numbers(upper, listed[last - above : last], _UPPER) if above else []),
+        *_of_instrument(with_indenter(instrument, medium), listed[last:]),
+    ]
+    names, values = [name for name, _ in found], [value for _, value in found]
+    return Pattern(indenter, medium, with_indenter(instrument, medium), names, values)
 
 
-def _two_bodies(lower: MediumNumbers, upper: MediumNumbers) -> MediumNumbers:
-    names = [*lower.numbers.names, *(name and f"upper.{name}" for name in upper.numbers.names)]
-    n = len(lower.numbers.values)
-    numbers = Numbers(
-        lower.numbers.code,
-        names,
-        [*lower.numbers.values, *upper.numbers.values],
-        lambda v: media.Pair(lower.numbers.build(v[:n]), upper.numbers.build(v[n:])),
-    )
-    return lower._replace(numbers=numbers, counterbody=upper)
+def handles_of(indenter: Any, medium: Any) -> dict[str, int]:
+    """The handles of a `mdr_fit_problem`; the objects must outlive it."""
+    lower, upper = _bodies(medium)
+    above = 0 if upper is None else upper._handle.address
+    return {"profile": indenter._handle.address, "medium": lower._handle.address, "counterbody": above}
+
+
+def _bodies(medium: Any) -> tuple[Any, Any]:
+    """The body that is pressed, and the upper one unless it is rigid or the number indenter_modulus."""
+    if not isinstance(medium, media.Pair) or RIGID in (medium.lower, medium.upper):
+        return medium, None
+    return medium.lower, None if has_homogeneous_indenter(medium) else medium.upper
+
+
+def _listed(problem: NDArray[Any], room: int = 100) -> list[tuple[str, float]]:
+    """Names and values of the parameters as the library has them."""
+    found = np.zeros(room, _layout.fit_parameter)
+    count = call(_native.fit_parameters, address(problem), room, address(found))
+    if count > room:
+        return _listed(problem, count)
+    return [(str(entry["name"], "ascii"), float(entry["value"])) for entry in found[:count]]
+
+
+def _numbers(part: Any, listed: Sequence[tuple[str, float]], prefix: str = "") -> list[tuple[str, float]]:
+    """Name and value of each number of an object; no name where it stays as it is."""
+    known = part.parameters()
+    names = _of_relaxing(known) if is_viscoelastic(part) else [_in_python(part, name.removeprefix(prefix)) for name, _ in listed]
+    # an interface that slides has no stiffness
+    free = {name for name in names if known.get(name) or (name in known and ".interface." not in name)}
+    entries = zip(names, listed, strict=True)
+    return [(prefix + name, known[name]) if name in free else ("", value) for name, (_, value) in entries]
+
+
+def _in_python(part: Any, name: str) -> str:
+    """What the package calls a number of an elastic object: the one layer of a coated body is its coating."""
+    if isinstance(part, media.Coated):
+        return name.replace("layers[0].thickness", "thickness").replace("layers[0]", "coating")
+    return name
+
+
+def _of_relaxing(known: Mapping[str, float]) -> list[str]:
+    """The numbers of each material from the surface down, behind those of a layer its thickness; terms in any order."""
+    times = [(name.split("terms[")[0], value) for name, value in known.items() if name.endswith("].time")]
+    if len(set(times)) < len(times):
+        words = "two terms of equal time are one, which has no two moduli to be fitted"
+        raise InvalidArgumentError(f"terms is not allowed: {words}")
+    return [name for name in known if "conductor." not in name and not name.endswith("prestress")]
+
+
+def _of_instrument(instrument: Instrument, listed: Sequence[tuple[str, float]]) -> list[tuple[str, float]]:
+    return [(name, _modulus(instrument) if name == _MODULUS else getattr(instrument, name)) for name, _ in listed]
+
+
+def _modulus(instrument: Instrument) -> float:
+    return math.inf if instrument.indenter is None else instrument.indenter.contact_modulus
 
 
 def has_homogeneous_indenter(medium: Any) -> bool:
@@ -257,67 +257,6 @@ def with_indenter(instrument: Instrument, medium: Any) -> Instrument:
     if instrument.indenter is not None:
         raise InvalidArgumentError("Instrument(indenter=...) is not allowed with a Pair: its upper body is the indenter")
     return replace(instrument, indenter=medium.upper.material)
-
-
-def _pattern(medium: Any) -> MediumNumbers:
-    """An elastic body of any kind: what lies in each layer and below it, from the surface down, then what its model and its surface
-    have."""
-    surface = getattr(medium, "surface", None)
-    model = getattr(medium, "model", "exact")
-    chosen, constant = settings(model, dict(getattr(medium, "options", ())), surface=surface), MODELS[model].constant
-    entries: list[str | float] = []
-    if isinstance(medium, media.Homogeneous):
-        entries += _of_material(medium.material)
-    elif isinstance(medium, media.Graded):
-        entries += [f"{name}[{i}]" for i in range(len(medium.parameters()) // 3) for name in ("z", "E", "nu")]
-    elif isinstance(medium, media.Coated):
-        slides = 0.0 if medium.substrate is SMOOTH else math.inf
-        entries += [*_of_material(medium.coating, "coating."), "thickness", 0.0, math.inf, slides]
-    else:
-        known = medium.parameters()
-        for i, (material, _) in enumerate(medium.layers):
-            place = f"layers[{i}]."
-            entries += [*_of_material(material, place), place + "thickness", place + "prestress"]
-            springs = [f"{place}interface.{name}" for name in ("normal", "tangential")]
-            entries += [name if known.get(name) else math.inf for name in springs]
-            if known.get(springs[1]) == 0.0 or (medium.substrate is SMOOTH and i == len(medium.layers) - 1):
-                entries[-1] = 0.0
-    if isinstance(getattr(medium, "substrate", None), (Elastic, TransverselyIsotropic)):
-        entries += _of_material(medium.substrate, "substrate.")
-    entries += [*([constant] if constant else []), *(["surface.tension", "surface.bending"] if surface else [])]
-    return MediumNumbers(_numbers(_layout.FIT_MEDIUM_PATTERN, medium, entries), medium, chosen.code, chosen.record)
-
-
-def _of_material(material: Any, place: str = "") -> list[str | float]:
-    """What a contact feels of an elastic material."""
-    return [place + name for name in material.parameters() if not name.startswith("conductor.")]
-
-
-def _viscoelastic(medium: Any) -> MediumNumbers:
-    """The numbers of each material from the surface down, behind those of a layer its thickness."""
-    known = medium.parameters()
-    times = [(name.split("terms[")[0], value) for name, value in known.items() if name.endswith("].time")]
-    if len(set(times)) < len(times):
-        words = "two terms of equal time are one, which has no two moduli to be fitted"
-        raise InvalidArgumentError(f"terms is not allowed: {words}")
-    names = [name for name in known if "conductor." not in name and not name.endswith("prestress")]
-    return MediumNumbers(_numbers(_layout.FIT_MEDIUM_PATTERN, medium, names), medium)
-
-
-def of_instrument(instrument: Instrument) -> Numbers:
-    """The instrument's parameters."""
-    if not isinstance(instrument, Instrument):
-        raise ArgumentTypeError(f"instrument = {instrument!r} is not allowed: it must be an Instrument(...)")
-    modulus = math.inf if instrument.indenter is None else instrument.indenter.contact_modulus
-    values = [modulus if name == "indenter_modulus" else getattr(instrument, name) for name in INSTRUMENT]
-
-    def build(v: Sequence[float]) -> Instrument:
-        changed: dict[str, Any] = {name: value for name, value in zip(INSTRUMENT, v, strict=True) if name != "indenter_modulus"}
-        if v[4] != modulus:
-            changed["indenter"] = Elastic(v[4], 0.0)
-        return replace(instrument, **changed)
-
-    return Numbers(0, list(INSTRUMENT), values, build)
 
 
 def read_free(free: Any, names: Sequence[str]) -> dict[str, Free]:

@@ -14,24 +14,9 @@ from .. import _layout, _native
 from .._boundary import Refusal, address, not_zero, outcome, record, whole
 from ..adhesion import RULES, code
 from ..errors import ArgumentTypeError, InvalidArgumentError
-from ..medium import Pair
 from ..medium.viscoelastic import is_viscoelastic
-from ..profile import AreaFunction
 from .data import Data, StiffnessDepth
-from .parameters import (
-    Free,
-    Instrument,
-    JointPrior,
-    MediumNumbers,
-    Numbers,
-    has_homogeneous_indenter,
-    of_indenter,
-    of_instrument,
-    of_medium,
-    read_free,
-    read_known,
-    with_indenter,
-)
+from .parameters import Free, Instrument, JointPrior, Pattern, handles_of, pattern_of, read_free, read_known
 from .time_data import DepthTime, DynamicStiffness, ForceTime
 
 _OF_CONTACT_DEPTH = ("contact_depth_factor", "contact_depth_scale")
@@ -42,10 +27,7 @@ class Problem(NamedTuple):
     """Everything the library is given, and the way back to objects."""
 
     data: Data
-    indenter: Numbers
-    medium: MediumNumbers
-    instrument: Numbers
-    names: list[str]
+    pattern: Pattern
     free: dict[str, Free]
     record: NDArray[Any]
     """`mdr_fit_problem`, without its parameters"""
@@ -53,8 +35,6 @@ class Problem(NamedTuple):
     """(6, parameters): value, lower, upper, prior, standard deviation of the prior, is_free"""
     weights: NDArray[np.float64]
     """(joint priors, parameters)"""
-    is_paired: bool
-    """the medium is a pair whose upper body stands in the instrument"""
     given: tuple[Any, ...]
     """the arguments of `make_problem` after the data, from which another process makes it anew"""
 
@@ -64,7 +44,7 @@ class Problem(NamedTuple):
     def call(self, function: Any, *further: Any, with_sd: bool = True) -> Any:
         """A compiled function of the problem, x, y, given, sd where it takes them, and of what follows."""
         parameters = np.zeros(self.table.shape[1], _layout.fit_parameter)
-        for member, values in zip(_layout.fit_parameter.names or (), self.table, strict=True):
+        for member, values in zip((_layout.fit_parameter.names or ())[: len(self.table)], self.table, strict=True):
             parameters[member] = values
         record = self.record.copy()
         record["parameter_count"], record["parameters"] = len(parameters), address(parameters)
@@ -87,12 +67,9 @@ class Problem(NamedTuple):
             table[0] = start
         return self._replace(data=data, table=table)
 
-    def objects_at(self, values: NDArray[np.float64]) -> tuple[Any, Any, Any]:
-        """Indenter, medium and instrument with these parameters."""
-        i, m = len(self.indenter.values), len(self.medium.numbers.values)
-        rows = [float(v) for v in values]
-        medium, instrument = self.medium.numbers.build(rows[i : i + m]), self.instrument.build(rows[i + m :])
-        return self.indenter.build(rows[:i]), Pair(medium, instrument.indenter) if self.is_paired else medium, instrument
+    @property
+    def names(self) -> list[str]:
+        return self.pattern.names
 
     def predict(self, values: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """What the instrument would read where the parameters are these, and the contact radii, 0 out of contact."""
@@ -145,22 +122,15 @@ def make_problem(
     _check_time(data, medium)
     instrument, known = instrument or Instrument(), tuple(known)
     rule, loss_code = code("adhesion_rule", adhesion_rule, RULES), code("loss", loss, _LOSSES)
-    is_paired = has_homogeneous_indenter(medium)
-    parts = of_indenter(indenter), of_medium(medium), of_instrument(with_indenter(instrument, medium))
-    names = parts[0].names + parts[1].numbers.names + parts[2].names
-    values = parts[0].values + parts[1].numbers.values + parts[2].values
+    pattern = pattern_of(indenter, medium, instrument)
+    names, values = pattern.names, pattern.values
     chosen = read_free(free, names)
     for name in data.also_free:
         chosen.setdefault(name, Free())
     given = (indenter, medium, dict(chosen), instrument, loss, loss_scale, adhesion_rule, sd_is_absolute, max_iterations,
              check_units, known)  # fmt: skip
     weights = read_known(known, names, chosen)
-    is_elastic = _is_elastic(data, parts[2], chosen)
-    if isinstance(indenter, AreaFunction) and not any(name.startswith("indenter.") for name in chosen):
-        # a tip that stays as it is need not be made anew at every step
-        count = len(parts[0].names)
-        parts = Numbers(0, [], [], lambda _: indenter), *parts[1:]
-        names, values, weights = names[count:], values[count:], weights[:, count:]
+    is_elastic = _is_elastic(data, pattern.instrument, chosen)
     table = np.zeros((6, len(names)))
     table[0], table[1], table[2] = values, -math.inf, math.inf
     for i, name in enumerate(names):
@@ -177,14 +147,7 @@ def make_problem(
     problem = record(
         _layout.fit_problem,
         data_kind=data.code,
-        indenter=parts[0].code,
-        profile=indenter._handle.address,
-        medium=parts[1].numbers.code,
-        medium_object=parts[1].body._handle.address,
-        model=parts[1].model,
-        model_is_given=True,
-        options=address(parts[1].options),
-        **_counterbody(parts[1].counterbody),
+        **handles_of(indenter, medium),
         adhesion_rule=rule,
         loss=loss_code,
         loss_scale=not_zero("loss_scale", loss_scale),
@@ -193,7 +156,7 @@ def make_problem(
         any_units=not check_units,
         is_elastic=is_elastic,
     )
-    return Problem(data, *parts, names, chosen, problem, table, weights, is_paired, given)
+    return Problem(data, pattern, chosen, problem, table, weights, given)
 
 
 def _made_again(data: Data, given: tuple[Any, ...], table: NDArray[np.float64]) -> Problem:
@@ -201,13 +164,12 @@ def _made_again(data: Data, given: tuple[Any, ...], table: NDArray[np.float64]) 
     return make_problem(data, *given)._replace(table=table)
 
 
-def _is_elastic(data: Data, instrument: Numbers, free: Mapping[str, Free]) -> bool:
+def _is_elastic(data: Data, instrument: Instrument, free: Mapping[str, Free]) -> bool:
     """Whether the surface sinks in as under the indenter itself: as the data say, or look where the contact depth is left alone."""
     if not isinstance(data, StiffnessDepth):
         return False
-    usual = dict(zip(*of_instrument(Instrument())[1:3], strict=True))
-    given = dict(zip(instrument.names, instrument.values, strict=True))
-    changed = [name for name in _OF_CONTACT_DEPTH if name in free or given[name] != usual[name]]
+    usual = Instrument()
+    changed = [name for name in _OF_CONTACT_DEPTH if name in free or getattr(instrument, name) != getattr(usual, name)]
     if data.elastic is None:
         return data.seems_elastic and not changed
     if data.elastic and changed:
@@ -215,18 +177,6 @@ def _is_elastic(data: Data, instrument: Numbers, free: Mapping[str, Free]) -> bo
             f"{changed[0]} is not allowed with elastic = True: the indenter itself says how far the surface sinks in; leave one out"
         )
     return data.elastic
-
-
-def _counterbody(upper: MediumNumbers | None) -> dict[str, Any]:
-    if upper is None:
-        return {}
-    return {
-        "counterbody": upper.numbers.code,
-        "counterbody_object": upper.body._handle.address,
-        "counterbody_model": upper.model,
-        "counterbody_model_is_given": True,
-        "counterbody_options": address(upper.options),
-    }
 
 
 def _named(refusal: Refusal, problem: Problem) -> Refusal:

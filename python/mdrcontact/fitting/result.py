@@ -88,7 +88,7 @@ class FitResult:
         self.widening = {name: float(widening[i]) for name, i in zip(self.names, places, strict=True)}
         self.at_bound = {name: int(at_bound[i]) for name, i in zip(self.names, places, strict=True)}
         self.weakest_direction = {name: float(weakest_direction[i]) for name, i in zip(self.names, places, strict=True)}
-        self.indenter, self.medium, self.instrument = problem.objects_at(values)
+        self.indenter, self.medium, self.instrument = problem.pattern.at(values)
         self.fitted: Array = np.asarray(fitted)
         self.converged = bool(summary["converged"])
         self.iterations, self.evaluations = int(summary["iterations"]), int(summary["evaluations"])

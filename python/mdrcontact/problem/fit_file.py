@@ -13,7 +13,7 @@ from .._choices import nearest
 from ..fitting import Free, Instrument, JointPrior
 from ..fitting.data import Data
 from ..fitting.gel import NAMES as GEL_NAMES
-from ..fitting.parameters import of_indenter, of_instrument, of_medium
+from ..fitting.parameters import pattern_of
 from ..fitting.quantities import dimension_of
 from ..poroelastic import DRAINAGES, is_poroelastic
 from . import curves as files
@@ -126,7 +126,7 @@ def _read(table: dict[str, Any], title: str) -> FitFile:
     fit = Section(table["fit"], "fit", _FIT)
     if is_poroelastic(body):
         return _read_gel(whole, title, tip, body, instrument, cantilever, fit, Section(table["data"], "data", measured.KNOWN))
-    names = [*of_indenter(tip).names, *of_medium(body).numbers.names, *of_instrument(instrument).names]
+    names = pattern_of(tip, body, instrument).names
     options: dict[str, Any] = {}
     for key, known in (("loss", ("linear", "huber", "cauchy")), ("adhesion_rule", ("automatic", "paper", "energy")), _WEIGHTS):
         if key in fit:

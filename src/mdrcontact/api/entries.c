@@ -1708,13 +1708,13 @@ int mdr_law_turn(const mdr_law *law, int n, const double normal[], const double 
     return status;
 }
 
-int mdrcontact_entry_fit_parameter_count(const mdr_fit_problem *problem, int *count);
-int mdr_fit_parameter_count(const mdr_fit_problem *problem, int *count)
+int mdrcontact_entry_fit_parameters(const mdr_fit_problem *problem, int capacity, mdr_fit_parameter out[], int *count);
+int mdr_fit_parameters(const mdr_fit_problem *problem, int capacity, mdr_fit_parameter out[], int *count)
 {
-    if (arithmetic_is_set()) return mdrcontact_entry_fit_parameter_count(problem, count);
+    if (arithmetic_is_set()) return mdrcontact_entry_fit_parameters(problem, capacity, out, count);
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_fit_parameter_count(problem, count);
+    const int status = mdrcontact_entry_fit_parameters(problem, capacity, out, count);
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }

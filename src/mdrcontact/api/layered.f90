@@ -6,7 +6,7 @@ module mdrcontact_api_layered
                                            c_sizeof
     use mdrcontact_api_arrays, only: check_array, check_count, check_each_positive, check_not_empty
     use mdrcontact_api_callback, only: c_function_t, new_c_function
-    use mdrcontact_api_handles, only: deliver_solver, hand_over_solver
+    use mdrcontact_api_handles, only: deliver_solver, hand_over
     use mdrcontact_api_medium_options, only: read_medium_options, read_surface
     use mdrcontact_api_options, only: read_options
     use mdrcontact_api_status, only: check_given, status_of
@@ -18,9 +18,9 @@ module mdrcontact_api_layered
     use mdrcontact_body_wrinkling, only: find_wrinkling
     use mdrcontact_error, only: check_choice, check_memory, count_text, error_invalid, error_t, raise
     use mdrcontact_material, only: by_engineering, by_stiffness, material_t, new_material, new_transverse
-    use mdrcontact_medium_solver, only: solver_t
+    use mdrcontact_medium, only: medium_t, new_medium
     use mdrcontact_medium_power_graded, only: new_power_graded, power_graded_t
-    use mdrcontact_model, only: model_options_t, new_solver
+    use mdrcontact_model, only: model_options_t
     use mdrcontact_tension_surface, only: surface_t
     implicit none (type, external)
     private
@@ -242,14 +242,17 @@ contains
         type(c_ptr), intent(inout), optional :: out
         type(error_t), allocatable, intent(inout) :: error
         integer(c_int) :: status
-        class(solver_t), allocatable :: medium
+        type(medium_t), allocatable :: medium
+        class(*), allocatable :: object
         type(model_options_t) :: chosen
         type(surface_t) :: surface
 
         call read_medium_options(error, options, chosen)
         call read_surface(error, options, surface)
-        if (.not. allocated(error)) call new_solver(medium, body, int(model), error, chosen, surface=surface)
-        status = hand_over_solver(medium, out, error)
+        allocate (medium)
+        if (.not. allocated(error)) call new_medium(medium, body, int(model), error, chosen, surface=surface)
+        call move_alloc(medium, object)
+        status = hand_over(object, out, error)
     end function deliver_model
 
     !> Layers that have been checked, on a substrate or, with an infinite substrate_e, on a rigid base.

@@ -7,7 +7,7 @@ module mdrcontact_api_profile_data
     use mdrcontact_api_handles, only: hand_over, open_handle
     use mdrcontact_error, only: check_memory, error_invalid, error_t, raise, raise_at
     use mdrcontact_profile, only: profile_t
-    use mdrcontact_profile_area_function, only: new_area_function_profile
+    use mdrcontact_profile_area_function, only: area_function_t, new_area_function_profile
     use mdrcontact_profile_sampled, only: sampled_profile_t
     use mdrcontact_profile_sum, only: new_profile_sum, profile_sum_t, profile_term_t
     use mdrcontact_profile_tabulated, only: new_profile_from_function, new_profile_from_mdr, new_tabulated_profile
@@ -24,7 +24,7 @@ contains
         real(c_double), value :: min_height, max_height
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
-        type(sampled_profile_t), allocatable :: profile
+        type(area_function_t), allocatable :: profile
         class(*), allocatable :: object
         type(error_t), allocatable :: error
 

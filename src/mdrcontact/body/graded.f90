@@ -87,12 +87,13 @@ contains
         character(len=:), allocatable :: at
         integer :: i
 
-        allocate (list(0))
-        if (.not. allocated(self%z)) return
-        do i = 1, size(self%z)
+        i = 0
+        if (allocated(self%z)) i = size(self%z)
+        allocate (list(3*i))
+        do i = 1, size(list)/3
             at = "["//count_text(i - 1)//"]"
-            list = [list, parameter_t("z"//at, self%z(i)), parameter_t("E"//at, self%young(i)), &
-                    parameter_t("nu"//at, self%poisson(i), nature_poisson)]
+            list(3*i - 2:3*i) = [parameter_t("z"//at, self%z(i)), parameter_t("E"//at, self%young(i)), &
+                                 parameter_t("nu"//at, self%poisson(i), nature_poisson)]
         end do
     end subroutine parameters
 

@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> A stack of layers on an elastic half-space or a rigid base, bonded or held by springs, as a surface compliance (theory 6).
 module mdrcontact_body_stack
-    use mdrcontact_base_parameter, only: nature_signed, parameter_t, prefixed
+    use mdrcontact_base_parameter, only: append, nature_signed, parameter_t, prefixed
     use mdrcontact_body, only: body_t
     use mdrcontact_body_chain, only: chain_t, new_chain
     use mdrcontact_body_elements_interface, only: bond_of, bond_t, check_bond
@@ -156,20 +156,23 @@ contains
         type(parameter_t), allocatable, intent(out) :: list(:)
         type(parameter_t), allocatable :: own(:)
         type(transverse_t) :: six
-        integer :: i
+        integer :: i, count
 
         allocate (list(0))
+        count = 0
         do i = 1, size(self%layers)
             call self%layers(i)%parameters(own)
             six = self%layers(i)%as_transverse()
             own = [own, parameter_t("thickness", self%thickness(i)), &
                    parameter_t("prestress", six%prestress, nature_signed, six%c66), self%bonds(i)%parameters()]
-            list = [list, prefixed(own, "layers["//count_text(i - 1)//"].")]
+            call append(list, count, prefixed(own, "layers["//count_text(i - 1)//"]."))
         end do
-        if (self%rigid_base) return
-        call self%substrate%parameters(own)
-        if (size(self%layers) > 0) own = prefixed(own, "substrate.")
-        list = [list, own]
+        if (.not. self%rigid_base) then
+            call self%substrate%parameters(own)
+            if (size(self%layers) > 0) own = prefixed(own, "substrate.")
+            call append(list, count, own)
+        end if
+        list = list(:count)
     end subroutine parameters
 
     subroutine with_parameters(self, values, body, error)

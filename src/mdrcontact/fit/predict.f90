@@ -6,7 +6,7 @@ module mdrcontact_fit_predict
                                 error_t, error_unreachable, raise, to_text
     use mdrcontact_contact, only: on_loading, on_unloading
     use mdrcontact_fit_branches, only: separate
-    use mdrcontact_fit_body, only: body_count, make_body
+    use mdrcontact_fit_body, only: make_body
     use mdrcontact_fit_contact_radius, only: contact_radii
     use mdrcontact_fit_force_curve, only: force_curve_t, new_force_curve
     use mdrcontact_fit_zone_force, only: add_cohesion, zone_forces
@@ -85,7 +85,7 @@ contains
         integer :: n
 
         y = 0.0_wp
-        n = body_count(problem%body)
+        n = size(problem%body%parameters)
         call make_body(problem%body, values(:n), shared, profile, pressed, error)
         if (allocated(error)) return
         associate (instrument => values(n + 1:))

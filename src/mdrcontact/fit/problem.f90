@@ -1,19 +1,20 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> What is fitted to what: the parameters of indenter, medium and instrument, and the measured data.
 module mdrcontact_fit_problem
-    use mdrcontact_base_nonfinite, only: is_finite, is_nan
+    use mdrcontact_base_nonfinite, only: infinity, is_finite, is_nan
+    use mdrcontact_base_parameter, only: nature_not_negative, nature_signed, parameter_t
     use mdrcontact_contact_equilibrium, only: adhesion_automatic
     use mdrcontact_error, only: check_choice, check_count_from, check_finite, check_not_negative, check_positive, count_text, &
                                 error_invalid, error_t, raise, to_text
     use mdrcontact_contact, only: on_loading, on_unloading
     use mdrcontact_fit_order, only: ascending
-    use mdrcontact_fit_body, only: body_count, fit_body_t
+    use mdrcontact_fit_body, only: fit_body_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_numerics_copy, only: copy_array
     implicit none (type, external)
     private
-    public :: fit_problem_t, fit_parameter_t, fit_data_t, check_problem, check_data, check_points, parameter_count, joint_priors, &
-              ascending_points
+    public :: fit_problem_t, fit_parameter_t, fit_data_t, check_problem, check_data, check_points, problem_parameters, &
+              start_parameters, joint_priors, ascending_points
     public :: data_force_depth, data_stiffness_depth, data_modulus_radius, data_stiffness_radius, data_force_time, &
               data_depth_time, data_dynamic_stiffness, part_storage, part_loss
     public :: loss_linear, loss_huber, loss_cauchy
@@ -41,6 +42,14 @@ module mdrcontact_fit_problem
                           at_indenter_modulus = 5, at_contact_depth_factor = 6, at_stiffness_factor = 7, &
                           at_contact_depth_scale = 8, at_area_factor = 9, at_cohesive_stress = 10, instrument_numbers = 10
 
+    !> The instrument's parameters, of an instrument that reads what is.
+    type(parameter_t), parameter :: of_instrument(instrument_numbers) = [ &
+        parameter_t("work_of_adhesion", 0.0_wp, nature_not_negative), parameter_t("depth_offset", 0.0_wp, nature_signed), &
+        parameter_t("force_offset", 0.0_wp, nature_signed), parameter_t("frame_compliance", 0.0_wp, nature_signed), &
+        parameter_t("indenter_modulus", infinity), parameter_t("contact_depth_factor", 0.75_wp, nature_signed), &
+        parameter_t("stiffness_factor", 1.0_wp), parameter_t("contact_depth_scale", 1.0_wp), &
+        parameter_t("area_factor", 1.0_wp), parameter_t("cohesive_stress", 0.0_wp, nature_not_negative)]
+
     !> One parameter of the problem: fixed, or free within bounds and known beforehand to a standard deviation.
     type :: fit_parameter_t
         !> the value, or where the search begins
@@ -55,11 +64,11 @@ module mdrcontact_fit_problem
 
     !> The question of a fit: what the parameters mean, which are free, and how residuals count.
     type :: fit_problem_t
-        !> kinds of indenter and medium
+        !> indenter and medium
         type(fit_body_t) :: body
         !> one of data_...
         integer :: data_kind = data_force_depth
-        !> [indenter, medium, instrument]
+        !> in the order of problem_parameters; start_parameters makes them
         type(fit_parameter_t), allocatable :: parameters(:)
         !> (rows, parameters): what is known beforehand of several parameters together: sum_j w_ij (p_j - prior_j) has mean 0 and
         !> variance 1, independent of the other rows. For a covariance C = L L^T the rows are those of L^-1
@@ -100,14 +109,25 @@ module mdrcontact_fit_problem
 
 contains
 
-    !> How many parameters a problem has.
-    pure function parameter_count(body) result(count)
+    !> All parameters of a problem: those of indenter, medium, counterbody, and instrument.
+    pure function problem_parameters(body) result(list)
+        !> of new_fit_body
         type(fit_body_t), intent(in) :: body
-        integer :: count
+        type(parameter_t) :: list(size(body%parameters) + instrument_numbers)
 
-        count = body_count(body)
-        if (count >= 0) count = count + instrument_numbers
-    end function parameter_count
+        list = [body%parameters, of_instrument]
+    end function problem_parameters
+
+    !> The same, fixed at the values that they have.
+    pure function start_parameters(body) result(parameters)
+        !> of new_fit_body
+        type(fit_body_t), intent(in) :: body
+        type(fit_parameter_t) :: parameters(size(body%parameters) + instrument_numbers)
+        type(parameter_t) :: list(size(parameters))
+
+        list = problem_parameters(body)
+        parameters%value = list%value
+    end function start_parameters
 
     !> The residuals of what is known of several parameters together.
     pure function joint_priors(self, values) result(r)
@@ -163,10 +183,10 @@ contains
         type(error_t), allocatable, intent(out) :: error
         integer :: i, expected
 
-        expected = parameter_count(self%body)
-        if (expected < 0) then
-            call raise(error, error_invalid, "indenter = "//count_text(self%body%indenter)//", medium = "// &
-                       count_text(self%body%medium%kind)//" is not allowed: they must be kinds that exist")
+        expected = instrument_numbers
+        if (allocated(self%body%parameters)) expected = expected + size(self%body%parameters)
+        if (.not. allocated(self%body%medium)) then
+            call raise(error, error_invalid, "the body is missing: new_fit_body makes it")
         else if (.not. allocated(self%parameters)) then
             call raise(error, error_invalid, "the parameters are missing")
         else if (size(self%parameters) /= expected) then

@@ -2,8 +2,7 @@
 !> Forces that are proportional to one modulus: its best value at given other parameters is a division.
 module mdrcontact_fit_proportional
     use mdrcontact_error, only: check_memory, error_t
-    use mdrcontact_fit_body, only: body_count, indenter_count
-    use mdrcontact_fit_medium_of, only: is_half_space, medium_none, modulus_parameter
+    use mdrcontact_fit_body, only: fit_body_t
     use mdrcontact_fit_predict, only: predict
     use mdrcontact_fit_problem, only: at_force_offset, at_frame_compliance, at_indenter_modulus, at_work_of_adhesion, &
                                       data_force_depth, data_force_time, fit_data_t, fit_problem_t
@@ -21,12 +20,24 @@ contains
 
         position = 0
         select case (problem%data_kind)
-        case (data_force_time); position = modulus_parameter(problem%body%medium)
+        case (data_force_time); if (is_one_power_law(problem%body)) position = 1
         case (data_force_depth); if (is_plain(problem)) position = 1
         case default; continue
         end select
-        if (position > 0) position = position + indenter_count(problem%body)
+        if (position > 0) position = position + problem%body%of_indenter
     end function proportional_modulus
+
+    !> Whether the body is a power law that stands alone or on a rigid base; its first number is its modulus.
+    pure function is_one_power_law(body) result(answer)
+        type(fit_body_t), intent(in) :: body
+        logical :: answer
+
+        answer = .false.
+        if (.not. allocated(body%medium%relaxing)) return
+        associate (materials => body%medium%relaxing%materials)
+            if (size(materials) == 1) answer = materials(1)%is_power_law()
+        end associate
+    end function is_one_power_law
 
     !> Whether a rigid indenter without adhesion presses on a homogeneous body, on a frame that does not give.
     pure function is_plain(problem) result(answer)
@@ -34,8 +45,11 @@ contains
         logical :: answer
 
         answer = .false.
-        if (.not. is_half_space(problem%body%medium) .or. problem%body%counterbody%kind /= medium_none) return
-        associate (instrument => problem%parameters(body_count(problem%body) + 1:))
+        associate (body => problem%body)
+            if (body%of_medium /= 2 .or. allocated(body%counterbody)) return
+            if (body%parameters(body%of_indenter + 1)%name /= "E") return
+        end associate
+        associate (instrument => problem%parameters(size(problem%body%parameters) + 1:))
             answer = .not. any(instrument([at_work_of_adhesion, at_frame_compliance, at_indenter_modulus])%is_free) &
                      .and. .not. instrument(at_work_of_adhesion)%value > 0.0_wp &
                      .and. .not. abs(instrument(at_frame_compliance)%value) > 0.0_wp &
@@ -63,7 +77,7 @@ contains
         if (allocated(refusal)) return
         weight(:) = 1.0_wp
         if (allocated(data%sd)) weight(:) = 1.0_wp/data%sd**2
-        offset = problem%parameters(body_count(problem%body) + at_force_offset)%value
+        offset = problem%parameters(size(problem%body%parameters) + at_force_offset)%value
         y(:) = y - offset
         ! no force where the search begins, or one of the other sign, says nothing
         if (.not. sum(weight*y**2) > 0.0_wp) return

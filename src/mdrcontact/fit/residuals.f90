@@ -4,7 +4,6 @@ module mdrcontact_fit_residuals
     use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_fit_least_squares, only: residuals_t
     use mdrcontact_fit_predict, only: predict
-    use mdrcontact_fit_body, only: body_count
     use mdrcontact_fit_proportional, only: proportional_modulus
     use mdrcontact_fit_problem, only: ascending_points, at_force_offset, at_frame_compliance, data_stiffness_depth, &
                                       fit_data_t, fit_problem_t, joint_priors, loss_cauchy, loss_huber, &
@@ -83,7 +82,7 @@ contains
         end do
         call check_memory(error, stat)
         if (.not. allocated(error)) call set_spread(self)
-        self%at_offset = body_count(problem%body) + at_force_offset
+        self%at_offset = size(problem%body%parameters) + at_force_offset
         self%at_modulus = proportional_modulus(problem)
     end subroutine new_fit_residuals
 
@@ -155,7 +154,7 @@ contains
         logical :: answer
         integer :: i
 
-        i = body_count(self%problem%body) + at_frame_compliance
+        i = size(self%problem%body%parameters) + at_frame_compliance
         answer = self%problem%data_kind == data_stiffness_depth &
                  .or. (self%problem%parameters(i)%is_free .or. self%problem%parameters(i)%value /= 0.0_wp)
     end function readings_enter_model

@@ -5,16 +5,11 @@
 !> of adhesion, which may be 0 and enters by its square root, as u = sqrt(p/p0). Beyond a bound the parameter stays at the bound.
 module mdrcontact_fit_variables
     use mdrcontact_base_parameter, only: fraction => nature_fraction, not_negative => nature_not_negative, parameter_t, &
-                                         poisson => nature_poisson, signed => nature_signed
+                                         poisson => nature_poisson, signed => nature_signed, term => nature_term
     use mdrcontact_error, only: error_invalid, error_t, raise, to_text
-    use mdrcontact_fit_body, only: area_terms, body_count, fit_body_t, indenter_area_function, indenter_count
-    use mdrcontact_fit_medium_of, only: medium_choice_t, medium_count, medium_graded, medium_homogeneous, &
-                                        medium_pattern, medium_power_graded, medium_stack, surface_count
-    use mdrcontact_fit_problem, only: at_cohesive_stress, at_contact_depth_factor, at_depth_offset, at_force_offset, &
-                                      at_frame_compliance, &
-                                      at_work_of_adhesion, data_depth_time, data_force_depth, data_force_time, &
-                                      data_stiffness_depth, fit_data_t, fit_parameter_t, &
-                                      fit_problem_t, instrument_numbers
+    use mdrcontact_fit_problem, only: at_depth_offset, at_force_offset, at_frame_compliance, data_depth_time, data_force_depth, &
+                                      data_force_time, data_stiffness_depth, fit_data_t, fit_parameter_t, fit_problem_t, &
+                                      problem_parameters
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
@@ -55,14 +50,14 @@ contains
         type(parameter_t) :: kinds(size(problem%parameters))
         integer :: i, j, instrument
 
-        kinds = natures(problem%body)
+        kinds = problem_parameters(problem%body)
         self%free = pack([(i, i=1, size(kinds))], problem%parameters%is_free)
         self%start = problem%parameters(self%free)%value
         self%lower = problem%parameters(self%free)%lower
         self%upper = problem%parameters(self%free)%upper
         allocate (self%scale(size(self%free)))
         self%scale = 0.0_wp
-        instrument = body_count(problem%body)
+        instrument = size(problem%body%parameters)
         do i = 1, size(self%free)
             j = self%free(i)
             select case (kinds(j)%nature)
@@ -78,9 +73,10 @@ contains
                 self%scale(i) = 1.0_wp
                 self%lower(i) = max(self%lower(i), smallest_fraction)
                 self%upper(i) = min(self%upper(i), largest_fraction)
-            case (signed)
-                if (j <= indenter_count(problem%body)) then
-                    call scale_coefficient(self, i, problem%parameters(:indenter_count(problem%body)), maxval(abs(data%x)))
+            case (signed, term)
+                if (j <= problem%body%of_indenter) then
+                    call scale_coefficient(self, i, problem%parameters(:problem%body%of_indenter), kinds(j)%nature, &
+                                           maxval(abs(data%x)))
                 else if (kinds(j)%scale > 0.0_wp) then
                     self%scale(i) = kinds(j)%scale
                 else
@@ -109,58 +105,20 @@ contains
         end do
     end subroutine new_variables
 
-    !> Which values each parameter may take.
-    pure function natures(body) result(kinds)
-        type(fit_body_t), intent(in) :: body
-        type(parameter_t) :: kinds(body_count(body) + instrument_numbers)
-        integer :: first, last
-
-        ! the coefficients, not the smallest and the largest height before them
-        last = indenter_count(body)
-        if (body%indenter == indenter_area_function) kinds(last - area_terms + 1:last)%nature = signed
-        first = last + 1
-        last = indenter_count(body) + medium_count(body%medium)
-        call mark(body%medium, kinds(first:last))
-        first = last + 1
-        last = body_count(body)
-        call mark(body%counterbody, kinds(first:last))
-        kinds(last + at_work_of_adhesion)%nature = not_negative
-        kinds(last + at_cohesive_stress)%nature = not_negative
-        kinds(last + at_contact_depth_factor)%nature = signed
-        kinds(last + at_depth_offset)%nature = signed
-        kinds(last + at_force_offset)%nature = signed
-        kinds(last + at_frame_compliance)%nature = signed
-    end function natures
-
-    !> The parameters of a medium that are not positive quantities.
-    pure subroutine mark(choice, kinds)
-        type(medium_choice_t), intent(in) :: choice
-        type(parameter_t), intent(inout) :: kinds(:)
-
-        select case (choice%kind)
-        case (medium_homogeneous); kinds(2)%nature = poisson
-        case (medium_stack); kinds(2:size(kinds) - surface_count(choice) - 1:3)%nature = poisson
-        case (medium_graded); kinds(3::3)%nature = poisson
-        case (medium_power_graded); kinds(3:)%nature = [signed, poisson]
-        case (medium_pattern); kinds(:) = choice%parameters
-        case default; continue
-        end select
-    end subroutine mark
-
     !> Scale and bounds of a coefficient of an area function. The last term is the area next to the apex, which is not negative.
-    pure subroutine scale_coefficient(self, i, indenter, deepest)
+    pure subroutine scale_coefficient(self, i, indenter, nature, deepest)
         type(variables_t), intent(inout) :: self
         !> position among the free parameters
         integer, intent(in) :: i
-        !> least and largest height, then the coefficients
+        !> the coefficients
         type(fit_parameter_t), intent(in) :: indenter(:)
+        integer, intent(in) :: nature
         real(wp), intent(in) :: deepest
-        integer :: first, last
+        integer :: last
 
-        first = size(indenter) - area_terms + 1
-        self%scale(i) = typical_coefficient(self%free(i) - first + 1, indenter(first:)%value, deepest)
-        last = first - 1 + findloc(indenter(first:)%is_free .or. abs(indenter(first:)%value) > 0.0_wp, .true., 1, back=.true.)
-        if (self%free(i) == last .and. .not. indenter(first - 2)%value > 0.0_wp) self%lower(i) = max(self%lower(i), 0.0_wp)
+        self%scale(i) = typical_coefficient(self%free(i), indenter%value, deepest)
+        last = findloc(indenter%is_free .or. abs(indenter%value) > 0.0_wp, .true., 1, back=.true.)
+        if (self%free(i) == last .and. nature == term) self%lower(i) = max(self%lower(i), 0.0_wp)
     end subroutine scale_coefficient
 
     !> The scale of coefficient i of an area function C0 h^2 + C1 h + C2 h^(1/2) + ...: what alone would make the contact area at

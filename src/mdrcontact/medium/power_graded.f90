@@ -5,6 +5,7 @@
 !>     g(x) = x^{1-m} int_0^x f'(r) (x^2 - r^2)^{(m-1)/2} dr,      d = g(a),      F = 2 int_0^a c(x) (d - g(x)) dx.
 module mdrcontact_medium_power_graded
     use mdrcontact_base_nonfinite, only: infinity
+    use mdrcontact_base_parameter, only: nature_poisson, nature_signed, parameter_t
     use mdrcontact_error, only: check_poisson, check_positive, error_invalid, error_t, raise, to_text
     use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_kinds, only: half_pi, pi, wp
@@ -24,6 +25,8 @@ module mdrcontact_medium_power_graded
     !> E(z) = E0 (z/z0)^m by its springs.
     type, extends(solver_t) :: power_graded_t
         private
+        !> E0, z0, m, nu; 0 of a pair
+        real(wp) :: given(4) = 0.0_wp
         !> m
         real(wp) :: exponent = 0.0_wp
         !> c1 [modulus length^-m]
@@ -36,6 +39,7 @@ module mdrcontact_medium_power_graded
         procedure :: line_load
         procedure :: pressure
         procedure :: displacement_outside
+        procedure :: parameters
     end type power_graded_t
 
     !> g(x) of one indenter in this medium.
@@ -85,6 +89,7 @@ contains
                        "-1 and less than 1")
         end if
         if (allocated(error)) return
+        self%given = [young, reference_depth, exponent, poisson]
         self%exponent = exponent
         self%is_exact = .true.
         call gauss_jacobi(0.5_wp*(exponent - 1.0_wp), self%edge_rule(:, 1), self%edge_rule(:, 2), error)
@@ -93,6 +98,17 @@ contains
         self%corner_rule(:, 2) = 2.0_wp*roots*weights
         self%spring = spring_factor(exponent, poisson)*young/((1.0_wp - poisson)*(1.0_wp + poisson))*reference_depth**(-exponent)
     end subroutine new_power_graded
+
+    !> The arguments of new_power_graded.
+    pure function parameters(self) result(list)
+        class(power_graded_t), intent(in) :: self
+        type(parameter_t) :: list(4)
+
+        associate (n => self%given)
+            list = [parameter_t("E0", n(1)), parameter_t("z0", n(2)), parameter_t("exponent", n(3), nature_signed), &
+                    parameter_t("nu", n(4), nature_poisson)]
+        end associate
+    end function parameters
 
     !> Two of them pressed together: their springs, of one power of x, add in series.
     subroutine new_power_graded_pair(self, lower, upper, error)

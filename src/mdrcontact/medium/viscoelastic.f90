@@ -2,7 +2,7 @@
 !> A viscoelastic half-space, homogeneous or layered. It has no elastic states, and so no solver: histories
 !> (mdrcontact_history_relaxation) and oscillations (mdrcontact_history_relaxation_stiffness) start from its materials.
 module mdrcontact_medium_viscoelastic
-    use mdrcontact_base_parameter, only: parameter_t, prefixed
+    use mdrcontact_base_parameter, only: append, parameter_t, prefixed
     use mdrcontact_body_stack, only: new_stack, stack_t
     use mdrcontact_error, only: check_positive, count_text, error_t
     use mdrcontact_kinds, only: wp
@@ -95,9 +95,10 @@ contains
         class(viscoelastic_t), intent(in) :: self
         type(parameter_t), allocatable, intent(out) :: list(:)
         type(parameter_t), allocatable :: own(:)
-        integer :: i
+        integer :: i, count
 
         allocate (list(0))
+        count = 0
         do i = 1, size(self%materials)
             call self%materials(i)%parameters(own)
             if (i <= size(self%thickness)) then
@@ -105,8 +106,9 @@ contains
             else if (i > 1) then
                 own = prefixed(own, "substrate.")
             end if
-            list = [list, own]
+            call append(list, count, own)
         end do
+        list = list(:count)
     end subroutine parameters
 
     !> The same kind of body with other numbers.

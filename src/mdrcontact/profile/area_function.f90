@@ -2,16 +2,30 @@
 !> A calibrated nanoindenter tip by its area function A(f) = C0 f^2 + C1 f + C2 f^(1/2) + C3 f^(1/4) + ..., A = pi r^2.
 !> Oliver, Pharr, J. Mater. Res. 7 (1992) 1564.
 module mdrcontact_profile_area_function
-    use mdrcontact_error, only: check_finite, check_not_negative, check_positive, error_invalid, error_t, raise, &
-                                to_text
+    use mdrcontact_base_parameter, only: nature_signed, nature_term, parameter_t
+    use mdrcontact_error, only: check_finite, check_memory, check_not_negative, check_positive, count_text, error_invalid, &
+                                error_t, raise, to_text
     use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_kinds, only: pi, wp
+    use mdrcontact_numerics_copy, only: copy_array
+    use mdrcontact_profile, only: profile_t
     use mdrcontact_profile_sampled, only: sample_from_height, sampled_profile_t
     use mdrcontact_numerics_roots, only: solve_increasing
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
     implicit none (type, external)
     private
-    public :: new_area_function_profile
+    public :: area_function_t, new_area_function_profile
+
+    !> A tip that knows the area function from which it was sampled.
+    type, extends(sampled_profile_t) :: area_function_t
+        private
+        real(wp), allocatable :: coefficients(:)
+        real(wp) :: min_height = 0.0_wp, max_height = 0.0_wp
+    contains
+        procedure :: parameters
+        procedure :: with_parameters
+        procedure :: copy_to
+    end type area_function_t
 
     !> The height f at radius r, from A(f) = pi r^2.
     type, extends(scalar_function_t) :: height_t
@@ -37,7 +51,7 @@ contains
 
     !> A tip from its area function, for heights up to `max_height`.
     subroutine new_area_function_profile(self, coefficients, min_height, max_height, error)
-        type(sampled_profile_t), intent(out) :: self
+        type(area_function_t), intent(out) :: self
         !> C0, C1, C2, ... of f^2, f, f^(1/2), f^(1/4), ... [length^0, length^1, length^(3/2), ...], at least C0
         real(wp), intent(in) :: coefficients(:)
         !> height below which the fitted area function is not to be trusted, 0 if there is none [length]; below it the
@@ -66,13 +80,59 @@ contains
         call check_growing(coefficients, min_height, max_height, error)
         if (allocated(error)) return
 
+        self%coefficients = coefficients
+        self%min_height = min_height
+        self%max_height = max_height
         height%coefficients = coefficients
         height%min_height = min_height
         height%max_height = max_height
         allocate (breaks(0))
         if (min_height > 0.0_wp) breaks = [radius_at(coefficients, min_height)]
-        call sample_from_height(self, height, radius_at(coefficients, max_height), 0.0_wp, breaks, epsilon(pi), error)
+        call sample_from_height(self%sampled_profile_t, height, radius_at(coefficients, max_height), 0.0_wp, breaks, &
+                                epsilon(pi), error)
     end subroutine new_area_function_profile
+
+    !> Its coefficients. The last one is the area beside the apex, unless another shape is below min_height.
+    pure subroutine parameters(self, list)
+        class(area_function_t), intent(in) :: self
+        type(parameter_t), allocatable, intent(out) :: list(:)
+        integer :: i, nature
+
+        nature = merge(nature_signed, nature_term, self%min_height > 0.0_wp)
+        allocate (list(size(self%coefficients)))
+        do i = 1, size(list)
+            list(i) = parameter_t("C"//count_text(i - 1), self%coefficients(i), nature)
+        end do
+    end subroutine parameters
+
+    subroutine with_parameters(self, values, profile, error)
+        class(area_function_t), intent(in) :: self
+        real(wp), intent(in) :: values(:)
+        class(profile_t), allocatable, intent(out) :: profile
+        type(error_t), allocatable, intent(inout) :: error
+        type(area_function_t), allocatable :: other
+
+        allocate (other)
+        call new_area_function_profile(other, values, self%min_height, self%max_height, error)
+        call move_alloc(other, profile)
+    end subroutine with_parameters
+
+    recursive subroutine copy_to(self, copy, error)
+        class(area_function_t), intent(in) :: self
+        class(profile_t), allocatable, intent(out) :: copy
+        type(error_t), allocatable, intent(inout) :: error
+        type(area_function_t), allocatable :: own
+        integer :: stat
+
+        allocate (own, stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
+        call self%copy_samples(own, error)
+        call copy_array(self%coefficients, own%coefficients, error)
+        own%min_height = self%min_height
+        own%max_height = self%max_height
+        call move_alloc(own, copy)
+    end subroutine copy_to
 
     !> A(f) = C0 f^2 + C1 f + C2 f^(1/2) + ... [length^2]
     pure function projected_area(coefficients, height) result(area)

@@ -2,6 +2,7 @@
 !> The flat-ended (truncated) cone: flat up to b, then f(r) = (r - b) tan(phi).
 module mdrcontact_profile_flat_cone
     use mdrcontact_base_nonfinite, only: infinity
+    use mdrcontact_base_parameter, only: parameter_t
     use mdrcontact_error, only: check_inclination, check_positive, error_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_numerics_quadrature, only: merge_breaks
@@ -13,8 +14,8 @@ module mdrcontact_profile_flat_cone
     !> g(x) = x tan(phi) arccos(b/x), x > b. Popov 2014, table after equation (4).
     type, extends(profile_t) :: flat_cone_t
         private
-        !> tan(phi); b is end_radius
-        real(wp) :: tangent = 0.0_wp
+        !> phi and tan(phi); b is end_radius
+        real(wp) :: inclination = 0.0_wp, tangent = 0.0_wp
     contains
         procedure :: height
         procedure :: slope
@@ -24,6 +25,8 @@ module mdrcontact_profile_flat_cone
         procedure :: mdr_moment
         procedure :: add_breaks
         procedure :: linear_pieces
+        procedure :: parameters
+        procedure :: set
     end type flat_cone_t
 
 contains
@@ -41,8 +44,24 @@ contains
         call check_inclination(error, inclination)
         if (allocated(error)) return
         self%end_radius = end_radius
+        self%inclination = inclination
         self%tangent = tan(inclination)
     end subroutine new_flat_cone
+
+    pure subroutine parameters(self, list)
+        class(flat_cone_t), intent(in) :: self
+        type(parameter_t), allocatable, intent(out) :: list(:)
+
+        list = [parameter_t("end_radius", self%end_radius), parameter_t("inclination", self%inclination)]
+    end subroutine parameters
+
+    subroutine set(self, values, error)
+        class(flat_cone_t), intent(inout) :: self
+        real(wp), intent(in) :: values(:)
+        type(error_t), allocatable, intent(inout) :: error
+
+        call new_flat_cone(self, values(1), values(2), error)
+    end subroutine set
 
     elemental function height(self, x) result(y)
         class(flat_cone_t), intent(in) :: self

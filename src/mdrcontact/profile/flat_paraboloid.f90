@@ -2,6 +2,7 @@
 !> The flat-ended paraboloid (a worn sphere): flat up to b, then f(r) = (r^2 - b^2)/(2R).
 module mdrcontact_profile_flat_paraboloid
     use mdrcontact_base_nonfinite, only: infinity
+    use mdrcontact_base_parameter, only: parameter_t
     use mdrcontact_error, only: check_positive, error_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_numerics_quadrature, only: merge_breaks
@@ -24,6 +25,8 @@ module mdrcontact_profile_flat_paraboloid
         procedure :: mdr_moment
         procedure :: add_breaks
         procedure :: linear_pieces
+        procedure :: parameters
+        procedure :: set
     end type flat_paraboloid_t
 
 contains
@@ -43,6 +46,21 @@ contains
         self%end_radius = end_radius
         self%curvature_radius = radius
     end subroutine new_flat_paraboloid
+
+    pure subroutine parameters(self, list)
+        class(flat_paraboloid_t), intent(in) :: self
+        type(parameter_t), allocatable, intent(out) :: list(:)
+
+        list = [parameter_t("end_radius", self%end_radius), parameter_t("radius", self%curvature_radius)]
+    end subroutine parameters
+
+    subroutine set(self, values, error)
+        class(flat_paraboloid_t), intent(inout) :: self
+        real(wp), intent(in) :: values(:)
+        type(error_t), allocatable, intent(inout) :: error
+
+        call new_flat_paraboloid(self, values(1), values(2), error)
+    end subroutine set
 
     elemental function height(self, x) result(y)
         class(flat_paraboloid_t), intent(in) :: self

@@ -1,6 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The flat-ended cylinder of radius b: the contact radius is b at every depth.
 module mdrcontact_profile_flat_punch
+    use mdrcontact_base_parameter, only: parameter_t
     use mdrcontact_error, only: check_positive, error_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_profile, only: profile_t
@@ -16,6 +17,8 @@ module mdrcontact_profile_flat_punch
         procedure :: mdr
         procedure :: mdr_slope
         procedure :: mdr_moment
+        procedure :: parameters
+        procedure :: set
     end type flat_punch_t
 
 contains
@@ -33,6 +36,21 @@ contains
         self%largest_radius = radius
         self%has_wall = .true.
     end subroutine new_flat_punch
+
+    pure subroutine parameters(self, list)
+        class(flat_punch_t), intent(in) :: self
+        type(parameter_t), allocatable, intent(out) :: list(:)
+
+        list = [parameter_t("radius", self%end_radius)]
+    end subroutine parameters
+
+    subroutine set(self, values, error)
+        class(flat_punch_t), intent(inout) :: self
+        real(wp), intent(in) :: values(:)
+        type(error_t), allocatable, intent(inout) :: error
+
+        call new_flat_punch(self, values(1), error)
+    end subroutine set
 
     elemental function height(self, x) result(y)
         class(flat_punch_t), intent(in) :: self

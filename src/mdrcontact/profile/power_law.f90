@@ -1,12 +1,15 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Power-law indenters f(r) = c r^n, with the paraboloid (n = 2) and the cone (n = 1) as their named cases.
 module mdrcontact_profile_power_law
+    use mdrcontact_base_parameter, only: parameter_t
     use mdrcontact_error, only: check_inclination, check_positive, error_invalid, error_t, raise, to_text
     use mdrcontact_kinds, only: half_pi, pi, wp
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
     private
     public :: power_law_t, new_power_law, new_paraboloid, new_cone
+
+    integer, parameter :: by_exponent = 0, by_radius = 1, by_inclination = 2
 
     !> f(r) = c r^n, g(x) = kappa_n c x^n. Popov 2014, table after equation (4).
     type, extends(profile_t) :: power_law_t
@@ -17,6 +20,9 @@ module mdrcontact_profile_power_law
         real(wp) :: exponent = 0.0_wp
         !> kappa_n c
         real(wp) :: mdr_coefficient = 0.0_wp
+        !> which of its procedures made it, and from which one number: R or phi
+        integer :: made_by = by_exponent
+        real(wp) :: given = 0.0_wp
     contains
         procedure :: height
         procedure :: slope
@@ -25,6 +31,8 @@ module mdrcontact_profile_power_law
         procedure :: mdr_moment
         procedure :: radius_from_mdr
         procedure :: powers
+        procedure :: parameters
+        procedure :: set
     end type power_law_t
 
 contains
@@ -64,6 +72,8 @@ contains
         self%coefficient = 0.5_wp/radius
         self%paraboloid_radius = 0.5_wp/self%coefficient
         self%mdr_coefficient = 1.0_wp/radius
+        self%made_by = by_radius
+        self%given = radius
     end subroutine new_paraboloid
 
     !> A cone f(r) = r tan(phi).
@@ -78,7 +88,32 @@ contains
         self%exponent = 1.0_wp
         self%coefficient = tan(inclination)
         self%mdr_coefficient = half_pi*self%coefficient
+        self%made_by = by_inclination
+        self%given = inclination
     end subroutine new_cone
+
+    pure subroutine parameters(self, list)
+        class(power_law_t), intent(in) :: self
+        type(parameter_t), allocatable, intent(out) :: list(:)
+
+        select case (self%made_by)
+        case (by_radius); list = [parameter_t("radius", self%given)]
+        case (by_inclination); list = [parameter_t("inclination", self%given)]
+        case default; list = [parameter_t("exponent", self%exponent), parameter_t("coefficient", self%coefficient)]
+        end select
+    end subroutine parameters
+
+    subroutine set(self, values, error)
+        class(power_law_t), intent(inout) :: self
+        real(wp), intent(in) :: values(:)
+        type(error_t), allocatable, intent(inout) :: error
+
+        select case (self%made_by)
+        case (by_radius); call new_paraboloid(self, values(1), error)
+        case (by_inclination); call new_cone(self, values(1), error)
+        case default; call new_power_law(self, values(1), values(2), error)
+        end select
+    end subroutine set
 
     elemental function height(self, x) result(y)
         class(power_law_t), intent(in) :: self

@@ -1,6 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The cone with a rounded tip: a paraboloid up to b that meets the cone as its tangent.
 module mdrcontact_profile_rounded_cone
+    use mdrcontact_base_parameter, only: parameter_t
     use mdrcontact_error, only: check_inclination, check_positive, error_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_numerics_quadrature, only: merge_breaks
@@ -16,7 +17,8 @@ module mdrcontact_profile_rounded_cone
         private
         !> b [length]
         real(wp) :: blend_radius = 0.0_wp
-        real(wp) :: tangent = 0.0_wp
+        !> phi and tan(phi)
+        real(wp) :: inclination = 0.0_wp, tangent = 0.0_wp
     contains
         procedure :: height
         procedure :: slope
@@ -25,6 +27,8 @@ module mdrcontact_profile_rounded_cone
         procedure :: mdr_moment
         procedure :: add_breaks
         procedure :: linear_pieces
+        procedure :: parameters
+        procedure :: set
     end type rounded_cone_t
 
 contains
@@ -42,8 +46,24 @@ contains
         call check_inclination(error, inclination)
         if (allocated(error)) return
         self%blend_radius = blend_radius
+        self%inclination = inclination
         self%tangent = tan(inclination)
     end subroutine new_rounded_cone
+
+    pure subroutine parameters(self, list)
+        class(rounded_cone_t), intent(in) :: self
+        type(parameter_t), allocatable, intent(out) :: list(:)
+
+        list = [parameter_t("blend_radius", self%blend_radius), parameter_t("inclination", self%inclination)]
+    end subroutine parameters
+
+    subroutine set(self, values, error)
+        class(rounded_cone_t), intent(inout) :: self
+        real(wp), intent(in) :: values(:)
+        type(error_t), allocatable, intent(inout) :: error
+
+        call new_rounded_cone(self, values(1), values(2), error)
+    end subroutine set
 
     elemental function height(self, x) result(y)
         class(rounded_cone_t), intent(in) :: self

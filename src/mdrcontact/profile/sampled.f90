@@ -30,6 +30,7 @@ module mdrcontact_profile_sampled
         procedure :: mdr_moment
         procedure :: add_breaks
         procedure :: copy_to
+        procedure :: copy_samples
     end type sampled_profile_t
 
     real(wp), parameter :: height_tolerance = 1.0e-14_wp, transform_tolerance = 2.0e-14_wp
@@ -137,15 +138,24 @@ contains
         allocate (own, stat=stat)
         call check_memory(error, stat)
         if (stat /= 0) return
-        call self%f%copy_to(own%f, error)
-        if (.not. allocated(error)) call self%g%copy_to(own%g, error)
-        call copy_array(self%breaks, own%breaks, error)
-        own%f_exponent = self%f_exponent
-        own%g_exponent = self%g_exponent
-        own%end_radius = self%end_radius
-        own%largest_radius = self%largest_radius
+        call self%copy_samples(own, error)
         call move_alloc(own, copy)
     end subroutine copy_to
+
+    !> Copies what is sampled into one that extends it.
+    subroutine copy_samples(self, copy, error)
+        class(sampled_profile_t), intent(in) :: self
+        class(sampled_profile_t), intent(inout) :: copy
+        type(error_t), allocatable, intent(inout) :: error
+
+        call self%f%copy_to(copy%f, error)
+        if (.not. allocated(error)) call self%g%copy_to(copy%g, error)
+        call copy_array(self%breaks, copy%breaks, error)
+        copy%f_exponent = self%f_exponent
+        copy%g_exponent = self%g_exponent
+        copy%end_radius = self%end_radius
+        copy%largest_radius = self%largest_radius
+    end subroutine copy_samples
 
     !> Takes g = `mdr` on [0, largest] and transforms it back to f.
     subroutine sample_from_mdr(self, mdr, largest, flat_radius, breaks, error)

@@ -1,6 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The sphere of radius R without the parabolic approximation: f(r) = R - sqrt(R^2 - r^2).
 module mdrcontact_profile_sphere
+    use mdrcontact_base_parameter, only: parameter_t
     use mdrcontact_error, only: check_positive, error_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_profile, only: profile_t
@@ -20,6 +21,8 @@ module mdrcontact_profile_sphere
         procedure :: mdr_slope
         procedure :: mdr_moment
         procedure :: is_spherical
+        procedure :: parameters
+        procedure :: set
     end type sphere_t
 
 contains
@@ -37,6 +40,21 @@ contains
         self%largest_radius = radius
         self%singular_radius = radius
     end subroutine new_sphere
+
+    pure subroutine parameters(self, list)
+        class(sphere_t), intent(in) :: self
+        type(parameter_t), allocatable, intent(out) :: list(:)
+
+        list = [parameter_t("radius", self%radius)]
+    end subroutine parameters
+
+    subroutine set(self, values, error)
+        class(sphere_t), intent(inout) :: self
+        real(wp), intent(in) :: values(:)
+        type(error_t), allocatable, intent(inout) :: error
+
+        call new_sphere(self, values(1), error)
+    end subroutine set
 
     elemental function height(self, x) result(y)
         class(sphere_t), intent(in) :: self

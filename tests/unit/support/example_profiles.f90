@@ -1,11 +1,11 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> One indenter of every kind, for tests that must hold for all of them.
 module example_profiles
-    use mdrcontact, only: error_t, new_area_function_profile, new_cone, new_flat_cone, new_flat_paraboloid, new_flat_punch, &
-                          new_paraboloid, new_power_law, new_profile_from_function, new_profile_from_mdr, new_profile_sum, &
-                          new_rounded_cone, new_sphere, new_tabulated_profile, flat_cone_t, flat_paraboloid_t, flat_punch_t, &
-                          power_law_t, profile_sum_t, profile_t, profile_term_t, rounded_cone_t, sampled_profile_t, &
-                          scalar_function_t, sphere_t, wp
+    use mdrcontact, only: area_function_t, error_t, new_area_function_profile, new_cone, new_flat_cone, new_flat_paraboloid, &
+                          new_flat_punch, new_paraboloid, new_power_law, new_profile_from_function, new_profile_from_mdr, &
+                          new_profile_sum, new_rounded_cone, new_sphere, new_tabulated_profile, flat_cone_t, flat_paraboloid_t, &
+                          flat_punch_t, power_law_t, profile_sum_t, profile_t, profile_term_t, rounded_cone_t, &
+                          sampled_profile_t, scalar_function_t, sphere_t, wp
     implicit none (type, external)
     private
     public :: example_profile_t, make_example_profiles, hyperboloid_t, break_radii
@@ -83,6 +83,7 @@ contains
         type(example_profile_t), intent(inout) :: examples(5)
         real(wp), parameter :: r(*) = [0.0_wp, 0.2_wp, 0.5_wp, 0.9_wp, 1.4_wp, 2.0_wp]
         type(sampled_profile_t) :: sampled
+        type(area_function_t) :: tip
         type(hyperboloid_t) :: height
         type(error_t), allocatable :: error
 
@@ -92,10 +93,10 @@ contains
         call put(examples(2), "table of MDR heights", sampled, error, 1.9_wp)
         call new_profile_from_function(sampled, height, 3.0_wp, error)
         call put(examples(3), "user function", sampled, error, 2.0_wp)
-        call new_area_function_profile(sampled, [24.5_wp, 1.7_wp, 0.02_wp], 0.0_wp, 0.5_wp, error)
-        call put(examples(4), "area function", sampled, error, 1.3_wp)
-        call new_area_function_profile(sampled, [24.5_wp, 1.7_wp], 0.05_wp, 0.5_wp, error)
-        call put(examples(5), "area function, round tip", sampled, error, 1.3_wp)
+        call new_area_function_profile(tip, [24.5_wp, 1.7_wp, 0.02_wp], 0.0_wp, 0.5_wp, error)
+        call put(examples(4), "area function", tip, error, 1.3_wp)
+        call new_area_function_profile(tip, [24.5_wp, 1.7_wp], 0.05_wp, 0.5_wp, error)
+        call put(examples(5), "area function, round tip", tip, error, 1.3_wp)
         examples%tolerance = 1.0e-10_wp
     end subroutine add_sampled
 
