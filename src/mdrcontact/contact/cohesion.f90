@@ -22,6 +22,8 @@ module mdrcontact_contact_cohesion
         real(wp) :: stress = 0.0_wp, range = 0.0_wp
         !> length of the zone in the limit of a small one, pi E0* gamma/(4 sigma^2) [length]
         real(wp) :: small_zone = 0.0_wp
+        !> about the length of a zone of which nothing is known [length]
+        real(wp) :: likely_zone = 0.0_wp
         !> radius of the zone at which attracted bodies touch [length]
         real(wp) :: touching_zone = 0.0_wp
         !> no zone ends beyond this radius [length]
@@ -92,9 +94,14 @@ contains
         self%range = work/stress
         self%small_zone = 0.25_wp*pi*self%modulus*self%range/stress
         self%last_radius = last_radius
-        guess%length = self%small_zone
+        self%likely_zone = self%small_zone
+        ! a stiff surface hides what is below from short zones only
+        if (.not. self%kernel%vanishes .and. self%kernel%sigma_zero > 1.0_wp) self%likely_zone = &
+            min(self%small_zone, max(self%kernel%unit, self%small_zone/self%kernel%sigma_zero))
+        guess%length = self%likely_zone
         call find_zone(self, profile, 0.0_wp, guess, state, error)
         self%touching_zone = state%zone_radius
+        self%likely_zone = min(self%likely_zone, self%touching_zone)
     end subroutine new_cohesion
 
     !> The state in which the contact has this radius; at 0 the bodies just touch.
@@ -109,7 +116,7 @@ contains
         type(zone_guess_t), intent(inout), optional :: guess
         type(zone_guess_t) :: start
 
-        start%length = self%small_zone
+        start%length = self%likely_zone
         if (present(guess)) start = guess
         if (radius > 0.0_wp) then
             call find_zone(self, profile, radius, start, state, error)
@@ -271,7 +278,7 @@ contains
         call new_zoned_springs(springs, self%kernel, self%tolerance, profile, state%radius, error, at_points=.true.)
         if (allocated(error)) return
         guess%length = state%zone_radius - state%radius
-        if (guess%length < shortest_length*state%radius) guess%length = self%small_zone
+        if (guess%length < shortest_length*state%radius) guess%length = self%likely_zone
         if (state%radius > 0.0_wp) call close_gap(self, springs, guess, zone, error)
         if (.not. allocated(error)) call springs%with_zone(guess%length, 2.0_wp*self%stress/self%modulus, zone, error, found)
     end subroutine load

@@ -95,7 +95,7 @@ contains
         allocate (kept(rows, nodes, most_panels))
         count = 0
         edges(1) = waiting(size(waiting))
-        guess%length = equilibrium%cohesion%small_zone
+        guess%length = equilibrium%cohesion%likely_zone
         do while (size(waiting) > 1)
             call check_cancelled(error)
             if (allocated(error)) return

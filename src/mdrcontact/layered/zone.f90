@@ -18,6 +18,7 @@ module mdrcontact_layered_zone
     use mdrcontact_layered_solve, only: equation_t, first_unknowns, new_equation, next_unknowns, raise_missed, solve_lower, &
                                        solve_upper
     use mdrcontact_layered_zone_rule, only: new_zone_rule, rule_breaks, zone_rule_t
+    use mdrcontact_numerics_quadrature, only: gauss_legendre
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
     private
@@ -27,6 +28,10 @@ module mdrcontact_layered_zone
     integer, parameter :: most_unknowns = 1500, more = 2
     !> Part of the tolerance that the last terms of a series and the integrals may leave.
     real(wp), parameter :: share = 0.01_wp
+    !> Rules of all sizes up to this are known to all digits.
+    integer, parameter :: largest_small_rule = 20
+    !> Sums that are taken side by side.
+    integer, parameter :: at_once = 8
     !> Accuracy of integrals that end nowhere near it.
     real(wp), parameter :: all_digits = epsilon(1.0_wp)
 
@@ -199,7 +204,14 @@ contains
         integer :: j, nodes
 
         a = self%a/self%kernel%unit
-        call contact_rule(rule, a, 2*n + 2, 4*n, is_fine(self%kernel, a, n), error)
+        if (2*n > largest_small_rule .or. is_fine(self%kernel, a, n)) then
+            call contact_rule(rule, a, 2*n, 4*n, is_fine(self%kernel, a, n), error)
+        else
+            allocate (rule%distance(2*n), rule%weights(2*n))
+            call gauss_legendre(rule%distance, rule%weights, error)
+            rule%distance = 2.0_wp*rule%distance
+            rule%weights = 2.0_wp*rule%weights
+        end if
         if (allocated(error)) return
         call move_alloc(rule%distance, self%from_edge)
         nodes = size(self%from_edge)
@@ -274,7 +286,7 @@ contains
         !> w - (d - g) without the interaction, then with it [length]
         real(wp), intent(inout) :: opening(:)
         type(zone_load_t), intent(inout), optional :: load
-        real(wp), allocatable :: among(:), b(:, :), t(:, :), q(:)
+        real(wp), allocatable :: among(:), x(:, :), t(:, :), q(:)
         real(wp) :: shift, mean, beyond
         integer :: n
 
@@ -288,9 +300,9 @@ contains
             return
         end if
         n = size(self%of_one)
-        call of_contact(self, rule, shift, b)
+        call between(self, rule, shift, x)
         allocate (t(n, 1))
-        t(:, 1) = 2.0_wp/(pi*self%unit)*matmul(rule%dx*z, b(1:, :))
+        t(:, 1) = 2.0_wp/(pi*self%unit)*each_sum(matmul(x(:, 1:), rule%dx*z), self%polynomials)
         mean = sqrt(0.5_wp)*t(1, 1)
         t(1, 1) = 0.0_wp
         call solve_lower(n, n, 1, self%equation%h, t)
@@ -299,7 +311,7 @@ contains
             beyond = (state%edge + self%equation%rise + (among(0) - mean) + sum(row*(self%of_profile + t(:, 1))))/self%punch_edge
         end associate
         q = beyond*self%of_one - self%of_profile - t(:, 1)
-        among = among + self%a/(pi*self%unit)*matmul(b, q)
+        among = among + self%a/(pi*self%unit)*each_sum(matmul(self%polynomials, q), x)
         opening = opening + (among(1:) - among(0))
         ! the constant that was left out of the kernel is a uniform displacement under the zone's load
         mean = mean + 2.0_wp*shift/(pi*self%unit)*sum(rule%dx*z)
@@ -348,7 +360,7 @@ contains
                 call self%kernel%evaluate([abs(others - here), 2.0_wp*self%a + here + others]/self%unit, shift, x(:2*m))
             end associate
             x(:m) = x(:m) + x(m + 1:2*m)
-            values(i) = values(i) + sum(load(i:)*x(:m))
+            values(i) = values(i) + product_sum(load(i:), x(:m))
             values(i + 1:) = values(i + 1:) + load(i)*x(2:m)
         end do
         values = values/(pi*self%unit)
@@ -378,22 +390,45 @@ contains
         end do
     end function beyond
 
-    !> int p_j(u) X(x - a u) du at the edge and at the nodes of the zone, (0:nodes, polynomials).
-    subroutine of_contact(self, rule, shift, values)
+    !> X from the nodes on the contact to its edge (0) and to the nodes of the zone, (contact, 0:zone).
+    subroutine between(self, rule, shift, x)
         class(zoned_springs_t), intent(in) :: self
         type(zone_rule_t), intent(in) :: rule
         real(wp), intent(in) :: shift
-        real(wp), allocatable, intent(out) :: values(:, :)
-        real(wp), allocatable :: x(:, :)
-        integer :: i, nodes
+        real(wp), allocatable, intent(out) :: x(:, :)
+        integer :: i
 
-        nodes = size(self%from_edge)
-        allocate (x(nodes, 0:size(rule%beyond)), values(0:size(rule%beyond), size(self%polynomials, 2)))
+        allocate (x(size(self%from_edge), 0:size(rule%beyond)))
         call self%kernel%evaluate(self%a/self%unit*self%from_edge, shift, x(:, 0))
         do i = 1, size(rule%beyond)
             call self%kernel%evaluate((rule%beyond(i) + self%a*self%from_edge)/self%unit, shift, x(:, i))
         end do
-        values(:, :) = matmul(transpose(x), self%polynomials)
-    end subroutine of_contact
+    end subroutine between
+
+    !> sum_i v_i m_ij.
+    pure function each_sum(v, m) result(sums)
+        real(wp), intent(in) :: v(:), m(:, :)
+        real(wp) :: sums(size(m, 2))
+        integer :: j
+
+        do j = 1, size(m, 2)
+            sums(j) = product_sum(v, m(:, j))
+        end do
+    end function each_sum
+
+    !> sum_i u_i v_i, in sums side by side.
+    pure function product_sum(u, v) result(total)
+        real(wp), intent(in) :: u(:), v(:)
+        real(wp) :: total
+        real(wp) :: part(at_once)
+        integer :: i, whole
+
+        whole = size(u) - mod(size(u), at_once)
+        part = 0.0_wp
+        do i = 1, whole, at_once
+            part = part + u(i:i + at_once - 1)*v(i:i + at_once - 1)
+        end do
+        total = sum(part) + sum(u(whole + 1:)*v(whole + 1:))
+    end function product_sum
 
 end module mdrcontact_layered_zone

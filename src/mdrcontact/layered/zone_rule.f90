@@ -14,8 +14,9 @@ module mdrcontact_layered_zone_rule
 
     !> Nodes of a panel, at most and at least.
     integer, parameter :: most_nodes = 20, least_nodes = 6
-    !> Panels of so many thicknesses of the first layer at most, which has its nearest pole at twice its thickness [unit].
-    real(wp), parameter :: longest_panel = 2.0_wp, pole = 2.0_wp
+    !> Panels of so many thicknesses of the first layer at most, with a root at an end and without one; the layer has its nearest
+    !> pole at twice its thickness [unit].
+    real(wp), parameter :: longest_panel = 2.0_wp, longest_plain = 4.0_wp, pole = 2.0_wp
     !> Towards the axis, where g may be a broken power, panels shrink by this factor, down to this part of the zone's end.
     real(wp), parameter :: shrinking = 0.125_wp, nearest_axis = 1.0e-8_wp
     integer, parameter :: most_panels = 200
@@ -62,48 +63,69 @@ contains
         !> ends of the panels, from a
         real(wp) :: ends(0:most_panels), node(most_nodes), weight(most_nodes), last
         logical :: behind_kink(most_panels)
-        integer :: panels, i, first, nodes, stat
+        integer :: panels, nodes(most_panels), i, first, stat
 
         last = length
         if (present(loaded)) last = loaded
-        call find_panels(a, length, last, breaks, longest_panel*unit, ends, behind_kink, panels)
+        call find_panels(a, length, last, breaks, unit, ends, behind_kink, panels)
         if (panels > most_panels) then
             call raise(error, error_no_convergence, "the cohesive zone spans too many thicknesses of the first layer, or kinks "// &
                        "of the indenter: a larger cohesive_stress makes it shorter")
             return
         end if
-        nodes = nodes_for(min(2.0_wp*(a + length), 2.0_wp*pole*unit)/maxval(ends(1:panels) - ends(:panels - 1)), tolerance)
-        call gauss_legendre(node(:nodes), weight(:nodes), error)
-        if (allocated(error)) return
-        allocate (self%x(panels*nodes), self%beyond(panels*nodes), self%root(panels*nodes), self%dx(panels*nodes), &
-                  self%over_root(panels*nodes), stat=stat)
+        do i = 1, panels
+            nodes(i) = nodes_for(a + length, length - ends(i), ends(i) - ends(i - 1), &
+                                 i < panels .and. is_plain(breaks, a + ends(i - 1)), unit, tolerance)
+        end do
+        i = sum(nodes(:panels))
+        allocate (self%x(i), self%beyond(i), self%root(i), self%dx(i), self%over_root(i), stat=stat)
         call check_memory(error, stat)
         if (stat /= 0) return
+        first = 1
         do i = 1, panels
-            first = (i - 1)*nodes + 1
-            call place(a, length, ends(i - 1), ends(i), behind_kink(i), i == panels, node(:nodes), weight(:nodes), &
-                       self%beyond(first:first + nodes - 1), self%dx(first:first + nodes - 1), &
-                       self%root(first:first + nodes - 1), self%over_root(first:first + nodes - 1))
+            call gauss_legendre(node(:nodes(i)), weight(:nodes(i)), error)
+            if (allocated(error)) return
+            associate (last => first + nodes(i) - 1)
+                call place(a, length, ends(i - 1), ends(i), behind_kink(i), i == panels, node(:nodes(i)), weight(:nodes(i)), &
+                           self%beyond(first:last), self%dx(first:last), self%root(first:last), self%over_root(first:last))
+            end associate
+            first = first + nodes(i)
         end do
         self%x = a + self%beyond
     end subroutine new_zone_rule
 
-    !> How many nodes leave the tolerance on panels whose nearest singularity is so many of their lengths away: errors fall as
-    !> rho^(-2n) for the ellipse through it, in y with y^2 that distance.
-    pure function nodes_for(distance, tolerance) result(nodes)
-        real(wp), intent(in) :: distance, tolerance
+    !> How many nodes leave the tolerance on a panel: errors fall as rho^(-2n) for the ellipse through the nearest singularity, that
+    !> of the kernel beside the panel or the root at the end of the zone.
+    pure function nodes_for(end, left, long, plain, unit, tolerance) result(nodes)
+        !> c, what is left of the zone behind the panel, its own length
+        real(wp), intent(in) :: end, left, long
+        !> see is_plain; else the panel is one in y, with y^2 the distance from an end
+        logical, intent(in) :: plain
+        real(wp), intent(in) :: unit, tolerance
         integer :: nodes
         real(wp) :: z, rho
 
-        z = 2.0_wp*sqrt(max(distance, 1.0_wp)) - 1.0_wp
+        if (plain) then
+            z = min(hypot(1.0_wp, 2.0_wp*pole*(unit/long)), 1.0_wp + 2.0_wp*left/long)
+        else
+            z = 2.0_wp*sqrt(max(2.0_wp*min(end, pole*unit)/long, 1.0_wp)) - 1.0_wp
+        end if
         rho = z + sqrt((z - 1.0_wp)*(z + 1.0_wp))
         nodes = least_nodes
         if (rho < huge(1.0_wp)) nodes = max(nodes, min(ceiling((2.0_wp - 0.5_wp*log(tolerance))/log(rho)), most_nodes))
     end function nodes_for
 
+    !> Whether g is analytic around a panel from x that does not end the zone.
+    pure function is_plain(breaks, x) result(answer)
+        real(wp), intent(in) :: breaks(:), x
+        logical :: answer
+
+        answer = .not. any(breaks >= 0.0_wp .and. breaks <= x*(1.0_wp + 4.0_wp*epsilon(x)))
+    end function is_plain
+
     !> Ends of the panels by their distance from a.
-    pure subroutine find_panels(a, length, loaded, breaks, longest, ends, behind_kink, panels)
-        real(wp), intent(in) :: a, length, loaded, breaks(:), longest
+    pure subroutine find_panels(a, length, loaded, breaks, unit, ends, behind_kink, panels)
+        real(wp), intent(in) :: a, length, loaded, breaks(:), unit
         real(wp), intent(out) :: ends(0:)
         !> whether g may have a root at the beginning of the panel
         logical, intent(out) :: behind_kink(:)
@@ -121,7 +143,12 @@ contains
             next = length
             k = findloc(breaks(2:) > (a + here)*(1.0_wp + 4.0_wp*epsilon(a)), .true., dim=1)
             if (k > 0) next = min(next, breaks(k + 1) - a)
-            step = longest + max(here - loaded, 0.0_wp)
+            step = longest_panel*unit
+            ! a root at c is left to a panel that is not long
+            if (is_plain(breaks, a + here) .and. next - here > 1.2_wp*step) then
+                step = min(longest_plain*unit, max(next - here - step, 0.5_wp*step))
+            end if
+            step = step + max(here - loaded, 0.0_wp)
             ! away from a kink just passed, and from the axis
             if (k == 0) k = size(breaks)
             if (a + here > breaks(k) .and. breaks(k) > 0.0_wp .and. .not. kinked) step = min(step, 3.0_wp*(a + here - breaks(k)))
