@@ -178,7 +178,7 @@ typedef struct mdr_profile mdr_profile;
 typedef struct mdr_medium mdr_medium;
 /** An indenter on a medium. Made by mdr_contact_new(), freed by mdr_contact_free(). */
 typedef struct mdr_contact mdr_contact;
-/** A viscoelastic material. Made by mdr_material_..., freed by mdr_material_free(). */
+/** A viscoelastic material, for layers of mdr_medium_stack(). Made by mdr_material_..., freed by mdr_material_free(). */
 typedef struct mdr_material mdr_material;
 /** The answers of a poroelastic gel. Made by mdr_poroelastic_new(), freed by mdr_poroelastic_free(). */
 typedef struct mdr_poroelastic mdr_poroelastic;
@@ -455,10 +455,15 @@ typedef struct mdr_layer {
     double normal_compliance;     /**< 1/K_n >= 0 of the interface below, finite; 0: bonded; not looked at in a substrate
                                        [length/modulus]. */
     double tangential_compliance; /**< 1/K_t >= 0 likewise; INFINITY: it slides without friction [length/modulus]. */
+    const mdr_material *material; /**< A material that relaxes, in place of all constants and of the prestress, which are 0; NULL:
+                                       those. It may be freed once the medium is made. */
 } mdr_layer;
 
 /** Layers on a substrate, of any kinds of mdr_layer. What is not isotropic, bonded and free of stress takes MDR_MODEL_EXACT; a
  *  tangential contact over a sliding interface is refused, as stresses inside layers under a prestress are.
+ *
+ *  Where one has a `material` the body is viscoelastic: its layers are isotropic and free of stress, its interfaces do not relax. Its
+ *  contacts answer mdr_contact_history(); everything else returns MDR_EINVALID and says so, work of adhesion included.
  *  @param n          number of layers; 0: a half-space
  *  @param layers     [n] from the surface down; with n = 0 it may be NULL
  *  @param substrate  the half-space below; NULL: a rigid base, which holds the last layer by its interface: a sliding one is a
@@ -531,12 +536,6 @@ int mdr_medium_pair(const mdr_medium *lower, const mdr_medium *upper, mdr_medium
 
 /* ---- viscoelastic materials and media: time ----------------------------------------------------------------------- */
 
-/** An elastic material, as a part of a viscoelastic body.
- *  @param E    Young's modulus > 0 [modulus]
- *  @param nu   -1 < nu <= 1/2 [1]
- *  @param out  receives the handle */
-int mdr_material_elastic(double E, double nu, mdr_material **out);
-
 /** A linear viscoelastic material whose shear modulus relaxes as G(t) = relaxed_shear_modulus + sum moduli_i exp(-t/times_i) (Prony
  *  series), with a dashpot in parallel (Kelvin-Voigt) where viscosity > 0. Without a relaxed modulus it flows without end.
  *  @param relaxed_shear_modulus  G(infinity) >= 0 [modulus]
@@ -597,18 +596,6 @@ int mdr_material_limit(const mdr_material *m, int limit, double *E, double *nu);
 /** Frees a material and sets *m to NULL. m = NULL and *m = NULL are allowed.
  *  @return MDR_SUCCESS, or MDR_EINVALID (and frees nothing) if *m is not a material */
 int mdr_material_free(mdr_material **m);
-
-/** A viscoelastic half-space: bonded layers on a substrate or a rigid base, or a homogeneous one. Its contacts answer
- *  mdr_contact_history(); everything else returns MDR_EINVALID and says so, work of adhesion included.
- *  @param n          number of layers; 0: homogeneous
- *  @param materials  [n] from the surface down; may be freed afterwards
- *  @param thickness  [n] > 0 [length]
- *  @param substrate  the half-space's material; NULL: a rigid base
- *  @param model      one of enum mdr_model, by which elastic bodies of this shape are solved
- *  @param options    or NULL: as of mdr_medium_layered()
- *  @param out        receives the handle */
-int mdr_medium_viscoelastic(int n, const mdr_material *const materials[], const double thickness[], const mdr_material *substrate,
-                            int model, const mdr_medium_options *options, mdr_medium **out);
 
 /** Medium whose effective modulus is a table, interpolated in ln a without overshoot. States are offered from a[0] to a[n-1];
  *  below a[0] the modulus is taken as constant when forces are integrated.
@@ -1843,7 +1830,7 @@ int mdr_rate_history(const mdr_rate *r, int control, double spring_stiffness, do
                      const double time[], const double in[], double d[], double a[], double F[], double v[], double dissipated[],
                      double work[], mdr_rate_state *end);
 
-/** A path in time of a viscoelastic half-space whose surface the indenter attracts: a contact of mdr_medium_viscoelastic() without
+/** A path in time of a viscoelastic half-space whose surface the indenter attracts: a contact with a body of mdr_medium_stack() without
  *  layers, with a work_of_adhesion and a cohesive_stress. Approach, jump-in, dwell, retraction, pull-off; all loss is in the solid.
  *
  *  Each spring of the body remembers its own load (Haiat, Phan Huy, Barthel, J. Mech. Phys. Solids 51 (2003) 69), and the edges of

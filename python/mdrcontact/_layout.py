@@ -60,6 +60,7 @@ layer = np.dtype(
         ("prestress", np.float64),
         ("normal_compliance", np.float64),
         ("tangential_compliance", np.float64),
+        ("material", np.uintp),
     ],
     align=True,
 )

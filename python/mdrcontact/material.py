@@ -54,10 +54,6 @@ class Elastic(WithParameters):
         """Members of struct mdr_layer."""
         return {"E": self.E, "nu": self.nu}
 
-    def _rheology(self) -> Handle:
-        """The material as a part of a viscoelastic body."""
-        return Handle(_native.material_elastic(self.E, self.nu), _native.material_free)
-
 
 @dataclass(frozen=True)
 class TransverselyIsotropic(WithParameters):
@@ -134,9 +130,6 @@ class TransverselyIsotropic(WithParameters):
             return dict(zip(_ENGINEERING_MEMBERS, self.engineering, strict=True))
         return {name: getattr(self, name) for name in _STIFFNESSES}
 
-    def _rheology(self) -> Handle:
-        raise InvalidArgumentError(f"{self!r} is not allowed in a body that relaxes: its parts must be isotropic")
-
 
 _STIFFNESSES = ("C11", "C12", "C13", "C33", "C44")
 _ENGINEERING = ("E_t", "E_z", "nu_t", "nu_tz", "G_z")
@@ -180,8 +173,9 @@ class _Rheology(WithParameters):
         """The elastic material of a load that has lasted; InvalidArgumentError for what flows without end."""
         return Elastic(*call(_native.material_limit, self._handle.address, _layout.LIMIT_RELAXED))
 
-    def _rheology(self) -> Handle:
-        return self._handle
+    def _layer(self) -> dict[str, float]:
+        """Members of struct mdr_layer."""
+        return {"material": self._handle.address}
 
 
 @dataclass(frozen=True)

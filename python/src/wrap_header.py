@@ -28,7 +28,6 @@ SIZES = {
     "mdr_contact_layer_energies": {"out": "capacity"},
     "mdr_contact_pull_off": {"d": "capacity", "a": "capacity", "F": "capacity"},
     "mdr_material_viscoelastic": {"moduli": "", "times": ""},
-    "mdr_medium_viscoelastic": {"materials": "", "thickness": ""},
     "mdr_wear_new": {"thickness": ""},
     "mdr_wear_history_save": {"numbers": "capacity"},
     "mdr_structure_shapes": {"parameters": "n, 7"},

@@ -116,6 +116,22 @@ static inline int field_at(const mdr_contact *c, int field, int given, double va
     return status != MDR_SUCCESS ? status : mdr_contact_field(c, field, &state, n, r, out);
 }
 
+/* Layers that relax, from the surface down, on a half-space or, where it is NULL, a rigid base. */
+static inline int relaxing_medium(int n, const mdr_material *const materials[], const double thickness[],
+                                  const mdr_material *substrate, int model, const mdr_medium_options *options, mdr_medium **out)
+{
+    enum { MOST = 3 };
+    mdr_layer layers[MOST], base = MDR_SIZED(mdr_layer);
+
+    for (int i = 0; i < n && i < MOST; i++) {
+        layers[i] = MDR_SIZED(mdr_layer);
+        layers[i].thickness = thickness[i];
+        layers[i].material = materials[i];
+    }
+    base.material = substrate;
+    return mdr_medium_stack(n, layers, substrate ? &base : NULL, model, options, out);
+}
+
 static inline int check_report(const char *name)
 {
     printf("%s: %d checks, %d failed\n", name, check_count, check_failures);

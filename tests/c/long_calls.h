@@ -170,8 +170,8 @@ static mdr_contact *ball_on_polymer(int i)
     mdr_medium *m = NULL;
     CHECK_SUCCESS(i == 3 ? mdr_material_power_law(1.0, 1.0, 0.2, 0.5, &polymer)
                          : mdr_material_viscoelastic(1.0, 2, moduli, times, 0.0, 0.4, 0.0, &polymer));
-    CHECK_SUCCESS(mdr_material_elastic(10.0, 0.3, &base));
-    CHECK_SUCCESS(mdr_medium_viscoelastic(i > 0, (const mdr_material *const[1]){polymer}, &h,
+    CHECK_SUCCESS(mdr_material_viscoelastic(10.0 / 2.6, 0, NULL, NULL, 0.0, 0.3, 0.0, &base));
+    CHECK_SUCCESS(relaxing_medium(i > 0, (const mdr_material *const[1]){polymer}, &h,
                                           i == 0 ? polymer : i == 1 ? NULL : base, MDR_MODEL_EXACT, NULL, &m));
     mdr_material_free(&polymer);
     mdr_material_free(&base);

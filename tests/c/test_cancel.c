@@ -149,7 +149,7 @@ int main(void)
     CHECK_SUCCESS(mdr_material_viscoelastic(1.0, 1, (double[]){2.0}, (double[]){0.5}, 0.0, 0.5, 0.0, &fast));
     CHECK_SUCCESS(mdr_material_viscoelastic(0.6, 1, (double[]){0.4}, (double[]){2.0}, 0.0, 0.3, 0.0, &slow));
     layers[0] = fast;
-    CHECK_SUCCESS(mdr_medium_viscoelastic(1, layers, (double[]){1.0}, slow, MDR_MODEL_EXACT, NULL, &soft));
+    CHECK_SUCCESS(relaxing_medium(1, layers, (double[]){1.0}, slow, MDR_MODEL_EXACT, NULL, &soft));
     CHECK_SUCCESS(mdr_contact_new(p, soft, NULL, &relaxing));
     CHECK_SUCCESS(mdr_medium_coated(2.0, 0.3, 0.5, 1.0, 0.3, MDR_MODEL_EXACT, NULL, &film));
     CHECK_SUCCESS(mdr_contact_new(p, film, NULL, &on_film));

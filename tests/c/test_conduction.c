@@ -163,7 +163,7 @@ static void test_refusals(void)
     CHECK_STATUS(mdr_conduction_field(p, 5, 1.0, 1, 1, 1, one, one, out), MDR_EINVALID, "field = 5");
     CHECK_STATUS(mdr_conduction_field(p, 2, 1.0, 2, 1, 1, one, one, out), MDR_EINVALID, "body = 2");
     CHECK_STATUS(mdr_conduction_field(p, 2, 1.0, 1, 2, 1, one, one, out), MDR_EINVALID, "below = 2");
-    CHECK_SUCCESS(mdr_material_elastic(1.0, 0.3, &other));
+    CHECK_SUCCESS(mdr_material_viscoelastic(1.0 / 2.6, 0, NULL, NULL, 0.0, 0.3, 0.0, &other));
     CHECK_STATUS(mdr_conduction_spot((mdr_conduction *)other, 1, one, out, more), MDR_EINVALID, "mdr_conduction");
     CHECK_SUCCESS(mdr_material_free(&other));
     CHECK_SUCCESS(mdr_conduction_free(&p));

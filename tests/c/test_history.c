@@ -40,7 +40,7 @@ static void test_materials(void)
     CHECK_STATUS(mdr_material_relaxation(power, N, t, G), MDR_EINVALID, "infinite");
     CHECK_SUCCESS(mdr_material_creep(power, N, t, J));
     CHECK_TRUE(J[0] == 0.0 && J[1] > 0.0);
-    CHECK_SUCCESS(mdr_material_elastic(1.0, 0.3, &elastic));
+    CHECK_SUCCESS(mdr_material_viscoelastic(1.0 / 2.6, 0, NULL, NULL, 0.0, 0.3, 0.0, &elastic));
     CHECK_SUCCESS(mdr_material_limit(elastic, MDR_LIMIT_RELAXED, &E, &nu));
     CHECK_CLOSE(E, 1.0, 1e-15);
 
@@ -51,7 +51,7 @@ static void test_materials(void)
     CHECK_STATUS(mdr_material_relaxation(NULL, 1, t, G), MDR_ENULL, "m");
     CHECK_STATUS(mdr_material_power_law(1.0, 1.0, 0.0, 0.5, &none), MDR_EINVALID, "exponent = 0");
     CHECK_STATUS(mdr_material_power_law(1.0, NAN, 0.5, 0.5, &none), MDR_EINVALID, "time");
-    CHECK_STATUS(mdr_material_elastic(1.0, 0.3, NULL), MDR_ENULL, "out");
+    CHECK_STATUS(mdr_material_viscoelastic(1.0, 0, NULL, NULL, 0.0, 0.3, 0.0, NULL), MDR_ENULL, "out");
     CHECK_STATUS(mdr_material_viscoelastic(1.0, 2, NULL, times, 0.0, 0.4, 0.0, &none), MDR_ENULL, "moduli");
     CHECK_STATUS(mdr_material_viscoelastic(1.0, 2, times, moduli, 1.0, 0.4, 1.0, &none), MDR_EINVALID, "viscosity = 1");
     CHECK_STATUS(mdr_material_viscoelastic(0.0, 0, NULL, NULL, 1.0, 0.4, 0.0, &none), MDR_EINVALID, "liquid");
@@ -76,8 +76,8 @@ static void test_histories(void)
     mdr_state state = {0};
 
     CHECK_SUCCESS(mdr_profile_paraboloid(1.0, &ball));
-    CHECK_SUCCESS(mdr_medium_viscoelastic(0, NULL, NULL, material, MDR_MODEL_EXACT, NULL, &body));
-    CHECK_SUCCESS(mdr_medium_viscoelastic(1, film, &h, NULL, MDR_MODEL_EXACT, NULL, &coated));
+    CHECK_SUCCESS(relaxing_medium(0, NULL, NULL, material, MDR_MODEL_EXACT, NULL, &body));
+    CHECK_SUCCESS(relaxing_medium(1, film, &h, NULL, MDR_MODEL_EXACT, NULL, &coated));
     CHECK_SUCCESS(mdr_contact_new(ball, body, NULL, &contact));
     CHECK_SUCCESS(mdr_contact_new(ball, coated, NULL, &gel));
     CHECK_SUCCESS(mdr_contact_history(contact, MDR_GIVEN_DEPTH, 1e-5, N, t, held, NULL, a, F));
@@ -93,7 +93,7 @@ static void test_histories(void)
     /* two layers of the film's material are the film */
     CHECK_SUCCESS(mdr_contact_free(&gel));
     CHECK_SUCCESS(mdr_medium_free(&coated));
-    CHECK_SUCCESS(mdr_medium_viscoelastic(2, halves, (const double[2]){0.25, 0.75}, NULL, MDR_MODEL_EXACT, NULL, &coated));
+    CHECK_SUCCESS(relaxing_medium(2, halves, (const double[2]){0.25, 0.75}, NULL, MDR_MODEL_EXACT, NULL, &coated));
     CHECK_SUCCESS(mdr_contact_new(ball, coated, NULL, &gel));
     CHECK_SUCCESS(mdr_contact_history(gel, MDR_GIVEN_DEPTH, 1e-5, N, t, held, NULL, NULL, d));
     for (int i = 0; i < N; i++) CHECK_CLOSE(d[i], F[i], 1e-9);
@@ -123,10 +123,23 @@ static void test_histories(void)
     state.radius = 0.7;
     CHECK_STATUS(mdr_contact_field(contact, MDR_FIELD_PRESSURE, &state, 1, t, untouched), MDR_EINVALID, "");
     CHECK_STATUS(mdr_contact_energy(contact, &state, &energy, NULL), MDR_EINVALID, "");
-    CHECK_STATUS(mdr_medium_viscoelastic(0, NULL, NULL, NULL, MDR_MODEL_EXACT, NULL, &none), MDR_EINVALID, "rigid");
-    CHECK_STATUS(mdr_medium_viscoelastic(1, film, &h, material, 99, NULL, &none), MDR_EINVALID, "model = 99");
-    CHECK_STATUS(mdr_medium_viscoelastic(1, NULL, &h, material, MDR_MODEL_EXACT, NULL, &none), MDR_ENULL, "materials");
-    CHECK_STATUS(mdr_medium_viscoelastic(1, film, &h, (const mdr_material *)ball, MDR_MODEL_EXACT, NULL, &none),
+    CHECK_STATUS(relaxing_medium(0, NULL, NULL, NULL, MDR_MODEL_EXACT, NULL, &none), MDR_EINVALID, "rigid");
+    CHECK_STATUS(relaxing_medium(1, film, &h, material, 99, NULL, &none), MDR_EINVALID, "model = 99");
+    mdr_layer mixed = MDR_SIZED(mdr_layer);
+    mixed.thickness = h;
+    mixed.material = material;
+    mixed.E = 1.0;
+    CHECK_STATUS(mdr_medium_stack(1, &mixed, NULL, MDR_MODEL_EXACT, NULL, &none), MDR_EINVALID, "beside the material of layer 1");
+    mdr_layer of_crystal[2] = {MDR_SIZED(mdr_layer), MDR_SIZED(mdr_layer)};
+    of_crystal[0].thickness = of_crystal[1].thickness = h;
+    of_crystal[0].material = material;
+    of_crystal[1].E = 1.0;
+    of_crystal[1].prestress = 0.1;
+    CHECK_STATUS(mdr_medium_stack(2, of_crystal, NULL, MDR_MODEL_EXACT, NULL, &none), MDR_EINVALID, "prestress of layer 2");
+    CHECK_STATUS(mdr_layers_wrinkling(1, of_crystal, NULL, 1, NULL, NULL), MDR_EINVALID, "relaxes");
+    of_crystal[0].normal_compliance = -1.0;
+    CHECK_STATUS(mdr_medium_stack(1, of_crystal, NULL, MDR_MODEL_EXACT, NULL, &none), MDR_EINVALID, "normal_compliance = -1");
+    CHECK_STATUS(relaxing_medium(1, film, &h, (const mdr_material *)ball, MDR_MODEL_EXACT, NULL, &none),
                  MDR_EINVALID, "substrate");
     CHECK_TRUE(none == NULL);
     for (int i = 0; i < N; i++) CHECK_TRUE(untouched[i] == 7.0);
@@ -165,13 +178,13 @@ static void test_marching(void)
 
     CHECK_SUCCESS(mdr_material_power_law(1.0, 1.0, 0.2, 0.5, &gel));
     CHECK_SUCCESS(mdr_material_viscoelastic(1.0, 0, NULL, NULL, 0.5, 0.4, 0.0, &kelvin));
-    CHECK_SUCCESS(mdr_material_elastic(10.0, 0.3, &base));
+    CHECK_SUCCESS(mdr_material_viscoelastic(10.0 / 2.6, 0, NULL, NULL, 0.0, 0.3, 0.0, &base));
     CHECK_SUCCESS(mdr_profile_paraboloid(1.0, &ball));
     const mdr_material *tops[3] = {film, gel, kelvin};
     for (int i = 0; i < 3; i++) {
         mdr_medium *coated = NULL;
         mdr_contact *contact = NULL;
-        CHECK_SUCCESS(mdr_medium_viscoelastic(1, tops + i, &h, base, MDR_MODEL_EXACT, NULL, &coated));
+        CHECK_SUCCESS(relaxing_medium(1, tops + i, &h, base, MDR_MODEL_EXACT, NULL, &coated));
         CHECK_SUCCESS(mdr_contact_new(ball, coated, NULL, &contact));
         if (i < 2) {
             CHECK_SUCCESS(mdr_contact_history(contact, MDR_GIVEN_DEPTH, 1e-3, 5, t, path, d, a, F));

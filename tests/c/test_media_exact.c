@@ -56,8 +56,8 @@ static void surface_with_tension(void)
     CHECK_STATUS(mdr_medium_tangential_modulus(m, 1, &a, &found), MDR_EINVALID, "surface with tension");
     CHECK_SUCCESS(mdr_medium_free(&m));
     CHECK_STATUS(mdr_medium_coated(0.75, 0.5, 1.0, 0.75, 0.5, MDR_MODEL_GAO, &options, &m), MDR_EINVALID, "exact");
-    CHECK_SUCCESS(mdr_material_elastic(0.75, 0.5, &gel));
-    CHECK_STATUS(mdr_medium_viscoelastic(0, NULL, NULL, gel, MDR_MODEL_EXACT, &options, &m), MDR_EINVALID, "surface_tension");
+    CHECK_SUCCESS(mdr_material_viscoelastic(0.75 / 3, 0, NULL, NULL, 0.0, 0.5, 0.0, &gel));
+    CHECK_STATUS(relaxing_medium(0, NULL, NULL, gel, MDR_MODEL_EXACT, &options, &m), MDR_EINVALID, "surface_tension");
     CHECK_SUCCESS(mdr_material_free(&gel));
     for (int i = 0; i < 4; i++) {
         options.surface_tension = bad[i];

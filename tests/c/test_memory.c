@@ -58,7 +58,7 @@ int main(void)
     CHECK_SUCCESS(mdr_friction_history_advance(path, MDR_GIVEN_DEPTH, MDR_GIVEN_SHIFT, 1, &(double){0.01}, &(double){1e-3}, states,
                                                sheared));
     CHECK_SUCCESS(mdr_material_viscoelastic(1.0, 1, &modulus, &relaxation_time, 0.0, 0.3, 0.0, &polymer));
-    CHECK_SUCCESS(mdr_medium_viscoelastic(0, NULL, NULL, polymer, MDR_MODEL_EXACT, NULL, &relaxing));
+    CHECK_SUCCESS(relaxing_medium(0, NULL, NULL, polymer, MDR_MODEL_EXACT, NULL, &relaxing));
     CHECK_SUCCESS(mdr_contact_new(p, relaxing, NULL, &in_time));
     for (int i = 0; i < COUNT; i++) in[i] = 1e-6 * (i + 1);
     fill_untouched(COUNT, out);

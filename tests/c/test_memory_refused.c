@@ -425,7 +425,7 @@ int main(void)
     CHECK_SUCCESS(mdr_law_new(contact, 0.5, &options, &law));
 
     CHECK_SUCCESS(mdr_material_viscoelastic(1.0, 1, (double[]){2.0}, (double[]){0.5}, 0.0, 0.5, 0.0, &springs));
-    CHECK_SUCCESS(mdr_medium_viscoelastic(0, NULL, NULL, springs, MDR_MODEL_EXACT, NULL, &soft));
+    CHECK_SUCCESS(relaxing_medium(0, NULL, NULL, springs, MDR_MODEL_EXACT, NULL, &soft));
     CHECK_SUCCESS(mdr_contact_new(ball, soft, NULL, &relaxing));
     chosen = MDR_SIZED(mdr_contact_options);
     chosen.work_of_adhesion = 1e-2;
@@ -436,8 +436,8 @@ int main(void)
     CHECK_SUCCESS(mdr_friction_new(contact, 0.3, &rubbed));
     CHECK_SUCCESS(mdr_contact_states(contact, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, 1, (double[]){0.3}, &pressed));
 
-    CHECK_SUCCESS(mdr_material_elastic(1.0, 0.3, &layer[0]));
-    CHECK_SUCCESS(mdr_medium_viscoelastic(1, (const mdr_material *const *)layer, (double[]){0.4}, springs, MDR_MODEL_EXACT, NULL,
+    CHECK_SUCCESS(mdr_material_viscoelastic(1.0 / 2.6, 0, NULL, NULL, 0.0, 0.3, 0.0, &layer[0]));
+    CHECK_SUCCESS(relaxing_medium(1, (const mdr_material *const *)layer, (double[]){0.4}, springs, MDR_MODEL_EXACT, NULL,
                                           &soft_film));
     CHECK_SUCCESS(mdr_contact_new(ball, soft_film, NULL, &relaxing_film));
     CHECK_SUCCESS(mdr_medium_pair(film, half_space, &two));

@@ -121,7 +121,7 @@ static void test_refusals(mdr_poroelastic *gel)
     CHECK_STATUS(mdr_poroelastic_dynamic_stiffness(gel, 1.0, 1.0, 1.0, 1, time, NULL, loss), MDR_ENULL, "storage");
     CHECK_STATUS(mdr_poroelastic_error(NULL, out), MDR_ENULL, "p");
     CHECK_STATUS(mdr_poroelastic_error(gel, NULL), MDR_ENULL, "out");
-    CHECK_SUCCESS(mdr_material_elastic(1.0, 0.3, &other));
+    CHECK_SUCCESS(mdr_material_viscoelastic(1.0 / 2.6, 0, NULL, NULL, 0.0, 0.3, 0.0, &other));
     CHECK_STATUS(mdr_poroelastic_error((mdr_poroelastic *)other, out), MDR_EINVALID, "mdr_poroelastic");
     CHECK_SUCCESS(mdr_material_free(&other));
     CHECK_TRUE(none == NULL && out[0] == 7.0 && out[1] == 7.0 && loss[0] == 7.0);

@@ -124,7 +124,7 @@ static void test_viscoelastic_zone(void)
     options.work_of_adhesion = 0.01;
     options.cohesive_stress = 0.25;
     CHECK_SUCCESS(mdr_material_viscoelastic(0.5, 1, &modulus, &relaxation, 0.0, 0.0, 0.0, &rubber));
-    CHECK_SUCCESS(mdr_medium_viscoelastic(0, NULL, NULL, rubber, MDR_MODEL_EXACT, NULL, &body));
+    CHECK_SUCCESS(relaxing_medium(0, NULL, NULL, rubber, MDR_MODEL_EXACT, NULL, &body));
     CHECK_SUCCESS(mdr_profile_paraboloid(1.0, &ball));
     CHECK_SUCCESS(mdr_contact_new(ball, body, &options, &contact));
     CHECK_SUCCESS(mdr_contact_new(ball, body, NULL, &plain));

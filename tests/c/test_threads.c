@@ -116,7 +116,7 @@ int main(int argc, char **argv)
     CHECK_SUCCESS(mdr_medium_coated(72.0, 0.17, 0.5, 165.0, 0.22, model, NULL, &medium));
     CHECK_SUCCESS(mdr_contact_new(profile, medium, NULL, &contact));
     CHECK_SUCCESS(mdr_material_viscoelastic(1.0, 1, &modulus, &relaxation_time, 0.0, 0.3, 0.0, &material));
-    CHECK_SUCCESS(mdr_medium_viscoelastic(1, (const mdr_material *const[]){material}, &thickness, NULL, MDR_MODEL_EXACT, NULL,
+    CHECK_SUCCESS(relaxing_medium(1, (const mdr_material *const[]){material}, &thickness, NULL, MDR_MODEL_EXACT, NULL,
                                           &gel));
     CHECK_SUCCESS(mdr_contact_new(profile, gel, NULL, &relaxing));
     CHECK_SUCCESS(mdr_medium_coated(72.0, 0.17, 0.5, 165.0, 0.22, MDR_MODEL_EXACT, NULL, &film));

@@ -223,7 +223,7 @@ static void test_refusals(const mdr_contact *contact)
     CHECK_STATUS(mdr_wear_history_profile(h, NULL), MDR_ENULL, "h");
     CHECK_STATUS(mdr_wear_history_save(h, 0, NULL, NULL), MDR_ENULL, "h");
     CHECK_TRUE(h == NULL && out == 7.0);
-    CHECK_SUCCESS(mdr_material_elastic(1.0, 0.3, &other));
+    CHECK_SUCCESS(mdr_material_viscoelastic(1.0 / 2.6, 0, NULL, NULL, 0.0, 0.3, 0.0, &other));
     CHECK_STATUS(mdr_wear_passes((mdr_wear *)other, &state, 1.0, &out), MDR_EINVALID, "mdr_wear");
     CHECK_SUCCESS(mdr_material_free(&other));
     CHECK_SUCCESS(mdr_wear_free(&wear));

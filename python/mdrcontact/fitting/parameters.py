@@ -227,12 +227,19 @@ def _in_python(part: Any, name: str) -> str:
 
 
 def _of_relaxing(known: Mapping[str, float]) -> list[str]:
-    """The numbers of each material from the surface down, behind those of a layer its thickness; terms in any order."""
+    """The numbers of each material from the surface down, behind those of a layer its thickness and interface; terms in
+    any order."""
     times = [(name.split("terms[")[0], value) for name, value in known.items() if name.endswith("].time")]
     if len(set(times)) < len(times):
         words = "two terms of equal time are one, which has no two moduli to be fitted"
         raise InvalidArgumentError(f"terms is not allowed: {words}")
-    return [name for name in known if "conductor." not in name and not name.endswith("prestress")]
+    names: list[str] = []
+    for name in known:
+        if not any(part in name for part in ("conductor.", "prestress", "interface.")):
+            names.append(name)
+        if name.endswith("thickness"):
+            names += [name.removesuffix("thickness") + spring for spring in ("interface.normal", "interface.tangential")]
+    return names
 
 
 def _of_instrument(instrument: Instrument, listed: Sequence[tuple[str, float]]) -> list[tuple[str, float]]:

@@ -15,7 +15,7 @@ from ..poroelastic import NoHandle, Poroelastic, check_body
 from .layer import Layer, is_plain, stack
 from .models import MODELS, UnderModel, settings
 from .surface import Surface, given_surface
-from .viscoelastic import is_elastic, viscoelastic
+from .viscoelastic import is_elastic
 
 
 def substrate_material(substrate: object) -> Any:
@@ -88,12 +88,10 @@ class Coated(UnderModel):
         film = material("coating", coating)
         below = substrate_material(substrate)
         layer = Layer(film, thickness)
-        if is_elastic(film, below) and not is_plain([layer], below):
-            created = stack([layer], below, chosen.native)
-        elif is_elastic(film, below):
+        if is_elastic(film, below) and is_plain([layer], below):
             created = _native.medium_coated(film.E, film.nu, thickness, *base(below), *chosen.native)
         else:
-            created = viscoelastic([film], [thickness], below, chosen.native)
+            created = stack([layer], below, chosen.native)
         self._own_with(created, chosen.given, coating=film, thickness=thickness, substrate=substrate, model=model, surface=surface)
 
     @staticmethod

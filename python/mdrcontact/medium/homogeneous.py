@@ -7,13 +7,13 @@ from dataclasses import dataclass
 
 from .. import _native
 from ..errors import ArgumentTypeError
-from ..material import Elastic, Material, TransverselyIsotropic, material
+from ..material import Elastic, Material, material
 from ..poroelastic import NoHandle, Poroelastic
 from .base import Medium
 from .layer import stack
 from .models import settings
 from .surface import Surface, given_surface
-from .viscoelastic import is_elastic, viscoelastic
+from .viscoelastic import is_elastic
 
 
 def elastic(name: str, value: object) -> Elastic:
@@ -41,11 +41,10 @@ class Homogeneous(Medium):
             return
         body = material("material", self.material)
         surface = given_surface(self.surface, elastic=is_elastic(body))
-        if surface is not None or isinstance(body, TransverselyIsotropic):
-            chosen = settings("exact", {}, surface=surface)
-            created = stack([], body, chosen.native)
+        if surface is None and isinstance(body, Elastic):
+            created = _native.medium_homogeneous(body.E, body.nu)
         else:
-            created = _native.medium_homogeneous(body.E, body.nu) if is_elastic(body) else viscoelastic([], [], body)
+            created = stack([], body, settings("exact", {}, surface=surface).native)
         self._own(created, surface=surface)
 
     def __repr__(self) -> str:

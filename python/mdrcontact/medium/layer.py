@@ -22,7 +22,7 @@ from ..material import RIGID, SMOOTH, Elastic, Material, TransverselyIsotropic, 
 class Layer(WithParameters):
     """A layer of a `Layered` body. It unpacks as the pair (material, thickness).
 
-    material : Elastic(E, nu) or TransverselyIsotropic(...); where prestress and interface are left out any material
+    material : Elastic(E, nu) or TransverselyIsotropic(...); where there is no prestress any material
     thickness : > 0 [length]
     prestress : equibiaxial stress in its plane, tension > 0 [modulus]. The material's constants are the tangent moduli of the
         stressed state; with those of the free state the error is of the order prestress/modulus
@@ -43,8 +43,8 @@ class Layer(WithParameters):
         if self.interface is not None and not isinstance(self.interface, Interface):
             words = "it must be an Interface(normal=..., tangential=...), SLIDING or None"
             raise ArgumentTypeError(f"interface = {self.interface!r} is not allowed: {words}")
-        if not self._is_plain() and not isinstance(self.material, (Elastic, TransverselyIsotropic)):
-            raise InvalidArgumentError("a layer that relaxes is not allowed to have a prestress or an interface that gives")
+        if self.prestress and not isinstance(self.material, (Elastic, TransverselyIsotropic)):
+            raise InvalidArgumentError("a layer that relaxes is not allowed to have a prestress")
 
     def __iter__(self) -> Iterator[Any]:
         return iter((self.material, self.thickness))
@@ -78,7 +78,7 @@ def is_bonded(medium: Any) -> bool:
 
 
 def stack(layers: Sequence[Layer], substrate: Any, native: tuple[int, int] = (_layout.MODEL_EXACT, 0)) -> tuple[int, int]:
-    """What the library's constructor returns for layers of any kind, none of which relaxes, from the surface down."""
+    """What the library's constructor returns for layers of any kind from the surface down."""
     rows, base = _structures(layers, substrate)
     created: tuple[int, int] = _native.medium_stack(len(layers), address(rows), address(base), *native)
     return created
@@ -100,7 +100,7 @@ def _structures(layers: Sequence[Layer], substrate: Any) -> tuple[NDArray[Any], 
             if below is not None:
                 raise InvalidArgumentError("an interface above a SMOOTH base is not allowed: the base slides by itself")
             below = SLIDING
-        members = {**layer.material._layer(), "thickness": layer.thickness, "prestress": layer.prestress}  # type: ignore[union-attr]
+        members = {**layer.material._layer(), "thickness": layer.thickness, "prestress": layer.prestress}
         members.update({} if below is None else below._layer())
         for name, value in members.items():
             row[name] = value

@@ -15,7 +15,7 @@ from .coated import base, substrate_material
 from .layer import Layer, Wrinkling, is_plain, stack, wrinkling
 from .models import UnderModel, settings
 from .surface import Surface, given_surface
-from .viscoelastic import is_elastic, viscoelastic
+from .viscoelastic import is_elastic
 
 
 @dataclass(frozen=True, repr=False)
@@ -53,11 +53,7 @@ class Layered(UnderModel):
         stacked = [_as_layer(layer) for layer in given]
         materials: list[Any] = [layer.material for layer in stacked]
         h = [layer.thickness for layer in stacked]
-        if not is_elastic(*materials, below):
-            if not is_plain(stacked, below):
-                raise InvalidArgumentError("a body that relaxes must be isotropic, bonded and free of stress")
-            created = viscoelastic(materials, h, below, chosen.native)
-        elif is_plain(stacked, below):
+        if is_elastic(*materials, below) and is_plain(stacked, below):
             E, nu = [m.E for m in materials], [m.nu for m in materials]
             created = _native.medium_layered(E, nu, h, *base(below), *chosen.native)
         else:

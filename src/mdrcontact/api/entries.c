@@ -326,17 +326,6 @@ int mdr_medium_pair(const mdr_medium *lower, const mdr_medium *upper, mdr_medium
     return status;
 }
 
-int mdrcontact_entry_material_elastic(double E, double nu, mdr_material **out);
-int mdr_material_elastic(double E, double nu, mdr_material **out)
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_material_elastic(E, nu, out);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_material_elastic(E, nu, out);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
 int mdrcontact_entry_material_viscoelastic(double relaxed_shear_modulus, int n, const double moduli[], const double times[],
         double viscosity, double nu, double bulk_modulus, mdr_material **out);
 int mdr_material_viscoelastic(double relaxed_shear_modulus, int n, const double moduli[], const double times[], double viscosity,
@@ -403,19 +392,6 @@ int mdr_material_limit(const mdr_material *m, int limit, double *E, double *nu)
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
     const int status = mdrcontact_entry_material_limit(m, limit, E, nu);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_medium_viscoelastic(int n, const mdr_material *const materials[], const double thickness[],
-        const mdr_material *substrate, int model, const mdr_medium_options *options, mdr_medium **out);
-int mdr_medium_viscoelastic(int n, const mdr_material *const materials[], const double thickness[], const mdr_material *substrate,
-        int model, const mdr_medium_options *options, mdr_medium **out)
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_medium_viscoelastic(n, materials, thickness, substrate, model, options, out);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_medium_viscoelastic(n, materials, thickness, substrate, model, options, out);
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }

@@ -2,11 +2,11 @@
 !> Coated, layered and graded half-spaces under a model of the caller's choice, for C.
 module mdrcontact_api_layered
     use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
-    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_funptr, c_int, c_int8_t, c_loc, c_ptr, c_size_t, &
-                                           c_sizeof
+    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_funptr, c_int, c_int8_t, c_loc, c_null_ptr, &
+                                           c_ptr, c_size_t, c_sizeof
     use mdrcontact_api_arrays, only: check_array, check_count, check_each_positive, check_not_empty
     use mdrcontact_api_callback, only: c_function_t, new_c_function
-    use mdrcontact_api_handles, only: deliver_solver, hand_over
+    use mdrcontact_api_handles, only: deliver_solver, hand_over, open_handle
     use mdrcontact_api_medium_options, only: read_medium_options, read_surface
     use mdrcontact_api_options, only: read_options
     use mdrcontact_api_status, only: check_given, status_of
@@ -18,10 +18,12 @@ module mdrcontact_api_layered
     use mdrcontact_body_wrinkling, only: find_wrinkling
     use mdrcontact_error, only: check_choice, check_memory, count_text, error_invalid, error_t, raise
     use mdrcontact_material, only: by_engineering, by_stiffness, material_t, new_material, new_transverse
+    use mdrcontact_material_rheology, only: new_elastic_rheology, rheology_t
     use mdrcontact_medium, only: medium_t, new_medium
     use mdrcontact_medium_power_graded, only: new_power_graded, power_graded_t
+    use mdrcontact_medium_viscoelastic, only: new_viscoelastic_medium
     use mdrcontact_model, only: model_options_t
-    use mdrcontact_tension_surface, only: surface_t
+    use mdrcontact_tension_surface, only: is_bare, surface_t
     implicit none (type, external)
     private
     public :: mdr_layers_wrinkling
@@ -36,6 +38,7 @@ module mdrcontact_api_layered
         real(c_double) :: stiffness(5) = 0.0_c_double
         real(c_double) :: prestress = 0.0_c_double
         real(c_double) :: normal_compliance = 0.0_c_double, tangential_compliance = 0.0_c_double
+        type(c_ptr) :: material = c_null_ptr
     end type layer_t
 
 contains
@@ -87,14 +90,50 @@ contains
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
         type(layers_t) :: layered
+        type(rheology_t), allocatable :: relaxing(:)
         type(stack_t) :: body
         type(error_t), allocatable :: error
 
-        call read_layers(error, n, layers, substrate, layered)
-        if (.not. allocated(error)) call new_stack(body, layered%materials(:n), layered%thickness, layered%materials(n + 1), &
-                                                   error, layered%rigid_base, layered%bonds)
-        status = deliver_model(body, model, options, out, error)
+        call read_layers(error, n, layers, substrate, layered, relaxing)
+        if (allocated(relaxing)) then
+            status = deliver_relaxing(layered, relaxing, model, options, out, error)
+        else
+            if (.not. allocated(error)) call new_stack(body, layered%materials(:n), layered%thickness, layered%materials(n + 1), &
+                                                       error, layered%rigid_base, layered%bonds)
+            status = deliver_model(body, model, options, out, error)
+        end if
     end function mdr_medium_stack
+
+    !> The medium of layers that relax, unless there is an error already.
+    function deliver_relaxing(layered, materials, model, options, out, error) result(status)
+        type(layers_t), intent(in) :: layered
+        type(rheology_t), intent(in) :: materials(:)
+        integer(c_int), intent(in) :: model
+        type(c_ptr), intent(in) :: options
+        type(c_ptr), intent(inout), optional :: out
+        type(error_t), allocatable, intent(inout) :: error
+        integer(c_int) :: status
+        type(medium_t), allocatable :: medium
+        class(*), allocatable :: object
+        type(model_options_t) :: chosen
+        type(surface_t) :: surface
+
+        call check_given(error, "out", present(out))
+        call read_medium_options(error, options, chosen)
+        call read_surface(error, options, surface)
+        if (.not. is_bare(surface)) then
+            call raise(error, error_invalid, "surface_tension and surface_bending are not allowed: a body under a surface "// &
+                       "with tension or a plate must be elastic")
+        end if
+        allocate (medium)
+        allocate (medium%relaxing)
+        if (.not. allocated(error)) then
+            call new_viscoelastic_medium(medium%relaxing, materials, layered%thickness, layered%rigid_base, int(model), chosen, &
+                                         error, bonds=layered%bonds)
+        end if
+        call move_alloc(medium, object)
+        status = hand_over(object, out, error)
+    end function deliver_relaxing
 
     function mdr_layers_wrinkling(n, layers, substrate, layer, stress, wavelength) result(status) &
         bind(C, name="mdrcontact_entry_layers_wrinkling")
@@ -103,10 +142,13 @@ contains
         real(c_double), intent(inout), optional :: stress, wavelength
         integer(c_int) :: status
         type(layers_t) :: layered
+        type(rheology_t), allocatable :: relaxing(:)
         real(c_double) :: found(2)
         type(error_t), allocatable :: error
 
-        call read_layers(error, n, layers, substrate, layered)
+        call read_layers(error, n, layers, substrate, layered, relaxing)
+        if (allocated(relaxing)) call raise(error, error_invalid, "a layer with a material is not allowed: wrinkling of a body "// &
+                                            "that relaxes is not known; give the constants of one of its limits")
         if (.not. allocated(error)) call check_choice(error, "layer", int(layer), 1, int(n), "1 to n, from the surface down")
         if (.not. allocated(error)) call find_wrinkling(layered%materials(:n), layered%thickness, layered%materials(n + 1), &
                                                         layered%rigid_base, layered%bonds, int(layer), found(1), found(2), error)
@@ -117,13 +159,17 @@ contains
     end function mdr_layers_wrinkling
 
     !> An array of struct mdr_layer, and the half-space below it or NULL.
-    subroutine read_layers(error, n, layers, substrate, layered)
+    subroutine read_layers(error, n, layers, substrate, layered, relaxing)
         type(error_t), allocatable, intent(inout) :: error
         integer(c_int), intent(in) :: n
         type(c_ptr), intent(in) :: layers, substrate
         !> without moduli
         type(layers_t), intent(out) :: layered
+        !> the materials from the surface down where one is given by a handle, else not allocated
+        type(rheology_t), allocatable, intent(out) :: relaxing(:)
         type(bond_t) :: unused
+        type(rheology_t), allocatable :: materials(:)
+        logical :: relaxes
         real(c_double) :: ignored
         integer :: i, stat
 
@@ -134,14 +180,25 @@ contains
             call raise(error, error_invalid, "substrate is NULL, a rigid base: it must carry a layer")
         end if
         if (allocated(error)) return
-        allocate (layered%materials(n + 1), layered%bonds(n), layered%thickness(n), stat=stat)
+        allocate (layered%materials(n + 1), layered%bonds(n), layered%thickness(n), &
+                  materials(n + merge(0, 1, layered%rigid_base)), stat=stat)
         call check_memory(error, stat)
+        relaxes = .false.
         do i = 1, n
             if (allocated(error)) return
             call read_layer(error, "layer "//count_text(i), nth(layers, i), layered%materials(i), layered%thickness(i), &
-                            layered%bonds(i))
+                            layered%bonds(i), materials(i), relaxes)
         end do
-        if (.not. layered%rigid_base) call read_layer(error, "substrate", substrate, layered%materials(n + 1), ignored, unused)
+        if (.not. layered%rigid_base) call read_layer(error, "substrate", substrate, layered%materials(n + 1), ignored, unused, &
+                                                      materials(n + 1), relaxes)
+        if (allocated(error) .or. .not. relaxes) return
+        do i = 1, size(materials)
+            if (layered%materials(i)%is_plain) cycle
+            call raise(error, error_invalid, "E_z, nu_tz, G_z, C11 to C44 and prestress of layer "//count_text(i)//" are not "// &
+                       "allowed in a body that relaxes: its layers must be isotropic and free of stress")
+            return
+        end do
+        call move_alloc(materials, relaxing)
     end subroutine read_layers
 
     !> A structure of an array whose elements have the size that the first one states.
@@ -158,7 +215,7 @@ contains
     end function nth
 
     !> A layer, or a half-space, whose thickness and interface are then not looked at.
-    subroutine read_layer(error, role, given, material, thickness, bond)
+    subroutine read_layer(error, role, given, material, thickness, bond, rheology, relaxes)
         type(error_t), allocatable, intent(inout) :: error
         !> what it is called in an error message
         character(len=*), intent(in) :: role
@@ -167,13 +224,29 @@ contains
         type(material_t), intent(out) :: material
         real(c_double), intent(out) :: thickness
         type(bond_t), intent(out) :: bond
+        !> the material as part of a body that relaxes; set where the layer has a handle
+        type(rheology_t), intent(out) :: rheology
+        logical, intent(inout) :: relaxes
         type(layer_t), target :: layer
+        type(rheology_t), pointer :: given_material
 
         thickness = 0.0_c_double
         call read_options(error, role, given, c_loc(layer), c_sizeof(layer))
         if (allocated(error)) return
         thickness = layer%thickness
         bond = bond_t(layer%normal_compliance, layer%tangential_compliance)
+        if (c_associated(layer%material)) then
+            relaxes = .true.
+            call open_handle(layer%material, "material of "//role, given_material, error)
+            if (allocated(error)) return
+            rheology = given_material
+            if (any([layer%young, layer%poisson, layer%axial_young, layer%axial_poisson, layer%axial_shear, layer%stiffness, &
+                     layer%prestress] /= 0.0_c_double)) then
+                call raise(error, error_invalid, "constants and a prestress beside the material of "//role//" are not allowed: "// &
+                           "they must be 0")
+            end if
+            return
+        end if
         if (any(layer%stiffness /= 0.0_c_double)) then
             call new_transverse(material, by_stiffness, layer%stiffness, error, role)
         else if (any([layer%axial_young, layer%axial_poisson, layer%axial_shear] /= 0.0_c_double)) then
@@ -183,6 +256,7 @@ contains
             call new_material(material, layer%young, layer%poisson, error, role)
         end if
         call material%stretch(layer%prestress, error, role)
+        rheology = new_elastic_rheology(material)
     end subroutine read_layer
 
     function mdr_medium_graded(n, z, e, nu, model, options, out) result(status) bind(C, name="mdrcontact_entry_medium_graded")

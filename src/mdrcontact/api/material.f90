@@ -17,27 +17,13 @@ module mdrcontact_api_material
     use mdrcontact_tension_surface, only: is_bare, surface_t
     implicit none (type, external)
     private
-    public :: mdr_material_elastic, mdr_material_viscoelastic, mdr_material_power_law
+    public :: mdr_material_viscoelastic, mdr_material_power_law
     public :: mdr_material_relaxation, mdr_material_creep, mdr_material_complex_modulus, mdr_material_limit
-    public :: mdr_medium_viscoelastic
 
     !> enum mdr_limit
     integer, parameter :: glassy = 1, relaxed = 2
 
 contains
-
-    function mdr_material_elastic(e, nu, out) result(status) bind(C, name="mdrcontact_entry_material_elastic")
-        real(c_double), value :: e, nu
-        type(c_ptr), intent(inout), optional :: out
-        integer(c_int) :: status
-        type(material_t) :: material
-        type(rheology_t) :: rheology
-        type(error_t), allocatable :: error
-
-        call new_material(material, e, nu, error)
-        if (.not. allocated(error)) rheology = new_elastic_rheology(material)
-        status = deliver(rheology, out, error)
-    end function mdr_material_elastic
 
     function mdr_material_viscoelastic(relaxed_shear_modulus, n, moduli, times, viscosity, nu, bulk_modulus, out) &
         result(status) bind(C, name="mdrcontact_entry_material_viscoelastic")
@@ -176,64 +162,5 @@ contains
         if (present(e)) e = material%young
         if (present(nu)) nu = material%poisson
     end function mdr_material_limit
-
-    function mdr_medium_viscoelastic(n, materials, thickness, substrate, model, options, out) result(status) &
-        bind(C, name="mdrcontact_entry_medium_viscoelastic")
-        integer(c_int), value :: n
-        type(c_ptr), intent(in), optional :: materials(*)
-        real(c_double), intent(in), optional :: thickness(*)
-        type(c_ptr), value :: substrate, options
-        integer(c_int), value :: model
-        type(c_ptr), intent(inout), optional :: out
-        integer(c_int) :: status
-        type(medium_t), allocatable :: medium
-        class(*), allocatable :: object
-        type(rheology_t), allocatable :: stack(:)
-        type(rheology_t), pointer :: material
-        type(model_options_t) :: chosen
-        type(surface_t) :: surface
-        real(c_double), allocatable :: h(:)
-        type(error_t), allocatable :: error
-        logical :: rigid_base
-        integer :: i, stat
-
-        call check_count(error, n)
-        call check_array(error, "materials", n, present(materials))
-        call check_array(error, "thickness", n, present(thickness))
-        call check_given(error, "out", present(out))
-        call read_medium_options(error, options, chosen)
-        call read_surface(error, options, surface)
-        if (.not. is_bare(surface)) then
-            call raise(error, error_invalid, "surface_tension and surface_bending are not allowed: a body under a surface "// &
-                       "with tension or a plate must be elastic")
-        end if
-        rigid_base = .not. c_associated(substrate)
-        if (n == 0 .and. rigid_base) then
-            call raise(error, error_invalid, "substrate is NULL, a rigid base: it must carry at least one layer")
-        end if
-        if (.not. allocated(error)) then
-            allocate (stack(n + merge(0, 1, rigid_base)), stat=stat)
-            call check_memory(error, stat)
-            allocate (h(n), stat=stat)
-            call check_memory(error, stat)
-        end if
-        if (.not. allocated(error)) then
-            do i = 1, n
-                call open_handle(materials(i), "materials", material, error)
-                if (allocated(error)) exit
-                stack(i) = material
-                h(i) = thickness(i)
-            end do
-        end if
-        if (.not. rigid_base .and. .not. allocated(error)) then
-            call open_handle(substrate, "substrate", material, error)
-            if (.not. allocated(error)) stack(n + 1) = material
-        end if
-        allocate (medium)
-        allocate (medium%relaxing)
-        if (.not. allocated(error)) call new_viscoelastic_medium(medium%relaxing, stack, h, rigid_base, int(model), chosen, error)
-        call move_alloc(medium, object)
-        status = hand_over(object, out, error)
-    end function mdr_medium_viscoelastic
 
 end module mdrcontact_api_material

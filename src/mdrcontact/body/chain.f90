@@ -182,7 +182,7 @@ contains
         allocate (between, stat=stat)
         call check_memory(error, stat)
         if (stat /= 0) return
-        call new_interface(between, bond, real(surface%shear, wp))
+        call new_interface(between, bond, surface%shear)
         call move_alloc(between, link%element)
     end subroutine append_interface
 

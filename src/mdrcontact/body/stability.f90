@@ -7,7 +7,7 @@ module mdrcontact_body_stability
     use mdrcontact_body_compliance, only: compliance_t, normal_load
     use mdrcontact_error, only: error_invalid, error_t, raise, to_text
     use mdrcontact_kinds, only: pi, wp
-    use mdrcontact_numerics_lowest, only: find_lowest
+    use mdrcontact_numerics_lowest, only: find_lowest, in_six_digits
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
     implicit none (type, external)
     private
@@ -35,7 +35,7 @@ contains
         call softest_wave(body, k, stiffness, error)
         if (allocated(error) .or. stiffness > 0.0_wp) return
         call raise(error, error_invalid, "prestress is not allowed: under so much compression the surface wrinkles, at the "// &
-                   "wavelength "//to_text(2.0_wp*pi/k))
+                   "wavelength "//to_text(in_six_digits(2.0_wp*pi/k)))
     end subroutine check_stable
 
     !> The wave that the surface opposes least, beside a half-space of the surface material: 1/sigma(k) is smallest there.

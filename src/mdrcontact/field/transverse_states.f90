@@ -82,7 +82,7 @@ contains
                 sheet%top = layers%top(i)/radius
                 if (i > n) cycle
                 sheet%thickness = layers%thickness(i)/radius
-                call new_interface(sheet%below, layers%bonds(i)%per_length(radius), unit)
+                call new_interface(sheet%below, layers%bonds(i)%per_length(radius), cmplx(unit, kind=wp))
                 springs = max(springs, sheet%below%softness())
             end associate
         end do

@@ -5,12 +5,11 @@
 !> The first part is local in x. The times of the second are common to all k, spread over those of the materials, and R_m(k) are
 !> found by least squares from elastic compliances at real s.
 module mdrcontact_history_relaxation_memory
-    use mdrcontact_body_chain, only: chain_t, new_chain
+    use mdrcontact_body_chain, only: chain_t
     use mdrcontact_body_compliance, only: normal_load
     use mdrcontact_error, only: error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_lapack, only: dgels
-    use mdrcontact_material, only: moduli_t
     use mdrcontact_material_prony, only: creep_of, creep_t
     use mdrcontact_medium_viscoelastic, only: viscoelastic_t
     use mdrcontact_numerics_quadrature, only: gauss_legendre
@@ -21,6 +20,11 @@ module mdrcontact_history_relaxation_memory
     !> Nodes in a panel of wavenumbers, the phase that a panel resolves, and what chi may be beyond the last one.
     integer, parameter :: panel_nodes = 16
     real(wp), parameter :: largest_phase = 8.0_wp, negligible = 1.0e-15_wp
+    !> By how much a panel may differ from its halves, relative; panels at most; and at how many s that is seen.
+    real(wp), parameter :: allowed_difference = 1.0e-12_wp
+    integer, parameter :: most_panels = 400, looks = 8
+    !> Beyond all times of all materials.
+    real(wp), parameter :: at_once = 1.0e18_wp
     !> Longest panel of x, of so many nodes too, in thicknesses of the first layer.
     real(wp), parameter :: in_thicknesses = 2.0_wp
     !> Numbers of common times to try, and how far beyond them and how densely the transform is sampled.
@@ -76,7 +80,7 @@ contains
             return
         end if
         self%longest_panel = in_thicknesses*medium%thickness(1)
-        call place_waves(self, medium, radius, error)
+        call place_waves(self, medium, radius, 1.0_wp/(beyond*min(longest, span)), error)
         if (allocated(error)) return
         do i = 1, size(counts)
             call fit_times(self, medium, counts(i), longest, span, max(tolerance, reachable), misfit, error)
@@ -92,39 +96,47 @@ contains
         !> same size as k
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(inout) :: error
-        type(moduli_t) :: moduli(size(medium%thickness) + 1)
         complex(wp), dimension(size(k)) :: sigma, chi
         type(chain_t) :: chain
 
         values = 0.0_wp
-        moduli = medium%moduli_at(cmplx(s, kind=wp))
-        call new_chain(chain, normal_load, medium%thickness, moduli, medium%rigid_base, error)
+        call medium%chain_at(normal_load, cmplx(s, kind=wp), chain, error)
         if (allocated(error)) return
         call chain%chi(cmplx(k, kind=wp), sigma, chi)
-        values = real(chi*(1.0_wp - moduli(1)%poisson)/(2.0_wp*moduli(1)%shear), wp)
+        values = real(chi/chain%scale, wp)
     end subroutine find_compliance
 
-    !> Panels of wavenumbers that grow from where all layers together are seen, and resolve the widest contact.
-    subroutine place_waves(self, medium, radius, error)
+    !> Panels of wavenumbers that grow from where all layers together are seen, and resolve the widest contact. A stiff layer on a
+    !> soft one, or on springs, bends in waves much longer than the layers are thick.
+    subroutine place_waves(self, medium, radius, slowest, error)
         type(memory_t), intent(inout) :: self
         type(viscoelastic_t), intent(in) :: medium
-        real(wp), intent(in) :: radius
+        !> the largest s is that of the body [1/time]
+        real(wp), intent(in) :: radius, slowest
         type(error_t), allocatable, intent(inout) :: error
-        real(wp) :: low, width, nodes(panel_nodes), weights(panel_nodes), last(1), scale
-        integer :: panel
-        integer, parameter :: most_panels = 200
+        real(wp) :: low, width, nodes(panel_nodes), weights(panel_nodes), last(1), scale, s
+        type(chain_t) :: chains(0:looks)
+        integer :: i, panel
 
         call unit_rule(nodes, weights)
+        do i = 0, looks
+            s = at_once/self%shortest
+            if (i > 0) s = slowest*(beyond/(self%shortest*slowest))**(real(i - 1, wp)/real(looks - 1, wp))
+            call medium%chain_at(normal_load, cmplx(s, kind=wp), chains(i), error)
+        end do
         low = 0.0_wp
         width = min(0.25_wp/sum(medium%thickness), largest_phase/radius)
-        call find_compliance(medium, 1.0_wp/self%shortest, [width], last, error)
-        scale = abs(last(1))
+        scale = 0.0_wp
         do panel = 1, most_panels
+            if (allocated(error)) return
+            do i = 1, most_panels
+                if (is_resolved(chains, low, width, radius, nodes, weights)) exit
+                width = 0.5_wp*width
+            end do
             self%k = [self%k, low + width*nodes]
             self%weights = [self%weights, 2.0_wp/pi*width*weights]
             low = low + width
             call find_compliance(medium, 1.0_wp/self%shortest, [low], last, error)
-            if (allocated(error)) return
             scale = max(scale, abs(last(1)))
             if (low*medium%thickness(1) > 3.0_wp .and. abs(last(1)) <= negligible*scale) exit
             width = min(low, largest_phase/radius, 2.0_wp/medium%thickness(1))
@@ -134,6 +146,26 @@ contains
                        "layer of thickness "//to_text(medium%thickness(1)))
         end if
     end subroutine place_waves
+
+    !> Whether a panel gives what its halves give, of chi alone and with the shortest wave of the widest contact.
+    function is_resolved(chains, low, width, radius, nodes, weights) result(answer)
+        type(chain_t), intent(in) :: chains(:)
+        real(wp), intent(in) :: low, width, radius, nodes(:), weights(:)
+        logical :: answer
+        real(wp) :: k(3*size(nodes)), rule(3*size(nodes)), found(2), size_of
+        complex(wp), dimension(3*size(nodes)) :: sigma, chi
+        integer :: i
+
+        k = low + width*[nodes, 0.5_wp*nodes, 0.5_wp + 0.5_wp*nodes]
+        rule = [-weights, 0.5_wp*weights, 0.5_wp*weights]
+        answer = .true.
+        do i = 1, size(chains)
+            call chains(i)%chi(cmplx(k, kind=wp), sigma, chi)
+            size_of = sum(abs(rule*chi)) + 1.0_wp/(radius*width)
+            found = [sum(rule*real(chi, wp)), sum(rule*real(chi, wp)*cos(2.0_wp*radius*k))]
+            answer = answer .and. all(abs(found) <= allowed_difference*size_of)
+        end do
+    end function is_resolved
 
     subroutine unit_rule(nodes, weights)
         real(wp), intent(out) :: nodes(:), weights(:)
@@ -172,7 +204,7 @@ contains
         end do
         if (allocated(self%instant)) deallocate (self%instant)
         allocate (self%instant(size(self%k)))
-        call find_compliance(medium, 1.0e18_wp/self%shortest, self%k, self%instant, error)
+        call find_compliance(medium, at_once/self%shortest, self%k, self%instant, error)
         allocate (matrix(rows, columns), values(rows, size(self%k)), work(columns + 32*max(columns, size(self%k))))
         lowest = 1.0_wp/(beyond*min(longest, span))
         highest = beyond/self%shortest

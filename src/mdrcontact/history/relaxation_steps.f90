@@ -1,6 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> A history marched with steps that are halved until it does not change any more: second order, extrapolated.
 module mdrcontact_history_relaxation_steps
+    use mdrcontact_body_elements_interface, only: bond_t
     use mdrcontact_body_stack, only: new_stack, stack_t
     use mdrcontact_cancel, only: report_progress
     use mdrcontact_contact, only: contact_t, new_contact
@@ -114,16 +115,17 @@ contains
             call medium%materials(i)%glassy(material(i), error)
         end do
         if (.not. allocated(error)) then
-            call find_resting(contact, material(:n), medium%thickness(:n), material(n), .true., medium%options, given, value, &
-                              state, error)
+            call find_resting(contact, material(:n), medium%thickness(:n), medium%bonds(:n), material(n), .true., &
+                              medium%options, given, value, state, error)
         end if
     end subroutine at_once
 
     !> The state of an elastic body.
-    subroutine find_resting(contact, layers, thickness, base, is_rigid, options, given, value, state, error)
+    subroutine find_resting(contact, layers, thickness, bonds, base, is_rigid, options, given, value, state, error)
         type(relaxing_contact_t), intent(in) :: contact
         type(material_t), intent(in) :: layers(:), base
         real(wp), intent(in) :: thickness(:), value
+        type(bond_t), intent(in) :: bonds(:)
         logical, intent(in) :: is_rigid
         type(model_options_t), intent(in) :: options
         integer, intent(in) :: given
@@ -134,7 +136,7 @@ contains
         type(contact_t) :: resting
         type(contact_state_t) :: states(1)
 
-        call new_stack(body, layers, thickness, base, error, is_rigid)
+        call new_stack(body, layers, thickness, base, error, is_rigid, bonds)
         if (.not. allocated(error)) call new_solver(elastic, body, models%exact, error, options)
         if (.not. allocated(error)) call new_contact(resting, contact%equilibrium%profile, elastic, error)
         if (.not. allocated(error)) call contact_states(resting, given, [value], states, error)
@@ -246,8 +248,8 @@ contains
                 end if
                 if (allocated(error)) return
             end do
-            call find_resting(contact, material(:size(medium%thickness)), medium%thickness, material(size(material)), &
-                              medium%rigid_base, options, given, largest, state, error)
+            call find_resting(contact, material(:size(medium%thickness)), medium%thickness, medium%bonds, &
+                              material(size(material)), medium%rigid_base, options, given, largest, state, error)
             if (allocated(error)) return
             radius = max(radius, margin*state%radius)
         end do

@@ -2,7 +2,7 @@
 !> The contact stiffness k(a; s) of a viscoelastic body at constant contact radius (theory of time 4): at s = i omega the dynamic
 !> stiffness, its inverse Laplace transform the answer of a flat punch to a step.
 module mdrcontact_history_relaxation_stiffness
-    use mdrcontact_body_chain, only: chain_t, new_chain
+    use mdrcontact_body_chain, only: chain_t
     use mdrcontact_body_compliance, only: normal_load
     use mdrcontact_error, only: check_choice, check_positive, error_domain, error_invalid, error_no_convergence, error_t, raise, &
                                 raise_at, to_text
@@ -172,7 +172,7 @@ contains
         integer :: i
 
         at%s = 0.0_wp
-        call new_chain(chain, normal_load, medium%thickness, medium%moduli_at(s), medium%rigid_base, error)
+        call medium%chain_at(normal_load, s, chain, error)
         at%surface_modulus = chain%scale
         do i = 1, 2
             call new_part(part, chain, i == 2, memory, error)

@@ -3,7 +3,7 @@
 module mdrcontact_medium_compliance
     use mdrcontact_base_nonfinite, only: is_finite
     use mdrcontact_body, only: body_t
-    use mdrcontact_body_chain, only: chain_t, new_chain
+    use mdrcontact_body_chain, only: chain_t
     use mdrcontact_body_compliance, only: compliance_t, normal_load, twist_load
     use mdrcontact_error, only: error_domain, error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
@@ -63,7 +63,7 @@ contains
         type(chain_t) :: chain
 
         values = 0.0_wp
-        call new_chain(chain, load, body%thickness, body%moduli_at(cmplx(0.0_wp, omega, wp)), body%rigid_base, error)
+        call body%chain_at(load, cmplx(0.0_wp, omega, wp), chain, error)
         if (.not. allocated(error)) call add(chain, load, k, values)
         call check_values(error, values)
     end subroutine of_relaxing

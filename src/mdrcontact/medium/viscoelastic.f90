@@ -3,6 +3,8 @@
 !> (mdrcontact_history_relaxation) and oscillations (mdrcontact_history_relaxation_stiffness) start from its materials.
 module mdrcontact_medium_viscoelastic
     use mdrcontact_base_parameter, only: append, parameter_t, prefixed
+    use mdrcontact_body_chain, only: chain_t, new_chain
+    use mdrcontact_body_elements_interface, only: bond_of, bond_t
     use mdrcontact_body_stack, only: new_stack, stack_t
     use mdrcontact_error, only: check_positive, count_text, error_t
     use mdrcontact_kinds, only: wp
@@ -23,6 +25,8 @@ module mdrcontact_medium_viscoelastic
         type(rheology_t), allocatable :: materials(:)
         !> of the layers [length]
         real(wp), allocatable :: thickness(:)
+        !> how each layer holds to what lies below it
+        type(bond_t), allocatable :: bonds(:)
         !> below the last layer, in place of a half-space
         logical :: rigid_base = .false.
         !> the model by which elastic bodies of this shape are solved
@@ -38,13 +42,13 @@ module mdrcontact_medium_viscoelastic
         procedure :: parameters
         procedure :: with_parameters
         procedure :: relaxation_shape
-        procedure :: moduli_at
+        procedure :: chain_at
     end type viscoelastic_t
 
 contains
 
     !> Layers on a substrate, or on a rigid base.
-    subroutine new_viscoelastic_medium(self, materials, thickness, rigid_base, model, options, error, shared)
+    subroutine new_viscoelastic_medium(self, materials, thickness, rigid_base, model, options, error, shared, bonds)
         type(viscoelastic_t), intent(out) :: self
         !> from the surface down, then, unless the base is rigid, the half-space's
         type(rheology_t), intent(in) :: materials(:)
@@ -58,6 +62,8 @@ contains
         type(error_t), allocatable, intent(out) :: error
         !> what exact media have in common from one body to the next, which then cost less
         type(layered_shared_t), intent(inout), optional :: shared
+        !> how each layer holds to what lies below it, by springs that do not relax; without it all are bonded
+        type(bond_t), intent(in), optional :: bonds(:)
         type(material_t) :: elastic(size(thickness) + 1)
         type(homogeneous_t) :: homogeneous
         type(stack_t) :: body
@@ -68,6 +74,8 @@ contains
         end do
         self%materials = materials
         self%thickness = thickness
+        allocate (self%bonds(size(thickness)))
+        if (present(bonds)) self%bonds = bonds
         self%rigid_base = rigid_base
         self%model = model
         self%options = options
@@ -75,7 +83,8 @@ contains
         do i = 2, size(materials)
             self%is_proportional = self%is_proportional .and. same_shape(materials(1), materials(i))
         end do
-        if (size(thickness) > 0) self%is_proportional = self%is_proportional .and. .not. any(materials%bulk > 0.0_wp)
+        if (size(thickness) > 0) self%is_proportional = self%is_proportional .and. .not. any(materials%bulk > 0.0_wp) &
+                                                        .and. .not. any(self%bonds%has_springs())
         do i = 1, size(materials)
             if (allocated(error)) return
             call reference_material(materials(i), materials(1), elastic(i), error)
@@ -85,12 +94,13 @@ contains
             call new_homogeneous(homogeneous, elastic(1))
             allocate (self%reference, source=homogeneous)
         else
-            call new_stack(body, elastic(:size(thickness)), thickness, elastic(size(thickness) + 1), error, rigid_base)
+            call new_stack(body, elastic(:size(thickness)), thickness, elastic(size(thickness) + 1), error, rigid_base, self%bonds)
             if (.not. allocated(error)) call new_solver(self%reference, body, model, error, options, shared)
         end if
     end subroutine new_viscoelastic_medium
 
-    !> Of each material from the surface down its numbers, and behind those of a layer its thickness.
+    !> Of each material from the surface down its numbers, and behind those of a layer its thickness, and K_n and K_t of the
+    !> interface below it.
     pure subroutine parameters(self, list)
         class(viscoelastic_t), intent(in) :: self
         type(parameter_t), allocatable, intent(out) :: list(:)
@@ -102,7 +112,8 @@ contains
         do i = 1, size(self%materials)
             call self%materials(i)%parameters(own)
             if (i <= size(self%thickness)) then
-                own = prefixed([own, parameter_t("thickness", self%thickness(i))], "layers["//count_text(i - 1)//"].")
+                own = [own, parameter_t("thickness", self%thickness(i)), self%bonds(i)%parameters()]
+                own = prefixed(own, "layers["//count_text(i - 1)//"].")
             else if (i > 1) then
                 own = prefixed(own, "substrate.")
             end if
@@ -122,6 +133,7 @@ contains
         type(layered_shared_t), intent(inout) :: shared
         type(rheology_t) :: materials(size(self%materials))
         real(wp) :: thickness(size(self%thickness))
+        type(bond_t) :: bonds(size(self%thickness))
         type(parameter_t), allocatable :: own(:)
         integer :: i, first
 
@@ -133,9 +145,11 @@ contains
             first = first + size(own)
             if (i > size(thickness)) exit
             thickness(i) = values(first)
-            first = first + 1
+            bonds(i) = bond_of(values(first + 1:first + 2))
+            first = first + 3
         end do
-        call new_viscoelastic_medium(body, materials, thickness, self%rigid_base, self%model, self%options, error, shared)
+        call new_viscoelastic_medium(body, materials, thickness, self%rigid_base, self%model, self%options, error, shared, &
+                                     bonds)
     end subroutine with_parameters
 
     !> The elastic material that stands for a relaxing one; of a power law its modulus at the time for which that of the first
@@ -177,15 +191,21 @@ contains
         series%viscosity = series%viscosity/scale
     end function relaxation_shape
 
-    !> Those of the layers at s, and of the half-space; of a rigid base any.
-    pure function moduli_at(self, s) result(moduli)
+    !> The body's compliance under a load at s: where all moduli are those that an elastic body would have.
+    pure subroutine chain_at(self, load, s, chain, error)
         class(viscoelastic_t), intent(in) :: self
+        !> normal_load, shear_load or twist_load
+        integer, intent(in) :: load
         !> [1/time]
         complex(wp), intent(in) :: s
+        type(chain_t), intent(out) :: chain
+        type(error_t), allocatable, intent(inout) :: error
         type(moduli_t) :: moduli(size(self%thickness) + 1)
 
+        ! of a rigid base any
         moduli(size(moduli)) = moduli_t((1.0_wp, 0.0_wp), (2.0_wp, 0.0_wp), (0.0_wp, 0.0_wp))
         moduli(:size(self%materials)) = self%materials%moduli_at(s)
-    end function moduli_at
+        call new_chain(chain, load, self%thickness, moduli, self%rigid_base, error, self%bonds)
+    end subroutine chain_at
 
 end module mdrcontact_medium_viscoelastic

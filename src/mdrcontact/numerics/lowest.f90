@@ -5,7 +5,7 @@ module mdrcontact_numerics_lowest
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
     implicit none (type, external)
     private
-    public :: find_lowest
+    public :: find_lowest, in_six_digits
 
     !> The smaller part of the golden section; how near the place is found: beyond it f says no more.
     real(wp), parameter :: part = 0.3819660112501051_wp, accuracy = 1.0e-8_wp
@@ -53,5 +53,16 @@ contains
         x = places(i)
         least = values(i)
     end subroutine find_lowest
+
+    !> A place as far as rounding lets it be known, for messages: f hardly changes around its lowest value.
+    elemental function in_six_digits(x) result(rounded)
+        !> > 0
+        real(wp), intent(in) :: x
+        real(wp) :: rounded
+        real(wp) :: unit
+
+        unit = 10.0_wp**(floor(log10(x)) - 5)
+        rounded = anint(x/unit)*unit
+    end function in_six_digits
 
 end module mdrcontact_numerics_lowest

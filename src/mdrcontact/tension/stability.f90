@@ -5,7 +5,7 @@ module mdrcontact_tension_stability
     use mdrcontact_body_compliance, only: compliance_t
     use mdrcontact_error, only: error_invalid, error_t, raise, to_text
     use mdrcontact_kinds, only: wp
-    use mdrcontact_numerics_lowest, only: find_lowest
+    use mdrcontact_numerics_lowest, only: find_lowest, in_six_digits
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
     use mdrcontact_tension_surface, only: surface_t
     implicit none (type, external)
@@ -40,7 +40,7 @@ contains
         call critical_tension(surface%bending, compliance, tension, wave)
         if (surface%tension > largest_part*tension) return
         call raise(error, error_invalid, "surface tension = "//to_text(surface%tension)//" is not allowed: the surface "// &
-                   "wrinkles under tau_c = "//to_text(tension)//", at the wavenumber k_c = "//to_text(wave)// &
+                   "wrinkles under tau_c = "//to_text(tension)//", at the wavenumber k_c = "//to_text(in_six_digits(wave))// &
                    "; it must be greater than 0.95 tau_c")
     end subroutine check_stability
 

@@ -14,7 +14,7 @@ static int make_material(input *in, mdr_material **out)
 
     if (kind == 0) {
         p = take_positive(in);
-        return mdr_material_elastic(p, take_ratio(in), out);
+        return mdr_material_viscoelastic(p, 0, NULL, NULL, 0.0, take_ratio(in), 0.0, out);
     }
     if (kind == 1) {
         p = take_positive(in), q = take_positive(in), r = take_chance(in) ? take_number(in) : take_byte(in) / 256.0;
@@ -64,16 +64,24 @@ static void body(world *w)
     enum { MOST_LAYERS = 3 };
     const int slot = take_byte(&w->in) % SLOTS, n = take_byte(&w->in) % (MOST_LAYERS + 1);
     const int model = take_byte(&w->in) % 4 ? MDR_MODEL_EXACT : take_choice(&w->in, MDR_MODEL_EXACT);
-    const mdr_material *layers[MOST_LAYERS], *substrate;
+    mdr_layer layers[MOST_LAYERS + 1];
     double thickness[MOST_POINTS];
     mdr_medium *made = NULL;
 
-    for (int i = 0; i < MOST_LAYERS; i++) layers[i] = some_material(w);
-    substrate = take_byte(&w->in) % 4 ? some_material(w) : NULL;
+    for (int i = 0; i <= MOST_LAYERS; i++) {
+        layers[i] = MDR_SIZED(mdr_layer);
+        layers[i].material = some_material(w);
+        if (take_byte(&w->in) % 8 == 7) layers[i].E = take_positive(&w->in);
+        if (take_byte(&w->in) % 8 == 7) layers[i].material = NULL;
+        if (take_byte(&w->in) % 4 == 3) layers[i].normal_compliance = take_number(&w->in);
+        if (take_byte(&w->in) % 4 == 3) layers[i].tangential_compliance = take_chance(&w->in) ? take_number(&w->in) : INFINITY;
+    }
+    const mdr_layer *substrate = take_byte(&w->in) % 4 ? &layers[MOST_LAYERS] : NULL;
     take_positives(&w->in, thickness);
+    for (int i = 0; i < MOST_LAYERS; i++) layers[i].thickness = thickness[i];
     if (n > 0 && model == MDR_MODEL_EXACT && !afford(w, PRICE_OF_EXACT)) return;
-    const int status = mdr_medium_viscoelastic(n, layers, thickness, substrate, model, NULL, &made);
-    judge_object("mdr_medium_viscoelastic", status, made);
+    const int status = mdr_medium_stack(n, layers, substrate, model, NULL, &made);
+    judge_object("mdr_medium_stack", status, made);
     if (!made) return;
     mdr_medium_free(&w->media[slot]);
     w->media[slot] = made;

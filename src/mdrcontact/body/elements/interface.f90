@@ -23,14 +23,15 @@ module mdrcontact_body_elements_interface
         procedure :: parameters
         procedure :: is_bonded
         procedure :: slides
+        procedure :: has_springs
         procedure :: per_length
     end type bond_t
 
     !> An interface.
     type, extends(element_t) :: interface_t
         private
-        !> 2 G/K_t and 2 G/K_n [length], or without_end
-        real(wp) :: jump(2) = 0.0_wp
+        !> 2 G/K_t and 2 G/K_n [length]
+        complex(wp) :: jump(2) = 0.0_wp
         logical :: slides = .false.
     contains
         procedure :: above
@@ -86,6 +87,14 @@ contains
         answer = self%tangential > huge(1.0_wp)
     end function slides
 
+    !> Whether it gives, and has a stiffness: what slides has no unit.
+    elemental function has_springs(self) result(answer)
+        class(bond_t), intent(in) :: self
+        logical :: answer
+
+        answer = self%normal > 0.0_wp .or. (self%tangential > 0.0_wp .and. .not. self%slides())
+    end function has_springs
+
     !> The same with another unit of length.
     elemental function per_length(self, unit) result(scaled)
         class(bond_t), intent(in) :: self
@@ -110,7 +119,7 @@ contains
         type(interface_t), intent(out) :: self
         type(bond_t), intent(in) :: bond
         !> G of the body's surface [modulus]
-        real(wp), intent(in) :: surface_shear
+        complex(wp), intent(in) :: surface_shear
 
         self%slides = bond%slides()
         self%jump = 2.0_wp*surface_shear*[merge(0.0_wp, bond%tangential, self%slides), bond%normal]
@@ -125,7 +134,7 @@ contains
         class(interface_t), intent(in) :: self
         real(wp) :: length
 
-        length = maxval(self%jump)
+        length = maxval(abs(self%jump))
     end function softness
 
     pure function above(self, k, below) result(compliance)

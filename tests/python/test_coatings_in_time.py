@@ -1,0 +1,143 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Layers that relax on interfaces that give, or on a base of quite another stiffness: against elastic bodies and by two ways."""
+
+import math
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+
+import mdrcontact as mdr
+
+TIP = mdr.Paraboloid(1.0)
+FILM = mdr.Viscoelastic(1.0, [(1.0, 1.0), (0.5, 0.1)], nu=0.3)
+BASE = mdr.Elastic(3.0, 0.3)
+AT_ONCE, AT_REST = 1e-8, 400.0
+"""Times, in units of the film's, and what relaxes up to the first and after the second is less than 1e-8."""
+
+
+def forces(make, indenter=TIP, depth=0.5):
+    """Of a body with the relaxing film at once and at rest, over those of the elastic bodies with its limits."""
+    history = mdr.Contact(indenter, make(FILM)).history([0.0, AT_ONCE, AT_REST], depth=[0.0, depth, depth], tolerance=1e-7)
+    elastic = [mdr.Contact(indenter, make(limit)).at_depth(depth) for limit in (FILM.glassy, FILM.relaxed)]
+    assert history.radius[1:] == pytest.approx([state.radius for state in elastic], rel=1e-7)
+    return history.force[1:] / [state.force for state in elastic]
+
+
+SPRINGS = st.floats(-3.0, 3.0).map(lambda x: 10.0**x)
+
+
+@given(SPRINGS, st.none() | st.just(0.0) | SPRINGS, st.sampled_from([BASE, mdr.RIGID, mdr.Elastic(1e-3, 0.4)]))
+@settings(max_examples=12, deadline=None)
+def test_limits_of_films_on_springs(normal, tangential, base):
+    interface = mdr.Interface(normal=normal, tangential=tangential)
+    assert forces(lambda film: mdr.Layered([mdr.Layer(film, 1.0, interface=interface)], base)) == pytest.approx(1.0, abs=1e-7)
+
+
+@pytest.mark.parametrize("contrast", [1e-4, 1e-2, 1e1, 1e2, 1e3, 1e4, 1e6])
+def test_limits_of_films_of_another_stiffness(contrast):
+    """Stiff films bend in waves far longer than they are thick: the march must see them."""
+    assert forces(lambda film: mdr.Coated(film, 1.0, mdr.Elastic(2.6 / contrast, 0.3))) == pytest.approx(1.0, abs=1e-7)
+
+
+@pytest.mark.parametrize("substrate", [BASE, mdr.RIGID, mdr.SMOOTH])
+def test_a_punch_steps_alike_in_time_and_by_transforms(substrate):
+    """The march with the memory of all layers, and the inverse transform of the stiffness at complex moduli."""
+    slides = substrate is mdr.SMOOTH
+    between = mdr.Interface(normal=0.7, tangential=0.2)
+    layers = [
+        mdr.Layer(FILM, 0.5, interface=mdr.SLIDING),
+        mdr.Layer(mdr.Elastic(8.0, 0.2), 0.3, interface=None if slides else between),
+    ]
+    contact = mdr.Contact(mdr.FlatPunch(0.8), mdr.Layered(layers, substrate))
+    time = np.array([0.0, 0.01, 0.1, 1.0, 10.0])
+    marched = contact.history(time, depth=np.full(5, 0.1), tolerance=1e-7).force[1:]
+    stepped = 0.1 * contact.relaxation(time[1:])
+    assert marched == pytest.approx(stepped, rel=2e-6)
+
+
+def test_springs_of_a_thin_interlayer():
+    """K = C/t of an elastic interlayer between two that relax: the error falls with its thickness."""
+    below = mdr.Viscoelastic(2.0, [(1.0, 5.0)], nu=0.4)
+    time, depth = np.array([0.0, 0.5, 2.0, 8.0]), [0.0, 0.4, 0.4, 0.2]
+    errors = []
+    for t in (1e-2, 1e-3):
+        soft = mdr.Elastic(t, 0.3)
+        G = soft.E / (2.0 * (1.0 + soft.nu))
+        C33 = 2.0 * G * (1.0 - soft.nu) / (1.0 - 2.0 * soft.nu)
+        glue = mdr.Interface(normal=C33 / t, tangential=G / t)
+        whole = mdr.Layered([(FILM, 1.0), (soft, t)], below)
+        sprung = mdr.Layered([mdr.Layer(FILM, 1.0, interface=glue)], below)
+        one, other = (mdr.Contact(TIP, body).history(time, depth=depth, tolerance=1e-6).force[1:] for body in (whole, sprung))
+        errors.append(np.max(np.abs(one / other - 1.0)))
+    assert errors[0] < 5e-2
+    assert errors[1] < 0.2 * errors[0]
+
+
+def test_what_slides_relaxes_in_proportion():
+    """Without a stiffness of its own an interface has no time: all follows from elastic curves."""
+    time, depth = np.array([0.0, 0.1, 1.0, 10.0]), np.full(4, 0.3)
+    sliding = mdr.Layered([mdr.Layer(FILM, 1.0)], mdr.SMOOTH)
+    nearly = mdr.Layered([mdr.Layer(FILM, 1.0, interface=mdr.Interface(tangential=1e-9))], mdr.RIGID)
+    F = mdr.Contact(TIP, sliding).history(time, depth=depth).force
+    assert F / F[0] == pytest.approx(FILM.relaxation(time) / FILM.relaxation(0.0), rel=1e-10)
+    assert mdr.Contact(TIP, nearly).history(time, depth=depth, tolerance=1e-7).force[1:] == pytest.approx(F[1:], rel=1e-6)
+    assert mdr.Layered([mdr.Layer(FILM, 1.0, interface=mdr.SLIDING)], mdr.RIGID).compliance(2.0, omega=3.0) == pytest.approx(
+        sliding.compliance(2.0, omega=3.0), rel=1e-14
+    )
+
+
+def test_a_gel_on_springs_oscillates_between_its_limits():
+    glue = mdr.Interface(normal=2.0)
+    films = [mdr.Layer(material, 1.0, interface=glue) for material in (FILM, FILM.glassy, FILM.relaxed)]
+    gel, glassy, relaxed = (mdr.Contact(TIP, mdr.Layered([film], BASE)) for film in films)
+    fast, slow = gel.dynamic_stiffness(1e7, radius=0.5), gel.dynamic_stiffness(1e-7, radius=0.5)
+    assert fast.real == pytest.approx(glassy.at_radius(0.5).stiffness, rel=1e-6)
+    assert slow.real == pytest.approx(relaxed.at_radius(0.5).stiffness, rel=1e-6)
+    between = gel.dynamic_stiffness(1.0, radius=0.5)
+    assert slow.real < between.real < fast.real
+    assert between.imag > 0.0
+
+
+def test_power_laws_and_dashpots_on_springs():
+    """A film of a power law on a glue line: a step of a punch by the march and by transforms."""
+    film = mdr.PowerLawRheology(1.0, 1.0, 0.3, nu=0.4)
+    glue = mdr.Interface(normal=3.0, tangential=1.0)
+    contact = mdr.Contact(mdr.FlatPunch(1.0), mdr.Layered([mdr.Layer(film, 0.6, interface=glue)], BASE))
+    time = np.array([0.0, 0.1, 1.0, 10.0])
+    held = contact.history(time, force=np.full(4, 0.2), tolerance=1e-5).depth[1:]
+    assert held == pytest.approx(0.2 * contact.creep(time[1:]), rel=1e-4)
+    kelvin = mdr.Viscoelastic(1.0, [], nu=0.4, viscosity=0.5)
+    sprung = mdr.Layered([mdr.Layer(BASE, 0.6, interface=glue)], kelvin)
+    assert sprung.compliance(1.0, omega=2.0).imag < 0.0
+
+
+def test_a_fit_finds_the_springs():
+    rng = np.random.default_rng(3)
+
+    def body(K):
+        return mdr.Layered([mdr.Layer(FILM, 1.0, interface=mdr.Interface(normal=K, tangential=0.3))], BASE)
+
+    time = np.linspace(0.0, 5.0, 100)
+    depth = 0.3 * np.minimum(time, 1.0)
+    force = mdr.Contact(TIP, body(0.8)).history(time, depth=depth).force
+    data = mdr.ForceTime(time, depth, force + 1e-4 * rng.standard_normal(time.size), sd=1e-4)
+    free = ["layers[0].interface.normal", "layers[0].terms[0].modulus"]
+    result = mdr.fit(data, TIP, body(1.2), free)
+    low, high = result.interval(free[0])
+    assert low < 0.8 < high
+    assert high - low < 0.1
+
+
+def test_refusals():
+    crystal = mdr.TransverselyIsotropic.from_engineering(10.0, 3.0, 0.2, 0.1, 2.0)
+    with pytest.raises(mdr.InvalidArgumentError, match="prestress"):
+        mdr.Layer(FILM, 1.0, prestress=0.1)
+    with pytest.raises(mdr.InvalidArgumentError, match="prestress of layer 2"):
+        mdr.Layered([(FILM, 1.0), mdr.Layer(BASE, 1.0, prestress=0.1)], BASE)
+    with pytest.raises(mdr.InvalidArgumentError, match="layer 1 are not allowed in a body that relaxes"):
+        mdr.Layered([(crystal, 1.0)], FILM)
+    with pytest.raises(mdr.InvalidArgumentError, match="not isotropic, bonded"):
+        mdr.Layered([mdr.Layer(FILM, 1.0, interface=mdr.SLIDING)], BASE, model="gao")
+    assert math.isfinite(mdr.Layered([mdr.Layer(FILM, 1.0, interface=mdr.SLIDING)], BASE).compliance(1.0, omega=1.0).real)
