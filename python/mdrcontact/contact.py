@@ -154,7 +154,8 @@ class Contact(Value):
         self._set(_handle=handle, indenter=indenter, medium=medium)
         self._set(work_of_adhesion=gamma, adhesion_rule=adhesion_rule, zeta=given, cohesive_stress=sigma)
         self._set(adhesion=adhesion, _rates=[])
-        may_open = gamma == 0.0 and getattr(medium, "model", None) == "exact" and not isinstance(indenter, Paraboloid)
+        may_bend = getattr(medium, "model", None) == "exact" or _has_plate(medium)
+        may_open = gamma == 0.0 and may_bend and not isinstance(indenter, Paraboloid)
         self._set(_looked_at=set() if may_open else None, _warned=[-math.inf], _compared={})
 
     def at_depth(self, depth: ArrayLike, branch: str = "unloading") -> State:
@@ -571,9 +572,14 @@ class Contact(Value):
             fault = self._fault(State(*(float(value) for value in row)))
             if fault:
                 self._set(_looked_at=None)
+                off = (
+                    "nor are depth and force: a plate does not follow a tip or a flank that no plate can take the shape of"
+                    if _has_plate(self.medium)
+                    else "F(d) is off by at most a few per cent where the coating is up to 200 times stiffer than the body"
+                )
                 warn(
                     f"this contact is not one disc: {fault} (contact radius {row[1]:.3g}). Its pressure is not that of the true "
-                    "contact; F(d) is off by at most a few per cent where the coating is up to 200 times stiffer than the body",
+                    f"contact; {off}",
                     NotOneDiscWarning,
                 )
                 return
@@ -618,6 +624,11 @@ class Contact(Value):
         elif radius is not None:
             state = self.at_radius(number("radius", radius))
         return self._one(state)
+
+
+def _has_plate(medium: Medium) -> bool:
+    """Whether its surface carries a plate."""
+    return getattr(getattr(medium, "surface", None), "bending", 0.0) > 0.0
 
 
 def _table(zeta: Any) -> Table:

@@ -73,7 +73,8 @@ class MDRWarning(UserWarning):
 class NotOneDiscWarning(MDRWarning):
     """The pressure of a contact without adhesion is negative somewhere: on this stiff coating the contact is not one disc. Its
     pressure is not that of the true contact; F(d) is off by at most a few per cent where the coating is up to 200 times stiffer
-    than the body, by more beyond. Or the surface beyond the contact would pass through the indenter."""
+    than the body, by more beyond. Or the surface beyond the contact would pass through the indenter. Under a plate (`Surface`) F(d)
+    is not that of the true contact either."""
 
 
 class SlipInsideWarning(MDRWarning):

@@ -224,6 +224,8 @@ def test_wetting_warns():
         (lambda: mdr.Homogeneous(GEL, surface=mdr.Surface(-1.0, 1e-3)), "tau_c = .* k_c = "),
         (lambda: mdr.Homogeneous(GEL, surface=mdr.Surface(0.1, -1e-3)), "bending"),
         (lambda: mdr.Homogeneous(GEL, surface=mdr.Surface(np.nan)), "tension"),
+        (lambda: mdr.Homogeneous(GEL, surface=mdr.Surface(1e300, 1e-6)), "between 1e-90 and 1e90"),
+        (lambda: mdr.Coated(GEL, 1.0, mdr.RIGID, surface=mdr.Surface(5e-324)), "between 1e-90 and 1e90"),
         (lambda: mdr.Homogeneous(GEL, surface=3.0), "Surface"),
         (lambda: mdr.Homogeneous(mdr.PowerLawRheology(1.0, 1.0, 0.2, 0.5), surface=TENSE), "Elastic"),
         (lambda: mdr.Coated(GEL, 1.0, mdr.Elastic(1.0, 0.3), "gao", surface=TENSE), "exact"),
@@ -250,6 +252,37 @@ def test_refused_answers(half_space):
     ):
         with pytest.raises(mdr.MDRError):
             request()
+
+
+def test_films_narrower_than_a_plate_bends():
+    """Many cosines over a short piece of Phi: a film of the base's material is a half-space."""
+    plate = mdr.Surface(1.0, 1.0)
+    film, half_space = mdr.Coated(GEL, 0.3, GEL, surface=plate), mdr.Homogeneous(GEL, surface=plate)
+    assert film.stiffness(0.4) == pytest.approx(half_space.stiffness(0.4), rel=1e-11)
+    assert mdr.Coated(GEL, 0.3, mdr.RIGID, surface=plate).stiffness(0.4) > half_space.stiffness(0.4)
+
+
+def test_adhesion_begins_at_any_radius():
+    """A search for pull-off goes down to radii whose waves have no Bessel functions in the range of numbers."""
+    film = mdr.Coated(GEL, 6.0, mdr.RIGID, surface=mdr.Surface(0.1))
+    assert film.modulus(1e-200) > 0.0
+
+
+def test_no_tip_under_a_plate_makes_one_disc(half_space):
+    """B lap lap f pulls at the apex of a cone, and depth falls while the radius grows; a paraboloid has none of it."""
+    plate = mdr.Homogeneous(GEL, surface=mdr.Surface(0.0, 0.5))
+    cone = mdr.Contact(mdr.PowerLaw(1.0, 0.1), plate)
+    with pytest.warns(mdr.NotOneDiscWarning, match="a plate does not follow a tip"):
+        first, second = cone.at_radius([0.1, 0.3]).depth
+    assert second < first
+    with pytest.raises(mdr.UnreachableError, match=r"at radius 0\.01, where the medium begins, the depth is 2\.5"):
+        cone.at_depth(1e-3)
+    assert mdr.Contact(BALL, plate).lowest_pressure(mdr.Contact(BALL, plate).at_radius(0.3))[0] == 0.0
+
+
+def test_a_plate_under_tension_ends_by_its_own_length():
+    with pytest.raises(mdr.DomainError, match=r"200 lengths \(B/tau\)\^\(1/2\)"):
+        mdr.Homogeneous(GEL, surface=mdr.Surface(1e3, 1e-6)).stiffness(1.0)
 
 
 def test_fit_of_tension_and_modulus_together(half_space):

@@ -114,9 +114,14 @@ contains
             if (.not. allocated(error)) call go_on_as_punch(state, control, s, missing)
             return
         end if
-        call raise(error, error_unreachable, " = "//to_text(s)//" cannot be reached: at radius "//to_text(state%radius)// &
-                   ", where the indenter or the medium ends, the "//name//" is "// &
-                   to_text(control%of(state%depth, state%force))//trim(equilibrium%why_it_ends()), name)
+        if (control%of(state%depth, state%force) > s) then
+            call raise(error, error_unreachable, " = "//to_text(s)//" cannot be reached: at radius "//to_text(state%radius)// &
+                       ", where the medium begins, the "//name//" is "//to_text(control%of(state%depth, state%force)), name)
+        else
+            call raise(error, error_unreachable, " = "//to_text(s)//" cannot be reached: at radius "//to_text(state%radius)// &
+                       ", where the indenter or the medium ends, the "//name//" is "// &
+                       to_text(control%of(state%depth, state%force))//trim(equilibrium%why_it_ends()), name)
+        end if
     end subroutine invert
 
     !> As a flat punch of the radius reached, with dF = k dd.

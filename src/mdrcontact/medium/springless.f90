@@ -7,7 +7,7 @@ module mdrcontact_medium_springless
     use mdrcontact_base_nonfinite, only: infinity
     use mdrcontact_body, only: body_t
     use mdrcontact_body_compliance, only: compliance_t, normal_load
-    use mdrcontact_error, only: check_memory, error_invalid, error_t, raise
+    use mdrcontact_error, only: check_memory, error_invalid, error_t, raise, to_text
     use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_kinds, only: wp
     use mdrcontact_layered_shared, only: layered_shared_t
@@ -29,7 +29,7 @@ module mdrcontact_medium_springless
     !> what the surface adds falls, to 0.3 % of a stiffness at the first. Radii from this part of a plate's length on: smaller
     !> contacts bend it so little that the equations lose their digits. Radii up to this many thicknesses of the first layer.
     real(wp), parameter :: most_tension_lengths = 1.0e3_wp, most_plate_lengths = 2.0e2_wp, least_plate_length = 1.0e-2_wp, &
-                           most_thicknesses = 30.0_wp
+                           most_thicknesses = 30.0_wp, extreme_length = 1.0e90_wp
 
     !> A body under a surface with tension or a plate.
     type, extends(sheeted_t) :: springless_t
@@ -74,7 +74,8 @@ contains
         self%surface_contrast = max(1.0_wp, real(self%compliance%at_zero, wp))
         self%is_exact = .true.
         self%is_modulus_formula = .false.
-        call set_lengths(self)
+        call set_lengths(self, error)
+        if (allocated(error)) return
         if (surface%bending > 0.0_wp .or. self%compliance%first_depth > 0.0_wp) return
         if (present(shared)) then
             if (allocated(shared%punches)) then
@@ -88,18 +89,25 @@ contains
     end subroutine new_springless
 
     !> Phi, and between which radii the solver holds.
-    subroutine set_lengths(self)
+    subroutine set_lengths(self, error)
         type(springless_t), intent(inout) :: self
+        type(error_t), allocatable, intent(inout) :: error
         real(wp) :: l, b, largest
 
         l = 2.0_wp*self%sheet%tension/self%surface_modulus
         b = 2.0_wp*self%sheet%bending/self%surface_modulus
+        call check_lengths(self, l, b, error)
+        if (allocated(error)) return
         largest = most_tension_lengths*l
         self%why_it_ends = ": beyond 1000 lengths 2 tau/E* of the tension it adds less than 0.3 %: leave it out"
         if (b > 0.0_wp) then
             largest = most_plate_lengths*b**(1.0_wp/3.0_wp)
-            if (l > 0.0_wp) largest = min(largest, most_plate_lengths/min(b**(-1.0_wp/3.0_wp), sqrt(l/b)))
             self%why_it_ends = ": beyond 200 lengths (2 B/E*)^(1/3) of the plate it adds next to nothing: leave it out"
+            if (l > b**(1.0_wp/3.0_wp)) then
+                largest = most_plate_lengths*sqrt(b/l)
+                self%why_it_ends = ": beyond 200 lengths (B/tau)^(1/2) of the plate under tension it adds next to nothing: "// &
+                                   "leave it out"
+            end if
         end if
         if (self%compliance%first_depth > 0.0_wp .and. most_thicknesses*self%compliance%first_depth < largest) then
             largest = most_thicknesses*self%compliance%first_depth
@@ -109,6 +117,27 @@ contains
         call new_green(self%green, l, b, 2.0_wp*largest)
         if (b > 0.0_wp) self%smallest_radius = least_plate_length/self%green%rate
     end subroutine set_lengths
+
+    !> Raises where the third powers of Phi's poles would leave the range of numbers.
+    pure subroutine check_lengths(self, l, b, error)
+        type(springless_t), intent(in) :: self
+        real(wp), intent(in) :: l, b
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp) :: shortest, longest
+
+        if (b > 0.0_wp) then
+            shortest = b**(1.0_wp/3.0_wp)
+            longest = max(shortest, abs(l))
+            if (abs(l) > shortest) shortest = sqrt(b/abs(l))
+        else
+            shortest = l
+            longest = l
+        end if
+        if (shortest > 1.0_wp/extreme_length .and. longest < extreme_length) return
+        call raise(error, error_invalid, "surface tension = "//to_text(self%sheet%tension)//" with surface bending = "// &
+                   to_text(self%sheet%bending)//" is not allowed: the lengths 2 tau/E*, (2 B/E*)^(1/3) and (B/tau)^(1/2) must "// &
+                   "be between 1e-90 and 1e90")
+    end subroutine check_lengths
 
     recursive subroutine copy_to(self, copy, error)
         class(springless_t), intent(in) :: self

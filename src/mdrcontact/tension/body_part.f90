@@ -127,11 +127,11 @@ contains
         integer :: m
         real(wp) :: bound
 
-        bound = 1.0_wp
-        m = 1
+        m = 0
+        bound = 0.5_wp*x
         do while (bound > smallest_bessel)
-            bound = bound*0.5_wp*x/real(m, wp)
             m = m + 1
+            bound = bound*0.5_wp*x/real(m + 1, wp)
         end do
     end function last_order
 

@@ -9,8 +9,9 @@ module mdrcontact_tension_grid
     private
     public :: grid_t, new_grid, order_for
 
-    !> Nodes of a panel without waves, and more of them for each radian of a wave.
-    real(wp), parameter :: fewest = 14.0_wp, per_radian = 0.29_wp
+    !> Nodes of a panel without waves, and more of them for each radian of a wave; beside 0, where weights for the logarithm hold
+    !> for polynomials of the degree n - 1 only, in place of 2 n - 1, for twice as many.
+    real(wp), parameter :: fewest = 14.0_wp, per_radian = 0.29_wp, per_radian_beside = 2.0_wp*per_radian
 
     !> Numbers of nodes for which GSL has them to all digits; others it computes to ten.
     integer, parameter :: orders(*) = [16, 20, 32, 64, 96, 128, 256, 512, 1024]
@@ -32,18 +33,20 @@ contains
         type(grid_t), intent(out) :: self
         real(wp), intent(in) :: first, wave
         type(error_t), allocatable, intent(inout) :: error
-        real(wp) :: low, length
+        real(wp) :: low, length, more
 
         allocate (self%angle(0), self%sine(0), self%weight(0), self%log_weight(0))
         low = 0.0_wp
         length = min(first, half_pi)
+        more = per_radian_beside
         do while (low < half_pi)
             if (low + 1.5_wp*length > half_pi) length = half_pi - low
-            call add_panel(self, low, length, order_for(nint(fewest + per_radian*wave*length)), error)
+            call add_panel(self, low, length, order_for(nint(fewest + more*wave*length)), error)
             if (allocated(error)) return
             low = low + length
             if (.not. low < half_pi*(1.0_wp - 1.0e-12_wp)) return
             length = low
+            more = per_radian
         end do
     end subroutine new_grid
 

@@ -62,6 +62,11 @@ static int make_stack(world *w, mdr_medium **out, int *is_exact)
         if (take_byte(in) % 4 == 3) layers[i].tangential_compliance = take_chance(in) ? take_number(in) : INFINITY;
     }
     chosen = take_options(in, &model, &options);
+    if (take_byte(in) % 4 == 3) {
+        options.surface_tension = take_number(in);
+        options.surface_bending = take_chance(in) ? take_number(in) : take_byte(in) % 2 * take_positive(in);
+        chosen = &options;
+    }
     *is_exact = 1;
     if (!afford(w, PRICE_OF_EXACT)) return MDR_ENULL;
     if (take_byte(in) % 8 == 7) mdr_layers_wrinkling(n, layers, rigid ? NULL : &layers[3], take_count(in), &stress, &wavelength);

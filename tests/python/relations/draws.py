@@ -159,6 +159,15 @@ bodies = st.one_of(homogeneous, formulas, power_graded)
 uniform_media = st.one_of(homogeneous, st.builds(mdr.Pair, homogeneous, homogeneous))
 everything = st.one_of(bodies, exact_layers)
 
+tensions, bendings = between(0.1, 10.0), between(1e-3, 1.0)
+plates = st.one_of(st.builds(mdr.Surface, st.just(0.0), bendings), st.builds(mdr.Surface, tensions, bendings))
+surfaces = st.one_of(st.builds(mdr.Surface, tensions), plates)
+bare = st.one_of(homogeneous, st.builds(mdr.Coated, materials, between(0.3, 20.0), bases))
+"""Contact radii from 0.3 to 1 are within what they answer under such surfaces."""
+tense = st.builds(lambda body, tension: body.replace(surface=mdr.Surface(tension)), bare, tensions)
+plated = st.builds(lambda body, plate: body.replace(surface=plate), bare, plates)
+sheeted = st.one_of(tense, plated)
+
 works = between(1e-6, 1e-3)
 """Works of adhesion in units of E_eff at the radius 1."""
 rules = st.sampled_from(["automatic", "paper", "energy"])

@@ -23,7 +23,9 @@ def in_units(what: Any, s: float, t: float = 1.0) -> Any:
             return mdr.AreaFunction(terms, max_height=high * s, min_height=low * s)
         case mdr.Layered(layers=layers, substrate=base):
             return what.replace(layers=[(in_units(m, s, t), h * s) for m, h in layers], substrate=in_units(base, s, t))
-    if what is mdr.RIGID:
+        case mdr.Surface(tension=tension, bending=bending):
+            return mdr.Surface(tension * s * t, bending * s**3 * t)
+    if what is mdr.RIGID or what is None:
         return what
     changes = {name: _times(getattr(what, name), s, t, unit) for name, unit in _UNITS[type(what)].items()}
     return what.replace(**changes) if changes else what
@@ -41,8 +43,8 @@ _UNITS: dict[type, dict[str, str]] = {
     mdr.RoundedCone: {"blend_radius": "s"},
     mdr.FlatEndedCone: {"end_radius": "s"},
     mdr.FlatEndedParaboloid: {"end_radius": "s", "radius": "s"},
-    mdr.Homogeneous: {"material": "body"},
-    mdr.Coated: {"coating": "body", "thickness": "s", "substrate": "body"},
+    mdr.Homogeneous: {"material": "body", "surface": "body"},
+    mdr.Coated: {"coating": "body", "thickness": "s", "substrate": "body", "surface": "body"},
     mdr.Graded: {"z": "s", "E": "t"},
     mdr.PowerLawGraded: {"E0": "t", "z0": "s"},
     mdr.TabulatedMedium: {"a": "s", "moduli": "t"},
