@@ -2081,6 +2081,11 @@ typedef struct mdr_law_options {
                                   [modulus]. */
     const mdr_conduction *conduction; /**< Of the same bodies: the law has their conductance too, mdr_law_conductance(), within the
                                            tolerance. Default NULL: none. */
+    int twist;               /**< With friction, not 0: the sliders bear the twist of the contact about its normal in place of the
+                                  shift. What mdr_law_advance() takes and gives is then the twist phi [1] and the torque M
+                                  [modulus length^3], in the first of three components; the others are 0. For paraboloids on
+                                  homogeneous bodies. A contact that shifts and twists has two laws and two records, which do not
+                                  know of each other: what the traction of one leaves to the other is neglected. Default 0. */
 } mdr_law_options;
 
 /** A state of a law. */
@@ -2222,6 +2227,8 @@ typedef struct mdr_law_facts {
                                  to T in sliding, and highest_sliding_shift is that of the largest contact radius; else 0
                                  [modulus]. */
     int conducts;           /**< 1 if it was made with a conduction, else 0. */
+    int twists;             /**< 1 if its sliders bear a twist: first_shear_error is then relative to the torque of sliding,
+                                 highest_sliding_shift 0, for the axis sticks at any twist, and path_error -1; else 0. */
 } mdr_law_facts;
 
 /** What a law is.

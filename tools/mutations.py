@@ -204,5 +204,10 @@ MUTATIONS = [
     ("medium/viscoelastic.f90", "moduli, self%rigid_base, error, self%bonds)", "moduli, self%rigid_base, error)",
      "test_coatings_in_time.py"),
     ("medium/viscoelastic.f90", "any(self%bonds%has_springs())", "any(self%bonds%slides())", "test_coatings_in_time.py"),
+    ("law/twist.f90", "slope = 4.0_wp*load + pieces*", "slope = 3.0_wp*load + pieces*", "test_law_twist.py"),
+    ("law/twist.f90", "2.0_wp/pi*y**2*v*(1.0_wp + y)", "2.0_wp/pi*y**2*v", "test_law_twist.py"),
+    ("law/strengths.f90", "(1.0_wp + 2.0_wp*x + 3.0_wp*x**2)", "(1.0_wp + 3.0_wp*x + 2.0_wp*x**2)", "test_law_twist.py"),
+    ("law/strengths.f90", "levels%power*place%stiffness/place%shift", "place%stiffness/place%shift", "test_law_twist.py"),
+    ("law/friction.f90", "0.375_wp*self%coefficient*self%cubic", "0.5_wp*self%coefficient*self%cubic", "test_law_twist.py"),
 ]  # fmt: skip
 """files of src/mdrcontact, or of the Python package after "python:"; tests: patterns of ctest's names, files of tests/python"""

@@ -32,6 +32,11 @@ class LawSteps(LawFile):
         return float(self._facts["shear_strength"]) or None
 
     @property
+    def twists(self) -> bool:
+        """Whether the sliders bear a twist about the normal, with its torque, in place of a shift."""
+        return bool(self._facts["twists"])
+
+    @property
     def sliders(self) -> int:
         """How many vector sliders stand for the springs of a contact; 0 in a law without friction."""
         return int(self._facts["sliders"])
@@ -44,7 +49,7 @@ class LawSteps(LawFile):
     @property
     def largest_sliding_shift(self) -> float:
         """The shift of first shear at which the contact slides under the largest normal force, or with the largest contact radius
-        [length]; 0 without friction."""
+        [length]; 0 without friction, and of a twist: the axis sticks at any."""
         return float(self._facts["highest_sliding_shift"])
 
     @property
@@ -81,11 +86,13 @@ class LawSteps(LawFile):
         memory : as `contacts` makes it
         force : (n) normal forces F >= 0 at the end of the step [modulus length^2]; in a law with a shear strength contact radii
             in their place [length]. 0 parts the bodies
-        shift : (n, 2) or (n, 3) by how much the indenter moves in this step, in the tangent plane [length]
+        shift : (n, 2) or (n, 3) by how much the indenter moves in this step, in the tangent plane [length]; in a law that twists
+            (n) angles by which it turns about the normal against the medium [1]
         tangent : whether the derivatives are wanted
 
         Returns the tangential forces T on the medium, in the shape of `shift`; with `tangent` also dT/ds, (n, 2, 2) or (n, 3, 3),
-        [modulus length] and dT/dF, in the shape of `shift`, by the shift of the step and F at its end. A step in which the shift
+        [modulus length] and dT/dF, in the shape of `shift`, by the shift of the step and F at its end. In a law that twists all
+        these are numbers, (n): the torque M [modulus length^3], dM/dphi and dM/dF. A step in which the shift
         turns aside should be no longer than 0.2 of the shift of sliding. After an error all is as before.
         """
         return self._step(_native.law_advance, memory, force, shift, tangent)
@@ -107,23 +114,24 @@ class LawSteps(LawFile):
     ) -> Reals | tuple[Reals, Reals, Reals]:
         n = self._count(memory)
         forces, shifts = numbers("force", force), numbers("shift", shift)
-        if forces.shape != (n,) or shifts.ndim != 2 or len(shifts) != n or shifts.shape[1] not in (2, 3):
+        allowed = ((n,),) if self.twists else ((n, 2), (n, 3))
+        if forces.shape != (n,) or shifts.shape not in allowed:
             raise ArgumentTypeError(
                 f"force of shape {forces.shape} and shift of shape {shifts.shape} are not allowed: they must be ({n},) "
-                f"and ({n}, 2) or ({n}, 3)"
+                f"and {' or '.join(map(str, allowed))}"
             )
-        axes = shifts.shape[1]
+        axes: Any = 0 if self.twists else slice(shifts.shape[1])
         in_space, slopes, total = np.zeros((n, 3)), np.zeros((n, 3, 4)), np.zeros((n, 3))
-        in_space[:, :axes] = shifts
+        in_space[:, axes] = shifts
         if n:
             total = call(function, self._handle.address, forces, in_space, address(slopes) if tangent else 0, address(memory))
-        total = np.array(total[:, :axes])
-        return (total, np.array(slopes[:, :axes, :axes]), np.array(slopes[:, :axes, 3])) if tangent else total
+        total = np.array(total[:, axes])
+        return (total, np.array(slopes[:, axes, axes]), np.array(slopes[:, axes, 3])) if tangent else total
 
     def energies(self, memory: Reals) -> tuple[Reals, Reals]:
-        """Energies of all contacts [modulus length^3], (n) each: what the springs hold under shear, and what slip has taken since
-        the first step. Their sum is the work of T, up to terms of the order of a step squared; along a line under constant F they
-        do not depend on the steps. What slip has taken never falls."""
+        """Energies of all contacts [modulus length^3], (n) each: what the springs hold under shear or twist, and what slip has
+        taken since the first step. Their sum is the work of T, up to terms of the order of a step squared; along a line under
+        constant F they do not depend on the steps. What slip has taken never falls."""
         n = self._count(memory)
         if not n:
             return np.zeros(0), np.zeros(0)

@@ -231,6 +231,7 @@ law_options = np.dtype(
         ("sliders", np.intc),
         ("shear_strength", np.float64),
         ("conduction", np.uintp),
+        ("twist", np.intc),
     ],
     align=True,
 )
@@ -269,6 +270,7 @@ law_facts = np.dtype(
         ("buffer_size", np.intc),
         ("shear_strength", np.float64),
         ("conducts", np.intc),
+        ("twists", np.intc),
     ],
     align=True,
 )

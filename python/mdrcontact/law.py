@@ -56,6 +56,9 @@ class ContactLaw(LawSteps):
     shear_strength : > 0, in place of friction: the contact slips where its shear traction reaches this constant [modulus], as
         smooth dry contacts with adhesion do; on homogeneous bodies, with or without adhesion. `advance` then takes contact radii
         in place of normal forces; None: none
+    twist : whether the sliders bear the twist of the contact about its normal in place of the shift: `advance` takes twists phi
+        and gives torques M. With friction, of paraboloids on homogeneous bodies. A contact that shifts and twists has two laws and
+        two memories, which do not know of each other
     smallest_depth : without adhesion, where the tolerance begins to hold [length]; None: 1e-4 of the largest. Nearer to first
         touch the law follows a power of d. With adhesion the law begins at pull-off
     tolerance : relative, of F, a and k; 1e-12 to 1e-2. With adhesion relative to |F| + |d dF/dd|
@@ -86,6 +89,7 @@ class ContactLaw(LawSteps):
         friction: Friction | None = None,
         sliders: int = 8,
         shear_strength: float | None = None,
+        twist: bool = False,
         smallest_depth: float | None = None,
         tolerance: float = 1e-9,
         description: str | None = None,
@@ -98,6 +102,7 @@ class ContactLaw(LawSteps):
             raise ArgumentTypeError(f"friction = {friction!r} is not allowed: it must be a Friction")
         options, text = law_options(description, repr(friction or contact), smallest_depth, tolerance, continue_beyond)
         options["sliders"] = whole("sliders", sliders, 1)
+        options["twist"] = bool(twist)
         if friction is not None:
             options["friction"] = friction._handle.address
         if conduction is not None:

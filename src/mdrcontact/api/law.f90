@@ -32,6 +32,7 @@ module mdrcontact_api_law
         integer(c_int) :: sliders = 0_c_int
         real(c_double) :: shear_strength = 0.0_c_double
         type(c_ptr) :: conduction = c_null_ptr
+        integer(c_int) :: twist = 0_c_int
     end type c_law_options_t
 
     !> struct mdr_law_facts
@@ -51,6 +52,7 @@ module mdrcontact_api_law
         integer(c_int) :: buffer_size = 0_c_int
         real(c_double) :: shear_strength = 0.0_c_double
         integer(c_int) :: conducts = 0_c_int
+        integer(c_int) :: twists = 0_c_int
     end type c_law_facts_t
 
     interface
@@ -94,7 +96,12 @@ contains
                 call raise(error, error_invalid, " is not allowed with options.friction: slip has one law", &
                            "options.shear_strength")
             end if
-            if (.not. allocated(error)) call new_contact_law(law, inside, friction, largest_depth, error, chosen, sliders)
+            if (.not. allocated(error)) then
+                call new_contact_law(law, inside, friction, largest_depth, error, chosen, sliders, given%twist /= 0_c_int)
+            end if
+        else if (given%twist /= 0_c_int) then
+            call raise(error, error_invalid, " is not allowed without options.friction: torque is that of friction", &
+                       "options.twist")
         else if (given%shear_strength /= 0.0_c_double .and. .not. allocated(error)) then
             call new_contact_law(law, inside, largest_depth, given%shear_strength, error, chosen, sliders)
         else if (.not. allocated(error)) then
@@ -286,6 +293,7 @@ contains
         facts%memory_size = int(friction%memory_size(), c_int)
         facts%coefficient = friction%coefficient
         facts%shear_strength = friction%shear_strength
+        facts%twists = merge(1_c_int, 0_c_int, friction%cubic > 0.0_c_double)
         facts%highest_sliding_shift = friction%sliding_shift()
         facts%first_shear_error = friction%first_shear_error
         facts%path_error = friction%path_error

@@ -84,13 +84,14 @@ contains
         call frame(words, law%description, text, error)
     end subroutine law_to_text
 
-    !> How many words the friction of a law takes; the first of them, the number of sliders, is 0 where there is none.
+    !> How many words the friction of a law takes; the first of them, the number of sliders, is 0 where there is none, and negative
+    !> where they are twisted.
     pure function friction_count(friction) result(count)
         type(friction_law_t), intent(in) :: friction
         integer :: count
 
         count = friction_numbers + radius_numbers
-        if (friction%shear_strength > 0.0_wp) return
+        if (friction%levels%of_radius) return
         count = friction_numbers + 1 + word_count(friction%by_shift) + word_count(friction%by_force)
         if (allocated(friction%levels%share)) count = count + share_nodes*count_shares(friction%levels)
     end function friction_count
@@ -101,11 +102,11 @@ contains
         integer, intent(in) :: first
         integer :: next, m, l
 
-        words(first) = int(friction%sliders, int64)
-        words(first + 1:first + 4) = transfer([friction%coefficient, friction%shear_strength, friction%first_shear_error, &
-                                               friction%path_error], [0_int64])
+        words(first) = int(merge(-friction%sliders, friction%sliders, friction%cubic > 0.0_wp), int64)
+        words(first + 1:first + 4) = transfer([friction%coefficient, max(friction%shear_strength, friction%cubic), &
+                                               friction%first_shear_error, friction%path_error], [0_int64])
         next = first + 1 + friction_numbers
-        if (friction%shear_strength > 0.0_wp) then
+        if (friction%levels%of_radius) then
             words(next:next + radius_numbers - 1) = transfer([friction%modulus, friction%radii], [0_int64])
             return
         end if
@@ -169,18 +170,23 @@ contains
         integer :: sliders, i, stat
 
         allocate (shares(0))
-        sliders = reader%whole(0, most_sliders)
+        sliders = reader%whole(-most_sliders, most_sliders)
         if (.not. reader%sound .or. sliders == 0) return
         allocate (friction, stat=stat)
         call check_memory(error, stat)
         if (allocated(error)) return
-        reader%sound = sliders >= fewest_sliders
-        friction%sliders = sliders
+        reader%sound = abs(sliders) >= fewest_sliders
+        friction%sliders = abs(sliders)
         friction%coefficient = reader%number()
-        friction%shear_strength = reader%number()
+        if (sliders < 0) then
+            friction%cubic = reader%number()
+            reader%sound = reader%sound .and. friction%cubic > 0.0_wp
+        else
+            friction%shear_strength = reader%number()
+        end if
         friction%first_shear_error = reader%number()
         friction%path_error = reader%number()
-        if (friction%shear_strength > 0.0_wp) then
+        if (max(friction%shear_strength, friction%cubic) > 0.0_wp) then
             friction%modulus = reader%number()
             friction%radii(1) = reader%number()
             friction%radii(2) = reader%number()
@@ -206,7 +212,7 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         integer :: stat, next, m
 
-        if (friction%coefficient > 0.0_wp) then
+        if (.not. max(friction%shear_strength, friction%cubic) > 0.0_wp) then
             call find_direct(friction%by_shift)
             call find_direct(friction%by_force)
         end if

@@ -8,6 +8,9 @@
 !>
 !> Springs slip by Coulomb's law, or where their traction reaches a constant shear strength. The latter does not depend on F: a step
 !> is then one of the contact radius, which any contact has, one with adhesion too.
+!>
+!> Sliders of a twist bear a torque M where the others bear T, and turn by phi where these move by s: the spin of a ball about the
+!> normal, under Coulomb's law and any path of phi and F (mdrcontact_law_twist).
 module mdrcontact_law_friction
     use, intrinsic :: iso_fortran_env, only: int32
     use mdrcontact_batch, only: batch_t, run_batch
@@ -17,7 +20,8 @@ module mdrcontact_law_friction
     use mdrcontact_law_crc32, only: crc32_text
     use mdrcontact_law_evaluate, only: point_at, run_points, wanted_t
     use mdrcontact_law_interval, only: interval_place, panel_place_t => place_t, polynomial_with_slope
-    use mdrcontact_law_levels, only: fewest_sliders, levels_t, most_sliders, new_levels, new_radius_levels
+    use mdrcontact_law_levels, only: by_shear, by_twist, fewest_sliders, levels_t, most_sliders, new_levels, &
+                                    new_radius_levels
     use mdrcontact_law_sliders_frame, only: turn_record
     use mdrcontact_law_sliders_keep, only: keep
     use mdrcontact_law_sliders_motion, only: mdrcontact_sliders_sound, mdrcontact_sliders_steps, motion_t, &
@@ -39,8 +43,12 @@ module mdrcontact_law_friction
         type(law_table_t) :: by_shift, by_force
         !> mu [1]; 0 where the shear strength is constant
         real(wp) :: coefficient = 0.0_wp
-        !> where it is constant, else 0: the shear strength and k_t/(2 a) [modulus], and the range of contact radii [length]
-        real(wp) :: shear_strength = 0.0_wp, modulus = 0.0_wp, radii(2) = 0.0_wp
+        !> where it is constant, else 0: the shear strength [modulus]
+        real(wp) :: shear_strength = 0.0_wp
+        !> of a twist F/a^3, else 0 [modulus/length]
+        real(wp) :: cubic = 0.0_wp
+        !> of both, else 0: k_t/(2 a), of a twist 3 k/(16 a^3), [modulus], and the range of contact radii [length]
+        real(wp) :: modulus = 0.0_wp, radii(2) = 0.0_wp
         !> whether a radius may be larger
         logical :: continued = .false.
         !> how many sliders stand for the springs
@@ -106,12 +114,15 @@ contains
         count = record_size(self%sliders)
     end function memory_size
 
-    !> The shift of first shear at which a contact slides under the largest F, or with the largest contact radius [length].
+    !> The shift of first shear at which a contact slides under the largest F, or with the largest contact radius [length]; 0 of a
+    !> twist, for the axis sticks at any.
     pure function sliding_shift(self) result(shift)
         class(friction_law_t), intent(in) :: self
         real(wp) :: shift
 
-        if (self%levels%is_constant) then
+        if (self%cubic > 0.0_wp) then
+            shift = 0.0_wp
+        else if (self%levels%of_radius) then
             shift = 2.0_wp*self%shear_strength*self%radii(2)/self%modulus
         else
             shift = self%coefficient*self%by_shift%highest
@@ -127,11 +138,15 @@ contains
         character(len=8) :: text
 
         if (self%shear_strength > 0.0_wp) then
-            call new_radius_levels(self%levels, self%radii(1), self%radii(2), self%modulus, self%sliders)
+            call new_radius_levels(self%levels, self%radii(1), self%radii(2), 2.0_wp*self%modulus, by_shear, self%sliders)
+            self%levels%strength = self%shear_strength
+        else if (self%cubic > 0.0_wp) then
+            call new_radius_levels(self%levels, self%radii(1), self%radii(2), 16.0_wp/3.0_wp*self%modulus, by_twist, self%sliders)
+            self%levels%strength = 0.375_wp*self%coefficient*self%cubic/self%modulus
         else
             call new_levels(self%levels, self%by_shift, self%by_force, self%sliders, shared)
+            self%levels%strength = self%coefficient
         end if
-        self%levels%strength = max(self%coefficient, self%shear_strength)
         ! of all that a record depends on
         associate (numbers => [self%levels%strength, real(self%sliders, wp), self%levels%force, self%levels%shift])
             text = crc32_text(transfer(numbers, repeat(" ", size(numbers)*storage_size(numbers)/storage_size(" "))))
@@ -149,6 +164,11 @@ contains
         real(wp), allocatable :: share(:, :)
 
         if (self%shear_strength > 0.0_wp) return
+        if (self%cubic > 0.0_wp) then
+            self%cubic = factor*self%cubic
+            call find_levels(self, .false.)
+            return
+        end if
         call scale_table(self%by_shift, factor)
         call scale_table(self%by_force, factor)
         call move_alloc(self%levels%share, share)
@@ -263,7 +283,7 @@ contains
 
         n = last - first + 1
         associate (s => self%steps, law => self%law)
-            if (n >= few .and. .not. law%levels%is_constant) then
+            if (n >= few .and. .not. law%levels%of_radius) then
                 call run_points(law%by_force, on_unloading, s%force(first:last), .false., 1, &
                                 wanted_t(level(:n), compliance(:n)))
             else
@@ -274,7 +294,7 @@ contains
             i = first
             do while (i <= last)
                 n = i - first + 1
-                if (.not. law%levels%is_constant) i = i + quick_steps(law, s, i, last, level(n:), compliance(n:))
+                if (.not. law%levels%of_radius) i = i + quick_steps(law, s, i, last, level(n:), compliance(n:))
                 if (i > last) exit
                 n = i - first + 1
                 if (associated(s%tangent)) then
@@ -338,7 +358,9 @@ contains
         type(friction_law_t), intent(in) :: self
         real(wp) :: largest
 
-        largest = merge(self%radii(2), self%by_force%highest, self%levels%is_constant)
+        largest = self%by_force%highest
+        if (self%levels%of_radius) largest = self%radii(2)
+        if (self%cubic > 0.0_wp) largest = self%cubic*self%radii(2)**3
     end function largest_given
 
     !> The largest F that a step may have, or contact radius.
@@ -347,8 +369,7 @@ contains
         real(wp) :: highest
 
         highest = largest
-        if (.not. (self%by_force%continued .or. self%levels%is_constant)) highest = min(self%by_force%highest, largest)
-        if (self%levels%is_constant .and. .not. self%continued) highest = self%radii(2)
+        if (.not. (self%by_force%continued .or. self%continued)) highest = min(largest_given(self), largest)
     end function highest_given
 
     !> S and dS/dF at F; S = a where that is given.
@@ -360,7 +381,11 @@ contains
         real(wp) :: radius, stiffness
 
         associate (table => self%by_force)
-            if (self%levels%is_constant) then
+            if (self%cubic > 0.0_wp) then
+                level = (force/self%cubic)**(1.0_wp/3.0_wp)
+                compliance = 0.0_wp
+                if (force > 0.0_wp) compliance = level/(3.0_wp*force)
+            else if (self%levels%of_radius) then
                 level = force
                 compliance = 1.0_wp
             else if (force >= table%direct%lowest .and. force <= table%direct%highest) then
@@ -434,15 +459,14 @@ contains
             call raise(error, error_invalid, must_be_moderate//", and so must its product with the stiffness", "shift")
         end if
         if (.not. allocated(error)) call check_memory(self, memory, error)
-        if (self%levels%is_constant) then
-            if (force > self%radii(2) .and. .not. self%continued) then
-                call raise(error, error_domain, " = "//to_text(force)//" is beyond the law's largest contact radius, "// &
-                           to_text(self%radii(2))//" (its force is the contact radius): give it a larger largest_depth, or let "// &
-                           "it continue beyond", "force")
-            end if
-        else if (force > self%by_force%highest .and. .not. self%by_force%continued) then
+        if (.not. (force > highest_given(self) .and. force <= largest)) return
+        if (self%shear_strength > 0.0_wp) then
+            call raise(error, error_domain, " = "//to_text(force)//" is beyond the law's largest contact radius, "// &
+                       to_text(self%radii(2))//" (its force is the contact radius): give it a larger largest_depth, or let "// &
+                       "it continue beyond", "force")
+        else
             call raise(error, error_domain, " = "//to_text(force)//" is beyond the law's largest force, "// &
-                       to_text(self%by_force%highest)//": give it a larger largest_depth, or let it continue beyond", "force")
+                       to_text(largest_given(self))//": give it a larger largest_depth, or let it continue beyond", "force")
         end if
     end subroutine check_step
 

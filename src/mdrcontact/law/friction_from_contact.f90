@@ -17,6 +17,7 @@ module mdrcontact_law_friction_from_contact
     use mdrcontact_law_levels, only: allocate_shares, levels_t, share_index
     use mdrcontact_law_shear_strength, only: new_law_with_shear_strength
     use mdrcontact_law_strengths, only: growth_beyond, place_t
+    use mdrcontact_law_twisted, only: new_twist_law
     implicit none (type, external)
     private
     public :: new_contact_law, new_friction_law
@@ -38,7 +39,7 @@ module mdrcontact_law_friction_from_contact
 contains
 
     !> The law of a contact with friction: F(d) and all that belongs to it, and its sliders.
-    subroutine new_law_with_friction(self, contact, friction, largest_depth, error, options, sliders)
+    subroutine new_law_with_friction(self, contact, friction, largest_depth, error, options, sliders, twist)
         type(contact_law_t), intent(out) :: self
         type(contact_t), intent(in) :: contact
         !> of this contact
@@ -49,6 +50,8 @@ contains
         type(law_options_t), intent(in), optional :: options
         !> 4 to 64 vector sliders for the springs of the contact; default 8
         integer, intent(in), optional :: sliders
+        !> whether they bear a twist about the normal, with its torque, in place of the shift; of a paraboloid on homogeneous bodies
+        logical, intent(in), optional :: twist
         integer :: stat
 
         if (present(sliders)) call check_sliders(error, sliders)
@@ -58,7 +61,14 @@ contains
         if (allocated(error)) return
         allocate (self%friction, stat=stat)
         call check_memory(error, stat)
-        if (.not. allocated(error)) call new_friction_law(self%friction, friction, largest_depth, error, options, sliders)
+        if (allocated(error)) return
+        if (present(twist)) then
+            if (twist) then
+                call new_twist_law(self%friction, self%by_depth, friction%contact, friction%coefficient, error, sliders)
+                return
+            end if
+        end if
+        call new_friction_law(self%friction, friction, largest_depth, error, options, sliders)
     end subroutine new_law_with_friction
 
     !> Raises unless friction is that of a contact, as far as states show.

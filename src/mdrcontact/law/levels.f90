@@ -3,7 +3,8 @@
 !>
 !> Springs are labelled by the S at which they touch. With F = int k dS, k the stiffness of all springs in contact:
 !>     Coulomb's law:            F the normal force, S = int dF/k_t,
-!>     constant shear strength:  S = a, the contact radius; F = k_t a/2 (k_t is proportional to a).
+!>     constant shear strength:  S = a, the contact radius; F = k_t a/2 (k_t is proportional to a),
+!>     twist under a paraboloid: S = a, F = k a/4 (k = (16/3) G a^3, M/phi of the contact).
 !> A step is straight in S. Levels are closer than sliders: these are fine where springs have just touched and coarse within,
 !> and a contact that grows joins two of its sliders for each level that it passes, mdrcontact_law_sliders_join.
 module mdrcontact_law_levels
@@ -11,9 +12,10 @@ module mdrcontact_law_levels
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_law_evaluate, only: point_at
     use mdrcontact_law_table, only: law_table_t
+    use mdrcontact_law_twist, only: new_twist_loads
     implicit none (type, external)
     private
-    public :: levels_t, new_levels, new_radius_levels, allocate_shares, share_index, count_shares
+    public :: levels_t, new_levels, new_radius_levels, allocate_shares, share_index, count_shares, by_shear, by_twist
     public :: fewest_sliders, most_sliders, most_levels, share_nodes
 
     !> Sliders of a law, and levels whatever its range.
@@ -22,7 +24,9 @@ module mdrcontact_law_levels
     integer, parameter :: share_nodes = 3
     !> S_l+1/S_l is 1 + spread/sliders + least of springs that interact, and 1 + spread/sliders^2 + least of those that do not.
     real(wp), parameter :: spread_of_shares = 2.0_wp, least_of_shares = 0.02_wp, spread = 6.0_wp, least = 0.02_wp
-    !> The same where the shear strength is constant: the load of its springs bends most slowly at the edge.
+    !> The power of the contact radius to which k is proportional: of a shift, of a twist.
+    integer, parameter :: by_shear = 1, by_twist = 3
+    !> The same where S is the contact radius: the load of springs bends most slowly at the edge.
     real(wp), parameter :: spread_of_radii = 0.1_wp, least_of_radii = 0.008_wp
 
     !> Levels 0, at first touch, to `count`; one more, never reached.
@@ -43,9 +47,14 @@ module mdrcontact_law_levels
         real(wp) :: mark = 0.0_wp
         !> how many sliders a record has
         integer :: sliders = 0
-        !> mu [1], or the shear strength where that is constant [modulus]
+        !> what times P is the strength of springs: mu [1]; the shear strength where that is constant [modulus]; of a twist
+        !> -dphi/dc at the edge in sliding [1/length]
         real(wp) :: strength = 0.0_wp
-        logical :: is_constant = .false.
+        !> whether S is the contact radius; then to which power of it k is proportional, by_shear or by_twist
+        logical :: of_radius = .false.
+        integer :: power = 0
+        !> of a twist what springs beyond a radius bear, mdrcontact_law_twist
+        real(wp), allocatable :: twist_load(:, :)
     end type levels_t
 
 contains
@@ -82,27 +91,31 @@ contains
         call find_places(self, ratio)
     end subroutine new_levels
 
-    !> The levels for a number of sliders where the shear strength is constant, of contact radii.
-    pure subroutine new_radius_levels(self, lowest, highest, modulus, sliders)
+    !> The levels for a number of sliders of contact radii.
+    pure subroutine new_radius_levels(self, lowest, highest, stiffness, power, sliders)
         type(levels_t), intent(out) :: self
         !> of the radius [length]
         real(wp), intent(in) :: lowest, highest
-        !> k_t/(2 a)
-        real(wp), intent(in) :: modulus
+        !> k/a^power
+        real(wp), intent(in) :: stiffness
+        !> by_shear or by_twist
+        integer, intent(in) :: power
         !> as of new_levels
         integer, intent(in) :: sliders
         real(wp) :: ratio
         integer :: l
 
         self%sliders = sliders
-        self%is_constant = .true.
+        self%of_radius = .true.
+        self%power = power
+        if (power == by_twist) call new_twist_loads(self%twist_load)
         ratio = 1.0_wp + spread_of_radii/sliders + least_of_radii
         ratio = max(ratio, (highest/lowest)**(1.0_wp/(most_levels - sliders)))
         call allocate_levels(self, ratio, lowest, highest)
         do l = self%count, 1, -1
             self%shift(l) = highest*ratio**(l - self%count)
-            self%stiffness(l) = 2.0_wp*modulus*self%shift(l)
-            self%force(l) = 0.5_wp*self%stiffness(l)*self%shift(l)
+            self%stiffness(l) = stiffness*self%shift(l)**power
+            self%force(l) = self%stiffness(l)*self%shift(l)/(power + 1)
         end do
         call lay_rows(self)
         call find_places(self, ratio)
@@ -139,7 +152,7 @@ contains
 
     !> Where lower ends of sliders best stand: such that each lacks as much of first shear, T(s) being that of a paraboloid, and
     !> under Coulomb's law relative to the s at which it lacks that. S_l/S = cos^2 x there, c/a = cos x: to be found are equal
-    !> parts of the integral of the root of cos x, and of sin 2 x.
+    !> parts of the integral of the root of cos x, of sin 2 x at constant shear strength, and of cos x sin^2 x of a twist.
     pure subroutine find_places(self, ratio)
         type(levels_t), intent(inout) :: self
         real(wp), intent(in) :: ratio
@@ -159,7 +172,7 @@ contains
             x = 0.5_wp*pi*i/parts
             sum = sum + density(x - 0.25_wp*pi/parts)
             if (sum < total*j/self%sliders) cycle
-            place = max(place + 1, ceiling(-merge(1.0_wp, 2.0_wp, self%is_constant)*log(cos(x))/log(ratio)))
+            place = max(place + 1, ceiling(-merge(1.0_wp, 2.0_wp, self%of_radius)*log(cos(x))/log(ratio)))
             self%places(j) = place
             if (j == self%sliders - 1) exit
             j = j + 1
@@ -171,7 +184,14 @@ contains
             real(wp), intent(in) :: x
             real(wp) :: value
 
-            value = sqrt(merge(sin(2.0_wp*x), cos(x), self%is_constant))
+            select case (self%power)
+            case (by_shear)
+                value = sqrt(sin(2.0_wp*x))
+            case (by_twist)
+                value = sqrt(cos(x))*sin(x)
+            case default
+                value = sqrt(cos(x))
+            end select
         end function density
 
     end subroutine find_places

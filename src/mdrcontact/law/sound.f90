@@ -32,11 +32,12 @@ contains
         type(friction_law_t), intent(in) :: friction
         logical :: sound
 
-        if (friction%shear_strength > 0.0_wp) then
+        if (max(friction%shear_strength, friction%cubic) > 0.0_wp) then
             associate (radii => friction%radii)
-                sound = friction%coefficient == 0.0_wp .and. friction%modulus > 0.0_wp .and. friction%modulus < huge(1.0_wp) .and. &
-                        friction%shear_strength < huge(1.0_wp) .and. radii(1) > 0.0_wp .and. radii(2) > radii(1) .and. &
-                        radii(2) < huge(1.0_wp)
+                sound = (friction%coefficient > 0.0_wp .eqv. friction%cubic > 0.0_wp) .and. friction%coefficient < huge(1.0_wp) &
+                        .and. friction%modulus > 0.0_wp .and. friction%modulus < huge(1.0_wp) .and. &
+                        max(friction%shear_strength, friction%cubic) < huge(1.0_wp) .and. radii(1) > 0.0_wp .and. &
+                        radii(2) > radii(1) .and. radii(2) < huge(1.0_wp)
             end associate
             return
         end if

@@ -3,18 +3,20 @@
 !>     P_l = max over s of [T(s) - k_l s],
 !> T(s) first shear. Where springs do not interact that is, under Coulomb's law and at constant shear strength,
 !>     F - F_l - k_l (S - S_l),    2 (a^2 arccos(c/a) - c sqrt(a^2 - c^2)),
-!> 0 for S <= S_l; where they do it is Coulomb's times a share, which tables hold. P_0 is F, and pi a^2.
+!> 0 for S <= S_l; where they do it is Coulomb's times a share, which tables hold. P_0 is F, and pi a^2. Of a twist M and phi stand
+!> in the place of T and s: mdrcontact_law_twist.
 module mdrcontact_law_strengths
     use, intrinsic :: iso_c_binding, only: c_double
     use mdrcontact_kinds, only: pi, wp
-    use mdrcontact_law_levels, only: levels_t, share_index
+    use mdrcontact_law_levels, only: by_twist, levels_t, share_index
+    use mdrcontact_law_twist, only: twist_load
     implicit none (type, external)
     private
-    public :: place_t, new_place, load_beyond, constant_loads, growth_beyond
+    public :: place_t, new_place, load_beyond, radius_loads, growth_beyond
 
     !> Where a contact is at the end of a step.
     type, bind(C) :: place_t
-        !> F, S, k = dF/dS; and dS/dF, or 1 where S = a is what is given
+        !> F, S, k = dF/dS; and dS by what is given: the normal force, or 1 where that is S = a
         real(c_double) :: force, shift, stiffness, rate
         !> P_0
         real(c_double) :: load
@@ -22,15 +24,20 @@ module mdrcontact_law_strengths
 
 contains
 
-    !> The place of a contact under F, with S and dS/dF; of a contact of radius a = S where the shear strength is constant.
+    !> The place of a contact under F, with S and dS/dF; of a contact of radius a = S.
     pure function new_place(levels, force, shift, compliance) result(place)
         type(levels_t), intent(in) :: levels
         real(wp), intent(in) :: force, shift, compliance
         type(place_t) :: place
 
-        if (levels%is_constant) then
-            associate (stiffness => levels%stiffness(levels%count)/levels%shift(levels%count)*shift)
-                place = place_t(0.5_wp*stiffness*shift, shift, stiffness, 1.0_wp, pi*shift**2)
+        if (levels%of_radius) then
+            associate (n => levels%power, last => levels%count)
+                place%stiffness = levels%stiffness(last)*(shift/levels%shift(last))**n
+                place%force = place%stiffness*shift/(n + 1)
+                place%shift = shift
+                place%rate = compliance
+                ! of a twist G a^4 pi/2, which is k a 3 pi/32
+                place%load = merge(3.0_wp*pi/32.0_wp*place%stiffness*shift, pi*shift**2, n == by_twist)
             end associate
         else
             place = place_t(force, shift, 1.0_wp/compliance, compliance, force)
@@ -45,8 +52,8 @@ contains
         real(wp) :: load
         real(wp) :: loads(1), x
 
-        if (levels%is_constant) then
-            call constant_loads(levels, 1, [l], place, loads)
+        if (levels%of_radius) then
+            call radius_loads(levels, 1, [l], place, loads)
             load = loads(1)
             return
         end if
@@ -59,25 +66,34 @@ contains
         end associate
     end function load_beyond
 
-    !> P at constant shear strength of some levels, and its derivatives by the contact radius.
-    pure subroutine constant_loads(levels, count, level, place, loads, slopes)
+    !> P of some levels where S is the contact radius, and its derivatives by that.
+    pure subroutine radius_loads(levels, count, level, place, loads, slopes)
         type(levels_t), intent(in) :: levels
         integer, intent(in) :: count, level(count)
         type(place_t), intent(in) :: place
         real(wp), intent(out) :: loads(count)
         real(wp), intent(out), optional :: slopes(count)
+        real(wp) :: load, slope
         integer :: i
 
         associate (a => place%shift)
             do i = 1, count
                 associate (c => min(levels%shift(level(i)), a))
-                    loads(i) = max(2.0_wp*(a**2*acos(c/a) - c*sqrt((a - c)*(a + c))), 0.0_wp)
-                    if (present(slopes)) slopes(i) = 4.0_wp*a*acos(c/a)
+                    if (levels%power == by_twist) then
+                        call twist_load(levels%twist_load, c, a, load, slope)
+                        load = place%stiffness*a*load
+                        slope = place%stiffness*slope
+                    else
+                        load = max(2.0_wp*(a**2*acos(c/a) - c*sqrt((a - c)*(a + c))), 0.0_wp)
+                        slope = 4.0_wp*a*acos(c/a)
+                    end if
                 end associate
+                loads(i) = load
+                if (present(slopes)) slopes(i) = slope
             end do
         end associate
         call halve_lack(levels, count, level, place, loads, slopes)
-    end subroutine constant_loads
+    end subroutine radius_loads
 
     !> Sliders follow tangents of first shear, which they do not fall short of anywhere: P of each level less an eighth of what a
     !> chord over it is above it halves the error; less than an eighth where its neighbours are not as far, so that P goes on to
@@ -94,7 +110,7 @@ contains
 
         k(2) = 0.0_wp
         p(2) = place%load
-        s(2) = 2.0_wp*pi*place%shift
+        s(2) = (levels%power + 1)*place%load/place%shift
         do i = 1, count
             if (.not. loads(i) > 0.0_wp) exit
             k(1) = k(2)
@@ -117,7 +133,7 @@ contains
             slopes(i) = s(2) - 0.5_wp*part*(1.0_wp - part)*(s(1) + part*(s(3) - s(1)) - s(2))
             ! the edge moves
             if (k(3) < place%stiffness) cycle
-            slopes(i) = slopes(i) + 0.5_wp*part/(k(3) - k(1))*place%stiffness/place%shift* &
+            slopes(i) = slopes(i) + 0.5_wp*part/(k(3) - k(1))*levels%power*place%stiffness/place%shift* &
                         ((1.0_wp - 2.0_wp*part)*(p(1) + part*(p(3) - p(1)) - p(2)) + part*(1.0_wp - part)*(p(3) - p(1)))
         end do
     end subroutine halve_lack
@@ -131,8 +147,13 @@ contains
         type(place_t), intent(in) :: place
         real(wp), intent(out) :: load, slope
 
-        if (levels%is_constant) then
-            ! k is proportional to S: exact, however small the growth
+        if (levels%power == by_twist) then
+            ! k is proportional to S^3: exact, however small the growth
+            associate (x => min(from(1)/place%shift, 1.0_wp))
+                load = 0.25_wp*place%stiffness*place%shift*(1.0_wp - x)**2*(1.0_wp + 2.0_wp*x + 3.0_wp*x**2)
+            end associate
+        else if (levels%of_radius) then
+            ! k is proportional to S
             load = 0.5_wp*(place%stiffness - from(3))*(place%shift - from(1))
         else
             load = (place%force - from(2)) - from(3)*(place%shift - from(1))

@@ -4,7 +4,7 @@
 !> Two sliders become one by adding their loads: T stays and the stored energy falls. Of two neighbours with K1, B1 (the lower) and
 !> K2, B2 the one lacks of first shear at most e = (B1 K2 - K1 B2)/(K1 + K2), at the shift u = (B1 + B2)/(K1 + K2). Under
 !> Coulomb's law those with the least e/u are joined: slip of small amplitude keeps its energy; with few sliders it is those with
-!> the least e/sqrt(u), and where the shear strength is constant with the least e.
+!> the least e/sqrt(u), and where S is the contact radius with the least e.
 module mdrcontact_law_sliders_join
     use mdrcontact_kinds, only: wp
     use mdrcontact_law_levels, only: levels_t
@@ -67,7 +67,7 @@ contains
         least = huge(1.0_wp)
         associate (k => motion%stiffness, b => motion%strength)
             do i = 0, motion%used - 3
-                size = merge(k(i) + k(i + 1), b(i) + b(i + 1), levels%is_constant)
+                size = merge(k(i) + k(i + 1), b(i) + b(i + 1), levels%of_radius)
                 if (levels%sliders < few) size = sqrt(size*(k(i) + k(i + 1)))
                 cost = (b(i)*k(i + 1) - k(i)*b(i + 1))/max(size, tiny(1.0_wp))
                 if (.not. cost < least) cycle

@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> One contact under Coulomb's law, or at constant shear strength, as a few vector sliders, each of them the springs between two
-!> material levels.
+!> One contact under Coulomb's law, at constant shear strength, or twisted, as a few vector sliders, each of them the springs between
+!> two material levels.
 !>
 !> A slider bears a vector t, has a stiffness K and a strength mu B, |t| <= mu B. A step to F, S with the shift ds brings
 !>     y = t + K ds + A g,    t = y min(1, mu B/|y|),    T = sum of t,
@@ -13,10 +13,10 @@
 !> last of them open.
 module mdrcontact_law_sliders_motion
     use, intrinsic :: iso_c_binding, only: c_double, c_int32_t
-    use mdrcontact_kinds, only: pi, wp
-    use mdrcontact_law_levels, only: levels_t, most_levels, most_sliders
+    use mdrcontact_kinds, only: wp
+    use mdrcontact_law_levels, only: by_shear, levels_t, most_levels, most_sliders
     use mdrcontact_law_sliders_record, only: at_next, at_shift, at_top, at_used, head
-    use mdrcontact_law_strengths, only: constant_loads, growth_beyond, place_t
+    use mdrcontact_law_strengths, only: growth_beyond, place_t, radius_loads
     implicit none (type, external)
     private
     public :: motion_t, move, mdrcontact_sliders_sound, mdrcontact_sliders_steps
@@ -28,8 +28,9 @@ module mdrcontact_law_sliders_motion
     type, bind(C) :: motion_t
         !> sliders, those of the record among them; the level below S, where there are shares, and where these begin
         integer(c_int32_t) :: used, before, cell, first_share
-        !> whether the shear strength is constant, whether S passes the upper end of the last slider, and whether P is given
-        integer(c_int32_t) :: is_constant, grows, is_settled
+        !> whether S is the contact radius, and P that of it; whether springs bear at once what they are sheared by; whether S
+        !> passes the upper end of the last slider, and whether P is settled
+        integer(c_int32_t) :: of_radius, at_once, grows, is_settled
         !> S, F and k at the upper end of the last slider before the step, and S before it
         real(c_double) :: top(3), old
         !> ds, T after the step, and the energy that slip takes in it
@@ -40,7 +41,7 @@ module mdrcontact_law_sliders_motion
         real(c_double), dimension(0:most) :: stiffness, beyond, strength, factor
         !> t after the step
         real(c_double) :: borne(0:most, 3)
-        !> at constant shear strength dP/da, what springs that touch bear from a slider on, and its derivative
+        !> where S is the contact radius the derivative of P, what springs that touch bear from a slider on, and its derivative
         real(c_double), dimension(0:most) :: slope, newborn, newborn_slope
     end type motion_t
 
@@ -106,7 +107,7 @@ contains
 
         motion%shift = way
         call begin(levels, place%shift, record, motion)
-        if (levels%is_constant) call load_constant(levels, place, motion)
+        if (levels%of_radius) call find_loads(levels, place, motion)
         call mdrcontact_sliders_step(levels%row, levels%share, levels%count, levels%sliders, levels%strength, place, &
                                      record(head + 1 + levels%sliders:), motion, tangent)
     end subroutine move
@@ -128,7 +129,8 @@ contains
         motion%top = record(at_top:at_top + 2)
         if (record(at_next) < 1.0_wp) motion%top = [0.0_wp, 0.0_wp, levels%first_stiffness]
         motion%grows = merge(1, 0, shift > motion%top(1))
-        motion%is_constant = merge(1, 0, levels%is_constant)
+        motion%of_radius = merge(1, 0, levels%of_radius)
+        motion%at_once = merge(1, 0, levels%power == by_shear)
         motion%is_settled = 0
         motion%used = motion%before
         if (motion%grows > 0) then
@@ -142,8 +144,8 @@ contains
         motion%cell = next
     end subroutine begin
 
-    !> P and what springs that touch bear where the shear strength is constant.
-    pure subroutine load_constant(levels, place, motion)
+    !> P and what springs that touch bear where S is the contact radius.
+    pure subroutine find_loads(levels, place, motion)
         type(levels_t), intent(in) :: levels
         type(place_t), intent(in) :: place
         type(motion_t), intent(inout) :: motion
@@ -156,10 +158,11 @@ contains
         motion%newborn(motion%used:last) = 0.0_wp
         motion%newborn_slope(motion%used:last) = 0.0_wp
         motion%beyond(0) = place%load
-        motion%slope(0) = 2.0_wp*pi*place%shift
+        motion%slope(0) = (levels%power + 1)*place%load/place%shift
         associate (n => motion%used - 1)
-            call constant_loads(levels, n, motion%level(1:n), place, motion%beyond(1:n), motion%slope(1:n))
+            call radius_loads(levels, n, motion%level(1:n), place, motion%beyond(1:n), motion%slope(1:n))
         end associate
+        motion%slope(:motion%used - 1) = place%rate*motion%slope(:motion%used - 1)
         do i = 0, motion%used - 1
             from = motion%top
             associate (l => motion%level(i))
@@ -167,6 +170,6 @@ contains
             end associate
             call growth_beyond(levels, from, place, motion%newborn(i), motion%newborn_slope(i))
         end do
-    end subroutine load_constant
+    end subroutine find_loads
 
 end module mdrcontact_law_sliders_motion

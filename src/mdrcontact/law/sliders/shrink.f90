@@ -5,7 +5,7 @@
 !> left free, for the level that is passed next if F only swings.
 module mdrcontact_law_sliders_shrink
     use mdrcontact_kinds, only: wp
-    use mdrcontact_law_levels, only: levels_t
+    use mdrcontact_law_levels, only: by_shear, by_twist, levels_t
     use mdrcontact_law_sliders_motion, only: motion_t
     use mdrcontact_law_strengths, only: load_beyond, place_t
     implicit none (type, external)
@@ -50,7 +50,7 @@ contains
         integer :: i, width
 
         associate (p => levels%places, n => levels%sliders - 1)
-            if (levels%is_constant) then
+            if (levels%of_radius) then
                 typical = lack(levels, p(n/2 + 1) - p(n/2), p(n/2 + 1))
             else
                 typical = 4.0_wp*p(n)/real(n, wp)**2
@@ -74,13 +74,21 @@ contains
     end subroutine choose
 
     !> What a slider of a width lacks that begins at a distance from the edge, both in levels: of first shear that of the square of
-    !> its width times the second derivative of T, and relative to its shift under Coulomb's law.
+    !> its width times the second derivative of T, and relative to its shift under Coulomb's law; of a twist c^3 in first order.
     pure function lack(levels, width, distance) result(lacking)
         type(levels_t), intent(in) :: levels
         integer, intent(in) :: width, distance
         real(wp) :: lacking
 
-        lacking = real(width, wp)**2/merge(sqrt(real(distance, wp)), real(distance, wp), levels%is_constant)
+        lacking = real(width, wp)**2
+        select case (levels%power)
+        case (by_twist)
+            lacking = lacking*(levels%shift(1)/levels%shift(2))**(3*distance)
+        case (by_shear)
+            lacking = lacking/sqrt(real(distance, wp))
+        case default
+            lacking = lacking/distance
+        end select
     end function lack
 
     !> Slider i in two at a level.

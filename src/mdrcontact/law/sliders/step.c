@@ -19,7 +19,7 @@ enum { AT_NEXT = 1, AT_USED, AT_SHIFT, AT_TOP, AT_LOST = 7, HEAD = 11 };
 
 /* motion_t of motion.f90 */
 typedef struct motion {
-    int32_t used, before, cell, first_share, is_constant, grows, is_settled;
+    int32_t used, before, cell, first_share, of_radius, at_once, grows, is_settled;
     double top[3], old, way[3], total[3], lost;
     int32_t level[MOST];
     double stiffness[MOST], beyond[MOST], strength[MOST], factor[MOST], borne[3][MOST];
@@ -76,7 +76,7 @@ static growth growth_of(const motion *m, const place *at, double mu)
     /* of shifts whose squares are lost the largest component */
     const double length = fmax(sqrt(way[0] * way[0] + way[1] * way[1] + way[2] * way[2]),
                                fmax(fabs(way[0]), fmax(fabs(way[1]), fabs(way[2]))));
-    const int is_slow = m->is_constant || length <= mu * grown;
+    const int is_slow = m->at_once || length <= mu * grown;
     of.one = is_slow ? 1.0 / grown : mu / length;
     if (!is_slow) of.turned = of.one;
     for (int j = 0; j < 3; ++j) {

@@ -184,7 +184,7 @@ INSIDE ends NAME(ends_at)(const given *of, const place *at, const motion *m, int
     end.before = NAME(least)(k, top);
     end.after = grows ? NAME(least)(k, NAME(most)(top, ALL(at->stiffness))) : end.before;
     end.slope = end.newborn = end.newborn_slope = none;
-    if ((kind & GENERAL) && m->is_constant) {
+    if ((kind & GENERAL) && m->of_radius) {
         end.load = NAME(load)(m->beyond + i);
         end.slope = NAME(load)(m->slope + i);
         if (!grows) return end;
@@ -376,7 +376,7 @@ INSIDE int NAME(run)(const given *of, const steps *these, int wanted)
 {
     const int size = HEAD + 4 * of->sliders;
     motion m;
-    m.is_constant = 0;
+    m.of_radius = m.at_once = 0;
     for (int i = 0; i < these->n; ++i) {
         double *record = these->memory + (int64_t)size * i;
         const place at = {these->force[i], these->level[i], 1.0 / these->compliance[i], these->compliance[i], these->force[i]};
