@@ -1231,7 +1231,8 @@ enum mdr_warning {
                                       on an elastic one the depth less F/(a E1*), the most by which the base gives way. */
     MDR_WARNING_CONTRAST = 8,    /**< Young's moduli of one contact are 1e9 apart or more, as GPa beside Pa. */
     MDR_WARNING_SHORT_ZONE = 16, /**< The zone of a cohesive stress is too short to change a digit: adhesion without a range. */
-    MDR_WARNING_WETTING = 32     /**< Work of adhesion above 0.05 of the surface tension: the contact angle is not small. */
+    MDR_WARNING_WETTING = 32     /**< Work of adhesion above 0.05 of the surface tension, or under a plate of B^(1/3) (0.5 E*)^(2/3): the
+                                      slope of the surface at the edge is not small. */
 };
 
 /** Doubts about the numbers of a state.

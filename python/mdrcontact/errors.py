@@ -89,7 +89,8 @@ class BeyondRangeWarning(MDRWarning):
 class LargeStrainWarning(MDRWarning):
     """A state beyond linear elasticity, which holds for small slopes and strains: the indenter's slope at the edge of the contact
     is above 1.2, the mean pressure above 0.6 contact moduli, layers are compressed by more than half of their thickness, or the
-    work of adhesion is above 0.05 of the surface tension, so that the surface meets the indenter at an angle that is not small."""
+    work of adhesion is above 0.05 of the surface tension (under a plate of B^(1/3) (E*/2)^(2/3), if that is more), so that the
+    surface meets the indenter at an angle that is not small."""
 
 
 class UnitsWarning(MDRWarning):

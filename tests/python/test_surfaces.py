@@ -2,6 +2,7 @@
 """Surfaces with tension and plates: objects, limits, refusals, fits, problem files."""
 
 import pickle
+import warnings
 
 import numpy as np
 import pytest
@@ -217,6 +218,23 @@ def test_wetting_warns():
         contact.at_radius(1.0)
 
 
+def test_wetting_under_a_plate_warns_where_slopes_are_large():
+    """Of the surface beside an adhesive edge: u'(r) there against the indenter's slope, 0 of a flat punch under no load."""
+    for bending, work in ((0.05, 0.02), (1e-3, 5e-3)):
+        medium = mdr.Homogeneous(GEL, surface=mdr.Surface(0.0, bending))
+        holds = bending ** (1 / 3) * 0.5 ** (2 / 3)
+        steepest = []
+        for gamma in (work, 0.04 * holds):
+            with warnings.catch_warnings(record=True) as said:
+                warnings.simplefilter("always")
+                contact = mdr.Contact(mdr.Paraboloid(1e3), medium, work_of_adhesion=gamma)
+                state = contact.at_radius(2.0)
+            r = np.linspace(2.0, 4.0, 17)
+            steepest.append(np.abs(np.gradient(contact.displacement(r, state), r)).max())
+            assert any("what bends the plate" in str(w.message) for w in said) == (gamma > 0.05 * holds)
+        assert 0.3 < steepest[0] / np.sqrt(2.0 * work / holds) < 2.0
+
+
 @pytest.mark.parametrize(
     ("make", "words"),
     [
@@ -292,6 +310,25 @@ def test_fit_of_tension_and_modulus_together(half_space):
     found = mdr.fit(data, BALL, start, free=["E", "surface.tension"])
     assert found.estimates["E"] == pytest.approx(0.75, rel=1e-6)
     assert found.estimates["surface.tension"] == pytest.approx(0.5, rel=1e-6)
+
+
+@pytest.mark.parametrize(
+    ("body", "free"),
+    [
+        (mdr.Coated(BONE, 1.0, mdr.Elastic(3.0, 0.4), surface=mdr.Surface(4.0)), ("coating.C33", "surface.tension")),
+        (mdr.Coated(GEL, 0.5, mdr.RIGID, surface=mdr.Surface(0.0, 0.05)), ("thickness", "surface.bending")),
+        (mdr.Homogeneous(BONE, surface=mdr.Surface(4.0)), ("C44", "surface.tension")),
+    ],
+)
+def test_fit_of_a_surface_with_any_constant_of_the_body(body, free):
+    depth = np.geomspace(1e-2, 0.1, 6)
+    data = mdr.ForceDepth(depth, mdr.Contact(BALL, body).at_depth(depth).force)
+    values = body.parameters()
+    start = body.with_parameters({name: 1.1 * values[name] for name in free})
+    assert start.parameters() == values | {name: 1.1 * values[name] for name in free}
+    found = mdr.fit(data, BALL, start, free=list(free))
+    for name in free:
+        assert found.estimates[name] == pytest.approx(values[name], rel=1e-5)
 
 
 def test_problem_file(tmp_path):

@@ -57,17 +57,19 @@ contains
         call look_at_wetting(equilibrium, found)
     end subroutine find_warnings
 
-    !> The slope of the surface jumps by sqrt(2 gamma/tau) at an adhesive edge (theory_surfaces 5).
+    !> The slope of the surface jumps by sqrt(2 gamma/tau) at an adhesive edge (theory_surfaces 5). Under a plate its curvature
+    !> does, by sqrt(2 gamma/B), and the slope changes by about that over the plate's length, B/length^2 standing for the tension.
     pure subroutine look_at_wetting(equilibrium, found)
         type(equilibrium_t), intent(in) :: equilibrium
         type(contact_warning_t), allocatable, intent(inout) :: found(:)
+        real(wp) :: holds
 
         associate (gamma => equilibrium%work_of_adhesion, sheet => equilibrium%medium%sheet)
-            if (.not. (sheet%tension > 0.0_wp .and. gamma > largest_wetting*sheet%tension)) return
-            if (sheet%bending > 0.0_wp) return
-            call add(found, warning_wetting, "the work of adhesion is "//to_text(gamma/sheet%tension)//" of the surface "// &
-                     "tension: the surface meets the indenter at an angle that is not small, and its tension is taken for "// &
-                     "small slopes")
+            holds = max(sheet%tension, sheet%bending**(1.0_wp/3.0_wp)*(0.5_wp*surface_modulus(equilibrium))**(2.0_wp/3.0_wp))
+            if (.not. (holds > 0.0_wp .and. gamma > largest_wetting*holds)) return
+            call add(found, warning_wetting, "the work of adhesion is "//to_text(gamma/holds)//" of "// &
+                     trim(merge("the surface tension         ", "what bends the plate, B/L^2,", holds <= sheet%tension))// &
+                     ": the surface meets the indenter at an angle that is not small, and it is taken for small slopes")
         end associate
     end subroutine look_at_wetting
 

@@ -29,22 +29,26 @@ contains
         real(wp), allocatable, intent(out) :: matrix(:, :), slope(:, :)
         type(error_t), allocatable, intent(inout) :: error
         type(grid_t) :: grid
-        real(wp), allocatable :: kernel(:, :, :)
-        integer :: couple, stat
+        real(wp), allocatable :: kernel(:, :, :), waves(:, :)
+        integer :: couple, i, stat
 
         couple = merge(1, 0, green%columns > 2)
         call new_grid(grid, 0.5_wp*green%near/a, 4.0_wp*n, error)
         if (allocated(error)) return
         associate (nodes => size(grid%angle))
-            allocate (kernel(nodes, nodes, green%columns), matrix(n + couple, n + couple), slope(n + couple, n + couple), stat=stat)
+            allocate (kernel(nodes, nodes, green%columns), matrix(n + couple, n + couple), slope(n + couple, n + couple), &
+                      waves(nodes, 0:2*n - 2), stat=stat)
         end associate
         call check_memory(error, stat)
         if (allocated(error)) return
         call fill_kernel(green, grid, a, kernel)
-        call fill_cosines(grid, kernel(:, :, of_load), 4.0_wp/pi, matrix(couple + 1:, couple + 1:))
+        do i = 0, 2*n - 2
+            waves(:, i) = cos(2.0_wp*i*grid%angle)
+        end do
+        call fill_cosines(waves, kernel(:, :, of_load), 4.0_wp/pi, matrix(couple + 1:, couple + 1:))
         slope = 0.0_wp
         if (with_slope) then
-            call fill_cosines(grid, kernel(:, :, of_load_slope), 4.0_wp/(pi*a), slope(couple + 1:, couple + 1:))
+            call fill_cosines(waves, kernel(:, :, of_load_slope), 4.0_wp/(pi*a), slope(couple + 1:, couple + 1:))
         end if
         if (couple == 0) return
         call fill_couple(grid, kernel(:, :, of_couple), 4.0_wp*a/pi, matrix(1, 2:))
@@ -85,19 +89,16 @@ contains
     end subroutine fill_kernel
 
     !> factor F(i + j, |i - j|).
-    subroutine fill_cosines(grid, kernel, factor, matrix)
-        type(grid_t), intent(in) :: grid
-        real(wp), intent(in) :: kernel(:, :), factor
+    subroutine fill_cosines(waves, kernel, factor, matrix)
+        !> cos(2 m alpha) at the nodes, m = 0 ... 2 n - 2
+        real(wp), intent(in) :: waves(:, 0:), kernel(:, :), factor
         real(wp), intent(out) :: matrix(:, :)
-        real(wp), allocatable :: waves(:, :), half(:, :), whole(:, :)
+        real(wp), allocatable :: half(:, :), whole(:, :)
         integer :: i, j, n, nodes
 
         n = size(matrix, 1)
-        nodes = size(grid%angle)
-        allocate (waves(nodes, 0:2*n - 2), half(nodes, 0:n - 1), whole(0:2*n - 2, 0:n - 1))
-        do i = 0, 2*n - 2
-            waves(:, i) = cos(2.0_wp*i*grid%angle)
-        end do
+        nodes = size(waves, 1)
+        allocate (half(nodes, 0:n - 1), whole(0:2*n - 2, 0:n - 1))
         call dgemm("N", "N", nodes, n, nodes, 1.0_wp, kernel, nodes, waves, nodes, 0.0_wp, half, nodes)
         call dgemm("T", "N", 2*n - 1, n, nodes, factor, waves, nodes, half, nodes, 0.0_wp, whole, 2*n - 1)
         do j = 1, n
