@@ -36,14 +36,14 @@ static double in[MANY], out[MANY], radii[MANY];
 static int labels[ROWS * ROWS];
 static mdr_profile *cone;
 static mdr_medium *deeply_graded;
-static mdr_contact *exact, *plain, *rough, *sharp, *relaxing, *on_film;
+static mdr_contact *exact, *plain, *rough, *sharp, *relaxing, *sticky, *on_film;
 static mdr_friction *rubbed, *rubbed_film;
 static mdr_friction_history *history, *rings;
 static mdr_structure *balls, *voxels;
 static mdr_medium *medium, *film;
 static mdr_state pressed, normal[MANY / 10];
 static mdr_tangential_state sheared[MANY / 10];
-static double sway[MANY], other[MANY];
+static double sway[MANY], other[MANY], deep[POINTS];
 static mdr_law *law;
 
 static int states(void) { return mdr_contact_from_force(exact, MANY, in, NULL, NULL, out, NULL); }
@@ -57,6 +57,12 @@ static int torsion(void) { return mdr_medium_torsional_stiffness(film, MANY, in,
 static int path(void)
 {
     return mdr_contact_history(relaxing, MDR_GIVEN_DEPTH, 1e-9, MANY / 500, in + POINTS, sway, out, NULL, NULL);
+}
+static int sticky_path(void)
+{
+    const mdr_rate_state apart = {0};
+    mdr_rate_state end;
+    return mdr_contact_adhesive_history(sticky, MDR_CONTROL_DEPTH, 0.0, 1e-7, &apart, POINTS, in, deep, out, NULL, NULL, NULL, &end);
 }
 static int oscillation(void) { return mdr_contact_dynamic_stiffness(relaxing, MANY, in, in, out, other); }
 static int rub(void) { return mdr_friction_states(rubbed_film, &pressed, MDR_GIVEN_SHIFT, MANY / 10, sway, sheared); }
@@ -118,7 +124,8 @@ int main(void)
     double once;
     mdr_profile *p = NULL;
     double depths[DEPTHS], rising_E[DEPTHS], same_nu[DEPTHS];
-    mdr_medium *graded = NULL, *half_space = NULL, *weighted = NULL, *soft = NULL;
+    mdr_medium *graded = NULL, *half_space = NULL, *weighted = NULL, *soft = NULL, *rubber = NULL;
+    mdr_contact_options ranged = MDR_SIZED(mdr_contact_options);
     mdr_material *fast = NULL, *slow = NULL;
     const mdr_material *layers[1];
 
@@ -151,6 +158,10 @@ int main(void)
     layers[0] = fast;
     CHECK_SUCCESS(relaxing_medium(1, layers, (double[]){1.0}, slow, MDR_MODEL_EXACT, NULL, &soft));
     CHECK_SUCCESS(mdr_contact_new(p, soft, NULL, &relaxing));
+    CHECK_SUCCESS(relaxing_medium(0, NULL, NULL, fast, MDR_MODEL_EXACT, NULL, &rubber));
+    ranged.work_of_adhesion = 0.02, ranged.cohesive_stress = 0.5;
+    CHECK_SUCCESS(mdr_contact_new(p, rubber, &ranged, &sticky));
+    for (int i = 0; i < POINTS; i++) deep[i] = 0.3 * sin(in[i]);
     CHECK_SUCCESS(mdr_medium_coated(2.0, 0.3, 0.5, 1.0, 0.3, MDR_MODEL_EXACT, NULL, &film));
     CHECK_SUCCESS(mdr_contact_new(p, film, NULL, &on_film));
     CHECK_SUCCESS(mdr_friction_new(plain, 0.3, &rubbed));
@@ -170,6 +181,7 @@ int main(void)
     check_cancelled("fit", fit);
     check_cancelled("torsion", torsion);
     check_cancelled("path in time", path);
+    check_cancelled("path in time with a cohesive zone", sticky_path);
     check_cancelled("oscillations", oscillation);
     check_cancelled("tangential states", rub);
     check_cancelled("tangential loop", rub_in_turn);
@@ -203,7 +215,9 @@ int main(void)
     CHECK_SUCCESS(mdr_friction_free(&rubbed_film));
     CHECK_SUCCESS(mdr_friction_free(&rubbed));
     CHECK_SUCCESS(mdr_contact_free(&on_film));
+    CHECK_SUCCESS(mdr_contact_free(&sticky));
     CHECK_SUCCESS(mdr_contact_free(&relaxing));
+    CHECK_SUCCESS(mdr_medium_free(&rubber));
     CHECK_SUCCESS(mdr_medium_free(&film));
     CHECK_SUCCESS(mdr_medium_free(&soft));
     CHECK_SUCCESS(mdr_material_free(&slow));

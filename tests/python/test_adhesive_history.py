@@ -3,13 +3,17 @@
 
 from __future__ import annotations
 
+import io
 import math
+import sys
+from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import pytest
 from test_rate_adhesion import rows
 
 import mdrcontact as mdr
+from mdrcontact import _progress
 
 TIP = mdr.Paraboloid(1.0)
 WORK, STRESS, UNIT = 0.01, 0.25, 1.5 * math.pi * 0.01
@@ -129,6 +133,30 @@ def test_cycles():
     assert found.force[0] == found.force[-1] == found.radius[-1] == 0.0 < found.end["work"]
     area = np.sum(0.5 * (fine.force[1:] + fine.force[:-1]) * np.diff(depth))
     assert fine.end["work"] == pytest.approx(area, rel=0.05)
+
+
+def test_threads_and_progress(monkeypatch):
+    """Threads of the caller and a progress bar change no bit; the bar speaks of rounds."""
+
+    class Terminal(io.StringIO):
+        def isatty(self):
+            return True
+
+    contact, time = creeping(), np.linspace(0.0, 2.0, 41)
+
+    def march(progress=False):
+        return contact.history(time, depth=0.2 * np.sin(2.0 * time), progress=progress)
+
+    alone = march()
+    with ThreadPoolExecutor(3) as pool:
+        for found in pool.map(lambda _: march(), range(6)):
+            assert np.array_equal(found.force, alone.force)
+            assert found.end == alone.end
+    monkeypatch.setattr(_progress, "LOOK", 0.001)
+    monkeypatch.setattr(_progress, "PATIENCE", 0.0)
+    monkeypatch.setattr(sys, "stderr", terminal := Terminal())
+    assert np.array_equal(march(progress=True).force, alone.force)
+    assert "round" in terminal.getvalue()
 
 
 def test_refusals():
