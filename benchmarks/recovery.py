@@ -20,11 +20,11 @@ def autoregression(random: np.random.Generator, lag: float, points: int) -> np.n
     return noise
 
 
-def options(about: str, **more: float) -> argparse.Namespace:
-    """Of the command line: --sets, --lag, --noise, and `more` with their defaults. Warnings of the package are not shown."""
+def options(about: str) -> argparse.Namespace:
+    """Of the command line: --sets, --lag, --noise. Warnings of the package are not shown."""
     parser = argparse.ArgumentParser(description=about.splitlines()[0])
     parser.add_argument("--sets", type=int, default=200)
-    for name, default in {"lag": 0.9, "noise": 0.02, **more}.items():
+    for name, default in {"lag": 0.9, "noise": 0.02}.items():
         parser.add_argument(f"--{name}", type=float, default=default)
     warnings.simplefilter("ignore", mdr.MDRWarning)
     return parser.parse_args()

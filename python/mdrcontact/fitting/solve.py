@@ -7,15 +7,21 @@ import math
 from collections.abc import Iterable, Mapping
 from typing import Any
 
+import numpy as np
+
 from .._boundary import number
 from ..adhesion import code
-from ..errors import InvalidArgumentError
+from ..errors import CancelledError, InvalidArgumentError, MDRError
 from .advice import advice
 from .data import Data, ForceDepth
+from .misfit import SMALL
 from .parameters import Free, Instrument, JointPrior
 from .problem import Problem, make_problem
 from .result import FitResult
 from .weighted import RULES, fit_weighted
+
+_OTHER_STRESSES = ((1.0 / 3.0, False), (3.0, False), (1.0 / 9.0, False), (9.0, False), (0.6, True), (0.25, True), (1.5, True))
+"""Times the stress that a search began with; or that of the best end, with the other parameters from there."""
 
 
 def fit(
@@ -77,6 +83,38 @@ def fit(
 
 
 def _fitted(problem: Problem) -> FitResult:
+    """Under a cohesive stress the sum of squares has several minima: where the search ends in a poor one, it begins again from
+    other stresses."""
     result = FitResult(problem, *problem.answer())
+    if "cohesive_stress" in problem.free and _is_poor(result):
+        column = problem.names.index("cohesive_stress")
+        for factor, from_end in _OTHER_STRESSES:
+            table = problem.table.copy()
+            if from_end:
+                table[0] = [result.values.get(name, start) for name, start in zip(problem.names, table[0], strict=True)]
+            table[0, column] = np.clip(factor * table[0, column], table[1, column], table[2, column])
+            other = _searched(problem._replace(table=table))
+            if other is not None and _merit(other) > _merit(result):
+                result = other
+                if not _is_poor(result):
+                    break
     result.warnings = advice(result)
     return result
+
+
+def _searched(problem: Problem) -> FitResult | None:
+    """None where the search does not even begin."""
+    try:
+        return FitResult(problem, *problem.answer())
+    except CancelledError:
+        raise
+    except MDRError:
+        return None
+
+
+def _is_poor(result: FitResult) -> bool:
+    return not result.converged or result.misfit.rms > SMALL
+
+
+def _merit(result: FitResult) -> float:
+    return result.log_likelihood - 0.5 * result.prior_chi_square
