@@ -2,6 +2,7 @@
 """Surfaces with tension and plates: objects, limits, refusals, fits, problem files."""
 
 import pickle
+import re
 import warnings
 
 import numpy as np
@@ -254,6 +255,17 @@ def test_wetting_under_a_plate_warns_where_slopes_are_large():
 def test_refused_bodies(make, words):
     with pytest.raises(mdr.MDRError, match=words):
         make()
+
+
+@pytest.mark.parametrize("bending", [0.01, 0.05, 0.3, 2.0])
+def test_the_critical_tension_of_a_film(bending):
+    """min over k of 1/(k^2 C) + B k^2, looked for anew between two wavenumbers."""
+    film = mdr.Coated(GEL, 1.0, mdr.RIGID)
+    k = np.geomspace(0.1, 20.0, 100_001)
+    with pytest.raises(mdr.InvalidArgumentError, match="wrinkles") as refusal:
+        film.replace(surface=mdr.Surface(-1e3, bending))
+    critical = float(re.search(r"tau_c = (\S+),", str(refusal.value))[1])
+    assert critical == pytest.approx(-np.min(1.0 / (k**2 * film.compliance(k)) + bending * k**2), rel=1e-6)
 
 
 def test_refused_answers(half_space):
