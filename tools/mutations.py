@@ -220,7 +220,6 @@ MUTATIONS = [
     ("history/cohesive_history.f90", "limit = fine + (fine - coarse)/3.0_wp", "limit = fine + (fine - coarse)",
      "test_cohesive_history test_adhesive_history.py"),
     ("fit/zone_force.f90", "back=.not. is_loading(i)", "back=is_loading(i)", "c_fit test_cohesion.py"),
-    ("contact/cohesion.f90", "max(self%kernel%unit, self%small_zone/self%kernel%sigma_zero)", "self%small_zone", "test_cohesion"),
     ("layered/zone_rule.f90", "longest_plain = 4.0_wp", "longest_plain = 40.0_wp", "test_cohesion"),
     ("layered/zone.f90", "mean = mean + 2.0_wp*shift/(pi", "mean = mean + shift/(pi", "test_cohesion"),
     ("tension/fields.f90", "total = -(self%line_force + self%remainder)", "total = -self%line_force", "test_surfaces.py"),
