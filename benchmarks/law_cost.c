@@ -84,6 +84,28 @@ static double inline_force(task *t)
     return sum;
 }
 
+/* Bodies that are apart. */
+static double inline_open(task *t)
+{
+    double sum = 0.0, F;
+    for (int i = 0; i < POINTS; ++i) {
+        mdr_law_view_force(&t->view, -t->d[i], &F);
+        sum += F;
+    }
+    return sum;
+}
+
+/* The first bit of depth, below the compiled range. */
+static double inline_first_touch(task *t)
+{
+    double sum = 0.0, F;
+    for (int i = 0; i < POINTS; ++i) {
+        mdr_law_view_force(&t->view, 1e-4 * t->d[i], &F);
+        sum += F;
+    }
+    return sum;
+}
+
 static double inline_slope(task *t)
 {
     double sum = 0.0, F, slope;
@@ -237,6 +259,8 @@ static const struct {
 } measured[] = {
     {"atan_plus_log", atan_and_log},
     {"inline", inline_force},
+    {"inline_open", inline_open},
+    {"inline_first_touch", inline_first_touch},
     {"inline_with_slope", inline_slope},
     {"inline_with_slope_dependent", inline_latency},
     {"scalar", external_force},
