@@ -110,6 +110,8 @@ contains
         if (levels%of_radius) call find_loads(levels, place, motion)
         call mdrcontact_sliders_step(levels%row, levels%share, levels%count, levels%sliders, levels%strength, place, &
                                      record(head + 1 + levels%sliders:), motion, tangent)
+        ! the open end of the last slider
+        motion%beyond(motion%used) = 0.0_wp
     end subroutine move
 
     !> The sliders of a step: those of the record, and those of levels that are passed.
