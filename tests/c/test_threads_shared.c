@@ -55,7 +55,7 @@ static void evaluate_contact(task *t, const mdr_contact *contact)
 static void evaluate_fit(task *t, const mdr_fit_problem *problem)
 {
     static const double depth[FIT_POINTS] = {0.1, 0.2, 0.3, 0.4};
-    double force[FIT_POINTS], values[1 + MDR_FIT_INSTRUMENT_COUNT];
+    double force[FIT_POINTS], values[NUMBERS];
     record(t, mdr_fit_predict(problem, FIT_POINTS, depth, depth, NULL, force, NULL));
     record(t, mdr_fit_solve(problem, FIT_POINTS, depth, force, NULL, NULL, values, NULL, NULL, NULL, NULL, next(t, FIT_POINTS), NULL,
                           NULL));
