@@ -74,6 +74,7 @@ def _place(root: Path, name: str) -> Path:
 
 def _copy_sources() -> None:
     for folder in ("src", "include", "tests", "cmake", "examples", "docs", "python"):
+        _remove_what_is_gone(folder)
         shutil.copytree(ROOT / folder, COPY / folder, dirs_exist_ok=True, copy_function=_renew)
     shutil.copy2(ROOT / "CMakeLists.txt", COPY)
     shutil.copy2(ROOT / "pyproject.toml", COPY)
@@ -85,6 +86,17 @@ def _copy_sources() -> None:
     shutil.copytree(installed, COPY / "python/mdrcontact", dirs_exist_ok=True, ignore=skipped, copy_function=_renew)
     options = ["-DMDRCONTACT_BUILD_EXAMPLES=OFF", "-DMDRCONTACT_BUILD_PYTHON=ON", f"-DPython_EXECUTABLE={sys.executable}"]
     _run("cmake", "-S", COPY, "-B", COPY / "build", "-G", "Ninja", *options, check=True)
+    built = _run("cmake", "--build", COPY / "build", "--target", "mdrcontact_python")
+    if built.returncode:
+        raise SystemExit(f"the sources do not build as they are\n{built.stdout}")
+
+
+def _remove_what_is_gone(folder: str) -> None:
+    """Removes copies of files that the sources have no more: with them no mutant builds, which would pass for caught."""
+    made = ("_native", "_version", "__pycache__")
+    for copy in (COPY / folder).rglob("*"):
+        if copy.is_file() and not any(name in str(copy) for name in made) and not (ROOT / copy.relative_to(COPY)).exists():
+            copy.unlink()
 
 
 def _renew(source: str, target: str) -> None:
