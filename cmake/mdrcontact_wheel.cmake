@@ -5,7 +5,8 @@ set(package_dir mdrcontact)
 set(library_name "$<TARGET_SONAME_FILE_NAME:mdrcontact_shared>")
 install(PROGRAMS "$<TARGET_FILE:mdrcontact_shared>" DESTINATION "${package_dir}/lib" RENAME "${library_name}"
   COMPONENT python EXCLUDE_FROM_ALL)
-install(FILES ${mdrcontact_headers} DESTINATION "${package_dir}/include" COMPONENT python EXCLUDE_FROM_ALL)
+install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/" DESTINATION "${package_dir}/include" COMPONENT python EXCLUDE_FROM_ALL
+  FILES_MATCHING PATTERN "*.h*")
 
 configure_file("${PROJECT_SOURCE_DIR}/cmake/wheel-config.cmake.in" "${CMAKE_CURRENT_BINARY_DIR}/wheel-config.cmake.in" @ONLY)
 file(GENERATE OUTPUT "${CMAKE_CURRENT_BINARY_DIR}/wheel/mdrcontact-config.cmake"

@@ -14,8 +14,8 @@
  * continues beyond it, or MDR_EINVALID for a depth that is NaN or infinite; then their outputs are NaN. What mdr_last_error() says
  * does not change: mdr_law_at_depth() at the same depth gives the words.
  */
-#ifndef MDRCONTACT_LAW_H
-#define MDRCONTACT_LAW_H
+#ifndef MDRCONTACT_LAW_INLINE_H
+#define MDRCONTACT_LAW_INLINE_H
 
 #include "mdrcontact.h"
 

@@ -88,28 +88,6 @@ state = np.dtype(
     ],
     align=True,
 )
-conductor = np.dtype(
-    [
-        ("thickness", np.float64),
-        ("sigma", np.float64),
-        ("along", np.float64),
-        ("capacity", np.float64),
-        ("resistance", np.float64),
-    ],
-    align=True,
-)
-friction_heat = np.dtype(
-    [
-        ("total", np.float64),
-        ("share", np.float64),
-        ("centre", np.float64),
-        ("flux_mean", np.float64),
-        ("area_mean", np.float64),
-        ("largest", np.float64),
-        ("behind", np.float64),
-    ],
-    align=True,
-)
 interior = np.dtype(
     [
         ("u_r", np.float64),
@@ -121,6 +99,39 @@ interior = np.dtype(
         ("s_rz", np.float64),
         ("s_rt", np.float64),
         ("s_tz", np.float64),
+    ],
+    align=True,
+)
+rate_options = np.dtype(
+    [
+        ("size", np.uintp),
+        ("work", np.float64),
+        ("speed", np.float64),
+        ("exponent", np.float64),
+        ("closing_work", np.float64),
+        ("closing_speed", np.float64),
+        ("closing_exponent", np.float64),
+        ("material", np.uintp),
+        ("cohesive_stress", np.float64),
+        ("largest_radius", np.float64),
+        ("smallest_radius", np.float64),
+    ],
+    align=True,
+)
+rate_state = np.dtype(
+    [
+        ("radius", np.float64),
+        ("depth", np.float64),
+        ("dissipated", np.float64),
+        ("work", np.float64),
+        ("lowest_force", np.float64),
+        ("lowest_time", np.float64),
+        ("lowest_depth", np.float64),
+        ("lowest_radius", np.float64),
+        ("lowest_speed", np.float64),
+        ("rupture_time", np.float64),
+        ("rupture_depth", np.float64),
+        ("ruptures", np.float64),
     ],
     align=True,
 )
@@ -171,52 +182,25 @@ wear_options = np.dtype(
     ],
     align=True,
 )
-rate_options = np.dtype(
+conductor = np.dtype(
     [
-        ("size", np.uintp),
-        ("work", np.float64),
-        ("speed", np.float64),
-        ("exponent", np.float64),
-        ("closing_work", np.float64),
-        ("closing_speed", np.float64),
-        ("closing_exponent", np.float64),
-        ("material", np.uintp),
-        ("cohesive_stress", np.float64),
-        ("largest_radius", np.float64),
-        ("smallest_radius", np.float64),
+        ("thickness", np.float64),
+        ("sigma", np.float64),
+        ("along", np.float64),
+        ("capacity", np.float64),
+        ("resistance", np.float64),
     ],
     align=True,
 )
-rate_state = np.dtype(
+friction_heat = np.dtype(
     [
-        ("radius", np.float64),
-        ("depth", np.float64),
-        ("dissipated", np.float64),
-        ("work", np.float64),
-        ("lowest_force", np.float64),
-        ("lowest_time", np.float64),
-        ("lowest_depth", np.float64),
-        ("lowest_radius", np.float64),
-        ("lowest_speed", np.float64),
-        ("rupture_time", np.float64),
-        ("rupture_depth", np.float64),
-        ("ruptures", np.float64),
-    ],
-    align=True,
-)
-structure_options = np.dtype(
-    [
-        ("size", np.uintp),
-        ("reference_nu", np.float64),
-        ("tolerance", np.float64),
-        ("padded", np.intc),
-        ("images", np.intc),
-        ("beside_E", np.float64),
-        ("beside_nu", np.float64),
-        ("origin", np.float64, (2,)),
-        ("exponent", np.float64),
-        ("reference_nu_is_given", np.intc),
-        ("exponent_is_given", np.intc),
+        ("total", np.float64),
+        ("share", np.float64),
+        ("centre", np.float64),
+        ("flux_mean", np.float64),
+        ("area_mean", np.float64),
+        ("largest", np.float64),
+        ("behind", np.float64),
     ],
     align=True,
 )
@@ -326,6 +310,22 @@ law_interval = np.dtype(
     ],
     align=True,
 )
+structure_options = np.dtype(
+    [
+        ("size", np.uintp),
+        ("reference_nu", np.float64),
+        ("tolerance", np.float64),
+        ("padded", np.intc),
+        ("images", np.intc),
+        ("beside_E", np.float64),
+        ("beside_nu", np.float64),
+        ("origin", np.float64, (2,)),
+        ("exponent", np.float64),
+        ("reference_nu_is_given", np.intc),
+        ("exponent_is_given", np.intc),
+    ],
+    align=True,
+)
 fit_parameter = np.dtype(
     [
         ("value", np.float64),
@@ -389,6 +389,9 @@ ECALLBACK = 7
 EFILE = 8
 ECANCELLED = 9
 
+LIMIT_GLASSY = 1
+LIMIT_RELAXED = 2
+
 MODEL_GAO = 0
 MODEL_GAO_SERIES = 1
 MODEL_DOERNER_NIX = 2
@@ -411,9 +414,6 @@ WEIGHT_NU_SURFACE = 0
 WEIGHT_NU_SUBSTRATE = 1
 WEIGHT_NU_EFFECTIVE = 2
 WEIGHT_NU_GIVEN = 3
-
-LIMIT_GLASSY = 1
-LIMIT_RELAXED = 2
 
 LOAD_NORMAL = 1
 LOAD_SHEAR = 2
@@ -442,6 +442,34 @@ FIELD_DISPLACEMENT_UPPER = 5
 
 STEP_RELAXATION = 1
 STEP_CREEP = 2
+
+WARNING_SLOPE = 1
+WARNING_PRESSURE = 2
+WARNING_COMPRESSION = 4
+WARNING_CONTRAST = 8
+WARNING_SHORT_ZONE = 16
+WARNING_WETTING = 32
+
+BODY_LOWER = 1
+BODY_UPPER = 2
+
+SIDE_BELOW = 1
+SIDE_ABOVE = 2
+
+GIVEN_SHIFT = 1
+GIVEN_TANGENTIAL_FORCE = 2
+
+FIELD_TRACTION = 1
+FIELD_TANGENTIAL_LINE_LOAD = 2
+
+GIVEN_TWIST = 1
+GIVEN_TORQUE = 2
+
+WEAR_FRESH = 1
+WEAR_SAME = 2
+
+WEAR_DISC = 1
+WEAR_RINGS = 2
 
 DRAINAGE_SURFACE = 1
 DRAINAGE_SEALED = 2
@@ -475,33 +503,7 @@ HEAT_SLIDING = 1
 HEAT_SPINNING = 2
 HEAT_MOVING = 3
 
-WARNING_SLOPE = 1
-WARNING_PRESSURE = 2
-WARNING_COMPRESSION = 4
-WARNING_CONTRAST = 8
-WARNING_SHORT_ZONE = 16
-WARNING_WETTING = 32
-
-BODY_LOWER = 1
-BODY_UPPER = 2
-
-SIDE_BELOW = 1
-SIDE_ABOVE = 2
-
-GIVEN_SHIFT = 1
-GIVEN_TANGENTIAL_FORCE = 2
-
-FIELD_TRACTION = 1
-FIELD_TANGENTIAL_LINE_LOAD = 2
-
-GIVEN_TWIST = 1
-GIVEN_TORQUE = 2
-
-WEAR_FRESH = 1
-WEAR_SAME = 2
-
-WEAR_DISC = 1
-WEAR_RINGS = 2
+LAW_FORMAT = 1296843313
 
 SHAPE_LAYER = 0
 SHAPE_HALF_SPACE = 1
@@ -509,8 +511,6 @@ SHAPE_BALL = 2
 SHAPE_FIBRE = 3
 SHAPE_PILLAR = 4
 SHAPE_BOX = 5
-
-LAW_FORMAT = 1296843313
 
 FIT_FORCE_DEPTH = 1
 FIT_STIFFNESS_DEPTH = 2

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The compiled module from the C header: wrap_header.py HEADER PYF PYI LAYOUT.
 
-Reads include/mdrcontact.h and writes three descriptions of it: for f2py a signature file (PYF) of all functions, from which it
-makes the module `_native`; for the type checker the module's types (PYI); and for the package its structures as NumPy dtypes and
-its enumerations as constants (LAYOUT). A file that is up to date is left alone.
+Reads include/mdrcontact.h with its parts and writes three descriptions of it: for f2py a signature file (PYF) of all functions,
+from which it makes the module `_native`; for the type checker the module's types (PYI); and for the package its structures as
+NumPy dtypes and its enumerations as constants (LAYOUT). A file that is up to date is left alone.
 
 In Python a function has the name without mdr_, takes the inputs in the header's order, lengths of arrays excepted, and returns the
 status followed by the outputs. What f2py does not know travels as an address, a Python int: handles, functions, texts, structures
@@ -151,8 +151,12 @@ class Function:
 
 
 def without_comments(header):
-    """What the compiler sees of the header."""
-    return re.sub(r"/\*.*?\*/", "", Path(header).read_text(encoding="utf-8"), flags=re.DOTALL)
+    """What the compiler sees of the header, whose parts lie in the folder of its name."""
+    header = Path(header)
+    text = header.read_text(encoding="utf-8")
+    parts = re.findall(rf'#include "({header.stem}/.*)"', text)
+    text += "".join((header.parent / part).read_text(encoding="utf-8") for part in parts)
+    return re.sub(r"/\*.*?\*/", "", text, flags=re.DOTALL)
 
 
 def prototypes(text):

@@ -75,7 +75,7 @@ if(result EQUAL 0 OR NOT output MATCHES "mdrcontact has no component statik, but
 endif()
 
 # What is there, and nothing of the inside.
-foreach(file IN ITEMS include/mdrcontact.h include/mdrcontact_law.h include/mdrcontact.hpp ${doc_dir}/LICENSE)
+foreach(file IN ITEMS include/mdrcontact.h include/mdrcontact/law.h include/mdrcontact_law.h include/mdrcontact.hpp ${doc_dir}/LICENSE)
   if(NOT EXISTS "${prefix}/${file}")
     message(FATAL_ERROR "${file} is not installed")
   endif()

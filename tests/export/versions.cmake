@@ -13,7 +13,7 @@ endfunction()
 
 foreach(name IN ITEMS MAJOR MINOR PATCH)
   list(POP_FRONT parts part)
-  expect(include/mdrcontact.h "#define MDR_VERSION_${name} ${part}")
+  expect(include/mdrcontact/base.h "#define MDR_VERSION_${name} ${part}")
 endforeach()
 expect(fpm.toml "version = \"${pattern}\"")
 expect(CITATION.cff "version: ${pattern}")

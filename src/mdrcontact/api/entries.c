@@ -191,6 +191,76 @@ int mdr_profile_mdr_slope(const mdr_profile *p, int n, const double x[], double 
     return status;
 }
 
+int mdrcontact_entry_material_viscoelastic(double relaxed_shear_modulus, int n, const double moduli[], const double times[],
+        double viscosity, double nu, double bulk_modulus, mdr_material **out);
+int mdr_material_viscoelastic(double relaxed_shear_modulus, int n, const double moduli[], const double times[], double viscosity,
+        double nu, double bulk_modulus, mdr_material **out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_material_viscoelastic(relaxed_shear_modulus, n, moduli, times, viscosity, nu,
+        bulk_modulus, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_material_viscoelastic(relaxed_shear_modulus, n, moduli, times, viscosity, nu, bulk_modulus,
+        out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_material_power_law(double modulus, double time, double exponent, double nu, mdr_material **out);
+int mdr_material_power_law(double modulus, double time, double exponent, double nu, mdr_material **out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_material_power_law(modulus, time, exponent, nu, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_material_power_law(modulus, time, exponent, nu, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_material_relaxation(const mdr_material *m, int n, const double t[], double out[]);
+int mdr_material_relaxation(const mdr_material *m, int n, const double t[], double out[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_material_relaxation(m, n, t, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_material_relaxation(m, n, t, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_material_creep(const mdr_material *m, int n, const double t[], double out[]);
+int mdr_material_creep(const mdr_material *m, int n, const double t[], double out[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_material_creep(m, n, t, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_material_creep(m, n, t, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_material_complex_modulus(const mdr_material *m, int n, const double omega[], double storage[], double loss[]);
+int mdr_material_complex_modulus(const mdr_material *m, int n, const double omega[], double storage[], double loss[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_material_complex_modulus(m, n, omega, storage, loss);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_material_complex_modulus(m, n, omega, storage, loss);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_material_limit(const mdr_material *m, int limit, double *E, double *nu);
+int mdr_material_limit(const mdr_material *m, int limit, double *E, double *nu)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_material_limit(m, limit, E, nu);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_material_limit(m, limit, E, nu);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
 int mdrcontact_entry_medium_homogeneous(double E, double nu, mdr_medium **out);
 int mdr_medium_homogeneous(double E, double nu, mdr_medium **out)
 {
@@ -322,76 +392,6 @@ int mdr_medium_pair(const mdr_medium *lower, const mdr_medium *upper, mdr_medium
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
     const int status = mdrcontact_entry_medium_pair(lower, upper, out);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_material_viscoelastic(double relaxed_shear_modulus, int n, const double moduli[], const double times[],
-        double viscosity, double nu, double bulk_modulus, mdr_material **out);
-int mdr_material_viscoelastic(double relaxed_shear_modulus, int n, const double moduli[], const double times[], double viscosity,
-        double nu, double bulk_modulus, mdr_material **out)
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_material_viscoelastic(relaxed_shear_modulus, n, moduli, times, viscosity, nu,
-        bulk_modulus, out);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_material_viscoelastic(relaxed_shear_modulus, n, moduli, times, viscosity, nu, bulk_modulus,
-        out);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_material_power_law(double modulus, double time, double exponent, double nu, mdr_material **out);
-int mdr_material_power_law(double modulus, double time, double exponent, double nu, mdr_material **out)
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_material_power_law(modulus, time, exponent, nu, out);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_material_power_law(modulus, time, exponent, nu, out);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_material_relaxation(const mdr_material *m, int n, const double t[], double out[]);
-int mdr_material_relaxation(const mdr_material *m, int n, const double t[], double out[])
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_material_relaxation(m, n, t, out);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_material_relaxation(m, n, t, out);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_material_creep(const mdr_material *m, int n, const double t[], double out[]);
-int mdr_material_creep(const mdr_material *m, int n, const double t[], double out[])
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_material_creep(m, n, t, out);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_material_creep(m, n, t, out);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_material_complex_modulus(const mdr_material *m, int n, const double omega[], double storage[], double loss[]);
-int mdr_material_complex_modulus(const mdr_material *m, int n, const double omega[], double storage[], double loss[])
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_material_complex_modulus(m, n, omega, storage, loss);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_material_complex_modulus(m, n, omega, storage, loss);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_material_limit(const mdr_material *m, int limit, double *E, double *nu);
-int mdr_material_limit(const mdr_material *m, int limit, double *E, double *nu)
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_material_limit(m, limit, E, nu);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_material_limit(m, limit, E, nu);
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }
@@ -648,248 +648,6 @@ int mdr_contact_step_response(const mdr_contact *c, int step, double radius, int
     return status;
 }
 
-int mdrcontact_entry_poroelastic_new(double nu, int drainage, double ratio, mdr_poroelastic **out);
-int mdr_poroelastic_new(double nu, int drainage, double ratio, mdr_poroelastic **out)
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_poroelastic_new(nu, drainage, ratio, out);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_poroelastic_new(nu, drainage, ratio, out);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_poroelastic_error(const mdr_poroelastic *p, double *out);
-int mdr_poroelastic_error(const mdr_poroelastic *p, double *out)
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_poroelastic_error(p, out);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_poroelastic_error(p, out);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_poroelastic_response(const mdr_poroelastic *p, int answer, double shear_modulus, double diffusivity,
-        double radius, int n, const double time[], double out[]);
-int mdr_poroelastic_response(const mdr_poroelastic *p, int answer, double shear_modulus, double diffusivity, double radius, int n,
-        const double time[], double out[])
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_poroelastic_response(p, answer, shear_modulus, diffusivity, radius, n, time,
-        out);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_poroelastic_response(p, answer, shear_modulus, diffusivity, radius, n, time, out);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_poroelastic_dynamic_stiffness(const mdr_poroelastic *p, double shear_modulus, double diffusivity,
-        double radius, int n, const double omega[], double storage[], double loss[]);
-int mdr_poroelastic_dynamic_stiffness(const mdr_poroelastic *p, double shear_modulus, double diffusivity, double radius, int n,
-        const double omega[], double storage[], double loss[])
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_poroelastic_dynamic_stiffness(p, shear_modulus, diffusivity, radius, n, omega,
-        storage, loss);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_poroelastic_dynamic_stiffness(p, shear_modulus, diffusivity, radius, n, omega, storage,
-        loss);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_poroelastic_pressure(const mdr_poroelastic *p, int kind, int is_flat, double shear_modulus, double diffusivity,
-        double radius, double time, int n, const double r[], double out[]);
-int mdr_poroelastic_pressure(const mdr_poroelastic *p, int kind, int is_flat, double shear_modulus, double diffusivity,
-        double radius, double time, int n, const double r[], double out[])
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_poroelastic_pressure(p, kind, is_flat, shear_modulus, diffusivity, radius,
-        time, n, r, out);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_poroelastic_pressure(p, kind, is_flat, shear_modulus, diffusivity, radius, time, n, r, out);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_poroelastic_compliance(double nu, int drainage, double thickness, double shear_modulus, double diffusivity,
-        double omega, int n, const double k[], double out[], double imaginary[]);
-int mdr_poroelastic_compliance(double nu, int drainage, double thickness, double shear_modulus, double diffusivity, double omega,
-        int n, const double k[], double out[], double imaginary[])
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_poroelastic_compliance(nu, drainage, thickness, shear_modulus, diffusivity,
-        omega, n, k, out, imaginary);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_poroelastic_compliance(nu, drainage, thickness, shear_modulus, diffusivity, omega, n, k,
-        out, imaginary);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_conduction_new(int n, const mdr_conductor lower[], int lower_base, int m, const mdr_conductor upper[],
-        int upper_base, double film, double sink, mdr_conduction **out);
-int mdr_conduction_new(int n, const mdr_conductor lower[], int lower_base, int m, const mdr_conductor upper[], int upper_base,
-        double film, double sink, mdr_conduction **out)
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_conduction_new(n, lower, lower_base, m, upper, upper_base, film, sink, out);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_conduction_new(n, lower, lower_base, m, upper, upper_base, film, sink, out);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_conduction_spot(const mdr_conduction *p, int n, const double radius[], double conductance[], double slope[]);
-int mdr_conduction_spot(const mdr_conduction *p, int n, const double radius[], double conductance[], double slope[])
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_conduction_spot(p, n, radius, conductance, slope);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_conduction_spot(p, n, radius, conductance, slope);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_conduction_tabulate(const mdr_conduction *p, double smallest, double largest, double tolerance,
-        mdr_conduction **out);
-int mdr_conduction_tabulate(const mdr_conduction *p, double smallest, double largest, double tolerance, mdr_conduction **out)
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_conduction_tabulate(p, smallest, largest, tolerance, out);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_conduction_tabulate(p, smallest, largest, tolerance, out);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_conduction_field(const mdr_conduction *p, int field, double radius, int body, int below, int n,
-        const double r[], const double z[], double out[]);
-int mdr_conduction_field(const mdr_conduction *p, int field, double radius, int body, int below, int n, const double r[],
-        const double z[], double out[])
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_conduction_field(p, field, radius, body, below, n, r, z, out);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_conduction_field(p, field, radius, body, below, n, r, z, out);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_conduction_compliance(const mdr_conduction *p, double omega, int n, const double k[], double out[],
-        double imaginary[]);
-int mdr_conduction_compliance(const mdr_conduction *p, double omega, int n, const double k[], double out[], double imaginary[])
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_conduction_compliance(p, omega, n, k, out, imaginary);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_conduction_compliance(p, omega, n, k, out, imaginary);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_conduction_admittance(const mdr_conduction *p, int answer, double radius, int n, const double omega[],
-        double in_phase[], double ahead[]);
-int mdr_conduction_admittance(const mdr_conduction *p, int answer, double radius, int n, const double omega[], double in_phase[],
-        double ahead[])
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_conduction_admittance(p, answer, radius, n, omega, in_phase, ahead);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_conduction_admittance(p, answer, radius, n, omega, in_phase, ahead);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_conduction_step(const mdr_conduction *p, int answer, double radius, int n, const double time[], double out[]);
-int mdr_conduction_step(const mdr_conduction *p, int answer, double radius, int n, const double time[], double out[])
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_conduction_step(p, answer, radius, n, time, out);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_conduction_step(p, answer, radius, n, time, out);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_conduction_follow(const mdr_conduction *p, int answer, double radius, int n, const double time[],
-        const double given[], double out[]);
-int mdr_conduction_follow(const mdr_conduction *p, int answer, double radius, int n, const double time[], const double given[],
-        double out[])
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_conduction_follow(p, answer, radius, n, time, given, out);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_conduction_follow(p, answer, radius, n, time, given, out);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_conduction_step_flux(const mdr_conduction *p, double radius, double time, int n, const double r[],
-        double out[]);
-int mdr_conduction_step_flux(const mdr_conduction *p, double radius, double time, int n, const double r[], double out[])
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_conduction_step_flux(p, radius, time, n, r, out);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_conduction_step_flux(p, radius, time, n, r, out);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_conduction_rough(const mdr_conduction *p, const mdr_contact *c, const mdr_state *state, double kappa,
-        double *out);
-int mdr_conduction_rough(const mdr_conduction *p, const mdr_contact *c, const mdr_state *state, double kappa, double *out)
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_conduction_rough(p, c, state, kappa, out);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_conduction_rough(p, c, state, kappa, out);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_conduction_along(const mdr_conduction *p, const mdr_contact *c, int n, const mdr_state states[],
-        double conductance[], double by_force[], double by_depth[]);
-int mdr_conduction_along(const mdr_conduction *p, const mdr_contact *c, int n, const mdr_state states[], double conductance[],
-        double by_force[], double by_depth[])
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_conduction_along(p, c, n, states, conductance, by_force, by_depth);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_conduction_along(p, c, n, states, conductance, by_force, by_depth);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_conduction_heat(const mdr_conduction *p, const mdr_contact *c, int n, const mdr_state states[], int motion,
-        double strength, double speed, mdr_friction_heat out[]);
-int mdr_conduction_heat(const mdr_conduction *p, const mdr_contact *c, int n, const mdr_state states[], int motion, double strength,
-        double speed, mdr_friction_heat out[])
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_conduction_heat(p, c, n, states, motion, strength, speed, out);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_conduction_heat(p, c, n, states, motion, strength, speed, out);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_conduction_heat_field(const mdr_conduction *p, const mdr_contact *c, const mdr_state *state, int motion,
-        double strength, int body, int below, int n, const double r[], const double z[], double out[]);
-int mdr_conduction_heat_field(const mdr_conduction *p, const mdr_contact *c, const mdr_state *state, int motion, double strength,
-        int body, int below, int n, const double r[], const double z[], double out[])
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_conduction_heat_field(p, c, state, motion, strength, body, below, n, r, z,
-        out);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_conduction_heat_field(p, c, state, motion, strength, body, below, n, r, z, out);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
 int mdrcontact_entry_contact_energy(const mdr_contact *c, const mdr_state *state, double *lower, double *upper);
 int mdr_contact_energy(const mdr_contact *c, const mdr_state *state, double *lower, double *upper)
 {
@@ -966,6 +724,108 @@ int mdr_contact_layer_energies(const mdr_contact *c, int body, const mdr_state *
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
     const int status = mdrcontact_entry_contact_layer_energies(c, body, state, capacity, out, count);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_contact_pull_off(const mdr_contact *c, int control, int capacity, double d[], double a[], double F[],
+        int *count);
+int mdr_contact_pull_off(const mdr_contact *c, int control, int capacity, double d[], double a[], double F[], int *count)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_contact_pull_off(c, control, capacity, d, a, F, count);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_contact_pull_off(c, control, capacity, d, a, F, count);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_loop_new(const mdr_contact *c, int control, double largest, int points, double spring_stiffness,
+        mdr_loop **out);
+int mdr_loop_new(const mdr_contact *c, int control, double largest, int points, double spring_stiffness, mdr_loop **out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_loop_new(c, control, largest, points, spring_stiffness, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_loop_new(c, control, largest, points, spring_stiffness, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_loop_dissipated_energy(const mdr_loop *l, double *energy);
+int mdr_loop_dissipated_energy(const mdr_loop *l, double *energy)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_loop_dissipated_energy(l, energy);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_loop_dissipated_energy(l, energy);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_rate_new(const mdr_contact *c, const mdr_rate_options *options, mdr_rate **out);
+int mdr_rate_new(const mdr_contact *c, const mdr_rate_options *options, mdr_rate **out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_rate_new(c, options, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_rate_new(c, options, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_rate_work(const mdr_rate_options *options, int n, const double v[], double out[]);
+int mdr_rate_work(const mdr_rate_options *options, int n, const double v[], double out[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_rate_work(options, n, v, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_rate_work(options, n, v, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_rate_scales(const mdr_rate_options *options, double *time, double *zone);
+int mdr_rate_scales(const mdr_rate_options *options, double *time, double *zone)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_rate_scales(options, time, zone);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_rate_scales(options, time, zone);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_rate_history(const mdr_rate *r, int control, double spring_stiffness, double tolerance,
+        const mdr_rate_state *start, int n, const double time[], const double in[], double d[], double a[], double F[], double v[],
+        double dissipated[], double work[], mdr_rate_state *end);
+int mdr_rate_history(const mdr_rate *r, int control, double spring_stiffness, double tolerance, const mdr_rate_state *start, int n,
+        const double time[], const double in[], double d[], double a[], double F[], double v[], double dissipated[], double work[],
+        mdr_rate_state *end)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_rate_history(r, control, spring_stiffness, tolerance, start, n, time, in, d, a,
+        F, v, dissipated, work, end);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_rate_history(r, control, spring_stiffness, tolerance, start, n, time, in, d, a, F, v,
+        dissipated, work, end);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_contact_adhesive_history(const mdr_contact *c, int control, double spring_stiffness, double tolerance,
+        const mdr_rate_state *start, int n, const double time[], const double in[], double d[], double a[], double zone_radius[],
+        double F[], mdr_rate_state *end);
+int mdr_contact_adhesive_history(const mdr_contact *c, int control, double spring_stiffness, double tolerance,
+        const mdr_rate_state *start, int n, const double time[], const double in[], double d[], double a[], double zone_radius[],
+        double F[], mdr_rate_state *end)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_contact_adhesive_history(c, control, spring_stiffness, tolerance, start, n,
+        time, in, d, a, zone_radius, F, end);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_contact_adhesive_history(c, control, spring_stiffness, tolerance, start, n, time, in, d, a,
+        zone_radius, F, end);
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }
@@ -1269,281 +1129,244 @@ int mdr_wear_history_restore(mdr_wear_history *h, int n, const double numbers[])
     return status;
 }
 
-int mdrcontact_entry_contact_pull_off(const mdr_contact *c, int control, int capacity, double d[], double a[], double F[],
-        int *count);
-int mdr_contact_pull_off(const mdr_contact *c, int control, int capacity, double d[], double a[], double F[], int *count)
+int mdrcontact_entry_poroelastic_new(double nu, int drainage, double ratio, mdr_poroelastic **out);
+int mdr_poroelastic_new(double nu, int drainage, double ratio, mdr_poroelastic **out)
 {
-    if (arithmetic_is_set()) return mdrcontact_entry_contact_pull_off(c, control, capacity, d, a, F, count);
+    if (arithmetic_is_set()) return mdrcontact_entry_poroelastic_new(nu, drainage, ratio, out);
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_contact_pull_off(c, control, capacity, d, a, F, count);
+    const int status = mdrcontact_entry_poroelastic_new(nu, drainage, ratio, out);
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }
 
-int mdrcontact_entry_loop_new(const mdr_contact *c, int control, double largest, int points, double spring_stiffness,
-        mdr_loop **out);
-int mdr_loop_new(const mdr_contact *c, int control, double largest, int points, double spring_stiffness, mdr_loop **out)
+int mdrcontact_entry_poroelastic_error(const mdr_poroelastic *p, double *out);
+int mdr_poroelastic_error(const mdr_poroelastic *p, double *out)
 {
-    if (arithmetic_is_set()) return mdrcontact_entry_loop_new(c, control, largest, points, spring_stiffness, out);
+    if (arithmetic_is_set()) return mdrcontact_entry_poroelastic_error(p, out);
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_loop_new(c, control, largest, points, spring_stiffness, out);
+    const int status = mdrcontact_entry_poroelastic_error(p, out);
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }
 
-int mdrcontact_entry_loop_dissipated_energy(const mdr_loop *l, double *energy);
-int mdr_loop_dissipated_energy(const mdr_loop *l, double *energy)
+int mdrcontact_entry_poroelastic_response(const mdr_poroelastic *p, int answer, double shear_modulus, double diffusivity,
+        double radius, int n, const double time[], double out[]);
+int mdr_poroelastic_response(const mdr_poroelastic *p, int answer, double shear_modulus, double diffusivity, double radius, int n,
+        const double time[], double out[])
 {
-    if (arithmetic_is_set()) return mdrcontact_entry_loop_dissipated_energy(l, energy);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_loop_dissipated_energy(l, energy);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_rate_new(const mdr_contact *c, const mdr_rate_options *options, mdr_rate **out);
-int mdr_rate_new(const mdr_contact *c, const mdr_rate_options *options, mdr_rate **out)
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_rate_new(c, options, out);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_rate_new(c, options, out);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_rate_work(const mdr_rate_options *options, int n, const double v[], double out[]);
-int mdr_rate_work(const mdr_rate_options *options, int n, const double v[], double out[])
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_rate_work(options, n, v, out);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_rate_work(options, n, v, out);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_rate_scales(const mdr_rate_options *options, double *time, double *zone);
-int mdr_rate_scales(const mdr_rate_options *options, double *time, double *zone)
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_rate_scales(options, time, zone);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_rate_scales(options, time, zone);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_rate_history(const mdr_rate *r, int control, double spring_stiffness, double tolerance,
-        const mdr_rate_state *start, int n, const double time[], const double in[], double d[], double a[], double F[], double v[],
-        double dissipated[], double work[], mdr_rate_state *end);
-int mdr_rate_history(const mdr_rate *r, int control, double spring_stiffness, double tolerance, const mdr_rate_state *start, int n,
-        const double time[], const double in[], double d[], double a[], double F[], double v[], double dissipated[], double work[],
-        mdr_rate_state *end)
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_rate_history(r, control, spring_stiffness, tolerance, start, n, time, in, d, a,
-        F, v, dissipated, work, end);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_rate_history(r, control, spring_stiffness, tolerance, start, n, time, in, d, a, F, v,
-        dissipated, work, end);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_contact_adhesive_history(const mdr_contact *c, int control, double spring_stiffness, double tolerance,
-        const mdr_rate_state *start, int n, const double time[], const double in[], double d[], double a[], double zone_radius[],
-        double F[], mdr_rate_state *end);
-int mdr_contact_adhesive_history(const mdr_contact *c, int control, double spring_stiffness, double tolerance,
-        const mdr_rate_state *start, int n, const double time[], const double in[], double d[], double a[], double zone_radius[],
-        double F[], mdr_rate_state *end)
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_contact_adhesive_history(c, control, spring_stiffness, tolerance, start, n,
-        time, in, d, a, zone_radius, F, end);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_contact_adhesive_history(c, control, spring_stiffness, tolerance, start, n, time, in, d, a,
-        zone_radius, F, end);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_coated_paraboloid_force(int n, const double a[], double radius, double coating_shear, double substrate_shear,
-        double thickness, double out[]);
-int mdr_coated_paraboloid_force(int n, const double a[], double radius, double coating_shear, double substrate_shear,
-        double thickness, double out[])
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_coated_paraboloid_force(n, a, radius, coating_shear, substrate_shear,
-        thickness, out);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_coated_paraboloid_force(n, a, radius, coating_shear, substrate_shear, thickness, out);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_coated_cone_force(int n, const double a[], double inclination, double coating_shear, double substrate_shear,
-        double thickness, double out[]);
-int mdr_coated_cone_force(int n, const double a[], double inclination, double coating_shear, double substrate_shear,
-        double thickness, double out[])
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_coated_cone_force(n, a, inclination, coating_shear, substrate_shear, thickness,
+    if (arithmetic_is_set()) return mdrcontact_entry_poroelastic_response(p, answer, shear_modulus, diffusivity, radius, n, time,
         out);
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_coated_cone_force(n, a, inclination, coating_shear, substrate_shear, thickness, out);
+    const int status = mdrcontact_entry_poroelastic_response(p, answer, shear_modulus, diffusivity, radius, n, time, out);
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }
 
-int mdrcontact_entry_coated_paraboloid_adhesive_depth(int n, const double a[], double radius, double coating_shear,
-        double substrate_shear, double thickness, double work_of_adhesion, double out[]);
-int mdr_coated_paraboloid_adhesive_depth(int n, const double a[], double radius, double coating_shear, double substrate_shear,
-        double thickness, double work_of_adhesion, double out[])
+int mdrcontact_entry_poroelastic_dynamic_stiffness(const mdr_poroelastic *p, double shear_modulus, double diffusivity,
+        double radius, int n, const double omega[], double storage[], double loss[]);
+int mdr_poroelastic_dynamic_stiffness(const mdr_poroelastic *p, double shear_modulus, double diffusivity, double radius, int n,
+        const double omega[], double storage[], double loss[])
 {
-    if (arithmetic_is_set()) return mdrcontact_entry_coated_paraboloid_adhesive_depth(n, a, radius, coating_shear, substrate_shear,
-        thickness, work_of_adhesion, out);
+    if (arithmetic_is_set()) return mdrcontact_entry_poroelastic_dynamic_stiffness(p, shear_modulus, diffusivity, radius, n, omega,
+        storage, loss);
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_coated_paraboloid_adhesive_depth(n, a, radius, coating_shear, substrate_shear, thickness,
-        work_of_adhesion, out);
+    const int status = mdrcontact_entry_poroelastic_dynamic_stiffness(p, shear_modulus, diffusivity, radius, n, omega, storage,
+        loss);
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }
 
-int mdrcontact_entry_adhesive_radius_scale(double radius, double substrate_shear, double work_of_adhesion, double *out);
-int mdr_adhesive_radius_scale(double radius, double substrate_shear, double work_of_adhesion, double *out)
+int mdrcontact_entry_poroelastic_pressure(const mdr_poroelastic *p, int kind, int is_flat, double shear_modulus, double diffusivity,
+        double radius, double time, int n, const double r[], double out[]);
+int mdr_poroelastic_pressure(const mdr_poroelastic *p, int kind, int is_flat, double shear_modulus, double diffusivity,
+        double radius, double time, int n, const double r[], double out[])
 {
-    if (arithmetic_is_set()) return mdrcontact_entry_adhesive_radius_scale(radius, substrate_shear, work_of_adhesion, out);
+    if (arithmetic_is_set()) return mdrcontact_entry_poroelastic_pressure(p, kind, is_flat, shear_modulus, diffusivity, radius,
+        time, n, r, out);
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_adhesive_radius_scale(radius, substrate_shear, work_of_adhesion, out);
+    const int status = mdrcontact_entry_poroelastic_pressure(p, kind, is_flat, shear_modulus, diffusivity, radius, time, n, r, out);
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }
 
-int mdrcontact_entry_adhesive_depth_scale(double radius, double substrate_shear, double work_of_adhesion, double *out);
-int mdr_adhesive_depth_scale(double radius, double substrate_shear, double work_of_adhesion, double *out)
+int mdrcontact_entry_poroelastic_compliance(double nu, int drainage, double thickness, double shear_modulus, double diffusivity,
+        double omega, int n, const double k[], double out[], double imaginary[]);
+int mdr_poroelastic_compliance(double nu, int drainage, double thickness, double shear_modulus, double diffusivity, double omega,
+        int n, const double k[], double out[], double imaginary[])
 {
-    if (arithmetic_is_set()) return mdrcontact_entry_adhesive_depth_scale(radius, substrate_shear, work_of_adhesion, out);
+    if (arithmetic_is_set()) return mdrcontact_entry_poroelastic_compliance(nu, drainage, thickness, shear_modulus, diffusivity,
+        omega, n, k, out, imaginary);
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_adhesive_depth_scale(radius, substrate_shear, work_of_adhesion, out);
+    const int status = mdrcontact_entry_poroelastic_compliance(nu, drainage, thickness, shear_modulus, diffusivity, omega, n, k,
+        out, imaginary);
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }
 
-int mdrcontact_entry_reduced_adhesive_depth(int n, const double reduced_radius[], double shear_ratio, double reduced_thickness,
+int mdrcontact_entry_conduction_new(int n, const mdr_conductor lower[], int lower_base, int m, const mdr_conductor upper[],
+        int upper_base, double film, double sink, mdr_conduction **out);
+int mdr_conduction_new(int n, const mdr_conductor lower[], int lower_base, int m, const mdr_conductor upper[], int upper_base,
+        double film, double sink, mdr_conduction **out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_conduction_new(n, lower, lower_base, m, upper, upper_base, film, sink, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_conduction_new(n, lower, lower_base, m, upper, upper_base, film, sink, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_conduction_spot(const mdr_conduction *p, int n, const double radius[], double conductance[], double slope[]);
+int mdr_conduction_spot(const mdr_conduction *p, int n, const double radius[], double conductance[], double slope[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_conduction_spot(p, n, radius, conductance, slope);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_conduction_spot(p, n, radius, conductance, slope);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_conduction_tabulate(const mdr_conduction *p, double smallest, double largest, double tolerance,
+        mdr_conduction **out);
+int mdr_conduction_tabulate(const mdr_conduction *p, double smallest, double largest, double tolerance, mdr_conduction **out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_conduction_tabulate(p, smallest, largest, tolerance, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_conduction_tabulate(p, smallest, largest, tolerance, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_conduction_field(const mdr_conduction *p, int field, double radius, int body, int below, int n,
+        const double r[], const double z[], double out[]);
+int mdr_conduction_field(const mdr_conduction *p, int field, double radius, int body, int below, int n, const double r[],
+        const double z[], double out[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_conduction_field(p, field, radius, body, below, n, r, z, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_conduction_field(p, field, radius, body, below, n, r, z, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_conduction_compliance(const mdr_conduction *p, double omega, int n, const double k[], double out[],
+        double imaginary[]);
+int mdr_conduction_compliance(const mdr_conduction *p, double omega, int n, const double k[], double out[], double imaginary[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_conduction_compliance(p, omega, n, k, out, imaginary);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_conduction_compliance(p, omega, n, k, out, imaginary);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_conduction_admittance(const mdr_conduction *p, int answer, double radius, int n, const double omega[],
+        double in_phase[], double ahead[]);
+int mdr_conduction_admittance(const mdr_conduction *p, int answer, double radius, int n, const double omega[], double in_phase[],
+        double ahead[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_conduction_admittance(p, answer, radius, n, omega, in_phase, ahead);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_conduction_admittance(p, answer, radius, n, omega, in_phase, ahead);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_conduction_step(const mdr_conduction *p, int answer, double radius, int n, const double time[], double out[]);
+int mdr_conduction_step(const mdr_conduction *p, int answer, double radius, int n, const double time[], double out[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_conduction_step(p, answer, radius, n, time, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_conduction_step(p, answer, radius, n, time, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_conduction_follow(const mdr_conduction *p, int answer, double radius, int n, const double time[],
+        const double given[], double out[]);
+int mdr_conduction_follow(const mdr_conduction *p, int answer, double radius, int n, const double time[], const double given[],
+        double out[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_conduction_follow(p, answer, radius, n, time, given, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_conduction_follow(p, answer, radius, n, time, given, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_conduction_step_flux(const mdr_conduction *p, double radius, double time, int n, const double r[],
         double out[]);
-int mdr_reduced_adhesive_depth(int n, const double reduced_radius[], double shear_ratio, double reduced_thickness, double out[])
+int mdr_conduction_step_flux(const mdr_conduction *p, double radius, double time, int n, const double r[], double out[])
 {
-    if (arithmetic_is_set()) return mdrcontact_entry_reduced_adhesive_depth(n, reduced_radius, shear_ratio, reduced_thickness, out);
+    if (arithmetic_is_set()) return mdrcontact_entry_conduction_step_flux(p, radius, time, n, r, out);
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_reduced_adhesive_depth(n, reduced_radius, shear_ratio, reduced_thickness, out);
+    const int status = mdrcontact_entry_conduction_step_flux(p, radius, time, n, r, out);
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }
 
-int mdrcontact_entry_structure_shapes(double E, double nu, int n, const int kind[], const double parameters[],
-        const double shape_E[], const double shape_nu[], const mdr_structure_options *options, mdr_structure **out);
-int mdr_structure_shapes(double E, double nu, int n, const int kind[], const double parameters[], const double shape_E[],
-        const double shape_nu[], const mdr_structure_options *options, mdr_structure **out)
+int mdrcontact_entry_conduction_rough(const mdr_conduction *p, const mdr_contact *c, const mdr_state *state, double kappa,
+        double *out);
+int mdr_conduction_rough(const mdr_conduction *p, const mdr_contact *c, const mdr_state *state, double kappa, double *out)
 {
-    if (arithmetic_is_set()) return mdrcontact_entry_structure_shapes(E, nu, n, kind, parameters, shape_E, shape_nu, options, out);
+    if (arithmetic_is_set()) return mdrcontact_entry_conduction_rough(p, c, state, kappa, out);
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_structure_shapes(E, nu, n, kind, parameters, shape_E, shape_nu, options, out);
+    const int status = mdrcontact_entry_conduction_rough(p, c, state, kappa, out);
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }
 
-int mdrcontact_entry_structure_voxels(const int size[3], const int labels[], int phases, const double E[], const double nu[],
-        const double spacing[3], double below_E, double below_nu, const mdr_structure_options *options, mdr_structure **out);
-int mdr_structure_voxels(const int size[3], const int labels[], int phases, const double E[], const double nu[],
-        const double spacing[3], double below_E, double below_nu, const mdr_structure_options *options, mdr_structure **out)
+int mdrcontact_entry_conduction_along(const mdr_conduction *p, const mdr_contact *c, int n, const mdr_state states[],
+        double conductance[], double by_force[], double by_depth[]);
+int mdr_conduction_along(const mdr_conduction *p, const mdr_contact *c, int n, const mdr_state states[], double conductance[],
+        double by_force[], double by_depth[])
 {
-    if (arithmetic_is_set()) return mdrcontact_entry_structure_voxels(size, labels, phases, E, nu, spacing, below_E, below_nu,
-        options, out);
+    if (arithmetic_is_set()) return mdrcontact_entry_conduction_along(p, c, n, states, conductance, by_force, by_depth);
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_structure_voxels(size, labels, phases, E, nu, spacing, below_E, below_nu, options, out);
+    const int status = mdrcontact_entry_conduction_along(p, c, n, states, conductance, by_force, by_depth);
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }
 
-int mdrcontact_entry_structure_callback(mdr_field field, void *context, double reference_nu, const mdr_structure_options *options,
-        mdr_structure **out);
-int mdr_structure_callback(mdr_field field, void *context, double reference_nu, const mdr_structure_options *options,
-        mdr_structure **out)
+int mdrcontact_entry_conduction_heat(const mdr_conduction *p, const mdr_contact *c, int n, const mdr_state states[], int motion,
+        double strength, double speed, mdr_friction_heat out[]);
+int mdr_conduction_heat(const mdr_conduction *p, const mdr_contact *c, int n, const mdr_state states[], int motion, double strength,
+        double speed, mdr_friction_heat out[])
 {
-    if (arithmetic_is_set()) return mdrcontact_entry_structure_callback(field, context, reference_nu, options, out);
+    if (arithmetic_is_set()) return mdrcontact_entry_conduction_heat(p, c, n, states, motion, strength, speed, out);
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_structure_callback(field, context, reference_nu, options, out);
+    const int status = mdrcontact_entry_conduction_heat(p, c, n, states, motion, strength, speed, out);
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }
 
-int mdrcontact_entry_structure_modulus(const mdr_structure *s, int n, const double x[], const double y[], const double a[],
-        double out[]);
-int mdr_structure_modulus(const mdr_structure *s, int n, const double x[], const double y[], const double a[], double out[])
+int mdrcontact_entry_conduction_heat_field(const mdr_conduction *p, const mdr_contact *c, const mdr_state *state, int motion,
+        double strength, int body, int below, int n, const double r[], const double z[], double out[]);
+int mdr_conduction_heat_field(const mdr_conduction *p, const mdr_contact *c, const mdr_state *state, int motion, double strength,
+        int body, int below, int n, const double r[], const double z[], double out[])
 {
-    if (arithmetic_is_set()) return mdrcontact_entry_structure_modulus(s, n, x, y, a, out);
+    if (arithmetic_is_set()) return mdrcontact_entry_conduction_heat_field(p, c, state, motion, strength, body, below, n, r, z,
+        out);
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_structure_modulus(s, n, x, y, a, out);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_structure_medium(const mdr_structure *s, double x, double y, double smallest_radius, double largest_radius,
-        int points, mdr_medium **out);
-int mdr_structure_medium(const mdr_structure *s, double x, double y, double smallest_radius, double largest_radius, int points,
-        mdr_medium **out)
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_structure_medium(s, x, y, smallest_radius, largest_radius, points, out);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_structure_medium(s, x, y, smallest_radius, largest_radius, points, out);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_lateral_density(int n, const double rho[], const double z[], double nu, double shear[], double poisson[]);
-int mdr_lateral_density(int n, const double rho[], const double z[], double nu, double shear[], double poisson[])
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_lateral_density(n, rho, z, nu, shear, poisson);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_lateral_density(n, rho, z, nu, shear, poisson);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_lateral_cells(double nu, double a, double z_top, double z_bottom, int nx, const double x[], int ny,
-        const double y[], double shear[], double poisson[]);
-int mdr_lateral_cells(double nu, double a, double z_top, double z_bottom, int nx, const double x[], int ny, const double y[],
-        double shear[], double poisson[])
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_lateral_cells(nu, a, z_top, z_bottom, nx, x, ny, y, shear, poisson);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_lateral_cells(nu, a, z_top, z_bottom, nx, x, ny, y, shear, poisson);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_lateral_rule(int order, double nu, double points[], double weights[]);
-int mdr_lateral_rule(int order, double nu, double points[], double weights[])
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_lateral_rule(order, nu, points, weights);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_lateral_rule(order, nu, points, weights);
+    const int status = mdrcontact_entry_conduction_heat_field(p, c, state, motion, strength, body, below, n, r, z, out);
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }
@@ -1684,6 +1507,106 @@ int mdr_law_turn(const mdr_law *law, int n, const double normal[], const double 
     return status;
 }
 
+int mdrcontact_entry_structure_shapes(double E, double nu, int n, const int kind[], const double parameters[],
+        const double shape_E[], const double shape_nu[], const mdr_structure_options *options, mdr_structure **out);
+int mdr_structure_shapes(double E, double nu, int n, const int kind[], const double parameters[], const double shape_E[],
+        const double shape_nu[], const mdr_structure_options *options, mdr_structure **out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_structure_shapes(E, nu, n, kind, parameters, shape_E, shape_nu, options, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_structure_shapes(E, nu, n, kind, parameters, shape_E, shape_nu, options, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_structure_voxels(const int size[3], const int labels[], int phases, const double E[], const double nu[],
+        const double spacing[3], double below_E, double below_nu, const mdr_structure_options *options, mdr_structure **out);
+int mdr_structure_voxels(const int size[3], const int labels[], int phases, const double E[], const double nu[],
+        const double spacing[3], double below_E, double below_nu, const mdr_structure_options *options, mdr_structure **out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_structure_voxels(size, labels, phases, E, nu, spacing, below_E, below_nu,
+        options, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_structure_voxels(size, labels, phases, E, nu, spacing, below_E, below_nu, options, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_structure_callback(mdr_field field, void *context, double reference_nu, const mdr_structure_options *options,
+        mdr_structure **out);
+int mdr_structure_callback(mdr_field field, void *context, double reference_nu, const mdr_structure_options *options,
+        mdr_structure **out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_structure_callback(field, context, reference_nu, options, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_structure_callback(field, context, reference_nu, options, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_structure_modulus(const mdr_structure *s, int n, const double x[], const double y[], const double a[],
+        double out[]);
+int mdr_structure_modulus(const mdr_structure *s, int n, const double x[], const double y[], const double a[], double out[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_structure_modulus(s, n, x, y, a, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_structure_modulus(s, n, x, y, a, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_structure_medium(const mdr_structure *s, double x, double y, double smallest_radius, double largest_radius,
+        int points, mdr_medium **out);
+int mdr_structure_medium(const mdr_structure *s, double x, double y, double smallest_radius, double largest_radius, int points,
+        mdr_medium **out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_structure_medium(s, x, y, smallest_radius, largest_radius, points, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_structure_medium(s, x, y, smallest_radius, largest_radius, points, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_lateral_density(int n, const double rho[], const double z[], double nu, double shear[], double poisson[]);
+int mdr_lateral_density(int n, const double rho[], const double z[], double nu, double shear[], double poisson[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_lateral_density(n, rho, z, nu, shear, poisson);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_lateral_density(n, rho, z, nu, shear, poisson);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_lateral_cells(double nu, double a, double z_top, double z_bottom, int nx, const double x[], int ny,
+        const double y[], double shear[], double poisson[]);
+int mdr_lateral_cells(double nu, double a, double z_top, double z_bottom, int nx, const double x[], int ny, const double y[],
+        double shear[], double poisson[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_lateral_cells(nu, a, z_top, z_bottom, nx, x, ny, y, shear, poisson);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_lateral_cells(nu, a, z_top, z_bottom, nx, x, ny, y, shear, poisson);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_lateral_rule(int order, double nu, double points[], double weights[]);
+int mdr_lateral_rule(int order, double nu, double points[], double weights[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_lateral_rule(order, nu, points, weights);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_lateral_rule(order, nu, points, weights);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
 int mdrcontact_entry_fit_parameters(const mdr_fit_problem *problem, int capacity, mdr_fit_parameter out[], int *count);
 int mdr_fit_parameters(const mdr_fit_problem *problem, int capacity, mdr_fit_parameter out[], int *count)
 {
@@ -1745,6 +1668,83 @@ int mdr_fit_quantile(double level, double degrees_of_freedom, double *factor)
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
     const int status = mdrcontact_entry_fit_quantile(level, degrees_of_freedom, factor);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_coated_paraboloid_force(int n, const double a[], double radius, double coating_shear, double substrate_shear,
+        double thickness, double out[]);
+int mdr_coated_paraboloid_force(int n, const double a[], double radius, double coating_shear, double substrate_shear,
+        double thickness, double out[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_coated_paraboloid_force(n, a, radius, coating_shear, substrate_shear,
+        thickness, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_coated_paraboloid_force(n, a, radius, coating_shear, substrate_shear, thickness, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_coated_cone_force(int n, const double a[], double inclination, double coating_shear, double substrate_shear,
+        double thickness, double out[]);
+int mdr_coated_cone_force(int n, const double a[], double inclination, double coating_shear, double substrate_shear,
+        double thickness, double out[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_coated_cone_force(n, a, inclination, coating_shear, substrate_shear, thickness,
+        out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_coated_cone_force(n, a, inclination, coating_shear, substrate_shear, thickness, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_coated_paraboloid_adhesive_depth(int n, const double a[], double radius, double coating_shear,
+        double substrate_shear, double thickness, double work_of_adhesion, double out[]);
+int mdr_coated_paraboloid_adhesive_depth(int n, const double a[], double radius, double coating_shear, double substrate_shear,
+        double thickness, double work_of_adhesion, double out[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_coated_paraboloid_adhesive_depth(n, a, radius, coating_shear, substrate_shear,
+        thickness, work_of_adhesion, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_coated_paraboloid_adhesive_depth(n, a, radius, coating_shear, substrate_shear, thickness,
+        work_of_adhesion, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_adhesive_radius_scale(double radius, double substrate_shear, double work_of_adhesion, double *out);
+int mdr_adhesive_radius_scale(double radius, double substrate_shear, double work_of_adhesion, double *out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_adhesive_radius_scale(radius, substrate_shear, work_of_adhesion, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_adhesive_radius_scale(radius, substrate_shear, work_of_adhesion, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_adhesive_depth_scale(double radius, double substrate_shear, double work_of_adhesion, double *out);
+int mdr_adhesive_depth_scale(double radius, double substrate_shear, double work_of_adhesion, double *out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_adhesive_depth_scale(radius, substrate_shear, work_of_adhesion, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_adhesive_depth_scale(radius, substrate_shear, work_of_adhesion, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_reduced_adhesive_depth(int n, const double reduced_radius[], double shear_ratio, double reduced_thickness,
+        double out[]);
+int mdr_reduced_adhesive_depth(int n, const double reduced_radius[], double shear_ratio, double reduced_thickness, double out[])
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_reduced_adhesive_depth(n, reduced_radius, shear_ratio, reduced_thickness, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_reduced_adhesive_depth(n, reduced_radius, shear_ratio, reduced_thickness, out);
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }

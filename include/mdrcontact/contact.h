@@ -1,0 +1,316 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/**
+ * @file contact.h
+ * Contacts (2)-(10), (21)-(32): states, fields, the field inside, histories.
+ */
+#ifndef MDRCONTACT_CONTACT_H
+#define MDRCONTACT_CONTACT_H
+
+#include "profile.h"
+#include "medium.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** An indenter on a medium. Made by mdr_contact_new(), freed by mdr_contact_free(). */
+typedef struct mdr_contact mdr_contact;
+
+/** The edge opening dl of an adhesive contact: the distance of the springs at the edge from the indenter when they let go. */
+enum mdr_adhesion_rule {
+    MDR_ADHESION_AUTOMATIC = 0, /**< Energy where the medium meets the balance exactly, the source's rule elsewhere. */
+    MDR_ADHESION_PAPER = 1,     /**< dl = sqrt(2 pi a gamma/E_eff), equation (28). */
+    MDR_ADHESION_ENERGY = 2     /**< dl = sqrt(4 pi a gamma/k'(a)), the balance of energy. */
+};
+
+/** Which stable state is meant where an adhesive contact has several. */
+enum mdr_branch {
+    MDR_ON_LOADING = 1,  /**< The smallest contact, met when the bodies approach. */
+    MDR_ON_UNLOADING = 2 /**< The largest contact, kept when they are drawn apart: what mdr_contact_from_depth() gives. */
+};
+
+/** What the machine prescribes. */
+enum mdr_control {
+    MDR_CONTROL_FORCE = 0, /**< The normal force. */
+    MDR_CONTROL_DEPTH = 1, /**< The indentation depth. */
+    MDR_CONTROL_SPRING = 2 /**< The far end of a spring that presses the indenter, d + F/stiffness; loops only. */
+};
+
+/** What a contact can have beyond indenter and medium. Begun by MDR_SIZED. The arrays are
+ *  copied by mdr_contact_new(). */
+typedef struct mdr_contact_options {
+    size_t size;               /**< Of this structure; MDR_SIZED sets it. */
+    int zeta_count;            /**< Size of the table of zeta in (9), d = zeta(a) g(a), at least 3; default 0: zeta = 1. */
+    const double *zeta_radius; /**< [zeta_count] contact radii > 0, strictly ascending; contacts reach the last one [length]. */
+    const double *zeta;        /**< [zeta_count] zeta > 0 [1]; zeta(a) g(a) must not decrease. */
+    double work_of_adhesion;   /**< gamma >= 0 [modulus length]; default 0. */
+    int adhesion_rule;         /**< One of enum mdr_adhesion_rule; default MDR_ADHESION_AUTOMATIC. */
+    int zeta_is_exact;         /**< Not 0: instead of a table, the zeta of the same coated, layered or graded body solved exactly,
+                                    for radii up to 1000 thicknesses, so that E_eff is the only approximation; default 0. */
+    double cohesive_stress;    /**< sigma >= 0 [modulus]: adhesion with a range, the Dugdale-Maugis zone, on homogeneous bodies and
+                                    under the model exact, pairs included. The surfaces pull on each other with sigma wherever
+                                    they are less than work_of_adhesion/sigma apart; default 0: a range of nothing. A zone too
+                                    short to change a digit is left out, and mdr_contact_warnings() says so. */
+} mdr_contact_options;
+
+/** The contact of an indenter with a medium, both of which are copied.
+ *  @param profile  indenter
+ *  @param medium   medium
+ *  @param options  NULL for the defaults
+ *  @param out      receives the handle
+ *  @return also MDR_EDOMAIN if the indenter's flat end is larger than the medium's largest contact radius */
+int mdr_contact_new(const mdr_profile *profile, const mdr_medium *medium, const mdr_contact_options *options, mdr_contact **out);
+
+/** A state of a contact: what fields are computed from. */
+typedef struct mdr_state {
+    double depth;     /**< d, indentation depth, positive into the medium [length]. */
+    double radius;    /**< a, contact radius [length]. */
+    double force;     /**< F, normal force, positive in compression [modulus length^2]. */
+    double stiffness; /**< k = dF/dd at constant a, 2 a E_eff(a) [modulus length]. */
+    double excess;    /**< Depth beyond that of the non-adhesive state of this radius: 0 without adhesion, less than 0 with it, the
+                           whole depth under a flat punch [length]. */
+    double zone_radius; /**< c, outer radius of the cohesive zone: the bodies pull on each other where a < r < c; 0 without a
+                             cohesive stress [length]. With radius 0 they attract each other without contact. */
+} mdr_state;
+
+/** Which number determines a state. */
+enum mdr_given {
+    MDR_GIVEN_DEPTH = 1, /**< Indentation depth >= 0, with adhesion down to the pull-off depth [length]. */
+    MDR_GIVEN_FORCE = 2, /**< Normal force >= 0, with adhesion down to the pull-off force [modulus length^2]. */
+    MDR_GIVEN_RADIUS = 3 /**< Contact radius >= 0, at least that of the indenter's flat end, below its vertical wall [length]. With
+                              adhesion the state may be unstable under given depth or force. */
+};
+
+/** Fields of a state. */
+enum mdr_field_kind {
+    MDR_FIELD_PRESSURE = 1,     /**< p(r), the contact pressure, equation (6), 0 <= r <= a [modulus]. Infinite where theory says
+                                     so: at the edge of a flat punch or of an adhesive contact, at the apex of a cone. With a
+                                     cohesive stress sigma up to zone_radius, finite at a and -sigma from there on. */
+    MDR_FIELD_DISPLACEMENT = 2, /**< u(r), the displacement of the surface: d - f(r) for r <= a, where f(r) must be defined; the
+                                     free surface beyond; any r >= 0. Of two bodies both together, each into its body [length]. */
+    MDR_FIELD_LINE_LOAD = 3,    /**< q(x), the line load of the one-dimensional springs, equations (5), (21), 0 <= x <= a, or to
+                                     zone_radius [modulus length]. */
+    MDR_FIELD_DISPLACEMENT_LOWER = 4, /**< u(r) of the medium, or of the lower of two bodies, into that body: where its surface was
+                                           flat, the shape of the deformed interface for r <= a [length]. */
+    MDR_FIELD_DISPLACEMENT_UPPER = 5  /**< u(r) of the upper body, into that body; 0 for a rigid indenter [length]. */
+};
+
+/** States from depths, forces or radii.
+ *
+ *  A coating far stiffer than the body, from 80 times under a cone, from 12 times at the corner of a wide flat end, bends so much
+ *  that depth and force fall over some radii. Of several states of one depth or force without adhesion the one with the smallest
+ *  radius is given, to which the contact grows from first touch; larger ones would pull (mdr_contact_lowest_pressure()).
+ *  @param c       contact
+ *  @param given   one of enum mdr_given: what `in` holds
+ *  @param branch  one of enum mdr_branch: which state of an adhesive contact; not looked at for radii
+ *  @param n       number of states
+ *  @param in      [n] depths, forces or radii
+ *  @param out     [n] states; depth 0 without adhesion is first touch, all of it 0
+ *  @return also MDR_EUNREACHABLE if there is no such state, MDR_EDOMAIN beyond the end of the indenter or the medium,
+ *          MDR_ENOCONVERGENCE */
+int mdr_contact_states(const mdr_contact *c, int given, int branch, int n, const double in[], mdr_state out[]);
+
+/** States from indentation depths: mdr_contact_states() on unloading, into loose arrays. Outputs that are NULL are skipped.
+ *  @param c    contact
+ *  @param n    number of states
+ *  @param in   [n] depths, see enum mdr_given [length]
+ *  @param d    [n] or NULL: indentation depths [length]
+ *  @param a    [n] or NULL: contact radii [length]
+ *  @param F    [n] or NULL: normal forces [modulus length^2]
+ *  @param k    [n] or NULL: stiffnesses dF/dd at constant a, 2 a E_eff(a) [modulus length]
+ *  @return as mdr_contact_states() */
+int mdr_contact_from_depth(const mdr_contact *c, int n, const double in[], double d[], double a[], double F[], double k[]);
+
+/** States from normal forces [modulus length^2]. Otherwise as mdr_contact_from_depth(). */
+int mdr_contact_from_force(const mdr_contact *c, int n, const double in[], double d[], double a[], double F[], double k[]);
+
+/** States from contact radii [length]. Otherwise as mdr_contact_from_depth(). */
+int mdr_contact_from_radius(const mdr_contact *c, int n, const double in[], double d[], double a[], double F[], double k[]);
+
+/** The history of a contact with a viscoelastic body: depth, radius and force along a path in time, of which one is prescribed.
+ *
+ *  Before the first time the bodies are apart and at rest; what is prescribed then is reached in a jump, and is linear in time in
+ *  between. Materials that all relax in proportion, each at a constant Poisson's ratio (layers on a rigid base), and homogeneous
+ *  bodies follow from elastic curves to rounding: Lee and Radok (1960) while the contact grows, Ting (1966) after the maximum.
+ *  Any other body or path, as a contact that shrinks and grows again, is marched through time with the memory of all layers, under
+ *  the model exact and unless a dashpot is in parallel at the surface; power laws are sums of exponentials there.
+ *  @param c          contact
+ *  @param given      one of enum mdr_given
+ *  @param tolerance  of marching, relative to the largest depth, radius and force; 1e-9 to 1e-2, 1e-5 is a good choice
+ *  @param n          number of times
+ *  @param time       [n] strictly ascending [time]
+ *  @param in         [n] depths, < 0 where the bodies are apart [length], forces >= 0 [modulus length^2] or radii >= 0 [length]
+ *  @param d          [n] or NULL: depths [length]
+ *  @param a          [n] or NULL: contact radii, 0 where the bodies are apart [length]
+ *  @param F          [n] or NULL: forces [modulus length^2]
+ *  @return MDR_EINVALID also for elastic bodies, for what can be marched only and is not offered, and where a contact that grows
+ *          again would not be one disc; MDR_EUNREACHABLE, MDR_EDOMAIN, MDR_ENOCONVERGENCE */
+int mdr_contact_history(const mdr_contact *c, int given, double tolerance, int n, const double time[], const double in[],
+                        double d[], double a[], double F[]);
+
+/** The dynamic stiffness k* = k' + i k'' of a contact with a viscoelastic body that oscillates by little about a contact radius;
+ *  the energy lost in a cycle is pi k'' times the amplitude squared. Exact for any materials, power laws included, under the model
+ *  exact; under other models for materials that relax in proportion.
+ *  @param c        contact; the indenter does not matter
+ *  @param n        number of frequencies
+ *  @param omega    [n] angular frequencies > 0; equal neighbours cost less [1/time]
+ *  @param radius   [n] contact radii > 0 [length]
+ *  @param storage  [n] k' [modulus length]
+ *  @param loss     [n] k'' [modulus length]
+ *  @return MDR_EINVALID also for elastic bodies; MDR_EDOMAIN, MDR_ENOCONVERGENCE */
+int mdr_contact_dynamic_stiffness(const mdr_contact *c, int n, const double omega[], const double radius[], double storage[],
+                                  double loss[]);
+
+/** What answers a step at constant contact radius, as under a flat punch. */
+enum mdr_step {
+    MDR_STEP_RELAXATION = 1, /**< Force per depth after a step of the depth [modulus length]. */
+    MDR_STEP_CREEP = 2       /**< Depth per force after a step of the force [1/(modulus length)]. */
+};
+
+/** The answer of a viscoelastic body to a step at time 0, the contact radius being held. Bodies as for
+ *  mdr_contact_dynamic_stiffness().
+ *  @param c       contact; the indenter does not matter
+ *  @param step    one of enum mdr_step
+ *  @param radius  contact radius > 0 [length]
+ *  @param n       number of times
+ *  @param time    [n] > 0 [time]
+ *  @param out     [n] see enum mdr_step
+ *  @return as mdr_contact_dynamic_stiffness() */
+int mdr_contact_step_response(const mdr_contact *c, int step, double radius, int n, const double time[], double out[]);
+
+/** Elastic energy of either body: together int F dd from first touch, with adhesion int F dd + pi a^2 work_of_adhesion along the
+ *  branch [modulus length^3].
+ *  @param c      contact
+ *  @param state  a state of this contact, with a radius > 0
+ *  @param lower  or NULL: receives that of the medium or of the lower body
+ *  @param upper  or NULL: receives that of the upper body, 0 for a rigid indenter
+ *  @return also MDR_EINVALID for power-law graded media, MDR_ENOCONVERGENCE */
+int mdr_contact_energy(const mdr_contact *c, const mdr_state *state, double *lower, double *upper);
+
+/** A field of a state.
+ *  @param c      contact
+ *  @param field  one of enum mdr_field_kind
+ *  @param state  a state of this contact, with a radius > 0
+ *  @param n      number of positions
+ *  @param r      [n] r or x, see enum mdr_field_kind [length]
+ *  @param out    [n] values, see enum mdr_field_kind
+ *  @return also MDR_EDOMAIN for a position outside the range of the field, MDR_ENOCONVERGENCE */
+int mdr_contact_field(const mdr_contact *c, int field, const mdr_state *state, int n, const double r[], double out[]);
+
+/** The lowest pressure of a state without adhesion. Below 0 the bodies would have to pull on each other: the contact is then not
+ *  one disc, its pressure is not that of the true contact, and F(d) is off by up to 0.05 % (cone), 0.6 % (r^4) or 3.5 % (flat
+ *  punch) at a ratio of moduli of 100; at larger ones, where the radius jumps, by as much as the force jumps there: under a cone
+ *  7 % at 300, 28 % at 1,000. It happens on stiff coatings, solved exactly: from a ratio of moduli of 5 (nu = 1/2) to 7 (nu = 0)
+ *  under flat ends, 6 to 10 under r^4, 8 to 12 under r^3, 12 to 20 under r^2.5, 50 to 100 under cones; never under paraboloids.
+ *  It can also show outside alone: where the surface beyond the contact, MDR_FIELD_DISPLACEMENT, would pass through the indenter,
+ *  u(r) < d - f(r), as under cones from a ratio of 300 on.
+ *  @param c         contact without adhesion
+ *  @param state     a state of this contact, with a radius > 0
+ *  @param pressure  or NULL: the smallest p(r), 0 <= r <= a; 0, at the edge, where no pressure is negative [modulus]
+ *  @param r         or NULL: the r that has it [length]
+ *  @return also MDR_EINVALID with adhesion, MDR_ENOCONVERGENCE */
+int mdr_contact_lowest_pressure(const mdr_contact *c, const mdr_state *state, double *pressure, double *r);
+
+/** Doubts about the numbers of a state; bits of a sum. Linear elasticity gives numbers beyond its range, too. */
+enum mdr_warning {
+    MDR_WARNING_SLOPE = 1,       /**< The indenter's surface has a slope f'(a) of more than 1.2 at the edge of the contact: 50 degrees,
+                                      or a = 1.2 R of a paraboloid, which stands for a sphere at a well below R only. */
+    MDR_WARNING_PRESSURE = 2,    /**< The mean pressure is more than 0.6 of E_eff(a) and of the contact modulus of the surface, as under a flat
+                                      punch at depths beyond 0.94 a; where the slope is not the reason. */
+    MDR_WARNING_COMPRESSION = 4, /**< Layers are compressed by more than half of their thickness: a depth beyond that on a rigid base, and
+                                      on an elastic one the depth less F/(a E1*), the most by which the base gives way. */
+    MDR_WARNING_CONTRAST = 8,    /**< Young's moduli of one contact are 1e9 apart or more, as GPa beside Pa. */
+    MDR_WARNING_SHORT_ZONE = 16, /**< The zone of a cohesive stress is too short to change a digit: adhesion without a range. */
+    MDR_WARNING_WETTING = 32     /**< Work of adhesion above 0.05 of the surface tension, or under a plate of B^(1/3) (0.5 E*)^(2/3): the
+                                      slope of the surface at the edge is not small. */
+};
+
+/** Doubts about the numbers of a state.
+ *  @param c         contact
+ *  @param state     a state of this contact
+ *  @param buffer    receives a line of text for each warning, in the order of the codes; may be NULL if length < 1
+ *  @param length    size of buffer, 1000 for all of it; what does not fit is cut off
+ *  @param warnings  or NULL: the sum of codes of enum mdr_warning, 0 if there are none
+ *  @return also MDR_EINVALID for a state that cannot be one of this contact */
+int mdr_contact_warnings(const mdr_contact *c, const mdr_state *state, char *buffer, int length, int *warnings);
+
+/** Which body of a contact. */
+enum mdr_body {
+    MDR_BODY_LOWER = 1, /**< The medium, or the lower one of two. */
+    MDR_BODY_UPPER = 2  /**< The upper one of two deformable bodies; a rigid indenter is none. */
+};
+
+/** Which side of an interface between layers: sigma_rr, sigma_tt and sigma_rt jump there. */
+enum mdr_side {
+    MDR_SIDE_BELOW = 1, /**< That of the larger depth. */
+    MDR_SIDE_ABOVE = 2  /**< That of the smaller depth. */
+};
+
+/** Displacements and stresses at a point inside a body, in cylinder coordinates (r, t, z); z and u_z point into the body, tension
+ *  is positive. */
+typedef struct mdr_interior {
+    double u_r;  /**< Radial displacement [length]. */
+    double u_t;  /**< Displacement along the circumference, 0 without friction [length]. */
+    double u_z;  /**< Displacement into the body [length]. */
+    double s_rr; /**< Radial stress [modulus]. */
+    double s_tt; /**< Circumferential (hoop) stress [modulus]. */
+    double s_zz; /**< Stress normal to the surface: -p at the surface [modulus]. */
+    double s_rz; /**< Shear stress [modulus]. */
+    double s_rt; /**< Shear stress, 0 without friction [modulus]. */
+    double s_tz; /**< Shear stress, 0 without friction [modulus]. */
+} mdr_interior;
+
+/** Displacements and stresses inside a body of homogeneous, layered or graded material, under the state's pressure.
+ *
+ *  Points that form a grid of few distinct r and z cost far less than as many scattered ones. Where the load is singular on the
+ *  surface (edge of a flat punch or of an adhesive contact, apex of a cone, edge of a flat end) stresses are infinite, with
+ *  friction the shear tractions too; the sign is that inside the contact. What jumps there, s_rt across the edge of a flat end,
+ *  has its value just below the surface, halfway. Under an approximate model it is the field in the layers under the model's own
+ *  pressure, whose surface does not fit the indenter.
+ *  @param c         contact
+ *  @param body      one of enum mdr_body
+ *  @param state     a state of this contact, with a radius > 0
+ *  @param side      one of enum mdr_side, for points on an interface
+ *  @param friction  f >= 0: the contact slides, with traction f p(r) in +x on the lower body and -f p(r) on the upper one, p that
+ *                   of the contact without friction (Goodman). Not with adhesion.
+ *  @param n         number of points
+ *  @param r         [n] distances from the axis, >= 0 [length]
+ *  @param z         [n] depths into the body, >= 0 [length]
+ *  @param angle     [n] azimuths from +x [radian], or NULL: 0
+ *  @param out       [n] displacements and stresses
+ *  @return also MDR_EDOMAIN for points in a rigid base or beyond 1e12 a, MDR_EINVALID for media without E and nu, or with tension
+ *          under friction, MDR_ENOCONVERGENCE */
+int mdr_contact_interior(const mdr_contact *c, int body, const mdr_state *state, int side, double friction, int n, const double r[],
+                         const double z[], const double angle[], mdr_interior out[]);
+
+/** How far the field of mdr_contact_interior() is from what the contact has on its surface, by other equations: at r = 0.31 a, 0.62 a
+ *  and 0.9 a s_zz from -p(r), relative to the largest pressure there or the mean one, and u_z from d - f(r), of two bodies from the
+ *  body's part of it, relative to d or f(a). Under an approximate model s_zz alone, for its surface does not fit the indenter. Costs
+ *  about as much as three points on the surface; one call serves all points of a state.
+ *  @param c         contact
+ *  @param body      one of enum mdr_body
+ *  @param state     a state of this contact, with a radius > 0
+ *  @param deviation receives the largest of them [1]: 1e-8 or less is usual with the default tolerance of a medium
+ *  @return as mdr_contact_interior() */
+int mdr_contact_interior_error(const mdr_contact *c, int body, const mdr_state *state, double *deviation);
+
+/** Elastic energy in each layer of a body without friction, from the surface down, the half-space last (0 for a rigid base).
+ *  Together they are the work of the pressure on the surface.
+ *  @param c         contact
+ *  @param body      one of enum mdr_body
+ *  @param state     a state of this contact, with a radius > 0
+ *  @param capacity  size of the array, >= 0: at most so many are written
+ *  @param out       [capacity] energies [modulus length^3]
+ *  @param count     receives how many there are
+ *  @return also MDR_EINVALID for graded bodies and media without E and nu, MDR_ENOCONVERGENCE */
+int mdr_contact_layer_energies(const mdr_contact *c, int body, const mdr_state *state, int capacity, double out[], int *count);
+
+/** Frees a contact and sets *c to NULL. c = NULL and *c = NULL are allowed.
+ *  @return MDR_SUCCESS, or MDR_EINVALID (and frees nothing) if *c is not a contact */
+int mdr_contact_free(mdr_contact **c);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,83 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/**
+ * @file material.h
+ * Viscoelastic materials: functions of time.
+ */
+#ifndef MDRCONTACT_MATERIAL_H
+#define MDRCONTACT_MATERIAL_H
+
+#include "base.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** A viscoelastic material, for layers of mdr_medium_stack(). Made by mdr_material_..., freed by mdr_material_free(). */
+typedef struct mdr_material mdr_material;
+
+/** A linear viscoelastic material whose shear modulus relaxes as G(t) = relaxed_shear_modulus + sum moduli_i exp(-t/times_i) (Prony
+ *  series), with a dashpot in parallel (Kelvin-Voigt) where viscosity > 0. Without a relaxed modulus it flows without end.
+ *  @param relaxed_shear_modulus  G(infinity) >= 0 [modulus]
+ *  @param n                      number of terms; 0 is allowed with a relaxed modulus
+ *  @param moduli                 [n] > 0 [modulus]
+ *  @param times                  [n] relaxation times > 0 [time]
+ *  @param viscosity              >= 0 [modulus time]; 0 with a bulk modulus
+ *  @param nu                     Poisson's ratio, constant, -1 < nu <= 1/2; not used with a bulk modulus
+ *  @param bulk_modulus           K > 0, elastic: Poisson's ratio then grows in time [modulus]; 0: nu is constant
+ *  @param out                    receives the handle */
+int mdr_material_viscoelastic(double relaxed_shear_modulus, int n, const double moduli[], const double times[], double viscosity,
+                              double nu, double bulk_modulus, mdr_material **out);
+
+/** A material whose shear modulus relaxes as a power of time, G(t) = modulus (t/time)^(-exponent).
+ *  @param modulus   G at `time`, > 0 [modulus]
+ *  @param time      > 0 [time]
+ *  @param exponent  > 0 (elastic) and < 1 (viscous) [1]
+ *  @param nu        Poisson's ratio, constant, -1 < nu <= 1/2 [1]
+ *  @param out       receives the handle */
+int mdr_material_power_law(double modulus, double time, double exponent, double nu, mdr_material **out);
+
+/** The shear relaxation modulus G(t) [modulus], at t = 0 the glassy one; a dashpot bears nothing at t > 0.
+ *  @param m    material
+ *  @param n    number of times
+ *  @param t    [n] >= 0, and > 0 of a power law or with a dashpot, whose G(0) is infinite [time]
+ *  @param out  [n] [modulus] */
+int mdr_material_relaxation(const mdr_material *m, int n, const double t[], double out[]);
+
+/** The shear compliance J(t), the strain under a constant stress of 1 [1/modulus]; J(0) = 0 of a power law or with a dashpot.
+ *  @param m    material
+ *  @param n    number of times
+ *  @param t    [n] >= 0 [time]
+ *  @param out  [n] [1/modulus] */
+int mdr_material_creep(const mdr_material *m, int n, const double t[], double out[]);
+
+/** The complex shear modulus at angular frequencies: storage and loss modulus.
+ *  @param m        material
+ *  @param n        number of frequencies
+ *  @param omega    [n] > 0 [1/time]
+ *  @param storage  [n] [modulus]
+ *  @param loss     [n] [modulus] */
+int mdr_material_complex_modulus(const mdr_material *m, int n, const double omega[], double storage[], double loss[]);
+
+/** The elastic materials that a viscoelastic one is like under sudden and under lasting loads. */
+enum mdr_limit {
+    MDR_LIMIT_GLASSY = 1, /**< At once. */
+    MDR_LIMIT_RELAXED = 2 /**< In the end. */
+};
+
+/** E and nu of a limit.
+ *  @param m      material
+ *  @param limit  one of enum mdr_limit
+ *  @param E      or NULL: receives Young's modulus [modulus]
+ *  @param nu     or NULL: receives Poisson's ratio [1]
+ *  @return also MDR_EINVALID where there is no such limit: power laws, dashpots, liquids */
+int mdr_material_limit(const mdr_material *m, int limit, double *E, double *nu);
+
+/** Frees a material and sets *m to NULL. m = NULL and *m = NULL are allowed.
+ *  @return MDR_SUCCESS, or MDR_EINVALID (and frees nothing) if *m is not a material */
+int mdr_material_free(mdr_material **m);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,124 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/**
+ * @file poroelastic.h
+ * Poroelastic gels.
+ */
+#ifndef MDRCONTACT_POROELASTIC_H
+#define MDRCONTACT_POROELASTIC_H
+
+#include "base.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/** The answers of a poroelastic gel. Made by mdr_poroelastic_new(), freed by mdr_poroelastic_free(). */
+typedef struct mdr_poroelastic mdr_poroelastic;
+
+/** What the pore fluid may do at the surface of a gel. There is no default: it matters more than anything else. */
+enum mdr_drainage {
+    MDR_DRAINAGE_SURFACE = 1, /**< It drains everywhere, under the indenter too, which is porous or leaks along the interface. */
+    MDR_DRAINAGE_SEALED = 2,  /**< No flux through the surface anywhere. */
+    MDR_DRAINAGE_INDENTER = 3 /**< No flux under the indenter, pore pressure 0 beside it. */
+};
+
+/** What answers a step at time 0 at constant contact radius. */
+enum mdr_poroelastic_answer {
+    MDR_POROELASTIC_RELAXATION = 1, /**< Force per depth of a flat punch after a step of its depth [modulus length]. */
+    MDR_POROELASTIC_CREEP = 2,      /**< Depth per force of a flat punch after a step of its force [1/(modulus length)]. */
+    MDR_POROELASTIC_PARABOLOID = 3, /**< Force per depth of a paraboloid after a step of its depth d, the contact radius
+                                         a = sqrt(R d) being held [modulus length]. In a true contact it grows and comes back: by up
+                                         to 9 % at MDR_DRAINAGE_INDENTER, where the force is then up to 0.05 of its relaxing part
+                                         off; of second order where the whole surface drains or is sealed. */
+    MDR_POROELASTIC_MEAN_RELAXATION = 4, /**< Mean of the relaxation from the step on: what answers a ramp of the depth. */
+    MDR_POROELASTIC_MEAN_CREEP = 5       /**< Mean of the creep from the step on: what answers a ramp of the force. */
+};
+
+/** The answers of a gel in time and under oscillation: a poroelastic half-space (Biot, incompressible constituents), or a film
+ *  bonded to a rigid base that lets no fluid through, under a rigid frictionless indenter. One table, about half a second: that of a
+ *  half-space serves all shear moduli, diffusivities, contact radii and times. It is compared between its nodes, see
+ *  mdr_poroelastic_error(). At once F = 8 G a d as of nu = 1/2, at last F = 4 G a d/(1 - nu).
+ *  @param nu        drained Poisson's ratio, -1 < nu < 1/2, at which nothing would drain
+ *  @param drainage  one of enum mdr_drainage; MDR_DRAINAGE_INDENTER on a half-space only
+ *  @param ratio     contact radius over the thickness of a film, 0 to 4; 0: half-space
+ *  @param out       receives the handle
+ *  @return also MDR_EINVALID, MDR_ENOCONVERGENCE */
+int mdr_poroelastic_new(double nu, int drainage, double ratio, mdr_poroelastic **out);
+
+/** By how much a table is off between its nodes, relative, as it was compared with finer solutions there.
+ *  @param p    gel
+ *  @param out  receives the error */
+int mdr_poroelastic_error(const mdr_poroelastic *p, double *out);
+
+/** The answer to a step at time 0.
+ *  @param p              gel
+ *  @param answer         one of enum mdr_poroelastic_answer
+ *  @param shear_modulus  G > 0, drained and undrained [modulus]
+ *  @param diffusivity    D > 0: 2 G (1 - nu)/(1 - 2 nu) times permeability over viscosity [length^2/time]
+ *  @param radius         contact radius a > 0, on a film `ratio` thicknesses [length]
+ *  @param n              number of times
+ *  @param time           [n] >= 0; from the table up to D t/a^2 = 1e8, solved one by one beyond [time]
+ *  @param out            [n] see enum mdr_poroelastic_answer
+ *  @return also MDR_EINVALID */
+int mdr_poroelastic_response(const mdr_poroelastic *p, int answer, double shear_modulus, double diffusivity, double radius, int n,
+                             const double time[], double out[]);
+
+/** The dynamic stiffness k* = k' + i k'' of a flat punch, or of any contact that oscillates by little about a contact radius.
+ *  @param p              gel
+ *  @param shear_modulus  G > 0 [modulus]
+ *  @param diffusivity    D > 0 [length^2/time]
+ *  @param radius         contact radius a > 0 [length]
+ *  @param n              number of frequencies
+ *  @param omega          [n] angular frequencies > 0 [1/time]
+ *  @param storage        [n] k' [modulus length]
+ *  @param loss           [n] k'' [modulus length]
+ *  @return also MDR_EINVALID */
+int mdr_poroelastic_dynamic_stiffness(const mdr_poroelastic *p, double shear_modulus, double diffusivity, double radius, int n,
+                                      const double omega[], double storage[], double loss[]);
+
+/** Which pressure under an indenter. */
+enum mdr_gel_pressure {
+    MDR_POROELASTIC_TOTAL = 1, /**< The total pressure, which the indenter bears. */
+    MDR_POROELASTIC_PORE = 2   /**< That of the fluid at the surface; of a film only where it is 0, MDR_DRAINAGE_SURFACE. */
+};
+
+/** Pressures under an indenter after a step of its depth at time 0, the contact radius being held; per depth [modulus/length].
+ *  @param p              gel
+ *  @param kind           one of enum mdr_gel_pressure
+ *  @param is_flat        1: a flat punch, 0: a paraboloid
+ *  @param shear_modulus  G > 0 [modulus]
+ *  @param diffusivity    D > 0 [length^2/time]
+ *  @param radius         contact radius a > 0 [length]
+ *  @param time           > 0, D t/a^2 >= 1e-5 [time]
+ *  @param n              number of radii
+ *  @param r              [n] 0 <= r < radius [length]
+ *  @param out            [n] pressure per depth [modulus/length]; the pore pressure of a sealed surface to 1e-4 of the largest
+ *  @return also MDR_EINVALID, MDR_EDOMAIN, MDR_ENOCONVERGENCE where that is not reached next to the edge */
+int mdr_poroelastic_pressure(const mdr_poroelastic *p, int kind, int is_flat, double shear_modulus, double diffusivity,
+                             double radius, double time, int n, const double r[], double out[]);
+
+/** C(k), what the surface of a gel answers to a wave of pressure that oscillates: displacement over pressure at wavenumber k,
+ *  1/(2 G k) of an incompressible half-space, (1 - nu)/(G k) of one that has drained. See mdr_medium_compliance().
+ *  @param nu             drained Poisson's ratio, -1 < nu < 1/2
+ *  @param drainage       MDR_DRAINAGE_SURFACE or MDR_DRAINAGE_SEALED
+ *  @param thickness      > 0 of a film on a rigid base that lets no fluid through; 0: half-space [length]
+ *  @param shear_modulus  G > 0 [modulus]
+ *  @param diffusivity    D > 0 [length^2/time]
+ *  @param omega          angular frequency >= 0; 0: drained [1/time]
+ *  @param n              number of wavenumbers
+ *  @param k              [n] > 0 [1/length]
+ *  @param out            [n] real parts [length/modulus]
+ *  @param imaginary      [n] or NULL: imaginary parts, <= 0
+ *  @return also MDR_EINVALID */
+int mdr_poroelastic_compliance(double nu, int drainage, double thickness, double shear_modulus, double diffusivity, double omega,
+                               int n, const double k[], double out[], double imaginary[]);
+
+/** Frees a gel and sets *p to NULL. p = NULL and *p = NULL are allowed.
+ *  @return MDR_SUCCESS, or MDR_EINVALID (and frees nothing) if *p is not a gel */
+int mdr_poroelastic_free(mdr_poroelastic **p);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
