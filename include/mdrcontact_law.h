@@ -190,7 +190,7 @@ MDR_INLINE int mdr_law_segment_at(const mdr_law_view *view, int branch, double d
     const mdr_law_segment *const segments = mdr_law_segments_of(view);
     const int count = (int)mdr_law_head_of(view)->segment_count;
     int found = 0;
-    if (branch == MDR_ON_LOADING && d < 0.0) return 0;
+    if (branch == MDR_ON_LOADING && d <= mdr_law_head_of(view)->open_loading) return 0;
     for (int i = 0; i < count; ++i) {
         if (d < segments[i].lowest || d > segments[i].highest) continue;
         found = i + 1;

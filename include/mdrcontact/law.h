@@ -52,8 +52,8 @@ typedef struct mdr_law_point {
     double slope;     /**< dF/dd along the branch, which implicit codes need; k without adhesion [modulus length]. */
     double radius;    /**< a [length]. */
     double stiffness; /**< k, dF/dd at constant a [modulus length]. */
-    double energy;    /**< U = int F dd along the branch, from first touch on (elastic energy), with adhesion from pull-off on
-                           [modulus length^3]. */
+    double energy;    /**< U = int F dd along the branch, from first touch on (elastic energy), with adhesion from pull-off on, with
+                           a cohesive stress from bodies that are apart [modulus length^3]. */
     double beyond;    /**< How far d lies beyond the largest depth, where the numbers are those of a tangent and no longer those of
                            the contact; 0 within the range [length]. */
 } mdr_law_point;
@@ -102,8 +102,8 @@ int mdr_law_at_depth(const mdr_law *law, int branch, double d, mdr_law_point *po
  *  @return also MDR_EUNREACHABLE below the lowest force, MDR_EDOMAIN beyond the largest */
 int mdr_law_at_force(const mdr_law *law, int branch, double F, mdr_law_point *point);
 
-/** The state at one depth of a contact with a history: an open contact closes at d >= 0, a closed one stays on its stable
- *  segment until that ends, by pull-off or by a jump to another one.
+/** The state at one depth of a contact with a history: an open contact closes at d >= 0, with a cohesive stress from the first
+ *  attraction on, a closed one stays on its stable segment until that ends, by pull-off or by a jump to another one.
  *  @param law      law
  *  @param d        indentation depth up to the largest one [length]
  *  @param segment  where the contact is: 0 for open before the first call, then what the last call left there

@@ -151,7 +151,8 @@ class ContactLaw(LawSteps):
 
     def energy(self, depth: ArrayLike, branch: str = "unloading") -> FloatOrArray:
         """U = int F dd along the branch [modulus length^3] at depths d [length], any shape: without adhesion the elastic energy,
-        counted from first touch; with adhesion counted from pull-off. Further arguments as in `force`."""
+        counted from first touch; with adhesion counted from pull-off, with a cohesive stress from bodies that are apart.
+        Further arguments as in `force`."""
         chosen = adhesion.code("branch", branch, BRANCHES)
         return evaluate("depth", depth, lambda d: self._warn("depth", d, _native.law_energy(self._address, chosen, d)))
 

@@ -4,7 +4,7 @@
 !>
 !> It is made once from any contact and verified against it. Evaluating it allocates nothing and locks nothing; any number
 !> of threads may share it. Unlike the contact it is made from, the law has an answer for bodies that are apart: force,
-!> radius, stiffness and slope are 0 below first touch, and with adhesion below pull-off (on loading: below d = 0).
+!> radius, stiffness and slope are 0 below first touch, and with adhesion below pull-off (on loading: below the first attraction).
 module mdrcontact_law
     use, intrinsic :: iso_c_binding, only: c_double
     use mdrcontact_base_nonfinite, only: is_finite, quiet_nan
@@ -38,8 +38,8 @@ module mdrcontact_law
         real(c_double) :: radius = 0.0_c_double
         !> k = 2 a E_eff(a), the stiffness at constant radius [modulus length]; without adhesion it equals the slope
         real(c_double) :: stiffness = 0.0_c_double
-        !> U = int F dd along the branch from first touch on, without adhesion the elastic energy; with adhesion from pull-off on
-        !> [modulus length^3]
+        !> U = int F dd along the branch from first touch on, without adhesion the elastic energy; with adhesion from pull-off
+        !> on, with a cohesive stress from bodies that are apart [modulus length^3]
         real(c_double) :: energy = 0.0_c_double
         !> how far d lies beyond the largest depth, where the law is continued along its tangent: the numbers are then no longer
         !> those of the contact; 0 within the range [length]
@@ -382,7 +382,7 @@ contains
     end subroutine check_size
 
     !> The state at depth d of a contact with a history: it stays on its segment until that ends, and then falls open or onto the
-    !> nearest one. Open bodies come into contact at d >= 0.
+    !> nearest one. Open bodies come into contact at the first attraction.
     pure subroutine follow(self, depth, segment, point, error)
         class(contact_law_t), intent(in) :: self
         !> at most the largest depth, unless the law continues beyond; any value below [length]

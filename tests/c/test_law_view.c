@@ -7,7 +7,8 @@
 
 enum { N = 4003 };
 
-static mdr_law *law_with(double work_of_adhesion, double flat, int continue_beyond)
+/* With a cohesive stress, on the exact body. */
+static mdr_law *ranged_law_with(double work_of_adhesion, double cohesive_stress, double flat, int continue_beyond)
 {
     mdr_profile *tip = NULL;
     mdr_medium *film = NULL;
@@ -19,19 +20,25 @@ static mdr_law *law_with(double work_of_adhesion, double flat, int continue_beyo
     options = MDR_SIZED(mdr_contact_options);
     law_options = MDR_SIZED(mdr_law_options);
     options.work_of_adhesion = work_of_adhesion;
+    options.cohesive_stress = cohesive_stress;
     law_options.continue_beyond = continue_beyond;
     if (flat > 0.0) {
         CHECK_SUCCESS(mdr_profile_rounded_cone(0.5, flat, &tip));
     } else {
         CHECK_SUCCESS(mdr_profile_paraboloid(1.0, &tip));
     }
-    CHECK_SUCCESS(mdr_medium_coated(3.0, 0.3, 0.5, 1.0, 0.4, MDR_MODEL_GAO, NULL, &film));
+    CHECK_SUCCESS(mdr_medium_coated(3.0, 0.3, 0.5, 1.0, 0.4, cohesive_stress > 0.0 ? MDR_MODEL_EXACT : MDR_MODEL_GAO, NULL, &film));
     CHECK_SUCCESS(mdr_contact_new(tip, film, &options, &contact));
     CHECK_SUCCESS(mdr_law_new(contact, 1.0, &law_options, &law));
     CHECK_SUCCESS(mdr_contact_free(&contact));
     CHECK_SUCCESS(mdr_medium_free(&film));
     CHECK_SUCCESS(mdr_profile_free(&tip));
     return law;
+}
+
+static mdr_law *law_with(double work_of_adhesion, double flat, int continue_beyond)
+{
+    return ranged_law_with(work_of_adhesion, 0.0, flat, continue_beyond);
 }
 
 static int same(double a, double b) { return memcmp(&a, &b, sizeof a) == 0; }
@@ -116,11 +123,11 @@ static double some_depth(const mdr_law_head *head, int i)
 }
 
 /* A copy of the buffer elsewhere says what the library's Fortran says, where the law itself answers in arrays. */
-static void test_copy(double work_of_adhesion, double flat, int continue_beyond)
+static void test_copy(double work_of_adhesion, double cohesive_stress, double flat, int continue_beyond)
 {
     static double d[N], F[N], slope[N], a[N], k[N], U[N];
     for (int branch = MDR_ON_LOADING; branch <= MDR_ON_UNLOADING; ++branch) {
-        mdr_law *law = law_with(work_of_adhesion, flat, continue_beyond);
+        mdr_law *law = ranged_law_with(work_of_adhesion, cohesive_stress, flat, continue_beyond);
         double *buffer = buffer_of(law);
         mdr_law_view view = {0};
         int segment = 0, followed = 0, failures = 0;
@@ -139,6 +146,12 @@ static void test_copy(double work_of_adhesion, double flat, int continue_beyond)
             failures += segment != followed || memcmp(&point, &other, sizeof point) != 0;
         }
         CHECK_INT(failures, 0);
+        if (cohesive_stress > 0.0 && branch == MDR_ON_LOADING) { /* attracted from a distance on */
+            CHECK_CLOSE(view.open, -work_of_adhesion / cohesive_stress, 1e-12);
+            segment = 0;
+            CHECK_SUCCESS(mdr_law_view_follow(&view, -0.99 * work_of_adhesion / cohesive_stress, &segment, &(mdr_law_point){0}));
+            CHECK_TRUE(segment > 0);
+        }
         CHECK_INT(mdr_law_view_follow(&view, 0.1, &(int){99}, &(mdr_law_point){0}), MDR_EINVALID);
         free(buffer);
         CHECK_SUCCESS(mdr_law_free(&law));
@@ -321,10 +334,12 @@ int main(void)
 #ifdef HAS_VECTORS
     test_lanes(by_two);
 #endif
-    test_copy(0.0, 0.0, 0);
-    test_copy(0.0, 0.2, 1);
-    test_copy(0.05, 0.0, 0);
-    test_copy(0.05, 0.0, 1);
+    test_copy(0.0, 0.0, 0.0, 0);
+    test_copy(0.0, 0.0, 0.2, 1);
+    test_copy(0.05, 0.0, 0.0, 0);
+    test_copy(0.05, 0.0, 0.0, 1);
+    test_copy(0.05, 0.02, 0.0, 0);
+    test_copy(0.05, 0.5, 0.0, 1);
     test_conductance(0.0);
     test_conductance(0.05);
     test_power();

@@ -167,8 +167,6 @@ def test_refusals():
     state = contact.at_radius(1.0)
     with pytest.raises(mdr.InvalidArgumentError, match="cohesive_stress"):
         contact.interior(0.0, 0.5, state=state)
-    with pytest.raises(mdr.InvalidArgumentError, match="cohesive_stress"):
-        mdr.ContactLaw(contact, 2.0)
     with pytest.raises(mdr.InvalidArgumentError, match="zone_radius"):
         contact.pressure(0.5, state._replace(zone_radius=0.0))
     with pytest.raises(mdr.DomainError, match="at most"):

@@ -9,15 +9,14 @@ module mdrcontact_contact_curve
     use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_contact_control, only: control_t, depth_control
     use mdrcontact_contact_equilibrium, only: equilibrium_t
+    use mdrcontact_contact_samples, only: curve_point_t, samples_t
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: check_memory, error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: wp
     use mdrcontact_medium_solver, only: solver_t
     use mdrcontact_numerics_chebyshev, only: half, node, nodes => terms, series_of_slopes, series_of_values
     use mdrcontact_numerics_quadrature, only: gauss_legendre
-    use mdrcontact_numerics_roots, only: find_root
     use mdrcontact_numerics_search, only: interval_of
-    use mdrcontact_numerics_scalar_function, only: scalar_function_t
     implicit none (type, external)
     private
     public :: curve_t, curve_point_t, new_curve
@@ -38,20 +37,11 @@ module mdrcontact_contact_curve
     integer, parameter :: work_nodes = 20
     integer, parameter :: rows = 4, of_depth = 1, of_force = 2, of_stiffness = 3, of_excess = 4
 
-    !> One equilibrium, at coordinate x.
-    type :: curve_point_t
-        real(wp) :: x = 0.0_wp, radius = 0.0_wp, depth = 0.0_wp, force = 0.0_wp, stiffness = 0.0_wp
-    end type curve_point_t
-
     !> The sampled equilibria.
-    type :: curve_t
+    type, extends(samples_t) :: curve_t
         !> radius of the indenter's flat end [length]
         real(wp) :: end_radius = 0.0_wp
         logical :: adhesive = .false.
-        !> panel i runs over x from edges(i) to edges(i+1)
-        real(wp), allocatable :: edges(:)
-        !> how many contact states were computed
-        integer :: solutions = 0
         !> whether panel i begins at a break of the indenter or medium and uses sqrt(x - edges(i))
         logical, allocatable, private :: from_root(:)
         !> (rows, nodes, panels)
@@ -65,19 +55,11 @@ module mdrcontact_contact_curve
         procedure :: parts
         procedure :: slope
         procedure :: find
-        procedure :: turn
         procedure :: turns
         procedure :: work_between
+        procedure :: state_at
         procedure :: shear
     end type curve_t
-
-    !> ds/dx as a function of x.
-    type, extends(scalar_function_t) :: slope_t
-        type(curve_t), pointer :: curve => null()
-        type(control_t) :: control
-    contains
-        procedure :: value => slope_at
-    end type slope_t
 
     !> Where s is looked at for extrema in each panel.
     integer, parameter :: probes_per_panel = 24
@@ -474,28 +456,6 @@ contains
         point = point_of(self, panel, z, v + dv*step)
     end function find
 
-    !> The coordinate of the extremum of s between two coordinates where its slopes have opposite signs.
-    subroutine turn(self, control, lower, upper, x, error)
-        class(curve_t), intent(in), target :: self
-        type(control_t), intent(in) :: control
-        real(wp), intent(in) :: lower, upper
-        real(wp), intent(out) :: x
-        type(error_t), allocatable, intent(out) :: error
-        type(slope_t) :: f
-
-        f%curve => self
-        f%control = control
-        call find_root(f, lower, upper, x, error)
-    end subroutine turn
-
-    function slope_at(self, x) result(y)
-        class(slope_t), intent(inout) :: self
-        real(wp), intent(in) :: x
-        real(wp) :: y
-
-        y = self%curve%slope(self%control, x)
-    end function slope_at
-
     !> Coordinates between which s has one extremum each, (2, extrema), ascending.
     pure function turns(self, control) result(brackets)
         class(curve_t), intent(in) :: self
@@ -548,6 +508,17 @@ contains
         end do
         if (to < from) work = -work
     end function work_between
+
+    !> The state of the contact itself at coordinate x.
+    subroutine state_at(self, equilibrium, x, state, error)
+        class(curve_t), intent(in) :: self
+        type(equilibrium_t), intent(in) :: equilibrium
+        real(wp), intent(in) :: x
+        type(contact_state_t), intent(out) :: state
+        type(error_t), allocatable, intent(out) :: error
+
+        call equilibrium%at(self%end_radius + exp(x), state, error)
+    end subroutine state_at
 
     !> Puts in place of depth and stiffness the shift S = int dF/k_t under which the contact would begin to slide if its coefficient
     !> of friction were 1, and the tangential stiffness k_t = dF/dS: those of superposed punches (theory 10).

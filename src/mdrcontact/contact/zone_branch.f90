@@ -6,6 +6,7 @@ module mdrcontact_contact_zone_branch
     use mdrcontact_contact_control, only: control_t
     use mdrcontact_contact_equilibrium, only: equilibrium_t
     use mdrcontact_contact_range, only: adhesive_range
+    use mdrcontact_contact_samples, only: curve_point_t
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_contact_zone_curve, only: coordinate_of, new_zone_curve, zone_curve_t, zone_state
     use mdrcontact_error, only: error_t, error_unreachable, raise, to_text
@@ -176,7 +177,8 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         type(contact_state_t) :: state
         type(error_t), allocatable :: failed
-        real(wp) :: last, highest, unused, x
+        type(curve_point_t) :: point
+        real(wp) :: last, highest, unused
 
         force = 0.0_wp
         radius = 0.0_wp
@@ -189,10 +191,9 @@ contains
             radius = state%radius
             return
         end if
-        x = segment%first
-        if (s > segment%lowest) x = self%curve%find(control, s, segment%first, last)
-        force = self%curve%force_at(x)
-        if (x > 0.0_wp) radius = equilibrium%cohesion%touching_zone*sinh(x)
+        point = self%curve%find(control, segment%lowest, 1.0_wp, .true., s - segment%lowest, segment%first, last)
+        force = point%force
+        radius = point%radius
     end subroutine sampled
 
     subroutine find_coordinate(curve, equilibrium, control, segment, s, x, found, error)
@@ -205,6 +206,7 @@ contains
         logical, intent(out) :: found
         type(error_t), allocatable, intent(out) :: error
         type(quantity_t) :: quantity
+        type(curve_point_t) :: point
         real(wp) :: guess, last, there, slope, highest, unused
 
         quantity%equilibrium => equilibrium
@@ -212,7 +214,8 @@ contains
         quantity%control = control
         quantity%offset = s
         last = min(segment%last, curve%edges(size(curve%edges)))
-        guess = curve%find(control, s, segment%first, last)
+        point = curve%find(control, segment%lowest, 1.0_wp, .true., s - segment%lowest, segment%first, last)
+        guess = point%x
         call curve%control_at(control, guess, there, slope)
         ! beyond the samples s follows a power of the radius
         call curve%control_at(control, last, highest, unused)

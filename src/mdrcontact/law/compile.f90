@@ -3,7 +3,7 @@
 module mdrcontact_law_compile
     use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_contact_control, only: control_t, depth_control, force_control
-    use mdrcontact_contact_curve, only: curve_point_t, curve_t
+    use mdrcontact_contact_samples, only: curve_point_t, samples_t
     use mdrcontact_error, only: error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_law_interval, only: coefficient_count, column_count, in_units_of, interval_t, most_bits, new_interval, &
@@ -19,12 +19,18 @@ module mdrcontact_law_compile
         real(wp) :: first = 0.0_wp, last = 0.0_wp
         !> s has an extremum, or the branch a break, at the first end; an extremum at the last
         logical :: singular_first = .false., fold_last = .false.
+        !> F and its slope are 0 at the first end: where the bodies begin to attract each other
+        logical :: from_nothing = .false.
     end type piece_t
 
     !> The column of G, where there is one.
     integer, parameter :: conductance_column = column_count + 1
     !> Panels close to a singular end begin this part of the root of s there away from it.
     real(wp), parameter :: singular_scale = 0.5_wp
+    !> and those in which F grows from 0 this part of it.
+    real(wp), parameter :: small_scale = 1.0e-3_wp
+    !> What F and the others have of digits there, in shares of their value at the other end.
+    real(wp), parameter :: rounding = 16.0_wp*epsilon(1.0_wp)
 
 contains
 
@@ -45,7 +51,7 @@ contains
     !> Adds one segment, given as its pieces by ascending radius.
     subroutine compile_pieces(table, curve, pieces, tolerance, error, conductance)
         type(law_table_t), intent(inout) :: table
-        type(curve_t), intent(in) :: curve
+        class(samples_t), intent(in) :: curve
         type(piece_t), intent(in) :: pieces(:)
         real(wp), intent(in) :: tolerance
         type(error_t), allocatable, intent(out) :: error
@@ -159,7 +165,7 @@ contains
     !> s at coordinate x.
     pure function curve_value(table, curve, x) result(s)
         type(law_table_t), intent(in) :: table
-        type(curve_t), intent(in) :: curve
+        class(samples_t), intent(in) :: curve
         real(wp), intent(in) :: x
         real(wp) :: s
         type(curve_point_t) :: point
@@ -180,7 +186,7 @@ contains
     !> Adds an interval in as few panels as the tolerance allows.
     subroutine compile_interval(table, curve, piece, origin, side, root, u, tolerance, error, conductance)
         type(law_table_t), intent(inout) :: table
-        type(curve_t), intent(in) :: curve
+        class(samples_t), intent(in) :: curve
         type(piece_t), intent(in) :: piece
         real(wp), intent(in) :: origin, side, u(2), tolerance
         logical, intent(in) :: root
@@ -194,6 +200,7 @@ contains
 
         margin = 0.0_wp
         if (root) margin = singular_scale*sqrt(max(abs(origin), 1.0e-12_wp*u(2))/u(2))
+        if (piece%from_nothing) margin = small_scale*margin
         do bits = 2, most_bits
             interval = new_interval(origin, side, root, u(1), u(2), margin, bits)
             interval%first_panel = size(table%other)
@@ -253,7 +260,7 @@ contains
     !> Interpolates the columns at Chebyshev's extrema, ends included: the law is continuous from panel to panel.
     subroutine fit_panel(table, curve, piece, interval, panel, tolerance, coefficients, fits, conductance)
         type(law_table_t), intent(in) :: table
-        type(curve_t), intent(in) :: curve
+        class(samples_t), intent(in) :: curve
         type(piece_t), intent(in) :: piece
         type(interval_t), intent(in) :: interval
         integer, intent(in) :: panel
@@ -284,6 +291,10 @@ contains
             u = [u_of_y(interval, ends(1)), u_of_y(interval, ends(2))]
             scale = scale + (maxval(values, dim=1) - minval(values, dim=1)) &
                     *maxval(abs(interval%origin + interval%side*u))/(u(2) - u(1))
+        end if
+        if (piece%from_nothing) then
+            call find_columns(table, curve, piece, interval, interval%last_y, between, conductance)
+            scale = scale + rounding*abs(between)/tolerance
         end if
         do i = 1, coefficient_count - 1, 3
             found = 0.5_wp*(t(i) + t(i + 1))
@@ -319,7 +330,7 @@ contains
     !> F or d, a and k of the state at y, and G.
     subroutine find_columns(table, curve, piece, interval, y, columns, conductance)
         type(law_table_t), intent(in) :: table
-        type(curve_t), intent(in) :: curve
+        class(samples_t), intent(in) :: curve
         type(piece_t), intent(in) :: piece
         type(interval_t), intent(in) :: interval
         real(wp), intent(in) :: y

@@ -93,7 +93,7 @@ contains
 
         s = 0.0_wp
         if (.not. table%adhesive) return
-        s = nearest(max(table%lowest, merge(0.0_wp, table%lowest, branch == on_loading)), -1.0_wp)
+        s = nearest(max(table%lowest, merge(table%first_attraction, table%lowest, branch == on_loading)), -1.0_wp)
     end function last_open
 
     !> F or d, its slope, a and k at finite s, which is at most the highest unless the table is continued; all 0 where the bodies

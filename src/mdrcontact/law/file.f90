@@ -19,7 +19,7 @@ module mdrcontact_law_file
     public :: save_law, load_law, law_to_text, law_from_text
 
     character(len=*), parameter :: new_line_character = achar(10)
-    character(len=*), parameter :: title = "mdrcontact compiled contact law, format ", version = "4"
+    character(len=*), parameter :: title = "mdrcontact compiled contact law, format ", version = "5"
     !> How files of versions of the library began in which laws with friction were apart.
     character(len=*), parameter :: former_title = "mdrcontact compiled friction law, format "
     !> Numbers of a law beside its two tables and its friction; those of its friction beside tables and shares, and those in their

@@ -4,15 +4,18 @@ module mdrcontact_law_from_contact
     use mdrcontact_contact_adhesive_branch, only: stable_segment_t
     use mdrcontact_contact_control, only: depth_control, force_control
     use mdrcontact_contact_curve, only: curve_t, new_curve
+    use mdrcontact_contact_equilibrium, only: equilibrium_t
     use mdrcontact_contact_range, only: coordinate_before, coordinate_beyond, coordinates_between
     use mdrcontact_contact, only: contact_t
+    use mdrcontact_contact_samples, only: samples_t
     use mdrcontact_contact_state, only: contact_state_t
+    use mdrcontact_contact_zone_curve, only: coordinate_of, new_zone_curve, zone_curve_t
     use mdrcontact_error, only: check_positive, check_within, error_invalid, error_no_convergence, error_t, error_unreachable, &
-                                raise, to_text
+                                explain, raise, to_text
     use mdrcontact_kinds, only: wp
     use mdrcontact_law, only: contact_law_t
     use mdrcontact_law_compile, only: close_table, compile_straight, open_table
-    use mdrcontact_law_segments, only: compile_segments, fold_margin
+    use mdrcontact_law_segments, only: compile_segments, fold_margin, move_to_folds
     use mdrcontact_law_verify, only: add_conductance_error, largest_error
     use mdrcontact_medium_solver, only: solver_t
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
@@ -26,7 +29,7 @@ module mdrcontact_law_from_contact
     !> Decades of depth below the largest, where none are given.
     real(wp), parameter :: default_decades = 1.0e-4_wp
     !> Shares of the tolerance: of the samples, and of the polynomials through them.
-    real(wp), parameter :: sample_share = 0.1_wp, fit_share = 0.3_wp
+    real(wp), parameter :: sample_share = 0.1_wp, sample_share_of_zone = 1.0e-2_wp, fit_share = 0.3_wp
     !> Noise of the contact's states with which it is worth to go on to verification.
     real(wp), parameter :: largest_noise = 1.0e-6_wp
 
@@ -34,6 +37,16 @@ module mdrcontact_law_from_contact
     real(wp), parameter :: largest_part = 0.99_wp
     !> By so much in the coordinate a law goes on beyond its largest depth, for rounding.
     real(wp), parameter :: beyond = 1.0e-6_wp
+
+    !> The stable parts of a sampled branch.
+    type :: branch_t
+        !> by ascending coordinate
+        type(stable_segment_t), allocatable :: of_depth(:), of_force(:)
+        !> whether they end at an extremum
+        logical, allocatable :: of_depth_fold(:), of_force_fold(:)
+        !> coordinate from which energies count
+        real(wp) :: start = 0.0_wp
+    end type branch_t
 
     !> The options of a law.
     type :: law_options_t
@@ -75,10 +88,6 @@ contains
         call check_within(error, "tolerance", chosen%tolerance, smallest_tolerance, largest_tolerance)
         if (chosen%smallest_depth == 0.0_wp) chosen%smallest_depth = default_decades*largest_depth
         call check_positive(error, "smallest_depth", chosen%smallest_depth)
-        if (allocated(contact%equilibrium%cohesion) .and. .not. allocated(error)) then
-            call raise(error, error_invalid, "a contact with a cohesive_stress cannot be compiled: leave it out for a law of "// &
-                       "adhesion without a range, or take the contact's own states")
-        end if
         if (allocated(error)) return
         if (chosen%smallest_depth > 0.5_wp*largest_depth) then
             call raise(error, error_invalid, "smallest_depth = "//to_text(chosen%smallest_depth)//" is not allowed: it must be "// &
@@ -92,7 +101,9 @@ contains
         if (allocated(error)) return
         call open_table(self%by_depth, .true., contact%is_adhesive(), end_radius)
         call open_table(self%by_force, .false., contact%is_adhesive(), end_radius)
-        if (smallest >= largest*(1.0_wp - 1.0e-12_wp)) then
+        if (allocated(contact%equilibrium%cohesion)) then
+            call compile_zone(self, contact, largest_depth, chosen, error)
+        else if (smallest >= largest*(1.0_wp - 1.0e-12_wp)) then
             call compile_punch(self, contact, largest_depth, chosen, error, tangential)
         else
             call compile_branch(self, contact, end_radius, smallest, largest_depth, chosen, error, tangential)
@@ -150,9 +161,10 @@ contains
         type(curve_t) :: curve
         type(stable_segment_t), allocatable :: of_depth(:), of_force(:)
         real(wp), allocatable :: coordinates(:)
+        logical, allocatable :: of_depth_fold(:), of_force_fold(:)
+        type(branch_t) :: branch
         real(wp) :: first, last, found, smallest_depth
         logical :: jumps
-        integer :: i
 
         smallest_depth = options%smallest_depth
         jumps = size(contact%equilibrium%falls) > 0
@@ -203,31 +215,98 @@ contains
         if (allocated(error)) return
         self%solutions = self%solutions + curve%solutions
         coordinates = coordinates(2:size(coordinates) - 1)
-        if (associated(options%conductance)) then
-            call compile_segments(self%by_depth, curve, of_depth, coordinates, fit_share*self%tolerance, error, &
-                                  options%conductance)
-        else
-            call compile_segments(self%by_depth, curve, of_depth, coordinates, fit_share*self%tolerance, error)
+        allocate (of_depth_fold(size(of_depth)), of_force_fold(size(of_force)), source=.false.)
+        if (contact%is_adhesive()) then
+            call move_to_folds(self%by_depth, curve, of_depth, of_depth_fold, error)
+            if (.not. allocated(error)) call move_to_folds(self%by_force, curve, of_force, of_force_fold, error)
+            if (allocated(error)) return
         end if
+        branch = branch_t(of_depth, of_force, of_depth_fold, of_force_fold, of_depth(1)%first)
+        call compile_tables(self, contact%equilibrium, curve, branch, coordinates, options, present(tangential), error)
+    end subroutine compile_branch
+
+    !> A contact with a cohesive zone: the law begins where the bodies attract each other, with or without contact.
+    subroutine compile_zone(self, contact, largest_depth, options, error)
+        type(contact_law_t), intent(inout) :: self
+        type(contact_t), intent(in) :: contact
+        real(wp), intent(in) :: largest_depth
+        type(law_options_t), intent(in) :: options
+        type(error_t), allocatable, intent(out) :: error
+        type(zone_curve_t) :: curve
+        type(branch_t) :: branch
+        type(contact_state_t) :: largest
+        real(wp) :: last
+
+        call contact%at_depth(largest_depth, largest, error)
+        if (allocated(error)) then
+            call explain(error, "largest_depth: ", "")
+            return
+        end if
+        associate (equilibrium => contact%equilibrium)
+            last = min(coordinate_of(equilibrium, largest%radius, largest%zone_radius) + beyond, &
+                       coordinate_of(equilibrium, equilibrium%last_radius, 0.0_wp))
+            call new_zone_curve(curve, equilibrium, last, error, sample_share_of_zone*self%tolerance)
+        end associate
         if (allocated(error)) return
-        do i = 2, size(of_depth)
-            self%by_depth%segments(i)%energy = curve%work_between(of_depth(1)%first, of_depth(i)%first)
+        self%solutions = self%solutions + curve%solutions
+        self%by_depth%end_radius = 0.0_wp
+        self%by_force%end_radius = 0.0_wp
+        self%by_depth%first_attraction = contact%first_attraction(depth_control)
+        self%by_force%first_attraction = contact%first_attraction(force_control)
+        branch%of_depth = curve%segments(depth_control)
+        branch%of_force = curve%segments(force_control)
+        branch%of_depth_fold = branch%of_depth%last < curve%edges(size(curve%edges))
+        branch%of_force_fold = branch%of_force%last < curve%edges(size(curve%edges))
+        branch%start = curve%edges(1)
+        if (size(branch%of_depth) == 0 .or. size(branch%of_force) == 0) then
+            call raise(error, error_invalid, "largest_depth = "//to_text(largest_depth)//" is not allowed: up to it no "// &
+                       "state is stable under a force")
+            return
+        end if
+        call compile_tables(self, contact%equilibrium, curve, branch, curve%breaks(), options, .false., error)
+    end subroutine compile_zone
+
+    !> The tables of both controls from the samples, and their verification.
+    subroutine compile_tables(self, equilibrium, curve, branch, breaks, options, is_tangential, error)
+        type(contact_law_t), intent(inout) :: self
+        type(equilibrium_t), intent(in) :: equilibrium
+        class(samples_t), intent(in) :: curve
+        type(branch_t), intent(in) :: branch
+        !> coordinates where indenter or medium are not analytic
+        real(wp), intent(in) :: breaks(:)
+        type(law_options_t), intent(in) :: options
+        logical, intent(in) :: is_tangential
+        type(error_t), allocatable, intent(out) :: error
+        integer :: i
+
+        associate (tolerance => fit_share*self%tolerance)
+            if (associated(options%conductance)) then
+                call compile_segments(self%by_depth, curve, branch%of_depth, branch%of_depth_fold, breaks, tolerance, error, &
+                                      options%conductance)
+            else
+                call compile_segments(self%by_depth, curve, branch%of_depth, branch%of_depth_fold, breaks, tolerance, error)
+            end if
+            if (.not. allocated(error)) call compile_segments(self%by_force, curve, branch%of_force, branch%of_force_fold, breaks, &
+                                                              tolerance, error)
+        end associate
+        if (allocated(error)) return
+        do i = 1, size(branch%of_depth)
+            self%by_depth%segments(i)%energy = curve%work_between(branch%start, branch%of_depth(i)%first)
         end do
-        if (.not. allocated(error)) then
-            call compile_segments(self%by_force, curve, of_force, coordinates, fit_share*self%tolerance, error)
-        end if
-        if (allocated(error) .or. present(tangential)) return
-        call largest_error(self%by_depth, self%by_force, contact, curve, of_depth, of_force, self%error, self%solutions, error)
+        if (is_tangential) return
+        call largest_error(self%by_depth, self%by_force, curve, equilibrium, branch%of_depth, branch%of_force, self%error, &
+                           self%solutions, error)
         if (allocated(error)) return
         if (associated(options%conductance)) then
-            call add_conductance_error(self%by_depth, contact, curve, of_depth, options%conductance, self%error, error)
+            call add_conductance_error(self%by_depth, curve, equilibrium, branch%of_depth, options%conductance, self%error, &
+                                       error)
             if (allocated(error)) return
         end if
         if (.not. self%error <= self%tolerance) then
             call raise(error, error_no_convergence, "the compiled law misses the tolerance "//to_text(self%tolerance)// &
                        ": its error is "//to_text(self%error)//"; the contact itself may not be computed more accurately")
         end if
-    end subroutine compile_branch
+    end subroutine compile_tables
 
     !> The ends of a law of a contact whose depth and force fall over some radii: it jumps there, as no law without adhesion does.
     subroutine ends_before_fall(contact, smallest_depth, largest_depth, first, last, error)

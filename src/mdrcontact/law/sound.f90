@@ -12,6 +12,8 @@ module mdrcontact_law_sound
 
     !> What a value may lack where two panels or two intervals meet, in shares of it.
     real(wp), parameter :: rounding = 1.0e-6_wp
+    !> What a polynomial that begins at 0 may be below it, in shares of its largest value.
+    real(wp), parameter :: last_digits = 64.0_wp*epsilon(1.0_wp)
 
 contains
 
@@ -52,7 +54,7 @@ contains
         logical :: sound
         integer :: i
 
-        sound = table%end_radius >= 0.0_wp .and. table%lowest < table%highest
+        sound = table%end_radius >= 0.0_wp .and. table%lowest < table%highest .and. table%first_attraction <= 0.0_wp
         if (.not. table%adhesive) then
             ! below the range: end_values (s/lowest)^powers, with k = dF/dd, which may fall
             sound = sound .and. table%lowest > 0.0_wp .and. all(table%end_values >= 0.0_wp) .and. all(table%powers(:2) >= -rounding)
@@ -110,7 +112,8 @@ contains
         high = polynomial(radius, sign(1.0_wp, interval%side))
     end subroutine check_panel
 
-    !> Whether a polynomial is nowhere negative on -1 <= t <= 1: its Bernstein coefficients, whose hull contains it, are not.
+    !> Whether a polynomial is nowhere negative on -1 <= t <= 1 but for rounding, as at touch: its Bernstein coefficients, whose
+    !> hull contains it, are not.
     pure function is_positive(c) result(positive)
         real(wp), intent(in) :: c(coefficient_count)
         logical :: positive
@@ -134,7 +137,7 @@ contains
                 b(k) = b(k) + b(k - 1)
             end do
         end do
-        positive = all(b >= 0.0_wp)
+        positive = all(b >= -last_digits*maxval(abs(b)))
     end function is_positive
 
 end module mdrcontact_law_sound

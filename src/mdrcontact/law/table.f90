@@ -38,6 +38,8 @@ module mdrcontact_law_table
         logical :: adhesive = .false.
         !> whether s beyond the highest is answered, along the tangent there
         logical :: continued = .false.
+        !> with adhesion: s from which on bodies that approach attract each other; 0 where adhesion has no range
+        real(wp) :: first_attraction = 0.0_wp
         !> radius of the indenter's flat end [length]
         real(wp) :: end_radius = 0.0_wp
         !> ends of the compiled range of s
@@ -97,7 +99,7 @@ contains
         integer :: i
 
         segment = 0
-        if (branch == on_loading .and. s < 0.0_wp) return
+        if (branch == on_loading .and. s < self%first_attraction) return
         do i = 1, size(self%segments)
             if (s < self%segments(i)%lowest .or. s > self%segments(i)%highest) cycle
             segment = i

@@ -3,8 +3,8 @@
 module mdrcontact_law_verify
     use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_contact_adhesive_branch, only: stable_segment_t
-    use mdrcontact_contact_curve, only: curve_t
-    use mdrcontact_contact, only: contact_t
+    use mdrcontact_contact_equilibrium, only: equilibrium_t
+    use mdrcontact_contact_samples, only: samples_t
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: wp
@@ -20,10 +20,10 @@ module mdrcontact_law_verify
 contains
 
     !> The largest relative error of F, a and k from the depth, and of d, a and k from the force.
-    subroutine largest_error(by_depth, by_force, contact, curve, of_depth, of_force, worst, solutions, error)
+    subroutine largest_error(by_depth, by_force, curve, equilibrium, of_depth, of_force, worst, solutions, error)
         type(law_table_t), intent(in) :: by_depth, by_force
-        type(contact_t), intent(in) :: contact
-        type(curve_t), intent(in) :: curve
+        class(samples_t), intent(in) :: curve
+        type(equilibrium_t), intent(in) :: equilibrium
         !> the segments the tables were made from, in the same order
         type(stable_segment_t), intent(in) :: of_depth(:), of_force(:)
         real(wp), intent(out) :: worst
@@ -42,7 +42,7 @@ contains
                 if (depth_segment == 0 .and. force_segment == 0) cycle
                 call check_cancelled(error)
                 if (allocated(error)) return
-                call contact%at_radius(curve%end_radius + exp(x), state, error)
+                call curve%state_at(equilibrium, x, state, error)
                 if (allocated(error)) return
                 solutions = solutions + 1
                 if (depth_segment > 0) worst = max(worst, maxval(relative_errors(by_depth, depth_segment, state)))
@@ -52,10 +52,10 @@ contains
     end subroutine largest_error
 
     !> The same of G from the depth: `worst` becomes that where it is larger.
-    subroutine add_conductance_error(by_depth, contact, curve, of_depth, conductance, worst, error)
+    subroutine add_conductance_error(by_depth, curve, equilibrium, of_depth, conductance, worst, error)
         type(law_table_t), intent(in) :: by_depth
-        type(contact_t), intent(in) :: contact
-        type(curve_t), intent(in) :: curve
+        class(samples_t), intent(in) :: curve
+        type(equilibrium_t), intent(in) :: equilibrium
         type(stable_segment_t), intent(in) :: of_depth(:)
         !> G(a)
         class(scalar_function_t), intent(inout) :: conductance
@@ -70,7 +70,7 @@ contains
             segment = findloc(of_depth%first <= x .and. x <= of_depth%last, .true., dim=1)
             if (segment == 0) cycle
             call check_cancelled(error)
-            if (.not. allocated(error)) call contact%at_radius(curve%end_radius + exp(x), state, error)
+            if (.not. allocated(error)) call curve%state_at(equilibrium, x, state, error)
             if (allocated(error)) return
             exact = conductance%value(state%radius)
             if (allocated(conductance%error)) then
@@ -105,7 +105,8 @@ contains
             shift = abs(beyond - found)/step
             shift(1) = abs(s*slope)
         end if
-        errors = abs(found - exact)/(abs(exact) + shift)
+        ! without contact a and k are 0
+        errors = abs(found - exact)/max(abs(exact) + shift, tiny(1.0_wp))
     end function relative_errors
 
 end module mdrcontact_law_verify

@@ -33,7 +33,7 @@ contains
         type(law_table_t), intent(in) :: table
         integer :: count
 
-        count = 9 + 2*column_count + segment_words*size(table%segments) + interval_words*size(table%intervals) + &
+        count = 10 + 2*column_count + segment_words*size(table%segments) + interval_words*size(table%intervals) + &
                 row_words*size(table%other)
     end function word_count
 
@@ -46,9 +46,9 @@ contains
 
         words(next:next + 2) = int([merge(1, 0, table%by_depth), merge(1, 0, table%adhesive), merge(1, 0, table%continued)], int64)
         next = next + 3
-        words(next:next + 2 + 2*column_count) = transfer([table%end_radius, table%lowest, table%highest, table%end_values, &
-                                                          table%powers], [0_int64])
-        next = next + 3 + 2*column_count
+        words(next:next + 3 + 2*column_count) = transfer([table%first_attraction, table%end_radius, table%lowest, table%highest, &
+                                                          table%end_values, table%powers], [0_int64])
+        next = next + 4 + 2*column_count
         words(next:next + 2) = int([size(table%segments), size(table%intervals), size(table%other)], int64)
         next = next + 3
         do i = 1, size(table%segments)
@@ -111,6 +111,7 @@ contains
         table%by_depth = reader%whole(0, 1) == 1
         table%adhesive = reader%whole(0, 1) == 1
         table%continued = reader%whole(0, 1) == 1
+        table%first_attraction = reader%number()
         table%end_radius = reader%number()
         table%lowest = reader%number()
         table%highest = reader%number()
