@@ -23,6 +23,7 @@ shared_build=$build # for pip: the library is compiled once
 results=build/results
 jobs=$(getconf _NPROCESSORS_ONLN 2> /dev/null || echo 2)
 export CMAKE_GENERATOR=Ninja # for the projects that the tests configure, too: a bare machine has no make
+export OPENBLAS_NUM_THREADS=1 # a process for each core runs already; threads of OpenBLAS that wait for a core cost tenfold
 rm -rf "$results"
 mkdir -p "$results" "$log_dir"
 
