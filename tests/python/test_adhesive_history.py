@@ -88,6 +88,7 @@ def test_dwells_relax():
     assert near.zone_radius[1] == 0.0 and near.zone_radius[2] > 0.0 and near.force[1] == 0.0 > near.force[2]
 
 
+@pytest.mark.slow
 def test_slow_limit():
     """The relaxed body."""
     slow = elastic(1.0).loop("depth", elastic(1.0).at_radius(0.6).depth, 2000)

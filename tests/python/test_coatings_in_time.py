@@ -113,6 +113,7 @@ def test_power_laws_and_dashpots_on_springs():
     assert sprung.compliance(1.0, omega=2.0).imag < 0.0
 
 
+@pytest.mark.slow
 def test_a_fit_finds_the_springs():
     rng = np.random.default_rng(3)
 

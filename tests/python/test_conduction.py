@@ -162,6 +162,7 @@ def test_flux_adds_up_to_the_conductance(name, a):
     assert total == pytest.approx(spot.conductance, rel=1e-6 if spot.conduction.film else 1e-10)
 
 
+@pytest.mark.slow
 def test_flux_inside_adds_up_to_the_conductance():
     """Through the interface of the stack, whose far part falls as r^-3."""
     spot = CASES["stack"].at_radius(1.0)
@@ -298,6 +299,7 @@ def test_times_share_parabolas():
     assert np.all(np.diff(together) < 0.0)
 
 
+@pytest.mark.slow
 def test_any_history():
     """Ramps superposed: evenly spaced times as others; two ramps make a step; oscillations end in the admittance."""
     body = mdr.LayeredConductor([(mdr.Conductor(2.0, None, 1.0), 1.0), mdr.Interface(0.2)], mdr.Conductor(1.0, None, 3.0))
@@ -533,7 +535,9 @@ def test_high_contrast():
             assert mdr.Conduction(film).at_radius(float(row["a"])).conductance == pytest.approx(float(row["G"]), rel=1e-11)
 
 
-@pytest.mark.parametrize("name", ["tin_on_copper", "heat_through_silica", "dlc_flash_temperature"])
+@pytest.mark.parametrize(
+    "name", ["tin_on_copper", "heat_through_silica", pytest.param("dlc_flash_temperature", marks=pytest.mark.slow)]
+)
 def test_command_line(name, tmp_path, capsys):
     problem, table, picture = ROOT / "examples" / "problems" / f"{name}.toml", tmp_path / "table.csv", tmp_path / "picture.png"
     assert main(["conduction", str(problem), "--csv", str(table), "--plot", str(picture)]) == 0

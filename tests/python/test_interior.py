@@ -543,6 +543,7 @@ KINKED = [mdr.Cone(0.3), mdr.PowerLaw(1.5, 0.3), mdr.PowerLaw(2.5, 0.3), mdr.Rou
 """Tips whose springs' displacement by the layers of a graded body falls too slowly as a series."""
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("moduli", [(1.0, 30.0), (30.0, 1.0)])
 @pytest.mark.parametrize("tip", KINKED, ids=lambda tip: type(tip).__name__ + str(getattr(tip, "exponent", "")))
 def test_kinked_tips_on_graded_bodies(tip, moduli):

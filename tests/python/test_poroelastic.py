@@ -212,6 +212,7 @@ def test_drainage_is_of_gels_alone():
         mdr.Contact(mdr.FlatPunch(1.0), mdr.Homogeneous(mdr.Elastic(1.0, 0.2))).relaxation(1.0, drainage="surface")
 
 
+@pytest.mark.slow
 def test_fits_find_what_made_the_data():
     true, noise = mdr.Poroelastic(28e3, 0.2, 3e-8), np.random.default_rng(3)
     tip, body = mdr.FlatPunch(1e-3), mdr.Homogeneous(true)
@@ -244,6 +245,7 @@ def test_fits_find_what_made_the_data():
     assert fit.values["diffusivity"] == pytest.approx(3e-8, rel=1e-5)
 
 
+@pytest.mark.slow
 def test_ratios_between_the_tables_of_a_fit():
     """Poisson's ratio of a film: the answers between the tables of a fit are those of a table of their own."""
     tip, film = mdr.FlatPunch(1.0), mdr.Coated(mdr.Poroelastic(3.0, 0.435, 0.2), 1.0, mdr.RIGID)

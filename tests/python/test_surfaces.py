@@ -219,6 +219,7 @@ def test_wetting_warns():
         contact.at_radius(1.0)
 
 
+@pytest.mark.slow
 def test_wetting_under_a_plate_warns_where_slopes_are_large():
     """Of the surface beside an adhesive edge: u'(r) there against the indenter's slope, 0 of a flat punch under no load."""
     for bending, work in ((0.05, 0.02), (1e-3, 5e-3)):
