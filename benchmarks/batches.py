@@ -57,9 +57,9 @@ def cases():
         ("exact film, a up to h, from force", some.size, lambda: on_exact.at_force(force)),
         ("exact film, 2 depths", 2, lambda: on_exact.at_depth(depth[-2:])),
         ("exact film, a up to 100 h, from depth", wide.size, lambda: on_exact.at_depth(wide_depth)),
-        ("pressure, Gao film", r.size, lambda: on_gao.pressure(r, radius=1.0)),
-        ("pressure, exact film", r.size, lambda: on_exact.pressure(r, radius=1.0)),
-        ("displacement, exact film", r.size, lambda: on_exact.displacement(2.0 * r, radius=1.0)),
+        ("pressure, Gao film", r.size, lambda: on_gao.at_radius(1.0).pressure(r)),
+        ("pressure, exact film", r.size, lambda: on_exact.at_radius(1.0).pressure(r)),
+        ("displacement, exact film", r.size, lambda: on_exact.at_radius(1.0).displacement(2.0 * r)),
         ("E_eff beside an inclusion", few.size, lambda: inclusion.modulus(few, 0.0, 1.0)),
     ]
 

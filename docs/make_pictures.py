@@ -72,7 +72,7 @@ def springs(quick: bool) -> Any:
     a, d = float(state.radius), float(state.depth)
     figure, (left, right) = plt.subplots(1, 2, figsize=(9.0, 3.0), sharex=True, sharey=True, layout="constrained")
     r = np.linspace(-1.2, 1.2, 61 if quick else 401)
-    surface = -np.asarray(contact.displacement(np.abs(r), radius=a))
+    surface = -np.asarray(contact.at_radius(a).displacement(np.abs(r)))
     left.fill_between(r, surface, -0.85, color="#e3e8ee")
     left.plot(r, surface, color="#1c2430", linewidth=1.0)
     left.plot(r, r**2 / 2.0 - d, color=BLUE)
@@ -177,7 +177,7 @@ def adhesion_range(quick: bool) -> Any:
         axes[0].plot(1e9 * touch.depth, 1e6 * touch.force, "o", color=colour, markersize=4)
         state = contact.at_radius(1e-6)
         r = np.linspace(0.0, float(state.zone_radius), 400)
-        axes[1].plot(1e6 * np.append(r, r[-1]), 1e-3 * np.append(contact.pressure(r, state), 0.0), color=colour)
+        axes[1].plot(1e6 * np.append(r, r[-1]), 1e-3 * np.append(state.pressure(r), 0.0), color=colour)
     states = mdr.Contact(tip, film, work_of_adhesion=0.05).at_radius(np.linspace(0.0, 1.3e-6, count))
     axes[0].plot(1e9 * states.depth, 1e6 * states.force, color=GREY, linewidth=1.0, label="no range (JKR)")
     axes[0].set(
@@ -203,7 +203,7 @@ def stress(quick: bool) -> Any:
     figure, axes = plt.subplots(1, 2, figsize=(9.0, 3.0), layout="constrained", sharey=True)
     parts = (np.linspace(1e-9, 2e-6 * (1 - 1e-9), 40), np.linspace(2e-6 * (1 + 1e-9), 6e-6, 40))
     # x < 0 lies on the other side of the axis
-    fields = [contact.interior(abs(x)[:, None], z, state, friction=0.1, angle=np.where(x < 0, np.pi, 0)[:, None]) for z in parts]
+    fields = [state.interior(abs(x)[:, None], z, friction=0.1, angle=np.where(x < 0, np.pi, 0)[:, None]) for z in parts]
     for axis, name in zip(axes, ("von Mises stress", "largest principal stress"), strict=True):
         values = [f.von_mises if name.startswith("von") else f.principal[..., 0] for f in fields]
         top = max(float(v.max()) for v in values) / 1e9
@@ -343,7 +343,7 @@ def conduction(quick: bool) -> Any:
     film, steel = mdr.Elastic(150e9, 0.2, mdr.Conductor(1.0)), mdr.Elastic(210e9, 0.3, mdr.Conductor(45.0))
     body = mdr.Coated(film, 2e-6, steel)
     contact = mdr.Contact(mdr.Paraboloid(3e-3), mdr.Pair(body, mdr.Homogeneous(steel)))
-    heat = mdr.Conduction(contact.medium).friction_heat(contact, contact.at_radius(6e-6), 0.15, 1.0)
+    heat = mdr.Conduction(contact.medium).friction_heat(contact.at_radius(6e-6), 0.15, 1.0)
     x, z = np.linspace(0.0, 12.0, 25 if quick else 97), np.linspace(0.0, 6.0, 19 if quick else 73)
     half = np.asarray(heat.temperature(1e-6 * x[None, :], 1e-6 * z[:, None]))
     drawn = axes[0].contourf(np.r_[-x[:0:-1], x], z, np.hstack([half[:, :0:-1], half]), levels=20, cmap="inferno")

@@ -69,7 +69,7 @@ def media() -> Iterator[Row]:
 def states() -> Iterator[Row]:
     for profile_name, profile in labelled(every_profile()):
         for name, medium in labelled(every_medium()):
-            yield f"state {profile_name} {name}", lambda p=profile, m=medium: mdr.Contact(p, m).at_depth(4e-8)[1:4]
+            yield f"state {profile_name} {name}", lambda p=profile, m=medium: tuple(mdr.Contact(p, m).at_depth(4e-8))[1:4]
 
 
 def contacts() -> Iterator[Row]:
@@ -93,14 +93,14 @@ def contacts() -> Iterator[Row]:
 def fields(contact: mdr.Contact) -> Any:
     state = contact.at_depth(4e-8)
     at = float(state.radius) * np.array([0.2, 0.9])
-    yield contact.pressure(at, state), contact.line_load(at, state), contact.displacement(3.0 * at, state)
-    yield contact.elastic_energy(state), contact.displacement(3.0 * at, state, body="upper")
+    yield state.pressure(at), state.line_load(at), state.displacement(3.0 * at)
+    yield state.energy(), state.displacement(3.0 * at, body="upper")
 
 
 def interior(contact: mdr.Contact, body: str, friction: float) -> Any:
     state = contact.at_depth(4e-8)
     r, z = float(state.radius) * np.array([[0.3, 1.1], [0.2, 0.7]])
-    return contact.interior(r, z, state, body=body, friction=friction, angle=0.4)
+    return state.interior(r, z, body=body, friction=friction, angle=0.4)
 
 
 def adhesive(medium: mdr.Medium) -> Any:
@@ -135,7 +135,7 @@ def paths() -> Iterator[Row]:
         yield f"law {name}", lambda c=contact: compiled(c)
         yield f"adhesive law {name}", lambda c=loaded: compiled(c)
         yield f"friction law {name}", lambda c=contact: sliders(c)
-        yield f"critical {name}", lambda c=contact: c.critical(c.at_depth(4e-8), friction=0.2)
+        yield f"critical {name}", lambda c=contact: c.at_depth(4e-8).critical(friction=0.2)
         yield f"failure {name}", lambda c=contact: failures(c)
     gel, polymer = mdr.Viscoelastic(1e6, [(2e6, 0.3), (5e5, 3.0)], nu=0.4), mdr.Viscoelastic(2e6, [(1e6, 1.0)], bulk_modulus=8e6)
     power = mdr.PowerLawRheology(1e6, 1.0, 0.3, 0.5)

@@ -54,7 +54,7 @@ for depth in (0.05, 0.1):
 print(f"largest deviation {largest:.1e}")
 assert largest < 3e-4
 one = contact.at_depth(0.05)
-bulge = -float(contact.displacement(0.8, depth=one.depth))
+bulge = -float(contact.at_depth(one.depth).displacement(0.8))
 two = press(balls(-0.4, 0.4), one.depth) / (2.0 * one.force) - 1.0
 expected = bulge * one.stiffness / one.force
 print(f"two balls 0.8 mm apart: {100 * two:.2f} % more than twice the force of one, {100 * expected:.2f} % by the bulge")

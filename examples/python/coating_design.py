@@ -35,7 +35,7 @@ def failure_loads(coating, strengths):
     curves = np.full((len(strengths), len(A_OVER_H), 2), np.nan)
     for i, a in enumerate(A_OVER_H):
         state = contact.at_radius(a)
-        found = contact.critical(state)
+        found = state.critical()
         film, substrate = found.layers
         stresses = found.surface.value, film.von_mises.value, substrate.von_mises.value, found.interfaces[0].shear.value
         for j, (stress, strength) in enumerate(zip(stresses, strengths, strict=True)):

@@ -39,13 +39,13 @@ def main() -> None:
 
     figure, axes = plt.subplots(1, 3, figsize=(12.0, 3.9), layout="constrained")
     deep = np.linspace(0.0, 3e-6, 151)
-    for name, contact, state, color in zip(names, contacts, states, ("#D55E00", "0.45"), strict=True):
-        axes[0].plot(deep / 1e-6, -contact.interior(0.0, deep, state).s_zz / mean_pressure(state), color=color, label=name)
+    for name, state, color in zip(names, states, ("#D55E00", "0.45"), strict=True):
+        axes[0].plot(deep / 1e-6, -state.interior(0.0, deep).s_zz / mean_pressure(state), color=color, label=name)
     axes[0].axvline(THICKNESS / 1e-6, color="0.8", linewidth=0.8)
     axes[0].set(xlabel="depth below the contact's centre [µm]", ylabel="normal stress over mean pressure", xlim=(0.0, 3.0))
     axes[0].legend()
-    for axis, name, contact, state in zip(axes[1:], names, contacts, states, strict=True):
-        pressure = -contact.interior(r[:, None], z[None, :], state).s_zz / mean_pressure(state)
+    for axis, name, state in zip(axes[1:], names, states, strict=True):
+        pressure = -state.interior(r[:, None], z[None, :]).s_zz / mean_pressure(state)
         both = np.concatenate([pressure[:0:-1], pressure]).T
         x = np.concatenate([-r[:0:-1], r])
         drawn = axis.contourf(x / 1e-6, z / 1e-6, both, levels=np.linspace(0.0, 1.5, 16), cmap="magma_r", extend="both")
@@ -55,10 +55,7 @@ def main() -> None:
     figure.colorbar(drawn, ax=axes[1:], label="normal stress over mean pressure", shrink=0.85)
     figure.savefig("graphite_layer.png", dpi=150)
 
-    arrives = [
-        -contact.interior(0.0, THICKNESS, state).s_zz / mean_pressure(state)
-        for contact, state in zip(contacts, states, strict=True)
-    ]
+    arrives = [-state.interior(0.0, THICKNESS).s_zz / mean_pressure(state) for state in states]
     print(f"contact radius {RADIUS / 1e-6:g} µm, mean pressure {mean_pressure(states[0]) / 1e9:.2f} GPa")
     print(f"normal stress at the substrate: {arrives[0]:.2f} of the mean pressure, {arrives[1]:.2f} in the isotropic reading")
     print(f"E_eff: {contacts[0].medium.modulus(RADIUS) / 1e9:.1f} GPa, {contacts[1].medium.modulus(RADIUS) / 1e9:.1f} GPa")

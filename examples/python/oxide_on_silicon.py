@@ -28,7 +28,7 @@ def main() -> None:
         left.semilogx(a_over_h, coated.modulus(a_over_h * THICKNESS) / 1e9, dashes, label=model)
         contact = mdr.Contact(mdr.Sphere(10e-6), coated)
         r = np.linspace(0.0, THICKNESS, 200)
-        right.plot(r / 1e-9, contact.pressure(r, radius=THICKNESS) / 1e9, dashes, label=model)
+        right.plot(r / 1e-9, contact.at_radius(THICKNESS).pressure(r) / 1e9, dashes, label=model)
     for material, name in ((OXIDE, "oxide"), (SILICON, "silicon")):
         left.axhline(material.contact_modulus / 1e9, color="0.6", linewidth=0.8)
         left.annotate(name, (1e-2, material.contact_modulus / 1e9), xytext=(2, -11), textcoords="offset points", color="0.4")

@@ -32,9 +32,9 @@ def main() -> None:
     contacts = [contact_on(mdr.Interface(tangential=ratio * BONDED)) for ratio in SOFTER]
     for i, contact in enumerate(contacts):
         state = contact.at_force(FORCE)
-        critical = contact.critical(state, friction=MU)
+        critical = state.critical(friction=MU)
         r = np.linspace(0.0, 3.0 * state.radius, 200)
-        under = contact.interior(r, np.full_like(r, THICKNESS), state, side="above", friction=MU, angle=np.pi)
+        under = state.interior(r, np.full_like(r, THICKNESS), side="above", friction=MU, angle=np.pi)
         found[:, i] = critical.surface.value, np.max(under.s_rr), critical.interfaces[0].shear.value
 
     figure, axes = plt.subplots(1, 3, figsize=(13.0, 3.9), layout="constrained")
@@ -48,7 +48,7 @@ def main() -> None:
     for axis, contact, title in zip(axes[1:], (contacts[0], contact_on(None)), ("weak interface", "bonded"), strict=True):
         state = contact.at_force(FORCE)
         x, z = np.linspace(-3e-6, 3e-6, 121), np.linspace(0.0, 2e-6, 61)
-        field = contact.interior(abs(x)[:, None], z[None, :], state, friction=MU, angle=np.where(x < 0.0, np.pi, 0.0)[:, None])
+        field = state.interior(abs(x)[:, None], z[None, :], friction=MU, angle=np.where(x < 0.0, np.pi, 0.0)[:, None])
         drawn = axis.contourf(x / 1e-6, z / 1e-6, field.s_rr.T / 1e9, levels=np.linspace(-12, 12, 25), cmap="RdBu_r", extend="both")
         axis.axhline(THICKNESS / 1e-6, color="k", linewidth=0.8)
         axis.set(xlabel="x [µm], the tip slides to the right", ylabel="z [µm]", title=title)

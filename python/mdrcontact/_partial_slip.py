@@ -10,7 +10,7 @@ from typing import Any, Generic, Protocol, TypeVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._boundary import FloatOrArray, Handle, call, evaluate, evaluate_all, number, numbers, together, whole
+from ._boundary import FloatOrArray, Handle, call, evaluate, evaluate_all, number, numbers, whole
 from .adhesion import code
 from .contact import Contact, State
 from .errors import ArgumentTypeError
@@ -123,8 +123,7 @@ def normal_rows(contact: Contact, normal: Normal) -> NDArray[np.float64]:
         state = contact.at_radius(radius)
     if not isinstance(state, State):
         raise ArgumentTypeError(f"state = {state!r} is not allowed: it must be a State; a force is given as force=...")
-    named = zip(state._fields, state, strict=True)
-    return np.stack(together(**{f"{member} of the state": value for member, value in named}), axis=-1)
+    return state._rows()
 
 
 def _one(rows: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -29,9 +29,9 @@ from ._boundary import (
 from ._value import Value
 from .adhesion import code
 from .conductor import conduction_of, flux_compliance
-from .contact import Contact, State
 from .errors import InvalidArgumentError
 from .interior import BODIES
+from .state import State
 
 __all__ = ["Conduction", "TabulatedConduction", "Spot", "FrictionHeat", "ContactConductance"]
 
@@ -65,11 +65,8 @@ def _at_points(r: ArrayLike, z: ArrayLike, function: Callable[..., Any]) -> Floa
 
 def _rows(states: State) -> tuple[NDArray[np.float64], tuple[int, ...]]:
     """States as the library takes them, and their shape."""
-    shape = np.shape(states.radius)
-    if not shape:
-        return np.array([states], float), shape
-    rows = np.stack([np.broadcast_to(np.asarray(value, float), shape) for value in states], axis=-1).reshape(-1, len(states))
-    return np.ascontiguousarray(rows), shape
+    rows = states._rows()
+    return np.ascontiguousarray(rows.reshape(-1, rows.shape[-1])), rows.shape[:-1]
 
 
 class ContactConductance(NamedTuple):
@@ -168,21 +165,21 @@ class Conduction(Value):
         """
         return TabulatedConduction(self.body, self.other, self.film, self.sink, smallest, largest, tolerance)
 
-    def along(self, contact: Contact, states: State) -> ContactConductance:
+    def along(self, states: State) -> ContactConductance:
         """Conductance of states of a contact, and how it grows with force and depth: G'(a)/F'(a), G'(a)/d'(a)."""
         rows, shape = _rows(states)
-        status, *values = _native.conduction_along(self._handle.address, contact._handle.address, rows)
+        status, *values = _native.conduction_along(self._handle.address, states._owner._handle.address, rows)
         check(status, single=not shape)
         return ContactConductance(*(value.reshape(shape) if shape else float(value[0]) for value in values))
 
-    def rough(self, contact: Contact, state: State, kappa: float) -> float:
+    def rough(self, state: State, kappa: float) -> float:
         """Steady conductance of one state between rough surfaces: area resistance kappa/p(r) in the spot, by the pressure of the
         state, in place of `film`.
 
         kappa : > 0, area resistance times pressure [modulus length^2/conductance]
         """
-        row = contact._one(state)
-        return float(call(_native.conduction_rough, self._handle.address, contact._handle.address, row, number("kappa", kappa)))
+        contact = state._owner._handle.address
+        return float(call(_native.conduction_rough, self._handle.address, contact, state._row(), number("kappa", kappa)))
 
     def step_flux(self, r: ArrayLike, time: float, radius: float) -> FloatOrArray:
         """Flux density through a spot without a film at 0 <= r < a, a time after a step of its potential to 1."""
@@ -190,7 +187,7 @@ class Conduction(Value):
         return evaluate("r", r, lambda points: _native.conduction_step_flux(self._handle.address, a, t, points))
 
     def friction_heat(
-        self, contact: Contact, states: State, mu: float, speed: float, motion: str = "sliding", source_speed: float | None = None
+        self, states: State, mu: float, speed: float, motion: str = "sliding", source_speed: float | None = None
     ) -> FrictionHeat:
         """The heat of friction of states, any shape, q = mu speed p(r), and its temperatures.
 
@@ -204,6 +201,7 @@ class Conduction(Value):
         strength = number("mu", mu) * number("speed", speed)
         over = strength and (number("speed", speed) if source_speed is None else number("source_speed", source_speed))
         rows, shape = _rows(states)
+        contact = states._owner
         given = (self._handle.address, contact._handle.address, rows, kind, strength, over)
         status, values = _native.conduction_heat(*given)
         check(status, single=not shape)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""An indenter on a medium: states from depth, force or radius, and the fields of a state (theory 4)."""
+"""An indenter on a medium: its states from depth, force or radius, its cycles and histories (theory 4)."""
 
 from __future__ import annotations
 
@@ -7,79 +7,27 @@ import contextlib
 import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from . import _layout, _native, critical, failure, history, interior, poroelastic, rate_adhesion, sensitivity
-from ._boundary import ComplexOrArray, FloatOrArray, Handle, address, call, evaluate, evaluate_all, number, record, row
+from . import _layout, _native, failure, history, poroelastic, rate_adhesion
+from ._boundary import ComplexOrArray, FloatOrArray, Handle, address, evaluate_all, number, record, row
+from ._doubts import Doubts
 from ._value import Value
-from ._warn import warn
 from .adhesion import BRANCHES, RULES, Loop, PullOff, code, loop, pull_offs
-from .critical import Critical
-from .errors import (
-    ArgumentTypeError,
-    InteriorAccuracyWarning,
-    InvalidArgumentError,
-    LargeStrainWarning,
-    MDRError,
-    NoConvergenceError,
-    NotOneDiscWarning,
-    ShortZoneWarning,
-    UnitsWarning,
-)
+from .errors import ArgumentTypeError, InvalidArgumentError, MDRError
 from .failure import Failure
 from .history import AdhesiveHistory, History
-from .interior import Interior
 from .medium import Medium
-from .profile import Paraboloid, Profile
+from .profile import Profile
 from .rate_adhesion import RateAdhesion, RateHistory, RheologicalAdhesion
+from .state import State, state_of
 
 __all__ = ["Contact", "State"]
 
-_NOTICEABLE = 1e-4
-"""A negative pressure of this part of the mean pressure is more than the solver's error; of the depth, an overlap."""
-_DEEPER = 1.2
-"""States this much deeper than those looked at before are checked for doubts."""
-_BEYOND = np.geomspace(1.1, 60.0, 30)
-"""Radii, in contact radii, at which the surface beyond the contact is looked at."""
-
 Table = tuple[tuple[float, ...], tuple[float, ...]]
-
-_WARNINGS = {
-    _layout.WARNING_SLOPE: LargeStrainWarning,
-    _layout.WARNING_PRESSURE: LargeStrainWarning,
-    _layout.WARNING_COMPRESSION: LargeStrainWarning,
-    _layout.WARNING_CONTRAST: UnitsWarning,
-    _layout.WARNING_SHORT_ZONE: ShortZoneWarning,
-    _layout.WARNING_WETTING: LargeStrainWarning,
-}
-"""Doubts about a state, in the order of the library's sentences."""
-_BODIES = {"lower": 0, "upper": 1}
-
-
-class State(NamedTuple):
-    """States of a contact; each entry has the shape of the input, or is a float."""
-
-    depth: FloatOrArray
-    """d, indentation depth, positive into the medium [length]"""
-    radius: FloatOrArray
-    """a, contact radius [length]"""
-    force: FloatOrArray
-    """F, normal force, positive in compression [modulus length^2]"""
-    stiffness: FloatOrArray
-    """k = dF/dd = 2 a E_eff(a), contact stiffness [modulus length]"""
-    excess: FloatOrArray = 0.0
-    """depth beyond that of the non-adhesive state of this radius [length]: 0 without adhesion, less than 0 with it, the whole depth
-    under a flat punch"""
-    zone_radius: FloatOrArray = 0.0
-    """c, outer radius of the cohesive zone [length]: the bodies pull on each other where a < r < c; 0 without a cohesive stress.
-    With radius 0 they attract each other without contact"""
-
-    def one(self, index: Any) -> State:
-        """One of several states, as the fields of a contact take it: `states.one(3)`, `states.one((0, 2))`."""
-        return State(*(float(np.asarray(value)[index]) for value in self))
 
 
 @dataclass(frozen=True)
@@ -113,11 +61,7 @@ class Contact(Value):
     adhesion: RateAdhesion | RheologicalAdhesion | None
     _rates: list[tuple[Handle, float]] = field(init=False, repr=False, compare=False)
     """the library's contact with a rate and its largest radius, once there was a history"""
-    _looked_at: set[int] | None = field(init=False, repr=False, compare=False)
-    _warned: list[Any] = field(init=False, repr=False, compare=False)
-    """up to which depth no state needs to be looked at, then the kinds of warnings that were given"""
-    _compared: dict[tuple[str | float, ...], tuple[int, float | None]] = field(init=False, repr=False, compare=False)
-    """of the last body and state looked into: points so far, and their deviation on the surface once it is known"""
+    _doubts: Doubts = field(init=False, repr=False, compare=False)
 
     def __init__(
         self,
@@ -154,9 +98,7 @@ class Contact(Value):
         self._set(_handle=handle, indenter=indenter, medium=medium)
         self._set(work_of_adhesion=gamma, adhesion_rule=adhesion_rule, zeta=given, cohesive_stress=sigma)
         self._set(adhesion=adhesion, _rates=[])
-        may_bend = getattr(medium, "model", None) == "exact" or _has_plate(medium)
-        may_open = gamma == 0.0 and may_bend and not isinstance(indenter, Paraboloid)
-        self._set(_looked_at=set() if may_open else None, _warned=[-math.inf], _compared={})
+        self._set(_doubts=Doubts(self))
 
     def at_depth(self, depth: ArrayLike, branch: str = "unloading") -> State:
         """The stable states at indentation depths d >= 0 [length], any shape; with adhesion down to the pull-off depth.
@@ -325,141 +267,6 @@ class Contact(Value):
         """
         return loop(self, control, largest, points, spring_stiffness)
 
-    def pressure(
-        self,
-        r: ArrayLike,
-        state: State | None = None,
-        *,
-        depth: float | None = None,
-        force: float | None = None,
-        radius: float | None = None,
-        branch: str = "unloading",
-    ) -> FloatOrArray:
-        """Contact pressure p(r) [modulus], equation (6), at 0 <= r <= a, any shape, of one state: one that `at_depth` and the like
-        gave, or the one with this depth, force or radius.
-
-        Infinite where theory says so: at the edge of a flat punch, at the apex of a cone; minus infinity at an adhesive edge.
-        With a cohesive stress sigma r goes up to the zone's end c; p is finite at a and -sigma where a < r < c.
-        branch : which state of that depth or force, as in `at_depth`
-        """
-        return self._field(_layout.FIELD_PRESSURE, "r", r, state, depth, force, radius, branch)
-
-    def displacement(
-        self,
-        r: ArrayLike,
-        state: State | None = None,
-        *,
-        depth: float | None = None,
-        force: float | None = None,
-        radius: float | None = None,
-        branch: str = "unloading",
-        body: str | None = None,
-    ) -> FloatOrArray:
-        """Surface displacement u(r) [length], positive into the medium, at r >= 0, any shape, of one state. Inside the contact it
-        is d - f(r), outside it is the free surface, with the neck of an adhesive contact. Arguments as of `pressure`.
-
-        body : of two deformable bodies (`Pair`) "lower" or "upper", each positive into its own body; None: their sum. u(0) of
-            each is its part of the approach. Where the lower surface was flat, "lower" is the shape of the interface for r <= a
-        """
-        field = _layout.FIELD_DISPLACEMENT
-        if body is not None:
-            field = (_layout.FIELD_DISPLACEMENT_LOWER, _layout.FIELD_DISPLACEMENT_UPPER)[code("body", body, _BODIES)]
-        return self._field(field, "r", r, state, depth, force, radius, branch)
-
-    def elastic_energy(
-        self,
-        state: State | None = None,
-        *,
-        depth: float | None = None,
-        force: float | None = None,
-        radius: float | None = None,
-        branch: str = "unloading",
-        body: str | None = None,
-    ) -> float:
-        """Elastic energy [modulus length^3] of one state: the work of the force from first touch; with adhesion the energy
-        gained by the surfaces, pi a^2 work_of_adhesion, comes on top. Arguments as of `displacement`; body=None: of both. With a
-        cohesive stress the energy of the zone is int (sigma h - gamma) over it, h its gap."""
-        energies = call(_native.contact_energy, self._handle.address, self._row(state, depth, force, radius, branch))
-        return float(sum(energies) if body is None else energies[code("body", body, _BODIES)])
-
-    def line_load(
-        self,
-        x: ArrayLike,
-        state: State | None = None,
-        *,
-        depth: float | None = None,
-        force: float | None = None,
-        radius: float | None = None,
-        branch: str = "unloading",
-    ) -> FloatOrArray:
-        """Line load q(x) [modulus length] of the one-dimensional springs, equations (5), (21), at 0 <= x <= a, or up to
-        the end of a cohesive zone, any shape, of one state. Arguments as of `pressure`."""
-        return self._field(_layout.FIELD_LINE_LOAD, "x", x, state, depth, force, radius, branch)
-
-    def lowest_pressure(self, state: State) -> tuple[float, float]:
-        """The smallest p(r) [modulus] of one state without adhesion, and its r [length]: 0, at the edge, where none is negative.
-        Below 0 the contact is not one disc and its pressure not that of the true contact (see `NotOneDiscWarning`)."""
-        pressure, r = call(_native.contact_lowest_pressure, self._handle.address, self._one(state))
-        return float(pressure), float(r)
-
-    def gradient(self, state: State) -> dict[str, float]:
-        """dF/dp at the depth of one state, for the constants p of the bodies and R of a paraboloid: by reciprocity, exact, without
-        solving a contact again; for fits, design and propagation of errors. At a given force the depth changes by -dF/dp/k.
-
-        The names are those of `medium.parameters()`: "E", "nu" of a homogeneous body; "coating.E", "coating.C44", "thickness",
-        "substrate.nu"; "layers[0].E", "layers[0].prestress", "layers[0].interface.normal" and so on, but for those that are 0; and
-        "radius". Of homogeneous, coated and layered elastic bodies under the model "exact", without adhesion, up to contact radii
-        of 100 thicknesses of the top layer; all else is refused (InvalidArgumentError), and indenters whose line load has kinks
-        (NoConvergenceError).
-        """
-        return sensitivity.gradient(self, state)
-
-    def warnings(self, state: State) -> tuple[str, ...]:
-        """Doubts about the numbers of one state: slopes and strains that are not small, moduli in two units; empty where
-        nothing does. States are looked at as they are made, and a `LargeStrainWarning` and a `UnitsWarning` are given once for each
-        contact."""
-        return tuple(self._cautions(state)[1])
-
-    def interior(
-        self,
-        r: ArrayLike,
-        z: ArrayLike,
-        state: State,
-        body: str = "lower",
-        side: str = "below",
-        friction: float = 0.0,
-        angle: ArrayLike = 0.0,
-    ) -> Interior:
-        """Displacements and stresses inside a homogeneous, coated, layered or graded body.
-
-        r, z : distance from the axis and depth into the body, >= 0 [length], any shapes that broadcast; grids of few distinct r and
-            z, as r[:, None] and z[None, :], cost far less than as many scattered points
-        state : one state of this contact, as `at_force` and the like give
-        body : "lower", or "upper" of two deformable bodies
-        side : at an interface s_rr, s_tt and s_rt jump: the values "below" it (larger z) or "above"
-        friction : f >= 0; the contact slides with traction f p(r) in +x on the lower body and -f p(r) on the upper one, p being
-            that of the contact without friction (Goodman); not with adhesion
-        angle : azimuth of the points from +x [radian]
-
-        Infinite where theory says so: on the surface at the edge of a flat punch or an adhesive contact, at the apex of a cone, at
-        the edge of a flat end. Under an approximate model it is the field in the body under the model's own pressure, whose surface
-        does not fit the indenter. Graded bodies take up to some seconds for each 64 depths.
-
-        The field of a state is compared with the contact's pressure and displacement on the surface, once it was given at 1000
-        points: an `InteriorAccuracyWarning` where it deviates by more than 1e-8 and 10 times the medium's tolerance, refused
-        beyond 1e-3.
-        """
-        row = self._one(state)
-        found = interior.interior(self._handle.address, r, z, row, body, side, friction, angle)
-        self._compare(body, row, np.size(found.s_zz))
-        return found
-
-    def critical(self, state: State, body: str = "lower", friction: float = 0.0) -> Critical:
-        """What decides whether a coating cracks, yields or peels: the largest stresses in each layer, at the surface outside the
-        contact and at each interface, where they are, and the elastic energy of each layer. Arguments as of `interior`; with
-        friction in the plane of sliding."""
-        return critical.critical(self, state, body, friction)
-
     def first_failure(
         self,
         strengths: Mapping[str, Sequence[float | None]],
@@ -486,149 +293,32 @@ class Contact(Value):
             kept[:] = [(rate_adhesion.sampled(self._handle, law, largest), largest)]
         return kept[0][0]
 
-    def _one(self, state: State | None) -> list[float]:
-        """One state as the library takes it."""
-        if not isinstance(state, State):
-            raise ArgumentTypeError(f"state = {state!r} is not allowed: it must be a State; a radius is given as radius=...")
-        return [number(f"{member} of the state", value) for member, value in zip(state._fields, state, strict=True)]
-
     def _states(self, name: str, given: int, values: ArrayLike, branch: str) -> State:
         states = self._solve(name, given, values, branch)
         depth = states.depth
         deepest = depth if isinstance(depth, float) else depth.max(initial=-math.inf)
-        if deepest > self._warned[0]:
-            self._warn_of(states)
+        if deepest > self._doubts.seen:
+            self._doubts.of(states)
         return states
 
     def _solve(self, name: str, given: int, values: ArrayLike, branch: str = "unloading") -> State:
         """States without a warning of large strains, as a search needs them."""
         chosen = code("branch", branch, BRANCHES)
-        states = State(*evaluate_all(name, values, lambda v: _native.contact_states(self._handle.address, given, chosen, v)))
-        if self._looked_at is not None:
-            self._look_at(states)
+        found = evaluate_all(name, values, lambda v: _native.contact_states(self._handle.address, given, chosen, v))
+        states = state_of(found, self)
+        if self._doubts.may_open:
+            self._doubts.look(states)
         return states
 
     def _silent(self) -> Contact:
         """Itself, which gives no such warnings any more: a contact in units of its own, that no user sees."""
-        self._warned[0] = math.inf
+        self._doubts.seen = math.inf
         return self
-
-    def _warn_of(self, states: State) -> None:
-        """Gives a warning of each kind that was not given yet, of the deepest of the states."""
-        one = isinstance(states.depth, float)
-        deepest = states if one else states.one(np.unravel_index(np.argmax(states.depth), np.shape(states.depth)))
-        self._warned[0] = max(_DEEPER * float(deepest.depth), 0.0)
-        codes, texts = self._cautions(deepest)
-        for code_of, text in zip(codes, texts, strict=True):
-            kind = _WARNINGS[code_of]
-            if kind not in self._warned:
-                self._warned.append(kind)
-                warn(text, kind)
 
     def _warn_at(self, depth: float) -> None:
         """Looks at the state of a depth that the library reached without a state of Python's."""
         with contextlib.suppress(MDRError):
             self._states("depth", _layout.GIVEN_DEPTH, depth, "unloading")
-
-    def _cautions(self, state: State) -> tuple[list[int], list[str]]:
-        """Codes and texts of the doubts about one state."""
-        buffer = np.zeros(1000, np.uint8)
-        found = call(_native.contact_warnings, self._handle.address, self._one(state), address(buffer), buffer.size)
-        return [code for code in _WARNINGS if found & code], bytes(buffer).rstrip(b"\0").decode().splitlines()
-
-    def _compare(self, body: str, row: list[float], points: int) -> None:
-        """Warns of a field inside that deviates from the surface of its contact, or refuses it."""
-        key: tuple[str | float, ...] = (body, *row)
-        so_far, deviation = self._compared.get(key, (0, None))
-        if deviation is None:
-            so_far += points
-            if so_far >= interior.ENOUGH_POINTS:
-                deviation = interior.deviation(self._handle.address, row, body)
-            self._compared.clear()
-            self._compared[key] = so_far, deviation
-        if deviation is None or deviation <= max(interior.USUAL, interior.TOLERANCES * self.medium._tolerance()):
-            return
-        text = (
-            f"displacements and stresses inside are off by about {deviation:.1e} of the depth and of the largest pressure: by that "
-            "they differ on the surface from the displacement and the pressure of the contact"
-        )
-        if deviation > interior.WRONG:
-            raise NoConvergenceError(text)
-        if InteriorAccuracyWarning not in self._warned:
-            self._warned.append(InteriorAccuracyWarning)
-            warn(text, InteriorAccuracyWarning)
-
-    def _look_at(self, states: State) -> None:
-        """Warns where the contact is not one disc: looks at the largest of the states and at some smaller ones, at a radius of
-        about the same size only once."""
-        columns = np.array([np.ravel(column) for column in np.broadcast_arrays(*states)])
-        order = np.argsort(columns[1])
-        for place in order[[-1, len(order) // 2, len(order) // 4]] if len(order) else ():
-            row = columns[:, place]
-            size = round(4.0 * math.log2(row[1])) if row[1] > 0.0 else None
-            if size is None or self._looked_at is None or size in self._looked_at:
-                continue
-            self._looked_at.add(size)
-            fault = self._fault(State(*(float(value) for value in row)))
-            if fault:
-                self._set(_looked_at=None)
-                off = (
-                    "nor are depth and force: a plate does not follow a tip or a flank that no plate can take the shape of"
-                    if _has_plate(self.medium)
-                    else "F(d) is off by at most a few per cent where the coating is up to 200 times stiffer than the body"
-                )
-                warn(
-                    f"this contact is not one disc: {fault} (contact radius {row[1]:.3g}). Its pressure is not that of the true "
-                    f"contact; {off}",
-                    NotOneDiscWarning,
-                )
-                return
-
-    def _fault(self, state: State) -> str:
-        """Where the one disc of a state pulls, or the surface beyond it passes through the indenter; empty if neither."""
-        try:
-            pressure, r = self.lowest_pressure(state)
-            if pressure * math.pi * float(state.radius) ** 2 < -_NOTICEABLE * float(state.force):
-                return f"without adhesion its pressure would be {pressure:.3g} at r = {r:.3g}"
-            beyond = float(state.radius) * _BEYOND
-            gap = np.asarray(self.displacement(beyond, state) - state.depth + self.indenter.height(beyond))
-        except MDRError:
-            return ""
-        place = int(np.argmin(gap))
-        if gap[place] >= -_NOTICEABLE * float(state.depth):
-            return ""
-        return f"the surface beyond it would pass through the indenter, by {-gap[place]:.3g} at r = {beyond[place]:.3g}"
-
-    def _field(
-        self,
-        field: int,
-        name: str,
-        points: ArrayLike,
-        state: State | None,
-        depth: float | None,
-        force: float | None,
-        radius: float | None,
-        branch: str,
-    ) -> FloatOrArray:
-        row = self._row(state, depth, force, radius, branch)
-        return evaluate(name, points, lambda r: _native.contact_field(self._handle.address, field, row, r))
-
-    def _row(self, state: State | None, depth: float | None, force: float | None, radius: float | None, branch: str) -> list[float]:
-        """The numbers of the one state that is meant."""
-        if sum(value is not None for value in (state, depth, force, radius)) != 1:
-            raise ArgumentTypeError("a field or an energy needs one of state, depth, force and radius, and not more")
-        if depth is not None:
-            state = self.at_depth(number("depth", depth), branch)
-        elif force is not None:
-            state = self.at_force(number("force", force), branch)
-        elif radius is not None:
-            state = self.at_radius(number("radius", radius))
-        return self._one(state)
-
-
-def _has_plate(medium: Medium) -> bool:
-    """Whether its surface carries a plate."""
-    return getattr(getattr(medium, "surface", None), "bending", 0.0) > 0.0
 
 
 def _table(zeta: Any) -> Table:

@@ -91,10 +91,10 @@ def layers_of(medium: Any, body: str = "lower") -> tuple[list[float], bool]:
     raise InvalidArgumentError(f"a {type(medium).__name__} has no layers to look into: use interior(...) for its stresses")
 
 
-def critical(contact: Any, state: Any, body: str, friction: float) -> Critical:
-    """What `Contact.critical` returns."""
-    search = Search(contact, state, body, friction)
-    energies = layer_energies(contact._handle.address, contact._one(state), body, len(search.faces))
+def critical(state: Any, body: str, friction: float) -> Critical:
+    """What `State.critical` returns."""
+    search = Search(state, body, friction)
+    energies = layer_energies(state, body, len(search.faces))
     layers = [
         LayerMaxima(search.in_layer(i, von_mises), search.in_layer(i, _tresca), search.in_layer(i, tension), float(energies[i]))
         for i in range(search.layers)
@@ -132,19 +132,19 @@ Measure = Callable[[Interior], NDArray[np.float64]]
 class Search:
     """Maxima of one state in the plane of sliding: on a grid, then on ever smaller ones around the largest value."""
 
-    def __init__(self, contact: Any, state: Any, body: str, friction: float, zooms: int = ZOOMS) -> None:
-        contact._one(state)
+    def __init__(self, state: Any, body: str, friction: float, zooms: int = ZOOMS) -> None:
+        contact, _ = state._owner, state._row()
         thicknesses, rigid = layers_of(contact.medium, body)
         self.faces = np.concatenate([[0.0], np.cumsum(thicknesses)])
         """upper faces of the layers [length]"""
         self.layers = len(self.faces) - rigid
-        self._contact, self.state, self._body, self._friction, self._zooms = contact, state, body, friction, zooms
+        self.state, self._body, self._friction, self._zooms = state, body, friction, zooms
         self._radius = float(state.radius)
         if not self._radius > 0.0:
             raise InvalidArgumentError("the contact radius of the state must be greater than 0: there is no contact")
         self._angles = (0.0, math.pi) if friction else (0.0,)
         places = {0.0, self._radius, *(b for b in _flat_ends(contact.indenter) if b < self._radius)}
-        self._singular = [r for r in sorted(places) if not math.isfinite(contact.interior(r, 0.0, state, body).s_zz)]
+        self._singular = [r for r in sorted(places) if not math.isfinite(state.interior(r, 0.0, body).s_zz)]
         self._grids: dict[tuple[float, ...], tuple[Any, Any, list[Interior]]] = {}
 
     def in_layer(self, i: int, measure: Measure) -> Maximum:
@@ -196,9 +196,8 @@ class Search:
         return best
 
     def _field(self, r: NDArray[np.float64], z: NDArray[np.float64], angle: float) -> Interior:
-        field: Interior = self._contact.interior(
-            r[:, None], z[None, :], self.state, self._body, side="above", friction=self._friction, angle=angle
-        )
+        where = r[:, None], z[None, :], self._body, "above", self._friction, angle
+        field: Interior = self.state.interior(*where)
         return field
 
     def _top(self, values: NDArray[np.float64], r: NDArray[np.float64], z: NDArray[np.float64]) -> tuple[float, tuple[int, int]]:

@@ -65,7 +65,7 @@ def first_failure(
         ) -> float:
             if radius not in known:
                 state = contact._solve("radius", _layout.GIVEN_RADIUS, radius)
-                known[radius] = Search(contact, state, body, friction, 0 if known is coarse else ZOOMS)
+                known[radius] = Search(state, body, friction, 0 if known is coarse else ZOOMS)
             top = _measure(known[radius], mode, place)
             return 0.0 if known[radius].is_beside_edge(top) else top.value / strength
 
@@ -74,7 +74,7 @@ def first_failure(
             radius = _root(lambda radius: ratio(radius, fine), *bracket) if bracket[1] > bracket[0] else bracket[0]
             ratio(radius, fine)
             search = fine[radius]
-            contact._warn_of(search.state)
+            contact._doubts.of(search.state)
             found.append(Failure(mode, place, strength, search.state, _measure(search, mode, place)))
     return tuple(sorted(found, key=lambda failure: float(failure.state.force)))
 
@@ -82,7 +82,7 @@ def first_failure(
 def _under_punch(contact: Any, wanted: list[tuple[str, int, float]], body: str, friction: float) -> tuple[Failure, ...]:
     """A contact of one radius: its stresses grow with the depth, so that one state suffices."""
     state = contact.at_depth(1e-3 * contact.indenter.radius)
-    search = Search(contact, state, body, friction)
+    search = Search(state, body, friction)
     found = []
     for mode, place, strength in wanted:
         top = _measure(search, mode, place)

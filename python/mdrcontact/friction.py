@@ -16,9 +16,10 @@ from ._boundary import FloatOrArray, Handle, call, number, together, whole
 from ._partial_slip import Given, Normal, PartialSlip, draw_loop, normal_rows
 from ._value import Value
 from ._warn import warn
-from .contact import Contact, State
+from .contact import Contact
 from .errors import ArgumentTypeError, InvalidArgumentError, MDRError, SlipInsideWarning
 from .medium import Homogeneous
+from .state import State, state_of
 from .torsion import Torsion
 
 __all__ = ["Friction", "FrictionHistory", "FrictionLoop", "TangentialState"]
@@ -227,7 +228,7 @@ class Friction(Value):
             self._looked_at.add(size)
             rows = normal_rows(self.contact, normal)
             row = np.broadcast_to(rows, (*np.shape(found.shift), rows.shape[-1]))[place]
-            fault = self._fault(shear, State(*(float(value) for value in row)))
+            fault = self._fault(shear, state_of(row.tolist(), self.contact))
             if fault:
                 warn(
                     f"slip would begin inside this contact: {fault}. Partial slip as an annulus at the edge is not that of the "
@@ -245,7 +246,7 @@ class Friction(Value):
                 shear = _SLIP.states(self, "shift", _NEARLY * _SLIP.sliding(self, normal), normal)
             r = float(shear.stick_radius) * _INSIDE
             traction = np.abs(self.traction(r, shear, state))
-            limit = self.coefficient * np.asarray(self.contact.pressure(r, state))
+            limit = self.coefficient * np.asarray(state.pressure(r))
         except MDRError:
             return ""
         worst = int(np.argmax(traction - limit))
@@ -280,7 +281,7 @@ class FrictionHistory:
         self._given = friction, largest_depth, rings
         self._steps = array("d")
         self.friction = friction
-        self.state = State(0.0, 0.0, 0.0, 0.0)
+        self.state = state_of([0.0] * 6, friction.contact)
         """the normal state reached"""
         self.shear = TangentialState(0.0, 0.0, 0.0, 0.0, 0.0, False)
         """the tangential state reached"""
@@ -320,7 +321,7 @@ class FrictionHistory:
             self._steps.frombytes(np.column_stack([*kinds, steps, along_steps]).tobytes())
         else:
             self._steps.extend((given, along_given, float(steps), float(along_steps)))
-        self.state = State(*(float(value) for value in states[-1]))
+        self.state = state_of(states[-1].tolist(), self.friction.contact)
         self.shear = TangentialState._make([*(float(value) for value in shears[-1][:5]), bool(shears[-1][5] > 0.5)])
         if not steps.ndim:
             return self.shear

@@ -86,7 +86,7 @@ def _like(given: FloatOrArray, values: Any, is_infinite: Any) -> FloatOrArray:
 def interior(
     handle: int, r: ArrayLike, z: ArrayLike, state: list[float], body: str, side: str, friction: float, angle: ArrayLike
 ) -> Interior:
-    """What `Contact.interior` returns, from the numbers of a state."""
+    """What `State.interior` returns, from the numbers of a state."""
     radii, depths, angles = together(r=r, z=z, angle=angle)
     if not radii.size:
         return Interior(*(np.empty(radii.shape) for _ in Interior._fields))
@@ -107,8 +107,9 @@ def deviation(handle: int, state: list[float], body: str) -> float:
         return 0.0
 
 
-def layer_energies(handle: int, state: list[float], body: str, layers: int) -> NDArray[np.float64]:
-    """Elastic energy of each of so many layers."""
-    status, energies, count = _native.contact_layer_energies(handle, code("body", body, BODIES), state, layers)
+def layer_energies(state: Any, body: str, layers: int) -> NDArray[np.float64]:
+    """Elastic energy of each of so many layers, of one state."""
+    handle = state._owner._handle.address
+    status, energies, count = _native.contact_layer_energies(handle, code("body", body, BODIES), state._row(), layers)
     check(status)
     return np.array(energies[:count])

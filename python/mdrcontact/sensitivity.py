@@ -39,8 +39,9 @@ _MECHANICAL = {"E", "nu", "thickness", "prestress", "normal", "tangential", "C11
 _MECHANICAL |= {"E_t", "E_z", "nu_t", "nu_tz", "G_z"}
 
 
-def gradient(contact: Any, state: Any) -> dict[str, float]:
-    """See `Contact.gradient`."""
+def gradient(state: Any) -> dict[str, float]:
+    """See `State.gradient`."""
+    contact = state._owner
     surface_layer = _surface_layer(contact.medium)
     if contact.work_of_adhesion:
         raise InvalidArgumentError("work_of_adhesion is not allowed: derivatives are known of contacts without adhesion")
@@ -52,7 +53,7 @@ def gradient(contact: Any, state: Any) -> dict[str, float]:
             f"state is not allowed: its radius {state.radius:g} is above {1 / SMALLEST_LAYER:g} thicknesses of the top layer"
         )
     top = 25.0 / thinnest / (1.0 if surface_layer is None else _decay(surface_layer.material))
-    x, q, q1 = _line_loads(contact, state, top)
+    x, q, q1 = _line_loads(state, top)
     k, weights = (np.zeros(0), np.zeros(0)) if surface_layer is None else _octaves(top, state.radius)
     waves = weights * _transform(x, q, k) * _transform(x, q1, k)
     surface = 1.0 if surface_layer is None else 16.0 * top
@@ -151,15 +152,15 @@ def _octaves(top: float, a: float) -> tuple[Reals, Reals]:
     return np.concatenate([part[0] for part in parts]), np.concatenate([part[1] for part in parts])
 
 
-def _line_loads(contact: Any, state: Any, top: float) -> tuple[tuple[Reals, Reals], Reals, Reals]:
+def _line_loads(state: Any, top: float) -> tuple[tuple[Reals, Reals], Reals, Reals]:
     """Nodes with one over their weights, q and q1 times weights; as many that F and k come out."""
     a = state.radius
-    punch = type(contact)(FlatPunch(a), contact.medium)
-    small = punch.at_depth(1e-6 * a)
+    contact = state.contact
+    small = type(contact)(FlatPunch(a), contact.medium).at_depth(1e-6 * a)
     waves = top * a if math.isfinite(top) else 0.0
     for count in (100, 200, 400, 800):
         x, weights = _nodes(count + math.ceil(waves), 0.0, a * (1.0 - 1e-13))
-        q, q1 = weights * contact.line_load(x, state), weights * punch.line_load(x, small) / small.depth
+        q, q1 = weights * state.line_load(x), weights * small.line_load(x) / small.depth
         errors = 2.0 * q.sum() / state.force - 1.0, 2.0 * q1.sum() / state.stiffness - 1.0
         if max(map(abs, errors)) < TOLERANCE:
             return (x, weights), q, q1

@@ -14,10 +14,11 @@ from . import _layout, _native
 from ._boundary import FloatOrArray, Handle, address, call, evaluate, number, numbers, record, row, together, whole
 from ._choices import nearest
 from ._value import Value
-from .contact import Contact, State
+from .contact import Contact
 from .errors import ArgumentTypeError, InvalidArgumentError
 from .medium import Coated, Layered, Medium
 from .profile.base import Profile
+from .state import State, state_of
 
 __all__ = [
     "Wear",
@@ -143,7 +144,7 @@ class Wear(Value):
         c, rows = number("stick_radius", stick_radius), _row(state)
         reached, rim, volume, made = call(_native.wear_limit, self._handle.address, rows, c, given)
         profile = WornProfile(self, "limit", (*rows.tolist(), c, float(given)), _made=made)
-        return WearLimit(State(*(float(value) for value in np.ravel(reached))), rim, volume, profile)
+        return WearLimit(state_of(np.ravel(reached).tolist(), self.contact), rim, volume, profile)
 
     def track(self, y: ArrayLike, state: State, passes: float = 1.0) -> FloatOrArray:
         """Depth of the track that the sliding indenter leaves in the body after so many passes, k N q(y), at distances y >= 0 from
@@ -265,10 +266,7 @@ def _led(force: Any, depth: Any) -> tuple[str, float]:
 def _row(state: State) -> NDArray[np.float64]:
     if not isinstance(state, State):
         raise ArgumentTypeError(f"state = {state!r} is not allowed: it must be a State of the contact")
-    rows = np.array([numbers(name, value) for name, value in zip(state._fields, state, strict=True)])
-    if rows.ndim != 1:
-        raise ArgumentTypeError("state is not allowed: it must be one state, not several; state.one(0) is one of them")
-    return rows
+    return np.array(state._row())
 
 
 @dataclass(frozen=True)

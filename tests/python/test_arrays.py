@@ -17,7 +17,7 @@ def test_any_shape(coated, shape):
     assert all(entry.shape == shape and entry.dtype == np.float64 for entry in state)
     assert coated.medium.modulus(depth).shape == shape
     assert coated.indenter.mdr(depth).shape == shape
-    assert coated.pressure(depth, depth=1e-8).shape == shape
+    assert coated.at_depth(1e-8).pressure(depth).shape == shape
     assert mdr.weight_i0(depth).shape == shape
 
 
@@ -65,8 +65,9 @@ def test_masked_elements_are_refused(coated):
 
 def test_state_unpacks(coated):
     depth, radius, force, stiffness, excess, zone_radius = coated.at_depth(1e-8)
-    state = mdr.State(depth, radius, force, stiffness, excess, zone_radius)
-    assert state == coated.at_depth(1e-8)
+    state = mdr.State(depth, radius, force, stiffness, excess, zone_radius, coated)
+    assert state == coated.at_depth(1e-8) and len(state) == 6
+    assert repr(state) == repr(mdr.State(*state)) and state != mdr.State(*state)
     assert state._fields == ("depth", "radius", "force", "stiffness", "excess", "zone_radius")
 
 
@@ -90,10 +91,16 @@ def test_every_medium_has_a_modulus(medium):
 def test_fields_of_a_state(body, gamma):
     contact = mdr.Contact(mdr.Paraboloid(1e-5), body, work_of_adhesion=gamma)
     states = contact.at_depth([2e-8, 5e-8])
-    state, r = states.one(1), np.linspace(0.0, 0.9, 5) * states.radius[1]
-    for field in (contact.pressure, contact.displacement, contact.line_load):
-        np.testing.assert_array_equal(field(r, state), field(r, depth=5e-8))
-        np.testing.assert_allclose(field(r, state), field(r, radius=state.radius), rtol=1e-8)
+    state, r = states[1], np.linspace(0.0, 0.9, 5) * states.radius[1]
+    others, several = contact.at_radius(state.radius), np.stack([0.5 * r, r])
+    for name in ("pressure", "displacement", "line_load"):
+        field = getattr(state, name)(r)
+        np.testing.assert_array_equal(field, getattr(contact.at_depth(5e-8), name)(r))
+        np.testing.assert_allclose(field, getattr(others, name)(r), rtol=1e-8)
+        np.testing.assert_array_equal(getattr(states, name)(several)[1], field)
+        assert getattr(states, name)([0.0, 0.0]).shape == (2,)
+    np.testing.assert_array_equal(states.energy(), [one.energy() for one in (states[0], states[1])])
+    np.testing.assert_array_equal(states[states.depth > 3e-8].depth, [5e-8])
     # the excess is what the adhesive edge lacks of the non-adhesive depth
     plain = mdr.Contact(mdr.Paraboloid(1e-5), body).at_radius(state.radius)
     assert state.excess == pytest.approx(state.depth - plain.depth, rel=1e-6, abs=1e-18)
@@ -102,19 +109,22 @@ def test_fields_of_a_state(body, gamma):
 
 def test_what_is_no_state_is_refused(coated):
     states = coated.at_depth([1e-8, 2e-8])
-    for wrong in (1e-6, states, (1.0, 2.0)):
-        with pytest.raises(mdr.ArgumentTypeError, match="state"):
-            coated.pressure(0.0, wrong)
-    with pytest.raises(mdr.ArgumentTypeError, match="one of state, depth, force and radius"):
-        coated.pressure(0.0, states.one(0), depth=1e-8)
+    with pytest.raises(mdr.ArgumentTypeError, match="begin with that"):
+        states.pressure(0.0)
+    with pytest.raises(mdr.ArgumentTypeError, match=r"states of shape \(2,\)"):
+        states.lowest_pressure()
+    with pytest.raises(mdr.ArgumentTypeError, match="has no contact"):
+        mdr.State(*states[0]).energy()
+    with pytest.raises(IndexError):
+        states[0][0]
     with pytest.raises(mdr.InvalidArgumentError, match="no contact"):
-        coated.pressure(0.0, coated.at_depth(0.0))
+        coated.at_depth(0.0).pressure(0.0)
     with pytest.raises(mdr.InvalidArgumentError, match="excess"):
-        coated.pressure(0.0, states.one(0)._replace(excess=float("nan")))
+        states[0]._replace(excess=float("nan")).pressure(0.0)
 
 
 def test_a_flat_punch_is_all_excess():
     contact = mdr.Contact(mdr.FlatPunch(1e-6), mdr.Homogeneous(SILICON))
     state = contact.at_depth(1e-8)
     assert state.excess == pytest.approx(1e-8)
-    assert contact.line_load(0.0, state) == pytest.approx(SILICON.contact_modulus * 1e-8)
+    assert state.line_load(0.0) == pytest.approx(SILICON.contact_modulus * 1e-8)

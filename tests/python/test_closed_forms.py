@@ -127,10 +127,10 @@ def test_pressure_and_line_load_integrate_to_the_force(coated):
 
     # r = a sin t takes the square root at the edge away
     def ring(t):
-        return 2 * math.pi * a * math.sin(t) * coated.pressure(a * math.sin(t), depth=80e-9) * a * math.cos(t)
+        return 2 * math.pi * a * math.sin(t) * coated.at_depth(80e-9).pressure(a * math.sin(t)) * a * math.cos(t)
 
     p, _ = quad(ring, 0, math.pi / 2)
-    q, _ = quad(lambda x: 2 * coated.line_load(x, depth=80e-9), 0, a)
+    q, _ = quad(lambda x: 2 * coated.at_depth(80e-9).line_load(x), 0, a)
     assert p == pytest.approx(state.force, rel=1e-8)
     assert q == pytest.approx(state.force, rel=1e-8)
 
@@ -138,8 +138,8 @@ def test_pressure_and_line_load_integrate_to_the_force(coated):
 def test_displacement_inside_is_the_indenter(coated):
     state = coated.at_depth(80e-9)
     r = np.linspace(0, 0.99 * state.radius, 5)
-    assert coated.displacement(r, depth=80e-9) == pytest.approx(80e-9 - coated.indenter.height(r), rel=CLOSED)
-    assert coated.displacement(1.0, depth=80e-9) < 1e-9 * 80e-9 * 1e3
+    assert coated.at_depth(80e-9).displacement(r) == pytest.approx(80e-9 - coated.indenter.height(r), rel=CLOSED)
+    assert coated.at_depth(80e-9).displacement(1.0) < 1e-9 * 80e-9 * 1e3
 
 
 def test_graded_function_and_table_and_layers_agree():
@@ -166,8 +166,8 @@ def test_flat_punch_needs_a_depth():
     contact = mdr.Contact(mdr.FlatPunch(1e-6), mdr.Homogeneous(OXIDE))
     r = np.array([0.0, 5e-7, 9e-7])
     expected = E_STAR * 1e-8 / (math.pi * np.sqrt(1e-12 - r**2))
-    assert contact.pressure(r, depth=1e-8) == pytest.approx(expected, rel=1e-10)
-    assert contact.pressure(r, force=2 * 1e-6 * E_STAR * 1e-8) == pytest.approx(expected, rel=1e-10)
+    assert contact.at_depth(1e-8).pressure(r) == pytest.approx(expected, rel=1e-10)
+    assert contact.at_force(2 * 1e-6 * E_STAR * 1e-8).pressure(r) == pytest.approx(expected, rel=1e-10)
     with pytest.raises(mdr.UnreachableError):
-        contact.pressure(r, radius=1e-6)
-    assert contact.pressure(1e-6, depth=1e-8) == math.inf
+        contact.at_radius(1e-6).pressure(r)
+    assert contact.at_depth(1e-8).pressure(1e-6) == math.inf

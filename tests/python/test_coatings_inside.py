@@ -17,12 +17,12 @@ Z = np.array([0.0, 0.05, 0.4, 1.0, 1.7])
 
 def field(contact, state, r, z, **options):
     r, z = np.broadcast_arrays(r, z)
-    return np.array(contact.interior(r, z, state, **options))
+    return np.array(state.interior(r, z, **options))
 
 
 def stored(contact, state, layers):
     """Energies of the layers and the half-space."""
-    return layer_energies(contact._handle.address, contact._one(state), "lower", layers)
+    return layer_energies(state, "lower", layers)
 
 
 @pytest.mark.filterwarnings("ignore::mdrcontact.LargeStrainWarning")
@@ -38,8 +38,8 @@ def test_fields_are_those_of_another_solver():
         r, z = float(row["r"]), float(row["z"])
         true = np.array([float(row[name]) for name in NAMES])
         unit = np.repeat([abs(true[:2]).max(), abs(true[2:]).max()], [2, 4])
-        point = contact.interior(r, z, state, side="above")
-        grid = contact.interior(np.array([[r], [r + 0.1]]), np.array([[z, 0.9 * z]]), state, side="above")
+        point = state.interior(r, z, side="above")
+        grid = state.interior(np.array([[r], [r + 0.1]]), np.array([[z, 0.9 * z]]), side="above")
         for found in (point, grid):
             found = np.array([np.ravel(getattr(found, name))[0] for name in NAMES])
             worst = max(worst, np.max(abs(found - true) / unit))
@@ -113,7 +113,7 @@ def test_equilibrium_and_hookes_law_inside(friction):
 
         def at(dr=0.0, dz=0.0, dphi=0.0):
             options = {"friction": friction, "angle": phi + dphi} if friction else {}
-            return contact.interior(r + dr, z + dz, state, **options)
+            return state.interior(r + dr, z + dz, **options)
 
         def slope(name, axis):
             values = [getattr(at(**{axis: n * step}), name) for n in (-2, -1, 1, 2)]
@@ -151,7 +151,7 @@ def test_displacements_jump_at_springs_and_energies_add_up():
         medium = mdr.Layered([mdr.Layer(random_material(rng), 0.6, interface=springs), mdr.Layer(GAN, 0.5)], random_material(rng))
         contact = mdr.Contact(mdr.Paraboloid(10.0), medium)
         state = contact.at_radius(1.0)
-        above, below = (contact.interior(R, 0.6, state, side=side) for side in ("above", "below"))
+        above, below = (state.interior(R, 0.6, side=side) for side in ("above", "below"))
         for name in ("s_zz", "s_rz"):
             np.testing.assert_allclose(getattr(below, name), getattr(above, name), rtol=0, atol=1e-9 * abs(above.s_zz).max())
         # u_z points down: what lies above sinks further
@@ -160,7 +160,7 @@ def test_displacements_jump_at_springs_and_energies_add_up():
         np.testing.assert_allclose(below.u_r - above.u_r, above.s_rz / tangential, rtol=0, atol=1e-9 * unit)
         energies = stored(contact, state, 3)
         assert min(energies) > 0.0
-        assert sum(energies) == pytest.approx(contact.elastic_energy(state), rel=1e-9)
+        assert sum(energies) == pytest.approx(state.energy(), rel=1e-9)
 
 
 def test_surface_is_the_contact():
@@ -169,12 +169,12 @@ def test_surface_is_the_contact():
     for _ in range(4):
         contact = mdr.Contact(mdr.Paraboloid(10.0), mdr.Layered([(random_material(rng), 0.8)], random_material(rng)))
         state = contact.at_radius(1.0)
-        inside = contact.interior(R[:3], 0.0, state)
-        np.testing.assert_allclose(inside.s_zz, -contact.pressure(R[:3], state), rtol=0, atol=1e-9 * state.force)
-        np.testing.assert_allclose(inside.u_z, contact.displacement(R[:3], state), rtol=0, atol=1e-9 * state.depth)
+        inside = state.interior(R[:3], 0.0)
+        np.testing.assert_allclose(inside.s_zz, -state.pressure(R[:3]), rtol=0, atol=1e-9 * state.force)
+        np.testing.assert_allclose(inside.u_z, state.displacement(R[:3]), rtol=0, atol=1e-9 * state.depth)
     punch = mdr.Contact(mdr.FlatPunch(1.0), mdr.Homogeneous(GRAPHITE))
-    edge = punch.interior(1.0, 0.0, punch.at_depth(0.01))
-    near = punch.interior(1.0, 1e-9, punch.at_depth(0.01))
+    edge = punch.at_depth(0.01).interior(1.0, 0.0)
+    near = punch.at_depth(0.01).interior(1.0, 1e-9)
     for name in ("s_rr", "s_tt", "s_zz"):
         assert np.isinf(getattr(edge, name))
     assert edge.s_zz < 0.0
@@ -184,11 +184,11 @@ def test_surface_is_the_contact():
 def test_what_is_refused():
     film = mdr.Contact(mdr.Paraboloid(1.0), mdr.Layered([mdr.Layer(GAN, 1.0, prestress=1.0)], GAN))
     with pytest.raises(ValueError, match="layers under a prestress"):
-        film.interior(0.0, 0.5, film.at_depth(0.01))
+        film.at_depth(0.01).interior(0.0, 0.5)
     sliding = mdr.Contact(mdr.Paraboloid(1.0), mdr.Layered([mdr.Layer(GAN, 1.0, interface=mdr.SLIDING)], GAN))
-    assert sliding.interior(0.0, 0.5, sliding.at_depth(0.01)).s_zz < 0.0
+    assert sliding.at_depth(0.01).interior(0.0, 0.5).s_zz < 0.0
     with pytest.raises(ValueError, match="friction must be 0 on a layer that slides"):
-        sliding.interior(0.0, 0.5, sliding.at_depth(0.01), friction=0.1)
+        sliding.at_depth(0.01).interior(0.0, 0.5, friction=0.1)
 
 
 def test_what_decides_in_a_weakly_bonded_film():
@@ -198,10 +198,10 @@ def test_what_decides_in_a_weakly_bonded_film():
     for name, below in (("bonded", None), ("weak", mdr.Interface(tangential=1.0)), ("slides", mdr.SLIDING)):
         contact = mdr.Contact(mdr.Paraboloid(10.0), mdr.Layered([mdr.Layer(film, 1.0, interface=below)], base))
         state = contact.at_radius(1.0)
-        found[name] = contact.critical(state), contact.interior(0.0, 1.0, state, side="above").s_rr / state.force
+        found[name] = state.critical(), state.interior(0.0, 1.0, side="above").s_rr / state.force
     assert found["bonded"][1] < found["weak"][1] < found["slides"][1]
     assert found["slides"][0].interfaces[0].shear.value < 1e-6 * found["bonded"][0].interfaces[0].shear.value
     smooth = mdr.Contact(mdr.Paraboloid(10.0), mdr.Coated(film, 1.0, mdr.SMOOTH))
-    critical = smooth.critical(smooth.at_force(1.0))
-    assert sum(layer.energy for layer in critical.layers) == pytest.approx(smooth.elastic_energy(smooth.at_force(1.0)), rel=1e-9)
+    critical = smooth.at_force(1.0).critical()
+    assert sum(layer.energy for layer in critical.layers) == pytest.approx(smooth.at_force(1.0).energy(), rel=1e-9)
     assert smooth.first_failure({"yield": [3.0]})[0].at.value == pytest.approx(3.0, rel=1e-6)

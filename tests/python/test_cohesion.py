@@ -38,10 +38,10 @@ def total_energy(contact, state):
     gamma, sigma = contact.work_of_adhesion, contact.cohesive_stress
 
     def of_gap(r):
-        return sigma * (contact.displacement(r, state) - state.depth + contact.indenter.height(r)) - gamma
+        return sigma * (state.displacement(r) - state.depth + contact.indenter.height(r)) - gamma
 
     zone = integral(of_gap, state.radius, state.zone_radius)
-    return contact.elastic_energy(state) + zone - math.pi * state.radius**2 * gamma
+    return state.energy() + zone - math.pi * state.radius**2 * gamma
 
 
 @pytest.mark.parametrize("body", [HALF_SPACE, FILM], ids=["half-space", "film"])
@@ -65,20 +65,20 @@ def test_pressure_bears_the_force_and_the_gap_closes(tip, body):
         c = state.zone_radius
 
         def pressure(r, state=state):
-            return contact.pressure(r, state)
+            return state.pressure(r)
 
         corners = [0.0, 0.3, radius, c] if tip not in (PARABOLOID, CONE) else [0.0, radius, c]
         borne = sum(integral(pressure, low, high) for low, high in zip(corners[:-1], corners[1:], strict=True))
         # the pressure has a sharp corner at the rim of a flat end
         assert borne == pytest.approx(state.force, rel=1e-8 if tip in (PARABOLOID, CONE) else 1e-6)
-        assert contact.pressure([radius, 0.5 * (radius + c), c], state) == pytest.approx([-0.8] * 3, rel=1e-13)
+        assert state.pressure([radius, 0.5 * (radius + c), c]) == pytest.approx([-0.8] * 3, rel=1e-13)
         r = radius + (c - radius) * np.array([1e-3, 0.2, 0.5, 0.8, 1.0, 1.5, 4.0])
-        gap = contact.displacement(r, state) - state.depth + tip.height(r)
+        gap = state.displacement(r) - state.depth + tip.height(r)
         assert np.all(np.diff(gap) > 0.0) and gap[0] > 0.0
         assert gap[4] == pytest.approx(0.5 / 0.8, rel=1e-9)
         if body is not PAIR:
             x = np.linspace(0.0, c, 9)
-            assert contact.line_load(x, state)[-1] == 0.0
+            assert state.line_load(x)[-1] == 0.0
 
 
 @pytest.mark.parametrize("body", BODIES.values(), ids=BODIES)
@@ -111,7 +111,7 @@ def test_loop_loses_what_the_jumps_lose(body, stress, control):
         if a > 0.0:
             return stored + total_energy(contact, contact.at_radius(a))
         zone = math.sqrt(-force / (math.pi * stress))
-        return stored + total_energy(contact, mdr.State(d, 0.0, force, 0.0, d, zone))
+        return stored + total_energy(contact, mdr.State(d, 0.0, force, 0.0, d, zone, contact))
 
     lost = sum(energy(i) - energy(i + 1) for i in loop.jumps)
     assert loop.dissipated_energy == pytest.approx(lost, rel=1e-6, abs=1e-7)
@@ -126,7 +126,7 @@ def test_bodies_attract_each_other_before_they_touch():
     touch = contact.at_radius(0.0)
     assert touch.zone_radius > first.zone_radius
     assert touch.force == pytest.approx(-math.pi * 0.05 * touch.zone_radius**2, rel=1e-13)
-    gaps = contact.displacement([0.0, 0.5 * first.zone_radius, first.zone_radius], first)
+    gaps = first.displacement([0.0, 0.5 * first.zone_radius, first.zone_radius])
     gaps = gaps - first.depth + PARABOLOID.height(np.array([0.0, 0.5, 1.0]) * first.zone_radius)
     assert np.all(np.diff(gaps) > 0.0) and gaps[-1] == pytest.approx(0.5 / 0.05, rel=1e-9)
     with pytest.raises(mdr.UnreachableError, match="attract each other from depth -10 on"):
@@ -166,18 +166,18 @@ def test_refusals():
     contact = mdr.Contact(PARABOLOID, FILM, work_of_adhesion=0.5, cohesive_stress=1.0)
     state = contact.at_radius(1.0)
     with pytest.raises(mdr.InvalidArgumentError, match="cohesive_stress"):
-        contact.interior(0.0, 0.5, state=state)
+        state.interior(0.0, 0.5)
     with pytest.raises(mdr.InvalidArgumentError, match="zone_radius"):
-        contact.pressure(0.5, state._replace(zone_radius=0.0))
+        state._replace(zone_radius=0.0).pressure(0.5)
     with pytest.raises(mdr.DomainError, match="at most"):
-        contact.pressure(1.1 * state.zone_radius, state)
+        state.pressure(1.1 * state.zone_radius)
 
 
 def test_a_zone_too_short_is_none_and_says_so():
     jkr = mdr.Contact(PARABOLOID, FILM, work_of_adhesion=0.5)
     with pytest.warns(mdr.ShortZoneWarning, match="without a range"):
         state = mdr.Contact(PARABOLOID, FILM, work_of_adhesion=0.5, cohesive_stress=1e7).at_depth(0.5)
-    assert state == jkr.at_depth(0.5)
+    assert tuple(state) == tuple(jkr.at_depth(0.5))
     with warnings.catch_warnings():
         warnings.simplefilter("error", mdr.ShortZoneWarning)
         near = mdr.Contact(PARABOLOID, FILM, work_of_adhesion=0.5, cohesive_stress=1e5).at_depth(0.5)

@@ -74,7 +74,7 @@ def test_curve_prints_and_writes_what_the_library_says(problem, capsys):
     head, rows = _rows("pressure.csv")
     assert head == ["depth [nm]", "r [nm]", "pressure [GPa]"]
     last = np.array([row for row in rows if float(row[0]) > 99.9], dtype=float)
-    expected = contact.pressure(last[:, 1] * 1e-9, depth=100e-9) / 1e9
+    expected = contact.at_depth(100e-9).pressure(last[:, 1] * 1e-9) / 1e9
     assert last[:, 2] == pytest.approx(expected, rel=1e-6)
 
 

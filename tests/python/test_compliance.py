@@ -64,13 +64,13 @@ def depth_by_waves(contact, state, medium, modulus):
     a = state.radius
     x, w = np.polynomial.legendre.leggauss(200)
     x, w = 0.5 * a * (x + 1.0), 0.5 * a * w
-    q = contact.line_load(x, depth=state.depth)
+    q = contact.at_depth(state.depth).line_load(x)
     t, v = np.polynomial.legendre.leggauss(40)
     # k from 0 to where the film is deep: exp(-2 k h) is below rounding
     k, v = (np.arange(80)[:, None] + 0.5 * (t + 1.0)).ravel(), np.tile(0.5 * v, 80)
     p = np.cos(np.outer(k, x)) @ (w * q) / np.pi
     own = 2.0 / (modulus * k)
-    return float(contact.line_load(0.0, depth=state.depth)) / modulus + float(np.sum(v * (medium.compliance(k) - own) * k * p))
+    return float(contact.at_depth(state.depth).line_load(0.0)) / modulus + float(np.sum(v * (medium.compliance(k) - own) * k * p))
 
 
 @pytest.mark.parametrize("tip", [mdr.Paraboloid(1.0), mdr.Cone(0.3), mdr.FlatPunch(0.7)])

@@ -53,7 +53,7 @@ def value_of(row):
     conduction = mdr.Conduction(body_of(row["body1"]), body_of(row["body2"]), given.get("Rc", 0.0), given.get("b"))
     if "Rm" in given:
         contact = mdr.Contact(mdr.Paraboloid(1.0), mdr.Homogeneous(mdr.Elastic(0.5 * np.pi / a, 0.0)))
-        return conduction.rough(contact, contact.at_radius(a), given["Rm"])
+        return conduction.rough(contact.at_radius(a), given["Rm"])
     if what == "j" and "t" in given:
         return conduction.step_flux(given["r"], given["t"], a)
     if "s" in given or "t" in given:
@@ -94,9 +94,8 @@ def heat_of(row):
     else:
         contact = contact_of(given, a)
     motion = row["group"].split()[0]
-    heat = conduction.friction_heat(
-        contact, contact.at_radius(a), 1.0, 1.0, {"moving": motion, "spinning": motion}.get(motion, "sliding"), given.get("v", 1.0)
-    )
+    kind = motion if motion in ("moving", "spinning") else "sliding"
+    heat = conduction.friction_heat(contact.at_radius(a), 1.0, 1.0, kind, given.get("v", 1.0))
     what = row["quantity"].split()[-1]
     return {"T0": heat.centre, "Tq": heat.flux_mean, "Ta": heat.area_mean, "F": heat.total, "fraction": heat.share}[what]
 
@@ -104,7 +103,7 @@ def heat_of(row):
 def coupled(row):
     """A contact and its conductance."""
     state = COUPLED.at_radius(float(row["a"]))
-    G = mdr.Conduction(body_of(row["body1"])).along(COUPLED, state).conductance
+    G = mdr.Conduction(body_of(row["body1"])).along(state).conductance
     return {"F": state.force, "k": state.stiffness, "d": state.depth, "G": G}[row["quantity"]]
 
 
@@ -335,14 +334,14 @@ def test_conductance_along_a_load(gamma):
     contact = mdr.Contact(mdr.Paraboloid(10.0), mdr.Coated(mdr.Elastic(5.0, 0.3), 1.0, mdr.Elastic(50.0, 0.3)), gamma)
     spot = mdr.Conduction(mdr.LayeredConductor([(mdr.Conductor(3.0), 1.0)], mdr.Conductor(1.0)))
     a, h = 1.5, 1e-3
-    found = spot.along(contact, contact.at_radius(a))
+    found = spot.along(contact.at_radius(a))
     states = contact.at_radius([a - 2 * h, a - h, a + h, a + 2 * h])
-    near = spot.along(contact, states).conductance
+    near = spot.along(states).conductance
     rate = lambda y: (8.0 * (y[2] - y[1]) - (y[3] - y[0])) / (12.0 * h)  # noqa: E731
     assert found.by_force == pytest.approx(rate(near) / rate(np.asarray(states.force)), rel=1e-7)
     assert found.by_depth == pytest.approx(rate(near) / rate(np.asarray(states.depth)), rel=1e-7)
     punch = mdr.Contact(mdr.FlatPunch(a), contact.medium)
-    assert spot.along(punch, punch.at_depth(0.1))[1:] == (0.0, 0.0)
+    assert spot.along(punch.at_depth(0.1))[1:] == (0.0, 0.0)
 
 
 def test_homogeneous_bodies_obey_barber():
@@ -351,7 +350,7 @@ def test_homogeneous_bodies_obey_barber():
         body = mdr.Homogeneous(material)
         contact = mdr.Contact(profile, body)
         state = contact.at_depth(0.1)
-        found = mdr.Conduction(body).along(contact, state)
+        found = mdr.Conduction(body).along(state)
         assert found.conductance == pytest.approx(4.0 * state.stiffness / material.contact_modulus, rel=1e-10)
 
 
@@ -360,22 +359,22 @@ def test_heat_of_homogeneous_bodies():
     body = mdr.Homogeneous(mdr.Elastic(2.0, 0.3))
     contact = mdr.Contact(mdr.Paraboloid(5.0), body)
     state = contact.at_radius(0.4)
-    heat = mdr.Conduction(mdr.Conductor(3.0)).friction_heat(contact, state, 0.2, 7.0)
+    heat = mdr.Conduction(mdr.Conductor(3.0)).friction_heat(state, 0.2, 7.0)
     assert heat.total == pytest.approx(1.4 * state.force, rel=1e-10)
     assert heat.centre == pytest.approx(3.0 * heat.total / (8.0 * 3.0 * 0.4), rel=1e-10)
     assert heat.flux_mean == pytest.approx(0.8 * heat.centre, rel=1e-10)
     assert heat.area_mean == pytest.approx(0.75 * heat.centre, rel=1e-10)
     assert heat.temperature(0.0, 0.0) == pytest.approx(heat.centre, rel=1e-9)
-    both = mdr.Conduction(mdr.Conductor(3.0), mdr.Conductor(1.0)).friction_heat(contact, state, 0.2, 7.0)
+    both = mdr.Conduction(mdr.Conductor(3.0), mdr.Conductor(1.0)).friction_heat(state, 0.2, 7.0)
     assert both.share == pytest.approx(0.75, rel=1e-12) and both.centre == pytest.approx(0.75 * heat.centre, rel=1e-12)
     cone = mdr.Contact(mdr.Cone(0.1), body)
     state = cone.at_radius(0.4)
-    heat = mdr.Conduction(mdr.Conductor(3.0)).friction_heat(cone, state, 1.0, 1.0)
+    heat = mdr.Conduction(mdr.Conductor(3.0)).friction_heat(state, 1.0, 1.0)
     assert heat.total == pytest.approx(state.force, rel=1e-9)
     # p = (E* tan(phi)/2) acosh(a/r), int_0^a p dr = (E* tan(phi)/2) a pi/2
     expected = 0.25 * np.pi * 0.4 * np.tan(0.1) * 2.0 / (1.0 - 0.09) / 3.0
     assert heat.centre == pytest.approx(expected, rel=1e-9)
-    still = mdr.Conduction(mdr.Conductor(3.0)).friction_heat(cone, state, 0.0, 1.0)
+    still = mdr.Conduction(mdr.Conductor(3.0)).friction_heat(state, 0.0, 1.0)
     assert still.total == 0.0 and still.centre == 0.0
 
 
@@ -384,7 +383,7 @@ def test_temperatures_near_kinks():
     body, S = mdr.Homogeneous(mdr.Elastic(2.0, 0.3)), 3.0
     conduction = mdr.Conduction(mdr.Conductor(S))
     cone = mdr.Contact(mdr.Cone(0.1), body)
-    heat = conduction.friction_heat(cone, cone.at_radius(0.4), 1.0, 1.0)
+    heat = conduction.friction_heat(cone.at_radius(0.4), 1.0, 1.0)
     r = np.concatenate([[0.0], np.geomspace(1e-6, 0.399, 25)])
     expected = heat.centre * (1.0 - r / (0.2 * np.pi))
     assert heat.temperature(r, 0.0) == pytest.approx(expected, abs=2e-3 * heat.centre)
@@ -393,7 +392,7 @@ def test_temperatures_near_kinks():
     b = 0.25
     blunt = mdr.Contact(mdr.FlatEndedCone(b, 0.1), body)
     state = blunt.at_radius(0.4)
-    heat = conduction.friction_heat(blunt, state, 1.0, 1.0)
+    heat = conduction.friction_heat(state, 1.0, 1.0)
     u, w = np.polynomial.legendre.leggauss(60)
     for x in (0.1, 0.24, 0.249, 0.25, 0.251, 0.26, 0.35):
         # x sin t, with the square root that starts at the kink from either side
@@ -401,14 +400,14 @@ def test_temperatures_near_kinks():
         total = 0.0
         for low, high in zip(ends, ends[1:], strict=False):
             t = low + (high - low) * (0.5 * (1.0 + u)) ** 2
-            total += np.sum(w * 0.5 * (1.0 + u) * (high - low) * blunt.line_load(np.minimum(x * np.sin(t), 0.4), state))
+            total += np.sum(w * 0.5 * (1.0 + u) * (high - low) * state.line_load(np.minimum(x * np.sin(t), 0.4)))
         assert heat.temperature(x, 0.0) == pytest.approx(total / (np.pi * S), abs=2e-3 * heat.centre)
 
 
 def test_heat_leaves_both_bodies_at_one_temperature():
     body = mdr.Homogeneous(mdr.Elastic(210.0, 0.3))
     contact = mdr.Contact(mdr.Paraboloid(1000.0), body)
-    heat = PAIR.friction_heat(contact, contact.at_radius(1.0), 1.0, 1.0)
+    heat = PAIR.friction_heat(contact.at_radius(1.0), 1.0, 1.0)
     r = np.array([0.0, 0.3, 0.6, 0.9])
     assert heat.temperature(r, 0.0) == pytest.approx(heat.temperature(r, 0.0, body="upper"), rel=1e-7)
     assert heat.temperature(0.0, 0.0) == pytest.approx(heat.centre, rel=1e-9)
@@ -418,9 +417,9 @@ def test_a_slow_source_rests():
     body = mdr.LayeredConductor([(mdr.Conductor(2.0, None, 1.0), 1.0)], mdr.Conductor(1.0, None, 3.0))
     contact = mdr.Contact(mdr.Paraboloid(10.0), mdr.Homogeneous(mdr.Elastic(2.0, 0.3)))
     state, conduction = contact.at_radius(1.0), mdr.Conduction(body)
-    rest = conduction.friction_heat(contact, state, 1.0, 1.0)
-    slow = conduction.friction_heat(contact, state, 1.0, 1.0, "moving", 1e-7)
-    fast = conduction.friction_heat(contact, state, 1.0, 1.0, "moving", 30.0)
+    rest = conduction.friction_heat(state, 1.0, 1.0)
+    slow = conduction.friction_heat(state, 1.0, 1.0, "moving", 1e-7)
+    fast = conduction.friction_heat(state, 1.0, 1.0, "moving", 30.0)
     assert slow.largest == pytest.approx(rest.centre, rel=1e-6) and slow.behind < 1e-3
     assert slow.centre == pytest.approx(rest.centre, rel=1e-6) and slow.flux_mean == pytest.approx(rest.flux_mean, rel=1e-6)
     assert fast.flux_mean < 0.6 * rest.flux_mean
@@ -448,7 +447,7 @@ def of_jaeger(x, y, v):
 def test_largest_temperature_of_a_moving_source(v):
     """Beside Jaeger's source, whose temperatures along the line are integrated at places around the one found."""
     contact = mdr.Contact(mdr.Paraboloid(1.0), mdr.Homogeneous(mdr.Elastic(0.5 * np.pi, 0.0)))
-    heat = mdr.Conduction(mdr.Conductor(1.0, None, 1.0)).friction_heat(contact, contact.at_radius(1.0), 1.0, 1.0, "moving", v)
+    heat = mdr.Conduction(mdr.Conductor(1.0, None, 1.0)).friction_heat(contact.at_radius(1.0), 1.0, 1.0, "moving", v)
     assert heat.centre == pytest.approx(of_jaeger(0.0, 0.0, v), rel=1e-5)
     assert heat.largest == pytest.approx(of_jaeger(heat.behind, 0.0, v), rel=1e-5)
     for step in (-0.05, 0.05):
@@ -462,10 +461,10 @@ def test_share_of_a_moving_source():
     contact = mdr.Contact(mdr.Paraboloid(10.0), mdr.Homogeneous(mdr.Elastic(2.0, 0.3)))
     state, body = contact.at_radius(1.0), mdr.Conductor(2.0, None, 1.0)
     both = mdr.Conduction(body, mdr.Conductor(1.0))
-    slow, fast = (both.friction_heat(contact, state, 1.0, 1.0, "moving", v) for v in (1e-7, 20.0))
+    slow, fast = (both.friction_heat(state, 1.0, 1.0, "moving", v) for v in (1e-7, 20.0))
     assert slow.share == pytest.approx(2.0 / 3.0, rel=1e-6) and fast.share > 0.8
-    moved = mdr.Conduction(body).friction_heat(contact, state, 1.0, 1.0, "moving", 20.0)
-    rest = mdr.Conduction(mdr.Conductor(1.0)).friction_heat(contact, state, 1.0, 1.0)
+    moved = mdr.Conduction(body).friction_heat(state, 1.0, 1.0, "moving", 20.0)
+    rest = mdr.Conduction(mdr.Conductor(1.0)).friction_heat(state, 1.0, 1.0)
     assert fast.flux_mean == pytest.approx(fast.share * moved.flux_mean, rel=1e-12)
     assert fast.flux_mean == pytest.approx((1.0 - fast.share) * rest.flux_mean, rel=1e-9)
     assert fast.largest == pytest.approx(fast.share * moved.largest, rel=1e-12) and fast.behind == moved.behind
@@ -476,11 +475,11 @@ def test_heat_of_many_states():
     coated = mdr.Coated(mdr.Elastic(10.0, 0.3, mdr.Conductor(0.1)), 1.0, mdr.Elastic(1.0, 0.3, mdr.Conductor(1.0)))
     contact, conduction = mdr.Contact(mdr.Paraboloid(1e3), coated), mdr.Conduction(coated)
     states = contact.at_radius([[0.1, 1.0, 3.0], [10.0, 30.0, 100.0]])
-    heat = conduction.friction_heat(contact, states, 0.2, 3.0)
+    heat = conduction.friction_heat(states, 0.2, 3.0)
     assert heat.centre.shape == (2, 3) and heat.largest is None
     assert heat.total == pytest.approx(0.6 * np.asarray(states.force), rel=1e-10)
     for i in range(6):
-        one = conduction.friction_heat(contact, contact.at_radius(float(np.ravel(states.radius)[i])), 0.2, 3.0)
+        one = conduction.friction_heat(contact.at_radius(float(np.ravel(states.radius)[i])), 0.2, 3.0)
         assert one.centre == heat.centre.flat[i] and one.flux_mean == heat.flux_mean.flat[i]
         assert one.temperature(0.0, 0.0) == pytest.approx(one.centre, rel=1e-8)
     with pytest.raises(mdr.MDRError, match="one state"):
@@ -600,7 +599,7 @@ def test_a_law_conducts(gamma):
     law = mdr.ContactLaw(contact, 0.5, tolerance=1e-8, conduction=conduction)
     depth = np.linspace(0.02, 0.45, 20)
     states = contact.at_depth(depth)
-    exact = conduction.along(contact, states)
+    exact = conduction.along(states)
     found, slope = law.conductance(depth)
     assert found == pytest.approx(exact.conductance, rel=2e-8)
     assert slope == pytest.approx(exact.by_depth, rel=1e-5)
@@ -637,7 +636,7 @@ def test_fits_find_what_made_the_data():
     true = mdr.Conduction(mdr.LayeredConductor([(tin, 1e-6), mdr.Interface(2e-14)], copper))
     contact = mdr.Contact(mdr.Paraboloid(1e-3), mdr.Coated(mdr.Elastic(50e9, 0.36), 1e-6, mdr.Elastic(117e9, 0.34)))
     force = np.geomspace(1e-4, 1.0, 40)
-    conductance = np.asarray(true.along(contact, contact.at_force(force)).conductance)
+    conductance = np.asarray(true.along(contact.at_force(force)).conductance)
     measured = conductance * (1.0 + 1e-3 * noise.standard_normal(40))
     start = true.replace(body=mdr.LayeredConductor([(mdr.Conductor(3e6), 1e-6), mdr.Interface(1e-14)], mdr.Conductor(30e6)))
     data = mdr.ConductanceForce(force, measured, contact, 1e-3 * conductance)

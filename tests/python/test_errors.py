@@ -108,9 +108,9 @@ WRONG_TYPE = [
     lambda: mdr.Contact(OXIDE, mdr.Homogeneous(OXIDE)),
     lambda: mdr.Contact(mdr.Cone(0.2), OXIDE),
     lambda: mdr.Contact(mdr.Cone(0.2), mdr.Homogeneous(OXIDE), zeta=1.2),
-    lambda: mdr.Contact(mdr.Cone(0.2), mdr.Homogeneous(OXIDE)).pressure(0.0),
-    lambda: mdr.Contact(mdr.Cone(0.2), mdr.Homogeneous(OXIDE)).pressure(0.0, 1.0, depth=1.0),
-    lambda: mdr.Contact(mdr.Cone(0.2), mdr.Homogeneous(OXIDE)).pressure(0.0, [1.0, 2.0]),
+    lambda: mdr.State(1.0, 1.0, 1.0, 1.0).pressure(0.0),
+    lambda: mdr.Contact(mdr.Cone(0.2), mdr.Homogeneous(OXIDE)).at_depth([1.0, 2.0]).pressure(0.0),
+    lambda: mdr.Contact(mdr.Cone(0.2), mdr.Homogeneous(OXIDE)).at_depth([1.0, 2.0]).interior(0.0, 0.0),
 ]
 
 
@@ -156,8 +156,8 @@ def test_models_outside_their_range():
 
 def test_points_outside_the_domain(coated):
     for make in (
-        lambda: coated.pressure(2e-6, radius=1e-6),
-        lambda: coated.line_load([0.0, 2e-6], radius=1e-6),
+        lambda: coated.at_radius(1e-6).pressure(2e-6),
+        lambda: coated.at_radius(1e-6).line_load([0.0, 2e-6]),
         lambda: mdr.Sphere(1.0).height(1.5),
         lambda: mdr.TabulatedProfile([0.0, 1.0, 1.5], [0.0, 1.0, 2.0]).mdr(2.0),
         lambda: mdr.CallableProfile(lambda r: r, 1.0).height(1.1),

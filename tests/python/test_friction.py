@@ -74,7 +74,7 @@ def test_the_traction_carries_the_force():
     parts = [quad(lambda x: pair.line_load(x, shear, state), *ends)[0] for ends in ((0.0, c), (c, a))]
     assert 2.0 * sum(parts) == pytest.approx(shear.tangential_force, rel=1e-9)
     outside = np.linspace(1.001 * c, a, 5)
-    np.testing.assert_allclose(pair.traction(outside, shear, state), MU * pair.contact.pressure(outside, state), rtol=1e-12)
+    np.testing.assert_allclose(pair.traction(outside, shear, state), MU * state.pressure(outside), rtol=1e-12)
 
 
 @pytest.mark.parametrize("control", ["shift", "force"])
@@ -535,7 +535,7 @@ def test_states_are_answered_where_the_pressure_is_refused(monkeypatch):
     def refuse(*_, **__):
         raise mdr.NoConvergenceError("a field did not reach its tolerance")
 
-    monkeypatch.setattr(mdr.Contact, "pressure", refuse)
+    monkeypatch.setattr(mdr.State, "pressure", refuse)
     found = friction.at_shift(0.005, state)
     assert 0.0 < found.tangential_force < 0.3 * state.force
     assert friction.loop(0.005, state=state, points=3).turn == found

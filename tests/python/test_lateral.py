@@ -207,7 +207,7 @@ def test_lateral_medium_in_a_contact():
     state = contact.at_depth(1e-7)
     assert state.stiffness == pytest.approx(2 * state.radius * body.modulus(5e-6, 5e-6, state.radius), rel=1e-4)
     r = np.sin(np.linspace(0.0, np.pi / 2, 2001)) * state.radius * (1 - 1e-12)
-    p = contact.pressure(r, radius=state.radius)
+    p = contact.at_radius(state.radius).pressure(r)
     assert trapezoid(2 * np.pi * r * p, r) == pytest.approx(state.force, rel=1e-4)
     assert pickle.loads(pickle.dumps(medium)) == medium
 

@@ -16,13 +16,13 @@ def test_states_and_fields_warn_once_for_a_contact() -> None:
     contact = mdr.Contact(mdr.PowerLaw(4.0, 1.0), STIFF)
     with pytest.warns(mdr.NotOneDiscWarning, match="at r = 0 .contact radius 2"):
         state = contact.at_radius(2.0)
-    pressure, r = contact.lowest_pressure(state)
-    assert r == 0.0 and pressure == contact.pressure(0.0, state)
+    pressure, r = state.lowest_pressure()
+    assert r == 0.0 and pressure == state.pressure(0.0)
     assert pressure == pytest.approx(-1.9 * state.force / (4.0 * np.pi), rel=0.05)
     with pytest.warns(mdr.NotOneDiscWarning):
         mdr.Contact(mdr.Cone(0.1), STIFF).at_depth(np.linspace(0.0, 1.0, 50))
     with pytest.warns(mdr.NotOneDiscWarning) as shown:
-        mdr.Contact(mdr.FlatPunch(1.5), STIFF).pressure([0.0, 1.0], depth=0.1)
+        mdr.Contact(mdr.FlatPunch(1.5), STIFF).at_depth(0.1).pressure([0.0, 1.0])
     assert shown[0].filename == __file__
 
 
@@ -31,10 +31,10 @@ def test_a_ring_of_contact_farther_out_is_seen() -> None:
     contact = mdr.Contact(mdr.Cone(0.1), film)
     with pytest.warns(mdr.NotOneDiscWarning, match="would pass through the indenter, by 0.*contact radius 0.6"):
         state = contact.at_radius(0.6)
-    assert contact.lowest_pressure(state) == (0.0, 0.6)
-    assert contact.displacement(9.0, state) > 0.0
+    assert state.lowest_pressure() == (0.0, 0.6)
+    assert state.displacement(9.0) > 0.0
     # a cone's flank is met by the bent film, u > d - f
-    assert contact.displacement(9.0, state) < state.depth - contact.indenter.height(9.0)
+    assert state.displacement(9.0) < state.depth - contact.indenter.height(9.0)
     # of several radii with this depth the smallest
     assert contact.at_depth(2.6).radius < 1.0 < 8.0 < contact.at_depth(2.7).radius
 
@@ -47,7 +47,7 @@ def test_no_false_alarms() -> None:
         warnings.simplefilter("ignore", mdr.LargeStrainWarning)
         for indenter in mdr.Paraboloid(1.0), mdr.Sphere(100.0), mdr.PowerLaw(2.0, 1.0):
             state = mdr.Contact(indenter, STIFF).at_radius([0.1, 1.0, 3.0, 10.0])
-            assert mdr.Contact(indenter, STIFF).lowest_pressure(state.one(2))[0] == 0.0
+            assert state[2].lowest_pressure()[0] == 0.0
         for indenter in mdr.Cone(0.1), mdr.PowerLaw(4.0, 1.0):
             mdr.Contact(indenter, soft).at_radius([0.1, 1.0, 3.0, 10.0])
             mdr.Contact(indenter, STIFF.with_model("gao")).at_radius([0.1, 1.0, 3.0, 10.0])

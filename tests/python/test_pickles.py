@@ -155,14 +155,14 @@ def results():
     adhesive = mdr.Contact(mdr.Paraboloid(5e-6), mdr.Coated(RUBBER, 2e-6, mdr.RIGID), 0.05)
     law = mdr.ContactLaw(CONTACT, 1e-7)
     state = CONTACT.at_depth(5e-8)
-    critical = CONTACT.critical(state)
+    critical = state.critical()
     return [
         CONTACT,
         state,
         CONTACT.at_depth(DEPTH),
         adhesive.pull_off(),
         adhesive.loop("force", 1e-6),
-        CONTACT.interior(0.0, 1e-7, state),
+        state.interior(0.0, 1e-7),
         critical,
         critical.layers[0],
         critical.layers[0].von_mises,
@@ -190,8 +190,8 @@ def conductors():
         mdr.PERFECT,
         mdr.INSULATING,
         conduction.at_radius(1e-6),
-        conduction.replace(film=0.0).friction_heat(CONTACT, CONTACT.at_depth(1e-8), 0.1, 1.0),
-        conduction.along(CONTACT, CONTACT.at_depth(1e-8)),
+        conduction.replace(film=0.0).friction_heat(CONTACT.at_depth(1e-8), 0.1, 1.0),
+        conduction.along(CONTACT.at_depth(1e-8)),
         conduction.replace(film=0.0).tabulated(1e-7, 1e-6, 1e-4),
         mdr.ConductanceForce([1e-6, 2e-6], [1.0, 1.2], CONTACT),
         mdr.Impedance([1.0, 10.0], [1.0 + 0.1j, 0.9], 1e-6),

@@ -43,4 +43,4 @@ def test_surface_pressure(row):
     assert state.depth == pytest.approx(float(row["d"]), rel=1e-12)
     assert state.force == pytest.approx(force, rel=1e-12)
     mean_pressure = abs(force) / (math.pi * a**2)
-    assert contact.pressure(float(row["r"]), state) == pytest.approx(-float(row["s_zz"]), abs=1e-10 * mean_pressure)
+    assert state.pressure(float(row["r"])) == pytest.approx(-float(row["s_zz"]), abs=1e-10 * mean_pressure)

@@ -114,9 +114,9 @@ class ByHankel:
         angle = 0.25 * np.pi * (1.0 + t)
         inside = 1.0 - 1e-15
         self.r = np.sin(angle)
-        pressure = contact.pressure(self.radius * self.r * inside, state)
+        pressure = state.pressure(self.radius * self.r * inside)
         # a disc of even pressure and the line force have closed transforms, which need no end of their waves
-        self.end = contact.pressure(self.radius * inside, state)
+        self.end = state.pressure(self.radius * inside)
         self.rings = (pressure - self.end) * self.r * np.cos(angle) * weight * 0.25 * np.pi
         self.line = state.force / (2.0 * np.pi * self.radius**2) - self.rings.sum() - 0.5 * self.end
         self.short, self.long = self.waves(last), self.waves(20.0 * last)
@@ -163,7 +163,7 @@ TENSION_LIMITS = np.array([1e-7, 5e-8, 1e-8, 1e-9, 5e-10])
 def test_displacement_outside_by_hankel_transforms(medium, a, allowed):
     contact = mdr.Contact(BALL, medium)
     state = contact.at_radius(a)
-    found = contact.displacement(OUTSIDE * a, state)
+    found = state.displacement(OUTSIDE * a)
     hankel = ByHankel(contact, state)
     assert np.all(np.abs(found - hankel.displacement(OUTSIDE)) < allowed * state.depth)
     if medium.surface.bending == 0.0:
@@ -178,7 +178,7 @@ def test_adhesion_under_a_plate_is_an_edge_couple(tension):
     contact = mdr.Contact(BALL, mdr.Homogeneous(GEL, surface=mdr.Surface(tension, bending)), work_of_adhesion=work)
     state = contact.at_radius(1.0)
     hankel = ByHankel(contact, state)
-    moment = (contact.displacement(OUTSIDE, state) - hankel.displacement(OUTSIDE)) / hankel.displacement_by_couple(OUTSIDE)
+    moment = (state.displacement(OUTSIDE) - hankel.displacement(OUTSIDE)) / hankel.displacement_by_couple(OUTSIDE)
     assert moment == pytest.approx(np.sqrt(2.0 * bending * work), rel=1e-7)
     assert np.ptp(moment) < 1e-8 * moment[0]
 
@@ -232,7 +232,7 @@ def test_wetting_under_a_plate_warns_where_slopes_are_large():
                 contact = mdr.Contact(mdr.Paraboloid(1e3), medium, work_of_adhesion=gamma)
                 state = contact.at_radius(2.0)
             r = np.linspace(2.0, 4.0, 17)
-            steepest.append(np.abs(np.gradient(contact.displacement(r, state), r)).max())
+            steepest.append(np.abs(np.gradient(state.displacement(r), r)).max())
             assert any("what bends the plate" in str(w.message) for w in said) == (gamma > 0.05 * holds)
         assert 0.3 < steepest[0] / np.sqrt(2.0 * work / holds) < 2.0
 
@@ -276,8 +276,8 @@ def test_refused_answers(half_space):
         lambda: half_space.tangential_modulus(1.0),
         lambda: half_space.torsional_stiffness(1.0),
         lambda: mdr.Friction(contact, 0.3),
-        lambda: contact.interior(0.1, 0.1, state),
-        lambda: contact.gradient(state),
+        lambda: state.interior(0.1, 0.1),
+        lambda: state.gradient(),
         lambda: mdr.Contact(BALL, half_space, work_of_adhesion=0.01, cohesive_stress=0.1),
         lambda: mdr.Contact(BALL, half_space).at_radius(1200.0),
     ):
@@ -308,7 +308,7 @@ def test_no_tip_under_a_plate_makes_one_disc(half_space):
     assert second < first
     with pytest.raises(mdr.UnreachableError, match=r"at radius 0\.01, where the medium begins, the depth is 2\.5"):
         cone.at_depth(1e-3)
-    assert mdr.Contact(BALL, plate).lowest_pressure(mdr.Contact(BALL, plate).at_radius(0.3))[0] == 0.0
+    assert mdr.Contact(BALL, plate).at_radius(0.3).lowest_pressure()[0] == 0.0
 
 
 def test_a_plate_under_tension_ends_by_its_own_length():

@@ -44,10 +44,10 @@ CALLS = {
     "exact at_force": lambda: EXACT.at_force(FEW),
     "exact at_radius": lambda: EXACT.at_radius(FEW),
     "hertz at_force": lambda: HERTZ.at_force(MANY),
-    "pressure": lambda: GAO.pressure(SOME, radius=1e-6),
-    "exact pressure": lambda: EXACT.pressure(SOME, depth=1e-7),
-    "displacement": lambda: EXACT.displacement(3.0 * SOME, force=1e-4),
-    "line_load": lambda: STICKY.line_load(SOME, depth=1e-7),
+    "pressure": lambda: GAO.at_radius(1e-6).pressure(SOME),
+    "exact pressure": lambda: EXACT.at_depth(1e-7).pressure(SOME),
+    "displacement": lambda: EXACT.at_force(1e-4).displacement(3.0 * SOME),
+    "line_load": lambda: STICKY.at_depth(1e-7).line_load(SOME),
     "paraboloid": lambda: mdr.coated_paraboloid_force(MANY, 1.0, 3.0, 1.0, 0.5),
     "cone": lambda: mdr.coated_cone_force(MANY, 0.3, 3.0, 1.0, 0.5),
     "adhesive": lambda: mdr.coated_paraboloid_adhesive_depth(MANY, 1.0, 3.0, 1.0, 0.5, 0.1),
@@ -111,7 +111,7 @@ def test_first_error_is_named(threads):
         with pytest.raises(mdr.UnreachableError, match="entry 41 of depth = -2 "):
             on(threads, lambda contact=contact: contact.at_depth(depth))
     with pytest.raises(mdr.DomainError, match="r = 5 "):
-        on(threads, lambda: GAO.pressure(np.r_[np.zeros(131), 5.0, 6.0, np.zeros(80)], radius=1e-6))
+        on(threads, lambda: GAO.at_radius(1e-6).pressure(np.r_[np.zeros(131), 5.0, 6.0, np.zeros(80)]))
     with pytest.raises(mdr.InvalidArgumentError, match="entry 41 of xi"):
         on(threads, lambda: mdr.weight_i0(depth))
 

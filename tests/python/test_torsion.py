@@ -41,7 +41,7 @@ def torque_of(pair, state, c, twist, kinks=()):
 
     def slipping(r):
         root = np.sqrt(max(r**2 - c**2, 0.0))
-        return pair.contact.pressure(r, state) * (r**2 * np.arctan2(root, c) + c * root) * root
+        return state.pressure(r) * (r**2 * np.arctan2(root, c) + c * root) * root
 
     return 16.0 / 3.0 * G * twist * c**3 + 4.0 * MU * over_slip(slipping, c, state.radius, kinks)
 
@@ -82,13 +82,13 @@ def test_all_indenters(indenter):
     kinks = (0.2,) if isinstance(indenter, mdr.FlatEndedCone) else ()
     limit = pair.torsion.sliding_torque(state)
     r = a * np.sqrt(1.0 - np.linspace(0.0, 1.0, 20001) ** 2)
-    rough = trapezoid(2.0 * np.pi * MU * pair.contact.pressure(np.maximum(r, 1e-9), state) * r**2, r)
+    rough = trapezoid(2.0 * np.pi * MU * state.pressure(np.maximum(r, 1e-9)) * r**2, r)
     assert limit == pytest.approx(-rough, rel=1e-4)
     for share in (0.3, 0.95):
         found = pair.torsion.at_torque(share * limit, state)
         c = found.stick_radius
 
-        slip = over_slip(lambda r: pair.contact.pressure(r, state), c, a, kinks)
+        slip = over_slip(lambda r: state.pressure(r), c, a, kinks)
         assert found.twist == pytest.approx(MU / (2.0 * G) * slip, rel=1e-9)
         assert found.torque == pytest.approx(torque_of(pair, state, c, found.twist, kinks), rel=1e-8)
         step = 1e-5 * found.twist
@@ -139,13 +139,11 @@ def test_tractions():
     found = pair.torsion.at_torque(0.7 * pair.torsion.sliding_torque(state), state)
     c = found.stick_radius
     slipping = np.linspace(c * 1.0001, a, 7)
-    np.testing.assert_allclose(
-        pair.torsion.traction(slipping, found, state), MU * pair.contact.pressure(slipping, state), rtol=1e-12, atol=1e-15
-    )
+    np.testing.assert_allclose(pair.torsion.traction(slipping, found, state), MU * state.pressure(slipping), rtol=1e-12, atol=1e-15)
     inside = np.linspace(0.0, c * 0.9999, 9)
     sticking = pair.torsion.traction(inside, found, state)
     assert sticking[0] == 0.0
-    assert (sticking < MU * pair.contact.pressure(inside, state)).all()
+    assert (sticking < MU * state.pressure(inside)).all()
     assert (np.diff(sticking) > 0.0).all()
     # the torque, and the springs' load, of these tractions
     r = lambda t: a * np.sin(t)  # noqa: E731

@@ -29,7 +29,7 @@ def test_each_warns_once(case):
         state = getattr(contact, f"at_{given}")(value)
         getattr(contact, f"at_{given}")([0.5 * value, 1.01 * value, 2.0 * value])
     assert len(seen) == 1
-    assert len(contact.warnings(state)) == 1 and words in contact.warnings(state)[0]
+    assert len(state.warnings()) == 1 and words in state.warnings()[0]
 
 
 def test_the_deepest_of_an_array_warns():

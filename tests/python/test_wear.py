@@ -94,7 +94,7 @@ def test_track_is_the_line_load(contact):
     state = contact.at_radius(1.0)
     wear = mdr.Wear(contact, 0.1, body_coefficient=1e-6)
     y = np.linspace(0.0, 1.0, 7)
-    np.testing.assert_allclose(wear.track(y, state, 1000.0), 1e-3 * contact.line_load(y, state), rtol=1e-12, atol=1e-18)
+    np.testing.assert_allclose(wear.track(y, state, 1000.0), 1e-3 * state.line_load(y), rtol=1e-12, atol=1e-18)
     passes = wear.passes_through(state, 0.01)
     assert wear.track(0.0, state, passes) == pytest.approx(0.01, rel=1e-13)
     with pytest.raises(mdr.DomainError, match="too deep"):

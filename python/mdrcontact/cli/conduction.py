@@ -8,7 +8,7 @@ import argparse
 import numpy as np
 
 from ..conduction import Conduction
-from ..contact import Contact, State
+from ..contact import State
 from ..problem import ProblemError, load
 from ..problem.conduction import THERMAL, Conducting
 from ..problem.units import CONDUCTANCE, FORCE, LENGTH, TEMPERATURE, THERMAL_CONDUCTANCE, Unit, shown
@@ -56,7 +56,7 @@ def run(arguments: argparse.Namespace) -> None:
         )
     contact, conduction = problem.contact(), problem.conduction.conduction(problem.medium)
     states = problem.control.states(contact)
-    table = columns(contact, conduction, problem.conduction, states)
+    table = columns(conduction, problem.conduction, states)
     print(f"{problem.title}\n")
     print(as_text(table, 12))
     print(f"\n{summary(conduction, problem.conduction, states)}")
@@ -64,13 +64,13 @@ def run(arguments: argparse.Namespace) -> None:
     if arguments.csv:
         results[arguments.csv] = as_csv(table)
     if arguments.plot:
-        results[arguments.plot] = conduction_figure.draw(problem, contact, conduction, states, files.figure_format(arguments.plot))
+        results[arguments.plot] = conduction_figure.draw(problem, conduction, states, files.figure_format(arguments.plot))
     files.write(results, arguments.overwrite)
 
 
-def columns(contact: Contact, conduction: Conduction, given: Conducting, states: State) -> list[Column]:
+def columns(conduction: Conduction, given: Conducting, states: State) -> list[Column]:
     """What the tables show."""
-    found = conduction.along(contact, states)
+    found = conduction.along(states)
     dimension = THERMAL_CONDUCTANCE if given.kind == THERMAL else CONDUCTANCE
     table = [
         column("depth", np.asarray(states.depth), LENGTH),
@@ -81,7 +81,7 @@ def columns(contact: Contact, conduction: Conduction, given: Conducting, states:
     ]
     if given.heat is not None:
         mu, speed = given.heat
-        heat = conduction.friction_heat(contact, states, mu, speed)
+        heat = conduction.friction_heat(states, mu, speed)
         table.append(column("centre", np.asarray(heat.centre), TEMPERATURE))
         table.append(column("mean", np.asarray(heat.flux_mean), TEMPERATURE))
         table.append(Column("share", np.asarray(heat.share), Unit("", 1.0)))

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 
 from ..conduction import Conduction
-from ..contact import Contact, State
+from ..contact import State
 from ..problem import Problem
 from ..problem.conduction import THERMAL
 from ..problem.units import CONDUCTANCE, FORCE, LENGTH, THERMAL_CONDUCTANCE, practical
@@ -19,9 +19,9 @@ _WIDE, _SHALLOWEST, _DEEPEST, _LAYERS = 2.5, 0.5, 2.5, 5.0
 _POINTS = 61
 
 
-def draw(problem: Problem, contact: Contact, conduction: Conduction, states: State, form: str) -> bytes:
+def draw(problem: Problem, conduction: Conduction, states: State, form: str) -> bytes:
     """Conductance along the load curve, and the potential or temperature in a section at the last state, with the layers drawn."""
-    found = conduction.along(contact, states)
+    found = conduction.along(states)
     kind = problem.conduction.kind if problem.conduction else THERMAL
     dimension = THERMAL_CONDUCTANCE if kind == THERMAL else CONDUCTANCE
     values = np.asarray(found.conductance)
@@ -30,13 +30,13 @@ def draw(problem: Problem, contact: Contact, conduction: Conduction, states: Sta
         force, unit = practical(FORCE, np.asarray(states.force)), practical(dimension, values)
         axes.flat[0].plot(force.of(states.force), unit.of(values), color=COLOURS[0])
         axes.flat[0].set(xlabel=f"force F [{force.symbol}]", ylabel=f"conductance G [{unit.symbol}]")
-        _section(figure, axes.flat[1], problem, contact, conduction, states)
+        _section(figure, axes.flat[1], problem, conduction, states)
         return _render(figure, form)
 
 
-def _section(figure: Any, axis: Any, problem: Problem, contact: Contact, conduction: Conduction, states: State) -> None:
+def _section(figure: Any, axis: Any, problem: Problem, conduction: Conduction, states: State) -> None:
     """What the lower body has at the last state."""
-    last = states.one(-1)
+    last = states[-1]
     a = float(last.radius)
     thicknesses = _thicknesses(problem.medium)
     deep = float(np.clip(_LAYERS * sum(thicknesses) or np.inf, _SHALLOWEST * a, _DEEPEST * a))
@@ -47,7 +47,7 @@ def _section(figure: Any, axis: Any, problem: Problem, contact: Contact, conduct
         field = conduction.at_radius(a).potential(half[None, :], z[:, None])
         title = "part of the potential"
     else:
-        field = conduction.friction_heat(contact, last, *heat).temperature(half[None, :], z[:, None])
+        field = conduction.friction_heat(last, *heat).temperature(half[None, :], z[:, None])
         title = "temperature rise [K]"
     whole = np.concatenate([np.asarray(field)[:, :0:-1], np.asarray(field)], axis=1)
     length = practical(LENGTH, [_WIDE * a])

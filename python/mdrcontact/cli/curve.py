@@ -102,7 +102,7 @@ def pressure_distributions(contact: Contact, curve: Curve) -> list[tuple[float, 
     for i in (quarters[0], quarters[1], quarters[3]) if count > 3 else range(count):
         # dense towards the edge, where pressures are steep, and a hair inside it: the edge itself is a matter of rounding
         r = curve.radius[i] * (1.0 - 1e-9) * np.sin(np.linspace(0.0, np.pi / 2, _PRESSURE_POINTS))
-        p = np.asarray(contact.pressure(r, depth=float(curve.depth[i])))
+        p = np.asarray(contact.at_depth(float(curve.depth[i])).pressure(r))
         finite = np.isfinite(p)
         result.append((float(curve.depth[i]), r[finite], p[finite]))
     return result

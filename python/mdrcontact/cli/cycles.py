@@ -29,7 +29,7 @@ class Cycles(NamedTuple):
 def cycles(problem: Problem, sliding: Sliding, *, with_loops: bool) -> Cycles:
     """The cycles of the amplitudes that the problem gives."""
     friction = Friction(problem.contact(), sliding.coefficient)
-    state = problem.control.states(friction.contact, slice(-1, None)).one(0)
+    state = problem.control.states(friction.contact, slice(-1, None))[0]
     limit = float(friction.sliding_shift(state))
     amplitudes = np.array(sliding.amplitudes) if sliding.amplitudes else np.geomspace(_FROM, _TO, _COUNT) * limit
     at = friction.at_shift if sliding.control == "shift" else friction.at_tangential_force

@@ -51,8 +51,8 @@ def layer_map(contact: Contact, state: State, friction: float, faces: list[float
     z = np.linspace(top + (hair if top else 0.0), bottom - hair if i + 1 < len(faces) else bottom, _POINTS)
     z[0] = z[0] or 1e-3 * (z[1] - z[0])
     # x < 0 lies on the other side of the axis
-    field = contact.interior(
-        np.abs(x)[:, None], z[None, :], state, side="above", friction=friction, angle=np.where(x < 0.0, math.pi, 0.0)[:, None]
+    field = state.interior(
+        np.abs(x)[:, None], z[None, :], side="above", friction=friction, angle=np.where(x < 0.0, math.pi, 0.0)[:, None]
     )
     return Layer(x, z, field)
 

@@ -62,7 +62,7 @@ def run(arguments: argparse.Namespace) -> None:
     problem = load(arguments.problem)
     contact = problem.contact()
     if arguments.largest_depth is None:
-        largest = float(problem.control.states(contact, slice(-1, None)).one(0).depth)
+        largest = float(problem.control.states(contact, slice(-1, None))[0].depth)
     else:
         largest = _number("--largest-depth", arguments.largest_depth, LENGTH)
     given = arguments.smallest_depth

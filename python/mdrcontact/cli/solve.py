@@ -59,7 +59,7 @@ def solve(contact: Contact, control: Control, bar: Any) -> Curve:
         part = slice(start, min(start + step, count))
         parts.append(control.states(contact, part))
         bar.update(part.stop - part.start)
-    return Curve(*(np.concatenate([np.atleast_1d(part[i]) for part in parts]) for i in range(4)))
+    return Curve(*(np.concatenate([np.atleast_1d(getattr(part, name)) for part in parts]) for name in Curve._fields[:4]))
 
 
 def thickness(medium: Medium) -> float | None:

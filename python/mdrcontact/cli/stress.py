@@ -58,7 +58,7 @@ def run(arguments: argparse.Namespace) -> None:
     files.check(arguments)
     problem = load(arguments.problem)
     contact = problem.contact()
-    state = problem.control.states(contact, slice(-1, None)).one(0)
+    state = problem.control.states(contact, slice(-1, None))[0]
     found = _inside(problem, contact, state, arguments.friction, bool(arguments.csv or arguments.plot))
     print(f"{problem.title}\n\n{_words(found)}")
     results = {}
@@ -72,7 +72,7 @@ def run(arguments: argparse.Namespace) -> None:
 def _inside(problem: Problem, contact: Contact, state: State, friction: float, with_maps: bool) -> Inside:
     thicknesses, rigid = layers_of(contact.medium)
     faces = [0.0, *np.cumsum(thicknesses).tolist()]
-    largest = contact.critical(state, friction=friction)
+    largest = state.critical(friction=friction)
     failures: tuple[Failure, ...] = ()
     unreached: list[str] = []
     if problem.strength is not None:

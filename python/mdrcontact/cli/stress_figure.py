@@ -117,7 +117,7 @@ def _draw_faces(axis: Any, contact: Contact, found: Inside, length: Unit) -> Non
     lines = []
     outside = np.abs(x) > a * (1.0 + 1e-6)
     for z in found.faces:
-        field = contact.interior(np.abs(x), z, found.state, side="above", friction=found.friction, angle=angle)
+        field = found.state.interior(np.abs(x), z, side="above", friction=found.friction, angle=angle)
         if z == 0.0:
             lines.append((r"$\sigma_{rr}$, free surface", np.where(outside, np.asarray(field.s_rr), np.nan)))
             continue

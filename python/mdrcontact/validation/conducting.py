@@ -32,9 +32,9 @@ def heat() -> Comparison:
     """The surface under a heat flux q (1 - r^2/a^2)^(1/2) into both bodies: T = (pi/4) (q a/(S_0 + S_1)) (1 - r^2/(2 a^2))."""
     contact, mu, speed = ball(), 0.3, 0.5
     state = contact.at_radius(0.1)
-    found = Conduction(Conductor(2.0), Conductor(5.0)).friction_heat(contact, state, mu, speed)
+    found = Conduction(Conductor(2.0), Conductor(5.0)).friction_heat(state, mu, speed)
     r = np.linspace(0.0, 0.95, 11)
-    flux = mu * speed * float(contact.pressure(0.0, state))
+    flux = mu * speed * float(state.pressure(0.0))
     there = 0.25 * math.pi * flux * 0.1 / 7.0 * (1.0 - 0.5 * r**2)
     return comparison("r/a", r, found.temperature(0.1 * r, np.zeros(r.size)), there)
 
@@ -45,7 +45,7 @@ def moving() -> Comparison:
     contact, sigma, capacity = ball(), 2.0, 3.0
     state, speed = contact.at_radius(0.1), np.geomspace(0.1, 1e3, 13)
     body = Conduction(Conductor(sigma, None, capacity))
-    heats = [body.friction_heat(contact, state, 0.3, 1.0, "moving", v) for v in speed]
+    heats = [body.friction_heat(state, 0.3, 1.0, "moving", v) for v in speed]
     peclet = 0.5 * speed * 0.1 * capacity / sigma
     there = 2.32 * heats[0].total / (math.pi * 0.1 * sigma * np.sqrt(math.pi * (1.234 + peclet)))
     return comparison("log10(Pe)", np.log10(peclet), [float(heat.largest or 0.0) for heat in heats], there)

@@ -225,7 +225,7 @@ def pressed() -> Comparison:
     top = np.flatnonzero((body.component == 1) & (body.places[1] < 1e-12) & (body.places[0] <= 3.0 * a))
     top = top[np.argsort(body.places[0][top])][:: max(len(top) // 40, 1)]
     places = body.places[0][top]
-    here = np.asarray(contact.displacement(places, state))
+    here = np.asarray(state.displacement(places))
     # the far end of the mesh moves all of the surface alike: differences from the axis
     return comparison("r/a", places / a, here - here[0], u[top] - u[top[0]], float(np.abs(here).max()))
 
@@ -247,7 +247,7 @@ def _coated_state() -> tuple[Contact, State, Any, Any]:
 
 
 def _pressure(contact: Contact, state: State, a: float) -> Callable[[Array], Array]:
-    return lambda at: np.asarray(contact.pressure(np.minimum(at.ravel(), a), state)).reshape(at.shape)
+    return lambda at: np.asarray(state.pressure(np.minimum(at.ravel(), a))).reshape(at.shape)
 
 
 def inside() -> Comparison:
@@ -256,11 +256,11 @@ def inside() -> Comparison:
     r, z, elastic = body.stresses(u, _moduli([(1.0, _FILM), (_FAR, _BASE)]))
     near = np.flatnonzero((r < 2.0) & (z < 2.0) & (np.hypot(r - 1.0, z) > 0.1) & (z > 0.02))
     near = near[:: max(near.size // 150, 1)]
-    field = contact.interior(r[near], z[near], state)
+    field = state.interior(r[near], z[near])
     here = np.concatenate([np.asarray(s) for s in (field.s_zz, field.s_rr, field.s_tt, field.s_rz)])
     there = np.concatenate([s[near] for s in elastic])
     x = np.concatenate([np.hypot(r[near], z[near]) + 2.9 * i for i in range(4)])
-    return comparison("distance/a: s_zz, s_rr, s_tt, s_rz", x, here, there, float(contact.pressure(0.0, state)))
+    return comparison("distance/a: s_zz, s_rr, s_tt, s_rz", x, here, there, float(state.pressure(0.0)))
 
 
 def slipping() -> Comparison:

@@ -19,10 +19,10 @@ def axis() -> Comparison:
     contact = ball()
     state = contact.at_radius(0.1)
     z = np.linspace(0.05, 4.0, 25)
-    inside = contact.interior(np.zeros(z.size), z * 0.1, state)
+    inside = state.interior(np.zeros(z.size), z * 0.1)
     s_zz = -1.0 / (1.0 + z**2)
     s_rr = -(1.0 + NU) * (1.0 - z * np.arctan(1.0 / z)) + 0.5 / (1.0 + z**2)
-    p = float(contact.pressure(0.0, state))
+    p = float(state.pressure(0.0))
     here = np.concatenate([np.asarray(inside.s_zz), np.asarray(inside.s_rr)]) / p
     return comparison("z/a (s_zz, then s_rr)", np.concatenate([z, z + 4.0]), here, np.concatenate([s_zz, s_rr]), 1.0)
 
@@ -34,7 +34,7 @@ def edge() -> Comparison:
     r = np.concatenate([np.linspace(0.05, 0.99, 13), np.linspace(1.01, 3.0, 12)])
     inside = np.sqrt(np.maximum(1.0 - r**2, 0.0))
     there = (1.0 - 2.0 * NU) / (3.0 * r**2) * (1.0 - inside**3) - inside
-    here = np.asarray(contact.interior(0.1 * r, np.zeros(r.size), state).s_rr) / float(contact.pressure(0.0, state))
+    here = np.asarray(state.interior(0.1 * r, np.zeros(r.size)).s_rr) / float(state.pressure(0.0))
     return comparison("r/a", r, here, there, 1.0)
 
 
@@ -46,16 +46,16 @@ def sliding() -> Comparison:
     inside = np.sqrt(1.0 - x**2)
     there = (1.0 - 2.0 * NU) / (3.0 * x**2) * (1.0 - inside**3) - inside - math.pi / 8.0 * (4.0 + NU) * friction * x
     angle = np.where(x < 0.0, math.pi, 0.0)
-    field = contact.interior(0.1 * np.abs(x), np.zeros(x.size), state, friction=friction, angle=angle)
-    return comparison("x/a", x, np.asarray(field.s_rr) / float(contact.pressure(0.0, state)), there, 1.0)
+    field = state.interior(0.1 * np.abs(x), np.zeros(x.size), friction=friction, angle=angle)
+    return comparison("x/a", x, np.asarray(field.s_rr) / float(state.pressure(0.0)), there, 1.0)
 
 
 def first_yield() -> Comparison:
     """Three numbers of Hertz's contact that every textbook prints, to two or three digits."""
     contact = ball()
     state = contact.at_radius(0.1)
-    found = contact.critical(state).layers[0]
-    p = float(contact.pressure(0.0, state))
+    found = state.critical().layers[0]
+    p = float(state.pressure(0.0))
     here = [p / found.von_mises.value, found.tresca.value / p, found.tresca.z / 0.1]
     return comparison("p(0)/Y, tau/p(0), z/a", np.arange(3.0), here, [_MISES, _TRESCA, _DEPTH])
 

@@ -76,8 +76,7 @@ LIMITS: tuple[Limit, ...] = (
         Paraboloid(1.0), _FILM.with_model("gao"), work_of_adhesion=1.0, cohesive_stress=1.0).at_radius(0.1)),
     Limit("adhesion", "exact", "a viscoelastic body", lambda: Contact(Paraboloid(1.0), _RELAXING, work_of_adhesion=1.0)),
     Limit("stresses inside", "exact, to ten digits", "power-law grading", lambda: Contact(
-        Paraboloid(1.0), PowerLawGraded(1.0, 1.0, 0.5, 0.3)).interior(0.0, 0.1, Contact(
-            Paraboloid(1.0), PowerLawGraded(1.0, 1.0, 0.5, 0.3)).at_radius(0.1))),
+            Paraboloid(1.0), PowerLawGraded(1.0, 1.0, 0.5, 0.3)).at_radius(0.1).interior(0.0, 0.1)),
     Limit("partial slip", "exact mean around the axis", "power-law grading", lambda: Friction(
         Contact(Paraboloid(1.0), PowerLawGraded(1.0, 1.0, 0.5, 0.3)), 0.3).at_shift(0.01, depth=0.1)),
     Limit("torsion", "exact", "a coated body", lambda: Friction(
@@ -98,7 +97,7 @@ LIMITS: tuple[Limit, ...] = (
         LayeredConductor(((Conductor(2.0), 1.0),), INSULATING)).at_radius(1.0)),
     Limit("conduction in time", "to 1e-8", "D t/a^2 = 1e-6", lambda: Conduction(Conductor(1.0, None, 1.0)).step(1e-6, 1.0)),
     Limit("heat of friction", "exact for a prescribed flux", "a source with v a/D = 2000", lambda: Conduction(
-        Conductor(1.0, None, 1.0)).friction_heat(_ball(), _ball().at_radius(0.1), 0.3, 1.0, "moving", 2e4)),
+        Conductor(1.0, None, 1.0)).friction_heat(_ball().at_radius(0.1), 0.3, 1.0, "moving", 2e4)),
     Limit("wear", "to the error that each state has", "the body loses more of its coating", lambda: Wear(
         Contact(Paraboloid(1.0), _FILM), 1.0, body_coefficient=1.0).history(force=1.0, places="same").advance(10.0, force=1.0)),
     Limit("wear", "to the error that each state has", "adhesion", lambda: Wear(

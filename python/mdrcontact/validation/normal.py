@@ -46,7 +46,7 @@ def punch() -> Comparison:
     contact = Contact(FlatPunch(0.5), BODY)
     r = np.linspace(0.0, 0.495, 25)
     there = MODULUS * 0.01 / (math.pi * np.sqrt(0.25 - r**2))
-    return comparison("r/a", r / 0.5, contact.pressure(r, contact.at_depth(0.01)), there)
+    return comparison("r/a", r / 0.5, contact.at_depth(0.01).pressure(r), there)
 
 
 def surface() -> Comparison:
@@ -54,7 +54,7 @@ def surface() -> Comparison:
     contact = ball()
     a, r = 0.1, np.linspace(0.101, 0.6, 25)
     there = ((2.0 * a**2 - r**2) * np.arcsin(a / r) + a * np.sqrt(r**2 - a**2)) / (math.pi * RADIUS)
-    return comparison("r/a", r / a, contact.displacement(r, contact.at_radius(a)), there)
+    return comparison("r/a", r / a, contact.at_radius(a).displacement(r), there)
 
 
 def equal() -> Comparison:

@@ -87,7 +87,7 @@ def test_johnson_kendall_roberts(R, material, reach, size):
     near(state.depth, a * a / R - below, 1e-12, size=a * a / R + below)
     # W of the pressed sphere drawn up as a punch: cross term F_hertz times the excess
     energy = 8.0 / 15.0 * modulus * a**5 / R**2 - hertz * below + modulus * a * below**2
-    near(contact.elastic_energy(state), energy, 1e-11, size=8.0 / 15.0 * modulus * a**5 / R**2 + hertz * below)
+    near(state.energy(), energy, 1e-11, size=8.0 / 15.0 * modulus * a**5 / R**2 + hertz * below)
 
 
 @relation(40, phi=d.inclinations, material=d.extreme, size=d.between(1e-6, 1e2))
@@ -120,8 +120,8 @@ def test_energy_balance_along_the_branch(tip, medium, work, share):
         return contact.at_radius(a).force * (depth[0] - 8.0 * depth[1] + 8.0 * depth[2] - depth[3]) / (12.0 * step)
 
     work_done = panels(force_by_radius, edges)
-    gained = [contact.elastic_energy(s) - math.pi * s.radius**2 * contact.work_of_adhesion for s in (first, last)]
-    size = contact.elastic_energy(last) + math.pi * last.radius**2 * contact.work_of_adhesion
+    gained = [s.energy() - math.pi * s.radius**2 * contact.work_of_adhesion for s in (first, last)]
+    size = last.energy() + math.pi * last.radius**2 * contact.work_of_adhesion
     near(gained[1] - gained[0], work_done, 1e-5 if corners or tip.corner else 1e-7, size=size)
 
 
@@ -168,6 +168,6 @@ def test_adhesive_pressure_carries_the_force(tip, medium, work, share):
     corner = [math.asin(tip.corner / state.radius)] if tip.corner and tip.corner < state.radius else []
     graded = [*(0.5 * math.pi * 2.0 ** np.arange(-24.0, 0.0)), 0.5 * math.pi]
     carried = panels(
-        lambda x: contact.line_load(state.radius * np.sin(x), state) * state.radius * np.cos(x), sorted([0.0, *corner, *graded])
+        lambda x: state.line_load(state.radius * np.sin(x)) * state.radius * np.cos(x), sorted([0.0, *corner, *graded])
     )
     near(2.0 * carried, state.force, 1e-8, size=mdr.Contact(tip.profile, medium).at_radius(state.radius).force)

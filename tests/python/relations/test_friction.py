@@ -64,9 +64,9 @@ def test_partial_slip_is_a_difference_of_two_contacts(tip, material, mu, share, 
     ratio = reduced(material) / (4.0 * shear(material) / (2.0 - material.nu))
     near(found.shift, mu * ratio * (state.depth - smaller.depth), 1e-9, size=mu * ratio * state.depth)
     r = state.radius * np.array([0.02, 0.5 * inner, 0.5 + 0.5 * inner])
-    expected = mu * contact.pressure(r, state)
-    expected[:2] -= mu * contact.pressure(r[:2], smaller)
-    near(friction.traction(r, found, state), expected, 1e-7, size=mu * contact.pressure(r, state))
+    expected = mu * state.pressure(r)
+    expected[:2] -= mu * smaller.pressure(r[:2])
+    near(friction.traction(r, found, state), expected, 1e-7, size=mu * state.pressure(r))
 
 
 @relation(40, tip=d.one_tip, medium=media, mu=frictions, share=d.shares, part=parts)
@@ -106,7 +106,7 @@ def test_tractions_carry_the_force(tip, medium, mu, share, part):
     near(2.0 * disc(lambda x: friction.line_load(x, found, state), a, c), found.tangential_force, 1e-7)
     near(2.0 * math.pi * disc(lambda r: r * friction.traction(r, found, state), a, c), found.tangential_force, 1e-5)
     r = c + (a - c) * np.array([0.1, 0.5, 0.9])
-    near(friction.traction(r, found, state), mu * friction.contact.pressure(r, state), 1e-7)
+    near(friction.traction(r, found, state), mu * state.pressure(r), 1e-7)
 
 
 @relation(10, tip=d.one_tip, medium=media, mu=frictions, share=d.shares, part=st.floats(0.1, 1.5))

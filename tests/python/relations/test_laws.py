@@ -68,8 +68,8 @@ def test_energy_is_the_integral(tip, medium, work, share):
     )
     if work == 0.0:
         # nearer to first touch than 1e-4 of its range the law is a power of d, whose energy is off by up to 5 % of itself
-        found = [contact.elastic_energy(depth=float(x)) for x in ends]
-        touch = contact.elastic_energy(depth=1e-4 * float(ends[-1]))
+        found = [contact.at_depth(float(x)).energy() for x in ends]
+        touch = contact.at_depth(1e-4 * float(ends[-1])).energy()
         near(law.energy(ends), found, 1e-7, size=np.array(found) + 0.05e7 * touch)
 
 

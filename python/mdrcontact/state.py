@@ -1,0 +1,236 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""States of a contact and their fields, on the surface and inside (theory 4)."""
+
+from __future__ import annotations
+
+from collections import _tuplegetter  # type: ignore[attr-defined]
+from collections.abc import Callable, Iterable, Iterator
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _layout, _native, critical, interior, sensitivity
+from ._boundary import FloatOrArray, address, call, evaluate, number, numbers, together
+from .adhesion import code
+from .critical import Critical
+from .errors import ArgumentTypeError
+from .interior import BODIES, Interior
+
+__all__ = ["State"]
+
+_NAMES = ("depth", "radius", "force", "stiffness", "excess", "zone_radius")
+"""The numbers of a state."""
+_COUNT = len(_NAMES)
+_DISPLACEMENTS = {"lower": _layout.FIELD_DISPLACEMENT_LOWER, "upper": _layout.FIELD_DISPLACEMENT_UPPER}
+
+
+def _item(i: int) -> Any:
+    """The quickest access to an item, past `__getitem__`."""
+    return _tuplegetter(i, None)
+
+
+class State(tuple[Any, ...]):
+    """One or several states of a contact, as `at_depth` and the like give them, and their fields.
+
+    Six numbers, which unpack in this order, floats or arrays of one shape; `states[3]` and `states[mask]` are some of several.
+    Fields take one state, or several with places of shape (*shape of the states, ...). Everything else is of one state.
+    """
+
+    __slots__ = ()
+    _fields = _NAMES
+
+    depth: FloatOrArray = _item(0)
+    """d, indentation depth, positive into the medium [length]"""
+    radius: FloatOrArray = _item(1)
+    """a, contact radius [length]"""
+    force: FloatOrArray = _item(2)
+    """F, normal force, positive in compression [modulus length^2]"""
+    stiffness: FloatOrArray = _item(3)
+    """k = dF/dd = 2 a E_eff(a), contact stiffness [modulus length]"""
+    excess: FloatOrArray = _item(4)
+    """depth beyond that of the non-adhesive state of this radius [length]: 0 without adhesion, less than 0 with it, the whole depth
+    under a flat punch"""
+    zone_radius: FloatOrArray = _item(5)
+    """c, outer radius of the cohesive zone [length]: the bodies pull on each other where a < r < c; 0 without a cohesive stress.
+    With radius 0 they attract each other without contact"""
+    contact: Any = _item(6)
+    """the contact whose states they are; None: numbers without fields"""
+
+    def __new__(
+        cls,
+        depth: FloatOrArray,
+        radius: FloatOrArray,
+        force: FloatOrArray,
+        stiffness: FloatOrArray,
+        excess: FloatOrArray = 0.0,
+        zone_radius: FloatOrArray = 0.0,
+        contact: Any = None,
+    ) -> State:
+        return tuple.__new__(cls, (depth, radius, force, stiffness, excess, zone_radius, contact))
+
+    def __iter__(self) -> Iterator[Any]:
+        return iter(tuple.__getitem__(self, slice(_COUNT)))
+
+    def __len__(self) -> int:
+        return _COUNT
+
+    def __getitem__(self, index: Any) -> State:
+        columns = [np.asarray(value)[index] for value in np.broadcast_arrays(*self)]
+        return state_of([column if column.ndim else float(column) for column in columns], self.contact)
+
+    def __repr__(self) -> str:
+        return f"State({', '.join(f'{name}={value!r}' for name, value in self._asdict().items())})"
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return state_of, (tuple(self), self.contact)
+
+    def _asdict(self) -> dict[str, Any]:
+        return dict(zip(_NAMES, self, strict=True))
+
+    def _replace(self, **changes: Any) -> State:
+        return State(**{**self._asdict(), "contact": self.contact, **changes})
+
+    def pressure(self, r: ArrayLike) -> FloatOrArray:
+        """Contact pressure p(r) [modulus], equation (6), at 0 <= r <= a, any shape.
+
+        Infinite where theory says so: at the edge of a flat punch, at the apex of a cone; minus infinity at an adhesive edge.
+        With a cohesive stress sigma r goes up to the zone's end c; p is finite at a and -sigma where a < r < c.
+        """
+        return self._field(_layout.FIELD_PRESSURE, "r", r)
+
+    def displacement(self, r: ArrayLike, body: str | None = None) -> FloatOrArray:
+        """Surface displacement u(r) [length], positive into the medium, at r >= 0, any shape. Inside the contact it is d - f(r),
+        outside it is the free surface, with the neck of an adhesive contact.
+
+        body : of two deformable bodies (`Pair`) "lower" or "upper", each positive into its own body; None: their sum. u(0) of
+            each is its part of the approach. Where the lower surface was flat, "lower" is the shape of the interface for r <= a
+        """
+        field = _layout.FIELD_DISPLACEMENT if body is None else code("body", body, _DISPLACEMENTS)
+        return self._field(field, "r", r)
+
+    def line_load(self, x: ArrayLike) -> FloatOrArray:
+        """Line load q(x) [modulus length] of the one-dimensional springs, equations (5), (21), at 0 <= x <= a, or up to the end of
+        a cohesive zone, any shape."""
+        return self._field(_layout.FIELD_LINE_LOAD, "x", x)
+
+    def energy(self, body: str | None = None) -> FloatOrArray:
+        """Elastic energy [modulus length^3] of each state: the work of the force from first touch; with adhesion the energy gained
+        by the surfaces, pi a^2 work_of_adhesion, comes on top. With a cohesive stress the energy of the zone is
+        int (sigma h - gamma) over it, h its gap.
+
+        body : as of `displacement`; None: of both
+        """
+        if body is not None:
+            code("body", body, BODIES)
+        rows, found = self._rows(), []
+        for row in rows.reshape(-1, _COUNT):
+            energies = call(_native.contact_energy, self._owner._handle.address, row)
+            found.append(float(sum(energies) if body is None else energies[body == "upper"]))
+        return found[0] if rows.ndim == 1 else np.reshape(found, rows.shape[:-1])
+
+    def lowest_pressure(self) -> tuple[float, float]:
+        """The smallest p(r) [modulus] of one state without adhesion, and its r [length]: 0, at the edge, where none is negative.
+        Below 0 the contact is not one disc and its pressure not that of the true contact (see `NotOneDiscWarning`)."""
+        pressure, r = call(_native.contact_lowest_pressure, self._owner._handle.address, self._row())
+        return float(pressure), float(r)
+
+    def interior(
+        self,
+        r: ArrayLike,
+        z: ArrayLike,
+        body: str = "lower",
+        side: str = "below",
+        friction: float = 0.0,
+        angle: ArrayLike = 0.0,
+    ) -> Interior:
+        """Displacements and stresses inside a homogeneous, coated, layered or graded body.
+
+        r, z : distance from the axis and depth into the body, >= 0 [length], any shapes that broadcast; grids of few distinct r and
+            z, as r[:, None] and z[None, :], cost far less than as many scattered points
+        body : "lower", or "upper" of two deformable bodies
+        side : at an interface s_rr, s_tt and s_rt jump: the values "below" it (larger z) or "above"
+        friction : f >= 0; the contact slides with traction f p(r) in +x on the lower body and -f p(r) on the upper one, p being
+            that of the contact without friction (Goodman); not with adhesion
+        angle : azimuth of the points from +x [radian]
+
+        Infinite where theory says so: on the surface at the edge of a flat punch or an adhesive contact, at the apex of a cone, at
+        the edge of a flat end. Under an approximate model it is the field in the body under the model's own pressure, whose surface
+        does not fit the indenter. Graded bodies take up to some seconds for each 64 depths.
+
+        The field of a state is compared with the contact's pressure and displacement on the surface, once it was given at 1000
+        points: an `InteriorAccuracyWarning` where it deviates by more than 1e-8 and 10 times the medium's tolerance, refused
+        beyond 1e-3.
+        """
+        contact, row = self._owner, self._row()
+        found = interior.interior(contact._handle.address, r, z, row, body, side, friction, angle)
+        contact._doubts.compare(contact, row, body, np.size(found.s_zz))
+        return found
+
+    def critical(self, body: str = "lower", friction: float = 0.0) -> Critical:
+        """What decides whether a coating cracks, yields or peels: the largest stresses in each layer, at the surface outside the
+        contact and at each interface, where they are, and the elastic energy of each layer. Arguments as of `interior`; with
+        friction in the plane of sliding."""
+        return critical.critical(self, body, friction)
+
+    def gradient(self) -> dict[str, float]:
+        """dF/dp at the depth of the state, for the constants p of the bodies and R of a paraboloid: by reciprocity, exact, without
+        solving a contact again; for fits, design and propagation of errors. At a given force the depth changes by -dF/dp/k.
+
+        The names are those of `medium.parameters()`: "E", "nu" of a homogeneous body; "coating.E", "coating.C44", "thickness",
+        "substrate.nu"; "layers[0].E", "layers[0].prestress", "layers[0].interface.normal" and so on, but for those that are 0; and
+        "radius". Of homogeneous, coated and layered elastic bodies under the model "exact", without adhesion, up to contact radii
+        of 100 thicknesses of the top layer; all else is refused (InvalidArgumentError), and indenters whose line load has kinks
+        (NoConvergenceError).
+        """
+        return sensitivity.gradient(self)
+
+    def warnings(self) -> tuple[str, ...]:
+        """Doubts about the numbers of the state: slopes and strains that are not small, moduli in two units; empty where nothing
+        does. States are looked at as they are made, and a `LargeStrainWarning` and a `UnitsWarning` are given once for each
+        contact."""
+        return tuple(self._cautions()[1])
+
+    @property
+    def _owner(self) -> Any:
+        if self.contact is None:
+            raise ArgumentTypeError("this State has no contact: only those that a contact gives have fields")
+        return self.contact
+
+    def _rows(self) -> NDArray[np.float64]:
+        """The numbers as the library takes them, along one more axis at the end."""
+        return np.stack(together(**{f"{name} of the state": value for name, value in self._asdict().items()}), axis=-1)
+
+    def _row(self) -> list[float]:
+        """The same of what must be one state."""
+        if np.shape(self.depth):
+            raise ArgumentTypeError(f"these are states of shape {np.shape(self.depth)}: one is needed, as states[0] is")
+        return [number(f"{name} of the state", value) for name, value in self._asdict().items()]
+
+    def _field(self, field: int, name: str, points: ArrayLike) -> FloatOrArray:
+        handle = self._owner._handle.address
+
+        def at(row: Any) -> Callable[[Any], Any]:
+            return lambda x: _native.contact_field(handle, field, row, x)
+
+        shape = np.shape(self.depth)
+        if not shape:
+            return evaluate(name, points, at(self._row()))
+        places, rows = numbers(name, points), self._rows()
+        if places.shape[: len(shape)] != shape:
+            raise ArgumentTypeError(f"{name} has shape {places.shape}: for states of shape {shape} it must begin with that")
+        found = np.empty(places.shape)
+        for i in np.ndindex(shape):
+            found[i] = evaluate(name, places[i], at(rows[i]))
+        return found
+
+    def _cautions(self) -> tuple[int, list[str]]:
+        """Sum of the codes, and texts, of the doubts about one state."""
+        buffer = np.zeros(1000, np.uint8)
+        found = call(_native.contact_warnings, self._owner._handle.address, self._row(), address(buffer), buffer.size)
+        return found, bytes(buffer).rstrip(b"\0").decode().splitlines()
+
+
+def state_of(numbers: Iterable[Any], contact: Any) -> State:
+    """A state from its numbers."""
+    return tuple.__new__(State, (*numbers, contact))
