@@ -126,9 +126,9 @@ typedef struct mdr_fit_summary {
  *  "layers[0].nu", or the constants of mdr_layer as they were given, then thickness, prestress, interface.normal and
  *  interface.tangential, K_n and K_t of the interface below (INFINITY: bonded; K_t 0: it slides); "substrate.E" and so on unless
  *  the base is rigid; a graded body "z[0]", "E[0]", "nu[0]" at each depth, a power law E0, z0, exponent, nu; then alpha, wave_factor
- *  or exponent of a model that has one; then "surface.tension" and "surface.bending" where the surface is not bare. Of a
- *  viscoelastic material E, nu, or modulus, time, exponent, nu, or relaxed_shear_modulus, "terms[0].modulus" and "terms[0].time",
- *  viscosity, and bulk_modulus or nu. Names of a counterbody begin with "upper.".
+ *  or exponent of a model that has one; then "surface.tension", "surface.bending" and "surface.stretching" where the surface is not
+ *  bare. Of a viscoelastic material E, nu, or modulus, time, exponent, nu, or relaxed_shear_modulus, "terms[0].modulus" and
+ *  "terms[0].time", viscosity, and bulk_modulus or nu. Names of a counterbody begin with "upper.".
  *  @param problem   problem; its parameters need not be there yet
  *  @param capacity  room in `out` >= 0
  *  @param out       [capacity] receives the first of them; NULL where capacity is 0

@@ -97,6 +97,9 @@ typedef struct mdr_medium_options {
                                  layered elastic bodies take both, a homogeneous one by mdr_medium_stack() with n = 0. Their contacts
                                  answer states, adhesion, fields of the surface and laws, to 1e-9 (cones 1e-8); friction, stresses
                                  inside, energies and pairs return MDR_EINVALID. */
+    double surface_stretching; /**< Exact: K_m >= 0, stiffness in its plane of a sheet that is bonded to the surface, E h/(1 - nu^2)
+                                 [modulus length]; default 0. Without tension and plate, states have the tolerance of the medium. What
+                                 returns MDR_EINVALID under those does so under this one. */
 } mdr_medium_options;
 
 /** Homogeneous half-space of one material, equations (1)-(8); E_eff = E/(1 - nu^2).

@@ -40,6 +40,7 @@ medium_options = np.dtype(
         ("exponent_is_given", np.intc),
         ("surface_tension", np.float64),
         ("surface_bending", np.float64),
+        ("surface_stretching", np.float64),
     ],
     align=True,
 )

@@ -4,7 +4,7 @@ module mdrcontact_lapack
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
-    public :: dgels, dgemm, dgemv, dgesv, dpotrf, dpotrs, dsyev, zgesv
+    public :: dgeev, dgels, dgemm, dgemv, dgesv, dpotrf, dpotrs, dsyev, zgesv
 
     interface
         !> Cholesky factor of a symmetric positive definite matrix.
@@ -35,6 +35,16 @@ module mdrcontact_lapack
             real(wp), intent(out) :: w(*)
             integer, intent(out) :: info
         end subroutine dsyev
+
+        !> Eigenvalues of a matrix, wr + i wi, pairs with the positive imaginary part first.
+        subroutine dgeev(jobvl, jobvr, n, a, lda, wr, wi, vl, ldvl, vr, ldvr, work, lwork, info)
+            import :: wp
+            character(len=1), intent(in) :: jobvl, jobvr
+            integer, intent(in) :: n, lda, ldvl, ldvr, lwork
+            real(wp), intent(inout) :: a(lda, *), work(*)
+            real(wp), intent(out) :: wr(*), wi(*), vl(ldvl, *), vr(ldvr, *)
+            integer, intent(out) :: info
+        end subroutine dgeev
 
         !> Least squares for a full-rank a of m >= n rows; the solutions are the first n rows of b.
         subroutine dgels(trans, m, n, nrhs, a, lda, b, ldb, work, lwork, info)

@@ -29,7 +29,7 @@ module mdrcontact_medium
     contains
         !> raises unless it has a solver
         procedure :: check_elastic
-        !> its numbers: of one body, the model's constant, tension and bending of a surface that is not bare; none of two bodies
+        !> its numbers: of one body, the model's constant, those of a surface that is not bare; none of two bodies
         procedure :: parameters
         !> the same kind of medium with other numbers
         procedure :: with_parameters
@@ -55,7 +55,7 @@ contains
         type(model_options_t), intent(in), optional :: options
         !> what exact media made one after the other have in common
         type(layered_shared_t), intent(inout), optional :: shared
-        !> tension and plate of its surface; default none
+        !> what its surface has; default none
         type(surface_t), intent(in), optional :: surface
 
         self%model = model
@@ -102,7 +102,8 @@ contains
             call solver%pressed%parameters(list)
             list = [list, constant_of(self%model, self%options)]
             if (.not. is_bare(solver%sheet)) list = [list, parameter_t("surface.tension", solver%sheet%tension), &
-                                                     parameter_t("surface.bending", solver%sheet%bending)]
+                                                     parameter_t("surface.bending", solver%sheet%bending), &
+                                                     parameter_t("surface.stretching", solver%sheet%stretching)]
         end select
     end subroutine parameters
 
@@ -146,8 +147,8 @@ contains
 
         last = size(values)
         if (.not. is_bare(self%solver%sheet)) then
-            surface = surface_t(values(last - 1), values(last))
-            last = last - 2
+            surface = surface_t(values(last - 2), values(last - 1), values(last))
+            last = last - 3
         end if
         options = self%options
         if (size(constant_of(self%model, options)) > 0) then

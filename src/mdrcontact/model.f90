@@ -25,8 +25,9 @@ module mdrcontact_model
     use mdrcontact_medium_mencik, only: mencik_t, new_mencik
     use mdrcontact_medium_perriot_barthel, only: new_perriot_barthel, perriot_barthel_t
     use mdrcontact_medium_springless, only: new_springless, springless_t
+    use mdrcontact_medium_stretched, only: new_stretched, stretched_t
     use mdrcontact_medium_wave, only: new_wave, wave_t
-    use mdrcontact_tension_surface, only: is_bare, surface_t
+    use mdrcontact_tension_surface, only: has_springs, is_bare, surface_t
     implicit none (type, external)
     private
     public :: models, model_table, new_solver, find_model, model_position
@@ -189,7 +190,7 @@ contains
         if (allocated(error)) return
         if (present(surface)) then
             if (.not. is_bare(surface)) then
-                call new_sheeted(medium, body, model, surface, error, shared)
+                call new_sheeted(medium, body, model, chosen%tolerance, surface, error, shared)
                 return
             end if
         end if
@@ -213,22 +214,31 @@ contains
         if (.not. allocated(medium%pressed)) call body%copy_to(medium%pressed, error)
     end subroutine new_solver
 
-    !> A body under a surface with tension or a plate, solved exactly.
-    subroutine new_sheeted(medium, body, model, surface, error, shared)
+    !> A body under a surface that is not bare, solved exactly.
+    subroutine new_sheeted(medium, body, model, tolerance, surface, error, shared)
         class(solver_t), allocatable, intent(out) :: medium
         class(body_t), intent(in) :: body
         integer, intent(in) :: model
+        !> of one that has springs
+        real(wp), intent(in) :: tolerance
         type(surface_t), intent(in) :: surface
         type(error_t), allocatable, intent(inout) :: error
         type(layered_shared_t), intent(inout), optional :: shared
         type(springless_t), allocatable :: springless
+        type(stretched_t), allocatable :: stretched
 
         if (model /= models%exact) then
-            call refuse(model, " for a surface with tension or a plate", model_table%code == models%exact, error)
+            call refuse(model, " for a surface with tension or a sheet", model_table%code == models%exact, error)
         else if (body%is_graded) then
-            call raise(error, error_invalid, "a surface with tension or a plate is not allowed on a graded body: use layers")
+            call raise(error, error_invalid, "a surface with tension or a sheet is not allowed on a graded body: use layers")
         end if
         if (allocated(error)) return
+        if (has_springs(surface)) then
+            allocate (stretched)
+            call new_stretched(stretched, body, surface, tolerance, error, shared)
+            call move_alloc(stretched, medium)
+            return
+        end if
         allocate (springless)
         call new_springless(springless, body, surface, error, shared)
         call move_alloc(springless, medium)

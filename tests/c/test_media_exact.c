@@ -66,8 +66,31 @@ static void surface_with_tension(void)
         options.surface_bending = bad[i];
         CHECK_STATUS(mdr_medium_coated(0.75, 0.5, 1.0, 0.75, 0.5, MDR_MODEL_EXACT, &options, &m), MDR_EINVALID, "bending");
         options.surface_bending = 0.0;
+        options.surface_stretching = bad[i];
+        CHECK_STATUS(mdr_medium_coated(0.75, 0.5, 1.0, 0.75, 0.5, MDR_MODEL_EXACT, &options, &m), MDR_EINVALID, "stretching");
+        options.surface_stretching = 0.0;
     }
     CHECK_TRUE(m == NULL);
+}
+
+/* A surface that is stiff in its plane: small contacts do not move it sideways, E* 4 (1 - nu)^2/(3 - 4 nu); nu = 1/2 does not mind. */
+static void surface_with_stiff_sheet(void)
+{
+    const double a = 1e-6, E = 0.91, nu = 0.3;
+    double found;
+    mdr_medium *m = NULL;
+    mdr_medium_options options = MDR_SIZED(mdr_medium_options);
+
+    options.surface_stretching = 5.0;
+    CHECK_SUCCESS(mdr_medium_coated(E, nu, 1.0, E, nu, MDR_MODEL_EXACT, &options, &m));
+    CHECK_SUCCESS(mdr_medium_stiffness(m, 1, &a, &found));
+    CHECK_CLOSE(found / (2.0 * a), 4.0 * (1.0 - nu) * (1.0 - nu) / (3.0 - 4.0 * nu), 1e-6);
+    CHECK_STATUS(mdr_medium_tangential_modulus(m, 1, &a, &found), MDR_EINVALID, "sheet");
+    CHECK_SUCCESS(mdr_medium_free(&m));
+    CHECK_SUCCESS(mdr_medium_coated(0.75, 0.5, 1.0, 0.75, 0.5, MDR_MODEL_EXACT, &options, &m));
+    CHECK_SUCCESS(mdr_medium_stiffness(m, 1, &a, &found));
+    CHECK_CLOSE(found / (2.0 * a), 1.0, 1e-14);
+    CHECK_SUCCESS(mdr_medium_free(&m));
 }
 
 static void degenerate_stacks(void)
@@ -251,6 +274,7 @@ int main(void)
     one_material();
     rigid_base();
     surface_with_tension();
+    surface_with_stiff_sheet();
     degenerate_stacks();
     depth_of_first_touch();
     exact_zeta_of_a_model();

@@ -60,7 +60,10 @@ def half_space():
 def test_values(half_space):
     assert half_space.surface == TENSE
     assert pickle.loads(pickle.dumps(half_space)) == half_space
-    assert repr(half_space) == "Homogeneous(material=Elastic(E=0.75, nu=0.5), surface=Surface(tension=0.5, bending=0.0))"
+    assert (
+        repr(half_space)
+        == "Homogeneous(material=Elastic(E=0.75, nu=0.5), surface=Surface(tension=0.5, bending=0.0, stretching=0.0))"
+    )
     assert repr(mdr.Homogeneous(GEL)) == "Homogeneous(material=Elastic(E=0.75, nu=0.5))"
     assert mdr.Homogeneous(GEL, surface=mdr.Surface()) == mdr.Homogeneous(GEL)
     film = mdr.Coated(GEL, 1.0, mdr.RIGID, surface=TENSE)
@@ -246,6 +249,10 @@ def test_wetting_under_a_plate_warns_where_slopes_are_large():
         (lambda: mdr.Homogeneous(GEL, surface=mdr.Surface(np.nan)), "tension"),
         (lambda: mdr.Homogeneous(GEL, surface=mdr.Surface(1e300, 1e-6)), "between 1e-90 and 1e90"),
         (lambda: mdr.Coated(GEL, 1.0, mdr.RIGID, surface=mdr.Surface(5e-324)), "between 1e-90 and 1e90"),
+        (lambda: mdr.Homogeneous(GEL, surface=mdr.Surface(stretching=-1.0)), "stretching"),
+        (lambda: mdr.Homogeneous(GEL, surface=mdr.Surface(stretching=np.inf)), "stretching"),
+        (lambda: mdr.Coated(GEL, 1.0, mdr.RIGID, surface=mdr.Surface(stretching=1e13)), "factor 1e12"),
+        (lambda: mdr.Coated(GEL, 1.0, mdr.RIGID, "gao", surface=mdr.Surface(stretching=1.0)), "exact"),
         (lambda: mdr.Homogeneous(GEL, surface=3.0), "Surface"),
         (lambda: mdr.Homogeneous(mdr.PowerLawRheology(1.0, 1.0, 0.2, 0.5), surface=TENSE), "Elastic"),
         (lambda: mdr.Coated(GEL, 1.0, mdr.Elastic(1.0, 0.3), "gao", surface=TENSE), "exact"),
@@ -331,6 +338,10 @@ def test_fit_of_tension_and_modulus_together(half_space):
         (mdr.Coated(BONE, 1.0, mdr.Elastic(3.0, 0.4), surface=mdr.Surface(4.0)), ("coating.C33", "surface.tension")),
         (mdr.Coated(GEL, 0.5, mdr.RIGID, surface=mdr.Surface(0.0, 0.05)), ("thickness", "surface.bending")),
         (mdr.Homogeneous(BONE, surface=mdr.Surface(4.0)), ("C44", "surface.tension")),
+        (
+            mdr.Coated(mdr.Elastic(1.0, 0.2), 0.5, mdr.RIGID, surface=mdr.Surface(stretching=0.3)),
+            ("thickness", "surface.stretching"),
+        ),
     ],
 )
 def test_fit_of_a_surface_with_any_constant_of_the_body(body, free):
@@ -348,8 +359,9 @@ def test_problem_file(tmp_path):
     path = tmp_path / "gel.toml"
     path.write_text(
         '[indenter]\nshape = "paraboloid"\nradius = "10 um"\n\n[medium]\ntype = "homogeneous"\nsurface_tension = "30 mN/m"\n'
-        'surface_bending = "1e-18 N*m"\n\n[medium.material]\nE = "3 kPa"\nnu = 0.5\n\n[compute]\nmax_depth = "1 um"\npoints = 5\n',
+        'surface_bending = "1e-18 N*m"\nsurface_stretching = "2 N/m"\n'
+        '\n[medium.material]\nE = "3 kPa"\nnu = 0.5\n\n[compute]\nmax_depth = "1 um"\npoints = 5\n',
         encoding="utf-8",
     )
     medium = load(path).medium
-    assert medium.surface == mdr.Surface(0.03, 1e-18)
+    assert medium.surface == mdr.Surface(0.03, 1e-18, 2.0)

@@ -17,6 +17,7 @@ from ..problem.units import (
     MODULUS_PER_LENGTH,
     RATIO,
     STIFFNESS,
+    STRETCHING,
     SURFACE_TENSION,
     TIME,
     VISCOSITY,
@@ -65,6 +66,7 @@ _WORDS = {
     "cohesive_stress": "cohesive stress",
     "surface.tension": "surface tension tau",
     "surface.bending": "bending stiffness B of the surface",
+    "surface.stretching": "stiffness K_m of the surface in its plane",
 }
 _LAYER_WORDS = {"E": "modulus E", "nu": "Poisson's ratio nu", "thickness": "thickness h"}
 _DATA = {
@@ -132,6 +134,7 @@ def dimension_of(name: str) -> Dimension:
         "frame_compliance": COMPLIANCE,
         "tension": SURFACE_TENSION,
         "bending": BENDING,
+        "stretching": STRETCHING,
     }
     return others.get(last, RATIO)
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The surface of a body: tension and plate (theory_surfaces 5)."""
+"""The surface of a body: tension, plate and membrane (theory_surfaces 5)."""
 
 from __future__ import annotations
 
@@ -17,6 +17,8 @@ class Surface(WithParameters):
     tension : tau [modulus length], the same under the indenter and beside it: of a gel 0.01 to 0.07 N/m. Greater than 0; with a
         plate greater than 0.95 times the tension tau_c < 0 under which the surface wrinkles
     bending : B >= 0 of a plate that slides on the body, E h^3/(12 (1 - nu^2)) [modulus length^3]
+    stretching : K_m >= 0, stiffness in its plane of a thin sheet that is bonded to the body, E h/(1 - nu^2) [modulus length]: C is
+        that of a body whose surface moves sideways against K_m k^2
 
     Contacts with it answer states, adhesion, displacement of the surface, laws and fits to 1e-9 (cones 1e-8), the pressure to 2e-7.
     Friction, stresses inside, energies, time and pairs of deformable bodies are refused. Slopes are taken as small; a stiff film
@@ -25,6 +27,7 @@ class Surface(WithParameters):
 
     tension: float = 0.0
     bending: float = 0.0
+    stretching: float = 0.0
     _handle: Any = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
@@ -37,12 +40,14 @@ def given_surface(surface: object, *, elastic: bool) -> Surface | None:
     if surface is None:
         return None
     if not isinstance(surface, Surface):
-        raise ArgumentTypeError(f"surface = {surface!r} is not allowed: it must be a Surface(tension=..., bending=...) or None")
+        raise ArgumentTypeError(
+            f"surface = {surface!r} is not allowed: it must be a Surface(tension=..., bending=..., stretching=...) or None"
+        )
     if surface == Surface():
         return None
     if not elastic:
         raise InvalidArgumentError(
-            "surface is not allowed: under a surface with tension or a plate all materials must be Elastic(E, nu)"
+            "surface is not allowed: under a surface with tension or a sheet all materials must be Elastic(E, nu)"
         )
     return surface
 
@@ -50,4 +55,5 @@ def given_surface(surface: object, *, elastic: bool) -> Surface | None:
 def write_surface(surface: Surface | None, record: Any) -> None:
     """Into the options of a medium, as the library takes them."""
     if surface is not None:
-        record["surface_tension"], record["surface_bending"] = surface.tension, surface.bending
+        for name, value in surface._given().items():
+            record[f"surface_{name}"] = value

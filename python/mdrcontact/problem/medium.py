@@ -21,6 +21,7 @@ from .units import (
     LENGTH,
     MODULUS,
     MODULUS_PER_LENGTH,
+    STRETCHING,
     SURFACE_TENSION,
     TIME,
     VISCOSITY,
@@ -52,7 +53,11 @@ _PRONY = ("relaxed_shear_modulus", "moduli", "times", "nu", "bulk_modulus", "vis
 _GEL = ("shear_modulus", "nu", "diffusivity")
 _GEL_BY_FLOW = ("shear_modulus", "nu", "permeability", "viscosity")
 _POWER_LAW = ("modulus", "time", "exponent", "nu")
-_SURFACE: Mapping[str, Dimension | None] = {"surface_tension": SURFACE_TENSION, "surface_bending": BENDING}
+_SURFACE: Mapping[str, Dimension | None] = {
+    "surface_tension": SURFACE_TENSION,
+    "surface_bending": BENDING,
+    "surface_stretching": STRETCHING,
+}
 _STIFFNESSES = ("C11", "C12", "C13", "C33", "C44")
 _ENGINEERING = ("E_t", "E_z", "nu_t", "nu_tz", "G_z")
 _PLACE: Mapping[str, Dimension | None] = {"thickness": LENGTH, "prestress": MODULUS, "interface": None}

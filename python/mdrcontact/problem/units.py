@@ -45,6 +45,9 @@ WORK_OF_ADHESION = Dimension(
     "a work of adhesion", "J/m^2", "50 mJ/m^2", (("uJ/m^2", 1e-6), ("mJ/m^2", 1e-3), ("J/m^2", 1.0)), ("N/m",)
 )
 SURFACE_TENSION = Dimension("a surface tension", "N/m", "30 mN/m", (("uN/m", 1e-6), ("mN/m", 1e-3), ("N/m", 1.0)), ("J/m^2",))
+STRETCHING = Dimension(
+    "a stiffness in the plane", "N/m", "100 N/m", (("mN/m", 1e-3), ("N/m", 1.0), ("kN/m", 1e3), ("MN/m", 1e6)), ("J/m^2",)
+)
 BENDING = Dimension(
     "a bending stiffness", "N*m", "1 nN*m", (("fN*m", 1e-15), ("pN*m", 1e-12), ("nN*m", 1e-9), ("uN*m", 1e-6), ("N*m", 1.0)), ("J",)
 )

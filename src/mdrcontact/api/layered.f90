@@ -122,8 +122,8 @@ contains
         call read_medium_options(error, options, chosen)
         call read_surface(error, options, surface)
         if (.not. is_bare(surface)) then
-            call raise(error, error_invalid, "surface_tension and surface_bending are not allowed: a body under a surface "// &
-                       "with tension or a plate must be elastic")
+            call raise(error, error_invalid, "surface_tension, surface_bending and surface_stretching are not allowed: a "// &
+                       "body under a surface with tension or a sheet must be elastic")
         end if
         allocate (medium)
         allocate (medium%relaxing)

@@ -2,7 +2,7 @@
 !> The surface compliance of layers, and of what lies between them, on a half-space or a rigid base (theory 6), for real elastic
 !> constants and for the complex ones of an oscillation or of a Laplace transform.
 module mdrcontact_body_chain
-    use mdrcontact_body_compliance, only: along, plane_compliance_t
+    use mdrcontact_body_compliance, only: plane_compliance_t
     use mdrcontact_body_elements_element, only: element_t
     use mdrcontact_body_elements_interface, only: bond_t, interface_t, new_interface
     use mdrcontact_body_elements_layer, only: half_space_compliance, layer_t, new_layer
@@ -46,6 +46,7 @@ module mdrcontact_body_chain
     contains
         procedure :: chi_in_plane
         procedure :: chi_across
+        procedure :: matrices
         procedure :: key
     end type chain_t
 
@@ -248,39 +249,64 @@ contains
         end if
     end subroutine chi_in_plane
 
-    !> Carries the compliance from the deepest element that matters at this k up to the surface.
+    !> The compliance carried from the deepest element that matters at this k up to the surface.
     pure subroutine carry(self, k, direction, sigma, chi)
         class(chain_t), intent(in) :: self
         complex(wp), intent(in) :: k
         integer, intent(in) :: direction
         complex(wp), intent(out) :: sigma, chi
-        complex(wp) :: compliance(2, 2), scale
-        integer :: i, seen
+        complex(wp), dimension(2, 2) :: half_space, whole, change
+        logical :: is_whole
 
-        associate (top => self%links(1)%element)
-            scale = top%half_space(direction, direction)
-            if (abs(k) < self%series_end) then
-                sigma = long_wave_compliance(self%series, k, direction)/scale
-                chi = sigma - 1.0_wp
-                return
-            end if
-            compliance = self%base
-            seen = elements_seen(self, k)
-            if (seen < size(self%links)) compliance = self%links(seen + 1)%element%half_space
-            do i = seen, 2, -1
-                compliance = self%links(i)%element%above(k, compliance)
-            end do
-            if (abs(k*top%thickness) < 1.0_wp) then
-                compliance = top%above(k, compliance)
-                sigma = compliance(direction, direction)/scale
+        call self%matrices(k, half_space, whole, change, is_whole)
+        associate (scale => half_space(direction, direction))
+            if (is_whole) then
+                sigma = whole(direction, direction)/scale
                 chi = sigma - 1.0_wp
             else
-                compliance = top%reflected(k, compliance)
-                chi = compliance(direction, direction)/scale
+                chi = change(direction, direction)/scale
                 sigma = 1.0_wp + chi
             end if
         end associate
     end subroutine carry
+
+    !> S of the surface material's half-space, of the body, and what the body changes: the second keeps its digits for long waves
+    !> and the third for short ones.
+    pure subroutine matrices(self, k, half_space, whole, change, is_whole)
+        class(chain_t), intent(in) :: self
+        complex(wp), intent(in) :: k
+        complex(wp), dimension(2, 2), intent(out) :: half_space, whole, change
+        !> the third was made of the second, else the second of the third
+        logical, intent(out) :: is_whole
+        integer :: i, seen
+
+        is_whole = .false.
+        half_space = self%base
+        whole = self%base
+        change = 0.0_wp
+        if (size(self%links) == 0) return
+        associate (top => self%links(1)%element)
+            half_space = top%half_space
+            if (abs(k) < self%series_end) then
+                whole = long_wave_compliance(self%series, k)
+                is_whole = .true.
+            else
+                seen = elements_seen(self, k)
+                if (seen < size(self%links)) whole = self%links(seen + 1)%element%half_space
+                do i = seen, 2, -1
+                    whole = self%links(i)%element%above(k, whole)
+                end do
+                is_whole = abs(k*top%thickness) < 1.0_wp
+                if (is_whole) whole = top%above(k, whole)
+                if (.not. is_whole) change = top%reflected(k, whole)
+            end if
+        end associate
+        if (is_whole) then
+            change = whole - half_space
+        else
+            whole = half_space + change
+        end if
+    end subroutine matrices
 
     !> Across the plane of the wave.
     pure subroutine chi_across(self, k, sigma, chi)
@@ -320,12 +346,11 @@ contains
         count = size(self%links)
     end function elements_seen
 
-    !> Entry (direction, direction) of displacements times the inverse of tractions.
-    pure function long_wave_compliance(series, k, direction) result(compliance)
+    !> Displacements times the inverse of tractions.
+    pure function long_wave_compliance(series, k) result(compliance)
         complex(wp), intent(in) :: series(8, 0:series_order)
         complex(wp), intent(in) :: k
-        integer, intent(in) :: direction
-        complex(wp) :: compliance
+        complex(wp) :: compliance(2, 2)
         complex(wp) :: rows(8)
         integer :: n
 
@@ -333,11 +358,10 @@ contains
         do n = series_order - 1, 0, -1
             rows = series(:, n) + k*rows
         end do
-        if (direction == along) then
-            compliance = rows(1)*rows(8) - rows(2)*rows(7)
-        else
-            compliance = rows(4)*rows(5) - rows(3)*rows(6)
-        end if
+        compliance(1, 1) = rows(1)*rows(8) - rows(2)*rows(7)
+        compliance(2, 1) = rows(3)*rows(8) - rows(4)*rows(7)
+        compliance(1, 2) = rows(2)*rows(5) - rows(1)*rows(6)
+        compliance(2, 2) = rows(4)*rows(5) - rows(3)*rows(6)
         compliance = compliance/(rows(5)*rows(8) - rows(6)*rows(7))
     end function long_wave_compliance
 

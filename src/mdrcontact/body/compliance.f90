@@ -31,6 +31,8 @@ module mdrcontact_body_compliance
     contains
         !> sigma and chi at wavenumbers, each to full relative precision as far as it is known
         procedure(chi_at), deferred :: chi
+        !> sigma of what short waves meet, and what the body adds to it, which decays with the depth of the first interface
+        procedure :: split
         !> numbers without a unit that determine it but for length and stiffness; none if that takes too many
         procedure :: key => none
     end type compliance_t
@@ -76,6 +78,17 @@ module mdrcontact_body_compliance
     end interface
 
 contains
+
+    subroutine split(self, k, bare, change)
+        class(compliance_t), intent(in) :: self
+        !> as of chi [1/length]
+        complex(wp), intent(in) :: k(:)
+        !> same size as k
+        complex(wp), intent(out) :: bare(:), change(:)
+
+        call self%chi(k, bare, change)
+        bare = 1.0_wp
+    end subroutine split
 
     pure subroutine none(self, values, error)
         class(compliance_t), intent(in) :: self

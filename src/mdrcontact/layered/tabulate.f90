@@ -24,6 +24,8 @@ module mdrcontact_layered_tabulate
     !> From this sigma(0) on rounding of X(0) would be seen in d and F; and octaves of y in which X may be X(0) and little less.
     real(wp), parameter :: stiff = 1.0e3_wp
     integer, parameter :: most_plateau = 40
+    !> A body deeper than so many octaves of its first layer varies from the surface down: its X varies all over the plateau.
+    integer, parameter :: deepest_plateau = 36
     !> By how much the table of an elastic body may miss chi, in parts of its largest value.
     real(wp), parameter :: elastic_misfit = 1.0e-10_wp
     !> A body no deeper than so many thicknesses of its first layer is one of layers, not a grading.
@@ -92,7 +94,7 @@ contains
         kernel%plateau = 0
         middle = sum(1.0_wp/table%far_y**2)/real(size(x), wp)
         inverse = 1.0_wp/table%far_y**2 - middle
-        on_plateau = kernel%sigma_zero > stiff
+        on_plateau = kernel%sigma_zero > stiff .and. surface%last_depth < scale(kernel%unit, deepest_plateau)
         if (on_plateau) call take_chi_moments(ray, table)
         do octave = 0, most_octaves - 1
             call extend_ray(ray, surface, kernel%unit, table, ray%lowest - octave)

@@ -9,6 +9,7 @@ module mdrcontact_medium_compliance
     use mdrcontact_kinds, only: wp
     use mdrcontact_medium_solver, only: solver_t
     use mdrcontact_medium_viscoelastic, only: viscoelastic_t
+    use mdrcontact_tension_membrane, only: membrane_t, new_membrane
     use mdrcontact_tension_surface, only: is_bare, surface_t
     implicit none (type, external)
     private
@@ -41,7 +42,7 @@ contains
             call raise(error, error_invalid, " is not allowed: this medium is known by its modulus alone; give E and nu of its "// &
                        "layers", "m")
         else
-            call add_body(solver%pressed, load, k, values, error)
+            call add_body(solver%pressed, load, k, values, error, solver%sheet%stretching)
             if (allocated(solver%counterbody)) call add_body(solver%counterbody, load, k, values, error)
             if (.not. is_bare(solver%sheet)) call add_sheet(solver%sheet, load, k, values, error)
         end if
@@ -68,7 +69,7 @@ contains
         call check_values(error, values)
     end subroutine of_relaxing
 
-    !> 1/C + tau k^2 + B k^4 in place of 1/C (theory_surfaces 5).
+    !> Of the body as it is under the sheet's stiffness in its plane, 1/C + tau k^2 + B k^4 in place of 1/C (theory_surfaces 5).
     pure subroutine add_sheet(sheet, load, k, values, error)
         type(surface_t), intent(in) :: sheet
         integer, intent(in) :: load
@@ -79,7 +80,7 @@ contains
         if (load == normal_load) then
             values = values/(1.0_wp + (sheet%tension + sheet%bending*k**2)*k**2*values)
         else if (.not. allocated(error)) then
-            call raise(error, error_invalid, " is not allowed: under a surface with tension or a plate the compliance is known "// &
+            call raise(error, error_invalid, " is not allowed: under a surface with tension or a sheet the compliance is known "// &
                        "under a pressure", "load")
         end if
     end subroutine add_sheet
@@ -93,16 +94,27 @@ contains
                    "omega or k")
     end subroutine check_values
 
-    subroutine add_body(body, load, k, values, error)
+    subroutine add_body(body, load, k, values, error, stretching)
         class(body_t), intent(in) :: body
         integer, intent(in) :: load
         real(wp), intent(in) :: k(:)
         complex(wp), intent(inout) :: values(:)
         type(error_t), allocatable, intent(inout) :: error
+        !> of a sheet on it, in its plane [modulus length]
+        real(wp), intent(in), optional :: stretching
         class(compliance_t), allocatable :: compliance
+        type(membrane_t) :: membrane
 
         if (.not. allocated(error)) call body%compliance(load, compliance, error)
-        if (.not. allocated(error)) call add(compliance, load, k, values)
+        if (allocated(error)) return
+        if (present(stretching) .and. load == normal_load) then
+            if (stretching > 0.0_wp) then
+                call new_membrane(membrane, stretching, compliance, error, has_springs=.false.)
+                if (.not. allocated(error)) call add(membrane, load, k, values)
+                return
+            end if
+        end if
+        call add(compliance, load, k, values)
     end subroutine add_body
 
     !> The scale of a twist is 4 G0, so that M/phi of a punch is to it as dF/dd is to E*; a wave has half of it.

@@ -85,6 +85,7 @@ module mdrcontact_medium_exact
         module procedure new_exact_from_body
         module procedure new_exact_from_layers
         module procedure new_exact_from_homogeneous
+        module procedure new_exact_from_compliance
     end interface new_layered_exact
 
 contains
@@ -108,6 +109,19 @@ contains
         if (.not. allocated(error)) call body%copy_to(self%pressed, error)
     end subroutine new_exact_from_body
 
+    !> Any compliance under a normal load; what it is of is not known.
+    subroutine new_exact_from_compliance(self, compliance, error, tolerance, shared)
+        type(layered_exact_t), intent(out) :: self
+        class(compliance_t), intent(in) :: compliance
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp), intent(in) :: tolerance
+        type(layered_shared_t), intent(inout), optional :: shared
+
+        call check_within(error, "tolerance", tolerance, smallest_tolerance, largest_tolerance)
+        self%tolerance = tolerance
+        call solve_compliance(self, compliance, error, shared)
+    end subroutine new_exact_from_compliance
+
     !> The kernel of a body under a load, and what follows from it.
     subroutine solve_body(self, body, load, error, shared)
         type(layered_exact_t), intent(inout) :: self
@@ -115,7 +129,6 @@ contains
         integer, intent(in) :: load
         type(error_t), allocatable, intent(inout) :: error
         type(layered_shared_t), intent(inout), optional :: shared
-        type(layered_shared_t) :: own
         class(compliance_t), allocatable :: compliance
 
         if (load /= normal_load .and. body%slides) then
@@ -123,9 +136,19 @@ contains
                        "stiffness along the surface; give the interface a tangential stiffness")
             return
         end if
-        call disable_gsl_abort()
         call body%compliance(load, compliance, error)
+        if (.not. allocated(error)) call solve_compliance(self, compliance, error, shared)
+    end subroutine solve_body
+
+    subroutine solve_compliance(self, compliance, error, shared)
+        type(layered_exact_t), intent(inout) :: self
+        class(compliance_t), intent(in) :: compliance
+        type(error_t), allocatable, intent(inout) :: error
+        type(layered_shared_t), intent(inout), optional :: shared
+        type(layered_shared_t) :: own
+
         if (allocated(error)) return
+        call disable_gsl_abort()
         self%surface_modulus = real(compliance%scale, wp)
         call new_homogeneous_from_modulus(self%surface, self%surface_modulus, error)
         if (allocated(error)) return
@@ -137,7 +160,7 @@ contains
         self%largest_radius = merge(largest_homogeneous, largest_ratio*compliance%last_depth, self%kernel%vanishes)
         self%surface_contrast = contrast_of(self%kernel)
         call mark_exact(self)
-    end subroutine solve_body
+    end subroutine solve_compliance
 
     !> k'(a) = 2 E0* q_1(a; a)^2, so that by the energy balance the edge spring carries q(a) = -sqrt(2 pi a gamma E0*).
     pure subroutine mark_exact(self)

@@ -43,7 +43,7 @@ contains
         end if
         if (allocated(error)) return
         if (.not. (is_bare(lower%sheet) .or. upper%is_rigid) .or. .not. is_bare(upper%sheet)) then
-            call raise(error, error_invalid, "a pair is not allowed of bodies whose surface has a tension or a plate: what the "// &
+            call raise(error, error_invalid, "a pair is not allowed of bodies whose surface has a tension or a sheet: what the "// &
                        "surfaces in contact do to each other is not known; take the other body as rigid")
             return
         end if

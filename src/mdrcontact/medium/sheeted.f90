@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> What a body under a surface with tension or a plate does not answer, and why.
+!> What a body under a surface with tension or a sheet does not answer, and why.
 module mdrcontact_medium_sheeted
     use mdrcontact_error, only: error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
@@ -32,7 +32,7 @@ contains
         character(len=*), intent(in) :: what, why
         type(error_t), allocatable, intent(inout) :: error
 
-        call raise(error, error_invalid, what//" not known under a surface with tension or a plate: "//why)
+        call raise(error, error_invalid, what//" not known under a surface with tension or a sheet: "//why)
     end subroutine refuse
 
     subroutine energies(self, profile, a, excess, values, error)
@@ -57,7 +57,7 @@ contains
 
         associate (unused => self, also_unused => profile, unused_too => a + excess, this_too => load)
         end associate
-        call refuse("stresses inside are", "the body is pressed beside the contact, too, by what the surface hands on", error)
+        call refuse("stresses inside are", "the body is loaded beside the contact, too, by what the surface hands on", error)
     end subroutine surface_load
 
     subroutine new_tangential(self, tangential, error)
@@ -120,7 +120,7 @@ contains
         end associate
         modulus = 0.0_wp
         tolerance = 0.0_wp
-        call refuse("the load of a cohesive zone (cohesive_stress) is", "it has no springs", error)
+        call refuse("the load of a cohesive zone (cohesive_stress) is", "it has no springs, or nearly singular ones", error)
     end subroutine springs
 
     subroutine interaction(self, a, most, modulus, matrix, error)
@@ -134,7 +134,7 @@ contains
         associate (unused => self, also_unused => a, unused_too => most)
         end associate
         modulus = 0.0_wp
-        call refuse("the wear of a sliding indenter is", "it has no springs", error)
+        call refuse("the wear of a sliding indenter is", "it has no springs, or nearly singular ones", error)
         allocate (matrix(0, 0))
     end subroutine interaction
 

@@ -17,6 +17,7 @@ module mdrcontact_medium_springless
     use mdrcontact_profile, only: profile_t
     use mdrcontact_tension_fields, only: load_t, new_load
     use mdrcontact_tension_green, only: green_t, new_green
+    use mdrcontact_tension_membrane, only: membrane_t, new_membrane
     use mdrcontact_tension_solution, only: solution_t, solve_punch
     use mdrcontact_tension_stability, only: check_stability
     use mdrcontact_tension_surface, only: check_surface, surface_t
@@ -38,6 +39,8 @@ module mdrcontact_medium_springless
         type(green_t) :: green
         !> E0* of the surface material [modulus]
         real(wp) :: surface_modulus = 0.0_wp
+        !> c and l_m of a surface that is stiff in its plane
+        real(wp) :: bare_excess = 0.0_wp, bare_length = 0.0_wp
         !> of a half-space under tension alone
         type(punch_table_t), allocatable :: table
     contains
@@ -63,9 +66,23 @@ contains
         !> what this medium has in common with others made before it, which then costs less
         type(layered_shared_t), intent(inout), optional :: shared
 
+        type(membrane_t), allocatable :: membrane
+        class(compliance_t), allocatable :: own
+
         call disable_gsl_abort()
         call check_surface(surface, error)
-        if (.not. allocated(error)) call body%compliance(normal_load, self%compliance, error)
+        if (.not. allocated(error)) call body%compliance(normal_load, own, error)
+        if (allocated(error)) return
+        if (surface%stretching > 0.0_wp) then
+            allocate (membrane)
+            call new_membrane(membrane, surface%stretching, own, error, has_springs=.false.)
+            if (allocated(error)) return
+            self%bare_excess = membrane%excess
+            self%bare_length = membrane%length
+            call move_alloc(membrane, self%compliance)
+        else
+            call move_alloc(own, self%compliance)
+        end if
         if (.not. allocated(error)) call check_stability(surface, self%compliance, error)
         if (.not. allocated(error)) call body%copy_to(self%pressed, error)
         if (allocated(error)) return
@@ -76,7 +93,7 @@ contains
         self%is_modulus_formula = .false.
         call set_lengths(self, error)
         if (allocated(error)) return
-        if (surface%bending > 0.0_wp .or. self%compliance%first_depth > 0.0_wp) return
+        if (surface%bending > 0.0_wp .or. self%compliance%first_depth > 0.0_wp .or. self%bare_excess > 0.0_wp) return
         if (present(shared)) then
             if (allocated(shared%punches)) then
                 self%table = shared%punches
@@ -114,7 +131,7 @@ contains
             self%why_it_ends = ": under a surface with tension or a plate, 30 thicknesses of the first layer"
         end if
         self%largest_radius = largest
-        call new_green(self%green, l, b, 2.0_wp*largest)
+        call new_green(self%green, l, b, 2.0_wp*largest, error, self%bare_excess, self%bare_length)
         if (b > 0.0_wp) self%smallest_radius = least_plate_length/self%green%rate
     end subroutine set_lengths
 
@@ -153,6 +170,8 @@ contains
         call check_memory(error, stat)
         own%green = self%green
         own%surface_modulus = self%surface_modulus
+        own%bare_excess = self%bare_excess
+        own%bare_length = self%bare_length
         if (allocated(self%table)) own%table = self%table
         call move_alloc(own, copy)
     end subroutine copy_to

@@ -1,7 +1,8 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> What layers below the surface add to the Galerkin matrices: products of Bessel functions over wavenumbers (theory_surfaces 6).
 !>
-!> kappa - kappa_0 = chi kappa_0^2/(1 + (1 - kappa_0) chi) falls as chi does, so that a plain rule over k serves all entries.
+!> kappa - kappa_0 falls as what the layers change of sigma, so that a plain rule over k serves all entries: with sigma_0 of the
+!> surface's half-space it is change (kappa_0/sigma_0)^2/(1 + (1 - kappa_0) change/sigma_0).
 module mdrcontact_tension_body_part
     use, intrinsic :: iso_c_binding, only: c_int
     use mdrcontact_body_compliance, only: compliance_t
@@ -53,8 +54,8 @@ contains
         real(wp), intent(in) :: distance
         real(wp), allocatable, intent(out) :: k(:), weight(:)
         type(error_t), allocatable, intent(inout) :: error
-        real(wp), allocatable :: edges(:), bare(:)
-        complex(wp), allocatable :: sigma(:), chi(:)
+        real(wp), allocatable :: edges(:), ratio(:)
+        complex(wp), allocatable :: bare(:), change(:)
         real(wp) :: t(nodes), w(nodes), longest, edge
         integer :: i
 
@@ -68,10 +69,10 @@ contains
         end do
         k = [(edges(i) + (edges(i + 1) - edges(i))*t, i=1, size(edges) - 1)]
         weight = [((edges(i + 1) - edges(i))*w, i=1, size(edges) - 1)]
-        allocate (sigma(size(k)), chi(size(k)))
-        call compliance%chi(cmplx(k, 0.0_wp, wp), sigma, chi)
-        bare = green%spectrum(k)
-        weight = weight*real(chi, wp)*bare**2/(1.0_wp + (1.0_wp - bare)*real(chi, wp))
+        allocate (bare(size(k)), change(size(k)))
+        call compliance%split(cmplx(k, 0.0_wp, wp), bare, change)
+        ratio = green%spectrum(k)/real(bare, wp)
+        weight = weight*real(change, wp)*ratio**2/(1.0_wp + (1.0_wp - ratio*real(bare, wp))*real(change/bare, wp))
     end subroutine wave_rule
 
     !> The basis alone.

@@ -1,11 +1,15 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> What a line load of 1 does to a half-space under a surface with tension or a plate (theory_surfaces 6):
-!>     Phi(y) = int_0^inf kappa_0(k) cos ky dk,   kappa_0 = 1/(1 + l k + b k^3) = sum R/(k - k_r),   l = 2 tau/E0*, b = 2 B/E0*
+!>     Phi(y) = int_0^inf kappa_0(k) cos ky dk,   kappa_0 = 1/(1/sigma_0 + l k + b k^3) = sum R/(k - k_r),
+!>     l = 2 tau/E0*, b = 2 B/E0*.
 !>
+!> sigma_0 = 1 + c/(1 + l_m k) where the surface is stiff in its plane (mdrcontact_tension_membrane), else 1.
 !> Phi = sum R g(-k_r y), g of sine and cosine integrals. Beside y = 0 it is P(y) + Q(y) ln y with analytic P and Q; elsewhere it is
-!> tabulated. One pole without a plate, a real one and a pair with it.
+!> tabulated. One pole without a plate, a real one and a pair with it; one more where the surface is stiff in its plane.
 module mdrcontact_tension_green
+    use mdrcontact_error, only: error_no_convergence, error_t, raise
     use mdrcontact_kinds, only: pi, wp
+    use mdrcontact_lapack, only: dgeev
     use mdrcontact_numerics_chebyshev, only: node
     use mdrcontact_tension_auxiliary, only: auxiliary, regular_parts
     implicit none (type, external)
@@ -19,6 +23,8 @@ module mdrcontact_tension_green
     integer, parameter :: terms = 22
     !> Panels are no longer than this while waves of a plate are left, exp(-faded) [1/|k_r|].
     real(wp), parameter :: longest = 4.0_wp, faded = 40.0_wp
+    !> Poles of a plate that is stiff in its plane, and steps that make them exact.
+    integer, parameter :: most_poles = 4, newton_steps = 4
     !> Points whose series are summed side by side.
     integer, parameter :: block = 8
     !> Up to here P and Q are taken [1/|k_r|].
@@ -30,7 +36,9 @@ module mdrcontact_tension_green
         integer :: columns = 2
         !> l [length] and b [length^3]
         real(wp) :: tension_length = 0.0_wp, bending_volume = 0.0_wp
-        !> the largest |k_r| [1/length]
+        !> c and l_m [length]
+        real(wp) :: excess = 0.0_wp, stretching_length = 0.0_wp
+        !> the largest |k_r| without l_m [1/length]
         real(wp) :: rate = 0.0_wp
         !> y up to which `split` holds, and beyond which there is no table [length]
         real(wp) :: near = 0.0_wp, last = 0.0_wp
@@ -49,11 +57,15 @@ module mdrcontact_tension_green
 contains
 
     !> For y up to `last` from the table, beyond it from the functions themselves.
-    pure subroutine new_green(self, tension_length, bending_volume, last)
+    subroutine new_green(self, tension_length, bending_volume, last, error, excess, stretching_length)
         type(green_t), intent(out) :: self
         !> l and b; l > 0 where b = 0, and no pole on the positive axis
         real(wp), intent(in) :: tension_length, bending_volume, last
+        type(error_t), allocatable, intent(inout) :: error
+        !> c and l_m of a surface that is stiff in its plane; default 0
+        real(wp), intent(in), optional :: excess, stretching_length
 
+        if (allocated(error)) return
         self%tension_length = tension_length
         self%bending_volume = bending_volume
         if (bending_volume > 0.0_wp) then
@@ -64,7 +76,13 @@ contains
             self%residue = self%rho
         end if
         self%rate = maxval(abs(self%rho))
-        self%near = near_end/self%rate
+        if (present(excess)) then
+            self%excess = excess
+            self%stretching_length = stretching_length
+            if (excess > 0.0_wp) call find_all_poles(self, error)
+            if (allocated(error)) return
+        end if
+        self%near = near_end/maxval(abs(self%rho))
         self%last = max(last, 2.0_wp*self%near)
         call tabulate(self)
     end subroutine new_green
@@ -90,6 +108,59 @@ contains
         end associate
     end subroutine find_poles
 
+    !> Those of kappa_0 with sigma_0, the eigenvalues of its companion matrix, made more exact by Newton's steps.
+    subroutine find_all_poles(self, error)
+        type(green_t), intent(inout) :: self
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp) :: powers(0:most_poles), companion(most_poles, most_poles), work(16*most_poles), left(1, 1), right(1, 1), unit
+        real(wp), dimension(most_poles) :: real_parts, imaginary_parts
+        complex(wp) :: k, value, slope
+        integer :: i, j, n, info
+
+        associate (l => self%tension_length, b => self%bending_volume, c => self%excess, m => self%stretching_length)
+            ! (1 + m k) + (l k + b k^3) (1 + c + m k) in powers of k
+            powers = [1.0_wp, m + l*(1.0_wp + c), l*m, b*(1.0_wp + c), b*m]
+            n = merge(4, 2, b > 0.0_wp)
+            unit = powers(n)**(-1.0_wp/n)
+            companion = 0.0_wp
+            do i = 1, n
+                if (i < n) companion(i + 1, i) = 1.0_wp
+                companion(i, n) = -powers(i - 1)*unit**(i - 1)
+            end do
+            call dgeev("N", "N", n, companion, most_poles, real_parts, imaginary_parts, left, 1, right, 1, work, size(work), info)
+            if (info /= 0) then
+                call raise(error, error_no_convergence, "the poles of a surface that is stiff in its plane were not found")
+                return
+            end if
+            self%rho = pack(-unit*cmplx(real_parts(:n), imaginary_parts(:n), wp), imaginary_parts(:n) >= 0.0_wp)
+            self%residue = self%rho
+            do i = 1, size(self%rho)
+                k = -self%rho(i)
+                do j = 0, newton_steps
+                    call polynomial(powers(:n), k, value, slope)
+                    if (j < newton_steps) k = k - value/slope
+                end do
+                self%rho(i) = -k
+                self%residue(i) = merge(2.0_wp, 1.0_wp, abs(aimag(k)) > 0.0_wp)*(1.0_wp + c + m*k)/slope
+            end do
+        end associate
+    end subroutine find_all_poles
+
+    !> A polynomial and its slope.
+    pure subroutine polynomial(powers, x, value, slope)
+        real(wp), intent(in) :: powers(0:)
+        complex(wp), intent(in) :: x
+        complex(wp), intent(out) :: value, slope
+        integer :: i
+
+        value = powers(ubound(powers, 1))
+        slope = 0.0_wp
+        do i = ubound(powers, 1) - 1, 0, -1
+            slope = slope*x + value
+            value = value*x + powers(i)
+        end do
+    end subroutine polynomial
+
     pure subroutine tabulate(self)
         type(green_t), intent(inout) :: self
         real(wp), dimension(self%columns, terms) :: values, others
@@ -97,7 +168,7 @@ contains
         integer :: i, panel
 
         waves = 0.0_wp
-        if (self%bending_volume > 0.0_wp) waves = faded/max(abs(aimag(self%rho(2))), tiny(1.0_wp))
+        if (self%bending_volume > 0.0_wp) waves = faded/max(maxval(abs(aimag(self%rho))), tiny(1.0_wp))
         self%edges = [self%near]
         do while (self%edges(size(self%edges)) < self%last)
             edge = self%edges(size(self%edges))
@@ -256,7 +327,8 @@ contains
         real(wp), intent(in) :: k
         real(wp) :: value
 
-        value = 1.0_wp/(1.0_wp + k*(self%tension_length + k**2*self%bending_volume))
+        value = 1.0_wp/(1.0_wp - self%excess/(1.0_wp + self%excess + self%stretching_length*k) &
+                        + k*(self%tension_length + k**2*self%bending_volume))
     end function spectrum
 
 end module mdrcontact_tension_green

@@ -46,7 +46,7 @@ contains
         type(solution_t) :: solution, again
         integer :: i
 
-        call new_green(green, 1.0_wp, 0.0_wp, 2.0_wp*10.0_wp**(first_decade + decades))
+        call new_green(green, 1.0_wp, 0.0_wp, 2.0_wp*10.0_wp**(first_decade + decades), error)
         allocate (self%panels(decades))
         do i = 1, decades
             call fill_panel(self%panels(i), green, half_space, first_decade + i - 1, error)

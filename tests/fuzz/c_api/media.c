@@ -65,6 +65,7 @@ static int make_stack(world *w, mdr_medium **out, int *is_exact)
     if (take_byte(in) % 4 == 3) {
         options.surface_tension = take_number(in);
         options.surface_bending = take_chance(in) ? take_number(in) : take_byte(in) % 2 * take_positive(in);
+        if (take_chance(in)) options.surface_stretching = take_number(in);
         chosen = &options;
     }
     *is_exact = 1;

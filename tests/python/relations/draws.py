@@ -166,6 +166,11 @@ bare = st.one_of(homogeneous, st.builds(mdr.Coated, materials, between(0.3, 20.0
 """Contact radii from 0.3 to 1 are within what they answer under such surfaces."""
 tense = st.builds(lambda body, tension: body.replace(surface=mdr.Surface(tension)), bare, tensions)
 plated = st.builds(lambda body, plate: body.replace(surface=plate), bare, plates)
+stretchings = between(0.1, 10.0)
+stretched = st.builds(lambda body, k: body.replace(surface=mdr.Surface(stretching=k)), bare, stretchings)
+tense_and_stretched = st.builds(
+    lambda body, tension, k: body.replace(surface=mdr.Surface(tension, 0.0, k)), bare, tensions, stretchings
+)
 sheeted = st.one_of(tense, plated)
 
 works = between(1e-6, 1e-3)

@@ -23,8 +23,8 @@ def in_units(what: Any, s: float, t: float = 1.0) -> Any:
             return mdr.AreaFunction(terms, max_height=high * s, min_height=low * s)
         case mdr.Layered(layers=layers, substrate=base):
             return what.replace(layers=[(in_units(m, s, t), h * s) for m, h in layers], substrate=in_units(base, s, t))
-        case mdr.Surface(tension=tension, bending=bending):
-            return mdr.Surface(tension * s * t, bending * s**3 * t)
+        case mdr.Surface(tension=tension, bending=bending, stretching=stretching):
+            return mdr.Surface(tension * s * t, bending * s**3 * t, stretching * s * t)
     if what is mdr.RIGID or what is None:
         return what
     changes = {name: _times(getattr(what, name), s, t, unit) for name, unit in _UNITS[type(what)].items()}

@@ -27,7 +27,7 @@ def digits(tip):
 
 
 TIPS = st.one_of(d.paraboloids, d.cones, st.builds(lambda n, c: d.Tip(mdr.PowerLaw(n, c)), st.floats(1.0, 6.0), d.lengths))
-TENSE = st.tuples(d.tense, TIPS)
+TENSE = st.tuples(st.one_of(d.tense, d.stretched, d.tense_and_stretched), TIPS)
 PRESSED = st.one_of(TENSE, st.tuples(d.plated, d.paraboloids))
 """A plate takes the shape of a paraboloid, of no tip or flat one."""
 
@@ -149,10 +149,10 @@ def test_compressed_plates(material, part, bending, a):
             mdr.Homogeneous(material, surface=refused)
 
 
-@relation(40, body=d.bare, tension=numbers, bending=numbers, a=d.between(1e-6, 1e6), may_refuse=1.0)
-def test_any_numbers(body, tension, bending, a):
+@relation(40, body=d.bare, tension=numbers, bending=numbers, stretching=numbers, a=d.between(1e-6, 1e6), may_refuse=1.0)
+def test_any_numbers(body, tension, bending, stretching, a):
     """Any numbers are refused with a sentence, or give a stiffness > 0 at any radius, or refuse that with a sentence."""
-    assert body.replace(surface=mdr.Surface(tension, bending)).stiffness(a) > 0.0
+    assert body.replace(surface=mdr.Surface(tension, bending, stretching)).stiffness(a) > 0.0
 
 
 @relation(4, pressed=PRESSED, a=radii, far=d.between(1.2, 2.0))

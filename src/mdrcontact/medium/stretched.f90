@@ -1,0 +1,136 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> A body whose surface carries a sheet that is stiff in its plane (theory_surfaces 5): short waves still meet springs, those of a
+!> surface that cannot move sideways, and its states are those of a body with that compliance.
+module mdrcontact_medium_stretched
+    use mdrcontact_body, only: body_t
+    use mdrcontact_body_compliance, only: compliance_t, normal_load
+    use mdrcontact_error, only: error_t
+    use mdrcontact_kinds, only: wp
+    use mdrcontact_layered_shared, only: layered_shared_t
+    use mdrcontact_medium_exact, only: layered_exact_t, new_layered_exact
+    use mdrcontact_medium_sheeted, only: sheeted_t
+    use mdrcontact_medium_solver, only: solver_t, take_common
+    use mdrcontact_profile, only: profile_t
+    use mdrcontact_tension_membrane, only: membrane_t, new_membrane
+    use mdrcontact_tension_surface, only: check_surface, surface_t
+    implicit none (type, external)
+    private
+    public :: stretched_t, new_stretched
+
+    !> Contact radii up to this many lengths of the sheet: what it adds falls, and the work of finding it grows.
+    real(wp), parameter :: most_lengths = 1.0e3_wp
+
+    !> A body under such a sheet.
+    type, extends(sheeted_t) :: stretched_t
+        private
+        type(layered_exact_t) :: exact
+    contains
+        procedure :: modulus
+        procedure :: response
+        procedure :: line_load
+        procedure :: pressure
+        procedure :: displacement_outside
+        procedure :: copy_to
+    end type stretched_t
+
+contains
+
+    !> A body under a sheet with neither tension nor bending stiffness.
+    subroutine new_stretched(self, body, surface, tolerance, error, shared)
+        type(stretched_t), intent(out) :: self
+        !> copied
+        class(body_t), intent(in) :: body
+        !> K_m > 0
+        type(surface_t), intent(in) :: surface
+        !> relative, of E_eff, d and F, 1e-12 to 1e-2
+        real(wp), intent(in) :: tolerance
+        type(error_t), allocatable, intent(inout) :: error
+        !> what this medium has in common with others made before it, which then costs less
+        type(layered_shared_t), intent(inout), optional :: shared
+        class(compliance_t), allocatable :: compliance
+        type(membrane_t) :: membrane
+
+        call check_surface(surface, error)
+        if (.not. allocated(error)) call body%compliance(normal_load, compliance, error)
+        if (.not. allocated(error)) call new_membrane(membrane, surface%stretching, compliance, error, has_springs=.true.)
+        if (.not. allocated(error)) call new_layered_exact(self%exact, membrane, error, tolerance, shared)
+        if (allocated(error)) return
+        call take_common(self, self%exact, error)
+        self%sheet = surface
+        if (body%last_depth > 0.0_wp) self%largest_radius = self%largest_radius*(body%last_depth/membrane%last_depth)
+        if (membrane%excess > 0.0_wp .and. most_lengths*membrane%length < self%largest_radius) then
+            self%largest_radius = most_lengths*membrane%length
+            self%why_it_ends = ": beyond 1000 lengths 2 K_m/E* of the sheet it adds less than 0.2 %: leave it out"
+        end if
+        call body%copy_to(self%pressed, error)
+    end subroutine new_stretched
+
+    recursive subroutine copy_to(self, copy, error)
+        class(stretched_t), intent(in) :: self
+        class(solver_t), allocatable, intent(out) :: copy
+        type(error_t), allocatable, intent(inout) :: error
+        type(stretched_t), allocatable :: own
+
+        allocate (own)
+        call take_common(own, self, error)
+        own%exact = self%exact
+        call move_alloc(own, copy)
+    end subroutine copy_to
+
+    subroutine modulus(self, a, values, error, slopes)
+        class(stretched_t), intent(in) :: self
+        real(wp), intent(in) :: a(:)
+        real(wp), intent(out) :: values(:)
+        type(error_t), allocatable, intent(out) :: error
+        real(wp), intent(out), optional :: slopes(:)
+
+        call self%exact%modulus(a, values, error, slopes)
+    end subroutine modulus
+
+    subroutine response(self, profile, a, depth, force, modulus, stiffness_slope, error, adhesive, depth_slope, accuracy)
+        class(stretched_t), intent(in) :: self
+        class(profile_t), intent(in) :: profile
+        real(wp), intent(in) :: a
+        real(wp), intent(out) :: depth, force, modulus, stiffness_slope
+        type(error_t), allocatable, intent(out) :: error
+        logical, intent(in), optional :: adhesive
+        real(wp), intent(inout), optional :: depth_slope
+        real(wp), intent(inout), optional :: accuracy
+
+        call self%exact%response(profile, a, depth, force, modulus, stiffness_slope, error, adhesive, depth_slope, accuracy)
+    end subroutine response
+
+    subroutine line_load(self, profile, a, excess, r, values, error)
+        class(stretched_t), intent(in) :: self
+        class(profile_t), intent(in) :: profile
+        real(wp), intent(in) :: a, excess
+        real(wp), intent(in) :: r(:)
+        real(wp), intent(out) :: values(:)
+        type(error_t), allocatable, intent(out) :: error
+
+        call self%exact%line_load(profile, a, excess, r, values, error)
+    end subroutine line_load
+
+    subroutine pressure(self, profile, a, excess, r, values, error)
+        class(stretched_t), intent(in) :: self
+        class(profile_t), intent(in) :: profile
+        real(wp), intent(in) :: a, excess
+        real(wp), intent(in) :: r(:)
+        real(wp), intent(out) :: values(:)
+        type(error_t), allocatable, intent(out) :: error
+
+        call self%exact%pressure(profile, a, excess, r, values, error)
+    end subroutine pressure
+
+    subroutine displacement_outside(self, profile, a, excess, r, values, error)
+        class(stretched_t), intent(in) :: self
+        class(profile_t), intent(in) :: profile
+        real(wp), intent(in) :: a, excess
+        real(wp), intent(in) :: r(:)
+        real(wp), intent(out) :: values(:)
+        type(error_t), allocatable, intent(out) :: error
+
+        call self%exact%displacement_outside(profile, a, excess, r, values, error)
+    end subroutine displacement_outside
+
+end module mdrcontact_medium_stretched
