@@ -46,14 +46,12 @@ function(mdrcontact_set_flags target)
   endforeach()
 endfunction()
 
-# mdrcontact_export_only(target pattern): a shared library or module in which all other symbols are its own, so that no function of
-# a program can take the place of one of them, nor they that of a program's.
-function(mdrcontact_export_only target pattern)
+# mdrcontact_export_only(target script): a shared library or module in which all symbols that the script does not name are its own,
+# so that no function of a program can take the place of one of them, nor they that of a program's.
+function(mdrcontact_export_only target script)
   if(NOT CMAKE_EXECUTABLE_FORMAT STREQUAL "ELF")
     return()
   endif()
-  set(script "${CMAKE_CURRENT_BINARY_DIR}/${target}.map")
-  file(CONFIGURE OUTPUT "${script}" CONTENT "{ global: ${pattern}; local: *; };\n")
   target_link_options(${target} PRIVATE "-Wl,--version-script=${script},-Bsymbolic-functions")
   set_property(TARGET ${target} APPEND PROPERTY LINK_DEPENDS "${script}")
 endfunction()

@@ -11,6 +11,10 @@
  * "Method of dimensionality reduction in contact mechanics and tribology. Heterogeneous media", Physical
  * Mesomechanics 17 (2014) 50-57; docs/theory.md states the equations and says where they are misprinted.
  *
+ * @par Versions
+ * Each part says since which version there are its functions, `since`, and each function that came later. The shared library's
+ * symbols carry these versions.
+ *
  * @par Units
  * Any consistent set: choose a unit of length and one of modulus (pressure); forces are then in modulus length^2, stiffnesses
  * and line loads in modulus length, works of adhesion in modulus length. SI (m, Pa, N) is one choice, (um, MPa, uN) and

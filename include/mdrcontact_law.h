@@ -13,6 +13,7 @@
  * (-ffp-contract=off; nvcc: --fmad=false). The functions return MDR_SUCCESS, MDR_EDOMAIN beyond the largest depth, unless the law
  * continues beyond it, or MDR_EINVALID for a depth that is NaN or infinite; then their outputs are NaN. What mdr_last_error() says
  * does not change: mdr_law_at_depth() at the same depth gives the words.
+ * @since 0.1
  */
 #ifndef MDRCONTACT_LAW_INLINE_H
 #define MDRCONTACT_LAW_INLINE_H

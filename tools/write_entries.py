@@ -1,17 +1,13 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The C side of the functions of the header: write_entries.py HEADER C_FILE.
+"""The C side of the functions of the header, for generate.py.
 
 Each function mdr_x sets the arithmetic of the library, calls mdrcontact_entry_x, which Fortran defines, and sets the caller's
-arithmetic again. Functions that do not compute, or take nanoseconds, are left to themselves. A file that is up to date is left
-alone.
+arithmetic again. Functions that do not compute, or take nanoseconds, are left to themselves.
 """
 
 import re
-import sys
-from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).parents[1] / "python" / "src"))
-from wrap_header import prototypes, without_comments, write  # noqa: E402
+from wrap_header import prototypes
 
 # Functions without computation, and states of laws: under another rounding mode these differ in the last digits.
 DIRECT = re.compile(
@@ -20,7 +16,7 @@ DIRECT = re.compile(
 )
 LONGEST_LINE = 132
 TOP = """/* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The functions of mdrcontact.h that compute: each in the library's arithmetic. Written by tools/write_entries.py. */
+/* The functions of mdrcontact.h that compute: each in the library's arithmetic. Written by tools/generate.py. */
 #include "../arithmetic.h"
 #include "mdrcontact.h"
 """
@@ -48,12 +44,8 @@ def entry(name, words):
     return [part for line in lines for part in folded(line)]
 
 
-def main(header, c_file):
-    """See the top of this file."""
-    functions = [(name, words) for result, name, words in prototypes(without_comments(header)) if result == "int"]
+def entries(text):
+    """The lines of api/entries.c."""
+    functions = [(name, words) for result, name, words in prototypes(text) if result == "int"]
     lines = [line for name, words in functions if not DIRECT.fullmatch(name) for line in entry(name, words)]
-    write(Path(c_file), TOP.split("\n") + lines[:-1])
-
-
-if __name__ == "__main__":
-    main(*sys.argv[1:])
+    return TOP.split("\n") + lines[:-1]

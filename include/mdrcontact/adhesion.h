@@ -2,6 +2,7 @@
 /**
  * @file adhesion.h
  * Adhesion: pull-off and loops, (28)-(32); speed of the edge.
+ * @since 0.1
  */
 #ifndef MDRCONTACT_ADHESION_H
 #define MDRCONTACT_ADHESION_H

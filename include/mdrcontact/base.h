@@ -2,6 +2,7 @@
 /**
  * @file base.h
  * What all of the interface shares: version, status, errors, threads, structures that grow, user functions.
+ * @since 0.1
  */
 #ifndef MDRCONTACT_BASE_H
 #define MDRCONTACT_BASE_H

@@ -2,6 +2,7 @@
 /**
  * @file closed_forms.h
  * Closed forms: paraboloid and cone on an incompressible coating (nu = 1/2), (24), (27), (29), (31), (32).
+ * @since 0.1
  */
 #ifndef MDRCONTACT_CLOSED_FORMS_H
 #define MDRCONTACT_CLOSED_FORMS_H

@@ -2,6 +2,7 @@
 /**
  * @file conduction.h
  * Conduction of heat or current through a circular spot, heat of friction.
+ * @since 0.1
  */
 #ifndef MDRCONTACT_CONDUCTION_H
 #define MDRCONTACT_CONDUCTION_H

@@ -2,6 +2,7 @@
 /**
  * @file contact.h
  * Contacts (2)-(10), (21)-(32): states, fields, the field inside, histories.
+ * @since 0.1
  */
 #ifndef MDRCONTACT_CONTACT_H
 #define MDRCONTACT_CONTACT_H

@@ -2,6 +2,7 @@
 /**
  * @file fit.h
  * Fit: from measured data to the parameters of indenter, medium and instrument; docs/fitting.md.
+ * @since 0.1
  */
 #ifndef MDRCONTACT_FIT_H
 #define MDRCONTACT_FIT_H

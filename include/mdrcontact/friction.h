@@ -2,6 +2,7 @@
 /**
  * @file friction.h
  * Friction: partial slip at constant normal force, and along any path.
+ * @since 0.1
  */
 #ifndef MDRCONTACT_FRICTION_H
 #define MDRCONTACT_FRICTION_H

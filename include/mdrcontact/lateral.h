@@ -2,6 +2,7 @@
 /**
  * @file lateral.h
  * Laterally heterogeneous structures: E_eff(a, x, y), equation (33); docs/lateral.md.
+ * @since 0.1
  */
 #ifndef MDRCONTACT_LATERAL_H
 #define MDRCONTACT_LATERAL_H

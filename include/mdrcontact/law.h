@@ -2,6 +2,7 @@
 /**
  * @file law.h
  * Compiled laws: F(d), a(d), k(d) and their inverses for the price of a short polynomial, and their tangential force; docs/laws.md.
+ * @since 0.1
  */
 #ifndef MDRCONTACT_LAW_H
 #define MDRCONTACT_LAW_H

@@ -2,6 +2,7 @@
 /**
  * @file material.h
  * Viscoelastic materials: functions of time.
+ * @since 0.1
  */
 #ifndef MDRCONTACT_MATERIAL_H
 #define MDRCONTACT_MATERIAL_H

@@ -2,6 +2,7 @@
 /**
  * @file medium.h
  * Media: effective contact modulus E_eff(a), stiffness k = 2 a E_eff(a), equation (10).
+ * @since 0.1
  */
 #ifndef MDRCONTACT_MEDIUM_H
 #define MDRCONTACT_MEDIUM_H

@@ -2,6 +2,7 @@
 /**
  * @file poroelastic.h
  * Poroelastic gels.
+ * @since 0.1
  */
 #ifndef MDRCONTACT_POROELASTIC_H
 #define MDRCONTACT_POROELASTIC_H

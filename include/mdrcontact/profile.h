@@ -2,6 +2,7 @@
 /**
  * @file profile.h
  * Indenters: f(r), f(0) = 0, and the one-dimensional g(x), equations (3) and (4).
+ * @since 0.1
  */
 #ifndef MDRCONTACT_PROFILE_H
 #define MDRCONTACT_PROFILE_H

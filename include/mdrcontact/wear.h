@@ -2,6 +2,7 @@
 /**
  * @file wear.h
  * Wear by Archard's law.
+ * @since 0.1
  */
 #ifndef MDRCONTACT_WEAR_H
 #define MDRCONTACT_WEAR_H

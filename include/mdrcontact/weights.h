@@ -2,6 +2,7 @@
 /**
  * @file weights.h
  * Gao's weights of a depth z, xi = z/a, equations (12)-(15), (18).
+ * @since 0.1
  */
 #ifndef MDRCONTACT_WEIGHTS_H
 #define MDRCONTACT_WEIGHTS_H

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Structures and constants of mdrcontact.h, written by wrap_header.py."""
+"""Structures and constants of mdrcontact.h, written by tools/generate.py."""
 
 import numpy as np
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# The functions of mdrcontact.h as Python sees them, written by wrap_header.py.
+# The functions of mdrcontact.h as Python sees them, written by tools/generate.py.
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The compiled module from the C header: wrap_header.py HEADER PYF PYI LAYOUT.
+"""The compiled module from the C header: wrap_header.py HEADER PYF.
 
-Reads include/mdrcontact.h with its parts and writes three descriptions of it: for f2py a signature file (PYF) of all functions,
-from which it makes the module `_native`; for the type checker the module's types (PYI); and for the package its structures as
-NumPy dtypes and its enumerations as constants (LAYOUT). A file that is up to date is left alone.
+Reads include/mdrcontact.h with its parts and writes for f2py a signature file (PYF) of all functions, from which it makes the
+module `_native`. The module's types, and its structures and constants, lie in the repository: tools/generate.py. A file that is up
+to date is left alone.
 
 In Python a function has the name without mdr_, takes the inputs in the header's order, lengths of arrays excepted, and returns the
 status followed by the outputs. What f2py does not know travels as an address, a Python int: handles, functions, texts, structures
@@ -185,7 +185,7 @@ def structures(text):
 def layout(text, found):
     """The dtypes of the structures and the constants of the enumerations."""
     kinds = {"size_t": "np.uintp", "address": "np.uintp", "double": "np.float64", "int": "np.intc"}
-    words = '"""Structures and constants of mdrcontact.h, written by wrap_header.py."""'
+    words = '"""Structures and constants of mdrcontact.h, written by tools/generate.py."""'
     lines = [SPDX, words, "", "import numpy as np", ""]
     for name, members in found.items():
         rows = (
@@ -206,12 +206,37 @@ def write(path, lines):
         path.write_text(text, encoding="utf-8")
 
 
-def main(header, pyf, pyi, layout_file):
+def described(found):
+    """How many doubles those structures have that are rows of doubles."""
+    return {name: len(members) for name, members in found.items() if all(member[::2] == ("double", "") for member in members)}
+
+
+def functions_of(text, rows):
+    """All functions of the header."""
+    return [Function(result, name, words, rows) for result, name, words in prototypes(text)]
+
+
+def stub(functions):
+    """The module's types."""
+    return [
+        SPDX,
+        "# The functions of mdrcontact.h as Python sees them, written by tools/generate.py.",
+        "import numpy as np",
+        "from numpy.typing import ArrayLike, NDArray",
+        "",
+        "Integers = NDArray[np.intc]",
+        "Reals = NDArray[np.float64]",
+        "interrupted: int",
+        "",
+        *(function.typed() for function in functions),
+        *(f"def {name}({words}: ..." for name, words in SCALARS.items()),
+    ]
+
+
+def main(header, pyf):
     """See the top of this file."""
     text = without_comments(header)
-    found = structures(text)
-    rows = {name: len(members) for name, members in found.items() if all(member[::2] == ("double", "") for member in members)}
-    functions = [Function(result, name, words, rows) for result, name, words in prototypes(text)]
+    functions = functions_of(text, described(structures(text)))
     signatures = [f"    {line}" for function in functions for line in function.signature()]
     declarations = [f"PyObject *{name}(PyObject *, PyObject *const *, Py_ssize_t);" for name in SCALARS] + [INTERRUPTED]
     methods = [f'{{"{name}", (PyCFunction)(void (*)(void)){name}, METH_FASTCALL, NULL}},' for name in SCALARS]
@@ -220,23 +245,6 @@ def main(header, pyf, pyi, layout_file):
         ["python module _native", "  usercode '''", *declarations, "'''", "  pymethoddef '''", *methods, "'''"]
         + ["  interface", "    usercode '''", SET_INTERRUPTED, "'''", *signatures, "  end interface", "end python module _native"],
     )
-    write(
-        Path(pyi),
-        [
-            SPDX,
-            "# The functions of mdrcontact.h as Python sees them, written by wrap_header.py.",
-            "import numpy as np",
-            "from numpy.typing import ArrayLike, NDArray",
-            "",
-            "Integers = NDArray[np.intc]",
-            "Reals = NDArray[np.float64]",
-            "interrupted: int",
-            "",
-            *(function.typed() for function in functions),
-            *(f"def {name}({words}: ..." for name, words in SCALARS.items()),
-        ],
-    )
-    write(Path(layout_file), layout(text, found))
 
 
 if __name__ == "__main__":

@@ -1,6 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The contact of an indenter with a medium: states from depth, force or radius (theory 2, 4, 5).
 module mdrcontact_contact
+    use mdrcontact_codes, only: on_loading, on_unloading
     use mdrcontact_contact_adhesive_branch, only: adhesive_branch_t, stable_segment_t
     use mdrcontact_contact_branch, only: branch_t, new_branch
     use mdrcontact_contact_cohesion, only: new_cohesion
@@ -26,10 +27,6 @@ module mdrcontact_contact
     private
     public :: contact_t, new_contact, check_adhesion, check_cohesion, contact_options_t
     public :: on_loading, on_unloading, check_branch
-
-    !> Which stable state is meant where an adhesive contact has several: the one met when the bodies approach, or
-    !> the one kept when they are drawn apart.
-    integer, parameter :: on_loading = 1, on_unloading = 2
 
     !> What a contact can have beyond indenter and medium.
     type :: contact_options_t

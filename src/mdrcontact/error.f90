@@ -5,6 +5,10 @@
 !> exception class in Python. A message names the argument, its value and what is allowed.
 module mdrcontact_error
     use mdrcontact_base_nonfinite, only: infinity, is_finite
+    use mdrcontact_codes, only: error_callback => ecallback, error_cancelled => ecancelled, error_domain => edomain, &
+                                error_file => efile, error_invalid => einvalid, error_memory => enomemory, &
+                                error_no_convergence => enoconvergence, error_null => enull, error_unreachable => eunreachable, &
+                                success
     use mdrcontact_kinds, only: half_pi, wp
     use mdrcontact_padded_text, only: padded_count, padded_number
     implicit none (type, external)
@@ -14,27 +18,6 @@ module mdrcontact_error
               check_not_negative, check_within, check_poisson, check_inclination, check_table
     public :: success, error_null, error_invalid, error_domain, error_unreachable, error_no_convergence, &
               error_memory, error_callback, error_file, error_cancelled
-
-    !> The call did what it says.
-    integer, parameter :: success = 0
-    !> A required pointer or handle is null.
-    integer, parameter :: error_null = 1
-    !> An argument has a value that is never allowed (NaN, E <= 0, a table that is not monotone, ...).
-    integer, parameter :: error_invalid = 2
-    !> A point lies outside the region where the object is defined (r > a, beyond the end of a table).
-    integer, parameter :: error_domain = 3
-    !> No contact state has the requested force, depth or radius.
-    integer, parameter :: error_unreachable = 4
-    !> An iteration or a refinement ended before it met its tolerance.
-    integer, parameter :: error_no_convergence = 5
-    !> Memory could not be allocated.
-    integer, parameter :: error_memory = 6
-    !> A user function returned NaN or infinity, or reported a failure.
-    integer, parameter :: error_callback = 7
-    !> A file could not be read or written, or is damaged.
-    integer, parameter :: error_file = 8
-    !> The caller's cancel function ended the call.
-    integer, parameter :: error_cancelled = 9
 
     !> A failure: `code` is one of the constants above, `message` the reason in words.
     type :: error_t

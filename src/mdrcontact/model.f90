@@ -8,6 +8,9 @@ module mdrcontact_model
     use mdrcontact_base_parameter, only: parameter_t
     use mdrcontact_body, only: body_t
     use mdrcontact_body_layers, only: layers_t
+    use mdrcontact_codes, only: base_any, base_elastic, base_rigid, model_bec, model_dimitriadis, model_doerner_nix, model_exact, &
+                                model_gao, model_gao_power, model_gao_series, model_garcia, model_hay_crawford, &
+                                model_mencik_exponential, model_mencik_reciprocal, model_perriot_barthel, model_wave
     use mdrcontact_error, only: count_text, error_invalid, error_t, raise, to_text
     use mdrcontact_kinds, only: half_pi, wp
     use mdrcontact_medium_exact, only: layered_exact_t, new_layered_exact
@@ -35,15 +38,15 @@ module mdrcontact_model
 
     !> Codes of the models, enum mdr_model of the C header.
     type :: model_codes_t
-        integer :: gao = 0, gao_series = 1, doerner_nix = 2, wave = 3, mencik_exponential = 4, mencik_reciprocal = 5, bec = 6, &
-                   perriot_barthel = 7, hay_crawford = 8, dimitriadis = 9, garcia = 10, exact = 11, gao_power = 12
+        integer :: gao = model_gao, gao_series = model_gao_series, doerner_nix = model_doerner_nix, &
+                   wave = model_wave, mencik_exponential = model_mencik_exponential, mencik_reciprocal = model_mencik_reciprocal, &
+                   bec = model_bec, perriot_barthel = model_perriot_barthel, hay_crawford = model_hay_crawford, &
+                   dimitriadis = model_dimitriadis, garcia = model_garcia, exact = model_exact, &
+                   gao_power = model_gao_power
     end type model_codes_t
 
     !> The codes by name: models%exact
     type(model_codes_t), parameter :: models = model_codes_t()
-
-    !> What base a model takes: an elastic half-space, nothing, a rigid one.
-    integer, parameter :: base_elastic = 0, base_any = 1, base_rigid = 2
 
     !> What a model leaves to choose, struct mdr_medium_options; a model looks only at what concerns it.
     type, bind(C) :: model_options_t

@@ -1,18 +1,18 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The contact of an indenter with a medium, its states and their fields, for C.
 module mdrcontact_api_contact
-    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_int, c_loc, c_null_ptr, c_ptr, c_size_t, c_sizeof
+    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_int, c_loc, c_ptr, c_sizeof
     use mdrcontact_api_arrays, only: check_array, check_count, check_each_positive, check_in_out, check_results_or_infinity, &
                                      make_room
     use mdrcontact_api_handles, only: hand_over, open_handle
     use mdrcontact_api_options, only: read_options
+    use mdrcontact_api_records, only: c_contact_options_t
     use mdrcontact_api_status, only: check_given, status_of, wanted_threads
     use mdrcontact_api_text, only: write_text
     use mdrcontact_contact, only: contact_options_t, contact_t, new_contact, on_unloading
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_contact_warnings, only: contact_warning_t
     use mdrcontact_contact_values, only: contact_field, contact_states, given_depth, given_force, given_radius
-    use mdrcontact_contact_equilibrium, only: adhesion_automatic
     use mdrcontact_error, only: check_count_from, check_memory, check_table, count_text, error_invalid, error_t, raise
     use mdrcontact_history_relaxing_contact, only: new_relaxing_contact, relaxing_contact_t
     use mdrcontact_medium, only: medium_t
@@ -23,18 +23,6 @@ module mdrcontact_api_contact
     public :: mdr_contact_new
     public :: mdr_contact_from_depth, mdr_contact_from_force, mdr_contact_from_radius
     public :: mdr_contact_states, mdr_contact_field, mdr_contact_lowest_pressure, mdr_contact_energy, mdr_contact_warnings
-
-    !> struct mdr_contact_options
-    type, bind(C) :: c_contact_options_t
-        integer(c_size_t) :: size = 0_c_size_t
-        integer(c_int) :: zeta_count = 0_c_int
-        type(c_ptr) :: zeta_radius = c_null_ptr
-        type(c_ptr) :: zeta = c_null_ptr
-        real(c_double) :: work_of_adhesion = 0.0_c_double
-        integer(c_int) :: adhesion_rule = int(adhesion_automatic, c_int)
-        integer(c_int) :: zeta_is_exact = 0_c_int
-        real(c_double) :: cohesive_stress = 0.0_c_double
-    end type c_contact_options_t
 
 contains
 

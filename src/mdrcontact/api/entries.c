@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The functions of mdrcontact.h that compute: each in the library's arithmetic. Written by tools/write_entries.py. */
+/* The functions of mdrcontact.h that compute: each in the library's arithmetic. Written by tools/generate.py. */
 #include "../arithmetic.h"
 #include "mdrcontact.h"
 

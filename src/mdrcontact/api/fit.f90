@@ -5,6 +5,7 @@ module mdrcontact_api_fit
     use mdrcontact_api_arrays, only: check_results, make_room
     use mdrcontact_api_fit_problem, only: read_data, read_problem
     use mdrcontact_api_options, only: check_size, write_facts
+    use mdrcontact_api_records, only: c_fit_summary_t
     use mdrcontact_api_status, only: check_given, status_of
     use mdrcontact_error, only: count_text, error_invalid, error_t, raise
     use mdrcontact_fit, only: fit_result_t, solve_fit
@@ -14,22 +15,6 @@ module mdrcontact_api_fit
     implicit none (type, external)
     private
     public :: mdr_fit_solve, mdr_fit_predict, mdr_fit_interval, mdr_fit_quantile
-
-    !> struct mdr_fit_summary
-    type, bind(C) :: c_fit_summary_t
-        integer(c_size_t) :: size = 0_c_size_t
-        integer(c_int) :: converged = 0_c_int
-        integer(c_int) :: iterations = 0_c_int
-        integer(c_int) :: evaluations = 0_c_int
-        real(c_double) :: chi_square = 0.0_c_double
-        real(c_double) :: prior_chi_square = 0.0_c_double
-        real(c_double) :: degrees_of_freedom = 0.0_c_double
-        real(c_double) :: noise = 0.0_c_double
-        real(c_double) :: log_likelihood = 0.0_c_double
-        real(c_double) :: pattern_probability = 0.0_c_double
-        real(c_double) :: weakest = 0.0_c_double
-        real(c_double) :: lag_correlation = 0.0_c_double
-    end type c_fit_summary_t
 
 contains
 

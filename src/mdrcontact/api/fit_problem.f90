@@ -1,11 +1,11 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The problem of a fit as C describes it, and its translation.
 module mdrcontact_api_fit_problem
-    use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_double, c_f_pointer, c_int, c_loc, c_null_char, c_null_ptr, &
-                                           c_ptr, c_size_t, c_sizeof
+    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_int, c_loc, c_null_ptr, c_ptr, c_sizeof
     use mdrcontact_api_arrays, only: check_count, make_room
     use mdrcontact_api_handles, only: open_handle
     use mdrcontact_api_options, only: read_options
+    use mdrcontact_api_records, only: c_fit_parameter_t, c_fit_problem_t
     use mdrcontact_api_status, only: check_given, status_of
     use mdrcontact_api_text, only: write_text
     use mdrcontact_base_nonfinite, only: infinity
@@ -19,41 +19,6 @@ module mdrcontact_api_fit_problem
     private
     public :: read_problem, read_data
     public :: mdr_fit_parameters
-
-    !> Characters of a name with the null one.
-    integer, parameter :: name_length = 48
-
-    !> struct mdr_fit_parameter
-    type, bind(C) :: c_fit_parameter_t
-        real(c_double) :: value = 0.0_c_double
-        real(c_double) :: lower = -infinity
-        real(c_double) :: upper = infinity
-        real(c_double) :: prior = 0.0_c_double
-        real(c_double) :: prior_sd = 0.0_c_double
-        integer(c_int) :: is_free = 0_c_int
-        character(kind=c_char) :: name(name_length) = c_null_char
-    end type c_fit_parameter_t
-
-    !> struct mdr_fit_problem
-    type, bind(C) :: c_fit_problem_t
-        integer(c_size_t) :: size = 0_c_size_t
-        integer(c_int) :: data_kind = 0_c_int
-        type(c_ptr) :: profile = c_null_ptr
-        type(c_ptr) :: medium = c_null_ptr
-        type(c_ptr) :: counterbody = c_null_ptr
-        integer(c_int) :: adhesion_rule = 0_c_int
-        integer(c_int) :: loss = 0_c_int
-        real(c_double) :: loss_scale = 0.0_c_double
-        integer(c_int) :: sd_is_relative = 0_c_int
-        integer(c_int) :: max_iterations = 0_c_int
-        integer(c_int) :: any_units = 0_c_int
-        integer(c_int) :: parameter_count = 0_c_int
-        type(c_ptr) :: parameters = c_null_ptr
-        integer(c_int) :: prior_count = 0_c_int
-        type(c_ptr) :: prior_weights = c_null_ptr
-        type(c_ptr) :: branch = c_null_ptr
-        integer(c_int) :: is_elastic = 0_c_int
-    end type c_fit_problem_t
 
 contains
 
@@ -89,8 +54,8 @@ contains
         if (capacity == 0) return
         call c_f_pointer(out, written, [capacity])
         do i = 1, min(capacity, size(list))
-            written(i) = c_fit_parameter_t(value=list(i)%value)
-            call write_text(trim(list(i)%name), name_length, c_loc(written(i)%name))
+            written(i) = c_fit_parameter_t(value=list(i)%value, lower=-infinity, upper=infinity)
+            call write_text(trim(list(i)%name), size(written(i)%name), c_loc(written(i)%name))
         end do
     end subroutine write_parameters
 

@@ -1,9 +1,10 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Compiled contact laws for C: making them, one point, and what they are.
 module mdrcontact_api_law
-    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_int, c_loc, c_null_ptr, c_ptr, c_size_t, c_sizeof
+    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_int, c_loc, c_ptr, c_size_t, c_sizeof
     use mdrcontact_api_handles, only: hand_over, open_handle
     use mdrcontact_api_options, only: check_size, read_options, write_facts
+    use mdrcontact_api_records, only: c_law_facts_t, c_law_options_t
     use mdrcontact_api_status, only: check_given, status_of
     use mdrcontact_api_text, only: read_text, write_text
     use mdrcontact_conduction_table, only: conductance_function_t
@@ -20,40 +21,6 @@ module mdrcontact_api_law
     private
     public :: mdr_law_new, mdr_law_with_radius, mdrcontact_law_at_depth, &
               mdr_law_view_of, mdr_law_buffer, mdr_law_at_force, mdr_law_follow, mdr_law_info, mdr_law_description
-
-    !> struct mdr_law_options
-    type, bind(C) :: c_law_options_t
-        integer(c_size_t) :: size = 0_c_size_t
-        real(c_double) :: smallest_depth = 0.0_c_double
-        real(c_double) :: tolerance = 0.0_c_double
-        type(c_ptr) :: description = c_null_ptr
-        integer(c_int) :: continue_beyond = 0_c_int
-        type(c_ptr) :: friction = c_null_ptr
-        integer(c_int) :: sliders = 0_c_int
-        real(c_double) :: shear_strength = 0.0_c_double
-        type(c_ptr) :: conduction = c_null_ptr
-        integer(c_int) :: twist = 0_c_int
-    end type c_law_options_t
-
-    !> struct mdr_law_facts
-    type, bind(C) :: c_law_facts_t
-        integer(c_size_t) :: size = 0_c_size_t
-        real(c_double) :: lowest_depth = 0.0_c_double, highest_depth = 0.0_c_double
-        real(c_double) :: lowest_force = 0.0_c_double, highest_force = 0.0_c_double
-        real(c_double) :: tolerance = 0.0_c_double, error = 0.0_c_double
-        integer(c_int) :: solutions = 0_c_int
-        integer(c_int) :: adhesive = 0_c_int
-        integer(c_int) :: segments = 0_c_int
-        integer(c_int) :: description_length = 0_c_int
-        integer(c_int) :: continue_beyond = 0_c_int
-        integer(c_int) :: sliders = 0_c_int, memory_size = 0_c_int
-        real(c_double) :: coefficient = 0.0_c_double, highest_sliding_shift = 0.0_c_double
-        real(c_double) :: first_shear_error = 0.0_c_double, path_error = 0.0_c_double
-        integer(c_int) :: buffer_size = 0_c_int
-        real(c_double) :: shear_strength = 0.0_c_double
-        integer(c_int) :: conducts = 0_c_int
-        integer(c_int) :: twists = 0_c_int
-    end type c_law_facts_t
 
     interface
         !> The view of an open handle's law, of law_force.c.

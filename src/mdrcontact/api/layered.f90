@@ -2,13 +2,14 @@
 !> Coated, layered and graded half-spaces under a model of the caller's choice, for C.
 module mdrcontact_api_layered
     use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
-    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_funptr, c_int, c_int8_t, c_loc, c_null_ptr, &
-                                           c_ptr, c_size_t, c_sizeof
+    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_funptr, c_int, c_int8_t, c_loc, c_ptr, c_size_t, &
+                                           c_sizeof
     use mdrcontact_api_arrays, only: check_array, check_count, check_each_positive, check_not_empty
     use mdrcontact_api_callback, only: c_function_t, new_c_function
     use mdrcontact_api_handles, only: deliver_solver, hand_over, open_handle
     use mdrcontact_api_medium_options, only: read_medium_options, read_surface
     use mdrcontact_api_options, only: read_options
+    use mdrcontact_api_records, only: c_layer_t
     use mdrcontact_api_status, only: check_given, status_of
     use mdrcontact_body, only: body_t
     use mdrcontact_body_graded, only: graded_body_t, new_graded_body, new_graded_body_from_functions
@@ -29,17 +30,6 @@ module mdrcontact_api_layered
     public :: mdr_layers_wrinkling
     public :: mdr_medium_coated, mdr_medium_layered, mdr_medium_stack, mdr_medium_graded, mdr_medium_graded_callback, &
               mdr_medium_power_graded
-
-    !> struct mdr_layer; the order of the components is that of the header.
-    type, bind(C) :: layer_t
-        integer(c_size_t) :: size = 0_c_size_t
-        real(c_double) :: thickness = 0.0_c_double, young = 0.0_c_double, poisson = 0.0_c_double
-        real(c_double) :: axial_young = 0.0_c_double, axial_poisson = 0.0_c_double, axial_shear = 0.0_c_double
-        real(c_double) :: stiffness(5) = 0.0_c_double
-        real(c_double) :: prestress = 0.0_c_double
-        real(c_double) :: normal_compliance = 0.0_c_double, tangential_compliance = 0.0_c_double
-        type(c_ptr) :: material = c_null_ptr
-    end type layer_t
 
 contains
 
@@ -227,33 +217,35 @@ contains
         !> the material as part of a body that relaxes; set where the layer has a handle
         type(rheology_t), intent(out) :: rheology
         logical, intent(inout) :: relaxes
-        type(layer_t), target :: layer
+        type(c_layer_t), target :: layer
         type(rheology_t), pointer :: given_material
+        real(c_double) :: in_plane(2), axial(3), stiffness(5)
 
         thickness = 0.0_c_double
         call read_options(error, role, given, c_loc(layer), c_sizeof(layer))
         if (allocated(error)) return
         thickness = layer%thickness
+        in_plane = [layer%e, layer%nu]
+        axial = [layer%e_z, layer%nu_tz, layer%g_z]
+        stiffness = [layer%c11, layer%c12, layer%c13, layer%c33, layer%c44]
         bond = bond_t(layer%normal_compliance, layer%tangential_compliance)
         if (c_associated(layer%material)) then
             relaxes = .true.
             call open_handle(layer%material, "material of "//role, given_material, error)
             if (allocated(error)) return
             rheology = given_material
-            if (any([layer%young, layer%poisson, layer%axial_young, layer%axial_poisson, layer%axial_shear, layer%stiffness, &
-                     layer%prestress] /= 0.0_c_double)) then
+            if (any([in_plane, axial, stiffness, layer%prestress] /= 0.0_c_double)) then
                 call raise(error, error_invalid, "constants and a prestress beside the material of "//role//" are not allowed: "// &
                            "they must be 0")
             end if
             return
         end if
-        if (any(layer%stiffness /= 0.0_c_double)) then
-            call new_transverse(material, by_stiffness, layer%stiffness, error, role)
-        else if (any([layer%axial_young, layer%axial_poisson, layer%axial_shear] /= 0.0_c_double)) then
-            call new_transverse(material, by_engineering, [layer%young, layer%axial_young, layer%poisson, layer%axial_poisson, &
-                                                           layer%axial_shear], error, role)
+        if (any(stiffness /= 0.0_c_double)) then
+            call new_transverse(material, by_stiffness, stiffness, error, role)
+        else if (any(axial /= 0.0_c_double)) then
+            call new_transverse(material, by_engineering, [layer%e, layer%e_z, layer%nu, layer%nu_tz, layer%g_z], error, role)
         else
-            call new_material(material, layer%young, layer%poisson, error, role)
+            call new_material(material, layer%e, layer%nu, error, role)
         end if
         call material%stretch(layer%prestress, error, role)
         rheology = new_elastic_rheology(material)

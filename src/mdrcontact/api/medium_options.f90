@@ -4,6 +4,7 @@ module mdrcontact_api_medium_options
     use, intrinsic :: ieee_arithmetic, only: ieee_positive_inf, ieee_value
     use, intrinsic :: iso_c_binding, only: c_char, c_double, c_int, c_loc, c_null_char, c_ptr, c_size_t, c_sizeof
     use mdrcontact_api_options, only: check_size, read_options, write_facts
+    use mdrcontact_api_records, only: c_medium_options_t, c_model_facts_t
     use mdrcontact_api_status, only: check_given, status_of
     use mdrcontact_error, only: check_count_from, count_text, error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
@@ -13,26 +14,6 @@ module mdrcontact_api_medium_options
     private
     public :: read_medium_options, read_surface
     public :: mdr_model_name, mdr_model_from_name, mdr_model_info
-
-    !> struct mdr_medium_options
-    type, bind(C) :: c_medium_options_t
-        integer(c_size_t) :: size = 0_c_size_t
-        type(model_options_t) :: options = model_options_t(0.0_wp, 0.0_wp, 0, 0.0_wp, 0.0_wp, 0.0_wp)
-        integer(c_int) :: exponent_is_given = 0_c_int
-        type(surface_t) :: surface
-    end type c_medium_options_t
-
-    !> Room for a name, with the null character that ends it.
-    integer, parameter :: name_room = 24
-
-    !> struct mdr_model_facts
-    type, bind(C) :: c_model_facts_t
-        integer(c_size_t) :: size = 0_c_size_t
-        real(c_double) :: largest_ratio = 0.0_c_double
-        integer(c_int) :: base = 0_c_int, takes_layers = 0_c_int, takes_graded = 0_c_int, spherical_only = 0_c_int
-        character(kind=c_char), dimension(name_room) :: name = c_null_char, constant = c_null_char, option = c_null_char
-        real(c_double) :: default_constant = 0.0_c_double
-    end type c_model_facts_t
 
 contains
 
@@ -44,13 +25,13 @@ contains
         type(c_medium_options_t), target :: chosen
 
         call read_options(error, "options", structure, c_loc(chosen), c_sizeof(chosen))
-        associate (given => chosen%options)
+        associate (given => chosen)
             if (given%alpha /= 0.0_wp) options%alpha = given%alpha
             if (given%wave_factor /= 0.0_wp) options%wave_factor = given%wave_factor
             options%weight_nu_choice = given%weight_nu_choice
             options%weight_nu = given%weight_nu
             if (given%tolerance /= 0.0_wp) options%tolerance = given%tolerance
-            if (given%exponent /= 0.0_wp .or. chosen%exponent_is_given /= 0_c_int) options%exponent = given%exponent
+            if (given%exponent /= 0.0_wp .or. given%exponent_is_given /= 0_c_int) options%exponent = given%exponent
         end associate
     end subroutine read_medium_options
 
@@ -62,7 +43,7 @@ contains
         type(c_medium_options_t), target :: chosen
 
         call read_options(error, "options", structure, c_loc(chosen), c_sizeof(chosen))
-        surface = chosen%surface
+        surface = surface_t(chosen%surface_tension, chosen%surface_bending)
     end subroutine read_surface
 
     function mdr_model_name(model, length, name) result(status) bind(C)

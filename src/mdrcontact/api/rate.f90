@@ -1,11 +1,12 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Contacts whose work of adhesion depends on the speed of their edge, for C.
 module mdrcontact_api_rate
-    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_int, c_loc, c_null_ptr, c_ptr, c_size_t, c_sizeof
+    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_int, c_loc, c_ptr, c_sizeof
     use mdrcontact_api_adhesion, only: open_path
     use mdrcontact_api_arrays, only: check_each_finite, check_in_out, check_results, make_room
     use mdrcontact_api_handles, only: hand_over, open_handle
     use mdrcontact_api_options, only: read_options
+    use mdrcontact_api_records, only: c_rate_options_t
     use mdrcontact_api_status, only: check_given, status_of
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_control, only: control_t
@@ -18,16 +19,6 @@ module mdrcontact_api_rate
     implicit none (type, external)
     private
     public :: mdr_rate_new, mdr_rate_work, mdr_rate_scales, mdr_rate_history
-
-    !> struct mdr_rate_options
-    type, bind(C) :: c_rate_options_t
-        integer(c_size_t) :: size = 0_c_size_t
-        real(c_double) :: work = 0.0_c_double, speed = 0.0_c_double, exponent = 0.0_c_double
-        real(c_double) :: closing_work = 0.0_c_double, closing_speed = 0.0_c_double, closing_exponent = 0.0_c_double
-        type(c_ptr) :: material = c_null_ptr
-        real(c_double) :: cohesive_stress = 0.0_c_double
-        real(c_double) :: largest_radius = 0.0_c_double, smallest_radius = 0.0_c_double
-    end type c_rate_options_t
 
 contains
 

@@ -1,11 +1,12 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Laterally heterogeneous structures, for C (theory 7).
 module mdrcontact_api_structure
-    use, intrinsic :: iso_c_binding, only: c_double, c_f_procpointer, c_funptr, c_int, c_loc, c_null_ptr, c_ptr, &
-                                           c_associated, c_size_t, c_sizeof
+    use, intrinsic :: iso_c_binding, only: c_double, c_f_procpointer, c_funptr, c_int, c_loc, c_null_ptr, c_ptr, c_associated, &
+                                           c_sizeof
     use mdrcontact_api_arrays, only: check_array, check_count, check_in_out, make_room
     use mdrcontact_api_handles, only: deliver, hand_over, hand_over_solver, open_handle
     use mdrcontact_api_options, only: read_options
+    use mdrcontact_api_records, only: c_structure_options_t
     use mdrcontact_api_status, only: check_given, status_of, wanted_threads
     use mdrcontact_error, only: check_count_from, check_memory, count_text, error_callback, error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
@@ -23,19 +24,6 @@ module mdrcontact_api_structure
     private
     public :: mdr_structure_shapes, mdr_structure_voxels, mdr_structure_callback, &
               mdr_structure_modulus, mdr_structure_medium
-
-    !> struct mdr_structure_options; the order of the components is that of the header.
-    type, bind(C) :: structure_options_t
-        integer(c_size_t) :: size = 0_c_size_t
-        real(c_double) :: reference_nu = 0.0_c_double
-        real(c_double) :: tolerance = 0.0_c_double
-        integer(c_int) :: padded = 0_c_int
-        integer(c_int) :: images = 0_c_int
-        real(c_double) :: beside_e = 0.0_c_double, beside_nu = 0.0_c_double
-        real(c_double) :: origin(2) = 0.0_c_double
-        real(c_double) :: exponent = 0.0_c_double
-        integer(c_int) :: reference_nu_is_given = 0_c_int, exponent_is_given = 0_c_int
-    end type structure_options_t
 
     !> A C function E(x, y, z), nu(x, y, z).
     type, extends(field_t) :: c_field_t
@@ -66,7 +54,7 @@ contains
         type(c_ptr), value :: options
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
-        type(structure_options_t), target :: chosen
+        type(c_structure_options_t), target :: chosen
         type(material_t) :: background, material
         type(shape_t), allocatable :: shapes(:)
         type(shapes_t), allocatable :: structure
@@ -110,7 +98,7 @@ contains
         type(c_ptr), value :: options
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
-        type(structure_options_t), target :: chosen
+        type(c_structure_options_t), target :: chosen
         type(material_t) :: below
         type(material_t), allocatable :: materials(:), beside
         type(voxels_t), allocatable :: structure
@@ -164,7 +152,7 @@ contains
         integer(c_int) :: status
         type(c_field_t) :: wrapped
         type(field_structure_t) :: structure
-        type(structure_options_t), target :: chosen
+        type(c_structure_options_t), target :: chosen
         type(error_t), allocatable :: error
 
         call read_structure_options(error, options, chosen)
@@ -224,7 +212,7 @@ contains
     subroutine read_structure_options(error, structure, options)
         type(error_t), allocatable, intent(inout) :: error
         type(c_ptr), intent(in) :: structure
-        type(structure_options_t), intent(out), target :: options
+        type(c_structure_options_t), intent(out), target :: options
 
         call read_options(error, "options", structure, c_loc(options), c_sizeof(options))
         if (options%reference_nu /= 0.0_c_double) options%reference_nu_is_given = 1_c_int

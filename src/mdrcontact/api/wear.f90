@@ -1,10 +1,11 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Wear, for C.
 module mdrcontact_api_wear
-    use, intrinsic :: iso_c_binding, only: c_double, c_int, c_loc, c_ptr, c_size_t, c_sizeof
+    use, intrinsic :: iso_c_binding, only: c_double, c_int, c_loc, c_ptr, c_sizeof
     use mdrcontact_api_arrays, only: check_array, check_count, check_in_out, check_results, make_room
     use mdrcontact_api_handles, only: hand_over, open_handle
     use mdrcontact_api_options, only: read_options
+    use mdrcontact_api_records, only: c_wear_options_t
     use mdrcontact_api_status, only: check_given, status_of
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_state, only: contact_state_t
@@ -22,12 +23,6 @@ module mdrcontact_api_wear
 
     !> enum mdr_wear_places
     integer, parameter :: fresh_places = 1, same_places = 2
-
-    !> struct mdr_wear_options
-    type, bind(C) :: wear_options_t
-        integer(c_size_t) :: size = 0_c_size_t
-        integer(c_int) :: intervals = 0_c_int, places = 0_c_int, scheme = 0_c_int
-    end type wear_options_t
 
 contains
 
@@ -158,7 +153,7 @@ contains
         real(c_double), value :: value
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
-        type(wear_options_t), target :: chosen
+        type(c_wear_options_t), target :: chosen
         type(wear_t), pointer :: wear
         type(wear_history_t), allocatable :: history
         class(*), allocatable :: object

@@ -8,6 +8,7 @@
 !>     chi_t = [(1 - nu0) chi_L + chi_T]/(2 - nu0)   and   chi_T.
 !> sigma and chi are analytic in a sector around the positive k axis.
 module mdrcontact_body_compliance
+    use mdrcontact_codes, only: normal_load => load_normal, shear_load => load_shear, twist_load => load_twist
     use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: moduli_t
@@ -15,8 +16,6 @@ module mdrcontact_body_compliance
     private
     public :: compliance_t, plane_compliance_t, normal_load, shear_load, twist_load, along, normal_to
 
-    !> Loads: a pressure, a traction of one direction along the surface, and one around the axis.
-    integer, parameter :: normal_load = 1, shear_load = 2, twist_load = 3
     !> Directions in the plane of a wave: along the surface and normal to it.
     integer, parameter :: along = 1, normal_to = 2
 

@@ -4,6 +4,7 @@
 !> Steps come from an inverse Laplace transform on parabolas (Weideman, Trefethen, Math. Comp. 76 (2007) 1341), one for all times up
 !> to a factor apart: singularities lie on the negative axis.
 module mdrcontact_conduction_answers
+    use mdrcontact_codes, only: spot_conductance_answer => conduction_conductance, spot_resistance_answer => conduction_resistance
     use mdrcontact_conduction_basis, only: basis_t
     use mdrcontact_conduction_bodies, only: conduction_t
     use mdrcontact_conduction_film_in_time, only: film_basis_t, film_spot_at, new_film_basis
@@ -18,8 +19,6 @@ module mdrcontact_conduction_answers
     private
     public :: spot_conductance_answer, spot_resistance_answer, admittance_of, step_of, follow_history, flux_after_step
 
-    !> Of an equipotential spot: flux per potential, and potential per flux; beside uniform_mean, uniform_centre, gaussian.
-    integer, parameter :: spot_conductance_answer = 1, spot_resistance_answer = 2
     !> Times up to this factor apart share a parabola, of so many nodes: exp(-2 pi nodes/sqrt(8 span + 1)) = 1e-13; one time takes
     !> fewer.
     real(wp), parameter :: span = 4.0_wp

@@ -7,15 +7,14 @@
 !>     C = (y C_b + t)/(y (1 + y C_b t)),  y = S kappa,  t = tanh(kappa H),
 !> and S_0 k C = sigma = 1 + chi at the surface.
 module mdrcontact_conduction_conductors
+    use mdrcontact_codes, only: half_space_base => base_half_space, insulating_base => base_insulating, &
+                                perfect_base => base_perfect
     use mdrcontact_error, only: check_choice, check_finite, check_memory, check_not_negative, check_positive, error_invalid, &
                                 error_t, raise
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
     public :: conductor_t, conductors_t, new_conductors, half_space_base, perfect_base, insulating_base, layer_at
-
-    !> What the layers lie on: a half-space (the last of them), what conducts perfectly, what does not conduct.
-    integer, parameter :: half_space_base = 1, perfect_base = 2, insulating_base = 3
 
     !> A layer and the interface below it.
     type :: conductor_t

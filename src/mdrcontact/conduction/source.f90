@@ -2,6 +2,7 @@
 !> The heat that friction makes in a contact, as a line load: mu v q(x) of a contact that slides, and of one that spins the
 !> line load of mu omega r p(r). As a Legendre series: the medium's own where it has one, else by sampling.
 module mdrcontact_conduction_source
+    use mdrcontact_codes, only: sliding => heat_sliding, spinning => heat_spinning
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_fields, only: check_state
     use mdrcontact_contact_state, only: contact_state_t
@@ -16,8 +17,6 @@ module mdrcontact_conduction_source
     private
     public :: source_t, new_source, centre_and_arc, sliding, spinning
 
-    !> Kinds of motion.
-    integer, parameter :: sliding = 1, spinning = 2
     !> Panels towards the axis, each `shrinking` times as long as the next.
     integer, parameter :: panels = 24
     real(wp), parameter :: shrinking = 0.25_wp

@@ -1,6 +1,8 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> A spot at one Laplace variable s, or at i omega: conductance of an equipotential spot, and potentials under a given flux.
 module mdrcontact_conduction_transient
+    use mdrcontact_codes, only: gaussian => conduction_gaussian, uniform_centre => conduction_centre, &
+                                uniform_mean => conduction_mean
     use mdrcontact_conduction_basis, only: basis_t, new_basis
     use mdrcontact_conduction_bodies, only: conduction_t
     use mdrcontact_conduction_waves, only: wave_rule
@@ -10,10 +12,6 @@ module mdrcontact_conduction_transient
     implicit none (type, external)
     private
     public :: basis_for, chi_of, given_flux, spot_at, uniform_mean, uniform_centre, gaussian
-
-    !> What is known under a given flux, per total flux: area mean and centre under a uniform one; mean over a Gaussian probe under
-    !> a Gaussian pump of radii w0 and w1 (1/e^2), radius = sqrt(w0^2 + w1^2).
-    integer, parameter :: uniform_mean = 3, uniform_centre = 4, gaussian = 5
 
 contains
 

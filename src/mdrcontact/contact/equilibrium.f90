@@ -5,6 +5,7 @@
 !> state. With a zeta(a) the depth is zeta(a) g(a), equation (9).
 module mdrcontact_contact_equilibrium
     use mdrcontact_base_nonfinite, only: is_finite
+    use mdrcontact_codes, only: adhesion_automatic, adhesion_energy, adhesion_paper
     use mdrcontact_contact_cohesion, only: cohesion_t
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_contact_scaled_profile, only: new_scaled_profile, scaled_profile_t
@@ -17,10 +18,6 @@ module mdrcontact_contact_equilibrium
     private
     public :: equilibrium_t, new_equilibrium, fall_t
     public :: adhesion_automatic, adhesion_paper, adhesion_energy
-
-    !> dl by the source's rule (28), sqrt(2 pi a gamma/E_eff), or by the balance of energy, sqrt(4 pi a gamma/k'(a)).
-    !> Automatic: the energy balance where the medium meets it exactly, the source's rule elsewhere.
-    integer, parameter :: adhesion_automatic = 0, adhesion_paper = 1, adhesion_energy = 2
 
     !> No contact radius is larger [length].
     real(wp), parameter :: largest_number = 1.0e100_wp

@@ -2,6 +2,8 @@
 !> Many states of a contact, and its fields at many positions, on one thread or several.
 module mdrcontact_contact_values
     use mdrcontact_batch, only: batch_t, check_threads, run_batch, team_size
+    use mdrcontact_codes, only: field_displacement, field_displacement_lower, field_displacement_upper, field_line_load, &
+                                field_pressure, given_depth, given_force, given_radius
     use mdrcontact_contact, only: check_branch, contact_t
     use mdrcontact_contact_inversion, only: neighbours_t
     use mdrcontact_contact_state, only: contact_state_t
@@ -13,12 +15,6 @@ module mdrcontact_contact_values
     public :: contact_states, given_depth, given_force, given_radius
     public :: contact_field, field_pressure, field_displacement, field_line_load, field_displacement_lower, &
               field_displacement_upper
-
-    !> Which number determines a state.
-    integer, parameter :: given_depth = 1, given_force = 2, given_radius = 3
-    !> Fields of a state: p(r), r <= a; u(r), any r; q(x), x <= a; u(r) of either of two bodies.
-    integer, parameter :: field_pressure = 1, field_displacement = 2, field_line_load = 3, field_displacement_lower = 4, &
-                          field_displacement_upper = 5
 
     type, extends(batch_t) :: states_batch_t
         type(contact_t), pointer :: contact => null()

@@ -2,6 +2,8 @@
 !> What a state says of its own validity: linear elasticity holds for small slopes and strains, and answers beyond them too.
 module mdrcontact_contact_warnings
     use mdrcontact_body, only: body_t
+    use mdrcontact_codes, only: warning_compression, warning_contrast, warning_pressure, warning_short_zone, warning_slope, &
+                                warning_wetting
     use mdrcontact_contact_equilibrium, only: equilibrium_t
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: error_t, to_text
@@ -12,10 +14,6 @@ module mdrcontact_contact_warnings
     public :: contact_warning_t, find_warnings
     public :: warning_slope, warning_pressure, warning_compression, warning_contrast, warning_short_zone, warning_wetting, &
               add
-
-    !> enum mdr_warning of the C header; bits of a sum.
-    integer, parameter :: warning_slope = 1, warning_pressure = 2, warning_compression = 4, warning_contrast = 8, &
-                          warning_short_zone = 16, warning_wetting = 32
 
     !> The largest slope of the indenter in the contact: 50 degrees, a little more than the cone of a cube corner has.
     real(wp), parameter :: largest_slope = 1.2_wp

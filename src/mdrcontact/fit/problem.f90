@@ -3,6 +3,11 @@
 module mdrcontact_fit_problem
     use mdrcontact_base_nonfinite, only: infinity, is_finite, is_nan
     use mdrcontact_base_parameter, only: nature_not_negative, nature_signed, parameter_t
+    use mdrcontact_codes, only: data_depth_time => fit_depth_time, data_dynamic_stiffness => fit_dynamic_stiffness, &
+                                data_force_depth => fit_force_depth, data_force_time => fit_force_time, &
+                                data_modulus_radius => fit_modulus_radius, data_stiffness_depth => fit_stiffness_depth, &
+                                data_stiffness_radius => fit_stiffness_radius, loss_cauchy => fit_cauchy, loss_huber => fit_huber, &
+                                loss_linear => fit_linear, part_loss => fit_loss, part_storage => fit_storage
     use mdrcontact_contact_equilibrium, only: adhesion_automatic
     use mdrcontact_error, only: check_choice, check_count_from, check_finite, check_not_negative, check_positive, count_text, &
                                 error_invalid, error_t, raise, to_text
@@ -21,16 +26,6 @@ module mdrcontact_fit_problem
     public :: at_work_of_adhesion, at_depth_offset, at_force_offset, at_frame_compliance, at_indenter_modulus, &
               at_contact_depth_factor, at_stiffness_factor, at_contact_depth_scale, at_area_factor, at_cohesive_stress, &
               instrument_numbers
-
-    !> What x and y are: d and F; d and k, given F (dynamic nanoindentation); a and E_eff; a and k; time and F, given d; time and d,
-    !> given F; angular frequency and k' or k'', given a, of which `branch` says which.
-    integer, parameter :: data_force_depth = 1, data_stiffness_depth = 2, data_modulus_radius = 3, data_stiffness_radius = 4, &
-                          data_force_time = 5, data_depth_time = 6, data_dynamic_stiffness = 7
-    !> What a point of data_dynamic_stiffness is.
-    integer, parameter :: part_storage = on_loading, part_loss = on_unloading
-
-    !> What of a residual r in standard deviations is summed: r^2; Huber's; Cauchy's s^2 ln(1 + r^2/s^2).
-    integer, parameter :: loss_linear = 0, loss_huber = 1, loss_cauchy = 2
 
     !> Positions of the instrument's parameters behind those of indenter and medium:
     !> gamma [modulus length]; depth and force at which the instrument reads first contact [length], [force]; compliance of the

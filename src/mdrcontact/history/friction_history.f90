@@ -2,6 +2,7 @@
 !> A contact with friction along any path of normal and tangential loading, with the memory of where it has slipped (theory 10).
 module mdrcontact_history_friction_history
     use mdrcontact_cancel, only: check_cancelled
+    use mdrcontact_codes, only: given_shift, given_tangential_force
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_contact_values, only: given_depth, given_force
     use mdrcontact_error, only: check_finite, check_not_negative, count_text, error_domain, error_invalid, error_t, &
@@ -17,8 +18,6 @@ module mdrcontact_history_friction_history
     private
     public :: friction_history_t, friction_past_t, new_friction_history, given_shift, given_tangential_force
 
-    !> What is prescribed along the surface, enum mdr_tangential_given.
-    integer, parameter :: given_shift = 1, given_tangential_force = 2
     integer, parameter :: most_doublings = 60
     !> How many rings are allowed.
     integer, parameter :: usual_rings = 100, fewest_rings = 10, most_rings = 1000

@@ -4,6 +4,7 @@
 module mdrcontact_history_relaxation_stiffness
     use mdrcontact_body_chain, only: chain_t
     use mdrcontact_body_compliance, only: normal_load
+    use mdrcontact_codes, only: step_creep, step_relaxation
     use mdrcontact_error, only: check_choice, check_positive, error_domain, error_invalid, error_no_convergence, error_t, raise, &
                                 raise_at, to_text
     use mdrcontact_history_relaxing_contact, only: refuse_attraction, relaxing_contact_t
@@ -19,8 +20,6 @@ module mdrcontact_history_relaxation_stiffness
     private
     public :: dynamic_stiffness, step_response, step_relaxation, step_creep
 
-    !> A step of the depth, answered by the force, and of the force, answered by the depth.
-    integer, parameter :: step_relaxation = 1, step_creep = 2
     !> Nodes of the inverse Laplace transform on a parabola: Weideman, Trefethen, Math. Comp. 76 (2007) 1341.
     integer, parameter :: nodes = 16
     real(wp), parameter :: tolerance = 1.0e-13_wp

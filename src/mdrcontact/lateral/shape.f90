@@ -2,6 +2,7 @@
 !> Bodies embedded in a half-space z > 0: layers, half-spaces, balls, fibres, pillars, boxes (theory 7).
 module mdrcontact_lateral_shape
     use mdrcontact_base_nonfinite, only: infinity, is_finite, is_nan
+    use mdrcontact_codes, only: shape_ball, shape_box, shape_fibre, shape_half_space, shape_layer, shape_pillar
     use mdrcontact_error, only: check_finite, check_positive, count_text, error_invalid, error_t, raise, to_text
     use mdrcontact_kinds, only: wp
     use mdrcontact_lateral_section, only: ellipse, everything, rectangle, section_t, strip
@@ -11,18 +12,6 @@ module mdrcontact_lateral_shape
     public :: shape_t, new_shape, section_at, depth_breaks, most_depths
     public :: shape_layer, shape_half_space, shape_ball, shape_fibre, shape_pillar, shape_box
 
-    !> parameters: z_top, z_bottom (infinite is allowed)
-    integer, parameter :: shape_layer = 0
-    !> point x, y, z on the interface; normal x, y, z into the material
-    integer, parameter :: shape_half_space = 1
-    !> centre x, y, z; radius
-    integer, parameter :: shape_ball = 2
-    !> point x, y, z on the axis; direction x, y, z of the axis; radius: an endless round cylinder
-    integer, parameter :: shape_fibre = 3
-    !> axis x, y; radius; z_top, z_bottom (infinite is allowed): an upright round cylinder
-    integer, parameter :: shape_pillar = 4
-    !> x_low, x_high, y_low, y_high, z_top, z_bottom
-    integer, parameter :: shape_box = 5
     !> a shape has at most so many special depths
     integer, parameter :: most_depths = 2
 

@@ -2,7 +2,7 @@
 !> A law as one array of numbers without addresses, which include/mdrcontact_law.h evaluates wherever the array lies.
 module mdrcontact_law_pack
     use, intrinsic :: iso_c_binding, only: c_double
-    use mdrcontact_contact, only: on_loading, on_unloading
+    use mdrcontact_codes, only: law_format, on_loading, on_unloading
     use mdrcontact_law_evaluate, only: last_open
     use mdrcontact_law_interval, only: coefficient_count, interval_t
     use mdrcontact_law_table, only: law_table_t, table_segment_t
@@ -10,8 +10,6 @@ module mdrcontact_law_pack
     private
     public :: packed_size, pack_table
 
-    !> MDR_LAW_FORMAT of include/mdrcontact.h
-    real(c_double), parameter :: format = 1296843313.0_c_double
     !> Numbers of struct mdr_law_head, mdr_law_segment, mdr_law_interval, and of a panel: of F, of a and k, of the energy. F begins
     !> at a multiple of the first.
     integer, parameter :: row = coefficient_count, head_size = 22, segment_size = 4, interval_size = 11
@@ -58,8 +56,8 @@ contains
         contact = force + row*panels
         energy = contact + 2*row*panels
         buffer = 0.0_c_double
-        buffer(:head_size) = [format, real([packed_size(table), merge(1, 0, table%adhesive), merge(1, 0, table%continued)], &
-                                           c_double), table%end_radius, table%lowest, table%highest, last_open(table, on_loading), &
+        buffer(:head_size) = [real([law_format, packed_size(table), merge(1, 0, table%adhesive), merge(1, 0, table%continued)], &
+                                   c_double), table%end_radius, table%lowest, table%highest, last_open(table, on_loading), &
                               last_open(table, on_unloading), table%end_values(:2), table%powers(:2), &
                               real([direct_of(table), size(table%segments), head_size, size(table%intervals), intervals, panels, &
                                     force, contact, energy], c_double)]

@@ -3,6 +3,8 @@
 !> compliances in series, or by any power mean between -, Poisson's ratios with dI1. Exact to first order in the contrast.
 !> Gao, Chiu, Lee, Int. J. Solids Struct. 29 (1992) 2471; Popov 2014, equations (12)-(16).
 module mdrcontact_medium_gao
+    use mdrcontact_codes, only: gao_nu_effective => weight_nu_effective, gao_nu_given => weight_nu_given, &
+                                gao_nu_substrate => weight_nu_substrate, gao_nu_surface => weight_nu_surface
     use mdrcontact_error, only: check_memory, check_poisson, check_positive, count_text, error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t
@@ -16,10 +18,6 @@ module mdrcontact_medium_gao
     private
     public :: gao_t, new_gao, new_gao_layered, gao_options_t, i0_poisson_choice
     public :: gao_nu_surface, gao_nu_substrate, gao_nu_effective, gao_nu_given
-
-    !> Which Poisson's ratio enters I0, left open by the source: that of the surface (default), of the substrate, the effective
-    !> one, a given number.
-    integer, parameter :: gao_nu_surface = 0, gao_nu_substrate = 1, gao_nu_effective = 2, gao_nu_given = 3
 
     !> The choices that Gao's weights leave.
     type :: gao_options_t

@@ -8,6 +8,7 @@
 !> Contact, adhesion and fitting are written in these terms, for any solver.
 module mdrcontact_medium_solver
     use mdrcontact_body, only: body_t
+    use mdrcontact_codes, only: lower_body => body_lower, upper_body => body_upper
     use mdrcontact_error, only: check_memory, error_invalid, error_t, raise
     use mdrcontact_medium_load, only: load_t
     use mdrcontact_medium_slip, only: slip_t
@@ -21,8 +22,6 @@ module mdrcontact_medium_solver
     public :: solver_t, modulus_of_radius_t, depth_and_force, set_pair, take_common, not_known
     public :: reason_length, lower_body, upper_body
 
-    !> Which body of a contact, enum mdr_body of the C header.
-    integer, parameter :: lower_body = 1, upper_body = 2
     !> Room for the words of why_it_ends.
     integer, parameter :: reason_length = 120
 

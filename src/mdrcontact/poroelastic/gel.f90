@@ -5,15 +5,14 @@
 !> diffuses with D. A sudden load finds an incompressible body (nu = 1/2), one that has lasted the drained one (nu). Here G = 1,
 !> D = 1 and the contact radius is 1: times are tau = D t/a^2.
 module mdrcontact_poroelastic_gel
+    use mdrcontact_codes, only: drains_by_surface => drainage_surface, sealed => drainage_sealed, &
+                                sealed_by_indenter => drainage_indenter
     use mdrcontact_error, only: check_choice, check_not_negative, error_invalid, error_t, raise, to_text
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
     public :: gel_t, new_gel, drains_by_surface, sealed, sealed_by_indenter
 
-    !> Pore pressure 0 on the whole surface, under the indenter too; no flux through it anywhere; no flux under the indenter and
-    !> pore pressure 0 beside it.
-    integer, parameter :: drains_by_surface = 1, sealed = 2, sealed_by_indenter = 3
     !> The stiffness of thinner films is not followed by the polynomials of a contact.
     real(wp), parameter :: largest_ratio = 4.0_wp
 

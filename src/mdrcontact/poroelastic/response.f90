@@ -1,6 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> What a gel answers, in the caller's units.
 module mdrcontact_poroelastic_response
+    use mdrcontact_codes, only: pore_pressure => poroelastic_pore, total_pressure => poroelastic_total
     use mdrcontact_error, only: check_choice, check_not_negative, check_positive, error_domain, error_t, raise, &
                                 raise_at, to_text
     use mdrcontact_kinds, only: pi, wp
@@ -13,8 +14,6 @@ module mdrcontact_poroelastic_response
     public :: poroelastic_response, poroelastic_dynamic_stiffness, poroelastic_pressure
     public :: total_pressure, pore_pressure
 
-    !> Which pressure.
-    integer, parameter :: total_pressure = 1, pore_pressure = 2
     !> Smallest D t/a^2 of a pressure.
     real(wp), parameter :: shortest_pressure = 1.0e-5_wp
 

@@ -9,6 +9,7 @@ module mdrcontact_wear_history
     use, intrinsic :: iso_c_binding, only: c_double
     use mdrcontact_base_nonfinite, only: infinity, is_finite
     use mdrcontact_cancel, only: check_cancelled, report_progress
+    use mdrcontact_codes, only: fixed_rings => wear_rings, moving_disc => wear_disc
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_contact_values, only: given_depth
     use mdrcontact_error, only: check_choice, check_count_within, check_not_negative, check_positive, count_text, error_domain, &
@@ -26,9 +27,6 @@ module mdrcontact_wear_history
     private
     public :: new_wear_history, moving_disc, fixed_rings, wear_history_t, wear_past_t, wear_state_t
 
-    !> Schemes, enum mdr_wear_scheme: a disc that moves with the edge of the contact, of second order, for contacts that do not
-    !> shrink; rings that stay on the indenter, of first order, for any path.
-    integer, parameter :: moving_disc = 1, fixed_rings = 2
     !> Intervals: by default, fewest, most; a multiple of 4.
     integer, parameter :: usual_intervals = 80, fewest_intervals = 16, most_intervals = 640
     !> Legendre polynomials in which a film's springs act on each other at most.

@@ -1,0 +1,392 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> The numbers of the C header's enumerations, written by tools/generate.py.
+module mdrcontact_codes
+    implicit none (type, external)
+    private
+    public :: success, enull, einvalid, edomain, eunreachable, enoconvergence, enomemory, ecallback, efile, ecancelled
+    public :: base_half_space, base_perfect, base_insulating
+    public :: conduction_flux, conduction_potential, conduction_flux_z, conduction_flux_r
+    public :: conduction_conductance, conduction_resistance, conduction_mean, conduction_centre, conduction_gaussian
+    public :: heat_sliding, heat_spinning, heat_moving
+    public :: adhesion_automatic, adhesion_paper, adhesion_energy
+    public :: on_loading, on_unloading
+    public :: control_force, control_depth, control_spring
+    public :: given_depth, given_force, given_radius
+    public :: field_pressure, field_displacement, field_line_load, field_displacement_lower, field_displacement_upper
+    public :: step_relaxation, step_creep
+    public :: warning_slope, warning_pressure, warning_compression, warning_contrast, warning_short_zone, warning_wetting
+    public :: body_lower, body_upper
+    public :: side_below, side_above
+    public :: fit_force_depth, fit_stiffness_depth, fit_modulus_radius, fit_stiffness_radius, fit_force_time, fit_depth_time, &
+              fit_dynamic_stiffness
+    public :: fit_storage, fit_loss
+    public :: fit_work_of_adhesion, fit_depth_offset, fit_force_offset, fit_frame_compliance, fit_indenter_modulus, &
+              fit_contact_depth_factor, fit_stiffness_factor, fit_contact_depth_scale, fit_area_factor, fit_cohesive_stress, &
+              fit_instrument_count
+    public :: fit_linear, fit_huber, fit_cauchy
+    public :: given_shift, given_tangential_force
+    public :: field_traction, field_tangential_line_load
+    public :: given_twist, given_torque
+    public :: shape_layer, shape_half_space, shape_ball, shape_fibre, shape_pillar, shape_box
+    public :: law_format
+    public :: limit_glassy, limit_relaxed
+    public :: model_gao, model_gao_series, model_doerner_nix, model_wave, model_mencik_exponential, model_mencik_reciprocal, &
+              model_bec, model_perriot_barthel, model_hay_crawford, model_dimitriadis, model_garcia, model_exact, model_gao_power
+    public :: base_elastic, base_any, base_rigid
+    public :: weight_nu_surface, weight_nu_substrate, weight_nu_effective, weight_nu_given
+    public :: load_normal, load_shear, load_twist
+    public :: drainage_surface, drainage_sealed, drainage_indenter
+    public :: poroelastic_relaxation, poroelastic_creep, poroelastic_paraboloid, poroelastic_mean_relaxation, &
+              poroelastic_mean_creep
+    public :: poroelastic_total, poroelastic_pore
+    public :: wear_fresh, wear_same
+    public :: wear_disc, wear_rings
+
+    ! enum mdr_status
+    !> MDR_SUCCESS. The call did what it says.
+    integer, parameter :: success = 0
+    !> MDR_ENULL. A required pointer or handle is NULL.
+    integer, parameter :: enull = 1
+    !> MDR_EINVALID. An argument has a value that is never allowed (NaN, E <= 0, a table that is not ascending).
+    integer, parameter :: einvalid = 2
+    !> MDR_EDOMAIN. A point lies where the object is not defined (r > a, beyond the end of a table).
+    integer, parameter :: edomain = 3
+    !> MDR_EUNREACHABLE. No contact state has the requested depth, force or radius.
+    integer, parameter :: eunreachable = 4
+    !> MDR_ENOCONVERGENCE. An iteration or refinement ended before it met its tolerance, or a result left the number range.
+    integer, parameter :: enoconvergence = 5
+    !> MDR_ENOMEMORY. Memory could not be allocated.
+    integer, parameter :: enomemory = 6
+    !> MDR_ECALLBACK. A user function reported a failure or gave NaN or infinity.
+    integer, parameter :: ecallback = 7
+    !> MDR_EFILE. A file could not be read or written, or is damaged.
+    integer, parameter :: efile = 8
+    !> MDR_ECANCELLED. The function given to mdr_set_cancel() ended the call.
+    integer, parameter :: ecancelled = 9
+
+    ! enum mdr_conduction_base
+    !> MDR_BASE_HALF_SPACE. The last layer is a half-space.
+    integer, parameter :: base_half_space = 1
+    !> MDR_BASE_PERFECT. A perfect conductor at potential 0.
+    integer, parameter :: base_perfect = 2
+    !> MDR_BASE_INSULATING. No flux: steady states need a sink.
+    integer, parameter :: base_insulating = 3
+
+    ! enum mdr_conduction_field
+    !> MDR_CONDUCTION_FLUX. Flux density through the spot; without a film it is infinite at its edge, 0 <= r < a.
+    integer, parameter :: conduction_flux = 1
+    !> MDR_CONDUCTION_POTENTIAL. Potential of a body from its own far field.
+    integer, parameter :: conduction_potential = 2
+    !> MDR_CONDUCTION_FLUX_Z. Flux density into the body.
+    integer, parameter :: conduction_flux_z = 3
+    !> MDR_CONDUCTION_FLUX_R. Flux density away from the axis.
+    integer, parameter :: conduction_flux_r = 4
+
+    ! enum mdr_conduction_answer
+    !> MDR_CONDUCTION_CONDUCTANCE. Flux per potential of an equipotential spot [conductance].
+    integer, parameter :: conduction_conductance = 1
+    !> MDR_CONDUCTION_RESISTANCE. Potential per flux of an equipotential spot [1/conductance].
+    integer, parameter :: conduction_resistance = 2
+    !> MDR_CONDUCTION_MEAN. Area mean of the potential per flux under a uniform flux, the film left out.
+    integer, parameter :: conduction_mean = 3
+    !> MDR_CONDUCTION_CENTRE. Potential in the centre per flux under a uniform flux, the film left out.
+    integer, parameter :: conduction_centre = 4
+    !> MDR_CONDUCTION_GAUSSIAN. Mean over a Gaussian probe per flux of a Gaussian pump with radii w0 and w1 (1/e^2): `radius` is
+    !> sqrt(w0^2 + w1^2).
+    integer, parameter :: conduction_gaussian = 5
+
+    ! enum mdr_heat_motion
+    !> MDR_HEAT_SLIDING. q = mu v p(r), the source resting on both bodies: fretting, or low speeds.
+    integer, parameter :: heat_sliding = 1
+    !> MDR_HEAT_SPINNING. q = mu omega r p(r) of a twist about the axis: exact at any speed.
+    integer, parameter :: heat_spinning = 2
+    !> MDR_HEAT_MOVING. q = mu v p(r), the source moving over the lower body, v a c/sigma <= 1000, and resting on the upper one. Of
+    !> two bodies the share is that of equal flux_mean, an approximation.
+    integer, parameter :: heat_moving = 3
+
+    ! enum mdr_adhesion_rule
+    !> MDR_ADHESION_AUTOMATIC. Energy where the medium meets the balance exactly, the source's rule elsewhere.
+    integer, parameter :: adhesion_automatic = 0
+    !> MDR_ADHESION_PAPER. dl = sqrt(2 pi a gamma/E_eff), equation (28).
+    integer, parameter :: adhesion_paper = 1
+    !> MDR_ADHESION_ENERGY. dl = sqrt(4 pi a gamma/k'(a)), the balance of energy.
+    integer, parameter :: adhesion_energy = 2
+
+    ! enum mdr_branch
+    !> MDR_ON_LOADING. The smallest contact, met when the bodies approach.
+    integer, parameter :: on_loading = 1
+    !> MDR_ON_UNLOADING. The largest contact, kept when they are drawn apart: what mdr_contact_from_depth() gives.
+    integer, parameter :: on_unloading = 2
+
+    ! enum mdr_control
+    !> MDR_CONTROL_FORCE. The normal force.
+    integer, parameter :: control_force = 0
+    !> MDR_CONTROL_DEPTH. The indentation depth.
+    integer, parameter :: control_depth = 1
+    !> MDR_CONTROL_SPRING. The far end of a spring that presses the indenter, d + F/stiffness; loops only.
+    integer, parameter :: control_spring = 2
+
+    ! enum mdr_given
+    !> MDR_GIVEN_DEPTH. Indentation depth >= 0, with adhesion down to the pull-off depth [length].
+    integer, parameter :: given_depth = 1
+    !> MDR_GIVEN_FORCE. Normal force >= 0, with adhesion down to the pull-off force [modulus length^2].
+    integer, parameter :: given_force = 2
+    !> MDR_GIVEN_RADIUS. Contact radius >= 0, at least that of the indenter's flat end, below its vertical wall [length]. With
+    !> adhesion the state may be unstable under given depth or force.
+    integer, parameter :: given_radius = 3
+
+    ! enum mdr_field_kind
+    !> MDR_FIELD_PRESSURE. p(r), the contact pressure, equation (6), 0 <= r <= a [modulus]. Infinite where theory says so: at the
+    !> edge of a flat punch or of an adhesive contact, at the apex of a cone. With a cohesive stress sigma up to zone_radius, finite
+    !> at a and -sigma from there on.
+    integer, parameter :: field_pressure = 1
+    !> MDR_FIELD_DISPLACEMENT. u(r), the displacement of the surface: d - f(r) for r <= a, where f(r) must be defined; the free
+    !> surface beyond; any r >= 0. Of two bodies both together, each into its body [length].
+    integer, parameter :: field_displacement = 2
+    !> MDR_FIELD_LINE_LOAD. q(x), the line load of the one-dimensional springs, equations (5), (21), 0 <= x <= a, or to zone_radius
+    !> [modulus length].
+    integer, parameter :: field_line_load = 3
+    !> MDR_FIELD_DISPLACEMENT_LOWER. u(r) of the medium, or of the lower of two bodies, into that body: where its surface was flat,
+    !> the shape of the deformed interface for r <= a [length].
+    integer, parameter :: field_displacement_lower = 4
+    !> MDR_FIELD_DISPLACEMENT_UPPER. u(r) of the upper body, into that body; 0 for a rigid indenter [length].
+    integer, parameter :: field_displacement_upper = 5
+
+    ! enum mdr_step
+    !> MDR_STEP_RELAXATION. Force per depth after a step of the depth [modulus length].
+    integer, parameter :: step_relaxation = 1
+    !> MDR_STEP_CREEP. Depth per force after a step of the force [1/(modulus length)].
+    integer, parameter :: step_creep = 2
+
+    ! enum mdr_warning
+    !> MDR_WARNING_SLOPE. The indenter's surface has a slope f'(a) of more than 1.2 at the edge of the contact: 50 degrees, or a =
+    !> 1.2 R of a paraboloid, which stands for a sphere at a well below R only.
+    integer, parameter :: warning_slope = 1
+    !> MDR_WARNING_PRESSURE. The mean pressure is more than 0.6 of E_eff(a) and of the contact modulus of the surface, as under a
+    !> flat punch at depths beyond 0.94 a; where the slope is not the reason.
+    integer, parameter :: warning_pressure = 2
+    !> MDR_WARNING_COMPRESSION. Layers are compressed by more than half of their thickness: a depth beyond that on a rigid base, and
+    !> on an elastic one the depth less F/(a E1*), the most by which the base gives way.
+    integer, parameter :: warning_compression = 4
+    !> MDR_WARNING_CONTRAST. Young's moduli of one contact are 1e9 apart or more, as GPa beside Pa.
+    integer, parameter :: warning_contrast = 8
+    !> MDR_WARNING_SHORT_ZONE. The zone of a cohesive stress is too short to change a digit: adhesion without a range.
+    integer, parameter :: warning_short_zone = 16
+    !> MDR_WARNING_WETTING. Work of adhesion above 0.05 of the surface tension, or under a plate of B^(1/3) (0.5 E*)^(2/3): the
+    !> slope of the surface at the edge is not small.
+    integer, parameter :: warning_wetting = 32
+
+    ! enum mdr_body
+    !> MDR_BODY_LOWER. The medium, or the lower one of two.
+    integer, parameter :: body_lower = 1
+    !> MDR_BODY_UPPER. The upper one of two deformable bodies; a rigid indenter is none.
+    integer, parameter :: body_upper = 2
+
+    ! enum mdr_side
+    !> MDR_SIDE_BELOW. That of the larger depth.
+    integer, parameter :: side_below = 1
+    !> MDR_SIDE_ABOVE. That of the smaller depth.
+    integer, parameter :: side_above = 2
+
+    ! enum mdr_fit_data_kind
+    !> MDR_FIT_FORCE_DEPTH. Indentation depth [length] and force [modulus length^2].
+    integer, parameter :: fit_force_depth = 1
+    !> MDR_FIT_STIFFNESS_DEPTH. Indentation depth [length] and contact stiffness > 0 [modulus length]; given the force of each point
+    !> [modulus length^2] (dynamic nanoindentation).
+    integer, parameter :: fit_stiffness_depth = 2
+    !> MDR_FIT_MODULUS_RADIUS. Contact radius > 0 [length] and effective contact modulus [modulus].
+    integer, parameter :: fit_modulus_radius = 3
+    !> MDR_FIT_STIFFNESS_RADIUS. Contact radius > 0 [length] and contact stiffness [modulus length].
+    integer, parameter :: fit_stiffness_radius = 4
+    !> MDR_FIT_FORCE_TIME. Ascending times [time] and force [modulus length^2] of a viscoelastic body; given the indentation depth
+    !> at each time [length], in between linear: mdr_contact_history().
+    integer, parameter :: fit_force_time = 5
+    !> MDR_FIT_DEPTH_TIME. Ascending times [time] and indentation depth [length]; given the force [modulus length^2].
+    integer, parameter :: fit_depth_time = 6
+    !> MDR_FIT_DYNAMIC_STIFFNESS. Angular frequency > 0 [1/time] and, as `branch` says of each point, MDR_FIT_STORAGE or
+    !> MDR_FIT_LOSS, real or imaginary part of the dynamic stiffness [modulus length]; given the contact radius > 0 [length]:
+    !> mdr_contact_dynamic_stiffness().
+    integer, parameter :: fit_dynamic_stiffness = 7
+
+    ! enum mdr_fit_part
+    !> MDR_FIT_STORAGE.
+    integer, parameter :: fit_storage = 1
+    !> MDR_FIT_LOSS.
+    integer, parameter :: fit_loss = 2
+
+    ! enum mdr_fit_instrument
+    !> MDR_FIT_WORK_OF_ADHESION. gamma >= 0; the search begins above 0 [modulus length].
+    integer, parameter :: fit_work_of_adhesion = 0
+    !> MDR_FIT_DEPTH_OFFSET. Depth that the instrument reads at first contact [length].
+    integer, parameter :: fit_depth_offset = 1
+    !> MDR_FIT_FORCE_OFFSET. Force that it reads there [modulus length^2].
+    integer, parameter :: fit_force_offset = 2
+    !> MDR_FIT_FRAME_COMPLIANCE. Of the instrument's frame [1/(modulus length)].
+    integer, parameter :: fit_frame_compliance = 3
+    !> MDR_FIT_INDENTER_MODULUS. Contact modulus E*_i of the indenter > 0; INFINITY: rigid. Homogeneous, and paired with the medium
+    !> as by mdr_medium_pair() [modulus].
+    integer, parameter :: fit_indenter_modulus = 4
+    !> MDR_FIT_CONTACT_DEPTH_FACTOR. epsilon of the contact depth h_c = h - epsilon P/S on a half-space (Oliver, Pharr 1992);
+    !> usually 0.75, that of a paraboloid; 0 or less where the surface piles up. On any other body the surface sinks in as under the
+    !> same indenter c r^n: by (d - f(a)) k/F of the exact contact in place of epsilon [1].
+    integer, parameter :: fit_contact_depth_factor = 5
+    !> MDR_FIT_STIFFNESS_FACTOR. beta of S = 2 beta a E_r; usually 1 [1].
+    integer, parameter :: fit_stiffness_factor = 6
+    !> MDR_FIT_CONTACT_DEPTH_SCALE. Factor of h_c, usually 1; 1.2 with epsilon = 1: Loubet's contact depth [1].
+    integer, parameter :: fit_contact_depth_scale = 7
+    !> MDR_FIT_AREA_FACTOR. True over assumed projected contact area, for all data but force against depth; usually 1 [1].
+    integer, parameter :: fit_area_factor = 8
+    !> MDR_FIT_COHESIVE_STRESS. sigma >= 0: adhesion with a range, as in mdr_contact_options; 0: a range of nothing [modulus].
+    integer, parameter :: fit_cohesive_stress = 9
+    !> MDR_FIT_INSTRUMENT_COUNT. How many there are.
+    integer, parameter :: fit_instrument_count = 10
+
+    ! enum mdr_fit_loss
+    !> MDR_FIT_LINEAR. r^2: least squares.
+    integer, parameter :: fit_linear = 0
+    !> MDR_FIT_HUBER. r^2 up to s, then growing in proportion to r.
+    integer, parameter :: fit_huber = 1
+    !> MDR_FIT_CAUCHY. s^2 ln(1 + r^2/s^2).
+    integer, parameter :: fit_cauchy = 2
+
+    ! enum mdr_tangential_given
+    !> MDR_GIVEN_SHIFT. The shift s, of either sign [length].
+    integer, parameter :: given_shift = 1
+    !> MDR_GIVEN_TANGENTIAL_FORCE. The tangential force T, |T| <= coefficient F; at that bound the state in which sliding begins
+    !> [modulus length^2].
+    integer, parameter :: given_tangential_force = 2
+
+    ! enum mdr_tangential_field
+    !> MDR_FIELD_TRACTION. tau(r), the shear traction along the shift, of one direction, 0 <= r <= a [modulus].
+    integer, parameter :: field_traction = 1
+    !> MDR_FIELD_TANGENTIAL_LINE_LOAD. q_t(x), the line load of the springs along the shift, 0 <= x <= a [modulus length].
+    integer, parameter :: field_tangential_line_load = 2
+
+    ! enum mdr_torsional_given
+    !> MDR_GIVEN_TWIST. The twist phi, of either sign [radian].
+    integer, parameter :: given_twist = 1
+    !> MDR_GIVEN_TORQUE. The torque M, smaller than that of sliding [modulus length^3].
+    integer, parameter :: given_torque = 2
+
+    ! enum mdr_shape
+    !> MDR_SHAPE_LAYER. z_top, z_bottom > z_top; INFINITY is allowed.
+    integer, parameter :: shape_layer = 0
+    !> MDR_SHAPE_HALF_SPACE. x, y, z of a point on the interface; x, y, z of the normal, of any length, into the material.
+    integer, parameter :: shape_half_space = 1
+    !> MDR_SHAPE_BALL. x, y, z of the centre; radius > 0.
+    integer, parameter :: shape_ball = 2
+    !> MDR_SHAPE_FIBRE. Endless round cylinder: x, y, z of a point on the axis; x, y, z of its direction, of any length; radius > 0.
+    integer, parameter :: shape_fibre = 3
+    !> MDR_SHAPE_PILLAR. Upright round cylinder: x, y of the axis; radius > 0; z_top, z_bottom > z_top; INFINITY is allowed.
+    integer, parameter :: shape_pillar = 4
+    !> MDR_SHAPE_BOX. x_low, x_high, y_low, y_high, z_top, z_bottom, ascending in pairs.
+    integer, parameter :: shape_box = 5
+
+    ! enum mdr_law_format
+    !> MDR_LAW_FORMAT. This version.
+    integer, parameter :: law_format = 1296843313
+
+    ! enum mdr_limit
+    !> MDR_LIMIT_GLASSY. At once.
+    integer, parameter :: limit_glassy = 1
+    !> MDR_LIMIT_RELAXED. In the end.
+    integer, parameter :: limit_relaxed = 2
+
+    ! enum mdr_model
+    !> MDR_MODEL_GAO. Gao's weights, moduli in parallel, equations (12)-(16): the source's model.
+    integer, parameter :: model_gao = 0
+    !> MDR_MODEL_GAO_SERIES. Gao's weights, 1/G in series: far closer to the exact solution at large contrast.
+    integer, parameter :: model_gao_series = 1
+    !> MDR_MODEL_DOERNER_NIX. 1/E_eff = (1 - e^(-alpha xi))/E*0 + e^(-alpha xi)/E*1, equation (11).
+    integer, parameter :: model_doerner_nix = 2
+    !> MDR_MODEL_WAVE. Response to a wave of wavenumber q = wave_factor/a, equations (19), (20).
+    integer, parameter :: model_wave = 3
+    !> MDR_MODEL_MENCIK_EXPONENTIAL. E_eff = E*1 + (E*0 - E*1) e^(-alpha x).
+    integer, parameter :: model_mencik_exponential = 4
+    !> MDR_MODEL_MENCIK_RECIPROCAL. 1/E_eff = 1/E*1 + (1/E*0 - 1/E*1) e^(-alpha x).
+    integer, parameter :: model_mencik_reciprocal = 5
+    !> MDR_MODEL_BEC. Bec et al. 2006: film and substrate as springs in series.
+    integer, parameter :: model_bec = 6
+    !> MDR_MODEL_PERRIOT_BARTHEL. Perriot, Barthel 2004: a fit to their exact solution.
+    integer, parameter :: model_perriot_barthel = 7
+    !> MDR_MODEL_HAY_CRAWFORD. Hay, Crawford 2011: Gao's weights with the film also acting in parallel.
+    integer, parameter :: model_hay_crawford = 8
+    !> MDR_MODEL_DIMITRIADIS. Dimitriadis et al. 2002: layer with nu = 1/2 on a rigid base, for a paraboloid or a sphere and a < h;
+    !> all else is refused.
+    integer, parameter :: model_dimitriadis = 9
+    !> MDR_MODEL_GARCIA. Garcia, Garcia 2018: the same with their coefficients.
+    integer, parameter :: model_garcia = 10
+    !> MDR_MODEL_EXACT. The exact solution of the layered half-space.
+    integer, parameter :: model_exact = 11
+    !> MDR_MODEL_GAO_POWER. Gao's weights, power mean G_eff = [G1^p + (G0^p - G1^p) I0]^(1/p) between the two.
+    integer, parameter :: model_gao_power = 12
+
+    ! enum mdr_model_base
+    !> MDR_BASE_ELASTIC. An elastic half-space.
+    integer, parameter :: base_elastic = 0
+    !> MDR_BASE_ANY. An elastic half-space or a rigid base.
+    integer, parameter :: base_any = 1
+    !> MDR_BASE_RIGID. A rigid base.
+    integer, parameter :: base_rigid = 2
+
+    ! enum mdr_weight_nu
+    !> MDR_WEIGHT_NU_SURFACE. That of the surface: the most accurate on average, and the default.
+    integer, parameter :: weight_nu_surface = 0
+    !> MDR_WEIGHT_NU_SUBSTRATE. That of the substrate.
+    integer, parameter :: weight_nu_substrate = 1
+    !> MDR_WEIGHT_NU_EFFECTIVE. The effective one at the same a.
+    integer, parameter :: weight_nu_effective = 2
+    !> MDR_WEIGHT_NU_GIVEN. The number weight_nu.
+    integer, parameter :: weight_nu_given = 3
+
+    ! enum mdr_load
+    !> MDR_LOAD_NORMAL. A pressure.
+    integer, parameter :: load_normal = 1
+    !> MDR_LOAD_SHEAR. A traction of one direction along the surface: the mean over the directions of the wave.
+    integer, parameter :: load_shear = 2
+    !> MDR_LOAD_TWIST. A traction along the surface across the wave, which one around an axis consists of.
+    integer, parameter :: load_twist = 3
+
+    ! enum mdr_drainage
+    !> MDR_DRAINAGE_SURFACE. It drains everywhere, under the indenter too, which is porous or leaks along the interface.
+    integer, parameter :: drainage_surface = 1
+    !> MDR_DRAINAGE_SEALED. No flux through the surface anywhere.
+    integer, parameter :: drainage_sealed = 2
+    !> MDR_DRAINAGE_INDENTER. No flux under the indenter, pore pressure 0 beside it.
+    integer, parameter :: drainage_indenter = 3
+
+    ! enum mdr_poroelastic_answer
+    !> MDR_POROELASTIC_RELAXATION. Force per depth of a flat punch after a step of its depth [modulus length].
+    integer, parameter :: poroelastic_relaxation = 1
+    !> MDR_POROELASTIC_CREEP. Depth per force of a flat punch after a step of its force [1/(modulus length)].
+    integer, parameter :: poroelastic_creep = 2
+    !> MDR_POROELASTIC_PARABOLOID. Force per depth of a paraboloid after a step of its depth d, the contact radius a = sqrt(R d)
+    !> being held [modulus length]. In a true contact it grows and comes back: by up to 9 % at MDR_DRAINAGE_INDENTER, where the
+    !> force is then up to 0.05 of its relaxing part off; of second order where the whole surface drains or is sealed.
+    integer, parameter :: poroelastic_paraboloid = 3
+    !> MDR_POROELASTIC_MEAN_RELAXATION. Mean of the relaxation from the step on: what answers a ramp of the depth.
+    integer, parameter :: poroelastic_mean_relaxation = 4
+    !> MDR_POROELASTIC_MEAN_CREEP. Mean of the creep from the step on: what answers a ramp of the force.
+    integer, parameter :: poroelastic_mean_creep = 5
+
+    ! enum mdr_gel_pressure
+    !> MDR_POROELASTIC_TOTAL. The total pressure, which the indenter bears.
+    integer, parameter :: poroelastic_total = 1
+    !> MDR_POROELASTIC_PORE. That of the fluid at the surface; of a film only where it is 0, MDR_DRAINAGE_SURFACE.
+    integer, parameter :: poroelastic_pore = 2
+
+    ! enum mdr_wear_places
+    !> MDR_WEAR_FRESH. Fresh places of the body, as a tip that goes its way: the indenter alone changes.
+    integer, parameter :: wear_fresh = 1
+    !> MDR_WEAR_SAME. The same places, as both do that move back and forth by much less than a: both change.
+    integer, parameter :: wear_same = 2
+
+    ! enum mdr_wear_scheme
+    !> MDR_WEAR_DISC. A disc that moves with the edge of the contact, of second order, extrapolated: with 80 intervals a, d, F are
+    !> good to 1e-4 on bodies of any layers. For contacts that do not shrink, and no flat punch.
+    integer, parameter :: wear_disc = 1
+    !> MDR_WEAR_RINGS. Rings that stay on the indenter, of first order: some 1e-2 with 80 intervals, but k F s is met to rounding,
+    !> any path of load and depth can be followed, and a flat punch too.
+    integer, parameter :: wear_rings = 2
+
+end module mdrcontact_codes

@@ -1,0 +1,128 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""All that follows from the C headers and lies in the repository: generate.py [ROOT].
+
+From include/mdrcontact.h and its parts: the codes and the structures for Fortran, the functions that set the library's arithmetic,
+the symbols of the shared library with their versions, and for Python the module's types and layout. ROOT, the repository if none is
+given, is where they go. Building the library needs none of this; a file that is up to date is left alone.
+"""
+
+import re
+import sys
+import textwrap
+from pathlib import Path
+
+REPOSITORY = Path(__file__).resolve().parents[1]
+sys.path[:0] = [str(REPOSITORY / "python" / "src"), str(REPOSITORY / "tools")]
+from wrap_header import described, functions_of, layout, structures, stub, without_comments, write  # noqa: E402
+from write_entries import entries  # noqa: E402
+
+INCLUDE = REPOSITORY / "include"
+LONGEST_LINE = 132
+SPDX = "! SPDX-License-Identifier: GPL-3.0-or-later"
+# Declaration of a member, and its value in a new structure: 0, the default of everything.
+FORTRAN = {
+    "size_t": ("integer(c_size_t)", "0_c_size_t"),
+    "int": ("integer(c_int)", "0_c_int"),
+    "double": ("real(c_double)", "0.0_c_double"),
+    "address": ("type(c_ptr)", "c_null_ptr"),
+    "char": ("character(kind=c_char)", "c_null_char"),
+}
+SINCE = re.compile(r"@since (\d+\.\d+)")
+
+
+def folded(words, names):
+    """`public :: a, b, ...` over as many lines as it takes."""
+    lines = [words]
+    for i, name in enumerate(names):
+        word = f" {name}" + "," * (i + 1 < len(names))
+        if len(lines[-1] + word) + 2 > LONGEST_LINE:
+            lines[-1] += " &"
+            lines.append(" " * len(words))
+        lines[-1] += word
+    return lines
+
+
+def codes(headers):
+    """The module of the core's code numbers: those of the enumerations, without MDR_."""
+    member = r"MDR_(\w+) = (\d+),?(?:\s*/\*\*<(.*?)\*/)?"
+    found = re.findall(r"enum (\w+) \{(.*?)\};", headers, flags=re.DOTALL)
+    enumerations = {name: re.findall(member, body, flags=re.DOTALL) for name, body in found}
+    lines = [SPDX, "!> The numbers of the C header's enumerations, written by tools/generate.py."]
+    lines += ["module mdrcontact_codes", "    implicit none (type, external)", "    private"]
+    for members in enumerations.values():
+        lines += folded("    public ::", [name.lower() for name, *_ in members])
+    for enumeration, members in enumerations.items():
+        lines += ["", f"    ! enum {enumeration}"]
+        for name, value, words in members:
+            means = " ".join(f"MDR_{name}. {words}".split())
+            lines += textwrap.wrap(means, LONGEST_LINE, initial_indent="    !> ", subsequent_indent="    !> ")
+            lines.append(f"    integer, parameter :: {name.lower()} = {value}")
+    return [*lines, "", "end module mdrcontact_codes"]
+
+
+def records(found):
+    """The module of the structures. Those of doubles only are rows, of which the core has its own types."""
+    kept = {name: members for name, members in found.items() if any(member[::2] != ("double", "") for member in members)}
+    types = [f"c_{name.removeprefix('mdr_')}_t" for name in kept]
+    lines = [SPDX, "!> The structures of the C header, all 0 at first, written by tools/generate.py."]
+    lines += ["module mdrcontact_api_records"]
+    lines += ["    use, intrinsic :: iso_c_binding, only: c_char, c_double, c_int, c_null_char, c_null_ptr, c_ptr, c_size_t"]
+    lines += ["    implicit none (type, external)", "    private", *folded("    public ::", types)]
+    for kind, (name, members) in zip(types, kept.items(), strict=True):
+        lines += ["", f"    !> struct {name}", f"    type, bind(C) :: {kind}"]
+        for member_kind, member, length in members:
+            declared, zero = FORTRAN[member_kind]
+            lines.append(f"        {declared} :: {member.lower()}{f'({length})' if length else ''} = {zero}")
+        lines.append(f"    end type {kind}")
+    return [*lines, "", "end module mdrcontact_api_records"]
+
+
+def versions():
+    """Since which version there is each function: its own @since, or that of its header."""
+    found = {}
+    for path in sorted(INCLUDE.rglob("*.h")):
+        parts = re.split(r"/\*\*(.*?)\*/", path.read_text(encoding="utf-8"), flags=re.DOTALL)
+        since = next((SINCE.search(part)[1] for part in parts[1:2] if SINCE.search(part)), None)
+        for words, code in zip(parts[1::2], parts[2::2], strict=True):
+            for name in re.findall(r"^(?:int|void|const char \*)\s*(mdr_\w+)\([^)]*\);", code, flags=re.MULTILINE):
+                own = SINCE.search(words)
+                if not (own or since):
+                    raise SystemExit(f"{path.name}: {name} has no @since, nor has its header")
+                found[name] = own[1] if own else since
+    return found
+
+
+def symbols(since):
+    """The linker's version script: a node for each version, the older ones before it."""
+    lines, before = ["# The exported functions since each version, written by tools/generate.py."], ""
+    nodes = sorted(set(since.values()), key=lambda version: tuple(map(int, version.split("."))))
+    for version in nodes:
+        names = sorted(name for name, first in since.items() if first == version)
+        lines += [f"MDR_{version} {{", "    global:", *(f"        {name};" for name in names)]
+        lines += [*(["    local: *;"] if version == nodes[0] else []), f"}}{before};"]
+        before = f" MDR_{version}"
+    return lines
+
+
+def main(root=REPOSITORY):
+    """See the top of this file."""
+    header = INCLUDE / "mdrcontact.h"
+    text = without_comments(header)
+    found = structures(text)
+    made = {
+        "src/mdrcontact/codes.f90": codes("".join(path.read_text(encoding="utf-8") for path in sorted(INCLUDE.rglob("*.h")))),
+        "src/mdrcontact/api/records.f90": records(found),
+        "src/mdrcontact/api/entries.c": entries(text),
+        "cmake/mdrcontact.map": symbols(versions()),
+        "python/mdrcontact/_native.pyi": stub(functions_of(text, described(found))),
+        "python/mdrcontact/_layout.py": layout(text, found),
+    }
+    for name, lines in made.items():
+        path = Path(root) / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        write(path, lines)
+    return list(made)
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
