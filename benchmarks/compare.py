@@ -22,7 +22,7 @@ HERTZ = mdr.Contact(mdr.Paraboloid(1.0), mdr.Homogeneous(mdr.Elastic(1.0, 0.0)))
 LAW_COSTS = {
     "inline": "compiled law, F inline (mdrcontact_law.h)",
     "inline_open": "the same, bodies that are apart",
-    "inline_first_touch": "the same, the first bit of depth, below the compiled range: F and dF/dd by one power",
+    "inline_first_touch": "the same, the first bit of depth, below the compiled range: F and dF/dd by one root",
     "inline_with_slope": "F and dF/dd inline",
     "inline_with_slope_dependent": "the same, each call waiting for the last (latency)",
     "many_laws_with_slope": "the same, of 1000 laws at random",

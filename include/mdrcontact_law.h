@@ -260,17 +260,41 @@ MDR_INLINE void mdr_law_state_in(const mdr_law_view *view, const mdr_law_interva
     point->beyond = 0.0;
 }
 
-/* The same between first touch and the compiled range, without adhesion: powers of d. */
+/* F and dF/dd at a depth between first touch and the lowest of the compiled range, without adhesion, from first_force,
+ * force_power and force_roots of the head. */
+MDR_INLINE void mdr_law_first_touch(double lowest, double first, double power, int roots, double d, double *F, double *slope)
+{
+    const double share = d / lowest;
+    if (roots == 0) {
+        *F = first * mdr_law_power(share, power);
+        *slope = power * *F / d;
+        return;
+    }
+    const double root = sqrt(share), bend = 2.0 * power - roots, straight = 1.0 - bend, tilt = bend * root;
+    double rise = roots & 1 ? first * root : first;
+    for (int m = roots & ~1; m > 2; m -= 2) rise *= share;
+    *F = rise * share * (straight + tilt);
+    *slope = rise / lowest * (0.5 * roots * straight + (0.5 * roots + 0.5) * tilt);
+}
+
+/* The integral of F from first touch to such a depth, where F is known. */
+MDR_INLINE double mdr_law_first_energy(double lowest, double power, int roots, double d, double F)
+{
+    const double bend = 2.0 * power - roots, straight = 1.0 - bend, tilt = bend * sqrt(d / lowest);
+    if (roots == 0) return F * d / (1.0 + power);
+    return F * d * (straight / (1.0 + 0.5 * roots) + tilt / (1.5 + 0.5 * roots)) / (straight + tilt);
+}
+
+/* The same between first touch and the compiled range, without adhesion. */
 MDR_INLINE void mdr_law_state_below(const mdr_law_view *view, double d, mdr_law_point *point)
 {
     const mdr_law_head *const head = mdr_law_head_of(view);
-    const double share = d / head->lowest;
+    const int roots = (int)head->force_roots;
     point->depth = d;
-    point->force = head->first_force * mdr_law_power(share, head->force_power);
-    point->slope = head->force_power * point->force / d;
-    point->radius = head->end_radius + head->first_radius * mdr_law_power(share, head->radius_power);
+    mdr_law_first_touch(head->lowest, head->first_force, head->force_power, roots, d, &point->force, &point->slope);
+    point->radius = head->end_radius + head->first_radius * mdr_law_power(d / head->lowest, head->radius_power);
     point->stiffness = point->slope;
-    point->energy = point->force * d / (1.0 + head->force_power);
+    point->energy = mdr_law_first_energy(head->lowest, head->force_power, roots, d, point->force);
     point->beyond = 0.0;
 }
 
@@ -341,8 +365,7 @@ MDR_INLINE int mdr_law_force_elsewhere(const mdr_law_view *view, double d, doubl
         return MDR_SUCCESS;
     }
     if (head->adhesive == 0.0 && d < head->lowest && d > 0.0) {
-        *F = head->first_force * mdr_law_power(d / head->lowest, head->force_power);
-        *slope = head->force_power * *F / d;
+        mdr_law_first_touch(head->lowest, head->first_force, head->force_power, (int)head->force_roots, d, F, slope);
         return MDR_SUCCESS;
     }
     const int status = mdr_law_state_anywhere(view, d, &point);

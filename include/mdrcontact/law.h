@@ -23,7 +23,7 @@ typedef struct mdr_law mdr_law;
 typedef struct mdr_law_options {
     size_t size;             /**< Of this structure; MDR_SIZED sets it. */
     double smallest_depth;   /**< Without adhesion: depth > 0 from which on the tolerance holds, at most half the largest; nearer
-                                  to first touch the law follows a power of d. Default 0: 1e-4 of the largest [length]. */
+                                  to first touch the law continues value and slope. Default 0: 1e-4 of the largest [length]. */
     double tolerance;        /**< Of F, a and k, relative, 1e-12 to 1e-2; with adhesion relative to |F| + |d dF/dd|;
                                   default 1e-9. */
     const char *description; /**< The problem in words, kept in the file; default NULL: none. */
@@ -195,7 +195,7 @@ typedef struct mdr_law_facts {
 int mdr_law_info(const mdr_law *law, mdr_law_facts *facts);
 
 /** What the first number of a law's buffer is. */
-enum mdr_law_format { MDR_LAW_FORMAT = 1296843313 /**< This version. */ };
+enum mdr_law_format { MDR_LAW_FORMAT = 1296843314 /**< This version. */ };
 
 /** How the buffer of a law begins. Counts, places and flags are doubles too; places count numbers from the beginning. */
 typedef struct mdr_law_head {
@@ -208,11 +208,13 @@ typedef struct mdr_law_head {
     double highest;        /**< The compiled range ends here [length]. */
     double open_loading;   /**< Up to this depth the bodies are apart on loading [length]. */
     double open_unloading; /**< The same on unloading [length]. */
-    double first_force;    /**< Without adhesion, from depth 0 to the lowest: F = first_force (d/lowest)^force_power
-                                [modulus length^2]. */
+    double first_force;    /**< F at the lowest depth, without adhesion [modulus length^2]. With x = d/lowest and p = force_power, from
+                                depth 0 on F = first_force x^p where force_roots = m is 0, else
+                                F = first_force x^(m/2) (1 - b + b x^(1/2)) with b = 2 p - m. */
     double first_radius;   /**< There a = end_radius + first_radius (d/lowest)^radius_power [length]. */
     double force_power;    /**< See first_force. */
     double radius_power;   /**< See first_radius. */
+    double force_roots;    /**< See first_force: 0 or 2 to 12. */
     double direct;         /**< The number of the interval that answers without search; -1: none. */
     double segment_count;  /**< Stable segments of the branch, by ascending radius. */
     double segments;       /**< Place of the first mdr_law_segment. */

@@ -274,6 +274,7 @@ law_head = np.dtype(
         ("first_radius", np.float64),
         ("force_power", np.float64),
         ("radius_power", np.float64),
+        ("force_roots", np.float64),
         ("direct", np.float64),
         ("segment_count", np.float64),
         ("segments", np.float64),
@@ -504,7 +505,7 @@ HEAT_SLIDING = 1
 HEAT_SPINNING = 2
 HEAT_MOVING = 3
 
-LAW_FORMAT = 1296843313
+LAW_FORMAT = 1296843314
 
 SHAPE_LAYER = 0
 SHAPE_HALF_SPACE = 1

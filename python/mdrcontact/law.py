@@ -60,7 +60,7 @@ class ContactLaw(LawSteps):
         and gives torques M. With friction, of paraboloids on homogeneous bodies. A contact that shifts and twists has two laws and
         two memories, which do not know of each other
     smallest_depth : without adhesion, where the tolerance begins to hold [length]; None: 1e-4 of the largest. Nearer to first
-        touch the law follows a power of d. With adhesion the law begins at pull-off
+        touch the law continues value and slope. With adhesion the law begins at pull-off
     tolerance : relative, of F, a and k; 1e-12 to 1e-2. With adhesion relative to |F| + |d dF/dd|
     description : the problem in words, kept in files; None: the contact's repr
     continue_beyond : whether the law answers beyond its largest depth and force too, along the tangent there, with a warning

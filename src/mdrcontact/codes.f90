@@ -284,7 +284,7 @@ module mdrcontact_codes
 
     ! enum mdr_law_format
     !> MDR_LAW_FORMAT. This version.
-    integer, parameter :: law_format = 1296843313
+    integer, parameter :: law_format = 1296843314
 
     ! enum mdr_limit
     !> MDR_LIMIT_GLASSY. At once.

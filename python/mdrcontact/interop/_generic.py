@@ -47,9 +47,15 @@ class Branch:
         return xp.where(d >= -LARGEST, closed, np.nan)
 
     def _below(self, d: Any) -> Any:
-        head = self.head
-        force = head["first_force"] * (d / head["lowest"]) ** head["force_power"]
-        return force if self.quantity == "force" else force * d / (1.0 + head["force_power"])
+        head, share, p, half = self.head, d / self.head["lowest"], self.head["force_power"], 0.5 * self.head["force_roots"]
+        if half == 0.0:
+            force = head["first_force"] * share**p
+            return force if self.quantity == "force" else force * d / (1.0 + p)
+        bend = 2.0 * (p - half)
+        straight, tilt = head["first_force"] * (1.0 - bend), head["first_force"] * bend
+        if self.quantity == "force":
+            return straight * share**half + tilt * share ** (half + 0.5)
+        return d * (straight * share**half / (half + 1.0) + tilt * share ** (half + 0.5) / (half + 1.5))
 
     def _within(self, interval: Any, d: Any) -> Any:
         xp, of = self.xp, {name: self.pick(values, interval) for name, values in self.interval.items()}

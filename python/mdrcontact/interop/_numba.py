@@ -52,6 +52,24 @@ def _power(x: float, p: float) -> float:
 
 
 power = numba.njit(_power)
+
+
+def _first_touch(lowest: float, first: float, p: float, roots: int, d: float) -> Any:
+    """mdr_law_first_touch"""
+    share = d / lowest
+    if roots == 0:
+        force = first * power(share, p)
+        return force, p * force / d
+    root = math.sqrt(share)
+    bend = 2.0 * p - roots
+    straight, tilt = 1.0 - bend, bend * root
+    rise = first * root if roots % 2 else first
+    for _ in range(roots // 2 - 1):
+        rise *= share
+    return rise * share * (straight + tilt), rise / lowest * (0.5 * roots * straight + (0.5 * roots + 0.5) * tilt)
+
+
+first_touch = numba.njit(_first_touch)
 BITS_OF_ONE = np.uint64(0x3FF0000000000000)
 
 
@@ -89,7 +107,7 @@ def function(law: ContactLaw, branch: str) -> Any:
     direct = int(arrays.head["direct"])
     first_direct, last_direct = (intervals[direct, 0], intervals[direct, 1]) if direct >= 0 else (1.0, -1.0)
     apart = float(arrays.head[f"open_{branch}"])
-    lowest, first_force, force_power = (float(arrays.head[name]) for name in ("lowest", "first_force", "force_power"))
+    lowest, first, p, roots = (float(arrays.head[name]) for name in ("lowest", "first_force", "force_power", "force_roots"))
 
     def force_and_slope(d: float) -> Any:
         if first_direct <= d <= last_direct:
@@ -104,8 +122,7 @@ def function(law: ContactLaw, branch: str) -> Any:
         if i == OPEN:
             return 0.0, 0.0
         if i == BELOW:
-            force = first_force * power(d / lowest, force_power)
-            return force, force_power * force / d
+            return first_touch(lowest, first, p, int(roots), d)
         return force_in(intervals, rows, i, d)
 
     return numba.njit(force_and_slope)

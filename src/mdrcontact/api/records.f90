@@ -43,6 +43,7 @@ module mdrcontact_api_records
         integer(c_int) :: exponent_is_given = 0_c_int
         real(c_double) :: surface_tension = 0.0_c_double
         real(c_double) :: surface_bending = 0.0_c_double
+        real(c_double) :: surface_stretching = 0.0_c_double
     end type c_medium_options_t
 
     !> struct mdr_layer

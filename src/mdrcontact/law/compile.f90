@@ -8,7 +8,8 @@ module mdrcontact_law_compile
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_law_interval, only: coefficient_count, column_count, in_units_of, interval_t, most_bits, new_interval, &
                                       panel_count, panel_ends, polynomial, row_t, u_of_y
-    use mdrcontact_law_table, only: add_energies, contact_rows_t, find_direct, law_table_t, table_segment_t, values_in
+    use mdrcontact_law_table, only: add_energies, contact_rows_t, fewest_roots, find_direct, law_table_t, most_roots, &
+                                    table_segment_t, values_in
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
     implicit none (type, external)
     private
@@ -31,6 +32,8 @@ module mdrcontact_law_compile
     real(wp), parameter :: small_scale = 1.0e-3_wp
     !> What F and the others have of digits there, in shares of their value at the other end.
     real(wp), parameter :: rounding = 16.0_wp*epsilon(1.0_wp)
+    !> A series of roots with a smaller second term is a power.
+    real(wp), parameter :: smallest_bend = 1.0e-6_wp
 
 contains
 
@@ -130,27 +133,31 @@ contains
         call find_direct(table)
     end subroutine close_table
 
-    !> The powers of s that continue a table without adhesion below its range with the same value and slope.
+    !> What continues a table without adhesion below its range with the same value and slope: powers of s; or, where the power of F
+    !> changes along the range as it does if s^(1/2) or s of a series is the cause, as on coated bodies, a series of two terms.
     subroutine continue_below(table)
         type(law_table_t), intent(inout) :: table
-        real(wp) :: other, slope, radius, stiffness, above(4), near
+        real(wp) :: other, slope, radius, stiffness, above(4), near, bend, tilt
+        integer :: roots
 
         near = table%lowest*(1.0_wp + 1.0e-4_wp)
         call values_in(table, 1, table%lowest, other, slope, radius, stiffness)
         call values_in(table, 1, near, above(1), above(2), above(3), above(4))
-        table%end_values = [other, radius - table%end_radius, stiffness]
+        table%end_values = [other, radius - table%end_radius]
         table%powers(1) = slope*table%lowest/other
         if (radius > table%end_radius) then
             table%powers(2) = log((above(3) - table%end_radius)/(radius - table%end_radius))/log(near/table%lowest)
         end if
-        ! k is dF/dd without adhesion, here too.
-        if (table%by_depth) then
-            table%end_values(3) = slope
-            table%powers(3) = table%powers(1) - 1.0_wp
-        else
-            table%end_values(3) = 1.0_wp/slope
-            table%powers(3) = 1.0_wp - table%powers(1)
-        end if
+        roots = nint(2.0_wp*table%powers(1))
+        if (.not. table%by_depth .or. roots < fewest_roots .or. roots > most_roots) return
+        near = min(2.0_wp*table%lowest, table%intervals(1)%highest)
+        call values_in(table, 1, near, above(1), above(2), above(3), above(4))
+        bend = 2.0_wp*table%powers(1) - roots
+        tilt = bend*sqrt(near/table%lowest)
+        associate (power => above(2)*near/above(1))
+            if (abs(bend) <= smallest_bend .or. abs(power - 0.5_wp*(roots + tilt/(1.0_wp - bend + tilt))) <= &
+                abs(power - table%powers(1))) table%roots = roots
+        end associate
     end subroutine continue_below
 
     !> What the table's argument s is.

@@ -51,7 +51,7 @@ module mdrcontact_law_from_contact
     !> The options of a law.
     type :: law_options_t
         !> Without adhesion: the depth down to which the tolerance holds [length]; 0: 1e-4 of the largest. Nearer to first touch
-        !> the law follows a power of d. With adhesion the law begins at pull-off.
+        !> the law continues value and slope. With adhesion the law begins at pull-off.
         real(wp) :: smallest_depth = 0.0_wp
         !> of F, a and k, relative; 1e-12 to 1e-2. With adhesion relative to |F| + |d dF/dd|: at pull-off the slope is infinite.
         real(wp) :: tolerance = default_law_tolerance
@@ -111,6 +111,7 @@ contains
         if (allocated(error)) return
         call close_table(self%by_depth)
         call close_table(self%by_force)
+        self%by_force%roots = self%by_depth%roots
         self%by_depth%continued = chosen%continue_beyond
         self%by_force%continued = chosen%continue_beyond
     end subroutine new_contact_law

@@ -13,6 +13,18 @@ void mdrcontact_law_points(const mdr_law_view *view, int n, const double s[], do
 double mdrcontact_law_power(double base, double exponent);
 double mdrcontact_law_power(double base, double exponent) { return mdr_law_power(base, exponent); }
 
+void mdrcontact_law_touch(double lowest, double first, double power, int roots, double d, double *F, double *slope);
+void mdrcontact_law_touch(double lowest, double first, double power, int roots, double d, double *F, double *slope)
+{
+    mdr_law_first_touch(lowest, first, power, roots, d, F, slope);
+}
+
+double mdrcontact_law_touch_energy(double lowest, double power, int roots, double d, double F);
+double mdrcontact_law_touch_energy(double lowest, double power, int roots, double d, double F)
+{
+    return mdr_law_first_energy(lowest, power, roots, d, F);
+}
+
 static double within(const mdr_law_view *view, double s)
 {
     return s > view->highest ? view->highest : s > view->lowest ? s : view->lowest;

@@ -12,7 +12,7 @@ module mdrcontact_law_pack
 
     !> Numbers of struct mdr_law_head, mdr_law_segment, mdr_law_interval, and of a panel: of F, of a and k, of the energy. F begins
     !> at a multiple of the first.
-    integer, parameter :: row = coefficient_count, head_size = 22, segment_size = 4, interval_size = 11
+    integer, parameter :: row = coefficient_count, head_size = 23, segment_size = 4, interval_size = 11
 
 contains
 
@@ -58,9 +58,9 @@ contains
         buffer = 0.0_c_double
         buffer(:head_size) = [real([law_format, packed_size(table), merge(1, 0, table%adhesive), merge(1, 0, table%continued)], &
                                    c_double), table%end_radius, table%lowest, table%highest, last_open(table, on_loading), &
-                              last_open(table, on_unloading), table%end_values(:2), table%powers(:2), &
-                              real([direct_of(table), size(table%segments), head_size, size(table%intervals), intervals, panels, &
-                                    force, contact, energy], c_double)]
+                              last_open(table, on_unloading), table%end_values, table%powers, &
+                              real([table%roots, direct_of(table), size(table%segments), head_size, size(table%intervals), &
+                                    intervals, panels, force, contact, energy], c_double)]
         do i = 1, size(table%segments)
             buffer(head_size + segment_size*(i - 1) + 1:head_size + segment_size*i) = numbers_of_segment(table%segments(i))
         end do

@@ -5,7 +5,7 @@ module mdrcontact_law_sound
     use mdrcontact_law, only: contact_law_t
     use mdrcontact_law_friction, only: friction_law_t
     use mdrcontact_law_interval, only: coefficient_count, in_units_of, interval_t, panel_count, panel_ends, polynomial, row_t
-    use mdrcontact_law_table, only: law_table_t, table_segment_t
+    use mdrcontact_law_table, only: fewest_roots, law_table_t, table_segment_t
     implicit none (type, external)
     private
     public :: is_sound
@@ -23,7 +23,7 @@ contains
         logical :: sound
 
         sound = law%tolerance > 0.0_wp .and. law%error >= 0.0_wp .and. law%by_depth%by_depth .and. .not. law%by_force%by_depth &
-                .and. (law%by_depth%adhesive .eqv. law%by_force%adhesive)
+                .and. (law%by_depth%adhesive .eqv. law%by_force%adhesive) .and. law%by_depth%roots == law%by_force%roots
         if (sound) sound = is_sound_table(law%by_depth)
         if (sound) sound = is_sound_table(law%by_force)
         if (sound .and. allocated(law%friction)) sound = is_sound_friction(law%friction)
@@ -56,15 +56,25 @@ contains
 
         sound = table%end_radius >= 0.0_wp .and. table%lowest < table%highest .and. table%first_attraction <= 0.0_wp
         if (.not. table%adhesive) then
-            ! below the range: end_values (s/lowest)^powers, with k = dF/dd, which may fall
-            sound = sound .and. table%lowest > 0.0_wp .and. all(table%end_values >= 0.0_wp) .and. all(table%powers(:2) >= -rounding)
-            sound = sound .and. abs(table%powers(3) - merge(table%powers(1) - 1.0_wp, 1.0_wp - table%powers(1), table%by_depth)) &
-                    <= rounding
+            ! below the range
+            sound = sound .and. table%lowest > 0.0_wp .and. all(table%end_values >= 0.0_wp) .and. all(table%powers >= -rounding)
+            if (table%roots > 0) sound = sound .and. has_roots(table)
         end if
         do i = 1, size(table%segments)
             if (sound) sound = is_sound_segment(table, table%segments(i))
         end do
     end function is_sound_table
+
+    !> Whether F grows with the root of d below the range.
+    pure function has_roots(table) result(sound)
+        type(law_table_t), intent(in) :: table
+        logical :: sound
+        real(wp) :: power
+
+        power = table%powers(1)
+        if (.not. table%by_depth) power = 1.0_wp/max(power, rounding)
+        sound = table%roots >= fewest_roots .and. abs(2.0_wp*power - table%roots) <= 0.5_wp + rounding
+    end function has_roots
 
     !> Whether the intervals of a segment follow each other and the contact radius grows along them.
     pure function is_sound_segment(table, segment) result(sound)

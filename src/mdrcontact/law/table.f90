@@ -1,22 +1,22 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> One direction of a compiled law: depth to force (a, k), or force to depth (a, k), on every stable segment of the branch.
 module mdrcontact_law_table
-    use, intrinsic :: iso_c_binding, only: c_double
+    use, intrinsic :: iso_c_binding, only: c_double, c_int
     use mdrcontact_contact, only: on_loading
     use mdrcontact_kinds, only: wp
-    use mdrcontact_law_interval, only: column_count, contains_ends, interval_place, interval_rate, interval_t, panel_count, &
+    use mdrcontact_law_interval, only: contains_ends, interval_place, interval_rate, interval_t, panel_count, &
                                       panel_ends, place_t, polynomial, polynomial_moments, polynomial_with_slope, row_t, &
                                       scale_interval
     implicit none (type, external)
     private
     public :: contact_rows_t, law_table_t, table_segment_t
-    public :: interval_for, segment_for, interval_in, below_range, no_contact
+    public :: interval_for, segment_for, interval_in, below_range, no_contact, fewest_roots, most_roots
     public :: conductance_in, values_in, value_below, values_below, energy_in, energy_below, find_direct, add_energies, scale_table
 
     !> What interval_for says where there is no interval: below the compiled range of a contact without adhesion; open.
     integer, parameter :: below_range = -1, no_contact = 0
-    !> Columns.
-    integer, parameter :: other_column = 1, radius_column = 2
+    !> Least and largest lowest power of the root of s below the range.
+    integer, parameter :: fewest_roots = 2, most_roots = 12
 
     !> A stable segment: s grows from lowest to highest with the contact radius, through the intervals first to last.
     type :: table_segment_t
@@ -44,9 +44,12 @@ module mdrcontact_law_table
         real(wp) :: end_radius = 0.0_wp
         !> ends of the compiled range of s
         real(wp) :: lowest = 0.0_wp, highest = 0.0_wp
-        !> without adhesion, at the lowest s: F or d, a less the end radius, k; and the powers of s they follow below it
-        real(wp) :: end_values(column_count) = 0.0_wp
-        real(wp) :: powers(column_count) = 0.0_wp
+        !> without adhesion, at the lowest s: F or d, a less the end radius; and the powers of s they follow below it, p the first
+        real(wp) :: end_values(2) = 0.0_wp
+        real(wp) :: powers(2) = 0.0_wp
+        !> F as s^(m/2) (1 - b + b s^(1/2)), s by the lowest and b = 2 p - m, in place of s^p: m, or 0. Of a table by force its
+        !> inverse, with 1/p in place of p
+        integer :: roots = 0
         type(table_segment_t), allocatable :: segments(:)
         type(interval_t), allocatable :: intervals(:)
         !> of each panel: F or d, in a table of its own, so that many laws stay in cache; a and k
@@ -67,6 +70,22 @@ module mdrcontact_law_table
             real(c_double), intent(in), value :: base, exponent
             real(c_double) :: power
         end function power_of
+
+        !> F below the range and its slope: there too.
+        pure subroutine first_touch(lowest, first, power, roots, s, other, slope) bind(C, name="mdrcontact_law_touch")
+            import :: c_double, c_int
+            real(c_double), intent(in), value :: lowest, first, power, s
+            integer(c_int), intent(in), value :: roots
+            real(c_double), intent(out) :: other, slope
+        end subroutine first_touch
+
+        !> int F dd from first touch to a depth below the range: there too.
+        pure function first_energy(lowest, power, roots, d, force) result(energy) bind(C, name="mdrcontact_law_touch_energy")
+            import :: c_double, c_int
+            real(c_double), intent(in), value :: lowest, power, d, force
+            integer(c_int), intent(in), value :: roots
+            real(c_double) :: energy
+        end function first_energy
     end interface
 
 contains
@@ -256,18 +275,42 @@ contains
         real(wp), intent(in) :: s
         real(wp), intent(out) :: other, slope
 
-        other = self%end_values(other_column)*power_of(s/self%lowest, self%powers(other_column))
-        slope = self%powers(other_column)*other/s
+        if (self%by_depth .or. self%roots == 0) then
+            call first_touch(self%lowest, self%end_values(1), self%powers(1), int(self%roots, c_int), s, other, slope)
+        else
+            call inverse_below(self, s, other, slope)
+        end if
     end subroutine value_below
 
-    !> The same between first touch and the compiled range: powers of s that continue value and slope.
+    !> The depth of a force below the range by Newton's method, where the force is a polynomial of the root of the depth.
+    pure subroutine inverse_below(self, s, other, slope)
+        !> by force
+        type(law_table_t), intent(in) :: self
+        real(wp), intent(in) :: s
+        real(wp), intent(out) :: other, slope
+        integer, parameter :: most_iterations = 60
+        real(wp) :: force, change
+        integer :: i
+
+        other = power_of(s/self%lowest, self%powers(1))
+        do i = 1, most_iterations
+            call first_touch(1.0_wp, 1.0_wp, 1.0_wp/self%powers(1), int(self%roots, c_int), other, force, slope)
+            change = (s/self%lowest - force)/slope
+            other = max(other + change, 0.5_wp*other)
+            if (abs(change) <= 4.0_wp*epsilon(1.0_wp)*other) exit
+        end do
+        other = self%end_values(1)*other
+        slope = self%end_values(1)/(self%lowest*slope)
+    end subroutine inverse_below
+
+    !> The same between first touch and the compiled range: what continues value and slope.
     pure subroutine values_below(self, s, other, slope, radius, stiffness)
         type(law_table_t), intent(in) :: self
         real(wp), intent(in) :: s
         real(wp), intent(out) :: other, slope, radius, stiffness
 
         call value_below(self, s, other, slope)
-        radius = self%end_radius + self%end_values(radius_column)*power_of(s/self%lowest, self%powers(radius_column))
+        radius = self%end_radius + self%end_values(2)*power_of(s/self%lowest, self%powers(2))
         stiffness = slope
         if (.not. self%by_depth) stiffness = 1.0_wp/slope
     end subroutine values_below
@@ -277,10 +320,10 @@ contains
         type(law_table_t), intent(in) :: self
         real(wp), intent(in) :: s
         real(wp) :: energy
-        real(wp) :: force
+        real(wp) :: force, slope
 
-        force = self%end_values(other_column)*power_of(s/self%lowest, self%powers(other_column))
-        energy = force*s/(1.0_wp + self%powers(other_column))
+        call value_below(self, s, force, slope)
+        energy = first_energy(self%lowest, self%powers(1), int(self%roots, c_int), s, force)
     end function energy_below
 
     !> The table in which s and the other quantity are a factor larger at the same radius and stiffness.
@@ -292,7 +335,7 @@ contains
 
         self%lowest = factor*self%lowest
         self%highest = factor*self%highest
-        self%end_values(other_column) = factor*self%end_values(other_column)
+        self%end_values(1) = factor*self%end_values(1)
         self%segments%lowest = factor*self%segments%lowest
         self%segments%highest = factor*self%segments%highest
         do i = 1, size(self%other)

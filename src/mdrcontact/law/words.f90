@@ -6,7 +6,7 @@ module mdrcontact_law_words
     use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_law_interval, only: coefficient_count, column_count, interval_t, most_bits, panel_count, row_t
-    use mdrcontact_law_table, only: law_table_t, table_segment_t
+    use mdrcontact_law_table, only: law_table_t, most_roots, table_segment_t
     implicit none (type, external)
     private
     public :: put_conductance, put_table, read_conductance, read_table, reader_t, word_count
@@ -23,6 +23,8 @@ module mdrcontact_law_words
 
     integer, parameter :: most_entries = 10000000
     !> Words of a segment, of an interval, and of the polynomials of a panel.
+    !> Numbers that continue it below its range.
+    integer, parameter :: end_numbers = 5
     integer, parameter :: segment_words = 5, interval_words = 11, row_words = coefficient_count*column_count
     real(wp), parameter :: largest_y = 1.0e12_wp
 
@@ -33,7 +35,7 @@ contains
         type(law_table_t), intent(in) :: table
         integer :: count
 
-        count = 10 + 2*column_count + segment_words*size(table%segments) + interval_words*size(table%intervals) + &
+        count = 10 + end_numbers + segment_words*size(table%segments) + interval_words*size(table%intervals) + &
                 row_words*size(table%other)
     end function word_count
 
@@ -46,9 +48,9 @@ contains
 
         words(next:next + 2) = int([merge(1, 0, table%by_depth), merge(1, 0, table%adhesive), merge(1, 0, table%continued)], int64)
         next = next + 3
-        words(next:next + 3 + 2*column_count) = transfer([table%first_attraction, table%end_radius, table%lowest, table%highest, &
-                                                          table%end_values, table%powers], [0_int64])
-        next = next + 4 + 2*column_count
+        words(next:next + 3 + end_numbers) = [transfer([table%first_attraction, table%end_radius, table%lowest, table%highest, &
+                                                        table%end_values, table%powers], [0_int64]), int(table%roots, int64)]
+        next = next + 4 + end_numbers
         words(next:next + 2) = int([size(table%segments), size(table%intervals), size(table%other)], int64)
         next = next + 3
         do i = 1, size(table%segments)
@@ -115,12 +117,13 @@ contains
         table%end_radius = reader%number()
         table%lowest = reader%number()
         table%highest = reader%number()
-        do i = 1, column_count
+        do i = 1, size(table%end_values)
             table%end_values(i) = reader%number()
         end do
-        do i = 1, column_count
+        do i = 1, size(table%powers)
             table%powers(i) = reader%number()
         end do
+        table%roots = reader%whole(0, most_roots)
         segments = reader%whole(1, most_entries)
         intervals = reader%whole(1, most_entries)
         panels = reader%whole(1, most_entries)

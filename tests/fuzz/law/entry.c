@@ -31,7 +31,7 @@ static void mend_checksum(char *text, size_t size)
 {
     char line[CHECKSUM_LINE + 1];
     if (size < CHECKSUM_LINE) return;
-    snprintf(line, sizeof line, "crc32 %08x\n", (unsigned)crc32_of((const uint8_t *)text, size - CHECKSUM_LINE));
+    snprintf(line, sizeof line, "crc32 %08X\n", (unsigned)crc32_of((const uint8_t *)text, size - CHECKSUM_LINE));
     memcpy(text + size - CHECKSUM_LINE, line, CHECKSUM_LINE);
 }
 
@@ -97,7 +97,7 @@ static void rub(const mdr_law *law)
 static size_t text_of_numbers(const uint8_t *data, size_t size, char *text)
 {
     const size_t count = size / 8;
-    int length = sprintf(text, "mdrcontact compiled contact law, format 3\n1 characters of description, then %d numbers\nx\n",
+    int length = sprintf(text, "mdrcontact compiled contact law, format 5\n1 characters of description, then %d numbers\nx\n",
                          (int)count);
     for (size_t i = 0; i < count; i++) {
         for (int j = 7; j >= 0; j--) length += sprintf(text + length, "%02X", data[8 * i + (size_t)j]);
