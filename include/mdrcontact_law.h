@@ -435,6 +435,7 @@ MDR_INLINE int mdr_law_next_segment(const mdr_law_view *view, int segment, doubl
     const mdr_law_segment *const segments = mdr_law_segments_of(view);
     const int count = (int)mdr_law_head_of(view)->segment_count;
     if (d > segments[segment - 1].highest) {
+        if (segment == count) return segment;
         for (++segment; segment < count; ++segment) {
             if (d >= segments[segment - 1].lowest && d <= segments[segment - 1].highest) break;
         }

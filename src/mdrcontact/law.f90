@@ -420,6 +420,7 @@ contains
         else if (segment == 0) then
             segment = segment_for(table, on_loading, depth)
         else if (depth > table%segments(segment)%highest) then
+            if (segment == size(table%segments)) return
             do segment = segment + 1, size(table%segments) - 1
                 if (depth >= table%segments(segment)%lowest .and. depth <= table%segments(segment)%highest) exit
             end do

@@ -60,6 +60,7 @@ contains
             sound = sound .and. table%lowest > 0.0_wp .and. all(table%end_values >= 0.0_wp) .and. all(table%powers >= -rounding)
             if (table%roots > 0) sound = sound .and. has_roots(table)
         end if
+        sound = sound .and. minval(table%segments%lowest) <= table%lowest .and. maxval(table%segments%highest) >= table%highest
         do i = 1, size(table%segments)
             if (sound) sound = is_sound_segment(table, table%segments(i))
         end do
