@@ -30,7 +30,7 @@ def timed(function):
 def ours():
     """Closed springs, and the rings that coated bodies take, here on a half-space; error of the shift."""
     friction = mdr.Friction(CONTACT, MU)
-    seconds, state = timed(lambda: friction.at_tangential_force(TANGENTIAL_FORCE, STATE))
+    seconds, state = timed(lambda: friction.shear(STATE).at_force(TANGENTIAL_FORCE))
     yield "mdrcontact, springs", "-", state.shift / SHIFT - 1.0, seconds
     for rings in (25, 50, 100, 200):
 
@@ -125,7 +125,7 @@ def main():
     print("|---|---|---|---|---|---|")
     for nu in (0.5, 0.3):
         for share in (0.1, 0.5):
-            own = mdr.Friction(CONTACT, MU).at_tangential_force(share * MU * FORCE, STATE)
+            own = mdr.Friction(CONTACT, MU).shear(STATE).at_force(share * MU * FORCE)
             part, seconds = condat(48, nu, share)
             exact, slipping = 1.0 - (1.0 - share) ** (2.0 / 3.0), 1.0 - (own.stick_radius / STATE.radius) ** 2
             print(f"| {nu} | {share} | {exact:.4f} | {slipping:.4f} | {part:.2f} | {seconds:.0f} |")

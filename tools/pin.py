@@ -110,18 +110,19 @@ def adhesive(medium: mdr.Medium) -> Any:
 
 
 def sheared(contact: mdr.Contact) -> Any:
-    friction, state = mdr.Friction(contact, 0.4), contact.at_depth(4e-8)
-    reach = friction.sliding_shift(state)
-    shear = friction.at_shift(0.6 * reach, state)
-    yield reach, shear[:5], friction.cycle_energy(0.3 * reach, state=state)
-    yield friction.traction(np.array([0.3, 0.95]) * state.radius, shear, state)
+    state = contact.at_depth(4e-8)
+    shear = mdr.Friction(contact, 0.4).shear(state)
+    reach = shear.sliding_shift
+    found = shear.at_shift(0.6 * reach)
+    yield reach, tuple(found)[:5], shear.cycle_energy(0.3 * reach)
+    yield shear.traction(np.array([0.3, 0.95]) * state.radius, found)
 
 
 def twisted(contact: mdr.Contact) -> Any:
-    torsion, state = mdr.Friction(contact, 0.4).torsion, contact.at_depth(4e-8)
-    most = torsion.sliding_torque(state)
-    turned = torsion.at_torque(0.6 * most, state)
-    yield most, turned[:5], torsion.traction(0.7 * state.radius, turned, state)
+    state = contact.at_depth(4e-8)
+    twist = mdr.Friction(contact, 0.4).twist(state)
+    turned = twist.at_force(0.6 * twist.sliding_force)
+    yield twist.sliding_force, tuple(turned)[:5], twist.traction(0.7 * state.radius, turned)
 
 
 def paths() -> Iterator[Row]:

@@ -60,8 +60,8 @@ report("fit of 500 points", lambda: mdr.fit(curve, BALL, FILM.replace(coating=md
 state = CONTACT.at_depth(5e-8)
 r, z = np.linspace(0.0, 2e-6, 30)[:, None], np.linspace(1e-8, 2e-6, 30)
 report("grid inside", lambda: state.interior(r, z))
-amplitude = 0.5 * friction.sliding_shift(state)
-report("loop of friction", lambda: friction.loop(amplitude, state=state))
+amplitude = 0.5 * friction.shear(state).sliding_shift
+report("loop of friction", lambda: friction.shear(state).loop(amplitude))
 gel = mdr.Coated(mdr.Viscoelastic(1e6, [(2e6, 0.3)], nu=0.4), 5e-6, mdr.Viscoelastic(2e6, [(1e6, 1.0)], nu=0.3))
 relaxing, times = mdr.Contact(BALL, gel), np.linspace(0.1, 5.0, 9)
 report("march of a gel", lambda: relaxing.history(times, depth=1e-7 * np.sin(times)))

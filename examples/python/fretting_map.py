@@ -22,25 +22,29 @@ RATIOS = np.geomspace(0.1, 5.0, 13)
 SLIPPING = (0.1, 0.3, 0.6, 0.9)  # part of the contact's area that slips
 
 
+def sheared(body: mdr.Medium) -> mdr.ShearedContact:
+    """The ball on a body under the normal force."""
+    contact = mdr.Contact(mdr.Paraboloid(BALL), body)
+    return mdr.Friction(contact, MU).shear(contact.at_force(FORCE))
+
+
 def main() -> None:
     """Draws the map and the energies."""
-    bare = mdr.Friction(mdr.Contact(mdr.Paraboloid(BALL), mdr.Homogeneous(STEEL)), MU)
-    shift = 0.5 * bare.sliding_shift(force=FORCE)
-    tangential_force = 0.5 * MU * FORCE
-    basis = bare.cycle_energy(shift, force=FORCE), bare.cycle_energy(tangential_force, "force", force=FORCE)
+    bare = sheared(mdr.Homogeneous(STEEL))
+    shift, tangential_force = 0.5 * bare.sliding_shift, 0.5 * MU * FORCE
+    basis = bare.cycle_energy(shift), bare.cycle_energy(tangential_force, "force")
 
     lines = np.empty((len(SLIPPING) + 1, len(RATIOS)))
     energies = np.empty((2, len(RATIOS)))
     for i, ratio in enumerate(RATIOS):
         coating = mdr.Elastic(ratio * STEEL.E, STEEL.nu)
-        friction = mdr.Friction(mdr.Contact(mdr.Paraboloid(BALL), mdr.Coated(coating, THICKNESS, STEEL)), MU)
-        state = friction.contact.at_force(FORCE)
-        sliding = friction.sliding_shift(state)
+        coated = sheared(mdr.Coated(coating, THICKNESS, STEEL))
+        sliding = coated.sliding_shift
         shifts = np.linspace(0.0, 1.0, 60)[1:-1] * sliding
-        slipping = 1.0 - (np.asarray(friction.at_shift(shifts, state).stick_radius) / state.radius) ** 2
+        slipping = 1.0 - (np.asarray(coated.at_shift(shifts).stick_radius) / coated.state.radius) ** 2
         lines[:-1, i] = np.interp(SLIPPING, slipping, shifts)
         lines[-1, i] = sliding
-        energies[:, i] = friction.cycle_energy(shift, state=state), friction.cycle_energy(tangential_force, "force", state)
+        energies[:, i] = coated.cycle_energy(shift), coated.cycle_energy(tangential_force, "force")
     energies /= np.array(basis)[:, None]
 
     figure, (left, right) = plt.subplots(1, 2, figsize=(10.0, 4.4), layout="constrained")

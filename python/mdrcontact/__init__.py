@@ -37,8 +37,8 @@ from . import (
     poroelastic,
     profile,
     rate_adhesion,
+    sheared,
     threads,
-    torsion,
     wear,
     weights,
 )
@@ -64,8 +64,8 @@ from .medium import *  # noqa: F403
 from .poroelastic import *  # noqa: F403
 from .profile import *  # noqa: F403
 from .rate_adhesion import *  # noqa: F403
+from .sheared import *  # noqa: F403
 from .threads import *  # noqa: F403
-from .torsion import *  # noqa: F403
 from .wear import *  # noqa: F403
 from .weights import *  # noqa: F403
 
@@ -91,8 +91,8 @@ __all__ = [
     *poroelastic.__all__,
     *profile.__all__,
     *rate_adhesion.__all__,
+    *sheared.__all__,
     *threads.__all__,
-    *torsion.__all__,
     *wear.__all__,
     *weights.__all__,
 ]

@@ -27,8 +27,8 @@ def friction(medium=None, indenter=BALL):
 def test_cattaneo_mindlin():
     pair = friction(mdr.Homogeneous(STEEL))
     state = pair.contact.at_force(3.0)
-    sliding = pair.sliding_shift(state)
-    found = pair.at_shift(np.array([[0.1, 0.5], [-0.9, 1.5]]) * sliding, state)
+    sliding = pair.shear(state).sliding_shift
+    found = pair.shear(state).at_shift(np.array([[0.1, 0.5], [-0.9, 1.5]]) * sliding)
     assert found.tangential_force.shape == (2, 2)
     part = np.array([[0.1, 0.5], [0.9, 1.0]])
     np.testing.assert_allclose(np.abs(found.tangential_force), MU * 3.0 * (1.0 - (1.0 - part) ** 1.5), rtol=1e-12)
@@ -42,53 +42,55 @@ def test_cattaneo_mindlin():
 
 def test_numbers_give_numbers():
     pair = friction()
-    found = pair.at_tangential_force(0.1, force=1.0)
+    found = pair.shear(pair.contact.at_force(1.0)).at_force(0.1)
     assert isinstance(found.shift, float) and found.sliding is False
-    assert pair.at_shift(1.0, radius=0.3).sliding is True
-    assert isinstance(pair.sliding_shift(radius=0.3), float)
-    assert isinstance(pair.cycle_energy(1e-3, radius=0.3), float)
-    assert pair.at_shift([], radius=0.3).shift.shape == (0,)
+    assert pair.shear(pair.contact.at_radius(0.3)).at_shift(1.0).sliding is True
+    assert isinstance(pair.shear(pair.contact.at_radius(0.3)).sliding_shift, float)
+    assert isinstance(pair.shear(pair.contact.at_radius(0.3)).cycle_energy(1e-3), float)
+    assert pair.shear(pair.contact.at_radius(0.3)).at_shift([]).shift.shape == (0,)
 
 
 def test_arrays_of_normal_states_broadcast():
     pair = friction()
     forces = np.array([1.0, 2.0, 3.0])
-    many = pair.at_shift(np.array([[1e-4], [2e-4]]), force=forces)
+    many = pair.shear(pair.contact.at_force(forces)).at_shift(np.array([[1e-4], [2e-4]]))
     assert many.tangential_force.shape == (2, 3)
     for i, shift in enumerate((1e-4, 2e-4)):
         for j, force in enumerate(forces):
-            one = pair.at_shift(shift, force=force)
-            assert many.one((i, j)) == one
-    np.testing.assert_array_equal(pair.sliding_shift(force=forces)[1], pair.sliding_shift(force=2.0))
+            one = pair.shear(pair.contact.at_force(force)).at_shift(shift)
+            assert many[i, j] == one
+    np.testing.assert_array_equal(
+        pair.shear(pair.contact.at_force(forces)).sliding_shift[1], pair.shear(pair.contact.at_force(2.0)).sliding_shift
+    )
     with pytest.raises(mdr.MDRError, match="broadcast"):
-        pair.at_shift([1e-4, 2e-4], force=forces)
+        pair.shear(pair.contact.at_force(forces)).at_shift([1e-4, 2e-4])
 
 
 def test_the_traction_carries_the_force():
     pair = friction()
     state = pair.contact.at_radius(1.3)
-    shear = pair.at_shift(0.5 * pair.sliding_shift(state), state)
+    shear = pair.shear(state).at_shift(0.5 * pair.shear(state).sliding_shift)
     c, a = shear.stick_radius, state.radius
-    parts = [quad(lambda r: r * pair.traction(r, shear, state), *ends, limit=200)[0] for ends in ((0.0, c), (c, a))]
+    parts = [quad(lambda r: r * pair.shear(state).traction(r, shear), *ends, limit=200)[0] for ends in ((0.0, c), (c, a))]
     assert 2.0 * math.pi * sum(parts) == pytest.approx(shear.tangential_force, rel=1e-7)
-    parts = [quad(lambda x: pair.line_load(x, shear, state), *ends)[0] for ends in ((0.0, c), (c, a))]
+    parts = [quad(lambda x: pair.shear(state).line_load(x, shear), *ends)[0] for ends in ((0.0, c), (c, a))]
     assert 2.0 * sum(parts) == pytest.approx(shear.tangential_force, rel=1e-9)
     outside = np.linspace(1.001 * c, a, 5)
-    np.testing.assert_allclose(pair.traction(outside, shear, state), MU * state.pressure(outside), rtol=1e-12)
+    np.testing.assert_allclose(pair.shear(state).traction(outside, shear), MU * state.pressure(outside), rtol=1e-12)
 
 
 @pytest.mark.parametrize("control", ["shift", "force"])
 def test_loop(control):
     pair = friction()
     state = pair.contact.at_radius(1.0)
-    sliding = pair.sliding_shift(state)
+    sliding = pair.shear(state).sliding_shift
     amplitude = 0.6 * (sliding if control == "shift" else MU * state.force)
-    loop = pair.loop(amplitude, control, points=4001, state=state)
+    loop = pair.shear(state).loop(amplitude, control, points=4001)
     assert abs(trapezoid(loop.tangential_force, loop.shift)) == pytest.approx(loop.dissipated_energy, rel=1e-5)
-    assert loop.dissipated_energy == pytest.approx(pair.cycle_energy(amplitude, control, state), rel=1e-12)
+    assert loop.dissipated_energy == pytest.approx(pair.shear(state).cycle_energy(amplitude, control), rel=1e-12)
     assert (loop.shift if control == "shift" else loop.tangential_force)[0] == pytest.approx(amplitude, rel=1e-12)
     np.testing.assert_allclose(loop.tangential_force[::-1][:2000], -loop.tangential_force[:2001][::-1][:2000], rtol=1e-9)
-    sliding_loop = pair.loop(2.0 * sliding, state=state, points=401)
+    sliding_loop = pair.shear(state).loop(2.0 * sliding, points=401)
     assert sliding_loop.turn.sliding
     assert np.abs(sliding_loop.tangential_force).max() == pytest.approx(MU * state.force)
 
@@ -98,13 +100,15 @@ def test_sharp_tips_on_films_lose_the_area_of_their_loop(exponent):
     """The energy of a cycle that slides against the loop's area from T(s), by Gauss and Legendre towards both ends."""
     pair = mdr.Friction(mdr.Contact(mdr.PowerLaw(exponent, 0.3), mdr.Coated(STEEL, 1.0, mdr.Elastic(4.2 * STEEL.E, 0.1))), MU)
     state = pair.contact.at_radius(0.7)
-    sliding = pair.sliding_shift(state)
+    sliding = pair.shear(state).sliding_shift
     x, w = np.polynomial.legendre.leggauss(30)
     halves = 0.5 ** np.arange(1.0, 40.0)
     ends = sliding * np.unique([0.0, 1.0, *halves, *(1.0 - halves)])
-    work = sum(0.5 * (b - a) * w @ pair.at_shift(0.5 * (a + b + (b - a) * x), state).tangential_force for a, b in pairwise(ends))
+    work = sum(
+        0.5 * (b - a) * w @ pair.shear(state).at_shift(0.5 * (a + b + (b - a) * x)).tangential_force for a, b in pairwise(ends)
+    )
     area = 8.0 * work - 4.0 * MU * state.force * sliding
-    assert pair.cycle_energy(sliding, state=state) == pytest.approx(area, rel=1e-9)
+    assert pair.shear(state).cycle_energy(sliding) == pytest.approx(area, rel=1e-9)
 
 
 def test_a_model_whose_stiffness_falls_is_refused():
@@ -112,15 +116,15 @@ def test_a_model_whose_stiffness_falls_is_refused():
     film = mdr.Coated(mdr.Elastic(7.5, -0.5), 1.0, mdr.Elastic(0.13, 0.0), "gao-power")
     pair = mdr.Friction(mdr.Contact(mdr.Paraboloid(0.4), film), MU)
     with pytest.raises(mdr.DomainError, match="tangential stiffness of this model falls with the contact radius near"):
-        pair.at_shift(1e-6, pair.contact.at_radius(1.0))
+        pair.shear(pair.contact.at_radius(1.0)).at_shift(1e-6)
     small = pair.contact.at_radius(0.1)
-    assert pair.at_shift(0.5 * pair.sliding_shift(small), small).dissipated_energy > 0.0
+    assert pair.shear(small).at_shift(0.5 * pair.shear(small).sliding_shift).dissipated_energy > 0.0
 
 
 def test_small_amplitudes_keep_their_digits():
     pair = friction()
     state = pair.contact.at_radius(1.0)
-    energies = pair.cycle_energy(pair.sliding_shift(state) * np.array([1e-5, 1e-8, 1e-11]), state=state)
+    energies = pair.shear(state).cycle_energy(pair.shear(state).sliding_shift * np.array([1e-5, 1e-8, 1e-11]))
     np.testing.assert_allclose(energies[1:] / energies[:-1], 1e-9, rtol=2e-5)
 
 
@@ -202,7 +206,7 @@ def test_history_on_a_film():
     state = pair.contact.at_depth(0.1)
     history = pair.history(0.1, 60)
     history.advance(depth=0.1, shift=0.0)
-    loop = pair.loop(0.6 * pair.sliding_shift(state), points=9, state=state)
+    loop = pair.shear(state).loop(0.6 * pair.shear(state).sliding_shift, points=9)
     twin = history.copy()
     found = history.advance(depth=0.1, shift=loop.shift)
     np.testing.assert_allclose(found.tangential_force, loop.tangential_force, atol=3e-4 * MU * state.force)
@@ -223,8 +227,8 @@ def test_rings_under_a_flat_end(indenter, medium):
     """They touch at once. Under a flat punch the error is that of the first order: rings of constant traction are less stiff."""
     pair = friction(medium, indenter)
     state = pair.contact.at_depth(0.1)
-    shifts = pair.sliding_shift(state) * np.array([0.0, 0.1, 0.5, 1.2])
-    exact = pair.at_shift(shifts, state).tangential_force
+    shifts = pair.shear(state).sliding_shift * np.array([0.0, 0.1, 0.5, 1.2])
+    exact = pair.shear(state).at_shift(shifts).tangential_force
     errors = []
     for rings in (25, 100):
         found = pair.history(0.1, rings).advance(depth=0.1, shift=shifts).tangential_force
@@ -263,16 +267,16 @@ def test_law():
         for depth in np.linspace(0.035, 0.095, 9):
             place = pair.contact.at_depth(depth)
             for part in (0.1, 0.16, 0.25, 0.4, 0.5, 0.7, 0.8):
-                record, shift = coarse.contacts(1), part * pair.sliding_shift(place)
+                record, shift = coarse.contacts(1), part * pair.shear(place).sliding_shift
                 coarse.advance(record, [place.force], [[0.0, 0.0]])
                 T = coarse.advance(record, [place.force], [[shift, 0.0]])[0, 0]
-                found.append(abs(T - pair.at_shift(shift, place).tangential_force) / (MU * place.force))
+                found.append(abs(T - pair.shear(place).at_shift(shift).tangential_force) / (MU * place.force))
         assert max(found) < 1.1 * coarse.first_shear_error
     assert 1e-3 < law.path_error < 0.01
     assert (law.sliders, law.memory_size) == (16, 11 + 4 * 16)
     assert pickle.loads(pickle.dumps(law)) == law
     state = pair.contact.at_depth(0.05)
-    sliding = pair.sliding_shift(state)
+    sliding = pair.shear(state).sliding_shift
     memory = law.contacts(3)
     force = np.full(3, state.force)
     law.advance(memory, force, np.zeros((3, 2)))
@@ -282,7 +286,7 @@ def test_law():
     np.testing.assert_array_equal(memory, before)
     found = law.advance(memory, force, shift)
     np.testing.assert_array_equal(found, tried)
-    exact = pair.at_shift(np.array([0.3, 0.7, 1.5]) * sliding, state).tangential_force
+    exact = pair.shear(state).at_shift(np.array([0.3, 0.7, 1.5]) * sliding).tangential_force
     bound = 0.006 * MU * state.force
     np.testing.assert_allclose(found, np.outer(exact, [0.6, 0.8]), atol=bound)
     for axis in range(2):
@@ -292,12 +296,12 @@ def test_law():
     change = law.attempt(before, force * (1 + 1e-6), shift) - law.attempt(before, force * (1 - 1e-6), shift)
     np.testing.assert_allclose(by_force, change / (2e-6 * state.force), atol=1e-6)
     stored, dissipated = law.energies(memory)
-    lost = pair.at_shift(np.array([0.3, 0.7, 1.5]) * sliding, state).dissipated_energy
+    lost = pair.shear(state).at_shift(np.array([0.3, 0.7, 1.5]) * sliding).dissipated_energy
     np.testing.assert_allclose(dissipated, lost, rtol=0.15)
     assert np.all(stored > 0.0)
     assert np.all(dissipated > 0.0)
     # there and back: the loop of the contact
-    loop = pair.loop(0.7 * sliding, points=5, state=state)
+    loop = pair.shear(state).loop(0.7 * sliding, points=5)
     found = [law.advance(memory[1:2], force[:1], [[0.6 * step, 0.8 * step]])[0] for step in np.diff(loop.shift)]
     np.testing.assert_allclose(found, np.outer(loop.tangential_force[1:], [0.6, 0.8]), atol=2.0 * bound)
     law.turn(memory, np.tile([0.6, 0.0, 0.8], (3, 1)))
@@ -323,7 +327,7 @@ def test_law_files(tmp_path):
     assert law.coefficient == MU
     assert law.tolerance == 1e-7
     largest = law.force_range[1]
-    assert law.largest_sliding_shift == pytest.approx(pair.sliding_shift(force=largest), rel=1e-6)
+    assert law.largest_sliding_shift == pytest.approx(pair.shear(pair.contact.at_force(largest)).sliding_shift, rel=1e-6)
     path = tmp_path / "ball.mdrlaw"
     law.save(path)
     again = mdr.ContactLaw.load(path)
@@ -408,25 +412,25 @@ def test_refusals():
         mdr.Friction(BALL, MU)
     with pytest.raises(mdr.InvalidArgumentError, match="tangential stiffness is not known for this medium"):
         friction(mdr.Coated(HARD, 1.0, STEEL, "doerner-nix"))
-    with pytest.raises(mdr.ArgumentTypeError, match="one of state, force, depth and radius"):
-        pair.at_shift(0.1)
-    with pytest.raises(mdr.ArgumentTypeError, match="one of state, force, depth and radius"):
-        pair.at_shift(0.1, force=1.0, radius=1.0)
+    with pytest.raises(mdr.ArgumentTypeError, match="it must be a State"):
+        pair.shear(1.0)
+    with pytest.raises(mdr.ArgumentTypeError, match="State of the contact with friction"):
+        pair.shear(sticky.at_force(1.0))
     with pytest.raises(mdr.UnreachableError, match="slides"):
-        pair.at_tangential_force(1e9, state)
+        pair.shear(state).at_force(1e9)
     with pytest.raises(mdr.InvalidArgumentError, match="control"):
-        pair.loop(0.1, "depth", state=state)
+        pair.shear(state).loop(0.1, "depth")
     with pytest.raises(mdr.InvalidArgumentError, match="points = 2"):
-        pair.loop(0.1, points=2, state=state)
-    with pytest.raises(mdr.ArgumentTypeError, match="TangentialState"):
-        pair.traction(0.1, 0.2, state)
-    with pytest.raises(mdr.ArgumentTypeError, match="one normal state"):
-        pair.loop(0.1, force=[1.0, 2.0])
+        pair.shear(state).loop(0.1, points=2)
+    with pytest.raises(mdr.ArgumentTypeError, match="ShearState"):
+        pair.shear(state).traction(0.1, 0.2)
+    with pytest.raises(mdr.ArgumentTypeError, match="one is needed"):
+        pair.shear(pair.contact.at_force([1.0, 2.0])).loop(0.1)
     with pytest.raises(mdr.DomainError, match="at most the contact radius"):
-        pair.traction(1.1, pair.at_shift(1e-3, state), state)
+        pair.shear(state).traction(1.1, pair.shear(state).at_shift(1e-3))
     stiff = friction(mdr.Coated(mdr.Elastic(100.0, 0.3), 1.0, mdr.Elastic(1.0, 0.3)), mdr.PowerLaw(4.0, 1.0))
     with pytest.raises(mdr.DomainError, match="not one disc"), pytest.warns(mdr.NotOneDiscWarning):
-        stiff.at_shift(0.1, radius=2.0)
+        stiff.shear(stiff.contact.at_radius(2.0)).at_shift(0.1)
 
 
 def test_energy_by_rings_does_not_grow_with_the_number_of_steps():
@@ -447,12 +451,12 @@ def test_shifts_as_small_as_rounding_errors(model, indenter):
     medium = mdr.Homogeneous(STEEL) if model == "homogeneous" else mdr.Coated(HARD, 1.0, STEEL, model)
     pair = mdr.Friction(mdr.Contact(indenter, medium), MU)
     state = pair.contact.at_depth(0.3)
-    shifts = pair.sliding_shift(state) * np.array([1e-12, 1e-15, 1e-17, 1e-20, 1e-60, 1e-100])
-    found = pair.at_shift(shifts, state)
+    shifts = pair.shear(state).sliding_shift * np.array([1e-12, 1e-15, 1e-17, 1e-20, 1e-60, 1e-100])
+    found = pair.shear(state).at_shift(shifts)
     np.testing.assert_allclose(found.tangential_force, medium.tangential_stiffness(state.radius) * shifts, rtol=1e-8)
     # a third power of the shift
     np.testing.assert_allclose(found.dissipated_energy / shifts**3, found.dissipated_energy[0] / shifts[0] ** 3, rtol=1e-8)
-    back = pair.at_tangential_force(found.tangential_force, state)
+    back = pair.shear(state).at_force(found.tangential_force)
     np.testing.assert_allclose(back.shift, shifts, rtol=1e-8)
 
 
@@ -460,7 +464,7 @@ def test_stick_radius_just_before_sliding():
     pair = mdr.Friction(mdr.Contact(mdr.Cone(0.5), mdr.Homogeneous(STEEL)), MU)
     state = pair.contact.at_depth(0.3)
     parts = np.array([1e-4, 1e-6, 1e-9])
-    found = pair.at_shift(pair.sliding_shift(state) * (1.0 - parts), state)
+    found = pair.shear(state).at_shift(pair.shear(state).sliding_shift * (1.0 - parts))
     np.testing.assert_allclose(found.stick_radius / state.radius, parts, rtol=1e-6)
 
 
@@ -501,23 +505,23 @@ def test_slip_that_begins_inside_warns(force_first):
     """A flat end on a stiff film presses the middle little: by rings, which obey |tau| <= mu p everywhere, T is 12 % smaller."""
     contact = mdr.Contact(mdr.FlatEndedCone(0.608, 0.191), STIFF_FILM)
     friction, state = mdr.Friction(contact, 0.3), contact.at_radius(0.614)
-    slides = friction.sliding_shift(state)
+    slides = friction.shear(state).sliding_shift
     with pytest.warns(mdr.SlipInsideWarning, match="at r = .* the traction would be"):
         if force_first:
-            friction.at_tangential_force(0.3 * state.force * np.array([0.1, 1.0]), force=state.force)
+            friction.shear(friction.contact.at_force(state.force)).at_force(0.3 * state.force * np.array([0.1, 1.0]))
         else:
-            friction.at_shift(slides, state)
+            friction.shear(state).at_shift(slides)
     rings = friction.history(largest_depth=1.001 * state.depth)
     rings.advance(depth=state.depth, shift=0.0)
     assert rings.advance(depth=state.depth, shift=slides).tangential_force < 0.95 * 0.3 * state.force
 
 
 @pytest.mark.parametrize("attempt", [
-    lambda friction, state: friction.at_shift(0.4, state),
-    lambda friction, state: friction.at_tangential_force(0.29 * state.force, state),
-    lambda friction, state: friction.at_tangential_force([0.29 * state.force], state),
-    lambda friction, state: friction.loop(0.4, state=state),
-    lambda friction, state: friction.cycle_energy(0.4, state=state),
+    lambda friction, state: friction.shear(state).at_shift(0.4),
+    lambda friction, state: friction.shear(state).at_force(0.29 * state.force),
+    lambda friction, state: friction.shear(state).at_force([0.29 * state.force]),
+    lambda friction, state: friction.shear(state).loop(0.4),
+    lambda friction, state: friction.shear(state).cycle_energy(0.4),
 ])  # fmt: skip
 def test_slip_inside_is_warned_of_at_the_line_of_the_call(attempt):
     friction = mdr.Friction(mdr.Contact(mdr.FlatEndedCone(0.608, 0.191), STIFF_FILM), 0.3)
@@ -536,10 +540,10 @@ def test_states_are_answered_where_the_pressure_is_refused(monkeypatch):
         raise mdr.NoConvergenceError("a field did not reach its tolerance")
 
     monkeypatch.setattr(mdr.State, "pressure", refuse)
-    found = friction.at_shift(0.005, state)
+    found = friction.shear(state).at_shift(0.005)
     assert 0.0 < found.tangential_force < 0.3 * state.force
-    assert friction.loop(0.005, state=state, points=3).turn == found
-    assert friction.cycle_energy(0.005, state=state) == pytest.approx(4.0 * found.dissipated_energy)
+    assert friction.shear(state).loop(0.005, points=3).turn == found
+    assert friction.shear(state).cycle_energy(0.005) == pytest.approx(4.0 * found.dissipated_energy)
 
 
 @pytest.mark.parametrize("unit", [1e-6, 1.0, 1e6])
@@ -551,7 +555,7 @@ def test_a_thousandth_of_the_mean_pressure_is_noticed(unit):
         state = friction.contact.at_radius(0.614 * unit)
         with warnings.catch_warnings(record=True) as found:
             warnings.simplefilter("always")
-            friction.at_shift(0.98 * friction.sliding_shift(state), state)
+            friction.shear(state).at_shift(0.98 * friction.shear(state).sliding_shift)
         assert [warning.category for warning in found] == count * [mdr.SlipInsideWarning]
 
 
@@ -565,4 +569,4 @@ def test_slip_at_the_edge_does_not_warn():
                 friction = mdr.Friction(mdr.Contact(indenter, film), 0.3)
                 for radius in (0.05, 0.5, 2.0):
                     force = 0.3 * friction.contact.at_radius(radius).force
-                    friction.at_tangential_force(force * np.array([0.01, 0.5, 0.999]), radius=radius)
+                    friction.shear(friction.contact.at_radius(radius)).at_force(force * np.array([0.01, 0.5, 0.999]))

@@ -50,7 +50,7 @@ def test_table_and_files(tmp_path, capsys):
     pair = mdr.Friction(
         mdr.Contact(mdr.Paraboloid(10e-6), mdr.Coated(mdr.Elastic(72e9, 0.17), 500e-9, mdr.Elastic(165e9, 0.22))), 0.2
     )
-    expected = pair.at_shift([0.5e-9, 2e-9, 50e-9], force=5e-3)
+    expected = pair.shear(pair.contact.at_force(5e-3)).at_shift([0.5e-9, 2e-9, 50e-9])
     np.testing.assert_allclose(columns["T/(mu F)"], np.asarray(expected.tangential_force) / 1e-3, rtol=1e-6)
     assert columns["T/(mu F)"][2] == pytest.approx(1.0)
     assert columns["stick radius"][2] == 0.0
@@ -215,7 +215,11 @@ def test_law_with_friction(tmp_path, capsys):
     law = mdr.ContactLaw.load(path)
     assert (law.coefficient, law.sliders) == (0.2, 12)
     film = mdr.Coated(mdr.Elastic(72e9, 0.17), 500e-9, mdr.Elastic(165e9, 0.22))
-    exact = mdr.Friction(mdr.Contact(mdr.Paraboloid(10e-6), film), 0.2).at_shift(2e-9, force=4e-3)
+    exact = (
+        mdr.Friction(mdr.Contact(mdr.Paraboloid(10e-6), film), 0.2)
+        .shear(mdr.Friction(mdr.Contact(mdr.Paraboloid(10e-6), film), 0.2).contact.at_force(4e-3))
+        .at_shift(2e-9)
+    )
     memory = law.contacts(1)
     law.advance(memory, [4e-3], [[0.0, 0.0]])
     assert law.advance(memory, [4e-3], [[2e-9, 0.0]])[0, 0] == pytest.approx(exact.tangential_force, abs=0.01 * 0.2 * 4e-3)

@@ -13,8 +13,8 @@ STEEL, MU, R = mdr.Elastic(210e9, 0.3), 0.3, 1e-3
 CONTACT = mdr.Contact(mdr.Paraboloid(R), mdr.Homogeneous(STEEL))
 FRICTION = mdr.Friction(CONTACT, MU)
 STATE = CONTACT.at_depth(2e-6)
-LIMIT = FRICTION.torsion.sliding_torque(force=STATE.force)
-TWIST = FRICTION.torsion.at_torque(0.9 * LIMIT, force=STATE.force).twist
+LIMIT = FRICTION.twist(STATE).sliding_force
+TWIST = FRICTION.twist(STATE).at_force(0.9 * LIMIT).shift
 
 
 def made(sliders=16, friction=FRICTION):
@@ -33,7 +33,7 @@ def test_first_twist_is_that_of_the_contact(sliders, largest, after_a_fall):
     """Under one force at once, grown in steps, and after it has fallen."""
     law, force = made(sliders), STATE.force
     parts = np.linspace(0.005, 0.999, 50)
-    twists = [FRICTION.torsion.at_torque(part * LIMIT, force=force).twist for part in parts]
+    twists = [FRICTION.twist(FRICTION.contact.at_force(force)).at_force(part * LIMIT).shift for part in parts]
     grown = np.linspace(0, force, 50)[1:]
     for history in ([force], grown, [*grown, *(force * np.linspace(1, 1.3, 9)), *(force * np.linspace(1.3, 1, 20))]):
         memory = law.contacts(1)
@@ -94,7 +94,7 @@ def test_energy_is_never_won(law):
 
 
 def test_a_loop_takes_the_energy_of_the_contact(law):
-    loop = FRICTION.torsion.loop(TWIST, force=STATE.force)
+    loop = FRICTION.twist(STATE).loop(TWIST)
     memory = law.contacts(1)
     law.advance(memory, [STATE.force], [0.0])
     law.advance(memory, [STATE.force], [TWIST])

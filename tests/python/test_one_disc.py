@@ -86,4 +86,4 @@ def test_the_look_at_pressures_of_tiny_contacts():
     contact = mdr.Contact(mdr.Cone(0.3), mdr.Coated(mdr.Elastic(3.0, 0.3), 1.0, mdr.Elastic(1.0, 0.3)))
     state = contact.at_radius(1e-300)
     assert state.radius == 1e-300
-    assert mdr.Friction(contact, 0.3).at_shift(1e-305, state).shift == 1e-305
+    assert mdr.Friction(contact, 0.3).shear(state).at_shift(1e-305).shift == 1e-305

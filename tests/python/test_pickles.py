@@ -115,7 +115,8 @@ def fits():
 def friction():
     pair = mdr.Friction(CONTACT, 0.3)
     state = CONTACT.at_depth(5e-8)
-    torsion = mdr.Friction(mdr.Contact(BALL, mdr.Homogeneous(OXIDE)), 0.3).torsion
+    ball = mdr.Friction(mdr.Contact(BALL, mdr.Homogeneous(OXIDE)), 0.3)
+    twisted = ball.twist(ball.contact.at_depth(5e-8))
     by_rings, springs = pair.history(5e-8, 20), mdr.Friction(mdr.Contact(BALL, mdr.Homogeneous(OXIDE)), 0.3).history()
     for one in (by_rings, springs):
         one.advance(depth=[1e-8, 4e-8], shift=[0.0, 1e-9])
@@ -123,14 +124,15 @@ def friction():
         one.advance(depth=3e-8, tangential_force=0.0)
     return [
         pair,
-        pair.at_shift(1e-9, state),
-        pair.loop(1e-9, state=state),
+        pair.shear(state).at_shift(1e-9),
+        pair.shear(state).loop(1e-9),
         by_rings,
         springs,
         mdr.ContactLaw(CONTACT, 5e-8, friction=pair, tolerance=1e-4),
-        torsion,
-        torsion.at_twist(1e-4, depth=5e-8),
-        torsion.loop(1e-4, depth=5e-8),
+        pair.shear(state),
+        twisted,
+        twisted.at_shift(1e-4),
+        twisted.loop(1e-4),
     ]
 
 

@@ -160,7 +160,7 @@ def test_states_pressure_and_adhesion(medium):
     t, w = np.polynomial.legendre.leggauss(60)
     angle = 0.25 * np.pi * (1.0 + t)
     r = 0.7 * np.sin(angle)
-    total = 2.0 * np.pi * (contact.pressure(r, state) * r * 0.7 * np.cos(angle)) @ w * 0.25 * np.pi
+    total = 2.0 * np.pi * (state.pressure(r) * r * 0.7 * np.cos(angle)) @ w * 0.25 * np.pi
     assert total == pytest.approx(state.force, rel=1e-8)
     sticky = mdr.Contact(mdr.Paraboloid(10.0), medium, work_of_adhesion=1e-3)
     # d - d0 = -sqrt(4 pi a gamma/k'), k' = dk/da by differences
@@ -181,9 +181,9 @@ def test_refused_answers():
         lambda: medium.torsional_stiffness(1.0),
         lambda: medium.compliance(1.0, load="shear"),
         lambda: mdr.Friction(contact, 0.3),
-        lambda: contact.interior(0.1, 0.1, state),
-        lambda: contact.elastic_energy(state, body="lower"),
-        lambda: contact.gradient(state),
+        lambda: state.interior(0.1, 0.1),
+        lambda: state.energy(body="lower"),
+        lambda: state.gradient(),
         lambda: mdr.Contact(mdr.Paraboloid(10.0), medium, work_of_adhesion=0.01, cohesive_stress=0.1),
         lambda: mdr.Pair(medium, mdr.Homogeneous(BODY)),
         lambda: mdr.Homogeneous(mdr.PowerLawRheology(1.0, 1.0, 0.2, 0.4), surface=mdr.Surface(stretching=1.0)),

@@ -52,7 +52,7 @@ def test_lubkin():
     a, F = state.radius, state.force
     unit = 3.0 * MU * F / (4.0 * np.pi * G * a**2)
     twists = unit * np.array([1e-9, 1e-4, 0.02, 0.3, 1.0, 3.0, 9.0])
-    found = pair.torsion.at_twist(twists, state)
+    found = pair.twist(state).at_shift(twists)
     part = found.stick_radius / a
     assert not found.sliding.any()
     large = part < 0.99  # nearer to 1 the closed form cancels
@@ -60,13 +60,13 @@ def test_lubkin():
     np.testing.assert_allclose(closed[large], twists[large], rtol=1e-12)
     # K - E = (pi/4) m (1 + 3 m/8 + ...) of m = 1 - c^2/a^2
     assert 1.0 - part[1] == pytest.approx(2.0 / np.pi * 1e-4, rel=1e-3)
-    np.testing.assert_allclose(found.torque[0], 16.0 / 3.0 * G * a**3 * twists[0], rtol=1e-8)
+    np.testing.assert_allclose(found.tangential_force[0], 16.0 / 3.0 * G * a**3 * twists[0], rtol=1e-8)
     np.testing.assert_allclose(found.stiffness, 16.0 / 3.0 * G * found.stick_radius**3, rtol=1e-13)
-    np.testing.assert_allclose(pair.torsion.sliding_torque(state), 3.0 * np.pi / 16.0 * MU * F * a, rtol=1e-14)
-    for twist, c, torque in zip(twists[2:], found.stick_radius[2:], found.torque[2:], strict=True):
+    np.testing.assert_allclose(pair.twist(state).sliding_force, 3.0 * np.pi / 16.0 * MU * F * a, rtol=1e-14)
+    for twist, c, torque in zip(twists[2:], found.stick_radius[2:], found.tangential_force[2:], strict=True):
         np.testing.assert_allclose(torque, torque_of(pair, state, c, twist), rtol=1e-10)
-    again = pair.torsion.at_torque(-found.torque[:6], state)
-    np.testing.assert_allclose(again.twist, -twists[:6], rtol=1e-9)
+    again = pair.twist(state).at_force(-found.tangential_force[:6])
+    np.testing.assert_allclose(again.shift, -twists[:6], rtol=1e-9)
     np.testing.assert_allclose(again.stick_radius, found.stick_radius[:6], rtol=1e-9)
     np.testing.assert_allclose(again.dissipated_energy, found.dissipated_energy[:6], rtol=1e-8)
 
@@ -80,25 +80,25 @@ def test_all_indenters(indenter):
     state = pair.contact.at_depth(0.3)
     a = state.radius
     kinks = (0.2,) if isinstance(indenter, mdr.FlatEndedCone) else ()
-    limit = pair.torsion.sliding_torque(state)
+    limit = pair.twist(state).sliding_force
     r = a * np.sqrt(1.0 - np.linspace(0.0, 1.0, 20001) ** 2)
     rough = trapezoid(2.0 * np.pi * MU * state.pressure(np.maximum(r, 1e-9)) * r**2, r)
     assert limit == pytest.approx(-rough, rel=1e-4)
     for share in (0.3, 0.95):
-        found = pair.torsion.at_torque(share * limit, state)
+        found = pair.twist(state).at_force(share * limit)
         c = found.stick_radius
 
         slip = over_slip(lambda r: state.pressure(r), c, a, kinks)
-        assert found.twist == pytest.approx(MU / (2.0 * G) * slip, rel=1e-9)
-        assert found.torque == pytest.approx(torque_of(pair, state, c, found.twist, kinks), rel=1e-8)
-        step = 1e-5 * found.twist
-        near = pair.torsion.at_twist(found.twist + step * np.array([-1.0, 1.0]), state)
-        assert np.diff(near.torque)[0] / (2.0 * step) == pytest.approx(found.stiffness, rel=1e-6)
+        assert found.shift == pytest.approx(MU / (2.0 * G) * slip, rel=1e-9)
+        assert found.tangential_force == pytest.approx(torque_of(pair, state, c, found.shift, kinks), rel=1e-8)
+        step = 1e-5 * found.shift
+        near = pair.twist(state).at_shift(found.shift + step * np.array([-1.0, 1.0]))
+        assert np.diff(near.tangential_force)[0] / (2.0 * step) == pytest.approx(found.stiffness, rel=1e-6)
         # dissipated is what the springs do not keep: int M dphi - int q^2/(2 G) dx
-        work = gauss(lambda phi: pair.torsion.at_twist(phi, state).torque, 0.0, found.twist, 40)
+        work = gauss(lambda phi: pair.twist(state).at_shift(phi).tangential_force, 0.0, found.shift, 40)
         ends = sorted({0.0, c, *kinks, a})
         parts = zip(ends, ends[1:], strict=False)
-        kept = sum(gauss(lambda x: pair.torsion.line_load(x, found, state) ** 2, low, high, 40) for low, high in parts)
+        kept = sum(gauss(lambda x: pair.twist(state).line_load(x, found) ** 2, low, high, 40) for low, high in parts)
         assert found.dissipated_energy == pytest.approx(work - kept / (2.0 * G), rel=2e-5)
 
 
@@ -107,9 +107,9 @@ def test_stick_close_to_a_flat_end(share):
     """In a narrow ring around it the twist has a root: a torque 4 % too small was given there."""
     pair = friction(mdr.FlatEndedCone(0.4, 0.1))
     state = pair.contact.at_radius(0.41)
-    found = pair.torsion.at_torque(share * pair.torsion.sliding_torque(state), state)
-    torque = torque_of(pair, state, found.stick_radius, found.twist, kinks=(0.4,))
-    assert found.torque == pytest.approx(torque, rel=1e-8)
+    found = pair.twist(state).at_force(share * pair.twist(state).sliding_force)
+    torque = torque_of(pair, state, found.stick_radius, found.shift, kinks=(0.4,))
+    assert found.tangential_force == pytest.approx(torque, rel=1e-8)
 
 
 @pytest.mark.parametrize(("part", "accuracy"), [(0.9, 1e-11), (0.3, 1e-11), (0.01, 1e-11), (1e-4, 1e-5)])
@@ -122,62 +122,62 @@ def test_tractions_under_a_paraboloid(part, accuracy):
     state = pair.contact.at_depth(0.25)
     a = state.radius
     unit = 3.0 * MU * state.force / (4.0 * np.pi * G * a**2)
-    found = pair.torsion.at_twist(unit * (ellipkm1(part**2) - ellipe(1.0 - part**2)), state)
+    found = pair.twist(state).at_shift(unit * (ellipkm1(part**2) - ellipe(1.0 - part**2)))
     for r in found.stick_radius * np.array([1e-3, 0.5, 0.99]):
         ends = np.sqrt(np.geomspace(found.stick_radius, a, 12) ** 2 - r**2)  # y, b = sqrt(y^2 + r^2), db/sqrt(b^2 - r^2) = dy/b
         truth = sum(
             gauss(lambda y, r=r: ellipe(1.0 - (y**2 + r**2) / a**2) / (y**2 + r**2), low, high, 60)
             for low, high in zip(ends[:-1], ends[1:], strict=True)
         )
-        assert pair.torsion.traction(r, found, state) == pytest.approx(4.0 * G * r / np.pi * unit * truth, rel=accuracy)
+        assert pair.twist(state).traction(r, found) == pytest.approx(4.0 * G * r / np.pi * unit * truth, rel=accuracy)
 
 
 def test_tractions():
     pair = friction()
     state = pair.contact.at_depth(0.25)
     a = state.radius
-    found = pair.torsion.at_torque(0.7 * pair.torsion.sliding_torque(state), state)
+    found = pair.twist(state).at_force(0.7 * pair.twist(state).sliding_force)
     c = found.stick_radius
     slipping = np.linspace(c * 1.0001, a, 7)
-    np.testing.assert_allclose(pair.torsion.traction(slipping, found, state), MU * state.pressure(slipping), rtol=1e-12, atol=1e-15)
+    np.testing.assert_allclose(pair.twist(state).traction(slipping, found), MU * state.pressure(slipping), rtol=1e-12, atol=1e-15)
     inside = np.linspace(0.0, c * 0.9999, 9)
-    sticking = pair.torsion.traction(inside, found, state)
+    sticking = pair.twist(state).traction(inside, found)
     assert sticking[0] == 0.0
     assert (sticking < MU * state.pressure(inside)).all()
     assert (np.diff(sticking) > 0.0).all()
     # the torque, and the springs' load, of these tractions
     r = lambda t: a * np.sin(t)  # noqa: E731
     torque = sum(
-        gauss(lambda t: 2.0 * np.pi * pair.torsion.traction(r(t), found, state) * r(t) ** 2 * a * np.cos(t), low, high)
+        gauss(lambda t: 2.0 * np.pi * pair.twist(state).traction(r(t), found) * r(t) ** 2 * a * np.cos(t), low, high)
         for low, high in ((0.0, np.arcsin(c / a)), (np.arcsin(c / a), np.pi / 2))
     )
-    assert torque == pytest.approx(found.torque, rel=1e-6)
+    assert torque == pytest.approx(found.tangential_force, rel=1e-6)
     for x in (0.3 * c, 0.9 * c, 0.5 * (c + a)):
         edges = [x, c, a] if x < c else [x, a]
         load = 0.0
         for low, high in zip(edges, edges[1:], strict=False):
             start = np.sqrt(low**2 - x**2)
-            load += gauss(lambda y, x=x: 2.0 * x * pair.torsion.traction(np.hypot(x, y), found, state) / np.hypot(x, y),
+            load += gauss(lambda y, x=x: 2.0 * x * pair.twist(state).traction(np.hypot(x, y), found) / np.hypot(x, y),
                           start, np.sqrt(high**2 - x**2))  # fmt: skip
-        assert load == pytest.approx(pair.torsion.line_load(x, found, state), rel=1e-5)
-    assert pair.torsion.line_load(0.5 * c, found, state) == pytest.approx(4.0 * G * found.twist * 0.5 * c, rel=1e-9)
+        assert load == pytest.approx(pair.twist(state).line_load(x, found), rel=1e-5)
+    assert pair.twist(state).line_load(0.5 * c, found) == pytest.approx(4.0 * G * found.shift * 0.5 * c, rel=1e-9)
 
 
 def test_loop():
     pair = friction(mdr.Cone(0.5))
     state = pair.contact.at_depth(0.3)
-    loop = pair.torsion.loop(0.6 * pair.torsion.sliding_torque(state), "torque", 101, state)
+    loop = pair.twist(state).loop(0.6 * pair.twist(state).sliding_force, "force", 101)
     assert loop.dissipated_energy == pytest.approx(4.0 * loop.turn.dissipated_energy, rel=1e-14)
     area = 2.0 * gauss(
-        lambda phi: loop.turn.torque - 2.0 * pair.torsion.at_twist(0.5 * (loop.turn.twist - phi), state).torque,
-        -loop.turn.twist,
-        loop.turn.twist,
+        lambda phi: loop.turn.tangential_force - 2.0 * pair.twist(state).at_shift(0.5 * (loop.turn.shift - phi)).tangential_force,
+        -loop.turn.shift,
+        loop.turn.shift,
         60,
     )
     assert loop.dissipated_energy == pytest.approx(-area, rel=1e-9) or loop.dissipated_energy == pytest.approx(area, rel=1e-9)
-    np.testing.assert_allclose(loop.torque[:51], -loop.torque[50:][::1], rtol=1e-12, atol=1e-14)
-    small = pair.torsion.loop(1e-7 * loop.turn.twist, points=3, state=state)
-    tiny = pair.torsion.loop(1e-8 * loop.turn.twist, points=3, state=state)
+    np.testing.assert_allclose(loop.tangential_force[:51], -loop.tangential_force[50:][::1], rtol=1e-12, atol=1e-14)
+    small = pair.twist(state).loop(1e-7 * loop.turn.shift, points=3)
+    tiny = pair.twist(state).loop(1e-8 * loop.turn.shift, points=3)
     assert small.dissipated_energy / tiny.dissipated_energy == pytest.approx(1e3, rel=1e-5)
 
 
@@ -186,57 +186,60 @@ def test_flat_punch():
     pair = friction(mdr.FlatPunch(0.5))
     state = pair.contact.at_depth(0.01)
     first = MU * state.force / (2.0 * 0.5) / (4.0 * G * 0.5)
-    stuck, slipping = pair.torsion.at_twist(first * np.array([0.999, 1.001]), state).stick_radius
+    stuck, slipping = pair.twist(state).at_shift(first * np.array([0.999, 1.001])).stick_radius
     assert stuck == 0.5
     assert 0.49 < slipping < 0.5
     # int r p dA of F/(2 pi a sqrt(a^2 - r^2))
-    assert pair.torsion.sliding_torque(state) == pytest.approx(MU * np.pi / 4.0 * state.force * 0.5, rel=1e-12)
+    assert pair.twist(state).sliding_force == pytest.approx(MU * np.pi / 4.0 * state.force * 0.5, rel=1e-12)
 
 
 def test_sliding():
     pair = friction()
     state = pair.contact.at_depth(0.25)
-    limit = pair.torsion.sliding_torque(state)
+    limit = pair.twist(state).sliding_force
     unit = 3.0 * MU * state.force / (4.0 * np.pi * G * state.radius**2)
-    found = pair.torsion.at_twist(np.array([10.0, 20.0, 30.0]) * unit, state)
+    found = pair.twist(state).at_shift(np.array([10.0, 20.0, 30.0]) * unit)
     assert found.sliding.tolist() == [False, True, True]
-    np.testing.assert_allclose(found.torque, limit, rtol=1e-9)
+    np.testing.assert_allclose(found.tangential_force, limit, rtol=1e-9)
     assert found.stick_radius[1] == 0.0
     assert found.dissipated_energy[2] - found.dissipated_energy[1] == pytest.approx(limit * 10.0 * unit, rel=1e-12)
     with pytest.raises(mdr.UnreachableError, match="growing twist approaches that of sliding"):
-        pair.torsion.at_torque(limit, state)
+        pair.twist(state).at_force(limit)
 
 
 def test_pairs_and_arrays():
     hard = mdr.Homogeneous(mdr.Elastic(10.0, 0.2))
     pair = friction(medium=mdr.Pair(BODY, hard))
-    found = pair.torsion.at_twist([[1e-9], [1e-3]], force=[0.1, 0.2, 0.3])
-    assert found.torque.shape == (2, 3)
+    found = pair.twist(pair.contact.at_force([0.1, 0.2, 0.3])).at_shift([[1e-9], [1e-3]])
+    assert found.tangential_force.shape == (2, 3)
     shear = 1.0 / (1.0 / G + 2.0 * 1.2 / 10.0)
     np.testing.assert_allclose(
-        found.torque[0], 16.0 / 3.0 * shear * pair.contact.at_force([0.1, 0.2, 0.3]).radius ** 3 * 1e-9, rtol=1e-5
+        found.tangential_force[0], 16.0 / 3.0 * shear * pair.contact.at_force([0.1, 0.2, 0.3]).radius ** 3 * 1e-9, rtol=1e-5
     )
-    assert pair.torsion.sliding_torque(force=[0.1, 0.2]).shape == (2,)
-    assert repr(pair.torsion).endswith(", coefficient=0.4).torsion")
+    assert pair.twist(pair.contact.at_force([0.1, 0.2])).sliding_force.shape == (2,)
+    twisted = pair.twist(pair.contact.at_force(0.1))
+    assert eval(repr(twisted), vars(mdr)) == twisted
 
 
 def test_refusals():
     pair = friction()
     state = pair.contact.at_depth(0.25)
-    torsion = pair.torsion
+    film = friction(medium=mdr.Coated(mdr.Elastic(5.0, 0.3), 1.0, mdr.Elastic(E, NU)))
     with pytest.raises(mdr.InvalidArgumentError, match="torsion with friction is not known for this medium"):
-        friction(medium=mdr.Coated(mdr.Elastic(5.0, 0.3), 1.0, mdr.Elastic(E, NU))).torsion.at_twist(0.1, depth=0.1)
+        film.twist(film.contact.at_depth(0.1)).at_shift(0.1)
     with pytest.raises(mdr.InvalidArgumentError, match="twist"):
-        torsion.at_twist(np.nan, state)
-    with pytest.raises(mdr.ArgumentTypeError, match="one of state, force, depth and radius"):
-        torsion.at_twist(0.1)
+        pair.twist(state).at_shift(np.nan)
+    with pytest.raises(mdr.ArgumentTypeError, match="it must be a State"):
+        pair.twist(0.1)
+    with pytest.raises(mdr.ArgumentTypeError, match="State of the contact with friction"):
+        pair.twist(film.contact.at_depth(0.1))
     with pytest.raises(mdr.InvalidArgumentError, match="control"):
-        torsion.loop(0.1, "shift", state=state)
+        pair.twist(state).loop(0.1, "twist")
     with pytest.raises(mdr.InvalidArgumentError, match="amplitude"):
-        torsion.loop(-0.1, state=state)
+        pair.twist(state).loop(-0.1)
     with pytest.raises(mdr.DomainError, match="r"):
-        torsion.traction(2.0, torsion.at_twist(0.01, state), state)
+        pair.twist(state).traction(2.0, pair.twist(state).at_shift(0.01))
     with pytest.raises(mdr.ArgumentTypeError, match="must be a Friction"):
-        mdr.Torsion(pair.contact)
-    with pytest.raises(mdr.ArgumentTypeError, match="TorsionalState"):
-        torsion.traction(0.1, pair.at_shift(0.01, state), state)
+        mdr.ShearedContact(pair.contact, state)
+    with pytest.raises(mdr.ArgumentTypeError, match="ShearState"):
+        pair.twist(state).traction(0.1, (0.01, 0.1))

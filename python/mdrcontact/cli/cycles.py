@@ -8,9 +8,10 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..contact import State
-from ..friction import Friction, FrictionLoop, TangentialState
+from ..friction import Friction
 from ..problem import Problem
 from ..problem.friction import Sliding
+from ..sheared import FrictionLoop, ShearState
 
 _FROM, _TO, _COUNT = 0.01, 1.5, 12
 
@@ -21,7 +22,7 @@ class Cycles(NamedTuple):
     friction: Friction
     state: State
     sliding_shift: float
-    turns: TangentialState
+    turns: ShearState
     energies: np.ndarray[Any, np.dtype[np.float64]]
     loops: tuple[FrictionLoop, ...]
 
@@ -30,11 +31,11 @@ def cycles(problem: Problem, sliding: Sliding, *, with_loops: bool) -> Cycles:
     """The cycles of the amplitudes that the problem gives."""
     friction = Friction(problem.contact(), sliding.coefficient)
     state = problem.control.states(friction.contact, slice(-1, None))[0]
-    limit = float(friction.sliding_shift(state))
+    sheared = friction.shear(state)
+    limit = float(sheared.sliding_shift)
     amplitudes = np.array(sliding.amplitudes) if sliding.amplitudes else np.geomspace(_FROM, _TO, _COUNT) * limit
-    at = friction.at_shift if sliding.control == "shift" else friction.at_tangential_force
-    turns = at(amplitudes, state)
-    energies = np.asarray(friction.cycle_energy(amplitudes, sliding.control, state))
+    turns = (sheared.at_shift if sliding.control == "shift" else sheared.at_force)(amplitudes)
+    energies = 4.0 * np.asarray(turns.dissipated_energy)
     chosen = sorted({*range(len(amplitudes) - 1, -1, -max(1, len(amplitudes) // 4))})
-    loops = tuple(friction.loop(amplitudes[i], sliding.control, state=state) for i in chosen) if with_loops else ()
+    loops = tuple(sheared.loop(amplitudes[i], sliding.control) for i in chosen) if with_loops else ()
     return Cycles(friction, state, limit, turns, energies, loops)

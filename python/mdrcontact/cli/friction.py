@@ -13,7 +13,7 @@ from ..problem.units import ENERGY, FORCE, LENGTH, RATIO, STIFFNESS, shown
 from . import files
 from .cycles import Cycles, cycles
 from .friction_figure import friction_figure, path_figure
-from .friction_path import Led, lead
+from .friction_path import LedPath, lead
 from .table import Column, as_csv, as_text, column
 
 HELP = "fretting loops or any path: partial slip, sliding, dissipated energy"
@@ -90,7 +90,7 @@ def columns(found: Cycles) -> list[Column]:
     ]
 
 
-def path_columns(led: Led) -> list[Column]:
+def path_columns(led: LedPath) -> list[Column]:
     """What the table shows of a path."""
     shear = led.shear
     return [
@@ -105,7 +105,7 @@ def path_columns(led: Led) -> list[Column]:
     ]
 
 
-def _path_words(led: Led) -> str:
+def _path_words(led: LedPath) -> str:
     forces = np.asarray(led.shear.tangential_force)
     steps, sliding = len(forces), int(np.count_nonzero(led.shear.sliding))
     largest = int(np.argmax(np.abs(forces)))

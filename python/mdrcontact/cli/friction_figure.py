@@ -9,7 +9,7 @@ from ..problem import Problem
 from ..problem.units import ENERGY, FORCE, LENGTH, practical
 from .cycles import Cycles
 from .figures import COLOURS, _figure, _render, _style
-from .friction_path import Led
+from .friction_path import LedPath
 
 
 def friction_figure(problem: Problem, found: Cycles, form: str) -> bytes:
@@ -38,7 +38,7 @@ def friction_figure(problem: Problem, found: Cycles, form: str) -> bytes:
         return _render(figure, form)
 
 
-def path_figure(problem: Problem, led: Led, form: str) -> bytes:
+def path_figure(problem: Problem, led: LedPath, form: str) -> bytes:
     """Tangential force against shift along a path, and against the steps T between -mu F and mu F, and the energy dissipated."""
     with _style():
         figure, axes = _figure(problem.title, 1, 3, (12.0, 4.0))

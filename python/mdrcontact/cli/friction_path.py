@@ -11,20 +11,21 @@ import numpy as np
 from .. import _progress
 from ..contact import State
 from ..errors import InvalidArgumentError, MDRError, UnreachableError
-from ..friction import Friction, FrictionHistory, TangentialState
+from ..friction import Friction, FrictionHistory
 from ..problem import Problem
 from ..problem.friction import Sliding, SlidingPath
+from ..sheared import ShearState
 
 _RINGS = 100
 """Rings of the surface where springs interact."""
 
 
-class Led(NamedTuple):
+class LedPath(NamedTuple):
     """A contact led along a path: the states after each row."""
 
     friction: Friction
     state: State
-    shear: TangentialState
+    shear: ShearState
     rings: int
     """0: exact springs"""
     force_error: float
@@ -33,7 +34,7 @@ class Led(NamedTuple):
     """the same of the dissipated energy, in units of its end value"""
 
 
-def lead(problem: Problem, sliding: Sliding, path: SlidingPath) -> Led:
+def lead(problem: Problem, sliding: Sliding, path: SlidingPath) -> LedPath:
     """The path of a problem; where it is computed by rings, once more with half of them."""
     friction = Friction(problem.contact(), sliding.coefficient)
     at: Any = friction.contact.at_depth if path.name == "depth" else friction.contact.at_force
@@ -41,14 +42,14 @@ def lead(problem: Problem, sliding: Sliding, path: SlidingPath) -> Led:
     history = _exact(friction) if path.rings is None else None
     with _progress.bar(len(path.values) * (1 if history else 2), "steps") as bar:
         if history:
-            return Led(friction, state, _along(path, state, history, bar), 0, 0.0, 0.0)
+            return LedPath(friction, state, _along(path, state, history, bar), 0, 0.0, 0.0)
         rings, deepest = path.rings or _RINGS, float(np.max(state.depth))
         fine, coarse = (_along(path, state, friction.history(deepest, rings // part), bar) for part in (1, 2))
     unit = sliding.coefficient * float(np.max(state.force))
     force = float(np.max(np.abs(np.subtract(fine.tangential_force, coarse.tangential_force)))) / unit
     lost = np.asarray(fine.dissipated_energy)
     apart = float(np.max(np.abs(lost - np.asarray(coarse.dissipated_energy))))
-    return Led(friction, state, fine, rings, force, apart / lost[-1] if lost[-1] > 0.0 else 0.0)
+    return LedPath(friction, state, fine, rings, force, apart / lost[-1] if lost[-1] > 0.0 else 0.0)
 
 
 def _exact(friction: Friction) -> FrictionHistory | None:
@@ -59,7 +60,7 @@ def _exact(friction: Friction) -> FrictionHistory | None:
         return None
 
 
-def _along(path: SlidingPath, state: State, history: FrictionHistory, bar: Any) -> TangentialState:
+def _along(path: SlidingPath, state: State, history: FrictionHistory, bar: Any) -> ShearState:
     """The tangential states after each row."""
     shears = []
     for row, (depth, along) in enumerate(zip(np.asarray(state.depth), path.along_values, strict=True), start=1):
@@ -73,4 +74,4 @@ def _along(path: SlidingPath, state: State, history: FrictionHistory, bar: Any) 
             raise type(problem)(f"{path.file}, row {row} of the numbers: {words}") from problem
         shears.append(history.shear)
         bar.update()
-    return TangentialState._make(np.array(values) for values in zip(*shears, strict=True))
+    return ShearState._make(np.array(values) for values in zip(*shears, strict=True))

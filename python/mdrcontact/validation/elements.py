@@ -275,10 +275,10 @@ def slipping() -> Comparison:
     beyond = (2.0 - base.nu) * (1.0 + base.nu) / (4.0 * base.E * a) - 1.0 / bare.stiffness.sum()
     body = Sheared(_moduli([(1.0, film), (_FAR * a, base)]), r, z, a)
     limits = mu * body.normal_forces(_pressure(contact, state, a))
-    friction = Friction(contact, mu)
-    shift = np.array([0.1, 0.3, 0.5, 0.7, 0.85]) * float(friction.sliding_shift(state))
+    sheared = Friction(contact, mu).shear(state)
+    shift = np.array([0.1, 0.3, 0.5, 0.7, 0.85]) * float(sheared.sliding_shift)
     there = np.array([body.tangential_force(s, limits) for s in shift])
-    here = friction.at_shift(shift + beyond * there, state).tangential_force
+    here = sheared.at_shift(shift + beyond * there).tangential_force
     limit = mu * float(state.force)
     return comparison("T/(mu F)", there / limit, here / limit, there / limit, 1.0)
 

@@ -18,10 +18,11 @@ from ..errors import MDRError
 from ..friction import Friction
 from ..law import ContactLaw
 from ..material import RIGID, Elastic, PowerLawRheology, TransverselyIsotropic
-from ..medium import Coated, Homogeneous, Layer, Layered, PowerLawGraded, Surface
+from ..medium import Coated, Homogeneous, Layer, Layered, Medium, PowerLawGraded, Surface
 from ..medium.models import MODELS
 from ..poroelastic import Poroelastic
 from ..profile import Cone, FlatPunch, Paraboloid
+from ..sheared import ShearedContact
 from ..wear import Wear
 
 _SOFT, _HARD = Elastic(1.0, 0.3), Elastic(10.0, 0.3)
@@ -37,6 +38,11 @@ _RATIOS, _RADII = np.geomspace(0.5, 2.0, 5), np.geomspace(0.1, 10.0, 9)
 def _ball() -> Contact:
     """A new one each time: a contact warns once."""
     return Contact(Paraboloid(1.0), Homogeneous(_SOFT))
+
+
+def _sheared(medium: Medium, around: bool = False) -> ShearedContact:
+    contact = Contact(Paraboloid(1.0), medium)
+    return ShearedContact(Friction(contact, 0.3), contact.at_depth(0.1), around)
 
 
 class Limit(NamedTuple):
@@ -61,14 +67,13 @@ LIMITS: tuple[Limit, ...] = (
         10.0, 2.0, 8.0, 10.0, 3.0)),
     Limit("layers with an axis", _EXACT, "model gao", lambda: Coated(
         TransverselyIsotropic(10.0, 2.0, 3.0, 5.0, 3.0), 1.0, _SOFT, "gao")),
-    Limit("interfaces", _EXACT, "shear of a sheet that slides", lambda: Friction(
-        Contact(Paraboloid(1.0), _SLIDING), 0.3).at_shift(0.01, depth=0.1)),
+    Limit("interfaces", _EXACT, "shear of a sheet that slides", lambda: _sheared(_SLIDING).at_shift(0.01)),
     Limit("prestress", _EXACT, "more than wrinkles the surface", lambda: Layered(
         [Layer(Elastic(1000.0, 0.3), 1.0, prestress=-20.0)], _SOFT)),
     Limit("surfaces with tension", "exact, to 1e-9", "compression without a plate", lambda: Contact(
         Paraboloid(1.0), Homogeneous(_SOFT, surface=Surface(tension=-1.0)))),
-    Limit("surfaces with tension", "exact, to 1e-9", "partial slip", lambda: Friction(Contact(
-        Paraboloid(1.0), Homogeneous(_SOFT, surface=Surface(tension=1.0))), 0.3).at_shift(0.01, depth=0.1)),
+    Limit("surfaces with tension", "exact, to 1e-9", "partial slip", lambda: _sheared(
+        Homogeneous(_SOFT, surface=Surface(tension=1.0))).at_shift(0.01)),
     Limit("power-law grading", "exact", "exponent 1", lambda: PowerLawGraded(1.0, 1.0, 1.0, 0.3)),
     Limit("dimitriadis, garcia", "model", "a/h = 1.5", lambda: Contact(Paraboloid(5.0), _BONDED).at_radius(1.5)),
     Limit("dimitriadis, garcia", "model", "a cone", lambda: Contact(Cone(0.3), _BONDED).at_radius(0.1)),
@@ -77,10 +82,9 @@ LIMITS: tuple[Limit, ...] = (
     Limit("adhesion", "exact", "a viscoelastic body", lambda: Contact(Paraboloid(1.0), _RELAXING, work_of_adhesion=1.0)),
     Limit("stresses inside", "exact, to ten digits", "power-law grading", lambda: Contact(
             Paraboloid(1.0), PowerLawGraded(1.0, 1.0, 0.5, 0.3)).at_radius(0.1).interior(0.0, 0.1)),
-    Limit("partial slip", "exact mean around the axis", "power-law grading", lambda: Friction(
-        Contact(Paraboloid(1.0), PowerLawGraded(1.0, 1.0, 0.5, 0.3)), 0.3).at_shift(0.01, depth=0.1)),
-    Limit("torsion", "exact", "a coated body", lambda: Friction(
-        Contact(Paraboloid(1.0), _FILM), 0.3).torsion.at_twist(0.01, depth=0.1)),
+    Limit("partial slip", "exact mean around the axis", "power-law grading", lambda: _sheared(
+        PowerLawGraded(1.0, 1.0, 0.5, 0.3)).at_shift(0.01)),
+    Limit("torsion", "exact", "a coated body", lambda: _sheared(_FILM, around=True).at_shift(0.01)),
     Limit("histories of viscoelastic bodies", _EXACT, "an elastic state", lambda: Contact(
         Paraboloid(1.0), _RELAXING).at_depth(0.1)),
     Limit("histories of viscoelastic bodies", _EXACT, "a jump onto a power law", lambda: Contact(

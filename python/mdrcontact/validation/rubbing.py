@@ -20,7 +20,7 @@ def mindlin() -> Comparison:
     part = np.linspace(0.02, 0.98, 25)
     limit = FRICTION * float(state.force)
     there = 3.0 * limit * (2.0 - NU) / (16.0 * float(state.radius) * SHEAR) * (1.0 - (1.0 - part) ** (2.0 / 3.0))
-    return comparison("T/(mu F)", part, friction.at_tangential_force(part * limit, state).shift, there)
+    return comparison("T/(mu F)", part, friction.shear(state).at_force(part * limit).shift, there)
 
 
 def unloading() -> Comparison:
@@ -50,7 +50,7 @@ def cycle() -> Comparison:
         / (a * SHEAR)
         * (1.0 - (1.0 - part) ** (5.0 / 3.0) - 5.0 * part / 6.0 * (1.0 + (1.0 - part) ** (2.0 / 3.0)))
     )
-    here = [float(friction.cycle_energy(t * limit, "force", state)) for t in part]
+    here = [float(friction.shear(state).cycle_energy(t * limit, "force")) for t in part]
     return comparison("T/(mu F)", part, here, there)
 
 
@@ -59,7 +59,7 @@ def lubkin() -> Comparison:
     friction, state = pressed()
     unit = 3.0 * FRICTION * float(state.force) / (4.0 * math.pi * SHEAR * float(state.radius) ** 2)
     twist = unit * np.geomspace(0.05, 6.0, 25)
-    part = np.asarray(friction.torsion.at_twist(twist, state).stick_radius) / float(state.radius)
+    part = np.asarray(friction.twist(state).at_shift(twist).stick_radius) / float(state.radius)
     there = [unit * _k_less_e(c) for c in part]
     return comparison("phi in units of 3 mu F/(4 pi G a^2)", twist / unit, twist, there)
 

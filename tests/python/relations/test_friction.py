@@ -39,14 +39,14 @@ def test_cattaneo_and_mindlin(R, material, mu, a, part):
     state = friction.contact.at_radius(a)
     F, modulus = state.force, 4.0 * shear(material) / (2.0 - material.nu)
     T = part * mu * F
-    found = friction.at_tangential_force(T, state)
+    found = friction.shear(state).at_force(T)
     near(found.stick_radius, a * (1.0 - part) ** (1.0 / 3.0), 1e-10)
     sliding = mu * reduced(material) / modulus * a * a / R
     near(found.shift, sliding * -math.expm1(2.0 / 3.0 * math.log1p(-part)), 1e-10)
-    near(friction.sliding_shift(state), sliding, 1e-11)
+    near(friction.shear(state).sliding_shift, sliding, 1e-11)
     # Mindlin and Deresiewicz (1953)
     lost = 1.2 * mu * F * sliding * (1.0 - (1.0 - part) ** (5.0 / 3.0) - 5.0 * part / 6.0 * (1.0 + (1.0 - part) ** (2.0 / 3.0)))
-    near(friction.cycle_energy(T, "force", state), 4.0 * found.dissipated_energy, 1e-12)
+    near(friction.shear(state).cycle_energy(T, "force"), 4.0 * found.dissipated_energy, 1e-12)
     # the closed form cancels to the third order of small amplitudes
     near(found.dissipated_energy, lost, 1e-9, size=lost + 1e-5 * mu * F * sliding)
 
@@ -58,7 +58,7 @@ def test_partial_slip_is_a_difference_of_two_contacts(tip, material, mu, share, 
     friction, state = pressed(tip, medium, share, mu)
     contact = friction.contact
     smaller = contact.at_radius(inner * state.radius)
-    found = friction.at_tangential_force(mu * (state.force - smaller.force), state)
+    found = friction.shear(state).at_force(mu * (state.force - smaller.force))
     # the smaller the disc of stick, the less of T it makes
     near(found.stick_radius, smaller.radius, 1e-8 + 1e-11 * state.force / smaller.force)
     ratio = reduced(material) / (4.0 * shear(material) / (2.0 - material.nu))
@@ -66,19 +66,19 @@ def test_partial_slip_is_a_difference_of_two_contacts(tip, material, mu, share, 
     r = state.radius * np.array([0.02, 0.5 * inner, 0.5 + 0.5 * inner])
     expected = mu * state.pressure(r)
     expected[:2] -= mu * smaller.pressure(r[:2])
-    near(friction.traction(r, found, state), expected, 1e-7, size=mu * state.pressure(r))
+    near(friction.shear(state).traction(r, found), expected, 1e-7, size=mu * state.pressure(r))
 
 
 @relation(40, tip=d.one_tip, medium=media, mu=frictions, share=d.shares, part=parts)
 def test_shift_and_force_are_inverses(tip, medium, mu, share, part):
-    """at_tangential_force against at_shift; both ways against each other with the sign turned."""
+    """at_force against at_shift; both ways against each other with the sign turned."""
     friction, state = pressed(tip, medium, share, mu)
-    s = part * friction.sliding_shift(state)
-    one = friction.at_shift(s, state)
-    other = friction.at_tangential_force(one.tangential_force, state)
+    s = part * friction.shear(state).sliding_shift
+    one = friction.shear(state).at_shift(s)
+    other = friction.shear(state).at_force(one.tangential_force)
     for name in ("shift", "stick_radius", "stiffness"):
         near(getattr(other, name), getattr(one, name), 1e-6 if name != "shift" else 1e-8)
-    back = friction.at_shift(-s, state)
+    back = friction.shear(state).at_shift(-s)
     same([back.tangential_force, back.stick_radius], [-one.tangential_force, one.stick_radius])
     assert one.tangential_force < mu * state.force
 
@@ -87,10 +87,10 @@ def test_shift_and_force_are_inverses(tip, medium, mu, share, part):
 def test_tangential_stiffness_is_the_derivative(tip, medium, mu, share, part):
     """dT/ds by differences against the stiffness of the state and k_t(c) of the medium."""
     friction, state = pressed(tip, medium, share, mu)
-    s = part * friction.sliding_shift(state)
-    found = friction.at_shift(s, state)
+    s = part * friction.shear(state).sliding_shift
+    found = friction.shear(state).at_shift(s)
     step = 2e-3 * s
-    T = [friction.at_shift(s + k * step, state).tangential_force for k in (-2, -1, 1, 2)]
+    T = [friction.shear(state).at_shift(s + k * step).tangential_force for k in (-2, -1, 1, 2)]
     if tip.corner is None or abs(found.stick_radius / tip.corner - 1.0) > 0.05:
         near((T[0] - 8.0 * T[1] + 8.0 * T[2] - T[3]) / (12.0 * step), found.stiffness, 1e-5)
     near(medium.tangential_stiffness(found.stick_radius), found.stiffness, 1e-8)
@@ -100,32 +100,34 @@ def test_tangential_stiffness_is_the_derivative(tip, medium, mu, share, part):
 def test_tractions_carry_the_force(tip, medium, mu, share, part):
     """T against the integrals of traction and line load by tanh-sinh; traction against mu p in the annulus of slip."""
     friction, state = pressed(tip, medium, share, mu)
-    found = friction.at_shift(part * friction.sliding_shift(state), state)
+    found = friction.shear(state).at_shift(part * friction.shear(state).sliding_shift)
     c, a = found.stick_radius, state.radius
     assume(tip.corner is None)
-    near(2.0 * disc(lambda x: friction.line_load(x, found, state), a, c), found.tangential_force, 1e-7)
-    near(2.0 * math.pi * disc(lambda r: r * friction.traction(r, found, state), a, c), found.tangential_force, 1e-5)
+    near(2.0 * disc(lambda x: friction.shear(state).line_load(x, found), a, c), found.tangential_force, 1e-7)
+    near(2.0 * math.pi * disc(lambda r: r * friction.shear(state).traction(r, found), a, c), found.tangential_force, 1e-5)
     r = c + (a - c) * np.array([0.1, 0.5, 0.9])
-    near(friction.traction(r, found, state), mu * state.pressure(r), 1e-7)
+    near(friction.shear(state).traction(r, found), mu * state.pressure(r), 1e-7)
 
 
 @relation(10, tip=d.one_tip, medium=media, mu=frictions, share=d.shares, part=st.floats(0.1, 1.5))
 def test_loops_lose_their_area(tip, medium, mu, share, part):
     """The energy of a cycle against the area of the loop from first shear by Masing's rule and Gauss and Legendre."""
     friction, state = pressed(tip, medium, share, mu)
-    sliding = friction.sliding_shift(state)
+    sliding = friction.shear(state).sliding_shift
     s = part * sliding
     with warnings.catch_warnings(record=True) as words:
         warnings.simplefilter("always")
-        loop = friction.loop(s, state=state)
+        loop = friction.shear(state).loop(s)
     # where slip would begin inside, the annulus may fold: its shift falls again before the contact slides
     assume(not any(issubclass(word.category, mdr.SlipInsideWarning) for word in words))
-    assume(s < sliding or friction.at_shift((1.0 - 1e-12) * sliding, state).tangential_force > (1.0 - 1e-9) * mu * state.force)
-    near(friction.cycle_energy(s, state=state), loop.dissipated_energy, 1e-10)
+    assume(
+        s < sliding or friction.shear(state).at_shift((1.0 - 1e-12) * sliding).tangential_force > (1.0 - 1e-9) * mu * state.force
+    )
+    near(friction.shear(state).cycle_energy(s), loop.dissipated_energy, 1e-10)
     near(loop.tangential_force[:101], -loop.tangential_force[100:], 1e-10, size=mu * state.force)
     ends = sorted({*(s * 2.0 ** np.arange(-8.0, 1.0)), *([sliding] if sliding < s else []), 0.0})
-    under = panels(lambda x: friction.at_shift(x, state).tangential_force, ends)
-    T = friction.at_shift(s, state).tangential_force
+    under = panels(lambda x: friction.shear(state).at_shift(x).tangential_force, ends)
+    T = friction.shear(state).at_shift(s).tangential_force
     # the branch 2 T(x/2) over 0..2 s leaves the chord: area = 8 int T dx - 4 T s
     near(loop.dissipated_energy, 8.0 * under - 4.0 * T * s, 1e-8, size=T * s)
 
@@ -141,7 +143,7 @@ def test_loops_lose_their_area(tip, medium, mu, share, part):
 def test_one_step_or_many(tip, material, mu, share, path):
     """A path of depth and shift in one step each against the same path in 7 steps each; and against its mirror image."""
     friction, state = pressed(tip, mdr.Homogeneous(material), share, mu)
-    unit = friction.sliding_shift(state)
+    unit = friction.shear(state).sliding_shift
     depth, shift = (np.array(column) * size for column, size in zip(zip(*path, strict=True), (state.depth, unit), strict=True))
     one, many, mirror = (friction.history() for _ in range(3))
     first = one.advance(depth=depth, shift=shift)
@@ -171,25 +173,25 @@ def test_one_step_or_many(tip, material, mu, share, path):
 def test_history_at_constant_force_is_first_shear_and_masing(tip, material, mu, share, parts_):
     """First shear by steps against at_shift, the return against Masing's rule, energy against the work of T on a closed path."""
     friction, state = pressed(tip, mdr.Homogeneous(material), share, mu)
-    unit, size = friction.sliding_shift(state), mu * state.force
+    unit, size = friction.shear(state).sliding_shift, mu * state.force
     history = friction.history()
     history.advance(force=state.force, shift=0.0)
     turn = abs(parts_[0]) * unit + 1e-3 * unit
     near(
         history.advance(force=state.force, shift=turn).tangential_force,
-        friction.at_shift(turn, state).tangential_force,
+        friction.shear(state).at_shift(turn).tangential_force,
         1e-9,
         size=size,
     )
     back = turn - np.linspace(0.0, 2.0, 9)[1:] * turn
     found = history.advance(force=np.full(8, state.force), shift=back).tangential_force
-    top = friction.at_shift(turn, state).tangential_force
-    near(found, top - 2.0 * friction.at_shift(0.5 * (turn - back), state).tangential_force, 1e-9, size=size)
+    top = friction.shear(state).at_shift(turn).tangential_force
+    near(found, top - 2.0 * friction.shear(state).at_shift(0.5 * (turn - back)).tangential_force, 1e-9, size=size)
     # after two cycles the loop is closed: what is lost is its area
     fine = np.concatenate([np.linspace(-turn, turn, 400), np.linspace(turn, -turn, 400)[1:]])
     path = history.advance(force=np.full(len(fine), state.force), shift=fine)
     lost = path.dissipated_energy[-1] - path.dissipated_energy[0]
-    near(lost, friction.cycle_energy(turn, state=state), 1e-8, size=size * unit)
+    near(lost, friction.shear(state).cycle_energy(turn), 1e-8, size=size * unit)
 
 
 @relation(
@@ -205,7 +207,7 @@ def test_laws_of_friction_turn_with_the_path(R, material, mu, angle, steps):
     friction = mdr.Friction(mdr.Contact(mdr.Paraboloid(R), mdr.Homogeneous(material)), mu)
     law = mdr.ContactLaw(friction.contact, 0.1 * R, friction=friction, tolerance=1e-8)
     state = friction.contact.at_depth(0.05 * R)
-    unit = friction.sliding_shift(state)
+    unit = friction.shear(state).sliding_shift
     memory = [law.contacts(1) for _ in range(3)]
     direction = np.array([[math.cos(angle), math.sin(angle)]])
     for contact in memory:
@@ -217,7 +219,7 @@ def test_laws_of_friction_turn_with_the_path(R, material, mu, angle, steps):
         near(aside, along[0, 0] * direction, 1e-11, size=mu * state.force)
         same(copy.advance(memory[2], [state.force], [[step * unit, 0.0]]), along)
         if k == 0:
-            first = friction.at_shift(step * unit, state).tangential_force
+            first = friction.shear(state).at_shift(step * unit).tangential_force
             # the largest error at 49 places is not quite the largest of all
             near(along[0, 0], first, 1.25 * law.first_shear_error, size=mu * state.force)
     assert abs(along[0, 0]) <= mu * state.force * (1.0 + 1e-9)
@@ -238,8 +240,8 @@ def test_units_of_friction(tip, medium, mu, share, part, unit):
     friction, state = pressed(tip, medium, share, mu)
     other = mdr.Friction(mdr.Contact(in_units(tip.profile, s), in_units(medium, s, t)), mu)
     again = other.contact.at_radius(state.radius * s)
-    x = part * friction.sliding_shift(state)
-    one, two = friction.at_shift(x, state), other.at_shift(x * s, again)
+    x = part * friction.shear(state).sliding_shift
+    one, two = friction.shear(state).at_shift(x), other.shear(again).at_shift(x * s)
     near(two.tangential_force, one.tangential_force * s * s * t, 1e-8)
     near(two.dissipated_energy, one.dissipated_energy * s**3 * t, 1e-6)
 
@@ -248,11 +250,11 @@ def test_units_of_friction(tip, medium, mu, share, part, unit):
 def test_film_of_the_substrates_material_under_shear(tip, material, mu, share, part, h):
     """A film of its substrate's material against the half-space, exact and with Gao's weights."""
     friction, state = pressed(tip, mdr.Homogeneous(material), share, mu)
-    s = part * friction.sliding_shift(state)
-    expected = friction.at_shift(s, state)
+    s = part * friction.shear(state).sliding_shift
+    expected = friction.shear(state).at_shift(s)
     for model in ("exact", "gao"):
         other, again = pressed(tip, mdr.Coated(material, h, material, model), share, mu)
-        found = other.at_shift(s, again)
+        found = other.shear(again).at_shift(s)
         near(found.tangential_force, expected.tangential_force, 1e-7)
         near(found.dissipated_energy, expected.dissipated_energy, 1e-5, size=mu * state.force * s)
 
@@ -264,41 +266,41 @@ def test_lubkin(R, material, mu, a, inner):
     state, G = friction.contact.at_radius(a), shear(material)
     unit = 3.0 * mu * state.force / (4.0 * math.pi * G * a * a)
     twist = unit * (special.ellipkm1(inner**2) - special.ellipe(1.0 - inner**2))
-    found = friction.torsion.at_twist(twist, state)
+    found = friction.twist(state).at_shift(twist)
     near(found.stick_radius, inner * a, 1e-8)
-    near(friction.torsion.at_twist(1e-7 * unit, state).torque, 16.0 / 3.0 * G * a**3 * 1e-7 * unit, 1e-4)
-    near(friction.torsion.sliding_torque(state), 3.0 * math.pi / 16.0 * mu * state.force * a, 1e-11)
+    near(friction.twist(state).at_shift(1e-7 * unit).tangential_force, 16.0 / 3.0 * G * a**3 * 1e-7 * unit, 1e-4)
+    near(friction.twist(state).sliding_force, 3.0 * math.pi / 16.0 * mu * state.force * a, 1e-11)
     near(found.stiffness, 16.0 / 3.0 * G * (inner * a) ** 3, 1e-7)
 
 
 @relation(8, tip=d.closed_tips, material=d.usual, mu=frictions, share=d.shares, part=d.between(0.01, 0.9))
 def test_torsion(tip, material, mu, share, part):
-    """M against integrals of traction and line load and at_twist, dM/dphi by differences, a loop against its area."""
+    """M against integrals of traction and line load and at_shift, dM/dphi by differences, a loop against its area."""
     friction, state = pressed(tip, mdr.Homogeneous(material), share, mu)
-    torsion, a = friction.torsion, state.radius
-    found = torsion.at_torque(part * torsion.sliding_torque(state), state)
-    again = torsion.at_twist(found.twist, state)
-    near(again.torque, found.torque, 1e-9)
+    twist, a = friction.twist(state), state.radius
+    found = twist.at_force(part * twist.sliding_force)
+    again = twist.at_shift(found.shift)
+    near(again.tangential_force, found.tangential_force, 1e-9)
     assume(tip.corner is None)
     c = found.stick_radius
-    near(2.0 * math.pi * disc(lambda r: r * r * torsion.traction(r, found, state), a, c), found.torque, 1e-6)
-    near(4.0 * disc(lambda x: x * torsion.line_load(x, found, state), a, c), found.torque, 1e-6)
-    step = 1e-3 * found.twist
-    M = [torsion.at_twist(found.twist + k * step, state).torque for k in (-2, -1, 1, 2)]
-    near((M[0] - 8.0 * M[1] + 8.0 * M[2] - M[3]) / (12.0 * step), found.stiffness, 1e-5, size=found.torque / found.twist)
-    under = panels(lambda x: torsion.at_twist(x, state).torque, found.twist * np.concatenate([[0.0], 2.0 ** np.arange(-5.0, 1.0)]))
-    lost = torsion.loop(found.twist, state=state).dissipated_energy
-    near(lost, 8.0 * under - 4.0 * found.torque * found.twist, 1e-6, size=found.torque * found.twist)
+    near(2.0 * math.pi * disc(lambda r: r * r * twist.traction(r, found), a, c), found.tangential_force, 1e-6)
+    near(4.0 * disc(lambda x: x * twist.line_load(x, found), a, c), found.tangential_force, 1e-6)
+    step = 1e-3 * found.shift
+    M = [twist.at_shift(found.shift + k * step).tangential_force for k in (-2, -1, 1, 2)]
+    near((M[0] - 8.0 * M[1] + 8.0 * M[2] - M[3]) / (12.0 * step), found.stiffness, 1e-5, size=found.tangential_force / found.shift)
+    under = panels(lambda x: twist.at_shift(x).tangential_force, found.shift * np.concatenate([[0.0], 2.0 ** np.arange(-5.0, 1.0)]))
+    lost = twist.loop(found.shift).dissipated_energy
+    near(lost, 8.0 * under - 4.0 * found.tangential_force * found.shift, 1e-6, size=found.tangential_force * found.shift)
 
 
 @relation(20, tip=d.simple_tips, medium=media, mu=frictions, share=d.shares)
 def test_shear_grows_to_sliding(tip, medium, mu, share):
     """T(s) against itself: grows, with falling stiffness and stick radius, to mu F at the sliding shift."""
     friction, state = pressed(tip, medium, share, mu)
-    s = friction.sliding_shift(state) * np.array([1e-6, 1e-3, 0.1, 0.5, 0.9, 1.0 - 1e-9])
-    found = friction.at_shift(s, state)
+    s = friction.shear(state).sliding_shift * np.array([1e-6, 1e-3, 0.1, 0.5, 0.9, 1.0 - 1e-9])
+    found = friction.shear(state).at_shift(s)
     grows(found.tangential_force)
     grows(found.dissipated_energy)
     grows(-found.stick_radius)
-    near(friction.at_shift(1.5 * s[-1], state).tangential_force, mu * state.force, 1e-12)
+    near(friction.shear(state).at_shift(1.5 * s[-1]).tangential_force, mu * state.force, 1e-12)
     near(found.tangential_force[0], float(medium.tangential_stiffness(state.radius)) * s[0], 0.02)

@@ -1,0 +1,249 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""States of a contact with friction that are sheared or twisted under constant normal force (theory 10)."""
+
+from __future__ import annotations
+
+import math
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from . import _layout, _native
+from ._boundary import FloatOrArray, call, evaluate, evaluate_all, number, numbers, whole
+from ._warn import warn
+from .adhesion import code
+from .errors import ArgumentTypeError, MDRError, SlipInsideWarning
+from .medium import Homogeneous
+from .state import State, state_of
+
+__all__ = ["FrictionLoop", "ShearState", "ShearedContact"]
+
+_INSIDE = np.array([0.01, 0.3, 0.6, 0.9])
+"""Radii, in stick radii, at which traction and pressure are compared."""
+_NOTICEABLE = 1e-3
+"""Traction beyond coefficient times pressure by this part of the mean is more than the solver's error."""
+_NEARLY = 0.98
+"""Part of the sliding shift, at which a contact that slides is looked at."""
+_MOST_POINTS = 1_000_000
+
+_CONTROLS = {"shift": 0, "force": 1}
+"""What is prescribed."""
+_NAMES = (("shift", "tangential_force"), ("twist", "torque"))
+"""The same in words, along the surface and around the axis."""
+_GIVEN = ((_layout.GIVEN_SHIFT, _layout.GIVEN_TANGENTIAL_FORCE), (_layout.GIVEN_TWIST, _layout.GIVEN_TORQUE))
+
+
+class ShearState(NamedTuple):
+    """States of shear; each entry has the shape of the input, or is a number. `states[3]` and `states[mask]` are some of them."""
+
+    shift: FloatOrArray
+    """s, displacement of the indenter along the surface [length]; or phi, its angle about the axis [radian]"""
+    tangential_force: FloatOrArray
+    """T, |T| <= coefficient F [modulus length^2]; or the torque M [modulus length^3]; of the sign of the shift"""
+    stick_radius: FloatOrArray
+    """c, radius of the disc of stick, 0 where the contact slides [length]"""
+    stiffness: FloatOrArray
+    """dT/ds = k_t(c), that of a contact of radius c that sticks all over [modulus length]; or dM/dphi [modulus length^3]"""
+    dissipated_energy: FloatOrArray
+    """energy dissipated since s = 0 [modulus length^3]"""
+    sliding: bool | NDArray[np.bool_]
+    """whether the whole contact slides; under a twist whether the disc of stick is smaller than 1e-6 a, which no torque
+    distinguishes from 0"""
+
+    def __getitem__(self, index: Any) -> ShearState:  # type: ignore[override]
+        chosen = [np.asarray(value)[index] for value in self]
+        return ShearState(*(value if value.ndim else value.item() for value in chosen))
+
+
+class FrictionLoop(NamedTuple):
+    """A cycle between +amplitude and -amplitude at constant normal force."""
+
+    shift: NDArray[np.float64]
+    """s, or phi, from +amplitude to -amplitude and back in equal steps [length, or radian]"""
+    tangential_force: NDArray[np.float64]
+    """T [modulus length^2], or M [modulus length^3]"""
+    dissipated_energy: float
+    """energy dissipated in the cycle, the area of the loop [modulus length^3]"""
+    turn: ShearState
+    """the state at +amplitude when it is reached for the first time; slip is outside its stick radius"""
+    around: bool = False
+    """whether it is twisted about the axis"""
+
+    def plot(self, axes: Any = None, **look: Any) -> Any:
+        """Draws T against s with matplotlib on `axes` (None makes a new figure); `look` is passed on. Returns the axes."""
+        if axes is None:
+            import matplotlib.pyplot as plt
+
+            axes = plt.figure(layout="constrained").add_subplot()
+            axes.set_xlabel("twist phi" if self.around else "shift s")
+            axes.set_ylabel("torque M" if self.around else "tangential force T")
+        axes.plot(self.shift, self.tangential_force, **look)
+        return axes
+
+
+@dataclass(frozen=True)
+class ShearedContact:
+    """What happens to states of a contact with friction as they are sheared, or twisted about the axis: `friction.shear(state)`,
+    `friction.twist(state)`. Slip begins at the edge, in an annulus.
+
+    friction : the `Friction` of a contact; for a twist on a homogeneous medium with E and nu, or on a pair of them
+    state : one state of its contact, or several; they broadcast with shifts and forces, fields and loops take one
+    around : whether it is twisted: shifts are then angles phi about the axis [radian], forces are torques M [modulus length^3]
+
+    A twist is Lubkin's problem, exact: a disc around the axis sticks at any angle, ever smaller, and the torque approaches
+    `sliding_force`.
+    """
+
+    friction: Any
+    state: State
+    around: bool = False
+
+    def __post_init__(self) -> None:
+        contact = getattr(self.friction, "contact", None)
+        if contact is None:
+            raise ArgumentTypeError(f"friction = {self.friction!r} is not allowed: it must be a Friction")
+        if not isinstance(self.state, State):
+            raise ArgumentTypeError(f"state = {self.state!r} is not allowed: it must be a State")
+        if self.state.contact is None:
+            object.__setattr__(self, "state", state_of(self.state, contact))
+        elif self.state.contact is not contact and self.state.contact != contact:
+            raise ArgumentTypeError("state is not allowed: it must be a State of the contact with friction")
+
+    def at_shift(self, shift: ArrayLike) -> ShearState:
+        """The states after a displacement s of the indenter along the surface [length], or a twist phi [radian], of either sign,
+        any shape."""
+        return self._looked(self._states(0, shift))
+
+    def at_force(self, force: ArrayLike) -> ShearState:
+        """The states under a tangential force T [modulus length^2], |T| <= coefficient F, any shape, at the bound the state in
+        which sliding begins; or under a torque M [modulus length^3], |M| < `sliding_force`."""
+        return self._looked(self._states(1, force))
+
+    @cached_property
+    def sliding_shift(self) -> FloatOrArray:
+        """The shift at which the last point begins to slip and the contact slides [length]; infinite for a twist."""
+        return self._sliding[0]
+
+    @cached_property
+    def sliding_force(self) -> FloatOrArray:
+        """coefficient F [modulus length^2]; or the torque that a growing twist approaches, coefficient int r p dA: (3 pi/16)
+        coefficient F a under a paraboloid [modulus length^3]."""
+        return self._sliding[1]
+
+    def loop(self, amplitude: float, control: str = "shift", points: int = 201) -> FrictionLoop:
+        """The loop of a cycle between +amplitude and -amplitude (Masing's rule, which is exact here), of one state.
+
+        amplitude : > 0, of the "shift" or the "force" as `control` says, see `at_shift` and `at_force`
+        points : at least 3; from +amplitude to -amplitude and back
+        """
+        kind, row = code("control", control, _CONTROLS), self.state._row()
+        size, count = number("amplitude", amplitude), whole("points", points, 3, _MOST_POINTS)
+        native = _native.torsion_loop if self.around else _native.friction_loop
+        along, load, energy = call(native, self._handle, row, _GIVEN[self.around][kind], size, count)
+        turn = self._looked(self._states(kind, size))
+        return FrictionLoop(along, load, float(energy), turn, self.around)
+
+    def cycle_energy(self, amplitude: ArrayLike, control: str = "shift") -> FloatOrArray:
+        """Energy dissipated in a cycle between +amplitude and -amplitude, any shape [modulus length^3], without loss of digits at
+        small amplitudes. Arguments as of `loop`."""
+        return 4.0 * self._looked(self._states(code("control", control, _CONTROLS), amplitude)).dissipated_energy
+
+    def traction(self, r: ArrayLike, at: ShearState) -> FloatOrArray:
+        """Shear traction tau(r) [modulus] along the shift, of one direction, or around the axis, at 0 <= r <= a, any shape.
+
+        at : one state of shear, as `at_shift` gives
+        """
+        return self._field(_layout.FIELD_TRACTION, "r", r, at)
+
+    def line_load(self, x: ArrayLike, at: ShearState) -> FloatOrArray:
+        """Line load q_t(x) [modulus length] of the springs along the shift, 0 <= x <= a, any shape; of a twist
+        2 x int_x^a tau dr/sqrt(r^2 - x^2), whose torque is 4 int_0^a x q dx. Arguments as of `traction`."""
+        return self._field(_layout.FIELD_TANGENTIAL_LINE_LOAD, "x", x, at)
+
+    @property
+    def _handle(self) -> int:
+        return int(self.friction._handle.address)
+
+    @cached_property
+    def _sliding(self) -> tuple[FloatOrArray, FloatOrArray]:
+        """Shift and force of sliding of each state."""
+        rows = self.state._rows()
+        found = np.full((*rows.shape[:-1], 2), math.inf)
+        for place in np.ndindex(rows.shape[:-1]):
+            if self.around:
+                found[place][1] = call(_native.torsion_sliding, self._handle, rows[place])
+            else:
+                found[place] = call(_native.friction_sliding, self._handle, rows[place])
+        return (found[..., 0], found[..., 1]) if rows.ndim > 1 else (float(found[0]), float(found[1]))
+
+    def _states(self, kind: int, values: ArrayLike) -> ShearState:
+        native = _native.torsion_states if self.around else _native.friction_states
+        name, given, rows = _NAMES[self.around][kind], _GIVEN[self.around][kind], self.state._rows()
+        if rows.ndim == 1:
+            found = evaluate_all(name, values, lambda v: native(self._handle, rows, given, v))
+        else:
+            points = numbers(name, values)
+            try:
+                shape = np.broadcast_shapes(points.shape, rows.shape[:-1])
+            except ValueError as problem:
+                raise ArgumentTypeError(f"{name} and the normal states have shapes that do not broadcast: {problem}") from problem
+            points, normal = np.broadcast_to(points, shape), np.broadcast_to(rows, (*shape, rows.shape[-1]))
+            table = np.empty((*shape, len(ShearState._fields)))
+            for place in np.ndindex(shape):
+                table[place] = call(native, self._handle, normal[place], given, points[place])
+            found = list(np.moveaxis(table, -1, 0))
+        flags = np.asarray(found[-1]) > 0.5
+        return ShearState._make([*found[:-1], flags if flags.shape else bool(flags)])
+
+    def _field(self, field: int, name: str, points: ArrayLike, at: ShearState) -> FloatOrArray:
+        row, native = self.state._row(), _native.torsion_field if self.around else _native.friction_field
+        if not isinstance(at, ShearState):
+            raise ArgumentTypeError(f"at = {at!r} is not allowed: it must be a ShearState")
+        members = [number(f"{member} of the state of shear", value) for member, value in list(at._asdict().items())[:-1]]
+        members.append(float(at.sliding))
+        return evaluate(name, points, lambda x: native(self._handle, row, members, field, x))
+
+    def _looked(self, found: ShearState) -> ShearState:
+        """`found`, with a warning where the stuck disc would need more than coefficient times pressure: looks at the state with the
+        smallest one, once for states of about the same size."""
+        contact, sizes = self.friction.contact, self.friction._looked_at
+        if self.around or isinstance(contact.medium, Homogeneous) or not np.size(found.shift):
+            return found
+        shape = np.shape(found.shift)
+        place = np.unravel_index(np.argmin(found.stick_radius), shape) if shape else ()
+        shear: ShearState = found[place] if shape else found  # type: ignore[assignment]
+        size = tuple(round(2.0 * math.log2(abs(float(value)))) for value in tuple(shear)[:3] if value != 0.0)
+        if size and size not in sizes:
+            sizes.add(size)
+            normal = state_of((np.broadcast_to(value, shape) for value in self.state), contact)[place] if shape else self.state
+            fault = ShearedContact(self.friction, normal)._fault(shear)
+            if fault:
+                warn(
+                    f"slip would begin inside this contact: {fault}. Partial slip as an annulus at the edge is not that of the "
+                    "true contact; that by rings, friction.history(largest_depth), is",
+                    SlipInsideWarning,
+                )
+        return found
+
+    def _fault(self, shear: ShearState) -> str:
+        """Where the stuck disc of one state has more traction than coefficient times pressure; empty if nowhere, or if either is
+        refused."""
+        state, mu = self.state, self.friction.coefficient
+        try:
+            if shear.sliding:
+                shear = self._states(0, _NEARLY * self.sliding_shift)
+            r = float(shear.stick_radius) * _INSIDE
+            traction = np.abs(self.traction(r, shear))
+            limit = mu * np.asarray(state.pressure(r))
+        except MDRError:
+            return ""
+        worst = int(np.argmax(traction - limit))
+        if (traction[worst] - limit[worst]) * math.pi * float(state.radius) ** 2 <= _NOTICEABLE * mu * float(state.force):
+            return ""
+        return (
+            f"at r = {r[worst]:.3g} the traction would be {traction[worst]:.3g}, more than coefficient times pressure, "
+            f"{limit[worst]:.3g} (stick radius {shear.stick_radius:.3g}, contact radius {state.radius:.3g})"
+        )
