@@ -12,7 +12,7 @@ module mdrcontact_field
     use mdrcontact_field_interior, only: components, s_zz, u_z
     use mdrcontact_medium_load, only: load_t
     use mdrcontact_kinds, only: pi, wp
-    use mdrcontact_medium_solver, only: lower_body, upper_body
+    use mdrcontact_medium_solver, only: lower_body, refuse, upper_body
     implicit none (type, external)
     private
     public :: interior, interior_error, layer_energy
@@ -152,6 +152,9 @@ contains
             call check_state(contact, state, error)
             if (allocated(error)) return
             call equilibrium%medium%surface_load(equilibrium%profile, state%radius, state%excess, load, error)
+            if (.not. (allocated(load) .or. allocated(error))) call refuse(equilibrium%medium, "stresses inside are", &
+                "a homogeneous, coated, layered or graded one", &
+                "the body is loaded beside the contact, too, by what the surface hands on", error)
             if (allocated(error)) return
             is_known = allocated(equilibrium%medium%pressed)
             if (upper) is_known = allocated(equilibrium%medium%counterbody)

@@ -2,13 +2,14 @@
 !> Homogeneous media, and the modulus and stiffness of any medium, for C.
 module mdrcontact_api_medium
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
+    use mdrcontact_body_compliance, only: shear_load, twist_load
     use mdrcontact_api_arrays, only: check_each_positive, check_each_within, check_in_out, check_positive_results, make_room
     use mdrcontact_api_handles, only: deliver_solver, hand_over, open_handle
     use mdrcontact_api_status, only: status_of, wanted_threads
     use mdrcontact_error, only: error_invalid, error_t, raise
     use mdrcontact_material, only: material_t, new_material
     use mdrcontact_medium, only: medium_t, new_pair
-    use mdrcontact_medium_solver, only: solver_t
+    use mdrcontact_medium_solver, only: new_under, solver_t
     use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous, new_homogeneous_from_modulus, new_rigid
     use mdrcontact_medium_values, only: modulus_values
     implicit none (type, external)
@@ -123,7 +124,7 @@ contains
         integer(c_int) :: status
         type(medium_t), pointer :: whole
         class(solver_t), pointer :: medium
-        class(solver_t), allocatable, target :: tangential
+        class(solver_t), allocatable, target :: other
         real(c_double), allocatable :: values(:)
         type(error_t), allocatable :: error
         integer :: i
@@ -137,8 +138,8 @@ contains
         end if
         call check_in_out(error, n, "a", present(a), present(out))
         if (.not. allocated(error) .and. quantity == of_tangential_modulus) then
-            call medium%new_tangential(tangential, error)
-            medium => tangential
+            call new_under(medium, shear_load, other, error)
+            medium => other
         end if
         if (.not. allocated(error) .and. n > 0) then
             call check_each_positive(error, "a", a(:n))
@@ -148,7 +149,8 @@ contains
         call make_room(error, n, values)
         if (.not. allocated(error) .and. n > 0) then
             if (quantity == of_torsional_stiffness) then
-                call medium%torsional_stiffness(a(:n), values, error)
+                call new_under(medium, twist_load, other, error)
+                if (.not. allocated(error)) call other%springs%torsional_stiffness(a(:n), values, error)
             else
                 call modulus_values(medium, a(:n), values, wanted_threads(), error)
             end if

@@ -8,7 +8,7 @@ module mdrcontact_contact_cohesion
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_layered_kernel, only: kernel_t
     use mdrcontact_layered_zone, only: new_zoned_springs, zone_load_t, zone_state_t, zoned_springs_t
-    use mdrcontact_medium_solver, only: solver_t
+    use mdrcontact_medium_solver, only: check_springs, solver_t
     use mdrcontact_numerics_roots, only: solve_increasing
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
     use mdrcontact_profile, only: profile_t
@@ -88,8 +88,16 @@ contains
                        "across which the bodies could pull on each other; leave it out for adhesion without a range", &
                        "cohesive_stress")
         end if
-        if (.not. allocated(error)) call medium%springs(self%kernel, self%modulus, self%tolerance, error)
+        call check_springs(medium, "the load of a cohesive zone (cohesive_stress) is", error)
         if (allocated(error)) return
+        self%kernel = medium%springs%kernel
+        self%modulus = medium%springs%modulus
+        self%tolerance = medium%springs%tolerance
+        if (self%kernel%resolved > 1.0_wp) then
+            call raise(error, error_invalid, "the load of a cohesive zone (cohesive_stress) is not known on a body whose "// &
+                       "constants vary from the surface down: its springs are nearly singular at the edge")
+            return
+        end if
         self%stress = stress
         self%range = work/stress
         self%small_zone = 0.25_wp*pi*self%modulus*self%range/stress

@@ -6,6 +6,7 @@ module mdrcontact_contact_fields
     use mdrcontact_error, only: check_finite, check_not_negative, error_domain, error_invalid, error_t, raise, to_text
     use mdrcontact_kinds, only: wp
     use mdrcontact_contact_zone_fields, only: zone_displacement, zone_energy, zone_line_load, zone_pressure
+    use mdrcontact_medium_solver, only: of_displacement, of_line_load, of_pressure, refuse
     use mdrcontact_numerics_pick, only: pick
     implicit none (type, external)
     private
@@ -47,7 +48,7 @@ contains
             call zone_line_load(self%equilibrium%cohesion, self%equilibrium%profile, state, x, values, error)
             return
         end if
-        call self%equilibrium%medium%line_load(self%equilibrium%profile, state%radius, state%excess, x, values, error)
+        call self%equilibrium%medium%field(of_line_load, self%equilibrium%profile, state%radius, state%excess, x, values, error)
     end subroutine line_load
 
     !> p(r), the contact pressure, equation (6) [modulus]. Infinite where theory says so: at the edge of a flat punch, at the
@@ -68,7 +69,7 @@ contains
             call zone_pressure(self%equilibrium%cohesion, self%equilibrium%profile, state, r, values, error)
             return
         end if
-        call self%equilibrium%medium%pressure(self%equilibrium%profile, state%radius, state%excess, r, values, error)
+        call self%equilibrium%medium%field(of_pressure, self%equilibrium%profile, state%radius, state%excess, r, values, error)
     end subroutine pressure
 
     !> u(r), the displacement of the surface, positive into the medium [length]: d - f(r) inside the contact, the free surface
@@ -101,8 +102,8 @@ contains
             call zone_displacement(self%equilibrium%cohesion, self%equilibrium%profile, state, outside, found, error)
             if (present(body)) call check_share(self, error)
         else
-            call self%equilibrium%medium%displacement_outside(self%equilibrium%profile, state%radius, state%excess, &
-                                                              outside, found, error)
+            call self%equilibrium%medium%field(of_displacement, self%equilibrium%profile, state%radius, state%excess, &
+                                               outside, found, error)
         end if
         if (allocated(error)) return
         do i = 1, size(r)
@@ -122,6 +123,7 @@ contains
         !> of the lower and of the upper body [modulus length^3]
         real(wp), intent(out) :: values(2)
         type(error_t), allocatable, intent(out) :: error
+        real(wp), allocatable :: found(:)
 
         values = 0.0_wp
         call check_state(self, state, error)
@@ -133,7 +135,13 @@ contains
             values = values(1)*[1.0_wp - self%equilibrium%medium%share_of_upper, self%equilibrium%medium%share_of_upper]
             return
         end if
-        call self%equilibrium%medium%energies(self%equilibrium%profile, state%radius, state%excess, values, error)
+        associate (medium => self%equilibrium%medium)
+            call medium%energies(self%equilibrium%profile, state%radius, state%excess, found, error)
+            if (allocated(found)) values = found
+            if (allocated(found) .or. allocated(error)) return
+            call refuse(medium, "the elastic energy of a body is", "one that is homogeneous or solved exactly, or an effective "// &
+                        "modulus", "the surface holds a part of it; int F dd is that of both", error)
+        end associate
     end subroutine elastic_energy
 
     !> The lowest pressure in a contact without adhesion. Below 0 the bodies would have to pull on each other: the contact is then

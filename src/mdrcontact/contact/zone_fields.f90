@@ -13,6 +13,7 @@ module mdrcontact_contact_zone_fields
     use mdrcontact_layered_fields, only: line_load_t
     use mdrcontact_layered_zone, only: zone_load_t, zone_state_t, zoned_springs_t
     use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous_from_modulus
+    use mdrcontact_medium_solver, only: of_displacement, of_pressure
     use mdrcontact_numerics_pick, only: pick
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
@@ -66,7 +67,7 @@ contains
         if (allocated(error)) return
         if (size(places) == 0) return
         call new_homogeneous_from_modulus(surface, cohesion%modulus, error)
-        if (.not. allocated(error)) call surface%pressure(profile, state%radius, 0.0_wp, inside, pressure, error)
+        if (.not. allocated(error)) call surface%field(of_pressure, profile, state%radius, 0.0_wp, inside, pressure, error)
         if (allocated(error)) return
         associate (a => state%radius, c => state%zone_radius)
             do i = 1, size(places)
@@ -101,8 +102,8 @@ contains
         if (allocated(error)) return
         if (state%radius > 0.0_wp) then
             call new_homogeneous_from_modulus(surface, cohesion%modulus, error)
-            if (.not. allocated(error)) call surface%displacement_outside(profile, state%radius, &
-                                                                          state%depth - profile%mdr(state%radius), r, values, error)
+            if (.not. allocated(error)) call surface%field(of_displacement, profile, state%radius, &
+                                                           state%depth - profile%mdr(state%radius), r, values, error)
             if (allocated(error)) return
             if (.not. cohesion%kernel%vanishes) then
                 call load%contact%displacement_beyond(cohesion%kernel, r, added, error)

@@ -8,6 +8,7 @@
 !> radius give all. Nothing is neglected then: torsion moves neither the pressure nor anything that varies around the axis.
 module mdrcontact_history_friction
     use, intrinsic :: iso_c_binding, only: c_double
+    use mdrcontact_body_compliance, only: shear_load
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: check_finite, check_not_negative, check_positive, error_domain, error_invalid, error_t, &
@@ -15,7 +16,7 @@ module mdrcontact_history_friction
     use mdrcontact_contact_fields, only: check_positions
     use mdrcontact_medium_slip, only: slip_t
     use mdrcontact_kinds, only: pi, wp
-    use mdrcontact_medium_solver, only: solver_t
+    use mdrcontact_medium_solver, only: new_under, solver_t
     use mdrcontact_medium_twisted_slip, only: new_twisted_slip, twisted_slip_t
     use mdrcontact_numerics_roots, only: solve_increasing
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
@@ -111,7 +112,7 @@ contains
         if (allocated(error)) return
         call contact%equilibrium%copy_to(self%contact%equilibrium, error)
         self%coefficient = coefficient
-        if (.not. allocated(error)) call contact%equilibrium%medium%new_tangential(self%tangential, error)
+        if (.not. allocated(error)) call new_under(contact%equilibrium%medium, shear_load, self%tangential, error)
     end subroutine new_friction
 
     !> What happens to a normal state as its indenter is displaced along the surface.
@@ -128,6 +129,9 @@ contains
         associate (equilibrium => self%contact%equilibrium)
             call equilibrium%medium%new_slip(self%tangential, equilibrium%profile, state%radius, state%excess, slip, error)
         end associate
+        if (.not. (allocated(slip) .or. allocated(error))) then
+            call raise(error, error_invalid, "friction is not known for this medium")
+        end if
         if (.not. allocated(error)) call new_first_shear(shear, slip, self%coefficient)
     end subroutine first_shear
 

@@ -12,7 +12,7 @@ module mdrcontact_history_friction_rings
     use mdrcontact_error, only: check_memory, error_domain, error_t, raise, to_text
     use mdrcontact_history_friction_box, only: minimise_in_box
     use mdrcontact_kinds, only: pi, wp
-    use mdrcontact_medium_solver, only: solver_t
+    use mdrcontact_medium_solver, only: check_springs, of_pressure, solver_t
     use mdrcontact_numerics_quadrature, only: gauss_legendre
     implicit none (type, external)
     private
@@ -77,10 +77,11 @@ contains
         allocate (self%products(count, count), stat=stat)
         call check_memory(error, stat)
         if (allocated(error)) return
+        call check_springs(tangential, "histories of friction on rings are", error)
         do i = 1, count
             call check_cancelled(error)
             if (allocated(error)) return
-            call tangential%disc_products(self%radii(i), self%radii(:i), self%products(:i, i), error)
+            call tangential%springs%disc_products(self%radii(i), self%radii(:i), self%products(:i, i), error)
             if (allocated(error)) return
             self%products(i, :i) = self%products(:i, i)
         end do
@@ -346,8 +347,8 @@ contains
             root(nodes*(j - 1) + 1:nodes*j) = roots(j) + (roots(j - 1) - roots(j))*t
         end do
         associate (equilibrium => contact%equilibrium)
-            call equilibrium%medium%pressure(equilibrium%profile, state%radius, state%excess, &
-                                             sqrt(max(state%radius**2 - root**2, 0.0_wp)), pressure, error)
+            call equilibrium%medium%field(of_pressure, equilibrium%profile, state%radius, state%excess, &
+                                          sqrt(max(state%radius**2 - root**2, 0.0_wp)), pressure, error)
         end associate
         if (allocated(error)) return
         if (minval(pressure) < -noticeable*state%force/(pi*state%radius**2)) then
@@ -389,7 +390,7 @@ contains
             if (grid(i) > 0) then
                 where (grid > 0) products(1:, i) = rings%products(max(grid, 1), grid(i))
             else
-                call tangential%disc_products(edges(i), edges, products(1:, i), error)
+                call tangential%springs%disc_products(edges(i), edges, products(1:, i), error)
                 if (allocated(error)) return
                 products(i, 1:) = products(1:, i)
             end if

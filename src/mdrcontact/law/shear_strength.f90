@@ -4,6 +4,7 @@
 !>     T = 2 tau0 a^2 (y sqrt(1 - y^2) + arcsin y),  y = G_t s/(2 tau0 a) <= 1,  k_t = 2 G_t a,
 !> so that T = pi a^2 tau0 in sliding. That T makes a smaller is neglected.
 module mdrcontact_law_shear_strength
+    use mdrcontact_body_compliance, only: shear_load
     use mdrcontact_contact, only: contact_t, on_unloading
     use mdrcontact_error, only: check_memory, check_positive, error_invalid, error_t, raise, to_text
     use mdrcontact_kinds, only: pi, wp
@@ -11,7 +12,7 @@ module mdrcontact_law_shear_strength
     use mdrcontact_law_evaluate, only: point_at
     use mdrcontact_law_friction, only: check_sliders, default_sliders, friction_law_t, find_levels
     use mdrcontact_law_from_contact, only: law_options_t, new_law_of_contact => new_contact_law
-    use mdrcontact_medium_solver, only: solver_t
+    use mdrcontact_medium_solver, only: new_under, solver_t
     implicit none (type, external)
     private
     public :: new_law_with_shear_strength
@@ -65,7 +66,7 @@ contains
         class(solver_t), allocatable :: tangential
         real(wp) :: force, slope, radius, stiffness, modulus(1)
 
-        call contact%equilibrium%medium%new_tangential(tangential, error)
+        call new_under(contact%equilibrium%medium, shear_load, tangential, error)
         if (allocated(error)) return
         call point_at(law%by_depth, on_unloading, law%by_depth%highest, force, slope, radius, stiffness)
         call tangential%modulus([radius], modulus, error)

@@ -9,7 +9,7 @@ module mdrcontact_medium_effective
     use mdrcontact_medium_load, only: load_t
     use mdrcontact_medium_slip, only: slip_t
     use mdrcontact_kinds, only: pi, wp
-    use mdrcontact_medium_solver, only: solver_t
+    use mdrcontact_medium_solver, only: of_line_load, of_pressure, solver_t
     use mdrcontact_medium_superposed_slip, only: new_superposed_slip, superposed_slip_t
     use mdrcontact_profile, only: profile_t
     use mdrcontact_numerics_quadrature, only: graded_rule, merge_breaks, smallest_panel_ratio
@@ -28,9 +28,7 @@ module mdrcontact_medium_effective
         procedure :: response
         !> d [length] and F [modulus length^2] of the non-adhesive contact
         procedure :: depth_and_force
-        procedure :: line_load
-        procedure :: pressure
-        procedure :: displacement_outside
+        procedure :: field
         procedure :: energies
         !> what the upper body takes of a small change of depth at radius a [1]
         procedure :: upper_share
@@ -177,6 +175,25 @@ contains
         part = smallest_panel_ratio
     end function negligible_part
 
+    subroutine field(self, quantity, profile, a, excess, r, values, error)
+        class(effective_medium_t), intent(in) :: self
+        integer, intent(in) :: quantity
+        class(profile_t), intent(in) :: profile
+        real(wp), intent(in) :: a, excess
+        real(wp), intent(in) :: r(:)
+        real(wp), intent(out) :: values(:)
+        type(error_t), allocatable, intent(out) :: error
+
+        select case (quantity)
+        case (of_line_load)
+            call line_load(self, profile, a, excess, r, values, error)
+        case (of_pressure)
+            call pressure(self, profile, a, excess, r, values, error)
+        case default
+            call displacement_outside(self, profile, a, excess, r, values, error)
+        end select
+    end subroutine field
+
     !> q(x; a) = int_x^a E_eff(s) d'(s) ds, equation (21).
     subroutine line_load(self, profile, a, excess, r, values, error)
         class(effective_medium_t), intent(in) :: self
@@ -184,7 +201,7 @@ contains
         real(wp), intent(in) :: a, excess
         real(wp), intent(in) :: r(:)
         real(wp), intent(out) :: values(:)
-        type(error_t), allocatable, intent(out) :: error
+        type(error_t), allocatable, intent(inout) :: error
         real(wp), allocatable :: s(:), ds(:), beyond(:), breaks(:)
         real(wp) :: lowest
         integer :: i
@@ -210,7 +227,7 @@ contains
         real(wp), intent(in) :: a, excess
         real(wp), intent(in) :: r(:)
         real(wp), intent(out) :: values(:)
-        type(error_t), allocatable, intent(out) :: error
+        type(error_t), allocatable, intent(inout) :: error
         real(wp), allocatable :: s(:), ds(:), beyond(:), breaks(:)
         real(wp) :: lowest
         logical :: from_axis
@@ -245,7 +262,7 @@ contains
         real(wp), intent(in) :: a, excess
         real(wp), intent(in) :: r(:)
         real(wp), intent(out) :: values(:)
-        type(error_t), allocatable, intent(out) :: error
+        type(error_t), allocatable, intent(inout) :: error
         real(wp), allocatable :: s(:), ds(:), beyond(:), breaks(:)
         real(wp) :: lowest
         integer :: i
@@ -269,13 +286,12 @@ contains
         class(effective_medium_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
         real(wp), intent(in) :: a, excess
-        real(wp), intent(out) :: values(2)
+        real(wp), allocatable, intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
         real(wp), allocatable :: s(:), ds(:), beyond(:), breaks(:)
         real(wp) :: lowest, depth, force, rise, load, work, total, upper
         integer :: i
 
-        values = 0.0_wp
         call self%depth_and_force(profile, a, depth, force, error)
         if (allocated(error)) return
         total = (force + a*self%effective_modulus(a)*excess)*excess

@@ -6,9 +6,9 @@
 module mdrcontact_medium_exact
     use mdrcontact_base_nonfinite, only: infinity
     use mdrcontact_body, only: body_t
-    use mdrcontact_body_compliance, only: compliance_t, normal_load, shear_load, twist_load
+    use mdrcontact_body_compliance, only: compliance_t, normal_load
     use mdrcontact_body_stack, only: new_stack, stack_t
-    use mdrcontact_error, only: check_memory, check_within, error_invalid, error_t, raise, to_text
+    use mdrcontact_error, only: check_memory, check_within, error_invalid, error_t, raise
     use mdrcontact_medium_load, only: load_t
     use mdrcontact_medium_profile_load, only: new_profile_load, profile_load_t
     use mdrcontact_medium_slip, only: slip_t
@@ -17,14 +17,14 @@ module mdrcontact_medium_exact
     use mdrcontact_layered_combine, only: add_kernels
     use mdrcontact_layered_fields, only: line_load_t, new_line_load
     use mdrcontact_layered_kernel, only: kernel_t
-    use mdrcontact_layered_legendre, only: interaction_matrix
     use mdrcontact_layered_moments, only: is_smooth
     use mdrcontact_layered_shared, only: layered_shared_t, shared_kernel
     use mdrcontact_medium_exact_slip, only: layered_slip_t, new_layered_slip
     use mdrcontact_layered_solve, only: solution_t, solve
-    use mdrcontact_layered_stiffness, only: relative_stiffness
+    use mdrcontact_layered_springs, only: springs_t
     use mdrcontact_material, only: in_series, material_t
-    use mdrcontact_medium_solver, only: depth_and_force, lower_body, set_pair, solver_t, take_common, upper_body
+    use mdrcontact_medium_solver, only: depth_and_force, lower_body, of_displacement, of_line_load, of_pressure, &
+                                         set_pair, solver_t, take_common, upper_body
     use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous_from_modulus
     use mdrcontact_numerics_pick, only: pick
     use mdrcontact_profile, only: profile_t
@@ -32,12 +32,8 @@ module mdrcontact_medium_exact
     private
     public :: layered_exact_t, new_layered_exact, new_exact_pair
 
-    real(wp), parameter :: default_tolerance = 1.0e-10_wp, smallest_tolerance = 1.0e-12_wp, largest_tolerance = 1.0e-2_wp
+    real(wp), parameter :: smallest_tolerance = 1.0e-12_wp, largest_tolerance = 1.0e-2_wp
 
-    !> Rings of friction up to this many thicknesses of the first layer, which their quadrature has to resolve.
-    real(wp), parameter :: widest = 30.0_wp
-    !> Even Legendre polynomials for the interaction of springs: so many, and so many more for each thickness in the contact radius.
-    real(wp), parameter :: fewest_waves = 8.0_wp, waves_per_depth = 5.0_wp
     !> Contact radii up to this many depths of all layers are offered.
     real(wp), parameter :: largest_ratio = 1.0e4_wp
     !> The same where all layers are of one material [length].
@@ -52,31 +48,21 @@ module mdrcontact_medium_exact
     !> A layered or graded half-space, or two bodies pressed together, solved exactly.
     type, extends(solver_t) :: layered_exact_t
         private
-        type(kernel_t) :: kernel
         !> of two deformable bodies: the lower and the upper one
         type(part_t), allocatable :: parts(:)
-        !> a half-space of the surface materials, and their contact modulus E0* [modulus]
+        !> a half-space of the surface materials
         type(homogeneous_t) :: surface
-        real(wp) :: surface_modulus = 0.0_wp
-        !> relative, of its results
-        real(wp), public :: tolerance = default_tolerance
     contains
         procedure :: modulus
-        procedure :: line_load
-        procedure :: line_load_series
-        procedure :: pressure
-        procedure :: displacement_outside
         procedure :: response
+        procedure :: field
+        procedure :: line_load_series
         procedure :: zeta
         procedure :: take_share
         procedure :: energies
         procedure :: surface_load
-        procedure :: new_tangential
-        procedure :: disc_products
-        procedure :: interaction
-        procedure :: torsional_stiffness
+        procedure :: under
         procedure :: new_slip
-        procedure :: springs
         procedure :: copy_to
     end type layered_exact_t
 
@@ -100,10 +86,11 @@ contains
         !> what this medium has in common with others made before it, which then costs less
         type(layered_shared_t), intent(inout), optional :: shared
 
+        allocate (self%springs)
         if (present(tolerance)) then
             call check_within(error, "tolerance", tolerance, smallest_tolerance, largest_tolerance)
             if (allocated(error)) return
-            self%tolerance = tolerance
+            self%springs%tolerance = tolerance
         end if
         call solve_body(self, body, normal_load, error, shared)
         if (.not. allocated(error)) call body%copy_to(self%pressed, error)
@@ -118,7 +105,8 @@ contains
         type(layered_shared_t), intent(inout), optional :: shared
 
         call check_within(error, "tolerance", tolerance, smallest_tolerance, largest_tolerance)
-        self%tolerance = tolerance
+        allocate (self%springs)
+        self%springs%tolerance = tolerance
         call solve_compliance(self, compliance, error, shared)
     end subroutine new_exact_from_compliance
 
@@ -149,16 +137,16 @@ contains
 
         if (allocated(error)) return
         call disable_gsl_abort()
-        self%surface_modulus = real(compliance%scale, wp)
-        call new_homogeneous_from_modulus(self%surface, self%surface_modulus, error)
+        self%springs%modulus = real(compliance%scale, wp)
+        call new_homogeneous_from_modulus(self%surface, self%springs%modulus, error)
         if (allocated(error)) return
         if (present(shared)) then
-            call shared_kernel(shared, compliance, self%kernel, error)
+            call shared_kernel(shared, compliance, self%springs%kernel, error)
         else
-            call shared_kernel(own, compliance, self%kernel, error)
+            call shared_kernel(own, compliance, self%springs%kernel, error)
         end if
-        self%largest_radius = merge(largest_homogeneous, largest_ratio*compliance%last_depth, self%kernel%vanishes)
-        self%surface_contrast = contrast_of(self%kernel)
+        self%largest_radius = merge(largest_homogeneous, largest_ratio*compliance%last_depth, self%springs%kernel%vanishes)
+        self%surface_contrast = contrast_of(self%springs%kernel)
         call mark_exact(self)
     end subroutine solve_compliance
 
@@ -193,9 +181,10 @@ contains
 
         if (allocated(homogeneous%pressed)) allocate (self%pressed, source=homogeneous%pressed)
         self%surface = homogeneous
-        self%surface_modulus = homogeneous%half_space_modulus()
+        allocate (self%springs)
+        self%springs%modulus = homogeneous%half_space_modulus()
         self%largest_radius = largest_homogeneous
-        self%tolerance = largest_tolerance
+        self%springs%tolerance = largest_tolerance
         call mark_exact(self)
     end subroutine new_exact_from_homogeneous
 
@@ -206,18 +195,20 @@ contains
         class(layered_exact_t), intent(in) :: lower, upper
         type(error_t), allocatable, intent(out) :: error
 
-        self%surface_modulus = in_series(lower%surface_modulus, upper%surface_modulus)
+        allocate (self%springs)
+        self%springs%modulus = in_series(lower%springs%modulus, upper%springs%modulus)
         allocate (self%parts(2))
-        self%parts(lower_body)%kernel = lower%kernel
-        self%parts(upper_body)%kernel = upper%kernel
-        self%parts%share = self%surface_modulus/[lower%surface_modulus, upper%surface_modulus]
+        self%parts(lower_body)%kernel = lower%springs%kernel
+        self%parts(upper_body)%kernel = upper%springs%kernel
+        self%parts%share = self%springs%modulus/[lower%springs%modulus, upper%springs%modulus]
         self%largest_radius = min(lower%largest_radius, upper%largest_radius)
-        self%tolerance = min(lower%tolerance, upper%tolerance)
+        self%springs%tolerance = min(lower%springs%tolerance, upper%springs%tolerance)
         call set_pair(self, lower, upper, error)
         if (allocated(error)) return
-        call new_homogeneous_from_modulus(self%surface, self%surface_modulus, error)
-        if (.not. allocated(error)) call add_kernels(lower%kernel, upper%kernel, self%parts%share, self%kernel, error)
-        self%surface_contrast = contrast_of(self%kernel)
+        call new_homogeneous_from_modulus(self%surface, self%springs%modulus, error)
+        if (.not. allocated(error)) call add_kernels(lower%springs%kernel, upper%springs%kernel, self%parts%share, &
+                                                     self%springs%kernel, error)
+        self%surface_contrast = contrast_of(self%springs%kernel)
         call mark_exact(self)
     end subroutine new_exact_pair
 
@@ -229,28 +220,10 @@ contains
 
         allocate (own)
         call take_common(own, self, error)
-        own%kernel = self%kernel
         if (allocated(self%parts)) own%parts = self%parts
         own%surface = self%surface
-        own%surface_modulus = self%surface_modulus
-        own%tolerance = self%tolerance
         call move_alloc(own, copy)
     end subroutine copy_to
-
-    subroutine springs(self, kernel, modulus, tolerance, error)
-        class(layered_exact_t), intent(in) :: self
-        type(kernel_t), intent(out) :: kernel
-        real(wp), intent(out) :: modulus, tolerance
-        type(error_t), allocatable, intent(inout) :: error
-
-        kernel = self%kernel
-        modulus = self%surface_modulus
-        tolerance = self%tolerance
-        if (self%kernel%resolved > 1.0_wp) then
-            call raise(error, error_invalid, "the load of a cohesive zone (cohesive_stress) is not known on a body whose "// &
-                       "constants vary from the surface down: its springs are nearly singular at the edge")
-        end if
-    end subroutine springs
 
     !> E0*/E_eff at large radii, or what it comes to at the unit if the base is stiff again.
     pure function contrast_of(kernel) result(ratio)
@@ -272,10 +245,10 @@ contains
         integer :: i
 
         do i = 1, size(a)
-            call solve(self%kernel, self%tolerance, a(i), solution, error, edge=present(slopes))
+            call solve(self%springs%kernel, self%springs%tolerance, a(i), solution, error, edge=present(slopes))
             if (allocated(error)) return
-            values(i) = self%surface_modulus*solution%modulus
-            if (present(slopes)) slopes(i) = self%surface_modulus*(solution%punch_edge**2 - solution%modulus)/a(i)
+            values(i) = self%springs%modulus*solution%modulus
+            if (present(slopes)) slopes(i) = self%springs%modulus*(solution%punch_edge**2 - solution%modulus)/a(i)
         end do
     end subroutine modulus
 
@@ -292,22 +265,22 @@ contains
         type(solution_t) :: solution
         real(wp) :: tolerance
 
-        tolerance = self%tolerance
+        tolerance = self%springs%tolerance
         if (present(accuracy)) tolerance = max(tolerance, accuracy)
         depth = 0.0_wp
         force = 0.0_wp
         modulus = 0.0_wp
         stiffness_slope = 0.0_wp
-        call solve(self%kernel, tolerance, a, solution, error, profile, adhesive)
+        call solve(self%springs%kernel, tolerance, a, solution, error, profile, adhesive)
         if (allocated(error)) return
         if (present(accuracy)) then
             accuracy = maxval(solution%errors([1, 3, 4]))
-            if (accuracy <= self%tolerance) accuracy = 0.0_wp
+            if (accuracy <= self%springs%tolerance) accuracy = 0.0_wp
         end if
         depth = solution%depth
-        force = self%surface_modulus*solution%force
-        modulus = self%surface_modulus*solution%modulus
-        stiffness_slope = 2.0_wp*self%surface_modulus*solution%punch_edge**2
+        force = self%springs%modulus*solution%force
+        modulus = self%springs%modulus*solution%modulus
+        stiffness_slope = 2.0_wp*self%springs%modulus*solution%punch_edge**2
         if (present(depth_slope)) depth_slope = solution%depth_slope
     end subroutine response
 
@@ -330,22 +303,6 @@ contains
         end do
     end subroutine zeta
 
-    !> q(x; a) = E0* (d - g - v).
-    subroutine line_load(self, profile, a, excess, r, values, error)
-        class(layered_exact_t), intent(in) :: self
-        class(profile_t), intent(in) :: profile
-        real(wp), intent(in) :: a, excess
-        real(wp), intent(in) :: r(:)
-        real(wp), intent(out) :: values(:)
-        type(error_t), allocatable, intent(out) :: error
-        type(line_load_t) :: load
-
-        call new_line_load(load, self%kernel, self%tolerance, profile, a, excess, error, at_points=.true.)
-        if (allocated(error)) return
-        call load%at(profile, r, values)
-        values = self%surface_modulus*values
-    end subroutine line_load
-
     !> Of smooth indenters on films: the coefficients of a state's own solution.
     subroutine line_load_series(self, profile, a, excess, series, error)
         class(layered_exact_t), intent(in) :: self
@@ -357,39 +314,17 @@ contains
         real(wp), allocatable :: parts(:, :)
 
         if (.not. is_smooth(profile)) return
-        call solve(self%kernel, self%tolerance, a, solution, error, profile, abs(excess) > 0.0_wp, parts)
-        if (.not. allocated(error)) series = self%surface_modulus*(parts(:, 2) + excess*parts(:, 1))
+        call solve(self%springs%kernel, self%springs%tolerance, a, solution, error, profile, abs(excess) > 0.0_wp, parts)
+        if (.not. allocated(error)) series = self%springs%modulus*(parts(:, 2) + excess*parts(:, 1))
     end subroutine line_load_series
 
-    !> p(r) by equation (6): the half-space of the surface material under d - g, and what the layers below it add.
-    subroutine pressure(self, profile, a, excess, r, values, error)
-        class(layered_exact_t), intent(in) :: self
-        class(profile_t), intent(in) :: profile
-        real(wp), intent(in) :: a, excess
-        real(wp), intent(in) :: r(:)
-        real(wp), intent(out) :: values(:)
-        type(error_t), allocatable, intent(out) :: error
-        type(line_load_t) :: load
-        integer :: i
-
-        call new_line_load(load, self%kernel, self%tolerance, profile, a, excess, error, at_points=.true.)
-        if (allocated(error)) return
-        call self%surface%pressure(profile, a, 0.0_wp, r, values, error)
-        if (allocated(error)) return
-        do i = 1, size(r)
-            values(i) = values(i) + self%surface_modulus*load%smooth_pressure(r(i))
-            if (excess == 0.0_wp) cycle
-            if (r(i) < a) then
-                values(i) = values(i) + self%surface_modulus*load%edge/(pi*sqrt((a - r(i))*(a + r(i))))
-            else
-                values(i) = sign(infinity, excess)
-            end if
-        end do
-    end subroutine pressure
-
+    !> With d, g and what the layers below do to the springs, v:
+    !> q(x; a) = E0* (d - g - v);
+    !> p(r) by equation (6): the half-space of the surface material under d - g, and what the layers below it add;
     !> u(r) = (2/pi) int_0^r w(x)/sqrt(r^2 - x^2) dx with the springs' displacement w, which is d - g inside the contact.
-    subroutine displacement_outside(self, profile, a, excess, r, values, error)
+    subroutine field(self, quantity, profile, a, excess, r, values, error)
         class(layered_exact_t), intent(in) :: self
+        integer, intent(in) :: quantity
         class(profile_t), intent(in) :: profile
         real(wp), intent(in) :: a, excess
         real(wp), intent(in) :: r(:)
@@ -397,18 +332,36 @@ contains
         type(error_t), allocatable, intent(out) :: error
         type(line_load_t) :: load
         real(wp), allocatable :: added(:)
-        integer :: stat
+        integer :: i, stat
 
-        call new_line_load(load, self%kernel, self%tolerance, profile, a, excess, error, at_points=.true.)
+        call new_line_load(load, self%springs%kernel, self%springs%tolerance, profile, a, excess, error, at_points=.true.)
         if (allocated(error)) return
-        call self%surface%displacement_outside(profile, a, load%depth - profile%mdr(a), r, values, error)
-        if (allocated(error) .or. self%kernel%vanishes) return
-        allocate (added(size(r)), stat=stat)
-        call check_memory(error, stat)
-        if (allocated(error)) return
-        call load%displacement_beyond(self%kernel, r, added, error)
-        values = values + added
-    end subroutine displacement_outside
+        select case (quantity)
+        case (of_line_load)
+            call load%at(profile, r, values)
+            values = self%springs%modulus*values
+        case (of_pressure)
+            call self%surface%field(of_pressure, profile, a, 0.0_wp, r, values, error)
+            if (allocated(error)) return
+            do i = 1, size(r)
+                values(i) = values(i) + self%springs%modulus*load%smooth_pressure(r(i))
+                if (excess == 0.0_wp) cycle
+                if (r(i) < a) then
+                    values(i) = values(i) + self%springs%modulus*load%edge/(pi*sqrt((a - r(i))*(a + r(i))))
+                else
+                    values(i) = sign(infinity, excess)
+                end if
+            end do
+        case default
+            call self%surface%field(of_displacement, profile, a, load%depth - profile%mdr(a), r, values, error)
+            if (allocated(error) .or. self%springs%kernel%vanishes) return
+            allocate (added(size(r)), stat=stat)
+            call check_memory(error, stat)
+            if (allocated(error)) return
+            call load%displacement_beyond(self%springs%kernel, r, added, error)
+            values = values + added
+        end select
+    end subroutine field
 
     !> u_i(r) = (E0*/E_i*) (2/pi) int_0^r w_i(x)/sqrt(r^2 - x^2) dx with w_i = [q + K_i q]/E0* = d - g - v + v_i inside the contact.
     subroutine take_share(self, profile, a, excess, body, r, values, error)
@@ -428,7 +381,7 @@ contains
             if (body == upper_body) values = 0.0_wp
             return
         end if
-        call new_line_load(load, self%kernel, self%tolerance, profile, a, excess, error)
+        call new_line_load(load, self%springs%kernel, self%springs%tolerance, profile, a, excess, error)
         if (allocated(error)) return
         call pick(r, places, outside, total, error, above=a)
         if (allocated(error)) return
@@ -441,7 +394,7 @@ contains
             call load%part_of(part%kernel, v, error)
             call load%displacement_by(v - load%v, r, difference, error)
             if (allocated(error)) return
-            call self%surface%displacement_outside(profile, a, load%depth - profile%mdr(a), outside, total, error)
+            call self%surface%field(of_displacement, profile, a, load%depth - profile%mdr(a), outside, total, error)
             if (allocated(error)) return
             if (.not. part%kernel%vanishes) call load%displacement_beyond(part%kernel, outside, added, error)
             do i = 1, size(places)
@@ -456,25 +409,25 @@ contains
         class(layered_exact_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
         real(wp), intent(in) :: a, excess
-        real(wp), intent(out) :: values(2)
+        real(wp), allocatable, intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
         type(line_load_t) :: load
         real(wp), allocatable :: v(:)
         integer :: i
 
-        values = 0.0_wp
-        call new_line_load(load, self%kernel, self%tolerance, profile, a, excess, error, &
+        call new_line_load(load, self%springs%kernel, self%springs%tolerance, profile, a, excess, error, &
                            at_points=.not. allocated(self%parts))
         if (allocated(error)) return
+        allocate (values(2), source=0.0_wp)
         if (.not. allocated(self%parts)) then
-            values(lower_body) = self%surface_modulus*load%work_on(profile, load%v, error)
+            values(lower_body) = self%springs%modulus*load%work_on(profile, load%v, error)
             return
         end if
         allocate (v, mold=load%q)
         do i = 1, 2
             call load%part_of(self%parts(i)%kernel, v, error)
             if (allocated(error)) return
-            values(i) = self%surface_modulus*self%parts(i)%share*load%work_on(profile, v, error)
+            values(i) = self%springs%modulus*self%parts(i)%share*load%work_on(profile, v, error)
         end do
     end subroutine energies
 
@@ -488,26 +441,26 @@ contains
         type(line_load_t) :: springs
         type(profile_load_t), allocatable :: own
 
-        call new_line_load(springs, self%kernel, self%tolerance, profile, a, excess, error, at_points=.true.)
+        call new_line_load(springs, self%springs%kernel, self%springs%tolerance, profile, a, excess, error, at_points=.true.)
         if (allocated(error)) return
         allocate (own)
-        call new_profile_load(own, profile, self%surface_modulus, springs, error)
+        call new_profile_load(own, profile, self%springs%modulus, springs, error)
         if (.not. allocated(error)) call move_alloc(own, load)
     end subroutine surface_load
 
-    !> The same body under shear; of two, their compliances add.
-    subroutine new_tangential(self, tangential, error)
+    subroutine under(self, load, other, error)
         class(layered_exact_t), intent(in) :: self
-        class(solver_t), allocatable, intent(out) :: tangential
+        integer, intent(in) :: load
+        class(solver_t), allocatable, intent(out) :: other
         type(error_t), allocatable, intent(out) :: error
         type(layered_exact_t), allocatable :: own
 
         allocate (own)
-        call new_under_load(own, self, shear_load, error)
-        if (.not. allocated(error)) call move_alloc(own, tangential)
-    end subroutine new_tangential
+        call new_under_load(own, self, load, error)
+        if (.not. allocated(error)) call move_alloc(own, other)
+    end subroutine under
 
-    !> The same bodies under another load.
+    !> The same bodies under another load; of two, their compliances add.
     subroutine new_under_load(medium, normal, load, error)
         type(layered_exact_t), intent(out) :: medium
         class(layered_exact_t), intent(in) :: normal
@@ -516,12 +469,13 @@ contains
         type(layered_exact_t) :: lower, upper
 
         if (allocated(normal%parts)) then
-            call new_body_under_load(lower, normal%tolerance, normal%pressed, normal%parts(lower_body)%share, load, error)
+            call new_body_under_load(lower, normal%springs%tolerance, normal%pressed, normal%parts(lower_body)%share, load, error)
             if (allocated(error)) return
-            call new_body_under_load(upper, normal%tolerance, normal%counterbody, normal%parts(upper_body)%share, load, error)
+            call new_body_under_load(upper, normal%springs%tolerance, normal%counterbody, normal%parts(upper_body)%share, load, &
+                                     error)
             if (.not. allocated(error)) call new_exact_pair(medium, lower, upper, error)
         else
-            call new_body_under_load(medium, normal%tolerance, normal%pressed, 1.0_wp, load, error)
+            call new_body_under_load(medium, normal%springs%tolerance, normal%pressed, 1.0_wp, load, error)
         end if
     end subroutine new_under_load
 
@@ -533,35 +487,18 @@ contains
         integer, intent(in) :: load
         type(error_t), allocatable, intent(inout) :: error
 
+        allocate (medium%springs)
         if (allocated(body)) then
-            medium%tolerance = tolerance
+            medium%springs%tolerance = tolerance
             call solve_body(medium, body, load, error)
         else if (share > 0.0_wp) then
             call raise(error, error_invalid, "the tangential stiffness of a body that is known by its contact modulus alone is "// &
                        "not known: give E and nu")
         else
-            medium%surface_modulus = infinity
-            medium%tolerance = largest_tolerance
+            medium%springs%modulus = infinity
+            medium%springs%tolerance = largest_tolerance
         end if
     end subroutine new_body_under_load
-
-    subroutine torsional_stiffness(self, a, values, error)
-        class(layered_exact_t), intent(in) :: self
-        real(wp), intent(in) :: a(:)
-        real(wp), intent(out) :: values(:)
-        type(error_t), allocatable, intent(out) :: error
-        type(layered_exact_t) :: twisted
-        complex(wp) :: ratio
-        integer :: i
-
-        values = 0.0_wp
-        call new_under_load(twisted, self, twist_load, error)
-        do i = 1, size(a)
-            if (allocated(error)) return
-            call relative_stiffness([twisted%kernel], a(i), self%tolerance, .true., ratio, error)
-            values(i) = 4.0_wp/3.0_wp*twisted%surface_modulus*a(i)**3*real(ratio, wp)
-        end do
-    end subroutine torsional_stiffness
 
     subroutine new_slip(self, tangential, profile, a, excess, slip, error)
         class(layered_exact_t), intent(in) :: self
@@ -574,75 +511,14 @@ contains
         type(line_load_t) :: springs
         real(wp), allocatable :: sheared(:)
 
-        call new_line_load(springs, self%kernel, self%tolerance, profile, a, excess, error)
+        call new_line_load(springs, self%springs%kernel, self%springs%tolerance, profile, a, excess, error)
         if (allocated(error)) return
         allocate (sheared, mold=springs%q)
-        select type (tangential)
-        class is (layered_exact_t)
-            call springs%part_of(tangential%kernel, sheared, error)
-            if (allocated(error)) return
-            allocate (own)
-            call new_layered_slip(own, self, tangential, tangential%kernel, tangential%tolerance, profile, springs, sheared, &
-                                  excess, self%surface_modulus, tangential%surface_modulus, error)
-        class default
-            call raise(error, error_invalid, "the medium under shear must be that of new_tangential")
-        end select
+        call springs%part_of(tangential%springs%kernel, sheared, error)
+        if (allocated(error)) return
+        allocate (own)
+        call new_layered_slip(own, self, tangential, profile, springs, sheared, excess, error)
         if (.not. allocated(error)) call move_alloc(own, slip)
     end subroutine new_slip
-
-    !> Those of the surface's material, and of the kernel, by Gauss and Chebyshev's rule of the second kind for both discs' springs
-    !> 2 sqrt(r^2 - x^2).
-    subroutine disc_products(self, radius, radii, products, error)
-        class(layered_exact_t), intent(in) :: self
-        real(wp), intent(in) :: radius
-        real(wp), intent(in) :: radii(:)
-        real(wp), intent(out) :: products(:)
-        type(error_t), allocatable, intent(inout) :: error
-        real(wp), allocatable :: t(:), w(:), x(:)
-        real(wp) :: total
-        integer :: i, j, k, n
-
-        if (max(radius, maxval(radii)) > widest*self%kernel%unit .and. .not. self%kernel%vanishes) then
-            call raise(error, error_invalid, "rings of radius "//to_text(max(radius, maxval(radii)))//" are too large for a "// &
-                       "first layer of thickness "//to_text(self%kernel%unit)//": at most "//to_text(widest)//" times that")
-        end if
-        if (allocated(error)) return
-        call self%surface%disc_products(radius, radii, products, error)
-        if (allocated(error) .or. self%kernel%vanishes) return
-        do k = 1, size(radii)
-            n = 8 + 2*ceiling(2.0_wp*max(radius, radii(k))/self%kernel%unit)
-            t = [(cos(pi*real(i, wp)/real(n + 1, wp)), i=1, n)]
-            w = pi/real(n + 1, wp)*(1.0_wp - t**2)
-            if (.not. allocated(x)) allocate (x(n))
-            if (size(x) /= n) x = t
-            total = 0.0_wp
-            ! n is even, and both discs are the same on either side of the axis
-            do j = 1, n/2
-                call self%kernel%evaluate(abs(radius*t(j) - radii(k)*t)/self%kernel%unit, 0.0_wp, x)
-                total = total + 2.0_wp*w(j)*dot_product(w, x)
-            end do
-            products(k) = products(k) + 4.0_wp*(radius*radii(k))**2*total/(pi*self%kernel%unit*self%surface_modulus)
-        end do
-    end subroutine disc_products
-
-    !> Polynomials up to where waves are so short that they do not reach through the first layer: the 2j-th one has waves of about
-    !> pi a/j, which a depth of h damps by exp(-4 j h/a).
-    subroutine interaction(self, a, most, modulus, matrix, error)
-        class(layered_exact_t), intent(in) :: self
-        real(wp), intent(in) :: a
-        integer, intent(in) :: most
-        real(wp), intent(out) :: modulus
-        real(wp), allocatable, intent(out) :: matrix(:, :)
-        type(error_t), allocatable, intent(inout) :: error
-        integer :: n
-
-        modulus = self%surface_modulus
-        if (self%kernel%vanishes) then
-            allocate (matrix(0, 0))
-            return
-        end if
-        n = min(most, ceiling(min(fewest_waves + waves_per_depth*a/self%kernel%unit, real(most, wp))))
-        call interaction_matrix(self%kernel, a, n, max(ceiling(16.0_wp*sqrt(a/self%kernel%unit)) + 14, 2*n), matrix, error)
-    end subroutine interaction
 
 end module mdrcontact_medium_exact

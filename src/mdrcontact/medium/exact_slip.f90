@@ -7,9 +7,8 @@ module mdrcontact_medium_exact_slip
     use mdrcontact_medium_slip, only: slip_t, thin
     use mdrcontact_kinds, only: wp
     use mdrcontact_layered_fields, only: line_load_t, new_line_load
-    use mdrcontact_layered_kernel, only: kernel_t
     use mdrcontact_layered_slip_profile, only: slip_profile_t
-    use mdrcontact_medium_solver, only: solver_t
+    use mdrcontact_medium_solver, only: of_line_load, solver_t
     use mdrcontact_medium_superposed_slip, only: traction_between
     use mdrcontact_numerics_quadrature, only: graded_edges, graded_rule, mark_breaks, smallest_panel_ratio
     use mdrcontact_numerics_pick, only: pick
@@ -28,12 +27,8 @@ module mdrcontact_medium_exact_slip
         private
         class(solver_t), allocatable :: normal, tangential
         type(slip_profile_t) :: profile
-        !> q_n/E0*, and E0* [modulus]
+        !> q_n/E0*
         type(line_load_t) :: springs
-        real(wp) :: modulus = 0.0_wp
-        !> of the interaction under shear, and the tolerance of its solutions
-        type(kernel_t) :: kernel
-        real(wp) :: tolerance = 0.0_wp
         !> depth beyond the non-adhesive one [length]
         real(wp) :: excess = 0.0_wp
     contains
@@ -48,20 +43,16 @@ module mdrcontact_medium_exact_slip
 contains
 
     !> From the springs' line load.
-    subroutine new_layered_slip(self, normal, tangential, kernel, tolerance, profile, springs, sheared, excess, modulus, shear, &
-                                error)
+    subroutine new_layered_slip(self, normal, tangential, profile, springs, sheared, excess, error)
         type(layered_slip_t), intent(out) :: self
-        !> the medium under normal load and under shear
+        !> the medium under normal load and under shear, with their springs
         class(solver_t), intent(in) :: normal, tangential
-        !> of the interaction under shear, and the relative tolerance of its solutions
-        type(kernel_t), intent(in) :: kernel
-        real(wp), intent(in) :: tolerance
         class(profile_t), intent(in) :: profile
         !> q_n/E0*, and (K_t q_n)/E0* as coefficients of P_2j(x/a) [length]
         type(line_load_t), intent(in) :: springs
         real(wp), intent(in) :: sheared(:)
-        !> depth beyond the non-adhesive one [length], E0* and G0* [modulus]
-        real(wp), intent(in) :: excess, modulus, shear
+        !> depth beyond the non-adhesive one [length]
+        real(wp), intent(in) :: excess
         type(error_t), allocatable, intent(out) :: error
         real(wp), allocatable :: exponents(:), coefficients(:)
         real(wp) :: even, effective, rise, depth, force
@@ -77,17 +68,16 @@ contains
         self%force = force + 2.0_wp*springs%a*effective*excess
         self%excess = excess
         self%springs = springs
-        self%modulus = modulus
-        self%kernel = kernel
-        self%tolerance = tolerance
         call profile%powers(exponents, coefficients)
         if (size(exponents) > 0) self%exponent = minval(exponents)
-        if (size(exponents) > 0 .and. .not. kernel%vanishes) self%scale = kernel%unit
+        associate (kernel => tangential%springs%kernel)
+            if (size(exponents) > 0 .and. .not. kernel%vanishes) self%scale = kernel%unit
+        end associate
         self%nodes = nodes
         self%profile%radius = springs%a
         self%profile%largest_radius = springs%a
         self%profile%singular_radius = profile%singular_radius
-        self%profile%ratio = modulus/shear
+        self%profile%ratio = normal%springs%modulus/tangential%springs%modulus
         self%profile%c = springs%v - sheared
         self%profile%c = self%profile%c(:last_that_counts(self%profile%c))
         even = 1.0_wp
@@ -160,7 +150,7 @@ contains
         call self%profile%add_breaks(breaks, error)
         if (allocated(error)) return
         limit = self%profile%singular_radius
-        if (.not. self%kernel%vanishes) limit = min(limit, self%radius + self%kernel%unit)
+        if (.not. self%tangential%springs%kernel%vanishes) limit = min(limit, self%radius + self%tangential%springs%kernel%unit)
         call graded_edges(c, self%radius, breaks, limit, edges, error)
         call mark_breaks(edges, breaks, has_root, error)
     end subroutine panels
@@ -183,11 +173,13 @@ contains
         end if
         dissipated = 0.0_wp
         start = max(c, smallest_panel_ratio*self%radius)
-        call new_line_load(stuck, self%kernel, self%tolerance, self%profile, start, 0.0_wp, error)
+        associate (springs => self%tangential%springs)
+            call new_line_load(stuck, springs%kernel, springs%tolerance, self%profile, start, 0.0_wp, error)
+        end associate
         if (allocated(error)) return
         ! everything varies at the length of the kernel beside c and a, and more slowly between, but for g: radii are
         ! counted from one length below c
-        length = merge(self%radius, self%kernel%unit, self%kernel%vanishes)
+        length = merge(self%radius, self%tangential%springs%kernel%unit, self%tangential%springs%kernel%vanishes)
         call self%profile%base%powers(exponents, coefficients)
         if (size(exponents) == 0 .or. any(modulo(exponents, 1.0_wp) > 0.0_wp)) breaks = [0.0_wp]
         call self%profile%add_breaks(breaks, error)
@@ -200,13 +192,13 @@ contains
         allocate (added(size(x)), q(size(x)), stat=stat)
         call check_memory(error, stat)
         if (allocated(error)) return
-        call stuck%interaction_beyond(self%kernel, size(x), distances, added, error)
+        call stuck%interaction_beyond(self%tangential%springs%kernel, size(x), distances, added, error)
         if (allocated(error)) return
         x(:) = start + distances
         call self%springs%at(self%profile%base, x, q)
         ! a sharp tip still shows in the depth where nothing else does
         depth = stuck%depth*min(c/start, 1.0_wp)**self%exponent
-        dissipated = 2.0_wp*self%modulus*sum(dx*q*(self%profile%mdr_at(x) + added - depth))
+        dissipated = 2.0_wp*self%normal%springs%modulus*sum(dx*q*(self%profile%mdr_at(x) + added - depth))
     end subroutine dissipation
 
     subroutine at(self, c, width, shift, force, stiffness, shift_rate, error)
@@ -235,10 +227,10 @@ contains
         integer :: i
 
         call self%springs%at(self%profile%base, r, values)
-        values = self%modulus*values
+        values = self%normal%springs%modulus*values
         call pick(r, places, inside, inner, error, below=c)
         if (allocated(error) .or. size(places) == 0) return
-        call self%tangential%line_load(self%profile, c, 0.0_wp, inside, inner, error)
+        call self%tangential%field(of_line_load, self%profile, c, 0.0_wp, inside, inner, error)
         if (allocated(error)) return
         do i = 1, size(places)
             values(places(i)) = values(places(i)) - inner(i)

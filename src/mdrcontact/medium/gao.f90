@@ -3,6 +3,7 @@
 !> compliances in series, or by any power mean between -, Poisson's ratios with dI1. Exact to first order in the contrast.
 !> Gao, Chiu, Lee, Int. J. Solids Struct. 29 (1992) 2471; Popov 2014, equations (12)-(16).
 module mdrcontact_medium_gao
+    use mdrcontact_body_compliance, only: shear_load
     use mdrcontact_codes, only: gao_nu_effective => weight_nu_effective, gao_nu_given => weight_nu_given, &
                                 gao_nu_substrate => weight_nu_substrate, gao_nu_surface => weight_nu_surface
     use mdrcontact_error, only: check_memory, check_poisson, check_positive, count_text, error_invalid, error_t, raise
@@ -46,7 +47,7 @@ module mdrcontact_medium_gao
     contains
         procedure :: effective_modulus
         procedure :: effective_modulus_slope
-        procedure :: new_tangential
+        procedure :: under
         procedure :: copy_effective
     end type gao_t
 
@@ -130,18 +131,20 @@ contains
 
     !> The same layers under shear, G_t = 4 G_eff/(2 - nu_eff) with the weights of a load along the surface, exact to first order in
     !> the contrast.
-    subroutine new_tangential(self, tangential, error)
+    subroutine under(self, load, other, error)
         class(gao_t), intent(in) :: self
-        class(solver_t), allocatable, intent(out) :: tangential
+        integer, intent(in) :: load
+        class(solver_t), allocatable, intent(out) :: other
         type(error_t), allocatable, intent(out) :: error
         type(gao_t), allocatable :: own
 
+        if (load /= shear_load) return
         allocate (own)
         call copy_layers(self, own, error)
         own%under_shear = .true.
         own%p = 2.0_wp
-        if (.not. allocated(error)) call move_alloc(own, tangential)
-    end subroutine new_tangential
+        if (.not. allocated(error)) call move_alloc(own, other)
+    end subroutine under
 
     recursive subroutine copy_effective(self, copy, error)
         class(gao_t), intent(in) :: self

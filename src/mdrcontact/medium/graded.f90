@@ -5,6 +5,7 @@
 !> The integrals are done once, when the medium is made, over a range of contact radii; afterwards E_eff(a) is an interpolation.
 module mdrcontact_medium_graded
     use mdrcontact_body, only: body_t
+    use mdrcontact_body_compliance, only: shear_load
     use mdrcontact_body_sublayers, only: is_integrated_by
     use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_error, only: check_memory, error_invalid, error_t, raise
@@ -31,7 +32,7 @@ module mdrcontact_medium_graded
     contains
         procedure :: effective_modulus
         procedure :: effective_modulus_slope
-        procedure :: new_tangential
+        procedure :: under
         procedure :: copy_effective
     end type graded_t
 
@@ -123,21 +124,23 @@ contains
         ratio = most/least
     end function contrast
 
-    !> The same body under shear.
-    subroutine new_tangential(self, tangential, error)
+    !> The same body, under shear.
+    subroutine under(self, load, other, error)
         class(graded_t), intent(in) :: self
-        class(solver_t), allocatable, intent(out) :: tangential
+        integer, intent(in) :: load
+        class(solver_t), allocatable, intent(out) :: other
         type(error_t), allocatable, intent(out) :: error
         type(graded_t), allocatable :: own
 
+        if (load /= shear_load) return
         allocate (own)
         if (allocated(self%pressed)) then
             call new_graded(own, self%pressed, error, self%options, under_shear=.true.)
         else
             call raise(error, error_invalid, "the tangential stiffness is not known for this medium: its body was not kept")
         end if
-        if (.not. allocated(error)) call move_alloc(own, tangential)
-    end subroutine new_tangential
+        if (.not. allocated(error)) call move_alloc(own, other)
+    end subroutine under
 
     recursive subroutine copy_effective(self, copy, error)
         class(graded_t), intent(in) :: self

@@ -1,13 +1,11 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The homogeneous half-space (theory 2): the same modulus at every contact radius, and closed forms for every indenter.
 module mdrcontact_medium_homogeneous
-    use, intrinsic :: iso_c_binding, only: c_int
     use mdrcontact_base_nonfinite, only: infinity
+    use mdrcontact_body_compliance, only: twist_load
     use mdrcontact_body_stack, only: new_stack, stack_t
     use mdrcontact_error, only: check_positive, error_invalid, error_t, raise
-    use mdrcontact_gsl, only: gsl_sf_ellint_ecomp, gsl_sf_ellint_kcomp
     use mdrcontact_kinds, only: wp
-    use mdrcontact_layered_kernel, only: kernel_t
     use mdrcontact_layered_moments, only: is_smooth, profile_moments
     use mdrcontact_material, only: in_series, material_t
     use mdrcontact_medium_solver, only: set_pair, solver_t
@@ -32,11 +30,7 @@ module mdrcontact_medium_homogeneous
         procedure :: depth_and_force
         procedure :: line_load_series
         procedure :: half_space_modulus
-        procedure :: new_tangential
-        procedure :: disc_products
-        procedure :: interaction
-        procedure :: torsional_stiffness
-        procedure :: springs
+        procedure :: under
     end type homogeneous_t
 
 contains
@@ -86,6 +80,9 @@ contains
         real(wp), intent(in) :: modulus
 
         self%contact_modulus = modulus
+        allocate (self%springs)
+        self%springs%modulus = modulus
+        self%springs%tolerance = epsilon(modulus)
         self%is_formula = .true.
         self%has_free_springs = .true.
         self%is_rigid = modulus > huge(1.0_wp)
@@ -102,20 +99,6 @@ contains
         if (allocated(error)) return
         call set_modulus(self, contact_modulus)
     end subroutine new_homogeneous_from_modulus
-
-    !> The springs of a half-space are not coupled.
-    subroutine springs(self, kernel, modulus, tolerance, error)
-        class(homogeneous_t), intent(in) :: self
-        type(kernel_t), intent(out) :: kernel
-        real(wp), intent(out) :: modulus, tolerance
-        type(error_t), allocatable, intent(inout) :: error
-
-        associate (unused => error)
-        end associate
-        kernel%vanishes = .true.
-        modulus = self%contact_modulus
-        tolerance = epsilon(1.0_wp)
-    end subroutine springs
 
     elemental function effective_modulus(self, a) result(value)
         class(homogeneous_t), intent(in) :: self
@@ -164,67 +147,19 @@ contains
         series(1) = series(1) + sqrt(2.0_wp)*self%contact_modulus*(profile%mdr(a) + excess)
     end subroutine line_load_series
 
-    !> (16/3) G a^3.
-    subroutine torsional_stiffness(self, a, values, error)
+    !> The half-space of modulus G*, or 4 G under a twist; of two, 1/G* = 1/G1* + 1/G2*.
+    subroutine under(self, load, other, error)
         class(homogeneous_t), intent(in) :: self
-        real(wp), intent(in) :: a(:)
-        real(wp), intent(out) :: values(:)
-        type(error_t), allocatable, intent(out) :: error
-        real(wp) :: moduli(2)
-
-        call moduli_under_shear(self, moduli, error)
-        values = 16.0_wp/3.0_wp*moduli(1)*a**3
-    end subroutine torsional_stiffness
-
-    !> The half-space of modulus G*; of two, 1/G* = 1/G1* + 1/G2*.
-    subroutine new_tangential(self, tangential, error)
-        class(homogeneous_t), intent(in) :: self
-        class(solver_t), allocatable, intent(out) :: tangential
+        integer, intent(in) :: load
+        class(solver_t), allocatable, intent(out) :: other
         type(error_t), allocatable, intent(out) :: error
         type(homogeneous_t) :: own
         real(wp) :: moduli(2)
 
         call moduli_under_shear(self, moduli, error)
         if (allocated(error)) return
-        call set_modulus(own, moduli(2))
-        allocate (tangential, source=own)
-    end subroutine new_tangential
-
-    !> int of 4 sqrt(a^2 - x^2) sqrt(b^2 - x^2) dx over the smaller disc, by complete elliptic integrals of modulus b/a.
-    subroutine disc_products(self, radius, radii, products, error)
-        class(homogeneous_t), intent(in) :: self
-        real(wp), intent(in) :: radius
-        real(wp), intent(in) :: radii(:)
-        real(wp), intent(out) :: products(:)
-        type(error_t), allocatable, intent(inout) :: error
-        real(wp) :: a, b
-        integer :: i
-
-        associate (unused => error)
-        end associate
-        do i = 1, size(radii)
-            a = max(radius, radii(i))
-            b = min(radius, radii(i))
-            products(i) = a**2 + b**2
-            if (b < a) products(i) = (a**2 + b**2)*gsl_sf_ellint_ecomp(b/a, 0_c_int) &
-                                     - (a**2 - b**2)*gsl_sf_ellint_kcomp(b/a, 0_c_int)
-            products(i) = 8.0_wp/3.0_wp*a/self%contact_modulus*products(i)
-        end do
-    end subroutine disc_products
-
-    !> None: springs are free.
-    subroutine interaction(self, a, most, modulus, matrix, error)
-        class(homogeneous_t), intent(in) :: self
-        real(wp), intent(in) :: a
-        integer, intent(in) :: most
-        real(wp), intent(out) :: modulus
-        real(wp), allocatable, intent(out) :: matrix(:, :)
-        type(error_t), allocatable, intent(inout) :: error
-
-        associate (unused => a, also_unused => most, unused_too => error)
-        end associate
-        modulus = self%contact_modulus
-        allocate (matrix(0, 0))
-    end subroutine interaction
+        call set_modulus(own, merge(4.0_wp*moduli(1), moduli(2), load == twist_load))
+        allocate (other, source=own)
+    end subroutine under
 
 end module mdrcontact_medium_homogeneous

@@ -10,7 +10,7 @@ module mdrcontact_medium_power_graded
     use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_kinds, only: half_pi, pi, wp
     use mdrcontact_material, only: in_series
-    use mdrcontact_medium_solver, only: set_pair, solver_t
+    use mdrcontact_medium_solver, only: of_line_load, of_pressure, set_pair, solver_t
     use mdrcontact_profile, only: profile_t
     use mdrcontact_numerics_quadrature, only: gauss_jacobi, gauss_legendre, graded_rule, smallest_panel_ratio
     use mdrcontact_numerics_sampled_function, only: new_sampled_function, sampled_function_t
@@ -36,9 +36,7 @@ module mdrcontact_medium_power_graded
     contains
         procedure :: modulus
         procedure :: response
-        procedure :: line_load
-        procedure :: pressure
-        procedure :: displacement_outside
+        procedure :: field
         procedure :: parameters
     end type power_graded_t
 
@@ -176,6 +174,25 @@ contains
         stiffness_slope = 2.0_wp*(modulus + a*slope(1))
     end subroutine response
 
+    subroutine field(self, quantity, profile, a, excess, r, values, error)
+        class(power_graded_t), intent(in) :: self
+        integer, intent(in) :: quantity
+        class(profile_t), intent(in) :: profile
+        real(wp), intent(in) :: a, excess
+        real(wp), intent(in) :: r(:)
+        real(wp), intent(out) :: values(:)
+        type(error_t), allocatable, intent(out) :: error
+
+        select case (quantity)
+        case (of_line_load)
+            call line_load(self, profile, a, excess, r, values, error)
+        case (of_pressure)
+            call pressure(self, profile, a, excess, r, values, error)
+        case default
+            call displacement_outside(self, profile, a, excess, r, values, error)
+        end select
+    end subroutine field
+
     !> q(x) = c(x) (d - g(x)).
     subroutine line_load(self, profile, a, excess, r, values, error)
         class(power_graded_t), intent(in) :: self
@@ -183,7 +200,7 @@ contains
         real(wp), intent(in) :: a, excess
         real(wp), intent(in) :: r(:)
         real(wp), intent(out) :: values(:)
-        type(error_t), allocatable, intent(out) :: error
+        type(error_t), allocatable, intent(inout) :: error
         real(wp) :: depth
         integer :: i
 
@@ -206,7 +223,7 @@ contains
         real(wp), intent(in) :: a, excess
         real(wp), intent(in) :: r(:)
         real(wp), intent(out) :: values(:)
-        type(error_t), allocatable, intent(out) :: error
+        type(error_t), allocatable, intent(inout) :: error
         type(sampled_function_t) :: g
         real(wp), allocatable :: breaks(:), corners(:)
         real(wp) :: start, power
@@ -244,7 +261,7 @@ contains
         real(wp), intent(in) :: a, excess
         real(wp), intent(in) :: r(:)
         real(wp), intent(out) :: values(:)
-        type(error_t), allocatable, intent(out) :: error
+        type(error_t), allocatable, intent(inout) :: error
         type(sampled_function_t) :: g
         real(wp), allocatable :: x(:), dx(:), w(:), breaks(:)
         real(wp) :: depth, lowest

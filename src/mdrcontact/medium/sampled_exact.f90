@@ -43,7 +43,7 @@ contains
             largest = 0.5_wp*largest
         end do
         modulus%medium => exact
-        call new_medium_from_function(self, modulus, smallest, largest, error, exact%tolerance, smooth=.true.)
+        call new_medium_from_function(self, modulus, smallest, largest, error, exact%springs%tolerance, smooth=.true.)
         if (allocated(error)) return
         ! contacts begin at 0: below the first sample the modulus is that of the surface
         self%smallest_radius = 0.0_wp

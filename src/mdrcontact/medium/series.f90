@@ -5,7 +5,7 @@
 !> Exact for two homogeneous bodies, for a -> 0 and a -> infinity, and where the two moduli are proportional; else stiffer than the
 !> two bodies, by up to 1 % of E_eff for exact moduli, which is far below the errors of the models themselves.
 module mdrcontact_medium_series
-    use mdrcontact_error, only: error_invalid, error_t, raise
+    use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: half_pi, wp
     use mdrcontact_material, only: in_series
     use mdrcontact_medium_solver, only: lower_body, set_pair, solver_t
@@ -28,7 +28,7 @@ module mdrcontact_medium_series
         procedure :: upper_share
         procedure :: upper_depth
         procedure :: take_share
-        procedure :: new_tangential
+        procedure :: under
     end type series_t
 
 contains
@@ -155,28 +155,27 @@ contains
         end do
     end subroutine take_share
 
-    !> Both bodies under shear.
-    subroutine new_tangential(self, tangential, error)
+    !> Both bodies under that load, where it is known of both.
+    subroutine under(self, load, other, error)
         class(series_t), intent(in) :: self
-        class(solver_t), allocatable, intent(out) :: tangential
+        integer, intent(in) :: load
+        class(solver_t), allocatable, intent(out) :: other
         type(error_t), allocatable, intent(out) :: error
         class(solver_t), allocatable :: lower, upper
         type(series_t), allocatable :: own
 
-        call self%lower%new_tangential(lower, error)
-        if (.not. allocated(error)) call self%upper%new_tangential(upper, error)
-        if (allocated(error)) return
+        call self%lower%under(load, lower, error)
+        if (.not. allocated(error)) call self%upper%under(load, upper, error)
+        if (allocated(error) .or. .not. (allocated(lower) .and. allocated(upper))) return
         select type (lower)
         class is (effective_medium_t)
             select type (upper)
             class is (effective_medium_t)
                 allocate (own)
                 call new_series(own, lower, upper, error)
-                if (allocated(error)) return
-                call move_alloc(own, tangential)
+                if (.not. allocated(error)) call move_alloc(own, other)
             end select
         end select
-        if (.not. allocated(tangential)) call raise(error, error_invalid, "one body of the pair has no tangential modulus")
-    end subroutine new_tangential
+    end subroutine under
 
 end module mdrcontact_medium_series

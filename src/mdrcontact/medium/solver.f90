@@ -8,20 +8,24 @@
 !> Contact, adhesion and fitting are written in these terms, for any solver.
 module mdrcontact_medium_solver
     use mdrcontact_body, only: body_t
+    use mdrcontact_body_compliance, only: twist_load
     use mdrcontact_codes, only: lower_body => body_lower, upper_body => body_upper
     use mdrcontact_error, only: check_memory, error_invalid, error_t, raise
     use mdrcontact_medium_load, only: load_t
     use mdrcontact_medium_slip, only: slip_t
     use mdrcontact_kinds, only: wp
-    use mdrcontact_layered_kernel, only: kernel_t
+    use mdrcontact_layered_springs, only: springs_t
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
     use mdrcontact_profile, only: profile_t
-    use mdrcontact_tension_surface, only: surface_t
+    use mdrcontact_tension_surface, only: is_bare, surface_t
     implicit none (type, external)
     private
-    public :: solver_t, modulus_of_radius_t, depth_and_force, set_pair, take_common, not_known
-    public :: reason_length, lower_body, upper_body
+    public :: solver_t, modulus_of_radius_t, depth_and_force, set_pair, take_common
+    public :: new_under, check_springs, refuse
+    public :: reason_length, lower_body, upper_body, of_line_load, of_pressure, of_displacement
 
+    !> Fields of a state.
+    integer, parameter :: of_line_load = 1, of_pressure = 2, of_displacement = 3
     !> Room for the words of why_it_ends.
     integer, parameter :: reason_length = 120
 
@@ -30,6 +34,8 @@ module mdrcontact_medium_solver
     type, abstract :: solver_t
         !> the body that is pressed and, of two deformable ones, the upper one, where they are known; not allocated else
         class(body_t), allocatable :: pressed, counterbody
+        !> the springs on a line to which it comes exactly; not allocated where there are none or a modulus alone is known
+        type(springs_t), allocatable :: springs
         !> tension and plate of the surface; bare for most
         type(surface_t) :: sheet
         !> whether it stands for two deformable bodies, and whether it holds for paraboloids and spheres alone
@@ -60,34 +66,22 @@ module mdrcontact_medium_solver
         procedure(radius_function), deferred :: modulus
         !> depth, force, modulus and the slope of the stiffness of the non-adhesive contact at radius a
         procedure(response_at), deferred :: response
-        !> q(x; a) [modulus length], 0 <= x <= a
-        procedure(field), deferred :: line_load
+        !> line load, pressure or displacement of a state
+        procedure(field_of_state), deferred :: field
         !> q as a series
-        procedure :: line_load_series => no_series
-        !> p(r) [modulus], 0 <= r <= a; infinite at r = a where excess is not 0
-        procedure(field), deferred :: pressure
-        !> displacement of the surface u(r) [length], r > a, positive into the medium
-        procedure(field), deferred :: displacement_outside
+        procedure :: line_load_series
         !> radii where E_eff is not analytic, ascending [length]
-        procedure :: add_breaks => no_breaks
+        procedure :: add_breaks
         !> displacement of one of the surfaces from that of both together
         procedure :: take_share
         !> elastic energy of the lower and of the upper body
-        procedure :: energies => no_energies
+        procedure :: energies
         !> the line load of a state as stresses inside need it
-        procedure :: surface_load => no_surface_load
-        !> the medium that answers to a shift along the surface as this one does to a depth: its modulus is G_t(a) = k_t(a)/(2 a)
-        procedure :: new_tangential => no_tangential
-        !> the stiffness against a twist about the axis, M/phi [modulus length^3]
-        procedure :: torsional_stiffness => no_torsion
-        !> first shear of a state, with that medium
-        procedure :: new_slip => no_slip
-        !> displacements integrated over discs, of unit pressures on discs
-        procedure :: disc_products => no_discs
-        !> what couples its springs, which a cohesive zone beside the contact loads too
-        procedure :: springs => no_springs
-        !> what the springs under a contact do to each other, for wear
-        procedure :: interaction => no_interaction
+        procedure :: surface_load
+        !> the medium that answers to another load as this one does to a pressure
+        procedure :: under
+        !> first shear of a state
+        procedure :: new_slip
         !> a copy, or error_memory; those with arrays that grow with a caller's data override it
         procedure :: copy_to
     end type solver_t
@@ -129,9 +123,12 @@ module mdrcontact_medium_solver
             real(wp), intent(inout), optional :: accuracy
         end subroutine response_at
 
-        subroutine field(self, profile, a, excess, r, values, error)
+        subroutine field_of_state(self, quantity, profile, a, excess, r, values, error)
             import :: error_t, solver_t, profile_t, wp
             class(solver_t), intent(in) :: self
+            !> of_line_load: q(x; a) [modulus length], 0 <= x <= a; of_pressure: p(r) [modulus], 0 <= r <= a, infinite at r = a
+            !> where excess is not 0; of_displacement: of the surface, u(r) [length], r > a, positive into the medium
+            integer, intent(in) :: quantity
             class(profile_t), intent(in) :: profile
             !> contact radius [length] and depth beyond that of the non-adhesive state [length]
             real(wp), intent(in) :: a, excess
@@ -140,7 +137,7 @@ module mdrcontact_medium_solver
             !> same size as r
             real(wp), intent(out) :: values(:)
             type(error_t), allocatable, intent(out) :: error
-        end subroutine field
+        end subroutine field_of_state
     end interface
 
 contains
@@ -178,22 +175,6 @@ contains
         end if
     end subroutine take_share
 
-    subroutine no_energies(self, profile, a, excess, values, error)
-        class(solver_t), intent(in) :: self
-        class(profile_t), intent(in) :: profile
-        !> contact radius [length] and depth beyond that of the non-adhesive state [length]
-        real(wp), intent(in) :: a, excess
-        !> of the lower and the upper body [modulus length^3]
-        real(wp), intent(out) :: values(2)
-        type(error_t), allocatable, intent(out) :: error
-
-        associate (unused => self, also_unused => profile, unused_too => a, and_this => excess)
-        end associate
-        values = 0.0_wp
-        call not_known("the elastic energy of a body is", "one that is homogeneous or solved exactly, or an effective "// &
-                       "modulus", error)
-    end subroutine no_energies
-
     !> The bodies are those of two media.
     subroutine set_pair(self, lower, upper, error)
         class(solver_t), intent(inout) :: self
@@ -213,6 +194,7 @@ contains
         class(solver_t), intent(in) :: other
         type(error_t), allocatable, intent(inout) :: error
 
+        if (allocated(other%springs)) self%springs = other%springs
         self%sheet = other%sheet
         self%is_pair = other%is_pair
         self%spherical_only = other%spherical_only
@@ -246,7 +228,7 @@ contains
         call solver%response(profile, a, depth, force, modulus, stiffness_slope, error)
     end subroutine depth_and_force
 
-    pure subroutine no_breaks(self, radii, error)
+    pure subroutine add_breaks(self, radii, error)
         class(solver_t), intent(in) :: self
         !> ascending [length]; not allocated: none yet
         real(wp), allocatable, intent(inout) :: radii(:)
@@ -255,7 +237,7 @@ contains
         associate (unused => self, also_unused => error)
         end associate
         if (.not. allocated(radii)) allocate (radii(0))
-    end subroutine no_breaks
+    end subroutine add_breaks
 
     recursive subroutine copy_to(self, copy, error)
         class(solver_t), intent(in) :: self
@@ -267,7 +249,9 @@ contains
         call check_memory(error, stat)
     end subroutine copy_to
 
-    subroutine no_series(self, profile, a, excess, series, error)
+    ! The five below are answers of media of which nothing of the kind is known: none.
+
+    subroutine line_load_series(self, profile, a, excess, series, error)
         class(solver_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
         !> contact radius [length] and depth beyond the non-adhesive one [length]
@@ -278,131 +262,108 @@ contains
         real(wp), allocatable, intent(out) :: series(:)
         type(error_t), allocatable, intent(inout) :: error
 
-        associate (unused => self, also_unused => profile, unused_too => a, and_this => excess, this_too => series, last => error)
+        associate (unused => self, also_unused => profile, unused_too => a + excess, this_too => series, last => error)
         end associate
-    end subroutine no_series
+    end subroutine line_load_series
 
-    subroutine no_surface_load(self, profile, a, excess, load, error)
+    subroutine energies(self, profile, a, excess, values, error)
+        class(solver_t), intent(in) :: self
+        class(profile_t), intent(in) :: profile
+        !> contact radius [length] and depth beyond that of the non-adhesive state [length]
+        real(wp), intent(in) :: a, excess
+        !> (2) of the lower and the upper body [modulus length^3]; not allocated where they are not known
+        real(wp), allocatable, intent(out) :: values(:)
+        type(error_t), allocatable, intent(out) :: error
+
+        associate (unused => self, also_unused => profile, unused_too => a + excess, this_too => values, last => error)
+        end associate
+    end subroutine energies
+
+    subroutine surface_load(self, profile, a, excess, load, error)
         class(solver_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
         !> contact radius [length] and depth beyond the non-adhesive one [length]
         real(wp), intent(in) :: a, excess
+        !> not allocated where it is not known
         class(load_t), allocatable, intent(inout) :: load
         type(error_t), allocatable, intent(out) :: error
 
-        associate (unused => self, also_unused => profile, unused_too => a, and_this => excess, this_too => load)
+        associate (unused => self, also_unused => profile, unused_too => a + excess, this_too => load, last => error)
         end associate
-        call not_known("stresses inside are", "a homogeneous, coated, layered or graded one", error)
-    end subroutine no_surface_load
+    end subroutine surface_load
 
-    subroutine no_springs(self, kernel, modulus, tolerance, error)
+    subroutine under(self, load, other, error)
         class(solver_t), intent(in) :: self
-        !> X of theory 6
-        type(kernel_t), intent(out) :: kernel
-        !> E0* [modulus], and relative tolerance
-        real(wp), intent(out) :: modulus, tolerance
-        type(error_t), allocatable, intent(inout) :: error
-
-        associate (unused => self, also_unused => kernel)
-        end associate
-        modulus = 0.0_wp
-        tolerance = 0.0_wp
-        call not_known("the load of a cohesive zone (cohesive_stress) is", "a homogeneous, coated, layered or graded one "// &
-                       "with the model exact: an effective modulus has no equation for what lies beyond the contact", error)
-    end subroutine no_springs
-
-    subroutine no_tangential(self, tangential, error)
-        class(solver_t), intent(in) :: self
-        class(solver_t), allocatable, intent(out) :: tangential
+        !> shear_load: its modulus is then G_t(a) = k_t(a)/(2 a); twist_load
+        integer, intent(in) :: load
+        !> not allocated where it is not known: see new_under
+        class(solver_t), allocatable, intent(out) :: other
         type(error_t), allocatable, intent(out) :: error
 
-        associate (unused => self)
+        associate (unused => self, also_unused => load, this_too => other, last => error)
         end associate
-        call not_known("the tangential stiffness is", "a homogeneous one with E and nu, or a coated, layered or graded "// &
-                       "one with the model exact or one of the weighted means (gao, gao-series, gao-power)", error)
-        if (.not. allocated(error)) allocate (tangential, source=self)
-    end subroutine no_tangential
+    end subroutine under
 
-    subroutine no_torsion(self, a, values, error)
+    subroutine new_slip(self, tangential, profile, a, excess, slip, error)
         class(solver_t), intent(in) :: self
-        !> contact radii [length]
-        real(wp), intent(in) :: a(:)
-        !> M/phi [modulus length^3]
-        real(wp), intent(out) :: values(:)
-        type(error_t), allocatable, intent(out) :: error
-
-        associate (unused => self, also_unused => a)
-        end associate
-        values = 0.0_wp
-        call not_known("the torsional stiffness is", "a homogeneous one with E and nu, or a coated, layered or graded "// &
-                       "one with the model exact", error)
-    end subroutine no_torsion
-
-    !> int u dA over discs around the axis, u the displacement by a pressure of 1 on another one. With it what rings of constant
-    !> pressure do to each other is a sum of four terms.
-    subroutine no_discs(self, radius, radii, products, error)
-        class(solver_t), intent(in) :: self
-        !> of the disc under pressure, and of the others [length]
-        real(wp), intent(in) :: radius
-        !> see radius
-        real(wp), intent(in) :: radii(:)
-        !> (size(radii)) [length^3/modulus]
-        real(wp), intent(out) :: products(:)
-        type(error_t), allocatable, intent(inout) :: error
-
-        associate (unused => self, unused_too => radius + sum(radii))
-        end associate
-        products = 0.0_wp
-        call not_known("histories of friction on rings are", "a homogeneous one with E and nu, or a coated, layered or "// &
-                       "graded one with the model exact", error)
-    end subroutine no_discs
-
-    !> The springs' equation E0* w = q + K q at one contact radius.
-    subroutine no_interaction(self, a, most, modulus, matrix, error)
-        class(solver_t), intent(in) :: self
-        !> [length]
-        real(wp), intent(in) :: a
-        !> how many polynomials at most
-        integer, intent(in) :: most
-        !> E0* [modulus]
-        real(wp), intent(out) :: modulus
-        !> K between the even Legendre polynomials sqrt((4 j + 1)/2) P_2j(x/a) on -a < x < a; (0, 0) where springs are free [1]
-        real(wp), allocatable, intent(out) :: matrix(:, :)
-        type(error_t), allocatable, intent(inout) :: error
-
-        associate (unused => self, also_unused => a, unused_too => most)
-        end associate
-        modulus = 0.0_wp
-        call not_known("the wear of a sliding indenter is", "a homogeneous one, or a coated, layered or graded one with the "// &
-                       "model exact", error)
-        allocate (matrix(0, 0))
-    end subroutine no_interaction
-
-    subroutine no_slip(self, tangential, profile, a, excess, slip, error)
-        class(solver_t), intent(in) :: self
-        !> as new_tangential makes it
+        !> under shear
         class(solver_t), intent(in) :: tangential
         class(profile_t), intent(in) :: profile
         !> contact radius [length] and depth beyond the non-adhesive one [length], >= 0
         real(wp), intent(in) :: a, excess
+        !> allocated of all that have such a medium
         class(slip_t), allocatable, intent(out) :: slip
         type(error_t), allocatable, intent(out) :: error
 
-        associate (unused => self, also_unused => tangential, unused_too => profile, and_this => a, this_too => excess)
+        associate (unused => self, also_unused => tangential, unused_too => profile, this_too => a + excess, last => error)
         end associate
-        if (allocated(slip)) return
-        call raise(error, error_invalid, "friction is not known for this medium")
-    end subroutine no_slip
+        if (allocated(slip)) continue
+    end subroutine new_slip
 
-    !> The refusal of what only other media answer.
-    pure subroutine not_known(what, instead, error)
-        !> with its verb
-        character(len=*), intent(in) :: what
-        !> media that answer
-        character(len=*), intent(in) :: instead
+    !> The medium that answers to a load along the surface as one does to a pressure; raises where it is not known.
+    subroutine new_under(self, load, other, error)
+        class(solver_t), intent(in) :: self
+        !> shear_load or twist_load
+        integer, intent(in) :: load
+        class(solver_t), allocatable, intent(out) :: other
         type(error_t), allocatable, intent(out) :: error
 
-        call raise(error, error_invalid, what//" not known for this medium: use "//instead)
-    end subroutine not_known
+        call self%under(load, other, error)
+        if (allocated(other) .or. allocated(error)) return
+        if (load == twist_load) then
+            call refuse(self, "the torsional stiffness is", "a homogeneous one with E and nu, or a coated, layered or graded "// &
+                        "one with the model exact", "what the surface does to a twist is not part of the theory", error)
+        else
+            call refuse(self, "the tangential stiffness is", "a homogeneous one with E and nu, or a coated, layered or graded "// &
+                        "one with the model exact or one of the weighted means (gao, gao-series, gao-power)", &
+                        "what the surface does to a shift is not part of the theory", error)
+        end if
+    end subroutine new_under
+
+    !> Raises unless the medium comes to springs exactly.
+    pure subroutine check_springs(self, what, error)
+        class(solver_t), intent(in) :: self
+        !> that needs them, with its verb
+        character(len=*), intent(in) :: what
+        type(error_t), allocatable, intent(inout) :: error
+
+        if (allocated(self%springs) .or. allocated(error)) return
+        call refuse(self, what, "a homogeneous one, or a coated, layered or graded one with the model exact: an effective "// &
+                    "modulus has no equation for springs", "it has no springs, or nearly singular ones", error)
+    end subroutine check_springs
+
+    !> The refusal of what only other media answer.
+    pure subroutine refuse(self, what, instead, under_sheet, error)
+        class(solver_t), intent(in) :: self
+        !> with its verb; media that answer; why none does under a surface with tension or a sheet
+        character(len=*), intent(in) :: what, instead, under_sheet
+        type(error_t), allocatable, intent(inout) :: error
+
+        if (is_bare(self%sheet)) then
+            call raise(error, error_invalid, what//" not known for this medium: use "//instead)
+        else
+            call raise(error, error_invalid, what//" not known under a surface with tension or a sheet: "//under_sheet)
+        end if
+    end subroutine refuse
 
 end module mdrcontact_medium_solver

@@ -12,8 +12,7 @@ module mdrcontact_medium_springless
     use mdrcontact_kinds, only: wp
     use mdrcontact_layered_shared, only: layered_shared_t
     use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous_from_modulus
-    use mdrcontact_medium_sheeted, only: sheeted_t
-    use mdrcontact_medium_solver, only: solver_t, take_common
+    use mdrcontact_medium_solver, only: of_displacement, of_line_load, of_pressure, solver_t, take_common
     use mdrcontact_profile, only: profile_t
     use mdrcontact_tension_fields, only: load_t, new_load
     use mdrcontact_tension_green, only: green_t, new_green
@@ -33,7 +32,7 @@ module mdrcontact_medium_springless
                            most_thicknesses = 30.0_wp, extreme_length = 1.0e90_wp
 
     !> A body under a surface with tension or a plate.
-    type, extends(sheeted_t) :: springless_t
+    type, extends(solver_t) :: springless_t
         private
         class(compliance_t), allocatable :: compliance
         type(green_t) :: green
@@ -46,9 +45,7 @@ module mdrcontact_medium_springless
     contains
         procedure :: modulus
         procedure :: response
-        procedure :: line_load
-        procedure :: pressure
-        procedure :: displacement_outside
+        procedure :: field
         procedure :: copy_to
         procedure :: table_error
     end type springless_t
@@ -270,45 +267,6 @@ contains
         call new_load(load, a, coefficients, punch%couple, abs(excess) > 0.0_wp .or. punch%couple == 1)
     end subroutine find_load
 
-    !> Infinite at the edge where that carries a line force.
-    subroutine line_load(self, profile, a, excess, r, values, error)
-        class(springless_t), intent(in) :: self
-        class(profile_t), intent(in) :: profile
-        real(wp), intent(in) :: a, excess
-        real(wp), intent(in) :: r(:)
-        real(wp), intent(out) :: values(:)
-        type(error_t), allocatable, intent(out) :: error
-        type(load_t) :: load
-        real(wp) :: depth
-
-        call find_load(self, profile, a, excess, load, depth, error)
-        if (allocated(error)) return
-        where (r < a)
-            values = self%surface_modulus*load%line_load(min(r, a*(1.0_wp - epsilon(a))))
-        else where
-            values = at_edge(load)
-        end where
-    end subroutine line_load
-
-    !> The pressure on the sheet; the line force on its edge is infinite there.
-    subroutine pressure(self, profile, a, excess, r, values, error)
-        class(springless_t), intent(in) :: self
-        class(profile_t), intent(in) :: profile
-        real(wp), intent(in) :: a, excess
-        real(wp), intent(in) :: r(:)
-        real(wp), intent(out) :: values(:)
-        type(error_t), allocatable, intent(out) :: error
-        type(load_t) :: load
-        real(wp) :: depth
-
-        call find_load(self, profile, a, excess, load, depth, error)
-        if (allocated(error)) return
-        values = self%surface_modulus*load%pressure(r)
-        if (abs(load%line_force) > 0.0_wp) then
-            where (.not. r < a) values = at_edge(load)
-        end if
-    end subroutine pressure
-
     elemental function at_edge(load) result(value)
         type(load_t), intent(in) :: load
         real(wp) :: value
@@ -317,9 +275,11 @@ contains
         if (abs(load%line_force) > 0.0_wp) value = sign(infinity, load%line_force)
     end function at_edge
 
-    !> Inside the contact the springs' depth is d - g, as on a half-space without a sheet.
-    subroutine displacement_outside(self, profile, a, excess, r, values, error)
+    !> On the sheet. Line load and pressure are infinite at an edge that carries a line force. Inside the contact the springs' depth
+    !> is d - g, as on a half-space without a sheet.
+    subroutine field(self, quantity, profile, a, excess, r, values, error)
         class(springless_t), intent(in) :: self
+        integer, intent(in) :: quantity
         class(profile_t), intent(in) :: profile
         real(wp), intent(in) :: a, excess
         real(wp), intent(in) :: r(:)
@@ -332,15 +292,30 @@ contains
         integer :: i
 
         call find_load(self, profile, a, excess, load, depth, error)
-        if (.not. allocated(error)) call new_homogeneous_from_modulus(half_space, self%surface_modulus, error)
-        allocate (inside, mold=r)
-        if (.not. allocated(error)) then
-            call half_space%displacement_outside(profile, a, depth - profile%mdr(a), r, inside, error)
-        end if
-        do i = 1, size(r)
-            if (allocated(error)) return
-            call load%displacement(self%green, self%compliance, r(i), inside(i), values(i), error)
-        end do
-    end subroutine displacement_outside
+        if (allocated(error)) return
+        select case (quantity)
+        case (of_line_load)
+            where (r < a)
+                values = self%surface_modulus*load%line_load(min(r, a*(1.0_wp - epsilon(a))))
+            else where
+                values = at_edge(load)
+            end where
+        case (of_pressure)
+            values = self%surface_modulus*load%pressure(r)
+            if (abs(load%line_force) > 0.0_wp) then
+                where (.not. r < a) values = at_edge(load)
+            end if
+        case default
+            call new_homogeneous_from_modulus(half_space, self%surface_modulus, error)
+            allocate (inside, mold=r)
+            if (.not. allocated(error)) then
+                call half_space%field(of_displacement, profile, a, depth - profile%mdr(a), r, inside, error)
+            end if
+            do i = 1, size(r)
+                if (allocated(error)) return
+                call load%displacement(self%green, self%compliance, r(i), inside(i), values(i), error)
+            end do
+        end select
+    end subroutine field
 
 end module mdrcontact_medium_springless

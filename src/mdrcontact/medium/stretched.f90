@@ -8,7 +8,6 @@ module mdrcontact_medium_stretched
     use mdrcontact_kinds, only: wp
     use mdrcontact_layered_shared, only: layered_shared_t
     use mdrcontact_medium_exact, only: layered_exact_t, new_layered_exact
-    use mdrcontact_medium_sheeted, only: sheeted_t
     use mdrcontact_medium_solver, only: solver_t, take_common
     use mdrcontact_profile, only: profile_t
     use mdrcontact_tension_membrane, only: membrane_t, new_membrane
@@ -21,15 +20,13 @@ module mdrcontact_medium_stretched
     real(wp), parameter :: most_lengths = 1.0e3_wp
 
     !> A body under such a sheet.
-    type, extends(sheeted_t) :: stretched_t
+    type, extends(solver_t) :: stretched_t
         private
         type(layered_exact_t) :: exact
     contains
         procedure :: modulus
         procedure :: response
-        procedure :: line_load
-        procedure :: pressure
-        procedure :: displacement_outside
+        procedure :: field
         procedure :: copy_to
     end type stretched_t
 
@@ -56,6 +53,8 @@ contains
         if (.not. allocated(error)) call new_layered_exact(self%exact, membrane, error, tolerance, shared)
         if (allocated(error)) return
         call take_common(self, self%exact, error)
+        ! those are nearly singular at the edge
+        deallocate (self%springs)
         self%sheet = surface
         if (body%last_depth > 0.0_wp) self%largest_radius = self%largest_radius*(body%last_depth/membrane%last_depth)
         if (membrane%excess > 0.0_wp .and. most_lengths*membrane%length < self%largest_radius) then
@@ -100,37 +99,16 @@ contains
         call self%exact%response(profile, a, depth, force, modulus, stiffness_slope, error, adhesive, depth_slope, accuracy)
     end subroutine response
 
-    subroutine line_load(self, profile, a, excess, r, values, error)
+    subroutine field(self, quantity, profile, a, excess, r, values, error)
         class(stretched_t), intent(in) :: self
+        integer, intent(in) :: quantity
         class(profile_t), intent(in) :: profile
         real(wp), intent(in) :: a, excess
         real(wp), intent(in) :: r(:)
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
 
-        call self%exact%line_load(profile, a, excess, r, values, error)
-    end subroutine line_load
-
-    subroutine pressure(self, profile, a, excess, r, values, error)
-        class(stretched_t), intent(in) :: self
-        class(profile_t), intent(in) :: profile
-        real(wp), intent(in) :: a, excess
-        real(wp), intent(in) :: r(:)
-        real(wp), intent(out) :: values(:)
-        type(error_t), allocatable, intent(out) :: error
-
-        call self%exact%pressure(profile, a, excess, r, values, error)
-    end subroutine pressure
-
-    subroutine displacement_outside(self, profile, a, excess, r, values, error)
-        class(stretched_t), intent(in) :: self
-        class(profile_t), intent(in) :: profile
-        real(wp), intent(in) :: a, excess
-        real(wp), intent(in) :: r(:)
-        real(wp), intent(out) :: values(:)
-        type(error_t), allocatable, intent(out) :: error
-
-        call self%exact%displacement_outside(profile, a, excess, r, values, error)
-    end subroutine displacement_outside
+        call self%exact%field(quantity, profile, a, excess, r, values, error)
+    end subroutine field
 
 end module mdrcontact_medium_stretched

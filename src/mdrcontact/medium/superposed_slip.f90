@@ -9,7 +9,7 @@ module mdrcontact_medium_superposed_slip
     use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_medium_slip, only: beside, slip_t
     use mdrcontact_kinds, only: wp
-    use mdrcontact_medium_solver, only: depth_and_force, solver_t
+    use mdrcontact_medium_solver, only: depth_and_force, of_line_load, of_pressure, solver_t
     use mdrcontact_numerics_pick, only: pick
     use mdrcontact_numerics_quadrature, only: graded_edges, mark_breaks, smallest_panel_ratio
     use mdrcontact_profile, only: profile_t
@@ -132,7 +132,7 @@ contains
         call check_memory(error, stat)
         if (allocated(error)) return
         slipping(:) = max(r, c)
-        call self%normal%line_load(self%profile, self%radius, self%excess, slipping, values, error)
+        call self%normal%field(of_line_load, self%profile, self%radius, self%excess, slipping, values, error)
     end subroutine line_load
 
     subroutine traction(self, c, r, values, error)
@@ -165,10 +165,10 @@ contains
         call pick(r, places, inside, inner, error, below=c)
         if (allocated(error)) return
         near(:) = beside(r, c, profile%end_radius)
-        call whole%pressure(profile, a, excess, near, values, error)
+        call whole%field(of_pressure, profile, a, excess, near, values, error)
         if (allocated(error) .or. size(places) == 0) return
         inside(:) = beside(inside, c, profile%end_radius)
-        call stick%pressure(of_stick, c, 0.0_wp, inside, inner, error)
+        call stick%field(of_pressure, of_stick, c, 0.0_wp, inside, inner, error)
         if (allocated(error)) return
         do i = 1, size(places)
             values(places(i)) = values(places(i)) - inner(i)

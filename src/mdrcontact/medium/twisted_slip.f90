@@ -15,7 +15,7 @@ module mdrcontact_medium_twisted_slip
     use mdrcontact_medium_slip, only: slip_t, thin
     use mdrcontact_gsl, only: gsl_sf_ellint_rd, gsl_sf_ellint_rf
     use mdrcontact_kinds, only: half_pi, pi, wp
-    use mdrcontact_medium_solver, only: solver_t, not_known
+    use mdrcontact_medium_solver, only: of_pressure, refuse, solver_t
     use mdrcontact_medium_shear_moduli, only: moduli_under_shear
     use mdrcontact_numerics_quadrature, only: gauss_legendre, graded_rule, mark_breaks, merge_breaks
     use mdrcontact_profile, only: profile_t
@@ -68,7 +68,8 @@ contains
         real(wp) :: shear(2)
 
         if (.not. normal%has_free_springs) then
-            call not_known("torsion with friction is", "a homogeneous one with E and nu, or a pair of them", error)
+            call refuse(normal, "torsion with friction is", "a homogeneous one with E and nu, or a pair of them", &
+                        "what the surface does to a twist is not part of the theory", error)
             return
         end if
         call moduli_under_shear(normal, shear, error)
@@ -218,7 +219,7 @@ contains
         integer :: i, j, n, stat
 
         call gauss_legendre(t, weights, error)
-        if (.not. allocated(error)) call self%normal%pressure(self%profile, self%radius, self%excess, r, values, error)
+        if (.not. allocated(error)) call self%normal%field(of_pressure, self%profile, self%radius, self%excess, r, values, error)
         if (.not. allocated(error)) call self%panels(max(c, self%smallest_stick), edges, has_root, error)
         if (allocated(error)) return
         n = nodes*(size(edges) - 1)

@@ -227,7 +227,8 @@ contains
         integer :: m, n
 
         n = hats%n + 1
-        call solver%interaction(a, size(hats%waves, 1), modulus, interaction, error)
+        modulus = solver%springs%modulus
+        call solver%springs%interaction(a, size(hats%waves, 1), interaction, error)
         if (allocated(error)) return
         matrix = hats%products
         m = size(interaction, 1)

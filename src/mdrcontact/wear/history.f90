@@ -17,6 +17,7 @@ module mdrcontact_wear_history
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_profile_worn, only: new_worn_profile, worn_profile_t
     use mdrcontact_wear, only: wear_t
+    use mdrcontact_medium_solver, only: check_springs
     use mdrcontact_wear_disc, only: step_disc, worn_volume
     use mdrcontact_wear_hats, only: hats_t, new_hats
     use mdrcontact_wear_ledger, only: disc_t, ledger_t, new_ledger
@@ -130,7 +131,7 @@ contains
             if (both) call add_body(self, error)
         end if
         if (.not. allocated(error)) call press(self, control, target, state, error)
-        if (.not. allocated(error)) call find_modulus(self, state%radius, error)
+        if (.not. allocated(error)) call find_modulus(self, error)
         if (allocated(error)) return
         call begin(self, n, state%radius, control, target, error)
     end subroutine new_wear_history
@@ -254,13 +255,14 @@ contains
         if (.not. allocated(error) .and. .not. self%has_rings) call check_carries(self%wear%contact, state, error)
     end subroutine press
 
-    subroutine find_modulus(self, radius, error)
+    subroutine find_modulus(self, error)
         type(wear_history_t), intent(inout) :: self
-        real(wp), intent(in) :: radius
         type(error_t), allocatable, intent(inout) :: error
-        real(wp), allocatable :: interaction(:, :)
 
-        call self%wear%contact%equilibrium%medium%interaction(radius, most_waves, self%modulus, interaction, error)
+        associate (medium => self%wear%contact%equilibrium%medium)
+            call check_springs(medium, "the wear of a sliding indenter is", error)
+            if (.not. allocated(error)) self%modulus = medium%springs%modulus
+        end associate
     end subroutine find_modulus
 
     !> The body wears too; its coating, if it has one, by a part of its thickness only.

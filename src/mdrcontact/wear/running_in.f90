@@ -8,7 +8,7 @@ module mdrcontact_wear_running_in
     use mdrcontact_error, only: error_no_convergence, error_t, raise
     use mdrcontact_kinds, only: half_pi, pi, wp
     use mdrcontact_lapack, only: dgemm, dsyev
-    use mdrcontact_medium_solver, only: solver_t
+    use mdrcontact_medium_solver, only: check_springs, solver_t
     use mdrcontact_numerics_quadrature, only: legendre
     implicit none (type, external)
     private
@@ -67,7 +67,11 @@ contains
                 matrix(i, j) = 1.0_wp/real(1 - 4*(i - j)**2, wp) - 1.0_wp/real(1 - 4*(i + j + 1)**2, wp)
             end do
         end do
-        call solver%interaction(radius, most_waves, modulus, interaction, error)
+        modulus = 0.0_wp
+        call check_springs(solver, "the wear of a sliding indenter is", error)
+        if (allocated(error)) return
+        modulus = solver%springs%modulus
+        call solver%springs%interaction(radius, most_waves, interaction, error)
         if (allocated(error)) return
         m = size(interaction, 1)
         if (m == 0) return

@@ -17,9 +17,7 @@ module counting_medium
     contains
         procedure :: modulus
         procedure :: response
-        procedure :: line_load
-        procedure :: pressure => line_load
-        procedure :: displacement_outside => line_load
+        procedure :: field
     end type counting_medium_t
 
 contains
@@ -49,8 +47,9 @@ contains
                                   accuracy)
     end subroutine response
 
-    subroutine line_load(self, profile, a, excess, r, values, error)
+    subroutine field(self, quantity, profile, a, excess, r, values, error)
         class(counting_medium_t), intent(in) :: self
+        integer, intent(in) :: quantity
         class(profile_t), intent(in) :: profile
         real(wp), intent(in) :: a, excess
         real(wp), intent(in) :: r(:)
@@ -58,7 +57,7 @@ contains
         type(error_t), allocatable, intent(out) :: error
 
         self%counter%solutions = self%counter%solutions + 1
-        call self%inside%line_load(profile, a, excess, r, values, error)
-    end subroutine line_load
+        call self%inside%field(quantity, profile, a, excess, r, values, error)
+    end subroutine field
 
 end module counting_medium
