@@ -78,7 +78,7 @@ def contacts() -> Iterator[Row]:
         contact = mdr.Contact(BALL, medium)
         for row, make in {
             "adhesive": lambda m=medium: adhesive(m),
-            "force": lambda c=contact: c.at_force(1e-5 * c.medium.modulus(1e-6) * 1e-6)[:4],
+            "force": lambda c=contact: tuple(c.at_force(1e-5 * c.medium.modulus(1e-6) * 1e-6))[:4],
             "field": lambda c=contact: fields(c),
             "field of flat end": lambda m=medium: fields(mdr.Contact(mdr.FlatEndedCone(1e-7, 0.3), m)),
             "interior": lambda c=contact: interior(c, "lower", 0.0),
@@ -156,7 +156,7 @@ def paths() -> Iterator[Row]:
 
 def rubbed(contact: mdr.Contact) -> Any:
     history = mdr.Friction(contact, 0.4).history(6e-8, 20)
-    return history.advance(depth=[1e-8, 4e-8, 4e-8, 6e-8, 2e-8], shift=[0.0, 2e-9, 6e-9, 1e-9, -3e-9])[:5]
+    return tuple(history.advance(depth=[1e-8, 4e-8, 4e-8, 6e-8, 2e-8], shift=[0.0, 2e-9, 6e-9, 1e-9, -3e-9]))[:5]
 
 
 def compiled(contact: mdr.Contact) -> Any:

@@ -43,7 +43,7 @@ contains
         type(c_medium_options_t), target :: chosen
 
         call read_options(error, "options", structure, c_loc(chosen), c_sizeof(chosen))
-        surface = surface_t(chosen%surface_tension, chosen%surface_bending)
+        surface = surface_t(chosen%surface_tension, chosen%surface_bending, chosen%surface_stretching)
     end subroutine read_surface
 
     function mdr_model_name(model, length, name) result(status) bind(C)
