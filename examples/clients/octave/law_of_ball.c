@@ -1,0 +1,48 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* law = law_of_ball(R, [E nu] of the film, thickness, [E nu] below, largest depth): the law of a ball on a coated half-space as a row of
+ * numbers, which Octave saves, copies and hands to processes as any other. mkoctfile --mex law_of_ball.c. */
+#include <mdrcontact.h>
+
+#include <mex.h>
+
+static void check(int status)
+{
+    char words[1024];
+    if (status == MDR_SUCCESS) return;
+    mdr_last_error(words, (int)sizeof words);
+    mexErrMsgIdAndTxt("mdrcontact:refused", "%s", words);
+}
+
+void mexFunction(int results, mxArray *result[], int arguments, const mxArray *argument[])
+{
+    static const int sizes[] = {1, 2, 1, 2, 1};
+    const double *x[5];
+    mdr_profile *ball = NULL;
+    mdr_medium *film = NULL;
+    mdr_contact *contact = NULL;
+    mdr_law *law = NULL;
+    mdr_law_facts facts = MDR_SIZED(mdr_law_facts);
+
+    if (results > 1 || arguments != 5) mexErrMsgTxt("law = law_of_ball(R, [E nu], thickness, [E nu], largest_depth)");
+    for (int i = 0; i < 5; i++) {
+        if (!mxIsDouble(argument[i]) || mxIsComplex(argument[i]) || (int)mxGetNumberOfElements(argument[i]) != sizes[i]) {
+            mexErrMsgTxt("law_of_ball takes real numbers: one, two, one, two, one");
+        }
+        x[i] = mxGetPr(argument[i]);
+    }
+    int status = mdr_profile_paraboloid(x[0][0], &ball);
+    if (status == MDR_SUCCESS) {
+        status = mdr_medium_coated(x[1][0], x[1][1], x[2][0], x[3][0], x[3][1], MDR_MODEL_EXACT, NULL, &film);
+    }
+    if (status == MDR_SUCCESS) status = mdr_contact_new(ball, film, NULL, &contact);
+    if (status == MDR_SUCCESS) status = mdr_law_new(contact, x[4][0], NULL, &law);
+    if (status == MDR_SUCCESS) status = mdr_law_info(law, &facts);
+    mdr_contact_free(&contact);
+    mdr_medium_free(&film);
+    mdr_profile_free(&ball);
+    check(status);
+    result[0] = mxCreateDoubleMatrix(1, (mwSize)facts.buffer_size, mxREAL);
+    status = mdr_law_buffer(law, facts.buffer_size, mxGetPr(result[0]));
+    mdr_law_free(&law);
+    check(status);
+}
