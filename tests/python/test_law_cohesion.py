@@ -69,7 +69,9 @@ def test_energy_is_that_of_bodies_that_have_met(tip, body, stress):
     for d in depths:
         state = contact.at_depth(float(d))
         if state.radius == 0.0:
-            state = mdr.State(state.depth, 0.0, state.force, 0.0, state.depth, math.sqrt(-state.force / (math.pi * stress)))
+            state = mdr.State(
+                state.depth, 0.0, state.force, 0.0, state.depth, math.sqrt(-state.force / (math.pi * stress)), contact
+            )
         assert law.energy(float(d)) == pytest.approx(total_energy(contact, state), rel=1e-7, abs=1e-8)
     steps = np.array([-2.0, -1.0, 1.0, 2.0]) * 1e-3
     slope = np.array([1.0, -8.0, 8.0, -1.0]) @ law.energy(0.5 + steps) / 12e-3
