@@ -51,6 +51,8 @@ module mdrcontact_profile
         procedure :: powers => no_powers
         !> f' where it is piecewise linear
         procedure :: linear_pieces => no_pieces
+        !> the sum that it is: another profile, and pieces with a linear f'
+        procedure :: split => no_sum
         !> whether it is a paraboloid, or a sphere, which is one near its axis
         procedure :: is_spherical
         !> its numbers, the arguments of its `new_...` procedure; none of tables, functions and sums
@@ -135,6 +137,19 @@ contains
         end associate
         allocate (radii(0), slopes(0), curvatures(0))
     end subroutine no_pieces
+
+    subroutine no_sum(self, base, radii, slopes, curvatures, error)
+        class(profile_t), intent(in) :: self
+        !> a copy; not allocated where it is no such sum
+        class(profile_t), allocatable, intent(out) :: base
+        !> f' = slopes(i) + curvatures(i) r from radii(i), ascending from 0, to the next [length], [1], [1/length]
+        real(wp), allocatable, intent(out) :: radii(:), slopes(:), curvatures(:)
+        type(error_t), allocatable, intent(inout) :: error
+
+        associate (unused => self, also_unused => base, unused_too => radii, and_this => slopes, this_too => curvatures, &
+                   last => error)
+        end associate
+    end subroutine no_sum
 
     pure subroutine no_parameters(self, list)
         class(profile_t), intent(in) :: self

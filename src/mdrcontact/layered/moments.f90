@@ -15,7 +15,6 @@ module mdrcontact_layered_moments
     use mdrcontact_layered_slip_profile, only: slip_profile_t
     use mdrcontact_numerics_quadrature, only: graded_rule, smallest_panel_ratio
     use mdrcontact_profile, only: profile_t
-    use mdrcontact_profile_worn, only: worn_profile_t
     implicit none (type, external)
     private
     public :: edge_moment, is_smooth, profile_moments
@@ -36,7 +35,8 @@ contains
         real(wp), intent(out) :: g(:)
         type(error_t), allocatable, intent(inout) :: error
         real(wp), allocatable :: exponents(:), coefficients(:), radii(:), slopes(:), curvatures(:)
-        real(wp) :: worn(size(g))
+        class(profile_t), allocatable :: base
+        real(wp) :: pieces(size(g))
         integer :: i
 
         select type (profile)
@@ -44,12 +44,14 @@ contains
             call profile_moments(profile%base, a, g, error)
             if (.not. allocated(error)) call profile%moments(a, g, error)
             return
-        type is (worn_profile_t)
-            call profile_moments(profile%base, a, g, error)
-            call piecewise_moments(profile%radii, profile%slopes, profile%curvatures, a, worn)
-            g = g + worn*normalisation(size(g))
-            return
         end select
+        call profile%split(base, radii, slopes, curvatures, error)
+        if (allocated(base)) then
+            call profile_moments(base, a, g, error)
+            call piecewise_moments(radii, slopes, curvatures, a, pieces)
+            g = g + pieces*normalisation(size(g))
+            return
+        end if
         call profile%powers(exponents, coefficients)
         g = 0.0_wp
         if (size(exponents) > 0) then

@@ -28,6 +28,7 @@ module mdrcontact_profile_worn
         procedure :: mdr_slope
         procedure :: mdr_moment
         procedure :: add_breaks
+        procedure :: split
         procedure :: copy_to
     end type worn_profile_t
 
@@ -90,6 +91,18 @@ contains
         self%more_slope(i) = self%slopes(i) - self%slopes(i - 1)
         self%more_curvature(i) = curvature - self%curvatures(i - 1)
     end subroutine set_piece
+
+    subroutine split(self, base, radii, slopes, curvatures, error)
+        class(worn_profile_t), intent(in) :: self
+        class(profile_t), allocatable, intent(out) :: base
+        real(wp), allocatable, intent(out) :: radii(:), slopes(:), curvatures(:)
+        type(error_t), allocatable, intent(inout) :: error
+
+        call self%base%copy_to(base, error)
+        radii = self%radii
+        slopes = self%slopes
+        curvatures = self%curvatures
+    end subroutine split
 
     recursive subroutine copy_to(self, copy, error)
         class(worn_profile_t), intent(in) :: self
