@@ -41,6 +41,7 @@ module mdrcontact
                                       problem_parameters, start_parameters
     use mdrcontact_history_friction, only: first_shear_t, friction_t, new_friction, tangential_state_t
     use mdrcontact_history_friction_history, only: friction_history_t, given_shift, given_tangential_force, new_friction_history
+    use mdrcontact_history_friction_law, only: new_contact_law
     use mdrcontact_history_rate_contact, only: new_rate_contact, rate_contact_t
     use mdrcontact_history_cohesive_history, only: cohesive_columns, cohesive_history
     use mdrcontact_history_rate_history, only: rate_history
@@ -62,7 +63,6 @@ module mdrcontact
     use mdrcontact_law, only: contact_law_t, law_point_t
     use mdrcontact_law_from_contact, only: law_options_t
     use mdrcontact_law_friction, only: contact_steps_t, friction_law_t
-    use mdrcontact_law_friction_from_contact, only: new_contact_law
     use mdrcontact_law_file, only: load_law, save_law
     use mdrcontact_medium_exact, only: layered_exact_t, new_layered_exact
     use mdrcontact_layered_shared, only: layered_shared_t

@@ -14,7 +14,7 @@ module mdrcontact_api_law
     use mdrcontact_law, only: contact_law_t, law_point_t
     use mdrcontact_law_evaluate, only: law_view_t
     use mdrcontact_law_friction, only: default_sliders, friction_law_t
-    use mdrcontact_law_friction_from_contact, only: new_contact_law
+    use mdrcontact_history_friction_law, only: new_contact_law
     use mdrcontact_law_from_contact, only: law_options_t
     use mdrcontact_law_pack, only: packed_size
     implicit none (type, external)

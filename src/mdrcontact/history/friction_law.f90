@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> From a contact with friction to its compiled law: its sliders, the shares of springs that interact, and its verification in first
 !> shear and along cycles of depth and shift.
-module mdrcontact_law_friction_from_contact
+module mdrcontact_history_friction_law
     use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_contact, only: contact_t, on_unloading
     use mdrcontact_contact_state, only: contact_state_t
@@ -284,4 +284,4 @@ contains
         end do
     end subroutine verify_paths
 
-end module mdrcontact_law_friction_from_contact
+end module mdrcontact_history_friction_law
