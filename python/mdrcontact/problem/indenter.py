@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 
 from .. import profile
-from .section import ProblemError, Section
+from .section import ProblemError, Section, arguments
 from .units import ANGLE, LENGTH, Dimension, UnitError, to_si
 
 KNOWN: Mapping[str, Dimension | None] = {
@@ -31,14 +31,6 @@ KNOWN: Mapping[str, Dimension | None] = {
 _ALWAYS = ("shape", "material", "body")
 
 
-def _cone(section: Section) -> profile.Profile:
-    if "inclination" in section and "half_angle" in section:
-        raise ProblemError(f"[{section.path}]: inclination and half_angle say the same thing twice: keep one")
-    if "half_angle" in section:
-        return profile.Cone(half_angle=section.quantity("half_angle"))
-    return profile.Cone(section.quantity("inclination"))
-
-
 def _length_unit(section: Section) -> float:
     unit = section.plain("length_unit")
     try:
@@ -61,36 +53,33 @@ def _area_function(section: Section) -> profile.Profile:
     return profile.AreaFunction(terms, max_height=section.quantity("max_height"), min_height=min_height)
 
 
-_SHAPES: Mapping[str, tuple[tuple[str, ...], Callable[[Section], profile.Profile]]] = {
-    "sphere": (("radius",), lambda s: profile.Sphere(s.quantity("radius"))),
-    "paraboloid": (("radius",), lambda s: profile.Paraboloid(s.quantity("radius"))),
-    "cone": (("inclination", "half_angle"), _cone),
-    "power-law": (("exponent", "coefficient", "length_unit"), _power_law),
-    "flat-punch": (("radius",), lambda s: profile.FlatPunch(s.quantity("radius"))),
-    "flat-ended-cone": (
-        ("end_radius", "inclination"),
-        lambda s: profile.FlatEndedCone(s.quantity("end_radius"), s.quantity("inclination")),
-    ),
-    "flat-ended-paraboloid": (
-        ("end_radius", "radius"),
-        lambda s: profile.FlatEndedParaboloid(s.quantity("end_radius"), s.quantity("radius")),
-    ),
-    "rounded-cone": (
-        ("blend_radius", "inclination"),
-        lambda s: profile.RoundedCone(s.quantity("blend_radius"), s.quantity("inclination")),
-    ),
-    "berkovich": ((), lambda s: profile.Berkovich()),
-    "vickers": ((), lambda s: profile.Vickers()),
-    "cube-corner": ((), lambda s: profile.CubeCorner()),
-    "area-function": (("coefficients", "length_unit", "min_height", "max_height"), _area_function),
-    "table": (("r", "f"), lambda s: profile.TabulatedProfile(s.quantities("r"), s.quantities("f"))),
+_SHAPES: Mapping[str, Callable[..., profile.Profile]] = {
+    "sphere": profile.Sphere,
+    "paraboloid": profile.Paraboloid,
+    "cone": profile.Cone,
+    "flat-punch": profile.FlatPunch,
+    "flat-ended-cone": profile.FlatEndedCone,
+    "flat-ended-paraboloid": profile.FlatEndedParaboloid,
+    "rounded-cone": profile.RoundedCone,
+    "berkovich": profile.Berkovich,
+    "vickers": profile.Vickers,
+    "cube-corner": profile.CubeCorner,
+    "table": profile.TabulatedProfile,
 }
+"""Shapes whose keys are the arguments of their class."""
+_IN_A_UNIT: Mapping[str, tuple[tuple[str, ...], Callable[[Section], profile.Profile]]] = {
+    "power-law": (("exponent", "coefficient", "length_unit"), _power_law),
+    "area-function": (("coefficients", "length_unit", "min_height", "max_height"), _area_function),
+}
+"""Shapes whose coefficients count in a unit of length of the file."""
 
 
 def read_indenter(section: Section) -> profile.Profile:
     """The indenter that [indenter] describes."""
-    shape = section.choice("shape", _SHAPES)
-    keys, build = _SHAPES[shape]
+    shape = section.choice("shape", [*_SHAPES, *_IN_A_UNIT])
+    keys = _IN_A_UNIT[shape][0] if shape in _IN_A_UNIT else arguments(_SHAPES[shape], KNOWN)
     section.only((*_ALWAYS, *keys), f"the shape {shape!r}")
+    if shape in _SHAPES:
+        return section.make(_SHAPES[shape])
     with section.words():
-        return build(section)
+        return _IN_A_UNIT[shape][1](section)

@@ -89,8 +89,7 @@ def read_material(section: Section) -> Elastic | TransverselyIsotropic | Viscoel
             return _gel(section)
         if "exponent" in section:
             section.only((*_POWER_LAW, *_PLACE), "a power law, which has an exponent")
-            modulus, time = section.quantity("modulus"), section.quantity("time")
-            return PowerLawRheology(modulus, time, section.number("exponent"), section.number("nu"))
+            return section.make(PowerLawRheology)
         if "relaxed_shear_modulus" in section:
             section.only((*_PRONY, *_PLACE), "a Prony series, which has a relaxed_shear_modulus")
             return _prony(section)
@@ -99,11 +98,10 @@ def read_material(section: Section) -> Elastic | TransverselyIsotropic | Viscoel
             return CRYSTALS[section.choice("material", CRYSTALS)].material
         if any(name in section for name in _STIFFNESSES):
             section.only((*_STIFFNESSES, *_PLACE), "a material with an axis, which has C11, C12, C13, C33, C44")
-            return TransverselyIsotropic(*(section.quantity(name) for name in _STIFFNESSES))
+            return section.make(TransverselyIsotropic)
         if any(name in section for name in _ENGINEERING):
             section.only((*_ENGINEERING, *_PLACE), f"a material with an axis, which has {', '.join(_ENGINEERING)}")
-            moduli = {name: section.quantity(name) for name in ("E_t", "E_z", "G_z")}
-            return TransverselyIsotropic.from_engineering(**moduli, nu_t=section.number("nu_t"), nu_tz=section.number("nu_tz"))
+            return section.make(TransverselyIsotropic.from_engineering)
         section.only((*_ELASTIC, *_PLACE), "an elastic material")
         return Elastic(section.quantity("E"), section.number("nu"), read_conductor(section))
 
@@ -111,10 +109,7 @@ def read_material(section: Section) -> Elastic | TransverselyIsotropic | Viscoel
 def _gel(section: Section) -> Poroelastic:
     keys = _GEL if "diffusivity" in section else _GEL_BY_FLOW
     section.only((*keys, *_PLACE), f"a gel, which has {', '.join(keys)}")
-    modulus, nu = section.quantity("shear_modulus"), section.number("nu")
-    if "diffusivity" in section:
-        return Poroelastic(modulus, nu, section.quantity("diffusivity"))
-    return Poroelastic.from_permeability(modulus, nu, section.quantity("permeability"), section.quantity("viscosity"))
+    return section.make(Poroelastic if "diffusivity" in section else Poroelastic.from_permeability)
 
 
 def _prony(section: Section) -> Viscoelastic:
@@ -164,10 +159,7 @@ def _interface(section: Section) -> Interface:
     if isinstance(section.plain("interface"), str):
         section.choice("interface", ["sliding"])
         return SLIDING
-    springs = section.child("interface", _SPRINGS)
-    given = {name: springs.quantity(name) for name in _SPRINGS if name in springs}
-    with springs.words():
-        return Interface(**given)
+    return section.child("interface", _SPRINGS).make(Interface)
 
 
 def _surface(section: Section) -> medium.Surface | None:
@@ -200,10 +192,6 @@ def _graded(section: Section) -> medium.Medium:
     return medium.Graded(section.quantities("z"), section.quantities("E"), nu, model, **options)
 
 
-def _power_law_graded(section: Section) -> medium.Medium:
-    return medium.PowerLawGraded(section.quantity("E0"), section.quantity("z0"), section.number("exponent"), section.number("nu"))
-
-
 def _table(section: Section) -> medium.Medium:
     return medium.TabulatedMedium(section.quantities("a"), section.quantities("moduli"))
 
@@ -212,7 +200,7 @@ _TYPES: Mapping[str, tuple[tuple[str, ...], Callable[[Section], medium.Medium]]]
     "coated": (("coating", "substrate", "model", *_SURFACE, *OPTIONS), _coated),
     "layered": (("layer", "substrate", "model", *_SURFACE, *OPTIONS), _layered),
     "graded": (("z", "E", "nu", "model", *OPTIONS), _graded),
-    "power-law-graded": (("E0", "z0", "exponent", "nu"), _power_law_graded),
+    "power-law-graded": (("E0", "z0", "exponent", "nu"), lambda section: section.make(medium.PowerLawGraded)),
     "table": (("a", "moduli"), _table),
     "homogeneous": (("material", *_SURFACE), _homogeneous),
 }

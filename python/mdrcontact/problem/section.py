@@ -4,13 +4,21 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
-from typing import Any
+from inspect import Parameter, signature
+from typing import Any, TypeVar
 
 from .._choices import nearest
 from ..errors import InvalidArgumentError, MDRError
 from .units import Dimension, UnitError, parse, to_si
+
+Made = TypeVar("Made")
+
+
+def arguments(call: Callable[..., Any], known: Mapping[str, Dimension | None]) -> tuple[str, ...]:
+    """The keys of a table that are arguments of a constructor."""
+    return tuple(name for name in signature(call).parameters if name in known)
 
 
 def _real(number: float) -> float:
@@ -125,6 +133,20 @@ class Section:
         if not isinstance(value, bool):
             raise ProblemError(f"[{self.path}]: {key} = {value!r} is not allowed: it must be true or false, without quotes")
         return value
+
+    def make(self, call: Callable[..., Made]) -> Made:
+        """What a constructor makes of the keys that are its arguments; one without a default must be there."""
+        parameters = signature(call).parameters
+        needed = [name for name in arguments(call, self._known) if name in self or parameters[name].default is Parameter.empty]
+        given = {name: self._value(name, one="float" in str(parameters[name].annotation)) for name in needed}
+        with self.words():
+            return call(**given)
+
+    def _value(self, key: str, one: bool) -> Any:
+        """A number or a list of them, in SI units where it is a quantity."""
+        if self._known[key] is None:
+            return self.number(key) if one else self.numbers(key)
+        return self.quantity(key) if one else self.quantities(key)
 
     def plain(self, key: str) -> Any:
         """A value as it stands in the file."""
