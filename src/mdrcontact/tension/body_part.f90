@@ -9,6 +9,7 @@ module mdrcontact_tension_body_part
     use mdrcontact_error, only: error_no_convergence, error_t, raise
     use mdrcontact_gsl, only: gsl_sf_bessel_jn_array, gsl_success
     use mdrcontact_kinds, only: pi, wp
+    use mdrcontact_lapack, only: dgemm
     use mdrcontact_numerics_quadrature, only: gauss_legendre
     use mdrcontact_tension_green, only: green_t
     implicit none (type, external)
@@ -32,18 +33,22 @@ contains
         real(wp), intent(in) :: a
         real(wp), intent(inout) :: matrix(:, :), slope(:, :)
         type(error_t), allocatable, intent(inout) :: error
-        real(wp), allocatable :: k(:), weight(:), basis(:, :), rates(:, :), weighted(:, :)
+        real(wp), allocatable :: k(:), weight(:), basis(:, :), rates(:, :), weighted(:, :), half(:, :)
+        integer :: i, n
 
         if (.not. compliance%first_depth > 0.0_wp) return
         call wave_rule(green, compliance, 2.0_wp*a, k, weight, error)
         if (allocated(error)) return
-        allocate (basis(size(matrix, 1), size(k)), rates(size(matrix, 1), size(k)))
-        call fill_basis(k, a, size(matrix, 1) - merge(1, 0, green%columns > 2), basis, rates, error)
+        n = size(matrix, 1)
+        allocate (basis(n, size(k)), rates(n, size(k)), weighted(n, size(k)), half(n, n))
+        call fill_basis(k, a, n - merge(1, 0, green%columns > 2), basis, rates, error)
         if (allocated(error)) return
-        weighted = basis*spread(pi*weight, 1, size(basis, 1))
-        matrix = matrix + matmul(weighted, transpose(basis))
-        weighted = matmul(weighted, transpose(rates))
-        slope = slope + weighted + transpose(weighted)
+        do i = 1, size(k)
+            weighted(:, i) = pi*weight(i)*basis(:, i)
+        end do
+        call dgemm("N", "T", n, n, size(k), 1.0_wp, weighted, n, basis, n, 1.0_wp, matrix, n)
+        call dgemm("N", "T", n, n, size(k), 1.0_wp, weighted, n, rates, n, 0.0_wp, half, n)
+        slope = slope + half + transpose(half)
     end subroutine add_body_part
 
     !> Wavenumbers, and weights times kappa - kappa_0, for integrals with waves over a distance.
@@ -103,7 +108,7 @@ contains
         do i = 1, size(k)
             x = k(i)*a
             bessel = 0.0_wp
-            last = min(2*n, last_order(x))
+            last = last_order(x, 2*n)
             if (gsl_sf_bessel_jn_array(0_c_int, int(last, c_int), x, bessel(:last)) /= gsl_success) then
                 call raise(error, error_no_convergence, "Bessel functions could not be computed")
                 return
@@ -122,15 +127,16 @@ contains
         end do
     end subroutine fill_basis
 
-    !> Beyond this order J_m(x) < (x/2)^m/m! is nothing, and GSL's recurrence would underflow.
-    pure function last_order(x) result(m)
+    !> Up to `most`: beyond this order J_m(x) < (x/2)^m/m! is nothing, and GSL's recurrence would underflow.
+    pure function last_order(x, most) result(m)
         real(wp), intent(in) :: x
+        integer, intent(in) :: most
         integer :: m
         real(wp) :: bound
 
         m = 0
         bound = 0.5_wp*x
-        do while (bound > smallest_bessel)
+        do while (bound > smallest_bessel .and. m < most)
             m = m + 1
             bound = bound*0.5_wp*x/real(m + 1, wp)
         end do

@@ -203,20 +203,28 @@ contains
         series(:, 1) = 0.5_wp*series(:, 1)
     end function series_through
 
-    !> The columns at ascending y > `near`, or all beyond the table.
+    !> The columns at ascending y.
     pure subroutine at(self, y, values)
         class(green_t), intent(in) :: self
-        !> [length]
+        !> > 0 [length]
         real(wp), intent(in) :: y(:)
-        !> (size(y), columns)
+        !> (size(y), columns), the first of them
         real(wp), intent(out) :: values(:, :)
+        real(wp), allocatable :: logarithmic(:, :)
+        real(wp) :: computed(self%columns)
         integer :: first, last, panel
 
-        first = 1
+        first = count(y < self%near) + 1
+        if (first > 1) then
+            allocate (logarithmic(first - 1, size(values, 2)))
+            call self%split(y(:first - 1), values(:first - 1, :), logarithmic)
+            values(:first - 1, :) = values(:first - 1, :) + logarithmic*spread(log(y(:first - 1)), 2, size(values, 2))
+        end if
         panel = 1
         do while (first <= size(y))
-            if (y(first) < self%near .or. y(first) >= self%edges(size(self%edges))) then
-                call compute(self, y(first), values(first, :))
+            if (y(first) >= self%edges(size(self%edges))) then
+                call compute(self, y(first), computed)
+                values(first, :) = computed(:size(values, 2))
                 first = first + 1
                 cycle
             end if
@@ -245,7 +253,7 @@ contains
             count = min(block, size(y) - first + 1)
             x = 0.0_wp
             x(:count) = 2.0_wp*(2.0_wp*y(first:first + count - 1) - (low + high))/(high - low)
-            do column = 1, size(series, 1)
+            do column = 1, size(values, 2)
                 before = 0.0_wp
                 here = 0.0_wp
                 do j = terms, 2, -1
@@ -263,7 +271,7 @@ contains
     pure subroutine split(self, y, regular, logarithmic)
         class(green_t), intent(in) :: self
         real(wp), intent(in) :: y(:)
-        !> (size(y), columns)
+        !> (size(y), columns), the first of them
         real(wp), intent(out) :: regular(:, :), logarithmic(:, :)
 
         call sum_series(self%regular, 0.0_wp, self%near, y, regular)

@@ -29,26 +29,29 @@ contains
         real(wp), allocatable, intent(out) :: matrix(:, :), slope(:, :)
         type(error_t), allocatable, intent(inout) :: error
         type(grid_t) :: grid
-        real(wp), allocatable :: kernel(:, :, :), waves(:, :)
-        integer :: couple, i, stat
+        real(wp), allocatable :: kernel(:, :, :), waves(:, :), transform(:, :)
+        integer :: couple, i, used, stat
 
         couple = merge(1, 0, green%columns > 2)
+        used = merge(green%columns, 1, couple == 1)
         call new_grid(grid, 0.5_wp*green%near/a, 4.0_wp*n, error)
         if (allocated(error)) return
         associate (nodes => size(grid%angle))
-            allocate (kernel(nodes, nodes, green%columns), matrix(n + couple, n + couple), slope(n + couple, n + couple), &
+            allocate (kernel(nodes, nodes, used), matrix(n + couple, n + couple), slope(n + couple, n + couple), &
                       waves(nodes, 0:2*n - 2), stat=stat)
         end associate
         call check_memory(error, stat)
-        if (allocated(error)) return
+        if (stat /= 0) return
         call fill_kernel(green, grid, a, kernel)
         do i = 0, 2*n - 2
             waves(:, i) = cos(2.0_wp*i*grid%angle)
         end do
-        call fill_cosines(waves, kernel(:, :, of_load), 4.0_wp/pi, matrix(couple + 1:, couple + 1:))
+        call transform_cosines(waves, kernel(:, :, of_load), 4.0_wp/pi, n, transform)
+        call take_entries(transform, 1.0_wp, matrix(couple + 1:, couple + 1:))
         slope = 0.0_wp
         if (with_slope) then
-            call fill_cosines(waves, kernel(:, :, of_load_slope), 4.0_wp/(pi*a), slope(couple + 1:, couple + 1:))
+            call take_slope(transform, 4.0_wp/pi*mean_slope(green, a, error))
+            call take_entries(transform, 1.0_wp/a, slope(couple + 1:, couple + 1:))
         end if
         if (couple == 0) return
         call fill_couple(grid, kernel(:, :, of_couple), 4.0_wp*a/pi, matrix(1, 2:))
@@ -59,14 +62,15 @@ contains
         slope(1, 1) = -4.0_wp*a/pi*couples(grid, kernel(:, :, of_couples_slope))
     end subroutine half_space_matrices
 
-    !> The columns of Phi between the nodes, times the weights of both. Beside 0 in either angle with weights for the logarithm.
+    !> The first columns of Phi between the nodes, times the weights of both. Beside 0 in either angle with weights for the
+    !> logarithm.
     pure subroutine fill_kernel(green, grid, a, kernel)
         type(green_t), intent(in) :: green
         type(grid_t), intent(in) :: grid
         real(wp), intent(in) :: a
         !> (node, node, column)
         real(wp), intent(out) :: kernel(:, :, :)
-        real(wp), dimension(size(grid%angle), green%columns) :: values, logarithmic
+        real(wp), dimension(size(grid%angle), size(kernel, 3)) :: values, logarithmic
         real(wp) :: y(size(grid%angle)), ends(size(grid%angle))
         integer :: i, j, n
 
@@ -80,7 +84,7 @@ contains
             else
                 call green%at(y(j:), values(j:, :))
             end if
-            do i = 1, green%columns
+            do i = 1, size(kernel, 3)
                 kernel(j:, j, i) = grid%weight(j)*grid%weight(j:)*values(j:, i)
                 if (j <= grid%beside) kernel(j:, j, i) = kernel(j:, j, i) + ends(j:)*logarithmic(j:, i)
                 kernel(j, j:, i) = kernel(j:, j, i)
@@ -88,25 +92,76 @@ contains
         end do
     end subroutine fill_kernel
 
-    !> factor F(i + j, |i - j|).
-    subroutine fill_cosines(waves, kernel, factor, matrix)
-        !> cos(2 m alpha) at the nodes, m = 0 ... 2 n - 2
+    !> factor F(m, n).
+    subroutine transform_cosines(waves, kernel, factor, n, transform)
+        !> cos(2 m alpha) at the nodes, m = 0, 1, ...
         real(wp), intent(in) :: waves(:, 0:), kernel(:, :), factor
-        real(wp), intent(out) :: matrix(:, :)
-        real(wp), allocatable :: half(:, :), whole(:, :)
-        integer :: i, j, n, nodes
+        !> how many in the second angle
+        integer, intent(in) :: n
+        !> (m, n)
+        real(wp), allocatable, intent(out) :: transform(:, :)
+        real(wp), allocatable :: half(:, :)
+        integer :: nodes, most
 
-        n = size(matrix, 1)
         nodes = size(waves, 1)
-        allocate (half(nodes, 0:n - 1), whole(0:2*n - 2, 0:n - 1))
+        most = size(waves, 2)
+        allocate (half(nodes, n), transform(0:most - 1, 0:n - 1))
         call dgemm("N", "N", nodes, n, nodes, 1.0_wp, kernel, nodes, waves, nodes, 0.0_wp, half, nodes)
-        call dgemm("T", "N", 2*n - 1, n, nodes, factor, waves, nodes, half, nodes, 0.0_wp, whole, 2*n - 1)
-        do j = 1, n
-            do i = 1, n
-                matrix(i, j) = whole(i + j - 2, abs(i - j))
+        call dgemm("T", "N", most, n, nodes, factor, waves, nodes, half, nodes, 0.0_wp, transform, most)
+    end subroutine transform_cosines
+
+    !> factor F(i + j, |i - j|).
+    pure subroutine take_entries(transform, factor, matrix)
+        real(wp), intent(in) :: transform(0:, 0:), factor
+        real(wp), intent(out) :: matrix(:, :)
+        integer :: i, j
+
+        do j = 1, size(matrix, 2)
+            do i = 1, size(matrix, 1)
+                matrix(i, j) = factor*transform(i + j - 2, abs(i - j))
             end do
         end do
-    end subroutine fill_cosines
+    end subroutine take_entries
+
+    !> F' of y Phi' in place of F: y Phi' = tan alpha dPhi/d alpha, and by parts, for cos 2 m alpha + cos 2 (m + 1) alpha has the
+    !> factor cos alpha,
+    !>     F'(m + 1, n) + F'(m, n) = 2 m F(m, n) - 2 (m + 1) F(m + 1, n),   F'(0, n) = F'(n, 0).
+    pure subroutine take_slope(transform, first)
+        !> (m, n)
+        real(wp), intent(inout) :: transform(0:, 0:)
+        !> F'(0, 0)
+        real(wp), intent(in) :: first
+        real(wp) :: here, next
+        integer :: m, n
+
+        do n = 0, ubound(transform, 2)
+            here = transform(0, n)
+            transform(0, n) = first
+            if (n > 0) transform(0, n) = transform(n, 0)
+            do m = 0, ubound(transform, 1) - 1
+                next = transform(m + 1, n)
+                transform(m + 1, n) = 2.0_wp*m*here - 2.0_wp*(m + 1)*next - transform(m, n)
+                here = next
+            end do
+        end do
+    end subroutine take_slope
+
+    !> int int y Phi' d alpha d beta, without waves.
+    function mean_slope(green, a, error) result(total)
+        type(green_t), intent(in) :: green
+        real(wp), intent(in) :: a
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp) :: total
+        type(grid_t) :: grid
+        real(wp), allocatable :: kernel(:, :, :)
+
+        total = 0.0_wp
+        call new_grid(grid, 0.5_wp*green%near/a, 0.0_wp, error)
+        if (allocated(error)) return
+        allocate (kernel(size(grid%angle), size(grid%angle), of_load_slope))
+        call fill_kernel(green, grid, a, kernel)
+        total = sum(kernel(:, :, of_load_slope))
+    end function mean_slope
 
     !> factor int int sin((2j + 1) alpha) sin((2j - 1) beta) of the kernel, j = 0, 1, ...
     pure subroutine fill_couple(grid, kernel, factor, row)
