@@ -18,7 +18,7 @@ module mdrcontact_contact
     use mdrcontact_contact_zone_branch, only: new_zone_branch, zone_branch_t, zone_is_resolved
     use mdrcontact_contact_warnings, only: add_warning => add, contact_warning_t, find_warnings, warning_short_zone
     use mdrcontact_kinds, only: wp
-    use mdrcontact_medium, only: medium_t
+    use mdrcontact_medium, only: check_elastic, medium_t
     use mdrcontact_medium_solver, only: solver_t
     use mdrcontact_profile, only: profile_t
     use mdrcontact_numerics_quadrature, only: merge_breaks
@@ -82,7 +82,7 @@ contains
         !> without it: no adhesion, zeta = 1
         type(contact_options_t), intent(in), optional :: options
 
-        call medium%check_elastic(error)
+        call check_elastic(medium, error)
         if (.not. allocated(error)) call new_contact(self, profile, medium%solver, error, options)
     end subroutine new_contact_with_medium
 

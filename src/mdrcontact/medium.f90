@@ -14,7 +14,7 @@ module mdrcontact_medium
     use mdrcontact_tension_surface, only: is_bare, surface_t
     implicit none (type, external)
     private
-    public :: medium_t, new_medium, new_pair, refuse_states
+    public :: medium_t, new_medium, new_pair, check_elastic, refuse_states
 
     !> Either a solver or a body that relaxes; both are to be read only.
     type :: medium_t
@@ -27,8 +27,6 @@ module mdrcontact_medium
         !> and what that leaves to choose
         type(model_options_t) :: options = model_options_t()
     contains
-        !> raises unless it has a solver
-        procedure :: check_elastic
         !> its numbers: of one body, the model's constant, those of a surface that is not bare; none of two bodies
         procedure :: parameters
         !> the same kind of medium with other numbers
@@ -70,13 +68,13 @@ contains
         type(medium_t), intent(in) :: lower, upper
         type(error_t), allocatable, intent(out) :: error
 
-        call upper%check_elastic(error)
+        call check_elastic(upper, error)
         if (allocated(error)) return
         if (allocated(lower%relaxing) .and. upper%solver%is_rigid) then
             call lower%copy_to(self, error)
             return
         end if
-        call lower%check_elastic(error)
+        call check_elastic(lower, error)
         if (.not. allocated(error)) call new_pair(self%solver, lower%solver, upper%solver, error)
         ! under a rigid body it is the lower one alone
         self%model = lower%model
@@ -159,8 +157,9 @@ contains
         if (.not. allocated(error)) call new_medium(medium, body, self%model, error, options, shared, surface)
     end subroutine make_alike
 
+    !> Raises unless the medium has a solver.
     pure subroutine check_elastic(self, error)
-        class(medium_t), intent(in) :: self
+        type(medium_t), intent(in) :: self
         type(error_t), allocatable, intent(inout) :: error
 
         if (allocated(self%relaxing)) call refuse_states(error)

@@ -8,7 +8,7 @@ module mdrcontact_api_medium
     use mdrcontact_api_status, only: status_of, wanted_threads
     use mdrcontact_error, only: error_invalid, error_t, raise
     use mdrcontact_material, only: material_t, new_material
-    use mdrcontact_medium, only: medium_t, new_pair
+    use mdrcontact_medium, only: check_elastic, medium_t, new_pair
     use mdrcontact_medium_solver, only: new_under, solver_t
     use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous, new_homogeneous_from_modulus, new_rigid
     use mdrcontact_medium_values, only: modulus_values
@@ -130,7 +130,7 @@ contains
         integer :: i
 
         call open_handle(m, "m", whole, error)
-        if (.not. allocated(error)) call whole%check_elastic(error)
+        if (.not. allocated(error)) call check_elastic(whole, error)
         if (.not. allocated(error)) then
             medium => whole%solver
             if (medium%is_rigid) call raise(error, error_invalid, " is not allowed: it is rigid; pair it with a deformable "// &

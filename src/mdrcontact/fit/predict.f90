@@ -18,7 +18,7 @@ module mdrcontact_fit_predict
     use mdrcontact_fit_predict_time, only: predict_time
     use mdrcontact_kinds, only: wp
     use mdrcontact_layered_shared, only: layered_shared_t
-    use mdrcontact_medium, only: medium_t
+    use mdrcontact_medium, only: check_elastic, medium_t
     use mdrcontact_medium_solver, only: solver_t, modulus_of_radius_t
     use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous_from_modulus
     use mdrcontact_medium_pair, only: new_pair
@@ -124,7 +124,7 @@ contains
         type(error_t), allocatable, intent(out) :: error
         type(homogeneous_t) :: indenter
 
-        call pressed%check_elastic(error)
+        call check_elastic(pressed, error)
         if (allocated(error)) return
         if (indenter_modulus > huge(1.0_wp)) then
             call move_alloc(pressed%solver, medium)
