@@ -6,10 +6,12 @@ import pickle
 import subprocess
 import sys
 import warnings
+from itertools import pairwise
 
 import numpy as np
 import pytest
 from numpy.polynomial.legendre import leggauss
+from scipy.integrate import quad
 
 import mdrcontact as mdr
 
@@ -54,6 +56,32 @@ def test_force_is_the_slope_of_the_energy(tip, body, stress):
         states = [contact.at_radius(radius * (1.0 + step)) for step in STEPS]
         slope = DIFFERENCES @ [total_energy(contact, s) for s in states] / (DIFFERENCES @ [s.depth for s in states])
         assert slope == pytest.approx(contact.at_radius(radius).force, rel=1e-8, abs=1e-8)
+
+
+@pytest.mark.parametrize("stress", [0.3, 30.0])
+@pytest.mark.parametrize("radius", [0.29, 0.2999999, 0.3, 0.300000001, 0.300001, 0.31, 0.6])
+def test_states_beside_the_edge_of_a_flat_end(radius, stress):
+    """The zone's gap, the edge and the force on a half-space by adaptive quadrature over x = c cos(theta), split at the edge."""
+    modulus, end = HALF_SPACE.material.contact_modulus, 0.3
+    contact = mdr.Contact(mdr.FlatEndedParaboloid(end, 1.0), HALF_SPACE, work_of_adhesion=0.5, cohesive_stress=stress)
+    state = contact.at_radius(radius)
+    a, c = radius, state.zone_radius
+
+    def height(x):
+        return x * math.sqrt(max((x - end) * (x + end), 0.0))
+
+    def across(function):
+        ends = [0.0, *([math.acos(end / c)] if a < end < c else []), math.acos(a / c)]
+        return sum(quad(function, *pair, epsabs=1e-14, epsrel=1e-10, limit=200)[0] for pair in pairwise(ends))
+
+    edge = -2.0 * stress / modulus * math.sqrt((c - a) * (c + a))
+    assert state.depth == pytest.approx(height(a) + edge, rel=1e-11)
+    gap = across(lambda t: -2.0 * stress / modulus * c * math.sin(t) - state.depth + height(c * math.cos(t)))
+    assert 2.0 / math.pi * gap == pytest.approx(0.5 / stress, rel=1e-8)
+    inside = quad(lambda x: modulus * (state.depth - height(x)), min(a, end), a, epsrel=1e-11)[0] if a > end else 0.0
+    inside += modulus * state.depth * min(a, end)
+    zone = across(lambda t: (c * math.sin(t)) ** 2)
+    assert state.force == pytest.approx(2.0 * inside - 4.0 * stress * zone, rel=1e-9)
 
 
 @pytest.mark.parametrize("body", BODIES.values(), ids=BODIES)

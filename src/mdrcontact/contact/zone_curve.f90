@@ -24,8 +24,9 @@ module mdrcontact_contact_zone_curve
     integer, parameter :: rows = 7, of_depth = 1, of_force = 2, of_stiffness = 3, of_length = 4, of_slope = 5, of_depth_rate = 6, &
                           of_force_rate = 7
     integer, parameter :: most_panels = 400, probes = 48, work_nodes = 20
-    !> Panels are this long at first, and none is halved below the second.
-    real(wp), parameter :: usual_length = 1.0_wp, shortest_length = 1.0e-4_wp
+    !> Panels are this long at first, and none is halved below the second, or the third where a tolerance is given: a short zone
+    !> changes fast as it passes a kink of the indenter.
+    real(wp), parameter :: usual_length = 1.0_wp, shortest_length = 1.0e-4_wp, shortest_of_all = 1.0e-7_wp
     !> Relative, of the samples, where no other tolerance is given.
     real(wp), parameter :: usual_tolerance = 1.0e-9_wp
     !> Halving a panel shorter than the first makes its last terms many times smaller: else they are noise of the states, up to the
@@ -112,14 +113,18 @@ contains
         !> relative, of depth, force and stiffness
         real(wp), intent(in), optional :: tolerance
         real(wp), allocatable :: breaks(:), waiting(:), before(:)
-        real(wp) :: panel(rows, nodes), left, right, edges(most_panels + 1), allowed, tail
+        real(wp) :: panel(rows, nodes), left, right, edges(most_panels + 1), allowed, shortest, tail
         type(zone_guess_t) :: guess
         real(wp), allocatable :: kept(:, :, :)
         logical :: root, roots(most_panels), fits
         integer :: count
 
         allowed = usual_tolerance
-        if (present(tolerance)) allowed = tolerance
+        shortest = shortest_length
+        if (present(tolerance)) then
+            allowed = tolerance
+            shortest = shortest_of_all
+        end if
         self%touching_zone = equilibrium%cohesion%touching_zone
         allocate (waiting(1), source=-1.0_wp)
         allocate (breaks(0))
@@ -140,7 +145,7 @@ contains
             if (allocated(error)) return
             self%solutions = self%solutions + nodes
             associate (last_tail => before(size(before)))
-                fits = tail <= allowed .or. right - left <= shortest_length
+                fits = tail <= allowed .or. right - left <= shortest
                 if (right - left < noisy_length .and. tail > 0.5_wp*last_tail) fits = fits .or. tail <= largest_noise
             end associate
             if (.not. fits) then

@@ -28,7 +28,7 @@ module mdrcontact_law_compile
     integer, parameter :: conductance_column = column_count + 1
     !> Panels close to a singular end begin this part of the root of s there away from it.
     real(wp), parameter :: singular_scale = 0.5_wp
-    !> and those in which F grows from 0 this part of it.
+    !> and those in which F grows from 0, or that do not fit otherwise, this part of it.
     real(wp), parameter :: small_scale = 1.0e-3_wp
     !> What F and the others have of digits there, in shares of their value at the other end.
     real(wp), parameter :: rounding = 16.0_wp*epsilon(1.0_wp)
@@ -202,28 +202,25 @@ contains
         type(interval_t) :: interval
         real(wp), allocatable :: coefficients(:, :, :)
         real(wp) :: margin
-        integer :: bits, panel
+        integer :: bits, attempt
         logical :: fits
 
         margin = 0.0_wp
         if (root) margin = singular_scale*sqrt(max(abs(origin), 1.0e-12_wp*u(2))/u(2))
         if (piece%from_nothing) margin = small_scale*margin
-        do bits = 2, most_bits
-            interval = new_interval(origin, side, root, u(1), u(2), margin, bits)
-            interval%first_panel = size(table%other)
-            if (allocated(coefficients)) deallocate (coefficients)
-            allocate (coefficients(coefficient_count, columns_of(conductance), panel_count(interval)))
-            do panel = 1, size(coefficients, 3)
-                call check_cancelled(error)
+        do attempt = 1, merge(2, 1, root)
+            do bits = 2, most_bits
+                interval = new_interval(origin, side, root, u(1), u(2), margin, bits)
+                interval%first_panel = size(table%other)
+                if (allocated(coefficients)) deallocate (coefficients)
+                allocate (coefficients(coefficient_count, columns_of(conductance), panel_count(interval)))
+                call fit_panels(table, curve, piece, interval, tolerance, coefficients, fits, error, conductance)
                 if (allocated(error)) return
-                call fit_panel(table, curve, piece, interval, panel, tolerance, coefficients(:, :, panel), fits, conductance)
-                if (present(conductance)) then
-                    if (allocated(conductance%error)) call move_alloc(conductance%error, error)
-                    if (allocated(error)) return
-                end if
-                if (.not. fits) exit
+                if (fits) exit
             end do
             if (fits) exit
+            ! a short zone that passes a kink of the indenter changes fast at first
+            margin = small_scale*margin
         end do
         if (fits) then
             call append(table, interval, coefficients)
@@ -233,6 +230,33 @@ contains
                        to_text(interval%highest))
         end if
     end subroutine compile_interval
+
+    !> All panels of an interval, or those up to the first that does not fit.
+    subroutine fit_panels(table, curve, piece, interval, tolerance, coefficients, fits, error, conductance)
+        type(law_table_t), intent(in) :: table
+        class(samples_t), intent(in) :: curve
+        type(piece_t), intent(in) :: piece
+        type(interval_t), intent(in) :: interval
+        real(wp), intent(in) :: tolerance
+        !> (coefficient, column, panel)
+        real(wp), intent(inout) :: coefficients(:, :, :)
+        logical, intent(out) :: fits
+        type(error_t), allocatable, intent(out) :: error
+        class(scalar_function_t), intent(inout), optional :: conductance
+        integer :: panel
+
+        fits = .true.
+        do panel = 1, size(coefficients, 3)
+            call check_cancelled(error)
+            if (allocated(error)) return
+            call fit_panel(table, curve, piece, interval, panel, tolerance, coefficients(:, :, panel), fits, conductance)
+            if (present(conductance)) then
+                if (allocated(conductance%error)) call move_alloc(conductance%error, error)
+                if (allocated(error)) return
+            end if
+            if (.not. fits) return
+        end do
+    end subroutine fit_panels
 
     !> Adds an interval and its polynomials over -1 <= t <= 1, from now on over panels of their true length.
     subroutine append(table, interval, coefficients)

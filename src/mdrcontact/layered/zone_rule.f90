@@ -74,8 +74,8 @@ contains
             return
         end if
         do i = 1, panels
-            nodes(i) = nodes_for(a + length, length - ends(i), ends(i) - ends(i - 1), &
-                                 i < panels .and. is_plain(breaks, a + ends(i - 1)), unit, tolerance)
+            nodes(i) = nodes_for(a + length, length - ends(i), ends(i) - ends(i - 1), i == panels .or. behind_kink(i), &
+                                 behind(breaks, a + ends(i - 1)), unit, tolerance)
         end do
         i = sum(nodes(:panels))
         allocate (self%x(i), self%beyond(i), self%root(i), self%dx(i), self%over_root(i), stat=stat)
@@ -95,33 +95,40 @@ contains
     end subroutine new_zone_rule
 
     !> How many nodes leave the tolerance on a panel: errors fall as rho^(-2n) for the ellipse through the nearest singularity, that
-    !> of the kernel beside the panel or the root at the end of the zone.
-    pure function nodes_for(end, left, long, plain, unit, tolerance) result(nodes)
+    !> of the kernel beside the panel, the root at the end of the zone, or a kink of g behind the panel.
+    pure function nodes_for(end, left, long, has_root, passed, unit, tolerance) result(nodes)
         !> c, what is left of the zone behind the panel, its own length
         real(wp), intent(in) :: end, left, long
-        !> see is_plain; else the panel is one in y, with y^2 the distance from an end
-        logical, intent(in) :: plain
+        !> the panel is one in y, with y^2 the distance from an end
+        logical, intent(in) :: has_root
+        !> how far behind the panel the last kink is, 0 at its beginning
+        real(wp), intent(in) :: passed
         real(wp), intent(in) :: unit, tolerance
         integer :: nodes
         real(wp) :: z, rho
 
-        if (plain) then
-            z = min(hypot(1.0_wp, 2.0_wp*pole*(unit/long)), 1.0_wp + 2.0_wp*left/long)
-        else
+        if (has_root) then
             z = 2.0_wp*sqrt(max(2.0_wp*min(end, pole*unit)/long, 1.0_wp)) - 1.0_wp
+            if (passed > 0.0_wp .and. passed < end) z = min(z, 2.0_wp*sqrt(1.0_wp + passed/long) - 1.0_wp)
+            if (left > 0.0_wp) z = min(z, 2.0_wp*sqrt(1.0_wp + left/long) - 1.0_wp)
+        else
+            z = min(hypot(1.0_wp, 2.0_wp*pole*(unit/long)), 1.0_wp + 2.0_wp*left/long)
+            if (passed < end) z = min(z, 1.0_wp + 2.0_wp*passed/long)
         end if
         rho = z + sqrt((z - 1.0_wp)*(z + 1.0_wp))
         nodes = least_nodes
         if (rho < huge(1.0_wp)) nodes = max(nodes, min(ceiling((2.0_wp - 0.5_wp*log(tolerance))/log(rho)), most_nodes))
     end function nodes_for
 
-    !> Whether g is analytic around a panel from x that does not end the zone.
-    pure function is_plain(breaks, x) result(answer)
+    !> How far before x g was not analytic last; huge() where it is on all that is before.
+    pure function behind(breaks, x) result(distance)
         real(wp), intent(in) :: breaks(:), x
-        logical :: answer
+        real(wp) :: distance
 
-        answer = .not. any(breaks >= 0.0_wp .and. breaks <= x*(1.0_wp + 4.0_wp*epsilon(x)))
-    end function is_plain
+        distance = huge(x)
+        if (any(breaks >= 0.0_wp .and. breaks <= x*(1.0_wp + 4.0_wp*epsilon(x)))) distance = &
+            x - min(x, maxval(breaks, mask=breaks <= x*(1.0_wp + 4.0_wp*epsilon(x))))
+    end function behind
 
     !> Ends of the panels by their distance from a.
     pure subroutine find_panels(a, length, loaded, breaks, unit, ends, behind_kink, panels)
@@ -145,7 +152,7 @@ contains
             if (k > 0) next = min(next, breaks(k + 1) - a)
             step = longest_panel*unit
             ! a root at c is left to a panel that is not long
-            if (is_plain(breaks, a + here) .and. next - here > 1.2_wp*step) then
+            if (.not. kinked .and. next - here > 1.2_wp*step) then
                 step = min(longest_plain*unit, max(next - here - step, 0.5_wp*step))
             end if
             step = step + max(here - loaded, 0.0_wp)
