@@ -68,45 +68,46 @@ static void report(const char *what, const char *under, double figure, double bo
 typedef struct states {
     const mdr_contact *contact;
     int count;
-    double given[ARRAY], depth[ARRAY], radius[ARRAY], force[ARRAY], stiffness[ARRAY];
+    double given[ARRAY];
+    mdr_state out[ARRAY];
 } states;
 
 static void from_radius(void *with)
 {
     states *s = with;
-    check(mdr_contact_from_radius(s->contact, s->count, s->given, s->depth, s->radius, s->force, s->stiffness));
+    check(mdr_contact_states(s->contact, MDR_GIVEN_RADIUS, MDR_ON_UNLOADING, s->count, s->given, s->out));
 }
 
 static void from_depth(void *with)
 {
     states *s = with;
-    check(mdr_contact_from_depth(s->contact, s->count, s->given, s->depth, s->radius, s->force, s->stiffness));
+    check(mdr_contact_states(s->contact, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, s->count, s->given, s->out));
 }
 
 /* Layers of thickness 1 in all on a substrate, E falling or rising to that of the substrate, 1. */
 typedef struct layers {
     int count;
-    double young[MANY], poisson[MANY], thickness[MANY];
+    mdr_layer layer[MANY];
 } layers;
 
 static void make_medium(void *with)
 {
     layers *body = with;
     mdr_medium *medium = NULL;
-    check(mdr_medium_layered(body->count, body->young, body->poisson, body->thickness, 1.0, 0.3, MDR_MODEL_EXACT, NULL, &medium));
-    mdr_medium_free(&medium);
+    const mdr_layer base = mdr_isotropic(1.0, 0.3, 0.0);
+    check(mdr_medium_layered(body->count, body->layer, &base, MDR_MODEL_EXACT, NULL, &medium));
+    MDR_FREE(medium);
 }
 
 static mdr_medium *fill_layers(layers *body, int count, double contrast)
 {
+    const mdr_layer base = mdr_isotropic(1.0, 0.3, 0.0);
     mdr_medium *medium = NULL;
     body->count = count;
     for (int i = 0; i < count; ++i) {
-        body->young[i] = contrast + (1.0 - contrast) * (count > 1 ? (i + 0.5) / count : 0.0);
-        body->poisson[i] = 0.3;
-        body->thickness[i] = 1.0 / count;
+        body->layer[i] = mdr_isotropic(contrast + (1.0 - contrast) * (count > 1 ? (i + 0.5) / count : 0.0), 0.3, 1.0 / count);
     }
-    check(mdr_medium_layered(count, body->young, body->poisson, body->thickness, 1.0, 0.3, MDR_MODEL_EXACT, NULL, &medium));
+    check(mdr_medium_layered(count, body->layer, &base, MDR_MODEL_EXACT, NULL, &medium));
     return medium;
 }
 
@@ -145,17 +146,17 @@ static void film_states(double contrast)
             one.contact = all.contact = contact;
             one.given[0] = radii[i];
             report("from a radius", under, cost(from_radius, &one), kinked * of_radius[i]);
-            one.given[0] = one.depth[0];
+            one.given[0] = one.out[0].depth;
             report("from a depth", under, cost(from_depth, &one), kinked * of_depth[i]);
             for (int j = 0; j < ARRAY; ++j) all.given[j] = one.given[0] * (0.5 + 0.5 * (j + 1.0) / ARRAY);
             const double depths = cost(from_depth, &all);
-            for (int j = 0; j < ARRAY; ++j) all.given[j] = all.radius[j];
+            for (int j = 0; j < ARRAY; ++j) all.given[j] = all.out[j].radius;
             report("200 depths against their radii", under, depths / cost(from_radius, &all), 1.5);
-            mdr_contact_free(&contact);
-            mdr_profile_free(&profile);
+            MDR_FREE(contact);
+            MDR_FREE(profile);
         }
     }
-    mdr_medium_free(&film);
+    MDR_FREE(film);
 }
 
 /* First shear of a normal state at some shifts. */
@@ -164,13 +165,16 @@ typedef struct shear {
     mdr_state state;
     int count;
     double shift[SHIFTS];
-    mdr_tangential_state out[SHIFTS];
+    mdr_shear_state out[SHIFTS];
 } shear;
 
 static void partial_slip(void *with)
 {
     shear *s = with;
-    check(mdr_friction_states(s->friction, &s->state, MDR_GIVEN_SHIFT, s->count, s->shift, s->out));
+    mdr_shear *sheared = NULL;
+    check(mdr_shear_new(s->friction, &s->state, MDR_ALONG, &sheared));
+    check(mdr_shear_states(sheared, MDR_GIVEN_SHIFT, s->count, s->shift, s->out));
+    MDR_FREE(sheared);
 }
 
 /* Partial slip at a = h, the mean over all shifts below sliding, against a normal state from its depth. */
@@ -181,7 +185,8 @@ static void partial_slip_cost(double contrast)
 
     for (int which = 0; which < SHEARED; ++which) {
         char under[80];
-        double sliding, force;
+        mdr_shear_facts facts = MDR_SIZED(mdr_shear_facts);
+        mdr_shear *sheared = NULL;
         states one = {.count = 1, .given = {1.0}};
         shear first = {.count = 1}, all = {.count = SHIFTS};
         mdr_profile *profile = new_profile(which, 1.0);
@@ -193,21 +198,23 @@ static void partial_slip_cost(double contrast)
         from_radius(&one);
         all.friction = friction;
         check(mdr_contact_states(contact, MDR_GIVEN_RADIUS, MDR_ON_UNLOADING, 1, one.given, &all.state));
-        check(mdr_friction_sliding(friction, &all.state, &sliding, &force));
-        for (int i = 0; i < SHIFTS; ++i) all.shift[i] = sliding * (i + 0.5) / SHIFTS;
+        check(mdr_shear_new(friction, &all.state, MDR_ALONG, &sheared));
+        check(mdr_shear_about(sheared, &facts));
+        MDR_FREE(sheared);
+        for (int i = 0; i < SHIFTS; ++i) all.shift[i] = facts.sliding_shift * (i + 0.5) / SHIFTS;
         first.friction = friction;
         first.state = all.state;
-        first.shift[0] = 0.5 * sliding;
-        one.given[0] = one.depth[0];
+        first.shift[0] = 0.5 * facts.sliding_shift;
+        one.given[0] = one.out[0].depth;
         snprintf(under, sizeof under, "%s, E0/E1 = %g, a/h = 1", profile_names[which], contrast);
         const double normal = cost(from_depth, &one);
         report("partial slip, in states from a depth", under, cost(partial_slip, &all) / (SHIFTS * normal), 5.0);
         report("the first of a normal state, in the same", under, cost(partial_slip, &first) / normal, INFINITY);
-        mdr_friction_free(&friction);
-        mdr_contact_free(&contact);
-        mdr_profile_free(&profile);
+        MDR_FREE(friction);
+        MDR_FREE(contact);
+        MDR_FREE(profile);
     }
-    mdr_medium_free(&film);
+    MDR_FREE(film);
 }
 
 /* A history by rings along a path of straight segments in depth and shift. */
@@ -215,7 +222,7 @@ typedef struct path {
     const mdr_friction *friction;
     double depth[SEGMENTS * STEPS], shift[SEGMENTS * STEPS], deepest;
     mdr_state states[SEGMENTS * STEPS];
-    mdr_tangential_state out[SEGMENTS * STEPS];
+    mdr_shear_state out[SEGMENTS * STEPS];
 } path;
 
 static void new_history(void *with)
@@ -223,7 +230,7 @@ static void new_history(void *with)
     path *p = with;
     mdr_friction_history *history = NULL;
     check(mdr_friction_history_new(p->friction, p->deepest, RINGS, &history));
-    mdr_friction_history_free(&history);
+    MDR_FREE(history);
 }
 
 static void follow(void *with)
@@ -233,7 +240,7 @@ static void follow(void *with)
     check(mdr_friction_history_new(p->friction, p->deepest, RINGS, &history));
     check(mdr_friction_history_advance(history, MDR_GIVEN_DEPTH, MDR_GIVEN_SHIFT, SEGMENTS * STEPS, p->depth, p->shift, p->states,
                                        p->out));
-    mdr_friction_history_free(&history);
+    MDR_FREE(history);
 }
 
 /* The path of tests/data/friction_history.csv, there and here to 2e-4 of the friction force (ctest -R test_friction_history). */
@@ -248,10 +255,12 @@ static void history_cost(double contrast)
     mdr_profile *profile = new_profile(0, 1.0);
     mdr_contact *contact = NULL;
     mdr_friction *friction = NULL;
+    mdr_state reached[SEGMENTS];
     double depth[SEGMENTS], last_depth = 0.0, last_shift = 0.0, one;
     check(mdr_contact_new(profile, film, NULL, &contact));
     check(mdr_friction_new(contact, 0.3, &friction));
-    check(mdr_contact_from_radius(contact, SEGMENTS, radius, depth, NULL, NULL, NULL));
+    check(mdr_contact_states(contact, MDR_GIVEN_RADIUS, MDR_ON_UNLOADING, SEGMENTS, radius, reached));
+    for (int i = 0; i < SEGMENTS; ++i) depth[i] = reached[i].depth;
     p.friction = friction;
     p.deepest = 0.0;
     for (int i = 0; i < SEGMENTS; ++i) {
@@ -267,10 +276,10 @@ static void history_cost(double contrast)
     snprintf(under, sizeof under, "paraboloid, E0/E1 = %g, %d rings, %d steps", contrast, RINGS, SEGMENTS * STEPS);
     const double made = time_of(new_history, &p, &one), followed = time_of(follow, &p, &one);
     report("a step of a history with friction, in ms", under, 1e3 * (followed - made) / (SEGMENTS * STEPS), 1.0);
-    mdr_friction_free(&friction);
-    mdr_contact_free(&contact);
-    mdr_profile_free(&profile);
-    mdr_medium_free(&film);
+    MDR_FREE(friction);
+    MDR_FREE(contact);
+    MDR_FREE(profile);
+    MDR_FREE(film);
 }
 
 static void medium_cost(double contrast)
@@ -278,7 +287,7 @@ static void medium_cost(double contrast)
     static layers body;
     char under[80];
     mdr_medium *film = fill_layers(&body, 1, contrast);
-    mdr_medium_free(&film);
+    MDR_FREE(film);
     snprintf(under, sizeof under, "one film, E0/E1 = %g", contrast);
     report("making the medium", under, cost(make_medium, &body), 30000.0);
 }
@@ -307,12 +316,12 @@ static void zone_cost(double contrast)
                          stresses[j]);
                 report("a cohesive zone, in states without", under, cost(from_radius, &with) / cost(from_radius, &without), 4.0);
             }
-            mdr_contact_free(&ranged);
+            MDR_FREE(ranged);
         }
-        mdr_contact_free(&sticky);
-        mdr_profile_free(&profile);
+        MDR_FREE(sticky);
+        MDR_FREE(profile);
     }
-    mdr_medium_free(&film);
+    MDR_FREE(film);
 }
 
 static void layers_cost(int count, double bound)
@@ -327,9 +336,9 @@ static void layers_cost(int count, double bound)
     one.contact = contact;
     snprintf(under, sizeof under, "paraboloid, %d layers, a = all of them", count);
     report("from a radius", under, cost(from_radius, &one), bound);
-    mdr_contact_free(&contact);
-    mdr_profile_free(&profile);
-    mdr_medium_free(&medium);
+    MDR_FREE(contact);
+    MDR_FREE(profile);
+    MDR_FREE(medium);
 }
 
 /* A force-depth curve of a film, with noise of 1 %, from which its modulus and thickness are found again. */
@@ -354,7 +363,8 @@ static void fit_cost(void)
     mdr_profile *ball = NULL;
     mdr_medium *film = NULL;
     check(mdr_profile_paraboloid(10e-6, &ball));
-    check(mdr_medium_coated(72e9, 0.17, 500e-9, 163e9, 0.22, MDR_MODEL_EXACT, NULL, &film));
+    const mdr_layer coating = mdr_isotropic(72e9, 0.17, 500e-9), base = mdr_isotropic(163e9, 0.22, 0.0);
+    check(mdr_medium_layered(1, &coating, &base, MDR_MODEL_EXACT, NULL, &film));
     c.problem = MDR_SIZED(mdr_fit_problem);
     c.problem.profile = ball;
     c.problem.medium = film;
@@ -375,8 +385,8 @@ static void fit_cost(void)
     c.parameters[1] = (mdr_fit_parameter){.value = 60e9, .lower = 1e9, .upper = 1e12, .is_free = 1};
     c.parameters[3] = (mdr_fit_parameter){.value = 450e-9, .lower = 1e-9, .upper = 1e-5, .is_free = 1};
     report("fit of 500 points", "E and h of a film under a paraboloid", cost(solve_fit, &c), 345000.0);
-    mdr_medium_free(&film);
-    mdr_profile_free(&ball);
+    MDR_FREE(film);
+    MDR_FREE(ball);
 }
 
 int main(void)

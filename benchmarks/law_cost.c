@@ -39,11 +39,11 @@ static mdr_contact *coated_contact(int exact)
     mdr_medium *film = NULL;
     mdr_contact *contact = NULL;
     check(mdr_profile_paraboloid(R, &ball));
-    check(mdr_medium_coated(2.0 * G0 * (1.0 + nu0), nu0, h, 2.0 * G1 * (1.0 + nu1), nu1,
-                            exact ? MDR_MODEL_EXACT : MDR_MODEL_GAO, NULL, &film));
+    const mdr_layer coating = mdr_isotropic(2.0 * G0 * (1.0 + nu0), nu0, h), base = mdr_isotropic(2.0 * G1 * (1.0 + nu1), nu1, 0.0);
+    check(mdr_medium_layered(1, &coating, &base, exact ? MDR_MODEL_EXACT : MDR_MODEL_GAO, NULL, &film));
     check(mdr_contact_new(ball, film, NULL, &contact));
-    mdr_profile_free(&ball);
-    mdr_medium_free(&film);
+    MDR_FREE(ball);
+    MDR_FREE(film);
     return contact;
 }
 
@@ -153,11 +153,10 @@ static double external_latency(task *t)
 
 static double external_state(task *t)
 {
-    double sum = 0.0;
-    mdr_law_point point;
+    double sum = 0.0, a, F, k, slope, energy;
     for (int i = 0; i < POINTS; ++i) {
-        mdr_law_at_depth(t->law, MDR_ON_UNLOADING, t->d[i], &point);
-        sum += point.energy;
+        mdr_law_values(t->law, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, 1, &t->d[i], NULL, &a, &F, &k, &slope, &energy);
+        sum += energy;
     }
     return sum;
 }
@@ -174,26 +173,26 @@ static double many_laws(task *t)
 
 static double batch_force(task *t)
 {
-    mdr_law_from_depth(t->law, MDR_ON_UNLOADING, POINTS, t->d, t->F, NULL, NULL, NULL);
+    mdr_law_values(t->law, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, POINTS, t->d, NULL, NULL, t->F, NULL, NULL, NULL);
     return t->F[7];
 }
 
 static double batch_slope(task *t)
 {
-    mdr_law_from_depth(t->law, MDR_ON_UNLOADING, POINTS, t->d, t->F, t->slope, NULL, NULL);
+    mdr_law_values(t->law, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, POINTS, t->d, NULL, NULL, t->F, NULL, t->slope, NULL);
     return t->F[7];
 }
 
 static double batch_all(task *t)
 {
-    mdr_law_from_depth(t->law, MDR_ON_UNLOADING, POINTS, t->d, t->F, t->slope, t->a, t->k);
+    mdr_law_values(t->law, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, POINTS, t->d, NULL, t->a, t->F, t->k, t->slope, NULL);
     return t->F[7];
 }
 
 static double batch_one(task *t)
 {
     for (int i = 0; i < POINTS; ++i) {
-        mdr_law_from_depth(t->law, MDR_ON_UNLOADING, 1, &t->d[i], &t->F[i], &t->slope[i], NULL, NULL);
+        mdr_law_values(t->law, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, 1, &t->d[i], NULL, NULL, &t->F[i], NULL, &t->slope[i], NULL);
     }
     return t->F[7];
 }
@@ -218,7 +217,7 @@ static double plain_all(task *t)
 
 static double step_with(task *t, double *tangent)
 {
-    mdr_law_advance(t->friction, POINTS, t->F, t->shift, tangent, t->memory, t->T);
+    mdr_law_advance(t->friction, POINTS, t->F, t->shift, 0, tangent, t->memory, t->T);
     for (int i = 0; i < 3 * POINTS; ++i) t->shift[i] = -t->shift[i];
     return t->T[21];
 }
@@ -239,7 +238,7 @@ static double friction_step_with_tangent(task *t)
 static double usual_rule(task *t)
 {
     const double mu = 0.3;
-    mdr_law_from_force(t->law, MDR_ON_UNLOADING, POINTS, t->F, NULL, NULL, NULL, t->usual_k);
+    mdr_law_values(t->law, MDR_GIVEN_FORCE, MDR_ON_UNLOADING, POINTS, t->F, NULL, NULL, NULL, t->usual_k, NULL, NULL);
     for (int i = 0; i < POINTS; ++i) {
         const double kept = t->F[i] < t->usual_F[i] ? t->F[i] / t->usual_F[i] : 1.0;
         const double x = kept * t->usual_T[2 * i] + t->usual_k[i] * t->shift[3 * i];
@@ -300,7 +299,7 @@ static double big_batch(const mdr_law *law, const double d[], double force[], in
 {
     mdr_set_threads(threads);
     const double start = seconds();
-    mdr_law_from_depth(law, MDR_ON_UNLOADING, BIG, d, force, NULL, NULL, NULL);
+    mdr_law_values(law, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, BIG, d, NULL, NULL, force, NULL, NULL, NULL);
     const double taken = seconds() - start;
     mdr_set_threads(1);
     return taken;
@@ -326,6 +325,7 @@ static void prepare(task *t, double deepest, unsigned long long *state)
 int main(void)
 {
     const double deepest = 3e-7;
+    mdr_state *states = malloc(DIRECT * sizeof *states);
     double *depths = malloc(BIG * sizeof *depths), *forces = malloc(BIG * sizeof *forces), *exact = malloc(MANY * sizeof *exact);
     double *many = malloc(MANY * sizeof *many), *found = malloc(MANY * sizeof *found);
     unsigned long long state = 20140101;
@@ -336,13 +336,13 @@ int main(void)
     if (!depths || !forces || !exact || !many || !found) return EXIT_FAILURE;
     double start, build = 1.0;
     for (int repeat = 0; repeat < REPEATS; ++repeat) {
-        mdr_law_free(&law);
+        MDR_FREE(law);
         start = busy();
         check(mdr_law_new(contact, deepest, NULL, &law));
         build = least(build, busy() - start);
     }
     printf("build_seconds %.3g\n", build);
-    check(mdr_law_info(law, &facts));
+    check(mdr_law_about(law, &facts));
     printf("exact_solutions %d\n", facts.solutions);
     printf("verified_error %.2e\n", facts.error);
 
@@ -373,10 +373,12 @@ int main(void)
     printf("two_threads_speedup %.2f\n", one / two);
 
     start = busy();
-    check(mdr_contact_from_depth(gao, DIRECT, depths, NULL, NULL, exact, NULL));
+    check(mdr_contact_states(gao, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, DIRECT, depths, states));
+    for (int i = 0; i < DIRECT; ++i) exact[i] = states[i].force;
     printf("direct_solve_ratio %.0f\n", (busy() - start) / DIRECT / reference);
     start = busy();
-    check(mdr_contact_from_depth(contact, DIRECT, depths, NULL, NULL, exact, NULL));
+    check(mdr_contact_states(contact, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, DIRECT, depths, states));
+    for (int i = 0; i < DIRECT; ++i) exact[i] = states[i].force;
     printf("exact_solve_ratio %.0f\n", (busy() - start) / DIRECT / reference);
 
     /* A million random depths, each that of a random contact radius, against the closed form. */
@@ -386,18 +388,18 @@ int main(void)
         many[i] = a * a / R;
         exact[i] = closed_form(a);
     }
-    check(mdr_law_from_depth(gao_law, MDR_ON_UNLOADING, MANY, many, found, NULL, NULL, NULL));
+    check(mdr_law_values(gao_law, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, MANY, many, NULL, NULL, found, NULL, NULL, NULL));
     double worst = 0.0;
     for (int i = 0; i < MANY; ++i) worst = fmax(worst, fabs(found[i] / exact[i] - 1.0));
     printf("error_at_1e6_random_depths %.2e\n", worst);
 
-    for (int i = 0; i < LAWS; ++i) mdr_law_free(&todo.laws[i]);
-    mdr_law_free(&sheared);
-    mdr_friction_free(&friction);
-    mdr_law_free(&law);
-    mdr_law_free(&gao_law);
-    mdr_contact_free(&contact);
-    mdr_contact_free(&gao);
+    for (int i = 0; i < LAWS; ++i) MDR_FREE(todo.laws[i]);
+    MDR_FREE(sheared);
+    MDR_FREE(friction);
+    MDR_FREE(law);
+    MDR_FREE(gao_law);
+    MDR_FREE(contact);
+    MDR_FREE(gao);
     free(depths);
     free(forces);
     free(exact);

@@ -43,17 +43,17 @@
  * MDR_EINVALID for a size that cannot be, and for members that are not 0 and that the library does not know.
  *
  * @par Handles and their release
- * Functions with an argument `out` make handles; the calling program owns them and frees them by mdr_profile_free() and so on, which
- * also set the caller's pointer to NULL. What a handle was made from may be freed at once: it holds copies (but
- * mdr_structure_callback() keeps the user's function and context). A handle never changes after its creation, but for
+ * Functions with an argument `out` make handles; the calling program owns them and frees them by mdr_free(), or by the macro
+ * MDR_FREE, which also sets the program's pointer to NULL. What a handle was made from may be freed at once: it holds copies
+ * (but mdr_structure_function() keeps the user's function and context). A handle never changes after its creation, but for
  * mdr_friction_history and mdr_wear_history, which must not be used by two threads at a time.
  *
  * @par Rounding
  * Every function that computes does so rounding to nearest, with denormal numbers and without traps of exceptions, and then sets
  * the calling thread's own arithmetic again; flags of exceptions stay set, as after any computation. User functions are called in
- * this arithmetic and leave it as it is. States of laws, which take nanoseconds - mdr_law_force(), mdr_law_at_depth(), mdr_law_at_force(),
- * mdr_law_follow(), mdr_law_from_depth(), mdr_law_from_force(), mdr_law_energy(), mdr_law_conductance() and mdrcontact_law.h -,
- * compute in the caller's: under another rounding mode they differ in the last digits, by 1e-14.
+ * this arithmetic and leave it as it is. States of laws, which take nanoseconds - mdr_law_force(), mdr_law_values(),
+ * mdr_law_follow(), mdr_law_conductance() and mdrcontact_law.h -, compute in the caller's: under another rounding mode they differ
+ * in the last digits, by 1e-14.
  *
  * @par Threads
  * Any number of threads may use the same handle at the same time; the error text belongs to the thread that failed.

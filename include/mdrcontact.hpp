@@ -5,9 +5,10 @@
  * mdrcontact.h.
  *
  *     auto ball = mdr::make<mdr::Profile>(mdr_profile_paraboloid, 1e-5);
- *     auto body = mdr::make<mdr::Medium>(mdr_medium_homogeneous, 72e9, 0.17);
+ *     auto glass = mdr_isotropic(72e9, 0.17, 0);
+ *     auto body = mdr::make<mdr::Medium>(mdr_medium_layered, 0, nullptr, &glass, MDR_MODEL_EXACT, nullptr);
  *     auto contact = mdr::make<mdr::Contact>(mdr_contact_new, ball, body, nullptr);
- *     mdr::check(mdr_contact_from_depth(contact, n, d, nullptr, a, F, nullptr));
+ *     mdr::check(mdr_contact_states(contact, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, n, d, states));
  *     mdr::Law law(mdr::make<mdr::LawHandle>(mdr_law_new, contact, 2e-7, nullptr));
  *     double F = law.force(1e-7);
  */
@@ -55,7 +56,7 @@ inline void check(int status)
 }
 
 /** An object of the library, freed with its owner; it moves and does not copy. As an argument it is what it holds. */
-template <class Object, int (*Free)(Object **)> class Handle {
+template <class Object> class Handle {
 public:
     Handle() = default;
     explicit Handle(Object *object) noexcept : object_(object) {}
@@ -67,12 +68,13 @@ public:
     }
     Handle(const Handle &) = delete;
     Handle &operator=(const Handle &) = delete;
-    ~Handle() { Free(&object_); }
+    ~Handle() { mdr_free(object_); }
     operator Object *() const noexcept { return object_; }
     /** Where a function of the library puts the object. What was held before is freed. */
     Object **receive()
     {
-        check(Free(&object_));
+        check(mdr_free(object_));
+        object_ = nullptr;
         return &object_;
     }
 
@@ -80,18 +82,19 @@ private:
     Object *object_ = nullptr;
 };
 
-using Profile = Handle<mdr_profile, mdr_profile_free>;
-using Material = Handle<mdr_material, mdr_material_free>;
-using Medium = Handle<mdr_medium, mdr_medium_free>;
-using Contact = Handle<mdr_contact, mdr_contact_free>;
-using Loop = Handle<mdr_loop, mdr_loop_free>;
-using Rate = Handle<mdr_rate, mdr_rate_free>;
-using Friction = Handle<mdr_friction, mdr_friction_free>;
-using FrictionHistory = Handle<mdr_friction_history, mdr_friction_history_free>;
-using Wear = Handle<mdr_wear, mdr_wear_free>;
-using WearHistory = Handle<mdr_wear_history, mdr_wear_history_free>;
-using Structure = Handle<mdr_structure, mdr_structure_free>;
-using LawHandle = Handle<mdr_law, mdr_law_free>;
+using Profile = Handle<mdr_profile>;
+using Material = Handle<mdr_material>;
+using Medium = Handle<mdr_medium>;
+using Contact = Handle<mdr_contact>;
+using Loop = Handle<mdr_loop>;
+using Rate = Handle<mdr_rate>;
+using Friction = Handle<mdr_friction>;
+using Shear = Handle<mdr_shear>;
+using FrictionHistory = Handle<mdr_friction_history>;
+using Wear = Handle<mdr_wear>;
+using WearHistory = Handle<mdr_wear_history>;
+using Structure = Handle<mdr_structure>;
+using LawHandle = Handle<mdr_law>;
 
 /** The object that a function of the library makes into its last argument, from all others. Throws Error. */
 template <class Made, class Function, class... Arguments> Made make(Function function, Arguments &&...arguments)
@@ -130,8 +133,7 @@ public:
 private:
     [[noreturn]] void refuse(double d) const
     {
-        mdr_law_point point;
-        check(mdr_law_at_depth(law_, view_.branch, d, &point));
+        check(mdr_law_force(law_, view_.branch, d, nullptr, nullptr));
         throw Error(MDR_EINVALID, "the view does not belong to the law");
     }
     LawHandle law_;

@@ -9,10 +9,10 @@
  * that of a copy, mdr_law_view_at() that of a copy in another memory. A view is a plain structure, valid as long as its buffer, to be
  * copied freely and used by any number of threads.
  *
- * The results are those of mdr_law_at_depth(), to the last bit where the compiler makes no one operation of a*b + c
+ * The results are those of mdr_law_values(), to the last bit where the compiler makes no one operation of a*b + c
  * (-ffp-contract=off; nvcc: --fmad=false). The functions return MDR_SUCCESS, MDR_EDOMAIN beyond the largest depth, unless the law
  * continues beyond it, or MDR_EINVALID for a depth that is NaN or infinite; then their outputs are NaN. What mdr_last_error() says
- * does not change: mdr_law_at_depth() at the same depth gives the words.
+ * does not change: mdr_law_force() at the same depth gives the words.
  * @since 0.1
  */
 #ifndef MDRCONTACT_LAW_INLINE_H
@@ -402,7 +402,7 @@ MDR_INLINE int mdr_law_view_force_slope(const mdr_law_view *view, double d, doub
     return MDR_SUCCESS;
 }
 
-/** All of the state at one depth, as mdr_law_at_depth().
+/** All of the state at one depth, as mdr_law_values().
  *  @param view   view of a law
  *  @param d      indentation depth [length]
  *  @param point  receives the state */

@@ -47,7 +47,8 @@ int main(void)
     mdr_contact *contact = NULL;
     mdr_law *law = NULL;
     check(mdr_profile_paraboloid(1e-4, &ball));
-    check(mdr_medium_coated(400e9, 0.25, 2e-6, 208e9, 0.3, MDR_MODEL_EXACT, NULL, &film));
+    const mdr_layer coating = mdr_isotropic(400e9, 0.25, 2e-6), base = mdr_isotropic(208e9, 0.3, 0.0);
+    check(mdr_medium_layered(1, &coating, &base, MDR_MODEL_EXACT, NULL, &film));
     check(mdr_contact_new(ball, film, NULL, &contact));
     check(mdr_law_new(contact, 3e-7, NULL, &law));
     check(mdr_law_view_of(law, MDR_ON_UNLOADING, &view));

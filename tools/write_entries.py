@@ -11,8 +11,8 @@ from wrap_header import prototypes
 
 # Functions without computation, and states of laws: under another rounding mode these differ in the last digits.
 DIRECT = re.compile(
-    r"mdr_(version|status_name|last_error|last_failure|set_\w+|\w+_free|model_(name|from_name|info)"
-    r"|law_(force|at_depth|at_force|follow|from_depth|from_force|energy|conductance|description)|loop_(size|path|jumps))"
+    r"mdr_(version|status_name|last_error|last_failure|set_\w+|free|model_(name|from_name|info)"
+    r"|law_(force|values|follow|conductance)|loop_points)"
 )
 LONGEST_LINE = 132
 TOP = """/* SPDX-License-Identifier: GPL-3.0-or-later */

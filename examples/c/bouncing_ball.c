@@ -36,12 +36,13 @@ static mdr_law *painted_plate(double ball_radius, double largest_depth)
     options = MDR_SIZED(mdr_law_options);
     options.description = "steel ball R = 1 mm on 25 um epoxy on aluminium, SI units";
     check(mdr_profile_paraboloid(ball_radius, &ball));
-    check(mdr_medium_coated(3e9, 0.35, 25e-6, 70e9, 0.33, MDR_MODEL_EXACT, NULL, &plate));
+    const mdr_layer coating = mdr_isotropic(3e9, 0.35, 25e-6), base = mdr_isotropic(70e9, 0.33, 0.0);
+    check(mdr_medium_layered(1, &coating, &base, MDR_MODEL_EXACT, NULL, &plate));
     check(mdr_contact_new(ball, plate, NULL, &contact));
     check(mdr_law_new(contact, largest_depth, &options, &law));
-    check(mdr_contact_free(&contact));
-    check(mdr_medium_free(&plate));
-    check(mdr_profile_free(&ball));
+    check(mdr_free(contact));
+    check(mdr_free(plate));
+    check(mdr_free(ball));
     return law;
 }
 
@@ -55,7 +56,7 @@ int main(int argc, char *argv[])
     int steps = 0, in_contact = 0;
 
     if (argc > 1) check(mdr_law_save(law, argv[1]));
-    check(mdr_law_info(law, &facts));
+    check(mdr_law_about(law, &facts));
     printf("law from %d contact states, relative error %.0e\n", facts.solutions, facts.error);
     const double energy_before = 0.5 * mass * v * v;
 
@@ -79,6 +80,6 @@ int main(int argc, char *argv[])
     printf("energy: before %.6e J, after %.6e J, relative difference %.1e\n", energy_before, energy_after,
            energy_after / energy_before - 1.0);
     printf("work of the contact force over the whole impact, relative: %.1e\n", work / energy_before);
-    check(mdr_law_free(&law));
+    check(mdr_free(law));
     return fabs(energy_after / energy_before - 1.0) < 1e-6 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

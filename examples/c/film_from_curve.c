@@ -77,7 +77,8 @@ int main(int argc, char *argv[])
     }
     n = read_curve(argv[1], depth, load, sd);
     check(mdr_profile_sphere(10000.0, &sphere));
-    check(mdr_medium_coated(60.0, 0.17, 500.0, 163.0, 0.22, MDR_MODEL_EXACT, NULL, &oxide));
+    const mdr_layer coating = mdr_isotropic(60.0, 0.17, 500.0), base = mdr_isotropic(163.0, 0.22, 0.0);
+    check(mdr_medium_layered(1, &coating, &base, MDR_MODEL_EXACT, NULL, &oxide));
     problem.profile = sphere;
     problem.medium = oxide;
     problem.parameters = numbers;
@@ -97,7 +98,7 @@ int main(int argc, char *argv[])
     printf("depth offset    %7.3f +- %.3f nm\n", values[offset], sqrt(covariance[offset * count + offset]));
     check(mdr_fit_interval(&problem, n, depth, load, NULL, sd, modulus, 0.95, &lower, &upper));
     printf("95 %% interval of the modulus by profile likelihood: %.2f to %.2f GPa\n", lower, upper);
-    mdr_medium_free(&oxide);
-    mdr_profile_free(&sphere);
+    MDR_FREE(oxide);
+    MDR_FREE(sphere);
     return EXIT_SUCCESS;
 }

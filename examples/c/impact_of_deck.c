@@ -72,6 +72,6 @@ int main(void)
         printf("coefficient of restitution: prescribed %.1f, found %.4f\n", e, found);
         worst = fmax(worst, fabs(found - e));
     }
-    check(mdr_law_free(&law));
+    check(mdr_free(law));
     return worst < 1e-3 ? EXIT_SUCCESS : EXIT_FAILURE;
 }

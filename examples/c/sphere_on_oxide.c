@@ -30,10 +30,11 @@ static mdr_contact *sphere_on_oxide(int model)
     mdr_contact *contact = NULL;
 
     check(mdr_profile_sphere(10000.0, &sphere));
-    check(mdr_medium_coated(72.0, 0.17, 500.0, 163.0, 0.22, model, NULL, &coated));
+    const mdr_layer coating = mdr_isotropic(72.0, 0.17, 500.0), base = mdr_isotropic(163.0, 0.22, 0.0);
+    check(mdr_medium_layered(1, &coating, &base, model, NULL, &coated));
     check(mdr_contact_new(sphere, coated, NULL, &contact));
-    check(mdr_medium_free(&coated)); /* the contact has its own copies */
-    check(mdr_profile_free(&sphere));
+    check(mdr_free(coated)); /* the contact has its own copies */
+    check(mdr_free(sphere));
     return contact;
 }
 
@@ -57,7 +58,7 @@ int main(void)
             printf("%12.4f %12.3f %12.2f %16.1f %20.4f\n", state[j].force * 1e-6, state[j].depth, state[j].radius,
                    state[j].stiffness, pressure[0]);
         }
-        check(mdr_contact_free(&contact));
+        check(mdr_free(contact));
     }
     return EXIT_SUCCESS;
 }

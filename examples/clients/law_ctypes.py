@@ -26,7 +26,7 @@ def main():
     E, nu, R, depth = 72e9, 0.17, 1e-5, 1e-7
     ball, body, contact, law = Handle(), Handle(), Handle(), Handle()
     call("mdr_profile_paraboloid", ctypes.c_double(R), ctypes.byref(ball))
-    call("mdr_medium_homogeneous", ctypes.c_double(E), ctypes.c_double(nu), ctypes.byref(body))
+    call("mdr_medium_contact_modulus", ctypes.c_double(E / (1 - nu**2)), ctypes.byref(body))
     call("mdr_contact_new", ball, body, None, ctypes.byref(contact))
     call("mdr_law_new", contact, ctypes.c_double(2 * depth), None, ctypes.byref(law))
     force, slope = ctypes.c_double(), ctypes.c_double()
@@ -36,8 +36,8 @@ def main():
     error = abs(force.value / hertz - 1)
     print(f"largest relative error of F: {error:.1e}")
     assert error < 1e-9
-    for name, handle in (("law", law), ("contact", contact), ("medium", body), ("profile", ball)):
-        call(f"mdr_{name}_free", ctypes.byref(handle))
+    for handle in (law, contact, body, ball):
+        call("mdr_free", handle)
 
 
 if __name__ == "__main__":

@@ -35,12 +35,13 @@ static mdr_law *new_law(double largest_depth)
     mdr_law *law = NULL;
 
     check(mdr_profile_paraboloid(20e-6, &asperity));
-    check(mdr_medium_coated(300e9, 0.2, 0.2e-6, 210e9, 0.3, MDR_MODEL_EXACT, NULL, &surface));
+    const mdr_layer coating = mdr_isotropic(300e9, 0.2, 0.2e-6), base = mdr_isotropic(210e9, 0.3, 0.0);
+    check(mdr_medium_layered(1, &coating, &base, MDR_MODEL_EXACT, NULL, &surface));
     check(mdr_contact_new(asperity, surface, NULL, &contact));
     check(mdr_law_new(contact, largest_depth, NULL, &law));
-    check(mdr_contact_free(&contact));
-    check(mdr_medium_free(&surface));
-    check(mdr_profile_free(&asperity));
+    check(mdr_free(contact));
+    check(mdr_free(surface));
+    check(mdr_free(asperity));
     return law;
 }
 
@@ -83,7 +84,7 @@ int main(int argc, char **argv)
     for (int j = 0; j < 4; j++) {
         double sum = 0.0;
         for (int i = 0; i < n; i++) d[i] = z[i] - separations[j] * s; /* < 0: apart, and the law answers 0 */
-        check(mdr_law_from_depth(law, MDR_ON_UNLOADING, n, d, F, NULL, NULL, NULL));
+        check(mdr_law_values(law, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, n, d, NULL, NULL, F, NULL, NULL, NULL));
         for (int i = 0; i < n; i++) sum += F[i];
         MPI_Allreduce(&sum, &whole[j], 1, MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
     }
@@ -112,7 +113,7 @@ int main(int argc, char **argv)
         }
         puts(failed ? "WRONG" : "the same force in all processes, falling with h as exp(-h/s)");
     }
-    check(mdr_law_free(&law));
+    check(mdr_free(law));
     free(z);
     free(d);
     free(F);

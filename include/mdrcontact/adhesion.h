@@ -13,24 +13,22 @@
 extern "C" {
 #endif
 
-/** A cycle of approach and retraction. Made by mdr_loop_new(), freed by mdr_loop_free(). */
+/** A cycle of approach and retraction. Made by mdr_loop_new(). */
 typedef struct mdr_loop mdr_loop;
 
-/** A contact whose work of adhesion depends on the speed of its edge. Made by mdr_rate_new(), freed by mdr_rate_free(). */
+/** A contact whose work of adhesion depends on the speed of its edge. Made by mdr_rate_new(). */
 typedef struct mdr_rate mdr_rate;
 
 /** Where an adhesive contact breaks: first the lowest force, or depth, of all its stable states, then, by radius, where each other
- *  stable segment ends: a coated body can have several. The first is 0 without adhesion. Outputs that are NULL are skipped.
+ *  stable segment ends: a coated body can have several. The first is 0 without adhesion.
  *  @param c         contact
  *  @param control   MDR_CONTROL_FORCE or MDR_CONTROL_DEPTH
- *  @param capacity  size of the arrays, >= 0: at most so many are written; 1 for the pull-off alone
- *  @param d         [capacity] or NULL: indentation depths [length]
- *  @param a         [capacity] or NULL: contact radii [length]
- *  @param F         [capacity] or NULL: normal forces [modulus length^2]
+ *  @param capacity  room in `out` >= 0; 1 for the pull-off alone
+ *  @param out       [capacity] receives the first of them; NULL where capacity is 0
  *  @param count     or NULL: how many there are, 0 without adhesion
  *  @return also MDR_EUNREACHABLE if no state is stable under this control, MDR_EDOMAIN if the contact is still stable at the
  *          smallest radius for which the medium is defined, MDR_ENOCONVERGENCE */
-int mdr_contact_pull_off(const mdr_contact *c, int control, int capacity, double d[], double a[], double F[], int *count);
+int mdr_contact_pull_off(const mdr_contact *c, int control, int capacity, mdr_state out[], int *count);
 
 /** A cycle: approach from afar, jump into contact, press to `largest`, retract until the bodies are apart again.
  *  @param c                 contact
@@ -43,37 +41,36 @@ int mdr_contact_pull_off(const mdr_contact *c, int control, int capacity, double
  *          MDR_ENOCONVERGENCE */
 int mdr_loop_new(const mdr_contact *c, int control, double largest, int points, double spring_stiffness, mdr_loop **out);
 
-/** The sizes of a loop. Outputs that are NULL are skipped.
- *  @param l              loop
- *  @param points         or NULL: number of points of the path
- *  @param turning_point  or NULL: index, from 0, of the last point of the approach
- *  @param jumps          or NULL: number of jumps */
-int mdr_loop_size(const mdr_loop *l, int *points, int *turning_point, int *jumps);
+/** A point of a loop. */
+typedef struct mdr_loop_point {
+    double position; /**< What is prescribed, see mdr_loop_new(). */
+    double depth;    /**< d, negative where the bodies are apart [length]. */
+    double radius;   /**< a, 0 where they are apart [length]. */
+    double force;    /**< F [modulus length^2]. */
+    double jumps;    /**< 1 where the path jumps to the next point, else 0. */
+} mdr_loop_point;
 
-/** The first n points of the path, or all if there are fewer. Outputs that are NULL are skipped.
+/** The points of a loop.
  *  @param l         loop
- *  @param n         size of the arrays
- *  @param position  [n] or NULL: what is prescribed, see mdr_loop_new()
- *  @param d         [n] or NULL: indentation depths, negative where the bodies are apart [length]
- *  @param a         [n] or NULL: contact radii, 0 where they are apart [length]
- *  @param F         [n] or NULL: normal forces [modulus length^2] */
-int mdr_loop_path(const mdr_loop *l, int n, double position[], double d[], double a[], double F[]);
+ *  @param capacity  room in `out` >= 0
+ *  @param out       [capacity] receives the first of them; NULL where capacity is 0
+ *  @param count     or NULL: receives how many there are */
+int mdr_loop_points(const mdr_loop *l, int capacity, mdr_loop_point out[], int *count);
 
-/** Where the path jumps.
+/** What a loop is. */
+typedef struct mdr_loop_facts {
+    size_t size;              /**< Of this structure; MDR_SIZED sets it. */
+    double dissipated_energy; /**< Energy lost in the cycle, the area of the loop; under a prescribed force up to pull-off, for how
+                                   far the bodies then fly apart under it is not known [modulus length^3]. */
+    int points;               /**< How many points it has. */
+    int turning_point;        /**< Index, from 0, of the last point of the approach. */
+    int jumps;                /**< How often it jumps. */
+} mdr_loop_facts;
+
+/** What a loop is.
  *  @param l      loop
- *  @param n      size of the array; at most so many are written
- *  @param index  [n] indices, from 0, of the points just before each jump */
-int mdr_loop_jumps(const mdr_loop *l, int n, int index[]);
-
-/** The energy lost in the cycle, the area of the loop; under a prescribed force up to pull-off, for how far the bodies then fly apart
- *  under it is not known.
- *  @param l       loop
- *  @param energy  receives it [modulus length^3] */
-int mdr_loop_dissipated_energy(const mdr_loop *l, double *energy);
-
-/** Frees a loop and sets *l to NULL. l = NULL and *l = NULL are allowed.
- *  @return MDR_SUCCESS, or MDR_EINVALID (and frees nothing) if *l is not a loop */
-int mdr_loop_free(mdr_loop **l);
+ *  @param facts  begun by MDR_SIZED; receives it */
+int mdr_loop_about(const mdr_loop *l, mdr_loop_facts *facts);
 
 /** A work of adhesion that depends on the speed v of the contact's edge. Opening, v > 0: G = work (1 + (v/speed)^exponent); closing:
  *  G = closing_work/(1 + (|v|/closing_speed)^closing_exponent); the edge stands still while closing_work < G < work (Gent and Schultz
@@ -103,19 +100,15 @@ typedef struct mdr_rate_options {
  *  @return also MDR_EDOMAIN beyond the end of indenter or medium, MDR_ENOCONVERGENCE */
 int mdr_rate_new(const mdr_contact *c, const mdr_rate_options *options, mdr_rate **out);
 
-/** The work of adhesion at speeds of the edge.
+/** The work of adhesion at speeds of the edge, and against what a contact must be slow and large where it follows from a material:
+ *  v time/a is at most 0.02 and zone/a at most 0.03 where pull-off is to be good to 2 %.
  *  @param options  the work of adhesion; radii are not looked at
  *  @param n        number of speeds
  *  @param v        [n] > 0 where it opens [length/time]
- *  @param out      [n] G; `work` at v = 0 [modulus length] */
-int mdr_rate_work(const mdr_rate_options *options, int n, const double v[], double out[]);
-
-/** Against what a contact must be slow and large where the work of adhesion follows from a material: v time/a is at most 0.02 and
- *  zone/a at most 0.03 where pull-off is to be good to 2 %. Outputs that are NULL are skipped.
- *  @param options  the work of adhesion; radii are not looked at
+ *  @param out      [n] G; `work` at v = 0 [modulus length]
  *  @param time     or NULL: the longest time of creep; 0 without a material [time]
  *  @param zone     or NULL: length of the cohesive zone of a crack at rest, pi E* work/(4 cohesive_stress^2); 0 without [length] */
-int mdr_rate_scales(const mdr_rate_options *options, double *time, double *zone);
+int mdr_rate_work(const mdr_rate_options *options, int n, const double v[], double out[], double *time, double *zone);
 
 /** The state of a history: a record that the calling program keeps, and from which the history goes on. All 0: the bodies are apart. */
 typedef struct mdr_rate_state {
@@ -160,8 +153,8 @@ int mdr_rate_history(const mdr_rate *r, int control, double spring_stiffness, do
                      const double time[], const double in[], double d[], double a[], double F[], double v[], double dissipated[],
                      double work[], mdr_rate_state *end);
 
-/** A path in time of a viscoelastic half-space whose surface the indenter attracts: a contact with a body of mdr_medium_stack() without
- *  layers, with a work_of_adhesion and a cohesive_stress. Approach, jump-in, dwell, retraction, pull-off; all loss is in the solid.
+/** A path in time of a viscoelastic half-space whose surface the indenter attracts: a contact with a body of mdr_medium_layered()
+ *  without layers, with a work_of_adhesion and a cohesive_stress. Approach, jump-in, dwell, retraction, pull-off; all loss is in the solid.
  *
  *  Each spring of the body remembers its own load (Haiat, Phan Huy, Barthel, J. Mech. Phys. Solids 51 (2003) 69), and the edges of
  *  contact and zone follow. Steps are halved until the force does not change any more; second order, extrapolated. Layers are refused
@@ -189,10 +182,6 @@ int mdr_rate_history(const mdr_rate *r, int control, double spring_stiffness, do
 int mdr_contact_adhesive_history(const mdr_contact *c, int control, double spring_stiffness, double tolerance,
                                  const mdr_rate_state *start, int n, const double time[], const double in[], double d[], double a[],
                                  double zone_radius[], double F[], mdr_rate_state *end);
-
-/** Frees a contact with a rate and sets *r to NULL. r = NULL and *r = NULL are allowed.
- *  @return MDR_SUCCESS, or MDR_EINVALID (and frees nothing) if *r is not one */
-int mdr_rate_free(mdr_rate **r);
 
 #ifdef __cplusplus
 }

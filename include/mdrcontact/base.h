@@ -83,7 +83,7 @@ int mdr_last_failure(mdr_failure *failure);
  * number.
  *
  * Arrays too small to gain stay on the calling thread: some ten thousand points of a closed form, two states that are solved for;
- * so do structures made by mdr_structure_callback(). Within a parallel region of the caller's all stays on the calling thread. The
+ * so do structures made by mdr_structure_function(). Within a parallel region of the caller's all stays on the calling thread. The
  * results are the same to the last bit for every number of threads; where entries fail, the error is that of the first of them. A
  * library built without OpenMP uses one thread.
  * @param threads  at least 1, or 0 for as many as OpenMP offers
@@ -113,6 +113,14 @@ int mdr_set_cancel(mdr_cancel cancel, void *context);
  *              part of the path that the present one has behind it; NULL: none is called, as at first
  */
 int mdr_set_progress(double part[]);
+
+/** Frees what any handle of the library stands for: an indenter, a medium, a contact, a law and so on.
+ *  @param handle  handle, or NULL: nothing
+ *  @return MDR_SUCCESS, or MDR_EINVALID (and frees nothing) if it is no handle */
+int mdr_free(void *handle);
+
+/** Frees what a variable `handle` stands for, and sets it to NULL. */
+#define MDR_FREE(handle) ((void)mdr_free(handle), (void)((handle) = NULL))
 
 /**
  * A user function y = f(x). It is called only while the object it describes is made, in the thread that makes it.

@@ -13,46 +13,29 @@
 extern "C" {
 #endif
 
-/** F(a) of a paraboloid without adhesion, equation (24), xi = h/a:
- *  (16 a^3/(3R)) [G1 + (G0 - G1)/(2 pi) (4 arctan xi + xi^3 ln(1 + xi^-2) - xi)].
- *  @param n                number of radii
- *  @param a                [n] contact radii > 0 [length]
- *  @param radius           R > 0 [length]
- *  @param coating_shear    shear modulus G0 > 0 [modulus]
- *  @param substrate_shear  shear modulus G1 > 0 [modulus]
- *  @param thickness        h > 0 [length]
- *  @param out              [n] forces [modulus length^2] */
-int mdr_coated_paraboloid_force(int n, const double a[], double radius, double coating_shear, double substrate_shear,
-                                double thickness, double out[]);
+/** Closed forms of the source, and their constants in order: shear moduli G0 of the coating and G1 of the substrate > 0 [modulus],
+ *  thickness h > 0 [length], work of adhesion gamma [modulus length]. xi = h/a. */
+enum mdr_formula {
+    MDR_FORM_PARABOLOID_FORCE = 1, /**< R > 0, G0, G1, h: F(a) of a paraboloid without adhesion, equation (24):
+                                        (16 a^3/(3R)) [G1 + (G0 - G1)/(2 pi) (4 arctan xi + xi^3 ln(1 + xi^-2) - xi)]. */
+    MDR_FORM_CONE_FORCE = 2,       /**< phi, 0 < phi < pi/2 [radian], G0, G1, h: F(a) of a cone without adhesion, equation (27):
+                                        2 pi a^2 tan(phi) [G1 + (G0 - G1) (2/pi) arctan(h/a)]. */
+    MDR_FORM_ADHESIVE_DEPTH = 3,   /**< R > 0, G0, G1, h, gamma >= 0: d(a) of an adhesive paraboloid by the source's rule, equation
+                                        (29): a^2/R - sqrt(2 pi a gamma/E_eff(a)). */
+    MDR_FORM_REDUCED_DEPTH = 4,    /**< tau = G0/G1 > 0 [1], ht = h/a_c > 0 [1]: d/d_c at at = a/a_c, equation (32):
+                                        at^2/3 - (4/3) sqrt(at) [1 + (tau - 1) I0(ht/at; nu = 1/2)]^(-1/2). */
+    MDR_FORM_RADIUS_SCALE = 5,     /**< G1, gamma > 0: a_c = (pi gamma R^2/(32 G1))^(1/3) of R, the contact radius at which an
+                                        uncoated contact breaks under depth control, equation (31). */
+    MDR_FORM_DEPTH_SCALE = 6       /**< G1, gamma > 0: d_c = 3 (pi^2 gamma^2 R/(2^10 G1^2))^(1/3) of R, minus the depth there. */
+};
 
-/** F(a) of a cone without adhesion, equation (27): 2 pi a^2 tan(phi) [G1 + (G0 - G1) (2/pi) arctan(h/a)].
- *  @param inclination  phi, 0 < phi < pi/2 [radian]; otherwise as mdr_coated_paraboloid_force() */
-int mdr_coated_cone_force(int n, const double a[], double inclination, double coating_shear, double substrate_shear,
-                          double thickness, double out[]);
-
-/** d(a) of an adhesive paraboloid by the source's rule, equation (29): a^2/R - sqrt(2 pi a gamma/E_eff(a)).
- *  @param work_of_adhesion  gamma >= 0 [modulus length]
- *  @param out               [n] indentation depths [length]; otherwise as mdr_coated_paraboloid_force() */
-int mdr_coated_paraboloid_adhesive_depth(int n, const double a[], double radius, double coating_shear, double substrate_shear,
-                                         double thickness, double work_of_adhesion, double out[]);
-
-/** a_c = (pi gamma R^2/(32 G1))^(1/3), the contact radius at which an uncoated contact breaks under depth control, equation (31).
- *  @param radius            R > 0 [length]
- *  @param substrate_shear   G1 > 0 [modulus]
- *  @param work_of_adhesion  gamma > 0 [modulus length]
- *  @param out               receives a_c [length] */
-int mdr_adhesive_radius_scale(double radius, double substrate_shear, double work_of_adhesion, double *out);
-
-/** d_c = 3 (pi^2 gamma^2 R/(2^10 G1^2))^(1/3), minus the depth there, equation (31). Arguments as mdr_adhesive_radius_scale(). */
-int mdr_adhesive_depth_scale(double radius, double substrate_shear, double work_of_adhesion, double *out);
-
-/** d/d_c at a/a_c, equation (32): at^2/3 - (4/3) sqrt(at) [1 + (tau - 1) I0(ht/at; nu = 1/2)]^(-1/2).
- *  @param n                  number of radii
- *  @param reduced_radius     [n] at = a/a_c > 0 [1]
- *  @param shear_ratio        tau = G0/G1 > 0 [1]
- *  @param reduced_thickness  ht = h/a_c > 0 [1]
- *  @param out                [n] d/d_c [1] */
-int mdr_reduced_adhesive_depth(int n, const double reduced_radius[], double shear_ratio, double reduced_thickness, double out[]);
+/** A closed form at many radii.
+ *  @param formula    one of enum mdr_formula
+ *  @param n          number of radii
+ *  @param x          [n] > 0: contact radii a [length], at [1], or R [length]
+ *  @param constants  those of the formula
+ *  @param out        [n] forces [modulus length^2], depths [length], d/d_c [1], a_c or d_c [length] */
+int mdr_closed_form(int formula, int n, const double x[], const double constants[], double out[]);
 
 #ifdef __cplusplus
 }

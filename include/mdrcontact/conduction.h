@@ -13,7 +13,7 @@
 extern "C" {
 #endif
 
-/** One or two conductors that touch at a spot. Made by mdr_conduction_new(), freed by mdr_conduction_free(). */
+/** One or two conductors that touch at a spot. Made by mdr_conduction_new(). */
 typedef struct mdr_conduction mdr_conduction;
 
 /** A layer that conducts, and the interface below it. Electrical: conductivities in S/m, potential in V, flux in A; thermal: W/(m K),
@@ -77,19 +77,21 @@ enum mdr_conduction_field {
     MDR_CONDUCTION_FLUX_R = 4     /**< Flux density away from the axis. */
 };
 
-/** Fields of the steady spot at potential difference 1.
+/** Fields of the spot at potential difference 1.
  *  @param p       conduction; fields inside are not offered on an insulating base
  *  @param field   one of enum mdr_conduction_field
  *  @param radius  a > 0 [length]
  *  @param body    one of enum mdr_body; not used by MDR_CONDUCTION_FLUX
  *  @param below   at an interface with a resistance: 1 the side below it, 0 the side above
+ *  @param time    0: steady; else of MDR_CONDUCTION_FLUX without a film: after a step of the potential, D t/a^2 >= 1e-4 with
+ *                 D = along/capacity of the surface [time]
  *  @param n       number of points
  *  @param r       [n] >= 0 [length]
  *  @param z       [n] >= 0, depth below the body's own surface; may be NULL for MDR_CONDUCTION_FLUX [length]
  *  @param out     [n] potential [1], or flux density [conductance/length^2]
  *  @return also MDR_EINVALID, MDR_EDOMAIN, MDR_ENOCONVERGENCE */
-int mdr_conduction_field(const mdr_conduction *p, int field, double radius, int body, int below, int n, const double r[],
-                         const double z[], double out[]);
+int mdr_conduction_field(const mdr_conduction *p, int field, double radius, int body, int below, double time, int n,
+                         const double r[], const double z[], double out[]);
 
 /** What a spot answers in time. */
 enum mdr_conduction_answer {
@@ -124,37 +126,18 @@ int mdr_conduction_compliance(const mdr_conduction *p, double omega, int n, cons
 int mdr_conduction_admittance(const mdr_conduction *p, int answer, double radius, int n, const double omega[], double in_phase[],
                               double ahead[]);
 
-/** Answers to a step at time 0, of potential for MDR_CONDUCTION_CONDUCTANCE, else of flux.
- *  @param p       conduction
- *  @param answer  one of enum mdr_conduction_answer
- *  @param radius  a > 0 [length]
- *  @param n       number of times
- *  @param time    [n] > 0, D t/a^2 >= 1e-4 with D = along/capacity of the surface [time]
- *  @param out     [n] see enum mdr_conduction_answer
- *  @return also MDR_EINVALID, MDR_EDOMAIN, MDR_ENOCONVERGENCE */
-int mdr_conduction_step(const mdr_conduction *p, int answer, double radius, int n, const double time[], double out[]);
-
-/** Answers to any history of potential, for MDR_CONDUCTION_CONDUCTANCE, else of flux, that goes evenly from one value to the next.
+/** Answers in time: to a step at time 0, or to any history that goes evenly from one value to the next; of potential for
+ *  MDR_CONDUCTION_CONDUCTANCE, else of flux.
  *  @param p       conduction
  *  @param answer  one of enum mdr_conduction_answer
  *  @param radius  as for mdr_conduction_admittance()
  *  @param n       number of times
- *  @param time    [n] ascending, apart as mdr_conduction_step() takes times [time]
- *  @param given   [n] the history; its first value is 0
- *  @param out     [n] flux, or potential
+ *  @param time    [n] > 0, D t/a^2 >= 1e-4 with D = along/capacity of the surface; of a history ascending, and apart by that [time]
+ *  @param given   [n] the history, whose first value is 0; NULL: a step to 1
+ *  @param out     [n] flux or potential, see enum mdr_conduction_answer
  *  @return also MDR_EINVALID, MDR_EDOMAIN, MDR_ENOCONVERGENCE */
 int mdr_conduction_follow(const mdr_conduction *p, int answer, double radius, int n, const double time[], const double given[],
                           double out[]);
-
-/** The flux density through a spot without a film, a time after a step of its potential to 1.
- *  @param p       conduction
- *  @param radius  a > 0 [length]
- *  @param time    as for mdr_conduction_step() [time]
- *  @param n       number of points
- *  @param r       [n] 0 <= r < a [length]
- *  @param out     [n] flux density [conductance/length^2]
- *  @return also MDR_EINVALID, MDR_EDOMAIN, MDR_ENOCONVERGENCE */
-int mdr_conduction_step_flux(const mdr_conduction *p, double radius, double time, int n, const double r[], double out[]);
 
 /** The steady conductance of a state of contact between rough surfaces, whose area conductance goes with the pressure: a film of
  *  area resistance kappa/p(r) in the spot, by the pressure of the state. Right to 1e-9 under smooth indenters.
@@ -227,10 +210,6 @@ int mdr_conduction_heat(const mdr_conduction *p, const mdr_contact *c, int n, co
  *  @return also MDR_EINVALID, MDR_EDOMAIN, MDR_ENOCONVERGENCE */
 int mdr_conduction_heat_field(const mdr_conduction *p, const mdr_contact *c, const mdr_state *state, int motion, double strength,
                               int body, int below, int n, const double r[], const double z[], double out[]);
-
-/** Frees a conduction and sets *p to NULL. p = NULL and *p = NULL are allowed.
- *  @return MDR_SUCCESS, or MDR_EINVALID (and frees nothing) if *p is not a conduction */
-int mdr_conduction_free(mdr_conduction **p);
 
 #ifdef __cplusplus
 }

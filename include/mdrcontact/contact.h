@@ -14,7 +14,7 @@
 extern "C" {
 #endif
 
-/** An indenter on a medium. Made by mdr_contact_new(), freed by mdr_contact_free(). */
+/** An indenter on a medium. Made by mdr_contact_new(). */
 typedef struct mdr_contact mdr_contact;
 
 /** The edge opening dl of an adhesive contact: the distance of the springs at the edge from the indenter when they let go. */
@@ -27,7 +27,7 @@ enum mdr_adhesion_rule {
 /** Which stable state is meant where an adhesive contact has several. */
 enum mdr_branch {
     MDR_ON_LOADING = 1,  /**< The smallest contact, met when the bodies approach. */
-    MDR_ON_UNLOADING = 2 /**< The largest contact, kept when they are drawn apart: what mdr_contact_from_depth() gives. */
+    MDR_ON_UNLOADING = 2 /**< The largest contact, kept when they are drawn apart: what is usually meant. */
 };
 
 /** What the machine prescribes. */
@@ -110,23 +110,6 @@ enum mdr_field_kind {
  *  @return also MDR_EUNREACHABLE if there is no such state, MDR_EDOMAIN beyond the end of the indenter or the medium,
  *          MDR_ENOCONVERGENCE */
 int mdr_contact_states(const mdr_contact *c, int given, int branch, int n, const double in[], mdr_state out[]);
-
-/** States from indentation depths: mdr_contact_states() on unloading, into loose arrays. Outputs that are NULL are skipped.
- *  @param c    contact
- *  @param n    number of states
- *  @param in   [n] depths, see enum mdr_given [length]
- *  @param d    [n] or NULL: indentation depths [length]
- *  @param a    [n] or NULL: contact radii [length]
- *  @param F    [n] or NULL: normal forces [modulus length^2]
- *  @param k    [n] or NULL: stiffnesses dF/dd at constant a, 2 a E_eff(a) [modulus length]
- *  @return as mdr_contact_states() */
-int mdr_contact_from_depth(const mdr_contact *c, int n, const double in[], double d[], double a[], double F[], double k[]);
-
-/** States from normal forces [modulus length^2]. Otherwise as mdr_contact_from_depth(). */
-int mdr_contact_from_force(const mdr_contact *c, int n, const double in[], double d[], double a[], double F[], double k[]);
-
-/** States from contact radii [length]. Otherwise as mdr_contact_from_depth(). */
-int mdr_contact_from_radius(const mdr_contact *c, int n, const double in[], double d[], double a[], double F[], double k[]);
 
 /** The history of a contact with a viscoelastic body: depth, radius and force along a path in time, of which one is prescribed.
  *
@@ -305,10 +288,6 @@ int mdr_contact_interior_error(const mdr_contact *c, int body, const mdr_state *
  *  @param count     receives how many there are
  *  @return also MDR_EINVALID for graded bodies and media without E and nu, MDR_ENOCONVERGENCE */
 int mdr_contact_layer_energies(const mdr_contact *c, int body, const mdr_state *state, int capacity, double out[], int *count);
-
-/** Frees a contact and sets *c to NULL. c = NULL and *c = NULL are allowed.
- *  @return MDR_SUCCESS, or MDR_EINVALID (and frees nothing) if *c is not a contact */
-int mdr_contact_free(mdr_contact **c);
 
 #ifdef __cplusplus
 }

@@ -13,31 +13,47 @@
 extern "C" {
 #endif
 
-/** A contact under Coulomb's law of friction. Made by mdr_friction_new(), freed by mdr_friction_free(). */
+/** A contact under Coulomb's law of friction. Made by mdr_friction_new(). */
 typedef struct mdr_friction mdr_friction;
 
-/** A tangential state: a disc of stick inside an annulus of slip. The shift s of the indenter along the surface and the tangential
- *  force T have one sign. */
-typedef struct mdr_tangential_state {
-    double shift;             /**< s, displacement of the indenter along the surface, of distant points of two bodies [length]. */
-    double tangential_force;  /**< T, |T| <= coefficient F [modulus length^2]. */
-    double stick_radius;      /**< c, 0 where the contact slides [length]. */
-    double stiffness;         /**< dT/ds = k_t(c), that of a contact of radius c that sticks; 0 where it slides [modulus length]. */
-    double dissipated_energy; /**< Since s = 0 [modulus length^3]. */
-    double sliding;           /**< 1 if the whole contact slides, else 0. */
-} mdr_tangential_state;
+/** How a state is sheared. */
+enum mdr_shear_direction {
+    MDR_ALONG = 1, /**< The indenter is displaced along the surface. */
+    MDR_AROUND = 2 /**< It is twisted about its axis. */
+};
 
-/** Which number determines a tangential state. */
+/** A state of shear under a constant normal force: a disc of stick inside an annulus of slip. Shift and force have one sign. */
+typedef struct mdr_shear_state {
+    double shift;             /**< s, displacement of the indenter along the surface, of distant points of two bodies [length]; or
+                                   phi, its angle about the axis [radian]. */
+    double tangential_force;  /**< T, |T| <= coefficient F [modulus length^2]; or the torque M [modulus length^3]. */
+    double stick_radius;      /**< c, 0 where the contact slides [length]. */
+    double stiffness;         /**< dT/ds = k_t(c), that of a contact of radius c that sticks; 0 where it slides [modulus length]; or
+                                   dM/dphi [modulus length^3]. */
+    double dissipated_energy; /**< Since the shift was 0 [modulus length^3]. */
+    double sliding;           /**< 1 if the whole contact slides, else 0; under a twist 1 if the disc of stick is smaller than
+                                   1e-6 a, which no torque distinguishes from 0. */
+} mdr_shear_state;
+
+/** Which number determines a state of shear along the surface. */
 enum mdr_tangential_given {
     MDR_GIVEN_SHIFT = 1,           /**< The shift s, of either sign [length]. */
     MDR_GIVEN_TANGENTIAL_FORCE = 2 /**< The tangential force T, |T| <= coefficient F; at that bound the state in which sliding
                                         begins [modulus length^2]. */
 };
 
-/** Fields of a tangential state. */
+/** Which number determines a state of shear around the axis. */
+enum mdr_torsional_given {
+    MDR_GIVEN_TWIST = 1, /**< The twist phi, of either sign [radian]. */
+    MDR_GIVEN_TORQUE = 2 /**< The torque M, smaller than that of sliding [modulus length^3]. */
+};
+
+/** Fields of a state of shear. */
 enum mdr_tangential_field {
-    MDR_FIELD_TRACTION = 1,            /**< tau(r), the shear traction along the shift, of one direction, 0 <= r <= a [modulus]. */
-    MDR_FIELD_TANGENTIAL_LINE_LOAD = 2 /**< q_t(x), the line load of the springs along the shift, 0 <= x <= a [modulus length]. */
+    MDR_FIELD_TRACTION = 1,            /**< tau(r), the shear traction along the shift, of one direction, or around the axis,
+                                            0 <= r <= a [modulus]. */
+    MDR_FIELD_TANGENTIAL_LINE_LOAD = 2 /**< q_t(x), the line load of the springs along the shift, 0 <= x <= a; or
+                                            2 x int_x^a tau dr/sqrt(r^2 - x^2) [modulus length]. */
 };
 
 /** Coulomb's law in a contact: slip where the traction reaches coefficient times pressure, stick where it is less.
@@ -45,129 +61,81 @@ enum mdr_tangential_field {
  *  The normal force is constant; the shear does not change the pressure (as with Cattaneo and Mindlin; T would be 1 to 6 % higher),
  *  and the displacement that varies as cos 2 phi around the axis is left out (at most 0.25 % of T). Else exact on homogeneous and
  *  exact layered media; media with Gao's weights superpose punches.
- *  @param c            contact without adhesion, on a medium of mdr_medium_tangential_modulus()
+ *  @param c            contact without adhesion, on a medium whose MDR_TANGENTIAL_MODULUS is known
  *  @param coefficient  of friction, > 0 [1]
  *  @param out          receives the handle
  *  @return also MDR_EINVALID with adhesion (Coulomb's law knows no tension) and for media whose tangential stiffness is not known,
  *          MDR_ENOCONVERGENCE */
 int mdr_friction_new(const mdr_contact *c, double coefficient, mdr_friction **out);
 
-/** Tangential states of a normal one, from shifts or tangential forces, each reached from s = 0 in one go.
- *  @param f      contact with friction
- *  @param state  a state of its contact, with a radius > 0
- *  @param given  one of enum mdr_tangential_given: what `in` holds
- *  @param n      number of tangential states
- *  @param in     [n] shifts or tangential forces
- *  @param out    [n] tangential states
- *  @return also MDR_EUNREACHABLE beyond the force of sliding, MDR_EDOMAIN if the pressure would be negative somewhere (see
+/** A state of a contact with friction that is sheared for the first time. Made by mdr_shear_new(). */
+typedef struct mdr_shear mdr_shear;
+
+/** What happens to a state of a contact with friction as it is sheared under constant normal force. Slip is solved once, for all
+ *  states, fields and loops.
+ *
+ *  Under a twist (Lubkin's problem) the axis sticks at any angle, and the disc of stick around it shrinks exponentially. It is
+ *  pressed first, twisted then; exact, for torsion changes neither the pressure nor anything around the axis.
+ *  @param f          contact with friction; for MDR_AROUND on a homogeneous medium with E and nu or a pair of them
+ *  @param state      a state of its contact, with a radius > 0
+ *  @param direction  one of enum mdr_shear_direction
+ *  @param out        receives the handle
+ *  @return also MDR_EINVALID for other media, MDR_EDOMAIN if the pressure would be negative somewhere (see
  *          mdr_contact_lowest_pressure()) or slip would begin inside the contact (a flat punch on a stiff coating),
  *          MDR_ENOCONVERGENCE. Slip that begins inside later, under flat ends and r^4 on stiff coatings, is not refused: there
- *          mdr_friction_field() gives tractions above coefficient times pressure inside the stick radius, and the states are not
+ *          mdr_shear_field() gives tractions above coefficient times pressure inside the stick radius, and the states are not
  *          those of the true contact; mdr_friction_history_new() with rings gives these */
-int mdr_friction_states(const mdr_friction *f, const mdr_state *state, int given, int n, const double in[],
-                        mdr_tangential_state out[]);
+int mdr_shear_new(const mdr_friction *f, const mdr_state *state, int direction, mdr_shear **out);
 
-/** Where sliding begins. Outputs that are NULL are skipped.
- *  @param f      contact with friction
- *  @param state  a state of its contact, with a radius > 0
- *  @param shift  or NULL: s at which the last point begins to slip [length]
- *  @param force  or NULL: coefficient F [modulus length^2]
- *  @return as mdr_friction_states() */
-int mdr_friction_sliding(const mdr_friction *f, const mdr_state *state, double *shift, double *force);
+/** States of shear, each reached from 0 in one go.
+ *  @param s      sheared state
+ *  @param given  one of enum mdr_tangential_given for MDR_ALONG, of enum mdr_torsional_given for MDR_AROUND: what `in` holds
+ *  @param n      number of states
+ *  @param in     [n] shifts or tangential forces, twists or torques
+ *  @param out    [n] states
+ *  @return also MDR_EUNREACHABLE beyond the force of sliding, and from the torque of sliding on; MDR_ENOCONVERGENCE */
+int mdr_shear_states(const mdr_shear *s, int given, int n, const double in[], mdr_shear_state out[]);
 
-/** A field of a tangential state.
- *  @param f      contact with friction
- *  @param state  the normal state, with a radius > 0
- *  @param shear  a tangential state of it
+/** What a sheared state is. */
+typedef struct mdr_shear_facts {
+    size_t size;          /**< Of this structure; MDR_SIZED sets it. */
+    double sliding_shift; /**< The shift at which the last point begins to slip; of a twist, whose axis always sticks, that at which
+                               sliding becomes 1 [length, or radian]. */
+    double sliding_force; /**< coefficient F [modulus length^2]; or the torque that a growing twist approaches, coefficient times
+                               int r p dA: (3 pi/16) coefficient F a under a paraboloid [modulus length^3]. */
+    int direction;        /**< One of enum mdr_shear_direction. */
+} mdr_shear_facts;
+
+/** What a sheared state is.
+ *  @param s      sheared state
+ *  @param facts  begun by MDR_SIZED; receives it */
+int mdr_shear_about(const mdr_shear *s, mdr_shear_facts *facts);
+
+/** A field of a state of shear.
+ *  @param s      sheared state
+ *  @param at     a state of shear of it
  *  @param field  one of enum mdr_tangential_field
  *  @param n      number of positions
  *  @param r      [n] r or x, 0 <= r <= a [length]
  *  @param out    [n] values
- *  @return also MDR_EDOMAIN for a position outside the contact, and as mdr_friction_states() */
-int mdr_friction_field(const mdr_friction *f, const mdr_state *state, const mdr_tangential_state *shear, int field, int n,
-                       const double r[], double out[]);
+ *  @return also MDR_EDOMAIN for a position outside the contact, MDR_ENOCONVERGENCE */
+int mdr_shear_field(const mdr_shear *s, const mdr_shear_state *at, int field, int n, const double r[], double out[]);
 
 /** The loop of a cycle between +amplitude and -amplitude, by Masing's rule, which is exact here: from each turn the force changes
  *  as twice the first loading of half the way.
- *  @param f           contact with friction
- *  @param state       the normal state, with a radius > 0
- *  @param given       one of enum mdr_tangential_given: what the amplitude is
- *  @param amplitude   > 0, a force below that of sliding [length, or modulus length^2]
+ *  @param s           sheared state
+ *  @param given       what the amplitude is, as for mdr_shear_states()
+ *  @param amplitude   > 0, below that of sliding where it is a force or a torque
  *  @param n           number of points, at least 3: from +amplitude to -amplitude and back, in equal steps of the shift
- *  @param shift       [n] shifts [length]
- *  @param force       [n] tangential forces [modulus length^2]
+ *  @param shift       [n] shifts [length], or twists [radian]
+ *  @param force       [n] tangential forces [modulus length^2], or torques [modulus length^3]
  *  @param dissipated  energy dissipated in the cycle, the area of the loop, without loss of digits at small amplitudes
  *                     [modulus length^3]
- *  @return as mdr_friction_states() */
-int mdr_friction_loop(const mdr_friction *f, const mdr_state *state, int given, double amplitude, int n, double shift[],
-                      double force[], double *dissipated);
-
-/** A state of a contact that is twisted about its axis under a constant normal force. */
-typedef struct mdr_torsional_state {
-    double twist;             /**< phi, angle of the indenter about the axis [radian]. */
-    double torque;            /**< M, of the sign of phi [modulus length^3]. */
-    double stick_radius;      /**< c, radius of the disc of stick; 0 where the contact slides [length]. */
-    double stiffness;         /**< dM/dphi, that of a contact of radius c that sticks all over [modulus length^3]. */
-    double dissipated_energy; /**< Energy dissipated since phi = 0 [modulus length^3]. */
-    double sliding;           /**< 1 if the disc of stick is smaller than 1e-6 a, which no torque distinguishes from 0; else 0. */
-} mdr_torsional_state;
-
-/** Which number determines a torsional state. */
-enum mdr_torsional_given {
-    MDR_GIVEN_TWIST = 1, /**< The twist phi, of either sign [radian]. */
-    MDR_GIVEN_TORQUE = 2 /**< The torque M, smaller than that of sliding [modulus length^3]. */
-};
-
-/** Torsional states of a normal one, from twists or torques, each reached from phi = 0 in one go: Lubkin's problem. The axis sticks
- *  at any twist; the disc of stick around it shrinks exponentially.
- *
- *  Pressed first, twisted then. Exact: torsion changes neither the pressure nor anything around the axis.
- *  @param f      contact with friction, on a homogeneous medium with E and nu or a pair of them
- *  @param state  a state of its contact, with a radius > 0
- *  @param given  one of enum mdr_torsional_given: what `in` holds
- *  @param n      number of torsional states
- *  @param in     [n] twists or torques
- *  @param out    [n] torsional states
- *  @return also MDR_EUNREACHABLE from the torque of sliding on, MDR_EINVALID for other media, MDR_ENOCONVERGENCE */
-int mdr_torsion_states(const mdr_friction *f, const mdr_state *state, int given, int n, const double in[],
-                       mdr_torsional_state out[]);
-
-/** The torque that a growing twist approaches, coefficient times int r p dA: (3 pi/16) coefficient F a under a paraboloid.
- *  @param f       contact with friction
- *  @param state   a state of its contact, with a radius > 0
- *  @param torque  receives it [modulus length^3]
- *  @return as mdr_torsion_states() */
-int mdr_torsion_sliding(const mdr_friction *f, const mdr_state *state, double *torque);
-
-/** A field of a torsional state.
- *  @param f        contact with friction
- *  @param state    the normal state, with a radius > 0
- *  @param twisted  a torsional state of it
- *  @param field    MDR_FIELD_TRACTION: tau(r), the shear traction around the axis [modulus], or MDR_FIELD_TANGENTIAL_LINE_LOAD:
- *                  q(x) = 2 x int_x^a tau dr/sqrt(r^2 - x^2) [modulus length]
- *  @param n        number of positions
- *  @param r        [n] r or x, 0 <= r <= a [length]
- *  @param out      [n] values
- *  @return also MDR_EDOMAIN for a position outside the contact, and as mdr_torsion_states() */
-int mdr_torsion_field(const mdr_friction *f, const mdr_state *state, const mdr_torsional_state *twisted, int field, int n,
-                      const double r[], double out[]);
-
-/** The loop of a cycle between +amplitude and -amplitude, by Masing's rule as mdr_friction_loop().
- *  @param f           contact with friction
- *  @param state       the normal state, with a radius > 0
- *  @param given       one of enum mdr_torsional_given: what the amplitude is
- *  @param amplitude   > 0, a torque below that of sliding [radian, or modulus length^3]
- *  @param n           number of points, at least 3: from +amplitude to -amplitude and back, in equal steps of the twist
- *  @param twist       [n] twists [radian]
- *  @param torque      [n] torques [modulus length^3]
- *  @param dissipated  energy dissipated in the cycle, the area of the loop, without loss of digits at small amplitudes
- *                     [modulus length^3]
- *  @return as mdr_torsion_states() */
-int mdr_torsion_loop(const mdr_friction *f, const mdr_state *state, int given, double amplitude, int n, double twist[],
-                     double torque[], double *dissipated);
+ *  @return as mdr_shear_states() */
+int mdr_shear_loop(const mdr_shear *s, int given, double amplitude, int n, double shift[], double force[], double *dissipated);
 
 /** A contact with friction and its past, along any path of normal and tangential loading; not for two threads at a time. Made by
- *  mdr_friction_history_new() or mdr_friction_history_copy(), freed by mdr_friction_history_free(). */
+ *  mdr_friction_history_new() or mdr_friction_history_copy(). */
 typedef struct mdr_friction_history mdr_friction_history;
 
 /** A contact that has not been loaded yet.
@@ -181,7 +149,7 @@ typedef struct mdr_friction_history mdr_friction_history;
  *  @param largest_depth  0, or the depth up to which there are rings; needed on layered bodies [length]
  *  @param rings          10 to 1000, or 0: 100
  *  @param out            receives the handle
- *  @return also MDR_EINVALID for media other than homogeneous and exact layered ones, and as mdr_contact_from_depth() */
+ *  @return also MDR_EINVALID for media other than homogeneous and exact layered ones, and as mdr_contact_states() */
 int mdr_friction_history_new(const mdr_friction *f, double largest_depth, int rings, mdr_friction_history **out);
 
 /** A copy with the same past, which goes its own way from here.
@@ -202,15 +170,7 @@ int mdr_friction_history_copy(const mdr_friction_history *h, mdr_friction_histor
  *  @return also MDR_EUNREACHABLE for a tangential force at which the contact slides, MDR_EDOMAIN beyond the largest depth of rings
  *          or if the pressure would be negative somewhere, MDR_ENOCONVERGENCE, and as mdr_contact_states() */
 int mdr_friction_history_advance(mdr_friction_history *h, int normal_given, int tangential_given, int n, const double normal[],
-                                 const double tangential[], mdr_state states[], mdr_tangential_state out[]);
-
-/** Frees a history and sets *h to NULL. h = NULL and *h = NULL are allowed.
- *  @return MDR_SUCCESS, or MDR_EINVALID (and frees nothing) if *h is not a history of friction */
-int mdr_friction_history_free(mdr_friction_history **h);
-
-/** Frees a contact with friction and sets *f to NULL. f = NULL and *f = NULL are allowed.
- *  @return MDR_SUCCESS, or MDR_EINVALID (and frees nothing) if *f is not a contact with friction */
-int mdr_friction_free(mdr_friction **f);
+                                 const double tangential[], mdr_state states[], mdr_shear_state out[]);
 
 #ifdef __cplusplus
 }

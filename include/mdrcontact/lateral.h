@@ -14,7 +14,7 @@ extern "C" {
 #endif
 
 /** A half-space z > 0 whose moduli vary in all directions. Made by mdr_structure_shapes(), mdr_structure_voxels() or
- *  mdr_structure_callback(), freed by mdr_structure_free(). */
+ *  mdr_structure_function(). */
 typedef struct mdr_structure mdr_structure;
 
 /**
@@ -96,7 +96,7 @@ int mdr_structure_voxels(const int size[3], const int labels[], int phases, cons
  *  @param reference_nu  Poisson's ratio of the weights, -1 < nu <= 1/2 [1]
  *  @param options       tolerance and exponent; NULL for the defaults
  *  @param out           receives the handle */
-int mdr_structure_callback(mdr_field field, void *context, double reference_nu, const mdr_structure_options *options,
+int mdr_structure_function(mdr_field field, void *context, double reference_nu, const mdr_structure_options *options,
                            mdr_structure **out);
 
 /** E_eff(a, x, y) = 2 G_eff/(1 - nu_eff), to first order in the contrast of the moduli, equation (33).
@@ -120,10 +120,6 @@ int mdr_structure_modulus(const mdr_structure *s, int n, const double x[], const
  *  @return also as mdr_structure_modulus() */
 int mdr_structure_medium(const mdr_structure *s, double x, double y, double smallest_radius, double largest_radius, int points,
                          mdr_medium **out);
-
-/** Frees a structure and sets *s to NULL. s = NULL and *s = NULL are allowed.
- *  @return MDR_SUCCESS, or MDR_EINVALID (and frees nothing) if *s is not a structure */
-int mdr_structure_free(mdr_structure **s);
 
 /** The weights with which shear modulus and Poisson's ratio at a point enter G_eff and nu_eff: densities whose integral over the
  *  half-space is 1, in units of a. Both are infinite at the edge of the contact, rho = 1, z = 0.
@@ -149,7 +145,7 @@ int mdr_lateral_density(int n, const double rho[], const double z[], double nu, 
 int mdr_lateral_cells(double nu, double a, double z_top, double z_bottom, int nx, const double x[], int ny, const double y[],
                       double shear[], double poisson[]);
 
-/** Points and weights for sums over smooth structures, G_eff = sum of weight * G(x + a point): what mdr_structure_callback()
+/** Points and weights for sums over smooth structures, G_eff = sum of weight * G(x + a point): what mdr_structure_function()
  *  uses.
  *  @param order    1 to 200; the rule has N = 6 order^3 points
  *  @param nu       Poisson's ratio of the weights, -1 < nu <= 1/2 [1]

@@ -16,7 +16,7 @@ extern "C" {
 
 /** The law of one contact over a range of depths, made once, verified against the contact, then evaluated in nanoseconds.
  *  Unlike a contact it has an answer for bodies that are apart: 0. Made by mdr_law_new(), mdr_law_with_radius(), mdr_law_load() or
- *  mdr_law_read(), freed by mdr_law_free(). */
+ *  mdr_law_read(). */
 typedef struct mdr_law mdr_law;
 
 /** What a law is made with. Begun by MDR_SIZED. */
@@ -64,8 +64,8 @@ typedef struct mdr_law_point {
  *  @param largest_depth  > 0 [length]
  *  @param options        NULL for the defaults
  *  @param out            receives the handle
- *  @return also as mdr_contact_from_depth() and mdr_contact_pull_off(); MDR_ENOCONVERGENCE if the tolerance is not met; with
- *          friction also as mdr_friction_states(), and MDR_EINVALID if it is of another contact */
+ *  @return also as mdr_contact_states() and mdr_contact_pull_off(); MDR_ENOCONVERGENCE if the tolerance is not met; with
+ *          friction also as mdr_shear_new(), and MDR_EINVALID if it is of another contact */
 int mdr_law_new(const mdr_contact *contact, double largest_depth, const mdr_law_options *options, mdr_law **out);
 
 /** The law of the same bodies for a paraboloid of another radius R, from the law for R0, without adhesion: on any linear bodies
@@ -87,22 +87,6 @@ int mdr_law_with_radius(const mdr_law *law, double radius, mdr_law **out);
  *  @return also MDR_EDOMAIN beyond the largest depth */
 int mdr_law_force(const mdr_law *law, int branch, double d, double *F, double *slope);
 
-/** The state at one depth.
- *  @param law     law
- *  @param branch  one of enum mdr_branch
- *  @param d       indentation depth up to the largest one [length]
- *  @param point   receives the state
- *  @return also MDR_EDOMAIN beyond the largest depth */
-int mdr_law_at_depth(const mdr_law *law, int branch, double d, mdr_law_point *point);
-
-/** The state under one normal force.
- *  @param law     law
- *  @param branch  one of enum mdr_branch
- *  @param F       force >= 0, with adhesion on unloading down to the pull-off force [modulus length^2]
- *  @param point   receives the state
- *  @return also MDR_EUNREACHABLE below the lowest force, MDR_EDOMAIN beyond the largest */
-int mdr_law_at_force(const mdr_law *law, int branch, double F, mdr_law_point *point);
-
 /** The state at one depth of a contact with a history: an open contact closes at d >= 0, with a cohesive stress from the first
  *  attraction on, a closed one stays on its stable segment until that ends, by pull-off or by a jump to another one.
  *  @param law      law
@@ -112,40 +96,22 @@ int mdr_law_at_force(const mdr_law *law, int branch, double F, mdr_law_point *po
  *  @return also MDR_EDOMAIN beyond the largest depth */
 int mdr_law_follow(const mdr_law *law, double d, int *segment, mdr_law_point *point);
 
-/** States from indentation depths. Outputs that are NULL are skipped.
- *  @param law      law
- *  @param branch   one of enum mdr_branch
- *  @param n        number of states
- *  @param d        [n] depths up to the largest one; all outputs are 0 where the bodies are apart [length]
- *  @param F        [n] or NULL: normal forces [modulus length^2]
- *  @param slope    [n] or NULL: dF/dd along the branch [modulus length]
- *  @param a        [n] or NULL: contact radii [length]
- *  @param k        [n] or NULL: stiffnesses dF/dd at constant a [modulus length]
- *  @return also MDR_EDOMAIN beyond the largest depth */
-int mdr_law_from_depth(const mdr_law *law, int branch, int n, const double d[], double F[], double slope[], double a[],
-                       double k[]);
-
-/** States from normal forces. Outputs that are NULL are skipped.
- *  @param law         law
- *  @param branch      one of enum mdr_branch
- *  @param n           number of states
- *  @param F           [n] forces >= 0, with adhesion on unloading down to the pull-off force [modulus length^2]
- *  @param d           [n] or NULL: indentation depths [length]
- *  @param compliance  [n] or NULL: dd/dF along the branch [1/(modulus length)]
- *  @param a           [n] or NULL: contact radii [length]
- *  @param k           [n] or NULL: stiffnesses dF/dd at constant a [modulus length]
- *  @return also MDR_EUNREACHABLE below the lowest force, MDR_EDOMAIN beyond the largest */
-int mdr_law_from_force(const mdr_law *law, int branch, int n, const double F[], double d[], double compliance[], double a[],
-                       double k[]);
-
-/** Energies U = int F dd along the branch, as in mdr_law_point.
+/** States of a law. Outputs that are NULL are skipped, and cost nothing.
  *  @param law     law
+ *  @param given   MDR_GIVEN_DEPTH or MDR_GIVEN_FORCE: what `in` holds
  *  @param branch  one of enum mdr_branch
  *  @param n       number of states
- *  @param d       [n] depths up to the largest one [length]
- *  @param U       [n] energies; 0 where the bodies are apart [modulus length^3]
- *  @return also MDR_EDOMAIN beyond the largest depth */
-int mdr_law_energy(const mdr_law *law, int branch, int n, const double d[], double U[]);
+ *  @param in      [n] depths up to the largest one, where all else is 0 for bodies that are apart [length]; or forces >= 0, with
+ *                 adhesion on unloading down to the pull-off force [modulus length^2]
+ *  @param d       [n] or NULL: indentation depths [length]
+ *  @param a       [n] or NULL: contact radii [length]
+ *  @param F       [n] or NULL: normal forces [modulus length^2]
+ *  @param k       [n] or NULL: stiffnesses dF/dd at constant a [modulus length]
+ *  @param slope   [n] or NULL: along the branch dF/dd [modulus length], where forces are given dd/dF [1/(modulus length)]
+ *  @param energy  [n] or NULL: U as in mdr_law_point [modulus length^3]
+ *  @return also MDR_EUNREACHABLE below the lowest force, MDR_EDOMAIN beyond the largest depth or force */
+int mdr_law_values(const mdr_law *law, int given, int branch, int n, const double in[], double d[], double a[], double F[],
+                   double k[], double slope[], double energy[]);
 
 /** Conductances G of a law that was made with a conduction, and dG/dd along the branch. Outputs that are NULL are skipped. Beyond
  *  the largest depth of a law that goes on there G is that at its end, as a and k are.
@@ -170,7 +136,7 @@ typedef struct mdr_law_facts {
     int solutions;          /**< Contact states computed to make and verify the law. */
     int adhesive;           /**< 1 with adhesion, else 0. */
     int segments;           /**< Number of stable segments under depth control. */
-    int description_length; /**< Of the description, without its closing zero. */
+    const char *description; /**< The problem it was made from, in the words of the options; as long as the law. */
     int continue_beyond;    /**< 1 if it answers beyond its range too, else 0. */
     int sliders;            /**< How many vector sliders stand for the springs of a contact; 0 in a law without friction. */
     int memory_size;        /**< How many numbers the record of a contact has, 11 + 4 sliders; 0 in a law without friction. */
@@ -192,7 +158,7 @@ typedef struct mdr_law_facts {
 /** What a law is.
  *  @param law    law
  *  @param facts  begun by MDR_SIZED; receives it */
-int mdr_law_info(const mdr_law *law, mdr_law_facts *facts);
+int mdr_law_about(const mdr_law *law, mdr_law_facts *facts);
 
 /** What the first number of a law's buffer is. */
 enum mdr_law_format { MDR_LAW_FORMAT = 1296843314 /**< This version. */ };
@@ -259,12 +225,6 @@ typedef struct mdr_law_interval {
  *  @param buffer  [size] receives the numbers; for speed at a multiple of 64 bytes */
 int mdr_law_buffer(const mdr_law *law, int size, double buffer[]);
 
-/** The problem a law was made from, in the words of the options.
- *  @param law     law
- *  @param buffer  receives the text; may be NULL if length < 1
- *  @param length  size of buffer, description_length + 1 for all of it; what does not fit is cut off */
-int mdr_law_description(const mdr_law *law, char *buffer, int length);
-
 /** Writes a law to a file, which it replaces: a text with version, description and checksum, for any machine. The file is complete
  *  or as it was before, also while other threads read it. A symbolic link is followed.
  *  @param law   law
@@ -292,10 +252,6 @@ int mdr_law_write(const mdr_law *law, char *buffer, int length, int *full_length
  *  @return also MDR_EFILE if the content is damaged, or is none of a law */
 int mdr_law_read(const char *buffer, int length, mdr_law **out);
 
-/** Frees a law and sets *law to NULL. law = NULL and *law = NULL are allowed.
- *  @return MDR_SUCCESS, or MDR_EINVALID (and frees nothing) if *law is not a law */
-int mdr_law_free(mdr_law **law);
-
 /* The tangential force T of contacts in codes that integrate motion, step by step, along any path of the shift in the plane and of
  * the normal force: stick, partial slip, sliding, and what earlier slip left behind. The springs of the contact are divided among
  * a few vector sliders; no path yields energy, T is continuous, and each step has a derivative. How far it can be trusted:
@@ -313,18 +269,15 @@ int mdr_law_free(mdr_law **law);
  *  @param force    [n] normal forces F at the end of the step, >= 0 [modulus length^2]; where the shear strength is constant the
  *                  contact radii a in their place [length]. 0 parts the bodies
  *  @param shift    [3 n] x, y, z of the shift of each contact in this step, in its tangent plane [length]
+ *  @param is_trial 0: the step is taken; else the records stay as they are, for Newton's method, and for steps that may have to
+ *                  be taken back
  *  @param tangent  receives [12 n]: of each contact, for each component i of T, dT_i/dx, dT_i/dy, dT_i/dz by the shift of the step
  *                  [modulus length] and dT_i/dF [1], or dT_i/da [modulus length]; or NULL
  *  @param memory   [memory_size n] the records
  *  @param T        receives [3 n] the tangential forces on the medium [modulus length^2]
  *  @return also MDR_EDOMAIN beyond the largest force, unless the law continues beyond it */
-int mdr_law_advance(const mdr_law *law, int n, const double force[], const double shift[], double tangent[], double memory[],
-                    double T[]);
-
-/** What mdr_law_advance() would give; the records stay as they are. For Newton's method, and for steps that may have to be
- *  taken back. Arguments as there. */
-int mdr_law_try(const mdr_law *law, int n, const double force[], const double shift[], double tangent[], const double memory[],
-                double T[]);
+int mdr_law_advance(const mdr_law *law, int n, const double force[], const double shift[], int is_trial, double tangent[],
+                    double memory[], double T[]);
 
 /** Energies of n contacts under shear, stored by the springs and taken by slip, slider by slider. Together they are the work of T,
  *  up to terms of the order of a step squared; along a line under constant F they do not depend on the steps. What is dissipated

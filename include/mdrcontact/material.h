@@ -13,7 +13,7 @@
 extern "C" {
 #endif
 
-/** A viscoelastic material, for layers of mdr_medium_stack(). Made by mdr_material_..., freed by mdr_material_free(). */
+/** A viscoelastic material, for layers of mdr_medium_layered(). Made by mdr_material_.... */
 typedef struct mdr_material mdr_material;
 
 /** A linear viscoelastic material whose shear modulus relaxes as G(t) = relaxed_shear_modulus + sum moduli_i exp(-t/times_i) (Prony
@@ -37,27 +37,23 @@ int mdr_material_viscoelastic(double relaxed_shear_modulus, int n, const double 
  *  @param out       receives the handle */
 int mdr_material_power_law(double modulus, double time, double exponent, double nu, mdr_material **out);
 
-/** The shear relaxation modulus G(t) [modulus], at t = 0 the glassy one; a dashpot bears nothing at t > 0.
- *  @param m    material
- *  @param n    number of times
- *  @param t    [n] >= 0, and > 0 of a power law or with a dashpot, whose G(0) is infinite [time]
- *  @param out  [n] [modulus] */
-int mdr_material_relaxation(const mdr_material *m, int n, const double t[], double out[]);
+/** What is wanted of a viscoelastic material. */
+enum mdr_material_quantity {
+    MDR_RELAXATION = 1,     /**< G(t), the shear relaxation modulus [modulus], at t = 0 the glassy one; a dashpot bears nothing at
+                                 t > 0. t >= 0, and > 0 of a power law or with a dashpot, whose G(0) is infinite. */
+    MDR_CREEP = 2,          /**< J(t), the shear compliance: the strain under a constant stress of 1 [1/modulus]; J(0) = 0 of a power
+                                 law or with a dashpot. t >= 0. */
+    MDR_COMPLEX_MODULUS = 3 /**< The complex shear modulus at angular frequencies omega > 0, storage and loss modulus [modulus]. */
+};
 
-/** The shear compliance J(t), the strain under a constant stress of 1 [1/modulus]; J(0) = 0 of a power law or with a dashpot.
- *  @param m    material
- *  @param n    number of times
- *  @param t    [n] >= 0 [time]
- *  @param out  [n] [1/modulus] */
-int mdr_material_creep(const mdr_material *m, int n, const double t[], double out[]);
-
-/** The complex shear modulus at angular frequencies: storage and loss modulus.
- *  @param m        material
- *  @param n        number of frequencies
- *  @param omega    [n] > 0 [1/time]
- *  @param storage  [n] [modulus]
- *  @param loss     [n] [modulus] */
-int mdr_material_complex_modulus(const mdr_material *m, int n, const double omega[], double storage[], double loss[]);
+/** A quantity of a viscoelastic material.
+ *  @param m          material
+ *  @param quantity   one of enum mdr_material_quantity
+ *  @param n          number of times or frequencies
+ *  @param x          [n] t [time] or omega [1/time]
+ *  @param out        [n] values, of the complex modulus real parts
+ *  @param imaginary  [n] or NULL: imaginary parts of the complex modulus, else 0 */
+int mdr_material_values(const mdr_material *m, int quantity, int n, const double x[], double out[], double imaginary[]);
 
 /** The elastic materials that a viscoelastic one is like under sudden and under lasting loads. */
 enum mdr_limit {
@@ -72,10 +68,6 @@ enum mdr_limit {
  *  @param nu     or NULL: receives Poisson's ratio [1]
  *  @return also MDR_EINVALID where there is no such limit: power laws, dashpots, liquids */
 int mdr_material_limit(const mdr_material *m, int limit, double *E, double *nu);
-
-/** Frees a material and sets *m to NULL. m = NULL and *m = NULL are allowed.
- *  @return MDR_SUCCESS, or MDR_EINVALID (and frees nothing) if *m is not a material */
-int mdr_material_free(mdr_material **m);
 
 #ifdef __cplusplus
 }

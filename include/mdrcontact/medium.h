@@ -13,7 +13,7 @@
 extern "C" {
 #endif
 
-/** What is pressed: an elastic or viscoelastic half-space, or two bodies. Made by mdr_medium_..., freed by mdr_medium_free(). */
+/** What is pressed: an elastic or viscoelastic half-space, or two bodies. Made by mdr_medium_.... */
 typedef struct mdr_medium mdr_medium;
 
 /** Models of a coated, layered or graded half-space. h is the thickness, x = a/h, xi = h/a, index 0 the coating, 1 the substrate,
@@ -95,7 +95,7 @@ typedef struct mdr_medium_options {
     double surface_tension; /**< Exact: tau of the surface, 1/C + tau k^2 + B k^4 in place of 1/C(k): the tension of a gel; > 0, or with a
                                  plate greater than 0.95 times the one under which it wrinkles [modulus length]; default 0. */
     double surface_bending; /**< Exact: B >= 0 of a plate that slides on the surface [modulus length^3]; default 0. Coated and
-                                 layered elastic bodies take both, a homogeneous one by mdr_medium_stack() with n = 0. Their contacts
+                                 layered elastic bodies take both, a homogeneous one by mdr_medium_layered() with n = 0. Their contacts
                                  answer states, adhesion, fields of the surface and laws, to 1e-9 (cones 1e-8); friction, stresses
                                  inside, energies and pairs return MDR_EINVALID. */
     double surface_stretching; /**< Exact: K_m >= 0, stiffness in its plane of a sheet that is bonded to the surface, E h/(1 - nu^2)
@@ -103,42 +103,10 @@ typedef struct mdr_medium_options {
                                  returns MDR_EINVALID under those does so under this one. */
 } mdr_medium_options;
 
-/** Homogeneous half-space of one material, equations (1)-(8); E_eff = E/(1 - nu^2).
- *  @param E    Young's modulus > 0 [modulus]
- *  @param nu   Poisson's ratio, -1 < nu <= 1/2 [1]
- *  @param out  receives the handle */
-int mdr_medium_homogeneous(double E, double nu, mdr_medium **out);
-
 /** Homogeneous half-space of given contact modulus, whatever its E and nu.
  *  @param contact_modulus  E* > 0 [modulus]
  *  @param out              receives the handle */
 int mdr_medium_contact_modulus(double contact_modulus, mdr_medium **out);
-
-/** Half-space with one coating.
- *  @param coating_E     E0 > 0 [modulus]
- *  @param coating_nu    -1 < nu0 <= 1/2 [1]; 1/2 for MDR_MODEL_DIMITRIADIS and MDR_MODEL_GARCIA
- *  @param thickness     h > 0 [length]
- *  @param substrate_E   E1 > 0 [modulus]; INFINITY is a rigid base, which MDR_MODEL_DIMITRIADIS and MDR_MODEL_GARCIA
- *                       demand, MDR_MODEL_EXACT allows, and the others refuse
- *  @param substrate_nu  -1 < nu1 <= 1/2 [1]; not looked at for a rigid base
- *  @param model         one of enum mdr_model
- *  @param options       NULL for the defaults
- *  @param out           receives the handle */
-int mdr_medium_coated(double coating_E, double coating_nu, double thickness, double substrate_E, double substrate_nu,
-                      int model, const mdr_medium_options *options, mdr_medium **out);
-
-/** Stack of layers on a substrate, equation (16) for piecewise constant moduli.
- *  @param n             number of layers, at least 1
- *  @param E             [n] Young's moduli > 0 from the surface down [modulus]
- *  @param nu            [n] Poisson's ratios, -1 < nu <= 1/2 [1]
- *  @param thickness     [n] thicknesses > 0 [length]
- *  @param substrate_E   > 0 [modulus]; INFINITY is a rigid base, MDR_MODEL_EXACT only
- *  @param substrate_nu  -1 < nu <= 1/2 [1]; not looked at for a rigid base
- *  @param model         MDR_MODEL_GAO, ..._GAO_SERIES, ..._GAO_POWER or ..._EXACT
- *  @param options       NULL for the defaults
- *  @param out           receives the handle */
-int mdr_medium_layered(int n, const double E[], const double nu[], const double thickness[],
-                       double substrate_E, double substrate_nu, int model, const mdr_medium_options *options, mdr_medium **out);
 
 /** A layer, or a half-space, of an isotropic material or of one that is isotropic in its plane with another stiffness along its
  *  normal z, perhaps under a stress in its plane, and the interface below it. Set all of it with MDR_SIZED first. */
@@ -165,20 +133,35 @@ typedef struct mdr_layer {
                                        those. It may be freed once the medium is made. */
 } mdr_layer;
 
-/** Layers on a substrate, of any kinds of mdr_layer. What is not isotropic, bonded and free of stress takes MDR_MODEL_EXACT; a
- *  tangential contact over a sliding interface is refused, as stresses inside layers under a prestress are.
+/** A layer of an isotropic material, bonded and free of stress.
+ *  @param E          Young's modulus > 0 [modulus]
+ *  @param nu         Poisson's ratio, -1 < nu <= 1/2 [1]
+ *  @param thickness  > 0; not looked at in a substrate [length] */
+static inline mdr_layer mdr_isotropic(double E, double nu, double thickness)
+{
+    mdr_layer layer = MDR_SIZED(mdr_layer);
+    layer.E = E;
+    layer.nu = nu;
+    layer.thickness = thickness;
+    return layer;
+}
+
+/** A half-space, a coating or layers on a substrate, equations (1)-(16): of one material E_eff = E/(1 - nu^2). What is not
+ *  isotropic, bonded and free of stress takes MDR_MODEL_EXACT; more than one layer that, MDR_MODEL_GAO, ..._GAO_SERIES or
+ *  ..._GAO_POWER. A tangential contact over a sliding interface is refused, as stresses inside layers under a prestress are.
  *
  *  Where one has a `material` the body is viscoelastic: its layers are isotropic and free of stress, its interfaces do not relax. Its
  *  contacts answer mdr_contact_history(); everything else returns MDR_EINVALID and says so, work of adhesion included.
  *  @param n          number of layers; 0: a half-space
  *  @param layers     [n] from the surface down; with n = 0 it may be NULL
  *  @param substrate  the half-space below; NULL: a rigid base, which holds the last layer by its interface: a sliding one is a
- *                    smooth rigid base
- *  @param model      one of enum mdr_model
+ *                    smooth rigid base. MDR_MODEL_DIMITRIADIS and MDR_MODEL_GARCIA demand a rigid base and nu = 1/2,
+ *                    MDR_MODEL_EXACT allows one, the others refuse it
+ *  @param model      one of enum mdr_model; MDR_MODEL_EXACT for a half-space
  *  @param options    NULL for the defaults
  *  @param out        receives the handle
  *  @return also MDR_EINVALID where compression is beyond that at which the surface wrinkles */
-int mdr_medium_stack(int n, const mdr_layer *layers, const mdr_layer *substrate, int model, const mdr_medium_options *options,
+int mdr_medium_layered(int n, const mdr_layer *layers, const mdr_layer *substrate, int model, const mdr_medium_options *options,
                      mdr_medium **out);
 
 /** The compression of one layer, all else as it is, at which the surface wrinkles: some wave then has no stiffness. The stress that
@@ -212,7 +195,7 @@ int mdr_medium_graded(int n, const double z[], const double E[], const double nu
  *  @param options  NULL for the defaults
  *  @param out      receives the handle
  *  @return also MDR_ECALLBACK, MDR_ENOCONVERGENCE if a function is not smooth enough to be sampled */
-int mdr_medium_graded_callback(mdr_function E, mdr_function nu, void *context, double depth, int model,
+int mdr_medium_graded_function(mdr_function E, mdr_function nu, void *context, double depth, int model,
                                const mdr_medium_options *options, mdr_medium **out);
 
 /** Half-space with E(z) = E0 (z/z0)^m and constant nu, exactly (Hess, Int. J. Eng. Sci. 104 (2016) 20).
@@ -256,41 +239,32 @@ int mdr_medium_table(int n, const double a[], const double moduli[], mdr_medium 
  *  @param largest_radius   > smallest_radius [length]; states are offered between the two
  *  @param out              receives the handle
  *  @return also MDR_ECALLBACK, MDR_ENOCONVERGENCE if the function is not smooth enough to be sampled */
-int mdr_medium_callback(mdr_function modulus, void *context, double smallest_radius, double largest_radius, mdr_medium **out);
+int mdr_medium_function(mdr_function modulus, void *context, double smallest_radius, double largest_radius, mdr_medium **out);
 
-/** E_eff(a), the effective contact modulus, equation (10).
- *  @param m    medium
- *  @param n    number of radii
- *  @param a    [n] contact radii > 0 [length]
- *  @param out  [n] E_eff [modulus]
- *  @return also MDR_EINVALID for rigid and viscoelastic media, MDR_EDOMAIN where the medium is not defined, MDR_ENOCONVERGENCE */
-int mdr_medium_modulus(const mdr_medium *m, int n, const double a[], double out[]);
+/** What is wanted of a medium at a contact radius. */
+enum mdr_medium_quantity {
+    MDR_MODULUS = 1,            /**< E_eff(a), the effective contact modulus, equation (10) [modulus]. */
+    MDR_STIFFNESS = 2,          /**< k = 2 a E_eff(a), the stiffness of a flat punch of radius a, equation (10) [modulus length]. */
+    MDR_TANGENTIAL_MODULUS = 3, /**< G_t(a) = k_t(a)/(2 a), what takes E_eff's place where a contact that sticks all over is displaced
+                                     along the surface: 4 G/(2 - nu) of a homogeneous body, 1/G_t adds where two bodies touch
+                                     [modulus]. Homogeneous media with E and nu; coated, layered or graded ones under the model
+                                     MDR_MODEL_EXACT, exact but for the displacement that varies as cos 2 phi around the axis (k_t is
+                                     low by at most 0.35 %), or by Gao's weights with those of a tangential load; pairs of these. */
+    MDR_TORSIONAL_STIFFNESS = 4 /**< M/phi of a contact that sticks all over and is twisted about its axis: 16 G a^3/3 of a
+                                     homogeneous body [modulus length^3]. Exact for homogeneous media with E and nu, for coated,
+                                     layered and graded ones under the model MDR_MODEL_EXACT, and for pairs of these. */
+};
 
-/** k = 2 a E_eff(a), the stiffness of a flat punch of radius a, equation (10) [modulus length]. Arguments and errors as
- *  mdr_medium_modulus(). */
-int mdr_medium_stiffness(const mdr_medium *m, int n, const double a[], double out[]);
-
-/** G_t(a) = k_t(a)/(2 a), what takes E_eff's place where a contact that sticks all over is displaced along the surface:
- *  4 G/(2 - nu) of a homogeneous body, 1/G_t adds where two bodies touch. The kernel of a layered body is tabulated in each call:
- *  give all radii at once.
- *  @param m    homogeneous with E and nu; coated, layered or graded under the model MDR_MODEL_EXACT, exact but for the displacement
- *              that varies as cos 2 phi around the axis (k_t is low by at most 0.35 %), or by Gao's weights with those of a
- *              tangential load; pairs of these
- *  @param n    number of radii
- *  @param a    [n] contact radii > 0 [length]
- *  @param out  [n] G_t [modulus]
- *  @return also MDR_EINVALID for other media, MDR_EDOMAIN where the medium is not defined, MDR_ENOCONVERGENCE */
-int mdr_medium_tangential_modulus(const mdr_medium *m, int n, const double a[], double out[]);
-
-/** The torsional stiffness M/phi of a contact that sticks all over and is twisted about its axis: 16 G a^3/3 of a homogeneous body,
- *  exact for homogeneous media with E and nu, for coated, layered and graded ones under the model MDR_MODEL_EXACT, and for pairs of
- *  these.
- *  @param m    medium
- *  @param n    number of radii
- *  @param a    [n] contact radii > 0 [length]
- *  @param out  [n] stiffnesses [modulus length^3]
- *  @return also MDR_EINVALID for other media, MDR_EDOMAIN where the medium is not defined, MDR_ENOCONVERGENCE */
-int mdr_medium_torsional_stiffness(const mdr_medium *m, int n, const double a[], double out[]);
+/** A quantity of a medium at many contact radii. Kernels of layered bodies are tabulated in each call for MDR_TANGENTIAL_MODULUS and
+ *  MDR_TORSIONAL_STIFFNESS: give all radii at once.
+ *  @param m         medium
+ *  @param quantity  one of enum mdr_medium_quantity
+ *  @param n         number of radii
+ *  @param a         [n] contact radii > 0 [length]
+ *  @param out       [n] values
+ *  @return also MDR_EINVALID for rigid and viscoelastic media and where the quantity is not known, MDR_EDOMAIN where the medium is
+ *          not defined, MDR_ENOCONVERGENCE */
+int mdr_medium_values(const mdr_medium *m, int quantity, int n, const double a[], double out[]);
 
 /** Loads of a surface. */
 enum mdr_load {
@@ -313,10 +287,6 @@ enum mdr_load {
  *  @param imaginary  [n] or NULL: imaginary parts, <= 0; 0 of elastic media
  *  @return also MDR_EINVALID for other media, MDR_EDOMAIN where C is infinite, as that of a fluid at omega = 0 */
 int mdr_medium_compliance(const mdr_medium *m, int load, double omega, int n, const double k[], double out[], double imaginary[]);
-
-/** Frees a medium and sets *m to NULL. m = NULL and *m = NULL are allowed.
- *  @return MDR_SUCCESS, or MDR_EINVALID (and frees nothing) if *m is not a medium */
-int mdr_medium_free(mdr_medium **m);
 
 #ifdef __cplusplus
 }

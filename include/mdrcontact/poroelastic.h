@@ -13,7 +13,7 @@
 extern "C" {
 #endif
 
-/** The answers of a poroelastic gel. Made by mdr_poroelastic_new(), freed by mdr_poroelastic_free(). */
+/** The answers of a poroelastic gel. Made by mdr_poroelastic_new(). */
 typedef struct mdr_poroelastic mdr_poroelastic;
 
 /** What the pore fluid may do at the surface of a gel. There is no default: it matters more than anything else. */
@@ -37,19 +37,15 @@ enum mdr_poroelastic_answer {
 
 /** The answers of a gel in time and under oscillation: a poroelastic half-space (Biot, incompressible constituents), or a film
  *  bonded to a rigid base that lets no fluid through, under a rigid frictionless indenter. One table, about half a second: that of a
- *  half-space serves all shear moduli, diffusivities, contact radii and times. It is compared between its nodes, see
- *  mdr_poroelastic_error(). At once F = 8 G a d as of nu = 1/2, at last F = 4 G a d/(1 - nu).
+ *  half-space serves all shear moduli, diffusivities, contact radii and times. It is compared with finer
+ *  solutions between its nodes. At once F = 8 G a d as of nu = 1/2, at last F = 4 G a d/(1 - nu).
  *  @param nu        drained Poisson's ratio, -1 < nu < 1/2, at which nothing would drain
  *  @param drainage  one of enum mdr_drainage; MDR_DRAINAGE_INDENTER on a half-space only
  *  @param ratio     contact radius over the thickness of a film, 0 to 4; 0: half-space
+ *  @param deviation or NULL: receives by how much the table is off between its nodes, relative
  *  @param out       receives the handle
  *  @return also MDR_EINVALID, MDR_ENOCONVERGENCE */
-int mdr_poroelastic_new(double nu, int drainage, double ratio, mdr_poroelastic **out);
-
-/** By how much a table is off between its nodes, relative, as it was compared with finer solutions there.
- *  @param p    gel
- *  @param out  receives the error */
-int mdr_poroelastic_error(const mdr_poroelastic *p, double *out);
+int mdr_poroelastic_new(double nu, int drainage, double ratio, double *deviation, mdr_poroelastic **out);
 
 /** The answer to a step at time 0.
  *  @param p              gel
@@ -113,10 +109,6 @@ int mdr_poroelastic_pressure(const mdr_poroelastic *p, int kind, int is_flat, do
  *  @return also MDR_EINVALID */
 int mdr_poroelastic_compliance(double nu, int drainage, double thickness, double shear_modulus, double diffusivity, double omega,
                                int n, const double k[], double out[], double imaginary[]);
-
-/** Frees a gel and sets *p to NULL. p = NULL and *p = NULL are allowed.
- *  @return MDR_SUCCESS, or MDR_EINVALID (and frees nothing) if *p is not a gel */
-int mdr_poroelastic_free(mdr_poroelastic **p);
 
 #ifdef __cplusplus
 }

@@ -13,7 +13,7 @@
 extern "C" {
 #endif
 
-/** An indenter. Made by mdr_profile_..., freed by mdr_profile_free(). */
+/** An indenter. Made by mdr_profile_.... */
 typedef struct mdr_profile mdr_profile;
 
 /** Paraboloid f = r^2/(2R), g = x^2/R: a sphere as long as a is small against R.
@@ -73,12 +73,22 @@ int mdr_profile_rounded_cone(double blend_radius, double inclination, mdr_profil
  *  @param out           receives the handle */
 int mdr_profile_area_function(int n, const double coefficients[], double min_height, double max_height, mdr_profile **out);
 
-/** Indenter through the points (r, f), interpolated without overshoot; leading zeros of f are a flat end.
- *  @param n    number of points, at least 3
- *  @param r    [n] strictly ascending from r[0] = 0; contacts reach a <= r[n-1] [length]
- *  @param f    [n] from f[0] = 0, never decreasing, not all 0 [length]
- *  @param out  receives the handle */
-int mdr_profile_table(int n, const double r[], const double f[], mdr_profile **out);
+/** What is known or wanted of an indenter. */
+enum mdr_profile_quantity {
+    MDR_HEIGHT = 1,       /**< f(r), the height of its surface above its lowest point [length]. */
+    MDR_HEIGHT_SLOPE = 2, /**< f'(r) [1]; infinite at the equator of a sphere. */
+    MDR_G = 3,            /**< g(x), its one-dimensional profile, equation (3) [length]; infinite at the equator of a sphere. */
+    MDR_G_SLOPE = 4       /**< g'(x) [1]. */
+};
+
+/** Indenter through points, interpolated without overshoot. Of its height leading zeros are a flat end; if its one-dimensional
+ *  profile is given, its height follows from (4).
+ *  @param quantity  MDR_HEIGHT or MDR_G: what y is
+ *  @param n         number of points, at least 3
+ *  @param x         [n] r or x, strictly ascending from x[0] = 0; contacts reach a <= x[n-1] [length]
+ *  @param y         [n] from y[0] = 0, never decreasing, not all 0 [length]
+ *  @param out       receives the handle */
+int mdr_profile_table(int quantity, int n, const double x[], const double y[], mdr_profile **out);
 
 /** Indenter from a function f(r), smooth but for corners and a power of r at the axis; a feature narrower than 1 % of
  *  largest_radius may go unseen. It is sampled when the handle is made, and compared with f between the nodes. Written without
@@ -90,7 +100,7 @@ int mdr_profile_table(int n, const double r[], const double f[], mdr_profile **o
  *  @param largest_radius  > 0, up to where contacts reach [length]
  *  @param out             receives the handle
  *  @return also MDR_ECALLBACK, MDR_ENOCONVERGENCE if f is not smooth enough to be sampled or loses its digits towards the axis */
-int mdr_profile_callback(mdr_function height, void *context, double largest_radius, mdr_profile **out);
+int mdr_profile_function(mdr_function height, void *context, double largest_radius, mdr_profile **out);
 
 /** Sum of indenters, f = f1 + f2 + ...: their g add too. It is defined as far as the first of them ends.
  *  @param n      number of terms, at least 1
@@ -98,34 +108,14 @@ int mdr_profile_callback(mdr_function height, void *context, double largest_radi
  *  @param out    receives the handle */
 int mdr_profile_sum(int n, const mdr_profile *const terms[], mdr_profile **out);
 
-/** Indenter whose one-dimensional profile goes through the points (x, g); its f follows from (4).
- *  @param n    number of points, at least 3
- *  @param x    [n] strictly ascending from x[0] = 0 [length]
- *  @param g    [n] from g[0] = 0, never decreasing, not all 0 [length]
- *  @param out  receives the handle */
-int mdr_profile_from_mdr_table(int n, const double x[], const double g[], mdr_profile **out);
-
-/** f(r), the height of the indenter's surface above its lowest point [length].
- *  @param p    indenter
- *  @param n    number of radii
- *  @param r    [n] radii >= 0 [length]
- *  @param out  [n] heights [length]
+/** Height or one-dimensional profile of an indenter, or the slope of either.
+ *  @param p         indenter
+ *  @param quantity  one of enum mdr_profile_quantity
+ *  @param n         number of radii
+ *  @param x         [n] r or x >= 0 [length]
+ *  @param out       [n] values
  *  @return also MDR_EDOMAIN beyond the end of the profile */
-int mdr_profile_height(const mdr_profile *p, int n, const double r[], double out[]);
-
-/** f'(r) [1]; infinite at the equator of a sphere. Arguments and errors as mdr_profile_height(). */
-int mdr_profile_slope(const mdr_profile *p, int n, const double r[], double out[]);
-
-/** g(x), the one-dimensional profile, equation (3) [length]; infinite at the equator of a sphere. Arguments and errors as
- *  mdr_profile_height(), with x [length] in place of r. */
-int mdr_profile_mdr(const mdr_profile *p, int n, const double x[], double out[]);
-
-/** g'(x) [1]. Arguments and errors as mdr_profile_mdr(). */
-int mdr_profile_mdr_slope(const mdr_profile *p, int n, const double x[], double out[]);
-
-/** Frees an indenter and sets *p to NULL. p = NULL and *p = NULL are allowed.
- *  @return MDR_SUCCESS, or MDR_EINVALID (and frees nothing) if *p is not an indenter */
-int mdr_profile_free(mdr_profile **p);
+int mdr_profile_values(const mdr_profile *p, int quantity, int n, const double x[], double out[]);
 
 #ifdef __cplusplus
 }

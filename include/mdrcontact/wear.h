@@ -13,7 +13,7 @@
 extern "C" {
 #endif
 
-/** A contact that wears by Archard's law, dh = k p ds. Made by mdr_wear_new(), freed by mdr_wear_free(). */
+/** A contact that wears by Archard's law, dh = k p ds. Made by mdr_wear_new(). */
 typedef struct mdr_wear mdr_wear;
 
 /** A contact without adhesion, and how fast its two sides wear.
@@ -71,12 +71,8 @@ int mdr_wear_passes(const mdr_wear *w, const mdr_state *state, double depth, dou
  *  @return also MDR_EINVALID for other indenters and media */
 int mdr_wear_running_in(const mdr_wear *w, int given, double *length);
 
-/** Frees it and sets *w to NULL. w = NULL and *w = NULL are allowed.
- *  @return MDR_SUCCESS, or MDR_EINVALID (and frees nothing) if *w is not a contact that wears */
-int mdr_wear_free(mdr_wear **w);
-
 /** A sliding contact and what it has lost so far; not for two threads at a time. Made by mdr_wear_history_new() or
- *  mdr_wear_history_copy(), freed by mdr_wear_history_free(). */
+ *  mdr_wear_history_copy(). */
 typedef struct mdr_wear_history mdr_wear_history;
 
 /** What a history of wear has come to. */
@@ -145,16 +141,12 @@ int mdr_wear_history_advance(mdr_wear_history *h, int given, int n, const double
                              mdr_wear_state out[]);
 
 /** What it has come to.
- *  @param h    history
- *  @param out  receives it */
-int mdr_wear_history_state(const mdr_wear_history *h, mdr_wear_state *out);
-
-/** p(r), with the resolution of the intervals.
- *  @param h    history
- *  @param n    number of positions
- *  @param r    [n] r >= 0 [length]
- *  @param out  [n] pressures, 0 outside the contact [modulus] */
-int mdr_wear_history_pressure(const mdr_wear_history *h, int n, const double r[], double out[]);
+ *  @param h         history
+ *  @param n         number of positions
+ *  @param r         [n] r >= 0 [length]
+ *  @param out       or NULL: receives the state
+ *  @param pressure  [n] p(r), with the resolution of the intervals, 0 outside the contact [modulus] */
+int mdr_wear_history_state(const mdr_wear_history *h, int n, const double r[], mdr_wear_state *out, double pressure[]);
 
 /** The indenter as it is now, whose depth counts from its new apex; of the gap, where both sides wear.
  *  @param h    history
@@ -174,10 +166,6 @@ int mdr_wear_history_save(const mdr_wear_history *h, int capacity, double number
  *  @param numbers  [n] by mdr_wear_history_save()
  *  @return also MDR_EINVALID for numbers of another history */
 int mdr_wear_history_restore(mdr_wear_history *h, int n, const double numbers[]);
-
-/** Frees a history and sets *h to NULL. h = NULL and *h = NULL are allowed.
- *  @return MDR_SUCCESS, or MDR_EINVALID (and frees nothing) if *h is not a history of wear */
-int mdr_wear_history_free(mdr_wear_history **h);
 
 #ifdef __cplusplus
 }

@@ -13,32 +13,26 @@
 extern "C" {
 #endif
 
-/** Phi(xi) = dI0/dxi, the weight of the depth a xi itself; equation (18) at nu = 1/2.
- *  @param n    number of depths
- *  @param xi   [n] z/a >= 0 [1]
- *  @param nu   Poisson's ratio, -1 < nu <= 1/2 [1]
- *  @param out  [n] weights [1] */
-int mdr_weight_phi(int n, const double xi[], double nu, double out[]);
+/** Which weight of a depth. */
+enum mdr_weight_kind {
+    MDR_WEIGHT_PHI = 1,           /**< Phi(xi) = dI0/dxi, the weight of the depth a xi itself; equation (18) at nu = 1/2. */
+    MDR_WEIGHT_I0 = 2,            /**< I0(xi), the weight of the shear modulus above the depth a xi, equations (12)-(15). */
+    MDR_WEIGHT_I1 = 3,            /**< I1(xi), the weight of Poisson's ratio above it; nu is checked but does not enter. */
+    MDR_WEIGHT_J0 = 4,            /**< 1 - I0, the weight of what lies below, to full relative precision. */
+    MDR_WEIGHT_J1 = 5,            /**< 1 - I1, to full relative precision. */
+    MDR_WEIGHT_I0_TANGENTIAL = 6, /**< I0 of a load along the surface, the weight of the shear modulus in the tangential stiffness,
+                                       I1 + [xi L - xi/(1 + xi^2)]/(2 pi (2 - nu)) with L = ln(1 + 1/xi^2). Poisson's ratio keeps
+                                       the weight I1. */
+    MDR_WEIGHT_J0_TANGENTIAL = 7  /**< 1 less that, to full relative precision. */
+};
 
-/** I0(xi), the weight of the shear modulus above the depth a xi, equations (12)-(15). Arguments as mdr_weight_phi(). */
-int mdr_weight_i0(int n, const double xi[], double nu, double out[]);
-
-/** I1(xi), the weight of Poisson's ratio above the depth a xi, equations (12)-(15). Arguments as mdr_weight_phi(); nu is
- *  checked but does not enter. */
-int mdr_weight_i1(int n, const double xi[], double nu, double out[]);
-
-/** J0 = 1 - I0, the weight of what lies below, to full relative precision. Arguments as mdr_weight_phi(). */
-int mdr_weight_j0(int n, const double xi[], double nu, double out[]);
-
-/** J1 = 1 - I1, to full relative precision. Arguments as mdr_weight_i1(). */
-int mdr_weight_j1(int n, const double xi[], double nu, double out[]);
-
-/** I0(xi) of a load along the surface, the weight of the shear modulus in the tangential stiffness, I1 + [xi L - xi/(1 + xi^2)]/
- *  (2 pi (2 - nu)) with L = ln(1 + 1/xi^2). Poisson's ratio keeps the weight I1. Arguments as mdr_weight_phi(). */
-int mdr_weight_i0_tangential(int n, const double xi[], double nu, double out[]);
-
-/** 1 less mdr_weight_i0_tangential(), to full relative precision. Arguments as mdr_weight_phi(). */
-int mdr_weight_j0_tangential(int n, const double xi[], double nu, double out[]);
+/** A weight at many depths.
+ *  @param weight  one of enum mdr_weight_kind
+ *  @param nu      Poisson's ratio, -1 < nu <= 1/2 [1]
+ *  @param n       number of depths
+ *  @param xi      [n] z/a >= 0 [1]
+ *  @param out     [n] weights [1] */
+int mdr_weight(int weight, double nu, int n, const double xi[], double out[]);
 
 #ifdef __cplusplus
 }

@@ -175,12 +175,12 @@ class Handle:
 
     __slots__ = ("address", "__weakref__")
 
-    def __init__(self, created: tuple[int, int], free: Callable[[int], Any]) -> None:
+    def __init__(self, created: tuple[int, int]) -> None:
         """`created` is what a compiled constructor returns: status and address."""
         status, handle = created
         check(status)
         self.address = int(handle)
-        weakref.finalize(self, free, self.address)
+        weakref.finalize(self, _native.free, self.address)
 
     def __reduce__(self) -> Any:
         raise TypeError("a handle belongs to its object: it is neither copied nor pickled")

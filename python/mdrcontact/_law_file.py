@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import ctypes
 import os
 from collections.abc import Callable
 from pathlib import Path
@@ -30,11 +31,10 @@ class LawFile:
     """of what `_info` gives"""
     _write: ClassVar[Callable[..., Any]]
     _read: ClassVar[Callable[..., Any]]
-    _describe: ClassVar[Callable[..., Any]]
 
     def _own(self, created: tuple[int, int]) -> None:
         kind = type(self)
-        self._handle = Handle(created, kind._free)
+        self._handle = Handle(created)
         facts = record(kind._table)
         call(kind._info, self._handle.address, address(facts))
         self._facts = facts[0]
@@ -47,10 +47,7 @@ class LawFile:
     @property
     def description(self) -> str:
         """The problem the law was made from."""
-        length = int(self._facts["description_length"])
-        buffer = np.zeros(length + 1, np.uint8)
-        call(type(self)._describe, self._handle.address, address(buffer), length + 1)
-        return str(bytes(buffer[:length]), "utf-8")
+        return ctypes.string_at(int(self._facts["description"])).decode()
 
     def to_bytes(self) -> bytes:
         """The content of a law's file: version, description, numbers, checksum."""

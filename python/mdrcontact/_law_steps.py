@@ -95,7 +95,7 @@ class LawSteps(LawFile):
         these are numbers, (n): the torque M [modulus length^3], dM/dphi and dM/dF. A step in which the shift
         turns aside should be no longer than 0.2 of the shift of sliding. After an error all is as before.
         """
-        return self._step(_native.law_advance, memory, force, shift, tangent)
+        return self._step(False, memory, force, shift, tangent)
 
     @overload
     def attempt(self, memory: Reals, force: ArrayLike, shift: ArrayLike, tangent: Literal[False] = False) -> Reals: ...
@@ -107,10 +107,10 @@ class LawSteps(LawFile):
         self, memory: Reals, force: ArrayLike, shift: ArrayLike, tangent: bool = False
     ) -> Reals | tuple[Reals, Reals, Reals]:
         """What `advance` would return; `memory` stays as it is. For Newton's method, and for steps that may be taken back."""
-        return self._step(_native.law_try, memory, force, shift, tangent)
+        return self._step(True, memory, force, shift, tangent)
 
     def _step(
-        self, function: Any, memory: Reals, force: ArrayLike, shift: ArrayLike, tangent: bool
+        self, is_trial: bool, memory: Reals, force: ArrayLike, shift: ArrayLike, tangent: bool
     ) -> Reals | tuple[Reals, Reals, Reals]:
         n = self._count(memory)
         forces, shifts = numbers("force", force), numbers("shift", shift)
@@ -124,7 +124,8 @@ class LawSteps(LawFile):
         in_space, slopes, total = np.zeros((n, 3)), np.zeros((n, 3, 4)), np.zeros((n, 3))
         in_space[:, axes] = shifts
         if n:
-            total = call(function, self._handle.address, forces, in_space, address(slopes) if tangent else 0, address(memory))
+            places = address(slopes) if tangent else 0, address(memory)
+            total = call(_native.law_advance, self._handle.address, forces, in_space, is_trial, *places)
         total = np.array(total[:, axes])
         return (total, np.array(slopes[:, axes, axes]), np.array(slopes[:, axes, 3])) if tangent else total
 

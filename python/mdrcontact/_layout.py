@@ -103,6 +103,26 @@ interior = np.dtype(
     ],
     align=True,
 )
+loop_point = np.dtype(
+    [
+        ("position", np.float64),
+        ("depth", np.float64),
+        ("radius", np.float64),
+        ("force", np.float64),
+        ("jumps", np.float64),
+    ],
+    align=True,
+)
+loop_facts = np.dtype(
+    [
+        ("size", np.uintp),
+        ("dissipated_energy", np.float64),
+        ("points", np.intc),
+        ("turning_point", np.intc),
+        ("jumps", np.intc),
+    ],
+    align=True,
+)
 rate_options = np.dtype(
     [
         ("size", np.uintp),
@@ -136,7 +156,7 @@ rate_state = np.dtype(
     ],
     align=True,
 )
-tangential_state = np.dtype(
+shear_state = np.dtype(
     [
         ("shift", np.float64),
         ("tangential_force", np.float64),
@@ -147,14 +167,12 @@ tangential_state = np.dtype(
     ],
     align=True,
 )
-torsional_state = np.dtype(
+shear_facts = np.dtype(
     [
-        ("twist", np.float64),
-        ("torque", np.float64),
-        ("stick_radius", np.float64),
-        ("stiffness", np.float64),
-        ("dissipated_energy", np.float64),
-        ("sliding", np.float64),
+        ("size", np.uintp),
+        ("sliding_shift", np.float64),
+        ("sliding_force", np.float64),
+        ("direction", np.intc),
     ],
     align=True,
 )
@@ -244,7 +262,7 @@ law_facts = np.dtype(
         ("solutions", np.intc),
         ("adhesive", np.intc),
         ("segments", np.intc),
-        ("description_length", np.intc),
+        ("description", np.uintp),
         ("continue_beyond", np.intc),
         ("sliders", np.intc),
         ("memory_size", np.intc),
@@ -391,6 +409,15 @@ ECALLBACK = 7
 EFILE = 8
 ECANCELLED = 9
 
+HEIGHT = 1
+HEIGHT_SLOPE = 2
+G = 3
+G_SLOPE = 4
+
+RELAXATION = 1
+CREEP = 2
+COMPLEX_MODULUS = 3
+
 LIMIT_GLASSY = 1
 LIMIT_RELAXED = 2
 
@@ -417,9 +444,22 @@ WEIGHT_NU_SUBSTRATE = 1
 WEIGHT_NU_EFFECTIVE = 2
 WEIGHT_NU_GIVEN = 3
 
+MODULUS = 1
+STIFFNESS = 2
+TANGENTIAL_MODULUS = 3
+TORSIONAL_STIFFNESS = 4
+
 LOAD_NORMAL = 1
 LOAD_SHEAR = 2
 LOAD_TWIST = 3
+
+WEIGHT_PHI = 1
+WEIGHT_I0 = 2
+WEIGHT_I1 = 3
+WEIGHT_J0 = 4
+WEIGHT_J1 = 5
+WEIGHT_I0_TANGENTIAL = 6
+WEIGHT_J0_TANGENTIAL = 7
 
 ADHESION_AUTOMATIC = 0
 ADHESION_PAPER = 1
@@ -458,14 +498,17 @@ BODY_UPPER = 2
 SIDE_BELOW = 1
 SIDE_ABOVE = 2
 
+ALONG = 1
+AROUND = 2
+
 GIVEN_SHIFT = 1
 GIVEN_TANGENTIAL_FORCE = 2
 
-FIELD_TRACTION = 1
-FIELD_TANGENTIAL_LINE_LOAD = 2
-
 GIVEN_TWIST = 1
 GIVEN_TORQUE = 2
+
+FIELD_TRACTION = 1
+FIELD_TANGENTIAL_LINE_LOAD = 2
 
 WEAR_FRESH = 1
 WEAR_SAME = 2
@@ -540,3 +583,10 @@ FIT_INSTRUMENT_COUNT = 10
 FIT_LINEAR = 0
 FIT_HUBER = 1
 FIT_CAUCHY = 2
+
+FORM_PARABOLOID_FORCE = 1
+FORM_CONE_FORCE = 2
+FORM_ADHESIVE_DEPTH = 3
+FORM_REDUCED_DEPTH = 4
+FORM_RADIUS_SCALE = 5
+FORM_DEPTH_SCALE = 6

@@ -8,8 +8,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from . import _native
-from ._boundary import Handle, call, number, whole
+from . import _layout, _native
+from ._boundary import Handle, address, call, number, record, whole
 from ._choices import nearest
 from .errors import ArgumentTypeError, InvalidArgumentError
 
@@ -99,12 +99,13 @@ def pull_offs(contact: Any, control: str) -> PullOff:
     """The pull-off of a contact and its other ends of stability."""
     chosen, room = code("control", control, CONTROLS, "force", "depth"), _FIRST_ROOM
     while True:
-        d, a, F, count = call(_native.contact_pull_off, contact._handle.address, chosen, room)
+        found, count = call(_native.contact_pull_off, contact._handle.address, chosen, room)
         if count <= room:
             break
         room = count
     if not count:
         return PullOff(0.0, 0.0, 0.0, 0.0)
+    d, a, F = found.T[:3]
     # bodies with a cohesive stress may part without having touched
     k = np.zeros(count)
     k[a[:count] > 0.0] = contact.medium.stiffness(a[:count][a[:count] > 0.0]) if np.any(a[:count] > 0.0) else 0.0
@@ -120,12 +121,11 @@ def loop(contact: Any, control: str, largest: Any, points: Any, spring_stiffness
     stiffness = 0.0 if spring_stiffness is None else number("spring_stiffness", spring_stiffness)
     count = whole("points", points, 2, 1_000_000)
     created = _native.loop_new(contact._handle.address, chosen, number("largest", largest), count, stiffness)
-    handle = Handle(created, _native.loop_free)
-    count, turning_point, jumps = call(_native.loop_size, handle.address)
-    position, d, a, F = call(_native.loop_path, handle.address, count)
-    # f2py makes no empty arrays
-    indices = call(_native.loop_jumps, handle.address, max(jumps, 1))
-    energy = call(_native.loop_dissipated_energy, handle.address)
-    where = np.asarray(indices[:jumps], dtype=np.int64)
+    handle = Handle(created)
+    facts = record(_layout.loop_facts)
+    call(_native.loop_about, handle.address, address(facts))
+    found, _ = call(_native.loop_points, handle.address, int(facts[0]["points"]))
+    position, d, a, F, jumps = np.ascontiguousarray(found.T)
     contact._warn_at(float(d.max()))
-    return Loop(position, d, a, F, int(turning_point), where, float(energy), control)
+    energy = float(facts[0]["dissipated_energy"])
+    return Loop(position, d, a, F, int(facts[0]["turning_point"]), np.flatnonzero(jumps), energy, control)

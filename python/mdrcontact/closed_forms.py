@@ -8,10 +8,11 @@ from __future__ import annotations
 
 from typing import Any
 
+import numpy as np
 from numpy.typing import ArrayLike
 
-from . import _native
-from ._boundary import FloatOrArray, call, evaluate, number
+from . import _layout, _native
+from ._boundary import FloatOrArray, address, evaluate, number
 
 __all__ = [
     "coated_paraboloid_force",
@@ -34,7 +35,7 @@ def coated_paraboloid_force(
     thickness : h > 0 [length]
     """
     given = _numbers(radius=radius, coating_shear=coating_shear, substrate_shear=substrate_shear, thickness=thickness)
-    return evaluate("a", a, lambda points: _native.coated_paraboloid_force(points, *given))
+    return _values(_layout.FORM_PARABOLOID_FORCE, "a", a, given)
 
 
 def coated_cone_force(
@@ -45,7 +46,7 @@ def coated_cone_force(
     inclination : phi, 0 < phi < pi/2 [radian]; the others as in `coated_paraboloid_force`
     """
     given = _numbers(inclination=inclination, coating_shear=coating_shear, substrate_shear=substrate_shear, thickness=thickness)
-    return evaluate("a", a, lambda points: _native.coated_cone_force(points, *given))
+    return _values(_layout.FORM_CONE_FORCE, "a", a, given)
 
 
 def coated_paraboloid_adhesive_depth(
@@ -67,7 +68,7 @@ def coated_paraboloid_adhesive_depth(
         thickness=thickness,
         work_of_adhesion=work_of_adhesion,
     )
-    return evaluate("a", a, lambda points: _native.coated_paraboloid_adhesive_depth(points, *given))
+    return _values(_layout.FORM_ADHESIVE_DEPTH, "a", a, given)
 
 
 def adhesive_radius_scale(radius: float, substrate_shear: float, work_of_adhesion: float) -> float:
@@ -78,13 +79,13 @@ def adhesive_radius_scale(radius: float, substrate_shear: float, work_of_adhesio
     substrate_shear : G1 > 0 [modulus]
     work_of_adhesion : gamma > 0 [modulus length]
     """
-    return _scale(_native.adhesive_radius_scale, radius, substrate_shear, work_of_adhesion)
+    return _scale(_layout.FORM_RADIUS_SCALE, radius, substrate_shear, work_of_adhesion)
 
 
 def adhesive_depth_scale(radius: float, substrate_shear: float, work_of_adhesion: float) -> float:
     """d_c = 3 (pi^2 gamma^2 R/(2^10 G1^2))^(1/3) [length], equation (31): minus the depth there. Arguments as in
     `adhesive_radius_scale`."""
-    return _scale(_native.adhesive_depth_scale, radius, substrate_shear, work_of_adhesion)
+    return _scale(_layout.FORM_DEPTH_SCALE, radius, substrate_shear, work_of_adhesion)
 
 
 def reduced_adhesive_depth(reduced_radius: ArrayLike, shear_ratio: float, reduced_thickness: float) -> FloatOrArray:
@@ -95,13 +96,18 @@ def reduced_adhesive_depth(reduced_radius: ArrayLike, shear_ratio: float, reduce
     reduced_thickness : ht = h/a_c > 0
     """
     given = _numbers(shear_ratio=shear_ratio, reduced_thickness=reduced_thickness)
-    return evaluate("reduced_radius", reduced_radius, lambda points: _native.reduced_adhesive_depth(points, *given))
+    return _values(_layout.FORM_REDUCED_DEPTH, "reduced_radius", reduced_radius, given)
 
 
 def _numbers(**values: Any) -> list[float]:
     return [number(name, value) for name, value in values.items()]
 
 
-def _scale(function: Any, radius: float, substrate_shear: float, work_of_adhesion: float) -> float:
-    numbers = _numbers(radius=radius, substrate_shear=substrate_shear, work_of_adhesion=work_of_adhesion)
-    return float(call(function, *numbers))
+def _scale(formula: int, radius: float, substrate_shear: float, work_of_adhesion: float) -> float:
+    given = _numbers(substrate_shear=substrate_shear, work_of_adhesion=work_of_adhesion)
+    return float(_values(formula, "radius", number("radius", radius), given))
+
+
+def _values(formula: int, name: str, x: ArrayLike, constants: list[float]) -> FloatOrArray:
+    numbers = np.array(constants)
+    return evaluate(name, x, lambda points: _native.closed_form(formula, points, address(numbers)))

@@ -21,6 +21,7 @@ from ._boundary import (
     complex_values,
     evaluate,
     evaluate_all,
+    not_zero,
     number,
     numbers,
     one_path,
@@ -183,8 +184,8 @@ class Conduction(Value):
 
     def step_flux(self, r: ArrayLike, time: float, radius: float) -> FloatOrArray:
         """Flux density through a spot without a film at 0 <= r < a, a time after a step of its potential to 1."""
-        a, t = number("radius", radius), number("time", time)
-        return evaluate("r", r, lambda points: _native.conduction_step_flux(self._handle.address, a, t, points))
+        given = _layout.CONDUCTION_FLUX, number("radius", radius), _layout.BODY_LOWER, 0, not_zero("time", time)
+        return evaluate("r", r, lambda points: _native.conduction_field(self._handle.address, *given, points, 0))
 
     def friction_heat(
         self, states: State, mu: float, speed: float, motion: str = "sliding", source_speed: float | None = None
@@ -219,7 +220,7 @@ class Conduction(Value):
             mean over a Gaussian probe under a Gaussian pump with 1/e^2 radii w0 and w1, radius = sqrt(w0^2 + w1^2)
         """
         wanted, a = code("answer", answer, ANSWERS), number("radius", radius)
-        return evaluate("time", time, lambda t: _native.conduction_step(self._handle.address, wanted, a, t))
+        return evaluate("time", time, lambda t: _native.conduction_follow(self._handle.address, wanted, a, t, 0))
 
     def follow(self, time: ArrayLike, given: ArrayLike, radius: float, answer: str = "conductance") -> NDArray[np.float64]:
         """What follows a history of potential, for the answer "conductance" (a flux), else of flux (a potential), that goes evenly
@@ -231,7 +232,7 @@ class Conduction(Value):
         """
         wanted, a = code("answer", answer, ANSWERS), number("radius", radius)
         _, t, values = one_path(time, given=given)
-        status, found = _native.conduction_follow(self._handle.address, wanted, a, t, values)
+        status, found = _native.conduction_follow(self._handle.address, wanted, a, t, address(values))
         check(status)
         return np.asarray(found)
 
@@ -256,7 +257,7 @@ class TabulatedConduction(Conduction):
     def __post_init__(self) -> None:
         super().__post_init__()
         ends = [number(name, getattr(self, name)) for name in ("smallest", "largest", "tolerance")]
-        self._set(_handle=Handle(_native.conduction_tabulate(self._handle.address, *ends), _native.conduction_free))
+        self._set(_handle=Handle(_native.conduction_tabulate(self._handle.address, *ends)))
 
 
 @dataclass(frozen=True)
@@ -296,6 +297,6 @@ class Spot:
         handle = self.conduction._handle.address
 
         def values(flat_r: Any, flat_z: Any) -> Any:
-            return _native.conduction_field(handle, kind, radius, which, below, flat_r, address(flat_z))
+            return _native.conduction_field(handle, kind, radius, which, below, 0.0, flat_r, address(flat_z))
 
         return _at_points(r, z, values)

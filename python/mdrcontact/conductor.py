@@ -41,7 +41,7 @@ INSULATING: Final = _Base("INSULATING", _layout.BASE_INSULATING)
 def _check(rows: NDArray[np.float64]) -> None:
     """Lets the library check layers: what lies on an insulating base without a sink costs nothing to make."""
     base = _layout.BASE_INSULATING
-    Handle(_native.conduction_new(rows, base, 0, 0, base, 0.0, 0.0), _native.conduction_free)
+    Handle(_native.conduction_new(rows, base, 0, 0, base, 0.0, 0.0))
 
 
 @dataclass(frozen=True)
@@ -186,7 +186,7 @@ def conduction_of(body: Any, other: Any = None, film: float = 0.0, sink: float =
     lower, lower_base = first.rows()
     upper, upper_base = (None, 0) if second is None else second.rows()
     count = 0 if upper is None else len(upper)
-    return Handle(_native.conduction_new(lower, lower_base, count, address(upper), upper_base, film, sink), _native.conduction_free)
+    return Handle(_native.conduction_new(lower, lower_base, count, address(upper), upper_base, film, sink))
 
 
 def flux_compliance(conduction: Handle, k: ArrayLike, omega: float) -> FloatOrArray | ComplexOrArray:

@@ -90,7 +90,7 @@ class Contact(Value):
         handle: Any = poroelastic.NoHandle()
         if not poroelastic.is_poroelastic(medium):
             created = _native.contact_new(indenter._handle.address, medium._handle.address, address(options))
-            handle = Handle(created, _native.contact_free)
+            handle = Handle(created)
         elif gamma != 0.0 or sigma != 0.0 or given is not None:
             raise InvalidArgumentError(
                 "work_of_adhesion, cohesive_stress and zeta are not allowed on a gel: they belong to elastic contacts"

@@ -46,7 +46,7 @@ class Friction(Value):
             raise ArgumentTypeError(f"contact = {contact!r} is not allowed: it must be a Contact")
         mu = number("coefficient", coefficient)
         created = _native.friction_new(contact._handle.address, mu)
-        self._set(_handle=Handle(created, _native.friction_free), contact=contact, coefficient=mu, _looked_at=set())
+        self._set(_handle=Handle(created), contact=contact, coefficient=mu, _looked_at=set())
 
     def shear(self, state: State) -> ShearedContact:
         """What happens to states of the contact as the indenter is displaced along the surface."""
@@ -94,7 +94,7 @@ class FrictionHistory:
         """the tangential state reached"""
 
     def _own(self, created: tuple[int, int]) -> None:
-        self._handle = Handle(created, _native.friction_history_free)
+        self._handle = Handle(created)
 
     def advance(
         self,

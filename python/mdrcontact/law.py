@@ -78,8 +78,7 @@ class ContactLaw(LawSteps):
 
     __slots__ = ("_address", "_highest")
 
-    _write, _read, _describe = _native.law_write, _native.law_read, _native.law_description
-    _free, _info, _table = _native.law_free, _native.law_info, _layout.law_facts
+    _write, _read, _info, _table = _native.law_write, _native.law_read, _native.law_about, _layout.law_facts
 
     def __init__(
         self,
@@ -145,8 +144,8 @@ class ContactLaw(LawSteps):
     def _from_depth(self, branch: int, depth: NDArray[np.float64], wanted: int) -> tuple[Any, ...]:
         """Status, and the first of F, slope, a and k: F alone is cheapest."""
         columns = [np.empty(depth.shape) for _ in range(wanted)]
-        places = [address(column) for column in columns] + [0] * (4 - wanted)
-        status = _native.law_from_depth(self._address, branch, depth, *places)
+        F, slope, a, k = [address(column) for column in columns] + [0] * (4 - wanted)
+        status = _native.law_values(self._address, _layout.GIVEN_DEPTH, branch, depth, 0, a, F, k, slope, 0)
         return self._warn("depth", depth, (status, *columns))
 
     def energy(self, depth: ArrayLike, branch: str = "unloading") -> FloatOrArray:
@@ -154,7 +153,11 @@ class ContactLaw(LawSteps):
         counted from first touch; with adhesion counted from pull-off, with a cohesive stress from bodies that are apart.
         Further arguments as in `force`."""
         chosen = adhesion.code("branch", branch, BRANCHES)
-        return evaluate("depth", depth, lambda d: self._warn("depth", d, _native.law_energy(self._address, chosen, d)))
+        return evaluate("depth", depth, lambda d: self._warn("depth", d, self._energy(chosen, d)))
+
+    def _energy(self, branch: int, depth: NDArray[np.float64]) -> tuple[int, NDArray[np.float64]]:
+        U = np.empty(depth.shape)
+        return _native.law_values(self._address, _layout.GIVEN_DEPTH, branch, depth, 0, 0, 0, 0, 0, address(U)), U
 
     def conductance(self, depth: ArrayLike, branch: str = "unloading") -> tuple[FloatOrArray, FloatOrArray]:
         """G [conductance] and dG/dd along the branch [conductance/length] at depths d [length], any shape, of a law that was made
@@ -177,11 +180,17 @@ class ContactLaw(LawSteps):
     def at_force(self, force: ArrayLike, branch: str = "unloading") -> LawState:
         """The states under forces F of the compiled range [modulus length^2], any shape. Further arguments as in `force`."""
         chosen = adhesion.code("branch", branch, BRANCHES)
-        d, compliance, a, k = evaluate_all(
-            "force", force, lambda F: self._warn("force", F, _native.law_from_force(self._address, chosen, F))
-        )
+        d, compliance, a, k = evaluate_all("force", force, lambda F: self._warn("force", F, self._from_force(chosen, F)))
         slope = np.divide(1.0, compliance, out=np.zeros(np.shape(compliance)), where=np.asarray(compliance) > 0.0)
         return LawState(d, a, _as_given(force), k, slope if np.ndim(slope) else float(slope))
+
+    def _from_force(self, branch: int, force: NDArray[np.float64]) -> tuple[Any, ...]:
+        """Status, d, dd/dF, a and k."""
+        d, compliance, a, k = (np.empty(force.shape) for _ in range(4))
+        at_d, at_compliance, at_a, at_k = map(address, (d, compliance, a, k))
+        given = _layout.GIVEN_FORCE
+        status = _native.law_values(self._address, given, branch, force, at_d, at_a, 0, at_k, at_compliance, 0)
+        return status, d, compliance, a, k
 
     def buffer(self) -> NDArray[np.float64]:
         """The law as one array of numbers without addresses, which the inline functions of `mdrcontact_law.h` evaluate wherever it

@@ -39,7 +39,8 @@ class Elastic(WithParameters):
         if self.conductor is not None and not isinstance(self.conductor, Conductor):
             raise ArgumentTypeError(f"conductor = {self.conductor!r} is not allowed: it must be a Conductor")
         # the library's half-space of this material checks E and nu, and knows E*
-        self._set(_handle=Handle(_native.medium_homogeneous(self.E, self.nu), _native.medium_free))
+        half_space = record(_layout.layer, E=self.E, nu=self.nu)
+        self._set(_handle=Handle(_native.medium_layered(0, 0, address(half_space), _layout.MODEL_EXACT, 0)))
 
     def __repr__(self) -> str:
         known = "" if self.conductor is None else f", conductor={self.conductor!r}"
@@ -48,7 +49,7 @@ class Elastic(WithParameters):
     @property
     def contact_modulus(self) -> float:
         """E* = E/(1 - nu^2), equation (2) [modulus]."""
-        return float(evaluate("a", 1.0, lambda radii: _native.medium_modulus(self._handle.address, radii)))
+        return float(evaluate("a", 1.0, lambda radii: _native.medium_values(self._handle.address, _layout.MODULUS, radii)))
 
     def _layer(self) -> dict[str, float]:
         """Members of struct mdr_layer."""
@@ -83,8 +84,8 @@ class TransverselyIsotropic(WithParameters):
             self._set(engineering=given)
         # the library's half-space of this material checks the numbers, and knows E*
         half_space = record(_layout.layer, **self._layer())
-        created = _native.medium_stack(0, 0, address(half_space), _layout.MODEL_EXACT, 0)
-        self._set(_handle=Handle(created, _native.medium_free))
+        created = _native.medium_layered(0, 0, address(half_space), _layout.MODEL_EXACT, 0)
+        self._set(_handle=Handle(created))
         if self.engineering is not None:
             self._set(**_stiffnesses(*self.engineering))
 
@@ -117,12 +118,13 @@ class TransverselyIsotropic(WithParameters):
     def contact_modulus(self) -> float:
         """E* of a half-space of it [modulus]: 2 sqrt((C11 C33 - C13^2)/C11/(1/C44 + 2/(sqrt(C11 C33) + C13))); Delafargue, Ulm
         2004, Int. J. Solids Struct. 41, 7351."""
-        return float(evaluate("a", 1.0, lambda radii: _native.medium_modulus(self._handle.address, radii)))
+        return float(evaluate("a", 1.0, lambda radii: _native.medium_values(self._handle.address, _layout.MODULUS, radii)))
 
     @property
     def tangential_modulus(self) -> float:
         """G0* of a half-space of it [modulus]: its contact, sticking all over, has the tangential stiffness 2 a G0*."""
-        return float(evaluate("a", 1.0, lambda radii: _native.medium_tangential_modulus(self._handle.address, radii)))
+        quantity = _layout.TANGENTIAL_MODULUS
+        return float(evaluate("a", 1.0, lambda radii: _native.medium_values(self._handle.address, quantity, radii)))
 
     def _layer(self) -> dict[str, float]:
         """Members of struct mdr_layer."""
@@ -151,17 +153,22 @@ class _Rheology(WithParameters):
     def relaxation(self, t: ArrayLike) -> FloatOrArray:
         """The shear relaxation modulus G(t) [modulus] at times t >= 0, any shape, G(0) being the glassy one; a dashpot bears
         nothing at t > 0. InvalidArgumentError at t = 0 for power laws and dashpots, whose G(0) is infinite."""
-        return evaluate("t", t, lambda values: _native.material_relaxation(self._handle.address, values))
+        return evaluate("t", t, lambda values: self._values(_layout.RELAXATION, values))
 
     def creep(self, t: ArrayLike) -> FloatOrArray:
         """The shear compliance J(t), the strain under a constant stress of 1 [1/modulus], at times t >= 0, any shape; J(0) = 0 of
         power laws and dashpots."""
-        return evaluate("t", t, lambda values: _native.material_creep(self._handle.address, values))
+        return evaluate("t", t, lambda values: self._values(_layout.CREEP, values))
 
     def complex_modulus(self, omega: ArrayLike) -> ComplexOrArray:
         """The complex shear modulus [modulus] at angular frequencies omega > 0 [1/time], any shape: its real part stores, its
         imaginary part loses energy."""
-        return complex_values("omega", omega, lambda values: _native.material_complex_modulus(self._handle.address, values))
+        modulus = _layout.COMPLEX_MODULUS
+        return complex_values("omega", omega, lambda values: _native.material_values(self._handle.address, modulus, values))
+
+    def _values(self, quantity: int, t: NDArray[np.float64]) -> tuple[int, NDArray[np.float64]]:
+        status, values, _ = _native.material_values(self._handle.address, quantity, t)
+        return status, values
 
     @property
     def glassy(self) -> Elastic:
@@ -213,7 +220,7 @@ class Viscoelastic(_Rheology):
         moduli, times = (np.ascontiguousarray(pairs[:, i]) for i in (0, 1))
         relaxed, dashpot = number("relaxed_shear_modulus", relaxed_shear_modulus), number("viscosity", viscosity)
         created = _native.material_viscoelastic(relaxed, len(pairs), address(moduli), address(times), dashpot, ratio, bulk)
-        self._set(_handle=Handle(created, _native.material_free), relaxed_shear_modulus=relaxed, viscosity=dashpot)
+        self._set(_handle=Handle(created), relaxed_shear_modulus=relaxed, viscosity=dashpot)
         self._set(terms=tuple((g, tau) for g, tau in pairs.tolist()), nu=None if nu is None else ratio)
         self._set(bulk_modulus=None if bulk_modulus is None else bulk)
 
@@ -315,7 +322,7 @@ class PowerLawRheology(_Rheology):
     nu: float
 
     def __post_init__(self) -> None:
-        self._set(_handle=Handle(_native.material_power_law(*self._numbers()), _native.material_free))
+        self._set(_handle=Handle(_native.material_power_law(*self._numbers())))
 
 
 Material = Elastic | TransverselyIsotropic | Viscoelastic | PowerLawRheology

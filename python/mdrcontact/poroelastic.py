@@ -124,7 +124,8 @@ def check_body(coating: object, substrate: object, model: str, options: object, 
 @lru_cache(maxsize=64)
 def table(nu: float, drainage: int, ratio: float) -> Handle:
     """The answers of a gel; those of a half-space, ratio = 0, serve all radii, times and diffusivities."""
-    return Handle(_native.poroelastic_new(nu, drainage, ratio), _native.poroelastic_free)
+    status, _, created = _native.poroelastic_new(nu, drainage, ratio)
+    return Handle((status, created))
 
 
 def drainage_code(drainage: str | None) -> int:

@@ -59,7 +59,7 @@ class _Rate(Value):
     def at_speed(self, v: ArrayLike) -> FloatOrArray:
         """G [modulus length] of an edge of speed v [length/time], > 0 where it opens, any shape; `work` at v = 0."""
         options = self._options()
-        return evaluate("v", v, lambda values: _native.rate_work(address(options), values))
+        return evaluate("v", v, lambda values: _native.rate_work(address(options), values)[:2])
 
     def _options(self, **more: float) -> NDArray[Any]:
         """The library's options."""
@@ -67,7 +67,7 @@ class _Rate(Value):
 
     def _scales(self) -> tuple[float, float]:
         """Longest time of creep and length of the cohesive zone; 0 where they are not known."""
-        time, zone = call(_native.rate_scales, address(self._options()))
+        _, time, zone = call(_native.rate_work, address(self._options()), [0.0])
         return float(time), float(zone)
 
 
@@ -147,7 +147,7 @@ def work(name: str, value: Any, adhesion: Any) -> float:
 
 def sampled(contact: Handle, adhesion: _Rate, largest: float) -> Handle:
     """The library's contact with a rate, up to a largest contact radius."""
-    return Handle(_native.rate_new(contact.address, address(adhesion._options(largest_radius=largest))), _native.rate_free)
+    return Handle(_native.rate_new(contact.address, address(adhesion._options(largest_radius=largest))))
 
 
 def history(

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _layout, _native
-from ._boundary import FloatOrArray, call, evaluate, evaluate_all, number, numbers, whole
+from ._boundary import FloatOrArray, Handle, address, call, evaluate, evaluate_all, number, numbers, record, whole
 from ._warn import warn
 from .adhesion import code
 from .errors import ArgumentTypeError, MDRError, SlipInsideWarning
@@ -139,10 +139,10 @@ class ShearedContact:
         amplitude : > 0, of the "shift" or the "force" as `control` says, see `at_shift` and `at_force`
         points : at least 3; from +amplitude to -amplitude and back
         """
-        kind, row = code("control", control, _CONTROLS), self.state._row()
+        kind = code("control", control, _CONTROLS)
+        self.state._row()  # one state
         size, count = number("amplitude", amplitude), whole("points", points, 3, _MOST_POINTS)
-        native = _native.torsion_loop if self.around else _native.friction_loop
-        along, load, energy = call(native, self._handle, row, _GIVEN[self.around][kind], size, count)
+        along, load, energy = call(_native.shear_loop, self._handle.address, _GIVEN[self.around][kind], size, count)
         turn = self._looked(self._states(kind, size))
         return FrictionLoop(along, load, float(energy), turn, self.around)
 
@@ -163,27 +163,33 @@ class ShearedContact:
         2 x int_x^a tau dr/sqrt(r^2 - x^2), whose torque is 4 int_0^a x q dx. Arguments as of `traction`."""
         return self._field(_layout.FIELD_TANGENTIAL_LINE_LOAD, "x", x, at)
 
-    @property
-    def _handle(self) -> int:
-        return int(self.friction._handle.address)
+    @cached_property
+    def _handle(self) -> Handle:
+        """Of its one state: slip is solved once."""
+        return self._sheared(self.state._row())
+
+    def _sheared(self, row: ArrayLike) -> Handle:
+        direction = _layout.AROUND if self.around else _layout.ALONG
+        return Handle(_native.shear_new(self.friction._handle.address, row, direction))
+
+    def __reduce__(self) -> Any:
+        return type(self), (self.friction, self.state, self.around)
 
     @cached_property
     def _sliding(self) -> tuple[FloatOrArray, FloatOrArray]:
         """Shift and force of sliding of each state."""
         rows = self.state._rows()
-        found = np.full((*rows.shape[:-1], 2), math.inf)
+        found = np.empty((*rows.shape[:-1], 2))
         for place in np.ndindex(rows.shape[:-1]):
-            if self.around:
-                found[place][1] = call(_native.torsion_sliding, self._handle, rows[place])
-            else:
-                found[place] = call(_native.friction_sliding, self._handle, rows[place])
+            facts, sheared = record(_layout.shear_facts), self._sheared(rows[place]) if place else self._handle
+            call(_native.shear_about, sheared.address, address(facts))
+            found[place] = facts[0]["sliding_shift"], facts[0]["sliding_force"]
         return (found[..., 0], found[..., 1]) if rows.ndim > 1 else (float(found[0]), float(found[1]))
 
     def _states(self, kind: int, values: ArrayLike) -> ShearState:
-        native = _native.torsion_states if self.around else _native.friction_states
         name, given, rows = _NAMES[self.around][kind], _GIVEN[self.around][kind], self.state._rows()
         if rows.ndim == 1:
-            found = evaluate_all(name, values, lambda v: native(self._handle, rows, given, v))
+            found = evaluate_all(name, values, lambda v: _native.shear_states(self._handle.address, given, v))
         else:
             points = numbers(name, values)
             try:
@@ -193,18 +199,19 @@ class ShearedContact:
             points, normal = np.broadcast_to(points, shape), np.broadcast_to(rows, (*shape, rows.shape[-1]))
             table = np.empty((*shape, len(ShearState._fields)))
             for place in np.ndindex(shape):
-                table[place] = call(native, self._handle, normal[place], given, points[place])
+                sheared = self._sheared(normal[place])
+                table[place] = call(_native.shear_states, sheared.address, given, points[place])
             found = list(np.moveaxis(table, -1, 0))
         flags = np.asarray(found[-1]) > 0.5
         return ShearState._make([*found[:-1], flags if flags.shape else bool(flags)])
 
     def _field(self, field: int, name: str, points: ArrayLike, at: ShearState) -> FloatOrArray:
-        row, native = self.state._row(), _native.torsion_field if self.around else _native.friction_field
+        self.state._row()  # one state
         if not isinstance(at, ShearState):
             raise ArgumentTypeError(f"at = {at!r} is not allowed: it must be a ShearState")
         members = [number(f"{member} of the state of shear", value) for member, value in list(at._asdict().items())[:-1]]
         members.append(float(at.sliding))
-        return evaluate(name, points, lambda x: native(self._handle, row, members, field, x))
+        return evaluate(name, points, lambda x: _native.shear_field(self._handle.address, members, field, x))
 
     def _looked(self, found: ShearState) -> ShearState:
         """`found`, with a warning where the stuck disc would need more than coefficient times pressure: looks at the state with the

@@ -123,7 +123,7 @@ class Wear(Value):
         other = number("body_coefficient", body_coefficient)
         made = _native.wear_new(contact._handle.address, k, address(layers) if layers.size else 0, other)
         self._set(
-            _handle=Handle(made, _native.wear_free),
+            _handle=Handle(made),
             contact=contact,
             coefficient=k if len(k) > 1 else k[0],
             thickness=tuple(layers.tolist()),
@@ -346,7 +346,7 @@ class WearHistory:
         self.wear, self.scheme = wear, scheme
 
     def _own(self, made: tuple[int, int]) -> None:
-        self._handle = Handle(made, _native.wear_history_free)
+        self._handle = Handle(made)
 
     def advance(self, sliding: ArrayLike, *, force: ArrayLike | None = None, depth: ArrayLike | None = None) -> WearState:
         """Slides on by a distance >= 0 [length], while the force [modulus length^2] or the depth from the original apex [length]
@@ -369,11 +369,11 @@ class WearHistory:
     @property
     def state(self) -> WearState:
         """What it has come to."""
-        return WearState._make(float(value) for value in np.ravel(call(_native.wear_history_state, self._handle.address)))
+        return WearState._make(float(value) for value in np.ravel(call(_native.wear_history_state, self._handle.address, [0.0])[0]))
 
     def pressure(self, r: ArrayLike) -> FloatOrArray:
         """p(r) [modulus] at r >= 0 [length], any shape, with the resolution of the intervals; 0 outside the contact."""
-        return evaluate("r", r, lambda radii: _native.wear_history_pressure(self._handle.address, radii))
+        return evaluate("r", r, lambda radii: _native.wear_history_state(self._handle.address, radii)[::2])
 
     @property
     def profile(self) -> WornProfile:

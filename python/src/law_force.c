@@ -6,7 +6,7 @@
 #define PY_SSIZE_T_CLEAN
 #include <Python.h>
 
-#include "mdrcontact.h"
+#include "mdrcontact_law.h"
 
 PyObject *law_force_scalar(PyObject *self, PyObject *const *given, Py_ssize_t count);
 PyObject *law_state_scalar(PyObject *self, PyObject *const *given, Py_ssize_t count);
@@ -31,10 +31,12 @@ PyObject *law_force_scalar(PyObject *self, PyObject *const *given, Py_ssize_t co
 PyObject *law_state_scalar(PyObject *self, PyObject *const *given, Py_ssize_t count)
 {
     mdr_law_point p;
+    mdr_law_view view;
     (void)self;
     if (count == 3 && PyLong_Check(given[0]) && PyLong_Check(given[1]) && PyFloat_Check(given[2])) {
         const mdr_law *law = (const mdr_law *)PyLong_AsVoidPtr(given[0]);
-        if (mdr_law_at_depth(law, (int)PyLong_AsLong(given[1]), PyFloat_AS_DOUBLE(given[2]), &p) == MDR_SUCCESS) {
+        if (mdr_law_view_of(law, (int)PyLong_AsLong(given[1]), &view) == MDR_SUCCESS
+            && mdr_law_view_state(&view, PyFloat_AS_DOUBLE(given[2]), &p) == MDR_SUCCESS) {
             const double values[] = {p.depth, p.radius, p.force, p.stiffness, p.slope};
             PyObject *state = PyTuple_New(5); /* many times as quick as Py_BuildValue */
             for (Py_ssize_t i = 0; state && i < 5; ++i) {

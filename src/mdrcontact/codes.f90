@@ -4,6 +4,7 @@ module mdrcontact_codes
     implicit none (type, external)
     private
     public :: success, enull, einvalid, edomain, eunreachable, enoconvergence, enomemory, ecallback, efile, ecancelled
+    public :: form_paraboloid_force, form_cone_force, form_adhesive_depth, form_reduced_depth, form_radius_scale, form_depth_scale
     public :: base_half_space, base_perfect, base_insulating
     public :: conduction_flux, conduction_potential, conduction_flux_z, conduction_flux_r
     public :: conduction_conductance, conduction_resistance, conduction_mean, conduction_centre, conduction_gaussian
@@ -24,23 +25,28 @@ module mdrcontact_codes
               fit_contact_depth_factor, fit_stiffness_factor, fit_contact_depth_scale, fit_area_factor, fit_cohesive_stress, &
               fit_instrument_count
     public :: fit_linear, fit_huber, fit_cauchy
+    public :: along, around
     public :: given_shift, given_tangential_force
-    public :: field_traction, field_tangential_line_load
     public :: given_twist, given_torque
+    public :: field_traction, field_tangential_line_load
     public :: shape_layer, shape_half_space, shape_ball, shape_fibre, shape_pillar, shape_box
     public :: law_format
+    public :: relaxation, creep, complex_modulus
     public :: limit_glassy, limit_relaxed
     public :: model_gao, model_gao_series, model_doerner_nix, model_wave, model_mencik_exponential, model_mencik_reciprocal, &
               model_bec, model_perriot_barthel, model_hay_crawford, model_dimitriadis, model_garcia, model_exact, model_gao_power
     public :: base_elastic, base_any, base_rigid
     public :: weight_nu_surface, weight_nu_substrate, weight_nu_effective, weight_nu_given
+    public :: modulus, stiffness, tangential_modulus, torsional_stiffness
     public :: load_normal, load_shear, load_twist
     public :: drainage_surface, drainage_sealed, drainage_indenter
     public :: poroelastic_relaxation, poroelastic_creep, poroelastic_paraboloid, poroelastic_mean_relaxation, &
               poroelastic_mean_creep
     public :: poroelastic_total, poroelastic_pore
+    public :: height, height_slope, g, g_slope
     public :: wear_fresh, wear_same
     public :: wear_disc, wear_rings
+    public :: weight_phi, weight_i0, weight_i1, weight_j0, weight_j1, weight_i0_tangential, weight_j0_tangential
 
     ! enum mdr_status
     !> MDR_SUCCESS. The call did what it says.
@@ -63,6 +69,25 @@ module mdrcontact_codes
     integer, parameter :: efile = 8
     !> MDR_ECANCELLED. The function given to mdr_set_cancel() ended the call.
     integer, parameter :: ecancelled = 9
+
+    ! enum mdr_formula
+    !> MDR_FORM_PARABOLOID_FORCE. R > 0, G0, G1, h: F(a) of a paraboloid without adhesion, equation (24): (16 a^3/(3R)) [G1 + (G0 -
+    !> G1)/(2 pi) (4 arctan xi + xi^3 ln(1 + xi^-2) - xi)].
+    integer, parameter :: form_paraboloid_force = 1
+    !> MDR_FORM_CONE_FORCE. phi, 0 < phi < pi/2 [radian], G0, G1, h: F(a) of a cone without adhesion, equation (27): 2 pi a^2
+    !> tan(phi) [G1 + (G0 - G1) (2/pi) arctan(h/a)].
+    integer, parameter :: form_cone_force = 2
+    !> MDR_FORM_ADHESIVE_DEPTH. R > 0, G0, G1, h, gamma >= 0: d(a) of an adhesive paraboloid by the source's rule, equation (29):
+    !> a^2/R - sqrt(2 pi a gamma/E_eff(a)).
+    integer, parameter :: form_adhesive_depth = 3
+    !> MDR_FORM_REDUCED_DEPTH. tau = G0/G1 > 0 [1], ht = h/a_c > 0 [1]: d/d_c at at = a/a_c, equation (32): at^2/3 - (4/3) sqrt(at)
+    !> [1 + (tau - 1) I0(ht/at; nu = 1/2)]^(-1/2).
+    integer, parameter :: form_reduced_depth = 4
+    !> MDR_FORM_RADIUS_SCALE. G1, gamma > 0: a_c = (pi gamma R^2/(32 G1))^(1/3) of R, the contact radius at which an uncoated
+    !> contact breaks under depth control, equation (31).
+    integer, parameter :: form_radius_scale = 5
+    !> MDR_FORM_DEPTH_SCALE. G1, gamma > 0: d_c = 3 (pi^2 gamma^2 R/(2^10 G1^2))^(1/3) of R, minus the depth there.
+    integer, parameter :: form_depth_scale = 6
 
     ! enum mdr_conduction_base
     !> MDR_BASE_HALF_SPACE. The last layer is a half-space.
@@ -115,7 +140,7 @@ module mdrcontact_codes
     ! enum mdr_branch
     !> MDR_ON_LOADING. The smallest contact, met when the bodies approach.
     integer, parameter :: on_loading = 1
-    !> MDR_ON_UNLOADING. The largest contact, kept when they are drawn apart: what mdr_contact_from_depth() gives.
+    !> MDR_ON_UNLOADING. The largest contact, kept when they are drawn apart: what is usually meant.
     integer, parameter :: on_unloading = 2
 
     ! enum mdr_control
@@ -249,6 +274,12 @@ module mdrcontact_codes
     !> MDR_FIT_CAUCHY. s^2 ln(1 + r^2/s^2).
     integer, parameter :: fit_cauchy = 2
 
+    ! enum mdr_shear_direction
+    !> MDR_ALONG. The indenter is displaced along the surface.
+    integer, parameter :: along = 1
+    !> MDR_AROUND. It is twisted about its axis.
+    integer, parameter :: around = 2
+
     ! enum mdr_tangential_given
     !> MDR_GIVEN_SHIFT. The shift s, of either sign [length].
     integer, parameter :: given_shift = 1
@@ -256,17 +287,18 @@ module mdrcontact_codes
     !> [modulus length^2].
     integer, parameter :: given_tangential_force = 2
 
-    ! enum mdr_tangential_field
-    !> MDR_FIELD_TRACTION. tau(r), the shear traction along the shift, of one direction, 0 <= r <= a [modulus].
-    integer, parameter :: field_traction = 1
-    !> MDR_FIELD_TANGENTIAL_LINE_LOAD. q_t(x), the line load of the springs along the shift, 0 <= x <= a [modulus length].
-    integer, parameter :: field_tangential_line_load = 2
-
     ! enum mdr_torsional_given
     !> MDR_GIVEN_TWIST. The twist phi, of either sign [radian].
     integer, parameter :: given_twist = 1
     !> MDR_GIVEN_TORQUE. The torque M, smaller than that of sliding [modulus length^3].
     integer, parameter :: given_torque = 2
+
+    ! enum mdr_tangential_field
+    !> MDR_FIELD_TRACTION. tau(r), the shear traction along the shift, of one direction, or around the axis, 0 <= r <= a [modulus].
+    integer, parameter :: field_traction = 1
+    !> MDR_FIELD_TANGENTIAL_LINE_LOAD. q_t(x), the line load of the springs along the shift, 0 <= x <= a; or 2 x int_x^a tau
+    !> dr/sqrt(r^2 - x^2) [modulus length].
+    integer, parameter :: field_tangential_line_load = 2
 
     ! enum mdr_shape
     !> MDR_SHAPE_LAYER. z_top, z_bottom > z_top; INFINITY is allowed.
@@ -285,6 +317,16 @@ module mdrcontact_codes
     ! enum mdr_law_format
     !> MDR_LAW_FORMAT. This version.
     integer, parameter :: law_format = 1296843314
+
+    ! enum mdr_material_quantity
+    !> MDR_RELAXATION. G(t), the shear relaxation modulus [modulus], at t = 0 the glassy one; a dashpot bears nothing at t > 0. t >=
+    !> 0, and > 0 of a power law or with a dashpot, whose G(0) is infinite.
+    integer, parameter :: relaxation = 1
+    !> MDR_CREEP. J(t), the shear compliance: the strain under a constant stress of 1 [1/modulus]; J(0) = 0 of a power law or with a
+    !> dashpot. t >= 0.
+    integer, parameter :: creep = 2
+    !> MDR_COMPLEX_MODULUS. The complex shear modulus at angular frequencies omega > 0, storage and loss modulus [modulus].
+    integer, parameter :: complex_modulus = 3
 
     ! enum mdr_limit
     !> MDR_LIMIT_GLASSY. At once.
@@ -339,6 +381,21 @@ module mdrcontact_codes
     !> MDR_WEIGHT_NU_GIVEN. The number weight_nu.
     integer, parameter :: weight_nu_given = 3
 
+    ! enum mdr_medium_quantity
+    !> MDR_MODULUS. E_eff(a), the effective contact modulus, equation (10) [modulus].
+    integer, parameter :: modulus = 1
+    !> MDR_STIFFNESS. k = 2 a E_eff(a), the stiffness of a flat punch of radius a, equation (10) [modulus length].
+    integer, parameter :: stiffness = 2
+    !> MDR_TANGENTIAL_MODULUS. G_t(a) = k_t(a)/(2 a), what takes E_eff's place where a contact that sticks all over is displaced
+    !> along the surface: 4 G/(2 - nu) of a homogeneous body, 1/G_t adds where two bodies touch [modulus]. Homogeneous media with E
+    !> and nu; coated, layered or graded ones under the model MDR_MODEL_EXACT, exact but for the displacement that varies as cos 2
+    !> phi around the axis (k_t is low by at most 0.35 %), or by Gao's weights with those of a tangential load; pairs of these.
+    integer, parameter :: tangential_modulus = 3
+    !> MDR_TORSIONAL_STIFFNESS. M/phi of a contact that sticks all over and is twisted about its axis: 16 G a^3/3 of a homogeneous
+    !> body [modulus length^3]. Exact for homogeneous media with E and nu, for coated, layered and graded ones under the model
+    !> MDR_MODEL_EXACT, and for pairs of these.
+    integer, parameter :: torsional_stiffness = 4
+
     ! enum mdr_load
     !> MDR_LOAD_NORMAL. A pressure.
     integer, parameter :: load_normal = 1
@@ -375,6 +432,16 @@ module mdrcontact_codes
     !> MDR_POROELASTIC_PORE. That of the fluid at the surface; of a film only where it is 0, MDR_DRAINAGE_SURFACE.
     integer, parameter :: poroelastic_pore = 2
 
+    ! enum mdr_profile_quantity
+    !> MDR_HEIGHT. f(r), the height of its surface above its lowest point [length].
+    integer, parameter :: height = 1
+    !> MDR_HEIGHT_SLOPE. f'(r) [1]; infinite at the equator of a sphere.
+    integer, parameter :: height_slope = 2
+    !> MDR_G. g(x), its one-dimensional profile, equation (3) [length]; infinite at the equator of a sphere.
+    integer, parameter :: g = 3
+    !> MDR_G_SLOPE. g'(x) [1].
+    integer, parameter :: g_slope = 4
+
     ! enum mdr_wear_places
     !> MDR_WEAR_FRESH. Fresh places of the body, as a tip that goes its way: the indenter alone changes.
     integer, parameter :: wear_fresh = 1
@@ -388,5 +455,22 @@ module mdrcontact_codes
     !> MDR_WEAR_RINGS. Rings that stay on the indenter, of first order: some 1e-2 with 80 intervals, but k F s is met to rounding,
     !> any path of load and depth can be followed, and a flat punch too.
     integer, parameter :: wear_rings = 2
+
+    ! enum mdr_weight_kind
+    !> MDR_WEIGHT_PHI. Phi(xi) = dI0/dxi, the weight of the depth a xi itself; equation (18) at nu = 1/2.
+    integer, parameter :: weight_phi = 1
+    !> MDR_WEIGHT_I0. I0(xi), the weight of the shear modulus above the depth a xi, equations (12)-(15).
+    integer, parameter :: weight_i0 = 2
+    !> MDR_WEIGHT_I1. I1(xi), the weight of Poisson's ratio above it; nu is checked but does not enter.
+    integer, parameter :: weight_i1 = 3
+    !> MDR_WEIGHT_J0. 1 - I0, the weight of what lies below, to full relative precision.
+    integer, parameter :: weight_j0 = 4
+    !> MDR_WEIGHT_J1. 1 - I1, to full relative precision.
+    integer, parameter :: weight_j1 = 5
+    !> MDR_WEIGHT_I0_TANGENTIAL. I0 of a load along the surface, the weight of the shear modulus in the tangential stiffness, I1 +
+    !> [xi L - xi/(1 + xi^2)]/(2 pi (2 - nu)) with L = ln(1 + 1/xi^2). Poisson's ratio keeps the weight I1.
+    integer, parameter :: weight_i0_tangential = 6
+    !> MDR_WEIGHT_J0_TANGENTIAL. 1 less that, to full relative precision.
+    integer, parameter :: weight_j0_tangential = 7
 
 end module mdrcontact_codes

@@ -7,6 +7,9 @@
 !> Gao, Chiu, Lee, Int. J. Solids Struct. 29 (1992) 2471; Popov 2014, equations (12)-(18).
 module mdrcontact_weights
     use mdrcontact_batch, only: map_t
+    use mdrcontact_codes, only: of_i0 => weight_i0, of_i0_slope => weight_phi, of_i0_tangential => weight_i0_tangential, &
+                                of_i1 => weight_i1, of_j0 => weight_j0, of_j0_tangential => weight_j0_tangential, &
+                                of_j1 => weight_j1
     use mdrcontact_kinds, only: half_pi, pi, wp
     implicit none (type, external)
     private
@@ -18,9 +21,6 @@ module mdrcontact_weights
 
     !> Beyond these the weights equal their limits' leading term; squares stay inside the range of a double.
     real(wp), parameter :: smallest_xi = 1.0e-150_wp, largest_xi = 1.0e150_wp
-
-    !> Which weight a weight_map_t is.
-    integer, parameter :: of_i0_slope = 1, of_i0 = 2, of_i1 = 3, of_j0 = 4, of_j1 = 5, of_i0_tangential = 6, of_j0_tangential = 7
 
     !> One of the weights for arrays of xi, vectorised.
     type, extends(map_t) :: weight_map_t

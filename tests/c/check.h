@@ -6,6 +6,7 @@
 #ifndef CHECK_H
 #define CHECK_H
 
+#include "calls.h"
 #include "mdrcontact.h"
 
 #include <math.h>
@@ -93,6 +94,13 @@ static inline void check_status_at(const char *file, int line, const char *what,
 #define CHECK_SUCCESS(call) check_success_at(__FILE__, __LINE__, #call, (call))
 #define CHECK_STATUS(call, expected, part) check_status_at(__FILE__, __LINE__, #call, (call), (expected), (part))
 
+/* Frees what a variable stands for, and sets it to NULL. */
+#define CHECK_FREE(handle)                                                                                                             \
+    do {                                                                                                                               \
+        CHECK_SUCCESS(mdr_free(handle));                                                                                               \
+        (handle) = NULL;                                                                                                               \
+    } while (0)
+
 /* Marks an output array before a call that must fail, and checks that the call left it alone. */
 static const double untouched = -12345.678;
 
@@ -129,7 +137,7 @@ static inline int relaxing_medium(int n, const mdr_material *const materials[], 
         layers[i].material = materials[i];
     }
     base.material = substrate;
-    return mdr_medium_stack(n, layers, substrate ? &base : NULL, model, options, out);
+    return mdr_medium_layered(n, layers, substrate ? &base : NULL, model, options, out);
 }
 
 static inline int check_report(const char *name)

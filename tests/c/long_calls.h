@@ -8,7 +8,7 @@
 
 #include "check.h"
 
-enum { MOST_NUMBERS = 64 };
+enum { MOST_NUMBERS = 96 };
 
 typedef struct numbers {
     int count;
@@ -64,7 +64,7 @@ static int inclusion(double x, double y, double z, double *E, double *nu, void *
 static mdr_medium *coating(double stiffness)
 {
     mdr_medium *m = NULL;
-    CHECK_SUCCESS(mdr_medium_coated(stiffness, 0.25, 1.0, 1.0, 0.35, MDR_MODEL_EXACT, NULL, &m));
+    CHECK_SUCCESS(new_coated(stiffness, 0.25, 1.0, 1.0, 0.35, MDR_MODEL_EXACT, NULL, &m));
     return m;
 }
 
@@ -86,8 +86,8 @@ static mdr_contact *ball_on(mdr_medium *m, double work_of_adhesion)
     options.work_of_adhesion = work_of_adhesion;
     CHECK_SUCCESS(mdr_profile_paraboloid(5.0, &p));
     CHECK_SUCCESS(mdr_contact_new(p, m, &options, &c));
-    mdr_profile_free(&p);
-    mdr_medium_free(&m);
+    MDR_FREE(p);
+    MDR_FREE(m);
     return c;
 }
 
@@ -103,15 +103,15 @@ static void profiles(numbers *out)
     static const double x[4] = {0.0, 0.3, 1.0, 2.0}, y[4] = {0.0, 0.1, 0.7, 2.0}, tip[3] = {24.5, 0.3, 0.01};
     static const double r[3] = {0.01, 0.4, 0.9};
     mdr_profile *p[5] = {NULL};
-    CHECK_SUCCESS(mdr_profile_callback(bowl, NULL, 2.0, &p[0]));
-    CHECK_SUCCESS(mdr_profile_table(4, x, y, &p[1]));
-    CHECK_SUCCESS(mdr_profile_from_mdr_table(4, x, y, &p[2]));
+    CHECK_SUCCESS(mdr_profile_function(bowl, NULL, 2.0, &p[0]));
+    CHECK_SUCCESS(mdr_profile_table(MDR_HEIGHT, 4, x, y, &p[1]));
+    CHECK_SUCCESS(mdr_profile_table(MDR_G, 4, x, y, &p[2]));
     CHECK_SUCCESS(mdr_profile_area_function(3, tip, 0.0, 1.0, &p[3]));
     CHECK_SUCCESS(mdr_profile_sum(2, (const mdr_profile *const *)p, &p[4]));
     for (int i = 0; i < 5; i++) {
-        CHECK_SUCCESS(mdr_profile_mdr(p[i], 3, r, more(out, 3)));
-        CHECK_SUCCESS(mdr_profile_height(p[i], 3, r, more(out, 3)));
-        mdr_profile_free(&p[i]);
+        CHECK_SUCCESS(mdr_profile_values(p[i], MDR_G, 3, r, more(out, 3)));
+        CHECK_SUCCESS(mdr_profile_values(p[i], MDR_HEIGHT, 3, r, more(out, 3)));
+        MDR_FREE(p[i]);
     }
 }
 
@@ -120,14 +120,14 @@ static void media(numbers *out)
     static const double a[3] = {0.05, 1.0, 20.0};
     double scale = 2.0;
     mdr_medium *m[5] = {coating(10.0), coating(0.1), grading(), NULL, NULL};
-    CHECK_SUCCESS(mdr_medium_graded_callback(rising, constant_nu, &scale, 4.0, MDR_MODEL_GAO_SERIES, NULL, &m[3]));
+    CHECK_SUCCESS(mdr_medium_graded_function(rising, constant_nu, &scale, 4.0, MDR_MODEL_GAO_SERIES, NULL, &m[3]));
     CHECK_SUCCESS(mdr_medium_pair(m[0], m[2], &m[4]));
     for (int i = 0; i < 5; i++) {
-        CHECK_SUCCESS(mdr_medium_modulus(m[i], 3, a, more(out, 3)));
-        CHECK_SUCCESS(mdr_medium_tangential_modulus(m[i], 3, a, more(out, 3)));
-        if (i < 3) CHECK_SUCCESS(mdr_medium_torsional_stiffness(m[i], 3, a, more(out, 3)));
+        CHECK_SUCCESS(mdr_medium_values(m[i], MDR_MODULUS, 3, a, more(out, 3)));
+        CHECK_SUCCESS(mdr_medium_values(m[i], MDR_TANGENTIAL_MODULUS, 3, a, more(out, 3)));
+        if (i < 3) CHECK_SUCCESS(mdr_medium_values(m[i], MDR_TORSIONAL_STIFFNESS, 3, a, more(out, 3)));
     }
-    for (int i = 0; i < 5; i++) mdr_medium_free(&m[i]);
+    for (int i = 0; i < 5; i++) MDR_FREE(m[i]);
 }
 
 /* Up to radii at which a state takes a thousand unknowns, which LAPACK solves for. */
@@ -137,14 +137,14 @@ static void states(numbers *out)
     for (int i = 0; i < 4; i++) {
         mdr_contact *c = ball_on(i < 2 ? coating(i == 0 ? 30.0 : 0.03) : i == 2 ? grading() : coating(2.0), 0.0);
         const int n = i < 2 ? 3 : 2;
-        CHECK_SUCCESS(mdr_contact_from_radius(c, n, a, NULL, NULL, more(out, n), NULL));
-        CHECK_SUCCESS(mdr_contact_from_force(c, 2, F, more(out, 2), NULL, NULL, NULL));
+        CHECK_SUCCESS(columns_of(c, MDR_GIVEN_RADIUS, n, a, NULL, NULL, more(out, n), NULL));
+        CHECK_SUCCESS(columns_of(c, MDR_GIVEN_FORCE, 2, F, more(out, 2), NULL, NULL, NULL));
         const mdr_state state = state_at(c, 1.0);
         CHECK_SUCCESS(mdr_contact_field(c, MDR_FIELD_PRESSURE, &state, 2, r, more(out, 2)));
         CHECK_SUCCESS(mdr_contact_field(c, MDR_FIELD_DISPLACEMENT, &state, 1, (const double[1]){2.5}, more(out, 1)));
         CHECK_SUCCESS(mdr_contact_energy(c, &state, more(out, 1), NULL));
         CHECK_SUCCESS(mdr_contact_lowest_pressure(c, &state, more(out, 1), NULL));
-        mdr_contact_free(&c);
+        MDR_FREE(c);
     }
 }
 
@@ -157,7 +157,7 @@ static void interior(numbers *out)
         mdr_interior *points = (mdr_interior *)more(out, 2 * (int)(sizeof(mdr_interior) / sizeof(double)));
         CHECK_SUCCESS(mdr_contact_interior(c, MDR_BODY_LOWER, &state, MDR_SIDE_BELOW, 0.2, 2, r, z, NULL, points));
         if (i < 2) CHECK_SUCCESS(mdr_contact_layer_energies(c, MDR_BODY_LOWER, &state, 2, more(out, 2), &(int){0}));
-        mdr_contact_free(&c);
+        MDR_FREE(c);
     }
 }
 
@@ -173,8 +173,8 @@ static mdr_contact *ball_on_polymer(int i)
     CHECK_SUCCESS(mdr_material_viscoelastic(10.0 / 2.6, 0, NULL, NULL, 0.0, 0.3, 0.0, &base));
     CHECK_SUCCESS(relaxing_medium(i > 0, (const mdr_material *const[1]){polymer}, &h,
                                           i == 0 ? polymer : i == 1 ? NULL : base, MDR_MODEL_EXACT, NULL, &m));
-    mdr_material_free(&polymer);
-    mdr_material_free(&base);
+    MDR_FREE(polymer);
+    MDR_FREE(base);
     return ball_on(m, 0.0);
 }
 
@@ -187,7 +187,7 @@ static void histories(numbers *out)
         CHECK_SUCCESS(mdr_contact_history(c, MDR_GIVEN_DEPTH, 1e-4, 4, t, d, NULL, more(out, 4), more(out, 4)));
         if (i == 2) CHECK_SUCCESS(mdr_contact_history(c, MDR_GIVEN_DEPTH, 1e-4, 4, t, again, NULL, NULL, more(out, 4)));
         if (i == 0) CHECK_SUCCESS(mdr_contact_history(c, MDR_GIVEN_FORCE, 1e-4, 4, t, d, more(out, 4), NULL, NULL));
-        mdr_contact_free(&c);
+        MDR_FREE(c);
     }
 }
 
@@ -198,7 +198,7 @@ static void responses(numbers *out)
         mdr_contact *c = ball_on_polymer(i);
         CHECK_SUCCESS(mdr_contact_dynamic_stiffness(c, 3, omega, a, more(out, 3), more(out, 3)));
         CHECK_SUCCESS(mdr_contact_step_response(c, MDR_STEP_CREEP, 0.7, 2, omega, more(out, 2)));
-        mdr_contact_free(&c);
+        MDR_FREE(c);
     }
 }
 
@@ -206,12 +206,14 @@ static void loops(numbers *out)
 {
     mdr_contact *c = ball_on(coating(10.0), 0.02);
     mdr_loop *loop = NULL;
-    CHECK_SUCCESS(mdr_contact_pull_off(c, MDR_CONTROL_FORCE, 1, more(out, 1), more(out, 1), more(out, 1), NULL));
+    mdr_loop_facts facts = MDR_SIZED(mdr_loop_facts);
+    CHECK_SUCCESS(pull_off_of(c, MDR_CONTROL_FORCE, 1, more(out, 1), more(out, 1), more(out, 1), NULL));
     CHECK_SUCCESS(mdr_loop_new(c, MDR_CONTROL_DEPTH, 0.1, 5, 0.0, &loop));
-    CHECK_SUCCESS(mdr_loop_path(loop, 8, NULL, NULL, more(out, 8), more(out, 8)));
-    CHECK_SUCCESS(mdr_loop_dissipated_energy(loop, more(out, 1)));
-    mdr_loop_free(&loop);
-    mdr_contact_free(&c);
+    CHECK_SUCCESS(mdr_loop_points(loop, 8, (mdr_loop_point *)more(out, 8 * (int)(sizeof(mdr_loop_point) / sizeof(double))), NULL));
+    CHECK_SUCCESS(mdr_loop_about(loop, &facts));
+    *more(out, 1) = facts.dissipated_energy;
+    MDR_FREE(loop);
+    MDR_FREE(c);
 }
 
 static void friction(numbers *out)
@@ -221,21 +223,21 @@ static void friction(numbers *out)
         mdr_contact *c = ball_on(coating(i == 0 ? 1.0 : 5.0), 0.0);
         mdr_friction *f = NULL;
         mdr_friction_history *h = NULL;
-        mdr_tangential_state sheared[3];
+        mdr_shear_state sheared[3];
         mdr_state reached[3];
         const mdr_state state = state_at(c, 0.7);
         CHECK_SUCCESS(mdr_friction_new(c, 0.3, &f));
-        CHECK_SUCCESS(mdr_friction_sliding(f, &state, more(out, 1), NULL));
-        CHECK_SUCCESS(mdr_friction_states(f, &state, MDR_GIVEN_SHIFT, 1, shift + 1, sheared));
+        CHECK_SUCCESS(shear_sliding(f, &state, MDR_ALONG, more(out, 1), NULL));
+        CHECK_SUCCESS(shear_states(f, &state, MDR_ALONG, MDR_GIVEN_SHIFT, 1, shift + 1, sheared));
         *more(out, 1) = sheared[0].tangential_force;
-        CHECK_SUCCESS(mdr_friction_field(f, &state, sheared, MDR_FIELD_TRACTION, 1, (const double[1]){0.3}, more(out, 1)));
-        CHECK_SUCCESS(mdr_friction_loop(f, &state, MDR_GIVEN_SHIFT, 0.004, 5, more(out, 5), more(out, 5), more(out, 1)));
+        CHECK_SUCCESS(shear_field(f, &state, MDR_ALONG, sheared, MDR_FIELD_TRACTION, 1, (const double[1]){0.3}, more(out, 1)));
+        CHECK_SUCCESS(shear_loop(f, &state, MDR_ALONG, MDR_GIVEN_SHIFT, 0.004, 5, more(out, 5), more(out, 5), more(out, 1)));
         CHECK_SUCCESS(mdr_friction_history_new(f, 0.12, 20, &h));
         CHECK_SUCCESS(mdr_friction_history_advance(h, MDR_GIVEN_DEPTH, MDR_GIVEN_SHIFT, 3, depth, shift, reached, sheared));
         for (int j = 0; j < 3; j++) *more(out, 1) = sheared[j].tangential_force;
-        mdr_friction_history_free(&h);
-        mdr_friction_free(&f);
-        mdr_contact_free(&c);
+        MDR_FREE(h);
+        MDR_FREE(f);
+        MDR_FREE(c);
     }
 }
 
@@ -243,18 +245,18 @@ static void torsion(numbers *out)
 {
     mdr_medium *m = NULL;
     mdr_friction *f = NULL;
-    mdr_torsional_state twisted;
-    CHECK_SUCCESS(mdr_medium_homogeneous(2.0, 0.3, &m));
+    mdr_shear_state twisted;
+    CHECK_SUCCESS(new_homogeneous(2.0, 0.3, &m));
     mdr_contact *c = ball_on(m, 0.0);
     const mdr_state state = state_at(c, 0.7);
     CHECK_SUCCESS(mdr_friction_new(c, 0.3, &f));
-    CHECK_SUCCESS(mdr_torsion_states(f, &state, MDR_GIVEN_TWIST, 1, (const double[1]){0.01}, &twisted));
-    *more(out, 1) = twisted.torque;
-    CHECK_SUCCESS(mdr_torsion_sliding(f, &state, more(out, 1)));
-    CHECK_SUCCESS(mdr_torsion_field(f, &state, &twisted, MDR_FIELD_TRACTION, 1, (const double[1]){0.3}, more(out, 1)));
-    CHECK_SUCCESS(mdr_torsion_loop(f, &state, MDR_GIVEN_TWIST, 0.01, 5, more(out, 5), more(out, 5), more(out, 1)));
-    mdr_friction_free(&f);
-    mdr_contact_free(&c);
+    CHECK_SUCCESS(shear_states(f, &state, MDR_AROUND, MDR_GIVEN_TWIST, 1, (const double[1]){0.01}, &twisted));
+    *more(out, 1) = twisted.tangential_force;
+    CHECK_SUCCESS(shear_sliding(f, &state, MDR_AROUND, NULL, more(out, 1)));
+    CHECK_SUCCESS(shear_field(f, &state, MDR_AROUND, &twisted, MDR_FIELD_TRACTION, 1, (const double[1]){0.3}, more(out, 1)));
+    CHECK_SUCCESS(shear_loop(f, &state, MDR_AROUND, MDR_GIVEN_TWIST, 0.01, 5, more(out, 5), more(out, 5), more(out, 1)));
+    MDR_FREE(f);
+    MDR_FREE(c);
 }
 
 static void laws(numbers *out)
@@ -273,12 +275,12 @@ static void laws(numbers *out)
         for (int j = 0; j < length; j++) sum += (unsigned char)content[j];
         *more(out, 1) = sum;
         free(content);
-        CHECK_SUCCESS(mdr_law_info(copy, &facts));
+        CHECK_SUCCESS(mdr_law_about(copy, &facts));
         *more(out, 1) = facts.error;
         *more(out, 1) = facts.lowest_force;
-        mdr_law_free(&copy);
-        mdr_law_free(&law);
-        mdr_contact_free(&c);
+        MDR_FREE(copy);
+        MDR_FREE(law);
+        MDR_FREE(c);
     }
 }
 
@@ -293,14 +295,14 @@ static void friction_laws(numbers *out)
     mdr_law_options options = MDR_SIZED(mdr_law_options);
     options.friction = f;
     CHECK_SUCCESS(mdr_law_new(c, 0.2, &options, &law));
-    CHECK_SUCCESS(mdr_law_info(law, &facts));
+    CHECK_SUCCESS(mdr_law_about(law, &facts));
     *more(out, 1) = facts.highest_sliding_shift;
     CHECK_INT(facts.memory_size, 43);
-    CHECK_SUCCESS(mdr_law_advance(law, 1, (const double[1]){0.1}, (const double[3]){0.002, 0.001, 0.0}, NULL, memory, T));
+    CHECK_SUCCESS(mdr_law_advance(law, 1, (const double[1]){0.1}, (const double[3]){0.002, 0.001, 0.0}, 0, NULL, memory, T));
     for (int i = 0; i < 3; i++) *more(out, 1) = T[i];
-    mdr_law_free(&law);
-    mdr_friction_free(&f);
-    mdr_contact_free(&c);
+    MDR_FREE(law);
+    MDR_FREE(f);
+    MDR_FREE(c);
 }
 
 /* E of a film, from what it was predicted with. Nothing is computed here: the caller may round otherwise. */
@@ -316,7 +318,7 @@ static void fits(numbers *out)
     int count = 0;
 
     CHECK_SUCCESS(mdr_profile_paraboloid(5.0, &ball));
-    CHECK_SUCCESS(mdr_medium_coated(5.0, 0.25, 1.0, 1.0, 0.35, MDR_MODEL_EXACT, NULL, &film));
+    CHECK_SUCCESS(new_coated(5.0, 0.25, 1.0, 1.0, 0.35, MDR_MODEL_EXACT, NULL, &film));
     problem = MDR_SIZED(mdr_fit_problem);
     problem.profile = ball;
     problem.medium = film;
@@ -331,8 +333,8 @@ static void fits(numbers *out)
     *more(out, 1) = values[1];
     CHECK_SUCCESS(mdr_fit_interval(&problem, POINTS, d, F, NULL, sd, 1, 0.9, more(out, 1), more(out, 1)));
     CHECK_SUCCESS(mdr_fit_quantile(0.9, 5.0, more(out, 1)));
-    mdr_profile_free(&ball);
-    mdr_medium_free(&film);
+    MDR_FREE(ball);
+    MDR_FREE(film);
 }
 
 static void lateral(numbers *out)
@@ -343,14 +345,14 @@ static void lateral(numbers *out)
     mdr_structure *s[3] = {NULL};
     CHECK_SUCCESS(mdr_structure_shapes(1.0, 0.3, 1, kind, ball, E + 1, nu + 1, NULL, &s[0]));
     CHECK_SUCCESS(mdr_structure_voxels(size, labels, 2, E, nu, spacing, 1.0, 0.3, NULL, &s[1]));
-    CHECK_SUCCESS(mdr_structure_callback(inclusion, NULL, 0.3, NULL, &s[2]));
+    CHECK_SUCCESS(mdr_structure_function(inclusion, NULL, 0.3, NULL, &s[2]));
     for (int i = 0; i < 3; i++) {
         mdr_medium *m = NULL;
         CHECK_SUCCESS(mdr_structure_modulus(s[i], 1, zero, zero, a, more(out, 1)));
         if (i == 0) CHECK_SUCCESS(mdr_structure_medium(s[i], 0.0, 0.0, 0.1, 1.0, 5, &m));
-        if (i == 0) CHECK_SUCCESS(mdr_medium_modulus(m, 1, a, more(out, 1)));
-        mdr_medium_free(&m);
-        mdr_structure_free(&s[i]);
+        if (i == 0) CHECK_SUCCESS(mdr_medium_values(m, MDR_MODULUS, 1, a, more(out, 1)));
+        MDR_FREE(m);
+        MDR_FREE(s[i]);
     }
     CHECK_SUCCESS(mdr_lateral_cells(0.3, 1.0, 0.1, 0.6, 2, x, 2, x, more(out, 4), more(out, 4)));
     CHECK_SUCCESS(mdr_lateral_rule(1, 0.3, more(out, 18), more(out, 12)));
@@ -359,14 +361,14 @@ static void lateral(numbers *out)
 static void closed_forms(numbers *out)
 {
     static const double a[3] = {0.1, 1.0, 10.0};
-    CHECK_SUCCESS(mdr_coated_paraboloid_force(3, a, 5.0, 2.0, 1.0, 1.0, more(out, 3)));
-    CHECK_SUCCESS(mdr_coated_cone_force(3, a, 0.3, 2.0, 1.0, 1.0, more(out, 3)));
-    CHECK_SUCCESS(mdr_coated_paraboloid_adhesive_depth(3, a, 5.0, 2.0, 1.0, 1.0, 0.1, more(out, 3)));
-    CHECK_SUCCESS(mdr_reduced_adhesive_depth(3, a, 2.0, 1.0, more(out, 3)));
-    CHECK_SUCCESS(mdr_adhesive_radius_scale(5.0, 1.0, 0.1, more(out, 1)));
-    CHECK_SUCCESS(mdr_weight_i0(3, a, 0.3, more(out, 3)));
-    CHECK_SUCCESS(mdr_weight_j1(3, a, 0.3, more(out, 3)));
-    CHECK_SUCCESS(mdr_weight_j0_tangential(3, a, 0.3, more(out, 3)));
+    CHECK_SUCCESS(mdr_closed_form(MDR_FORM_PARABOLOID_FORCE, 3, a, (const double[]){5.0, 2.0, 1.0, 1.0}, more(out, 3)));
+    CHECK_SUCCESS(mdr_closed_form(MDR_FORM_CONE_FORCE, 3, a, (const double[]){0.3, 2.0, 1.0, 1.0}, more(out, 3)));
+    CHECK_SUCCESS(mdr_closed_form(MDR_FORM_ADHESIVE_DEPTH, 3, a, (const double[]){5.0, 2.0, 1.0, 1.0, 0.1}, more(out, 3)));
+    CHECK_SUCCESS(mdr_closed_form(MDR_FORM_REDUCED_DEPTH, 3, a, (const double[]){2.0, 1.0}, more(out, 3)));
+    CHECK_SUCCESS(mdr_closed_form(MDR_FORM_RADIUS_SCALE, 1, (const double[]){5.0}, (const double[]){1.0, 0.1}, more(out, 1)));
+    CHECK_SUCCESS(mdr_weight(MDR_WEIGHT_I0, 0.3, 3, a, more(out, 3)));
+    CHECK_SUCCESS(mdr_weight(MDR_WEIGHT_J1, 0.3, 3, a, more(out, 3)));
+    CHECK_SUCCESS(mdr_weight(MDR_WEIGHT_J0_TANGENTIAL, 0.3, 3, a, more(out, 3)));
 }
 
 static const long_call long_calls[] = {

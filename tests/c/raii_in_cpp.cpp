@@ -19,7 +19,8 @@ static void expect(bool right, const char *what)
 static mdr::LawHandle some_law()
 {
     const auto ball = mdr::make<mdr::Profile>(mdr_profile_paraboloid, 1e-5);
-    const auto body = mdr::make<mdr::Medium>(mdr_medium_homogeneous, 72e9, 0.17);
+    const mdr_layer glass = mdr_isotropic(72e9, 0.17, 0.0);
+    const auto body = mdr::make<mdr::Medium>(mdr_medium_layered, 0, nullptr, &glass, MDR_MODEL_EXACT, nullptr);
     const auto contact = mdr::make<mdr::Contact>(mdr_contact_new, ball, body, nullptr);
     return mdr::make<mdr::LawHandle>(mdr_law_new, contact, 2e-7, nullptr);
 }
@@ -42,7 +43,7 @@ int main()
     expect(std::fabs(law.force(1e-7) / hertz - 1.0) < 1e-9, "Hertz's force");
     expect(law.at_depth(1e-7).force == law.force(1e-7) && law.force(-1.0) == 0.0, "the state");
     mdr_law_facts facts = MDR_SIZED(mdr_law_facts);
-    mdr::check(mdr_law_info(law, &facts));
+    mdr::check(mdr_law_about(law, &facts));
     expect(facts.buffer_size > 0, "a law as an argument");
 
     mdr::LawHandle one = some_law(), other = std::move(one);
@@ -54,7 +55,8 @@ int main()
     const mdr::Error negative = refusal([] { mdr::make<mdr::Profile>(mdr_profile_paraboloid, -1.0); });
     expect(negative.status() == MDR_EINVALID && negative.argument() == "radius", "the argument of a refusal");
     const mdr::Error deep = refusal([&] { law.force(1.0); });
-    expect(deep.status() == MDR_EDOMAIN && std::string(deep.what()).find("compiled up to") != std::string::npos, "the words of a depth");
+    expect(deep.status() == MDR_EDOMAIN && std::string(deep.what()).find("compiled up to") != std::string::npos,
+           "the words of a depth");
     std::thread([&] { // the words are of the thread that failed
         expect(refusal([&] { law.at_depth(NAN); }).status() == MDR_EINVALID, "a refusal of another thread");
     }).join();

@@ -13,8 +13,8 @@ static int new_contact(const mdr_contact_options *options, mdr_contact **out)
     CHECK_SUCCESS(mdr_profile_paraboloid(R, &p));
     CHECK_SUCCESS(mdr_medium_contact_modulus(modulus, &m));
     const int status = mdr_contact_new(p, m, options, out);
-    CHECK_SUCCESS(mdr_profile_free(&p));
-    CHECK_SUCCESS(mdr_medium_free(&m));
+    CHECK_FREE(p);
+    CHECK_FREE(m);
     return status;
 }
 
@@ -77,13 +77,13 @@ static void jkr(const mdr_contact *c)
         d[i] = a[i] * a[i] / R - sqrt(2 * pi * a[i] * work / modulus);
         F[i] = 4 * modulus * pow(a[i], 3) / (3 * R) - sqrt(8 * pi * pow(a[i], 3) * work * modulus);
     }
-    CHECK_SUCCESS(mdr_contact_from_radius(c, 4, a, found, NULL, NULL, NULL));
+    CHECK_SUCCESS(columns_of(c, MDR_GIVEN_RADIUS, 4, a, found, NULL, NULL, NULL));
     for (int i = 0; i < 4; i++) CHECK_CLOSE(found[i], d[i], 1e-11);
-    CHECK_SUCCESS(mdr_contact_from_radius(c, 4, a, NULL, NULL, found, NULL));
+    CHECK_SUCCESS(columns_of(c, MDR_GIVEN_RADIUS, 4, a, NULL, NULL, found, NULL));
     for (int i = 0; i < 4; i++) CHECK_CLOSE(found[i], F[i], 1e-11);
-    CHECK_SUCCESS(mdr_contact_from_depth(c, 4, d, NULL, found, NULL, NULL));
+    CHECK_SUCCESS(columns_of(c, MDR_GIVEN_DEPTH, 4, d, NULL, found, NULL, NULL));
     for (int i = 0; i < 4; i++) CHECK_CLOSE(found[i], a[i], 1e-10);
-    CHECK_SUCCESS(mdr_contact_from_force(c, 4, F, NULL, found, NULL, NULL));
+    CHECK_SUCCESS(columns_of(c, MDR_GIVEN_FORCE, 4, F, NULL, found, NULL, NULL));
     for (int i = 0; i < 4; i++) CHECK_CLOSE(found[i], a[i], 1e-10);
     CHECK_SUCCESS(mdr_contact_states(c, MDR_GIVEN_FORCE, MDR_ON_UNLOADING, 4, F, states));
     for (int i = 0; i < 4; i++) CHECK_CLOSE(states[i].radius, a[i], 1e-10);
@@ -105,9 +105,9 @@ static void pull_off(const mdr_contact *c)
     double a[1];
     mdr_state state;
 
-    CHECK_SUCCESS(mdr_contact_from_force(c, 1, before, NULL, a, NULL, NULL));
+    CHECK_SUCCESS(columns_of(c, MDR_GIVEN_FORCE, 1, before, NULL, a, NULL, NULL));
     CHECK_CLOSE(a[0], cbrt(9 * pi * work * R * R / (8 * modulus)), 3e-3);
-    CHECK_STATUS(mdr_contact_from_force(c, 1, after, NULL, a, NULL, NULL), MDR_EUNREACHABLE, "force = ");
+    CHECK_STATUS(columns_of(c, MDR_GIVEN_FORCE, 1, after, NULL, a, NULL, NULL), MDR_EUNREACHABLE, "force = ");
     CHECK_STATUS(mdr_contact_states(c, MDR_GIVEN_DEPTH, MDR_ON_LOADING, 1, (const double[]){-0.01}, &state), MDR_EUNREACHABLE,
                  "depth = ");
 }
@@ -134,7 +134,7 @@ static void maugis(double sigma)
         CHECK_SUCCESS(mdr_contact_field(c, MDR_FIELD_PRESSURE, &states[i], 1, &states[i].zone_radius, &pressure));
         CHECK_CLOSE(pressure, -sigma, 1e-15);
     }
-    CHECK_SUCCESS(mdr_contact_free(&c));
+    CHECK_FREE(c);
 }
 
 int main(void)
@@ -154,7 +154,7 @@ int main(void)
         branches_refuse(c, MDR_GIVEN_FORCE);
         jkr(c);
         pull_off(c);
-        CHECK_SUCCESS(mdr_contact_free(&c));
+        CHECK_FREE(c);
     }
     return check_report("adhesion");
 }

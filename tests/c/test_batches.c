@@ -28,9 +28,9 @@ static void make(objects *o)
     options = MDR_SIZED(mdr_contact_options);
     options.work_of_adhesion = 0.01;
     CHECK_SUCCESS(mdr_profile_paraboloid(2.0, &o->profile));
-    CHECK_SUCCESS(mdr_medium_coated(9.0, 0.3, 1.0, 3.0, 0.4, MDR_MODEL_GAO, NULL, &o->medium));
-    CHECK_SUCCESS(mdr_medium_coated(9.0, 0.3, 1.0, 3.0, 0.4, MDR_MODEL_EXACT, NULL, &o->exact_medium));
-    CHECK_SUCCESS(mdr_medium_homogeneous(3.0, 0.4, &o->homogeneous));
+    CHECK_SUCCESS(new_coated(9.0, 0.3, 1.0, 3.0, 0.4, MDR_MODEL_GAO, NULL, &o->medium));
+    CHECK_SUCCESS(new_coated(9.0, 0.3, 1.0, 3.0, 0.4, MDR_MODEL_EXACT, NULL, &o->exact_medium));
+    CHECK_SUCCESS(new_homogeneous(3.0, 0.4, &o->homogeneous));
     CHECK_SUCCESS(mdr_contact_new(o->profile, o->medium, &options, &o->contact));
     CHECK_SUCCESS(mdr_contact_new(o->profile, o->exact_medium, NULL, &o->exact));
     CHECK_SUCCESS(mdr_contact_new(o->profile, o->homogeneous, NULL, &o->quick));
@@ -41,14 +41,14 @@ static void make(objects *o)
 
 static void end(objects *o)
 {
-    CHECK_SUCCESS(mdr_structure_free(&o->structure));
-    CHECK_SUCCESS(mdr_contact_free(&o->quick));
-    CHECK_SUCCESS(mdr_contact_free(&o->exact));
-    CHECK_SUCCESS(mdr_contact_free(&o->contact));
-    CHECK_SUCCESS(mdr_medium_free(&o->homogeneous));
-    CHECK_SUCCESS(mdr_medium_free(&o->exact_medium));
-    CHECK_SUCCESS(mdr_medium_free(&o->medium));
-    CHECK_SUCCESS(mdr_profile_free(&o->profile));
+    CHECK_FREE(o->structure);
+    CHECK_FREE(o->quick);
+    CHECK_FREE(o->exact);
+    CHECK_FREE(o->contact);
+    CHECK_FREE(o->homogeneous);
+    CHECK_FREE(o->exact_medium);
+    CHECK_FREE(o->medium);
+    CHECK_FREE(o->profile);
 }
 
 /* The states of a batch in one column. */
@@ -70,32 +70,32 @@ static int evaluate(const objects *o, int threads, double *out)
 #define NEXT (v += QUICK, v - QUICK)
 #define CALL(call) (failed += (call) != MDR_SUCCESS)
     for (int i = 0; i < OUTPUTS * QUICK; i++) out[i] = 0.0;
-    CALL(mdr_profile_height(o->profile, QUICK, place, NEXT));
-    CALL(mdr_profile_slope(o->profile, QUICK, place, NEXT));
-    CALL(mdr_profile_mdr(o->profile, QUICK, place, NEXT));
-    CALL(mdr_profile_mdr_slope(o->profile, QUICK, place, NEXT));
-    CALL(mdr_medium_modulus(o->medium, QUICK, place, NEXT));
-    CALL(mdr_medium_stiffness(o->exact_medium, EXACT, small_place + 1, NEXT));
-    CALL(mdr_weight_phi(QUICK, place, 0.3, NEXT));
-    CALL(mdr_weight_i0(QUICK, place, 0.3, NEXT));
-    CALL(mdr_weight_i1(QUICK, place, 0.3, NEXT));
-    CALL(mdr_weight_j0(QUICK, place, 0.3, NEXT));
-    CALL(mdr_weight_j1(QUICK, place, 0.3, NEXT));
+    CALL(mdr_profile_values(o->profile, MDR_HEIGHT, QUICK, place, NEXT));
+    CALL(mdr_profile_values(o->profile, MDR_HEIGHT_SLOPE, QUICK, place, NEXT));
+    CALL(mdr_profile_values(o->profile, MDR_G, QUICK, place, NEXT));
+    CALL(mdr_profile_values(o->profile, MDR_G_SLOPE, QUICK, place, NEXT));
+    CALL(mdr_medium_values(o->medium, MDR_MODULUS, QUICK, place, NEXT));
+    CALL(mdr_medium_values(o->exact_medium, MDR_STIFFNESS, EXACT, small_place + 1, NEXT));
+    CALL(mdr_weight(MDR_WEIGHT_PHI, 0.3, QUICK, place, NEXT));
+    CALL(mdr_weight(MDR_WEIGHT_I0, 0.3, QUICK, place, NEXT));
+    CALL(mdr_weight(MDR_WEIGHT_I1, 0.3, QUICK, place, NEXT));
+    CALL(mdr_weight(MDR_WEIGHT_J0, 0.3, QUICK, place, NEXT));
+    CALL(mdr_weight(MDR_WEIGHT_J1, 0.3, QUICK, place, NEXT));
     CALL(force_on_loading(o->contact, NEXT));
-    CALL(mdr_contact_from_force(o->contact, STATES, small_place, NULL, NEXT, NULL, NULL));
-    CALL(mdr_contact_from_depth(o->quick, QUICK, place, NULL, NULL, NEXT, NULL));
-    CALL(mdr_contact_from_force(o->exact, EXACT, small_place, NEXT, NULL, NULL, NULL));
-    CALL(mdr_contact_from_radius(o->exact, EXACT, small_place, NULL, NULL, NULL, NEXT));
+    CALL(columns_of(o->contact, MDR_GIVEN_FORCE, STATES, small_place, NULL, NEXT, NULL, NULL));
+    CALL(columns_of(o->quick, MDR_GIVEN_DEPTH, QUICK, place, NULL, NULL, NEXT, NULL));
+    CALL(columns_of(o->exact, MDR_GIVEN_FORCE, EXACT, small_place, NEXT, NULL, NULL, NULL));
+    CALL(columns_of(o->exact, MDR_GIVEN_RADIUS, EXACT, small_place, NULL, NULL, NULL, NEXT));
     CALL(field_at(o->contact, MDR_FIELD_PRESSURE, MDR_GIVEN_RADIUS, 1.0, STATES, small_place, NEXT));
     CALL(field_at(o->exact, MDR_FIELD_DISPLACEMENT, MDR_GIVEN_RADIUS, 0.5, STATES, small_place, NEXT));
     CALL(field_at(o->exact, MDR_FIELD_LINE_LOAD, MDR_GIVEN_RADIUS, 1.0, STATES, small_place, NEXT));
     CALL(field_at(o->quick, MDR_FIELD_PRESSURE, MDR_GIVEN_DEPTH, 0.6, STATES, small_place, NEXT));
     CALL(field_at(o->contact, MDR_FIELD_DISPLACEMENT, MDR_GIVEN_DEPTH, 0.1, STATES, small_place, NEXT));
     CALL(field_at(o->contact, MDR_FIELD_LINE_LOAD, MDR_GIVEN_DEPTH, 0.6, STATES, small_place, NEXT));
-    CALL(mdr_coated_paraboloid_force(QUICK, place, 1.0, 3.0, 1.0, 0.5, NEXT));
-    CALL(mdr_coated_cone_force(QUICK, place, 0.3, 3.0, 1.0, 0.5, NEXT));
-    CALL(mdr_coated_paraboloid_adhesive_depth(QUICK, place, 1.0, 3.0, 1.0, 0.5, 0.1, NEXT));
-    CALL(mdr_reduced_adhesive_depth(QUICK, place, 3.0, 0.5, NEXT));
+    CALL(mdr_closed_form(MDR_FORM_PARABOLOID_FORCE, QUICK, place, (const double[]){1.0, 3.0, 1.0, 0.5}, NEXT));
+    CALL(mdr_closed_form(MDR_FORM_CONE_FORCE, QUICK, place, (const double[]){0.3, 3.0, 1.0, 0.5}, NEXT));
+    CALL(mdr_closed_form(MDR_FORM_ADHESIVE_DEPTH, QUICK, place, (const double[]){1.0, 3.0, 1.0, 0.5, 0.1}, NEXT));
+    CALL(mdr_closed_form(MDR_FORM_REDUCED_DEPTH, QUICK, place, (const double[]){3.0, 0.5}, NEXT));
     CALL(mdr_structure_modulus(o->structure, EXACT, small_place, small_place, place, NEXT));
     CALL(mdr_lateral_density(QUICK, place, place, 0.3, v, v + QUICK));
     return failed + (mdr_set_threads(1) != MDR_SUCCESS);
@@ -126,20 +126,20 @@ static void test_one_by_one(const objects *o, const double *alone)
     double one, all[STATES];
 
     for (int i = 0; i < QUICK; i += 997) {
-        CHECK_SUCCESS(mdr_weight_i0(1, &place[i], 0.3, &one));
+        CHECK_SUCCESS(mdr_weight(MDR_WEIGHT_I0, 0.3, 1, &place[i], &one));
         CHECK_CLOSE(one, alone[7 * QUICK + i], 0.0);
-        CHECK_SUCCESS(mdr_profile_mdr(o->profile, 1, &place[i], &one));
+        CHECK_SUCCESS(mdr_profile_values(o->profile, MDR_G, 1, &place[i], &one));
         CHECK_CLOSE(one, alone[2 * QUICK + i], 0.0);
-        CHECK_SUCCESS(mdr_medium_modulus(o->medium, 1, &place[i], &one));
+        CHECK_SUCCESS(mdr_medium_values(o->medium, MDR_MODULUS, 1, &place[i], &one));
         CHECK_CLOSE(one, alone[4 * QUICK + i], 0.0);
     }
     /* in place */
     for (int i = 0; i < STATES; i++) all[i] = small_place[i];
     CHECK_SUCCESS(mdr_set_threads(2));
-    CHECK_SUCCESS(mdr_weight_i0(STATES, all, 0.3, all));
+    CHECK_SUCCESS(mdr_weight(MDR_WEIGHT_I0, 0.3, STATES, all, all));
     CHECK_SUCCESS(mdr_set_threads(1));
     for (int i = 0; i < STATES; i++) {
-        CHECK_SUCCESS(mdr_weight_i0(1, &small_place[i], 0.3, &one));
+        CHECK_SUCCESS(mdr_weight(MDR_WEIGHT_I0, 0.3, 1, &small_place[i], &one));
         CHECK_CLOSE(all[i], one, 0.0);
     }
     CHECK_CLOSE(all[0], 0.0, 0.0);
@@ -167,12 +167,12 @@ static void test_errors(const objects *o)
         mdr_state states[STATES];
 
         CHECK_SUCCESS(mdr_set_threads(threads));
-        CHECK_STATUS(mdr_contact_from_depth(o->exact, STATES, bad, out, NULL, NULL, NULL), MDR_EUNREACHABLE,
+        CHECK_STATUS(columns_of(o->exact, MDR_GIVEN_DEPTH, STATES, bad, out, NULL, NULL, NULL), MDR_EUNREACHABLE,
                      "entry 4 of depth = -4 ");
         CHECK_STATUS(mdr_contact_states(o->contact, MDR_GIVEN_FORCE, MDR_ON_LOADING, STATES, bad, states), MDR_EUNREACHABLE,
                      "entry 4 of force = -4 ");
         CHECK_STATUS(field_at(o->exact, MDR_FIELD_PRESSURE, MDR_GIVEN_RADIUS, 1.0, STATES, x, out), MDR_EDOMAIN, "r = 3 ");
-        CHECK_STATUS(mdr_weight_i0(STATES, bad, 0.3, out), MDR_EINVALID, "entry 4 of xi");
+        CHECK_STATUS(mdr_weight(MDR_WEIGHT_I0, 0.3, STATES, bad, out), MDR_EINVALID, "entry 4 of xi");
         CHECK_STATUS(mdr_structure_modulus(o->structure, EXACT, x, x, bad, out), MDR_EINVALID, "a = -4 ");
         CHECK_STATUS(mdr_set_threads(-1), MDR_EINVALID, "threads = -1 is not allowed");
     }
@@ -240,12 +240,12 @@ static void test_callers_with_openmp(const objects *o, const double *alone)
     CHECK_INT(failed, 0);
     CHECK_INT(different, 0);
     /* a user's function is called on the caller's thread */
-    CHECK_SUCCESS(mdr_structure_callback(material, &one, 0.3, NULL, &field));
+    CHECK_SUCCESS(mdr_structure_function(material, &one, 0.3, NULL, &field));
     CHECK_SUCCESS(mdr_set_threads(4));
     CHECK_SUCCESS(mdr_structure_modulus(field, 4, a, a, a, E));
     CHECK_SUCCESS(mdr_set_threads(1));
     CHECK_CLOSE(E[3], 3.0 / (1.0 - 0.09), 1e-9);
-    CHECK_SUCCESS(mdr_structure_free(&field));
+    CHECK_FREE(field);
 }
 #endif
 

@@ -42,18 +42,18 @@ static mdr_friction_history *history, *rings;
 static mdr_structure *balls, *voxels;
 static mdr_medium *medium, *film;
 static mdr_state pressed, normal[MANY / 10];
-static mdr_tangential_state sheared[MANY / 10];
+static mdr_shear_state sheared[MANY / 10];
 static double sway[MANY], other[MANY], deep[POINTS];
 static mdr_law *law;
 
-static int states(void) { return mdr_contact_from_force(exact, MANY, in, NULL, NULL, out, NULL); }
-static int formula_states(void) { return mdr_contact_from_force(plain, MANY, in, NULL, NULL, out, NULL); }
+static int states(void) { return columns_of(exact, MDR_GIVEN_FORCE, MANY, in, NULL, NULL, out, NULL); }
+static int formula_states(void) { return columns_of(plain, MDR_GIVEN_FORCE, MANY, in, NULL, NULL, out, NULL); }
 static int pressures(void) { return field_at(rough, MDR_FIELD_PRESSURE, MDR_GIVEN_RADIUS, 1.0, MANY, radii, out); }
 static int compiled(void) { return mdr_law_new(sharp, 1.0, NULL, &law); }
 static int place(void) { return mdr_structure_modulus(balls, MANY, in, in, in + 1, out); }
 static int cells(void) { return mdr_structure_modulus(voxels, MANY, in, in, in + 1, out); }
 static int table(void) { return mdr_structure_medium(balls, 0.0, 0.0, 0.01, 10.0, 100000, &medium); }
-static int torsion(void) { return mdr_medium_torsional_stiffness(film, MANY, in, out); }
+static int torsion(void) { return mdr_medium_values(film, MDR_TORSIONAL_STIFFNESS, MANY, in, out); }
 static int path(void)
 {
     return mdr_contact_history(relaxing, MDR_GIVEN_DEPTH, 1e-9, MANY / 500, in + POINTS, sway, out, NULL, NULL);
@@ -62,11 +62,13 @@ static int sticky_path(void)
 {
     const mdr_rate_state apart = {0};
     mdr_rate_state end;
-    return mdr_contact_adhesive_history(sticky, MDR_CONTROL_DEPTH, 0.0, 1e-7, &apart, POINTS, in, deep, out, NULL, NULL, NULL, &end);
+    return mdr_contact_adhesive_history(sticky, MDR_CONTROL_DEPTH, 0.0, 1e-7, &apart, POINTS, in, deep, out, NULL, NULL, NULL,
+                                        &end);
 }
 static int oscillation(void) { return mdr_contact_dynamic_stiffness(relaxing, MANY, in, in, out, other); }
-static int rub(void) { return mdr_friction_states(rubbed_film, &pressed, MDR_GIVEN_SHIFT, MANY / 10, sway, sheared); }
-static int rub_in_turn(void) { return mdr_friction_loop(rubbed_film, &pressed, MDR_GIVEN_SHIFT, 1e-3, MANY, out, other, other); }
+static int rub(void) { return shear_states(rubbed_film, &pressed, MDR_ALONG, MDR_GIVEN_SHIFT, MANY / 10, sway, sheared); }
+static int rub_in_turn(void) { return shear_loop(rubbed_film, &pressed, MDR_ALONG, MDR_GIVEN_SHIFT, 1e-3, MANY, out, other,
+                                                 other); }
 static int many_rings(void) { return mdr_friction_history_new(rubbed_film, 0.5, 1000, &rings); }
 static int rub_along(void)
 {
@@ -141,7 +143,7 @@ int main(void)
     CHECK_SUCCESS(mdr_profile_paraboloid(1.0, &p));
     CHECK_SUCCESS(mdr_profile_cone(0.3, &cone));
     CHECK_SUCCESS(mdr_medium_graded(3, z, E, nu, MDR_MODEL_EXACT, NULL, &graded));
-    CHECK_SUCCESS(mdr_medium_homogeneous(1.0, 0.3, &half_space));
+    CHECK_SUCCESS(new_homogeneous(1.0, 0.3, &half_space));
     for (int i = 0; i < DEPTHS; i++) depths[i] = 0.3 * i, rising_E[i] = 1.0 + 0.3 * i, same_nu[i] = 0.3;
     CHECK_SUCCESS(mdr_medium_graded(DEPTHS, depths, rising_E, same_nu, MDR_MODEL_EXACT, NULL, &deeply_graded));
     CHECK_SUCCESS(mdr_medium_graded(3, z, E, nu, MDR_MODEL_GAO, NULL, &weighted));
@@ -162,7 +164,7 @@ int main(void)
     ranged.work_of_adhesion = 0.02, ranged.cohesive_stress = 0.5;
     CHECK_SUCCESS(mdr_contact_new(p, rubber, &ranged, &sticky));
     for (int i = 0; i < POINTS; i++) deep[i] = 0.3 * sin(in[i]);
-    CHECK_SUCCESS(mdr_medium_coated(2.0, 0.3, 0.5, 1.0, 0.3, MDR_MODEL_EXACT, NULL, &film));
+    CHECK_SUCCESS(new_coated(2.0, 0.3, 0.5, 1.0, 0.3, MDR_MODEL_EXACT, NULL, &film));
     CHECK_SUCCESS(mdr_contact_new(p, film, NULL, &on_film));
     CHECK_SUCCESS(mdr_friction_new(plain, 0.3, &rubbed));
     CHECK_SUCCESS(mdr_friction_new(on_film, 0.3, &rubbed_film));
@@ -195,44 +197,44 @@ int main(void)
     check_cancelled("shapes, two threads", place);
     CHECK_SUCCESS(mdr_set_threads(1));
     answers_no = 1;
-    CHECK_SUCCESS(mdr_contact_from_depth(exact, 1, in, NULL, NULL, out, NULL));
+    CHECK_SUCCESS(columns_of(exact, MDR_GIVEN_DEPTH, 1, in, NULL, NULL, out, NULL));
     once = out[0];
     CHECK_SUCCESS(mdr_set_cancel(NULL, NULL));
-    CHECK_SUCCESS(mdr_contact_from_depth(exact, 1, in, NULL, NULL, out, NULL));
+    CHECK_SUCCESS(columns_of(exact, MDR_GIVEN_DEPTH, 1, in, NULL, NULL, out, NULL));
     CHECK_CLOSE(out[0], once, 0.0);
 
     /* the contact with friction has not been loaded yet */
     CHECK_SUCCESS(mdr_friction_history_advance(history, MDR_GIVEN_DEPTH, MDR_GIVEN_SHIFT, 1, (double[]){0.1}, (double[]){1e-3},
                                                normal, sheared));
     once = sheared[0].tangential_force;
-    CHECK_SUCCESS(mdr_friction_history_free(&history));
+    CHECK_FREE(history);
     CHECK_SUCCESS(mdr_friction_history_new(rubbed, 0.0, 0, &history));
     CHECK_SUCCESS(mdr_friction_history_advance(history, MDR_GIVEN_DEPTH, MDR_GIVEN_SHIFT, 1, (double[]){0.1}, (double[]){1e-3},
                                                normal, sheared));
     CHECK_CLOSE(sheared[0].tangential_force, once, 0.0);
 
-    CHECK_SUCCESS(mdr_friction_history_free(&history));
-    CHECK_SUCCESS(mdr_friction_free(&rubbed_film));
-    CHECK_SUCCESS(mdr_friction_free(&rubbed));
-    CHECK_SUCCESS(mdr_contact_free(&on_film));
-    CHECK_SUCCESS(mdr_contact_free(&sticky));
-    CHECK_SUCCESS(mdr_contact_free(&relaxing));
-    CHECK_SUCCESS(mdr_medium_free(&rubber));
-    CHECK_SUCCESS(mdr_medium_free(&film));
-    CHECK_SUCCESS(mdr_medium_free(&soft));
-    CHECK_SUCCESS(mdr_material_free(&slow));
-    CHECK_SUCCESS(mdr_material_free(&fast));
-    CHECK_SUCCESS(mdr_structure_free(&voxels));
-    CHECK_SUCCESS(mdr_structure_free(&balls));
-    CHECK_SUCCESS(mdr_contact_free(&sharp));
-    CHECK_SUCCESS(mdr_contact_free(&rough));
-    CHECK_SUCCESS(mdr_contact_free(&plain));
-    CHECK_SUCCESS(mdr_contact_free(&exact));
-    CHECK_SUCCESS(mdr_medium_free(&weighted));
-    CHECK_SUCCESS(mdr_medium_free(&deeply_graded));
-    CHECK_SUCCESS(mdr_medium_free(&half_space));
-    CHECK_SUCCESS(mdr_medium_free(&graded));
-    CHECK_SUCCESS(mdr_profile_free(&cone));
-    CHECK_SUCCESS(mdr_profile_free(&p));
+    CHECK_FREE(history);
+    CHECK_FREE(rubbed_film);
+    CHECK_FREE(rubbed);
+    CHECK_FREE(on_film);
+    CHECK_FREE(sticky);
+    CHECK_FREE(relaxing);
+    CHECK_FREE(rubber);
+    CHECK_FREE(film);
+    CHECK_FREE(soft);
+    CHECK_FREE(slow);
+    CHECK_FREE(fast);
+    CHECK_FREE(voxels);
+    CHECK_FREE(balls);
+    CHECK_FREE(sharp);
+    CHECK_FREE(rough);
+    CHECK_FREE(plain);
+    CHECK_FREE(exact);
+    CHECK_FREE(weighted);
+    CHECK_FREE(deeply_graded);
+    CHECK_FREE(half_space);
+    CHECK_FREE(graded);
+    CHECK_FREE(cone);
+    CHECK_FREE(p);
     return check_report("cancelled calls");
 }

@@ -13,27 +13,42 @@ static void refusals(void)
 
     fill_untouched(3, out);
     for (int i = 0; i < 4; i++) {
-        CHECK_STATUS(mdr_coated_paraboloid_force(3, a, bad[i], G0, G1, h, out), MDR_EINVALID, "radius = ");
-        CHECK_STATUS(mdr_coated_paraboloid_force(3, a, R, bad[i], G1, h, out), MDR_EINVALID, "coating_shear = ");
-        CHECK_STATUS(mdr_coated_paraboloid_force(3, a, R, G0, bad[i], h, out), MDR_EINVALID, "substrate_shear = ");
-        CHECK_STATUS(mdr_coated_paraboloid_force(3, a, R, G0, G1, bad[i], out), MDR_EINVALID, "thickness = ");
-        CHECK_STATUS(mdr_coated_paraboloid_force(1, &bad[i], R, G0, G1, h, out), MDR_EINVALID, "entry 1 of a = ");
-        CHECK_STATUS(mdr_coated_cone_force(3, a, bad[i], G0, G1, h, out), MDR_EINVALID, "inclination = ");
-        CHECK_STATUS(mdr_adhesive_radius_scale(bad[i], G1, work, out), MDR_EINVALID, "radius = ");
-        CHECK_STATUS(mdr_adhesive_radius_scale(R, bad[i], work, out), MDR_EINVALID, "substrate_shear = ");
-        CHECK_STATUS(mdr_adhesive_depth_scale(R, G1, bad[i], out), MDR_EINVALID, "work_of_adhesion = ");
-        CHECK_STATUS(mdr_reduced_adhesive_depth(3, a, bad[i], 1.0, out), MDR_EINVALID, "shear_ratio = ");
-        CHECK_STATUS(mdr_reduced_adhesive_depth(3, a, 2.0, bad[i], out), MDR_EINVALID, "reduced_thickness = ");
+        CHECK_STATUS(mdr_closed_form(MDR_FORM_PARABOLOID_FORCE, 3, a, (const double[]){bad[i], G0, G1, h}, out), MDR_EINVALID,
+                     "radius = ");
+        CHECK_STATUS(mdr_closed_form(MDR_FORM_PARABOLOID_FORCE, 3, a, (const double[]){R, bad[i], G1, h}, out), MDR_EINVALID,
+                     "coating_shear = ");
+        CHECK_STATUS(mdr_closed_form(MDR_FORM_PARABOLOID_FORCE, 3, a, (const double[]){R, G0, bad[i], h}, out), MDR_EINVALID,
+                     "substrate_shear = ");
+        CHECK_STATUS(mdr_closed_form(MDR_FORM_PARABOLOID_FORCE, 3, a, (const double[]){R, G0, G1, bad[i]}, out), MDR_EINVALID,
+                     "thickness = ");
+        CHECK_STATUS(mdr_closed_form(MDR_FORM_PARABOLOID_FORCE, 1, &bad[i], (const double[]){R, G0, G1, h}, out), MDR_EINVALID,
+                     "entry 1 of a = ");
+        CHECK_STATUS(mdr_closed_form(MDR_FORM_CONE_FORCE, 3, a, (const double[]){bad[i], G0, G1, h}, out), MDR_EINVALID,
+                     "inclination = ");
+        CHECK_STATUS(mdr_closed_form(MDR_FORM_RADIUS_SCALE, 1, (const double[]){bad[i]}, (const double[]){G1, work}, out),
+                     MDR_EINVALID, "radius = ");
+        CHECK_STATUS(mdr_closed_form(MDR_FORM_RADIUS_SCALE, 1, (const double[]){R}, (const double[]){bad[i], work}, out),
+                     MDR_EINVALID, "substrate_shear = ");
+        CHECK_STATUS(mdr_closed_form(MDR_FORM_DEPTH_SCALE, 1, (const double[]){R}, (const double[]){G1, bad[i]}, out), MDR_EINVALID,
+                     "work_of_adhesion = ");
+        CHECK_STATUS(mdr_closed_form(MDR_FORM_REDUCED_DEPTH, 3, a, (const double[]){bad[i], 1.0}, out), MDR_EINVALID,
+                     "shear_ratio = ");
+        CHECK_STATUS(mdr_closed_form(MDR_FORM_REDUCED_DEPTH, 3, a, (const double[]){2.0, bad[i]}, out), MDR_EINVALID,
+                     "reduced_thickness = ");
     }
-    CHECK_STATUS(mdr_coated_cone_force(3, a, 0.5 * pi, G0, G1, h, out), MDR_EINVALID, "inclination = ");
-    CHECK_STATUS(mdr_coated_paraboloid_adhesive_depth(3, a, R, G0, G1, h, -1.0, out), MDR_EINVALID, "work_of_adhesion = ");
-    CHECK_STATUS(mdr_coated_paraboloid_force(-1, a, R, G0, G1, h, out), MDR_EINVALID, "n = -1");
-    CHECK_STATUS(mdr_coated_paraboloid_force(3, NULL, R, G0, G1, h, out), MDR_ENULL, "a is NULL");
-    CHECK_STATUS(mdr_coated_cone_force(3, a, phi, G0, G1, h, NULL), MDR_ENULL, "out is NULL");
-    CHECK_STATUS(mdr_reduced_adhesive_depth(3, NULL, 2.0, 1.0, out), MDR_ENULL, "reduced_radius is NULL");
-    CHECK_STATUS(mdr_adhesive_radius_scale(R, G1, work, NULL), MDR_ENULL, "out is NULL");
+    CHECK_STATUS(mdr_closed_form(MDR_FORM_CONE_FORCE, 3, a, (const double[]){0.5 * pi, G0, G1, h}, out), MDR_EINVALID,
+                 "inclination = ");
+    CHECK_STATUS(mdr_closed_form(MDR_FORM_ADHESIVE_DEPTH, 3, a, (const double[]){R, G0, G1, h, -1.0}, out), MDR_EINVALID,
+                 "work_of_adhesion = ");
+    CHECK_STATUS(mdr_closed_form(MDR_FORM_PARABOLOID_FORCE, -1, a, (const double[]){R, G0, G1, h}, out), MDR_EINVALID, "n = -1");
+    CHECK_STATUS(mdr_closed_form(MDR_FORM_PARABOLOID_FORCE, 3, NULL, (const double[]){R, G0, G1, h}, out), MDR_ENULL, "a is NULL");
+    CHECK_STATUS(mdr_closed_form(MDR_FORM_CONE_FORCE, 3, a, (const double[]){phi, G0, G1, h}, NULL), MDR_ENULL, "out is NULL");
+    CHECK_STATUS(mdr_closed_form(MDR_FORM_REDUCED_DEPTH, 3, NULL, (const double[]){2.0, 1.0}, out), MDR_ENULL,
+                 "reduced_radius is NULL");
+    CHECK_STATUS(mdr_closed_form(MDR_FORM_RADIUS_SCALE, 1, (const double[]){R}, (const double[]){G1, work}, NULL), MDR_ENULL,
+                 "out is NULL");
     CHECK_UNTOUCHED(3, out);
-    CHECK_SUCCESS(mdr_coated_paraboloid_force(0, NULL, R, G0, G1, h, NULL));
+    CHECK_SUCCESS(mdr_closed_form(MDR_FORM_PARABOLOID_FORCE, 0, NULL, (const double[]){R, G0, G1, h}, NULL));
 }
 
 /* What the contact computes by quadrature. */
@@ -47,28 +62,28 @@ static void against_the_contact(void)
 
     CHECK_SUCCESS(mdr_profile_paraboloid(R, &paraboloid));
     CHECK_SUCCESS(mdr_profile_cone(phi, &cone));
-    CHECK_SUCCESS(mdr_medium_coated(3 * G0, 0.5, h, 3 * G1, 0.5, MDR_MODEL_GAO, NULL, &m));
+    CHECK_SUCCESS(new_coated(3 * G0, 0.5, h, 3 * G1, 0.5, MDR_MODEL_GAO, NULL, &m));
     CHECK_SUCCESS(mdr_contact_new(paraboloid, m, NULL, &c));
-    CHECK_SUCCESS(mdr_contact_from_radius(c, 3, a, NULL, NULL, expected, NULL));
-    CHECK_SUCCESS(mdr_coated_paraboloid_force(3, a, R, G0, G1, h, found));
+    CHECK_SUCCESS(columns_of(c, MDR_GIVEN_RADIUS, 3, a, NULL, NULL, expected, NULL));
+    CHECK_SUCCESS(mdr_closed_form(MDR_FORM_PARABOLOID_FORCE, 3, a, (const double[]){R, G0, G1, h}, found));
     for (int i = 0; i < 3; i++) CHECK_CLOSE(found[i], expected[i], 1e-12);
-    CHECK_SUCCESS(mdr_contact_free(&c));
+    CHECK_FREE(c);
     CHECK_SUCCESS(mdr_contact_new(cone, m, NULL, &c));
-    CHECK_SUCCESS(mdr_contact_from_radius(c, 3, a, NULL, NULL, expected, NULL));
-    CHECK_SUCCESS(mdr_coated_cone_force(3, a, phi, G0, G1, h, found));
+    CHECK_SUCCESS(columns_of(c, MDR_GIVEN_RADIUS, 3, a, NULL, NULL, expected, NULL));
+    CHECK_SUCCESS(mdr_closed_form(MDR_FORM_CONE_FORCE, 3, a, (const double[]){phi, G0, G1, h}, found));
     for (int i = 0; i < 3; i++) CHECK_CLOSE(found[i], expected[i], 1e-12);
-    CHECK_SUCCESS(mdr_contact_free(&c));
+    CHECK_FREE(c);
     options = MDR_SIZED(mdr_contact_options);
     options.work_of_adhesion = work;
     options.adhesion_rule = MDR_ADHESION_PAPER;
     CHECK_SUCCESS(mdr_contact_new(paraboloid, m, &options, &c));
-    CHECK_SUCCESS(mdr_contact_from_radius(c, 3, a, expected, NULL, NULL, NULL));
-    CHECK_SUCCESS(mdr_coated_paraboloid_adhesive_depth(3, a, R, G0, G1, h, work, found));
+    CHECK_SUCCESS(columns_of(c, MDR_GIVEN_RADIUS, 3, a, expected, NULL, NULL, NULL));
+    CHECK_SUCCESS(mdr_closed_form(MDR_FORM_ADHESIVE_DEPTH, 3, a, (const double[]){R, G0, G1, h, work}, found));
     for (int i = 0; i < 3; i++) CHECK_CLOSE(found[i], expected[i], 1e-12);
-    CHECK_SUCCESS(mdr_contact_free(&c));
-    CHECK_SUCCESS(mdr_profile_free(&paraboloid));
-    CHECK_SUCCESS(mdr_profile_free(&cone));
-    CHECK_SUCCESS(mdr_medium_free(&m));
+    CHECK_FREE(c);
+    CHECK_FREE(paraboloid);
+    CHECK_FREE(cone);
+    CHECK_FREE(m);
 }
 
 /* (29) in the units (31) is (32). */
@@ -76,13 +91,13 @@ static void scales(void)
 {
     double radius_scale, depth_scale, at[3], reduced[3], depth[3];
 
-    CHECK_SUCCESS(mdr_adhesive_radius_scale(R, G1, work, &radius_scale));
-    CHECK_SUCCESS(mdr_adhesive_depth_scale(R, G1, work, &depth_scale));
+    CHECK_SUCCESS(mdr_closed_form(MDR_FORM_RADIUS_SCALE, 1, (const double[]){R}, (const double[]){G1, work}, &radius_scale));
+    CHECK_SUCCESS(mdr_closed_form(MDR_FORM_DEPTH_SCALE, 1, (const double[]){R}, (const double[]){G1, work}, &depth_scale));
     CHECK_CLOSE(radius_scale, cbrt(pi * work * R * R / (32 * G1)), 1e-15);
     CHECK_CLOSE(depth_scale, 3 * radius_scale * radius_scale / R, 1e-15);
     for (int i = 0; i < 3; i++) at[i] = a[i] / radius_scale;
-    CHECK_SUCCESS(mdr_reduced_adhesive_depth(3, at, G0 / G1, h / radius_scale, reduced));
-    CHECK_SUCCESS(mdr_coated_paraboloid_adhesive_depth(3, a, R, G0, G1, h, work, depth));
+    CHECK_SUCCESS(mdr_closed_form(MDR_FORM_REDUCED_DEPTH, 3, at, (const double[]){G0 / G1, h / radius_scale}, reduced));
+    CHECK_SUCCESS(mdr_closed_form(MDR_FORM_ADHESIVE_DEPTH, 3, a, (const double[]){R, G0, G1, h, work}, depth));
     for (int i = 0; i < 3; i++) CHECK_CLOSE(reduced[i], depth[i] / depth_scale, 1e-13);
 }
 

@@ -6,15 +6,14 @@
 
 static const double pi = 3.14159265358979323846;
 
-typedef int (*state_call)(const mdr_contact *, int, const double[], double[], double[], double[], double[]);
-static const state_call state_calls[] = {mdr_contact_from_depth, mdr_contact_from_force, mdr_contact_from_radius};
+static const int givens[] = {MDR_GIVEN_DEPTH, MDR_GIVEN_FORCE, MDR_GIVEN_RADIUS};
 
 static mdr_contact *new_contact(mdr_profile *p, mdr_medium *m)
 {
     mdr_contact *c = NULL;
     CHECK_SUCCESS(mdr_contact_new(p, m, NULL, &c));
-    CHECK_SUCCESS(mdr_profile_free(&p)); /* the contact holds copies */
-    CHECK_SUCCESS(mdr_medium_free(&m));
+    CHECK_FREE(p); /* the contact holds copies */
+    CHECK_FREE(m);
     return c;
 }
 
@@ -56,11 +55,10 @@ static void creation_refuses(void)
     radius[0] = 2.0;
     CHECK_STATUS(mdr_contact_new(p, m, &options, &c), MDR_EINVALID, "entry 2 of zeta_radius = 1");
     CHECK_TRUE(c == NULL);
-    CHECK_SUCCESS(mdr_contact_free(NULL));
-    CHECK_SUCCESS(mdr_contact_free(&c));
-    CHECK_STATUS(mdr_contact_free((mdr_contact **)(void *)&m), MDR_EINVALID, "not an mdr_contact");
-    CHECK_SUCCESS(mdr_profile_free(&p));
-    CHECK_SUCCESS(mdr_medium_free(&m));
+    CHECK_SUCCESS(mdr_free(NULL));
+    CHECK_FREE(c);
+    CHECK_FREE(p);
+    CHECK_FREE(m);
 }
 
 static void states_refuse(void)
@@ -75,26 +73,26 @@ static void states_refuse(void)
     mdr_contact *c = new_contact(p, m);
     fill_untouched(2, d), fill_untouched(2, a), fill_untouched(2, F), fill_untouched(2, k);
     CHECK_SUCCESS(mdr_medium_contact_modulus(1.0, &m));
-    for (size_t i = 0; i < SIZE(state_calls); i++) {
-        state_call states = state_calls[i];
-        CHECK_STATUS(states(NULL, 2, good, d, a, F, k), MDR_ENULL, "c is NULL");
-        CHECK_STATUS(states((mdr_contact *)(void *)m, 2, good, d, a, F, k), MDR_EINVALID, "not an mdr_contact");
-        CHECK_STATUS(states(c, -1, good, d, a, F, k), MDR_EINVALID, "n = -1");
-        CHECK_STATUS(states(c, 2, NULL, d, a, F, k), MDR_ENULL, "in is NULL");
-        CHECK_STATUS(states(c, 2, not_a_number, d, a, F, k), MDR_EINVALID, "entry 1 of ");
-        CHECK_STATUS(states(c, 2, infinite, d, a, F, k), MDR_EINVALID, "entry 2 of ");
-        CHECK_STATUS(states(c, 2, negative, d, a, F, k), i == 2 ? MDR_EINVALID : MDR_EUNREACHABLE, "entry 2");
-        CHECK_SUCCESS(states(c, 0, NULL, NULL, NULL, NULL, NULL));
-        CHECK_SUCCESS(states(c, 2, good, NULL, NULL, NULL, NULL));
+    for (size_t i = 0; i < SIZE(givens); i++) {
+        const int given = givens[i];
+        CHECK_STATUS(columns_of(NULL, given, 2, good, d, a, F, k), MDR_ENULL, "c is NULL");
+        CHECK_STATUS(columns_of((mdr_contact *)(void *)m, given, 2, good, d, a, F, k), MDR_EINVALID, "not an mdr_contact");
+        CHECK_STATUS(columns_of(c, given, -1, good, d, a, F, k), MDR_EINVALID, "n = -1");
+        CHECK_STATUS(columns_of(c, given, 2, NULL, d, a, F, k), MDR_ENULL, "in is NULL");
+        CHECK_STATUS(columns_of(c, given, 2, not_a_number, d, a, F, k), MDR_EINVALID, "entry 1 of ");
+        CHECK_STATUS(columns_of(c, given, 2, infinite, d, a, F, k), MDR_EINVALID, "entry 2 of ");
+        CHECK_STATUS(columns_of(c, given, 2, negative, d, a, F, k), i == 2 ? MDR_EINVALID : MDR_EUNREACHABLE, "entry 2");
+        CHECK_SUCCESS(columns_of(c, given, 0, NULL, NULL, NULL, NULL, NULL));
+        CHECK_SUCCESS(columns_of(c, given, 2, good, NULL, NULL, NULL, NULL));
     }
     CHECK_UNTOUCHED(2, d);
     CHECK_UNTOUCHED(2, a);
     CHECK_UNTOUCHED(2, F);
     CHECK_UNTOUCHED(2, k);
-    CHECK_SUCCESS(mdr_medium_free(&m));
-    CHECK_SUCCESS(mdr_contact_free(&c));
+    CHECK_FREE(m);
+    CHECK_FREE(c);
     CHECK_TRUE(c == NULL);
-    CHECK_SUCCESS(mdr_contact_free(&c));
+    CHECK_FREE(c);
 }
 
 static void ends_refuse(void)
@@ -108,17 +106,17 @@ static void ends_refuse(void)
     CHECK_SUCCESS(mdr_profile_sphere(1.0, &p));
     CHECK_SUCCESS(mdr_medium_contact_modulus(1.0, &m));
     mdr_contact *c = new_contact(p, m);
-    CHECK_STATUS(mdr_contact_from_radius(c, 1, beyond, NULL, a, NULL, NULL), MDR_EDOMAIN, "radius = 1.5");
-    CHECK_STATUS(mdr_contact_from_depth(c, 1, deep, NULL, a, NULL, NULL), MDR_EUNREACHABLE, "depth = ");
-    CHECK_STATUS(mdr_contact_from_force(c, 1, deep, NULL, a, NULL, NULL), MDR_EUNREACHABLE, "force = ");
-    CHECK_SUCCESS(mdr_contact_free(&c));
+    CHECK_STATUS(columns_of(c, MDR_GIVEN_RADIUS, 1, beyond, NULL, a, NULL, NULL), MDR_EDOMAIN, "radius = 1.5");
+    CHECK_STATUS(columns_of(c, MDR_GIVEN_DEPTH, 1, deep, NULL, a, NULL, NULL), MDR_EUNREACHABLE, "depth = ");
+    CHECK_STATUS(columns_of(c, MDR_GIVEN_FORCE, 1, deep, NULL, a, NULL, NULL), MDR_EUNREACHABLE, "force = ");
+    CHECK_FREE(c);
     CHECK_SUCCESS(mdr_profile_flat_punch(0.4, &p));
     CHECK_SUCCESS(mdr_medium_contact_modulus(1.0, &m));
     c = new_contact(p, m);
-    CHECK_STATUS(mdr_contact_from_radius(c, 1, inside, NULL, a, NULL, NULL), MDR_EUNREACHABLE, "radius = 0.2");
-    CHECK_STATUS(mdr_contact_from_radius(c, 1, wall, NULL, a, NULL, NULL), MDR_EUNREACHABLE, "give depth or force");
+    CHECK_STATUS(columns_of(c, MDR_GIVEN_RADIUS, 1, inside, NULL, a, NULL, NULL), MDR_EUNREACHABLE, "radius = 0.2");
+    CHECK_STATUS(columns_of(c, MDR_GIVEN_RADIUS, 1, wall, NULL, a, NULL, NULL), MDR_EUNREACHABLE, "give depth or force");
     CHECK_UNTOUCHED(1, a);
-    CHECK_SUCCESS(mdr_contact_free(&c));
+    CHECK_FREE(c);
 }
 
 /* The same states from radius, depth and force, against d, F and k known at a; frees the contact. */
@@ -128,8 +126,8 @@ static void compare(mdr_contact *c, int n, const double a[], const double d[], c
     const double *in[3] = {d, F, a};
 
     CHECK_TRUE(n <= 8);
-    for (size_t i = 0; i < SIZE(state_calls); i++) {
-        CHECK_SUCCESS(state_calls[i](c, n, in[i], found[0], found[1], found[2], found[3]));
+    for (size_t i = 0; i < SIZE(givens); i++) {
+        CHECK_SUCCESS(columns_of(c, givens[i], n, in[i], found[0], found[1], found[2], found[3]));
         for (int j = 0; j < n; j++) {
             CHECK_CLOSE(found[0][j], d[j], tolerance);
             CHECK_CLOSE(found[1][j], a[j], tolerance);
@@ -137,7 +135,7 @@ static void compare(mdr_contact *c, int n, const double a[], const double d[], c
             CHECK_CLOSE(found[3][j], k[j], tolerance);
         }
     }
-    CHECK_SUCCESS(mdr_contact_free(&c));
+    CHECK_FREE(c);
 }
 
 static void hertz(void)
@@ -154,7 +152,7 @@ static void hertz(void)
         k[i] = 2 * modulus * a[i];
     }
     CHECK_SUCCESS(mdr_profile_paraboloid(R, &p));
-    CHECK_SUCCESS(mdr_medium_homogeneous(E, nu, &m));
+    CHECK_SUCCESS(new_homogeneous(E, nu, &m));
     compare(new_contact(p, m), 5, a, d, F, k, 1e-12);
 }
 
@@ -185,15 +183,15 @@ static void flat_punch(void)
     CHECK_SUCCESS(mdr_profile_flat_punch(b, &p));
     CHECK_SUCCESS(mdr_medium_contact_modulus(modulus, &m));
     mdr_contact *c = new_contact(p, m);
-    CHECK_SUCCESS(mdr_contact_from_depth(c, 2, depth, d, a, F, k));
+    CHECK_SUCCESS(columns_of(c, MDR_GIVEN_DEPTH, 2, depth, d, a, F, k));
     for (int i = 0; i < 2; i++) {
         CHECK_CLOSE(a[i], b, 1e-12);
         CHECK_CLOSE(F[i], 2 * b * modulus * depth[i], 1e-12);
         CHECK_CLOSE(k[i], 2 * b * modulus, 1e-12);
     }
-    CHECK_SUCCESS(mdr_contact_from_force(c, 2, F, d, a, NULL, NULL));
+    CHECK_SUCCESS(columns_of(c, MDR_GIVEN_FORCE, 2, F, d, a, NULL, NULL));
     for (int i = 0; i < 2; i++) CHECK_CLOSE(d[i], depth[i], 1e-12);
-    CHECK_SUCCESS(mdr_contact_free(&c));
+    CHECK_FREE(c);
 }
 
 /* (24) and (27), incompressible coating and substrate, with the corrected constants of the printed (24). */
@@ -216,7 +214,7 @@ static void coated_closed_forms(void)
         k[i] = 2 * a[i] * 4 * (G1 + D * i0);
     }
     CHECK_SUCCESS(mdr_profile_paraboloid(R, &p));
-    CHECK_SUCCESS(mdr_medium_coated(3 * G0, 0.5, h, 3 * G1, 0.5, MDR_MODEL_GAO, NULL, &m));
+    CHECK_SUCCESS(new_coated(3 * G0, 0.5, h, 3 * G1, 0.5, MDR_MODEL_GAO, NULL, &m));
     compare(new_contact(p, m), 6, a, d, F, k, 1e-10);
 
     for (int i = 0; i < 6; i++) {
@@ -224,7 +222,7 @@ static void coated_closed_forms(void)
         F[i] = 2 * pi * a[i] * a[i] * tan(phi) * (G1 + D * 2 / pi * atan(h / a[i]));
     }
     CHECK_SUCCESS(mdr_profile_cone(phi, &p));
-    CHECK_SUCCESS(mdr_medium_coated(3 * G0, 0.5, h, 3 * G1, 0.5, MDR_MODEL_GAO, NULL, &m));
+    CHECK_SUCCESS(new_coated(3 * G0, 0.5, h, 3 * G1, 0.5, MDR_MODEL_GAO, NULL, &m));
     compare(new_contact(p, m), 6, a, d, F, k, 1e-10);
 }
 
@@ -238,13 +236,13 @@ static void first_touch_and_in_place(void)
     CHECK_SUCCESS(mdr_profile_paraboloid(2.0, &p));
     CHECK_SUCCESS(mdr_medium_contact_modulus(1.0, &m));
     mdr_contact *c = new_contact(p, m);
-    CHECK_SUCCESS(mdr_contact_from_depth(c, 3, values, NULL, values, F, NULL));
+    CHECK_SUCCESS(columns_of(c, MDR_GIVEN_DEPTH, 3, values, NULL, values, F, NULL));
     CHECK_CLOSE(values[0], 0.0, 0.0);
     CHECK_CLOSE(F[0], 0.0, 0.0);
     CHECK_CLOSE(values[1], 1.0, 1e-12);
     CHECK_CLOSE(values[2], 2.0, 1e-12);
     CHECK_CLOSE(F[2], 4.0 / 3.0 * sqrt(2.0) * pow(2.0, 1.5), 1e-12);
-    CHECK_SUCCESS(mdr_contact_free(&c));
+    CHECK_FREE(c);
 }
 
 /* A constant zeta multiplies d and F of (9) and leaves a and k. */
@@ -262,18 +260,18 @@ static void zeta_scales_the_depth(void)
     options.zeta_radius = radius;
     options.zeta = zeta;
     CHECK_SUCCESS(mdr_profile_paraboloid(R, &p));
-    CHECK_SUCCESS(mdr_medium_coated(1.5, 0.0, 0.3, 1.5, 0.0, MDR_MODEL_GAO, NULL, &m));
+    CHECK_SUCCESS(new_coated(1.5, 0.0, 0.3, 1.5, 0.0, MDR_MODEL_GAO, NULL, &m));
     CHECK_SUCCESS(mdr_contact_new(p, m, &options, &c));
-    CHECK_SUCCESS(mdr_contact_from_radius(c, 2, a, d, NULL, F, k));
+    CHECK_SUCCESS(columns_of(c, MDR_GIVEN_RADIUS, 2, a, d, NULL, F, k));
     for (int i = 0; i < 2; i++) {
         CHECK_CLOSE(d[i], 1.25 * a[i] * a[i] / R, 1e-12);
         CHECK_CLOSE(F[i], 1.25 * 4.0 / 3.0 * modulus * pow(a[i], 3) / R, 1e-10);
         CHECK_CLOSE(k[i], 2 * modulus * a[i], 1e-12);
     }
-    CHECK_STATUS(mdr_contact_from_radius(c, 1, (const double[]){101.0}, d, NULL, NULL, NULL), MDR_EDOMAIN, "up to 100");
-    CHECK_SUCCESS(mdr_contact_free(&c));
-    CHECK_SUCCESS(mdr_profile_free(&p));
-    CHECK_SUCCESS(mdr_medium_free(&m));
+    CHECK_STATUS(columns_of(c, MDR_GIVEN_RADIUS, 1, (const double[]){101.0}, d, NULL, NULL, NULL), MDR_EDOMAIN, "up to 100");
+    CHECK_FREE(c);
+    CHECK_FREE(p);
+    CHECK_FREE(m);
 }
 
 int main(void)

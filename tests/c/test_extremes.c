@@ -26,26 +26,26 @@ static void test_profiles(void)
     mdr_profile *p = NULL;
 
     /* knots closer than the rounding of g lets it follow */
-    const int status = mdr_profile_table(4, r, f, &p);
+    const int status = mdr_profile_table(MDR_HEIGHT, 4, r, f, &p);
     CHECK_TRUE(status == MDR_SUCCESS || status == MDR_ENOCONVERGENCE);
     if (status == MDR_SUCCESS) {
-        CHECK_SUCCESS(mdr_profile_height(p, 1, &middle, &height));
+        CHECK_SUCCESS(mdr_profile_values(p, MDR_HEIGHT, 1, &middle, &height));
         CHECK_TRUE(height > 1e-4 && height < 2e-4);
     }
-    CHECK_SUCCESS(mdr_profile_free(&p));
+    CHECK_FREE(p);
 
-    CHECK_SUCCESS(mdr_profile_callback(steep, NULL, 1.0, &p));
-    CHECK_SUCCESS(mdr_profile_height(p, 1, &half, &height));
+    CHECK_SUCCESS(mdr_profile_function(steep, NULL, 1.0, &p));
+    CHECK_SUCCESS(mdr_profile_values(p, MDR_HEIGHT, 1, &half, &height));
     CHECK_TRUE(height >= 0.0 && height < 1e-15); /* to the accuracy of the largest value between 0.5 and 1 */
-    CHECK_SUCCESS(mdr_profile_free(&p));
+    CHECK_FREE(p);
 
-    CHECK_STATUS(mdr_profile_table(3, tiny, tiny, &p), MDR_EINVALID, "must be between");
-    CHECK_STATUS(mdr_profile_from_mdr_table(3, tiny, tiny, &p), MDR_EINVALID, "must be between");
-    CHECK_STATUS(mdr_profile_callback(overflowing, NULL, 1.0, &p), MDR_EINVALID, "must be between");
+    CHECK_STATUS(mdr_profile_table(MDR_HEIGHT, 3, tiny, tiny, &p), MDR_EINVALID, "must be between");
+    CHECK_STATUS(mdr_profile_table(MDR_G, 3, tiny, tiny, &p), MDR_EINVALID, "must be between");
+    CHECK_STATUS(mdr_profile_function(overflowing, NULL, 1.0, &p), MDR_EINVALID, "must be between");
     CHECK_STATUS(mdr_profile_area_function(3, area, 0.0, 1e-304, &p), MDR_EINVALID, "must be between");
     /* small, but far from the end of the number range: relative accuracy does not depend on the unit of length */
     CHECK_SUCCESS(mdr_profile_area_function(3, area, 0.0, 1e-120, &p));
-    CHECK_SUCCESS(mdr_profile_free(&p));
+    CHECK_FREE(p);
 }
 
 static void test_media(void)
@@ -53,12 +53,12 @@ static void test_media(void)
     double large = 1e300, small = 1e-300, out = untouched;
     mdr_medium *m = NULL;
 
-    CHECK_SUCCESS(mdr_medium_homogeneous(1e200, 0.3, &m));
-    CHECK_STATUS(mdr_medium_stiffness(m, 1, &large, &out), MDR_ENOCONVERGENCE, "leaves the number range");
-    CHECK_SUCCESS(mdr_medium_free(&m));
-    CHECK_SUCCESS(mdr_medium_homogeneous(1e-200, 0.3, &m));
-    CHECK_STATUS(mdr_medium_stiffness(m, 1, &small, &out), MDR_ENOCONVERGENCE, "leaves the number range");
-    CHECK_SUCCESS(mdr_medium_free(&m));
+    CHECK_SUCCESS(new_homogeneous(1e200, 0.3, &m));
+    CHECK_STATUS(mdr_medium_values(m, MDR_STIFFNESS, 1, &large, &out), MDR_ENOCONVERGENCE, "leaves the number range");
+    CHECK_FREE(m);
+    CHECK_SUCCESS(new_homogeneous(1e-200, 0.3, &m));
+    CHECK_STATUS(mdr_medium_values(m, MDR_STIFFNESS, 1, &small, &out), MDR_ENOCONVERGENCE, "leaves the number range");
+    CHECK_FREE(m);
     CHECK_UNTOUCHED(1, &out);
 }
 
@@ -67,12 +67,15 @@ static void test_closed_forms(void)
     double a = 1.0, large = 1e200, out = untouched;
 
     /* a coating so thin that (a/h)^2 overflows is none */
-    CHECK_SUCCESS(mdr_coated_paraboloid_force(1, &a, 1.0, 3.0, 2.0, 1e-200, &out));
+    CHECK_SUCCESS(mdr_closed_form(MDR_FORM_PARABOLOID_FORCE, 1, &a, (const double[]){1.0, 3.0, 2.0, 1e-200}, &out));
     CHECK_CLOSE(out, 32.0 / 3.0, 1e-14);
     out = untouched;
-    CHECK_STATUS(mdr_coated_paraboloid_force(1, &large, 1.0, 3.0, 2.0, 1.0, &out), MDR_ENOCONVERGENCE, "number range");
-    CHECK_STATUS(mdr_coated_cone_force(1, &large, 0.2, 3.0, 2.0, 1.0, &out), MDR_ENOCONVERGENCE, "number range");
-    CHECK_STATUS(mdr_adhesive_radius_scale(1e200, 1.0, 1.0, &out), MDR_ENOCONVERGENCE, "number range");
+    CHECK_STATUS(mdr_closed_form(MDR_FORM_PARABOLOID_FORCE, 1, &large, (const double[]){1.0, 3.0, 2.0, 1.0}, &out),
+                 MDR_ENOCONVERGENCE, "number range");
+    CHECK_STATUS(mdr_closed_form(MDR_FORM_CONE_FORCE, 1, &large, (const double[]){0.2, 3.0, 2.0, 1.0}, &out), MDR_ENOCONVERGENCE,
+                 "number range");
+    CHECK_STATUS(mdr_closed_form(MDR_FORM_RADIUS_SCALE, 1, (const double[]){1e200}, (const double[]){1.0, 1.0}, &out),
+                 MDR_ENOCONVERGENCE, "number range");
     CHECK_UNTOUCHED(1, &out);
 }
 
@@ -92,28 +95,28 @@ static void test_pressures_at_the_axis(void)
     CHECK_SUCCESS(mdr_contact_new(ball, m, NULL, &c));
     CHECK_SUCCESS(field_at(c, MDR_FIELD_PRESSURE, MDR_GIVEN_RADIUS, 0.5, 4, r, p));
     for (int i = 0; i < 4; i++) CHECK_CLOSE(p[i], 2.0 * 0.5 / pi, 1e-12);
-    CHECK_SUCCESS(mdr_contact_free(&c));
+    CHECK_FREE(c);
     CHECK_SUCCESS(mdr_contact_new(cone, m, NULL, &c));
     CHECK_SUCCESS(field_at(c, MDR_FIELD_PRESSURE, MDR_GIVEN_RADIUS, 0.5, 4, r, p));
     CHECK_CLOSE(p[0], INFINITY, 0.0);
     for (int i = 1; i < 4; i++) CHECK_CLOSE(p[i], 0.5 * tan(0.3) * (log(1.0 / r[i])), 1e-12);
-    CHECK_SUCCESS(mdr_contact_free(&c));
-    CHECK_SUCCESS(mdr_medium_free(&m));
+    CHECK_FREE(c);
+    CHECK_FREE(m);
     for (int k = 0; k < 2; k++) {
         CHECK_SUCCESS(mdr_medium_power_graded(1.0, 1.0, exponents[k], 0.3, &m));
         CHECK_SUCCESS(mdr_contact_new(ball, m, NULL, &c));
         CHECK_SUCCESS(field_at(c, MDR_FIELD_PRESSURE, MDR_GIVEN_RADIUS, 0.5, 4, r, p));
         for (int i = 1; i < 4; i++) CHECK_CLOSE(p[i], p[0], 1e-8);
-        CHECK_SUCCESS(mdr_contact_free(&c));
+        CHECK_FREE(c);
         CHECK_SUCCESS(mdr_contact_new(cone, m, NULL, &c));
         CHECK_SUCCESS(field_at(c, MDR_FIELD_PRESSURE, MDR_GIVEN_RADIUS, 0.5, 4, r, p));
         if (exponents[k] > 0.0) CHECK_CLOSE(p[2], p[0], 1e-8);
         else CHECK_CLOSE(p[2] / p[3], pow(100.0, 0.3), 1e-6);
-        CHECK_SUCCESS(mdr_contact_free(&c));
-        CHECK_SUCCESS(mdr_medium_free(&m));
+        CHECK_FREE(c);
+        CHECK_FREE(m);
     }
-    CHECK_SUCCESS(mdr_profile_free(&cone));
-    CHECK_SUCCESS(mdr_profile_free(&ball));
+    CHECK_FREE(cone);
+    CHECK_FREE(ball);
 }
 
 int main(void)

@@ -12,8 +12,8 @@ static mdr_contact *paraboloid(double R, double modulus)
     CHECK_SUCCESS(mdr_profile_paraboloid(R, &p));
     CHECK_SUCCESS(mdr_medium_contact_modulus(modulus, &m));
     CHECK_SUCCESS(mdr_contact_new(p, m, NULL, &c));
-    CHECK_SUCCESS(mdr_profile_free(&p));
-    CHECK_SUCCESS(mdr_medium_free(&m));
+    CHECK_FREE(p);
+    CHECK_FREE(m);
     return c;
 }
 
@@ -67,8 +67,8 @@ static void refusals(void)
     CHECK_UNTOUCHED(2, out);
     CHECK_SUCCESS(mdr_contact_lowest_pressure(c, &state, out, out + 1));
     CHECK_TRUE(out[0] == 0.0 && out[1] == state.radius); /* at the edge */
-    CHECK_SUCCESS(mdr_profile_free(&p));
-    CHECK_SUCCESS(mdr_contact_free(&c));
+    CHECK_FREE(p);
+    CHECK_FREE(c);
 }
 
 static void hertz(void)
@@ -100,7 +100,7 @@ static void hertz(void)
         CHECK_CLOSE(by_radius[i], u, 1e-10);
         CHECK_CLOSE(by_depth[i], u, 1e-10);
     }
-    CHECK_SUCCESS(mdr_contact_free(&c));
+    CHECK_FREE(c);
 }
 
 static void sneddon(void)
@@ -117,9 +117,9 @@ static void sneddon(void)
     CHECK_SUCCESS(field_at(c, MDR_FIELD_PRESSURE, MDR_GIVEN_RADIUS, a, 4, r, out));
     CHECK_TRUE(isinf(out[0]) && out[0] > 0); /* the cone's apex */
     for (int i = 1; i < 4; i++) CHECK_CLOSE(out[i], 0.5 * modulus * tan(phi) * acosh(a / r[i]), 1e-10);
-    CHECK_SUCCESS(mdr_profile_free(&p));
-    CHECK_SUCCESS(mdr_medium_free(&m));
-    CHECK_SUCCESS(mdr_contact_free(&c));
+    CHECK_FREE(p);
+    CHECK_FREE(m);
+    CHECK_FREE(c);
 }
 
 static void boussinesq(void)
@@ -143,9 +143,9 @@ static void boussinesq(void)
     for (int i = 0; i < 4; i++) CHECK_CLOSE(out[i], modulus * d, 1e-12);
     CHECK_SUCCESS(field_at(c, MDR_FIELD_DISPLACEMENT, MDR_GIVEN_DEPTH, d, 2, far, out));
     for (int i = 0; i < 2; i++) CHECK_CLOSE(out[i], 2 * d / pi * asin(b / far[i]), 1e-10);
-    CHECK_SUCCESS(mdr_profile_free(&p));
-    CHECK_SUCCESS(mdr_medium_free(&m));
-    CHECK_SUCCESS(mdr_contact_free(&c));
+    CHECK_FREE(p);
+    CHECK_FREE(m);
+    CHECK_FREE(c);
 }
 
 /* A ball on a half-space twice as stiff: each surface takes its share of displacement and energy. */
@@ -159,8 +159,8 @@ static void two_bodies(void)
     mdr_state state;
 
     CHECK_SUCCESS(mdr_profile_paraboloid(2.0, &p));
-    CHECK_SUCCESS(mdr_medium_homogeneous(6.0, 0.0, &half_space));
-    CHECK_SUCCESS(mdr_medium_homogeneous(3.0, 0.0, &ball));
+    CHECK_SUCCESS(new_homogeneous(6.0, 0.0, &half_space));
+    CHECK_SUCCESS(new_homogeneous(3.0, 0.0, &ball));
     CHECK_SUCCESS(mdr_medium_pair(half_space, ball, &pair));
     CHECK_SUCCESS(mdr_contact_new(p, pair, NULL, &c));
     CHECK_SUCCESS(mdr_contact_states(c, MDR_GIVEN_RADIUS, MDR_ON_LOADING, 1, &a, &state));
@@ -178,11 +178,11 @@ static void two_bodies(void)
     CHECK_CLOSE(energies[0], 0.4 * state.force * state.depth / 3, 1e-12);
     CHECK_CLOSE(energies[1], 0.8 * state.force * state.depth / 3, 1e-12);
     CHECK_SUCCESS(mdr_contact_energy(c, &state, NULL, NULL));
-    mdr_profile_free(&p);
-    mdr_medium_free(&half_space);
-    mdr_medium_free(&ball);
-    mdr_medium_free(&pair);
-    mdr_contact_free(&c);
+    MDR_FREE(p);
+    MDR_FREE(half_space);
+    MDR_FREE(ball);
+    MDR_FREE(pair);
+    MDR_FREE(c);
 }
 
 /* A cone on a stiff film: the lowest pressure is that of a fine scan, on a ring where neither end of the search is close. */
@@ -198,7 +198,7 @@ static void lowest_pressure(void)
     mdr_state state;
 
     CHECK_SUCCESS(mdr_profile_cone(0.1, &cone));
-    CHECK_SUCCESS(mdr_medium_coated(100.0, 0.25, 1.0, 1.0, 0.3, MDR_MODEL_EXACT, NULL, &film));
+    CHECK_SUCCESS(new_coated(100.0, 0.25, 1.0, 1.0, 0.3, MDR_MODEL_EXACT, NULL, &film));
     CHECK_SUCCESS(mdr_contact_new(cone, film, NULL, &c));
     CHECK_SUCCESS(mdr_contact_states(c, MDR_GIVEN_RADIUS, MDR_ON_UNLOADING, 1, &a, &state));
     for (int i = 0; i < SCAN; i++) r[i] = a * i / SCAN;
@@ -208,9 +208,9 @@ static void lowest_pressure(void)
     CHECK_CLOSE(lowest, scanned, 1e-4);
     CHECK_SUCCESS(mdr_contact_field(c, MDR_FIELD_PRESSURE, &state, 1, &place, p));
     CHECK_CLOSE(p[0], lowest, 1e-12);
-    CHECK_SUCCESS(mdr_contact_free(&c));
-    CHECK_SUCCESS(mdr_medium_free(&film));
-    CHECK_SUCCESS(mdr_profile_free(&cone));
+    CHECK_FREE(c);
+    CHECK_FREE(film);
+    CHECK_FREE(cone);
 }
 
 /* An indenter: a cone, one with a flat end, or a table. */
@@ -221,7 +221,7 @@ static mdr_profile *tip(int which, double length)
 
     if (which == 0) CHECK_SUCCESS(mdr_profile_cone(0.3, &p));
     if (which == 1) CHECK_SUCCESS(mdr_profile_flat_paraboloid(0.1 * length, length, &p));
-    if (which == 2) CHECK_SUCCESS(mdr_profile_table(4, r, f, &p));
+    if (which == 2) CHECK_SUCCESS(mdr_profile_table(MDR_HEIGHT, 4, r, f, &p));
     return p;
 }
 
@@ -230,9 +230,9 @@ static mdr_medium *body(int which, double length, double modulus)
     const double h = 0.1 * length;
     mdr_medium *m = NULL;
 
-    if (which == 0) CHECK_SUCCESS(mdr_medium_homogeneous(modulus, 0.3, &m));
-    if (which == 1) CHECK_SUCCESS(mdr_medium_coated(9.0 * modulus, 0.3, h, modulus, 0.2, MDR_MODEL_GAO, NULL, &m));
-    if (which == 2) CHECK_SUCCESS(mdr_medium_coated(9.0 * modulus, 0.3, h, modulus, 0.2, MDR_MODEL_EXACT, NULL, &m));
+    if (which == 0) CHECK_SUCCESS(new_homogeneous(modulus, 0.3, &m));
+    if (which == 1) CHECK_SUCCESS(new_coated(9.0 * modulus, 0.3, h, modulus, 0.2, MDR_MODEL_GAO, NULL, &m));
+    if (which == 2) CHECK_SUCCESS(new_coated(9.0 * modulus, 0.3, h, modulus, 0.2, MDR_MODEL_EXACT, NULL, &m));
     if (which == 3) CHECK_SUCCESS(mdr_medium_power_graded(modulus, length, 0.3, 0.3, &m));
     return m;
 }
@@ -252,9 +252,9 @@ static void pressures(int which_tip, int which_body, double length, double modul
     CHECK_SUCCESS(mdr_contact_new(indenter, medium, NULL, &c));
     CHECK_SUCCESS(field_at(c, MDR_FIELD_PRESSURE, MDR_GIVEN_RADIUS, 0.5 * length, PLACES, r, p));
     for (int i = 0; i < PLACES; i++) p[i] /= modulus;
-    CHECK_SUCCESS(mdr_contact_free(&c));
-    CHECK_SUCCESS(mdr_medium_free(&medium));
-    CHECK_SUCCESS(mdr_profile_free(&indenter));
+    CHECK_FREE(c);
+    CHECK_FREE(medium);
+    CHECK_FREE(indenter);
 }
 
 /* Metres and pascals, or others: the pressures are the same to rounding. */
@@ -284,7 +284,7 @@ static void line_load_of_a_stiff_film(void)
         mdr_medium *film = NULL;
         mdr_contact *c = NULL;
 
-        CHECK_SUCCESS(mdr_medium_coated(1.0, 0.3, 1.0, bases[b], 0.3, MDR_MODEL_EXACT, NULL, &film));
+        CHECK_SUCCESS(new_coated(1.0, 0.3, 1.0, bases[b], 0.3, MDR_MODEL_EXACT, NULL, &film));
         CHECK_SUCCESS(mdr_contact_new(ball, film, NULL, &c));
         for (int k = 0; k < 3; k++) {
             mdr_state state;
@@ -300,10 +300,10 @@ static void line_load_of_a_stiff_film(void)
             for (int i = 0; i <= STEPS; i++) sum += q[i] * (i == 0 || i == STEPS ? 1.0 : i % 2 ? 4.0 : 2.0); /* Simpson */
             CHECK_CLOSE(2.0 * sum * a[k] / STEPS / 3.0, state.force, 1e-10);
         }
-        CHECK_SUCCESS(mdr_contact_free(&c));
-        CHECK_SUCCESS(mdr_medium_free(&film));
+        CHECK_FREE(c);
+        CHECK_FREE(film);
     }
-    CHECK_SUCCESS(mdr_profile_free(&ball));
+    CHECK_FREE(ball);
 }
 
 int main(void)

@@ -24,12 +24,12 @@ static mdr_law *new_law(double radius)
     mdr_law *made = NULL;
 
     CHECK_SUCCESS(mdr_profile_paraboloid(radius, &ball));
-    CHECK_SUCCESS(mdr_medium_homogeneous(1.0, 0.3, &medium));
+    CHECK_SUCCESS(new_homogeneous(1.0, 0.3, &medium));
     CHECK_SUCCESS(mdr_contact_new(ball, medium, NULL, &contact));
     CHECK_SUCCESS(mdr_law_new(contact, 0.1, NULL, &made));
-    CHECK_SUCCESS(mdr_contact_free(&contact));
-    CHECK_SUCCESS(mdr_medium_free(&medium));
-    CHECK_SUCCESS(mdr_profile_free(&ball));
+    CHECK_FREE(contact);
+    CHECK_FREE(medium);
+    CHECK_FREE(ball);
     return made;
 }
 
@@ -41,7 +41,7 @@ static double force_from(const char *path)
 
     if (mdr_law_load(path, &loaded) != MDR_SUCCESS) return -1.0;
     mdr_law_force(loaded, MDR_ON_UNLOADING, 0.05, &F, NULL);
-    mdr_law_free(&loaded);
+    MDR_FREE(loaded);
     return F;
 }
 
@@ -133,7 +133,7 @@ static void test_names(void)
     remove("name");
     CHECK_STATUS(mdr_law_load("name", &larger), MDR_EFILE, "the file name cannot be read");
     remove("name ");
-    CHECK_SUCCESS(mdr_law_free(&larger));
+    CHECK_FREE(larger);
 }
 
 static void test_links(void)
@@ -193,7 +193,7 @@ int main(void)
     test_names();
     test_links();
     test_not_regular();
-    CHECK_SUCCESS(mdr_law_free(&law));
+    CHECK_FREE(law);
     CHECK_TRUE(chdir("..") == 0 && rmdir(folder) == 0);
     return check_report("files");
 }

@@ -38,7 +38,7 @@ static void truth_comes_back(void)
 
     /* the same curve by way of a contact */
     CHECK_INT(mdr_contact_new(ball, film, NULL, &contact), MDR_SUCCESS);
-    CHECK_INT(mdr_contact_from_depth(contact, POINTS, d, NULL, radii, expected, NULL), MDR_SUCCESS);
+    CHECK_INT(columns_of(contact, MDR_GIVEN_DEPTH, POINTS, d, NULL, radii, expected, NULL), MDR_SUCCESS);
     for (int i = 0; i < POINTS; i++) {
         CHECK_CLOSE(F[i], expected[i], 1e-9);
         CHECK_CLOSE(a[i], radii[i], 1e-9);
@@ -76,7 +76,7 @@ static void truth_comes_back(void)
     CHECK_TRUE(lower < 72e9 && 72e9 < upper);
     CHECK_TRUE(upper - lower > 0.2e9 && upper - lower < 20e9);
 
-    CHECK_INT(mdr_contact_free(&contact), MDR_SUCCESS);
+    CHECK_INT(mdr_free(contact), MDR_SUCCESS);
 }
 
 /* The list says what may be varied: as much of it as there is room for, in the objects' own units. */
@@ -134,7 +134,7 @@ static void counterbody(void)
     double paired[2], apart[2];
     const double stiff = 1141e9 / (1.0 - 0.07 * 0.07);
 
-    CHECK_SUCCESS(mdr_medium_homogeneous(1000e9, 0.07, &diamond));
+    CHECK_SUCCESS(new_homogeneous(1000e9, 0.07, &diamond));
     fill(&problem, parameters, NULL, NULL);
     problem.data_kind = MDR_FIT_MODULUS_RADIUS;
     CHECK_SUCCESS(mdr_fit_predict(&problem, 2, a, y, NULL, apart, NULL));
@@ -149,7 +149,7 @@ static void counterbody(void)
     }
     problem.counterbody = (const mdr_medium *)ball;
     CHECK_STATUS(mdr_fit_predict(&problem, 2, a, y, NULL, paired, NULL), MDR_EINVALID, "counterbody");
-    CHECK_SUCCESS(mdr_medium_free(&diamond));
+    CHECK_FREE(diamond);
 }
 
 static void bad_input_is_refused(void)
@@ -229,7 +229,8 @@ static void one_reading_does_not_determine_two_numbers(void)
     }
     /* each alone is */
     parameters[0].is_free = 0;
-    CHECK_SUCCESS(mdr_fit_solve(&problem, 3, d, (double[]){ 0.0, 0.0, 3e-4 }, NULL, NULL, values, covariance, NULL, NULL, NULL, NULL,
+    CHECK_SUCCESS(mdr_fit_solve(&problem, 3, d, (double[]){ 0.0, 0.0, 3e-4 }, NULL, NULL, values, covariance, NULL, NULL, NULL,
+                                NULL,
                                 NULL, &summary));
     CHECK_CLOSE(summary.weakest, 1.0, 1e-12);
     CHECK_TRUE(covariance[COUNT + 1] >= 0.0 && covariance[COUNT + 1] < 1e-6 * values[1] * values[1]);
@@ -248,10 +249,10 @@ static void elastic_contact_depths(void)
     mdr_contact *contact = NULL;
 
     CHECK_SUCCESS(mdr_profile_cone(angle, &profile));
-    CHECK_SUCCESS(mdr_medium_coated(72e9, 0.17, 500e-9, 163e9, 0.22, MDR_MODEL_EXACT, NULL, &medium));
+    CHECK_SUCCESS(new_coated(72e9, 0.17, 500e-9, 163e9, 0.22, MDR_MODEL_EXACT, NULL, &medium));
     CHECK_SUCCESS(mdr_contact_new(profile, medium, NULL, &contact));
     for (int i = 0; i < POINTS; i++) d[i] = 4e-9 * (i + 1);
-    CHECK_SUCCESS(mdr_contact_from_depth(contact, POINTS, d, NULL, a, F, k));
+    CHECK_SUCCESS(columns_of(contact, MDR_GIVEN_DEPTH, POINTS, d, NULL, a, F, k));
     fill(&problem, parameters, profile, medium);
     CHECK_INT(problem.is_elastic, 0);
     problem.data_kind = MDR_FIT_STIFFNESS_DEPTH;
@@ -264,9 +265,9 @@ static void elastic_contact_depths(void)
     problem.is_elastic = 0;
     CHECK_SUCCESS(mdr_fit_predict(&problem, POINTS, d, k, F, fitted, found));
     for (int i = 0; i < POINTS; i++) CHECK_TRUE(found[i] > 0.95 * a[i] && found[i] < 0.995 * a[i]);
-    CHECK_SUCCESS(mdr_contact_free(&contact));
-    CHECK_SUCCESS(mdr_medium_free(&medium));
-    CHECK_SUCCESS(mdr_profile_free(&profile));
+    CHECK_FREE(contact);
+    CHECK_FREE(medium);
+    CHECK_FREE(profile);
 }
 
 /* A crystalline film, held by springs, on silicon: C44 and K_n come back from curves of the same body; a pair stays as it is. */
@@ -287,10 +288,10 @@ static void a_body_is_a_pattern(void)
     film.thickness = 1e-6, film.normal_compliance = 1.0 / 2e17;
     silicon.E = 163e9, silicon.nu = 0.22;
     CHECK_SUCCESS(mdr_profile_paraboloid(5e-6, &profile));
-    CHECK_SUCCESS(mdr_medium_stack(1, &film, &silicon, MDR_MODEL_EXACT, NULL, &medium));
+    CHECK_SUCCESS(mdr_medium_layered(1, &film, &silicon, MDR_MODEL_EXACT, NULL, &medium));
     CHECK_SUCCESS(mdr_contact_new(profile, medium, NULL, &contact));
     for (int i = 0; i < POINTS; i++) d[i] = 1e-8 * (i + 1);
-    CHECK_SUCCESS(mdr_contact_from_depth(contact, POINTS, d, NULL, NULL, F, NULL));
+    CHECK_SUCCESS(columns_of(contact, MDR_GIVEN_DEPTH, POINTS, d, NULL, NULL, F, NULL));
 
     problem.profile = profile;
     problem.medium = medium;
@@ -320,17 +321,17 @@ static void a_body_is_a_pattern(void)
     problem.medium = pair;
     CHECK_SUCCESS(mdr_fit_parameters(&problem, COUNT, parameters, &count));
     CHECK_INT(count, 1 + 10);
-    CHECK_SUCCESS(mdr_contact_free(&contact));
-    CHECK_SUCCESS(mdr_medium_free(&pair));
-    CHECK_SUCCESS(mdr_medium_free(&medium));
-    CHECK_SUCCESS(mdr_profile_free(&profile));
+    CHECK_FREE(contact);
+    CHECK_FREE(pair);
+    CHECK_FREE(medium);
+    CHECK_FREE(profile);
 }
 
 int main(void)
 {
     CHECK_SUCCESS(mdr_profile_paraboloid(10e-6, &ball));
-    CHECK_SUCCESS(mdr_medium_coated(72e9, 0.17, 500e-9, 163e9, 0.22, MDR_MODEL_GAO, NULL, &film));
-    CHECK_SUCCESS(mdr_medium_homogeneous(72e9, 0.17, &half_space));
+    CHECK_SUCCESS(new_coated(72e9, 0.17, 500e-9, 163e9, 0.22, MDR_MODEL_GAO, NULL, &film));
+    CHECK_SUCCESS(new_homogeneous(72e9, 0.17, &half_space));
     parameters_are_listed();
     a_body_is_a_pattern();
     elastic_contact_depths();
@@ -338,8 +339,8 @@ int main(void)
     truth_comes_back();
     counterbody();
     bad_input_is_refused();
-    CHECK_SUCCESS(mdr_profile_free(&ball));
-    CHECK_SUCCESS(mdr_medium_free(&film));
-    CHECK_SUCCESS(mdr_medium_free(&half_space));
+    CHECK_FREE(ball);
+    CHECK_FREE(film);
+    CHECK_FREE(half_space);
     return check_report("fit");
 }

@@ -103,8 +103,8 @@ static double out[3];
 static int table(void)
 {
     mdr_profile *p = NULL;
-    int status = mdr_profile_table(3, x, y, &p);
-    mdr_profile_free(&p);
+    int status = mdr_profile_table(MDR_HEIGHT, 3, x, y, &p);
+    MDR_FREE(p);
     return status;
 }
 static int tip(void)
@@ -112,19 +112,19 @@ static int tip(void)
     const double C[2] = {24.5, 0.1};
     mdr_profile *p = NULL;
     int status = mdr_profile_area_function(2, C, 0.0, 1.0, &p);
-    mdr_profile_free(&p);
+    MDR_FREE(p);
     return status;
 }
 static int adhesive(void)
 {
     mdr_contact *c = NULL;
     int status = mdr_contact_new(ball, film, &sticky, &c);
-    if (status == MDR_SUCCESS) status = mdr_contact_from_depth(c, 1, y + 1, NULL, out, NULL, NULL);
-    mdr_contact_free(&c);
+    if (status == MDR_SUCCESS) status = columns_of(c, MDR_GIVEN_DEPTH, 1, y + 1, NULL, out, NULL, NULL);
+    MDR_FREE(c);
     return status;
 }
-static int states(void) { return mdr_contact_from_depth(contact, 2, y + 1, NULL, NULL, out, NULL); }
-static int exact_states(void) { return mdr_contact_from_depth(exact_contact, 2, y + 1, NULL, NULL, out, NULL); }
+static int states(void) { return columns_of(contact, MDR_GIVEN_DEPTH, 2, y + 1, NULL, NULL, out, NULL); }
+static int exact_states(void) { return columns_of(exact_contact, MDR_GIVEN_DEPTH, 2, y + 1, NULL, NULL, out, NULL); }
 static int layer_energies(void)
 {
     static const mdr_state state = {0.1, 0.3, 0.05, 0.6, 0.0, 0.0};
@@ -142,7 +142,7 @@ static int graded(void)
 {
     mdr_medium *m = NULL;
     int status = mdr_medium_graded(3, x, E_graded, nu_graded, MDR_MODEL_EXACT, NULL, &m);
-    mdr_medium_free(&m);
+    MDR_FREE(m);
     return status;
 }
 static int power_graded(void)
@@ -192,9 +192,9 @@ int main(void)
     sticky = MDR_SIZED(mdr_contact_options);
     sticky.work_of_adhesion = 0.02;
     CHECK_SUCCESS(mdr_profile_paraboloid(1.0, &ball));
-    CHECK_SUCCESS(mdr_medium_layered(2, E, nu, h, 1.0, 0.4, MDR_MODEL_GAO, NULL, &film));
+    CHECK_SUCCESS(new_layered(2, E, nu, h, 1.0, 0.4, MDR_MODEL_GAO, NULL, &film));
     /* so thin that LAPACK factorizes */
-    CHECK_SUCCESS(mdr_medium_layered(1, E, nu, thin, 1.0, 0.4, MDR_MODEL_EXACT, NULL, &exact_film));
+    CHECK_SUCCESS(new_layered(1, E, nu, thin, 1.0, 0.4, MDR_MODEL_EXACT, NULL, &exact_film));
     CHECK_SUCCESS(mdr_contact_new(ball, film, NULL, &contact));
     CHECK_SUCCESS(mdr_contact_new(ball, exact_film, NULL, &exact_contact));
     CHECK_SUCCESS(mdr_medium_power_graded(1.0, 1.0, 0.4, 0.3, &rising));
@@ -217,12 +217,12 @@ int main(void)
     check_refusal("exact, no factors", FACTORS, exact_states, MDR_ENOCONVERGENCE);
     check_refusal("fit, no step", FIT_STEP, fit, MDR_ENOCONVERGENCE);
 
-    CHECK_SUCCESS(mdr_contact_free(&broken_power));
-    CHECK_SUCCESS(mdr_medium_free(&rising));
-    CHECK_SUCCESS(mdr_contact_free(&exact_contact));
-    CHECK_SUCCESS(mdr_contact_free(&contact));
-    CHECK_SUCCESS(mdr_medium_free(&exact_film));
-    CHECK_SUCCESS(mdr_medium_free(&film));
-    CHECK_SUCCESS(mdr_profile_free(&ball));
+    CHECK_FREE(broken_power);
+    CHECK_FREE(rising);
+    CHECK_FREE(exact_contact);
+    CHECK_FREE(contact);
+    CHECK_FREE(exact_film);
+    CHECK_FREE(film);
+    CHECK_FREE(ball);
     return check_report("failures of GSL and LAPACK");
 }

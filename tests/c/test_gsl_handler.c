@@ -42,7 +42,7 @@ static void *make_table(void *unused)
     const double a[3] = {1.0, 2.0, 3.0}, E[3] = {1.0, 1.5, 2.0};
     mdr_medium *m = NULL;
 
-    if (mdr_medium_table(3, a, E, &m) == MDR_SUCCESS) mdr_medium_free(&m);
+    if (mdr_medium_table(3, a, E, &m) == MDR_SUCCESS) MDR_FREE(m);
     return unused;
 }
 

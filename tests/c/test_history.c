@@ -22,12 +22,12 @@ static void test_materials(void)
     double G[N], J[N], storage, loss, E, nu, untouched = 7.0;
     mdr_material *material = polymer(), *power = NULL, *elastic = NULL, *none = NULL;
 
-    CHECK_SUCCESS(mdr_material_relaxation(material, N, t, G));
+    CHECK_SUCCESS(mdr_material_values(material, MDR_RELAXATION, N, t, G, NULL));
     for (int i = 0; i < N; i++) CHECK_CLOSE(G[i], relaxation(t[i]), 1e-15);
-    CHECK_SUCCESS(mdr_material_creep(material, N, t, J));
+    CHECK_SUCCESS(mdr_material_values(material, MDR_CREEP, N, t, J, NULL));
     CHECK_CLOSE(J[0], 1.0 / 3.5, 1e-14);
     CHECK_CLOSE(J[3], 1.0, 1e-4);
-    CHECK_SUCCESS(mdr_material_complex_modulus(material, 1, omega, &storage, &loss));
+    CHECK_SUCCESS(mdr_material_values(material, MDR_COMPLEX_MODULUS, 1, omega, &storage, &loss));
     CHECK_CLOSE(storage, 1.0 + 2.0 * 0.36 / 1.36 + 0.5 * 36.0 / 37.0, 1e-14);
     CHECK_CLOSE(loss, 2.0 * 0.6 / 1.36 + 0.5 * 6.0 / 37.0, 1e-14);
     CHECK_SUCCESS(mdr_material_limit(material, MDR_LIMIT_GLASSY, &E, &nu));
@@ -35,10 +35,10 @@ static void test_materials(void)
     CHECK_SUCCESS(mdr_material_limit(material, MDR_LIMIT_RELAXED, &E, NULL));
     CHECK_CLOSE(E, 2.8, 1e-15);
     CHECK_SUCCESS(mdr_material_power_law(2.0, 0.5, 0.3, 0.5, &power));
-    CHECK_SUCCESS(mdr_material_relaxation(power, 1, omega, G));
+    CHECK_SUCCESS(mdr_material_values(power, MDR_RELAXATION, 1, omega, G, NULL));
     CHECK_CLOSE(G[0], 2.0 * pow(4.0, -0.3), 1e-15);
-    CHECK_STATUS(mdr_material_relaxation(power, N, t, G), MDR_EINVALID, "infinite");
-    CHECK_SUCCESS(mdr_material_creep(power, N, t, J));
+    CHECK_STATUS(mdr_material_values(power, MDR_RELAXATION, N, t, G, NULL), MDR_EINVALID, "infinite");
+    CHECK_SUCCESS(mdr_material_values(power, MDR_CREEP, N, t, J, NULL));
     CHECK_TRUE(J[0] == 0.0 && J[1] > 0.0);
     CHECK_SUCCESS(mdr_material_viscoelastic(1.0 / 2.6, 0, NULL, NULL, 0.0, 0.3, 0.0, &elastic));
     CHECK_SUCCESS(mdr_material_limit(elastic, MDR_LIMIT_RELAXED, &E, &nu));
@@ -46,9 +46,9 @@ static void test_materials(void)
 
     CHECK_STATUS(mdr_material_limit(power, MDR_LIMIT_GLASSY, &untouched, NULL), MDR_EINVALID, "glassy");
     CHECK_STATUS(mdr_material_limit(material, 3, &untouched, NULL), MDR_EINVALID, "limit = 3");
-    CHECK_STATUS(mdr_material_relaxation(material, -1, t, G), MDR_EINVALID, "n = -1");
-    CHECK_STATUS(mdr_material_relaxation(material, 1, NULL, G), MDR_ENULL, "t");
-    CHECK_STATUS(mdr_material_relaxation(NULL, 1, t, G), MDR_ENULL, "m");
+    CHECK_STATUS(mdr_material_values(material, MDR_RELAXATION, -1, t, G, NULL), MDR_EINVALID, "n = -1");
+    CHECK_STATUS(mdr_material_values(material, MDR_RELAXATION, 1, NULL, G, NULL), MDR_ENULL, "t");
+    CHECK_STATUS(mdr_material_values(NULL, MDR_RELAXATION, 1, t, G, NULL), MDR_ENULL, "m");
     CHECK_STATUS(mdr_material_power_law(1.0, 1.0, 0.0, 0.5, &none), MDR_EINVALID, "exponent = 0");
     CHECK_STATUS(mdr_material_power_law(1.0, NAN, 0.5, 0.5, &none), MDR_EINVALID, "time");
     CHECK_STATUS(mdr_material_viscoelastic(1.0, 0, NULL, NULL, 0.0, 0.3, 0.0, NULL), MDR_ENULL, "out");
@@ -56,10 +56,10 @@ static void test_materials(void)
     CHECK_STATUS(mdr_material_viscoelastic(1.0, 2, times, moduli, 1.0, 0.4, 1.0, &none), MDR_EINVALID, "viscosity = 1");
     CHECK_STATUS(mdr_material_viscoelastic(0.0, 0, NULL, NULL, 1.0, 0.4, 0.0, &none), MDR_EINVALID, "liquid");
     CHECK_TRUE(none == NULL && untouched == 7.0);
-    CHECK_SUCCESS(mdr_material_free(&material));
-    CHECK_SUCCESS(mdr_material_free(&power));
-    CHECK_SUCCESS(mdr_material_free(&elastic));
-    CHECK_SUCCESS(mdr_material_free(NULL));
+    CHECK_FREE(material);
+    CHECK_FREE(power);
+    CHECK_FREE(elastic);
+    CHECK_SUCCESS(mdr_free(NULL));
 }
 
 static void test_histories(void)
@@ -91,8 +91,8 @@ static void test_histories(void)
     for (int i = 1; i < N; i++) CHECK_CLOSE(F[i] / F[0], relaxation(t[i]) / 3.5, 1e-9);
     for (int i = 0; i < N; i++) CHECK_CLOSE(d[i], held[i], 0.0);
     /* two layers of the film's material are the film */
-    CHECK_SUCCESS(mdr_contact_free(&gel));
-    CHECK_SUCCESS(mdr_medium_free(&coated));
+    CHECK_FREE(gel);
+    CHECK_FREE(coated);
     CHECK_SUCCESS(relaxing_medium(2, halves, (const double[2]){0.25, 0.75}, NULL, MDR_MODEL_EXACT, NULL, &coated));
     CHECK_SUCCESS(mdr_contact_new(ball, coated, NULL, &gel));
     CHECK_SUCCESS(mdr_contact_history(gel, MDR_GIVEN_DEPTH, 1e-5, N, t, held, NULL, NULL, d));
@@ -117,8 +117,8 @@ static void test_histories(void)
     CHECK_STATUS(mdr_contact_history(contact, MDR_GIVEN_DEPTH, 1e-5, -1, t, held, untouched, NULL, NULL), MDR_EINVALID, "n = -1");
     CHECK_STATUS(mdr_contact_history(contact, MDR_GIVEN_DEPTH, 1e-5, N, NULL, held, untouched, NULL, NULL), MDR_ENULL, "time");
     CHECK_STATUS(mdr_contact_history(NULL, MDR_GIVEN_DEPTH, 1e-5, N, t, held, untouched, NULL, NULL), MDR_ENULL, "c");
-    CHECK_STATUS(mdr_contact_from_depth(contact, 1, held, untouched, NULL, NULL, NULL), MDR_EINVALID, "history");
-    CHECK_STATUS(mdr_medium_modulus(body, 1, held, untouched), MDR_EINVALID, "history");
+    CHECK_STATUS(columns_of(contact, MDR_GIVEN_DEPTH, 1, held, untouched, NULL, NULL, NULL), MDR_EINVALID, "history");
+    CHECK_STATUS(mdr_medium_values(body, MDR_MODULUS, 1, held, untouched), MDR_EINVALID, "history");
     state.depth = 0.5;
     state.radius = 0.7;
     CHECK_STATUS(mdr_contact_field(contact, MDR_FIELD_PRESSURE, &state, 1, t, untouched), MDR_EINVALID, "");
@@ -129,16 +129,16 @@ static void test_histories(void)
     mixed.thickness = h;
     mixed.material = material;
     mixed.E = 1.0;
-    CHECK_STATUS(mdr_medium_stack(1, &mixed, NULL, MDR_MODEL_EXACT, NULL, &none), MDR_EINVALID, "beside the material of layer 1");
+    CHECK_STATUS(mdr_medium_layered(1, &mixed, NULL, MDR_MODEL_EXACT, NULL, &none), MDR_EINVALID, "beside the material of layer 1");
     mdr_layer of_crystal[2] = {MDR_SIZED(mdr_layer), MDR_SIZED(mdr_layer)};
     of_crystal[0].thickness = of_crystal[1].thickness = h;
     of_crystal[0].material = material;
     of_crystal[1].E = 1.0;
     of_crystal[1].prestress = 0.1;
-    CHECK_STATUS(mdr_medium_stack(2, of_crystal, NULL, MDR_MODEL_EXACT, NULL, &none), MDR_EINVALID, "prestress of layer 2");
+    CHECK_STATUS(mdr_medium_layered(2, of_crystal, NULL, MDR_MODEL_EXACT, NULL, &none), MDR_EINVALID, "prestress of layer 2");
     CHECK_STATUS(mdr_layers_wrinkling(1, of_crystal, NULL, 1, NULL, NULL), MDR_EINVALID, "relaxes");
     of_crystal[0].normal_compliance = -1.0;
-    CHECK_STATUS(mdr_medium_stack(1, of_crystal, NULL, MDR_MODEL_EXACT, NULL, &none), MDR_EINVALID, "normal_compliance = -1");
+    CHECK_STATUS(mdr_medium_layered(1, of_crystal, NULL, MDR_MODEL_EXACT, NULL, &none), MDR_EINVALID, "normal_compliance = -1");
     CHECK_STATUS(relaxing_medium(1, film, &h, (const mdr_material *)ball, MDR_MODEL_EXACT, NULL, &none),
                  MDR_EINVALID, "substrate");
     CHECK_TRUE(none == NULL);
@@ -146,7 +146,7 @@ static void test_histories(void)
     const double omega[2] = {2.0, 2.0}, radius[2] = {0.5, 1.5};
     double storage[2], loss[2], G, lost;
     CHECK_SUCCESS(mdr_contact_dynamic_stiffness(contact, 2, omega, radius, storage, loss));
-    CHECK_SUCCESS(mdr_material_complex_modulus(material, 1, omega, &G, &lost));
+    CHECK_SUCCESS(mdr_material_values(material, MDR_COMPLEX_MODULUS, 1, omega, &G, &lost));
     CHECK_CLOSE(storage[1], 2.0 * 1.5 * 2.0 * G / 0.6, 1e-14);
     CHECK_CLOSE(loss[0], 2.0 * 0.5 * 2.0 * lost / 0.6, 1e-14);
     CHECK_SUCCESS(mdr_contact_step_response(contact, MDR_STEP_RELAXATION, 0.5, N - 1, t + 1, F));
@@ -158,12 +158,12 @@ static void test_histories(void)
     CHECK_STATUS(mdr_contact_dynamic_stiffness(contact, 2, omega, t, untouched, untouched), MDR_EINVALID, "radius");
     CHECK_STATUS(mdr_contact_dynamic_stiffness(NULL, 1, omega, radius, untouched, untouched), MDR_ENULL, "c");
     for (int i = 0; i < N; i++) CHECK_TRUE(untouched[i] == 7.0);
-    CHECK_SUCCESS(mdr_contact_free(&contact));
-    CHECK_SUCCESS(mdr_contact_free(&gel));
-    CHECK_SUCCESS(mdr_medium_free(&body));
-    CHECK_SUCCESS(mdr_medium_free(&coated));
-    CHECK_SUCCESS(mdr_profile_free(&ball));
-    CHECK_SUCCESS(mdr_material_free(&material));
+    CHECK_FREE(contact);
+    CHECK_FREE(gel);
+    CHECK_FREE(body);
+    CHECK_FREE(coated);
+    CHECK_FREE(ball);
+    CHECK_FREE(material);
 }
 
 /* Layers that do not relax in proportion: what is refused writes nothing, and a contact is lost and comes back. */
@@ -203,15 +203,15 @@ static void test_marching(void)
                      MDR_EINVALID, "finite");
         CHECK_STATUS(mdr_contact_history(contact, MDR_GIVEN_FORCE, 1e-3, 5, t, pull, untouched, untouched, untouched),
                      MDR_EINVALID, "force");
-        CHECK_SUCCESS(mdr_contact_free(&contact));
-        CHECK_SUCCESS(mdr_medium_free(&coated));
+        CHECK_FREE(contact);
+        CHECK_FREE(coated);
     }
     for (int i = 0; i < 5; i++) CHECK_TRUE(untouched[i] == 7.0);
-    CHECK_SUCCESS(mdr_profile_free(&ball));
-    CHECK_SUCCESS(mdr_material_free(&film));
-    CHECK_SUCCESS(mdr_material_free(&gel));
-    CHECK_SUCCESS(mdr_material_free(&kelvin));
-    CHECK_SUCCESS(mdr_material_free(&base));
+    CHECK_FREE(ball);
+    CHECK_FREE(film);
+    CHECK_FREE(gel);
+    CHECK_FREE(kelvin);
+    CHECK_FREE(base);
 }
 
 int main(void)

@@ -12,10 +12,10 @@ static mdr_contact *on_film(double work_of_adhesion)
     options = MDR_SIZED(mdr_contact_options);
     options.work_of_adhesion = work_of_adhesion;
     CHECK_SUCCESS(mdr_profile_paraboloid(1.0, &p));
-    CHECK_SUCCESS(mdr_medium_coated(450.0, 0.25, 1.0, 210.0, 0.3, MDR_MODEL_EXACT, NULL, &m));
+    CHECK_SUCCESS(new_coated(450.0, 0.25, 1.0, 210.0, 0.3, MDR_MODEL_EXACT, NULL, &m));
     CHECK_SUCCESS(mdr_contact_new(p, m, &options, &c));
-    CHECK_SUCCESS(mdr_profile_free(&p));
-    CHECK_SUCCESS(mdr_medium_free(&m));
+    CHECK_FREE(p);
+    CHECK_FREE(m);
     return c;
 }
 
@@ -65,8 +65,8 @@ static void refusals(void)
     CHECK_STATUS(mdr_contact_layer_energies(c, 1, &state, 2, energy, NULL), MDR_ENULL, "count is NULL");
     CHECK_UNTOUCHED(2, energy);
     CHECK_INT(count, -7);
-    CHECK_SUCCESS(mdr_contact_free(&c));
-    CHECK_SUCCESS(mdr_contact_free(&sticky));
+    CHECK_FREE(c);
+    CHECK_FREE(sticky);
 }
 
 static void film_on_steel(void)
@@ -98,7 +98,7 @@ static void film_on_steel(void)
     CHECK_INT(count, 2);
     CHECK_CLOSE(energy[0], 111.699225670, 1e-6);
     CHECK_CLOSE(energy[1], 180.488912439, 1e-6);
-    CHECK_SUCCESS(mdr_contact_free(&c));
+    CHECK_FREE(c);
 }
 
 /* A state whose depth belongs to another one does not fit its surface, by as much. */
@@ -117,8 +117,8 @@ static void deviation_from_the_surface(void)
     state.depth *= 1.001;
     CHECK_SUCCESS(mdr_contact_interior_error(c, MDR_BODY_LOWER, &state, &deviation));
     CHECK_CLOSE(deviation, 0.001 / 1.001, 1e-9);
-    CHECK_SUCCESS(mdr_contact_free(&c));
-    CHECK_SUCCESS(mdr_contact_free(&sticky));
+    CHECK_FREE(c);
+    CHECK_FREE(sticky);
 }
 
 /* Two equal bodies: friction drags the upper one the other way, as the lower one seen from the other side. */
@@ -132,7 +132,7 @@ static void friction_on_both_bodies(void)
     mdr_state state;
 
     CHECK_SUCCESS(mdr_profile_paraboloid(1.0, &p));
-    CHECK_SUCCESS(mdr_medium_homogeneous(1.0, 0.3, &m));
+    CHECK_SUCCESS(new_homogeneous(1.0, 0.3, &m));
     CHECK_SUCCESS(mdr_medium_pair(m, m, &both));
     CHECK_SUCCESS(mdr_contact_new(p, both, NULL, &c));
     CHECK_SUCCESS(mdr_contact_states(c, MDR_GIVEN_RADIUS, 0, 1, &(double){1.0}, &state));
@@ -143,10 +143,10 @@ static void friction_on_both_bodies(void)
     CHECK_CLOSE(upper.s_rz, lower.s_rz, 1e-12);
     CHECK_CLOSE(upper.u_r, lower.u_r, 1e-12);
     CHECK_TRUE(fabs(upper.s_rr - ahead.s_rr) > 0.05 * fabs(upper.s_rr));
-    CHECK_SUCCESS(mdr_contact_free(&c));
-    CHECK_SUCCESS(mdr_medium_free(&both));
-    CHECK_SUCCESS(mdr_medium_free(&m));
-    CHECK_SUCCESS(mdr_profile_free(&p));
+    CHECK_FREE(c);
+    CHECK_FREE(both);
+    CHECK_FREE(m);
+    CHECK_FREE(p);
 }
 
 int main(void)

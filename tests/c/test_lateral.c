@@ -63,8 +63,8 @@ static void refusals(void)
     options.exponent = 1.5;
     CHECK_STATUS(mdr_structure_voxels(size, label, 1, E, nu, spacing, 1.0, 0.3, &options, &s), MDR_EINVALID, "exponent = 1.5");
     CHECK_STATUS(mdr_structure_shapes(1.0, 0.3, 1, kind, good, E, nu, &options, &s), MDR_EINVALID, "exponent = 1.5");
-    CHECK_STATUS(mdr_structure_callback(failing, NULL, 0.5, &options, &s), MDR_EINVALID, "exponent = 1.5");
-    CHECK_STATUS(mdr_structure_callback(NULL, NULL, 0.5, NULL, &s), MDR_ENULL, "field is NULL");
+    CHECK_STATUS(mdr_structure_function(failing, NULL, 0.5, &options, &s), MDR_EINVALID, "exponent = 1.5");
+    CHECK_STATUS(mdr_structure_function(NULL, NULL, 0.5, NULL, &s), MDR_ENULL, "field is NULL");
     CHECK_TRUE(s == NULL);
 
     CHECK_SUCCESS(mdr_structure_shapes(1.0, 0.3, 1, kind, good, E, nu, NULL, &s));
@@ -78,14 +78,14 @@ static void refusals(void)
     CHECK_TRUE(m == NULL);
     CHECK_SUCCESS(mdr_structure_modulus(s, 0, NULL, NULL, NULL, NULL));
     CHECK_UNTOUCHED(3, out);
-    CHECK_SUCCESS(mdr_structure_free(&s));
+    CHECK_FREE(s);
     CHECK_TRUE(s == NULL);
-    CHECK_SUCCESS(mdr_structure_free(&s));
-    CHECK_SUCCESS(mdr_structure_free(NULL));
+    CHECK_FREE(s);
+    CHECK_SUCCESS(mdr_free(NULL));
 
-    CHECK_SUCCESS(mdr_structure_callback(failing, NULL, 0.5, NULL, &s));
+    CHECK_SUCCESS(mdr_structure_function(failing, NULL, 0.5, NULL, &s));
     CHECK_STATUS(mdr_structure_modulus(s, 1, zeros, zeros, nan_free, out), MDR_ECALLBACK, "failure 7");
-    CHECK_SUCCESS(mdr_structure_free(&s));
+    CHECK_FREE(s);
 }
 
 /* A layer of shapes and one of voxels against the layered medium with Gao weights, at a point, and as the medium of an indenter. */
@@ -103,8 +103,8 @@ static void layers(int model, double exponent)
     options = MDR_SIZED(mdr_structure_options);
     mean.exponent = options.exponent = exponent;
     mean.exponent_is_given = options.exponent_is_given = 1;
-    CHECK_SUCCESS(mdr_medium_coated(5.0, 0.3, 0.6, 1.0, 0.3, model, &mean, &reference));
-    CHECK_SUCCESS(mdr_medium_modulus(reference, 3, nan_free, expected));
+    CHECK_SUCCESS(new_coated(5.0, 0.3, 0.6, 1.0, 0.3, model, &mean, &reference));
+    CHECK_SUCCESS(mdr_medium_values(reference, MDR_MODULUS, 3, nan_free, expected));
     CHECK_SUCCESS(mdr_structure_shapes(1.0, 0.3, 1, kind, layer, E, nu, &options, &shapes));
     CHECK_SUCCESS(mdr_structure_voxels(size, labels, 1, E, nu, spacing, 1.0, 0.3, &options, &voxels));
     CHECK_SUCCESS(mdr_structure_modulus(shapes, 3, nan_free, zeros, nan_free, found));
@@ -112,12 +112,12 @@ static void layers(int model, double exponent)
     CHECK_SUCCESS(mdr_structure_modulus(voxels, 3, nan_free, zeros, nan_free, found));
     for (int i = 0; i < 3; i++) CHECK_CLOSE(found[i], expected[i], 1e-12);
     CHECK_SUCCESS(mdr_structure_medium(voxels, 0.2, 0.1, 1e-2, 1e2, 33, &lateral));
-    CHECK_SUCCESS(mdr_structure_free(&voxels));
-    CHECK_SUCCESS(mdr_medium_modulus(lateral, 3, nan_free, found));
+    CHECK_FREE(voxels);
+    CHECK_SUCCESS(mdr_medium_values(lateral, MDR_MODULUS, 3, nan_free, found));
     for (int i = 0; i < 3; i++) CHECK_CLOSE(found[i], expected[i], 2e-3);
-    CHECK_SUCCESS(mdr_medium_free(&lateral));
-    CHECK_SUCCESS(mdr_medium_free(&reference));
-    CHECK_SUCCESS(mdr_structure_free(&shapes));
+    CHECK_FREE(lateral);
+    CHECK_FREE(reference);
+    CHECK_FREE(shapes);
 }
 
 /* Voxels in layers of two materials: labels run along x, then y, then from the surface down. */
@@ -134,8 +134,8 @@ static void order_of_voxels(void)
     CHECK_SUCCESS(mdr_structure_modulus(shapes, 3, nan_free, zeros, nan_free, expected));
     CHECK_SUCCESS(mdr_structure_modulus(voxels, 3, nan_free, zeros, nan_free, found));
     for (int i = 0; i < 3; i++) CHECK_CLOSE(found[i], expected[i], 1e-5);
-    CHECK_SUCCESS(mdr_structure_free(&voxels));
-    CHECK_SUCCESS(mdr_structure_free(&shapes));
+    CHECK_FREE(voxels);
+    CHECK_FREE(shapes);
 }
 
 /* A line across a vertical interface: monotone, the mean in the middle, point symmetric. */
@@ -153,7 +153,7 @@ static void line(void)
     CHECK_CLOSE(found[2], 2.0 / 0.75, 1e-6);
     CHECK_CLOSE(found[0] + found[4], 4.0 / 0.75, 1e-6);
     CHECK_CLOSE(found[1] + found[3], 4.0 / 0.75, 1e-6);
-    CHECK_SUCCESS(mdr_structure_free(&s));
+    CHECK_FREE(s);
 }
 
 static void callback_structure(void)
@@ -164,17 +164,17 @@ static void callback_structure(void)
 
     options = MDR_SIZED(mdr_structure_options);
     options.tolerance = 1e-4;
-    CHECK_SUCCESS(mdr_structure_callback(wavy, &contrast, 0.5, &options, &s));
+    CHECK_SUCCESS(mdr_structure_function(wavy, &contrast, 0.5, &options, &s));
     CHECK_SUCCESS(mdr_structure_modulus(s, 1, &crest, &y, &a, &high));
     CHECK_SUCCESS(mdr_structure_modulus(s, 1, &trough, &y, &a, &low));
     CHECK_CLOSE(high + low, 8.0, 2e-4);
     CHECK_TRUE(high > 4.4 && high < 6.0);
-    CHECK_SUCCESS(mdr_structure_free(&s));
+    CHECK_FREE(s);
     options.exponent = -1.0;
-    CHECK_SUCCESS(mdr_structure_callback(wavy, &contrast, 0.5, &options, &s));
+    CHECK_SUCCESS(mdr_structure_function(wavy, &contrast, 0.5, &options, &s));
     CHECK_SUCCESS(mdr_structure_modulus(s, 1, &crest, &y, &a, &low));
     CHECK_TRUE(low > 4.4 && low < high);
-    CHECK_SUCCESS(mdr_structure_free(&s));
+    CHECK_FREE(s);
 }
 
 static void weights(void)
@@ -186,8 +186,8 @@ static void weights(void)
     double shear[4], poisson[4], i0, i1, points[6 * 8 * 3], rule[6 * 8 * 2], total = 0.0;
 
     CHECK_SUCCESS(mdr_lateral_cells(0.3, 1.0, top, depth, 2, lines, 2, lines, shear, poisson));
-    CHECK_SUCCESS(mdr_weight_i0(1, &depth, 0.3, &i0));
-    CHECK_SUCCESS(mdr_weight_i1(1, &depth, 0.3, &i1));
+    CHECK_SUCCESS(mdr_weight(MDR_WEIGHT_I0, 0.3, 1, &depth, &i0));
+    CHECK_SUCCESS(mdr_weight(MDR_WEIGHT_I1, 0.3, 1, &depth, &i1));
     CHECK_CLOSE(shear[0] + shear[1] + shear[2] + shear[3], i0, 1e-6);
     CHECK_CLOSE(poisson[0] + poisson[1] + poisson[2] + poisson[3], i1, 1e-6);
     CHECK_CLOSE(shear[1], shear[2], 1e-9);
@@ -215,7 +215,8 @@ static void weights(void)
     CHECK_CLOSE(shear[0], total, 1e-5);
     total = 0.0;
     /* and a slab so deep that products of its depths are none */
-    CHECK_SUCCESS(mdr_lateral_cells(-0.7, 1e-156, 0.17, 0.18, 2, (const double[3]){0.1, 0.2, 0.3}, 2, (const double[3]){0.1, 0.2, 0.3},
+    CHECK_SUCCESS(mdr_lateral_cells(-0.7, 1e-156, 0.17, 0.18, 2, (const double[3]){0.1, 0.2, 0.3}, 2, (const double[3]){0.1, 0.2,
+            0.3},
                                     shear, poisson));
     for (int i = 0; i < 4; i++) CHECK_TRUE(isfinite(shear[i]) && isfinite(poisson[i]));
     /* and a face as deep */

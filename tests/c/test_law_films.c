@@ -32,10 +32,10 @@ static mdr_contact *on_film(double ratio)
     mdr_contact *contact = NULL;
 
     CHECK_SUCCESS(mdr_profile_paraboloid(20.0, &ball));
-    CHECK_SUCCESS(mdr_medium_coated(ratio * E, nu, 1.0, E, nu, MDR_MODEL_EXACT, NULL, &film));
+    CHECK_SUCCESS(new_coated(ratio * E, nu, 1.0, E, nu, MDR_MODEL_EXACT, NULL, &film));
     CHECK_SUCCESS(mdr_contact_new(ball, film, NULL, &contact));
-    CHECK_SUCCESS(mdr_medium_free(&film));
-    CHECK_SUCCESS(mdr_profile_free(&ball));
+    CHECK_FREE(film);
+    CHECK_FREE(ball);
     return contact;
 }
 
@@ -45,7 +45,7 @@ static void worst_of_path(const mdr_friction *f, mdr_law *const laws[2], const d
 {
     mdr_friction_history *history = NULL;
     mdr_state state;
-    mdr_tangential_state exact;
+    mdr_shear_state exact;
     double memory[2][11 + 4 * 16] = {{0.0}}, T[3], before = 0.0, largest = 0.0;
 
     worst[0] = worst[1] = 0.0;
@@ -57,7 +57,7 @@ static void worst_of_path(const mdr_friction *f, mdr_law *const laws[2], const d
             CHECK_SUCCESS(mdr_friction_history_advance(history, MDR_GIVEN_DEPTH, MDR_GIVEN_SHIFT, 1, &d, &s, &state, &exact));
             for (int j = 0; j < 2; j++) {
                 const double step[3] = {s - before, 0.0, 0.0};
-                CHECK_SUCCESS(mdr_law_advance(laws[j], 1, &state.force, step, NULL, memory[j], T));
+                CHECK_SUCCESS(mdr_law_advance(laws[j], 1, &state.force, step, 0, NULL, memory[j], T));
                 worst[j] = fmax(worst[j], fabs(T[0] - exact.tangential_force));
             }
             before = s;
@@ -65,7 +65,7 @@ static void worst_of_path(const mdr_friction *f, mdr_law *const laws[2], const d
         }
     }
     for (int j = 0; j < 2; j++) worst[j] *= 100.0 / largest;
-    CHECK_SUCCESS(mdr_friction_history_free(&history));
+    CHECK_FREE(history);
 }
 
 int main(void)
@@ -75,11 +75,11 @@ int main(void)
         mdr_friction *f = NULL;
         mdr_law *laws[2] = {NULL, NULL};
         mdr_state state;
-        double shift, worst[2];
+        double shift = 0.0, worst[2];
 
         CHECK_SUCCESS(mdr_friction_new(contact, mu, &f));
         CHECK_SUCCESS(mdr_contact_states(contact, MDR_GIVEN_RADIUS, MDR_ON_UNLOADING, 1, &cases[i].radius, &state));
-        CHECK_SUCCESS(mdr_friction_sliding(f, &state, &shift, NULL));
+        CHECK_SUCCESS(shear_sliding(f, &state, MDR_ALONG, &shift, NULL));
         for (int j = 0; j < 2; j++) {
             mdr_law_options options = MDR_SIZED(mdr_law_options);
             options.friction = f;
@@ -92,9 +92,9 @@ int main(void)
             printf("%4g %4g path %d: %.2f %.2f %%\n", cases[i].ratio, cases[i].radius, path, worst[0], worst[1]);
             for (int j = 0; j < 2; j++) CHECK_TRUE(worst[j] <= cases[i].percent[path][j]);
         }
-        for (int j = 0; j < 2; j++) CHECK_SUCCESS(mdr_law_free(&laws[j]));
-        CHECK_SUCCESS(mdr_friction_free(&f));
-        CHECK_SUCCESS(mdr_contact_free(&contact));
+        for (int j = 0; j < 2; j++) CHECK_FREE(laws[j]);
+        CHECK_FREE(f);
+        CHECK_FREE(contact);
     }
     return check_report("law_films");
 }

@@ -27,12 +27,12 @@ static mdr_law *ranged_law_with(double work_of_adhesion, double cohesive_stress,
     } else {
         CHECK_SUCCESS(mdr_profile_paraboloid(1.0, &tip));
     }
-    CHECK_SUCCESS(mdr_medium_coated(3.0, 0.3, 0.5, 1.0, 0.4, cohesive_stress > 0.0 ? MDR_MODEL_EXACT : MDR_MODEL_GAO, NULL, &film));
+    CHECK_SUCCESS(new_coated(3.0, 0.3, 0.5, 1.0, 0.4, cohesive_stress > 0.0 ? MDR_MODEL_EXACT : MDR_MODEL_GAO, NULL, &film));
     CHECK_SUCCESS(mdr_contact_new(tip, film, &options, &contact));
     CHECK_SUCCESS(mdr_law_new(contact, 1.0, &law_options, &law));
-    CHECK_SUCCESS(mdr_contact_free(&contact));
-    CHECK_SUCCESS(mdr_medium_free(&film));
-    CHECK_SUCCESS(mdr_profile_free(&tip));
+    CHECK_FREE(contact);
+    CHECK_FREE(film);
+    CHECK_FREE(tip);
     return law;
 }
 
@@ -49,8 +49,8 @@ static int differences(const mdr_law *law, int branch, const double d[], const d
 {
     int count = 0;
     for (int i = 0; i < N; ++i) {
-        mdr_law_point point;
-        CHECK_SUCCESS(mdr_law_at_depth(law, branch, d[i], &point));
+        mdr_law_point point = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
+        CHECK_SUCCESS(law_point(law, MDR_GIVEN_DEPTH, branch, d[i], &point));
         count += !same(F[i], point.force) + !same(slope[i], point.slope) + !same(a[i], point.radius) + !same(k[i], point.stiffness);
     }
     return count;
@@ -65,17 +65,17 @@ static void test_bits(double work_of_adhesion, double flat, int branch)
 
     CHECK_SUCCESS(mdr_law_view_of(law, branch, &view));
     for (int i = 0; i < N; ++i) d[i] = pow((i - 100.0) / (N - 101.0), 3.0);
-    CHECK_SUCCESS(mdr_law_from_depth(law, branch, N, d, F, slope, a, k));
-    CHECK_SUCCESS(mdr_law_from_depth(law, branch, N, d, only_F, NULL, NULL, NULL));
-    CHECK_SUCCESS(mdr_law_from_depth(law, branch, N, d, also_F, also_slope, NULL, NULL));
+    CHECK_SUCCESS(mdr_law_values(law, MDR_GIVEN_DEPTH, branch, N, d, NULL, a, F, k, slope, NULL));
+    CHECK_SUCCESS(mdr_law_values(law, MDR_GIVEN_DEPTH, branch, N, d, NULL, NULL, only_F, NULL, NULL, NULL));
+    CHECK_SUCCESS(mdr_law_values(law, MDR_GIVEN_DEPTH, branch, N, d, NULL, NULL, also_F, NULL, also_slope, NULL));
     CHECK_INT(differences(law, branch, d, F, slope, a, k), 0);
     CHECK_INT(memcmp(F, only_F, sizeof F) + memcmp(F, also_F, sizeof F) + memcmp(slope, also_slope, sizeof F), 0);
     for (int i = 0; i < N; ++i) {
         double one, other, rise, external, energy;
         mdr_law_point state, point;
         CHECK_SUCCESS(mdr_law_view_state(&view, d[i], &state));
-        CHECK_SUCCESS(mdr_law_at_depth(law, branch, d[i], &point));
-        CHECK_SUCCESS(mdr_law_energy(law, branch, 1, &d[i], &energy));
+        CHECK_SUCCESS(law_point(law, MDR_GIVEN_DEPTH, branch, d[i], &point));
+        CHECK_SUCCESS(mdr_law_values(law, MDR_GIVEN_DEPTH, branch, 1, &d[i], NULL, NULL, NULL, NULL, NULL, &energy));
         CHECK_TRUE(memcmp(&state, &point, sizeof state) == 0 && same(state.energy, energy));
         CHECK_SUCCESS(mdr_law_view_force(&view, d[i], &one));
         CHECK_SUCCESS(mdr_law_view_force_slope(&view, d[i], &other, &rise));
@@ -92,14 +92,14 @@ static void test_bits(double work_of_adhesion, double flat, int branch)
     CHECK_STATUS(mdr_law_force(law, branch, -INFINITY, &untouched, NULL), MDR_EINVALID, "depth = ");
     CHECK_TRUE(untouched == 3.0);
     CHECK_TRUE(isnan(none.force) && isnan(F[0]) && isnan(slope[0]));
-    CHECK_SUCCESS(mdr_law_free(&law));
+    CHECK_FREE(law);
 }
 
 /* The buffer of a law; the law is gone. */
 static double *buffer_of(mdr_law *law)
 {
     mdr_law_facts facts = MDR_SIZED(mdr_law_facts);
-    CHECK_SUCCESS(mdr_law_info(law, &facts));
+    CHECK_SUCCESS(mdr_law_about(law, &facts));
     double *buffer = malloc((size_t)facts.buffer_size * sizeof *buffer);
     CHECK_SUCCESS(mdr_law_buffer(law, facts.buffer_size, buffer));
     CHECK_CLOSE(((const mdr_law_head *)buffer)->size, (double)facts.buffer_size, 0.0);
@@ -134,8 +134,8 @@ static void test_copy(double work_of_adhesion, double cohesive_stress, double fl
 
         CHECK_SUCCESS(mdr_law_view_from(buffer, branch, &view));
         for (int i = 0; i < N; ++i) d[i] = some_depth((const mdr_law_head *)buffer, i);
-        CHECK_SUCCESS(mdr_law_from_depth(law, branch, N, d, F, slope, a, k));
-        CHECK_SUCCESS(mdr_law_energy(law, branch, N, d, U));
+        CHECK_SUCCESS(mdr_law_values(law, MDR_GIVEN_DEPTH, branch, N, d, NULL, a, F, k, slope, NULL));
+        CHECK_SUCCESS(mdr_law_values(law, MDR_GIVEN_DEPTH, branch, N, d, NULL, NULL, NULL, NULL, NULL, U));
         for (int i = 0; i < N; ++i) {
             mdr_law_point state, point, other;
             double force, rise;
@@ -154,7 +154,7 @@ static void test_copy(double work_of_adhesion, double cohesive_stress, double fl
         }
         CHECK_INT(mdr_law_view_follow(&view, 0.1, &(int){99}, &(mdr_law_point){0}), MDR_EINVALID);
         free(buffer);
-        CHECK_SUCCESS(mdr_law_free(&law));
+        CHECK_FREE(law);
     }
 }
 
@@ -177,12 +177,12 @@ static void test_conductance(double work_of_adhesion)
     options.work_of_adhesion = work_of_adhesion;
     CHECK_SUCCESS(mdr_conduction_new(2, layers, MDR_BASE_HALF_SPACE, 0, NULL, 0, 0.0, 0.0, &conduction));
     CHECK_SUCCESS(mdr_profile_paraboloid(1.0, &ball));
-    CHECK_SUCCESS(mdr_medium_coated(3.0, 0.3, 0.5, 1.0, 0.4, MDR_MODEL_GAO, NULL, &film));
+    CHECK_SUCCESS(new_coated(3.0, 0.3, 0.5, 1.0, 0.4, MDR_MODEL_GAO, NULL, &film));
     CHECK_SUCCESS(mdr_contact_new(ball, film, &options, &contact));
     law_options.conduction = conduction;
     law_options.tolerance = 1e-8;
     CHECK_SUCCESS(mdr_law_new(contact, 1.0, &law_options, &law));
-    CHECK_SUCCESS(mdr_law_info(law, &facts));
+    CHECK_SUCCESS(mdr_law_about(law, &facts));
     CHECK_INT(facts.conducts, 1);
     CHECK_SUCCESS(mdr_law_write(law, NULL, 0, &length));
     char *text = malloc((size_t)length + 1);
@@ -195,7 +195,7 @@ static void test_conductance(double work_of_adhesion)
         CHECK_SUCCESS(mdr_law_conductance(law, branch, N, d, G, slope));
         CHECK_SUCCESS(mdr_law_conductance(read, branch, N, d, again, NULL));
         CHECK_INT(memcmp(G, again, sizeof G), 0);
-        CHECK_SUCCESS(mdr_law_from_depth(law, branch, N, d, NULL, NULL, a, NULL));
+        CHECK_SUCCESS(mdr_law_values(law, MDR_GIVEN_DEPTH, branch, N, d, NULL, a, NULL, NULL, NULL, NULL));
         double *buffer = malloc((size_t)facts.buffer_size * sizeof *buffer);
         CHECK_SUCCESS(mdr_law_buffer(law, facts.buffer_size, buffer));
         CHECK_SUCCESS(mdr_law_view_from(buffer, branch, &view));
@@ -221,13 +221,13 @@ static void test_conductance(double work_of_adhesion)
     CHECK_STATUS(mdr_law_conductance(none, MDR_ON_UNLOADING, 1, d, G, slope), MDR_EINVALID, "does not conduct");
     CHECK_SUCCESS(mdr_law_view_of(none, MDR_ON_UNLOADING, &view));
     CHECK_INT(mdr_law_view_conductance(&view, 0.5, G, slope), MDR_EINVALID);
-    CHECK_SUCCESS(mdr_law_free(&none));
-    CHECK_SUCCESS(mdr_law_free(&read));
-    CHECK_SUCCESS(mdr_law_free(&law));
-    CHECK_SUCCESS(mdr_contact_free(&contact));
-    CHECK_SUCCESS(mdr_medium_free(&film));
-    CHECK_SUCCESS(mdr_profile_free(&ball));
-    CHECK_SUCCESS(mdr_conduction_free(&conduction));
+    CHECK_FREE(none);
+    CHECK_FREE(read);
+    CHECK_FREE(law);
+    CHECK_FREE(contact);
+    CHECK_FREE(film);
+    CHECK_FREE(ball);
+    CHECK_FREE(conduction);
 }
 
 static void test_power(void)
@@ -270,7 +270,7 @@ static void test_lanes(points *some)
             CHECK_TRUE(!(wanted & 1) || (one[0][n - 1] > 0.0 && one[0][n] == -7.0));
         }
     }
-    CHECK_SUCCESS(mdr_law_free(&law));
+    CHECK_FREE(law);
 }
 
 /* One hard collision does not end a run, and the state says so. */
@@ -282,22 +282,22 @@ static void test_beyond(void)
     mdr_law_facts facts = MDR_SIZED(mdr_law_facts);
     double F, U, d;
 
-    CHECK_SUCCESS(mdr_law_info(law, &facts));
+    CHECK_SUCCESS(mdr_law_about(law, &facts));
     d = facts.highest_depth + 0.5;
-    CHECK_SUCCESS(mdr_law_at_depth(law, MDR_ON_UNLOADING, facts.highest_depth, &last));
-    CHECK_SUCCESS(mdr_law_at_depth(law, MDR_ON_UNLOADING, d, &point));
+    CHECK_SUCCESS(law_point(law, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, facts.highest_depth, &last));
+    CHECK_SUCCESS(law_point(law, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, d, &point));
     CHECK_CLOSE(point.beyond, 0.5, 1e-12);
     CHECK_CLOSE(point.force, last.force + 0.5 * last.slope, 1e-12);
     CHECK_SUCCESS(mdr_law_view_of(law, MDR_ON_UNLOADING, &view));
     CHECK_SUCCESS(mdr_law_view_force(&view, d, &F));
     CHECK_TRUE(same(F, point.force));
-    CHECK_SUCCESS(mdr_law_from_depth(law, MDR_ON_UNLOADING, 1, &d, &F, NULL, NULL, NULL));
+    CHECK_SUCCESS(mdr_law_values(law, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, 1, &d, NULL, NULL, &F, NULL, NULL, NULL));
     CHECK_TRUE(same(F, point.force));
-    CHECK_SUCCESS(mdr_law_energy(law, MDR_ON_UNLOADING, 1, &d, &U));
+    CHECK_SUCCESS(mdr_law_values(law, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, 1, &d, NULL, NULL, NULL, NULL, NULL, &U));
     CHECK_CLOSE(U, point.energy, 0.0);
-    CHECK_SUCCESS(mdr_law_at_force(law, MDR_ON_UNLOADING, point.force, &last));
+    CHECK_SUCCESS(law_point(law, MDR_GIVEN_FORCE, MDR_ON_UNLOADING, point.force, &last));
     CHECK_CLOSE(last.depth, d, 1e-7);
-    CHECK_SUCCESS(mdr_law_free(&law));
+    CHECK_FREE(law);
 }
 
 static void test_refusals(void)
@@ -315,13 +315,15 @@ static void test_refusals(void)
     CHECK_STATUS(mdr_law_buffer(NULL, 7, d), MDR_ENULL, "law");
     CHECK_INT(mdr_law_view_from(NULL, MDR_ON_UNLOADING, &view), MDR_ENULL);
     CHECK_INT(mdr_law_view_from((double[22]){1.0}, MDR_ON_UNLOADING, &view), MDR_EINVALID);
-    CHECK_STATUS(mdr_law_at_depth(law, MDR_ON_UNLOADING, NAN, &point), MDR_EINVALID, "depth = NaN");
-    CHECK_STATUS(mdr_law_at_depth(law, MDR_ON_UNLOADING, 0.5, NULL), MDR_ENULL, "point");
-    CHECK_STATUS(mdr_law_at_force(law, MDR_ON_UNLOADING, -1.0, &point), MDR_EUNREACHABLE, "cannot be reached");
-    CHECK_STATUS(mdr_law_at_force(law, MDR_ON_UNLOADING, 1.0, NULL), MDR_ENULL, "point");
-    CHECK_STATUS(mdr_law_energy(law, MDR_ON_UNLOADING, 2, d, U), MDR_EDOMAIN, "entry 2 of depth = 2");
-    CHECK_STATUS(mdr_law_energy(law, MDR_ON_UNLOADING, 2, d, NULL), MDR_ENULL, "out");
-    CHECK_SUCCESS(mdr_law_free(&law));
+    CHECK_STATUS(law_point(law, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, NAN, &point), MDR_EINVALID, "depth = NaN");
+    CHECK_STATUS(law_point(law, MDR_GIVEN_FORCE, MDR_ON_UNLOADING, -1.0, &point), MDR_EUNREACHABLE, "cannot be reached");
+    CHECK_STATUS(mdr_law_values(law, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, 2, d, NULL, NULL, NULL, NULL, NULL, U), MDR_EDOMAIN,
+                 "entry 2 of depth = 2");
+    CHECK_STATUS(mdr_law_values(law, MDR_GIVEN_RADIUS, MDR_ON_UNLOADING, 2, d, NULL, NULL, NULL, NULL, NULL, U), MDR_EINVALID,
+                 "given = 3");
+    CHECK_STATUS(mdr_law_values(law, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, 2, NULL, NULL, NULL, NULL, NULL, NULL, U), MDR_ENULL,
+                 "d is NULL");
+    CHECK_FREE(law);
 }
 
 int main(void)

@@ -10,14 +10,14 @@ static const double bad_poisson[] = {-1.0, -2.0, 0.5000001, NAN, INFINITY};
 static void homogeneous_refuses(void)
 {
     mdr_medium *m = NULL;
-    CHECK_STATUS(mdr_medium_homogeneous(1.0, 0.3, NULL), MDR_ENULL, "out is NULL");
+    CHECK_STATUS(new_homogeneous(1.0, 0.3, NULL), MDR_ENULL, "out is NULL");
     CHECK_STATUS(mdr_medium_contact_modulus(1.0, NULL), MDR_ENULL, "out is NULL");
     for (size_t i = 0; i < SIZE(bad_moduli); i++) {
-        CHECK_STATUS(mdr_medium_homogeneous(bad_moduli[i], 0.3, &m), MDR_EINVALID, "E = ");
+        CHECK_STATUS(new_homogeneous(bad_moduli[i], 0.3, &m), MDR_EINVALID, "E = ");
         CHECK_STATUS(mdr_medium_contact_modulus(bad_moduli[i], &m), MDR_EINVALID, "contact_modulus = ");
     }
     for (size_t i = 0; i < SIZE(bad_poisson); i++) {
-        CHECK_STATUS(mdr_medium_homogeneous(1.0, bad_poisson[i], &m), MDR_EINVALID, "nu = ");
+        CHECK_STATUS(new_homogeneous(1.0, bad_poisson[i], &m), MDR_EINVALID, "nu = ");
     }
     CHECK_TRUE(m == NULL);
 }
@@ -28,30 +28,29 @@ static void coated_refuses(void)
     mdr_medium_options options;
 
     options = MDR_SIZED(mdr_medium_options);
-    CHECK_STATUS(mdr_medium_coated(2.0, 0.3, 0.1, 1.0, 0.3, MDR_MODEL_GAO, NULL, NULL), MDR_ENULL, "out is NULL");
+    CHECK_STATUS(new_coated(2.0, 0.3, 0.1, 1.0, 0.3, MDR_MODEL_GAO, NULL, NULL), MDR_ENULL, "out is NULL");
     for (size_t i = 0; i < SIZE(bad_moduli); i++) {
         const double bad = bad_moduli[i];
-        CHECK_STATUS(mdr_medium_coated(bad, 0.3, 0.1, 1.0, 0.3, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "coating E = ");
-        CHECK_STATUS(mdr_medium_coated(2.0, 0.3, bad, 1.0, 0.3, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "thickness = ");
-        CHECK_STATUS(mdr_medium_coated(2.0, 0.3, 0.1, bad, 0.3, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "substrate E = ");
+        CHECK_STATUS(new_coated(bad, 0.3, 0.1, 1.0, 0.3, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "layer 1 E = ");
+        CHECK_STATUS(new_coated(2.0, 0.3, bad, 1.0, 0.3, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "thickness = ");
+        CHECK_STATUS(new_coated(2.0, 0.3, 0.1, bad, 0.3, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "substrate E = ");
     }
     for (size_t i = 0; i < SIZE(bad_poisson); i++) {
         const double bad = bad_poisson[i];
-        CHECK_STATUS(mdr_medium_coated(2.0, bad, 0.1, 1.0, 0.3, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "coating nu = ");
-        CHECK_STATUS(mdr_medium_coated(2.0, 0.3, 0.1, 1.0, bad, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "substrate nu = ");
+        CHECK_STATUS(new_coated(2.0, bad, 0.1, 1.0, 0.3, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "layer 1 nu = ");
+        CHECK_STATUS(new_coated(2.0, 0.3, 0.1, 1.0, bad, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "substrate nu = ");
         options.weight_nu_choice = MDR_WEIGHT_NU_GIVEN;
         options.weight_nu = bad;
-        CHECK_STATUS(mdr_medium_coated(2.0, 0.3, 0.1, 1.0, 0.3, MDR_MODEL_GAO, &options, &m), MDR_EINVALID, "weight_nu = ");
+        CHECK_STATUS(new_coated(2.0, 0.3, 0.1, 1.0, 0.3, MDR_MODEL_GAO, &options, &m), MDR_EINVALID, "weight_nu = ");
     }
     options.weight_nu_choice = 17;
-    CHECK_STATUS(mdr_medium_coated(2.0, 0.3, 0.1, 1.0, 0.3, MDR_MODEL_GAO, &options, &m), MDR_EINVALID, "weight_nu_choice");
-    CHECK_STATUS(mdr_medium_coated(2.0, 0.3, 0.1, 1.0, 0.3, -1, NULL, &m), MDR_EINVALID, "model = -1");
-    CHECK_STATUS(mdr_medium_coated(2.0, 0.3, 0.1, 1.0, 0.3, 1000, NULL, &m), MDR_EINVALID, "model = 1000");
+    CHECK_STATUS(new_coated(2.0, 0.3, 0.1, 1.0, 0.3, MDR_MODEL_GAO, &options, &m), MDR_EINVALID, "weight_nu_choice");
+    CHECK_STATUS(new_coated(2.0, 0.3, 0.1, 1.0, 0.3, -1, NULL, &m), MDR_EINVALID, "model = -1");
+    CHECK_STATUS(new_coated(2.0, 0.3, 0.1, 1.0, 0.3, 1000, NULL, &m), MDR_EINVALID, "model = 1000");
     CHECK_TRUE(m == NULL);
 }
 
-typedef int (*evaluation)(const mdr_medium *, int, const double[], double[]);
-static const evaluation evaluations[] = {mdr_medium_modulus, mdr_medium_stiffness};
+static const int quantities[] = {MDR_MODULUS, MDR_STIFFNESS};
 
 static void evaluations_refuse(void)
 {
@@ -61,29 +60,29 @@ static void evaluations_refuse(void)
     mdr_medium *m = NULL;
     mdr_profile *p = NULL;
 
-    CHECK_SUCCESS(mdr_medium_homogeneous(1.0, 0.3, &m));
+    CHECK_SUCCESS(new_homogeneous(1.0, 0.3, &m));
     CHECK_SUCCESS(mdr_profile_cone(0.3, &p));
     fill_untouched(2, out);
-    for (size_t i = 0; i < SIZE(evaluations); i++) {
-        evaluation evaluate = evaluations[i];
-        CHECK_STATUS(evaluate(NULL, 2, a, out), MDR_ENULL, "m is NULL");
-        CHECK_STATUS(evaluate((const mdr_medium *)(void *)p, 2, a, out), MDR_EINVALID, "not an mdr_medium");
-        CHECK_STATUS(evaluate(m, -1, a, out), MDR_EINVALID, "n = -1");
-        CHECK_STATUS(evaluate(m, 2, NULL, out), MDR_ENULL, "a is NULL");
-        CHECK_STATUS(evaluate(m, 2, a, NULL), MDR_ENULL, "out is NULL");
-        CHECK_STATUS(evaluate(m, 2, zero, out), MDR_EINVALID, "entry 2 of a = 0");
-        CHECK_STATUS(evaluate(m, 2, negative, out), MDR_EINVALID, "entry 1 of a = -0.1");
-        CHECK_STATUS(evaluate(m, 2, not_a_number, out), MDR_EINVALID, "entry 2 of a = NaN");
-        CHECK_STATUS(evaluate(m, 1, infinite, out), MDR_EINVALID, "entry 1 of a = infinity");
-        CHECK_SUCCESS(evaluate(m, 0, NULL, NULL));
+    CHECK_STATUS(mdr_medium_values(m, 0, 2, a, out), MDR_EINVALID, "quantity = 0");
+    for (size_t i = 0; i < SIZE(quantities); i++) {
+        const int of = quantities[i];
+        CHECK_STATUS(mdr_medium_values(NULL, of, 2, a, out), MDR_ENULL, "m is NULL");
+        CHECK_STATUS(mdr_medium_values((const mdr_medium *)(void *)p, of, 2, a, out), MDR_EINVALID, "not an mdr_medium");
+        CHECK_STATUS(mdr_medium_values(m, of, -1, a, out), MDR_EINVALID, "n = -1");
+        CHECK_STATUS(mdr_medium_values(m, of, 2, NULL, out), MDR_ENULL, "a is NULL");
+        CHECK_STATUS(mdr_medium_values(m, of, 2, a, NULL), MDR_ENULL, "out is NULL");
+        CHECK_STATUS(mdr_medium_values(m, of, 2, zero, out), MDR_EINVALID, "entry 2 of a = 0");
+        CHECK_STATUS(mdr_medium_values(m, of, 2, negative, out), MDR_EINVALID, "entry 1 of a = -0.1");
+        CHECK_STATUS(mdr_medium_values(m, of, 2, not_a_number, out), MDR_EINVALID, "entry 2 of a = NaN");
+        CHECK_STATUS(mdr_medium_values(m, of, 1, infinite, out), MDR_EINVALID, "entry 1 of a = infinity");
+        CHECK_SUCCESS(mdr_medium_values(m, of, 0, NULL, NULL));
     }
     CHECK_UNTOUCHED(2, out);
-    CHECK_SUCCESS(mdr_medium_free(NULL));
-    CHECK_STATUS(mdr_medium_free((mdr_medium **)(void *)&p), MDR_EINVALID, "not an mdr_medium");
-    CHECK_SUCCESS(mdr_profile_free(&p));
-    CHECK_SUCCESS(mdr_medium_free(&m));
+    CHECK_SUCCESS(mdr_free(NULL));
+    CHECK_FREE(p);
+    CHECK_FREE(m);
     CHECK_TRUE(m == NULL);
-    CHECK_SUCCESS(mdr_medium_free(&m));
+    CHECK_FREE(m);
 }
 
 static void homogeneous_values(void)
@@ -92,18 +91,18 @@ static void homogeneous_values(void)
     double modulus[3], stiffness[3];
     mdr_medium *m = NULL;
 
-    CHECK_SUCCESS(mdr_medium_homogeneous(72.0, 0.17, &m));
-    CHECK_SUCCESS(mdr_medium_modulus(m, 3, a, modulus));
-    CHECK_SUCCESS(mdr_medium_stiffness(m, 3, a, stiffness));
+    CHECK_SUCCESS(new_homogeneous(72.0, 0.17, &m));
+    CHECK_SUCCESS(mdr_medium_values(m, MDR_MODULUS, 3, a, modulus));
+    CHECK_SUCCESS(mdr_medium_values(m, MDR_STIFFNESS, 3, a, stiffness));
     for (int i = 0; i < 3; i++) {
         CHECK_CLOSE(modulus[i], 72.0 / (1 - 0.17 * 0.17), 1e-15);
         CHECK_CLOSE(stiffness[i], 2 * a[i] * 72.0 / (1 - 0.17 * 0.17), 1e-15);
     }
-    CHECK_SUCCESS(mdr_medium_free(&m));
+    CHECK_FREE(m);
     CHECK_SUCCESS(mdr_medium_contact_modulus(3.5, &m));
-    CHECK_SUCCESS(mdr_medium_modulus(m, 3, a, modulus));
+    CHECK_SUCCESS(mdr_medium_values(m, MDR_MODULUS, 3, a, modulus));
     for (int i = 0; i < 3; i++) CHECK_CLOSE(modulus[i], 3.5, 0.0);
-    CHECK_SUCCESS(mdr_medium_free(&m));
+    CHECK_FREE(m);
 }
 
 /* (12)-(15) written out from the weights of the same library's C interface, which have tests of their own. */
@@ -111,8 +110,8 @@ static double gao(double E0, double nu0, double h, double E1, double nu1, double
 {
     const double xi = h / a, G0 = 0.5 * E0 / (1 + nu0), G1 = 0.5 * E1 / (1 + nu1);
     double i0, i1;
-    CHECK_SUCCESS(mdr_weight_i0(1, &xi, weight_nu, &i0));
-    CHECK_SUCCESS(mdr_weight_i1(1, &xi, weight_nu, &i1));
+    CHECK_SUCCESS(mdr_weight(MDR_WEIGHT_I0, weight_nu, 1, &xi, &i0));
+    CHECK_SUCCESS(mdr_weight(MDR_WEIGHT_I1, weight_nu, 1, &xi, &i1));
     const double nu = nu1 + (nu0 - nu1) * i1;
     const double G = in_series ? 1 / (1 / G1 + (1 / G0 - 1 / G1) * i0) : G1 + (G0 - G1) * i0;
     return 2 * G / (1 - nu);
@@ -131,16 +130,16 @@ static void gao_values(void)
             mdr_medium *m = NULL;
             options.weight_nu_choice = choice;
             options.weight_nu = 0.4;
-            CHECK_SUCCESS(mdr_medium_coated(E0, nu0, h, E1, nu1, model, &options, &m));
-            CHECK_SUCCESS(mdr_medium_modulus(m, 3, a, found));
+            CHECK_SUCCESS(new_coated(E0, nu0, h, E1, nu1, model, &options, &m));
+            CHECK_SUCCESS(mdr_medium_values(m, MDR_MODULUS, 3, a, found));
             for (int i = 0; i < 3; i++) {
                 const double xi = h / a[i];
                 double i1;
-                CHECK_SUCCESS(mdr_weight_i1(1, &xi, 0.0, &i1));
+                CHECK_SUCCESS(mdr_weight(MDR_WEIGHT_I1, 0.0, 1, &xi, &i1));
                 const double nus[4] = {nu0, nu1, nu1 + (nu0 - nu1) * i1, 0.4};
                 CHECK_CLOSE(found[i], gao(E0, nu0, h, E1, nu1, a[i], nus[choice], in_series), 1e-14);
             }
-            CHECK_SUCCESS(mdr_medium_free(&m));
+            CHECK_FREE(m);
         }
     }
 }
@@ -152,10 +151,10 @@ static void default_options(void)
     double found[1];
     mdr_medium *m = NULL;
 
-    CHECK_SUCCESS(mdr_medium_coated(2.0, 0.5, 0.2, 1.0, 0.2, MDR_MODEL_GAO, NULL, &m));
-    CHECK_SUCCESS(mdr_medium_modulus(m, 1, a, found));
+    CHECK_SUCCESS(new_coated(2.0, 0.5, 0.2, 1.0, 0.2, MDR_MODEL_GAO, NULL, &m));
+    CHECK_SUCCESS(mdr_medium_values(m, MDR_MODULUS, 1, a, found));
     CHECK_CLOSE(found[0], gao(2.0, 0.5, 0.2, 1.0, 0.2, a[0], 0.5, 0), 1e-14);
-    CHECK_SUCCESS(mdr_medium_free(&m));
+    CHECK_FREE(m);
 }
 
 /* a -> 0 sees the coating, a -> infinity the substrate, at contrasts of 1e6 either way: off by about contrast (h/a) ln(a/h). */
@@ -165,11 +164,11 @@ static void limits(void)
     for (int i = 0; i < 2; i++) {
         double found[2];
         mdr_medium *m = NULL;
-        CHECK_SUCCESS(mdr_medium_coated(contrasts[i], 0.3, 1.0, 1.0, 0.3, MDR_MODEL_GAO_SERIES, NULL, &m));
-        CHECK_SUCCESS(mdr_medium_modulus(m, 2, a, found));
+        CHECK_SUCCESS(new_coated(contrasts[i], 0.3, 1.0, 1.0, 0.3, MDR_MODEL_GAO_SERIES, NULL, &m));
+        CHECK_SUCCESS(mdr_medium_values(m, MDR_MODULUS, 2, a, found));
         CHECK_CLOSE(found[0], contrasts[i] / 0.91, 1e-12);
         CHECK_CLOSE(found[1], 1 / 0.91, 1e-12);
-        CHECK_SUCCESS(mdr_medium_free(&m));
+        CHECK_FREE(m);
     }
 }
 
@@ -216,10 +215,10 @@ static void published_models(void)
     for (int model = MDR_MODEL_DOERNER_NIX; model <= MDR_MODEL_HAY_CRAWFORD; model++) {
         double found[4];
         mdr_medium *m = NULL;
-        CHECK_SUCCESS(mdr_medium_coated(400.0, 0.2, h, 70.0, 0.33, model, NULL, &m));
-        CHECK_SUCCESS(mdr_medium_modulus(m, 4, a, found));
+        CHECK_SUCCESS(new_coated(400.0, 0.2, h, 70.0, 0.33, model, NULL, &m));
+        CHECK_SUCCESS(mdr_medium_values(m, MDR_MODULUS, 4, a, found));
         for (int i = 0; i < 4; i++) CHECK_CLOSE(found[i], published(model, x[i], 400.0, 0.2, 70.0, 0.33), 1e-13);
-        CHECK_SUCCESS(mdr_medium_free(&m));
+        CHECK_FREE(m);
     }
 }
 
@@ -237,25 +236,25 @@ static void options_of_published_models(void)
         options = MDR_SIZED(mdr_medium_options);
         options.alpha = 0.7;
         const double x = with_alpha[i] == MDR_MODEL_DOERNER_NIX ? a[0] / (0.7 * h) : 0.7 * a[0] / h;
-        CHECK_SUCCESS(mdr_medium_coated(400.0, 0.2, h, 70.0, 0.33, with_alpha[i], &options, &m));
-        CHECK_SUCCESS(mdr_medium_modulus(m, 1, a, found));
+        CHECK_SUCCESS(new_coated(400.0, 0.2, h, 70.0, 0.33, with_alpha[i], &options, &m));
+        CHECK_SUCCESS(mdr_medium_values(m, MDR_MODULUS, 1, a, found));
         CHECK_CLOSE(found[0], published(with_alpha[i], x, 400.0, 0.2, 70.0, 0.33), 1e-13);
-        CHECK_SUCCESS(mdr_medium_free(&m));
+        CHECK_FREE(m);
         for (int j = 0; j < 4; j++) {
             options.alpha = bad[j];
-            CHECK_STATUS(mdr_medium_coated(400.0, 0.2, h, 70.0, 0.33, with_alpha[i], &options, &m), MDR_EINVALID, "alpha = ");
+            CHECK_STATUS(new_coated(400.0, 0.2, h, 70.0, 0.33, with_alpha[i], &options, &m), MDR_EINVALID, "alpha = ");
         }
     }
     options = MDR_SIZED(mdr_medium_options);
     options.wave_factor = 0.4;
-    CHECK_SUCCESS(mdr_medium_coated(3.0 * 5.0, 0.5, h, 3.0 * 2.0, 0.5, MDR_MODEL_WAVE, &options, &m));
-    CHECK_SUCCESS(mdr_medium_modulus(m, 1, a, found));
+    CHECK_SUCCESS(new_coated(3.0 * 5.0, 0.5, h, 3.0 * 2.0, 0.5, MDR_MODEL_WAVE, &options, &m));
+    CHECK_SUCCESS(mdr_medium_values(m, MDR_MODULUS, 1, a, found));
     const double e = exp(-2 * 0.4 * h / a[0]);
     CHECK_CLOSE(found[0], 4 * 5.0 * (7.0 - 3.0 * e) / (7.0 + 3.0 * e), 1e-13);
-    CHECK_SUCCESS(mdr_medium_free(&m));
+    CHECK_FREE(m);
     for (int j = 0; j < 4; j++) {
         options.wave_factor = bad[j];
-        CHECK_STATUS(mdr_medium_coated(2.0, 0.5, h, 1.0, 0.5, MDR_MODEL_WAVE, &options, &m), MDR_EINVALID, "wave_factor = ");
+        CHECK_STATUS(new_coated(2.0, 0.5, h, 1.0, 0.5, MDR_MODEL_WAVE, &options, &m), MDR_EINVALID, "wave_factor = ");
     }
     CHECK_TRUE(m == NULL);
 }
@@ -275,32 +274,33 @@ static void bottom_effect(void)
         mdr_profile *p = NULL;
         mdr_medium *m = NULL;
         mdr_contact *c = NULL;
-        CHECK_STATUS(mdr_medium_coated(E, 0.5, h, 1.0, 0.3, model, NULL, &m), MDR_EINVALID, "substrate E = 1 ");
-        CHECK_STATUS(mdr_medium_coated(E, 0.5, h, NAN, 0.3, model, NULL, &m), MDR_EINVALID, "substrate E = NaN");
-        CHECK_STATUS(mdr_medium_coated(E, 0.5, h, -INFINITY, 0.3, model, NULL, &m), MDR_EINVALID, "substrate E = -infinity");
-        CHECK_STATUS(mdr_medium_coated(E, 0.4, h, INFINITY, 0.3, model, NULL, &m), MDR_EINVALID, "coating nu = 0.4");
-        CHECK_STATUS(mdr_medium_coated(E, 0.5, 0.0, INFINITY, 0.3, model, NULL, &m), MDR_EINVALID, "thickness = 0");
-        CHECK_SUCCESS(mdr_medium_coated(E, 0.5, h, INFINITY, 0.0, model, NULL, &m));
+        CHECK_STATUS(new_coated(E, 0.5, h, 1.0, 0.3, model, NULL, &m), MDR_EINVALID, "substrate E = 1 ");
+        CHECK_STATUS(new_coated(E, 0.5, h, NAN, 0.3, model, NULL, &m), MDR_EINVALID, "substrate E = NaN");
+        CHECK_STATUS(new_coated(E, 0.5, h, -INFINITY, 0.3, model, NULL, &m), MDR_EINVALID, "substrate E = -infinity");
+        CHECK_STATUS(new_coated(E, 0.4, h, INFINITY, 0.3, model, NULL, &m), MDR_EINVALID, "coating nu = 0.4");
+        CHECK_STATUS(new_coated(E, 0.5, 0.0, INFINITY, 0.3, model, NULL, &m), MDR_EINVALID, "thickness = 0");
+        CHECK_SUCCESS(new_coated(E, 0.5, h, INFINITY, 0.0, model, NULL, &m));
         CHECK_SUCCESS(mdr_profile_cone(0.3, &p));
         CHECK_STATUS(mdr_contact_new(p, m, NULL, &c), MDR_EINVALID, "series for a paraboloid or a sphere; take the model exact");
-        CHECK_SUCCESS(mdr_profile_free(&p));
+        CHECK_FREE(p);
         CHECK_SUCCESS(mdr_profile_sphere(R, &p));
         CHECK_SUCCESS(mdr_contact_new(p, m, NULL, &c));
-        CHECK_SUCCESS(mdr_contact_free(&c));
-        CHECK_SUCCESS(mdr_profile_free(&p));
+        CHECK_FREE(c);
+        CHECK_FREE(p);
         CHECK_SUCCESS(mdr_profile_paraboloid(R, &p));
         CHECK_SUCCESS(mdr_contact_new(p, m, NULL, &c));
-        CHECK_STATUS(mdr_medium_modulus(m, 1, too_far, F), MDR_EDOMAIN, "defined up to 0.5; the models dimitriadis and garcia");
-        CHECK_STATUS(mdr_contact_from_radius(c, 1, too_far, NULL, NULL, F, NULL), MDR_EDOMAIN,
+        CHECK_STATUS(mdr_medium_values(m, MDR_MODULUS, 1, too_far, F), MDR_EDOMAIN,
+                     "defined up to 0.5; the models dimitriadis and garcia");
+        CHECK_STATUS(columns_of(c, MDR_GIVEN_RADIUS, 1, too_far, NULL, NULL, F, NULL), MDR_EDOMAIN,
                      "defined up to 0.5; the models dimitriadis and garcia hold for a < h: take the model exact");
-        CHECK_STATUS(mdr_contact_from_depth(c, 1, too_deep, NULL, NULL, F, NULL), MDR_EUNREACHABLE, "garcia hold for a < h");
-        CHECK_STATUS(mdr_contact_from_force(c, 1, too_much, F, NULL, NULL, NULL), MDR_EUNREACHABLE, "garcia hold for a < h");
-        CHECK_SUCCESS(mdr_contact_from_depth(c, 1, depth, NULL, NULL, F, NULL));
+        CHECK_STATUS(columns_of(c, MDR_GIVEN_DEPTH, 1, too_deep, NULL, NULL, F, NULL), MDR_EUNREACHABLE, "garcia hold for a < h");
+        CHECK_STATUS(columns_of(c, MDR_GIVEN_FORCE, 1, too_much, F, NULL, NULL, NULL), MDR_EUNREACHABLE, "garcia hold for a < h");
+        CHECK_SUCCESS(columns_of(c, MDR_GIVEN_DEPTH, 1, depth, NULL, NULL, F, NULL));
         for (int k = 4; k >= 0; k--) expected = expected * chi + series[i][k];
         CHECK_CLOSE(F[0], hertz * expected, 1e-10);
-        CHECK_SUCCESS(mdr_contact_free(&c));
-        CHECK_SUCCESS(mdr_medium_free(&m));
-        CHECK_SUCCESS(mdr_profile_free(&p));
+        CHECK_FREE(c);
+        CHECK_FREE(m);
+        CHECK_FREE(p);
     }
 }
 
@@ -355,25 +355,25 @@ static void pairs(void)
 
     CHECK_STATUS(mdr_medium_rigid(NULL), MDR_ENULL, "out is NULL");
     CHECK_SUCCESS(mdr_medium_rigid(&rigid));
-    CHECK_SUCCESS(mdr_medium_homogeneous(3.0, 0.0, &film));
-    CHECK_SUCCESS(mdr_medium_homogeneous(6.0, 0.0, &ball));
+    CHECK_SUCCESS(new_homogeneous(3.0, 0.0, &film));
+    CHECK_SUCCESS(new_homogeneous(6.0, 0.0, &ball));
     CHECK_STATUS(mdr_medium_pair(NULL, ball, &none), MDR_ENULL, "lower is NULL");
     CHECK_STATUS(mdr_medium_pair(film, NULL, &none), MDR_ENULL, "upper is NULL");
     CHECK_STATUS(mdr_medium_pair(film, ball, NULL), MDR_ENULL, "out is NULL");
     CHECK_STATUS(mdr_medium_pair(rigid, rigid, &none), MDR_EINVALID, "upper is not allowed");
-    CHECK_STATUS(mdr_medium_modulus(rigid, 1, &a, &modulus), MDR_EINVALID, "m is not allowed: it is rigid");
+    CHECK_STATUS(mdr_medium_values(rigid, MDR_MODULUS, 1, &a, &modulus), MDR_EINVALID, "m is not allowed: it is rigid");
     CHECK_SUCCESS(mdr_profile_paraboloid(1.0, &p));
     CHECK_STATUS(mdr_contact_new(p, rigid, NULL, &c), MDR_EINVALID, "medium is not allowed: it is rigid");
     CHECK_SUCCESS(mdr_medium_pair(film, ball, &pair));
     CHECK_STATUS(mdr_medium_pair(pair, ball, &none), MDR_EINVALID, "lower is not allowed: it is a pair");
     CHECK_TRUE(none == NULL && c == NULL && modulus == 0.0);
-    CHECK_SUCCESS(mdr_medium_free(&film));
-    CHECK_SUCCESS(mdr_medium_free(&ball));
-    CHECK_SUCCESS(mdr_medium_modulus(pair, 1, &a, &modulus));
+    CHECK_FREE(film);
+    CHECK_FREE(ball);
+    CHECK_SUCCESS(mdr_medium_values(pair, MDR_MODULUS, 1, &a, &modulus));
     CHECK_CLOSE(modulus, 2.0, 1e-15);
-    mdr_profile_free(&p);
-    mdr_medium_free(&rigid);
-    mdr_medium_free(&pair);
+    MDR_FREE(p);
+    MDR_FREE(rigid);
+    MDR_FREE(pair);
 }
 
 int main(void)

@@ -8,25 +8,24 @@ static void layered_refuses(void)
 {
     const double E[2] = {2.0, 3.0}, nu[2] = {0.3, 0.2}, h[2] = {0.1, 0.2};
     const double bad_E[2] = {2.0, -3.0}, bad_nu[2] = {0.3, 0.6}, bad_h[2] = {0.1, 0.0}, bad_first[2] = {NAN, 1.0};
+    const mdr_layer base = mdr_isotropic(1.0, 0.3, 0.0);
     mdr_medium *m = NULL;
     mdr_medium_options options;
 
-    CHECK_STATUS(mdr_medium_layered(2, E, nu, h, 1.0, 0.3, MDR_MODEL_GAO, NULL, NULL), MDR_ENULL, "out is NULL");
-    CHECK_STATUS(mdr_medium_layered(2, NULL, nu, h, 1.0, 0.3, MDR_MODEL_GAO, NULL, &m), MDR_ENULL, "E is NULL");
-    CHECK_STATUS(mdr_medium_layered(2, E, NULL, h, 1.0, 0.3, MDR_MODEL_GAO, NULL, &m), MDR_ENULL, "nu is NULL");
-    CHECK_STATUS(mdr_medium_layered(2, E, nu, NULL, 1.0, 0.3, MDR_MODEL_GAO, NULL, &m), MDR_ENULL, "thickness is NULL");
-    CHECK_STATUS(mdr_medium_layered(-2, E, nu, h, 1.0, 0.3, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "n = -2");
-    CHECK_STATUS(mdr_medium_layered(0, NULL, NULL, NULL, 1.0, 0.3, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "at least one");
-    CHECK_STATUS(mdr_medium_layered(2, bad_E, nu, h, 1.0, 0.3, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "layer 2 E = -3");
-    CHECK_STATUS(mdr_medium_layered(2, bad_first, nu, h, 1.0, 0.3, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "layer 1 E = NaN");
-    CHECK_STATUS(mdr_medium_layered(2, E, bad_nu, h, 1.0, 0.3, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "layer 2 nu = 0.6");
-    CHECK_STATUS(mdr_medium_layered(2, E, nu, bad_h, 1.0, 0.3, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "entry 2 of thickness = 0");
-    CHECK_STATUS(mdr_medium_layered(2, E, nu, h, 0.0, 0.3, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "substrate E = 0");
-    CHECK_STATUS(mdr_medium_layered(2, E, nu, h, 1.0, NAN, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "substrate nu = NaN");
-    CHECK_STATUS(mdr_medium_layered(2, E, nu, h, 1.0, 0.3, MDR_MODEL_WAVE, NULL, &m), MDR_EINVALID, "model = 3");
+    CHECK_STATUS(new_layered(2, E, nu, h, 1.0, 0.3, MDR_MODEL_GAO, NULL, NULL), MDR_ENULL, "out is NULL");
+    CHECK_STATUS(mdr_medium_layered(2, NULL, &base, MDR_MODEL_GAO, NULL, &m), MDR_ENULL, "layers is NULL");
+    CHECK_STATUS(new_layered(-2, E, nu, h, 1.0, 0.3, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "n = -2");
+    CHECK_STATUS(mdr_medium_layered(0, NULL, NULL, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "it must carry a layer");
+    CHECK_STATUS(new_layered(2, bad_E, nu, h, 1.0, 0.3, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "layer 2 E = -3");
+    CHECK_STATUS(new_layered(2, bad_first, nu, h, 1.0, 0.3, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "layer 1 E = NaN");
+    CHECK_STATUS(new_layered(2, E, bad_nu, h, 1.0, 0.3, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "layer 2 nu = 0.6");
+    CHECK_STATUS(new_layered(2, E, nu, bad_h, 1.0, 0.3, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "entry 2 of thickness = 0");
+    CHECK_STATUS(new_layered(2, E, nu, h, 0.0, 0.3, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "substrate E = 0");
+    CHECK_STATUS(new_layered(2, E, nu, h, 1.0, NAN, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "substrate nu = NaN");
+    CHECK_STATUS(new_layered(2, E, nu, h, 1.0, 0.3, MDR_MODEL_WAVE, NULL, &m), MDR_EINVALID, "model = 3");
     options = MDR_SIZED(mdr_medium_options);
     options.weight_nu_choice = -1;
-    CHECK_STATUS(mdr_medium_layered(2, E, nu, h, 1.0, 0.3, MDR_MODEL_GAO, &options, &m), MDR_EINVALID, "weight_nu_choice = -1");
+    CHECK_STATUS(new_layered(2, E, nu, h, 1.0, 0.3, MDR_MODEL_GAO, &options, &m), MDR_EINVALID, "weight_nu_choice = -1");
     CHECK_TRUE(m == NULL);
 }
 
@@ -82,27 +81,27 @@ static void callbacks_refuse(void)
     double number = 0.3, negative = -1.0;
     mdr_medium *m = NULL;
 
-    CHECK_STATUS(mdr_medium_graded_callback(constant, constant, &number, 1.0, MDR_MODEL_GAO, NULL, NULL), MDR_ENULL, "out is NULL");
-    CHECK_STATUS(mdr_medium_graded_callback(NULL, constant, &number, 1.0, MDR_MODEL_GAO, NULL, &m), MDR_ENULL, "E is NULL");
-    CHECK_STATUS(mdr_medium_graded_callback(constant, NULL, &number, 1.0, MDR_MODEL_GAO, NULL, &m), MDR_ENULL, "nu is NULL");
-    CHECK_STATUS(mdr_medium_graded_callback(constant, constant, &number, 0.0, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "depth = 0");
-    CHECK_STATUS(mdr_medium_graded_callback(constant, constant, &number, 1.0, 99, NULL, &m), MDR_EINVALID, "model = 99");
-    CHECK_STATUS(mdr_medium_graded_callback(fails, constant, &number, 1.0, MDR_MODEL_GAO, NULL, &m), MDR_ECALLBACK,
+    CHECK_STATUS(mdr_medium_graded_function(constant, constant, &number, 1.0, MDR_MODEL_GAO, NULL, NULL), MDR_ENULL, "out is NULL");
+    CHECK_STATUS(mdr_medium_graded_function(NULL, constant, &number, 1.0, MDR_MODEL_GAO, NULL, &m), MDR_ENULL, "E is NULL");
+    CHECK_STATUS(mdr_medium_graded_function(constant, NULL, &number, 1.0, MDR_MODEL_GAO, NULL, &m), MDR_ENULL, "nu is NULL");
+    CHECK_STATUS(mdr_medium_graded_function(constant, constant, &number, 0.0, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "depth = 0");
+    CHECK_STATUS(mdr_medium_graded_function(constant, constant, &number, 1.0, 99, NULL, &m), MDR_EINVALID, "model = 99");
+    CHECK_STATUS(mdr_medium_graded_function(fails, constant, &number, 1.0, MDR_MODEL_GAO, NULL, &m), MDR_ECALLBACK,
                  "the function E reported failure 7 at x = ");
-    CHECK_STATUS(mdr_medium_graded_callback(constant, fails_at_the_surface, &number, 1.0, MDR_MODEL_GAO, NULL, &m), MDR_ECALLBACK,
+    CHECK_STATUS(mdr_medium_graded_function(constant, fails_at_the_surface, &number, 1.0, MDR_MODEL_GAO, NULL, &m), MDR_ECALLBACK,
                  "the function nu reported failure 9 at x = ");
-    CHECK_STATUS(mdr_medium_graded_callback(constant, gives_nan, &number, 1.0, MDR_MODEL_GAO, NULL, &m), MDR_ECALLBACK,
+    CHECK_STATUS(mdr_medium_graded_function(constant, gives_nan, &number, 1.0, MDR_MODEL_GAO, NULL, &m), MDR_ECALLBACK,
                  "the function nu gave NaN at x = ");
-    CHECK_STATUS(mdr_medium_graded_callback(constant, constant, &negative, 1.0, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "E at ");
+    CHECK_STATUS(mdr_medium_graded_function(constant, constant, &negative, 1.0, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "E at ");
 
-    CHECK_STATUS(mdr_medium_callback(constant, &number, 0.1, 1.0, NULL), MDR_ENULL, "out is NULL");
-    CHECK_STATUS(mdr_medium_callback(NULL, &number, 0.1, 1.0, &m), MDR_ENULL, "modulus is NULL");
-    CHECK_STATUS(mdr_medium_callback(constant, &number, 0.0, 1.0, &m), MDR_EINVALID, "smallest_radius = 0");
-    CHECK_STATUS(mdr_medium_callback(constant, &number, 0.1, NAN, &m), MDR_EINVALID, "largest_radius = NaN");
-    CHECK_STATUS(mdr_medium_callback(constant, &number, 1.0, 0.5, &m), MDR_EINVALID, "largest_radius = 0.5");
-    CHECK_STATUS(mdr_medium_callback(fails, &number, 0.1, 1.0, &m), MDR_ECALLBACK, "reported failure 7 at x = ");
-    CHECK_STATUS(mdr_medium_callback(gives_nan, &number, 0.1, 1.0, &m), MDR_ECALLBACK, "gave NaN at x = ");
-    CHECK_STATUS(mdr_medium_callback(constant, &negative, 0.1, 1.0, &m), MDR_ECALLBACK, "-1");
+    CHECK_STATUS(mdr_medium_function(constant, &number, 0.1, 1.0, NULL), MDR_ENULL, "out is NULL");
+    CHECK_STATUS(mdr_medium_function(NULL, &number, 0.1, 1.0, &m), MDR_ENULL, "modulus is NULL");
+    CHECK_STATUS(mdr_medium_function(constant, &number, 0.0, 1.0, &m), MDR_EINVALID, "smallest_radius = 0");
+    CHECK_STATUS(mdr_medium_function(constant, &number, 0.1, NAN, &m), MDR_EINVALID, "largest_radius = NaN");
+    CHECK_STATUS(mdr_medium_function(constant, &number, 1.0, 0.5, &m), MDR_EINVALID, "largest_radius = 0.5");
+    CHECK_STATUS(mdr_medium_function(fails, &number, 0.1, 1.0, &m), MDR_ECALLBACK, "reported failure 7 at x = ");
+    CHECK_STATUS(mdr_medium_function(gives_nan, &number, 0.1, 1.0, &m), MDR_ECALLBACK, "gave NaN at x = ");
+    CHECK_STATUS(mdr_medium_function(constant, &negative, 0.1, 1.0, &m), MDR_ECALLBACK, "-1");
     CHECK_TRUE(m == NULL);
 }
 
@@ -136,11 +135,11 @@ static void same_modulus(mdr_medium *m, mdr_medium *expected, double tolerance)
 {
     const double a[5] = {0.02, 0.2, 0.7, 3.0, 30.0};
     double found[5], wanted[5];
-    CHECK_SUCCESS(mdr_medium_modulus(m, 5, a, found));
-    CHECK_SUCCESS(mdr_medium_modulus(expected, 5, a, wanted));
+    CHECK_SUCCESS(mdr_medium_values(m, MDR_MODULUS, 5, a, found));
+    CHECK_SUCCESS(mdr_medium_values(expected, MDR_MODULUS, 5, a, wanted));
     for (int i = 0; i < 5; i++) CHECK_CLOSE(found[i], wanted[i], tolerance);
-    CHECK_SUCCESS(mdr_medium_free(&m));
-    CHECK_SUCCESS(mdr_medium_free(&expected));
+    CHECK_FREE(m);
+    CHECK_FREE(expected);
 }
 
 static void layers(void)
@@ -149,14 +148,14 @@ static void layers(void)
         const double one_E[1] = {4.0}, one_nu[1] = {0.2}, one_h[1] = {0.6};
         const double same_E[3] = {4.0, 4.0, 4.0}, same_nu[3] = {0.2, 0.2, 0.2}, parts[3] = {0.1, 0.2, 0.3};
         mdr_medium *m = NULL, *expected = NULL;
-        CHECK_SUCCESS(mdr_medium_layered(1, one_E, one_nu, one_h, 1.0, 0.35, model, NULL, &m));
-        CHECK_SUCCESS(mdr_medium_coated(4.0, 0.2, 0.6, 1.0, 0.35, model, NULL, &expected));
+        CHECK_SUCCESS(new_layered(1, one_E, one_nu, one_h, 1.0, 0.35, model, NULL, &m));
+        CHECK_SUCCESS(new_coated(4.0, 0.2, 0.6, 1.0, 0.35, model, NULL, &expected));
         same_modulus(m, expected, 1e-14);
-        CHECK_SUCCESS(mdr_medium_layered(3, same_E, same_nu, parts, 1.0, 0.35, model, NULL, &m));
-        CHECK_SUCCESS(mdr_medium_coated(4.0, 0.2, 0.6, 1.0, 0.35, model, NULL, &expected));
+        CHECK_SUCCESS(new_layered(3, same_E, same_nu, parts, 1.0, 0.35, model, NULL, &m));
+        CHECK_SUCCESS(new_coated(4.0, 0.2, 0.6, 1.0, 0.35, model, NULL, &expected));
         same_modulus(m, expected, 1e-13);
-        CHECK_SUCCESS(mdr_medium_layered(3, same_E, same_nu, parts, 4.0, 0.2, model, NULL, &m));
-        CHECK_SUCCESS(mdr_medium_homogeneous(4.0, 0.2, &expected));
+        CHECK_SUCCESS(new_layered(3, same_E, same_nu, parts, 4.0, 0.2, model, NULL, &m));
+        CHECK_SUCCESS(new_homogeneous(4.0, 0.2, &expected));
         same_modulus(m, expected, 1e-13);
     }
 }
@@ -191,13 +190,13 @@ static void gradients(void)
     mdr_medium *m = NULL;
 
     CHECK_SUCCESS(mdr_medium_graded(2, z, E, nu, MDR_MODEL_GAO, NULL, &m));
-    CHECK_SUCCESS(mdr_medium_modulus(m, 5, a, found));
+    CHECK_SUCCESS(mdr_medium_values(m, MDR_MODULUS, 5, a, found));
     for (int i = 0; i < 5; i++) CHECK_CLOSE(found[i], linear_gradient(a[i], 5.0, 1.0, 2.0), 1e-10);
-    CHECK_SUCCESS(mdr_medium_free(&m));
-    CHECK_SUCCESS(mdr_medium_graded_callback(falling_E, half, NULL, 2.0, MDR_MODEL_GAO, NULL, &m));
-    CHECK_SUCCESS(mdr_medium_modulus(m, 5, a, found));
+    CHECK_FREE(m);
+    CHECK_SUCCESS(mdr_medium_graded_function(falling_E, half, NULL, 2.0, MDR_MODEL_GAO, NULL, &m));
+    CHECK_SUCCESS(mdr_medium_values(m, MDR_MODULUS, 5, a, found));
     for (int i = 0; i < 5; i++) CHECK_CLOSE(found[i], linear_gradient(a[i], 5.0, 1.0, 2.0), 1e-10);
-    CHECK_SUCCESS(mdr_medium_free(&m));
+    CHECK_FREE(m);
 }
 
 /* A gradient of exponent 0 is homogeneous; a table of a power law of the radius, straight in ln a, is met at its points. */
@@ -208,15 +207,15 @@ static void power_and_table(void)
     mdr_medium *m = NULL, *expected = NULL;
 
     CHECK_SUCCESS(mdr_medium_power_graded(4.0, 1.0, 0.0, 0.2, &m));
-    CHECK_SUCCESS(mdr_medium_homogeneous(4.0, 0.2, &expected));
+    CHECK_SUCCESS(new_homogeneous(4.0, 0.2, &expected));
     same_modulus(m, expected, 1e-13);
     CHECK_SUCCESS(mdr_medium_table(4, a, E, &m));
-    CHECK_SUCCESS(mdr_medium_modulus(m, 4, a, found));
+    CHECK_SUCCESS(mdr_medium_values(m, MDR_MODULUS, 4, a, found));
     for (int i = 0; i < 4; i++) CHECK_CLOSE(found[i], E[i], 1e-13);
     fill_untouched(4, found);
-    CHECK_STATUS(mdr_medium_modulus(m, 1, (const double[]){11.0}, found), MDR_EDOMAIN, "up to 10");
+    CHECK_STATUS(mdr_medium_values(m, MDR_MODULUS, 1, (const double[]){11.0}, found), MDR_EDOMAIN, "up to 10");
     CHECK_UNTOUCHED(4, found);
-    CHECK_SUCCESS(mdr_medium_free(&m));
+    CHECK_FREE(m);
 }
 
 static int doerner_nix(double a, double *E, void *calls)
@@ -233,13 +232,13 @@ static void own_function(void)
     int calls = 0;
     mdr_medium *m = NULL;
 
-    CHECK_SUCCESS(mdr_medium_callback(doerner_nix, &calls, 0.05, 50.0, &m));
+    CHECK_SUCCESS(mdr_medium_function(doerner_nix, &calls, 0.05, 50.0, &m));
     CHECK_TRUE(calls > 0);
     const int calls_of_creation = calls;
-    CHECK_SUCCESS(mdr_medium_modulus(m, 4, a, found));
+    CHECK_SUCCESS(mdr_medium_values(m, MDR_MODULUS, 4, a, found));
     CHECK_INT(calls, calls_of_creation);
     for (int i = 0; i < 4; i++) CHECK_CLOSE(found[i], 1 / (1 - 0.75 * exp(-1 / a[i])), 1e-11);
-    CHECK_SUCCESS(mdr_medium_free(&m));
+    CHECK_FREE(m);
 }
 
 int main(void)

@@ -9,19 +9,19 @@ static void refusals(void)
     mdr_medium *m = NULL;
     mdr_medium_options options;
 
-    CHECK_STATUS(mdr_medium_coated(2.0, 0.3, 0.1, 1.0, 0.3, MDR_MODEL_EXACT, NULL, NULL), MDR_ENULL, "out is NULL");
-    CHECK_STATUS(mdr_medium_coated(-2.0, 0.3, 0.1, 1.0, 0.3, MDR_MODEL_EXACT, NULL, &m), MDR_EINVALID, "coating E = -2");
-    CHECK_STATUS(mdr_medium_coated(2.0, 0.3, 0.0, 1.0, 0.3, MDR_MODEL_EXACT, NULL, &m), MDR_EINVALID, "thickness = 0");
-    CHECK_STATUS(mdr_medium_coated(2.0, 0.3, 0.1, -INFINITY, 0.3, MDR_MODEL_EXACT, NULL, &m), MDR_EINVALID, "substrate E = ");
-    CHECK_STATUS(mdr_medium_coated(2.0, 0.3, 0.1, 1.0, 0.7, MDR_MODEL_EXACT, NULL, &m), MDR_EINVALID, "substrate nu = 0.7");
-    CHECK_STATUS(mdr_medium_layered(2, E, nu, h, 1.0, 0.3, MDR_MODEL_EXACT, NULL, NULL), MDR_ENULL, "out is NULL");
-    CHECK_STATUS(mdr_medium_layered(2, bad_E, nu, h, 1.0, 0.3, MDR_MODEL_EXACT, NULL, &m), MDR_EINVALID, "layer 2 E = NaN");
-    CHECK_STATUS(mdr_medium_layered(2, E, nu, bad_h, 1.0, 0.3, MDR_MODEL_EXACT, NULL, &m), MDR_EINVALID, "entry 2 of thickness");
-    CHECK_STATUS(mdr_medium_layered(0, NULL, NULL, NULL, 1.0, 0.3, MDR_MODEL_EXACT, NULL, &m), MDR_EINVALID, "at least one");
+    CHECK_STATUS(new_coated(2.0, 0.3, 0.1, 1.0, 0.3, MDR_MODEL_EXACT, NULL, NULL), MDR_ENULL, "out is NULL");
+    CHECK_STATUS(new_coated(-2.0, 0.3, 0.1, 1.0, 0.3, MDR_MODEL_EXACT, NULL, &m), MDR_EINVALID, "layer 1 E = -2");
+    CHECK_STATUS(new_coated(2.0, 0.3, 0.0, 1.0, 0.3, MDR_MODEL_EXACT, NULL, &m), MDR_EINVALID, "thickness = 0");
+    CHECK_STATUS(new_coated(2.0, 0.3, 0.1, -INFINITY, 0.3, MDR_MODEL_EXACT, NULL, &m), MDR_EINVALID, "substrate E = ");
+    CHECK_STATUS(new_coated(2.0, 0.3, 0.1, 1.0, 0.7, MDR_MODEL_EXACT, NULL, &m), MDR_EINVALID, "substrate nu = 0.7");
+    CHECK_STATUS(new_layered(2, E, nu, h, 1.0, 0.3, MDR_MODEL_EXACT, NULL, NULL), MDR_ENULL, "out is NULL");
+    CHECK_STATUS(new_layered(2, bad_E, nu, h, 1.0, 0.3, MDR_MODEL_EXACT, NULL, &m), MDR_EINVALID, "layer 2 E = NaN");
+    CHECK_STATUS(new_layered(2, E, nu, bad_h, 1.0, 0.3, MDR_MODEL_EXACT, NULL, &m), MDR_EINVALID, "entry 2 of thickness");
+    CHECK_STATUS(mdr_medium_layered(0, NULL, NULL, MDR_MODEL_EXACT, NULL, &m), MDR_EINVALID, "it must carry a layer");
     options = MDR_SIZED(mdr_medium_options);
     for (int i = 0; i < 4; i++) {
         options.tolerance = bad_tolerance[i];
-        CHECK_STATUS(mdr_medium_coated(2.0, 0.3, 0.1, 1.0, 0.3, MDR_MODEL_EXACT, &options, &m), MDR_EINVALID, "tolerance = ");
+        CHECK_STATUS(new_coated(2.0, 0.3, 0.1, 1.0, 0.3, MDR_MODEL_EXACT, &options, &m), MDR_EINVALID, "tolerance = ");
     }
     CHECK_TRUE(m == NULL);
 }
@@ -33,11 +33,11 @@ static void rigid_base(void)
     double found[2];
     mdr_medium *m = NULL;
 
-    CHECK_SUCCESS(mdr_medium_coated(E, 0.5, h, INFINITY, NAN, MDR_MODEL_EXACT, NULL, &m));
-    CHECK_SUCCESS(mdr_medium_modulus(m, 2, a, found));
+    CHECK_SUCCESS(new_coated(E, 0.5, h, INFINITY, NAN, MDR_MODEL_EXACT, NULL, &m));
+    CHECK_SUCCESS(mdr_medium_values(m, MDR_MODULUS, 2, a, found));
     CHECK_CLOSE(found[0] * 0.75 / E, 3.61873585, 2e-9);
     CHECK_CLOSE(found[1] * 0.75 / E, 9.14945045, 2e-9);
-    CHECK_SUCCESS(mdr_medium_free(&m));
+    CHECK_FREE(m);
 }
 
 /* A flat punch on a surface with tension, l = 2 tau/E* = 10 a (theory_surfaces 6); what such a surface does not take. */
@@ -50,24 +50,24 @@ static void surface_with_tension(void)
     mdr_material *gel = NULL;
 
     options.surface_tension = 5.0;
-    CHECK_SUCCESS(mdr_medium_coated(0.75, 0.5, 1.0, 0.75, 0.5, MDR_MODEL_EXACT, &options, &m));
-    CHECK_SUCCESS(mdr_medium_stiffness(m, 1, &a, &found));
+    CHECK_SUCCESS(new_coated(0.75, 0.5, 1.0, 0.75, 0.5, MDR_MODEL_EXACT, &options, &m));
+    CHECK_SUCCESS(mdr_medium_values(m, MDR_STIFFNESS, 1, &a, &found));
     CHECK_CLOSE(found, 12.4154001386, 1e-10);
-    CHECK_STATUS(mdr_medium_tangential_modulus(m, 1, &a, &found), MDR_EINVALID, "surface with tension");
-    CHECK_SUCCESS(mdr_medium_free(&m));
-    CHECK_STATUS(mdr_medium_coated(0.75, 0.5, 1.0, 0.75, 0.5, MDR_MODEL_GAO, &options, &m), MDR_EINVALID, "exact");
+    CHECK_STATUS(mdr_medium_values(m, MDR_TANGENTIAL_MODULUS, 1, &a, &found), MDR_EINVALID, "surface with tension");
+    CHECK_FREE(m);
+    CHECK_STATUS(new_coated(0.75, 0.5, 1.0, 0.75, 0.5, MDR_MODEL_GAO, &options, &m), MDR_EINVALID, "exact");
     CHECK_SUCCESS(mdr_material_viscoelastic(0.75 / 3, 0, NULL, NULL, 0.0, 0.5, 0.0, &gel));
     CHECK_STATUS(relaxing_medium(0, NULL, NULL, gel, MDR_MODEL_EXACT, &options, &m), MDR_EINVALID, "surface_tension");
-    CHECK_SUCCESS(mdr_material_free(&gel));
+    CHECK_FREE(gel);
     for (int i = 0; i < 4; i++) {
         options.surface_tension = bad[i];
-        CHECK_STATUS(mdr_medium_coated(0.75, 0.5, 1.0, 0.75, 0.5, MDR_MODEL_EXACT, &options, &m), MDR_EINVALID, "tension");
+        CHECK_STATUS(new_coated(0.75, 0.5, 1.0, 0.75, 0.5, MDR_MODEL_EXACT, &options, &m), MDR_EINVALID, "tension");
         options.surface_tension = 0.5;
         options.surface_bending = bad[i];
-        CHECK_STATUS(mdr_medium_coated(0.75, 0.5, 1.0, 0.75, 0.5, MDR_MODEL_EXACT, &options, &m), MDR_EINVALID, "bending");
+        CHECK_STATUS(new_coated(0.75, 0.5, 1.0, 0.75, 0.5, MDR_MODEL_EXACT, &options, &m), MDR_EINVALID, "bending");
         options.surface_bending = 0.0;
         options.surface_stretching = bad[i];
-        CHECK_STATUS(mdr_medium_coated(0.75, 0.5, 1.0, 0.75, 0.5, MDR_MODEL_EXACT, &options, &m), MDR_EINVALID, "stretching");
+        CHECK_STATUS(new_coated(0.75, 0.5, 1.0, 0.75, 0.5, MDR_MODEL_EXACT, &options, &m), MDR_EINVALID, "stretching");
         options.surface_stretching = 0.0;
     }
     CHECK_TRUE(m == NULL);
@@ -82,15 +82,15 @@ static void surface_with_stiff_sheet(void)
     mdr_medium_options options = MDR_SIZED(mdr_medium_options);
 
     options.surface_stretching = 5.0;
-    CHECK_SUCCESS(mdr_medium_coated(E, nu, 1.0, E, nu, MDR_MODEL_EXACT, &options, &m));
-    CHECK_SUCCESS(mdr_medium_stiffness(m, 1, &a, &found));
+    CHECK_SUCCESS(new_coated(E, nu, 1.0, E, nu, MDR_MODEL_EXACT, &options, &m));
+    CHECK_SUCCESS(mdr_medium_values(m, MDR_STIFFNESS, 1, &a, &found));
     CHECK_CLOSE(found / (2.0 * a), 4.0 * (1.0 - nu) * (1.0 - nu) / (3.0 - 4.0 * nu), 1e-6);
-    CHECK_STATUS(mdr_medium_tangential_modulus(m, 1, &a, &found), MDR_EINVALID, "sheet");
-    CHECK_SUCCESS(mdr_medium_free(&m));
-    CHECK_SUCCESS(mdr_medium_coated(0.75, 0.5, 1.0, 0.75, 0.5, MDR_MODEL_EXACT, &options, &m));
-    CHECK_SUCCESS(mdr_medium_stiffness(m, 1, &a, &found));
+    CHECK_STATUS(mdr_medium_values(m, MDR_TANGENTIAL_MODULUS, 1, &a, &found), MDR_EINVALID, "sheet");
+    CHECK_FREE(m);
+    CHECK_SUCCESS(new_coated(0.75, 0.5, 1.0, 0.75, 0.5, MDR_MODEL_EXACT, &options, &m));
+    CHECK_SUCCESS(mdr_medium_values(m, MDR_STIFFNESS, 1, &a, &found));
     CHECK_CLOSE(found / (2.0 * a), 1.0, 1e-14);
-    CHECK_SUCCESS(mdr_medium_free(&m));
+    CHECK_FREE(m);
 }
 
 static void degenerate_stacks(void)
@@ -99,16 +99,16 @@ static void degenerate_stacks(void)
     double found[3], expected[3];
     mdr_medium *m = NULL;
 
-    CHECK_SUCCESS(mdr_medium_layered(2, E, nu, h, 2.0, 0.3, MDR_MODEL_EXACT, NULL, &m));
-    CHECK_SUCCESS(mdr_medium_modulus(m, 3, a, found));
+    CHECK_SUCCESS(new_layered(2, E, nu, h, 2.0, 0.3, MDR_MODEL_EXACT, NULL, &m));
+    CHECK_SUCCESS(mdr_medium_values(m, MDR_MODULUS, 3, a, found));
     for (int i = 0; i < 3; i++) CHECK_CLOSE(found[i], 2.0 / 0.91, 1e-10);
-    CHECK_SUCCESS(mdr_medium_free(&m));
-    CHECK_SUCCESS(mdr_medium_layered(2, E, nu, h, 5.0, 0.2, MDR_MODEL_EXACT, NULL, &m));
-    CHECK_SUCCESS(mdr_medium_modulus(m, 3, a, found));
-    CHECK_SUCCESS(mdr_medium_free(&m));
-    CHECK_SUCCESS(mdr_medium_coated(2.0, 0.3, 0.1 + 0.2, 5.0, 0.2, MDR_MODEL_EXACT, NULL, &m));
-    CHECK_SUCCESS(mdr_medium_modulus(m, 3, a, expected));
-    CHECK_SUCCESS(mdr_medium_free(&m));
+    CHECK_FREE(m);
+    CHECK_SUCCESS(new_layered(2, E, nu, h, 5.0, 0.2, MDR_MODEL_EXACT, NULL, &m));
+    CHECK_SUCCESS(mdr_medium_values(m, MDR_MODULUS, 3, a, found));
+    CHECK_FREE(m);
+    CHECK_SUCCESS(new_coated(2.0, 0.3, 0.1 + 0.2, 5.0, 0.2, MDR_MODEL_EXACT, NULL, &m));
+    CHECK_SUCCESS(mdr_medium_values(m, MDR_MODULUS, 3, a, expected));
+    CHECK_FREE(m);
     for (int i = 0; i < 3; i++) CHECK_CLOSE(found[i], expected[i], 1e-9);
 }
 
@@ -121,20 +121,20 @@ static void depth_of_first_touch(void)
     mdr_profile *p = NULL;
     mdr_contact *c = NULL;
 
-    CHECK_SUCCESS(mdr_medium_coated(6.0, 0.5, 1.0, 3.0, 0.5, MDR_MODEL_EXACT, NULL, &m));
+    CHECK_SUCCESS(new_coated(6.0, 0.5, 1.0, 3.0, 0.5, MDR_MODEL_EXACT, NULL, &m));
     CHECK_SUCCESS(mdr_profile_paraboloid(4.0, &p));
     CHECK_SUCCESS(mdr_contact_new(p, m, NULL, &c));
-    CHECK_SUCCESS(mdr_contact_from_radius(c, 1, a, d, NULL, NULL, NULL));
+    CHECK_SUCCESS(columns_of(c, MDR_GIVEN_RADIUS, 1, a, d, NULL, NULL, NULL));
     CHECK_CLOSE(d[0] * 4.0, 1.2676, 5e-5);
-    CHECK_SUCCESS(mdr_contact_free(&c));
-    CHECK_SUCCESS(mdr_profile_free(&p));
+    CHECK_FREE(c);
+    CHECK_FREE(p);
     CHECK_SUCCESS(mdr_profile_cone(0.3, &p));
     CHECK_SUCCESS(mdr_contact_new(p, m, NULL, &c));
-    CHECK_SUCCESS(mdr_contact_from_radius(c, 1, a, d, NULL, NULL, NULL));
+    CHECK_SUCCESS(columns_of(c, MDR_GIVEN_RADIUS, 1, a, d, NULL, NULL, NULL));
     CHECK_CLOSE(d[0] / (0.5 * pi * tan(0.3)), 1.1976, 5e-5);
-    CHECK_SUCCESS(mdr_contact_free(&c));
-    CHECK_SUCCESS(mdr_profile_free(&p));
-    CHECK_SUCCESS(mdr_medium_free(&m));
+    CHECK_FREE(c);
+    CHECK_FREE(p);
+    CHECK_FREE(m);
 }
 
 /* With zeta_is_exact an approximate model has the depths of the exact one, up to where the tip ends. */
@@ -147,25 +147,25 @@ static void exact_zeta_of_a_model(void)
     mdr_contact *c = NULL;
     mdr_contact_options options;
 
-    CHECK_SUCCESS(mdr_medium_coated(6.0, 0.5, 1.0, 3.0, 0.5, MDR_MODEL_EXACT, NULL, &exact));
-    CHECK_SUCCESS(mdr_medium_coated(6.0, 0.5, 1.0, 3.0, 0.5, MDR_MODEL_GAO, NULL, &model));
+    CHECK_SUCCESS(new_coated(6.0, 0.5, 1.0, 3.0, 0.5, MDR_MODEL_EXACT, NULL, &exact));
+    CHECK_SUCCESS(new_coated(6.0, 0.5, 1.0, 3.0, 0.5, MDR_MODEL_GAO, NULL, &model));
     options = MDR_SIZED(mdr_contact_options);
     options.zeta_is_exact = 1;
     CHECK_SUCCESS(mdr_profile_sphere(5.5, &p));
     CHECK_SUCCESS(mdr_contact_new(p, exact, NULL, &c));
-    CHECK_SUCCESS(mdr_contact_from_radius(c, 3, a, expected, NULL, NULL, NULL));
-    CHECK_SUCCESS(mdr_contact_free(&c));
+    CHECK_SUCCESS(columns_of(c, MDR_GIVEN_RADIUS, 3, a, expected, NULL, NULL, NULL));
+    CHECK_FREE(c);
     CHECK_SUCCESS(mdr_contact_new(p, model, &options, &c));
-    CHECK_SUCCESS(mdr_contact_from_radius(c, 3, a, d, NULL, NULL, NULL));
+    CHECK_SUCCESS(columns_of(c, MDR_GIVEN_RADIUS, 3, a, d, NULL, NULL, NULL));
     for (int i = 0; i < 3; i++) CHECK_CLOSE(d[i], expected[i], 1e-6);
-    CHECK_STATUS(mdr_contact_from_radius(c, 1, (const double[]){5.6}, d, NULL, NULL, NULL), MDR_EDOMAIN, "5.5");
-    CHECK_SUCCESS(mdr_contact_free(&c));
+    CHECK_STATUS(columns_of(c, MDR_GIVEN_RADIUS, 1, (const double[]){5.6}, d, NULL, NULL, NULL), MDR_EDOMAIN, "5.5");
+    CHECK_FREE(c);
     CHECK_STATUS(mdr_contact_new(p, exact, &options, &c), MDR_EINVALID, "under an approximate model");
     options.zeta_count = 3;
     CHECK_STATUS(mdr_contact_new(p, model, &options, &c), MDR_EINVALID, "zeta_is_exact = 1 is not allowed with a table");
-    CHECK_SUCCESS(mdr_profile_free(&p));
-    CHECK_SUCCESS(mdr_medium_free(&exact));
-    CHECK_SUCCESS(mdr_medium_free(&model));
+    CHECK_FREE(p);
+    CHECK_FREE(exact);
+    CHECK_FREE(model);
 }
 
 /* A table with a step is a coating, at every radius from the surface's to many times the film's thickness. */
@@ -179,21 +179,21 @@ static void graded_bodies(void)
     mdr_contact *c = NULL;
 
     CHECK_SUCCESS(mdr_medium_graded(4, z, E, nu, MDR_MODEL_EXACT, NULL, &graded));
-    CHECK_SUCCESS(mdr_medium_coated(5.0, 0.2, 0.3, 1.0, 0.4, MDR_MODEL_EXACT, NULL, &coated));
-    CHECK_SUCCESS(mdr_medium_modulus(graded, 6, a, found));
-    CHECK_SUCCESS(mdr_medium_modulus(coated, 6, a, expected));
+    CHECK_SUCCESS(new_coated(5.0, 0.2, 0.3, 1.0, 0.4, MDR_MODEL_EXACT, NULL, &coated));
+    CHECK_SUCCESS(mdr_medium_values(graded, MDR_MODULUS, 6, a, found));
+    CHECK_SUCCESS(mdr_medium_values(coated, MDR_MODULUS, 6, a, expected));
     for (int i = 0; i < 6; i++) CHECK_CLOSE(found[i], expected[i], 1e-8);
     CHECK_SUCCESS(mdr_profile_sphere(10.0, &p));
     for (int i = 0; i < 2; i++) {
         CHECK_SUCCESS(mdr_contact_new(p, i == 0 ? graded : coated, NULL, &c));
-        CHECK_SUCCESS(mdr_contact_from_radius(c, 1, a + 3, d + i, NULL, F + i, NULL));
-        CHECK_SUCCESS(mdr_contact_free(&c));
+        CHECK_SUCCESS(columns_of(c, MDR_GIVEN_RADIUS, 1, a + 3, d + i, NULL, F + i, NULL));
+        CHECK_FREE(c);
     }
     CHECK_CLOSE(d[0], d[1], 1e-8);
     CHECK_CLOSE(F[0], F[1], 1e-8);
-    CHECK_SUCCESS(mdr_profile_free(&p));
-    CHECK_SUCCESS(mdr_medium_free(&graded));
-    CHECK_SUCCESS(mdr_medium_free(&coated));
+    CHECK_FREE(p);
+    CHECK_FREE(graded);
+    CHECK_FREE(coated);
 }
 
 /* Layers of one material are a half-space, whatever the unit of length. */
@@ -203,10 +203,10 @@ static void one_material(void)
     double found[5];
     mdr_medium *m = NULL;
 
-    CHECK_SUCCESS(mdr_medium_coated(2.0, 0.3, 1e-3, 2.0, 0.3, MDR_MODEL_EXACT, NULL, &m));
-    CHECK_SUCCESS(mdr_medium_modulus(m, 5, a, found));
+    CHECK_SUCCESS(new_coated(2.0, 0.3, 1e-3, 2.0, 0.3, MDR_MODEL_EXACT, NULL, &m));
+    CHECK_SUCCESS(mdr_medium_values(m, MDR_MODULUS, 5, a, found));
     for (int i = 0; i < 5; i++) CHECK_CLOSE(found[i], 2.0 / 0.91, 1e-14);
-    CHECK_SUCCESS(mdr_medium_free(&m));
+    CHECK_FREE(m);
 }
 
 /* Up to the last radius that is offered under a hemisphere, whose flank is vertical at its rim, there is an answer. */
@@ -218,16 +218,16 @@ static void rim_of_a_sphere(void)
     mdr_profile *p = NULL;
     mdr_contact *c = NULL;
 
-    CHECK_SUCCESS(mdr_medium_coated(1.0, 0.0, 10.990568195442522, 1.0, 0.5, MDR_MODEL_EXACT, NULL, &m));
+    CHECK_SUCCESS(new_coated(1.0, 0.0, 10.990568195442522, 1.0, 0.5, MDR_MODEL_EXACT, NULL, &m));
     CHECK_SUCCESS(mdr_profile_sphere(R, &p));
     CHECK_SUCCESS(mdr_contact_new(p, m, NULL, &c));
     for (last = nextafter(R, 0.0); last > R * (1.0 - 1e-14); last = nextafter(last, 0.0)) {
-        int status = mdr_contact_from_radius(c, 1, &last, &d, &a, &F, &k);
+        int status = columns_of(c, MDR_GIVEN_RADIUS, 1, &last, &d, &a, &F, &k);
         CHECK_TRUE(status == MDR_EDOMAIN || (status == MDR_SUCCESS && last < R && d > 0.0 && F > 0.0));
     }
-    CHECK_SUCCESS(mdr_contact_free(&c));
-    CHECK_SUCCESS(mdr_profile_free(&p));
-    CHECK_SUCCESS(mdr_medium_free(&m));
+    CHECK_FREE(c);
+    CHECK_FREE(p);
+    CHECK_FREE(m);
 }
 
 /* What a surface answers to waves: short ones see the film, long ones the substrate; refusals write nothing. */
@@ -237,7 +237,7 @@ static void compliances(void)
     double C[2], imaginary[2];
     mdr_medium *m = NULL, *modulus = NULL, *rigid = NULL;
 
-    CHECK_SUCCESS(mdr_medium_coated(2.6, 0.3, 0.1, 26.0, 0.3, MDR_MODEL_GAO, NULL, &m));
+    CHECK_SUCCESS(new_coated(2.6, 0.3, 0.1, 26.0, 0.3, MDR_MODEL_GAO, NULL, &m));
     CHECK_SUCCESS(mdr_medium_contact_modulus(1.0, &modulus));
     CHECK_SUCCESS(mdr_medium_rigid(&rigid));
     for (int load = MDR_LOAD_NORMAL; load <= MDR_LOAD_TWIST; load++) {
@@ -260,9 +260,9 @@ static void compliances(void)
     CHECK_STATUS(mdr_medium_compliance(rigid, MDR_LOAD_NORMAL, 0.0, 2, k, C, NULL), MDR_EINVALID, "rigid");
     CHECK_UNTOUCHED(2, C);
     CHECK_SUCCESS(mdr_medium_compliance(m, MDR_LOAD_NORMAL, 0.0, 0, NULL, NULL, NULL));
-    CHECK_SUCCESS(mdr_medium_free(&rigid));
-    CHECK_SUCCESS(mdr_medium_free(&modulus));
-    CHECK_SUCCESS(mdr_medium_free(&m));
+    CHECK_FREE(rigid);
+    CHECK_FREE(modulus);
+    CHECK_FREE(m);
 }
 
 int main(void)

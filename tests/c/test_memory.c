@@ -20,7 +20,7 @@ static double in[COUNT], out[COUNT];
 static char large_text[LARGE_TEXT + 1];
 static int labels[100 * 100 * 10];
 static mdr_state states[COUNT];
-static mdr_tangential_state sheared[COUNT];
+static mdr_shear_state sheared[COUNT];
 
 static void refuse_large_requests(void)
 {
@@ -51,7 +51,7 @@ int main(void)
     const int size[3] = {100, 100, 10};
 
     CHECK_SUCCESS(mdr_profile_paraboloid(1.0, &p));
-    CHECK_SUCCESS(mdr_medium_homogeneous(1.0, 0.3, &m));
+    CHECK_SUCCESS(new_homogeneous(1.0, 0.3, &m));
     CHECK_SUCCESS(mdr_contact_new(p, m, NULL, &c));
     CHECK_SUCCESS(mdr_friction_new(c, 0.3, &friction));
     CHECK_SUCCESS(mdr_friction_history_new(friction, 0.0, 0, &path));
@@ -73,21 +73,25 @@ int main(void)
 
     refuse_large_requests();
     CHECK_TRUE(malloc(8 * COUNT) == NULL);
-    CHECK_STATUS(mdr_medium_modulus(m, COUNT, in, out), MDR_ENOMEMORY, "not enough memory");
-    CHECK_STATUS(mdr_medium_stiffness(m, COUNT, in, out), MDR_ENOMEMORY, "not enough memory");
-    CHECK_STATUS(mdr_contact_from_radius(c, COUNT, in, NULL, NULL, out, NULL), MDR_ENOMEMORY, "not enough memory");
-    CHECK_STATUS(mdr_contact_from_depth(c, COUNT, in, NULL, NULL, out, NULL), MDR_ENOMEMORY, "not enough memory");
-    CHECK_STATUS(mdr_contact_from_force(c, COUNT, in, NULL, NULL, out, NULL), MDR_ENOMEMORY, "not enough memory");
+    CHECK_STATUS(mdr_medium_values(m, MDR_MODULUS, COUNT, in, out), MDR_ENOMEMORY, "not enough memory");
+    CHECK_STATUS(mdr_medium_values(m, MDR_STIFFNESS, COUNT, in, out), MDR_ENOMEMORY, "not enough memory");
+    CHECK_STATUS(mdr_contact_states(c, MDR_GIVEN_RADIUS, MDR_ON_UNLOADING, COUNT, in, (mdr_state *)out), MDR_ENOMEMORY,
+                 "not enough memory");
+    CHECK_STATUS(mdr_contact_states(c, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, COUNT, in, (mdr_state *)out), MDR_ENOMEMORY,
+                 "not enough memory");
+    CHECK_STATUS(mdr_contact_states(c, MDR_GIVEN_FORCE, MDR_ON_UNLOADING, COUNT, in, (mdr_state *)out), MDR_ENOMEMORY,
+                 "not enough memory");
     CHECK_STATUS(field_at(c, MDR_FIELD_PRESSURE, MDR_GIVEN_RADIUS, 1.0, COUNT, in, out), MDR_ENOMEMORY, "not enough memory");
     CHECK_STATUS(field_at(c, MDR_FIELD_LINE_LOAD, MDR_GIVEN_RADIUS, 1.0, COUNT, in, out), MDR_ENOMEMORY, "not enough memory");
     CHECK_STATUS(field_at(c, MDR_FIELD_DISPLACEMENT, MDR_GIVEN_RADIUS, 1.0, COUNT, in, out), MDR_ENOMEMORY, "not enough memory");
-    CHECK_STATUS(mdr_profile_height(p, COUNT, in, out), MDR_ENOMEMORY, "not enough memory");
-    CHECK_STATUS(mdr_coated_cone_force(COUNT, in, 0.2, 1.0, 2.0, 1.0, out), MDR_ENOMEMORY, "not enough memory");
-    CHECK_STATUS(mdr_material_relaxation(polymer, COUNT, in, out), MDR_ENOMEMORY, "not enough memory");
+    CHECK_STATUS(mdr_profile_values(p, MDR_HEIGHT, COUNT, in, out), MDR_ENOMEMORY, "not enough memory");
+    CHECK_STATUS(mdr_closed_form(MDR_FORM_CONE_FORCE, COUNT, in, (const double[]){0.2, 1.0, 2.0, 1.0}, out), MDR_ENOMEMORY,
+                 "not enough memory");
+    CHECK_STATUS(mdr_material_values(polymer, MDR_RELAXATION, COUNT, in, out, NULL), MDR_ENOMEMORY, "not enough memory");
     CHECK_STATUS(mdr_contact_history(in_time, MDR_GIVEN_DEPTH, 1e-5, COUNT, in, in, NULL, NULL, out), MDR_ENOMEMORY, "memory");
     CHECK_STATUS(mdr_contact_dynamic_stiffness(in_time, COUNT, in, in, out, out), MDR_ENOMEMORY, "not enough memory");
     CHECK_STATUS(mdr_contact_step_response(in_time, MDR_STEP_CREEP, 1.0, COUNT, in, out), MDR_ENOMEMORY, "not enough memory");
-    CHECK_STATUS(mdr_friction_states(friction, states, MDR_GIVEN_SHIFT, COUNT, in, sheared), MDR_ENOMEMORY, "memory");
+    CHECK_STATUS(shear_states(friction, states, MDR_ALONG, MDR_GIVEN_SHIFT, COUNT, in, sheared), MDR_ENOMEMORY, "memory");
     CHECK_STATUS(mdr_friction_history_advance(path, MDR_GIVEN_DEPTH, MDR_GIVEN_SHIFT, COUNT, in, in, states, sheared),
                  MDR_ENOMEMORY, "memory");
     for (int i = 0; i < COUNT; i += 1000) CHECK_CLOSE(out[i], untouched, 0.0);
@@ -101,18 +105,18 @@ int main(void)
     CHECK_STATUS(mdr_friction_history_new(friction, 0.1, 1000, &rings), MDR_ENOMEMORY, "memory");
     CHECK_TRUE(rings == NULL && law == NULL && table == NULL && voxels == NULL);
     /* this needs no memory of the array's size */
-    CHECK_SUCCESS(mdr_weight_i0(COUNT, in, 0.3, out));
+    CHECK_SUCCESS(mdr_weight(MDR_WEIGHT_I0, 0.3, COUNT, in, out));
     grant_all_requests();
 
-    CHECK_SUCCESS(mdr_contact_from_radius(c, COUNT, in, NULL, NULL, out, NULL));
+    CHECK_SUCCESS(columns_of(c, MDR_GIVEN_RADIUS, COUNT, in, NULL, NULL, out, NULL));
     CHECK_CLOSE(out[COUNT - 1], 4.0 / 3.0 / 0.91 * pow(in[COUNT - 1], 3), 1e-12);
-    CHECK_SUCCESS(mdr_friction_history_free(&path));
-    CHECK_SUCCESS(mdr_friction_free(&friction));
-    CHECK_SUCCESS(mdr_contact_free(&c));
-    CHECK_SUCCESS(mdr_contact_free(&in_time));
-    CHECK_SUCCESS(mdr_medium_free(&relaxing));
-    CHECK_SUCCESS(mdr_material_free(&polymer));
-    CHECK_SUCCESS(mdr_medium_free(&m));
-    CHECK_SUCCESS(mdr_profile_free(&p));
+    CHECK_FREE(path);
+    CHECK_FREE(friction);
+    CHECK_FREE(c);
+    CHECK_FREE(in_time);
+    CHECK_FREE(relaxing);
+    CHECK_FREE(polymer);
+    CHECK_FREE(m);
+    CHECK_FREE(p);
     return check_report("memory");
 }

@@ -47,14 +47,15 @@ static mdr_material *springs;
 static mdr_friction *rubbed, *rubbed_coating, *rubbed_scaled;
 static mdr_state pressed;
 
-static int profile(void) { mdr_profile *p = NULL; return mdr_profile_table(POINTS, x, y, &p); }
-static int mdr_table(void) { mdr_profile *p = NULL; return mdr_profile_from_mdr_table(POINTS, x, y, &p); }
+static int profile(void) { mdr_profile *p = NULL; return mdr_profile_table(MDR_HEIGHT, POINTS, x, y, &p); }
+static int mdr_table(void) { mdr_profile *p = NULL; return mdr_profile_table(MDR_G, POINTS, x, y, &p); }
 static int medium(void) { mdr_medium *m = NULL; return mdr_medium_table(POINTS - 1, x + 1, x + 1, &m); }
 static int contact_of_tip(void) { mdr_contact *c = NULL; return mdr_contact_new(tip, half_space, NULL, &c); }
 static int contact_on_film(void) { mdr_contact *c = NULL; return mdr_contact_new(ball, film, NULL, &c); }
-static int states(void) { return mdr_contact_from_depth(contact, POINTS, x, NULL, NULL, out, NULL); }
-static int states_on_film(void) { return mdr_contact_from_depth(on_film, 3, x + 100, NULL, NULL, out, NULL); }
-static int states_of_tip(void) { return mdr_contact_from_depth(by_tip, 3, x + 100, NULL, NULL, out, NULL); }
+static mdr_state reached[POINTS];
+static int states(void) { return mdr_contact_states(contact, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, POINTS, x, reached); }
+static int states_on_film(void) { return columns_of(on_film, MDR_GIVEN_DEPTH, 3, x + 100, NULL, NULL, out, NULL); }
+static int states_of_tip(void) { return columns_of(by_tip, MDR_GIVEN_DEPTH, 3, x + 100, NULL, NULL, out, NULL); }
 static int field(void) { return field_at(contact, MDR_FIELD_PRESSURE, MDR_GIVEN_RADIUS, 2.0, POINTS, x, out); }
 /* At scattered points or on a grid. */
 static int stress_at(mdr_contact *c, double friction, int is_grid)
@@ -95,17 +96,18 @@ static int path_of_forces(void)
 static int oscillations(void) { return mdr_contact_dynamic_stiffness(relaxing, POINTS - 1, x + 1, x + 1, out, other); }
 static int tangential_states(void)
 {
-    static mdr_tangential_state found[POINTS];
-    return mdr_friction_states(rubbed, &pressed, MDR_GIVEN_SHIFT, POINTS, small, found);
+    static mdr_shear_state found[POINTS];
+    return shear_states(rubbed, &pressed, MDR_ALONG, MDR_GIVEN_SHIFT, POINTS, small, found);
 }
-static int tangential_loop(void) { return mdr_friction_loop(rubbed, &pressed, MDR_GIVEN_SHIFT, 1e-3, POINTS, out, other, other); }
+static int tangential_loop(void) { return shear_loop(rubbed, &pressed, MDR_ALONG, MDR_GIVEN_SHIFT, 1e-3, POINTS, out, other,
+                                                     other); }
 /* Large matrices of rings: made, led deeper and back, copied. */
 static int rings(void)
 {
     const double d[2] = {0.3, 0.1}, s[2] = {0.05, -0.05};
     mdr_friction_history *history = NULL, *copy = NULL;
     mdr_state states[2];
-    mdr_tangential_state sheared[2];
+    mdr_shear_state sheared[2];
     int status = mdr_friction_history_new(rubbed, 0.5, 120, &history);
     if (status == MDR_SUCCESS) {
         status = mdr_friction_history_advance(history, MDR_GIVEN_DEPTH, MDR_GIVEN_SHIFT, 2, d, s, states, sheared);
@@ -130,16 +132,18 @@ static int fields_of_scaled(void) { return fields_at(scaled, 1); }
 static int fields_on_coating(void) { return fields_at(coated, POINTS - 99); }
 static int fields_of_adhesive(void) { return fields_at(adhesive, POINTS - 99); }
 
+static mdr_layer many[POINTS], stiff[LAYERS];
 static int layers(void)
 {
+    const mdr_layer base = mdr_isotropic(2.0, 0.3, 0.0);
     mdr_medium *m = NULL;
-    return mdr_medium_layered(POINTS - 1, one, small, one, 2.0, 0.3, MDR_MODEL_GAO, NULL, &m);
+    return mdr_medium_layered(POINTS - 1, many, &base, MDR_MODEL_GAO, NULL, &m);
 }
 static int contact_on_layers(void)
 {
     mdr_contact *c = NULL;
     int status = mdr_contact_new(ball, multilayer, NULL, &c);
-    return status == MDR_SUCCESS ? mdr_contact_from_depth(c, 1, x + 100, NULL, NULL, out, NULL) : status;
+    return status == MDR_SUCCESS ? columns_of(c, MDR_GIVEN_DEPTH, 1, x + 100, NULL, NULL, out, NULL) : status;
 }
 static int pair_of_layers(void)
 {
@@ -151,7 +155,7 @@ static int pair_of_layers(void)
 static int friction_on_layers(void)
 {
     mdr_friction *f = NULL;
-    int status = mdr_medium_tangential_modulus(multilayer, 2, x + 100, out);
+    int status = mdr_medium_values(multilayer, MDR_TANGENTIAL_MODULUS, 2, x + 100, out);
     if (status == MDR_SUCCESS) status = mdr_friction_new(on_layers, 0.3, &f);
     return status == MDR_SUCCESS ? mdr_friction_new(by_tip, 0.3, &f) : status;
 }
@@ -168,13 +172,14 @@ static int graded_table_exact(void)
 /* Thousands of layers and depths, solved exactly. */
 static int layers_exact(void)
 {
+    const mdr_layer base = mdr_isotropic(2.0, 0.3, 0.0);
     mdr_medium *m = NULL;
-    return mdr_medium_layered(LAYERS, x + 5000, half + 1, one, 2.0, 0.3, MDR_MODEL_EXACT, NULL, &m);
+    return mdr_medium_layered(LAYERS, stiff, &base, MDR_MODEL_EXACT, NULL, &m);
 }
 static int sheared(mdr_medium *m)
 {
-    int status = mdr_medium_tangential_modulus(m, 1, x + 1000, out);
-    return status == MDR_SUCCESS ? mdr_medium_torsional_stiffness(m, 1, x + 1000, out) : status;
+    int status = mdr_medium_values(m, MDR_TANGENTIAL_MODULUS, 1, x + 1000, out);
+    return status == MDR_SUCCESS ? mdr_medium_values(m, MDR_TORSIONAL_STIFFNESS, 1, x + 1000, out) : status;
 }
 static int sheared_layers(void) { return sheared(exact_layers); }
 static int sheared_grades(void) { return sheared(exact_grades); }
@@ -208,29 +213,31 @@ static int contact_scaled(void)
     options.zeta = one;
     return mdr_contact_new(ball, film, &options, &c);
 }
-static int states_scaled(void) { return mdr_contact_from_depth(scaled, 3, x + 100, NULL, NULL, out, NULL); }
-static int states_on_pair(void) { return mdr_contact_from_depth(on_pair, 3, x + 100, NULL, NULL, out, NULL); }
+static int states_scaled(void) { return columns_of(scaled, MDR_GIVEN_DEPTH, 3, x + 100, NULL, NULL, out, NULL); }
+static int states_on_pair(void) { return columns_of(on_pair, MDR_GIVEN_DEPTH, 3, x + 100, NULL, NULL, out, NULL); }
 static int sum(void)
 {
     const mdr_profile *terms[2] = {tip, tip};
     mdr_profile *p = NULL;
     return mdr_profile_sum(2, terms, &p);
 }
-static int heights(void) { return mdr_profile_mdr(tip, POINTS, x, out); }
-static int moduli(void) { return mdr_medium_modulus(film, POINTS - 1, x + 1, out); }
-static int shear_moduli(void) { return mdr_medium_tangential_modulus(coating, 200, x + 1, out); }
-static int torsional_stiffnesses(void) { return mdr_medium_torsional_stiffness(coating, 200, x + 1, out); }
-static int closed_form(void) { return mdr_coated_paraboloid_adhesive_depth(POINTS - 1, x + 1, 1.0, 2.0, 1.0, 0.1, 1e-3, out); }
+static int heights(void) { return mdr_profile_values(tip, MDR_G, POINTS, x, out); }
+static int moduli(void) { return mdr_medium_values(film, MDR_MODULUS, POINTS - 1, x + 1, out); }
+static int shear_moduli(void) { return mdr_medium_values(coating, MDR_TANGENTIAL_MODULUS, 200, x + 1, out); }
+static int torsional_stiffnesses(void) { return mdr_medium_values(coating, MDR_TORSIONAL_STIFFNESS, 200, x + 1, out); }
+static int closed_form(void)
+{
+    const double constants[] = {1.0, 2.0, 1.0, 0.1, 1e-3};
+    return mdr_closed_form(MDR_FORM_ADHESIVE_DEPTH, POINTS - 1, x + 1, constants, out);
+}
 static int loop_path(void)
 {
     mdr_loop *l = NULL;
-    int status = mdr_loop_new(adhesive, MDR_CONTROL_DEPTH, 0.5, POINTS, 3.0, &l), n = 0, turn, jumps, index[9];
-    if (status == MDR_SUCCESS) status = mdr_loop_size(l, &n, &turn, &jumps);
-    if (status == MDR_SUCCESS && n > POINTS) n = POINTS;
-    if (status == MDR_SUCCESS) status = mdr_loop_path(l, n, out, other, NULL, NULL);
-    return status == MDR_SUCCESS ? mdr_loop_jumps(l, jumps < 9 ? jumps : 9, index) : status;
+    static mdr_loop_point points[POINTS];
+    int status = mdr_loop_new(adhesive, MDR_CONTROL_DEPTH, 0.5, POINTS, 3.0, &l);
+    return status == MDR_SUCCESS ? mdr_loop_points(l, POINTS, points, NULL) : status;
 }
-static int creep(void) { return mdr_material_creep(springs, POINTS - 1, x + 1, out); }
+static int creep(void) { return mdr_material_values(springs, MDR_CREEP, POINTS - 1, x + 1, out, NULL); }
 static int new_frequencies(void) { return mdr_contact_dynamic_stiffness(relaxing_film, 3, x + 1, one, out, other); }
 static int steps(void) { return mdr_contact_step_response(relaxing_film, MDR_STEP_CREEP, 0.5, 3, x + 1, out); }
 /* bodies that stay apart */
@@ -250,17 +257,17 @@ static int march(void)
 
 static int torsional_states(void)
 {
-    static mdr_torsional_state found[POINTS];
-    return mdr_torsion_states(rubbed, &pressed, MDR_GIVEN_TWIST, 1400, small, found);
+    static mdr_shear_state found[POINTS];
+    return shear_states(rubbed, &pressed, MDR_AROUND, MDR_GIVEN_TWIST, 1400, small, found);
 }
 static int shear_fields(const mdr_friction *f, mdr_contact *c, int n)
 {
     mdr_state state;
-    mdr_tangential_state sheared;
+    mdr_shear_state sheared;
     int status = mdr_contact_states(c, MDR_GIVEN_RADIUS, MDR_ON_UNLOADING, 1, (double[]){0.5}, &state);
-    if (status == MDR_SUCCESS) status = mdr_friction_states(f, &state, MDR_GIVEN_SHIFT, 1, (double[]){1e-3}, &sheared);
+    if (status == MDR_SUCCESS) status = shear_states(f, &state, MDR_ALONG, MDR_GIVEN_SHIFT, 1, (double[]){1e-3}, &sheared);
     for (int field = MDR_FIELD_TRACTION; status == MDR_SUCCESS && field <= MDR_FIELD_TANGENTIAL_LINE_LOAD; field++) {
-        status = mdr_friction_field(f, &state, &sheared, field, n, half, out);
+        status = shear_field(f, &state, MDR_ALONG, &sheared, field, n, half, out);
     }
     return status;
 }
@@ -279,7 +286,10 @@ static int law_of(const mdr_contact *c, double tolerance)
 static int law_of_half_space(void) { return law_of(contact, 1e-12); }
 static int law_of_coating(void) { return law_of(coated, 1e-8); }
 static int law_of_adhesive(void) { return law_of(adhesive, 1e-8); }
-static int law_energies(void) { return mdr_law_energy(law, MDR_ON_UNLOADING, POINTS, half, out); }
+static int law_energies(void)
+{
+    return mdr_law_values(law, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, POINTS, half, NULL, NULL, NULL, NULL, NULL, out);
+}
 static int law_of_friction(void)
 {
     mdr_law *made = NULL, *again = NULL;
@@ -309,7 +319,7 @@ static int smooth(double at_x, double at_y, double z, double *E, double *nu, voi
 static int map_of_function(void)
 {
     mdr_structure *s = NULL;
-    int status = mdr_structure_callback(smooth, NULL, 0.3, NULL, &s);
+    int status = mdr_structure_function(smooth, NULL, 0.3, NULL, &s);
     return status == MDR_SUCCESS ? map_of(s, 2) : status;
 }
 static int cells(void) { return mdr_lateral_cells(0.3, 0.1, 0.0, 0.1, 90, x, 90, x, out, other); }
@@ -413,8 +423,8 @@ int main(void)
     for (int i = 0; i < POINTS; i++) one[i] = 1.0, half[i] = 0.5 * x[i], low[i] = x[i] - 10.0;
     for (int i = 0; i < ROWS * ROWS * 10; i++) labels[i] = i % 2;
     CHECK_SUCCESS(mdr_profile_paraboloid(1.0, &ball));
-    CHECK_SUCCESS(mdr_profile_table(POINTS, x, y, &tip));
-    CHECK_SUCCESS(mdr_medium_homogeneous(1.0, 0.3, &half_space));
+    CHECK_SUCCESS(mdr_profile_table(MDR_HEIGHT, POINTS, x, y, &tip));
+    CHECK_SUCCESS(new_homogeneous(1.0, 0.3, &half_space));
     CHECK_SUCCESS(mdr_medium_table(POINTS - 1, x + 1, x + 1, &film));
     CHECK_SUCCESS(mdr_contact_new(ball, half_space, NULL, &contact));
     CHECK_SUCCESS(mdr_contact_new(ball, film, NULL, &on_film));
@@ -431,7 +441,7 @@ int main(void)
     chosen.work_of_adhesion = 1e-2;
     chosen.cohesive_stress = 0.5;
     CHECK_SUCCESS(mdr_contact_new(ball, soft, &chosen, &relaxing_zone));
-    CHECK_SUCCESS(mdr_medium_coated(2.0, 0.3, 1.0, 1.0, 0.3, MDR_MODEL_EXACT, NULL, &coating));
+    CHECK_SUCCESS(new_coated(2.0, 0.3, 1.0, 1.0, 0.3, MDR_MODEL_EXACT, NULL, &coating));
     CHECK_SUCCESS(mdr_contact_new(ball, coating, NULL, &coated));
     CHECK_SUCCESS(mdr_friction_new(contact, 0.3, &rubbed));
     CHECK_SUCCESS(mdr_contact_states(contact, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, 1, (double[]){0.3}, &pressed));
@@ -442,7 +452,7 @@ int main(void)
     CHECK_SUCCESS(mdr_contact_new(ball, soft_film, NULL, &relaxing_film));
     CHECK_SUCCESS(mdr_medium_pair(film, half_space, &two));
     CHECK_SUCCESS(mdr_contact_new(ball, two, NULL, &on_pair));
-    CHECK_SUCCESS(mdr_medium_coated(2.0, 0.3, 1.0, 1.0, 0.3, MDR_MODEL_GAO, NULL, &gao));
+    CHECK_SUCCESS(new_coated(2.0, 0.3, 1.0, 1.0, 0.3, MDR_MODEL_GAO, NULL, &gao));
     chosen = MDR_SIZED(mdr_contact_options);
     chosen.zeta_count = POINTS - 1;
     chosen.zeta_radius = x + 1;
@@ -455,9 +465,11 @@ int main(void)
     CHECK_SUCCESS(mdr_friction_new(coated, 0.3, &rubbed_coating));
     CHECK_SUCCESS(mdr_friction_new(scaled_gao, 0.3, &rubbed_scaled));
 
-    CHECK_SUCCESS(mdr_medium_layered(POINTS - 1, one, small, one, 2.0, 0.3, MDR_MODEL_GAO, NULL, &multilayer));
+    for (int i = 0; i < POINTS; i++) many[i] = mdr_isotropic(one[i], small[i], one[i]);
+    for (int i = 0; i < LAYERS; i++) stiff[i] = mdr_isotropic(x[5000 + i], half[1 + i], one[i]);
+    CHECK_SUCCESS(new_layered(POINTS - 1, one, small, one, 2.0, 0.3, MDR_MODEL_GAO, NULL, &multilayer));
     CHECK_SUCCESS(mdr_contact_new(ball, multilayer, NULL, &on_layers));
-    CHECK_SUCCESS(mdr_medium_layered(LAYERS, x + 5000, half + 1, one, 2.0, 0.3, MDR_MODEL_EXACT, NULL, &exact_layers));
+    CHECK_SUCCESS(new_layered(LAYERS, x + 5000, half + 1, one, 2.0, 0.3, MDR_MODEL_EXACT, NULL, &exact_layers));
     CHECK_SUCCESS(mdr_medium_graded(LAYERS, x, x + 5000, half, MDR_MODEL_EXACT, NULL, &exact_grades));
 
     refuse_each("table of f", 0, profile);

@@ -25,10 +25,10 @@ int main(void)
     double d[POINTS], F[POINTS], values[NUMBERS];
 
     CHECK_INT(mdr_profile_sphere(1e-6, &profile), MDR_SUCCESS);
-    CHECK_INT(mdr_medium_homogeneous(3e9, 0.3, &medium), MDR_SUCCESS);
+    CHECK_INT(new_homogeneous(3e9, 0.3, &medium), MDR_SUCCESS);
     CHECK_INT(mdr_contact_new(profile, medium, NULL, &contact), MDR_SUCCESS);
     for (int i = 0; i < POINTS; i++) d[i] = 5e-9 * (i + 1);
-    CHECK_INT(mdr_contact_from_depth(contact, POINTS, d, NULL, NULL, F, NULL), MDR_SUCCESS);
+    CHECK_INT(columns_of(contact, MDR_GIVEN_DEPTH, POINTS, d, NULL, NULL, F, NULL), MDR_SUCCESS);
 
     problem = MDR_SIZED(mdr_fit_problem);
     problem.profile = profile;
@@ -42,8 +42,8 @@ int main(void)
     CHECK_CLOSE(values[1], 3e9, 1e-6);
     CHECK_INT(calls, 0);
 
-    mdr_contact_free(&contact);
-    mdr_medium_free(&medium);
-    mdr_profile_free(&profile);
+    MDR_FREE(contact);
+    MDR_FREE(medium);
+    MDR_FREE(profile);
     return check_report("names");
 }

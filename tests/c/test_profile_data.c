@@ -25,9 +25,7 @@ static void area_function_refuses(void)
     CHECK_TRUE(p == NULL);
 }
 
-typedef int (*table_call)(int, const double[], const double[], mdr_profile **);
-
-static void table_refuses(table_call make, const char *x_name, const char *y_name)
+static void table_refuses(int of, const char *x_name, const char *y_name)
 {
     const double x[4] = {0.0, 1.0, 2.0, 3.0}, y[4] = {0.0, 0.1, 0.4, 0.9};
     const double repeated[4] = {0.0, 1.0, 1.0, 3.0}, not_a_number[4] = {0.0, NAN, 2.0, 3.0}, late[4] = {0.5, 1.0, 2.0, 3.0};
@@ -35,24 +33,24 @@ static void table_refuses(table_call make, const char *x_name, const char *y_nam
     char text[100];
     mdr_profile *p = NULL;
 
-    CHECK_STATUS(make(4, x, y, NULL), MDR_ENULL, "out is NULL");
+    CHECK_STATUS(mdr_profile_table(of, 4, x, y, NULL), MDR_ENULL, "out is NULL");
     snprintf(text, sizeof text, "%s is NULL", x_name);
-    CHECK_STATUS(make(4, NULL, y, &p), MDR_ENULL, text);
+    CHECK_STATUS(mdr_profile_table(of, 4, NULL, y, &p), MDR_ENULL, text);
     snprintf(text, sizeof text, "%s is NULL", y_name);
-    CHECK_STATUS(make(4, x, NULL, &p), MDR_ENULL, text);
-    CHECK_STATUS(make(-4, x, y, &p), MDR_EINVALID, "n = -4");
-    CHECK_STATUS(make(0, NULL, NULL, &p), MDR_EINVALID, "too short");
-    CHECK_STATUS(make(1, x, y, &p), MDR_EINVALID, "too short");
+    CHECK_STATUS(mdr_profile_table(of, 4, x, NULL, &p), MDR_ENULL, text);
+    CHECK_STATUS(mdr_profile_table(of, -4, x, y, &p), MDR_EINVALID, "n = -4");
+    CHECK_STATUS(mdr_profile_table(of, 0, NULL, NULL, &p), MDR_EINVALID, "too short");
+    CHECK_STATUS(mdr_profile_table(of, 1, x, y, &p), MDR_EINVALID, "too short");
     snprintf(text, sizeof text, "entry 3 of %s = 1 is not allowed", x_name);
-    CHECK_STATUS(make(4, repeated, y, &p), MDR_EINVALID, text);
+    CHECK_STATUS(mdr_profile_table(of, 4, repeated, y, &p), MDR_EINVALID, text);
     snprintf(text, sizeof text, "entry 2 of %s = NaN", x_name);
-    CHECK_STATUS(make(4, not_a_number, y, &p), MDR_EINVALID, text);
+    CHECK_STATUS(mdr_profile_table(of, 4, not_a_number, y, &p), MDR_EINVALID, text);
     snprintf(text, sizeof text, "entry 4 of %s = infinity", y_name);
-    CHECK_STATUS(make(4, x, infinite, &p), MDR_EINVALID, text);
-    CHECK_STATUS(make(4, late, y, &p), MDR_EINVALID, "must start at");
+    CHECK_STATUS(mdr_profile_table(of, 4, x, infinite, &p), MDR_EINVALID, text);
+    CHECK_STATUS(mdr_profile_table(of, 4, late, y, &p), MDR_EINVALID, "must start at");
     snprintf(text, sizeof text, "entry 3 of %s = 0.1 is not allowed", y_name);
-    CHECK_STATUS(make(4, x, falling, &p), MDR_EINVALID, text);
-    CHECK_STATUS(make(4, x, flat, &p), MDR_EINVALID, "0 everywhere");
+    CHECK_STATUS(mdr_profile_table(of, 4, x, falling, &p), MDR_EINVALID, text);
+    CHECK_STATUS(mdr_profile_table(of, 4, x, flat, &p), MDR_EINVALID, "0 everywhere");
     CHECK_TRUE(p == NULL);
 }
 
@@ -101,15 +99,15 @@ static void callback_refuses(void)
     double number = 0.5;
     mdr_profile *p = NULL;
 
-    CHECK_STATUS(mdr_profile_callback(NULL, &number, 1.0, &p), MDR_ENULL, "height is NULL");
-    CHECK_STATUS(mdr_profile_callback(parabola, &number, 1.0, NULL), MDR_ENULL, "out is NULL");
-    CHECK_STATUS(mdr_profile_callback(parabola, &number, 0.0, &p), MDR_EINVALID, "largest_radius = 0");
-    CHECK_STATUS(mdr_profile_callback(parabola, &number, NAN, &p), MDR_EINVALID, "largest_radius = NaN");
-    CHECK_STATUS(mdr_profile_callback(fails_beyond, &number, 1.0, &p), MDR_ECALLBACK, "reported failure 42 at x = ");
-    CHECK_STATUS(mdr_profile_callback(gives_nan, NULL, 1.0, &p), MDR_ECALLBACK, "the function height gave NaN at x = ");
-    CHECK_STATUS(mdr_profile_callback(forgets_the_value, NULL, 1.0, &p), MDR_ECALLBACK, "gave NaN at x = ");
-    CHECK_STATUS(mdr_profile_callback(starts_above, NULL, 1.0, &p), MDR_EINVALID, "f(0) = 1");
-    CHECK_STATUS(mdr_profile_callback(falls, NULL, 1.0, &p), MDR_EINVALID, "decreases");
+    CHECK_STATUS(mdr_profile_function(NULL, &number, 1.0, &p), MDR_ENULL, "height is NULL");
+    CHECK_STATUS(mdr_profile_function(parabola, &number, 1.0, NULL), MDR_ENULL, "out is NULL");
+    CHECK_STATUS(mdr_profile_function(parabola, &number, 0.0, &p), MDR_EINVALID, "largest_radius = 0");
+    CHECK_STATUS(mdr_profile_function(parabola, &number, NAN, &p), MDR_EINVALID, "largest_radius = NaN");
+    CHECK_STATUS(mdr_profile_function(fails_beyond, &number, 1.0, &p), MDR_ECALLBACK, "reported failure 42 at x = ");
+    CHECK_STATUS(mdr_profile_function(gives_nan, NULL, 1.0, &p), MDR_ECALLBACK, "the function height gave NaN at x = ");
+    CHECK_STATUS(mdr_profile_function(forgets_the_value, NULL, 1.0, &p), MDR_ECALLBACK, "gave NaN at x = ");
+    CHECK_STATUS(mdr_profile_function(starts_above, NULL, 1.0, &p), MDR_EINVALID, "f(0) = 1");
+    CHECK_STATUS(mdr_profile_function(falls, NULL, 1.0, &p), MDR_EINVALID, "decreases");
     CHECK_TRUE(p == NULL);
 }
 
@@ -128,8 +126,8 @@ static void sum_refuses(void)
     CHECK_STATUS(mdr_profile_sum(2, hole, &p), MDR_ENULL, "entry 2 of terms is NULL");
     CHECK_STATUS(mdr_profile_sum(1, wrong, &p), MDR_EINVALID, "entry 1 of terms is not an mdr_profile");
     CHECK_TRUE(p == NULL);
-    CHECK_SUCCESS(mdr_profile_free(&term));
-    CHECK_SUCCESS(mdr_medium_free(&medium));
+    CHECK_FREE(term);
+    CHECK_FREE(medium);
 }
 
 /* Both functions and both slopes of two profiles at a few radii. Frees the first. */
@@ -138,19 +136,19 @@ static void same_profile(mdr_profile *p, const mdr_profile *expected, double lar
     const double r[5] = {1e-3 * largest, 0.1 * largest, 0.35 * largest, 0.62 * largest, 0.98 * largest};
     double found[5], wanted[5];
 
-    CHECK_SUCCESS(mdr_profile_height(p, 5, r, found));
-    CHECK_SUCCESS(mdr_profile_height(expected, 5, r, wanted));
+    CHECK_SUCCESS(mdr_profile_values(p, MDR_HEIGHT, 5, r, found));
+    CHECK_SUCCESS(mdr_profile_values(expected, MDR_HEIGHT, 5, r, wanted));
     for (int i = 0; i < 5; i++) CHECK_CLOSE(found[i], wanted[i], tolerance);
-    CHECK_SUCCESS(mdr_profile_mdr(p, 5, r, found));
-    CHECK_SUCCESS(mdr_profile_mdr(expected, 5, r, wanted));
+    CHECK_SUCCESS(mdr_profile_values(p, MDR_G, 5, r, found));
+    CHECK_SUCCESS(mdr_profile_values(expected, MDR_G, 5, r, wanted));
     for (int i = 0; i < 5; i++) CHECK_CLOSE(found[i], wanted[i], tolerance);
-    CHECK_SUCCESS(mdr_profile_slope(p, 5, r, found));
-    CHECK_SUCCESS(mdr_profile_slope(expected, 5, r, wanted));
+    CHECK_SUCCESS(mdr_profile_values(p, MDR_HEIGHT_SLOPE, 5, r, found));
+    CHECK_SUCCESS(mdr_profile_values(expected, MDR_HEIGHT_SLOPE, 5, r, wanted));
     for (int i = 0; i < 5; i++) CHECK_CLOSE(found[i], wanted[i], 100 * tolerance);
-    CHECK_SUCCESS(mdr_profile_mdr_slope(p, 5, r, found));
-    CHECK_SUCCESS(mdr_profile_mdr_slope(expected, 5, r, wanted));
+    CHECK_SUCCESS(mdr_profile_values(p, MDR_G_SLOPE, 5, r, found));
+    CHECK_SUCCESS(mdr_profile_values(expected, MDR_G_SLOPE, 5, r, wanted));
     for (int i = 0; i < 5; i++) CHECK_CLOSE(found[i], wanted[i], 100 * tolerance);
-    CHECK_SUCCESS(mdr_profile_free(&p));
+    CHECK_FREE(p);
 }
 
 static void callback_is_the_parabola(void)
@@ -158,11 +156,11 @@ static void callback_is_the_parabola(void)
     double radius = 2.0;
     mdr_profile *p = NULL, *expected = NULL;
 
-    CHECK_SUCCESS(mdr_profile_callback(parabola, &radius, 1.0, &p));
+    CHECK_SUCCESS(mdr_profile_function(parabola, &radius, 1.0, &p));
     radius = NAN; /* called during creation only: what becomes of the context later does not matter */
     CHECK_SUCCESS(mdr_profile_paraboloid(2.0, &expected));
     same_profile(p, expected, 1.0, 1e-12);
-    CHECK_SUCCESS(mdr_profile_free(&expected));
+    CHECK_FREE(expected);
 }
 
 static int hyperboloid(double r, double *f, void *b)
@@ -178,12 +176,12 @@ static void callback_keeps_the_tip(void)
     mdr_profile *p = NULL;
 
     for (double largest = b; largest < 2e4 * b; largest *= 10) {
-        CHECK_SUCCESS(mdr_profile_callback(hyperboloid, &b, largest, &p));
+        CHECK_SUCCESS(mdr_profile_function(hyperboloid, &b, largest, &p));
         for (x = 0.9 * largest; x > 1e-9 * b; x *= 0.3) {
-            CHECK_SUCCESS(mdr_profile_mdr(p, 1, &x, &g));
+            CHECK_SUCCESS(mdr_profile_values(p, MDR_G, 1, &x, &g));
             CHECK_CLOSE(g, x * atan(x / b), 1e-11);
         }
-        CHECK_SUCCESS(mdr_profile_free(&p));
+        CHECK_FREE(p);
     }
 }
 
@@ -199,12 +197,12 @@ static void callback_says_what_is_lost(void)
     double radius = 1e-5;
     mdr_profile *p = NULL, *expected = NULL;
 
-    CHECK_SUCCESS(mdr_profile_callback(sphere_of_differences, &radius, 1e-6, &p));
+    CHECK_SUCCESS(mdr_profile_function(sphere_of_differences, &radius, 1e-6, &p));
     CHECK_SUCCESS(mdr_profile_sphere(radius, &expected));
     same_profile(p, expected, 1e-6, 1e-10);
-    CHECK_SUCCESS(mdr_profile_free(&expected));
+    CHECK_FREE(expected);
     p = NULL;
-    CHECK_STATUS(mdr_profile_callback(sphere_of_differences, &radius, 1e-9, &p), MDR_ENOCONVERGENCE, "loses digits");
+    CHECK_STATUS(mdr_profile_function(sphere_of_differences, &radius, 1e-9, &p), MDR_ENOCONVERGENCE, "loses digits");
     CHECK_TRUE(p == NULL);
 }
 
@@ -218,7 +216,7 @@ static void area_function_is_the_cone(void)
     CHECK_SUCCESS(mdr_profile_area_function(1, C0, 0.0, 1e-6, &p));
     CHECK_SUCCESS(mdr_profile_cone(atan(sqrt(pi / C0[0])), &expected));
     same_profile(p, expected, largest, 1e-11);
-    CHECK_SUCCESS(mdr_profile_free(&expected));
+    CHECK_FREE(expected);
 }
 
 /* Interpolation follows straight lines exactly: a table of a cone is the cone, g of a cone likewise. */
@@ -234,11 +232,11 @@ static void tables_are_the_cone(void)
         g[i] = 0.5 * pi * f[i];
     }
     CHECK_SUCCESS(mdr_profile_cone(phi, &expected));
-    CHECK_SUCCESS(mdr_profile_table(9, r, f, &p));
+    CHECK_SUCCESS(mdr_profile_table(MDR_HEIGHT, 9, r, f, &p));
     same_profile(p, expected, 1.0, 1e-11);
-    CHECK_SUCCESS(mdr_profile_from_mdr_table(9, r, g, &p));
+    CHECK_SUCCESS(mdr_profile_table(MDR_G, 9, r, g, &p));
     same_profile(p, expected, 1.0, 1e-11);
-    CHECK_SUCCESS(mdr_profile_free(&expected));
+    CHECK_FREE(expected);
 }
 
 static void sum_adds(void)
@@ -251,15 +249,15 @@ static void sum_adds(void)
     CHECK_SUCCESS(mdr_profile_paraboloid(1.5, &parabola_profile));
     const mdr_profile *terms[3] = {cone, parabola_profile, cone};
     CHECK_SUCCESS(mdr_profile_sum(3, terms, &sum));
-    CHECK_SUCCESS(mdr_profile_free(&cone)); /* the sum holds copies */
-    CHECK_SUCCESS(mdr_profile_free(&parabola_profile));
-    CHECK_SUCCESS(mdr_profile_height(sum, 2, x, height));
-    CHECK_SUCCESS(mdr_profile_mdr(sum, 2, x, mdr));
+    CHECK_FREE(cone); /* the sum holds copies */
+    CHECK_FREE(parabola_profile);
+    CHECK_SUCCESS(mdr_profile_values(sum, MDR_HEIGHT, 2, x, height));
+    CHECK_SUCCESS(mdr_profile_values(sum, MDR_G, 2, x, mdr));
     for (int i = 0; i < 2; i++) {
         CHECK_CLOSE(height[i], 2 * x[i] * tan(0.2) + x[i] * x[i] / 3.0, 1e-15);
         CHECK_CLOSE(mdr[i], pi * x[i] * tan(0.2) + x[i] * x[i] / 1.5, 1e-15);
     }
-    CHECK_SUCCESS(mdr_profile_free(&sum));
+    CHECK_FREE(sum);
 }
 
 /* Seconds of the processor that a table of n points takes; what it costs must grow with n, not with its square. */
@@ -275,20 +273,20 @@ static double time_of_table(int n, int from_mdr)
     }
     const clock_t start = clock();
     if (from_mdr) {
-        CHECK_SUCCESS(mdr_profile_from_mdr_table(n, x, y, &p));
+        CHECK_SUCCESS(mdr_profile_table(MDR_G, n, x, y, &p));
     } else {
-        CHECK_SUCCESS(mdr_profile_table(n, x, y, &p));
+        CHECK_SUCCESS(mdr_profile_table(MDR_HEIGHT, n, x, y, &p));
     }
     const double seconds = (double)(clock() - start) / CLOCKS_PER_SEC;
     /* r^2 <-> 2 x^2 */
     if (from_mdr) {
-        CHECK_SUCCESS(mdr_profile_height(p, 1, &half, &found));
+        CHECK_SUCCESS(mdr_profile_values(p, MDR_HEIGHT, 1, &half, &found));
         CHECK_CLOSE(found, 0.125, 1e-10);
     } else {
-        CHECK_SUCCESS(mdr_profile_mdr(p, 1, &half, &found));
+        CHECK_SUCCESS(mdr_profile_values(p, MDR_G, 1, &half, &found));
         CHECK_CLOSE(found, 0.5, 1e-10);
     }
-    CHECK_SUCCESS(mdr_profile_free(&p));
+    CHECK_FREE(p);
     free(x);
     free(y);
     return seconds;
@@ -308,14 +306,14 @@ static void roots_start_at_knots(void)
     const double r[4] = {0.0, 1.0, 2.0, 3.0}, f[4] = {0.0, 0.1, 0.9, 1.3};
     mdr_profile *p = NULL;
 
-    CHECK_SUCCESS(mdr_profile_table(4, r, f, &p));
+    CHECK_SUCCESS(mdr_profile_table(MDR_HEIGHT, 4, r, f, &p));
     for (int i = 1; i < 3; i++) {
         const double x[3] = {r[i], r[i] * (1.0 + 1e-7), r[i] * (1.0 + 4e-7)};
         double slope[3] = {0.0, 0.0, 0.0};
-        CHECK_SUCCESS(mdr_profile_mdr_slope(p, 3, x, slope));
+        CHECK_SUCCESS(mdr_profile_values(p, MDR_G_SLOPE, 3, x, slope));
         CHECK_CLOSE((slope[2] - slope[0]) / (slope[1] - slope[0]), 2.0, 0.02);
     }
-    CHECK_SUCCESS(mdr_profile_free(&p));
+    CHECK_FREE(p);
 }
 
 static int step(double r, double *f, void *height)
@@ -332,20 +330,20 @@ static void level_places_have_no_negative_slope(void)
 
     for (int i = 0; i < 200; i++) {
         double height = 1e-4 * (1.0 + 0.037 * i), x = 1e-4, slope;
-        CHECK_SUCCESS(mdr_profile_callback(step, &height, x, &p));
-        CHECK_SUCCESS(mdr_profile_slope(p, 1, &x, &slope));
+        CHECK_SUCCESS(mdr_profile_function(step, &height, x, &p));
+        CHECK_SUCCESS(mdr_profile_values(p, MDR_HEIGHT_SLOPE, 1, &x, &slope));
         CHECK_TRUE(slope == 0.0);
-        CHECK_SUCCESS(mdr_profile_free(&p));
+        CHECK_FREE(p);
     }
-    CHECK_SUCCESS(mdr_profile_table(4, r, f, &p));
+    CHECK_SUCCESS(mdr_profile_table(MDR_HEIGHT, 4, r, f, &p));
     for (int i = 0; i < 200; i++) {
         const double x = 1.0 - 0x1p-53 * i;
         double slope;
-        CHECK_SUCCESS(mdr_profile_slope(p, 1, &x, &slope));
+        CHECK_SUCCESS(mdr_profile_values(p, MDR_HEIGHT_SLOPE, 1, &x, &slope));
         CHECK_TRUE(slope >= 0.0);
         CHECK_TRUE(slope < 1e-12);
     }
-    CHECK_SUCCESS(mdr_profile_free(&p));
+    CHECK_FREE(p);
 }
 
 int main(void)
@@ -353,8 +351,8 @@ int main(void)
     level_places_have_no_negative_slope();
     roots_start_at_knots();
     area_function_refuses();
-    table_refuses(mdr_profile_table, "r", "f");
-    table_refuses(mdr_profile_from_mdr_table, "x", "g");
+    table_refuses(MDR_HEIGHT, "r", "f");
+    table_refuses(MDR_G, "x", "g");
     callback_refuses();
     sum_refuses();
     callback_is_the_parabola();

@@ -49,8 +49,7 @@ static void constructors_refuse(void)
     refuses_two(mdr_profile_rounded_cone, "blend_radius = ", "inclination = ", 1);
 }
 
-typedef int (*evaluation)(const mdr_profile *, int, const double[], double[]);
-static const evaluation evaluations[] = {mdr_profile_height, mdr_profile_slope, mdr_profile_mdr, mdr_profile_mdr_slope};
+static const int quantities[] = {MDR_HEIGHT, MDR_HEIGHT_SLOPE, MDR_G, MDR_G_SLOPE};
 
 static void evaluations_refuse(void)
 {
@@ -64,40 +63,42 @@ static void evaluations_refuse(void)
     CHECK_SUCCESS(mdr_profile_sphere(1.0, &sphere));
     CHECK_SUCCESS(mdr_medium_contact_modulus(1.0, &medium));
     fill_untouched(2, out);
-    for (size_t i = 0; i < SIZE(evaluations); i++) {
-        evaluation evaluate = evaluations[i];
+    CHECK_STATUS(mdr_profile_values(p, 0, 2, r, out), MDR_EINVALID, "quantity = 0");
+    for (size_t i = 0; i < SIZE(quantities); i++) {
+        const int of = quantities[i];
         const char *name = i < 2 ? " of r" : " of x";
-        CHECK_STATUS(evaluate(NULL, 2, r, out), MDR_ENULL, "p is NULL");
-        CHECK_STATUS(evaluate((const mdr_profile *)medium, 2, r, out), MDR_EINVALID, "not an mdr_profile");
-        CHECK_STATUS(evaluate(p, -2, r, out), MDR_EINVALID, "n = -2");
-        CHECK_STATUS(evaluate(p, 2, NULL, out), MDR_ENULL, i < 2 ? "r is NULL" : "x is NULL");
-        CHECK_STATUS(evaluate(p, 2, r, NULL), MDR_ENULL, "out is NULL");
-        CHECK_STATUS(evaluate(p, 2, negative, out), MDR_EINVALID, name);
-        CHECK_STATUS(evaluate(p, 2, not_a_number, out), MDR_EINVALID, name);
-        CHECK_STATUS(evaluate(p, 1, infinite, out), MDR_EINVALID, name);
-        CHECK_STATUS(evaluate(sphere, 2, beyond, out), MDR_EDOMAIN, "= 1.5 is not allowed");
-        CHECK_SUCCESS(evaluate(p, 0, NULL, NULL));
+        CHECK_STATUS(mdr_profile_values(NULL, of, 2, r, out), MDR_ENULL, "p is NULL");
+        CHECK_STATUS(mdr_profile_values((const mdr_profile *)medium, of, 2, r, out), MDR_EINVALID, "not an mdr_profile");
+        CHECK_STATUS(mdr_profile_values(p, of, -2, r, out), MDR_EINVALID, "n = -2");
+        CHECK_STATUS(mdr_profile_values(p, of, 2, NULL, out), MDR_ENULL, i < 2 ? "r is NULL" : "x is NULL");
+        CHECK_STATUS(mdr_profile_values(p, of, 2, r, NULL), MDR_ENULL, "out is NULL");
+        CHECK_STATUS(mdr_profile_values(p, of, 2, negative, out), MDR_EINVALID, name);
+        CHECK_STATUS(mdr_profile_values(p, of, 2, not_a_number, out), MDR_EINVALID, name);
+        CHECK_STATUS(mdr_profile_values(p, of, 1, infinite, out), MDR_EINVALID, name);
+        CHECK_STATUS(mdr_profile_values(sphere, of, 2, beyond, out), MDR_EDOMAIN, "= 1.5 is not allowed");
+        CHECK_SUCCESS(mdr_profile_values(p, of, 0, NULL, NULL));
     }
     CHECK_UNTOUCHED(2, out);
-    CHECK_SUCCESS(mdr_profile_free(&p));
-    CHECK_SUCCESS(mdr_profile_free(&sphere));
-    CHECK_SUCCESS(mdr_medium_free(&medium));
+    CHECK_FREE(p);
+    CHECK_FREE(sphere);
+    CHECK_FREE(medium);
 }
 
 static void freeing(void)
 {
     mdr_profile *p = NULL;
     mdr_medium *medium = NULL;
-    CHECK_SUCCESS(mdr_profile_free(NULL));
-    CHECK_SUCCESS(mdr_profile_free(&p));
+    CHECK_SUCCESS(mdr_free(NULL));
+    CHECK_FREE(p);
     CHECK_SUCCESS(mdr_medium_contact_modulus(1.0, &medium));
-    CHECK_STATUS(mdr_profile_free((mdr_profile **)(void *)&medium), MDR_EINVALID, "not an mdr_profile");
+    long long none[8] = {0};
+    CHECK_STATUS(mdr_free(none), MDR_EINVALID, "the handle to free is none");
     CHECK_TRUE(medium != NULL);
-    CHECK_SUCCESS(mdr_medium_free(&medium));
+    CHECK_FREE(medium);
     CHECK_SUCCESS(mdr_profile_cone(0.2, &p));
-    CHECK_SUCCESS(mdr_profile_free(&p));
+    CHECK_FREE(p);
     CHECK_TRUE(p == NULL);
-    CHECK_SUCCESS(mdr_profile_free(&p));
+    CHECK_FREE(p);
 }
 
 /* f and g at one radius against the closed forms, their slopes against central differences; frees the profile. */
@@ -107,18 +108,18 @@ static void compare(mdr_profile *p, double x, double f, double g)
     const double at[1] = {x}, around[4] = {x - 2 * step, x - step, x + step, x + 2 * step};
     double height[4], mdr[4], slope[1], mdr_slope[1];
 
-    CHECK_SUCCESS(mdr_profile_height(p, 1, at, height));
-    CHECK_SUCCESS(mdr_profile_mdr(p, 1, at, mdr));
+    CHECK_SUCCESS(mdr_profile_values(p, MDR_HEIGHT, 1, at, height));
+    CHECK_SUCCESS(mdr_profile_values(p, MDR_G, 1, at, mdr));
     CHECK_CLOSE(height[0], f, 1e-12);
     CHECK_CLOSE(mdr[0], g, 1e-12);
-    CHECK_SUCCESS(mdr_profile_slope(p, 1, at, slope));
-    CHECK_SUCCESS(mdr_profile_mdr_slope(p, 1, at, mdr_slope));
-    CHECK_SUCCESS(mdr_profile_height(p, 4, around, height));
-    CHECK_SUCCESS(mdr_profile_mdr(p, 4, around, mdr));
+    CHECK_SUCCESS(mdr_profile_values(p, MDR_HEIGHT_SLOPE, 1, at, slope));
+    CHECK_SUCCESS(mdr_profile_values(p, MDR_G_SLOPE, 1, at, mdr_slope));
+    CHECK_SUCCESS(mdr_profile_values(p, MDR_HEIGHT, 4, around, height));
+    CHECK_SUCCESS(mdr_profile_values(p, MDR_G, 4, around, mdr));
     /* fourth order: 1e-16 of the step's powers, 1e-12 of rounding over the step */
     CHECK_CLOSE(slope[0], (height[0] - 8 * height[1] + 8 * height[2] - height[3]) / (12 * step), 1e-9);
     CHECK_CLOSE(mdr_slope[0], (mdr[0] - 8 * mdr[1] + 8 * mdr[2] - mdr[3]) / (12 * step), 1e-9);
-    CHECK_SUCCESS(mdr_profile_free(&p));
+    CHECK_FREE(p);
 }
 
 static void closed_forms(void)
@@ -151,13 +152,13 @@ static void flat_ends(void)
     mdr_profile *p = NULL;
 
     CHECK_SUCCESS(mdr_profile_flat_punch(0.4, &p));
-    for (size_t i = 0; i < SIZE(evaluations); i++) {
+    for (size_t i = 0; i < SIZE(quantities); i++) {
         fill_untouched(3, out);
-        CHECK_SUCCESS(evaluations[i](p, 3, r, out));
+        CHECK_SUCCESS(mdr_profile_values(p, quantities[i], 3, r, out));
         for (int j = 0; j < 3; j++) CHECK_CLOSE(out[j], 0.0, 0.0);
     }
-    CHECK_STATUS(mdr_profile_height(p, 1, (const double[]){0.41}, out), MDR_EDOMAIN, "up to 0.4");
-    CHECK_SUCCESS(mdr_profile_free(&p));
+    CHECK_STATUS(mdr_profile_values(p, MDR_HEIGHT, 1, (const double[]){0.41}, out), MDR_EDOMAIN, "up to 0.4");
+    CHECK_FREE(p);
 }
 
 int main(void)

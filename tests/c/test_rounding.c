@@ -78,12 +78,12 @@ static void under_traps(void)
         fesetround(i == 0 ? FE_TONEAREST : FE_UPWARD);
         feclearexcept(FE_ALL_EXCEPT);
         feraiseexcept(FE_OVERFLOW);
-        CHECK_SUCCESS(mdr_profile_height(p, 1, r, out));
+        CHECK_SUCCESS(mdr_profile_values(p, MDR_HEIGHT, 1, r, out));
         CHECK_TRUE(fetestexcept(FE_OVERFLOW) != 0 && fetestexcept(FE_INEXACT) != 0);
     }
     fesetround(FE_TONEAREST);
     feclearexcept(FE_ALL_EXCEPT);
-    mdr_profile_free(&p);
+    MDR_FREE(p);
 }
 
 /* User functions are called in the library's arithmetic, and may call the library. */
@@ -91,7 +91,7 @@ static int nested(double r, double *y, void *context)
 {
     static const double a[1] = {0.5};
     CHECK_INT(fegetround(), FE_TONEAREST);
-    CHECK_SUCCESS(mdr_medium_modulus(context, 1, a, y));
+    CHECK_SUCCESS(mdr_medium_values(context, MDR_MODULUS, 1, a, y));
     CHECK_INT(fegetround(), FE_TONEAREST);
     *y *= r * r;
     return 0;
@@ -102,13 +102,13 @@ static void with_user_functions(void)
     mdr_medium *m = coating(10.0);
     mdr_profile *p = NULL;
     fesetround(FE_UPWARD);
-    CHECK_SUCCESS(mdr_profile_callback(nested, m, 1.0, &p));
+    CHECK_SUCCESS(mdr_profile_function(nested, m, 1.0, &p));
     CHECK_INT(fegetround(), FE_UPWARD);
-    CHECK_STATUS(mdr_profile_callback(nested, m, -1.0, &p), MDR_EINVALID, "largest_radius"); /* failures too */
+    CHECK_STATUS(mdr_profile_function(nested, m, -1.0, &p), MDR_EINVALID, "largest_radius"); /* failures too */
     CHECK_INT(fegetround(), FE_UPWARD);
     fesetround(FE_TONEAREST);
-    mdr_profile_free(&p);
-    mdr_medium_free(&m);
+    MDR_FREE(p);
+    MDR_FREE(m);
 }
 
 static void states_of_laws(void)
@@ -124,9 +124,9 @@ static void states_of_laws(void)
         for (int i = 0; i < 4; i++) {
             fesetround(modes[i]);
             CHECK_SUCCESS(mdr_law_force(law, MDR_ON_UNLOADING, d[0], &F[i], NULL));
-            CHECK_SUCCESS(mdr_law_at_force(law, MDR_ON_UNLOADING, 0.03 * j, &at[i]));
-            CHECK_SUCCESS(mdr_law_from_depth(law, MDR_ON_UNLOADING, 1, d, &all[i], NULL, NULL, NULL));
-            CHECK_SUCCESS(mdr_law_energy(law, MDR_ON_UNLOADING, 1, d, &U[i]));
+            CHECK_SUCCESS(law_point(law, MDR_GIVEN_FORCE, MDR_ON_UNLOADING, 0.03 * j, &at[i]));
+            CHECK_SUCCESS(mdr_law_values(law, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, 1, d, NULL, NULL, &all[i], NULL, NULL, NULL));
+            CHECK_SUCCESS(mdr_law_values(law, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, 1, d, NULL, NULL, NULL, NULL, NULL, &U[i]));
             fesetround(FE_TONEAREST);
             CHECK_CLOSE(F[i], F[0], 1e-14);
             CHECK_CLOSE(all[i], F[0], 1e-14);
@@ -134,8 +134,8 @@ static void states_of_laws(void)
             CHECK_CLOSE(at[i].depth, at[0].depth, 1e-14);
         }
     }
-    mdr_law_free(&law);
-    mdr_contact_free(&c);
+    MDR_FREE(law);
+    MDR_FREE(c);
 }
 
 /* Threads of a team keep the mode in which they were started, whatever that of the caller is later. */
@@ -145,16 +145,16 @@ static void in_teams(void)
     static double a[MANY], alone[MANY], shared[MANY];
     mdr_contact *c = ball_on(coating(10.0), 0.0);
     for (int i = 0; i < MANY; i++) a[i] = 0.1 + 0.01 * i;
-    CHECK_SUCCESS(mdr_contact_from_radius(c, MANY, a, NULL, NULL, alone, NULL));
+    CHECK_SUCCESS(columns_of(c, MDR_GIVEN_RADIUS, MANY, a, NULL, NULL, alone, NULL));
     CHECK_SUCCESS(mdr_set_threads(4));
     fesetround(FE_UPWARD);
     for (int i = 0; i < 2; i++) {
-        CHECK_SUCCESS(mdr_contact_from_radius(c, MANY, a, NULL, NULL, shared, NULL));
+        CHECK_SUCCESS(columns_of(c, MDR_GIVEN_RADIUS, MANY, a, NULL, NULL, shared, NULL));
         fesetround(FE_TONEAREST);
         for (int j = 0; j < MANY; j++) CHECK_CLOSE(shared[j], alone[j], 0.0);
     }
     CHECK_SUCCESS(mdr_set_threads(1));
-    mdr_contact_free(&c);
+    MDR_FREE(c);
 }
 
 int main(void)

@@ -52,8 +52,8 @@ static int use_medium(const objects *o, void *structure)
 {
     mdr_medium *m = NULL;
     (void)o;
-    const int status = mdr_medium_coated(2.0, 0.3, 1.0, 1.0, 0.3, MDR_MODEL_GAO_POWER, structure, &m);
-    mdr_medium_free(&m);
+    const int status = new_coated(2.0, 0.3, 1.0, 1.0, 0.3, MDR_MODEL_GAO_POWER, structure, &m);
+    MDR_FREE(m);
     return status;
 }
 
@@ -61,7 +61,7 @@ static int use_contact(const objects *o, void *structure)
 {
     mdr_contact *c = NULL;
     const int status = mdr_contact_new(o->ball, o->film, structure, &c);
-    mdr_contact_free(&c);
+    MDR_FREE(c);
     return status;
 }
 
@@ -69,7 +69,7 @@ static int use_law(const objects *o, void *structure)
 {
     mdr_law *law = NULL;
     const int status = mdr_law_new(o->contact, 0.1, structure, &law);
-    mdr_law_free(&law);
+    MDR_FREE(law);
     return status;
 }
 
@@ -78,7 +78,7 @@ static int use_structure(const objects *o, void *structure)
     mdr_structure *s = NULL;
     (void)o;
     const int status = mdr_structure_shapes(1.0, 0.3, 0, NULL, NULL, NULL, NULL, structure, &s);
-    mdr_structure_free(&s);
+    MDR_FREE(s);
     return status;
 }
 
@@ -97,7 +97,7 @@ static int use_model_facts(const objects *o, void *structure)
     return mdr_model_info(MDR_MODEL_EXACT, structure);
 }
 
-static int use_law_facts(const objects *o, void *structure) { return mdr_law_info(o->law, structure); }
+static int use_law_facts(const objects *o, void *structure) { return mdr_law_about(o->law, structure); }
 
 static int use_failure(const objects *o, void *structure)
 {
@@ -148,12 +148,12 @@ static void every_size(const objects *o, use function, const void *known, size_t
 static void what_is_known_is_written(const objects *o)
 {
     mdr_law_facts all = MDR_SIZED(mdr_law_facts), few = all;
-    CHECK_SUCCESS(mdr_law_info(o->law, &all));
+    CHECK_SUCCESS(mdr_law_about(o->law, &all));
     CHECK_TRUE(all.highest_depth >= 0.1 && all.segments == 1);
     few.size = offsetof(mdr_law_facts, tolerance);
-    CHECK_SUCCESS(mdr_law_info(o->law, &few));
+    CHECK_SUCCESS(mdr_law_about(o->law, &few));
     CHECK_TRUE(few.highest_force == all.highest_force && few.tolerance == 0.0 && few.segments == 0);
-    CHECK_STATUS(mdr_law_info(o->law, &(mdr_law_facts){0}), MDR_EINVALID, "facts->size = 0");
+    CHECK_STATUS(mdr_law_about(o->law, &(mdr_law_facts){0}), MDR_EINVALID, "facts->size = 0");
     mdr_failure failure = MDR_SIZED(mdr_failure);
     CHECK_SUCCESS(mdr_last_failure(&failure));
     CHECK_INT(failure.status, MDR_EINVALID);
@@ -168,16 +168,16 @@ static void defaults(void)
     const double p[4] = {-0.65, -0.65, 0.0, 0.3};
     double none, found[4];
     mdr_medium *m = NULL;
-    CHECK_SUCCESS(mdr_medium_coated(9.0, 0.3, 1.0, 1.0, 0.3, MDR_MODEL_GAO_POWER, NULL, &m));
-    CHECK_SUCCESS(mdr_medium_modulus(m, 1, a, &none));
-    mdr_medium_free(&m);
+    CHECK_SUCCESS(new_coated(9.0, 0.3, 1.0, 1.0, 0.3, MDR_MODEL_GAO_POWER, NULL, &m));
+    CHECK_SUCCESS(mdr_medium_values(m, MDR_MODULUS, 1, a, &none));
+    MDR_FREE(m);
     for (int i = 0; i < 4; i++) {
         mdr_medium_options options = MDR_SIZED(mdr_medium_options);
         options.exponent = i == 0 ? 0.0 : p[i];
         options.exponent_is_given = i == 2;
-        CHECK_SUCCESS(mdr_medium_coated(9.0, 0.3, 1.0, 1.0, 0.3, MDR_MODEL_GAO_POWER, &options, &m));
-        CHECK_SUCCESS(mdr_medium_modulus(m, 1, a, &found[i]));
-        mdr_medium_free(&m);
+        CHECK_SUCCESS(new_coated(9.0, 0.3, 1.0, 1.0, 0.3, MDR_MODEL_GAO_POWER, &options, &m));
+        CHECK_SUCCESS(mdr_medium_values(m, MDR_MODULUS, 1, a, &found[i]));
+        MDR_FREE(m);
     }
     CHECK_CLOSE(found[0], none, 0.0);
     CHECK_CLOSE(found[1], none, 0.0);
@@ -189,8 +189,8 @@ int main(void)
     objects o = {NULL, NULL, NULL, NULL, NULL};
     mdr_medium *base = NULL;
     CHECK_SUCCESS(mdr_profile_paraboloid(1.0, &o.ball));
-    CHECK_SUCCESS(mdr_medium_homogeneous(1.0, 0.3, &base));
-    CHECK_SUCCESS(mdr_medium_coated(2.0, 0.3, 1.0, 1.0, 0.3, MDR_MODEL_GAO, NULL, &o.film));
+    CHECK_SUCCESS(new_homogeneous(1.0, 0.3, &base));
+    CHECK_SUCCESS(new_coated(2.0, 0.3, 1.0, 1.0, 0.3, MDR_MODEL_GAO, NULL, &o.film));
     CHECK_SUCCESS(mdr_contact_new(o.ball, base, NULL, &o.contact));
     mdr_law_options options = MDR_SIZED(mdr_law_options);
     CHECK_SUCCESS(mdr_friction_new(o.contact, 0.3, &o.friction));
@@ -207,11 +207,11 @@ int main(void)
     EVERY_SIZE(use_failure, mdr_failure, 1);
     what_is_known_is_written(&o);
     defaults();
-    mdr_friction_free(&o.friction);
-    mdr_law_free(&o.law);
-    mdr_contact_free(&o.contact);
-    mdr_medium_free(&o.film);
-    mdr_medium_free(&base);
-    mdr_profile_free(&o.ball);
+    MDR_FREE(o.friction);
+    MDR_FREE(o.law);
+    MDR_FREE(o.contact);
+    MDR_FREE(o.film);
+    MDR_FREE(base);
+    MDR_FREE(o.ball);
     return check_report("structures that grow");
 }

@@ -66,7 +66,7 @@ static void success_leaves_the_text(void)
 
     CHECK_STATUS(mdr_profile_paraboloid(0.0, &p), MDR_EINVALID, "radius = 0");
     CHECK_SUCCESS(mdr_profile_paraboloid(1.0, &p));
-    CHECK_SUCCESS(mdr_profile_free(&p));
+    CHECK_FREE(p);
     CHECK_TRUE(mdr_last_error(text, (int)sizeof text) > 0);
     CHECK_TRUE(strstr(text, "radius = 0") == text);
 }
@@ -82,30 +82,30 @@ static void options_begin_with_their_size(void)
     mdr_contact *c = NULL;
 
     CHECK_SUCCESS(mdr_profile_paraboloid(1.0, &p));
-    CHECK_SUCCESS(mdr_medium_homogeneous(1.0, 0.3, &m));
+    CHECK_SUCCESS(new_homogeneous(1.0, 0.3, &m));
     options = MDR_SIZED(mdr_contact_options);
     CHECK_TRUE(options.size == sizeof options);
     options.adhesion_rule = 77;
     CHECK_STATUS(mdr_contact_new(p, m, &options, &c), MDR_EINVALID, "adhesion_rule = 77");
     options.size = offsetof(mdr_contact_options, adhesion_rule);
     CHECK_SUCCESS(mdr_contact_new(p, m, &options, &c));
-    CHECK_SUCCESS(mdr_contact_free(&c));
+    CHECK_FREE(c);
     for (size_t i = 0; i < sizeof nonsense / sizeof *nonsense; i++) {
         options.size = nonsense[i];
         CHECK_STATUS(mdr_contact_new(p, m, &options, &c), MDR_EINVALID, "options");
     }
-    CHECK_SUCCESS(mdr_medium_free(&m));
-    CHECK_SUCCESS(mdr_profile_free(&p));
+    CHECK_FREE(m);
+    CHECK_FREE(p);
 
     of_medium = MDR_SIZED(mdr_medium_options);
     CHECK_TRUE(of_medium.size == sizeof of_medium);
     of_medium.weight_nu_choice = 77;
-    CHECK_STATUS(mdr_medium_coated(1.0, 0.3, 1.0, 1.0, 0.3, MDR_MODEL_GAO, &of_medium, &m), MDR_EINVALID, "77");
+    CHECK_STATUS(new_coated(1.0, 0.3, 1.0, 1.0, 0.3, MDR_MODEL_GAO, &of_medium, &m), MDR_EINVALID, "77");
     of_medium.size = offsetof(mdr_medium_options, weight_nu_choice);
-    CHECK_SUCCESS(mdr_medium_coated(1.0, 0.3, 1.0, 1.0, 0.3, MDR_MODEL_GAO, &of_medium, &m));
-    CHECK_SUCCESS(mdr_medium_free(&m));
+    CHECK_SUCCESS(new_coated(1.0, 0.3, 1.0, 1.0, 0.3, MDR_MODEL_GAO, &of_medium, &m));
+    CHECK_FREE(m);
     of_medium.size = 0;
-    CHECK_STATUS(mdr_medium_coated(1.0, 0.3, 1.0, 1.0, 0.3, MDR_MODEL_GAO, &of_medium, &m), MDR_EINVALID, "size = 0");
+    CHECK_STATUS(new_coated(1.0, 0.3, 1.0, 1.0, 0.3, MDR_MODEL_GAO, &of_medium, &m), MDR_EINVALID, "size = 0");
 }
 
 /* What is no handle at all, zeros or a caller's own numbers, is refused by its first bytes: nothing behind them is followed. */
@@ -115,9 +115,11 @@ static void what_is_no_handle_is_refused(void)
     const double r = 1.0;
     double out = 0.0;
 
-    CHECK_STATUS(mdr_profile_height((const mdr_profile *)anything, 1, &r, &out), MDR_EINVALID, "is not an mdr_profile handle");
+    CHECK_STATUS(mdr_profile_values((const mdr_profile *)anything, MDR_HEIGHT, 1, &r, &out), MDR_EINVALID,
+                 "is not an mdr_profile handle");
     for (int i = 0; i < 128; i++) anything[i] = 1.0;
-    CHECK_STATUS(mdr_profile_height((const mdr_profile *)anything, 1, &r, &out), MDR_EINVALID, "is not an mdr_profile handle");
+    CHECK_STATUS(mdr_profile_values((const mdr_profile *)anything, MDR_HEIGHT, 1, &r, &out), MDR_EINVALID,
+                 "is not an mdr_profile handle");
 }
 
 int main(void)

@@ -27,7 +27,7 @@ static int lead(const mdr_friction *friction, double *v)
     const double depth[POINTS] = {0.02, 0.05, 0.08, 0.06, 0.1, 0.01}, shift[POINTS] = {0.0, 0.01, 0.005, -0.01, 0.03, 0.0};
     mdr_friction_history *there = NULL, *back = NULL;
     mdr_state states[POINTS];
-    mdr_tangential_state out[POINTS];
+    mdr_shear_state out[POINTS];
     int failed = 0;
 
     failed += mdr_friction_history_new(friction, 0.1, 20, &there) != MDR_SUCCESS;
@@ -38,9 +38,9 @@ static int lead(const mdr_friction *friction, double *v)
         v[i] = out[i].tangential_force;
         v[POINTS + i] = out[i].dissipated_energy;
     }
-    failed += mdr_friction_history_free(&there) != MDR_SUCCESS;
+    failed += mdr_free(there) != MDR_SUCCESS;
     failed += mdr_friction_history_advance(back, MDR_GIVEN_DEPTH, MDR_GIVEN_SHIFT, 2, depth, shift, states, out) != MDR_SUCCESS;
-    failed += mdr_friction_history_free(&back) != MDR_SUCCESS;
+    failed += mdr_free(back) != MDR_SUCCESS;
     v[2 * POINTS] = out[1].tangential_force;
     v[3 * POINTS] = out[1].dissipated_energy;
     return failed;
@@ -53,23 +53,23 @@ static void evaluate(task *t)
     double *v = t->values, d[POINTS], F[POINTS];
     int failed = 0;
 
-    failed += mdr_profile_height(t->profile, POINTS, a, v) != MDR_SUCCESS;
-    failed += mdr_profile_mdr(t->profile, POINTS, a, v + POINTS) != MDR_SUCCESS;
-    failed += mdr_medium_modulus(t->medium, POINTS, a, v + 2 * POINTS) != MDR_SUCCESS;
-    failed += mdr_weight_i0(POINTS, a, 0.3, v + 3 * POINTS) != MDR_SUCCESS;
-    failed += mdr_contact_from_radius(t->contact, POINTS, a, d, NULL, F, NULL) != MDR_SUCCESS;
-    failed += mdr_contact_from_depth(t->contact, POINTS, d, NULL, v + 4 * POINTS, NULL, NULL) != MDR_SUCCESS;
-    failed += mdr_contact_from_force(t->contact, POINTS, F, NULL, v + 5 * POINTS, NULL, NULL) != MDR_SUCCESS;
+    failed += mdr_profile_values(t->profile, MDR_HEIGHT, POINTS, a, v) != MDR_SUCCESS;
+    failed += mdr_profile_values(t->profile, MDR_G, POINTS, a, v + POINTS) != MDR_SUCCESS;
+    failed += mdr_medium_values(t->medium, MDR_MODULUS, POINTS, a, v + 2 * POINTS) != MDR_SUCCESS;
+    failed += mdr_weight(MDR_WEIGHT_I0, 0.3, POINTS, a, v + 3 * POINTS) != MDR_SUCCESS;
+    failed += columns_of(t->contact, MDR_GIVEN_RADIUS, POINTS, a, d, NULL, F, NULL) != MDR_SUCCESS;
+    failed += columns_of(t->contact, MDR_GIVEN_DEPTH, POINTS, d, NULL, v + 4 * POINTS, NULL, NULL) != MDR_SUCCESS;
+    failed += columns_of(t->contact, MDR_GIVEN_FORCE, POINTS, F, NULL, v + 5 * POINTS, NULL, NULL) != MDR_SUCCESS;
     failed += field_at(t->contact, MDR_FIELD_PRESSURE, MDR_GIVEN_RADIUS, 3.0, POINTS, a, v + 6 * POINTS) != MDR_SUCCESS;
     failed += field_at(t->contact, MDR_FIELD_DISPLACEMENT, MDR_GIVEN_RADIUS, 0.3, POINTS, a, v + 7 * POINTS) != MDR_SUCCESS;
-    failed += mdr_material_relaxation(t->material, POINTS, a, v + 8 * POINTS) != MDR_SUCCESS;
+    failed += mdr_material_values(t->material, MDR_RELAXATION, POINTS, a, v + 8 * POINTS, NULL) != MDR_SUCCESS;
     failed += mdr_contact_history(t->relaxing, MDR_GIVEN_DEPTH, 1e-5, POINTS, a, d, NULL, NULL, v + 9 * POINTS) != MDR_SUCCESS;
     failed += mdr_contact_dynamic_stiffness(t->relaxing, 1, a, a, v + 10 * POINTS, v + 10 * POINTS + 1) != MDR_SUCCESS;
     failed += lead(t->friction, v + 11 * POINTS);
     failed += mdr_poroelastic_response(t->pores, MDR_POROELASTIC_RELAXATION, 1.0, 1.0, 1.0, POINTS, a, v + 15 * POINTS)
               != MDR_SUCCESS;
     failed += mdr_conduction_spot(t->conduction, POINTS, a, v + 16 * POINTS, NULL) != MDR_SUCCESS;
-    failed += mdr_conduction_step(t->conduction, MDR_CONDUCTION_CONDUCTANCE, 0.3, 1, a, v + 17 * POINTS) != MDR_SUCCESS;
+    failed += mdr_conduction_follow(t->conduction, MDR_CONDUCTION_CONDUCTANCE, 0.3, 1, a, NULL, v + 17 * POINTS) != MDR_SUCCESS;
     t->failed_calls += failed;
 }
 
@@ -113,16 +113,16 @@ int main(int argc, char **argv)
     pthread_t threads[THREADS];
 
     CHECK_SUCCESS(mdr_profile_rounded_cone(0.4, 0.35, &profile));
-    CHECK_SUCCESS(mdr_medium_coated(72.0, 0.17, 0.5, 165.0, 0.22, model, NULL, &medium));
+    CHECK_SUCCESS(new_coated(72.0, 0.17, 0.5, 165.0, 0.22, model, NULL, &medium));
     CHECK_SUCCESS(mdr_contact_new(profile, medium, NULL, &contact));
     CHECK_SUCCESS(mdr_material_viscoelastic(1.0, 1, &modulus, &relaxation_time, 0.0, 0.3, 0.0, &material));
     CHECK_SUCCESS(relaxing_medium(1, (const mdr_material *const[]){material}, &thickness, NULL, MDR_MODEL_EXACT, NULL,
                                           &gel));
     CHECK_SUCCESS(mdr_contact_new(profile, gel, NULL, &relaxing));
-    CHECK_SUCCESS(mdr_medium_coated(72.0, 0.17, 0.5, 165.0, 0.22, MDR_MODEL_EXACT, NULL, &film));
+    CHECK_SUCCESS(new_coated(72.0, 0.17, 0.5, 165.0, 0.22, MDR_MODEL_EXACT, NULL, &film));
     CHECK_SUCCESS(mdr_contact_new(profile, film, NULL, &sheared));
     CHECK_SUCCESS(mdr_friction_new(sheared, 0.3, &friction));
-    CHECK_SUCCESS(mdr_poroelastic_new(0.2, MDR_DRAINAGE_SURFACE, 0.0, &pores));
+    CHECK_SUCCESS(mdr_poroelastic_new(0.2, MDR_DRAINAGE_SURFACE, 0.0, NULL, &pores));
     CHECK_SUCCESS(mdr_conduction_new(2, layers, MDR_BASE_HALF_SPACE, 0, NULL, 0, 0.0, 0.0, &conduction));
     alone.conduction = conduction;
     alone.friction = friction;
@@ -148,17 +148,17 @@ int main(int argc, char **argv)
         CHECK_INT(tasks[i].wrong_texts, 0);
         for (int j = 0; j < VALUES; j++) CHECK_CLOSE(tasks[i].values[j], alone.values[j], 0.0);
     }
-    CHECK_SUCCESS(mdr_contact_free(&contact));
-    CHECK_SUCCESS(mdr_contact_free(&relaxing));
-    CHECK_SUCCESS(mdr_poroelastic_free(&pores));
-    CHECK_SUCCESS(mdr_conduction_free(&conduction));
-    CHECK_SUCCESS(mdr_friction_free(&friction));
-    CHECK_SUCCESS(mdr_contact_free(&sheared));
-    CHECK_SUCCESS(mdr_medium_free(&film));
-    CHECK_SUCCESS(mdr_medium_free(&gel));
-    CHECK_SUCCESS(mdr_material_free(&material));
-    CHECK_SUCCESS(mdr_medium_free(&medium));
-    CHECK_SUCCESS(mdr_profile_free(&profile));
+    CHECK_FREE(contact);
+    CHECK_FREE(relaxing);
+    CHECK_FREE(pores);
+    CHECK_FREE(conduction);
+    CHECK_FREE(friction);
+    CHECK_FREE(sheared);
+    CHECK_FREE(film);
+    CHECK_FREE(gel);
+    CHECK_FREE(material);
+    CHECK_FREE(medium);
+    CHECK_FREE(profile);
     (void)argv;
     return check_report(argc > 1 ? "threads, exact medium" : "threads");
 }

@@ -4,7 +4,7 @@
 
 #include <pthread.h>
 
-enum { THREADS = 3, POINTS = 3, MOST_VALUES = 200, CONTACTS = 8, MEDIA = CONTACTS, LAYERS = 2, PHASES = 2, FIT_POINTS = 4 };
+enum { THREADS = 3, POINTS = 3, MOST_VALUES = 260, CONTACTS = 8, MEDIA = CONTACTS, LAYERS = 2, PHASES = 2, FIT_POINTS = 4 };
 enum { NUMBERS = 25 };
 
 typedef struct shared {
@@ -45,9 +45,9 @@ static void evaluate_contact(task *t, const mdr_contact *contact)
 {
     double depth[1], *F;
     F = next(t, 1);
-    record(t, mdr_contact_from_radius(contact, 1, &radii[1], depth, NULL, F, NULL));
-    record(t, mdr_contact_from_depth(contact, 1, depth, NULL, next(t, 1), NULL, NULL));
-    record(t, mdr_contact_from_force(contact, 1, F, next(t, 1), NULL, NULL, NULL));
+    record(t, columns_of(contact, MDR_GIVEN_RADIUS, 1, &radii[1], depth, NULL, F, NULL));
+    record(t, columns_of(contact, MDR_GIVEN_DEPTH, 1, depth, NULL, next(t, 1), NULL, NULL));
+    record(t, columns_of(contact, MDR_GIVEN_FORCE, 1, F, next(t, 1), NULL, NULL, NULL));
     record(t, field_at(contact, MDR_FIELD_PRESSURE, MDR_GIVEN_RADIUS, 0.31, 1, &radii[0], next(t, 1)));
     record(t, field_at(contact, MDR_FIELD_DISPLACEMENT, MDR_GIVEN_RADIUS, 0.31, 1, &radii[2], next(t, 1)));
 }
@@ -57,7 +57,8 @@ static void evaluate_fit(task *t, const mdr_fit_problem *problem)
     static const double depth[FIT_POINTS] = {0.1, 0.2, 0.3, 0.4};
     double force[FIT_POINTS], values[NUMBERS];
     record(t, mdr_fit_predict(problem, FIT_POINTS, depth, depth, NULL, force, NULL));
-    record(t, mdr_fit_solve(problem, FIT_POINTS, depth, force, NULL, NULL, values, NULL, NULL, NULL, NULL, next(t, FIT_POINTS), NULL,
+    record(t, mdr_fit_solve(problem, FIT_POINTS, depth, force, NULL, NULL, values, NULL, NULL, NULL, NULL, next(t, FIT_POINTS),
+                            NULL,
                           NULL));
 }
 
@@ -69,16 +70,18 @@ static void *evaluate(void *argument)
     const shared *s = t->objects;
     int segment = 0;
 
-    record(t, mdr_profile_height(s->table, POINTS, radii, next(t, POINTS)));
-    record(t, mdr_profile_mdr(s->sum, POINTS, radii, next(t, POINTS)));
-    for (int i = 0; i < MEDIA; i++) record(t, mdr_medium_modulus(s->media[i], POINTS, radii, next(t, POINTS)));
+    record(t, mdr_profile_values(s->table, MDR_HEIGHT, POINTS, radii, next(t, POINTS)));
+    record(t, mdr_profile_values(s->sum, MDR_G, POINTS, radii, next(t, POINTS)));
+    for (int i = 0; i < MEDIA; i++) record(t, mdr_medium_values(s->media[i], MDR_MODULUS, POINTS, radii, next(t, POINTS)));
     for (int i = 0; i < CONTACTS; i++) evaluate_contact(t, s->contacts[i]);
     evaluate_contact(t, s->adhesive);
-    record(t, mdr_contact_pull_off(s->adhesive, MDR_CONTROL_FORCE, 1, next(t, 1), NULL, NULL, NULL));
-    record(t, mdr_loop_path(s->loop, POINTS, NULL, NULL, NULL, next(t, POINTS)));
+    record(t, pull_off_of(s->adhesive, MDR_CONTROL_FORCE, 1, next(t, 1), NULL, NULL, NULL));
+    record(t, mdr_loop_points(s->loop, POINTS, (mdr_loop_point *)next(t, POINTS * (int)(sizeof(mdr_loop_point) / sizeof(double))),
+                              NULL));
     record(t, mdr_law_force(s->law, MDR_ON_UNLOADING, 0.1, next(t, 1), NULL));
     record(t, mdr_law_follow(s->law, 0.1, &segment, (mdr_law_point *)next(t, sizeof(mdr_law_point) / sizeof(double))));
-    record(t, mdr_law_from_depth(s->law, MDR_ON_UNLOADING, POINTS, radii, next(t, POINTS), NULL, NULL, NULL));
+    record(t, mdr_law_values(s->law, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, POINTS, radii, NULL, NULL, next(t, POINTS), NULL, NULL,
+                             NULL));
     record(t, mdr_structure_modulus(s->shapes, 1, zero, zero, radii, next(t, 1)));
     record(t, mdr_structure_modulus(s->voxels, 1, zero, zero, radii, next(t, 1)));
     evaluate_fit(t, &s->fit);
@@ -93,9 +96,9 @@ static void make_media(shared *s)
 
     loose = MDR_SIZED(mdr_medium_options);
     loose.tolerance = 1e-4;
-    CHECK_SUCCESS(mdr_medium_homogeneous(1.0, 0.3, &s->media[0]));
-    CHECK_SUCCESS(mdr_medium_layered(LAYERS, E, nu, h, 1.0, 0.4, MDR_MODEL_GAO, NULL, &s->media[1]));
-    CHECK_SUCCESS(mdr_medium_layered(LAYERS, E, nu, h, 1.0, 0.4, MDR_MODEL_EXACT, &loose, &s->media[2]));
+    CHECK_SUCCESS(new_homogeneous(1.0, 0.3, &s->media[0]));
+    CHECK_SUCCESS(new_layered(LAYERS, E, nu, h, 1.0, 0.4, MDR_MODEL_GAO, NULL, &s->media[1]));
+    CHECK_SUCCESS(new_layered(LAYERS, E, nu, h, 1.0, 0.4, MDR_MODEL_EXACT, &loose, &s->media[2]));
     CHECK_SUCCESS(mdr_medium_graded(LAYERS, z, E, nu, MDR_MODEL_GAO_SERIES, NULL, &s->media[3]));
     CHECK_SUCCESS(mdr_medium_graded(LAYERS, z, E, nu, MDR_MODEL_EXACT, &loose, &s->media[4]));
     CHECK_SUCCESS(mdr_medium_power_graded(1.0, 1.0, 0.2, 0.3, &s->media[5]));
@@ -141,7 +144,7 @@ static void make(shared *s)
 
     CHECK_SUCCESS(mdr_profile_paraboloid(1.0, &s->ball));
     CHECK_SUCCESS(mdr_profile_rounded_cone(0.4, 0.35, &s->cone));
-    CHECK_SUCCESS(mdr_profile_table(4, r, f, &s->table));
+    CHECK_SUCCESS(mdr_profile_table(MDR_HEIGHT, 4, r, f, &s->table));
     terms[0] = s->cone;
     terms[1] = s->table;
     CHECK_SUCCESS(mdr_profile_sum(2, terms, &s->sum));
@@ -160,17 +163,17 @@ static void make(shared *s)
 
 static void free_all(shared *s)
 {
-    mdr_profile_free(&s->ball);
-    mdr_profile_free(&s->cone);
-    mdr_profile_free(&s->table);
-    mdr_profile_free(&s->sum);
-    for (int i = 0; i < MEDIA; i++) mdr_medium_free(&s->media[i]);
-    for (int i = 0; i < CONTACTS; i++) mdr_contact_free(&s->contacts[i]);
-    mdr_contact_free(&s->adhesive);
-    mdr_loop_free(&s->loop);
-    mdr_law_free(&s->law);
-    mdr_structure_free(&s->shapes);
-    mdr_structure_free(&s->voxels);
+    MDR_FREE(s->ball);
+    MDR_FREE(s->cone);
+    MDR_FREE(s->table);
+    MDR_FREE(s->sum);
+    for (int i = 0; i < MEDIA; i++) MDR_FREE(s->media[i]);
+    for (int i = 0; i < CONTACTS; i++) MDR_FREE(s->contacts[i]);
+    MDR_FREE(s->adhesive);
+    MDR_FREE(s->loop);
+    MDR_FREE(s->law);
+    MDR_FREE(s->shapes);
+    MDR_FREE(s->voxels);
 }
 
 int main(void)

@@ -22,8 +22,8 @@ static mdr_contact *contact_of(mdr_profile *p, mdr_medium *m)
 {
     mdr_contact *c = NULL;
     CHECK_SUCCESS(mdr_contact_new(p, m, NULL, &c));
-    CHECK_SUCCESS(mdr_profile_free(&p));
-    CHECK_SUCCESS(mdr_medium_free(&m));
+    CHECK_FREE(p);
+    CHECK_FREE(m);
     return c;
 }
 
@@ -45,7 +45,7 @@ static mdr_medium *half_space(double E)
 static mdr_medium *film(double E, double base)
 {
     mdr_medium *m = NULL;
-    CHECK_SUCCESS(mdr_medium_coated(E, 0.3, 1.0, base, 0.3, MDR_MODEL_EXACT, NULL, &m));
+    CHECK_SUCCESS(new_coated(E, 0.3, 1.0, base, 0.3, MDR_MODEL_EXACT, NULL, &m));
     return m;
 }
 
@@ -60,14 +60,14 @@ static void slopes_and_pressures(void)
     CHECK_TRUE(warnings_at(c, radius, 2.5, words) == MDR_WARNING_SLOPE);
     CHECK_TRUE(strstr(words, "slope of 1.25") != NULL && words[strlen(words) - 1] == '\n');
     CHECK_TRUE(warnings_at(c, depth, 0.0, NULL) == 0); /* no contact yet */
-    CHECK_SUCCESS(mdr_contact_free(&c));
+    CHECK_FREE(c);
 
     CHECK_SUCCESS(mdr_profile_flat_punch(1.0, &punch));
     c = contact_of(punch, half_space(1.0));
     CHECK_TRUE(warnings_at(c, depth, 0.94, NULL) == 0);
     CHECK_TRUE(warnings_at(c, depth, 0.95, words) == MDR_WARNING_PRESSURE);
     CHECK_TRUE(strchr(words, '\n') == words + strlen(words) - 1);
-    CHECK_SUCCESS(mdr_contact_free(&c));
+    CHECK_FREE(c);
 }
 
 static void layers(void)
@@ -76,20 +76,20 @@ static void layers(void)
 
     CHECK_TRUE(warnings_at(c, depth, 0.49, NULL) == 0);
     CHECK_TRUE(warnings_at(c, depth, 0.51, NULL) == MDR_WARNING_COMPRESSION);
-    CHECK_SUCCESS(mdr_contact_free(&c));
+    CHECK_FREE(c);
 
     /* a base as soft as the film, or softer, gives way: the film is carried down, not compressed */
     c = contact_of(paraboloid(1000.0), film(1.0, 1.1));
     CHECK_TRUE(warnings_at(c, depth, 10.0, NULL) == 0);
-    CHECK_SUCCESS(mdr_contact_free(&c));
+    CHECK_FREE(c);
     c = contact_of(paraboloid(1000.0), film(100.0, 1.0));
     CHECK_TRUE(warnings_at(c, depth, 10.0, NULL) == 0);
-    CHECK_SUCCESS(mdr_contact_free(&c));
+    CHECK_FREE(c);
 
     /* a base that is far stiffer does not */
     c = contact_of(paraboloid(100.0), film(1.0, 1e4));
     CHECK_TRUE(warnings_at(c, depth, 0.6, NULL) == MDR_WARNING_COMPRESSION);
-    CHECK_SUCCESS(mdr_contact_free(&c));
+    CHECK_FREE(c);
 }
 
 /* Of two bodies each is looked at with its own part of the depth. */
@@ -98,13 +98,13 @@ static void pairs(void)
     mdr_medium *pair = NULL, *lower = film(1.0, INFINITY), *upper = NULL;
     mdr_contact *c;
 
-    CHECK_SUCCESS(mdr_medium_homogeneous(1e-3, 0.3, &upper));
+    CHECK_SUCCESS(new_homogeneous(1e-3, 0.3, &upper));
     CHECK_SUCCESS(mdr_medium_pair(lower, upper, &pair));
-    CHECK_SUCCESS(mdr_medium_free(&lower));
-    CHECK_SUCCESS(mdr_medium_free(&upper));
+    CHECK_FREE(lower);
+    CHECK_FREE(upper);
     c = contact_of(paraboloid(100.0), pair);
     CHECK_TRUE(warnings_at(c, depth, 2.0, NULL) == 0); /* taken by the soft ball */
-    CHECK_SUCCESS(mdr_contact_free(&c));
+    CHECK_FREE(c);
 }
 
 static void moduli(void)
@@ -116,10 +116,10 @@ static void moduli(void)
     CHECK_TRUE(strstr(words, "72 to 1.63e+11") != NULL);
     CHECK_TRUE(warnings_at(c, depth, 0.6, words) == (MDR_WARNING_COMPRESSION | MDR_WARNING_CONTRAST));
     CHECK_TRUE(strchr(words, '\n') < words + strlen(words) - 1); /* two lines */
-    CHECK_SUCCESS(mdr_contact_free(&c));
+    CHECK_FREE(c);
     c = contact_of(paraboloid(1.0), film(1e3, 70e9)); /* a gel on glass */
     CHECK_TRUE(warnings_at(c, depth, 1e-3, NULL) == 0);
-    CHECK_SUCCESS(mdr_contact_free(&c));
+    CHECK_FREE(c);
 }
 
 static void refusals(void)
@@ -140,7 +140,7 @@ static void refusals(void)
     CHECK_SUCCESS(mdr_contact_warnings(c, &state, words, 4, NULL));
     CHECK_TRUE(strcmp(words, "the") == 0);
     CHECK_SUCCESS(mdr_contact_warnings(c, &state, NULL, 0, NULL));
-    CHECK_SUCCESS(mdr_contact_free(&c));
+    CHECK_FREE(c);
 }
 
 int main(void)

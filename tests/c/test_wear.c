@@ -13,8 +13,8 @@ static mdr_contact *hertz(void)
     CHECK_SUCCESS(mdr_profile_paraboloid(1.0, &ball));
     CHECK_SUCCESS(mdr_medium_contact_modulus(1.0, &body));
     CHECK_SUCCESS(mdr_contact_new(ball, body, NULL, &contact));
-    CHECK_SUCCESS(mdr_profile_free(&ball));
-    CHECK_SUCCESS(mdr_medium_free(&body));
+    CHECK_FREE(ball);
+    CHECK_FREE(body);
     return contact;
 }
 
@@ -33,13 +33,13 @@ static void test_limit(const mdr_contact *contact)
     CHECK_CLOSE(end.force, 2.0 * (c - c * c * c / 3.0), 1e-14);
     CHECK_CLOSE(end.radius, c, 0.0);
     CHECK_TRUE(rim > 1.0 && volume > 0.0);
-    CHECK_SUCCESS(mdr_profile_height(worn, 2, r, height));
+    CHECK_SUCCESS(mdr_profile_values(worn, MDR_HEIGHT, 2, r, height));
     CHECK_CLOSE(height[0], 0.02, 1e-14);
     CHECK_CLOSE(height[1], 12.5, 1e-14);
     CHECK_SUCCESS(mdr_wear_limit(wear, &state, c, MDR_GIVEN_FORCE, &end, NULL, NULL, NULL));
     CHECK_CLOSE(end.force, state.force, 1e-14);
-    CHECK_SUCCESS(mdr_profile_free(&worn));
-    CHECK_SUCCESS(mdr_wear_free(&wear));
+    CHECK_FREE(worn);
+    CHECK_FREE(wear);
 }
 
 /* h = k N q, q = 2 sqrt... of Hertz: 1 - y^2 */
@@ -59,7 +59,7 @@ static void test_track(const mdr_contact *contact)
     CHECK_SUCCESS(mdr_wear_passes(wear, &state, 0.01, &passes));
     CHECK_CLOSE(passes, 1e4, 1e-12);
     CHECK_STATUS(mdr_wear_passes(wear, &state, 0.2, &passes), MDR_EDOMAIN, "too deep");
-    CHECK_SUCCESS(mdr_wear_free(&wear));
+    CHECK_FREE(wear);
 }
 
 static void test_history(const mdr_contact *contact)
@@ -81,7 +81,7 @@ static void test_history(const mdr_contact *contact)
     CHECK_SUCCESS(mdr_wear_history_advance(h, MDR_GIVEN_FORCE, 2, sliding, force, states));
     CHECK_CLOSE(states[1].work, 0.5, 1e-9);
     CHECK_CLOSE(states[1].worn_volume, k * 0.5, 1e-3);
-    CHECK_SUCCESS(mdr_wear_history_state(h, &now));
+    CHECK_SUCCESS(mdr_wear_history_state(h, 0, NULL, &now, NULL));
     CHECK_TRUE(now.radius == states[1].radius && now.sliding == 0.5 && now.error < 1e-2);
     CHECK_SUCCESS(mdr_wear_history_save(h, 0, NULL, &count));
     CHECK_TRUE(count > 0 && count < MOST);
@@ -97,24 +97,24 @@ static void test_history(const mdr_contact *contact)
     CHECK_SUCCESS(mdr_wear_history_advance(other, MDR_GIVEN_FORCE, 1, sliding, &more, states));
     CHECK_SUCCESS(mdr_wear_history_save(other, MOST, other_numbers, &other_count));
     CHECK_TRUE(!memcmp(numbers, other_numbers, (size_t)count * sizeof *numbers));
-    CHECK_SUCCESS(mdr_wear_history_pressure(h, 2, r, pressure));
+    CHECK_SUCCESS(mdr_wear_history_state(h, 2, r, NULL, pressure));
     CHECK_TRUE(pressure[0] > 0.0 && pressure[1] == 0.0);
     CHECK_SUCCESS(mdr_wear_history_profile(h, &worn));
-    CHECK_SUCCESS(mdr_profile_free(&worn));
+    CHECK_FREE(worn);
     /* the second part fails: the first has not been either */
     CHECK_STATUS(mdr_wear_history_advance(h, MDR_GIVEN_FORCE, 1, sliding, &less, states), MDR_EDOMAIN, "entry 1");
     CHECK_SUCCESS(mdr_wear_history_save(h, MOST, other_numbers, &other_count));
     CHECK_TRUE(!memcmp(numbers, other_numbers, (size_t)count * sizeof *numbers));
     CHECK_STATUS(mdr_wear_history_restore(h, 3, numbers), MDR_EINVALID, "numbers of a history");
     CHECK_STATUS(mdr_wear_history_restore(h, 3, NULL), MDR_ENULL, "numbers");
-    CHECK_STATUS(mdr_wear_history_pressure(h, 1, &less, NULL), MDR_ENULL, "out");
+    CHECK_STATUS(mdr_wear_history_state(h, 1, &less, NULL, NULL), MDR_ENULL, "pressure");
     CHECK_STATUS(mdr_wear_history_advance(h, MDR_GIVEN_FORCE, -1, sliding, force, states), MDR_EINVALID, "n = -1");
     CHECK_SUCCESS(mdr_wear_history_advance(h, MDR_GIVEN_FORCE, 0, NULL, NULL, NULL));
     CHECK_STATUS(mdr_wear_history_advance(h, MDR_GIVEN_RADIUS, 1, sliding, force, states), MDR_EINVALID, "control = 3");
-    CHECK_SUCCESS(mdr_wear_history_free(&h));
-    CHECK_SUCCESS(mdr_wear_history_free(&copy));
-    CHECK_SUCCESS(mdr_wear_history_free(&other));
-    CHECK_SUCCESS(mdr_wear_free(&wear));
+    CHECK_FREE(h);
+    CHECK_FREE(copy);
+    CHECK_FREE(other);
+    CHECK_FREE(wear);
 }
 
 /* Rings follow a load that falls; what is worn off is k F s to rounding. */
@@ -132,8 +132,8 @@ static void test_rings(const mdr_contact *contact)
     CHECK_SUCCESS(mdr_wear_history_advance(h, MDR_GIVEN_FORCE, 3, sliding, force, states));
     for (int i = 0; i < 3; i++) CHECK_CLOSE(states[i].worn_volume, k * states[i].work, 1e-12);
     CHECK_TRUE(states[1].radius < states[0].radius && states[2].radius > 0.0);
-    CHECK_SUCCESS(mdr_wear_history_free(&h));
-    CHECK_SUCCESS(mdr_wear_free(&wear));
+    CHECK_FREE(h);
+    CHECK_FREE(wear);
 }
 
 static int enough(void *looks)
@@ -164,14 +164,14 @@ static void test_cancel(const mdr_contact *contact)
         CHECK_STATUS(mdr_wear_history_advance(h, MDR_GIVEN_FORCE, 1, &far, &force, &after), MDR_ECANCELLED, "");
         CHECK_SUCCESS(mdr_set_cancel(NULL, NULL));
         CHECK_TRUE(looks > 0 && part < 1.0);
-        CHECK_SUCCESS(mdr_wear_history_state(h, &after));
+        CHECK_SUCCESS(mdr_wear_history_state(h, 0, NULL, &after, NULL));
         CHECK_TRUE(!memcmp(&before, &after, sizeof before));
         CHECK_SUCCESS(mdr_wear_history_advance(h, MDR_GIVEN_FORCE, 1, &near, &force, &after));
         CHECK_TRUE(part == 1.0 && after.sliding == near + near);
         CHECK_SUCCESS(mdr_set_progress(NULL));
-        CHECK_SUCCESS(mdr_wear_history_free(&h));
+        CHECK_FREE(h);
     }
-    CHECK_SUCCESS(mdr_wear_free(&wear));
+    CHECK_FREE(wear);
 }
 
 static void test_refusals(const mdr_contact *contact)
@@ -219,16 +219,16 @@ static void test_refusals(const mdr_contact *contact)
     CHECK_STATUS(mdr_wear_history_new(wear, MDR_GIVEN_FORCE, 1.0, &options, &h), MDR_EINVALID, "options->size");
     CHECK_STATUS(mdr_wear_history_new(NULL, MDR_GIVEN_FORCE, 1.0, NULL, &h), MDR_ENULL, "w");
     CHECK_STATUS(mdr_wear_history_copy(NULL, &h), MDR_ENULL, "h");
-    CHECK_STATUS(mdr_wear_history_state(h, NULL), MDR_ENULL, "h");
+    CHECK_STATUS(mdr_wear_history_state(h, 0, NULL, NULL, NULL), MDR_ENULL, "h");
     CHECK_STATUS(mdr_wear_history_profile(h, NULL), MDR_ENULL, "h");
     CHECK_STATUS(mdr_wear_history_save(h, 0, NULL, NULL), MDR_ENULL, "h");
     CHECK_TRUE(h == NULL && out == 7.0);
     CHECK_SUCCESS(mdr_material_viscoelastic(1.0 / 2.6, 0, NULL, NULL, 0.0, 0.3, 0.0, &other));
     CHECK_STATUS(mdr_wear_passes((mdr_wear *)other, &state, 1.0, &out), MDR_EINVALID, "mdr_wear");
-    CHECK_SUCCESS(mdr_material_free(&other));
-    CHECK_SUCCESS(mdr_wear_free(&wear));
-    CHECK_SUCCESS(mdr_wear_free(NULL));
-    CHECK_SUCCESS(mdr_wear_history_free(NULL));
+    CHECK_FREE(other);
+    CHECK_FREE(wear);
+    CHECK_SUCCESS(mdr_free(NULL));
+    CHECK_SUCCESS(mdr_free(NULL));
 }
 
 int main(void)
@@ -240,6 +240,6 @@ int main(void)
     test_rings(contact);
     test_cancel(contact);
     test_refusals(contact);
-    CHECK_SUCCESS(mdr_contact_free(&contact));
+    CHECK_FREE(contact);
     return check_report("wear");
 }

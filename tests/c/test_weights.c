@@ -2,30 +2,29 @@
 /* Gao's weights: refusals, then limits, complements and closed values. */
 #include "check.h"
 
-typedef int (*weight_call)(int n, const double xi[], double nu, double out[]);
-
-static const weight_call weights[] = {mdr_weight_phi, mdr_weight_i0, mdr_weight_i1, mdr_weight_j0, mdr_weight_j1};
+static const int weights[] = {MDR_WEIGHT_PHI, MDR_WEIGHT_I0, MDR_WEIGHT_I1, MDR_WEIGHT_J0, MDR_WEIGHT_J1};
 static const double pi = 3.14159265358979323846;
 
-static void refusals(weight_call weight)
+static void refusals(int weight)
 {
     const double xi[3] = {0.5, 1.0, 2.0}, negative[3] = {0.5, -1.0, 2.0}, not_a_number[3] = {0.5, 1.0, NAN};
     const double infinite[1] = {INFINITY};
     double out[3];
 
     fill_untouched(3, out);
-    CHECK_STATUS(weight(3, NULL, 0.3, out), MDR_ENULL, "xi is NULL");
-    CHECK_STATUS(weight(3, xi, 0.3, NULL), MDR_ENULL, "out is NULL");
-    CHECK_STATUS(weight(-1, xi, 0.3, out), MDR_EINVALID, "n = -1");
-    CHECK_STATUS(weight(3, negative, 0.3, out), MDR_EINVALID, "entry 2 of xi = -1");
-    CHECK_STATUS(weight(3, not_a_number, 0.3, out), MDR_EINVALID, "entry 3 of xi = NaN");
-    CHECK_STATUS(weight(1, infinite, 0.3, out), MDR_EINVALID, "entry 1 of xi = infinity");
-    CHECK_STATUS(weight(3, xi, 0.51, out), MDR_EINVALID, "nu = 0.51");
-    CHECK_STATUS(weight(3, xi, -1.0, out), MDR_EINVALID, "nu = -1");
-    CHECK_STATUS(weight(3, xi, NAN, out), MDR_EINVALID, "nu = NaN");
-    CHECK_STATUS(weight(0, NULL, NAN, NULL), MDR_EINVALID, "nu = NaN");
+    CHECK_STATUS(mdr_weight(weight, 0.3, 3, NULL, out), MDR_ENULL, "xi is NULL");
+    CHECK_STATUS(mdr_weight(weight, 0.3, 3, xi, NULL), MDR_ENULL, "out is NULL");
+    CHECK_STATUS(mdr_weight(weight, 0.3, -1, xi, out), MDR_EINVALID, "n = -1");
+    CHECK_STATUS(mdr_weight(weight, 0.3, 3, negative, out), MDR_EINVALID, "entry 2 of xi = -1");
+    CHECK_STATUS(mdr_weight(weight, 0.3, 3, not_a_number, out), MDR_EINVALID, "entry 3 of xi = NaN");
+    CHECK_STATUS(mdr_weight(weight, 0.3, 1, infinite, out), MDR_EINVALID, "entry 1 of xi = infinity");
+    CHECK_STATUS(mdr_weight(weight, 0.51, 3, xi, out), MDR_EINVALID, "nu = 0.51");
+    CHECK_STATUS(mdr_weight(weight, -1.0, 3, xi, out), MDR_EINVALID, "nu = -1");
+    CHECK_STATUS(mdr_weight(weight, NAN, 3, xi, out), MDR_EINVALID, "nu = NaN");
+    CHECK_STATUS(mdr_weight(weight, NAN, 0, NULL, NULL), MDR_EINVALID, "nu = NaN");
+    CHECK_STATUS(mdr_weight(0, 0.3, 3, xi, out), MDR_EINVALID, "weight = 0");
     CHECK_UNTOUCHED(3, out);
-    CHECK_SUCCESS(weight(0, NULL, 0.3, NULL));
+    CHECK_SUCCESS(mdr_weight(weight, 0.3, 0, NULL, NULL));
 }
 
 static void closed_values(void)
@@ -33,11 +32,11 @@ static void closed_values(void)
     const double xi[4] = {0.0, 1e-3, 1.0, 1e3}, nu = 0.5;
     double phi[4], i0[4], i1[4], j0[4], j1[4];
 
-    CHECK_SUCCESS(mdr_weight_phi(4, xi, nu, phi));
-    CHECK_SUCCESS(mdr_weight_i0(4, xi, nu, i0));
-    CHECK_SUCCESS(mdr_weight_i1(4, xi, nu, i1));
-    CHECK_SUCCESS(mdr_weight_j0(4, xi, nu, j0));
-    CHECK_SUCCESS(mdr_weight_j1(4, xi, nu, j1));
+    CHECK_SUCCESS(mdr_weight(MDR_WEIGHT_PHI, nu, 4, xi, phi));
+    CHECK_SUCCESS(mdr_weight(MDR_WEIGHT_I0, nu, 4, xi, i0));
+    CHECK_SUCCESS(mdr_weight(MDR_WEIGHT_I1, nu, 4, xi, i1));
+    CHECK_SUCCESS(mdr_weight(MDR_WEIGHT_J0, nu, 4, xi, j0));
+    CHECK_SUCCESS(mdr_weight(MDR_WEIGHT_J1, nu, 4, xi, j1));
     for (int i = 0; i < 4; i++) {
         const double x = xi[i], square = x * x;
         CHECK_CLOSE(phi[i], (1 + 3 * square) / (pi * (1 + square) * (1 + square)), 1e-15);
@@ -58,14 +57,14 @@ static void compressible_values(void)
     const double xi[2] = {0.3, 4.0}, nu = 0.2;
     double i0[2], in_place[2] = {0.3, 4.0};
 
-    CHECK_SUCCESS(mdr_weight_i0(2, xi, nu, i0));
+    CHECK_SUCCESS(mdr_weight(MDR_WEIGHT_I0, nu, 2, xi, i0));
     for (int i = 0; i < 2; i++) {
         const double x = xi[i];
         const double expected = (2 / pi) * atan(x)
             + ((1 - 2 * nu) * x * log((1 + x * x) / (x * x)) - x / (1 + x * x)) / (2 * pi * (1 - nu));
         CHECK_CLOSE(i0[i], expected, 1e-14);
     }
-    CHECK_SUCCESS(mdr_weight_i0(2, in_place, nu, in_place));
+    CHECK_SUCCESS(mdr_weight(MDR_WEIGHT_I0, nu, 2, in_place, in_place));
     CHECK_CLOSE(in_place[0], i0[0], 1e-15);
     CHECK_CLOSE(in_place[1], i0[1], 1e-15);
 }

@@ -23,6 +23,7 @@ import (
 	"runtime"
 	"strings"
 	"sync"
+	"unsafe"
 )
 
 // call turns a failure of f into an error with the library's words.
@@ -50,12 +51,13 @@ func newLaw(radius, modulus, nu, depth float64) *C.mdr_law {
 	var contact *C.mdr_contact
 	var law *C.mdr_law
 	must(call(func() C.int { return C.mdr_profile_paraboloid(C.double(radius), &ball) }))
-	must(call(func() C.int { return C.mdr_medium_homogeneous(C.double(modulus), C.double(nu), &body) }))
+	glass := C.mdr_isotropic(C.double(modulus), C.double(nu), 0)
+	must(call(func() C.int { return C.mdr_medium_layered(0, nil, &glass, C.MDR_MODEL_EXACT, nil, &body) }))
 	must(call(func() C.int { return C.mdr_contact_new(ball, body, nil, &contact) }))
 	must(call(func() C.int { return C.mdr_law_new(contact, C.double(depth), nil, &law) }))
-	must(call(func() C.int { return C.mdr_contact_free(&contact) }))
-	must(call(func() C.int { return C.mdr_medium_free(&body) }))
-	must(call(func() C.int { return C.mdr_profile_free(&ball) }))
+	must(call(func() C.int { return C.mdr_free(unsafe.Pointer(contact)) }))
+	must(call(func() C.int { return C.mdr_free(unsafe.Pointer(body)) }))
+	must(call(func() C.int { return C.mdr_free(unsafe.Pointer(ball)) }))
 	return law
 }
 
@@ -91,7 +93,7 @@ func main() {
 		}(i)
 	}
 	group.Wait()
-	must(call(func() C.int { return C.mdr_law_free(&law) }))
+	must(call(func() C.int { return C.mdr_free(unsafe.Pointer(law)) }))
 	for _, words := range wrong {
 		if words != "" {
 			must(errors.New(words))

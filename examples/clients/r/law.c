@@ -18,7 +18,7 @@ static mdr_law *law_of(SEXP pointer) { return (mdr_law *)R_ExternalPtrAddr(point
 static void forget(SEXP pointer)
 {
     mdr_law *law = law_of(pointer);
-    mdr_law_free(&law);
+    MDR_FREE(law);
     R_ClearExternalPtr(pointer);
 }
 
@@ -31,12 +31,13 @@ SEXP law_of_ball(SEXP numbers)
     mdr_contact *contact = NULL;
     mdr_law *law = NULL;
     int status = mdr_profile_paraboloid(x[0], &ball);
-    if (status == MDR_SUCCESS) status = mdr_medium_coated(x[1], x[2], x[3], x[4], x[5], MDR_MODEL_EXACT, NULL, &film);
+    const mdr_layer coating = mdr_isotropic(x[1], x[2], x[3]), base = mdr_isotropic(x[4], x[5], 0.0);
+    if (status == MDR_SUCCESS) status = mdr_medium_layered(1, &coating, &base, MDR_MODEL_EXACT, NULL, &film);
     if (status == MDR_SUCCESS) status = mdr_contact_new(ball, film, NULL, &contact);
     if (status == MDR_SUCCESS) status = mdr_law_new(contact, x[6], NULL, &law);
-    mdr_contact_free(&contact);
-    mdr_medium_free(&film);
-    mdr_profile_free(&ball);
+    MDR_FREE(contact);
+    MDR_FREE(film);
+    MDR_FREE(ball);
     check(status);
     SEXP pointer = PROTECT(R_MakeExternalPtr(law, R_NilValue, R_NilValue));
     R_RegisterCFinalizerEx(pointer, forget, TRUE);
@@ -50,7 +51,8 @@ SEXP law_states(SEXP pointer, SEXP depth)
     const int n = length(depth);
     SEXP states = PROTECT(allocMatrix(REALSXP, n, 4));
     double *to = REAL(states);
-    check(mdr_law_from_depth(law_of(pointer), MDR_ON_UNLOADING, n, REAL(depth), to, to + n, to + 2 * n, to + 3 * n));
+    check(mdr_law_values(law_of(pointer), MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, n, REAL(depth), NULL, to + 2 * n, to, to + 3 * n,
+                         to + n, NULL));
     UNPROTECT(1);
     return states;
 }

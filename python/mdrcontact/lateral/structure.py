@@ -51,7 +51,7 @@ class Structure(Value):
 
     def _own(self, created: tuple[int, int], **values: Any) -> None:
         """Takes over what a compiled constructor returned, and the fields as they were understood."""
-        self._set(_handle=Handle(created, _native.structure_free), **values)
+        self._set(_handle=Handle(created), **values)
 
     def modulus(self, x: ArrayLike, y: ArrayLike, a: ArrayLike) -> FloatOrArray:
         """E_eff(a, x, y) = 2 G_eff/(1 - nu_eff) [modulus], equation (33), for contacts of radius a > 0 at (x, y) [length].

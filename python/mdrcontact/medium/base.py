@@ -30,7 +30,7 @@ class Medium(WithParameters):
 
     def _own(self, created: tuple[int, int], **values: Any) -> None:
         """Takes over what a compiled constructor returned, and the fields as they were understood."""
-        self._set(_handle=Handle(created, _native.medium_free), **values)
+        self._set(_handle=Handle(created), **values)
 
     def _given(self) -> dict[str, Any]:
         """Without a surface that adds nothing."""
@@ -42,11 +42,11 @@ class Medium(WithParameters):
 
     def modulus(self, a: ArrayLike) -> FloatOrArray:
         """E_eff(a) [modulus] at contact radii a > 0 [length], any shape."""
-        return evaluate("a", a, lambda radii: _native.medium_modulus(self._handle.address, radii))
+        return evaluate("a", a, lambda radii: _native.medium_values(self._handle.address, _layout.MODULUS, radii))
 
     def stiffness(self, a: ArrayLike) -> FloatOrArray:
         """k(a) = dF/dd = 2 a E_eff(a) [modulus length] at contact radii a > 0 [length], any shape."""
-        return evaluate("a", a, lambda radii: _native.medium_stiffness(self._handle.address, radii))
+        return evaluate("a", a, lambda radii: _native.medium_values(self._handle.address, _layout.STIFFNESS, radii))
 
     def tangential_modulus(self, a: ArrayLike) -> FloatOrArray:
         """G_t(a) = k_t(a)/(2 a) [modulus] at contact radii a > 0 [length], any shape: what takes E_eff's place where a contact that
@@ -56,7 +56,7 @@ class Medium(WithParameters):
         axis: low by at most 0.35 %), Gao's weights with those of a tangential load, and pairs of these. The kernel of a layered
         body is tabulated in each call: give all radii at once.
         """
-        return evaluate("a", a, lambda radii: _native.medium_tangential_modulus(self._handle.address, radii))
+        return evaluate("a", a, lambda radii: _native.medium_values(self._handle.address, _layout.TANGENTIAL_MODULUS, radii))
 
     def compliance(
         self, k: ArrayLike, load: str = "normal", omega: float = 0.0, drainage: str | None = None
@@ -95,7 +95,7 @@ class Medium(WithParameters):
         """M/phi [modulus length^3] at contact radii a > 0 [length], any shape, of a contact that sticks all over and is twisted
         about its axis: 16 G a^3/3 of a homogeneous body. Known, exactly, for homogeneous media with E and nu, the model "exact" and
         pairs of these."""
-        return evaluate("a", a, lambda radii: _native.medium_torsional_stiffness(self._handle.address, radii))
+        return evaluate("a", a, lambda radii: _native.medium_values(self._handle.address, _layout.TORSIONAL_STIFFNESS, radii))
 
     def tangential_stiffness(self, a: ArrayLike) -> FloatOrArray:
         """k_t(a) = dT/ds = 2 a G_t(a) [modulus length] at contact radii a > 0 [length], any shape; see `tangential_modulus`."""

@@ -7,12 +7,11 @@ import math
 from dataclasses import dataclass
 from typing import Any
 
-from .. import _native
 from .._boundary import number
 from ..errors import ArgumentTypeError, InvalidArgumentError
 from ..material import RIGID, Material, _Rigid, material
 from ..poroelastic import NoHandle, Poroelastic, check_body
-from .layer import Layer, is_plain, stack
+from .layer import Layer, stack
 from .models import MODELS, UnderModel, settings
 from .surface import Surface, given_surface
 from .viscoelastic import is_elastic
@@ -26,11 +25,6 @@ def substrate_material(substrate: object) -> Any:
         words = "it must be an Elastic, TransverselyIsotropic, Viscoelastic or PowerLawRheology material, RIGID or SMOOTH"
         raise ArgumentTypeError(f"substrate = {substrate!r} is not allowed: {words}")
     return substrate
-
-
-def base(substrate: Any) -> tuple[float, float]:
-    """E and nu of an elastic substrate as the library takes them: an infinite E is a rigid base."""
-    return (math.inf, 0.0) if substrate is RIGID else (substrate.E, substrate.nu)
 
 
 @dataclass(frozen=True, repr=False)
@@ -87,11 +81,7 @@ class Coated(UnderModel):
             return
         film = material("coating", coating)
         below = substrate_material(substrate)
-        layer = Layer(film, thickness)
-        if is_elastic(film, below) and is_plain([layer], below):
-            created = _native.medium_coated(film.E, film.nu, thickness, *base(below), *chosen.native)
-        else:
-            created = stack([layer], below, chosen.native)
+        created = stack([Layer(film, thickness)], below, chosen.native)
         self._own_with(created, chosen.given, coating=film, thickness=thickness, substrate=substrate, model=model, surface=surface)
 
     @staticmethod

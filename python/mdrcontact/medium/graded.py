@@ -62,7 +62,7 @@ def _from_functions(z: Any, E: Any, nu: Any, native: tuple[Any, ...]) -> tuple[t
     depth = number("z", z)
     E, nu = (value if callable(value) else number(name, value) for name, value in (("E", E), ("nu", nu)))
     calls = [Callback(name, value if callable(value) else _Constant(value)) for name, value in (("E", E), ("nu", nu))]
-    created = _native.medium_graded_callback(calls[0].address, calls[1].address, 0, depth, *native)
+    created = _native.medium_graded_function(calls[0].address, calls[1].address, 0, depth, *native)
     for call in calls:
         call.reraise()
     return created, {"z": depth, "E": E, "nu": nu}

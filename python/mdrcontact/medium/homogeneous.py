@@ -5,7 +5,6 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from .. import _native
 from ..errors import ArgumentTypeError
 from ..material import Elastic, Material, material
 from ..poroelastic import NoHandle, Poroelastic
@@ -41,11 +40,7 @@ class Homogeneous(Medium):
             return
         body = material("material", self.material)
         surface = given_surface(self.surface, elastic=is_elastic(body))
-        if surface is None and isinstance(body, Elastic):
-            created = _native.medium_homogeneous(body.E, body.nu)
-        else:
-            created = stack([], body, settings("exact", {}, surface=surface).native)
-        self._own(created, surface=surface)
+        self._own(stack([], body, settings("exact", {}, surface=surface).native), surface=surface)
 
     def __repr__(self) -> str:
         return f"Homogeneous({', '.join(f'{name}={value!r}' for name, value in self._given().items())})"

@@ -80,7 +80,7 @@ def is_bonded(medium: Any) -> bool:
 def stack(layers: Sequence[Layer], substrate: Any, native: tuple[int, int] = (_layout.MODEL_EXACT, 0)) -> tuple[int, int]:
     """What the library's constructor returns for layers of any kind from the surface down."""
     rows, base = _structures(layers, substrate)
-    created: tuple[int, int] = _native.medium_stack(len(layers), address(rows), address(base), *native)
+    created: tuple[int, int] = _native.medium_layered(len(layers), address(rows), address(base), *native)
     return created
 
 

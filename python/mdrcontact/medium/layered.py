@@ -7,12 +7,11 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
-from .. import _native
 from .._boundary import number
 from ..errors import ArgumentTypeError, InvalidArgumentError
 from ..material import Material, _Rigid, material
-from .coated import base, substrate_material
-from .layer import Layer, Wrinkling, is_plain, stack, wrinkling
+from .coated import substrate_material
+from .layer import Layer, Wrinkling, stack, wrinkling
 from .models import UnderModel, settings
 from .surface import Surface, given_surface
 from .viscoelastic import is_elastic
@@ -51,13 +50,7 @@ class Layered(UnderModel):
         chosen = settings(model, options, layers=True, surface=surface)
         below = substrate_material(substrate)
         stacked = [_as_layer(layer) for layer in given]
-        materials: list[Any] = [layer.material for layer in stacked]
-        h = [layer.thickness for layer in stacked]
-        if is_elastic(*materials, below) and is_plain(stacked, below):
-            E, nu = [m.E for m in materials], [m.nu for m in materials]
-            created = _native.medium_layered(E, nu, h, *base(below), *chosen.native)
-        else:
-            created = stack(stacked, below, chosen.native)
+        created = stack(stacked, below, chosen.native)
         self._own_with(created, chosen.given, layers=given, substrate=substrate, model=model, surface=surface)
 
     def _constants(self) -> dict[str, Any]:

@@ -32,7 +32,7 @@ class Pair(Medium):
 
     def __init__(self, lower: Medium | Elastic | _Rigid, upper: Medium | Elastic | _Rigid) -> None:
         bodies = _body("lower", lower), _body("upper", upper)
-        handles = [Handle(_native.medium_rigid(), _native.medium_free) if body is RIGID else body._handle for body in bodies]
+        handles = [Handle(_native.medium_rigid()) if body is RIGID else body._handle for body in bodies]
         created = _native.medium_pair(handles[0].address, handles[1].address)
         self._own(created, lower=bodies[0], upper=bodies[1])
 

@@ -57,6 +57,6 @@ class CallableMedium(Medium):
     def __post_init__(self) -> None:
         callback = Callback("function", self.function)
         first, last = number("smallest_radius", self.smallest_radius), number("largest_radius", self.largest_radius)
-        created = _native.medium_callback(callback.address, 0, first, last)
+        created = _native.medium_function(callback.address, 0, first, last)
         callback.reraise()
         self._own(created, smallest_radius=first, largest_radius=last)

@@ -8,7 +8,7 @@ from typing import Any
 
 from numpy.typing import ArrayLike
 
-from .. import _native
+from .. import _layout, _native
 from .._boundary import FloatOrArray, Handle, evaluate
 from .._parameters import WithParameters
 from ..errors import ArgumentTypeError, InvalidArgumentError
@@ -24,23 +24,23 @@ class Profile(WithParameters):
 
     def _own(self, created: tuple[int, int], **values: Any) -> None:
         """Takes over what a compiled constructor returned, and the fields as they were understood."""
-        self._set(_handle=Handle(created, _native.profile_free), **values)
+        self._set(_handle=Handle(created), **values)
 
     def height(self, r: ArrayLike) -> FloatOrArray:
         """f(r) [length] at radii r >= 0 [length], any shape."""
-        return evaluate("r", r, lambda radii: _native.profile_height(self._handle.address, radii))
+        return evaluate("r", r, lambda radii: _native.profile_values(self._handle.address, _layout.HEIGHT, radii))
 
     def slope(self, r: ArrayLike) -> FloatOrArray:
         """f'(r) [1] at radii r >= 0 [length], any shape."""
-        return evaluate("r", r, lambda radii: _native.profile_slope(self._handle.address, radii))
+        return evaluate("r", r, lambda radii: _native.profile_values(self._handle.address, _layout.HEIGHT_SLOPE, radii))
 
     def mdr(self, x: ArrayLike) -> FloatOrArray:
         """g(x) [length], equation (3), at positions x >= 0 [length], any shape."""
-        return evaluate("x", x, lambda points: _native.profile_mdr(self._handle.address, points))
+        return evaluate("x", x, lambda points: _native.profile_values(self._handle.address, _layout.G, points))
 
     def mdr_slope(self, x: ArrayLike) -> FloatOrArray:
         """g'(x) [1] at positions x >= 0 [length], any shape."""
-        return evaluate("x", x, lambda points: _native.profile_mdr_slope(self._handle.address, points))
+        return evaluate("x", x, lambda points: _native.profile_values(self._handle.address, _layout.G_SLOPE, points))
 
     def __add__(self, other: object) -> SumProfile:
         if not isinstance(other, Profile):

@@ -1,9 +1,11 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Pull-off and loops of adhesive contacts, for C.
 module mdrcontact_api_adhesion
-    use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
+    use, intrinsic :: iso_c_binding, only: c_double, c_int, c_loc, c_ptr, c_size_t, c_sizeof
     use mdrcontact_api_arrays, only: check_array, check_count, check_results
     use mdrcontact_api_handles, only: hand_over, open_handle
+    use mdrcontact_api_options, only: check_size, write_facts
+    use mdrcontact_api_records, only: c_loop_facts_t
     use mdrcontact_api_status, only: check_given, status_of
     use mdrcontact_contact_control, only: control_t, depth_control, force_control
     use mdrcontact_contact, only: contact_t
@@ -13,18 +15,23 @@ module mdrcontact_api_adhesion
     implicit none (type, external)
     private
     public :: mdr_contact_pull_off, open_path
-    public :: mdr_loop_new, mdr_loop_size, mdr_loop_path, mdr_loop_jumps, mdr_loop_dissipated_energy
+    public :: mdr_loop_new, mdr_loop_points, mdr_loop_about
 
     !> enum mdr_control
     integer, parameter :: by_force = 0, by_depth = 1, by_spring = 2
 
+    !> struct mdr_loop_point
+    type, bind(C) :: point_t
+        real(c_double) :: position, depth, radius, force, jumps
+    end type point_t
+
 contains
 
-    function mdr_contact_pull_off(c, control, capacity, d, a, f, count) result(status) &
+    function mdr_contact_pull_off(c, control, capacity, out, count) result(status) &
         bind(C, name="mdrcontact_entry_contact_pull_off")
         type(c_ptr), value :: c
         integer(c_int), value :: control, capacity
-        real(c_double), intent(inout), optional :: d(*), a(*), f(*)
+        type(contact_state_t), intent(inout), optional :: out(*)
         integer(c_int), intent(inout), optional :: count
         integer(c_int) :: status
         type(contact_t), pointer :: contact
@@ -36,6 +43,7 @@ contains
 
         call open_handle(c, "c", contact, error)
         call check_count_from(error, "capacity", int(capacity), 0)
+        call check_array(error, "out", capacity, present(out))
         call choose_control(chosen, control, 0.0_c_double, .false., error)
         if (.not. allocated(error)) call contact%pull_off(chosen, state, error, others)
         status = status_of(error)
@@ -43,9 +51,7 @@ contains
         all_states = [state, others]
         if (present(count)) count = merge(size(all_states, kind=c_int), 0_c_int, contact%is_adhesive())
         n = min(size(all_states), int(capacity))
-        if (present(d)) d(:n) = all_states(:n)%depth
-        if (present(a)) a(:n) = all_states(:n)%radius
-        if (present(f)) f(:n) = all_states(:n)%force
+        if (n > 0) out(:n) = all_states(:n)
     end function mdr_contact_pull_off
 
     function mdr_loop_new(c, control, largest, points, spring_stiffness, out) result(status) &
@@ -69,73 +75,50 @@ contains
         status = hand_over(object, out, error)
     end function mdr_loop_new
 
-    function mdr_loop_size(l, points, turning_point, jumps) result(status) bind(C)
+    function mdr_loop_points(l, capacity, out, count) result(status) bind(C)
         type(c_ptr), value :: l
-        integer(c_int), intent(inout), optional :: points, turning_point, jumps
+        integer(c_int), value :: capacity
+        type(point_t), intent(inout), optional :: out(*)
+        integer(c_int), intent(inout), optional :: count
         integer(c_int) :: status
         type(loop_t), pointer :: loop
         type(error_t), allocatable :: error
+        integer :: i, n
 
         call open_handle(l, "l", loop, error)
+        call check_count_from(error, "capacity", int(capacity), 0)
+        call check_array(error, "out", capacity, present(out))
         status = status_of(error)
         if (allocated(error)) return
-        if (present(points)) points = size(loop%position, kind=c_int)
-        if (present(turning_point)) turning_point = int(loop%turning_point - 1, c_int)
-        if (present(jumps)) jumps = size(loop%jumps, kind=c_int)
-    end function mdr_loop_size
+        n = size(loop%position)
+        if (present(count)) count = int(n, c_int)
+        do i = 1, min(n, int(capacity))
+            associate (state => loop%state(i))
+                out(i) = point_t(loop%position(i), state%depth, state%radius, state%force, 0.0_c_double)
+            end associate
+            if (any(loop%jumps == i)) out(i)%jumps = 1.0_c_double
+        end do
+    end function mdr_loop_points
 
-    function mdr_loop_path(l, n, position, d, a, f) result(status) bind(C)
-        type(c_ptr), value :: l
-        integer(c_int), value :: n
-        real(c_double), intent(inout), optional :: position(*), d(*), a(*), f(*)
+    function mdr_loop_about(l, facts) result(status) bind(C, name="mdrcontact_entry_loop_about")
+        type(c_ptr), value :: l, facts
         integer(c_int) :: status
         type(loop_t), pointer :: loop
-        type(error_t), allocatable :: error
-        integer :: m
-
-        call open_handle(l, "l", loop, error)
-        call check_count(error, n)
-        status = status_of(error)
-        if (allocated(error)) return
-        m = min(int(n), size(loop%position))
-        if (present(position)) position(:m) = loop%position(:m)
-        if (present(d)) d(:m) = loop%state(:m)%depth
-        if (present(a)) a(:m) = loop%state(:m)%radius
-        if (present(f)) f(:m) = loop%state(:m)%force
-    end function mdr_loop_path
-
-    function mdr_loop_jumps(l, n, index) result(status) bind(C)
-        type(c_ptr), value :: l
-        integer(c_int), value :: n
-        integer(c_int), intent(inout), optional :: index(*)
-        integer(c_int) :: status
-        type(loop_t), pointer :: loop
-        type(error_t), allocatable :: error
-        integer :: m
-
-        call open_handle(l, "l", loop, error)
-        call check_count(error, n)
-        call check_array(error, "index", n, present(index))
-        status = status_of(error)
-        if (allocated(error)) return
-        m = min(int(n), size(loop%jumps))
-        if (m > 0) index(:m) = int(loop%jumps(:m) - 1, c_int)
-    end function mdr_loop_jumps
-
-    function mdr_loop_dissipated_energy(l, energy) result(status) bind(C, name="mdrcontact_entry_loop_dissipated_energy")
-        type(c_ptr), value :: l
-        real(c_double), intent(inout), optional :: energy
-        integer(c_int) :: status
-        type(loop_t), pointer :: loop
+        type(c_loop_facts_t), target :: made
+        integer(c_size_t) :: used
         type(error_t), allocatable :: error
 
         call open_handle(l, "l", loop, error)
-        call check_given(error, "energy", present(energy))
+        call check_size(error, "facts", facts, c_sizeof(made), used)
         if (.not. allocated(error)) call check_results(error, [loop%dissipated_energy])
         status = status_of(error)
         if (allocated(error)) return
-        energy = loop%dissipated_energy
-    end function mdr_loop_dissipated_energy
+        made%dissipated_energy = loop%dissipated_energy
+        made%points = size(loop%position, kind=c_int)
+        made%turning_point = int(loop%turning_point - 1, c_int)
+        made%jumps = size(loop%jumps, kind=c_int)
+        call write_facts(facts, c_loc(made), used)
+    end function mdr_loop_about
 
     !> The control behind its code. A spring is allowed for loops only.
     subroutine choose_control(chosen, control, spring_stiffness, spring_allowed, error)

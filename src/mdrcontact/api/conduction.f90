@@ -11,12 +11,12 @@ module mdrcontact_api_conduction
     use mdrcontact_conduction_conductors, only: conductor_t, conductors_t, new_conductors
     use mdrcontact_conduction_table, only: tabulate_conductance
     use mdrcontact_conduction_fields, only: conductance_at, flux_at, inside_at
-    use mdrcontact_error, only: check_choice, check_memory, error_t, raise_at
+    use mdrcontact_error, only: check_choice, check_memory, check_not_negative, error_invalid, error_t, raise, raise_at
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
-    public :: mdr_conduction_new, mdr_conduction_spot, mdr_conduction_field, mdr_conduction_admittance, mdr_conduction_step, &
-              mdr_conduction_step_flux, mdr_conduction_follow, mdr_conduction_tabulate, mdr_conduction_compliance
+    public :: mdr_conduction_new, mdr_conduction_spot, mdr_conduction_field, mdr_conduction_admittance, mdr_conduction_follow, &
+              mdr_conduction_tabulate, mdr_conduction_compliance
 
     !> Members of struct mdr_conductor.
     integer, parameter :: members = 5
@@ -122,11 +122,11 @@ contains
         status = deliver(tabulated, out, error)
     end function mdr_conduction_tabulate
 
-    function mdr_conduction_field(p, field, radius, body, below, n, r, z, out) result(status) &
+    function mdr_conduction_field(p, field, radius, body, below, time, n, r, z, out) result(status) &
         bind(C, name="mdrcontact_entry_conduction_field")
         type(c_ptr), value :: p
         integer(c_int), value :: field, body, below, n
-        real(c_double), value :: radius
+        real(c_double), value :: radius, time
         real(c_double), intent(in), optional :: r(*), z(*)
         real(c_double), intent(inout), optional :: out(*)
         integer(c_int) :: status
@@ -142,12 +142,18 @@ contains
         call check_choice(error, "below", int(below), 0, 1, "0 (above an interface) or 1 (below it)")
         call check_choice(error, "body", int(body), lower_body, upper_body, "1 (lower) or 2 (upper)")
         if (field /= spot_flux) call check_array(error, "z", n, present(z))
+        call check_not_negative(error, "time", time)
+        if (field /= spot_flux .and. time > 0.0_wp) then
+            call raise(error, error_invalid, " is not allowed: after a step only the flux through the spot is known", "time")
+        end if
         if (.not. allocated(error)) then
             allocate (values(n, potential:flux_r), stat=stat)
             call check_memory(error, stat)
         end if
         if (.not. allocated(error) .and. n > 0) then
-            if (field == spot_flux) then
+            if (time > 0.0_wp) then
+                call flux_after_step(conduction, radius, time, r(:n), values(:, potential), error)
+            else if (field == spot_flux) then
                 call flux_at(conduction, radius, r(:n), values(:, potential), error)
             else
                 call inside_at(conduction, int(body), radius, r(:n), z(:n), below == 1, values(:, potential), values(:, flux_z), &
@@ -218,59 +224,17 @@ contains
 
         call open_handle(p, "p", conduction, error)
         call check_in_out(error, n, "time", present(time), present(out))
-        call check_array(error, "given", n, present(given))
         call make_room(error, n, values)
         if (.not. allocated(error) .and. n > 0) then
-            call follow_history(conduction, int(answer), radius, time(:n), given(:n), values, error)
+            if (present(given)) then
+                call follow_history(conduction, int(answer), radius, time(:n), given(:n), values, error)
+            else
+                call step_of(conduction, int(answer), radius, time(:n), values, error)
+            end if
             if (.not. allocated(error)) call check_results(error, values)
             if (.not. allocated(error)) out(:n) = values
         end if
         status = status_of(error)
     end function mdr_conduction_follow
-
-    function mdr_conduction_step(p, answer, radius, n, time, out) result(status) bind(C, name="mdrcontact_entry_conduction_step")
-        type(c_ptr), value :: p
-        integer(c_int), value :: answer, n
-        real(c_double), value :: radius
-        real(c_double), intent(in), optional :: time(*)
-        real(c_double), intent(inout), optional :: out(*)
-        integer(c_int) :: status
-        type(conduction_t), pointer :: conduction
-        real(c_double), allocatable :: values(:)
-        type(error_t), allocatable :: error
-
-        call open_handle(p, "p", conduction, error)
-        call check_in_out(error, n, "time", present(time), present(out))
-        call make_room(error, n, values)
-        if (.not. allocated(error) .and. n > 0) then
-            call step_of(conduction, int(answer), radius, time(:n), values, error)
-            if (.not. allocated(error)) call check_results(error, values)
-            if (.not. allocated(error)) out(:n) = values
-        end if
-        status = status_of(error)
-    end function mdr_conduction_step
-
-    function mdr_conduction_step_flux(p, radius, time, n, r, out) result(status) &
-        bind(C, name="mdrcontact_entry_conduction_step_flux")
-        type(c_ptr), value :: p
-        integer(c_int), value :: n
-        real(c_double), value :: radius, time
-        real(c_double), intent(in), optional :: r(*)
-        real(c_double), intent(inout), optional :: out(*)
-        integer(c_int) :: status
-        type(conduction_t), pointer :: conduction
-        real(c_double), allocatable :: values(:)
-        type(error_t), allocatable :: error
-
-        call open_handle(p, "p", conduction, error)
-        call check_in_out(error, n, "r", present(r), present(out))
-        call make_room(error, n, values)
-        if (.not. allocated(error) .and. n > 0) then
-            call flux_after_step(conduction, radius, time, r(:n), values, error)
-            if (.not. allocated(error)) call check_results(error, values)
-            if (.not. allocated(error)) out(:n) = values
-        end if
-        status = status_of(error)
-    end function mdr_conduction_step_flux
 
 end module mdrcontact_api_conduction

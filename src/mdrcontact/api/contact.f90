@@ -9,10 +9,10 @@ module mdrcontact_api_contact
     use mdrcontact_api_records, only: c_contact_options_t
     use mdrcontact_api_status, only: check_given, status_of, wanted_threads
     use mdrcontact_api_text, only: write_text
-    use mdrcontact_contact, only: contact_options_t, contact_t, new_contact, on_unloading
+    use mdrcontact_contact, only: contact_options_t, contact_t, new_contact
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_contact_warnings, only: contact_warning_t
-    use mdrcontact_contact_values, only: contact_field, contact_states, given_depth, given_force, given_radius
+    use mdrcontact_contact_values, only: contact_field, contact_states
     use mdrcontact_error, only: check_count_from, check_memory, check_table, count_text, error_invalid, error_t, raise
     use mdrcontact_history_relaxing_contact, only: new_relaxing_contact, relaxing_contact_t
     use mdrcontact_medium, only: medium_t
@@ -21,7 +21,6 @@ module mdrcontact_api_contact
     implicit none (type, external)
     private
     public :: mdr_contact_new
-    public :: mdr_contact_from_depth, mdr_contact_from_force, mdr_contact_from_radius
     public :: mdr_contact_states, mdr_contact_field, mdr_contact_lowest_pressure, mdr_contact_energy, mdr_contact_warnings
 
 contains
@@ -94,55 +93,6 @@ contains
         allocate (zeta)
         call new_radius_law_from_table(zeta, radius, "zeta", values, error)
     end subroutine read_zeta
-
-    function mdr_contact_from_depth(c, n, in, d, a, f, k) result(status) bind(C, name="mdrcontact_entry_contact_from_depth")
-        type(c_ptr), value :: c
-        integer(c_int), value :: n
-        real(c_double), intent(in), optional :: in(*)
-        real(c_double), intent(inout), optional :: d(*), a(*), f(*), k(*)
-        integer(c_int) :: status
-
-        status = write_columns(c, given_depth, n, in, d, a, f, k)
-    end function mdr_contact_from_depth
-
-    function mdr_contact_from_force(c, n, in, d, a, f, k) result(status) bind(C, name="mdrcontact_entry_contact_from_force")
-        type(c_ptr), value :: c
-        integer(c_int), value :: n
-        real(c_double), intent(in), optional :: in(*)
-        real(c_double), intent(inout), optional :: d(*), a(*), f(*), k(*)
-        integer(c_int) :: status
-
-        status = write_columns(c, given_force, n, in, d, a, f, k)
-    end function mdr_contact_from_force
-
-    function mdr_contact_from_radius(c, n, in, d, a, f, k) result(status) bind(C, name="mdrcontact_entry_contact_from_radius")
-        type(c_ptr), value :: c
-        integer(c_int), value :: n
-        real(c_double), intent(in), optional :: in(*)
-        real(c_double), intent(inout), optional :: d(*), a(*), f(*), k(*)
-        integer(c_int) :: status
-
-        status = write_columns(c, given_radius, n, in, d, a, f, k)
-    end function mdr_contact_from_radius
-
-    function write_columns(c, given, n, in, d, a, f, k) result(status)
-        type(c_ptr), intent(in) :: c
-        integer, intent(in) :: given
-        integer(c_int), intent(in) :: n
-        real(c_double), intent(in), optional :: in(*)
-        real(c_double), intent(inout), optional :: d(*), a(*), f(*), k(*)
-        integer(c_int) :: status
-        type(contact_state_t), allocatable :: states(:)
-        type(error_t), allocatable :: error
-
-        call solve(c, given, on_unloading, n, in, states, error)
-        status = status_of(error)
-        if (allocated(error)) return
-        if (present(d)) d(:n) = states%depth
-        if (present(a)) a(:n) = states%radius
-        if (present(f)) f(:n) = states%force
-        if (present(k)) k(:n) = states%stiffness
-    end function write_columns
 
     function mdr_contact_states(c, given, branch, n, in, out) result(status) bind(C, name="mdrcontact_entry_contact_states")
         type(c_ptr), value :: c

@@ -103,24 +103,24 @@ int mdr_profile_area_function(int n, const double coefficients[], double min_hei
     return status;
 }
 
-int mdrcontact_entry_profile_table(int n, const double r[], const double f[], mdr_profile **out);
-int mdr_profile_table(int n, const double r[], const double f[], mdr_profile **out)
+int mdrcontact_entry_profile_table(int quantity, int n, const double x[], const double y[], mdr_profile **out);
+int mdr_profile_table(int quantity, int n, const double x[], const double y[], mdr_profile **out)
 {
-    if (arithmetic_is_set()) return mdrcontact_entry_profile_table(n, r, f, out);
+    if (arithmetic_is_set()) return mdrcontact_entry_profile_table(quantity, n, x, y, out);
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_profile_table(n, r, f, out);
+    const int status = mdrcontact_entry_profile_table(quantity, n, x, y, out);
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }
 
-int mdrcontact_entry_profile_callback(mdr_function height, void *context, double largest_radius, mdr_profile **out);
-int mdr_profile_callback(mdr_function height, void *context, double largest_radius, mdr_profile **out)
+int mdrcontact_entry_profile_function(mdr_function height, void *context, double largest_radius, mdr_profile **out);
+int mdr_profile_function(mdr_function height, void *context, double largest_radius, mdr_profile **out)
 {
-    if (arithmetic_is_set()) return mdrcontact_entry_profile_callback(height, context, largest_radius, out);
+    if (arithmetic_is_set()) return mdrcontact_entry_profile_function(height, context, largest_radius, out);
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_profile_callback(height, context, largest_radius, out);
+    const int status = mdrcontact_entry_profile_function(height, context, largest_radius, out);
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }
@@ -136,57 +136,13 @@ int mdr_profile_sum(int n, const mdr_profile *const terms[], mdr_profile **out)
     return status;
 }
 
-int mdrcontact_entry_profile_from_mdr_table(int n, const double x[], const double g[], mdr_profile **out);
-int mdr_profile_from_mdr_table(int n, const double x[], const double g[], mdr_profile **out)
+int mdrcontact_entry_profile_values(const mdr_profile *p, int quantity, int n, const double x[], double out[]);
+int mdr_profile_values(const mdr_profile *p, int quantity, int n, const double x[], double out[])
 {
-    if (arithmetic_is_set()) return mdrcontact_entry_profile_from_mdr_table(n, x, g, out);
+    if (arithmetic_is_set()) return mdrcontact_entry_profile_values(p, quantity, n, x, out);
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_profile_from_mdr_table(n, x, g, out);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_profile_height(const mdr_profile *p, int n, const double r[], double out[]);
-int mdr_profile_height(const mdr_profile *p, int n, const double r[], double out[])
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_profile_height(p, n, r, out);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_profile_height(p, n, r, out);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_profile_slope(const mdr_profile *p, int n, const double r[], double out[]);
-int mdr_profile_slope(const mdr_profile *p, int n, const double r[], double out[])
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_profile_slope(p, n, r, out);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_profile_slope(p, n, r, out);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_profile_mdr(const mdr_profile *p, int n, const double x[], double out[]);
-int mdr_profile_mdr(const mdr_profile *p, int n, const double x[], double out[])
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_profile_mdr(p, n, x, out);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_profile_mdr(p, n, x, out);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_profile_mdr_slope(const mdr_profile *p, int n, const double x[], double out[]);
-int mdr_profile_mdr_slope(const mdr_profile *p, int n, const double x[], double out[])
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_profile_mdr_slope(p, n, x, out);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_profile_mdr_slope(p, n, x, out);
+    const int status = mdrcontact_entry_profile_values(p, quantity, n, x, out);
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }
@@ -217,35 +173,14 @@ int mdr_material_power_law(double modulus, double time, double exponent, double 
     return status;
 }
 
-int mdrcontact_entry_material_relaxation(const mdr_material *m, int n, const double t[], double out[]);
-int mdr_material_relaxation(const mdr_material *m, int n, const double t[], double out[])
+int mdrcontact_entry_material_values(const mdr_material *m, int quantity, int n, const double x[], double out[],
+        double imaginary[]);
+int mdr_material_values(const mdr_material *m, int quantity, int n, const double x[], double out[], double imaginary[])
 {
-    if (arithmetic_is_set()) return mdrcontact_entry_material_relaxation(m, n, t, out);
+    if (arithmetic_is_set()) return mdrcontact_entry_material_values(m, quantity, n, x, out, imaginary);
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_material_relaxation(m, n, t, out);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_material_creep(const mdr_material *m, int n, const double t[], double out[]);
-int mdr_material_creep(const mdr_material *m, int n, const double t[], double out[])
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_material_creep(m, n, t, out);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_material_creep(m, n, t, out);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_material_complex_modulus(const mdr_material *m, int n, const double omega[], double storage[], double loss[]);
-int mdr_material_complex_modulus(const mdr_material *m, int n, const double omega[], double storage[], double loss[])
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_material_complex_modulus(m, n, omega, storage, loss);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_material_complex_modulus(m, n, omega, storage, loss);
+    const int status = mdrcontact_entry_material_values(m, quantity, n, x, out, imaginary);
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }
@@ -261,17 +196,6 @@ int mdr_material_limit(const mdr_material *m, int limit, double *E, double *nu)
     return status;
 }
 
-int mdrcontact_entry_medium_homogeneous(double E, double nu, mdr_medium **out);
-int mdr_medium_homogeneous(double E, double nu, mdr_medium **out)
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_medium_homogeneous(E, nu, out);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_medium_homogeneous(E, nu, out);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
 int mdrcontact_entry_medium_contact_modulus(double contact_modulus, mdr_medium **out);
 int mdr_medium_contact_modulus(double contact_modulus, mdr_medium **out)
 {
@@ -283,44 +207,15 @@ int mdr_medium_contact_modulus(double contact_modulus, mdr_medium **out)
     return status;
 }
 
-int mdrcontact_entry_medium_coated(double coating_E, double coating_nu, double thickness, double substrate_E, double substrate_nu,
-        int model, const mdr_medium_options *options, mdr_medium **out);
-int mdr_medium_coated(double coating_E, double coating_nu, double thickness, double substrate_E, double substrate_nu, int model,
-        const mdr_medium_options *options, mdr_medium **out)
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_medium_coated(coating_E, coating_nu, thickness, substrate_E, substrate_nu,
-        model, options, out);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_medium_coated(coating_E, coating_nu, thickness, substrate_E, substrate_nu, model, options,
-        out);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_medium_layered(int n, const double E[], const double nu[], const double thickness[], double substrate_E,
-        double substrate_nu, int model, const mdr_medium_options *options, mdr_medium **out);
-int mdr_medium_layered(int n, const double E[], const double nu[], const double thickness[], double substrate_E,
-        double substrate_nu, int model, const mdr_medium_options *options, mdr_medium **out)
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_medium_layered(n, E, nu, thickness, substrate_E, substrate_nu, model, options,
-        out);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_medium_layered(n, E, nu, thickness, substrate_E, substrate_nu, model, options, out);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_medium_stack(int n, const mdr_layer *layers, const mdr_layer *substrate, int model,
+int mdrcontact_entry_medium_layered(int n, const mdr_layer *layers, const mdr_layer *substrate, int model,
         const mdr_medium_options *options, mdr_medium **out);
-int mdr_medium_stack(int n, const mdr_layer *layers, const mdr_layer *substrate, int model, const mdr_medium_options *options,
+int mdr_medium_layered(int n, const mdr_layer *layers, const mdr_layer *substrate, int model, const mdr_medium_options *options,
         mdr_medium **out)
 {
-    if (arithmetic_is_set()) return mdrcontact_entry_medium_stack(n, layers, substrate, model, options, out);
+    if (arithmetic_is_set()) return mdrcontact_entry_medium_layered(n, layers, substrate, model, options, out);
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_medium_stack(n, layers, substrate, model, options, out);
+    const int status = mdrcontact_entry_medium_layered(n, layers, substrate, model, options, out);
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }
@@ -350,15 +245,15 @@ int mdr_medium_graded(int n, const double z[], const double E[], const double nu
     return status;
 }
 
-int mdrcontact_entry_medium_graded_callback(mdr_function E, mdr_function nu, void *context, double depth, int model,
+int mdrcontact_entry_medium_graded_function(mdr_function E, mdr_function nu, void *context, double depth, int model,
         const mdr_medium_options *options, mdr_medium **out);
-int mdr_medium_graded_callback(mdr_function E, mdr_function nu, void *context, double depth, int model,
+int mdr_medium_graded_function(mdr_function E, mdr_function nu, void *context, double depth, int model,
         const mdr_medium_options *options, mdr_medium **out)
 {
-    if (arithmetic_is_set()) return mdrcontact_entry_medium_graded_callback(E, nu, context, depth, model, options, out);
+    if (arithmetic_is_set()) return mdrcontact_entry_medium_graded_function(E, nu, context, depth, model, options, out);
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_medium_graded_callback(E, nu, context, depth, model, options, out);
+    const int status = mdrcontact_entry_medium_graded_function(E, nu, context, depth, model, options, out);
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }
@@ -407,58 +302,25 @@ int mdr_medium_table(int n, const double a[], const double moduli[], mdr_medium 
     return status;
 }
 
-int mdrcontact_entry_medium_callback(mdr_function modulus, void *context, double smallest_radius, double largest_radius,
+int mdrcontact_entry_medium_function(mdr_function modulus, void *context, double smallest_radius, double largest_radius,
         mdr_medium **out);
-int mdr_medium_callback(mdr_function modulus, void *context, double smallest_radius, double largest_radius, mdr_medium **out)
+int mdr_medium_function(mdr_function modulus, void *context, double smallest_radius, double largest_radius, mdr_medium **out)
 {
-    if (arithmetic_is_set()) return mdrcontact_entry_medium_callback(modulus, context, smallest_radius, largest_radius, out);
+    if (arithmetic_is_set()) return mdrcontact_entry_medium_function(modulus, context, smallest_radius, largest_radius, out);
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_medium_callback(modulus, context, smallest_radius, largest_radius, out);
+    const int status = mdrcontact_entry_medium_function(modulus, context, smallest_radius, largest_radius, out);
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }
 
-int mdrcontact_entry_medium_modulus(const mdr_medium *m, int n, const double a[], double out[]);
-int mdr_medium_modulus(const mdr_medium *m, int n, const double a[], double out[])
+int mdrcontact_entry_medium_values(const mdr_medium *m, int quantity, int n, const double a[], double out[]);
+int mdr_medium_values(const mdr_medium *m, int quantity, int n, const double a[], double out[])
 {
-    if (arithmetic_is_set()) return mdrcontact_entry_medium_modulus(m, n, a, out);
+    if (arithmetic_is_set()) return mdrcontact_entry_medium_values(m, quantity, n, a, out);
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_medium_modulus(m, n, a, out);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_medium_stiffness(const mdr_medium *m, int n, const double a[], double out[]);
-int mdr_medium_stiffness(const mdr_medium *m, int n, const double a[], double out[])
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_medium_stiffness(m, n, a, out);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_medium_stiffness(m, n, a, out);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_medium_tangential_modulus(const mdr_medium *m, int n, const double a[], double out[]);
-int mdr_medium_tangential_modulus(const mdr_medium *m, int n, const double a[], double out[])
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_medium_tangential_modulus(m, n, a, out);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_medium_tangential_modulus(m, n, a, out);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_medium_torsional_stiffness(const mdr_medium *m, int n, const double a[], double out[]);
-int mdr_medium_torsional_stiffness(const mdr_medium *m, int n, const double a[], double out[])
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_medium_torsional_stiffness(m, n, a, out);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_medium_torsional_stiffness(m, n, a, out);
+    const int status = mdrcontact_entry_medium_values(m, quantity, n, a, out);
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }
@@ -475,79 +337,13 @@ int mdr_medium_compliance(const mdr_medium *m, int load, double omega, int n, co
     return status;
 }
 
-int mdrcontact_entry_weight_phi(int n, const double xi[], double nu, double out[]);
-int mdr_weight_phi(int n, const double xi[], double nu, double out[])
+int mdrcontact_entry_weight(int weight, double nu, int n, const double xi[], double out[]);
+int mdr_weight(int weight, double nu, int n, const double xi[], double out[])
 {
-    if (arithmetic_is_set()) return mdrcontact_entry_weight_phi(n, xi, nu, out);
+    if (arithmetic_is_set()) return mdrcontact_entry_weight(weight, nu, n, xi, out);
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_weight_phi(n, xi, nu, out);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_weight_i0(int n, const double xi[], double nu, double out[]);
-int mdr_weight_i0(int n, const double xi[], double nu, double out[])
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_weight_i0(n, xi, nu, out);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_weight_i0(n, xi, nu, out);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_weight_i1(int n, const double xi[], double nu, double out[]);
-int mdr_weight_i1(int n, const double xi[], double nu, double out[])
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_weight_i1(n, xi, nu, out);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_weight_i1(n, xi, nu, out);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_weight_j0(int n, const double xi[], double nu, double out[]);
-int mdr_weight_j0(int n, const double xi[], double nu, double out[])
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_weight_j0(n, xi, nu, out);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_weight_j0(n, xi, nu, out);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_weight_j1(int n, const double xi[], double nu, double out[]);
-int mdr_weight_j1(int n, const double xi[], double nu, double out[])
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_weight_j1(n, xi, nu, out);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_weight_j1(n, xi, nu, out);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_weight_i0_tangential(int n, const double xi[], double nu, double out[]);
-int mdr_weight_i0_tangential(int n, const double xi[], double nu, double out[])
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_weight_i0_tangential(n, xi, nu, out);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_weight_i0_tangential(n, xi, nu, out);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_weight_j0_tangential(int n, const double xi[], double nu, double out[]);
-int mdr_weight_j0_tangential(int n, const double xi[], double nu, double out[])
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_weight_j0_tangential(n, xi, nu, out);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_weight_j0_tangential(n, xi, nu, out);
+    const int status = mdrcontact_entry_weight(weight, nu, n, xi, out);
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }
@@ -571,42 +367,6 @@ int mdr_contact_states(const mdr_contact *c, int given, int branch, int n, const
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
     const int status = mdrcontact_entry_contact_states(c, given, branch, n, in, out);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_contact_from_depth(const mdr_contact *c, int n, const double in[], double d[], double a[], double F[],
-        double k[]);
-int mdr_contact_from_depth(const mdr_contact *c, int n, const double in[], double d[], double a[], double F[], double k[])
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_contact_from_depth(c, n, in, d, a, F, k);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_contact_from_depth(c, n, in, d, a, F, k);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_contact_from_force(const mdr_contact *c, int n, const double in[], double d[], double a[], double F[],
-        double k[]);
-int mdr_contact_from_force(const mdr_contact *c, int n, const double in[], double d[], double a[], double F[], double k[])
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_contact_from_force(c, n, in, d, a, F, k);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_contact_from_force(c, n, in, d, a, F, k);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_contact_from_radius(const mdr_contact *c, int n, const double in[], double d[], double a[], double F[],
-        double k[]);
-int mdr_contact_from_radius(const mdr_contact *c, int n, const double in[], double d[], double a[], double F[], double k[])
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_contact_from_radius(c, n, in, d, a, F, k);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_contact_from_radius(c, n, in, d, a, F, k);
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }
@@ -728,14 +488,13 @@ int mdr_contact_layer_energies(const mdr_contact *c, int body, const mdr_state *
     return status;
 }
 
-int mdrcontact_entry_contact_pull_off(const mdr_contact *c, int control, int capacity, double d[], double a[], double F[],
-        int *count);
-int mdr_contact_pull_off(const mdr_contact *c, int control, int capacity, double d[], double a[], double F[], int *count)
+int mdrcontact_entry_contact_pull_off(const mdr_contact *c, int control, int capacity, mdr_state out[], int *count);
+int mdr_contact_pull_off(const mdr_contact *c, int control, int capacity, mdr_state out[], int *count)
 {
-    if (arithmetic_is_set()) return mdrcontact_entry_contact_pull_off(c, control, capacity, d, a, F, count);
+    if (arithmetic_is_set()) return mdrcontact_entry_contact_pull_off(c, control, capacity, out, count);
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_contact_pull_off(c, control, capacity, d, a, F, count);
+    const int status = mdrcontact_entry_contact_pull_off(c, control, capacity, out, count);
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }
@@ -752,13 +511,13 @@ int mdr_loop_new(const mdr_contact *c, int control, double largest, int points, 
     return status;
 }
 
-int mdrcontact_entry_loop_dissipated_energy(const mdr_loop *l, double *energy);
-int mdr_loop_dissipated_energy(const mdr_loop *l, double *energy)
+int mdrcontact_entry_loop_about(const mdr_loop *l, mdr_loop_facts *facts);
+int mdr_loop_about(const mdr_loop *l, mdr_loop_facts *facts)
 {
-    if (arithmetic_is_set()) return mdrcontact_entry_loop_dissipated_energy(l, energy);
+    if (arithmetic_is_set()) return mdrcontact_entry_loop_about(l, facts);
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_loop_dissipated_energy(l, energy);
+    const int status = mdrcontact_entry_loop_about(l, facts);
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }
@@ -774,24 +533,13 @@ int mdr_rate_new(const mdr_contact *c, const mdr_rate_options *options, mdr_rate
     return status;
 }
 
-int mdrcontact_entry_rate_work(const mdr_rate_options *options, int n, const double v[], double out[]);
-int mdr_rate_work(const mdr_rate_options *options, int n, const double v[], double out[])
+int mdrcontact_entry_rate_work(const mdr_rate_options *options, int n, const double v[], double out[], double *time, double *zone);
+int mdr_rate_work(const mdr_rate_options *options, int n, const double v[], double out[], double *time, double *zone)
 {
-    if (arithmetic_is_set()) return mdrcontact_entry_rate_work(options, n, v, out);
+    if (arithmetic_is_set()) return mdrcontact_entry_rate_work(options, n, v, out, time, zone);
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_rate_work(options, n, v, out);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_rate_scales(const mdr_rate_options *options, double *time, double *zone);
-int mdr_rate_scales(const mdr_rate_options *options, double *time, double *zone)
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_rate_scales(options, time, zone);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_rate_scales(options, time, zone);
+    const int status = mdrcontact_entry_rate_work(options, n, v, out, time, zone);
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }
@@ -841,102 +589,58 @@ int mdr_friction_new(const mdr_contact *c, double coefficient, mdr_friction **ou
     return status;
 }
 
-int mdrcontact_entry_friction_states(const mdr_friction *f, const mdr_state *state, int given, int n, const double in[],
-        mdr_tangential_state out[]);
-int mdr_friction_states(const mdr_friction *f, const mdr_state *state, int given, int n, const double in[],
-        mdr_tangential_state out[])
+int mdrcontact_entry_shear_new(const mdr_friction *f, const mdr_state *state, int direction, mdr_shear **out);
+int mdr_shear_new(const mdr_friction *f, const mdr_state *state, int direction, mdr_shear **out)
 {
-    if (arithmetic_is_set()) return mdrcontact_entry_friction_states(f, state, given, n, in, out);
+    if (arithmetic_is_set()) return mdrcontact_entry_shear_new(f, state, direction, out);
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_friction_states(f, state, given, n, in, out);
+    const int status = mdrcontact_entry_shear_new(f, state, direction, out);
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }
 
-int mdrcontact_entry_friction_sliding(const mdr_friction *f, const mdr_state *state, double *shift, double *force);
-int mdr_friction_sliding(const mdr_friction *f, const mdr_state *state, double *shift, double *force)
+int mdrcontact_entry_shear_states(const mdr_shear *s, int given, int n, const double in[], mdr_shear_state out[]);
+int mdr_shear_states(const mdr_shear *s, int given, int n, const double in[], mdr_shear_state out[])
 {
-    if (arithmetic_is_set()) return mdrcontact_entry_friction_sliding(f, state, shift, force);
+    if (arithmetic_is_set()) return mdrcontact_entry_shear_states(s, given, n, in, out);
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_friction_sliding(f, state, shift, force);
+    const int status = mdrcontact_entry_shear_states(s, given, n, in, out);
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }
 
-int mdrcontact_entry_friction_field(const mdr_friction *f, const mdr_state *state, const mdr_tangential_state *shear, int field,
-        int n, const double r[], double out[]);
-int mdr_friction_field(const mdr_friction *f, const mdr_state *state, const mdr_tangential_state *shear, int field, int n,
-        const double r[], double out[])
+int mdrcontact_entry_shear_about(const mdr_shear *s, mdr_shear_facts *facts);
+int mdr_shear_about(const mdr_shear *s, mdr_shear_facts *facts)
 {
-    if (arithmetic_is_set()) return mdrcontact_entry_friction_field(f, state, shear, field, n, r, out);
+    if (arithmetic_is_set()) return mdrcontact_entry_shear_about(s, facts);
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_friction_field(f, state, shear, field, n, r, out);
+    const int status = mdrcontact_entry_shear_about(s, facts);
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }
 
-int mdrcontact_entry_friction_loop(const mdr_friction *f, const mdr_state *state, int given, double amplitude, int n,
-        double shift[], double force[], double *dissipated);
-int mdr_friction_loop(const mdr_friction *f, const mdr_state *state, int given, double amplitude, int n, double shift[],
-        double force[], double *dissipated)
+int mdrcontact_entry_shear_field(const mdr_shear *s, const mdr_shear_state *at, int field, int n, const double r[], double out[]);
+int mdr_shear_field(const mdr_shear *s, const mdr_shear_state *at, int field, int n, const double r[], double out[])
 {
-    if (arithmetic_is_set()) return mdrcontact_entry_friction_loop(f, state, given, amplitude, n, shift, force, dissipated);
+    if (arithmetic_is_set()) return mdrcontact_entry_shear_field(s, at, field, n, r, out);
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_friction_loop(f, state, given, amplitude, n, shift, force, dissipated);
+    const int status = mdrcontact_entry_shear_field(s, at, field, n, r, out);
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }
 
-int mdrcontact_entry_torsion_states(const mdr_friction *f, const mdr_state *state, int given, int n, const double in[],
-        mdr_torsional_state out[]);
-int mdr_torsion_states(const mdr_friction *f, const mdr_state *state, int given, int n, const double in[],
-        mdr_torsional_state out[])
+int mdrcontact_entry_shear_loop(const mdr_shear *s, int given, double amplitude, int n, double shift[], double force[],
+        double *dissipated);
+int mdr_shear_loop(const mdr_shear *s, int given, double amplitude, int n, double shift[], double force[], double *dissipated)
 {
-    if (arithmetic_is_set()) return mdrcontact_entry_torsion_states(f, state, given, n, in, out);
+    if (arithmetic_is_set()) return mdrcontact_entry_shear_loop(s, given, amplitude, n, shift, force, dissipated);
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_torsion_states(f, state, given, n, in, out);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_torsion_sliding(const mdr_friction *f, const mdr_state *state, double *torque);
-int mdr_torsion_sliding(const mdr_friction *f, const mdr_state *state, double *torque)
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_torsion_sliding(f, state, torque);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_torsion_sliding(f, state, torque);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_torsion_field(const mdr_friction *f, const mdr_state *state, const mdr_torsional_state *twisted, int field,
-        int n, const double r[], double out[]);
-int mdr_torsion_field(const mdr_friction *f, const mdr_state *state, const mdr_torsional_state *twisted, int field, int n,
-        const double r[], double out[])
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_torsion_field(f, state, twisted, field, n, r, out);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_torsion_field(f, state, twisted, field, n, r, out);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_torsion_loop(const mdr_friction *f, const mdr_state *state, int given, double amplitude, int n, double twist[],
-        double torque[], double *dissipated);
-int mdr_torsion_loop(const mdr_friction *f, const mdr_state *state, int given, double amplitude, int n, double twist[],
-        double torque[], double *dissipated)
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_torsion_loop(f, state, given, amplitude, n, twist, torque, dissipated);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_torsion_loop(f, state, given, amplitude, n, twist, torque, dissipated);
+    const int status = mdrcontact_entry_shear_loop(s, given, amplitude, n, shift, force, dissipated);
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }
@@ -964,9 +668,9 @@ int mdr_friction_history_copy(const mdr_friction_history *h, mdr_friction_histor
 }
 
 int mdrcontact_entry_friction_history_advance(mdr_friction_history *h, int normal_given, int tangential_given, int n,
-        const double normal[], const double tangential[], mdr_state states[], mdr_tangential_state out[]);
+        const double normal[], const double tangential[], mdr_state states[], mdr_shear_state out[]);
 int mdr_friction_history_advance(mdr_friction_history *h, int normal_given, int tangential_given, int n, const double normal[],
-        const double tangential[], mdr_state states[], mdr_tangential_state out[])
+        const double tangential[], mdr_state states[], mdr_shear_state out[])
 {
     if (arithmetic_is_set()) return mdrcontact_entry_friction_history_advance(h, normal_given, tangential_given, n, normal,
         tangential, states, out);
@@ -1074,24 +778,13 @@ int mdr_wear_history_advance(mdr_wear_history *h, int given, int n, const double
     return status;
 }
 
-int mdrcontact_entry_wear_history_state(const mdr_wear_history *h, mdr_wear_state *out);
-int mdr_wear_history_state(const mdr_wear_history *h, mdr_wear_state *out)
+int mdrcontact_entry_wear_history_state(const mdr_wear_history *h, int n, const double r[], mdr_wear_state *out, double pressure[]);
+int mdr_wear_history_state(const mdr_wear_history *h, int n, const double r[], mdr_wear_state *out, double pressure[])
 {
-    if (arithmetic_is_set()) return mdrcontact_entry_wear_history_state(h, out);
+    if (arithmetic_is_set()) return mdrcontact_entry_wear_history_state(h, n, r, out, pressure);
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_wear_history_state(h, out);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_wear_history_pressure(const mdr_wear_history *h, int n, const double r[], double out[]);
-int mdr_wear_history_pressure(const mdr_wear_history *h, int n, const double r[], double out[])
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_wear_history_pressure(h, n, r, out);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_wear_history_pressure(h, n, r, out);
+    const int status = mdrcontact_entry_wear_history_state(h, n, r, out, pressure);
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }
@@ -1129,24 +822,13 @@ int mdr_wear_history_restore(mdr_wear_history *h, int n, const double numbers[])
     return status;
 }
 
-int mdrcontact_entry_poroelastic_new(double nu, int drainage, double ratio, mdr_poroelastic **out);
-int mdr_poroelastic_new(double nu, int drainage, double ratio, mdr_poroelastic **out)
+int mdrcontact_entry_poroelastic_new(double nu, int drainage, double ratio, double *deviation, mdr_poroelastic **out);
+int mdr_poroelastic_new(double nu, int drainage, double ratio, double *deviation, mdr_poroelastic **out)
 {
-    if (arithmetic_is_set()) return mdrcontact_entry_poroelastic_new(nu, drainage, ratio, out);
+    if (arithmetic_is_set()) return mdrcontact_entry_poroelastic_new(nu, drainage, ratio, deviation, out);
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_poroelastic_new(nu, drainage, ratio, out);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_poroelastic_error(const mdr_poroelastic *p, double *out);
-int mdr_poroelastic_error(const mdr_poroelastic *p, double *out)
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_poroelastic_error(p, out);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_poroelastic_error(p, out);
+    const int status = mdrcontact_entry_poroelastic_new(nu, drainage, ratio, deviation, out);
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }
@@ -1245,15 +927,15 @@ int mdr_conduction_tabulate(const mdr_conduction *p, double smallest, double lar
     return status;
 }
 
-int mdrcontact_entry_conduction_field(const mdr_conduction *p, int field, double radius, int body, int below, int n,
+int mdrcontact_entry_conduction_field(const mdr_conduction *p, int field, double radius, int body, int below, double time, int n,
         const double r[], const double z[], double out[]);
-int mdr_conduction_field(const mdr_conduction *p, int field, double radius, int body, int below, int n, const double r[],
-        const double z[], double out[])
+int mdr_conduction_field(const mdr_conduction *p, int field, double radius, int body, int below, double time, int n,
+        const double r[], const double z[], double out[])
 {
-    if (arithmetic_is_set()) return mdrcontact_entry_conduction_field(p, field, radius, body, below, n, r, z, out);
+    if (arithmetic_is_set()) return mdrcontact_entry_conduction_field(p, field, radius, body, below, time, n, r, z, out);
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_conduction_field(p, field, radius, body, below, n, r, z, out);
+    const int status = mdrcontact_entry_conduction_field(p, field, radius, body, below, time, n, r, z, out);
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }
@@ -1283,17 +965,6 @@ int mdr_conduction_admittance(const mdr_conduction *p, int answer, double radius
     return status;
 }
 
-int mdrcontact_entry_conduction_step(const mdr_conduction *p, int answer, double radius, int n, const double time[], double out[]);
-int mdr_conduction_step(const mdr_conduction *p, int answer, double radius, int n, const double time[], double out[])
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_conduction_step(p, answer, radius, n, time, out);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_conduction_step(p, answer, radius, n, time, out);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
 int mdrcontact_entry_conduction_follow(const mdr_conduction *p, int answer, double radius, int n, const double time[],
         const double given[], double out[]);
 int mdr_conduction_follow(const mdr_conduction *p, int answer, double radius, int n, const double time[], const double given[],
@@ -1303,18 +974,6 @@ int mdr_conduction_follow(const mdr_conduction *p, int answer, double radius, in
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
     const int status = mdrcontact_entry_conduction_follow(p, answer, radius, n, time, given, out);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_conduction_step_flux(const mdr_conduction *p, double radius, double time, int n, const double r[],
-        double out[]);
-int mdr_conduction_step_flux(const mdr_conduction *p, double radius, double time, int n, const double r[], double out[])
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_conduction_step_flux(p, radius, time, n, r, out);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_conduction_step_flux(p, radius, time, n, r, out);
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }
@@ -1393,13 +1052,13 @@ int mdr_law_with_radius(const mdr_law *law, double radius, mdr_law **out)
     return status;
 }
 
-int mdrcontact_entry_law_info(const mdr_law *law, mdr_law_facts *facts);
-int mdr_law_info(const mdr_law *law, mdr_law_facts *facts)
+int mdrcontact_entry_law_about(const mdr_law *law, mdr_law_facts *facts);
+int mdr_law_about(const mdr_law *law, mdr_law_facts *facts)
 {
-    if (arithmetic_is_set()) return mdrcontact_entry_law_info(law, facts);
+    if (arithmetic_is_set()) return mdrcontact_entry_law_about(law, facts);
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_law_info(law, facts);
+    const int status = mdrcontact_entry_law_about(law, facts);
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }
@@ -1459,28 +1118,15 @@ int mdr_law_read(const char *buffer, int length, mdr_law **out)
     return status;
 }
 
-int mdrcontact_entry_law_advance(const mdr_law *law, int n, const double force[], const double shift[], double tangent[],
-        double memory[], double T[]);
-int mdr_law_advance(const mdr_law *law, int n, const double force[], const double shift[], double tangent[], double memory[],
-        double T[])
+int mdrcontact_entry_law_advance(const mdr_law *law, int n, const double force[], const double shift[], int is_trial,
+        double tangent[], double memory[], double T[]);
+int mdr_law_advance(const mdr_law *law, int n, const double force[], const double shift[], int is_trial, double tangent[],
+        double memory[], double T[])
 {
-    if (arithmetic_is_set()) return mdrcontact_entry_law_advance(law, n, force, shift, tangent, memory, T);
+    if (arithmetic_is_set()) return mdrcontact_entry_law_advance(law, n, force, shift, is_trial, tangent, memory, T);
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_law_advance(law, n, force, shift, tangent, memory, T);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_law_try(const mdr_law *law, int n, const double force[], const double shift[], double tangent[],
-        const double memory[], double T[]);
-int mdr_law_try(const mdr_law *law, int n, const double force[], const double shift[], double tangent[], const double memory[],
-        double T[])
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_law_try(law, n, force, shift, tangent, memory, T);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_law_try(law, n, force, shift, tangent, memory, T);
+    const int status = mdrcontact_entry_law_advance(law, n, force, shift, is_trial, tangent, memory, T);
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }
@@ -1534,15 +1180,15 @@ int mdr_structure_voxels(const int size[3], const int labels[], int phases, cons
     return status;
 }
 
-int mdrcontact_entry_structure_callback(mdr_field field, void *context, double reference_nu, const mdr_structure_options *options,
+int mdrcontact_entry_structure_function(mdr_field field, void *context, double reference_nu, const mdr_structure_options *options,
         mdr_structure **out);
-int mdr_structure_callback(mdr_field field, void *context, double reference_nu, const mdr_structure_options *options,
+int mdr_structure_function(mdr_field field, void *context, double reference_nu, const mdr_structure_options *options,
         mdr_structure **out)
 {
-    if (arithmetic_is_set()) return mdrcontact_entry_structure_callback(field, context, reference_nu, options, out);
+    if (arithmetic_is_set()) return mdrcontact_entry_structure_function(field, context, reference_nu, options, out);
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_structure_callback(field, context, reference_nu, options, out);
+    const int status = mdrcontact_entry_structure_function(field, context, reference_nu, options, out);
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }
@@ -1672,79 +1318,13 @@ int mdr_fit_quantile(double level, double degrees_of_freedom, double *factor)
     return status;
 }
 
-int mdrcontact_entry_coated_paraboloid_force(int n, const double a[], double radius, double coating_shear, double substrate_shear,
-        double thickness, double out[]);
-int mdr_coated_paraboloid_force(int n, const double a[], double radius, double coating_shear, double substrate_shear,
-        double thickness, double out[])
+int mdrcontact_entry_closed_form(int formula, int n, const double x[], const double constants[], double out[]);
+int mdr_closed_form(int formula, int n, const double x[], const double constants[], double out[])
 {
-    if (arithmetic_is_set()) return mdrcontact_entry_coated_paraboloid_force(n, a, radius, coating_shear, substrate_shear,
-        thickness, out);
+    if (arithmetic_is_set()) return mdrcontact_entry_closed_form(formula, n, x, constants, out);
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_coated_paraboloid_force(n, a, radius, coating_shear, substrate_shear, thickness, out);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_coated_cone_force(int n, const double a[], double inclination, double coating_shear, double substrate_shear,
-        double thickness, double out[]);
-int mdr_coated_cone_force(int n, const double a[], double inclination, double coating_shear, double substrate_shear,
-        double thickness, double out[])
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_coated_cone_force(n, a, inclination, coating_shear, substrate_shear, thickness,
-        out);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_coated_cone_force(n, a, inclination, coating_shear, substrate_shear, thickness, out);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_coated_paraboloid_adhesive_depth(int n, const double a[], double radius, double coating_shear,
-        double substrate_shear, double thickness, double work_of_adhesion, double out[]);
-int mdr_coated_paraboloid_adhesive_depth(int n, const double a[], double radius, double coating_shear, double substrate_shear,
-        double thickness, double work_of_adhesion, double out[])
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_coated_paraboloid_adhesive_depth(n, a, radius, coating_shear, substrate_shear,
-        thickness, work_of_adhesion, out);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_coated_paraboloid_adhesive_depth(n, a, radius, coating_shear, substrate_shear, thickness,
-        work_of_adhesion, out);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_adhesive_radius_scale(double radius, double substrate_shear, double work_of_adhesion, double *out);
-int mdr_adhesive_radius_scale(double radius, double substrate_shear, double work_of_adhesion, double *out)
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_adhesive_radius_scale(radius, substrate_shear, work_of_adhesion, out);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_adhesive_radius_scale(radius, substrate_shear, work_of_adhesion, out);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_adhesive_depth_scale(double radius, double substrate_shear, double work_of_adhesion, double *out);
-int mdr_adhesive_depth_scale(double radius, double substrate_shear, double work_of_adhesion, double *out)
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_adhesive_depth_scale(radius, substrate_shear, work_of_adhesion, out);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_adhesive_depth_scale(radius, substrate_shear, work_of_adhesion, out);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_reduced_adhesive_depth(int n, const double reduced_radius[], double shear_ratio, double reduced_thickness,
-        double out[]);
-int mdr_reduced_adhesive_depth(int n, const double reduced_radius[], double shear_ratio, double reduced_thickness, double out[])
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_reduced_adhesive_depth(n, reduced_radius, shear_ratio, reduced_thickness, out);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_reduced_adhesive_depth(n, reduced_radius, shear_ratio, reduced_thickness, out);
+    const int status = mdrcontact_entry_closed_form(formula, n, x, constants, out);
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }

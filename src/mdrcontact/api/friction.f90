@@ -4,17 +4,15 @@ module mdrcontact_api_friction
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
     use mdrcontact_api_arrays, only: check_array, check_count, check_results
     use mdrcontact_api_handles, only: hand_over, open_handle
-    use mdrcontact_api_sheared, only: by_shift, shear_of, write_field, write_loop, write_states
     use mdrcontact_api_status, only: status_of
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: check_memory, error_t, raise_at
-    use mdrcontact_history_friction, only: first_shear_t, friction_t, new_friction, tangential_state_t
+    use mdrcontact_history_friction, only: friction_t, new_friction, tangential_state_t
     use mdrcontact_history_friction_history, only: friction_history_t, friction_past_t, new_friction_history
     implicit none (type, external)
     private
-    public :: mdr_friction_new, mdr_friction_states, mdr_friction_sliding, mdr_friction_field, mdr_friction_loop
-    public :: mdr_friction_history_new, mdr_friction_history_copy, mdr_friction_history_advance
+    public :: mdr_friction_new, mdr_friction_history_new, mdr_friction_history_copy, mdr_friction_history_advance
 
 contains
 
@@ -34,57 +32,6 @@ contains
         call move_alloc(friction, object)
         status = hand_over(object, out, error)
     end function mdr_friction_new
-
-    function mdr_friction_states(f, state, given, n, in, out) result(status) bind(C, name="mdrcontact_entry_friction_states")
-        type(c_ptr), value :: f
-        type(contact_state_t), intent(in), optional :: state
-        integer(c_int), value :: given, n
-        real(c_double), intent(in), optional :: in(*)
-        type(c_ptr), value :: out
-        integer(c_int) :: status
-
-        status = write_states(f, by_shift, state, given, n, in, out)
-    end function mdr_friction_states
-
-    function mdr_friction_sliding(f, state, shift, force) result(status) bind(C, name="mdrcontact_entry_friction_sliding")
-        type(c_ptr), value :: f
-        type(contact_state_t), intent(in), optional :: state
-        real(c_double), intent(inout), optional :: shift, force
-        integer(c_int) :: status
-        type(first_shear_t) :: shear
-        type(error_t), allocatable :: error
-
-        call shear_of(f, by_shift, state, shear, error)
-        if (.not. allocated(error)) call check_results(error, [shear%sliding_shift, shear%sliding_force])
-        status = status_of(error)
-        if (allocated(error)) return
-        if (present(shift)) shift = shear%sliding_shift
-        if (present(force)) force = shear%sliding_force
-    end function mdr_friction_sliding
-
-    function mdr_friction_field(f, state, shear, field, n, r, out) result(status) bind(C, name="mdrcontact_entry_friction_field")
-        type(c_ptr), value :: f
-        type(contact_state_t), intent(in), optional :: state
-        type(tangential_state_t), intent(in), optional :: shear
-        integer(c_int), value :: field, n
-        real(c_double), intent(in), optional :: r(*)
-        real(c_double), intent(inout), optional :: out(*)
-        integer(c_int) :: status
-
-        status = write_field(f, by_shift, state, shear, field, n, r, out)
-    end function mdr_friction_field
-
-    function mdr_friction_loop(f, state, given, amplitude, n, shift, force, dissipated) result(status) &
-        bind(C, name="mdrcontact_entry_friction_loop")
-        type(c_ptr), value :: f
-        type(contact_state_t), intent(in), optional :: state
-        integer(c_int), value :: given, n
-        real(c_double), value :: amplitude
-        real(c_double), intent(inout), optional :: shift(*), force(*), dissipated
-        integer(c_int) :: status
-
-        status = write_loop(f, by_shift, state, given, amplitude, n, shift, force, dissipated)
-    end function mdr_friction_loop
 
     function mdr_friction_history_new(f, largest_depth, rings, out) result(status) &
         bind(C, name="mdrcontact_entry_friction_history_new")

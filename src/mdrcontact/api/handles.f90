@@ -4,12 +4,12 @@
 !> All handles are of one kind: a tag, and an object whose type says what it is. A pointer to something else is refused by its tag,
 !> a handle of another object by its type. A freed handle loses its tag, which catches some uses after the end but cannot catch all.
 module mdrcontact_api_handles
-    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_int, c_int64_t, c_loc, c_null_ptr, c_ptr
+    use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_double, c_f_pointer, c_int, c_int64_t, c_loc, c_null_char, c_ptr
     use mdrcontact_api_status, only: check_given, status_of
     use mdrcontact_contact, only: contact_t, on_unloading
     use mdrcontact_contact_loop, only: loop_t
     use mdrcontact_error, only: check_memory, error_invalid, error_t, raise
-    use mdrcontact_history_friction, only: friction_t
+    use mdrcontact_history_friction, only: first_shear_t, friction_t
     use mdrcontact_history_friction_history, only: friction_history_t
     use mdrcontact_history_rate_contact, only: rate_contact_t
     use mdrcontact_history_relaxing_contact, only: relaxing_contact_t
@@ -27,10 +27,8 @@ module mdrcontact_api_handles
     use mdrcontact_wear_history, only: wear_history_t
     implicit none (type, external)
     private
-    public :: deliver, deliver_solver, hand_over, hand_over_solver, open_handle
-    public :: mdr_profile_free, mdr_medium_free, mdr_contact_free, mdr_loop_free, mdr_structure_free, mdr_law_free, &
-              mdr_friction_free, mdr_material_free, mdr_friction_history_free, mdr_poroelastic_free, mdr_conduction_free, &
-              mdr_rate_free, mdr_wear_free, mdr_wear_history_free
+    public :: deliver, description_of, deliver_solver, hand_over, hand_over_solver, open_handle
+    public :: mdr_free
 
     integer(c_int64_t), parameter :: no_tag = 0_c_int64_t, live_tag = 7239381865347100001_c_int64_t
 
@@ -42,6 +40,8 @@ module mdrcontact_api_handles
         class(*), allocatable :: object
         !> of a law: what the view reads
         real(c_double), allocatable :: numbers(:)
+        !> and its description, with C's end
+        character(kind=c_char), allocatable :: description(:)
     end type handle_t
 
     interface
@@ -57,17 +57,17 @@ module mdrcontact_api_handles
 
     integer, parameter :: is_other = 0, is_profile = 1, is_medium = 2, is_contact = 3, is_loop = 4, is_structure = 5, is_law = 6, &
                           is_friction = 7, is_material = 8, is_friction_history = 9, is_poroelastic = 10, is_conduction = 11, &
-                          is_rate = 12, is_wear = 13, is_wear_history = 14
+                          is_rate = 12, is_wear = 13, is_wear_history = 14, is_shear = 15
     character(len=*), parameter :: kinds(*) = [character(len=20) :: "mdr_profile", "mdr_medium", "mdr_contact", "mdr_loop", &
                                                "mdr_structure", "mdr_law", "mdr_friction", "mdr_material", &
                                                "mdr_friction_history", "mdr_poroelastic", "mdr_conduction", "mdr_rate", &
-                                               "mdr_wear", "mdr_wear_history"]
+                                               "mdr_wear", "mdr_wear_history", "mdr_shear"]
 
     !> The object behind a handle, by the type of the pointer that is to hold it; null after an error. `name` is the argument's.
     interface open_handle
         module procedure open_profile, open_medium, open_contact, open_loop, open_structure, open_law, open_friction, &
                          open_material, open_friction_history, open_relaxing_contact, open_poroelastic, open_conduction, &
-                         open_rate, open_wear, open_wear_history
+                         open_rate, open_wear, open_wear_history, open_shear
     end interface open_handle
 
 contains
@@ -121,14 +121,28 @@ contains
         type(contact_law_t), intent(in) :: law
         type(handle_t), intent(inout) :: inside
         type(error_t), allocatable, intent(inout) :: error
-        integer :: stat, unused
+        integer :: i, stat, unused
 
-        allocate (inside%numbers(packed_size(law%by_depth)), stat=stat)
+        allocate (inside%numbers(packed_size(law%by_depth)), inside%description(len(law%description) + 1), stat=stat)
         call check_memory(error, stat)
         if (allocated(error)) return
+        do i = 1, len(law%description)
+            inside%description(i) = law%description(i:i)
+        end do
+        inside%description(len(law%description) + 1) = c_null_char
         call pack_table(law%by_depth, inside%numbers)
         unused = mdrcontact_law_view_from(inside%numbers, int(on_unloading, c_int), inside%view)
     end subroutine add_view
+
+    !> The description of the law behind an open handle.
+    function description_of(handle) result(description)
+        type(c_ptr), intent(in) :: handle
+        type(c_ptr) :: description
+        type(handle_t), pointer :: inside
+
+        call c_f_pointer(handle, inside)
+        description = c_loc(inside%description)
+    end function description_of
 
     !> Puts a copy of a solver of few numbers behind the handle of a medium.
     function deliver_solver(solver, out, error) result(status)
@@ -325,6 +339,22 @@ contains
         end select
     end subroutine open_friction_history
 
+    subroutine open_shear(handle, name, object, error)
+        type(c_ptr), intent(in) :: handle
+        character(len=*), intent(in) :: name
+        type(first_shear_t), pointer, intent(out) :: object
+        type(error_t), allocatable, intent(inout) :: error
+        class(*), pointer :: inside
+
+        nullify (object)
+        call look_inside(handle, name, is_shear, inside, error)
+        if (allocated(error)) return
+        select type (inside)
+        type is (first_shear_t)
+            object => inside
+        end select
+    end subroutine open_shear
+
     subroutine open_wear(handle, name, object, error)
         type(c_ptr), intent(in) :: handle
         character(len=*), intent(in) :: name
@@ -405,125 +435,25 @@ contains
         end select
     end subroutine open_rate
 
-    function mdr_profile_free(p) result(status) bind(C)
-        type(c_ptr), intent(inout), optional :: p
-        integer(c_int) :: status
-
-        status = free(p, is_profile)
-    end function mdr_profile_free
-
-    function mdr_medium_free(m) result(status) bind(C)
-        type(c_ptr), intent(inout), optional :: m
-        integer(c_int) :: status
-
-        status = free(m, is_medium)
-    end function mdr_medium_free
-
-    function mdr_contact_free(c) result(status) bind(C)
-        type(c_ptr), intent(inout), optional :: c
-        integer(c_int) :: status
-
-        status = free(c, is_contact)
-    end function mdr_contact_free
-
-    function mdr_loop_free(l) result(status) bind(C)
-        type(c_ptr), intent(inout), optional :: l
-        integer(c_int) :: status
-
-        status = free(l, is_loop)
-    end function mdr_loop_free
-
-    function mdr_structure_free(s) result(status) bind(C)
-        type(c_ptr), intent(inout), optional :: s
-        integer(c_int) :: status
-
-        status = free(s, is_structure)
-    end function mdr_structure_free
-
-    function mdr_law_free(law) result(status) bind(C)
-        type(c_ptr), intent(inout), optional :: law
-        integer(c_int) :: status
-
-        status = free(law, is_law)
-    end function mdr_law_free
-
-    function mdr_friction_free(f) result(status) bind(C)
-        type(c_ptr), intent(inout), optional :: f
-        integer(c_int) :: status
-
-        status = free(f, is_friction)
-    end function mdr_friction_free
-
-    function mdr_material_free(m) result(status) bind(C)
-        type(c_ptr), intent(inout), optional :: m
-        integer(c_int) :: status
-
-        status = free(m, is_material)
-    end function mdr_material_free
-
-    function mdr_friction_history_free(h) result(status) bind(C)
-        type(c_ptr), intent(inout), optional :: h
-        integer(c_int) :: status
-
-        status = free(h, is_friction_history)
-    end function mdr_friction_history_free
-
-    function mdr_wear_free(w) result(status) bind(C)
-        type(c_ptr), intent(inout), optional :: w
-        integer(c_int) :: status
-
-        status = free(w, is_wear)
-    end function mdr_wear_free
-
-    function mdr_wear_history_free(h) result(status) bind(C)
-        type(c_ptr), intent(inout), optional :: h
-        integer(c_int) :: status
-
-        status = free(h, is_wear_history)
-    end function mdr_wear_history_free
-
-    function mdr_poroelastic_free(p) result(status) bind(C)
-        type(c_ptr), intent(inout), optional :: p
-        integer(c_int) :: status
-
-        status = free(p, is_poroelastic)
-    end function mdr_poroelastic_free
-
-    function mdr_conduction_free(p) result(status) bind(C)
-        type(c_ptr), intent(inout), optional :: p
-        integer(c_int) :: status
-
-        status = free(p, is_conduction)
-    end function mdr_conduction_free
-
-    function mdr_rate_free(r) result(status) bind(C)
-        type(c_ptr), intent(inout), optional :: r
-        integer(c_int) :: status
-
-        status = free(r, is_rate)
-    end function mdr_rate_free
-
-    !> Frees what is of the right kind, if there is anything, and sets the caller's pointer to NULL.
-    function free(handle, kind) result(status)
-        type(c_ptr), intent(inout), optional :: handle
-        integer, intent(in) :: kind
+    !> Frees what there is, of any kind.
+    function mdr_free(handle) result(status) bind(C)
+        type(c_ptr), value :: handle
         integer(c_int) :: status
         type(handle_t), pointer :: inside
-        class(*), pointer :: object
         type(error_t), allocatable :: error
 
         status = status_of(error)
-        if (.not. present(handle)) return
         if (.not. c_associated(handle)) return
-        call look_inside(handle, "the handle to free", kind, object, error)
-        status = status_of(error)
-        if (allocated(error)) return
         call c_f_pointer(handle, inside)
+        if (inside%tag /= live_tag) then
+            call raise(error, error_invalid, " is none, or it has been freed", "the handle to free")
+            status = status_of(error)
+            return
+        end if
         inside%tag = no_tag
         inside%view = law_view_t()
         deallocate (inside)
-        handle = c_null_ptr
-    end function free
+    end function mdr_free
 
     !> What a handle of the given kind holds.
     subroutine look_inside(handle, name, kind, object, error)
@@ -563,6 +493,8 @@ contains
             kind = is_friction
         type is (friction_history_t)
             kind = is_friction_history
+        type is (first_shear_t)
+            kind = is_shear
         type is (wear_t)
             kind = is_wear
         type is (wear_history_t)

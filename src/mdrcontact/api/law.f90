@@ -2,11 +2,11 @@
 !> Compiled contact laws for C: making them, one point, and what they are.
 module mdrcontact_api_law
     use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_int, c_loc, c_ptr, c_size_t, c_sizeof
-    use mdrcontact_api_handles, only: hand_over, open_handle
+    use mdrcontact_api_handles, only: description_of, hand_over, open_handle
     use mdrcontact_api_options, only: check_size, read_options, write_facts
     use mdrcontact_api_records, only: c_law_facts_t, c_law_options_t
     use mdrcontact_api_status, only: check_given, status_of
-    use mdrcontact_api_text, only: read_text, write_text
+    use mdrcontact_api_text, only: read_text
     use mdrcontact_conduction_table, only: conductance_function_t
     use mdrcontact_contact, only: check_branch, contact_t, on_unloading
     use mdrcontact_error, only: count_text, error_invalid, error_t, raise
@@ -20,7 +20,7 @@ module mdrcontact_api_law
     implicit none (type, external)
     private
     public :: mdr_law_new, mdr_law_with_radius, mdrcontact_law_at_depth, &
-              mdr_law_view_of, mdr_law_buffer, mdr_law_at_force, mdr_law_follow, mdr_law_info, mdr_law_description
+              mdr_law_view_of, mdr_law_buffer, mdr_law_follow, mdr_law_about
 
     interface
         !> The view of an open handle's law, of law_force.c.
@@ -116,8 +116,15 @@ contains
         real(c_double), value :: d
         type(law_point_t), intent(inout), optional :: point
         integer(c_int) :: status
+        type(contact_law_t), pointer :: inside
+        type(law_point_t) :: found
+        type(error_t), allocatable :: error
 
-        status = write_state(law, .true., branch, d, point)
+        call open_handle(law, "law", inside, error)
+        call check_given(error, "point", present(point))
+        if (.not. allocated(error)) call inside%at_depth(d, found, error, int(branch))
+        status = status_of(error)
+        if (.not. allocated(error)) point = found
     end function mdrcontact_law_at_depth
 
     function mdr_law_view_of(law, branch, view) result(status) bind(C)
@@ -161,41 +168,6 @@ contains
         buffer(:packed_size(inside%by_depth)) = numbers
     end function mdr_law_buffer
 
-    function mdr_law_at_force(law, branch, f, point) result(status) bind(C)
-        type(c_ptr), value :: law
-        integer(c_int), value :: branch
-        real(c_double), value :: f
-        type(law_point_t), intent(inout), optional :: point
-        integer(c_int) :: status
-
-        status = write_state(law, .false., branch, f, point)
-    end function mdr_law_at_force
-
-    !> The state at a depth or under a force.
-    function write_state(law, by_depth, branch, s, point) result(status)
-        type(c_ptr), intent(in) :: law
-        logical, intent(in) :: by_depth
-        integer(c_int), intent(in) :: branch
-        real(c_double), intent(in) :: s
-        type(law_point_t), intent(inout), optional :: point
-        integer(c_int) :: status
-        type(contact_law_t), pointer :: inside
-        type(law_point_t) :: found
-        type(error_t), allocatable :: error
-
-        call open_handle(law, "law", inside, error)
-        call check_given(error, "point", present(point))
-        if (.not. allocated(error)) then
-            if (by_depth) then
-                call inside%at_depth(s, found, error, int(branch))
-            else
-                call inside%at_force(s, found, error, int(branch))
-            end if
-        end if
-        status = status_of(error)
-        if (.not. allocated(error)) point = found
-    end function write_state
-
     function mdr_law_follow(law, d, segment, point) result(status) bind(C)
         type(c_ptr), value :: law
         real(c_double), value :: d
@@ -220,7 +192,7 @@ contains
         point = found
     end function mdr_law_follow
 
-    function mdr_law_info(law, facts) result(status) bind(C, name="mdrcontact_entry_law_info")
+    function mdr_law_about(law, facts) result(status) bind(C, name="mdrcontact_entry_law_about")
         type(c_ptr), value :: law
         type(c_ptr), value :: facts
         integer(c_int) :: status
@@ -243,13 +215,13 @@ contains
         made%solutions = int(inside%solutions, c_int)
         made%adhesive = merge(1_c_int, 0_c_int, inside%by_depth%adhesive)
         made%segments = size(inside%by_depth%segments, kind=c_int)
-        made%description_length = len(inside%description, kind=c_int)
+        made%description = description_of(law)
         made%continue_beyond = merge(1_c_int, 0_c_int, inside%by_depth%continued)
         made%buffer_size = int(packed_size(inside%by_depth), c_int)
         made%conducts = merge(1_c_int, 0_c_int, allocated(inside%by_depth%conductance))
         if (allocated(inside%friction)) call add_friction(inside%friction, made)
         call write_facts(facts, c_loc(made), used)
-    end function mdr_law_info
+    end function mdr_law_about
 
     !> What a law with friction has beside.
     subroutine add_friction(friction, facts)
@@ -265,19 +237,5 @@ contains
         facts%first_shear_error = friction%first_shear_error
         facts%path_error = friction%path_error
     end subroutine add_friction
-
-    function mdr_law_description(law, buffer, length) result(status) bind(C)
-        type(c_ptr), value :: law, buffer
-        integer(c_int), value :: length
-        integer(c_int) :: status
-        type(contact_law_t), pointer :: inside
-        type(error_t), allocatable :: error
-
-        call open_handle(law, "law", inside, error)
-        call check_given(error, "buffer", c_associated(buffer) .or. length < 1)
-        status = status_of(error)
-        if (allocated(error) .or. length < 1) return
-        call write_text(inside%description, int(length), buffer)
-    end function mdr_law_description
 
 end module mdrcontact_api_law

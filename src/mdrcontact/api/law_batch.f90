@@ -2,63 +2,107 @@
 !> Compiled contact laws for C: arrays of points.
 module mdrcontact_api_law_batch
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
-    use mdrcontact_api_arrays, only: check_array, check_count, check_in_out
+    use mdrcontact_api_arrays, only: check_array, check_count, check_in_out, make_room
     use mdrcontact_api_handles, only: open_handle
     use mdrcontact_api_status, only: status_of, wanted_threads
-    use mdrcontact_error, only: error_invalid, error_t, raise
+    use mdrcontact_error, only: check_choice, error_invalid, error_t, raise
     use mdrcontact_contact, only: check_branch
+    use mdrcontact_contact_values, only: given_depth, given_force
     use mdrcontact_law, only: check_points, contact_law_t
     implicit none (type, external)
     private
-    public :: mdr_law_from_depth, mdr_law_from_force, mdr_law_energy, mdr_law_conductance
+    public :: mdr_law_values, mdr_law_conductance
 
 contains
 
-    function mdr_law_from_depth(law, branch, n, d, f, slope, a, k) result(status) bind(C)
+    function mdr_law_values(law, given, branch, n, in, d, a, f, k, slope, energy) result(status) bind(C)
         type(c_ptr), value :: law
-        integer(c_int), value :: branch, n
-        real(c_double), intent(in), optional :: d(n)
-        real(c_double), intent(inout), optional, target :: f(n), slope(n), a(n), k(n)
-        integer(c_int) :: status
-
-        status = write_points(law, .true., branch, n, "d", d, f, slope, a, k)
-    end function mdr_law_from_depth
-
-    function mdr_law_from_force(law, branch, n, f, d, compliance, a, k) result(status) &
-        bind(C)
-        type(c_ptr), value :: law
-        integer(c_int), value :: branch, n
-        real(c_double), intent(in), optional :: f(n)
-        real(c_double), intent(inout), optional, target :: d(n), compliance(n), a(n), k(n)
-        integer(c_int) :: status
-
-        status = write_points(law, .false., branch, n, "F", f, d, compliance, a, k)
-    end function mdr_law_from_force
-
-    function mdr_law_energy(law, branch, n, d, u) result(status) bind(C)
-        type(c_ptr), value :: law
-        integer(c_int), value :: branch, n
-        real(c_double), intent(in), optional :: d(n)
-        real(c_double), intent(inout), optional :: u(n)
+        integer(c_int), value :: given, branch, n
+        real(c_double), intent(in), optional :: in(n)
+        real(c_double), intent(inout), optional, target :: d(n), a(n), f(n), k(n), slope(n), energy(n)
         integer(c_int) :: status
         type(contact_law_t), pointer :: inside
         type(error_t), allocatable :: error
-        integer :: i
 
         call open_handle(law, "law", inside, error)
+        call check_choice(error, "given", int(given), given_depth, given_force, "MDR_GIVEN_DEPTH or MDR_GIVEN_FORCE")
         call check_branch(error, int(branch))
-        call check_in_out(error, n, "d", present(d), present(u))
+        call check_count(error, n)
+        call check_array(error, merge("d", "F", given == given_depth), n, present(in))
         if (.not. allocated(error) .and. n > 0) then
-            call check_points(error, inside%by_depth, int(branch), d)
-            if (.not. allocated(error)) then
-                ! in one statement gfortran would copy, for `u` might be `d`
-                do i = 1, n
-                    u(i) = inside%energy(d(i), int(branch))
-                end do
+            if (given == given_depth) then
+                call write_at_depths(inside, int(branch), n, in, d, a, f, k, slope, energy, error)
+            else
+                call write_at_forces(inside, int(branch), n, in, d, a, f, k, slope, energy, error)
             end if
         end if
         status = status_of(error)
-    end function mdr_law_energy
+    end function mdr_law_values
+
+    subroutine write_at_depths(law, branch, n, in, d, a, f, k, slope, energy, error)
+        type(contact_law_t), intent(in) :: law
+        integer, intent(in) :: branch
+        integer(c_int), intent(in) :: n
+        real(c_double), intent(in) :: in(n)
+        real(c_double), intent(inout), optional, target :: d(n), a(n), f(n), k(n), slope(n), energy(n)
+        type(error_t), allocatable, intent(inout) :: error
+        real(c_double), pointer, contiguous :: out_1(:), out_2(:), out_3(:), out_4(:)
+        real(c_double), allocatable :: depths(:)
+
+        ! `in` may be one of the outputs
+        if (present(d) .or. present(energy)) then
+            call make_room(error, n, depths)
+            if (allocated(error)) return
+            depths(:) = in
+        end if
+        call point_to(n, f, out_1)
+        call point_to(n, slope, out_2)
+        call point_to(n, a, out_3)
+        call point_to(n, k, out_4)
+        call law%from_depths(in, error, out_1, out_2, out_3, out_4, branch, wanted_threads())
+        if (allocated(error)) return
+        if (present(energy)) call write_energies(law, branch, depths, energy)
+        if (present(d)) d = depths
+    end subroutine write_at_depths
+
+    subroutine write_at_forces(law, branch, n, in, d, a, f, k, slope, energy, error)
+        type(contact_law_t), intent(in) :: law
+        integer, intent(in) :: branch
+        integer(c_int), intent(in) :: n
+        real(c_double), intent(in) :: in(n)
+        real(c_double), intent(inout), optional, target :: d(n), a(n), f(n), k(n), slope(n), energy(n)
+        type(error_t), allocatable, intent(inout) :: error
+        real(c_double), pointer, contiguous :: out_1(:), out_2(:), out_3(:), out_4(:)
+        real(c_double), allocatable, target :: depths(:)
+        real(c_double), allocatable :: forces(:)
+
+        if (present(energy)) call make_room(error, n, depths)
+        if (present(f)) call make_room(error, n, forces)
+        if (allocated(error)) return
+        if (present(f)) forces(:) = in
+        call point_to(n, d, out_1)
+        if (present(energy)) out_1 => depths
+        call point_to(n, slope, out_2)
+        call point_to(n, a, out_3)
+        call point_to(n, k, out_4)
+        call law%from_forces(in, error, out_1, out_2, out_3, out_4, branch, wanted_threads())
+        if (allocated(error)) return
+        if (present(energy)) call write_energies(law, branch, depths, energy)
+        if (present(energy) .and. present(d)) d = depths
+        if (present(f)) f = forces
+    end subroutine write_at_forces
+
+    subroutine write_energies(law, branch, depths, energy)
+        type(contact_law_t), intent(in) :: law
+        integer, intent(in) :: branch
+        real(c_double), intent(in) :: depths(:)
+        real(c_double), intent(inout) :: energy(:)
+        integer :: i
+
+        do i = 1, size(depths)
+            energy(i) = law%energy(depths(i), branch)
+        end do
+    end subroutine write_energies
 
     function mdr_law_conductance(law, branch, n, d, conductance, slope) result(status) bind(C)
         type(c_ptr), value :: law
@@ -90,36 +134,6 @@ contains
         end if
         status = status_of(error)
     end function mdr_law_conductance
-
-    !> Points at depths or under forces.
-    function write_points(law, by_depth, branch, n, name, in, other, slope, a, k) result(status)
-        type(c_ptr), intent(in) :: law
-        logical, intent(in) :: by_depth
-        integer(c_int), intent(in) :: branch, n
-        character(len=*), intent(in) :: name
-        real(c_double), intent(in), optional :: in(n)
-        real(c_double), intent(inout), optional, target :: other(n), slope(n), a(n), k(n)
-        integer(c_int) :: status
-        type(contact_law_t), pointer :: inside
-        real(c_double), pointer, contiguous :: out_1(:), out_2(:), out_3(:), out_4(:)
-        type(error_t), allocatable :: error
-
-        call open_handle(law, "law", inside, error)
-        call check_count(error, n)
-        call check_array(error, name, n, present(in))
-        if (.not. allocated(error) .and. present(in)) then
-            call point_to(n, other, out_1)
-            call point_to(n, slope, out_2)
-            call point_to(n, a, out_3)
-            call point_to(n, k, out_4)
-            if (by_depth) then
-                call inside%from_depths(in, error, out_1, out_2, out_3, out_4, int(branch), wanted_threads())
-            else
-                call inside%from_forces(in, error, out_1, out_2, out_3, out_4, int(branch), wanted_threads())
-            end if
-        end if
-        status = status_of(error)
-    end function write_points
 
     !> An array, or null where there is none: absent arrays of fixed shape are no valid arguments where a shape is assumed.
     subroutine point_to(n, array, pointer)

@@ -53,10 +53,3 @@ int mdr_law_force(const mdr_law *law, int branch, double d, double *F, double *s
     if (status == MDR_SUCCESS && slope) *slope = point.slope;
     return status;
 }
-
-int mdr_law_at_depth(const mdr_law *law, int branch, double d, mdr_law_point *point)
-{
-    const mdr_law_view *view = view_for(law, branch);
-    if (view && point && mdr_law_check_depth(view, d) == MDR_SUCCESS) return mdr_law_view_state(view, d, point);
-    return mdrcontact_law_at_depth(law, branch, d, point);
-}

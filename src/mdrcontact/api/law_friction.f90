@@ -10,47 +10,20 @@ module mdrcontact_api_law_friction
     use mdrcontact_law_friction, only: contact_steps_t, friction_law_t
     implicit none (type, external)
     private
-    public :: mdr_law_advance, mdr_law_try, mdr_law_energies, mdr_law_turn
+    public :: mdr_law_advance, mdr_law_energies, mdr_law_turn
 
 contains
 
-    function mdr_law_advance(law, n, force, shift, tangent, memory, traction) result(status) &
+    function mdr_law_advance(law, n, force, shift, is_trial, tangent, memory, traction) result(status) &
         bind(C, name="mdrcontact_entry_law_advance")
-        type(c_ptr), value :: law, tangent
-        integer(c_int), value :: n
+        type(c_ptr), value :: law, tangent, memory
+        integer(c_int), value :: n, is_trial
         real(c_double), intent(in), optional, target :: force(n), shift(3, n)
-        type(c_ptr), value :: memory
         real(c_double), intent(inout), optional, target :: traction(3, n)
         integer(c_int) :: status
-        type(error_t), allocatable :: error
-
-        call do_steps(law, n, force, shift, tangent, memory, traction, .false., error)
-        status = status_of(error)
-    end function mdr_law_advance
-
-    function mdr_law_try(law, n, force, shift, tangent, memory, traction) result(status) &
-        bind(C, name="mdrcontact_entry_law_try")
-        type(c_ptr), value :: law, tangent
-        integer(c_int), value :: n
-        real(c_double), intent(in), optional, target :: force(n), shift(3, n)
-        type(c_ptr), value :: memory
-        real(c_double), intent(inout), optional, target :: traction(3, n)
-        integer(c_int) :: status
-        type(error_t), allocatable :: error
-
-        call do_steps(law, n, force, shift, tangent, memory, traction, .true., error)
-        status = status_of(error)
-    end function mdr_law_try
-
-    subroutine do_steps(law, n, force, shift, tangent, memory, traction, is_trial, error)
-        type(c_ptr), intent(in) :: law, tangent, memory
-        integer(c_int), intent(in) :: n
-        real(c_double), intent(in), optional, target :: force(n), shift(3, n)
-        real(c_double), intent(inout), optional, target :: traction(3, n)
-        logical, intent(in) :: is_trial
-        type(error_t), allocatable, intent(inout) :: error
         type(friction_law_t), pointer :: inside
         type(contact_steps_t) :: steps
+        type(error_t), allocatable :: error
 
         call open_friction(law, inside, error)
         call check_count(error, n)
@@ -58,15 +31,17 @@ contains
         call check_array(error, "shift", n, present(shift))
         call check_array(error, "memory", n, c_associated(memory))
         call check_array(error, "T", n, present(traction))
-        if (allocated(error) .or. n < 1) return
-        call c_f_pointer(c_loc(force), steps%force, [int(n)])
-        call c_f_pointer(c_loc(shift), steps%shift, [3, int(n)])
-        call c_f_pointer(memory, steps%memory, [inside%memory_size(), int(n)])
-        call c_f_pointer(c_loc(traction), steps%traction, [3, int(n)])
-        if (c_associated(tangent)) call c_f_pointer(tangent, steps%tangent, [4, 3, int(n)])
-        steps%is_trial = is_trial
-        call inside%steps(steps, wanted_threads(), error)
-    end subroutine do_steps
+        if (.not. allocated(error) .and. n > 0) then
+            call c_f_pointer(c_loc(force), steps%force, [int(n)])
+            call c_f_pointer(c_loc(shift), steps%shift, [3, int(n)])
+            call c_f_pointer(memory, steps%memory, [inside%memory_size(), int(n)])
+            call c_f_pointer(c_loc(traction), steps%traction, [3, int(n)])
+            if (c_associated(tangent)) call c_f_pointer(tangent, steps%tangent, [4, 3, int(n)])
+            steps%is_trial = is_trial /= 0_c_int
+            call inside%steps(steps, wanted_threads(), error)
+        end if
+        status = status_of(error)
+    end function mdr_law_advance
 
     function mdr_law_energies(law, n, memory, stored, dissipated) result(status) &
         bind(C, name="mdrcontact_entry_law_energies")

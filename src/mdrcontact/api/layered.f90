@@ -1,10 +1,9 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Coated, layered and graded half-spaces under a model of the caller's choice, for C.
 module mdrcontact_api_layered
-    use, intrinsic :: ieee_arithmetic, only: ieee_is_finite
     use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_funptr, c_int, c_int8_t, c_loc, c_ptr, c_size_t, &
                                            c_sizeof
-    use mdrcontact_api_arrays, only: check_array, check_count, check_each_positive, check_not_empty
+    use mdrcontact_api_arrays, only: check_array, check_count, check_not_empty
     use mdrcontact_api_callback, only: c_function_t, new_c_function
     use mdrcontact_api_handles, only: deliver_solver, hand_over, open_handle
     use mdrcontact_api_medium_options, only: read_medium_options, read_surface
@@ -28,53 +27,12 @@ module mdrcontact_api_layered
     implicit none (type, external)
     private
     public :: mdr_layers_wrinkling
-    public :: mdr_medium_coated, mdr_medium_layered, mdr_medium_stack, mdr_medium_graded, mdr_medium_graded_callback, &
-              mdr_medium_power_graded
+    public :: mdr_medium_layered, mdr_medium_graded, mdr_medium_graded_function, mdr_medium_power_graded
 
 contains
 
-    function mdr_medium_coated(coating_e, coating_nu, thickness, substrate_e, substrate_nu, model, options, out) &
-        result(status) bind(C, name="mdrcontact_entry_medium_coated")
-        real(c_double), value :: coating_e, coating_nu, thickness, substrate_e, substrate_nu
-        integer(c_int), value :: model
-        type(c_ptr), value :: options
-        type(c_ptr), intent(inout), optional :: out
-        integer(c_int) :: status
-        type(material_t) :: coating
-        type(stack_t) :: body
-        type(error_t), allocatable :: error
-
-        call new_material(coating, coating_e, coating_nu, error, "coating")
-        if (.not. allocated(error)) call new_body(body, [coating], [thickness], substrate_e, substrate_nu, error)
-        status = deliver_model(body, model, options, out, error)
-    end function mdr_medium_coated
-
-    function mdr_medium_layered(n, e, nu, thickness, substrate_e, substrate_nu, model, options, out) result(status) &
+    function mdr_medium_layered(n, layers, substrate, model, options, out) result(status) &
         bind(C, name="mdrcontact_entry_medium_layered")
-        integer(c_int), value :: n
-        real(c_double), intent(in), optional :: e(*), nu(*), thickness(*)
-        real(c_double), value :: substrate_e, substrate_nu
-        integer(c_int), value :: model
-        type(c_ptr), value :: options
-        type(c_ptr), intent(inout), optional :: out
-        integer(c_int) :: status
-        type(material_t), allocatable :: layers(:)
-        type(stack_t) :: body
-        type(error_t), allocatable :: error
-
-        call check_count(error, n)
-        if (n == 0) call raise(error, error_invalid, "n = 0 is not allowed: there must be at least one layer")
-        call check_array(error, "E", n, present(e))
-        call check_array(error, "nu", n, present(nu))
-        call check_array(error, "thickness", n, present(thickness))
-        if (.not. allocated(error)) call new_layers(layers, e(:n), nu(:n), error)
-        if (.not. allocated(error)) call check_each_positive(error, "thickness", thickness(:n))
-        if (.not. allocated(error)) call new_body(body, layers, thickness(:n), substrate_e, substrate_nu, error)
-        status = deliver_model(body, model, options, out, error)
-    end function mdr_medium_layered
-
-    function mdr_medium_stack(n, layers, substrate, model, options, out) result(status) &
-        bind(C, name="mdrcontact_entry_medium_stack")
         integer(c_int), value :: n, model
         type(c_ptr), value :: layers, substrate, options
         type(c_ptr), intent(inout), optional :: out
@@ -92,7 +50,7 @@ contains
                                                        error, layered%rigid_base, layered%bonds)
             status = deliver_model(body, model, options, out, error)
         end if
-    end function mdr_medium_stack
+    end function mdr_medium_layered
 
     !> The medium of layers that relax, unless there is an error already.
     function deliver_relaxing(layered, materials, model, options, out, error) result(status)
@@ -180,7 +138,7 @@ contains
                             layered%bonds(i), materials(i), relaxes)
         end do
         if (.not. layered%rigid_base) call read_layer(error, "substrate", substrate, layered%materials(n + 1), ignored, unused, &
-                                                      materials(n + 1), relaxes)
+                                                      materials(n + 1), relaxes, alone=n == 0)
         if (allocated(error) .or. .not. relaxes) return
         do i = 1, size(materials)
             if (layered%materials(i)%is_plain) cycle
@@ -205,7 +163,7 @@ contains
     end function nth
 
     !> A layer, or a half-space, whose thickness and interface are then not looked at.
-    subroutine read_layer(error, role, given, material, thickness, bond, rheology, relaxes)
+    subroutine read_layer(error, role, given, material, thickness, bond, rheology, relaxes, alone)
         type(error_t), allocatable, intent(inout) :: error
         !> what it is called in an error message
         character(len=*), intent(in) :: role
@@ -217,6 +175,8 @@ contains
         !> the material as part of a body that relaxes; set where the layer has a handle
         type(rheology_t), intent(out) :: rheology
         logical, intent(inout) :: relaxes
+        !> whether it is all of the body, whose E then is "E", not the role's
+        logical, intent(in), optional :: alone
         type(c_layer_t), target :: layer
         type(rheology_t), pointer :: given_material
         real(c_double) :: in_plane(2), axial(3), stiffness(5)
@@ -245,7 +205,12 @@ contains
         else if (any(axial /= 0.0_c_double)) then
             call new_transverse(material, by_engineering, [layer%e, layer%e_z, layer%nu, layer%nu_tz, layer%g_z], error, role)
         else
-            call new_material(material, layer%e, layer%nu, error, role)
+            if (present(alone)) then
+                if (alone) call new_material(material, layer%e, layer%nu, error)
+                if (.not. alone) call new_material(material, layer%e, layer%nu, error, role)
+            else
+                call new_material(material, layer%e, layer%nu, error, role)
+            end if
         end if
         call material%stretch(layer%prestress, error, role)
         rheology = new_elastic_rheology(material)
@@ -270,8 +235,8 @@ contains
         status = deliver_model(body, model, options, out, error)
     end function mdr_medium_graded
 
-    function mdr_medium_graded_callback(e, nu, context, depth, model, options, out) result(status) &
-        bind(C, name="mdrcontact_entry_medium_graded_callback")
+    function mdr_medium_graded_function(e, nu, context, depth, model, options, out) result(status) &
+        bind(C, name="mdrcontact_entry_medium_graded_function")
         type(c_funptr), value :: e, nu
         type(c_ptr), value :: context
         real(c_double), value :: depth
@@ -287,7 +252,7 @@ contains
         call new_c_function(poisson, "nu", nu, context, error)
         if (.not. allocated(error)) call new_graded_body_from_functions(body, young, poisson, depth, error)
         status = deliver_model(body, model, options, out, error)
-    end function mdr_medium_graded_callback
+    end function mdr_medium_graded_function
 
     function mdr_medium_power_graded(e0, z0, exponent, nu, out) result(status) bind(C, name="mdrcontact_entry_medium_power_graded")
         real(c_double), value :: e0, z0, exponent, nu
@@ -320,33 +285,5 @@ contains
         call move_alloc(medium, object)
         status = hand_over(object, out, error)
     end function deliver_model
-
-    !> Layers that have been checked, on a substrate or, with an infinite substrate_e, on a rigid base.
-    subroutine new_body(body, layers, thickness, substrate_e, substrate_nu, error)
-        type(stack_t), intent(out) :: body
-        type(material_t), intent(in) :: layers(:)
-        real(c_double), intent(in) :: thickness(:), substrate_e, substrate_nu
-        type(error_t), allocatable, intent(out) :: error
-        type(material_t) :: substrate
-        logical :: rigid_base
-
-        rigid_base = .not. ieee_is_finite(substrate_e) .and. substrate_e > 0.0_c_double
-        if (.not. rigid_base) call new_material(substrate, substrate_e, substrate_nu, error, "substrate")
-        if (.not. allocated(error)) call new_stack(body, layers, thickness, substrate, error, rigid_base)
-    end subroutine new_body
-
-    subroutine new_layers(layers, e, nu, error)
-        type(material_t), allocatable, intent(out) :: layers(:)
-        real(c_double), intent(in) :: e(:), nu(:)
-        type(error_t), allocatable, intent(out) :: error
-        integer :: i, stat
-
-        allocate (layers(size(e)), stat=stat)
-        call check_memory(error, stat)
-        do i = 1, size(e)
-            if (allocated(error)) return
-            call new_material(layers(i), e(i), nu(i), error, "layer "//count_text(i))
-        end do
-    end subroutine new_layers
 
 end module mdrcontact_api_layered

@@ -2,12 +2,12 @@
 !> Viscoelastic materials and the media made of them, for C.
 module mdrcontact_api_material
     use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_int, c_ptr
-    use mdrcontact_api_arrays, only: check_array, check_complex_arrays, check_count, check_each_positive, check_in_out, &
-                                     check_results, deliver_parts, make_room
+    use mdrcontact_api_arrays, only: check_array, check_count, check_in_out, check_results, deliver_parts, make_room
     use mdrcontact_api_handles, only: deliver, hand_over, open_handle
     use mdrcontact_api_medium_options, only: read_medium_options, read_surface
     use mdrcontact_api_status, only: check_given, status_of
-    use mdrcontact_error, only: check_choice, check_memory, check_not_negative, error_invalid, error_t, raise
+    use mdrcontact_codes, only: of_complex_modulus => complex_modulus, of_creep => creep, of_relaxation => relaxation
+    use mdrcontact_error, only: check_choice, check_memory, check_not_negative, check_positive, error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t, new_material
     use mdrcontact_material_rheology, only: new_elastic_rheology, new_power_law_rheology, new_viscoelastic, rheology_t
@@ -18,8 +18,10 @@ module mdrcontact_api_material
     implicit none (type, external)
     private
     public :: mdr_material_viscoelastic, mdr_material_power_law
-    public :: mdr_material_relaxation, mdr_material_creep, mdr_material_complex_modulus, mdr_material_limit
+    public :: mdr_material_values, mdr_material_limit
 
+    !> what x is
+    character(len=5), parameter :: arguments(*) = [character(len=5) :: "t", "t", "omega"]
     !> enum mdr_limit
     integer, parameter :: glassy = 1, relaxed = 2
 
@@ -61,83 +63,55 @@ contains
         status = deliver(rheology, out, error)
     end function mdr_material_power_law
 
-    function mdr_material_relaxation(m, n, t, out) result(status) bind(C, name="mdrcontact_entry_material_relaxation")
+    function mdr_material_values(m, quantity, n, x, out, imaginary) result(status) &
+        bind(C, name="mdrcontact_entry_material_values")
         type(c_ptr), value :: m
-        integer(c_int), value :: n
-        real(c_double), intent(in), optional :: t(*)
-        real(c_double), intent(inout), optional :: out(*)
-        integer(c_int) :: status
-
-        status = in_time(m, n, t, out, .false.)
-    end function mdr_material_relaxation
-
-    function mdr_material_creep(m, n, t, out) result(status) bind(C, name="mdrcontact_entry_material_creep")
-        type(c_ptr), value :: m
-        integer(c_int), value :: n
-        real(c_double), intent(in), optional :: t(*)
-        real(c_double), intent(inout), optional :: out(*)
-        integer(c_int) :: status
-
-        status = in_time(m, n, t, out, .true.)
-    end function mdr_material_creep
-
-    function in_time(m, n, t, out, is_creep) result(status)
-        type(c_ptr), intent(in) :: m
-        integer(c_int), intent(in) :: n
-        real(c_double), intent(in), optional :: t(*)
-        real(c_double), intent(inout), optional :: out(*)
-        logical, intent(in) :: is_creep
-        integer(c_int) :: status
-        type(rheology_t), pointer :: material
-        real(c_double), allocatable :: values(:)
-        type(error_t), allocatable :: error
-        integer :: i
-
-        call open_handle(m, "m", material, error)
-        call check_in_out(error, n, "t", present(t), present(out))
-        do i = 1, n
-            if (allocated(error)) exit
-            call check_not_negative(error, "t", t(i), i)
-            if (is_creep .or. t(i) > 0.0_wp .or. material%has_glassy()) cycle
-            call raise(error, error_invalid, " = 0.0 is not allowed: there G(t) of a power law, or with a dashpot in parallel, "// &
-                       "is infinite", "t", i)
-        end do
-        call make_room(error, n, values)
-        if (.not. allocated(error) .and. n > 0) then
-            if (is_creep) then
-                values = material%creep(t(:n))
-            else
-                values = material%relaxation(t(:n))
-            end if
-            call check_results(error, values)
-            if (.not. allocated(error)) out(:n) = values
-        end if
-        status = status_of(error)
-    end function in_time
-
-    function mdr_material_complex_modulus(m, n, omega, storage, loss) result(status) &
-        bind(C, name="mdrcontact_entry_material_complex_modulus")
-        type(c_ptr), value :: m
-        integer(c_int), value :: n
-        real(c_double), intent(in), optional :: omega(*)
-        real(c_double), intent(inout), optional :: storage(*), loss(*)
+        integer(c_int), value :: quantity, n
+        real(c_double), intent(in), optional :: x(*)
+        real(c_double), intent(inout), optional :: out(*), imaginary(*)
         integer(c_int) :: status
         type(rheology_t), pointer :: material
         complex(wp), allocatable :: values(:)
+        real(c_double), allocatable :: in_time(:)
         type(error_t), allocatable :: error
         integer :: i
 
         call open_handle(m, "m", material, error)
-        call check_complex_arrays(error, n, "omega", present(omega), present(storage), present(loss))
-        if (.not. allocated(error) .and. n > 0) call check_each_positive(error, "omega", omega(:n))
-        call make_room(error, n, values)
+        call check_choice(error, "quantity", int(quantity), of_relaxation, of_complex_modulus, "1 (relaxation), 2 (creep) or "// &
+                          "3 (complex modulus)")
+        call check_in_out(error, n, trim(arguments(max(1, min(int(quantity), size(arguments))))), present(x), present(out))
         do i = 1, n
             if (allocated(error)) exit
-            values(i) = material%complex_shear(cmplx(0.0_wp, omega(i), wp))
+            if (quantity == of_complex_modulus) then
+                call check_positive(error, "omega", x(i), i)
+            else
+                call check_not_negative(error, "t", x(i), i)
+                if (quantity == of_creep .or. x(i) > 0.0_wp .or. material%has_glassy()) cycle
+                call raise(error, error_invalid, " = 0.0 is not allowed: there G(t) of a power law, or with a dashpot in "// &
+                           "parallel, is infinite", "t", i)
+            end if
         end do
-        call deliver_parts(error, values, storage, loss)
+        if (quantity == of_complex_modulus) then
+            call make_room(error, n, values)
+            do i = 1, merge(n, 0_c_int, .not. allocated(error))
+                values(i) = material%complex_shear(cmplx(0.0_wp, x(i), wp))
+            end do
+            call deliver_parts(error, values, out, imaginary)
+        else
+            call make_room(error, n, in_time)
+            if (.not. allocated(error) .and. n > 0) then
+                if (quantity == of_creep) then
+                    in_time = material%creep(x(:n))
+                else
+                    in_time = material%relaxation(x(:n))
+                end if
+                call check_results(error, in_time)
+                if (.not. allocated(error)) out(:n) = in_time
+                if (present(imaginary) .and. .not. allocated(error)) imaginary(:n) = 0.0_c_double
+            end if
+        end if
         status = status_of(error)
-    end function mdr_material_complex_modulus
+    end function mdr_material_values
 
     function mdr_material_limit(m, limit, e, nu) result(status) bind(C, name="mdrcontact_entry_material_limit")
         type(c_ptr), value :: m

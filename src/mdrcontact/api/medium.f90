@@ -6,35 +6,19 @@ module mdrcontact_api_medium
     use mdrcontact_api_arrays, only: check_each_positive, check_each_within, check_in_out, check_positive_results, make_room
     use mdrcontact_api_handles, only: deliver_solver, hand_over, open_handle
     use mdrcontact_api_status, only: status_of, wanted_threads
-    use mdrcontact_error, only: error_invalid, error_t, raise
-    use mdrcontact_material, only: material_t, new_material
+    use mdrcontact_codes, only: of_modulus => modulus, of_stiffness => stiffness, of_tangential_modulus => tangential_modulus, &
+                                of_torsional_stiffness => torsional_stiffness
+    use mdrcontact_error, only: check_choice, error_invalid, error_t, raise
     use mdrcontact_medium, only: check_elastic, medium_t, new_pair
     use mdrcontact_medium_solver, only: new_under, solver_t
-    use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous, new_homogeneous_from_modulus, new_rigid
+    use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous_from_modulus, new_rigid
     use mdrcontact_medium_values, only: modulus_values
     implicit none (type, external)
     private
     public :: mdr_medium_rigid, mdr_medium_pair
-    public :: mdr_medium_homogeneous, mdr_medium_contact_modulus, mdr_medium_modulus, mdr_medium_stiffness
-    public :: mdr_medium_tangential_modulus, mdr_medium_torsional_stiffness
-
-    !> The quantities of a medium.
-    integer, parameter :: of_modulus = 1, of_stiffness = 2, of_tangential_modulus = 3, of_torsional_stiffness = 4
+    public :: mdr_medium_contact_modulus, mdr_medium_values
 
 contains
-
-    function mdr_medium_homogeneous(e, nu, out) result(status) bind(C, name="mdrcontact_entry_medium_homogeneous")
-        real(c_double), value :: e, nu
-        type(c_ptr), intent(inout), optional :: out
-        integer(c_int) :: status
-        type(material_t) :: material
-        type(homogeneous_t) :: medium
-        type(error_t), allocatable :: error
-
-        call new_material(material, e, nu, error)
-        call new_homogeneous(medium, material)
-        status = deliver_solver(medium, out, error)
-    end function mdr_medium_homogeneous
 
     function mdr_medium_contact_modulus(contact_modulus, out) result(status) bind(C, name="mdrcontact_entry_medium_contact_modulus")
         real(c_double), value :: contact_modulus
@@ -74,51 +58,10 @@ contains
         status = hand_over(object, out, error)
     end function mdr_medium_pair
 
-    function mdr_medium_modulus(m, n, a, out) result(status) bind(C, name="mdrcontact_entry_medium_modulus")
-        type(c_ptr), value :: m
-        integer(c_int), value :: n
-        real(c_double), intent(in), optional :: a(*)
-        real(c_double), intent(inout), optional :: out(*)
-        integer(c_int) :: status
-
-        status = write_values(m, of_modulus, n, a, out)
-    end function mdr_medium_modulus
-
-    function mdr_medium_stiffness(m, n, a, out) result(status) bind(C, name="mdrcontact_entry_medium_stiffness")
-        type(c_ptr), value :: m
-        integer(c_int), value :: n
-        real(c_double), intent(in), optional :: a(*)
-        real(c_double), intent(inout), optional :: out(*)
-        integer(c_int) :: status
-
-        status = write_values(m, of_stiffness, n, a, out)
-    end function mdr_medium_stiffness
-
-    function mdr_medium_tangential_modulus(m, n, a, out) result(status) bind(C, name="mdrcontact_entry_medium_tangential_modulus")
-        type(c_ptr), value :: m
-        integer(c_int), value :: n
-        real(c_double), intent(in), optional :: a(*)
-        real(c_double), intent(inout), optional :: out(*)
-        integer(c_int) :: status
-
-        status = write_values(m, of_tangential_modulus, n, a, out)
-    end function mdr_medium_tangential_modulus
-
-    function mdr_medium_torsional_stiffness(m, n, a, out) result(status) bind(C, name="mdrcontact_entry_medium_torsional_stiffness")
-        type(c_ptr), value :: m
-        integer(c_int), value :: n
-        real(c_double), intent(in), optional :: a(*)
-        real(c_double), intent(inout), optional :: out(*)
-        integer(c_int) :: status
-
-        status = write_values(m, of_torsional_stiffness, n, a, out)
-    end function mdr_medium_torsional_stiffness
-
     !> A quantity of a deformable medium at radii > 0; nothing is written before all of it is known.
-    function write_values(m, quantity, n, a, out) result(status)
-        type(c_ptr), intent(in) :: m
-        integer, intent(in) :: quantity
-        integer(c_int), intent(in) :: n
+    function mdr_medium_values(m, quantity, n, a, out) result(status) bind(C, name="mdrcontact_entry_medium_values")
+        type(c_ptr), value :: m
+        integer(c_int), value :: quantity, n
         real(c_double), intent(in), optional :: a(*)
         real(c_double), intent(inout), optional :: out(*)
         integer(c_int) :: status
@@ -130,6 +73,7 @@ contains
         integer :: i
 
         call open_handle(m, "m", whole, error)
+        call check_choice(error, "quantity", int(quantity), of_modulus, of_torsional_stiffness, "one of enum mdr_medium_quantity")
         if (.not. allocated(error)) call check_elastic(whole, error)
         if (.not. allocated(error)) then
             medium => whole%solver
@@ -163,6 +107,6 @@ contains
             if (.not. allocated(error)) out(:n) = values
         end if
         status = status_of(error)
-    end function write_values
+    end function mdr_medium_values
 
 end module mdrcontact_api_medium

@@ -10,7 +10,7 @@ module mdrcontact_api_medium_data
     use mdrcontact_medium_tabulated, only: new_medium_from_function, new_tabulated_medium, tabulated_medium_t
     implicit none (type, external)
     private
-    public :: mdr_medium_table, mdr_medium_callback
+    public :: mdr_medium_table, mdr_medium_function
 
 contains
 
@@ -38,8 +38,8 @@ contains
         status = hand_over_solver(solver, out, error)
     end function mdr_medium_table
 
-    function mdr_medium_callback(modulus, context, smallest_radius, largest_radius, out) result(status) &
-        bind(C, name="mdrcontact_entry_medium_callback")
+    function mdr_medium_function(modulus, context, smallest_radius, largest_radius, out) result(status) &
+        bind(C, name="mdrcontact_entry_medium_function")
         type(c_funptr), value :: modulus
         type(c_ptr), value :: context
         real(c_double), value :: smallest_radius, largest_radius
@@ -55,6 +55,6 @@ contains
         if (.not. allocated(error)) call new_medium_from_function(medium, f, smallest_radius, largest_radius, error)
         call move_alloc(medium, solver)
         status = hand_over_solver(solver, out, error)
-    end function mdr_medium_callback
+    end function mdr_medium_function
 
 end module mdrcontact_api_medium_data

@@ -13,14 +13,16 @@ module mdrcontact_api_poroelastic
     use mdrcontact_poroelastic_table, only: new_poroelastic, poroelastic_t
     implicit none (type, external)
     private
-    public :: mdr_poroelastic_new, mdr_poroelastic_error, mdr_poroelastic_response, mdr_poroelastic_dynamic_stiffness, &
+    public :: mdr_poroelastic_new, mdr_poroelastic_response, mdr_poroelastic_dynamic_stiffness, &
               mdr_poroelastic_pressure, mdr_poroelastic_compliance
 
 contains
 
-    function mdr_poroelastic_new(nu, drainage, ratio, out) result(status) bind(C, name="mdrcontact_entry_poroelastic_new")
+    function mdr_poroelastic_new(nu, drainage, ratio, deviation, out) result(status) &
+        bind(C, name="mdrcontact_entry_poroelastic_new")
         real(c_double), value :: nu, ratio
         integer(c_int), value :: drainage
+        real(c_double), intent(inout), optional :: deviation
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
         type(poroelastic_t) :: table
@@ -29,20 +31,8 @@ contains
         call check_given(error, "out", present(out))
         if (.not. allocated(error)) call new_poroelastic(table, nu, int(drainage), ratio, error)
         status = deliver(table, out, error)
+        if (present(deviation) .and. .not. allocated(error)) deviation = table%error
     end function mdr_poroelastic_new
-
-    function mdr_poroelastic_error(p, out) result(status) bind(C, name="mdrcontact_entry_poroelastic_error")
-        type(c_ptr), value :: p
-        real(c_double), intent(inout), optional :: out
-        integer(c_int) :: status
-        type(poroelastic_t), pointer :: table
-        type(error_t), allocatable :: error
-
-        call open_handle(p, "p", table, error)
-        call check_given(error, "out", present(out))
-        status = status_of(error)
-        if (.not. allocated(error)) out = table%error
-    end function mdr_poroelastic_error
 
     function mdr_poroelastic_response(p, answer, shear_modulus, diffusivity, radius, n, time, out) result(status) &
         bind(C, name="mdrcontact_entry_poroelastic_response")

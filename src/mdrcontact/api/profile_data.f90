@@ -5,15 +5,16 @@ module mdrcontact_api_profile_data
     use mdrcontact_api_arrays, only: check_array, check_count, check_not_empty
     use mdrcontact_api_callback, only: c_function_t, new_c_function
     use mdrcontact_api_handles, only: hand_over, open_handle
-    use mdrcontact_error, only: check_memory, error_invalid, error_t, raise, raise_at
+    use mdrcontact_error, only: check_memory, count_text, error_invalid, error_t, raise, raise_at
     use mdrcontact_profile, only: profile_t
     use mdrcontact_profile_area_function, only: area_function_t, new_area_function_profile
     use mdrcontact_profile_sampled, only: sampled_profile_t
     use mdrcontact_profile_sum, only: new_profile_sum, profile_sum_t, profile_term_t
     use mdrcontact_profile_tabulated, only: new_profile_from_function, new_profile_from_mdr, new_tabulated_profile
+    use mdrcontact_profile_values, only: of_height, of_mdr
     implicit none (type, external)
     private
-    public :: mdr_profile_area_function, mdr_profile_table, mdr_profile_from_mdr_table, mdr_profile_callback, mdr_profile_sum
+    public :: mdr_profile_area_function, mdr_profile_table, mdr_profile_function, mdr_profile_sum
 
 contains
 
@@ -37,46 +38,39 @@ contains
         status = hand_over(object, out, error)
     end function mdr_profile_area_function
 
-    function mdr_profile_table(n, r, f, out) result(status) bind(C, name="mdrcontact_entry_profile_table")
-        integer(c_int), value :: n
-        real(c_double), intent(in), optional :: r(*), f(*)
+    function mdr_profile_table(quantity, n, x, y, out) result(status) bind(C, name="mdrcontact_entry_profile_table")
+        integer(c_int), value :: quantity, n
+        real(c_double), intent(in), optional :: x(*), y(*)
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
         type(sampled_profile_t), allocatable :: profile
         class(*), allocatable :: object
         type(error_t), allocatable :: error
+        logical :: is_height
 
         allocate (profile)
+        is_height = quantity == of_height
+        if (.not. is_height .and. quantity /= of_mdr) then
+            call raise(error, error_invalid, "quantity = "//count_text(int(quantity))//" is not allowed: it must be "// &
+                       "MDR_HEIGHT or MDR_G")
+        end if
         call check_count(error, n)
-        call check_not_empty(error, "r", n, 3)
-        call check_array(error, "r", n, present(r))
-        call check_array(error, "f", n, present(f))
-        if (.not. allocated(error)) call new_tabulated_profile(profile, r(:n), f(:n), error)
+        call check_not_empty(error, merge("r", "x", is_height), n, 3)
+        call check_array(error, merge("r", "x", is_height), n, present(x))
+        call check_array(error, merge("f", "g", is_height), n, present(y))
+        if (.not. allocated(error)) then
+            if (is_height) then
+                call new_tabulated_profile(profile, x(:n), y(:n), error)
+            else
+                call new_profile_from_mdr(profile, x(:n), y(:n), error)
+            end if
+        end if
         call move_alloc(profile, object)
         status = hand_over(object, out, error)
     end function mdr_profile_table
 
-    function mdr_profile_from_mdr_table(n, x, g, out) result(status) bind(C, name="mdrcontact_entry_profile_from_mdr_table")
-        integer(c_int), value :: n
-        real(c_double), intent(in), optional :: x(*), g(*)
-        type(c_ptr), intent(inout), optional :: out
-        integer(c_int) :: status
-        type(sampled_profile_t), allocatable :: profile
-        class(*), allocatable :: object
-        type(error_t), allocatable :: error
-
-        allocate (profile)
-        call check_count(error, n)
-        call check_not_empty(error, "x", n, 3)
-        call check_array(error, "x", n, present(x))
-        call check_array(error, "g", n, present(g))
-        if (.not. allocated(error)) call new_profile_from_mdr(profile, x(:n), g(:n), error)
-        call move_alloc(profile, object)
-        status = hand_over(object, out, error)
-    end function mdr_profile_from_mdr_table
-
-    function mdr_profile_callback(height, context, largest_radius, out) result(status) &
-        bind(C, name="mdrcontact_entry_profile_callback")
+    function mdr_profile_function(height, context, largest_radius, out) result(status) &
+        bind(C, name="mdrcontact_entry_profile_function")
         type(c_funptr), value :: height
         type(c_ptr), value :: context
         real(c_double), value :: largest_radius
@@ -92,7 +86,7 @@ contains
         if (.not. allocated(error)) call new_profile_from_function(profile, f, largest_radius, error)
         call move_alloc(profile, object)
         status = hand_over(object, out, error)
-    end function mdr_profile_callback
+    end function mdr_profile_function
 
     function mdr_profile_sum(n, terms, out) result(status) bind(C, name="mdrcontact_entry_profile_sum")
         integer(c_int), value :: n

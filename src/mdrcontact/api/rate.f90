@@ -18,7 +18,7 @@ module mdrcontact_api_rate
     use mdrcontact_material_rheology, only: rheology_t
     implicit none (type, external)
     private
-    public :: mdr_rate_new, mdr_rate_work, mdr_rate_scales, mdr_rate_history
+    public :: mdr_rate_new, mdr_rate_work, mdr_rate_history
 
 contains
 
@@ -66,16 +66,17 @@ contains
         end if
     end subroutine read_law
 
-    function mdr_rate_work(options, n, v, out) result(status) bind(C, name="mdrcontact_entry_rate_work")
+    function mdr_rate_work(options, n, v, out, time, zone) result(status) bind(C, name="mdrcontact_entry_rate_work")
         type(c_ptr), value :: options
         integer(c_int), value :: n
         real(c_double), intent(in), optional :: v(*)
-        real(c_double), intent(inout), optional :: out(*)
+        real(c_double), intent(inout), optional :: out(*), time, zone
         integer(c_int) :: status
         type(c_rate_options_t) :: given
         type(rate_law_t) :: law
         real(c_double), allocatable :: values(:)
         type(error_t), allocatable :: error
+        real(c_double) :: longest
 
         call read_law(options, given, law, error)
         call check_in_out(error, n, "v", present(v), present(out))
@@ -84,28 +85,15 @@ contains
             call check_each_finite(error, "v", v(:n))
             if (.not. allocated(error)) values(:) = law%work_at(v(:n))
             if (.not. allocated(error)) call check_results(error, values)
-            if (.not. allocated(error)) out(:n) = values
         end if
-        status = status_of(error)
-    end function mdr_rate_work
-
-    function mdr_rate_scales(options, time, zone) result(status) bind(C, name="mdrcontact_entry_rate_scales")
-        type(c_ptr), value :: options
-        real(c_double), intent(inout), optional :: time, zone
-        integer(c_int) :: status
-        type(c_rate_options_t) :: given
-        type(rate_law_t) :: law
-        type(error_t), allocatable :: error
-        real(c_double) :: longest
-
-        call read_law(options, given, law, error)
         status = status_of(error)
         if (allocated(error)) return
         longest = 0.0_c_double
         if (allocated(law%crack)) longest = law%crack%longest
+        if (n > 0) out(:n) = values
         if (present(time)) time = longest
         if (present(zone)) zone = law%zone()
-    end function mdr_rate_scales
+    end function mdr_rate_work
 
     function mdr_rate_history(r, control, spring_stiffness, tolerance, start, n, time, in, d, a, f, v, dissipated, work, end) &
         result(status) bind(C, name="mdrcontact_entry_rate_history")

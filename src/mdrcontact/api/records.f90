@@ -4,9 +4,9 @@ module mdrcontact_api_records
     use, intrinsic :: iso_c_binding, only: c_char, c_double, c_int, c_null_char, c_null_ptr, c_ptr, c_size_t
     implicit none (type, external)
     private
-    public :: c_failure_t, c_model_facts_t, c_medium_options_t, c_layer_t, c_contact_options_t, c_rate_options_t, &
-              c_wear_options_t, c_law_options_t, c_law_facts_t, c_structure_options_t, c_fit_parameter_t, c_fit_problem_t, &
-              c_fit_summary_t
+    public :: c_failure_t, c_model_facts_t, c_medium_options_t, c_layer_t, c_contact_options_t, c_loop_facts_t, c_rate_options_t, &
+              c_shear_facts_t, c_wear_options_t, c_law_options_t, c_law_facts_t, c_structure_options_t, c_fit_parameter_t, &
+              c_fit_problem_t, c_fit_summary_t
 
     !> struct mdr_failure
     type, bind(C) :: c_failure_t
@@ -78,6 +78,15 @@ module mdrcontact_api_records
         real(c_double) :: cohesive_stress = 0.0_c_double
     end type c_contact_options_t
 
+    !> struct mdr_loop_facts
+    type, bind(C) :: c_loop_facts_t
+        integer(c_size_t) :: size = 0_c_size_t
+        real(c_double) :: dissipated_energy = 0.0_c_double
+        integer(c_int) :: points = 0_c_int
+        integer(c_int) :: turning_point = 0_c_int
+        integer(c_int) :: jumps = 0_c_int
+    end type c_loop_facts_t
+
     !> struct mdr_rate_options
     type, bind(C) :: c_rate_options_t
         integer(c_size_t) :: size = 0_c_size_t
@@ -92,6 +101,14 @@ module mdrcontact_api_records
         real(c_double) :: largest_radius = 0.0_c_double
         real(c_double) :: smallest_radius = 0.0_c_double
     end type c_rate_options_t
+
+    !> struct mdr_shear_facts
+    type, bind(C) :: c_shear_facts_t
+        integer(c_size_t) :: size = 0_c_size_t
+        real(c_double) :: sliding_shift = 0.0_c_double
+        real(c_double) :: sliding_force = 0.0_c_double
+        integer(c_int) :: direction = 0_c_int
+    end type c_shear_facts_t
 
     !> struct mdr_wear_options
     type, bind(C) :: c_wear_options_t
@@ -127,7 +144,7 @@ module mdrcontact_api_records
         integer(c_int) :: solutions = 0_c_int
         integer(c_int) :: adhesive = 0_c_int
         integer(c_int) :: segments = 0_c_int
-        integer(c_int) :: description_length = 0_c_int
+        type(c_ptr) :: description = c_null_ptr
         integer(c_int) :: continue_beyond = 0_c_int
         integer(c_int) :: sliders = 0_c_int
         integer(c_int) :: memory_size = 0_c_int

@@ -22,7 +22,7 @@ module mdrcontact_api_structure
     use mdrcontact_medium_tabulated, only: tabulated_medium_t
     implicit none (type, external)
     private
-    public :: mdr_structure_shapes, mdr_structure_voxels, mdr_structure_callback, &
+    public :: mdr_structure_shapes, mdr_structure_voxels, mdr_structure_function, &
               mdr_structure_modulus, mdr_structure_medium
 
     !> A C function E(x, y, z), nu(x, y, z).
@@ -142,8 +142,8 @@ contains
         status = hand_over(object, out, error)
     end function mdr_structure_voxels
 
-    function mdr_structure_callback(field, context, reference_nu, options, out) result(status) &
-        bind(C, name="mdrcontact_entry_structure_callback")
+    function mdr_structure_function(field, context, reference_nu, options, out) result(status) &
+        bind(C, name="mdrcontact_entry_structure_function")
         type(c_funptr), value :: field
         type(c_ptr), value :: context
         real(c_double), value :: reference_nu
@@ -163,7 +163,7 @@ contains
             call new_field_structure(structure, wrapped, reference_nu, error, chosen%tolerance, chosen%exponent)
         end if
         status = deliver(structure, out, error)
-    end function mdr_structure_callback
+    end function mdr_structure_function
 
     function mdr_structure_modulus(s, n, x, y, a, out) result(status) bind(C, name="mdrcontact_entry_structure_modulus")
         type(c_ptr), value :: s

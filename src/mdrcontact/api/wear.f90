@@ -19,7 +19,7 @@ module mdrcontact_api_wear
     private
     public :: mdr_wear_new, mdr_wear_limit, mdr_wear_track, mdr_wear_passes, mdr_wear_running_in
     public :: mdr_wear_history_new, mdr_wear_history_copy, mdr_wear_history_advance, mdr_wear_history_state, &
-              mdr_wear_history_pressure, mdr_wear_history_profile, mdr_wear_history_save, mdr_wear_history_restore
+              mdr_wear_history_profile, mdr_wear_history_save, mdr_wear_history_restore
 
     !> enum mdr_wear_places
     integer, parameter :: fresh_places = 1, same_places = 2
@@ -234,36 +234,28 @@ contains
         out(:n) = states
     end function mdr_wear_history_advance
 
-    function mdr_wear_history_state(h, out) result(status) bind(C, name="mdrcontact_entry_wear_history_state")
-        type(c_ptr), value :: h
-        type(wear_state_t), intent(inout), optional :: out
-        integer(c_int) :: status
-        type(wear_history_t), pointer :: history
-        type(error_t), allocatable :: error
-
-        call open_handle(h, "h", history, error)
-        call check_given(error, "out", present(out))
-        status = status_of(error)
-        if (.not. allocated(error)) call history%state(out)
-    end function mdr_wear_history_state
-
-    function mdr_wear_history_pressure(h, n, r, out) result(status) bind(C, name="mdrcontact_entry_wear_history_pressure")
+    function mdr_wear_history_state(h, n, r, out, pressure) result(status) bind(C, name="mdrcontact_entry_wear_history_state")
         type(c_ptr), value :: h
         integer(c_int), value :: n
         real(c_double), intent(in), optional :: r(*)
-        real(c_double), intent(inout), optional :: out(*)
+        type(wear_state_t), intent(inout), optional :: out
+        real(c_double), intent(inout), optional :: pressure(*)
         integer(c_int) :: status
         type(wear_history_t), pointer :: history
         real(wp), allocatable :: values(:)
         type(error_t), allocatable :: error
 
         call open_handle(h, "h", history, error)
-        call check_in_out(error, n, "r", present(r), present(out))
+        call check_count(error, n)
+        call check_array(error, "r", n, present(r))
+        call check_array(error, "pressure", n, present(pressure))
         if (.not. allocated(error)) call make_room(error, n, values)
         if (.not. allocated(error) .and. n > 0) call history%pressure(r(:n), values, error)
         status = status_of(error)
-        if (.not. allocated(error) .and. n > 0) out(:n) = values
-    end function mdr_wear_history_pressure
+        if (allocated(error)) return
+        if (n > 0) pressure(:n) = values
+        if (present(out)) call history%state(out)
+    end function mdr_wear_history_state
 
     function mdr_wear_history_profile(h, out) result(status) bind(C, name="mdrcontact_entry_wear_history_profile")
         type(c_ptr), value :: h

@@ -76,7 +76,11 @@ contains
         end if
         do i = 1, size(layers)
             if (allocated(error)) return
-            call check_positive(error, "thickness", thickness(i))
+            if (size(layers) > 1) then
+                call check_positive(error, "thickness", thickness(i), i)
+            else
+                call check_positive(error, "thickness", thickness(i))
+            end if
             call check_positive(error, "E of a layer", layers(i)%young)
         end do
         if (.not. rigid) call check_positive(error, "E of the substrate", substrate%young)

@@ -2,16 +2,17 @@
 !> The closed forms at many contact radii, on one thread or several.
 module mdrcontact_contact_closed_form_values
     use mdrcontact_batch, only: map_t, run_map
-    use mdrcontact_contact_closed_forms, only: coated_cone_force, coated_paraboloid_adhesive_depth, coated_paraboloid_force, &
+    use mdrcontact_codes, only: of_adhesive_depth => form_adhesive_depth, of_cone_force => form_cone_force, &
+                                of_depth_scale => form_depth_scale, of_paraboloid_force => form_paraboloid_force, &
+                                of_radius_scale => form_radius_scale, of_reduced_depth => form_reduced_depth
+    use mdrcontact_contact_closed_forms, only: adhesive_depth_scale, adhesive_radius_scale, coated_cone_force, &
+                                               coated_paraboloid_adhesive_depth, coated_paraboloid_force, &
                                                reduced_adhesive_depth
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
     public :: closed_form_values
-    public :: of_paraboloid_force, of_cone_force, of_adhesive_depth, of_reduced_depth
-
-    !> coated_paraboloid_force, coated_cone_force, coated_paraboloid_adhesive_depth, reduced_adhesive_depth.
-    integer, parameter :: of_paraboloid_force = 1, of_cone_force = 2, of_adhesive_depth = 3, of_reduced_depth = 4
+    public :: of_paraboloid_force, of_cone_force, of_adhesive_depth, of_reduced_depth, of_radius_scale, of_depth_scale
 
     type, extends(map_t) :: closed_form_map_t
         integer :: form = of_paraboloid_force
@@ -26,7 +27,7 @@ contains
     subroutine closed_form_values(form, a, numbers, y, threads)
         !> of_...
         integer, intent(in) :: form
-        !> contact radii > 0 [length], reduced ones for of_reduced_depth
+        !> contact radii > 0 [length], reduced ones for of_reduced_depth, those of the paraboloid for both scales
         real(wp), intent(in), contiguous :: a(:)
         !> the function's other arguments in their order, at most 5
         real(wp), intent(in) :: numbers(:)
@@ -60,6 +61,14 @@ contains
             case (of_adhesive_depth)
                 do i = 1, size(x)
                     y(i) = coated_paraboloid_adhesive_depth(x(i), p(1), p(2), p(3), p(4), p(5))
+                end do
+            case (of_radius_scale)
+                do i = 1, size(x)
+                    y(i) = adhesive_radius_scale(x(i), p(1), p(2))
+                end do
+            case (of_depth_scale)
+                do i = 1, size(x)
+                    y(i) = adhesive_depth_scale(x(i), p(1), p(2))
                 end do
             case default
                 do i = 1, size(x)

@@ -35,7 +35,7 @@ module mdrcontact_history_friction
                                    loads(*) = [character(len=16) :: "tangential_force", "torque"], &
                                    states(*) = [character(len=16) :: "tangential state", "torsional state"]
 
-    !> A state of partial slip, C's struct mdr_tangential_state; of a twist, C's struct mdr_torsional_state, with phi [radian] in
+    !> A state of partial slip, C's struct mdr_shear_state; of a twist, C's struct mdr_shear_state, with phi [radian] in
     !> the place of s, M [modulus length^3] in that of T, and dM/dphi [modulus length^3] in that of dT/ds.
     type, bind(C) :: tangential_state_t
         !> s, of the indenter along the surface [length]
@@ -76,6 +76,7 @@ module mdrcontact_history_friction
         !> as the twist grows, mu int r p dA [modulus length^3], and the twist [radian]
         real(wp), public :: radius = 0.0_wp, sliding_force = 0.0_wp, sliding_shift = 0.0_wp
     contains
+        procedure :: is_twist
         procedure :: at_shift
         procedure :: at_tangential_force
         procedure :: load_beyond
@@ -199,6 +200,14 @@ contains
         self%sliding_force = coefficient*self%slip%force
         self%sliding_shift = coefficient*self%slip%sliding_shift
     end subroutine new_first_shear
+
+    !> Whether it is turned about its axis, not displaced.
+    pure function is_twist(self)
+        class(first_shear_t), intent(in) :: self
+        logical :: is_twist
+
+        is_twist = self%way == about_axis
+    end function is_twist
 
     !> The state at a shift.
     subroutine at_shift(self, shift, state, error)

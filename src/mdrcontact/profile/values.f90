@@ -2,15 +2,13 @@
 !> Height, slope and MDR profile of an indenter at many radii, on one thread or several.
 module mdrcontact_profile_values
     use mdrcontact_batch, only: map_t, run_map
+    use mdrcontact_codes, only: of_height => height, of_mdr => g, of_mdr_slope => g_slope, of_slope => height_slope
     use mdrcontact_kinds, only: wp
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
     private
     public :: profile_values
     public :: of_height, of_slope, of_mdr, of_mdr_slope
-
-    !> f(r), f'(r), g(x), g'(x)
-    integer, parameter :: of_height = 1, of_slope = 2, of_mdr = 3, of_mdr_slope = 4
 
     type, extends(map_t) :: profile_map_t
         class(profile_t), pointer :: profile => null()

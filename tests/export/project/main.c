@@ -8,7 +8,7 @@
 int main(void)
 {
     const double depth[1] = {0.5}, expected = 4.0 * sqrt(2.0) * pow(0.5, 1.5);
-    double force[1] = {0.0};
+    mdr_state state = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
     mdr_profile *profile = NULL;
     mdr_medium *medium = NULL;
     mdr_contact *contact = NULL;
@@ -17,17 +17,17 @@ int main(void)
         || mdr_profile_paraboloid(2.0, &profile) != MDR_SUCCESS
         || mdr_medium_contact_modulus(3.0, &medium) != MDR_SUCCESS
         || mdr_contact_new(profile, medium, NULL, &contact) != MDR_SUCCESS
-        || mdr_contact_from_depth(contact, 1, depth, NULL, NULL, force, NULL) != MDR_SUCCESS) {
+        || mdr_contact_states(contact, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, 1, depth, &state) != MDR_SUCCESS) {
         char text[200];
         mdr_last_error(text, (int)sizeof text);
         fprintf(stderr, "%s\n", text);
         return 1;
     }
-    mdr_contact_free(&contact);
-    mdr_medium_free(&medium);
-    mdr_profile_free(&profile);
-    if (!(fabs(force[0] - expected) < 1e-12 * expected)) {
-        fprintf(stderr, "force %.17g, expected %.17g\n", force[0], expected);
+    MDR_FREE(contact);
+    MDR_FREE(medium);
+    MDR_FREE(profile);
+    if (!(fabs(state.force - expected) < 1e-12 * expected)) {
+        fprintf(stderr, "force %.17g, expected %.17g\n", state.force, expected);
         return 1;
     }
     printf("C: 2 checks passed\n");

@@ -15,12 +15,12 @@ static void pull_off(world *w)
 
     if (!afford(w, PRICE_OF_PULL_OFF * (w->contact_is_exact[slot] ? EXACT : 1))) return;
     fill(d), fill(a), fill(F);
-    status = mdr_contact_pull_off(contact, control, 1, d, a, F, NULL);
+    status = pull_off_of(contact, control, 1, d, a, F, NULL);
     judge("mdr_contact_pull_off", status, 1, d, FINITE);
     judge("mdr_contact_pull_off", status, 1, a, NOT_NEGATIVE);
     judge("mdr_contact_pull_off", status, 1, F, FINITE);
     fill(d), fill(a), fill(F);
-    status = mdr_contact_pull_off(contact, control, MOST_POINTS, d, a, F, &count);
+    status = pull_off_of(contact, control, MOST_POINTS, d, a, F, &count);
     if (status == MDR_SUCCESS && count < 0) finding("mdr_contact_pull_off", "no count", count);
     if (count > MOST_POINTS) count = MOST_POINTS;
     if (count == 0) count = 1; /* without adhesion the first is 0 */
@@ -31,8 +31,9 @@ static void pull_off(world *w)
 
 static void loop(world *w)
 {
-    double x[MOST_POINTS], d[MOST_POINTS], a[MOST_POINTS], F[MOST_POINTS], energy = NAN;
-    int slot, status, points = 0, turn = 0, jumps = 0, index[MOST_POINTS], n;
+    mdr_loop_point points[MOST_POINTS];
+    mdr_loop_facts facts = MDR_SIZED(mdr_loop_facts);
+    int slot, status, count = 0, n;
     const mdr_contact *contact = some_contact(w, &slot);
     const int control = take_choice(&w->in, 3);
     const double spring = take_positive(&w->in), largest = take_positive(&w->in);
@@ -43,23 +44,24 @@ static void loop(world *w)
     status = mdr_loop_new(contact, control, largest, n + 1, spring, &made);
     judge_object("mdr_loop_new", status, made);
     if (made) {
-        mdr_loop_free(&w->loop);
+        MDR_FREE(w->loop);
         w->loop = made;
     }
     if (!w->loop) return;
-    judge_status("mdr_loop_size", mdr_loop_size(w->loop, &points, &turn, &jumps));
-    if (points < 2 || turn < 0 || turn >= points || jumps < 0) finding("mdr_loop_size", "absurd sizes", points);
-    if (n > points) n = points;
-    fill(x), fill(d), fill(a), fill(F);
-    status = mdr_loop_path(w->loop, n, x, d, a, F);
-    judge("mdr_loop_path", status, n, x, FINITE);
-    judge("mdr_loop_path", status, n, d, FINITE);
-    judge("mdr_loop_path", status, n, a, NOT_NEGATIVE);
-    judge("mdr_loop_path", status, n, F, FINITE);
-    judge_status("mdr_loop_jumps", mdr_loop_jumps(w->loop, n, index));
-    status = mdr_loop_dissipated_energy(w->loop, &energy);
-    judge_status("mdr_loop_dissipated_energy", status);
-    if (status == MDR_SUCCESS && !isfinite(energy)) finding("mdr_loop_dissipated_energy", "not finite", energy);
+    status = mdr_loop_about(w->loop, &facts);
+    judge_status("mdr_loop_about", status);
+    if (status != MDR_SUCCESS) return;
+    if (facts.points < 2 || facts.turning_point < 0 || facts.turning_point >= facts.points || facts.jumps < 0) {
+        finding("mdr_loop_about", "absurd sizes", facts.points);
+    }
+    if (!isfinite(facts.dissipated_energy)) finding("mdr_loop_about", "not finite", facts.dissipated_energy);
+    status = mdr_loop_points(w->loop, n, points, &count);
+    judge_status("mdr_loop_points", status);
+    if (count != facts.points) finding("mdr_loop_points", "another count", count);
+    for (int i = 0; i < n && i < count && status == MDR_SUCCESS; i++) {
+        const mdr_loop_point *p = &points[i];
+        if (!isfinite(p->position + p->depth + p->force) || !(p->radius >= 0.0)) finding("mdr_loop_points", "no number", i);
+    }
 }
 
 void fuzz_adhesion(world *w)

@@ -23,7 +23,8 @@ void fuzz_conduction(world *w)
 {
     mdr_conductor lower[MOST_LAYERS], upper[MOST_LAYERS];
     const int n = take_stack(&w->in, lower), m = take_chance(&w->in) ? take_stack(&w->in, upper) : 0;
-    const int base = take_code(&w->in, 3), upper_base = take_code(&w->in, 3), answer = take_code(&w->in, 5), points = take_count(&w->in);
+    const int base = take_code(&w->in, 3), upper_base = take_code(&w->in, 3), answer = take_code(&w->in,
+            5), points = take_count(&w->in);
     const double film = take_chance(&w->in) ? take_positive(&w->in) : 0.0, sink = take_chance(&w->in) ? take_positive(&w->in) : 0.0;
     const double a = take_positive(&w->in);
     double x[MOST_POINTS], z[MOST_POINTS], out[MOST_POINTS], more[MOST_POINTS];
@@ -42,7 +43,8 @@ void fuzz_conduction(world *w)
         judge("mdr_conduction_spot", status, points, out, NOT_NEGATIVE);
         judge("mdr_conduction_spot", status, points, more, NOT_NEGATIVE);
         fill(out);
-        status = mdr_conduction_field(p, take_code(&w->in, 4), a, take_code(&w->in, 2), take_byte(&w->in) % 2, points, x, z, out);
+        status = mdr_conduction_field(p, take_code(&w->in, 4), a, take_code(&w->in, 2), take_byte(&w->in) % 2, 0.0, points, x, z,
+                                      out);
         judge("mdr_conduction_field", status, points, out, NOT_NAN);
     }
     if (p && afford(w, PRICE_OF_ANSWER)) {
@@ -57,7 +59,7 @@ void fuzz_conduction(world *w)
         judge("mdr_conduction_compliance", status, points, out, NOT_NAN);
         judge("mdr_conduction_compliance", status, points, more, NOT_NAN);
         fill(out);
-        judge("mdr_conduction_step", mdr_conduction_step(p, answer, a, points, x, out), points, out, NOT_NAN);
+        judge("mdr_conduction_follow", mdr_conduction_follow(p, answer, a, points, x, NULL, out), points, out, NOT_NAN);
         fill(out);
         judge("mdr_conduction_follow", mdr_conduction_follow(p, answer, a, points, x, z, out), points, out, NOT_NAN);
     }
@@ -78,12 +80,13 @@ void fuzz_conduction(world *w)
         status = mdr_conduction_heat_field(p, contact, &state, take_code(&w->in, 2), x[1], 1, 1, points, x, z, out);
         judge("mdr_conduction_heat_field", status, points, out, NOT_NAN);
         fill(out);
-        judge("mdr_conduction_step_flux", mdr_conduction_step_flux(p, a, x[0], points, z, out), points, out, NOT_NAN);
+        judge("mdr_conduction_field", mdr_conduction_field(p, MDR_CONDUCTION_FLUX, a, MDR_BODY_LOWER, 0, x[0], points, z, NULL,
+                                                           out), points, out, NOT_NAN);
     }
     if (p && afford(w, 10 * PRICE_OF_ANSWER)) {
         status = mdr_conduction_tabulate(p, x[0], x[1], 1e-6, &table);
         judge_object("mdr_conduction_tabulate", status, table);
-        judge_status("mdr_conduction_free", mdr_conduction_free(&table));
+        judge_status("mdr_free", mdr_free(table));
     }
-    judge_status("mdr_conduction_free", mdr_conduction_free(&p));
+    judge_status("mdr_free", mdr_free(p));
 }

@@ -40,7 +40,7 @@ void fuzz_contacts(world *w)
     status = mdr_contact_new(profile, medium, chosen, &made);
     judge_object("mdr_contact_new", status, made);
     if (!made) return;
-    mdr_contact_free(&w->contacts[slot]);
+    MDR_FREE(w->contacts[slot]);
     w->contacts[slot] = made;
     w->contact_is_exact[slot] = is_exact;
     w->contact_is_adhesive[slot] = options.work_of_adhesion > 0.0;

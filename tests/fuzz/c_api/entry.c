@@ -28,18 +28,17 @@ static int family_of(input *in)
 static void free_all(world *w)
 {
     for (int i = 0; i < SLOTS; i++) {
-        judge_status("mdr_contact_free", mdr_contact_free(&w->contacts[i]));
-        judge_status("mdr_medium_free", mdr_medium_free(&w->media[i]));
-        judge_status("mdr_profile_free", mdr_profile_free(&w->profiles[i]));
-        judge_status("mdr_material_free", mdr_material_free(&w->materials[i]));
-        if (w->contacts[i] || w->media[i] || w->profiles[i] || w->materials[i]) {
-            finding("mdr_..._free", "the handle is still there", i);
+        void *const handles[] = {w->contacts[i], w->media[i], w->profiles[i], w->materials[i]};
+        for (int k = 0; k < 4; k++) {
+            const int status = mdr_free(handles[k]);
+            judge_status("mdr_free", status);
+            if (status != MDR_SUCCESS) finding("mdr_free", "does not free", k);
         }
     }
-    mdr_loop_free(&w->loop);
-    mdr_law_free(&w->law);
-    mdr_structure_free(&w->structure);
-    mdr_law_free(&w->friction_law);
+    MDR_FREE(w->loop);
+    MDR_FREE(w->law);
+    MDR_FREE(w->structure);
+    MDR_FREE(w->friction_law);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)

@@ -52,8 +52,8 @@ static mdr_medium *new_medium(int kind, int model, int layers)
     static const double one[2] = {1.0, 2.0}, nu[2] = {0.3, 0.2}, z[2] = {0.0, 1.0};
     mdr_medium *m = NULL;
 
-    if (kind == 1) mdr_medium_homogeneous(1.0, 0.3, &m);
-    if (kind == 2) mdr_medium_layered(layers, one, nu, one, 1.0, 0.4, model, NULL, &m);
+    if (kind == 1) new_homogeneous(1.0, 0.3, &m);
+    if (kind == 2) new_layered(layers, one, nu, one, 1.0, 0.4, model, NULL, &m);
     if (kind == 3) mdr_medium_graded(2, z, one, nu, model, NULL, &m);
     if (kind == 4) mdr_medium_power_graded(1.0, 1.0, 0.2, 0.3, &m);
     return m;
@@ -145,9 +145,9 @@ static void fit(world *w, choices of)
             if (status == MDR_SUCCESS && (isnan(lower) || isnan(upper))) finding("mdr_fit_interval", "NaN", lower);
         }
     }
-    mdr_profile_free(&profile);
-    mdr_medium_free(&medium);
-    mdr_medium_free(&counterbody);
+    MDR_FREE(profile);
+    MDR_FREE(medium);
+    MDR_FREE(counterbody);
 }
 
 void fuzz_fits(world *w)

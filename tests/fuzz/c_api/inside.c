@@ -35,7 +35,7 @@ void fuzz_inside(world *w)
     }
     fill(out);
     status = mdr_contact_interior_error(contact, body, &state, out);
-    judge("mdr_contact_interior_error", status, 1, out, NOT_NEGATIVE);
+    judge("mdr_contact_interior", status, 1, out, NOT_NEGATIVE);
     fill(out);
     status = mdr_contact_layer_energies(contact, body, &state, MOST_POINTS, out, &count);
     judge("mdr_contact_layer_energies", status, count < MOST_POINTS ? count : MOST_POINTS, out, FINITE);
@@ -57,7 +57,7 @@ void fuzz_friction(world *w)
     const double coefficient = take_chance(&w->in) ? take_positive(&w->in) : 0.3;
     const int given = take_code(&w->in, 2), normal = take_code(&w->in, 2), n = take_count(&w->in);
     double in[MOST_POINTS], path[MOST_POINTS], out[MOST_POINTS], other[MOST_POINTS], lost[MOST_POINTS];
-    mdr_tangential_state found[MOST_POINTS];
+    mdr_shear_state found[MOST_POINTS];
     mdr_state states[MOST_POINTS], state;
     mdr_friction *f = NULL;
     mdr_friction_history *h = NULL, *copy = NULL;
@@ -71,33 +71,33 @@ void fuzz_friction(world *w)
     judge_object("mdr_friction_new", status, f);
     if (!f) return;
     state = some_state(w, contact);
-    status = mdr_friction_states(f, &state, given, n, in, found);
-    judge_status("mdr_friction_states", status);
+    status = shear_states(f, &state, MDR_ALONG, given, n, in, found);
+    judge_status("mdr_shear_states", status);
     for (int i = 0; i < n && status == MDR_SUCCESS; i++) {
         const double numbers[MEMBERS] = {found[i].shift, found[i].tangential_force, found[i].stick_radius, found[i].stiffness,
                                          found[i].dissipated_energy, found[i].sliding};
-        for (int k = 0; k < MEMBERS; k++) if (!isfinite(numbers[k])) finding("mdr_friction_states", "no number", k);
+        for (int k = 0; k < MEMBERS; k++) if (!isfinite(numbers[k])) finding("mdr_shear_states", "no number", k);
     }
     if (status == MDR_SUCCESS && n > 0) {
         fill(out);
-        status = mdr_friction_field(f, &state, found, take_code(&w->in, 2), n, path, out);
-        judge("mdr_friction_field", status, n, out, NOT_NAN);
+        status = shear_field(f, &state, MDR_ALONG, found, take_code(&w->in, 2), n, path, out);
+        judge("mdr_shear_field", status, n, out, NOT_NAN);
     }
     fill(out), fill(other), fill(lost);
-    status = mdr_friction_sliding(f, &state, out, other);
-    judge("mdr_friction_sliding", status, 1, out, NOT_NEGATIVE);
-    judge("mdr_friction_sliding", status, 1, other, NOT_NEGATIVE);
+    status = shear_sliding(f, &state, MDR_ALONG, out, other);
+    judge("mdr_shear_about", status, 1, out, NOT_NEGATIVE);
+    judge("mdr_shear_about", status, 1, other, NOT_NEGATIVE);
     fill(out), fill(other);
-    status = mdr_friction_loop(f, &state, given, path[0], n, out, other, lost);
-    judge("mdr_friction_loop", status, n, out, FINITE);
-    judge("mdr_friction_loop", status, n, other, FINITE);
-    judge("mdr_friction_loop", status, 1, lost, NOT_NEGATIVE);
+    status = shear_loop(f, &state, MDR_ALONG, given, path[0], n, out, other, lost);
+    judge("mdr_shear_loop", status, n, out, FINITE);
+    judge("mdr_shear_loop", status, n, other, FINITE);
+    judge("mdr_shear_loop", status, 1, lost, NOT_NEGATIVE);
     status = mdr_friction_history_new(f, w->contact_is_exact[slot] ? state.depth : 0.0, 12, &h);
     judge_object("mdr_friction_history_new", status, h);
     if (h) judge_status("mdr_friction_history_advance", mdr_friction_history_advance(h, normal, given, n, path, in, states, found));
     status = mdr_friction_history_copy(h, &copy);
     judge_object("mdr_friction_history_copy", status, copy);
-    judge_status("mdr_friction_history_free", mdr_friction_history_free(&h));
-    judge_status("mdr_friction_history_free", mdr_friction_history_free(&copy));
-    judge_status("mdr_friction_free", mdr_friction_free(&f));
+    judge_status("mdr_free", mdr_free(h));
+    judge_status("mdr_free", mdr_free(copy));
+    judge_status("mdr_free", mdr_free(f));
 }

@@ -29,7 +29,7 @@ static void make(world *w)
     status = mdr_law_new(contact, largest, chosen, &made);
     judge_object("mdr_law_new", status, made);
     if (made) {
-        mdr_law_free(&w->law);
+        MDR_FREE(w->law);
         w->law = made;
     }
 }
@@ -53,24 +53,24 @@ static void evaluate(world *w)
     status = mdr_law_follow(law, x[1], &segment, (mdr_law_point *)point);
     judge("mdr_law_follow", status, MOST_POINTS, point, NOT_NAN);
     fill(point);
-    status = mdr_law_at_depth(law, branch, x[1], (mdr_law_point *)point);
-    judge("mdr_law_at_depth", status, MOST_POINTS, point, NOT_NAN);
+    status = law_point(law, MDR_GIVEN_DEPTH, branch, x[1], (mdr_law_point *)point);
+    judge("mdr_law_values", status, MOST_POINTS, point, NOT_NAN);
     fill(point);
-    status = mdr_law_at_force(law, branch, x[2], (mdr_law_point *)point);
-    judge("mdr_law_at_force", status, MOST_POINTS, point, NOT_NAN);
+    status = law_point(law, MDR_GIVEN_FORCE, branch, x[2], (mdr_law_point *)point);
+    judge("mdr_law_values", status, MOST_POINTS, point, NOT_NAN);
     judge_status("mdr_law_view_of", mdr_law_view_of(law, branch, &view));
     fill(p), fill(q), fill(r), fill(s);
-    status = mdr_law_from_depth(law, branch, n, x, p, q, r, s);
-    judge("mdr_law_from_depth", status, n, p, FINITE);
-    judge("mdr_law_from_depth", status, n, q, NOT_NAN);
-    judge("mdr_law_from_depth", status, n, r, NOT_NEGATIVE);
-    judge("mdr_law_from_depth", status, n, s, NOT_NEGATIVE);
+    status = mdr_law_values(law, MDR_GIVEN_DEPTH, branch, n, x, NULL, r, p, s, q, NULL);
+    judge("mdr_law_values", status, n, p, FINITE);
+    judge("mdr_law_values", status, n, q, NOT_NAN);
+    judge("mdr_law_values", status, n, r, NOT_NEGATIVE);
+    judge("mdr_law_values", status, n, s, NOT_NEGATIVE);
     fill(p), fill(q), fill(r), fill(s);
-    status = mdr_law_from_force(law, branch, n, x, p, q, r, s);
-    judge("mdr_law_from_force", status, n, p, FINITE);
-    judge("mdr_law_from_force", status, n, q, NOT_NAN);
-    judge("mdr_law_from_force", status, n, r, NOT_NEGATIVE);
-    judge("mdr_law_from_force", status, n, s, NOT_NEGATIVE);
+    status = mdr_law_values(law, MDR_GIVEN_FORCE, branch, n, x, p, r, NULL, s, q, NULL);
+    judge("mdr_law_values", status, n, p, FINITE);
+    judge("mdr_law_values", status, n, q, NOT_NAN);
+    judge("mdr_law_values", status, n, r, NOT_NEGATIVE);
+    judge("mdr_law_values", status, n, s, NOT_NEGATIVE);
 }
 
 /* The law of another radius, and the work done on the way. */
@@ -84,15 +84,16 @@ static void derive(world *w)
 
     take_numbers(&w->in, x);
     fill(U);
-    status = mdr_law_energy(law, branch, n, x, U);
-    judge("mdr_law_energy", status, n, U, FINITE);
+    status = mdr_law_values(law, MDR_GIVEN_DEPTH, branch, n, x, NULL, NULL, NULL, NULL, NULL, U);
+    judge("mdr_law_values", status, n, U, FINITE);
     fill(U);
     judge("mdr_law_conductance", mdr_law_conductance(law, branch, n, x, U, NULL), n, U, FINITE);
     status = mdr_law_with_radius(law, take_positive(&w->in), &other);
     judge_object("mdr_law_with_radius", status, other);
     fill(U);
-    if (other) judge("mdr_law_energy", mdr_law_energy(other, branch, n, x, U), n, U, FINITE);
-    mdr_law_free(&other);
+    if (other) status = mdr_law_values(other, MDR_GIVEN_DEPTH, branch, n, x, NULL, NULL, NULL, NULL, NULL, U);
+    if (other) judge("mdr_law_values", status, n, U, FINITE);
+    MDR_FREE(other);
 }
 
 /* What was written is read again, byte for byte. */
@@ -101,15 +102,16 @@ static void write_and_read(world *w)
     const mdr_law *law = some_law(w);
     mdr_law *again = NULL;
     mdr_law_facts facts = MDR_SIZED(mdr_law_facts);
-    char words[8];
     int length = 0, second = 0, status;
 
-    judge_status("mdr_law_info", mdr_law_info(law, &facts));
-    judge_status("mdr_law_description", mdr_law_description(law, words, take_choice(&w->in, 8)));
+    judge_status("mdr_law_about", status = mdr_law_about(law, &facts));
+    if (status == MDR_SUCCESS && !facts.description) finding("mdr_law_about", "no description", 0);
+    take_choice(&w->in, 8);
     if (mdr_law_write(law, NULL, 0, &length) != MDR_SUCCESS) return;
     double *numbers = malloc(sizeof *numbers * (size_t)facts.buffer_size);
     judge_status("mdr_law_buffer", mdr_law_buffer(law, facts.buffer_size, numbers));
-    if (mdr_law_buffer(law, facts.buffer_size - 1, numbers) == MDR_SUCCESS) finding("mdr_law_buffer", "takes too small a buffer", 0);
+    if (mdr_law_buffer(law, facts.buffer_size - 1, numbers) == MDR_SUCCESS) finding("mdr_law_buffer", "takes too small a buffer",
+                                                                                    0);
     free(numbers);
     char *text = malloc((size_t)length);
     judge_status("mdr_law_write", mdr_law_write(law, text, length, &length));
@@ -118,7 +120,7 @@ static void write_and_read(world *w)
     if (!again) finding("mdr_law_read", "refuses what mdr_law_write wrote", length);
     mdr_law_write(again, NULL, 0, &second);
     if (second != length) finding("mdr_law_write", "another length after reading", second);
-    mdr_law_free(&again);
+    MDR_FREE(again);
     free(text);
 }
 

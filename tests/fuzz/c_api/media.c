@@ -71,7 +71,7 @@ static int make_stack(world *w, mdr_medium **out, int *is_exact)
     *is_exact = 1;
     if (!afford(w, PRICE_OF_EXACT)) return MDR_ENULL;
     if (take_byte(in) % 8 == 7) mdr_layers_wrinkling(n, layers, rigid ? NULL : &layers[3], take_count(in), &stress, &wavelength);
-    return mdr_medium_stack(n, layers, rigid ? NULL : &layers[3], take_chance(in) ? MDR_MODEL_EXACT : model, chosen, out);
+    return mdr_medium_layered(n, layers, rigid ? NULL : &layers[3], take_chance(in) ? MDR_MODEL_EXACT : model, chosen, out);
 }
 
 /* MDR_ENULL without an object where a costly one was left out. */
@@ -87,7 +87,7 @@ static int make(world *w, mdr_medium **out, int *is_exact)
     switch (take_byte(in) % 12) {
     case 0:
         p = take_positive(in);
-        return mdr_medium_homogeneous(p, take_ratio(in), out);
+        return new_homogeneous(p, take_ratio(in), out);
     case 1:
         p = take_positive(in);
         return take_byte(in) % 4 < 3 ? mdr_medium_contact_modulus(p, out) : make_stack(w, out, is_exact);
@@ -100,7 +100,7 @@ static int make(world *w, mdr_medium **out, int *is_exact)
         q = model == MDR_MODEL_DIMITRIADIS || model == MDR_MODEL_GARCIA ? 0.5 : take_ratio(in);
         r = take_positive(in);
         s = model == MDR_MODEL_DIMITRIADIS || model == MDR_MODEL_GARCIA ? INFINITY : take_substrate(in);
-        return mdr_medium_coated(p, q, r, s, take_ratio(in), model, chosen, out);
+        return new_coated(p, q, r, s, take_ratio(in), model, chosen, out);
     case 4:
         chosen = take_options(in, &model, &options);
         *is_exact = model == MDR_MODEL_EXACT;
@@ -110,7 +110,7 @@ static int make(world *w, mdr_medium **out, int *is_exact)
         take_ratios(in, y);
         take_positives(in, z);
         p = take_substrate(in);
-        return mdr_medium_layered(n, x, y, z, p, take_ratio(in), model, chosen, out);
+        return new_layered(n, x, y, z, p, take_ratio(in), model, chosen, out);
     case 5:
         chosen = take_options(in, &model, &options);
         *is_exact = model == MDR_MODEL_EXACT;
@@ -126,7 +126,7 @@ static int make(world *w, mdr_medium **out, int *is_exact)
         f = take_function(in);
         g = take_function(in);
         (void)g;
-        return mdr_medium_graded_callback(call_function, call_function, &f, take_positive(in), model, chosen, out);
+        return mdr_medium_graded_function(call_function, call_function, &f, take_positive(in), model, chosen, out);
     case 7:
         p = take_positive(in);
         q = take_positive(in);
@@ -147,7 +147,7 @@ static int make(world *w, mdr_medium **out, int *is_exact)
         f = take_function(in);
         p = take_positive(in);
         q = take_positive(in);
-        return mdr_medium_callback(call_function, &f, p, p + q, out);
+        return mdr_medium_function(call_function, &f, p, p + q, out);
     }
 }
 
@@ -161,7 +161,7 @@ void fuzz_media(world *w)
 
     if (made || status != MDR_ENULL) judge_object("mdr_medium_...", status, made);
     if (made) {
-        mdr_medium_free(&w->media[slot]);
+        MDR_FREE(w->media[slot]);
         w->media[slot] = made;
         w->medium_is_exact[slot] = is_exact;
     }
@@ -170,7 +170,7 @@ void fuzz_media(world *w)
     if (!afford(w, 4)) return;
     const mdr_medium *medium = some_medium(w);
     fill(out);
-    judge("mdr_medium_modulus", mdr_medium_modulus(medium, n, a, out), n, out, POSITIVE);
+    judge("mdr_medium_values", mdr_medium_values(medium, MDR_MODULUS, n, a, out), n, out, POSITIVE);
     fill(out);
-    judge("mdr_medium_stiffness", mdr_medium_stiffness(medium, n, a, out), n, out, POSITIVE);
+    judge("mdr_medium_values", mdr_medium_values(medium, MDR_STIFFNESS, n, a, out), n, out, POSITIVE);
 }

@@ -41,10 +41,10 @@ static int make(world *w, mdr_profile **out)
         p = take_byte(in);
         take_ascending(in, x);
         take_ascending(in, y);
-        return p < 128 ? mdr_profile_table(n, x, y, out) : mdr_profile_from_mdr_table(n, x, y, out);
+        return p < 128 ? mdr_profile_table(MDR_HEIGHT, n, x, y, out) : mdr_profile_table(MDR_G, n, x, y, out);
     case 11:
         f = take_function(in);
-        return afford(w, 4) ? mdr_profile_callback(call_function, &f, take_positive(in), out) : MDR_ENULL;
+        return afford(w, 4) ? mdr_profile_function(call_function, &f, take_positive(in), out) : MDR_ENULL;
     default:
         n = take_byte(in) % 4;
         for (int i = 0; i < n; i++) terms[i] = some_profile(w);
@@ -55,10 +55,7 @@ static int make(world *w, mdr_profile **out)
 /* f, f', g and g' at any points. */
 static void evaluate(world *w, const mdr_profile *profile)
 {
-    static int (*const calls[])(const mdr_profile *, int, const double[], double[]) = {
-        mdr_profile_height, mdr_profile_slope, mdr_profile_mdr, mdr_profile_mdr_slope
-    };
-    static const char *const names[] = {"mdr_profile_height", "mdr_profile_slope", "mdr_profile_mdr", "mdr_profile_mdr_slope"};
+    static const int quantities[] = {MDR_HEIGHT, MDR_HEIGHT_SLOPE, MDR_G, MDR_G_SLOPE};
     double x[MOST_POINTS], out[MOST_POINTS];
     const int n = take_count(&w->in);
 
@@ -66,9 +63,10 @@ static void evaluate(world *w, const mdr_profile *profile)
     for (int i = 0; i < 4; i++) {
         fill(out);
         /* g may fall where f only just rises: its slope has any sign */
-        judge(names[i], calls[i](profile, n, x, out), n, out, i == 3 ? NOT_NAN : UP_TO_INFINITY);
+        judge("mdr_profile_values", mdr_profile_values(profile, quantities[i], n, x, out), n, out,
+              i == 3 ? NOT_NAN : UP_TO_INFINITY);
     }
-    judge_status("mdr_profile_height", mdr_profile_height(profile, n, NULL, out));
+    judge_status("mdr_profile_values", mdr_profile_values(profile, MDR_HEIGHT, n, NULL, out));
 }
 
 void fuzz_profiles(world *w)
@@ -79,7 +77,7 @@ void fuzz_profiles(world *w)
 
     if (made || status != MDR_ENULL) judge_object("mdr_profile_...", status, made);
     if (made) {
-        mdr_profile_free(&w->profiles[slot]);
+        MDR_FREE(w->profiles[slot]);
         w->profiles[slot] = made;
     }
     evaluate(w, some_profile(w));

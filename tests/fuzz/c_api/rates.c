@@ -37,10 +37,10 @@ void fuzz_rates(world *w)
     take_positives(&w->in, x);
     if (!afford(w, PRICE_OF_HISTORY + PRICE_OF_SAMPLES * (w->contact_is_exact[slot] ? EXACT : 1))) return;
     fill(out[0]);
-    judge("mdr_rate_work", mdr_rate_work(&options, n, x, out[0]), n, out[0], NOT_NEGATIVE);
-    status = mdr_rate_scales(&options, &time, &zone);
-    judge_status("mdr_rate_scales", status);
-    if (status == MDR_SUCCESS && !(time >= 0.0 && zone >= 0.0)) finding("mdr_rate_scales", "negative", zone);
+    judge("mdr_rate_work", mdr_rate_work(&options, n, x, out[0], NULL, NULL), n, out[0], NOT_NEGATIVE);
+    status = mdr_rate_work(&options, 0, NULL, NULL, &time, &zone);
+    judge_status("mdr_rate_work", status);
+    if (status == MDR_SUCCESS && !(time >= 0.0 && zone >= 0.0)) finding("mdr_rate_work", "negative", zone);
     status = mdr_rate_new(contact, &options, &rate);
     judge_object("mdr_rate_new", status, rate);
     for (int i = 1; i < n; i++) x[i] += x[i - 1];
@@ -51,7 +51,7 @@ void fuzz_rates(world *w)
     judge("mdr_rate_history", status, n, out[0], FINITE);
     judge("mdr_rate_history", status, n, out[1], NOT_NEGATIVE);
     for (int i = 2; i < 6; i++) judge("mdr_rate_history", status, n, out[i], FINITE);
-    judge_status("mdr_rate_free", mdr_rate_free(&rate));
+    judge_status("mdr_free", mdr_free(rate));
     for (int i = 0; i < 4; i++) fill(out[i]);
     status = mdr_contact_adhesive_history(contact, take_choice(&w->in, 3), take_positive(&w->in), 1e-2, &start, n < 3 ? n : 2, x, x,
                                           out[0], out[1], out[2], out[3], &end);

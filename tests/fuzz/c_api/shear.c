@@ -17,17 +17,17 @@ static void moduli(world *w)
 
     take_positives(&w->in, a);
     fill(out);
-    judge("mdr_weight_i0_tangential", mdr_weight_i0_tangential(n, a, nu, out), n, out, FINITE);
+    judge("mdr_weight", mdr_weight(MDR_WEIGHT_I0_TANGENTIAL, nu, n, a, out), n, out, FINITE);
     fill(out);
-    judge("mdr_weight_j0_tangential", mdr_weight_j0_tangential(n, a, nu, out), n, out, FINITE);
+    judge("mdr_weight", mdr_weight(MDR_WEIGHT_J0_TANGENTIAL, nu, n, a, out), n, out, FINITE);
     if (!afford(w, w->medium_is_exact[slot] ? PRICE_OF_EXACT_MODULUS : PRICE_OF_MODULUS)) return;
     fill(out);
     judge("mdr_medium_compliance", mdr_medium_compliance(w->media[slot], 1 + n % 3, nu > 0.0 ? nu : 0.0, n, a, out, NULL), n, out,
           NOT_NAN);
     fill(out);
-    judge("mdr_medium_tangential_modulus", mdr_medium_tangential_modulus(w->media[slot], n, a, out), n, out, POSITIVE);
+    judge("mdr_medium_values", mdr_medium_values(w->media[slot], MDR_TANGENTIAL_MODULUS, n, a, out), n, out, POSITIVE);
     fill(out);
-    judge("mdr_medium_torsional_stiffness", mdr_medium_torsional_stiffness(w->media[slot], n, a, out), n, out, POSITIVE);
+    judge("mdr_medium_values", mdr_medium_values(w->media[slot], MDR_TORSIONAL_STIFFNESS, n, a, out), n, out, POSITIVE);
 }
 
 /* Sliders of a law, and numbers of a record, at most. */
@@ -38,12 +38,11 @@ static void write_and_read(const mdr_law *law)
 {
     mdr_law_facts facts = MDR_SIZED(mdr_law_facts);
     mdr_law *again = NULL;
-    char words[8];
     int length = 0, second = 0, status;
 
-    judge_status("mdr_law_info", mdr_law_info(law, &facts));
-    if (!(facts.first_shear_error >= 0.0 && facts.path_error >= -1.0)) finding("mdr_law_info", "no error", 0);
-    judge_status("mdr_law_description", mdr_law_description(law, words, (int)sizeof words));
+    judge_status("mdr_law_about", status = mdr_law_about(law, &facts));
+    if (!(facts.first_shear_error >= 0.0 && facts.path_error >= -1.0)) finding("mdr_law_about", "no error", 0);
+    if (status == MDR_SUCCESS && !facts.description) finding("mdr_law_about", "no description", 0);
     if (mdr_law_write(law, NULL, 0, &length) != MDR_SUCCESS) return;
     char *text = malloc((size_t)length);
     judge_status("mdr_law_write", mdr_law_write(law, text, length, &length));
@@ -52,7 +51,7 @@ static void write_and_read(const mdr_law *law)
     if (!again) finding("mdr_law_read", "refuses what mdr_law_write wrote", length);
     mdr_law_write(again, NULL, 0, &second);
     if (second != length) finding("mdr_law_write", "another length after reading", second);
-    mdr_law_free(&again);
+    MDR_FREE(again);
     free(text);
 }
 
@@ -75,9 +74,9 @@ static void compile(world *w)
     options.sliders = take_byte(&w->in) % 2 ? MOST_SLIDERS : 0;
     status = mdr_law_new(contact, largest, &options, &made);
     judge_object("mdr_law_new", status, made);
-    mdr_friction_free(&friction);
+    MDR_FREE(friction);
     if (!made) return;
-    mdr_law_free(&w->friction_law);
+    MDR_FREE(w->friction_law);
     w->friction_law = made;
     write_and_read(made);
 }
@@ -85,11 +84,11 @@ static void compile(world *w)
 /* Partial slip under a twist. */
 static void twist(world *w)
 {
-    enum { MEMBERS = sizeof(mdr_torsional_state) / sizeof(double), PRICE = 20 };
+    enum { MEMBERS = sizeof(mdr_shear_state) / sizeof(double), PRICE = 20 };
     const double coefficient = take_chance(&w->in) ? take_positive(&w->in) : 0.3;
     const int given = take_code(&w->in, 2), n = take_count(&w->in);
     double in[MOST_POINTS], r[MOST_POINTS], out[MOST_POINTS], other[MOST_POINTS], lost[MOST_POINTS], numbers[MEMBERS];
-    mdr_torsional_state found[MOST_POINTS];
+    mdr_shear_state found[MOST_POINTS];
     mdr_friction *f = NULL;
     int slot, status;
     const mdr_contact *contact = some_contact(w, &slot);
@@ -101,26 +100,26 @@ static void twist(world *w)
     judge_object("mdr_friction_new", status, f);
     if (!f) return;
     const mdr_state state = some_state(w, contact);
-    status = mdr_torsion_states(f, &state, given, n, in, found);
-    judge_status("mdr_torsion_states", status);
+    status = shear_states(f, &state, MDR_AROUND, given, n, in, found);
+    judge_status("mdr_shear_states", status);
     for (int i = 0; i < n && status == MDR_SUCCESS; i++) {
         memcpy(numbers, &found[i], sizeof numbers);
-        for (int k = 0; k < MEMBERS; k++) if (!isfinite(numbers[k])) finding("mdr_torsion_states", "no number", k);
+        for (int k = 0; k < MEMBERS; k++) if (!isfinite(numbers[k])) finding("mdr_shear_states", "no number", k);
     }
     if (status == MDR_SUCCESS && n > 0) {
         fill(out);
-        status = mdr_torsion_field(f, &state, found, take_code(&w->in, 2), n, r, out);
-        judge("mdr_torsion_field", status, n, out, NOT_NAN);
+        status = shear_field(f, &state, MDR_AROUND, found, take_code(&w->in, 2), n, r, out);
+        judge("mdr_shear_field", status, n, out, NOT_NAN);
     }
     fill(out);
-    status = mdr_torsion_sliding(f, &state, out);
-    judge("mdr_torsion_sliding", status, 1, out, NOT_NEGATIVE);
+    status = shear_sliding(f, &state, MDR_AROUND, NULL, out);
+    judge("mdr_shear_about", status, 1, out, NOT_NEGATIVE);
     fill(out), fill(other), fill(lost);
-    status = mdr_torsion_loop(f, &state, given, r[0], n, out, other, lost);
-    judge("mdr_torsion_loop", status, n, out, FINITE);
-    judge("mdr_torsion_loop", status, n, other, FINITE);
-    judge("mdr_torsion_loop", status, 1, lost, NOT_NEGATIVE);
-    judge_status("mdr_friction_free", mdr_friction_free(&f));
+    status = shear_loop(f, &state, MDR_AROUND, given, r[0], n, out, other, lost);
+    judge("mdr_shear_loop", status, n, out, FINITE);
+    judge("mdr_shear_loop", status, n, other, FINITE);
+    judge("mdr_shear_loop", status, 1, lost, NOT_NEGATIVE);
+    judge_status("mdr_free", mdr_free(f));
 }
 
 /* The steps of a few contacts, whose planes turn in between. */
@@ -142,12 +141,12 @@ static void advance(world *w)
         if (take_chance(&w->in)) normal[0] = 0.6, normal[2] = take_chance(&w->in) ? take_number(&w->in) : 0.8;
         status = mdr_law_turn(law, n, normal, take_chance(&w->in) ? force : NULL, memory);
         judge_status("mdr_law_turn", status);
-        status = mdr_law_try(law, n, force, shift, tangent, memory, T);
-        judge_status("mdr_law_try", status);
+        status = mdr_law_advance(law, n, force, shift, 1, tangent, memory, T);
+        judge_status("mdr_law_advance", status);
         for (int i = 0; i < 12 * n && status == MDR_SUCCESS; i++) {
-            if (!isfinite(tangent[i])) finding("mdr_law_try", "no number", i);
+            if (!isfinite(tangent[i])) finding("mdr_law_advance", "no number", i);
         }
-        status = mdr_law_advance(law, n, force, shift, NULL, memory, T);
+        status = mdr_law_advance(law, n, force, shift, 0, NULL, memory, T);
         judge_status("mdr_law_advance", status);
         for (int i = 0; i < 3 * n && status == MDR_SUCCESS; i++) {
             if (!isfinite(T[i])) finding("mdr_law_advance", "no number", i);

@@ -13,9 +13,9 @@ static int call(const mdr_contact *c, int which, int branch, int n, const double
     int status;
 
     switch (which) {
-    case 0: return mdr_contact_from_depth(c, n, in, d, a, F, k);
-    case 1: return mdr_contact_from_force(c, n, in, d, a, F, k);
-    case 2: return mdr_contact_from_radius(c, n, in, d, a, F, k);
+    case 0: return columns_of(c, MDR_GIVEN_DEPTH, n, in, d, a, F, k);
+    case 1: return columns_of(c, MDR_GIVEN_FORCE, n, in, d, a, F, k);
+    case 2: return columns_of(c, MDR_GIVEN_RADIUS, n, in, d, a, F, k);
     default: break;
     }
     status = mdr_contact_states(c, which == 3 ? MDR_GIVEN_DEPTH : MDR_GIVEN_FORCE, branch, n, in, states);
@@ -36,7 +36,7 @@ static void compare(const char *name, int n, const double wanted[], const double
 void fuzz_states(world *w)
 {
     static const char *const names[] = {
-        "mdr_contact_from_depth", "mdr_contact_from_force", "mdr_contact_from_radius", "mdr_contact_states", "mdr_contact_states"
+        "mdr_contact_states", "mdr_contact_states", "mdr_contact_states", "mdr_contact_states", "mdr_contact_states"
     };
     double in[MOST_POINTS], d[MOST_POINTS], a[MOST_POINTS], F[MOST_POINTS], k[MOST_POINTS];
     const int which = take_byte(&w->in) % 5, branch = which < 3 ? 0 : take_code(&w->in, 2);

@@ -53,11 +53,11 @@ static int make(world *w, mdr_structure **out)
     switch (take_byte(in) % 4) {
     case 0: return make_voxels(in, chosen, out);
     case 1:
-        mdr_structure_free(&w->structure);
+        MDR_FREE(w->structure);
         field = take_function(in);
         nu = take_ratio(in);
         options.tolerance = take_byte(in) % 2 ? 1e-2 : take_number(in);
-        return mdr_structure_callback(call_field, &field, nu, chosen, out);
+        return mdr_structure_function(call_field, &field, nu, chosen, out);
     default:
         E = take_positive(in);
         nu = take_ratio(in);
@@ -90,7 +90,7 @@ static void evaluate(world *w)
     status = mdr_structure_medium(structure, x[0], y[0], a[0], a[1], 3, &medium);
     judge_object("mdr_structure_medium", status, medium);
     if (medium) {
-        mdr_medium_free(&w->media[0]);
+        MDR_FREE(w->media[0]);
         w->media[0] = medium;
         w->medium_is_exact[0] = 0;
     }
@@ -131,7 +131,7 @@ void fuzz_structures(world *w)
         status = make(w, &made);
         judge_object("mdr_structure_...", status, made);
         if (made) {
-            mdr_structure_free(&w->structure);
+            MDR_FREE(w->structure);
             w->structure = made;
         }
         break;

@@ -40,19 +40,19 @@ static void materials(world *w)
 
     judge_object("mdr_material_...", status, made);
     if (made) {
-        mdr_material_free(&w->materials[slot]);
+        MDR_FREE(w->materials[slot]);
         w->materials[slot] = made;
     }
     take_positives(&w->in, x);
     material = some_material(w);
     fill(out);
-    judge("mdr_material_relaxation", mdr_material_relaxation(material, n, x, out), n, out, NOT_NEGATIVE);
+    judge("mdr_material_values", mdr_material_values(material, MDR_RELAXATION, n, x, out, NULL), n, out, NOT_NEGATIVE);
     fill(out);
-    judge("mdr_material_creep", mdr_material_creep(material, n, x, out), n, out, NOT_NEGATIVE);
+    judge("mdr_material_values", mdr_material_values(material, MDR_CREEP, n, x, out, NULL), n, out, NOT_NEGATIVE);
     fill(out), fill(other);
-    status = mdr_material_complex_modulus(material, n, x, out, other);
-    judge("mdr_material_complex_modulus", status, n, out, NOT_NEGATIVE);
-    judge("mdr_material_complex_modulus", status, n, other, NOT_NEGATIVE);
+    status = mdr_material_values(material, MDR_COMPLEX_MODULUS, n, x, out, other);
+    judge("mdr_material_values", status, n, out, NOT_NEGATIVE);
+    judge("mdr_material_values", status, n, other, NOT_NEGATIVE);
     fill(out), fill(other);
     status = mdr_material_limit(material, limit, out, other);
     judge("mdr_material_limit", status, 1, out, POSITIVE);
@@ -80,10 +80,10 @@ static void body(world *w)
     take_positives(&w->in, thickness);
     for (int i = 0; i < MOST_LAYERS; i++) layers[i].thickness = thickness[i];
     if (n > 0 && model == MDR_MODEL_EXACT && !afford(w, PRICE_OF_EXACT)) return;
-    const int status = mdr_medium_stack(n, layers, substrate, model, NULL, &made);
-    judge_object("mdr_medium_stack", status, made);
+    const int status = mdr_medium_layered(n, layers, substrate, model, NULL, &made);
+    judge_object("mdr_medium_layered", status, made);
     if (!made) return;
-    mdr_medium_free(&w->media[slot]);
+    MDR_FREE(w->media[slot]);
     w->media[slot] = made;
     w->medium_is_exact[slot] = n > 0 && model == MDR_MODEL_EXACT;
 }

@@ -25,18 +25,18 @@ static void march(world *w, const mdr_wear *wear, const mdr_state *state)
     judge_object("mdr_wear_history_new", status, h);
     if (!h) return;
     judge_status("mdr_wear_history_advance", mdr_wear_history_advance(h, given, n, sliding, value, found));
-    judge_status("mdr_wear_history_state", mdr_wear_history_state(h, found));
+    judge_status("mdr_wear_history_state", mdr_wear_history_state(h, 0, NULL, found, NULL));
     fill(out);
-    judge("mdr_wear_history_pressure", mdr_wear_history_pressure(h, n, sliding, out), n, out, FINITE);
+    judge("mdr_wear_history_state", mdr_wear_history_state(h, n, sliding, NULL, out), n, out, FINITE);
     status = mdr_wear_history_profile(h, &worn);
     judge_object("mdr_wear_history_profile", status, worn);
-    judge_status("mdr_profile_free", mdr_profile_free(&worn));
+    judge_status("mdr_free", mdr_free(worn));
     judge_status("mdr_wear_history_save", mdr_wear_history_save(h, MOST_NUMBERS, numbers, &count));
     status = mdr_wear_history_copy(h, &copy);
     judge_object("mdr_wear_history_copy", status, copy);
     if (copy) judge_status("mdr_wear_history_restore", mdr_wear_history_restore(copy, count, numbers));
-    judge_status("mdr_wear_history_free", mdr_wear_history_free(&h));
-    judge_status("mdr_wear_history_free", mdr_wear_history_free(&copy));
+    judge_status("mdr_free", mdr_free(h));
+    judge_status("mdr_free", mdr_free(copy));
 }
 
 void fuzz_wear(world *w)
@@ -63,8 +63,8 @@ void fuzz_wear(world *w)
     judge_status("mdr_wear_passes", mdr_wear_passes(wear, &state, y[0], &rim));
     judge_status("mdr_wear_limit", mdr_wear_limit(wear, &state, part * state.radius, take_code(&w->in, 2), &reached, &rim, &volume,
                                                   &worn));
-    judge_status("mdr_profile_free", mdr_profile_free(&worn));
+    judge_status("mdr_free", mdr_free(worn));
     judge_status("mdr_wear_running_in", mdr_wear_running_in(wear, take_code(&w->in, 2), &rim));
     if (afford(w, PRICE_OF_HISTORY)) march(w, wear, &state);
-    judge_status("mdr_wear_free", mdr_wear_free(&wear));
+    judge_status("mdr_free", mdr_free(wear));
 }

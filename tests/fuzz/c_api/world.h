@@ -3,6 +3,7 @@
 #ifndef WORLD_H
 #define WORLD_H
 
+#include "../../c/calls.h"
 #include "input.h"
 #include "mdrcontact.h"
 

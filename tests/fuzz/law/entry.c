@@ -46,11 +46,10 @@ static void evaluate(const mdr_law *law)
     mdr_law_facts facts = MDR_SIZED(mdr_law_facts);
     mdr_law_point point;
     double x[DEPTHS], v[4][DEPTHS];
-    char words[16];
-    int segment = 0, length = 0;
+    int segment = 0, length = 0, status;
 
-    if (mdr_law_info(law, &facts) != MDR_SUCCESS) finding("has no facts");
-    mdr_law_description(law, words, (int)sizeof words);
+    if (mdr_law_about(law, &facts) != MDR_SUCCESS) finding("has no facts");
+    if (!facts.description) finding("has no description");
     for (int branch = MDR_ON_LOADING; branch <= MDR_ON_UNLOADING; branch++) {
         for (int i = 0; i < DEPTHS; i++) {
             const double t = (i - 1) / (DEPTHS - 3.0);
@@ -63,13 +62,11 @@ static void evaluate(const mdr_law *law)
             }
         }
         for (int i = 0; i < DEPTHS; i++) {
-            if (mdr_law_from_depth(law, branch, 1, &x[i], v[0], v[1], v[2], v[3]) == MDR_SUCCESS && isnan(v[0][0])) {
-                finding("mdr_law_from_depth gives NaN");
-            }
+            status = mdr_law_values(law, MDR_GIVEN_DEPTH, branch, 1, &x[i], NULL, v[2], v[0], v[3], v[1], NULL);
+            if (status == MDR_SUCCESS && isnan(v[0][0])) finding("mdr_law_values gives NaN at a depth");
             x[i] = facts.lowest_force + (i - 1) / (DEPTHS - 3.0) * (facts.highest_force - facts.lowest_force);
-            if (mdr_law_from_force(law, branch, 1, &x[i], v[0], v[1], v[2], v[3]) == MDR_SUCCESS && isnan(v[0][0])) {
-                finding("mdr_law_from_force gives NaN");
-            }
+            status = mdr_law_values(law, MDR_GIVEN_FORCE, branch, 1, &x[i], v[0], v[2], NULL, v[3], v[1], NULL);
+            if (status == MDR_SUCCESS && isnan(v[0][0])) finding("mdr_law_values gives NaN under a force");
         }
     }
     if (mdr_law_write(law, NULL, 0, &length) != MDR_SUCCESS || length < CHECKSUM_LINE) finding("cannot be written again");
@@ -81,14 +78,15 @@ static void rub(const mdr_law *law)
     mdr_law_facts facts = MDR_SIZED(mdr_law_facts);
     double T[3], tangent[12];
 
-    if (mdr_law_info(law, &facts) != MDR_SUCCESS) finding("has no facts");
+    if (mdr_law_about(law, &facts) != MDR_SUCCESS) finding("has no facts");
     if (facts.sliders == 0) return;
     double *memory = calloc((size_t)facts.memory_size, sizeof *memory);
     if (!memory) abort();
     for (int i = 0; i < DEPTHS; i++) {
         const double force = facts.highest_force * (i + 1) / (DEPTHS - 1.0);
-        const double shift[3] = {facts.highest_sliding_shift * (i % 3 - 0.7), 0.0, i == 5 ? 0.1 * facts.highest_sliding_shift : 0.0};
-        mdr_law_advance(law, 1, &force, shift, tangent, memory, T);
+        const double shift[3] = {facts.highest_sliding_shift * (i % 3 - 0.7), 0.0,
+                                 i == 5 ? 0.1 * facts.highest_sliding_shift : 0.0};
+        mdr_law_advance(law, 1, &force, shift, 0, tangent, memory, T);
     }
     free(memory);
 }
@@ -131,7 +129,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *data, size_t size)
     } else if (mdr_last_error(words, (int)sizeof words) < 1) {
         finding("is refused without words");
     }
-    mdr_law_free(&law);
+    MDR_FREE(law);
     free(text);
     free(buffer);
     return 0;

@@ -22,6 +22,14 @@ fn check(status: i32) -> Result<(), String> {
     Err(String::from_utf8_lossy(&text[..length]).into_owned())
 }
 
+/// A layer of an isotropic material, bonded and free of stress.
+fn isotropic(young: f64, nu: f64, thickness: f64) -> mdr::mdr_layer {
+    let mut layer: mdr::mdr_layer = unsafe { std::mem::zeroed() };
+    layer.size = std::mem::size_of::<mdr::mdr_layer>();
+    (layer.E, layer.nu, layer.thickness) = (young, nu, thickness);
+    layer
+}
+
 /// A compiled law, which frees itself.
 struct Law(*mut mdr::mdr_law);
 
@@ -31,7 +39,7 @@ unsafe impl Sync for Law {}
 
 impl Drop for Law {
     fn drop(&mut self) {
-        unsafe { mdr::mdr_law_free(&mut self.0) };
+        unsafe { mdr::mdr_free(self.0.cast()) };
     }
 }
 
@@ -41,14 +49,15 @@ impl Law {
         let mut law = Law(ptr::null_mut());
         let (mut ball, mut plate, mut contact) = (ptr::null_mut(), ptr::null_mut(), ptr::null_mut());
         let model = mdr::MDR_MODEL_EXACT;
+        let (paint, aluminium) = (isotropic(3e9, 0.35, 25e-6), isotropic(70e9, 0.33, 0.0));
         unsafe {
             let made = check(mdr::mdr_profile_paraboloid(radius, &mut ball))
-                .and_then(|()| check(mdr::mdr_medium_coated(3e9, 0.35, 25e-6, 70e9, 0.33, model, ptr::null(), &mut plate)))
+                .and_then(|()| check(mdr::mdr_medium_layered(1, &paint, &aluminium, model, ptr::null(), &mut plate)))
                 .and_then(|()| check(mdr::mdr_contact_new(ball, plate, ptr::null(), &mut contact)))
                 .and_then(|()| check(mdr::mdr_law_new(contact, largest_depth, ptr::null(), &mut law.0)));
-            mdr::mdr_contact_free(&mut contact);
-            mdr::mdr_medium_free(&mut plate);
-            mdr::mdr_profile_free(&mut ball);
+            mdr::mdr_free(contact.cast());
+            mdr::mdr_free(plate.cast());
+            mdr::mdr_free(ball.cast());
             made.map(|()| law)
         }
     }
@@ -66,7 +75,9 @@ impl Law {
 
     fn energy(&self, depth: f64) -> Result<f64, String> {
         let mut energy = 0.0;
-        check(unsafe { mdr::mdr_law_energy(self.0, mdr::MDR_ON_UNLOADING, 1, &depth, &mut energy) }).map(|()| energy)
+        let (law, none) = (self.0, ptr::null_mut());
+        let (given, branch) = (mdr::MDR_GIVEN_DEPTH, mdr::MDR_ON_UNLOADING);
+        check(unsafe { mdr::mdr_law_values(law, given, branch, 1, &depth, none, none, none, none, none, &mut energy) }).map(|()| energy)
     }
 }
 
