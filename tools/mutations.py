@@ -242,7 +242,7 @@ MUTATIONS = [
      "test_stretched_surfaces.py"),
     ("tension/membrane.f90", "2.0_wp**(-40)", "2.0_wp**(-20)", "test_stretched_surfaces.py"),
     ("tension/green.f90", "*(1.0_wp + c + m*k)/slope", "*(1.0_wp + m*k)/slope", "test_surface_tension"),
-    ("tension/body_part.f90", "green%spectrum(k)/real(bare, wp)", "green%spectrum(k)", "test_stretched_surfaces.py"),
+    ("tension/body_part.f90", "green%spectrum(k)/real(bare, wp)", "green%spectrum(k)", "test_surfaces.py"),
     ("tension/stability.f90", "self%bending*exp(x)**2", "2.0_wp*self%bending*exp(x)**2", "test_surface_tension"),
     ("numerics/lowest.f90", "high = places(min(size(places), i + 1))", "high = places(i)", "test_surfaces.py"),
     ("medium/springless.f90", "largest = most_plate_lengths*sqrt(b/l)", "largest = huge(b)", "test_surfaces.py"),

@@ -158,6 +158,8 @@ TENSION_LIMITS = np.array([1e-7, 5e-8, 1e-8, 1e-9, 5e-10])
     [
         (mdr.Homogeneous(GEL, surface=TENSE), 1.0, TENSION_LIMITS),
         (mdr.Coated(GEL, 1.0, mdr.RIGID, surface=TENSE), 1.0, TENSION_LIMITS),
+        (mdr.Coated(mdr.Elastic(1.0, 0.1), 1.0, mdr.RIGID, surface=mdr.Surface(0.5, 0.0, 1.0)), 1.0, TENSION_LIMITS),
+        (mdr.Coated(mdr.Elastic(1.0, 0.1), 1.0, mdr.RIGID, surface=mdr.Surface(0.3, 0.005, 1.0)), 1.0, 1e-10),
         (mdr.Homogeneous(GEL, surface=mdr.Surface(0.0, 0.5)), 1.0, 1e-10),
         (mdr.Homogeneous(GEL, surface=mdr.Surface(0.0, 0.5)), 0.1, 1e-11),
         (mdr.Coated(GEL, 1.0, mdr.RIGID, surface=mdr.Surface(0.3, 0.005)), 1.0, 1e-10),

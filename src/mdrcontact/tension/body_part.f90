@@ -2,7 +2,7 @@
 !> What layers below the surface add to the Galerkin matrices: products of Bessel functions over wavenumbers (theory_surfaces 6).
 !>
 !> kappa - kappa_0 falls as what the layers change of sigma, so that a plain rule over k serves all entries: with sigma_0 of the
-!> surface's half-space it is change (kappa_0/sigma_0)^2/(1 + (1 - kappa_0) change/sigma_0).
+!> surface's half-space it is change (kappa_0/sigma_0)^2/(1 + (1 - kappa_0/sigma_0) change/sigma_0).
 module mdrcontact_tension_body_part
     use, intrinsic :: iso_c_binding, only: c_int
     use mdrcontact_body_compliance, only: compliance_t
@@ -77,7 +77,7 @@ contains
         allocate (bare(size(k)), change(size(k)))
         call compliance%split(cmplx(k, 0.0_wp, wp), bare, change)
         ratio = green%spectrum(k)/real(bare, wp)
-        weight = weight*real(change, wp)*ratio**2/(1.0_wp + (1.0_wp - ratio*real(bare, wp))*real(change/bare, wp))
+        weight = weight*real(change, wp)*ratio**2/(1.0_wp + (1.0_wp - ratio)*real(change/bare, wp))
     end subroutine wave_rule
 
     !> The basis alone.
