@@ -32,17 +32,18 @@ void mexFunction(int results, mxArray *result[], int arguments, const mxArray *a
     }
     int status = mdr_profile_paraboloid(x[0][0], &ball);
     if (status == MDR_SUCCESS) {
-        status = mdr_medium_coated(x[1][0], x[1][1], x[2][0], x[3][0], x[3][1], MDR_MODEL_EXACT, NULL, &film);
+        const mdr_layer coating = mdr_isotropic(x[1][0], x[1][1], x[2][0]), base = mdr_isotropic(x[3][0], x[3][1], 0.0);
+        status = mdr_medium_layered(1, &coating, &base, MDR_MODEL_EXACT, NULL, &film);
     }
     if (status == MDR_SUCCESS) status = mdr_contact_new(ball, film, NULL, &contact);
     if (status == MDR_SUCCESS) status = mdr_law_new(contact, x[4][0], NULL, &law);
-    if (status == MDR_SUCCESS) status = mdr_law_info(law, &facts);
-    mdr_contact_free(&contact);
-    mdr_medium_free(&film);
-    mdr_profile_free(&ball);
+    if (status == MDR_SUCCESS) status = mdr_law_about(law, &facts);
+    MDR_FREE(contact);
+    MDR_FREE(film);
+    MDR_FREE(ball);
     check(status);
     result[0] = mxCreateDoubleMatrix(1, (mwSize)facts.buffer_size, mxREAL);
     status = mdr_law_buffer(law, facts.buffer_size, mxGetPr(result[0]));
-    mdr_law_free(&law);
+    MDR_FREE(law);
     check(status);
 }

@@ -18,7 +18,7 @@ module mdrcontact_tension_membrane
 
     !> h_0 over l or, if that is less, the first layer: it moves the modulus by less than twice as much.
     real(wp), parameter :: finest = 2.0_wp**(-40)
-    !> Where the body is asked for what it is to very long waves [1/depth of all layers].
+    !> The wave number at which the body counts as what very long waves meet [1/depth of all layers].
     real(wp), parameter :: long_wave = 1.0e-3_wp
     !> How far apart l and the layers may be.
     real(wp), parameter :: farthest = 1.0e12_wp
