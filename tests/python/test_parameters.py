@@ -47,7 +47,7 @@ def test_each_parameter_changes_what_it_names_and_nothing_else(thing):
     for name, value in before.items():
         if not np.isfinite(value):
             continue
-        other = 0.99 * value if value else 1e-9 if name.endswith("resistance") else 1e14
+        other = 0.99 * value if value else {"resistance": 1e-9, "stretching": 1e-2}.get(name.split(".")[-1], 1e14)
         try:
             changed = thing.with_parameters({name: other})
         except mdr.InvalidArgumentError:

@@ -125,7 +125,9 @@ def test_loops_lose_their_area(tip, medium, mu, share, part):
     )
     near(friction.shear(state).cycle_energy(s), loop.dissipated_energy, 1e-10)
     near(loop.tangential_force[:101], -loop.tangential_force[100:], 1e-10, size=mu * state.force)
-    ends = sorted({*(s * 2.0 ** np.arange(-8.0, 1.0)), *([sliding] if sliding < s else []), 0.0})
+    # T bends where the edge of stick passes a corner of the tip: short panels, for the place is not known
+    parts = np.concatenate([2.0 ** np.arange(-8.0, -3.0), np.arange(2.0, 33.0) / 32.0])
+    ends = sorted({*(s * parts), *([sliding] if sliding < s else []), 0.0})
     under = panels(lambda x: friction.shear(state).at_shift(x).tangential_force, ends)
     T = friction.shear(state).at_shift(s).tangential_force
     # the branch 2 T(x/2) over 0..2 s leaves the chord: area = 8 int T dx - 4 T s
