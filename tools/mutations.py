@@ -239,7 +239,7 @@ MUTATIONS = [
      "test_surface_tension"),
     ("tension/body_part.f90", "smallest_bessel = 1.0e-60_wp", "smallest_bessel = 0.0_wp", "test_surfaces.py"),
     ("tension/matrices.f90", "2.0_wp*m*here - 2.0_wp*(m + 1)*next", "2.0_wp*m*here - 2.0_wp*m*next", "test_surface_tension"),
-    ("tension/membrane.f90", "(top*ratio + q*d(1, 1)*(self%excess + ratio))", "(top*ratio + q*d(1, 1)*ratio)",
+    ("tension/membrane.f90", "(top*ratio + q*d(1, 1)*(self%punch_depth + ratio))", "(top*ratio + q*d(1, 1)*ratio)",
      "test_stretched_surfaces.py"),
     ("tension/membrane.f90", "2.0_wp**(-40)", "2.0_wp**(-20)", "test_stretched_surfaces.py"),
     ("tension/green.f90", "*(1.0_wp + c + m*k)/slope", "*(1.0_wp + m*k)/slope", "test_surface_tension"),
@@ -247,7 +247,7 @@ MUTATIONS = [
     ("tension/stability.f90", "self%bending*exp(x)**2", "2.0_wp*self%bending*exp(x)**2", "test_surface_tension"),
     ("numerics/lowest.f90", "high = places(min(size(places), i + 1))", "high = places(i)", "test_surfaces.py"),
     ("medium/springless.f90", "largest = most_plate_lengths*sqrt(b/l)", "largest = huge(b)", "test_surfaces.py"),
-    ("medium/springless.f90", "depth = depth + excess\n", "depth = depth - excess\n", "test_surfaces.py"),
+    ("medium/springless.f90", "depth = depth + punch_depth\n", "depth = depth - punch_depth\n", "test_surfaces.py"),
     ("contact/warnings.f90", "(0.5_wp*surface_modulus(equilibrium))**(2.0_wp/3.0_wp)", "surface_modulus(equilibrium)",
      "test_surfaces.py"),
 ]  # fmt: skip

@@ -68,7 +68,7 @@ typedef struct mdr_state {
     double radius;    /**< a, contact radius [length]. */
     double force;     /**< F, normal force, positive in compression [modulus length^2]. */
     double stiffness; /**< k = dF/dd at constant a, 2 a E_eff(a) [modulus length]. */
-    double excess;    /**< Depth beyond that of the non-adhesive state of this radius: 0 without adhesion, less than 0 with it, the
+    double punch_depth;    /**< Depth beyond that of the non-adhesive state of this radius: 0 without adhesion, less than 0 with it, the
                            whole depth under a flat punch [length]. */
     double zone_radius; /**< c, outer radius of the cohesive zone: the bodies pull on each other where a < r < c; 0 without a
                              cohesive stress [length]. With radius 0 they attract each other without contact. */

@@ -84,7 +84,7 @@ state = np.dtype(
         ("radius", np.float64),
         ("force", np.float64),
         ("stiffness", np.float64),
-        ("excess", np.float64),
+        ("punch_depth", np.float64),
         ("zone_radius", np.float64),
     ],
     align=True,

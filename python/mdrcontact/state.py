@@ -19,7 +19,7 @@ from .interior import BODIES, Interior
 
 __all__ = ["State"]
 
-_NAMES = ("depth", "radius", "force", "stiffness", "excess", "zone_radius")
+_NAMES = ("depth", "radius", "force", "stiffness", "punch_depth", "zone_radius")
 """The numbers of a state."""
 _COUNT = len(_NAMES)
 _DISPLACEMENTS = {"lower": _layout.FIELD_DISPLACEMENT_LOWER, "upper": _layout.FIELD_DISPLACEMENT_UPPER}
@@ -48,7 +48,7 @@ class State(tuple[Any, ...]):
     """F, normal force, positive in compression [modulus length^2]"""
     stiffness: FloatOrArray = _item(3)
     """k = dF/dd = 2 a E_eff(a), contact stiffness [modulus length]"""
-    excess: FloatOrArray = _item(4)
+    punch_depth: FloatOrArray = _item(4)
     """depth beyond that of the non-adhesive state of this radius [length]: 0 without adhesion, less than 0 with it, the whole depth
     under a flat punch"""
     zone_radius: FloatOrArray = _item(5)
@@ -63,11 +63,11 @@ class State(tuple[Any, ...]):
         radius: FloatOrArray,
         force: FloatOrArray,
         stiffness: FloatOrArray,
-        excess: FloatOrArray = 0.0,
+        punch_depth: FloatOrArray = 0.0,
         zone_radius: FloatOrArray = 0.0,
         contact: Any = None,
     ) -> State:
-        return tuple.__new__(cls, (depth, radius, force, stiffness, excess, zone_radius, contact))
+        return tuple.__new__(cls, (depth, radius, force, stiffness, punch_depth, zone_radius, contact))
 
     def __iter__(self) -> Iterator[Any]:
         return iter(tuple.__getitem__(self, slice(_COUNT)))

@@ -43,7 +43,7 @@ class WearLimit(NamedTuple):
     """Where fretting with a given radius of stick ends."""
 
     state: State
-    """depth, stick radius c, force, stiffness, and as `excess` the depth beyond that of the unworn state at c"""
+    """depth, stick radius c, force, stiffness, and as `punch_depth` the depth beyond that of the unworn state at c"""
     outer_radius: float
     """b, up to where the indenter is worn [length]"""
     worn_volume: float

@@ -95,7 +95,7 @@ contains
             ! the springs of a homogeneous body are exact, though its modulus is an effective one
             if (.not. (medium%is_exact .or. medium%has_free_springs)) return
             motion = state%depth - equilibrium%profile%height(r)
-            if (medium%is_pair) call medium%take_share(equilibrium%profile, state%radius, state%excess, &
+            if (medium%is_pair) call medium%take_share(equilibrium%profile, state%radius, state%punch_depth, &
                                                        merge(upper_body, lower_body, upper), r, motion, error)
             if (allocated(error)) return
             deviation = max(deviation, maxval(abs(field(:, u_z) - motion)) &
@@ -151,7 +151,7 @@ contains
             end if
             call check_state(contact, state, error)
             if (allocated(error)) return
-            call equilibrium%medium%surface_load(equilibrium%profile, state%radius, state%excess, load, error)
+            call equilibrium%medium%surface_load(equilibrium%profile, state%radius, state%punch_depth, load, error)
             if (.not. (allocated(load) .or. allocated(error))) call refuse(equilibrium%medium, "stresses inside are", &
                 "a homogeneous, coated, layered or graded one", &
                 "the body is loaded beside the contact, too, by what the surface hands on", error)

@@ -61,7 +61,7 @@ static void branches_refuse(const mdr_contact *c, int given)
     CHECK_STATUS(mdr_contact_states(c, given, MDR_ON_UNLOADING, 1, not_a_number, &out), MDR_EINVALID, "NaN");
     CHECK_STATUS(mdr_contact_states(c, given, MDR_ON_UNLOADING, 1, far, &out), MDR_EUNREACHABLE, "-100");
     CHECK_CLOSE(out.depth, untouched, 0.0);
-    CHECK_CLOSE(out.excess, untouched, 0.0);
+    CHECK_CLOSE(out.punch_depth, untouched, 0.0);
     CHECK_SUCCESS(mdr_contact_states(c, given, MDR_ON_LOADING, 0, NULL, NULL));
 }
 
@@ -93,7 +93,7 @@ static void jkr(const mdr_contact *c)
         CHECK_CLOSE(states[i].depth, d[i], 1e-12);
         CHECK_CLOSE(states[i].force, F[i], 1e-9);
         CHECK_CLOSE(states[i].stiffness, 2 * modulus * a[i], 1e-9);
-        CHECK_CLOSE(states[i].excess, d[i] - a[i] * a[i] / R, 1e-9);
+        CHECK_CLOSE(states[i].punch_depth, d[i] - a[i] * a[i] / R, 1e-9);
     }
 }
 

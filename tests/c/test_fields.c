@@ -44,8 +44,8 @@ static void refusals(void)
         wrong.radius = INFINITY;
         CHECK_STATUS(mdr_contact_field(c, field, &wrong, 2, r, out), MDR_EINVALID, "state");
         wrong = state;
-        wrong.excess = NAN;
-        CHECK_STATUS(mdr_contact_field(c, field, &wrong, 2, r, out), MDR_EINVALID, "excess");
+        wrong.punch_depth = NAN;
+        CHECK_STATUS(mdr_contact_field(c, field, &wrong, 2, r, out), MDR_EINVALID, "punch_depth");
         CHECK_STATUS(mdr_contact_field(c, field, &state, 2, negative, out), MDR_EINVALID, " = -0.5");
         CHECK_STATUS(mdr_contact_field(c, field, &state, 2, not_a_number, out), MDR_EINVALID, " = NaN");
         if (field != MDR_FIELD_DISPLACEMENT) {

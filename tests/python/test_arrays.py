@@ -64,11 +64,11 @@ def test_masked_elements_are_refused(coated):
 
 
 def test_state_unpacks(coated):
-    depth, radius, force, stiffness, excess, zone_radius = coated.at_depth(1e-8)
-    state = mdr.State(depth, radius, force, stiffness, excess, zone_radius, coated)
+    depth, radius, force, stiffness, punch_depth, zone_radius = coated.at_depth(1e-8)
+    state = mdr.State(depth, radius, force, stiffness, punch_depth, zone_radius, coated)
     assert state == coated.at_depth(1e-8) and len(state) == 6
     assert repr(state) == repr(mdr.State(*state)) and state != mdr.State(*state)
-    assert state._fields == ("depth", "radius", "force", "stiffness", "excess", "zone_radius")
+    assert state._fields == ("depth", "radius", "force", "stiffness", "punch_depth", "zone_radius")
 
 
 @pytest.mark.parametrize("profile", every_profile(), ids=lambda p: type(p).__name__)
@@ -101,10 +101,10 @@ def test_fields_of_a_state(body, gamma):
         assert getattr(states, name)([0.0, 0.0]).shape == (2,)
     np.testing.assert_array_equal(states.energy(), [one.energy() for one in (states[0], states[1])])
     np.testing.assert_array_equal(states[states.depth > 3e-8].depth, [5e-8])
-    # the excess is what the adhesive edge lacks of the non-adhesive depth
+    # the punch_depth is what the adhesive edge lacks of the non-adhesive depth
     plain = mdr.Contact(mdr.Paraboloid(1e-5), body).at_radius(state.radius)
-    assert state.excess == pytest.approx(state.depth - plain.depth, rel=1e-6, abs=1e-18)
-    assert (state.excess < 0.0) == (gamma > 0.0)
+    assert state.punch_depth == pytest.approx(state.depth - plain.depth, rel=1e-6, abs=1e-18)
+    assert (state.punch_depth < 0.0) == (gamma > 0.0)
 
 
 def test_what_is_no_state_is_refused(coated):
@@ -119,12 +119,12 @@ def test_what_is_no_state_is_refused(coated):
         states[0][0]
     with pytest.raises(mdr.InvalidArgumentError, match="no contact"):
         coated.at_depth(0.0).pressure(0.0)
-    with pytest.raises(mdr.InvalidArgumentError, match="excess"):
-        states[0]._replace(excess=float("nan")).pressure(0.0)
+    with pytest.raises(mdr.InvalidArgumentError, match="punch_depth"):
+        states[0]._replace(punch_depth=float("nan")).pressure(0.0)
 
 
 def test_a_flat_punch_is_all_excess():
     contact = mdr.Contact(mdr.FlatPunch(1e-6), mdr.Homogeneous(SILICON))
     state = contact.at_depth(1e-8)
-    assert state.excess == pytest.approx(1e-8)
+    assert state.punch_depth == pytest.approx(1e-8)
     assert state.line_load(0.0) == pytest.approx(SILICON.contact_modulus * 1e-8)

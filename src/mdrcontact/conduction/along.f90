@@ -77,8 +77,8 @@ contains
             do i = -2, 2
                 call equilibrium%parts(a*(1.0_wp + i*step), state, error)
                 if (allocated(error)) return
-                excess(i) = state%excess
-                load(i) = state%stiffness*state%excess
+                excess(i) = state%punch_depth
+                load(i) = state%stiffness*state%punch_depth
             end do
         end associate
         rates(1) = rates(1) + difference(excess)/(a*step)

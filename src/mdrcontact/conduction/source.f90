@@ -72,7 +72,7 @@ contains
         call check_state(contact, state, error)
         if (allocated(error)) return
         if (motion == sliding .and. .not. at_points .and. .not. allocated(contact%equilibrium%cohesion)) then
-            call contact%equilibrium%medium%line_load_series(contact%equilibrium%profile, state%radius, state%excess, self%t, &
+            call contact%equilibrium%medium%line_load_series(contact%equilibrium%profile, state%radius, state%punch_depth, self%t, &
                                                              error)
             if (allocated(error)) return
         end if

@@ -182,7 +182,7 @@ contains
             call equilibrium%at(equilibrium%last_radius, state, error)
             if (allocated(error)) return
             more = (s - segment%lowest)/control%of(1.0_wp, state%stiffness)
-            state%excess = state%excess + more
+            state%punch_depth = state%punch_depth + more
             state%depth = state%depth + more
             state%force = state%force + state%stiffness*more
             return

@@ -155,7 +155,7 @@ contains
         if (allocated(error)) return
         call check_opening(self, zone, 0.0_wp, error)
         state%depth = zone%depth + (zone%gap - self%range)
-        state%excess = state%depth
+        state%punch_depth = state%depth
         state%force = -pi*self%stress*zone_radius**2
     end subroutine apart
 
@@ -196,7 +196,7 @@ contains
         state%radius = radius
         state%force = self%modulus*zone%force
         state%stiffness = self%modulus*springs%stiffness
-        state%excess = zone%depth - springs%depth
+        state%punch_depth = zone%depth - springs%depth
         state%zone_radius = radius + guess%length
         if (is_finite(state%depth) .and. is_finite(state%force)) return
         call raise(error, error_no_convergence, "the state at radius = "//to_text(radius)//" is beyond the range of "// &

@@ -229,7 +229,7 @@ contains
                 has_slopes = .false.
                 return
             end if
-            values(:, i) = [state%depth, state%force, state%stiffness, merge(-state%excess, 1.0_wp, self%adhesive)]
+            values(:, i) = [state%depth, state%force, state%stiffness, merge(-state%punch_depth, 1.0_wp, self%adhesive)]
             if (.not. (minval(values(:, i)) >= 0.0_wp .and. maxval(values(:, i)) <= huge(1.0_wp))) then
                 call raise(error, error_no_convergence, "the depth or the force of this medium is not a positive "// &
                            "number near a = "//to_text(state%radius))

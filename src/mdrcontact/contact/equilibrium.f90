@@ -172,15 +172,15 @@ contains
         if (radius <= 0.0_wp) return
         call self%parts(radius, state, error)
         if (allocated(error)) return
-        state%depth = state%depth + state%excess
-        state%force = state%force + state%stiffness*state%excess
+        state%depth = state%depth + state%punch_depth
+        state%force = state%force + state%stiffness*state%punch_depth
         if (.not. (is_finite(state%depth) .and. is_finite(state%force) .and. is_finite(state%stiffness))) then
             call raise(error, error_no_convergence, "the state at radius = "//to_text(radius)// &
                        " is beyond the range of floating-point numbers")
         end if
     end subroutine at
 
-    !> The parts of the state at a radius > 0: depth and force of the non-adhesive state, the stiffness, and the excess -dl(a),
+    !> The parts of the state at a radius > 0: depth and force of the non-adhesive state, the stiffness, and the punch_depth -dl(a),
     !> equation (28) or its energy-consistent form.
     subroutine parts(self, radius, state, error, slopes)
         class(equilibrium_t), intent(in) :: self
@@ -213,7 +213,7 @@ contains
                        to_text(radius)//": the energy balance has no adhesive state there; use the source's rule or another model")
             return
         end if
-        state%excess = -sqrt(2.0_wp*pi*radius*self%work_of_adhesion/modulus)
+        state%punch_depth = -sqrt(2.0_wp*pi*radius*self%work_of_adhesion/modulus)
     end subroutine parts
 
     !> The radius at coordinate x = ln(a - end radius), in which every shape's laws are close to straight lines.

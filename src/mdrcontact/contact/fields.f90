@@ -48,7 +48,8 @@ contains
             call zone_line_load(self%equilibrium%cohesion, self%equilibrium%profile, state, x, values, error)
             return
         end if
-        call self%equilibrium%medium%field(of_line_load, self%equilibrium%profile, state%radius, state%excess, x, values, error)
+        call self%equilibrium%medium%field(of_line_load, self%equilibrium%profile, state%radius, state%punch_depth, x, values, &
+                                           error)
     end subroutine line_load
 
     !> p(r), the contact pressure, equation (6) [modulus]. Infinite where theory says so: at the edge of a flat punch, at the
@@ -69,7 +70,7 @@ contains
             call zone_pressure(self%equilibrium%cohesion, self%equilibrium%profile, state, r, values, error)
             return
         end if
-        call self%equilibrium%medium%field(of_pressure, self%equilibrium%profile, state%radius, state%excess, r, values, error)
+        call self%equilibrium%medium%field(of_pressure, self%equilibrium%profile, state%radius, state%punch_depth, r, values, error)
     end subroutine pressure
 
     !> u(r), the displacement of the surface, positive into the medium [length]: d - f(r) inside the contact, the free surface
@@ -102,7 +103,7 @@ contains
             call zone_displacement(self%equilibrium%cohesion, self%equilibrium%profile, state, outside, found, error)
             if (present(body)) call check_share(self, error)
         else
-            call self%equilibrium%medium%field(of_displacement, self%equilibrium%profile, state%radius, state%excess, &
+            call self%equilibrium%medium%field(of_displacement, self%equilibrium%profile, state%radius, state%punch_depth, &
                                                outside, found, error)
         end if
         if (allocated(error)) return
@@ -113,7 +114,7 @@ contains
             values(places(i)) = found(i)
         end do
         if (.not. present(body)) return
-        call self%equilibrium%medium%take_share(self%equilibrium%profile, state%radius, state%excess, body, r, values, error)
+        call self%equilibrium%medium%take_share(self%equilibrium%profile, state%radius, state%punch_depth, body, r, values, error)
     end subroutine displacement
 
     !> Elastic energy of the lower and of the upper body; without adhesion together int F dd from first touch.
@@ -136,7 +137,7 @@ contains
             return
         end if
         associate (medium => self%equilibrium%medium)
-            call medium%energies(self%equilibrium%profile, state%radius, state%excess, found, error)
+            call medium%energies(self%equilibrium%profile, state%radius, state%punch_depth, found, error)
             if (allocated(found)) values = found
             if (allocated(found) .or. allocated(error)) return
             call refuse(medium, "the elastic energy of a body is", "one that is homogeneous or solved exactly, or an effective "// &
@@ -200,7 +201,7 @@ contains
                        "contact: indenter and medium are defined up to "//to_text(self%equilibrium%last_radius))
         end if
         call check_finite(error, "depth of the state", state%depth)
-        call check_finite(error, "excess of the state", state%excess)
+        call check_finite(error, "punch_depth of the state", state%punch_depth)
     end subroutine check_state
 
     !> Raises where a zone loads two bodies that do not share its displacement by a factor.

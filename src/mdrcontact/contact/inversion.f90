@@ -84,7 +84,7 @@ contains
             call equilibrium%at(equilibrium%last_radius, state, error)
             if (allocated(error)) return
             if (s >= control%of(state%depth, state%force)) then
-                call go_on_as_punch(state, control, s, state%excess)
+                call go_on_as_punch(state, control, s, state%punch_depth)
                 return
             end if
         end if

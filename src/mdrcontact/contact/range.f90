@@ -106,7 +106,7 @@ contains
         type(contact_state_t) :: state
 
         call self%equilibrium%parts(self%equilibrium%radius_of(x), state, self%error)
-        y = log(max(state%depth, tiny(x))) - log(self%ratio) - log(max(-state%excess, tiny(x)))
+        y = log(max(state%depth, tiny(x))) - log(self%ratio) - log(max(-state%punch_depth, tiny(x)))
     end function handover_at
 
     !> That of the medium's smallest radius, or `otherwise`.
@@ -237,7 +237,7 @@ contains
             if (state%depth <= depth .or. state%depth > before) return
             before = state%depth
             ! For a shape r^n the minimum is where d0/dl = 1/(2n), and d0/dl grows with a^(n - 1/2), n = 2.
-            x = max(smallest, x - max(adhesive_step, (log(max(1.0_wp - state%depth/state%excess, 1.0e-3_wp)) + 1.4_wp)/1.5_wp))
+            x = max(smallest, x - max(adhesive_step, (log(max(1.0_wp - state%depth/state%punch_depth, 1.0e-3_wp)) + 1.4_wp)/1.5_wp))
         end do
     end subroutine coordinate_below_pull_off
 

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> One state of a contact: depth, contact radius, force, stiffness, excess, zone.
+!> One state of a contact: depth, contact radius, force, stiffness, punch_depth, zone.
 module mdrcontact_contact_state
     use, intrinsic :: iso_c_binding, only: c_double
     implicit none (type, external)
@@ -18,7 +18,7 @@ module mdrcontact_contact_state
         real(c_double) :: stiffness = 0.0_c_double
         !> depth beyond that of the non-adhesive state at this radius [length]: 0 without adhesion, -dl(a) with it, the whole depth
         !> under a flat punch, anything above 0 at another vertical wall of the indenter
-        real(c_double) :: excess = 0.0_c_double
+        real(c_double) :: punch_depth = 0.0_c_double
         !> c, outer radius of the cohesive zone [length]: the bodies pull on each other where a < r < c; 0 without a cohesive stress
         real(c_double) :: zone_radius = 0.0_c_double
     end type contact_state_t

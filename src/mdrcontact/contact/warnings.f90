@@ -137,12 +137,12 @@ contains
 
         if (.not. body%last_depth > 0.0_wp) return
         ! what lies below the layers gives way by at most F/(a E1*), as a half-space does under a cone; F without adhesion
-        force = state%force - min(state%excess, 0.0_wp)*state%stiffness
+        force = state%force - min(state%punch_depth, 0.0_wp)*state%stiffness
         if (state%zone_radius > 0.0_wp) force = max(state%force, 0.0_wp)
         base = force*body%long_wave_limit/(state%radius*body%surface_modulus)
         depth = state%depth
         if (depth(1) - base <= largest_compression*body%last_depth) return
-        if (equilibrium%medium%is_pair) call equilibrium%medium%take_share(equilibrium%profile, state%radius, state%excess, &
+        if (equilibrium%medium%is_pair) call equilibrium%medium%take_share(equilibrium%profile, state%radius, state%punch_depth, &
                                                                            which, [0.0_wp], depth, error)
         if (allocated(error)) return
         if (depth(1) - base <= largest_compression*body%last_depth) return

@@ -282,7 +282,7 @@ contains
         class(profile_t), intent(in) :: profile
         real(wp), intent(in) :: height
         real(wp) :: radius
-        real(wp) :: low, high, middle, excess, step
+        real(wp) :: low, high, middle, punch_depth, step
         integer :: i
 
         low = profile%end_radius
@@ -294,13 +294,13 @@ contains
         end do
         radius = high
         do i = 1, most_steps
-            excess = profile%height(radius) - height
-            if (excess > 0.0_wp) then
+            punch_depth = profile%height(radius) - height
+            if (punch_depth > 0.0_wp) then
                 high = radius
             else
                 low = radius
             end if
-            step = -excess/max(profile%slope(radius), tiny(1.0_wp))
+            step = -punch_depth/max(profile%slope(radius), tiny(1.0_wp))
             middle = radius + step
             if (.not. (middle > low .and. middle < high)) middle = 0.5_wp*(low + high)
             if (abs(middle - radius) <= 4.0_wp*epsilon(1.0_wp)*radius) exit

@@ -128,7 +128,7 @@ contains
         call self%check_state(state, error)
         if (allocated(error)) return
         associate (equilibrium => self%contact%equilibrium)
-            call equilibrium%medium%new_slip(self%tangential, equilibrium%profile, state%radius, state%excess, slip, error)
+            call equilibrium%medium%new_slip(self%tangential, equilibrium%profile, state%radius, state%punch_depth, slip, error)
         end associate
         if (.not. (allocated(slip) .or. allocated(error))) then
             call raise(error, error_invalid, "friction is not known for this medium")
@@ -151,7 +151,7 @@ contains
         if (allocated(error)) return
         allocate (twisted)
         associate (equilibrium => self%contact%equilibrium)
-            call new_twisted_slip(twisted, equilibrium%medium, equilibrium%profile, state%radius, state%excess, error)
+            call new_twisted_slip(twisted, equilibrium%medium, equilibrium%profile, state%radius, state%punch_depth, error)
         end associate
         if (allocated(error)) return
         call move_alloc(twisted, slip)
@@ -169,7 +169,7 @@ contains
 
         associate (equilibrium => self%contact%equilibrium)
             call check_positive(error, "contact radius of the state", state%radius)
-            call check_not_negative(error, "excess of the state", state%excess)
+            call check_not_negative(error, "punch_depth of the state", state%punch_depth)
             if (.not. allocated(error) .and. state%radius > equilibrium%last_radius) then
                 call raise(error, error_invalid, "the contact radius of the state, "//to_text(state%radius)//", is not one of "// &
                            "this contact: indenter and medium are defined up to "//to_text(equilibrium%last_radius))

@@ -347,7 +347,7 @@ contains
             root(nodes*(j - 1) + 1:nodes*j) = roots(j) + (roots(j - 1) - roots(j))*t
         end do
         associate (equilibrium => contact%equilibrium)
-            call equilibrium%medium%field(of_pressure, equilibrium%profile, state%radius, state%excess, &
+            call equilibrium%medium%field(of_pressure, equilibrium%profile, state%radius, state%punch_depth, &
                                           sqrt(max(state%radius**2 - root**2, 0.0_wp)), pressure, error)
         end associate
         if (allocated(error)) return

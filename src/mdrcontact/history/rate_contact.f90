@@ -139,7 +139,7 @@ contains
         do i = 1, most_strides
             call equilibrium%parts(equilibrium%radius_of(first), parts, error)
             if (allocated(error)) return
-            if (parts%depth < -parts%excess*sqrt(work)) exit
+            if (parts%depth < -parts%punch_depth*sqrt(work)) exit
             first = first - stride
         end do
         first = first + log(smallest_part)

@@ -55,14 +55,14 @@ module mdrcontact_layered_fields
 contains
 
     !> The line load of the state at contact radius a with a depth beyond the non-adhesive one.
-    subroutine new_line_load(self, kernel, tolerance, profile, a, excess, error, at_points)
+    subroutine new_line_load(self, kernel, tolerance, profile, a, punch_depth, error, at_points)
         type(line_load_t), intent(out) :: self
         type(kernel_t), intent(in) :: kernel
         !> of values of q and p anywhere, relative to their mean square
         real(wp), intent(in) :: tolerance
         class(profile_t), intent(in) :: profile
         !> [length]
-        real(wp), intent(in) :: a, excess
+        real(wp), intent(in) :: a, punch_depth
         type(error_t), allocatable, intent(out) :: error
         !> for q, p, what lies beyond the edge, and the work of the whole, not for the series; default false
         logical, intent(in), optional :: at_points
@@ -73,18 +73,18 @@ contains
         reached = huge(reached)
         may_take_panels = .false.
         if (present(at_points)) may_take_panels = at_points .and. kernel%resolved > largest_resolved
-        if (may_take_panels) may_take_panels = abs(excess) > 0.0_wp .or. .not. is_smooth(profile)
+        if (may_take_panels) may_take_panels = abs(punch_depth) > 0.0_wp .or. .not. is_smooth(profile)
         on_panels = huge(on_panels)
         n = min(unknowns_for(kernel, tolerance, a/kernel%unit, is_smooth(profile)), most_unknowns)
         do
             call check_cancelled(error)
             if (allocated(error)) return
-            call expand(self, kernel, profile, a, excess, n, reached, solved, error)
+            call expand(self, kernel, profile, a, punch_depth, n, reached, solved, error)
             if (allocated(error)) return
             if (.not. solved) exit
             if (reached <= tolerance) return
             if (may_take_panels) then
-                call expand_on_panels(self, kernel, tolerance, profile, a, excess, on_panels, error)
+                call expand_on_panels(self, kernel, tolerance, profile, a, punch_depth, on_panels, error)
                 if (allocated(error) .or. on_panels <= tolerance) return
                 may_take_panels = .false.
             end if
@@ -96,12 +96,12 @@ contains
     end subroutine new_line_load
 
     !> The state by its panels instead of its series.
-    subroutine expand_on_panels(self, kernel, tolerance, profile, a, excess, reached, error)
+    subroutine expand_on_panels(self, kernel, tolerance, profile, a, punch_depth, reached, error)
         type(line_load_t), intent(inout) :: self
         type(kernel_t), intent(in) :: kernel
         real(wp), intent(in) :: tolerance
         class(profile_t), intent(in) :: profile
-        real(wp), intent(in) :: a, excess
+        real(wp), intent(in) :: a, punch_depth
         !> estimated error of values of q and p
         real(wp), intent(out) :: reached
         type(error_t), allocatable, intent(inout) :: error
@@ -109,15 +109,15 @@ contains
         type(error_t), allocatable :: missed
 
         reached = huge(reached)
-        call solve(kernel, tolerance, a, solution, missed, profile, edge=abs(excess) > 0.0_wp)
+        call solve(kernel, tolerance, a, solution, missed, profile, edge=abs(punch_depth) > 0.0_wp)
         ! the series may do yet
         if (allocated(missed)) return
         self%a = a
-        self%depth = solution%depth + excess
-        self%edge = excess*solution%punch_edge
+        self%depth = solution%depth + punch_depth
+        self%edge = punch_depth*solution%punch_edge
         allocate (self%panels)
-        call new_panels(self%panels, kernel, profile, a, solution%force + 2.0_wp*a*solution%modulus*excess, self%edge, reached, &
-                        error)
+        call new_panels(self%panels, kernel, profile, a, solution%force + 2.0_wp*a*solution%modulus*punch_depth, self%edge, &
+                        reached, error)
         if (reached > tolerance) deallocate (self%panels)
     end subroutine expand_on_panels
 
@@ -138,11 +138,11 @@ contains
     end function unknowns_for
 
     !> With n unknowns.
-    subroutine expand(self, kernel, profile, a, excess, n, reached, solved, error)
+    subroutine expand(self, kernel, profile, a, punch_depth, n, reached, solved, error)
         type(line_load_t), intent(inout) :: self
         type(kernel_t), intent(in) :: kernel
         class(profile_t), intent(in) :: profile
-        real(wp), intent(in) :: a, excess
+        real(wp), intent(in) :: a, punch_depth
         integer, intent(in) :: n
         !> how large the last coefficients of v still are in a pressure
         real(wp), intent(out) :: reached
@@ -159,7 +159,7 @@ contains
         call solve_upper(n, n, 3, equation%h, x)
         self%a = a
         associate (row => equation%rhs(:, 2))
-            self%edge = excess*sum(row*x(:, 1))
+            self%edge = punch_depth*sum(row*x(:, 1))
             beyond = (equation%rise + self%edge + sum(row*x(:, 3)))/sum(row*x(:, 1))
         end associate
         self%depth = equation%mean + beyond

@@ -290,17 +290,17 @@ contains
         !> room
         real(wp), dimension(n + 1:m), intent(out) :: inverse, load, unsure, quarter, eighth, terms
         real(wp) :: sums(4)
-        real(wp) :: ratio, excess, beyond, error, error_of_depth
+        real(wp) :: ratio, punch_depth, beyond, error, error_of_depth
         integer :: i
 
-        excess = h(n, n)**2 - 1.0_wp
+        punch_depth = h(n, n)**2 - 1.0_wp
         ratio = 0.0_wp
-        if (abs(excess) > epsilon(excess)) ratio = min(max(excess/(h(n - 2, n - 2)**2 - 1.0_wp), 0.0_wp), 1.0_wp)
+        if (abs(punch_depth) > epsilon(punch_depth)) ratio = min(max(punch_depth/(h(n - 2, n - 2)**2 - 1.0_wp), 0.0_wp), 1.0_wp)
         ratio = sqrt(ratio)
         do i = n + 1, m
-            excess = excess*ratio
-            inverse(i) = 1.0_wp/(1.0_wp + excess)
-            unsure(i) = excess*inverse(i)
+            punch_depth = punch_depth*ratio
+            inverse(i) = 1.0_wp/(1.0_wp + punch_depth)
+            unsure(i) = punch_depth*inverse(i)
         end do
         call taper(n, m, max(m/4, 2), quarter)
         call taper(n, m, max(m/8, 1), eighth)

@@ -42,7 +42,7 @@ module mdrcontact_medium_effective
         procedure :: copy_effective
     end type effective_medium_t
 
-    !> q' = -E_eff(x) g'(x), equation (21); an adhesive edge adds the constant E_eff(a) excess.
+    !> q' = -E_eff(x) g'(x), equation (21); an adhesive edge adds the constant E_eff(a) punch_depth.
     type, extends(load_t) :: effective_load_t
         private
         class(effective_medium_t), allocatable :: medium
@@ -175,30 +175,30 @@ contains
         part = smallest_panel_ratio
     end function negligible_part
 
-    subroutine field(self, quantity, profile, a, excess, r, values, error)
+    subroutine field(self, quantity, profile, a, punch_depth, r, values, error)
         class(effective_medium_t), intent(in) :: self
         integer, intent(in) :: quantity
         class(profile_t), intent(in) :: profile
-        real(wp), intent(in) :: a, excess
+        real(wp), intent(in) :: a, punch_depth
         real(wp), intent(in) :: r(:)
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
 
         select case (quantity)
         case (of_line_load)
-            call line_load(self, profile, a, excess, r, values, error)
+            call line_load(self, profile, a, punch_depth, r, values, error)
         case (of_pressure)
-            call pressure(self, profile, a, excess, r, values, error)
+            call pressure(self, profile, a, punch_depth, r, values, error)
         case default
-            call displacement_outside(self, profile, a, excess, r, values, error)
+            call displacement_outside(self, profile, a, punch_depth, r, values, error)
         end select
     end subroutine field
 
     !> q(x; a) = int_x^a E_eff(s) d'(s) ds, equation (21).
-    subroutine line_load(self, profile, a, excess, r, values, error)
+    subroutine line_load(self, profile, a, punch_depth, r, values, error)
         class(effective_medium_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
-        real(wp), intent(in) :: a, excess
+        real(wp), intent(in) :: a, punch_depth
         real(wp), intent(in) :: r(:)
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(inout) :: error
@@ -208,7 +208,7 @@ contains
 
         call self%all_breaks(profile, breaks, error)
         do i = 1, size(r)
-            values(i) = self%effective_modulus(a)*excess
+            values(i) = self%effective_modulus(a)*punch_depth
             lowest = max(r(i), profile%end_radius, smallest_panel_ratio*a)
             if (a <= lowest) cycle
             call graded_rule(lowest, a, breaks, profile%singular_radius, s, ds, error, beyond)
@@ -220,11 +220,11 @@ contains
     end subroutine line_load
 
     !> Infinite at the edge of a flat end, where g' is.
-    !> p(r) = (1/pi) int_r^a E_eff(s) d'(s)/sqrt(s^2 - r^2) ds + E_eff(a) excess/(pi sqrt(a^2 - r^2)), equation (6).
-    subroutine pressure(self, profile, a, excess, r, values, error)
+    !> p(r) = (1/pi) int_r^a E_eff(s) d'(s)/sqrt(s^2 - r^2) ds + E_eff(a) punch_depth/(pi sqrt(a^2 - r^2)), equation (6).
+    subroutine pressure(self, profile, a, punch_depth, r, values, error)
         class(effective_medium_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
-        real(wp), intent(in) :: a, excess
+        real(wp), intent(in) :: a, punch_depth
         real(wp), intent(in) :: r(:)
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(inout) :: error
@@ -234,7 +234,7 @@ contains
         integer :: i
 
         do i = 1, size(r)
-            values(i) = self%effective_modulus(a)*edge_pressure(a, excess, r(i))
+            values(i) = self%effective_modulus(a)*edge_pressure(a, punch_depth, r(i))
             lowest = max(r(i), profile%end_radius)
             from_axis = lowest <= 0.0_wp
             if (from_axis) lowest = smallest_panel_ratio*a
@@ -254,12 +254,12 @@ contains
         end do
     end subroutine pressure
 
-    !> u(r) = (2/pi) int_0^a d'(s) arcsin(s/r) ds + (2/pi) excess arcsin(a/r), r > a: each increment of depth moves the surface as
-    !> a flat punch on a homogeneous body.
-    subroutine displacement_outside(self, profile, a, excess, r, values, error)
+    !> u(r) = (2/pi) int_0^a d'(s) arcsin(s/r) ds + (2/pi) punch_depth arcsin(a/r), r > a: each increment of depth moves the
+    !> surface as a flat punch on a homogeneous body.
+    subroutine displacement_outside(self, profile, a, punch_depth, r, values, error)
         class(effective_medium_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
-        real(wp), intent(in) :: a, excess
+        real(wp), intent(in) :: a, punch_depth
         real(wp), intent(in) :: r(:)
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(inout) :: error
@@ -270,7 +270,7 @@ contains
         lowest = max(profile%end_radius, smallest_panel_ratio*a)
         call self%all_breaks(profile, breaks, error)
         do i = 1, size(r)
-            values(i) = excess*asin(a/r(i))
+            values(i) = punch_depth*asin(a/r(i))
             if (a > lowest) then
                 call graded_rule(lowest, a, breaks, min(profile%singular_radius, r(i)), s, ds, error, beyond)
                 if (allocated(error)) return
@@ -282,10 +282,10 @@ contains
     end subroutine displacement_outside
 
     !> The work of the springs: each increment of depth, shared by the bodies, under the force reached.
-    subroutine energies(self, profile, a, excess, values, error)
+    subroutine energies(self, profile, a, punch_depth, values, error)
         class(effective_medium_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
-        real(wp), intent(in) :: a, excess
+        real(wp), intent(in) :: a, punch_depth
         real(wp), allocatable, intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
         real(wp), allocatable :: s(:), ds(:), beyond(:), breaks(:)
@@ -294,7 +294,7 @@ contains
 
         call self%depth_and_force(profile, a, depth, force, error)
         if (allocated(error)) return
-        total = (force + a*self%effective_modulus(a)*excess)*excess
+        total = (force + a*self%effective_modulus(a)*punch_depth)*punch_depth
         upper = self%upper_share(a)*total
         lowest = max(profile%end_radius, smallest_panel_ratio*a)
         if (a > lowest) then
@@ -351,24 +351,24 @@ contains
         end if
     end function near_axis
 
-    !> excess/sqrt(a^2 - r^2), pi times the pressure under a flat punch of unit modulus; infinite at the edge.
-    pure function edge_pressure(a, excess, r) result(values)
-        real(wp), intent(in) :: a, excess, r
+    !> punch_depth/sqrt(a^2 - r^2), pi times the pressure under a flat punch of unit modulus; infinite at the edge.
+    pure function edge_pressure(a, punch_depth, r) result(values)
+        real(wp), intent(in) :: a, punch_depth, r
         real(wp) :: values
 
-        if (excess == 0.0_wp) then
+        if (punch_depth == 0.0_wp) then
             values = 0.0_wp
         else if (r < a) then
-            values = excess/sqrt((a - r)*(a + r))
+            values = punch_depth/sqrt((a - r)*(a + r))
         else
-            values = sign(infinity, excess)
+            values = sign(infinity, punch_depth)
         end if
     end function edge_pressure
 
-    subroutine surface_load(self, profile, a, excess, load, error)
+    subroutine surface_load(self, profile, a, punch_depth, load, error)
         class(effective_medium_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
-        real(wp), intent(in) :: a, excess
+        real(wp), intent(in) :: a, punch_depth
         class(load_t), allocatable, intent(inout) :: load
         type(error_t), allocatable, intent(out) :: error
         type(effective_load_t), allocatable :: own
@@ -379,7 +379,7 @@ contains
         if (.not. allocated(error)) call profile%copy_to(own%profile, error)
         if (allocated(error)) return
         own%radius = a
-        own%edge = self%effective_modulus(a)*excess
+        own%edge = self%effective_modulus(a)*punch_depth
         call self%all_breaks(profile, breaks, error)
         call merge_breaks(own%kinks, breaks(:count(breaks < a)), error)
         if (allocated(error)) return
@@ -387,17 +387,17 @@ contains
         call move_alloc(own, load)
     end subroutine surface_load
 
-    subroutine new_slip(self, tangential, profile, a, excess, slip, error)
+    subroutine new_slip(self, tangential, profile, a, punch_depth, slip, error)
         class(effective_medium_t), intent(in) :: self
         class(solver_t), intent(in) :: tangential
         class(profile_t), intent(in) :: profile
-        real(wp), intent(in) :: a, excess
+        real(wp), intent(in) :: a, punch_depth
         class(slip_t), allocatable, intent(out) :: slip
         type(error_t), allocatable, intent(out) :: error
         type(superposed_slip_t), allocatable :: own
 
         allocate (own)
-        call new_superposed_slip(own, self, tangential, profile, a, excess, error)
+        call new_superposed_slip(own, self, tangential, profile, a, punch_depth, error)
         if (.not. allocated(error)) call move_alloc(own, slip)
     end subroutine new_slip
 

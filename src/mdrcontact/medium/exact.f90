@@ -304,29 +304,29 @@ contains
     end subroutine zeta
 
     !> Of smooth indenters on films: the coefficients of a state's own solution.
-    subroutine line_load_series(self, profile, a, excess, series, error)
+    subroutine line_load_series(self, profile, a, punch_depth, series, error)
         class(layered_exact_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
-        real(wp), intent(in) :: a, excess
+        real(wp), intent(in) :: a, punch_depth
         real(wp), allocatable, intent(out) :: series(:)
         type(error_t), allocatable, intent(inout) :: error
         type(solution_t) :: solution
         real(wp), allocatable :: parts(:, :)
 
         if (.not. is_smooth(profile)) return
-        call solve(self%springs%kernel, self%springs%tolerance, a, solution, error, profile, abs(excess) > 0.0_wp, parts)
-        if (.not. allocated(error)) series = self%springs%modulus*(parts(:, 2) + excess*parts(:, 1))
+        call solve(self%springs%kernel, self%springs%tolerance, a, solution, error, profile, abs(punch_depth) > 0.0_wp, parts)
+        if (.not. allocated(error)) series = self%springs%modulus*(parts(:, 2) + punch_depth*parts(:, 1))
     end subroutine line_load_series
 
     !> With d, g and what the layers below do to the springs, v:
     !> q(x; a) = E0* (d - g - v);
     !> p(r) by equation (6): the half-space of the surface material under d - g, and what the layers below it add;
     !> u(r) = (2/pi) int_0^r w(x)/sqrt(r^2 - x^2) dx with the springs' displacement w, which is d - g inside the contact.
-    subroutine field(self, quantity, profile, a, excess, r, values, error)
+    subroutine field(self, quantity, profile, a, punch_depth, r, values, error)
         class(layered_exact_t), intent(in) :: self
         integer, intent(in) :: quantity
         class(profile_t), intent(in) :: profile
-        real(wp), intent(in) :: a, excess
+        real(wp), intent(in) :: a, punch_depth
         real(wp), intent(in) :: r(:)
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
@@ -334,7 +334,7 @@ contains
         real(wp), allocatable :: added(:)
         integer :: i, stat
 
-        call new_line_load(load, self%springs%kernel, self%springs%tolerance, profile, a, excess, error, at_points=.true.)
+        call new_line_load(load, self%springs%kernel, self%springs%tolerance, profile, a, punch_depth, error, at_points=.true.)
         if (allocated(error)) return
         select case (quantity)
         case (of_line_load)
@@ -345,11 +345,11 @@ contains
             if (allocated(error)) return
             do i = 1, size(r)
                 values(i) = values(i) + self%springs%modulus*load%smooth_pressure(r(i))
-                if (excess == 0.0_wp) cycle
+                if (punch_depth == 0.0_wp) cycle
                 if (r(i) < a) then
                     values(i) = values(i) + self%springs%modulus*load%edge/(pi*sqrt((a - r(i))*(a + r(i))))
                 else
-                    values(i) = sign(infinity, excess)
+                    values(i) = sign(infinity, punch_depth)
                 end if
             end do
         case default
@@ -364,10 +364,10 @@ contains
     end subroutine field
 
     !> u_i(r) = (E0*/E_i*) (2/pi) int_0^r w_i(x)/sqrt(r^2 - x^2) dx with w_i = [q + K_i q]/E0* = d - g - v + v_i inside the contact.
-    subroutine take_share(self, profile, a, excess, body, r, values, error)
+    subroutine take_share(self, profile, a, punch_depth, body, r, values, error)
         class(layered_exact_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
-        real(wp), intent(in) :: a, excess
+        real(wp), intent(in) :: a, punch_depth
         integer, intent(in) :: body
         real(wp), intent(in) :: r(:)
         real(wp), intent(inout) :: values(:)
@@ -381,7 +381,7 @@ contains
             if (body == upper_body) values = 0.0_wp
             return
         end if
-        call new_line_load(load, self%springs%kernel, self%springs%tolerance, profile, a, excess, error)
+        call new_line_load(load, self%springs%kernel, self%springs%tolerance, profile, a, punch_depth, error)
         if (allocated(error)) return
         call pick(r, places, outside, total, error, above=a)
         if (allocated(error)) return
@@ -405,17 +405,17 @@ contains
     end subroutine take_share
 
     !> W_i = int_0^a q w_i dx.
-    subroutine energies(self, profile, a, excess, values, error)
+    subroutine energies(self, profile, a, punch_depth, values, error)
         class(layered_exact_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
-        real(wp), intent(in) :: a, excess
+        real(wp), intent(in) :: a, punch_depth
         real(wp), allocatable, intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
         type(line_load_t) :: load
         real(wp), allocatable :: v(:)
         integer :: i
 
-        call new_line_load(load, self%springs%kernel, self%springs%tolerance, profile, a, excess, error, &
+        call new_line_load(load, self%springs%kernel, self%springs%tolerance, profile, a, punch_depth, error, &
                            at_points=.not. allocated(self%parts))
         if (allocated(error)) return
         allocate (values(2), source=0.0_wp)
@@ -432,16 +432,16 @@ contains
     end subroutine energies
 
     !> q = E0* (d - g - v) with v as a Legendre series.
-    subroutine surface_load(self, profile, a, excess, load, error)
+    subroutine surface_load(self, profile, a, punch_depth, load, error)
         class(layered_exact_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
-        real(wp), intent(in) :: a, excess
+        real(wp), intent(in) :: a, punch_depth
         class(load_t), allocatable, intent(inout) :: load
         type(error_t), allocatable, intent(out) :: error
         type(line_load_t) :: springs
         type(profile_load_t), allocatable :: own
 
-        call new_line_load(springs, self%springs%kernel, self%springs%tolerance, profile, a, excess, error, at_points=.true.)
+        call new_line_load(springs, self%springs%kernel, self%springs%tolerance, profile, a, punch_depth, error, at_points=.true.)
         if (allocated(error)) return
         allocate (own)
         call new_profile_load(own, profile, self%springs%modulus, springs, error)
@@ -500,24 +500,24 @@ contains
         end if
     end subroutine new_body_under_load
 
-    subroutine new_slip(self, tangential, profile, a, excess, slip, error)
+    subroutine new_slip(self, tangential, profile, a, punch_depth, slip, error)
         class(layered_exact_t), intent(in) :: self
         class(solver_t), intent(in) :: tangential
         class(profile_t), intent(in) :: profile
-        real(wp), intent(in) :: a, excess
+        real(wp), intent(in) :: a, punch_depth
         class(slip_t), allocatable, intent(out) :: slip
         type(error_t), allocatable, intent(out) :: error
         type(layered_slip_t), allocatable :: own
         type(line_load_t) :: springs
         real(wp), allocatable :: sheared(:)
 
-        call new_line_load(springs, self%springs%kernel, self%springs%tolerance, profile, a, excess, error)
+        call new_line_load(springs, self%springs%kernel, self%springs%tolerance, profile, a, punch_depth, error)
         if (allocated(error)) return
         allocate (sheared, mold=springs%q)
         call springs%part_of(tangential%springs%kernel, sheared, error)
         if (allocated(error)) return
         allocate (own)
-        call new_layered_slip(own, self, tangential, profile, springs, sheared, excess, error)
+        call new_layered_slip(own, self, tangential, profile, springs, sheared, punch_depth, error)
         if (.not. allocated(error)) call move_alloc(own, slip)
     end subroutine new_slip
 

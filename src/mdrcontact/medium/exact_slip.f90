@@ -30,7 +30,7 @@ module mdrcontact_medium_exact_slip
         !> q_n/E0*
         type(line_load_t) :: springs
         !> depth beyond the non-adhesive one [length]
-        real(wp) :: excess = 0.0_wp
+        real(wp) :: punch_depth = 0.0_wp
     contains
         procedure :: dissipation
         procedure :: rates
@@ -43,7 +43,7 @@ module mdrcontact_medium_exact_slip
 contains
 
     !> From the springs' line load.
-    subroutine new_layered_slip(self, normal, tangential, profile, springs, sheared, excess, error)
+    subroutine new_layered_slip(self, normal, tangential, profile, springs, sheared, punch_depth, error)
         type(layered_slip_t), intent(out) :: self
         !> the medium under normal load and under shear, with their springs
         class(solver_t), intent(in) :: normal, tangential
@@ -52,7 +52,7 @@ contains
         type(line_load_t), intent(in) :: springs
         real(wp), intent(in) :: sheared(:)
         !> depth beyond the non-adhesive one [length]
-        real(wp), intent(in) :: excess
+        real(wp), intent(in) :: punch_depth
         type(error_t), allocatable, intent(out) :: error
         real(wp), allocatable :: exponents(:), coefficients(:)
         real(wp) :: even, effective, rise, depth, force
@@ -65,8 +65,8 @@ contains
         self%radius = springs%a
         call normal%response(profile, springs%a, depth, force, effective, rise, error)
         if (allocated(error)) return
-        self%force = force + 2.0_wp*springs%a*effective*excess
-        self%excess = excess
+        self%force = force + 2.0_wp*springs%a*effective*punch_depth
+        self%punch_depth = punch_depth
         self%springs = springs
         call profile%powers(exponents, coefficients)
         if (size(exponents) > 0) self%exponent = minval(exponents)
@@ -85,10 +85,10 @@ contains
             self%profile%at_axis = self%profile%at_axis + self%profile%c(j)*even
             even = -even*real(2*j - 1, wp)/real(2*j, wp)
         end do
-        self%sliding_shift = self%profile%ratio*(depth + excess - self%profile%at_axis)
+        self%sliding_shift = self%profile%ratio*(depth + punch_depth - self%profile%at_axis)
         call solve(self, self%radius, depth, force, self%stiffness, self%edge_rate, error)
         ! without a load at the edge something slips with the slightest shift
-        if (allocated(error) .or. excess <= 0.0_wp) return
+        if (allocated(error) .or. punch_depth <= 0.0_wp) return
         self%first_shift = self%sliding_shift - depth
         if (self%first_shift > self%sliding_shift*(1.0_wp + largest_excess)) then
             call raise(error, error_domain, "slip would begin inside this contact and not at its edge, as under a flat punch "// &
@@ -245,7 +245,7 @@ contains
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
 
-        call traction_between(self%normal, self%profile%base, self%radius, self%excess, self%tangential, self%profile, c, r, &
+        call traction_between(self%normal, self%profile%base, self%radius, self%punch_depth, self%tangential, self%profile, c, r, &
                               values, error)
     end subroutine traction
 

@@ -132,11 +132,11 @@ contains
         force = 2.0_wp*self%contact_modulus*profile%mdr_moment(a)
     end subroutine depth_and_force
 
-    !> q = E* (g(a) + excess - g(x)).
-    subroutine line_load_series(self, profile, a, excess, series, error)
+    !> q = E* (g(a) + punch_depth - g(x)).
+    subroutine line_load_series(self, profile, a, punch_depth, series, error)
         class(homogeneous_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
-        real(wp), intent(in) :: a, excess
+        real(wp), intent(in) :: a, punch_depth
         real(wp), allocatable, intent(out) :: series(:)
         type(error_t), allocatable, intent(inout) :: error
 
@@ -144,7 +144,7 @@ contains
         allocate (series(terms))
         call profile_moments(profile, a, series, error)
         series = -self%contact_modulus*series
-        series(1) = series(1) + sqrt(2.0_wp)*self%contact_modulus*(profile%mdr(a) + excess)
+        series(1) = series(1) + sqrt(2.0_wp)*self%contact_modulus*(profile%mdr(a) + punch_depth)
     end subroutine line_load_series
 
     !> The half-space of modulus G*, or 4 G under a twist; of two, 1/G* = 1/G1* + 1/G2*.

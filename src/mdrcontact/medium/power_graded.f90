@@ -174,37 +174,37 @@ contains
         stiffness_slope = 2.0_wp*(modulus + a*slope(1))
     end subroutine response
 
-    subroutine field(self, quantity, profile, a, excess, r, values, error)
+    subroutine field(self, quantity, profile, a, punch_depth, r, values, error)
         class(power_graded_t), intent(in) :: self
         integer, intent(in) :: quantity
         class(profile_t), intent(in) :: profile
-        real(wp), intent(in) :: a, excess
+        real(wp), intent(in) :: a, punch_depth
         real(wp), intent(in) :: r(:)
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
 
         select case (quantity)
         case (of_line_load)
-            call line_load(self, profile, a, excess, r, values, error)
+            call line_load(self, profile, a, punch_depth, r, values, error)
         case (of_pressure)
-            call pressure(self, profile, a, excess, r, values, error)
+            call pressure(self, profile, a, punch_depth, r, values, error)
         case default
-            call displacement_outside(self, profile, a, excess, r, values, error)
+            call displacement_outside(self, profile, a, punch_depth, r, values, error)
         end select
     end subroutine field
 
     !> q(x) = c(x) (d - g(x)).
-    subroutine line_load(self, profile, a, excess, r, values, error)
+    subroutine line_load(self, profile, a, punch_depth, r, values, error)
         class(power_graded_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
-        real(wp), intent(in) :: a, excess
+        real(wp), intent(in) :: a, punch_depth
         real(wp), intent(in) :: r(:)
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(inout) :: error
         real(wp) :: depth
         integer :: i
 
-        depth = mdr(self, profile, a, error) + excess
+        depth = mdr(self, profile, a, error) + punch_depth
         if (allocated(error)) return
         do i = 1, size(r)
             values(i) = depth - mdr(self, profile, r(i), error)
@@ -216,11 +216,11 @@ contains
         end do
     end subroutine line_load
 
-    !> p(r) = (c1/pi) [excess (a^2 - r^2)^{(m-1)/2} + int_r^a g'(x) (x^2 - r^2)^{(m-1)/2} dx].
-    subroutine pressure(self, profile, a, excess, r, values, error)
+    !> p(r) = (c1/pi) [punch_depth (a^2 - r^2)^{(m-1)/2} + int_r^a g'(x) (x^2 - r^2)^{(m-1)/2} dx].
+    subroutine pressure(self, profile, a, punch_depth, r, values, error)
         class(power_graded_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
-        real(wp), intent(in) :: a, excess
+        real(wp), intent(in) :: a, punch_depth
         real(wp), intent(in) :: r(:)
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(inout) :: error
@@ -236,9 +236,9 @@ contains
         breaks = breaks(:count(breaks < a))
         do i = 1, size(r)
             values(i) = 0.0_wp
-            if (excess /= 0.0_wp) then
-                values(i) = excess*infinity
-                if (r(i) < a) values(i) = excess*((a - r(i))*(a + r(i)))**power
+            if (punch_depth /= 0.0_wp) then
+                values(i) = punch_depth*infinity
+                if (r(i) < a) values(i) = punch_depth*((a - r(i))*(a + r(i)))**power
             end if
             start = max(r(i), profile%end_radius)
             if (self%exponent <= 0.0_wp .and. r(i) > 0.0_wp .and. r(i) == profile%end_radius .and. a > start) then
@@ -255,10 +255,10 @@ contains
     end subroutine pressure
 
     !> u(r) = (2 cos(m pi/2)/pi) int_0^a x^m w(x) (r^2 - x^2)^{-(1+m)/2} dx, r > a, w = d - g.
-    subroutine displacement_outside(self, profile, a, excess, r, values, error)
+    subroutine displacement_outside(self, profile, a, punch_depth, r, values, error)
         class(power_graded_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
-        real(wp), intent(in) :: a, excess
+        real(wp), intent(in) :: a, punch_depth
         real(wp), intent(in) :: r(:)
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(inout) :: error
@@ -270,7 +270,7 @@ contains
         if (size(r) == 0) return
         if (profile%end_radius < a) call sample_transform(self, profile, a, g, error)
         if (allocated(error)) return
-        depth = mdr(self, profile, a, error) + excess
+        depth = mdr(self, profile, a, error) + punch_depth
         if (allocated(error)) return
         lowest = smallest_panel_ratio*a
         call profile%add_breaks(breaks, error)

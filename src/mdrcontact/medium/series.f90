@@ -121,11 +121,11 @@ contains
     end function upper_depth
 
     !> Each increment of depth moves each surface as a flat punch on a homogeneous body, by that body's share:
-    !> u_2(r) = int_0^a share(s) g'(s) w(s, r) ds + share(a) excess w(a, r), w = 1 for r < s and (2/pi) arcsin(s/r) beyond.
-    subroutine take_share(self, profile, a, excess, body, r, values, error)
+    !> u_2(r) = int_0^a share(s) g'(s) w(s, r) ds + share(a) punch_depth w(a, r), w = 1 for r < s and (2/pi) arcsin(s/r) beyond.
+    subroutine take_share(self, profile, a, punch_depth, body, r, values, error)
         class(series_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
-        real(wp), intent(in) :: a, excess
+        real(wp), intent(in) :: a, punch_depth
         integer, intent(in) :: body
         real(wp), intent(in) :: r(:)
         real(wp), intent(inout) :: values(:)
@@ -138,9 +138,9 @@ contains
         whole = self%upper_depth(profile, a, error)
         do i = 1, size(r)
             if (r(i) < a) then
-                upper = self%upper_share(a)*excess + whole - self%upper_depth(profile, r(i), error)
+                upper = self%upper_share(a)*punch_depth + whole - self%upper_depth(profile, r(i), error)
             else
-                upper = self%upper_share(a)*excess*asin(a/r(i))/half_pi
+                upper = self%upper_share(a)*punch_depth*asin(a/r(i))/half_pi
             end if
             highest = min(r(i), a)
             lowest = max(profile%end_radius, smallest_panel_ratio*highest)

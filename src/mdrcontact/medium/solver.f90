@@ -2,9 +2,9 @@
 !> The solver of a medium: it gives depth, force, stiffness and line load of a profile pressed into it at contact radius a.
 !>
 !> Every frictionless contact state at radius a is the non-adhesive state plus a flat punch of radius a:
-!>     q(x; a) = q_nonadhesive(x; a) + excess * q_punch(x; a),    excess = d - d0(a),
+!>     q(x; a) = q_nonadhesive(x; a) + punch_depth * q_punch(x; a),    punch_depth = d - d0(a),
 !> q_punch per unit of depth, d0 the depth of the non-adhesive state.
-!> `excess` is 0 without adhesion, negative at an adhesive edge (theory 5) and positive at a vertical wall (flat punch).
+!> `punch_depth` is 0 without adhesion, negative at an adhesive edge (theory 5) and positive at a vertical wall (flat punch).
 !> Contact, adhesion and fitting are written in these terms, for any solver.
 module mdrcontact_medium_solver
     use mdrcontact_body, only: body_t
@@ -123,15 +123,15 @@ module mdrcontact_medium_solver
             real(wp), intent(inout), optional :: accuracy
         end subroutine response_at
 
-        subroutine field_of_state(self, quantity, profile, a, excess, r, values, error)
+        subroutine field_of_state(self, quantity, profile, a, punch_depth, r, values, error)
             import :: error_t, solver_t, profile_t, wp
             class(solver_t), intent(in) :: self
             !> of_line_load: q(x; a) [modulus length], 0 <= x <= a; of_pressure: p(r) [modulus], 0 <= r <= a, infinite at r = a
-            !> where excess is not 0; of_displacement: of the surface, u(r) [length], r > a, positive into the medium
+            !> where punch_depth is not 0; of_displacement: of the surface, u(r) [length], r > a, positive into the medium
             integer, intent(in) :: quantity
             class(profile_t), intent(in) :: profile
             !> contact radius [length] and depth beyond that of the non-adhesive state [length]
-            real(wp), intent(in) :: a, excess
+            real(wp), intent(in) :: a, punch_depth
             !> positions [length]
             real(wp), intent(in) :: r(:)
             !> same size as r
@@ -153,11 +153,11 @@ contains
     end function modulus_at
 
     !> The same share everywhere; a medium whose bodies differ by more than a factor overrides it.
-    subroutine take_share(self, profile, a, excess, body, r, values, error)
+    subroutine take_share(self, profile, a, punch_depth, body, r, values, error)
         class(solver_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
         !> contact radius [length] and depth beyond that of the non-adhesive state [length]
-        real(wp), intent(in) :: a, excess
+        real(wp), intent(in) :: a, punch_depth
         !> lower_body or upper_body
         integer, intent(in) :: body
         !> positions r >= 0 [length]
@@ -166,7 +166,7 @@ contains
         real(wp), intent(inout) :: values(:)
         type(error_t), allocatable, intent(out) :: error
 
-        associate (unused => profile, also_unused => a + excess, unused_too => r)
+        associate (unused => profile, also_unused => a + punch_depth, unused_too => r)
         end associate
         if (body == upper_body) then
             values = self%share_of_upper*values
@@ -251,44 +251,44 @@ contains
 
     ! The five below are answers of media of which nothing of the kind is known: none.
 
-    subroutine line_load_series(self, profile, a, excess, series, error)
+    subroutine line_load_series(self, profile, a, punch_depth, series, error)
         class(solver_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
         !> contact radius [length] and depth beyond the non-adhesive one [length]
-        real(wp), intent(in) :: a, excess
+        real(wp), intent(in) :: a, punch_depth
         !> coefficients of s_j P_2j(x/a), j = 0, 1, ..., s_j = sqrt((4j + 1)/2), of q [modulus length]; not allocated where the
         !> series is not known. Integrals over q are as exact as the state by them, values at points to about
         !> 100 times its tolerance
         real(wp), allocatable, intent(out) :: series(:)
         type(error_t), allocatable, intent(inout) :: error
 
-        associate (unused => self, also_unused => profile, unused_too => a + excess, this_too => series, last => error)
+        associate (unused => self, also_unused => profile, unused_too => a + punch_depth, this_too => series, last => error)
         end associate
     end subroutine line_load_series
 
-    subroutine energies(self, profile, a, excess, values, error)
+    subroutine energies(self, profile, a, punch_depth, values, error)
         class(solver_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
         !> contact radius [length] and depth beyond that of the non-adhesive state [length]
-        real(wp), intent(in) :: a, excess
+        real(wp), intent(in) :: a, punch_depth
         !> (2) of the lower and the upper body [modulus length^3]; not allocated where they are not known
         real(wp), allocatable, intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
 
-        associate (unused => self, also_unused => profile, unused_too => a + excess, this_too => values, last => error)
+        associate (unused => self, also_unused => profile, unused_too => a + punch_depth, this_too => values, last => error)
         end associate
     end subroutine energies
 
-    subroutine surface_load(self, profile, a, excess, load, error)
+    subroutine surface_load(self, profile, a, punch_depth, load, error)
         class(solver_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
         !> contact radius [length] and depth beyond the non-adhesive one [length]
-        real(wp), intent(in) :: a, excess
+        real(wp), intent(in) :: a, punch_depth
         !> not allocated where it is not known
         class(load_t), allocatable, intent(inout) :: load
         type(error_t), allocatable, intent(out) :: error
 
-        associate (unused => self, also_unused => profile, unused_too => a + excess, this_too => load, last => error)
+        associate (unused => self, also_unused => profile, unused_too => a + punch_depth, this_too => load, last => error)
         end associate
     end subroutine surface_load
 
@@ -304,18 +304,18 @@ contains
         end associate
     end subroutine under
 
-    subroutine new_slip(self, tangential, profile, a, excess, slip, error)
+    subroutine new_slip(self, tangential, profile, a, punch_depth, slip, error)
         class(solver_t), intent(in) :: self
         !> under shear
         class(solver_t), intent(in) :: tangential
         class(profile_t), intent(in) :: profile
         !> contact radius [length] and depth beyond the non-adhesive one [length], >= 0
-        real(wp), intent(in) :: a, excess
+        real(wp), intent(in) :: a, punch_depth
         !> allocated of all that have such a medium
         class(slip_t), allocatable, intent(out) :: slip
         type(error_t), allocatable, intent(out) :: error
 
-        associate (unused => self, also_unused => tangential, unused_too => profile, this_too => a + excess, last => error)
+        associate (unused => self, also_unused => tangential, unused_too => profile, this_too => a + punch_depth, last => error)
         end associate
         if (allocated(slip)) continue
     end subroutine new_slip

@@ -246,10 +246,10 @@ contains
     end subroutine response
 
     !> The load of a state, and its depth.
-    subroutine find_load(self, profile, a, excess, load, depth, error)
+    subroutine find_load(self, profile, a, punch_depth, load, depth, error)
         class(springless_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
-        real(wp), intent(in) :: a, excess
+        real(wp), intent(in) :: a, punch_depth
         type(load_t), intent(out) :: load
         real(wp), intent(out) :: depth
         type(error_t), allocatable, intent(out) :: error
@@ -261,10 +261,10 @@ contains
         call solve_punch(punch, self%green, self%compliance, a, error)
         if (.not. allocated(error)) call punch%respond(profile, stiffness, slope, depth, force, error)
         if (allocated(error)) return
-        depth = depth + excess
+        depth = depth + punch_depth
         call punch%load_of(profile, depth, coefficients, error)
         if (allocated(error)) return
-        call new_load(load, a, coefficients, punch%couple, abs(excess) > 0.0_wp .or. punch%couple == 1)
+        call new_load(load, a, coefficients, punch%couple, abs(punch_depth) > 0.0_wp .or. punch%couple == 1)
     end subroutine find_load
 
     elemental function at_edge(load) result(value)
@@ -277,11 +277,11 @@ contains
 
     !> On the sheet. Line load and pressure are infinite at an edge that carries a line force. Inside the contact the springs' depth
     !> is d - g, as on a half-space without a sheet.
-    subroutine field(self, quantity, profile, a, excess, r, values, error)
+    subroutine field(self, quantity, profile, a, punch_depth, r, values, error)
         class(springless_t), intent(in) :: self
         integer, intent(in) :: quantity
         class(profile_t), intent(in) :: profile
-        real(wp), intent(in) :: a, excess
+        real(wp), intent(in) :: a, punch_depth
         real(wp), intent(in) :: r(:)
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
@@ -291,7 +291,7 @@ contains
         real(wp) :: depth
         integer :: i
 
-        call find_load(self, profile, a, excess, load, depth, error)
+        call find_load(self, profile, a, punch_depth, load, depth, error)
         if (allocated(error)) return
         select case (quantity)
         case (of_line_load)

@@ -99,16 +99,16 @@ contains
         call self%exact%response(profile, a, depth, force, modulus, stiffness_slope, error, adhesive, depth_slope, accuracy)
     end subroutine response
 
-    subroutine field(self, quantity, profile, a, excess, r, values, error)
+    subroutine field(self, quantity, profile, a, punch_depth, r, values, error)
         class(stretched_t), intent(in) :: self
         integer, intent(in) :: quantity
         class(profile_t), intent(in) :: profile
-        real(wp), intent(in) :: a, excess
+        real(wp), intent(in) :: a, punch_depth
         real(wp), intent(in) :: r(:)
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
 
-        call self%exact%field(quantity, profile, a, excess, r, values, error)
+        call self%exact%field(quantity, profile, a, punch_depth, r, values, error)
     end subroutine field
 
 end module mdrcontact_medium_stretched

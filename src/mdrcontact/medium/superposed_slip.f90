@@ -27,7 +27,7 @@ module mdrcontact_medium_superposed_slip
         class(profile_t), allocatable :: profile
         real(wp), allocatable :: breaks(:)
         !> depth beyond the non-adhesive one [length]
-        real(wp) :: excess = 0.0_wp
+        real(wp) :: punch_depth = 0.0_wp
     contains
         procedure :: rates
         procedure :: panels
@@ -39,13 +39,13 @@ module mdrcontact_medium_superposed_slip
 contains
 
     !> The state of contact radius a under a profile.
-    subroutine new_superposed_slip(self, normal, tangential, profile, a, excess, error)
+    subroutine new_superposed_slip(self, normal, tangential, profile, a, punch_depth, error)
         type(superposed_slip_t), intent(out) :: self
         !> with effective moduli E_eff and G_t, whose depth is that of the profile
         class(solver_t), intent(in) :: normal, tangential
         class(profile_t), intent(in) :: profile
         !> [length]
-        real(wp), intent(in) :: a, excess
+        real(wp), intent(in) :: a, punch_depth
         type(error_t), allocatable, intent(out) :: error
         real(wp) :: depth, modulus(1), shear(1), dissipated, tangential_force, lowest
 
@@ -56,15 +56,15 @@ contains
         call normal%add_breaks(self%breaks, error)
         if (allocated(error)) return
         self%radius = a
-        self%excess = excess
+        self%punch_depth = punch_depth
         self%smallest_stick = profile%end_radius
         self%nodes = nodes
         call depth_and_force(normal, profile, a, depth, self%force, error)
         if (.not. allocated(error)) call normal%modulus([a], modulus, error)
         if (.not. allocated(error)) call tangential%modulus([a], shear, error)
         if (allocated(error)) return
-        self%force = self%force + 2.0_wp*a*modulus(1)*excess
-        self%first_shift = modulus(1)/shear(1)*excess
+        self%force = self%force + 2.0_wp*a*modulus(1)*punch_depth
+        self%first_shift = modulus(1)/shear(1)*punch_depth
         self%stiffness = 2.0_wp*a*shear(1)
         lowest = max(self%smallest_stick, smallest_panel_ratio*a)
         self%sliding_shift = self%first_shift
@@ -132,7 +132,7 @@ contains
         call check_memory(error, stat)
         if (allocated(error)) return
         slipping(:) = max(r, c)
-        call self%normal%field(of_line_load, self%profile, self%radius, self%excess, slipping, values, error)
+        call self%normal%field(of_line_load, self%profile, self%radius, self%punch_depth, slipping, values, error)
     end subroutine line_load
 
     subroutine traction(self, c, r, values, error)
@@ -142,16 +142,17 @@ contains
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
 
-        call traction_between(self%normal, self%profile, self%radius, self%excess, self%normal, self%profile, c, r, values, error)
+        call traction_between(self%normal, self%profile, self%radius, self%punch_depth, self%normal, self%profile, c, r, &
+                              values, error)
     end subroutine traction
 
     !> p of a contact of radius a less p of one of radius c without adhesion, at positions up to a.
-    subroutine traction_between(whole, profile, a, excess, stick, of_stick, c, r, values, error)
+    subroutine traction_between(whole, profile, a, punch_depth, stick, of_stick, c, r, values, error)
         !> the media of both and the profiles on them
         class(solver_t), intent(in) :: whole, stick
         class(profile_t), intent(in) :: profile, of_stick
         !> contact radius, depth beyond the non-adhesive one, and stick radius [length]
-        real(wp), intent(in) :: a, excess, c
+        real(wp), intent(in) :: a, punch_depth, c
         real(wp), intent(in) :: r(:)
         !> same size as r [modulus]
         real(wp), intent(out) :: values(:)
@@ -165,7 +166,7 @@ contains
         call pick(r, places, inside, inner, error, below=c)
         if (allocated(error)) return
         near(:) = beside(r, c, profile%end_radius)
-        call whole%field(of_pressure, profile, a, excess, near, values, error)
+        call whole%field(of_pressure, profile, a, punch_depth, near, values, error)
         if (allocated(error) .or. size(places) == 0) return
         inside(:) = beside(inside, c, profile%end_radius)
         call stick%field(of_pressure, of_stick, c, 0.0_wp, inside, inner, error)

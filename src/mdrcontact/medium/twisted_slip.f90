@@ -43,7 +43,7 @@ module mdrcontact_medium_twisted_slip
         class(profile_t), allocatable :: profile
         real(wp), allocatable :: breaks(:)
         !> E* and G [modulus], q_n(a) [modulus length], depth beyond the non-adhesive one [length]
-        real(wp) :: modulus = 0.0_wp, shear = 0.0_wp, edge = 0.0_wp, excess = 0.0_wp
+        real(wp) :: modulus = 0.0_wp, shear = 0.0_wp, edge = 0.0_wp, punch_depth = 0.0_wp
     contains
         procedure :: rates
         procedure :: panels
@@ -55,13 +55,13 @@ module mdrcontact_medium_twisted_slip
 contains
 
     !> The state of contact radius a under a profile. `force` becomes the torque of sliding over mu.
-    subroutine new_twisted_slip(self, normal, profile, a, excess, error)
+    subroutine new_twisted_slip(self, normal, profile, a, punch_depth, error)
         type(twisted_slip_t), intent(out) :: self
         !> of homogeneous bodies
         class(solver_t), intent(in) :: normal
         class(profile_t), intent(in) :: profile
         !> [length]
-        real(wp), intent(in) :: a, excess
+        real(wp), intent(in) :: a, punch_depth
         type(error_t), allocatable, intent(out) :: error
         real(wp), allocatable :: b(:), weights(:), breaks(:)
         real(wp), dimension(1) :: modulus, twist, rate, stiffness, slope
@@ -86,10 +86,10 @@ contains
             return
         end if
         self%radius = a
-        self%excess = excess
+        self%punch_depth = punch_depth
         self%modulus = modulus(1)
         self%shear = shear(1)
-        self%edge = self%modulus*excess
+        self%edge = self%modulus*punch_depth
         self%stiffness = 16.0_wp/3.0_wp*self%shear*a**3
         self%first_shift = self%edge/(4.0_wp*self%shear*a)
         self%smallest_stick = smallest*a
@@ -219,7 +219,8 @@ contains
         integer :: i, j, n, stat
 
         call gauss_legendre(t, weights, error)
-        if (.not. allocated(error)) call self%normal%field(of_pressure, self%profile, self%radius, self%excess, r, values, error)
+        if (allocated(error)) return
+        call self%normal%field(of_pressure, self%profile, self%radius, self%punch_depth, r, values, error)
         if (.not. allocated(error)) call self%panels(max(c, self%smallest_stick), edges, has_root, error)
         if (allocated(error)) return
         n = nodes*(size(edges) - 1)

@@ -120,7 +120,7 @@ contains
         if (control == given_force) further = (unworn%force - state%force)/state%stiffness
         state%force = state%force + state%stiffness*further
         state%depth = state%depth + further
-        state%excess = state%excess + further
+        state%punch_depth = state%punch_depth + further
     end subroutine press_on
 
     !> Raises where a state would have to pull.

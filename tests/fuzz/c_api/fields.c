@@ -20,7 +20,7 @@ void fuzz_fields(world *w)
     if (mdr_contact_states(contact, which < 3 ? MDR_GIVEN_RADIUS : MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, 1, &at, &state) == MDR_SUCCESS) {
         radius = state.radius;
     } else if (take_chance(&w->in)) {
-        state.excess = take_number(&w->in); /* no state of this contact */
+        state.punch_depth = take_number(&w->in); /* no state of this contact */
         state.radius = take_number(&w->in);
     }
     if (inside) {

@@ -47,17 +47,17 @@ contains
                                   accuracy)
     end subroutine response
 
-    subroutine field(self, quantity, profile, a, excess, r, values, error)
+    subroutine field(self, quantity, profile, a, punch_depth, r, values, error)
         class(counting_medium_t), intent(in) :: self
         integer, intent(in) :: quantity
         class(profile_t), intent(in) :: profile
-        real(wp), intent(in) :: a, excess
+        real(wp), intent(in) :: a, punch_depth
         real(wp), intent(in) :: r(:)
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
 
         self%counter%solutions = self%counter%solutions + 1
-        call self%inside%field(quantity, profile, a, excess, r, values, error)
+        call self%inside%field(quantity, profile, a, punch_depth, r, values, error)
     end subroutine field
 
 end module counting_medium
