@@ -76,7 +76,10 @@ class State(tuple[Any, ...]):
         return _COUNT
 
     def __getitem__(self, index: Any) -> State:
-        columns = [np.asarray(value)[index] for value in np.broadcast_arrays(*self)]
+        values = np.broadcast_arrays(*self)
+        if not values[0].ndim:
+            raise IndexError(f"this is one state, not several: its numbers are {', '.join(_NAMES)}")
+        columns = [np.asarray(value)[index] for value in values]
         return state_of([column if column.ndim else float(column) for column in columns], self.contact)
 
     def __repr__(self) -> str:

@@ -115,7 +115,7 @@ def test_what_is_no_state_is_refused(coated):
         states.lowest_pressure()
     with pytest.raises(mdr.ArgumentTypeError, match="has no contact"):
         mdr.State(*states[0]).energy()
-    with pytest.raises(IndexError):
+    with pytest.raises(IndexError, match="one state, not several: its numbers are depth"):
         states[0][0]
     with pytest.raises(mdr.InvalidArgumentError, match="no contact"):
         coated.at_depth(0.0).pressure(0.0)

@@ -111,21 +111,22 @@ def isotropic(E, nu):
     return mdr.TransverselyIsotropic.from_engineering(E, E, nu, nu, 0.5 * E / (1.0 + nu))
 
 
+@pytest.mark.parametrize(("decades", "room"), [(1, 1e-13), (3, 1e-11)])
 @pytest.mark.parametrize("seed", range(4))
-def test_isotropic_constants_are_isotropic_materials(seed):
-    """Compliances within 1e-11 up to contrasts of 1e6, contacts within 1e-10 of the tolerance."""
+def test_isotropic_constants_are_isotropic_materials(seed, decades, room):
+    """Compliances within 1e-13 up to contrasts of 100 and within 1e-11 up to 1e6, contacts within ten times that."""
     rng = np.random.default_rng(seed)
-    parts = [(10.0 ** rng.uniform(-3, 3), rng.uniform(-0.5, 0.5), rng.uniform(0.2, 2.0)) for _ in range(3)]
+    parts = [(10.0 ** rng.uniform(-decades, decades), rng.uniform(-0.5, 0.5), rng.uniform(0.2, 2.0)) for _ in range(3)]
     layers, (E, nu, _) = parts[:2], parts[2]
     plain = mdr.Layered([(mdr.Elastic(*c), h) for *c, h in layers], mdr.Elastic(E, nu))
     other = mdr.Layered([(isotropic(*c), h) for *c, h in layers], isotropic(E, nu))
     for load in LOADS:
-        np.testing.assert_allclose(other.compliance(WAVES, load), plain.compliance(WAVES, load), rtol=1e-11)
+        np.testing.assert_allclose(other.compliance(WAVES, load), plain.compliance(WAVES, load), rtol=room)
     for medium, twin in ((plain, other), (mdr.Homogeneous(mdr.Elastic(E, nu)), mdr.Homogeneous(isotropic(E, nu)))):
         a = [0.1, 1.0, 10.0]
-        np.testing.assert_allclose(twin.modulus(a), medium.modulus(a), rtol=1e-10)
-        np.testing.assert_allclose(twin.tangential_modulus(a), medium.tangential_modulus(a), rtol=1e-10)
-        np.testing.assert_allclose(twin.torsional_stiffness(a), medium.torsional_stiffness(a), rtol=1e-10)
+        np.testing.assert_allclose(twin.modulus(a), medium.modulus(a), rtol=10.0 * room)
+        np.testing.assert_allclose(twin.tangential_modulus(a), medium.tangential_modulus(a), rtol=10.0 * room)
+        np.testing.assert_allclose(twin.torsional_stiffness(a), medium.torsional_stiffness(a), rtol=10.0 * room)
 
 
 @pytest.mark.parametrize("seed", range(6))
