@@ -6,7 +6,7 @@ set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 build=build/benchmarks
 cmake -S . -B "$build" -DMDRCONTACT_BUILD_BENCHMARKS=ON -DMDRCONTACT_BUILD_TESTS=OFF -DMDRCONTACT_BUILD_EXAMPLES=OFF > /dev/null
-cmake --build "$build" --parallel 2 --target law_cost exact_states > /dev/null
+cmake --build "$build" --parallel 2 --target law_cost law_external exact_states > /dev/null
 [[ -d $build/venv ]] || python3 -m venv "$build/venv"
 "$build/venv/bin/pip" install --quiet . scipy matplotlib
 for package in tamaas ContactMechanics aspher; do
@@ -16,6 +16,8 @@ export OPENBLAS_NUM_THREADS=1 # threads of the library's own are what is measure
 page=$build/page # docs is touched at the end only: half a page would break what is built from it meanwhile
 mkdir -p "$page"
 "$build/venv/bin/python" benchmarks/compare.py "$build/benchmarks/law_cost" "$page"
+"$build/benchmarks/law_external" >> "$page/benchmarks.md"
+echo >> "$page/benchmarks.md"
 late=()
 "$build/benchmarks/exact_states" >> "$page/benchmarks.md" || late+=(exact_states)
 for section in pairs stresses histories tangential coatings tension conduction wear fits; do
