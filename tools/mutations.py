@@ -137,6 +137,7 @@ MUTATIONS = [
     ("lateral/breaks.f90", "< self%radius(k)**2) return", "> self%radius(k)**2) return", "lateral_structures"),
     ("lateral/slab.f90", "ratio = max(-far, min(far, length/a))", "ratio = length/a", "c_lateral"),
     ("law/sliders/step_lanes.h", "end.newborn - NAME(next)(end.newborn, later.newborn)", "end.newborn", "law_friction"),
+    ("law/sliders/step_lanes.h", "lost[part] += NAME(mixing)", "lost[part] -= NAME(mixing)", "law_friction"),
     ("python:friction.py", "_NOTICEABLE = 1e-3", "_NOTICEABLE = 1e-1", "test_friction.py"),
     ("medium/power_graded.f90", "2.0_wp*roots*weights", "roots*weights", "power_graded|^test_contact$"),
     ("medium/power_graded.f90", "nearest_axis = 1.0e-8_wp", "nearest_axis = 1.0e-2_wp", "power_graded|^test_contact$"),

@@ -215,6 +215,20 @@ INSIDE ends NAME(ends_at)(const given *of, const place *at, const motion *m, int
     return end;
 }
 
+/* What a slider loses as springs that touch become part of it: theirs and its loads add, as where two sliders join. */
+INSIDE number NAME(mixing)(const number y[3], number k, number after, number born, const double g[3])
+{
+    const number none = ALL(0.0), weakest = ALL(DBL_MIN), grew = NAME(most)(after - k, none);
+    const number by_k = EITHER(k > weakest, 1.0 / NAME(most)(k, weakest), none);
+    const number by_grew = EITHER(grew > weakest, 1.0 / NAME(most)(grew, weakest), none);
+    number square = none;
+    UNROLLED for (int j = 0; j < 3; ++j) {
+        const number theirs = born * g[j], unlike = (y[j] - theirs) * by_k - theirs * by_grew;
+        square += unlike * unlike;
+    }
+    return NAME(least)(square * (0.5 * k * (grew / NAME(most)(after, weakest))), ALL(MOST_LOST));
+}
+
 /* Returns whether P rises anywhere from a level to the next: then nothing else is of use but P. */
 INSIDE int NAME(move)(const given *of, const place *at, motion *m, const double t[], int kind, double tangent[])
 {
@@ -264,6 +278,7 @@ INSIDE int NAME(move)(const given *of, const place *at, motion *m, const double 
                 y[j] = old[j] + k * way[j];
                 if (grows) y[j] += born * grown.g[j];
             }
+            if (grows && NAME(any)(after > k)) lost[part] += NAME(mixing)(y, k, after, born, grown.g);
             const number former = (old[0] * old[0] + old[1] * old[1]) + old[2] * old[2];
             const number squared = (y[0] * y[0] + y[1] * y[1]) + y[2] * y[2], most = strength * strength;
             number inverse = none, factor = ALL(1.0);
