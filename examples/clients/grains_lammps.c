@@ -107,10 +107,9 @@ static void contact_forces(void *context, int64_t step, int n, int *tag, double 
             f[j][2] -= share * dz;
             self->contacts++;
             if (self->wants_energy) {
-                double stored;
-                check(mdr_law_values(self->law.law, MDR_GIVEN_DEPTH, self->law.branch, 1, &d, NULL, NULL, NULL, NULL, NULL,
-                                     &stored));
-                energy += stored;
+                mdr_law_point point;
+                check(mdr_law_view_state(&self->law, d, &point));
+                energy += point.energy;
             }
         }
     }
