@@ -10,39 +10,15 @@
  *
  * SI units. Glass grains, diameter 1 mm, E = 70 GPa, nu = 0.22, 2500 kg/m^3, coated with 20 um of polymer, E = 3 GPa, nu = 0.35.
  */
-#include <lammps/library.h>
+#include "lammps_commands.h"
 
 #include <math.h>
 #include <mdrcontact_law.h>
 #include <stdint.h>
-#include <stdio.h>
-#include <stdlib.h>
 #include <time.h>
 
 #define DIAMETER "1e-3"
 static const double diameter = 1e-3;
-enum { NEIGHBOUR_BITS = 0x1FFFFFFF }; /* the rest of an entry of LAMMPS's lists marks bonds */
-
-static void check(int status)
-{
-    if (status != MDR_SUCCESS) {
-        char text[512];
-        mdr_last_error(text, (int)sizeof text);
-        fprintf(stderr, "%s: %s\n", mdr_status_name(status), text);
-        exit(EXIT_FAILURE);
-    }
-}
-
-static void command(void *lammps, const char *words)
-{
-    lammps_command(lammps, words);
-    if (lammps_has_error(lammps)) {
-        char text[512];
-        lammps_get_last_error_message(lammps, text, (int)sizeof text);
-        fprintf(stderr, "%s\n%s\n", words, text);
-        exit(EXIT_FAILURE);
-    }
-}
 
 /* Two equal grains, each coated: bodies in series, whose gap is that of a ball of half the radius and a plane. */
 static mdr_law *two_grains(void)
@@ -119,14 +95,9 @@ static void contact_forces(void *context, int64_t step, int n, int *tag, double 
 /* A box of cells^3 unit cells of a lattice with a grain at each node; pair_style as given. */
 static void *box_of_grains(const char *lattice, int cells, const char *pair_style)
 {
-    char *arguments[] = {"lammps", "-log", "none", "-screen", "none"};
     char words[256];
-    void *lammps = lammps_open_no_mpi(5, arguments, NULL);
-    if (!lammps) exit(EXIT_FAILURE);
-    command(lammps, "units si");
-    command(lammps, "atom_style sphere");
+    void *lammps = open_lammps();
     command(lammps, "boundary f f f");
-    command(lammps, "comm_modify vel yes");
     snprintf(words, sizeof words, "lattice %s", lattice);
     command(lammps, words);
     snprintf(words, sizeof words, "region box block -0.5 %.1f -0.5 %.1f -0.5 %.1f", cells - 0.5, cells - 0.5, cells - 0.5);
