@@ -103,10 +103,10 @@ def _deviation(force: Callable[[Reals], Reals], low: float, high: float) -> floa
 
 
 def _error(force: Callable[[Reals], Reals], depth: Reals, F: Reals) -> float:
-    """The largest error of the rows as they are printed."""
+    """The largest error of the rows as they are printed, but where rounding puts an end beyond that of the law."""
     low, high = depth[:-1, None], depth[1:, None]
     d = np.minimum((low + (high - low) * np.linspace(0.0, 1.0, 65)).ravel(), depth[-1])
-    d = d[d <= depth[-1] * (1.0 - 1e-9)]
+    d = d[(d >= depth[0] + 1e-9 * abs(depth[0])) & (d <= depth[-1] * (1.0 - 1e-9))]
     return float(np.abs(np.interp(d, depth, F) - force(d)).max())
 
 

@@ -89,6 +89,8 @@ def test_branches_of_adhesion(adhesive, branch):
     assert depth[0] == pytest.approx(0.0 if branch == "loading" else adhesive.depth_range[0])
     d = np.linspace(depth[0] + 1e-14, 0.999 * depth[-1], 20_001)
     assert np.abs(np.interp(d, depth, force) - adhesive.force(d, branch)).max() <= 1.06 * stated(text) * force.max()
+    for error in (1e-2, 3e-3, 1e-3, 1e-4):
+        assert stated(adhesive.table(error=error, branch=branch)) <= error
 
 
 @pytest.mark.parametrize(
