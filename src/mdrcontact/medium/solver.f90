@@ -126,8 +126,9 @@ module mdrcontact_medium_solver
         subroutine field_of_state(self, quantity, profile, a, punch_depth, r, values, error)
             import :: error_t, solver_t, profile_t, wp
             class(solver_t), intent(in) :: self
-            !> of_line_load: q(x; a) [modulus length], 0 <= x <= a; of_pressure: p(r) [modulus], 0 <= r <= a, infinite at r = a
-            !> where punch_depth is not 0; of_displacement: of the surface, u(r) [length], r > a, positive into the medium
+            !> Which field. The line load q(x; a) [modulus length], 0 <= x <= a, is of_line_load; the pressure p(r) [modulus],
+            !> 0 <= r <= a, infinite at r = a where punch_depth is not 0, is of_pressure; the displacement of the surface u(r)
+            !> [length], r > a, positive into the medium, is of_displacement
             integer, intent(in) :: quantity
             class(profile_t), intent(in) :: profile
             !> contact radius [length] and depth beyond that of the non-adhesive state [length]
