@@ -105,7 +105,7 @@ contains
         real(wp), intent(in) :: passed
         real(wp), intent(in) :: unit, tolerance
         integer :: nodes
-        real(wp) :: z, rho
+        real(wp) :: z, rho, digits
 
         if (has_root) then
             z = 2.0_wp*sqrt(max(2.0_wp*min(end, pole*unit)/long, 1.0_wp)) - 1.0_wp
@@ -116,8 +116,10 @@ contains
             if (passed < end) z = min(z, 1.0_wp + 2.0_wp*passed/long)
         end if
         rho = z + sqrt((z - 1.0_wp)*(z + 1.0_wp))
+        digits = 2.0_wp - 0.5_wp*log(tolerance)
         nodes = least_nodes
-        if (rho < huge(1.0_wp)) nodes = max(nodes, min(ceiling((2.0_wp - 0.5_wp*log(tolerance))/log(rho)), most_nodes))
+        ! rho is 1 where a singularity lies at the panel itself
+        if (rho < huge(1.0_wp)) nodes = max(nodes, min(ceiling(digits/max(log(rho), digits/most_nodes)), most_nodes))
     end function nodes_for
 
     !> How far before x g was not analytic last; huge() where it is on all that is before.
