@@ -84,6 +84,33 @@ def test_states_beside_the_edge_of_a_flat_end(radius, stress):
     assert state.force == pytest.approx(2.0 * inside - 4.0 * stress * zone, rel=1e-9)
 
 
+def test_zones_that_end_beside_the_edge_of_a_flat_end():
+    """The gap at c in closed form: the work of adhesion with which the zone ends at c gives a zone that ends there."""
+    modulus, end, radius = HALF_SPACE.material.contact_modulus, 0.3, 1.0
+    random = np.random.default_rng(12)
+    for _ in range(200):
+        a, c = end * random.uniform(0.0, 1.0) ** 0.5, end * (1.0 + 10.0 ** random.uniform(-12.0, 0.5))
+        stress = 10.0 ** random.uniform(-2.0, 1.0)
+        pull = 2.0 * stress / modulus
+        gap = 2.0 / math.pi * pull * (math.sqrt((c - a) * (c + a)) * math.acos(a / c) - (c - a)) + (c - end) * (c + end) / (2.0 * radius)
+        contact = mdr.Contact(mdr.FlatEndedParaboloid(end, radius), HALF_SPACE, work_of_adhesion=stress * gap, cohesive_stress=stress)
+        state = contact.at_radius(a)
+        assert state.zone_radius == pytest.approx(c, rel=1e-9)
+        assert state.depth == pytest.approx(-pull * math.sqrt((c - a) * (c + a)), rel=1e-9)
+
+
+def test_attraction_at_a_distance_beside_the_edge_of_a_flat_end():
+    """Without contact d = f(c) - 4 sigma c/(pi E*) - gamma/sigma, F = -pi sigma c^2."""
+    modulus, end, radius, work, stress = HALF_SPACE.material.contact_modulus, 0.3, 1.0, 0.5, 0.05
+    contact = mdr.Contact(mdr.FlatEndedParaboloid(end, radius), HALF_SPACE, work_of_adhesion=work, cohesive_stress=stress)
+    c = end * (1.0 + 10.0 ** np.random.default_rng(13).uniform(-9.0, 0.5, 60))
+    state = contact.at_depth((c - end) * (c + end) / (2.0 * radius) - 4.0 * stress * c / (math.pi * modulus) - work / stress)
+    assert state.radius == pytest.approx(0.0)
+    assert state.zone_radius == pytest.approx(c, rel=1e-11)
+    assert state.force == pytest.approx(-math.pi * stress * c**2, rel=1e-11)
+    assert contact.pull_off("depth").depth == pytest.approx(-4.0 * stress * end / (math.pi * modulus) - work / stress, rel=1e-11)
+
+
 @pytest.mark.parametrize("body", BODIES.values(), ids=BODIES)
 @pytest.mark.parametrize("tip", [PARABOLOID, CONE, mdr.FlatEndedParaboloid(0.3, 1.0)], ids=["paraboloid", "cone", "flat end"])
 def test_pressure_bears_the_force_and_the_gap_closes(tip, body):

@@ -62,7 +62,7 @@ module mdrcontact_contact_cohesion
     integer, parameter :: most_steps = 6
     real(wp), parameter :: close_enough = 1.0e-13_wp, widest_step = 1.5_wp
     !> Slopes are taken from steps longer than this, and trusted to be right to as many digits over a step up to this.
-    real(wp), parameter :: shortest_secant = 1.0e-5_wp, last_step = 1.0e-8_wp
+    real(wp), parameter :: shortest_secant = 1.0e-5_wp, last_step = 1.0e-9_wp
     !> Where c - a of a state has lost its digits [a].
     real(wp), parameter :: shortest_length = 1.0e-9_wp
     !> The opening beside the contact may be below 0 by so much of the range: rounding.
@@ -231,7 +231,7 @@ contains
             before = zone
             step = -max(-widest_step, min(widest_step, y/guess%slope))
             x = x + step
-            if (guess%is_close .and. abs(step) <= last_step) then
+            if (guess%is_close .and. max(abs(step), abs(y)) <= last_step) then
                 zone%depth = zone%depth + guess%depth_rate*step
                 zone%force = zone%force + guess%force_rate*step
                 exit

@@ -162,8 +162,8 @@ contains
             if (k == 0) k = size(breaks)
             if (a + here > breaks(k) .and. breaks(k) > 0.0_wp .and. .not. kinked) step = min(step, 3.0_wp*(a + here - breaks(k)))
             if (.not. breaks(1) < 0.0_wp) step = min(step, max(a + here, nearest_axis*(a + length))*(1.0_wp/shrinking - 1.0_wp))
-            ! a root at either end of a panel, not at both
-            if (kinked .and. next >= length) step = min(step, 0.5_wp*(length - here))
+            ! a root at either end of a panel, not at both, and panels up to a kink shrink towards that of c beyond it
+            if (kinked .or. next < length) step = min(step, 0.5_wp*(length - here))
             if (here + 1.2_wp*step < next) next = here + step
             panels = panels + 1
             if (panels > size(behind_kink)) return
