@@ -117,7 +117,8 @@ contains
         integer :: i
 
         allocate (list(0))
-        turns = [self%curve%edges(1), self%curve%turns(control), self%curve%edges(size(self%curve%edges))]
+        call self%curve%extrema(control, turns, error)
+        if (allocated(error)) return
         allocate (s(size(turns)))
         do i = 1, size(turns)
             guess = self%curve%guess_at(turns(i))

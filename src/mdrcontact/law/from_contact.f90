@@ -254,8 +254,9 @@ contains
         self%by_force%end_radius = 0.0_wp
         self%by_depth%first_attraction = contact%first_attraction(depth_control)
         self%by_force%first_attraction = contact%first_attraction(force_control)
-        branch%of_depth = curve%segments(depth_control)
-        branch%of_force = curve%segments(force_control)
+        call curve%segments(depth_control, branch%of_depth, error)
+        call curve%segments(force_control, branch%of_force, error)
+        if (allocated(error)) return
         branch%of_depth_fold = branch%of_depth%last < curve%edges(size(curve%edges))
         branch%of_force_fold = branch%of_force%last < curve%edges(size(curve%edges))
         branch%start = curve%edges(1)
