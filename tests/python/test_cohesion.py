@@ -92,8 +92,12 @@ def test_zones_that_end_beside_the_edge_of_a_flat_end():
         a, c = end * random.uniform(0.0, 1.0) ** 0.5, end * (1.0 + 10.0 ** random.uniform(-12.0, 0.5))
         stress = 10.0 ** random.uniform(-2.0, 1.0)
         pull = 2.0 * stress / modulus
-        gap = 2.0 / math.pi * pull * (math.sqrt((c - a) * (c + a)) * math.acos(a / c) - (c - a)) + (c - end) * (c + end) / (2.0 * radius)
-        contact = mdr.Contact(mdr.FlatEndedParaboloid(end, radius), HALF_SPACE, work_of_adhesion=stress * gap, cohesive_stress=stress)
+        gap = 2.0 / math.pi * pull * (math.sqrt((c - a) * (c + a)) * math.acos(a / c) - (c - a)) + (c - end) * (c + end) / (
+            2.0 * radius
+        )
+        contact = mdr.Contact(
+            mdr.FlatEndedParaboloid(end, radius), HALF_SPACE, work_of_adhesion=stress * gap, cohesive_stress=stress
+        )
         state = contact.at_radius(a)
         assert state.zone_radius == pytest.approx(c, rel=1e-9)
         assert state.depth == pytest.approx(-pull * math.sqrt((c - a) * (c + a)), rel=1e-9)
