@@ -43,7 +43,7 @@ module mdrcontact_contact_branch
 
     real(wp), parameter :: tolerance = 1.0e-8_wp
     !> Half width of the interval around an extremum on which the equilibria are sampled again to find it to full precision.
-    real(wp), parameter :: extremum_width = 0.05_wp
+    real(wp), parameter :: extremum_width = 0.1_wp
 
 contains
 
@@ -155,8 +155,8 @@ contains
         real(wp) :: from, to
 
         x = 0.5_wp*(low + high)
-        from = low - extremum_width
-        to = min(high + extremum_width, equilibrium%coordinate_of(equilibrium%last_radius))
+        from = min(low, x - extremum_width)
+        to = min(max(high, x + extremum_width), equilibrium%coordinate_of(equilibrium%last_radius))
         call coordinates_between(equilibrium, from, to, coordinates, error)
         if (allocated(error)) return
         call new_curve(near, equilibrium, coordinates, tolerance, error)

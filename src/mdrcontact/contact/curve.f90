@@ -45,7 +45,7 @@ module mdrcontact_contact_curve
         type(equilibrium_t), pointer :: equilibrium => null()
     contains
         procedure :: sample
-        procedure :: place
+        procedure :: radius
         procedure :: attainable
     end type parts_t
 
@@ -110,13 +110,13 @@ contains
         values = log(max(values, tiny(1.0_wp)))
     end subroutine sample
 
-    function place(self, x) result(text)
+    pure function radius(self, x)
         class(parts_t), intent(in) :: self
         real(wp), intent(in) :: x
-        character(len=:), allocatable :: text
+        real(wp) :: radius
 
-        text = "radius = "//to_text(self%equilibrium%radius_of(x))
-    end function place
+        radius = self%equilibrium%radius_of(x)
+    end function radius
 
     !> Close to a flat end a - b, and all that depends on it, has lost digits.
     pure function attainable(self, x) result(accuracy)

@@ -9,15 +9,15 @@ module mdrcontact_contact_samples
     use mdrcontact_kinds, only: half_pi, wp
     use mdrcontact_numerics_quadrature, only: gauss_legendre
     use mdrcontact_numerics_roots, only: find_root
-    use mdrcontact_numerics_sampled_columns, only: columns_t
+    use mdrcontact_numerics_sampled_columns, only: columns_t, lanes, series
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
     use mdrcontact_numerics_search, only: interval_of
     implicit none (type, external)
     private
     public :: curve_point_t, samples_t, rows
 
-    !> Columns that depth, force and stiffness follow from.
-    integer, parameter :: rows = 4
+    !> Columns that depth, force and stiffness follow from: one group.
+    integer, parameter :: rows = lanes
     !> Nodes in a panel of the integral of work.
     integer, parameter :: work_nodes = 20
     !> Where s is looked at for extrema in each panel, denser towards its ends: extrema lie close to touch where the range is long.
@@ -199,7 +199,7 @@ contains
             z = min(max(2.0_wp*(wanted - ends(1))/(ends(2) - ends(1)) - 1.0_wp, low), high)
         end if
         do i = 1, most_steps
-            call self%in_panel(panel, z, v, dv)
+            call series(self%coefficients(:, :, 1, panel), z, v, dv)
             call self%control_of(control, v, dv, s, dy)
             s = max(side*(s - origin), 0.0_wp)
             y = merge(sqrt(s), log(max(s, tiny(s))), by_root) - wanted

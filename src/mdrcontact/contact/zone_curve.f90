@@ -9,7 +9,7 @@ module mdrcontact_contact_zone_curve
     use mdrcontact_contact_equilibrium, only: equilibrium_t
     use mdrcontact_contact_samples, only: curve_point_t, rows, samples_t
     use mdrcontact_contact_state, only: contact_state_t
-    use mdrcontact_error, only: error_t, to_text
+    use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_numerics_roots, only: find_root
     use mdrcontact_numerics_sampled_columns, only: column_source_t, new_columns, sampling_t
@@ -48,7 +48,7 @@ module mdrcontact_contact_zone_curve
         type(zone_guess_t) :: guess
     contains
         procedure :: sample
-        procedure :: place
+        procedure :: radius
     end type zone_source_t
 
     !> How far beyond a radius the zone ends, as a function of the coordinate.
@@ -142,13 +142,13 @@ contains
                   self%guess%depth_rate, self%guess%force_rate]
     end subroutine sample
 
-    function place(self, x) result(text)
+    pure function radius(self, x)
         class(zone_source_t), intent(in) :: self
         real(wp), intent(in) :: x
-        character(len=:), allocatable :: text
+        real(wp) :: radius
 
-        text = "radius = "//to_text(self%equilibrium%cohesion%touching_zone*sinh(max(x, 0.0_wp)))
-    end function place
+        radius = self%equilibrium%cohesion%touching_zone*sinh(max(x, 0.0_wp))
+    end function radius
 
     !> Edges that no panel crosses, and the breaks among them: where the contact ends at a break of the indenter, and where the
     !> zone does.

@@ -29,6 +29,8 @@ module mdrcontact_fit_least_squares
     real(wp), parameter :: exact_fit = 1.0e-8_wp
     !> Steps in the internal variables for the differences of the Jacobian: far above the model's rounding, far below its curvature.
     real(wp), parameter :: difference_step = 1.0e-5_wp
+    !> An unknown is at a bound that is this part of such a step away.
+    real(wp), parameter :: at_bound = 0.01_wp
     !> Refused steps in a row are as good as no progress after so many.
     integer, parameter :: most_refusals = 3
 
@@ -130,7 +132,7 @@ contains
                                        int(residuals%n, c_size_t), int(residuals%p, c_size_t), c_loc(search), 0, 0, 0)
         start = gsl_vector(int(residuals%p, c_size_t), 1_c_size_t, c_loc(u), c_null_ptr, 0_c_int)
         if (gsl_multifit_nlinear_init(start, c_loc(fdf), workspace) == gsl_success) then
-            call iterate(workspace, max_iterations, (exact_fit*residuals%readings_norm)**2, outcome)
+            call iterate(search, workspace, max_iterations, (exact_fit*residuals%readings_norm)**2, outcome)
         else
             outcome%r(:) = search%last_r
             outcome%jacobian(:, :) = 0.0_wp
@@ -144,13 +146,14 @@ contains
         if (residuals%lacked_memory) call raise(error, error_memory, "not enough memory for a fit")
     end subroutine minimize
 
-    subroutine iterate(workspace, max_iterations, exact_sum, outcome)
+    subroutine iterate(search, workspace, max_iterations, exact_sum, outcome)
+        type(search_t), intent(inout) :: search
         type(c_ptr), intent(in) :: workspace
         integer, intent(in) :: max_iterations
         !> a sum of squares that is an exact fit
         real(wp), intent(in) :: exact_sum
         type(outcome_t), intent(inout) :: outcome
-        real(wp) :: sum_of_squares
+        real(wp) :: sum_of_squares, u(size(outcome%jacobian, 2))
         integer(c_int) :: status
         integer :: refusals
 
@@ -158,7 +161,9 @@ contains
         refusals = 0
         do
             sum_of_squares = sum(outcome%r**2)
-            outcome%converged = is_at_minimum(outcome, sum_of_squares) .or. sum_of_squares <= exact_sum
+            call read_vector(gsl_multifit_nlinear_position(workspace), u)
+            outcome%converged = possible_gain(search%residuals, u, outcome) <= negligible_gain*sum_of_squares/size(outcome%r) &
+                                .or. sum_of_squares <= exact_sum
             if (outcome%converged .or. outcome%iterations >= max_iterations) return
             status = gsl_multifit_nlinear_iterate(workspace)
             outcome%iterations = outcome%iterations + 1
@@ -166,7 +171,8 @@ contains
             if (status /= gsl_success) then
                 ! no step lowers the sum: at the minimum but for rounding, or stuck
                 sum_of_squares = sum(outcome%r**2)
-                outcome%converged = newton_decrement(outcome%jacobian, outcome%r) <= small_gain*sum_of_squares/size(outcome%r) &
+                call read_vector(gsl_multifit_nlinear_position(workspace), u)
+                outcome%converged = possible_gain(search%residuals, u, outcome) <= small_gain*sum_of_squares/size(outcome%r) &
                                     .or. sum_of_squares <= exact_sum
                 outcome%is_stuck = status == gsl_enoprog .or. refusals >= most_refusals
                 if (outcome%is_stuck) return
@@ -202,16 +208,27 @@ contains
             end do
         end associate
         outcome%jacobian(:, :) = central
-        outcome%converged = newton_decrement(central, outcome%r) <= small_gain*sum(outcome%r**2)/size(outcome%r)
+        outcome%converged = possible_gain(search%residuals, u, outcome) <= small_gain*sum(outcome%r**2)/size(outcome%r)
     end subroutine look_both_ways
 
-    function is_at_minimum(outcome, sum_of_squares) result(answer)
+    !> Half of what a Newton step would gain in which no unknown at its bound moves beyond it.
+    function possible_gain(residuals, u, outcome) result(gain)
+        class(residuals_t), intent(inout) :: residuals
+        !> where the outcome is
+        real(wp), intent(in) :: u(:)
         type(outcome_t), intent(in) :: outcome
-        real(wp), intent(in) :: sum_of_squares
-        logical :: answer
+        real(wp) :: gain
+        real(wp) :: jacobian(size(outcome%jacobian, 1), size(u)), below, above, slope
+        integer :: i
 
-        answer = newton_decrement(outcome%jacobian, outcome%r) <= negligible_gain*sum_of_squares/size(outcome%r)
-    end function is_at_minimum
+        jacobian = outcome%jacobian
+        do i = 1, size(u)
+            call residuals%neighbours(u, i, difference_step, below, above)
+            slope = dot_product(jacobian(:, i), outcome%r)
+            if (merge(u(i) - below, above - u(i), slope > 0.0_wp) < at_bound*difference_step) jacobian(:, i) = 0.0_wp
+        end do
+        gain = newton_decrement(jacobian, outcome%r)
+    end function possible_gain
 
     subroutine read_state(workspace, outcome)
         type(c_ptr), intent(in) :: workspace

@@ -3,7 +3,7 @@
 !> polynomials.
 !>
 !> Piecewise Chebyshev series, from values alone or from values and slopes. A panel is halved until its last terms vanish and it
-!> meets the functions where they were not sampled. A panel that begins at a break of the functions uses the variable
+!> meets the functions where they were not sampled, or their slopes; neighbours must meet each other. A panel that begins at a break of the functions uses the variable
 !> sqrt(x - left edge), in which the square-root branches of contact mechanics are analytic.
 module mdrcontact_numerics_sampled_columns
     use mdrcontact_cancel, only: check_cancelled
@@ -13,7 +13,7 @@ module mdrcontact_numerics_sampled_columns
     use mdrcontact_numerics_search, only: interval_of
     implicit none (type, external)
     private
-    public :: columns_t, column_source_t, sampling_t, new_columns
+    public :: columns_t, column_source_t, sampling_t, new_columns, series, lanes
 
     !> Columns that are summed side by side.
     integer, parameter :: lanes = 4
@@ -55,7 +55,7 @@ module mdrcontact_numerics_sampled_columns
         integer :: solutions = 0
     contains
         procedure(sample_at), deferred :: sample
-        procedure(place_of), deferred :: place
+        procedure(radius_at), deferred :: radius
         procedure :: attainable
     end type column_source_t
 
@@ -70,13 +70,13 @@ module mdrcontact_numerics_sampled_columns
             real(wp), intent(out), optional :: slopes(:)
         end subroutine sample_at
 
-        !> Where x is, for an error: "radius = 1.5".
-        function place_of(self, x) result(text)
+        !> The contact radius at x, for an error.
+        pure function radius_at(self, x) result(radius)
             import :: column_source_t, wp
             class(column_source_t), intent(in) :: self
             real(wp), intent(in) :: x
-            character(len=:), allocatable :: text
-        end function place_of
+            real(wp) :: radius
+        end function radius_at
     end interface
 
     !> The series.
@@ -92,11 +92,11 @@ module mdrcontact_numerics_sampled_columns
         !> how often the functions were evaluated
         integer :: solutions = 0
     contains
-        procedure :: in_panel
-        procedure :: values_at
-        procedure :: local
-        procedure :: place
-        procedure :: rate
+        procedure, non_overridable :: in_panel
+        procedure, non_overridable :: values_at
+        procedure, non_overridable :: local
+        procedure, non_overridable :: place
+        procedure, non_overridable :: rate
     end type columns_t
 
 contains
@@ -139,8 +139,8 @@ contains
         ends(1) = edges(1)
         do while (size(waiting) > 0)
             if (count + size(waiting) > most_panels) then
-                call raise(error, error_no_convergence, "the contact is not smooth or not accurate enough near "// &
-                           source%place(ends(count + 1))//" to be sampled")
+                call raise(error, error_no_convergence, "the contact is not smooth or not accurate enough near radius = "// &
+                           to_text(source%radius(ends(count + 1)))//" to be sampled")
                 return
             end if
             left = ends(count + 1)
@@ -164,12 +164,14 @@ contains
                 cycle
             end if
             fits = tail <= allowed
-            if (fits .or. right - left <= sampling%shortest_length) then
+            missed = tail
+            ! slopes that do not belong to the values show in the last terms
+            if (.not. by_slopes .and. (fits .or. right - left <= sampling%shortest_length)) then
                 call compare(source, left, right, root, panel, missed, error)
                 if (allocated(error)) return
-                fits = missed <= margin*max(tail, allowed) .or. right - left <= sampling%shortest_length
+                fits = missed <= margin*max(tail, allowed)
             end if
-            if (.not. fits) then
+            if (.not. fits .and. right - left > sampling%shortest_length) then
                 by_slopes = source%has_slopes
                 waiting = [0.5_wp*(left + right), waiting]
                 before = [tail, tail, before(2:)]
@@ -215,7 +217,7 @@ contains
             missed = maxval(abs(before - next)/unit)
             if (missed <= margin*maxval(reached(i:i + 1))) cycle
             call raise(error, error_no_convergence, "samples of the contact differ by "//to_text(missed)//" from one another "// &
-                       "near "//source%place(self%edges(i + 1)))
+                       "near radius = "//to_text(source%radius(self%edges(i + 1))))
             return
         end do
     end subroutine compare_neighbours
@@ -325,6 +327,10 @@ contains
         real(wp) :: v(lanes), dv(lanes)
         integer :: group, first, last
 
+        if (size(values) == lanes) then
+            call series(self%coefficients(:, :, 1, panel), z, values, slopes)
+            return
+        end if
         do group = 1, (size(values) + lanes - 1)/lanes
             first = (group - 1)*lanes + 1
             last = min(group*lanes, size(values))
@@ -348,7 +354,7 @@ contains
         slopes = slopes*self%rate(panel, z)
     end subroutine values_at
 
-    !> Series and their slopes by Clenshaw's recurrence.
+    !> The series of one group and their slopes by Clenshaw's recurrence.
     pure subroutine series(c, z, v, dv)
         real(wp), intent(in) :: c(lanes, terms), z
         real(wp), intent(out) :: v(lanes), dv(lanes)
