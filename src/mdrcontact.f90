@@ -28,7 +28,11 @@ module mdrcontact
     use mdrcontact_contact_equilibrium, only: adhesion_automatic, adhesion_energy, adhesion_paper
     use mdrcontact_error, only: error_callback, error_cancelled, error_domain, error_file, error_invalid, error_memory, &
                                 error_no_convergence, error_t, error_unreachable
+    use mdrcontact_codes, only: free_surface_tension, interface_shear, interface_tension, largest_shear, largest_tension, von_mises
     use mdrcontact_field, only: interior, interior_error, layer_energy
+    use mdrcontact_field_critical, only: critical
+    use mdrcontact_field_failure, only: failure_load_t, first_failure, strength_t
+    use mdrcontact_field_largest, only: maximum_t
     use mdrcontact_fit, only: fit_result_t, solve_fit
     use mdrcontact_fit_body, only: fit_body_t, new_fit_body
     use mdrcontact_fit_interval, only: profile_interval

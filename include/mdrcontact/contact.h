@@ -289,6 +289,84 @@ int mdr_contact_interior_error(const mdr_contact *c, int body, const mdr_state *
  *  @return also MDR_EINVALID for graded bodies and media without E and nu, MDR_ENOCONVERGENCE */
 int mdr_contact_layer_energies(const mdr_contact *c, int body, const mdr_state *state, int capacity, double out[], int *count);
 
+/** Which largest stress is meant: of a layer, at an interface or on the free surface. */
+enum mdr_stress {
+    MDR_VON_MISES = 1,           /**< Of a layer: the von Mises stress; a metal yields at the yield stress. */
+    MDR_LARGEST_SHEAR = 2,       /**< Of a layer: (s_1 - s_3)/2; by Tresca a metal yields at half the yield stress. */
+    MDR_LARGEST_TENSION = 3,     /**< Of a layer: the largest principal stress s_1. A strength of the first layer is one of its
+                                      free surface, too. */
+    MDR_INTERFACE_SHEAR = 4,     /**< Of an interface: sqrt(s_rz^2 + s_tz^2). */
+    MDR_INTERFACE_TENSION = 5,   /**< Of an interface: s_zz. */
+    MDR_FREE_SURFACE_TENSION = 6 /**< Of the free surface, a <= r <= 3 a: s_1, which opens ring cracks. */
+};
+
+/** A largest stress and where it is. */
+typedef struct mdr_maximum {
+    int quantity; /**< One of enum mdr_stress. */
+    int place;    /**< Which layer or interface, 0 is the first one from the surface; 0 of the free surface. */
+    double value; /**< The stress, negative where all of it is compression [modulus]. */
+    double r;     /**< Distance from the axis [length]. */
+    double z;     /**< Depth [length]. */
+    double angle; /**< Azimuth from the direction of sliding, 0 or pi; 0 without friction [radian]. */
+} mdr_maximum;
+
+/** What decides inside a body of homogeneous layers: the largest stresses in each layer, at each interface and on the free
+ *  surface, and where they are; with friction in the plane of sliding. They are looked for up to 3 (a + z) from the axis, and no
+ *  nearer than 1e-3 a to a point where stresses are infinite. They have about ten digits, three beside such a point, places five.
+ *  @param c         contact
+ *  @param body      one of enum mdr_body
+ *  @param state     a state of this contact, with a radius > 0
+ *  @param friction  f >= 0, as of mdr_contact_interior()
+ *  @param capacity  size of the array, >= 0: at most so many are written; 0: they are counted only
+ *  @param out       [capacity] of each layer, the half-space last, MDR_VON_MISES, MDR_LARGEST_SHEAR and MDR_LARGEST_TENSION; of each
+ *                   interface MDR_INTERFACE_SHEAR and MDR_INTERFACE_TENSION; then MDR_FREE_SURFACE_TENSION
+ *  @param count     receives how many there are
+ *  @return as mdr_contact_interior(); also MDR_EINVALID for graded bodies, and MDR_ENOCONVERGENCE where mdr_contact_interior_error()
+ *          is more than 1e-3 */
+int mdr_contact_critical(const mdr_contact *c, int body, const mdr_state *state, double friction, int capacity, mdr_maximum out[],
+                         int *count);
+
+/** What a layer, an interface or the free surface bears. */
+typedef struct mdr_strength {
+    int quantity; /**< One of enum mdr_stress. */
+    int place;    /**< Which layer or interface, 0 is the first one from the surface; 0 of the free surface. */
+    double value; /**< The strength > 0 [modulus]. */
+} mdr_strength;
+
+/** A strength that is reached: the state, whose six numbers are those of mdr_state, and where in the body. */
+typedef struct mdr_failure_load {
+    double depth;       /**< d [length]. */
+    double radius;      /**< a [length]; the smallest one looked at where the strength is reached at any load: a sharp tip. */
+    double force;       /**< F [modulus length^2]. */
+    double stiffness;   /**< k [modulus length]. */
+    double punch_depth; /**< Depth beyond that of the non-adhesive state [length]. */
+    double zone_radius; /**< 0 [length]. */
+    int quantity;       /**< Of the strength, one of enum mdr_stress. */
+    int place;          /**< Of the strength. */
+    double strength;    /**< [modulus] */
+    double value;       /**< The largest stress: the strength, or more where that is reached at any load [modulus]. */
+    double r;           /**< Distance from the axis [length]. */
+    double z;           /**< Depth in the body [length]. */
+    double angle;       /**< Azimuth from the direction of sliding, 0 or pi; 0 without friction [radian]. */
+} mdr_failure_load;
+
+/** The loads at which strengths are reached first, as the contact grows. At the edge of a flat punch or of an adhesive contact, where
+ *  stresses are infinite no matter how weak the load is, there is no failure.
+ *  @param c               contact
+ *  @param body            one of enum mdr_body
+ *  @param friction        f >= 0, as of mdr_contact_interior()
+ *  @param largest_radius  contact radii are looked at up to this one, and up to where indenter and medium end, four decades [length];
+ *                         0: 30 times the thickness of all layers
+ *  @param n               number of strengths, at least 1
+ *  @param strengths       [n] strengths; what has none is left out
+ *  @param capacity        size of the array, >= 0: at most so many are written; n is enough
+ *  @param out             [capacity] those that are reached, the smallest force first
+ *  @param count           receives how many are reached
+ *  @return as mdr_contact_critical(); MDR_EINVALID also for a place that the body does not have, and without layers for
+ *          largest_radius = 0 */
+int mdr_contact_first_failure(const mdr_contact *c, int body, double friction, double largest_radius, int n,
+                              const mdr_strength strengths[], int capacity, mdr_failure_load out[], int *count);
+
 #ifdef __cplusplus
 }
 #endif

@@ -103,6 +103,43 @@ interior = np.dtype(
     ],
     align=True,
 )
+maximum = np.dtype(
+    [
+        ("quantity", np.intc),
+        ("place", np.intc),
+        ("value", np.float64),
+        ("r", np.float64),
+        ("z", np.float64),
+        ("angle", np.float64),
+    ],
+    align=True,
+)
+strength = np.dtype(
+    [
+        ("quantity", np.intc),
+        ("place", np.intc),
+        ("value", np.float64),
+    ],
+    align=True,
+)
+failure_load = np.dtype(
+    [
+        ("depth", np.float64),
+        ("radius", np.float64),
+        ("force", np.float64),
+        ("stiffness", np.float64),
+        ("punch_depth", np.float64),
+        ("zone_radius", np.float64),
+        ("quantity", np.intc),
+        ("place", np.intc),
+        ("strength", np.float64),
+        ("value", np.float64),
+        ("r", np.float64),
+        ("z", np.float64),
+        ("angle", np.float64),
+    ],
+    align=True,
+)
 loop_point = np.dtype(
     [
         ("position", np.float64),
@@ -497,6 +534,13 @@ BODY_UPPER = 2
 
 SIDE_BELOW = 1
 SIDE_ABOVE = 2
+
+VON_MISES = 1
+LARGEST_SHEAR = 2
+LARGEST_TENSION = 3
+INTERFACE_SHEAR = 4
+INTERFACE_TENSION = 5
+FREE_SURFACE_TENSION = 6
 
 ALONG = 1
 AROUND = 2

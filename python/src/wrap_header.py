@@ -25,6 +25,8 @@ SIZES = {
     "mdr_set_progress": {"part": ""},
     "mdr_conduction_new": {"upper": ""},
     "mdr_conduction_field": {"z": ""},
+    "mdr_contact_critical": {"out": ""},
+    "mdr_contact_first_failure": {"strengths": "", "out": ""},
     "mdr_contact_layer_energies": {"out": "capacity"},
     "mdr_contact_pull_off": {"out": "capacity"},
     "mdr_loop_points": {"out": "capacity"},

@@ -18,6 +18,7 @@ module mdrcontact_codes
     public :: warning_slope, warning_pressure, warning_compression, warning_contrast, warning_short_zone, warning_wetting
     public :: body_lower, body_upper
     public :: side_below, side_above
+    public :: von_mises, largest_shear, largest_tension, interface_shear, interface_tension, free_surface_tension
     public :: fit_force_depth, fit_stiffness_depth, fit_modulus_radius, fit_stiffness_radius, fit_force_time, fit_depth_time, &
               fit_dynamic_stiffness
     public :: fit_storage, fit_loss
@@ -212,6 +213,21 @@ module mdrcontact_codes
     integer, parameter :: side_below = 1
     !> MDR_SIDE_ABOVE. That of the smaller depth.
     integer, parameter :: side_above = 2
+
+    ! enum mdr_stress
+    !> MDR_VON_MISES. Of a layer: the von Mises stress; a metal yields at the yield stress.
+    integer, parameter :: von_mises = 1
+    !> MDR_LARGEST_SHEAR. Of a layer: (s_1 - s_3)/2; by Tresca a metal yields at half the yield stress.
+    integer, parameter :: largest_shear = 2
+    !> MDR_LARGEST_TENSION. Of a layer: the largest principal stress s_1. A strength of the first layer is one of its free surface,
+    !> too.
+    integer, parameter :: largest_tension = 3
+    !> MDR_INTERFACE_SHEAR. Of an interface: sqrt(s_rz^2 + s_tz^2).
+    integer, parameter :: interface_shear = 4
+    !> MDR_INTERFACE_TENSION. Of an interface: s_zz.
+    integer, parameter :: interface_tension = 5
+    !> MDR_FREE_SURFACE_TENSION. Of the free surface, a <= r <= 3 a: s_1, which opens ring cracks.
+    integer, parameter :: free_surface_tension = 6
 
     ! enum mdr_fit_data_kind
     !> MDR_FIT_FORCE_DEPTH. Indentation depth [length] and force [modulus length^2].

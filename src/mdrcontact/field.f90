@@ -2,7 +2,6 @@
 !> Displacements, stresses and energies inside the bodies of a contact.
 module mdrcontact_field
     use mdrcontact_base_nonfinite, only: is_finite
-    use mdrcontact_body, only: body_t
     use mdrcontact_body_layers, only: layers_t
     use mdrcontact_contact_fields, only: check_state, fields_t
     use mdrcontact_contact_state, only: contact_state_t
@@ -15,7 +14,7 @@ module mdrcontact_field
     use mdrcontact_medium_solver, only: lower_body, refuse, upper_body
     implicit none (type, external)
     private
-    public :: interior, interior_error, layer_energy
+    public :: check_friction, interior, interior_error, layer_energy, layers_of, load_of
 
     !> Where the field inside a body is compared with the surface [a]: off the axis and the edge, where pressures may be infinite.
     real(wp), parameter :: compared(3) = [0.31_wp, 0.62_wp, 0.9_wp]
@@ -45,18 +44,13 @@ contains
         class(load_t), allocatable :: load
         integer :: i
 
-        call check_not_negative(error, "friction", friction)
         do i = 1, size(angle)
             call check_finite(error, "angle", angle(i), i)
         end do
         if (allocated(error)) return
         call load_of(contact, state, upper, load, error)
+        if (.not. allocated(error)) call check_friction(load, friction, error)
         if (allocated(error)) return
-        if (friction > 0.0_wp .and. load%edge < 0.0_wp) then
-            call raise(error, error_invalid, " = "//to_text(friction)//" is not allowed with adhesion: Coulomb's "// &
-                       "law knows no tension, use friction = 0", "friction")
-            return
-        end if
         associate (medium => contact%equilibrium%medium)
             if (upper) then
                 call body_field(load, medium%counterbody, r, z, below, field, error, -friction, angle, threads)
@@ -114,21 +108,33 @@ contains
         real(wp), allocatable, intent(out) :: energies(:)
         type(error_t), allocatable, intent(out) :: error
         class(load_t), allocatable :: load
-        class(body_t), allocatable :: body
         type(layers_t) :: layers
 
         call load_of(contact, state, upper, load, error)
-        if (allocated(error)) return
-        if (upper) then
-            call contact%equilibrium%medium%counterbody%copy_to(body, error)
-        else
-            call contact%equilibrium%medium%pressed%copy_to(body, error)
-        end if
-        if (allocated(error)) return
-        call body%sublayers(layers, error)
+        if (.not. allocated(error)) call layers_of(contact, upper, layers, error)
         if (allocated(error)) return
         allocate (energies, source=layer_energies(load, layers, error))
     end subroutine layer_energy
+
+    !> The homogeneous layers of a body that is there.
+    subroutine layers_of(contact, upper, layers, error)
+        class(fields_t), intent(in) :: contact
+        !> whether the upper body is meant
+        logical, intent(in) :: upper
+        type(layers_t), intent(out) :: layers
+        type(error_t), allocatable, intent(inout) :: error
+
+        call check_body(contact, upper, error)
+        call check_known(contact, upper, error)
+        if (allocated(error)) return
+        associate (medium => contact%equilibrium%medium)
+            if (upper) then
+                call medium%counterbody%sublayers(layers, error)
+            else
+                call medium%pressed%sublayers(layers, error)
+            end if
+        end associate
+    end subroutine layers_of
 
     !> The load of a state on a body that is there.
     subroutine load_of(contact, state, upper, load, error)
@@ -137,32 +143,59 @@ contains
         logical, intent(in) :: upper
         class(load_t), allocatable, intent(inout) :: load
         type(error_t), allocatable, intent(out) :: error
-        logical :: is_known
 
+        call check_body(contact, upper, error)
+        if (.not. allocated(error)) call check_state(contact, state, error)
+        if (allocated(error)) return
         associate (equilibrium => contact%equilibrium)
-            if (upper .and. .not. equilibrium%medium%is_pair) then
-                call raise(error, error_invalid, " = upper is not allowed: the indenter is rigid", "body")
-                return
-            end if
-            if (allocated(equilibrium%cohesion)) then
-                call raise(error, error_invalid, "stresses and energies inside are not known of a contact with a "// &
-                           "cohesive_stress: leave it out for adhesion without a range")
-                return
-            end if
-            call check_state(contact, state, error)
-            if (allocated(error)) return
             call equilibrium%medium%surface_load(equilibrium%profile, state%radius, state%punch_depth, load, error)
             if (.not. (allocated(load) .or. allocated(error))) call refuse(equilibrium%medium, "stresses inside are", &
                 "a homogeneous, coated, layered or graded one", &
                 "the body is loaded beside the contact, too, by what the surface hands on", error)
-            if (allocated(error)) return
-            is_known = allocated(equilibrium%medium%pressed)
-            if (upper) is_known = allocated(equilibrium%medium%counterbody)
-            if (.not. is_known) then
-                call raise(error, error_invalid, "stresses inside are not known for this medium: E and nu of its layers are needed")
-                return
-            end if
         end associate
+        call check_known(contact, upper, error)
     end subroutine load_of
+
+    !> Raises unless the body is there and the contact one whose inside is known.
+    subroutine check_body(contact, upper, error)
+        class(fields_t), intent(in) :: contact
+        logical, intent(in) :: upper
+        type(error_t), allocatable, intent(inout) :: error
+
+        if (upper .and. .not. contact%equilibrium%medium%is_pair) then
+            call raise(error, error_invalid, " = upper is not allowed: the indenter is rigid", "body")
+        else if (allocated(contact%equilibrium%cohesion)) then
+            call raise(error, error_invalid, "stresses and energies inside are not known of a contact with a "// &
+                       "cohesive_stress: leave it out for adhesion without a range")
+        end if
+    end subroutine check_body
+
+    !> Raises unless E and nu are known inside the body.
+    subroutine check_known(contact, upper, error)
+        class(fields_t), intent(in) :: contact
+        logical, intent(in) :: upper
+        type(error_t), allocatable, intent(inout) :: error
+        logical :: is_known
+
+        is_known = allocated(contact%equilibrium%medium%pressed)
+        if (upper) is_known = allocated(contact%equilibrium%medium%counterbody)
+        if (.not. is_known) call raise(error, error_invalid, "stresses inside are not known for this medium: E and nu of its "// &
+                                       "layers are needed")
+    end subroutine check_known
+
+    !> Raises unless a contact can slide with a coefficient of friction.
+    subroutine check_friction(load, friction, error)
+        class(load_t), intent(in) :: load
+        !> f >= 0
+        real(wp), intent(in) :: friction
+        type(error_t), allocatable, intent(inout) :: error
+
+        call check_not_negative(error, "friction", friction)
+        if (allocated(error)) return
+        if (friction > 0.0_wp .and. load%edge < 0.0_wp) then
+            call raise(error, error_invalid, " = "//to_text(friction)//" is not allowed with adhesion: Coulomb's "// &
+                       "law knows no tension, use friction = 0", "friction")
+        end if
+    end subroutine check_friction
 
 end module mdrcontact_field

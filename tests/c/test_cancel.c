@@ -81,6 +81,13 @@ static int inside(void)
     static mdr_interior found[MANY];
     return mdr_contact_interior(exact, MDR_BODY_LOWER, &state, MDR_SIDE_BELOW, 0.1, MANY / 10, radii, in, angles, found);
 }
+static int failure(void)
+{
+    const mdr_strength strengths[2] = {{MDR_VON_MISES, 1, 0.5}, {MDR_INTERFACE_SHEAR, 0, 0.1}};
+    mdr_failure_load found[2];
+    int count;
+    return mdr_contact_first_failure(on_film, MDR_BODY_LOWER, 0.2, 50.0, 2, strengths, 2, found, &count);
+}
 
 /* Force against depth of a cone on a graded body, E at three depths free. */
 static int fit(void)
@@ -185,6 +192,7 @@ int main(void)
     check_cancelled("path in time", path);
     check_cancelled("path in time with a cohesive zone", sticky_path);
     check_cancelled("oscillations", oscillation);
+    check_cancelled("first failure", failure);
     check_cancelled("tangential states", rub);
     check_cancelled("tangential loop", rub_in_turn);
     check_cancelled("rings", many_rings);

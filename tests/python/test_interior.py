@@ -448,6 +448,27 @@ def test_first_failure_is_where_a_strength_is_reached():
             CONTACT.first_failure(wrong)
 
 
+def test_wrong_strengths_and_friction_are_refused_by_name():
+    for options, words in (
+        (
+            {"strengths": {"yield": [None, np.nan]}},
+            "strengths: 'yield': value = NaN is not allowed: it must be finite and greater",
+        ),
+        ({"strengths": {"interface shear": [-3.0]}}, "strengths: 'interface shear': value = -3 is not allowed"),
+        ({"friction": -0.1}, "friction = -0.1 is not allowed: it must be finite and at least 0"),
+        ({"body": "upper"}, "body"),
+        ({"largest_radius": 0.0}, "largest_radius = 0.0 is not allowed"),
+        ({"largest_radius": -1.0}, "largest_radius = -1 is not allowed"),
+    ):
+        with pytest.raises(mdr.InvalidArgumentError, match=words):
+            CONTACT.first_failure(**{"strengths": {"yield": [None, 60.0]}, **options})
+    with pytest.raises(mdr.InvalidArgumentError, match="friction = -0.1 is not allowed"):
+        STATE.critical(friction=-0.1)
+    graded = mdr.Contact(mdr.Paraboloid(1.0), mdr.Graded([0.0, 1.0], [1.0, 2.0], [0.3, 0.3]))
+    with pytest.raises(mdr.InvalidArgumentError, match="a graded body has no layers"):
+        graded.at_radius(0.1).critical()
+
+
 def test_what_fails_at_once_is_said_so():
     """Under a cone stresses do not tend to 0 with the load: a film that does not bear them is not safe."""
     contact = mdr.Contact(mdr.Cone(0.2), CONTACT.medium)

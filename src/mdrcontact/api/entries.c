@@ -488,6 +488,34 @@ int mdr_contact_layer_energies(const mdr_contact *c, int body, const mdr_state *
     return status;
 }
 
+int mdrcontact_entry_contact_critical(const mdr_contact *c, int body, const mdr_state *state, double friction, int capacity,
+        mdr_maximum out[], int *count);
+int mdr_contact_critical(const mdr_contact *c, int body, const mdr_state *state, double friction, int capacity, mdr_maximum out[],
+        int *count)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_contact_critical(c, body, state, friction, capacity, out, count);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_contact_critical(c, body, state, friction, capacity, out, count);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_contact_first_failure(const mdr_contact *c, int body, double friction, double largest_radius, int n,
+        const mdr_strength strengths[], int capacity, mdr_failure_load out[], int *count);
+int mdr_contact_first_failure(const mdr_contact *c, int body, double friction, double largest_radius, int n,
+        const mdr_strength strengths[], int capacity, mdr_failure_load out[], int *count)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_contact_first_failure(c, body, friction, largest_radius, n, strengths,
+        capacity, out, count);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_contact_first_failure(c, body, friction, largest_radius, n, strengths, capacity, out,
+        count);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
 int mdrcontact_entry_contact_pull_off(const mdr_contact *c, int control, int capacity, mdr_state out[], int *count);
 int mdr_contact_pull_off(const mdr_contact *c, int control, int capacity, mdr_state out[], int *count)
 {

@@ -4,9 +4,9 @@ module mdrcontact_api_records
     use, intrinsic :: iso_c_binding, only: c_char, c_double, c_int, c_null_char, c_null_ptr, c_ptr, c_size_t
     implicit none (type, external)
     private
-    public :: c_failure_t, c_model_facts_t, c_medium_options_t, c_layer_t, c_contact_options_t, c_loop_facts_t, c_rate_options_t, &
-              c_shear_facts_t, c_wear_options_t, c_law_options_t, c_law_facts_t, c_structure_options_t, c_fit_parameter_t, &
-              c_fit_problem_t, c_fit_summary_t
+    public :: c_failure_t, c_model_facts_t, c_medium_options_t, c_layer_t, c_contact_options_t, c_maximum_t, c_strength_t, &
+              c_failure_load_t, c_loop_facts_t, c_rate_options_t, c_shear_facts_t, c_wear_options_t, c_law_options_t, &
+              c_law_facts_t, c_structure_options_t, c_fit_parameter_t, c_fit_problem_t, c_fit_summary_t
 
     !> struct mdr_failure
     type, bind(C) :: c_failure_t
@@ -77,6 +77,40 @@ module mdrcontact_api_records
         integer(c_int) :: zeta_is_exact = 0_c_int
         real(c_double) :: cohesive_stress = 0.0_c_double
     end type c_contact_options_t
+
+    !> struct mdr_maximum
+    type, bind(C) :: c_maximum_t
+        integer(c_int) :: quantity = 0_c_int
+        integer(c_int) :: place = 0_c_int
+        real(c_double) :: value = 0.0_c_double
+        real(c_double) :: r = 0.0_c_double
+        real(c_double) :: z = 0.0_c_double
+        real(c_double) :: angle = 0.0_c_double
+    end type c_maximum_t
+
+    !> struct mdr_strength
+    type, bind(C) :: c_strength_t
+        integer(c_int) :: quantity = 0_c_int
+        integer(c_int) :: place = 0_c_int
+        real(c_double) :: value = 0.0_c_double
+    end type c_strength_t
+
+    !> struct mdr_failure_load
+    type, bind(C) :: c_failure_load_t
+        real(c_double) :: depth = 0.0_c_double
+        real(c_double) :: radius = 0.0_c_double
+        real(c_double) :: force = 0.0_c_double
+        real(c_double) :: stiffness = 0.0_c_double
+        real(c_double) :: punch_depth = 0.0_c_double
+        real(c_double) :: zone_radius = 0.0_c_double
+        integer(c_int) :: quantity = 0_c_int
+        integer(c_int) :: place = 0_c_int
+        real(c_double) :: strength = 0.0_c_double
+        real(c_double) :: value = 0.0_c_double
+        real(c_double) :: r = 0.0_c_double
+        real(c_double) :: z = 0.0_c_double
+        real(c_double) :: angle = 0.0_c_double
+    end type c_failure_load_t
 
     !> struct mdr_loop_facts
     type, bind(C) :: c_loop_facts_t

@@ -292,7 +292,8 @@ contains
         associate (unused => self)
         end associate
         layers%rigid_base = .false.
-        call raise(error, error_invalid, "a graded body has no layers with energies of their own")
+        call raise(error, error_invalid, "a graded body has no layers, whose energies and largest stresses could be given: use "// &
+                   "interior for its stresses")
     end subroutine sublayers
 
 end module mdrcontact_body_graded

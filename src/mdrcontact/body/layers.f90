@@ -31,7 +31,7 @@ module mdrcontact_body_layers
         procedure :: constants
         procedure :: contrast
         procedure :: decays_to
-        procedure, private :: bodies
+        procedure :: bodies
         procedure :: contact_modulus
     end type layers_t
 

@@ -18,7 +18,7 @@ module mdrcontact_field_interior
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
-    public :: interior_field, state_field, check_distances, depth_of, components
+    public :: interior_field, state_field, check_distances, depth_of, infinite_pressure, components
     public :: u_r, u_t, u_z, s_rr, s_tt, s_zz, s_rz, s_rt, s_tz
 
     !> The components by their place in a result.

@@ -4,7 +4,35 @@
 #include <math.h>
 #include <stddef.h>
 
-enum { PRICE_OF_INSIDE = 8, PRICE_OF_EXACT_INSIDE = 20 };
+enum { PRICE_OF_INSIDE = 8, PRICE_OF_EXACT_INSIDE = 20, PRICE_OF_FAILURE = 30, PRICE_OF_EXACT_FAILURE = 60 };
+
+/* The largest stresses, and the loads at which some strengths are reached. */
+static void fuzz_failure(world *w, const mdr_contact *contact, int body, const mdr_state *state, double friction)
+{
+    enum { MOST_MAXIMA = 5 * MOST_POINTS + 4 };
+    mdr_maximum maxima[MOST_MAXIMA];
+    mdr_strength strengths[2];
+    mdr_failure_load failures[2];
+    const double largest = take_chance(&w->in) ? take_positive(&w->in) : 0.0;
+    int status, count = 0;
+
+    for (int i = 0; i < 2; i++) {
+        const double value = take_chance(&w->in) ? take_number(&w->in) : 0.1;
+        strengths[i] = (mdr_strength){take_code(&w->in, 6), take_code(&w->in, 2) - 1, value};
+    }
+    status = mdr_contact_critical(contact, body, state, friction, MOST_MAXIMA, maxima, &count);
+    judge_status("mdr_contact_critical", status);
+    for (int i = 0; i < count && i < MOST_MAXIMA && status == MDR_SUCCESS; i++) {
+        if (!isfinite(maxima[i].value)) finding("mdr_contact_critical", "no number", i);
+        if (!(maxima[i].r >= 0.0 && maxima[i].z >= 0.0)) finding("mdr_contact_critical", "no place", i);
+    }
+    status = mdr_contact_first_failure(contact, body, friction, largest, 2, strengths, 2, failures, &count);
+    judge_status("mdr_contact_first_failure", status);
+    for (int i = 0; i < count && status == MDR_SUCCESS; i++) {
+        if (!isfinite(failures[i].force + failures[i].value)) finding("mdr_contact_first_failure", "no number", i);
+        if (failures[i].value < 0.999 * failures[i].strength) finding("mdr_contact_first_failure", "not reached", i);
+    }
+}
 
 /* Stresses and displacements, energies, and the lowest pressure. */
 void fuzz_inside(world *w)
@@ -48,6 +76,9 @@ void fuzz_inside(world *w)
     judge("mdr_contact_lowest_pressure", status, 1, pressure, FINITE);
     judge("mdr_contact_lowest_pressure", status, 1, place, NOT_NEGATIVE);
     judge_status("mdr_contact_warnings", mdr_contact_warnings(contact, &state, words, (int)sizeof words, &count));
+    if (afford(w, w->contact_is_exact[slot] ? PRICE_OF_EXACT_FAILURE : PRICE_OF_FAILURE)) {
+        fuzz_failure(w, contact, body, &state, friction);
+    }
 }
 
 /* Partial slip: states, a loop, a path. */
