@@ -9,7 +9,7 @@ module mdrcontact_contact
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_contact_equilibrium, only: adhesion_automatic, adhesion_energy, adhesion_paper, new_equilibrium
     use mdrcontact_contact_exact_zeta, only: exact_zeta
-    use mdrcontact_contact_falls, only: find_falls
+    use mdrcontact_contact_unstable_ranges, only: find_unstable_ranges
     use mdrcontact_error, only: check_choice, check_finite, check_not_negative, error_domain, error_invalid, error_t, &
                                 error_unreachable, raise, to_text
     use mdrcontact_contact_fields, only: check_state, fields_t
@@ -98,7 +98,7 @@ contains
         call disable_gsl_abort()
         if (.not. present(options)) then
             call new_equilibrium(self%equilibrium, profile, medium, error)
-            if (.not. allocated(error)) call find_falls(self%equilibrium, error)
+            if (.not. allocated(error)) call find_unstable_ranges(self%equilibrium, error)
             return
         end if
         if (options%zeta_is_exact) then
@@ -108,7 +108,7 @@ contains
             call new_equilibrium(self%equilibrium, profile, medium, error, options%zeta)
         end if
         if (.not. allocated(error)) call set_adhesion(self, options, error)
-        if (.not. (allocated(error) .or. self%is_adhesive())) call find_falls(self%equilibrium, error)
+        if (.not. (allocated(error) .or. self%is_adhesive())) call find_unstable_ranges(self%equilibrium, error)
     end subroutine new_contact_with_solver
 
     subroutine set_adhesion(self, options, error)

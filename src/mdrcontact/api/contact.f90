@@ -184,7 +184,7 @@ contains
 
         call open_handle(c, "c", contact, error)
         call check_given(error, "state", present(state))
-        if (.not. allocated(error)) call contact%elastic_energy(state, values, error)
+        if (.not. allocated(error)) call contact%energy(state, values, error)
         if (.not. allocated(error)) call check_results_or_infinity(error, values)
         status = status_of(error)
         if (allocated(error)) return

@@ -16,19 +16,19 @@ module mdrcontact_contact_equilibrium
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
     private
-    public :: equilibrium_t, new_equilibrium, fall_t
+    public :: equilibrium_t, new_equilibrium, unstable_range_t
     public :: adhesion_automatic, adhesion_paper, adhesion_energy
 
     !> No contact radius is larger [length].
     real(wp), parameter :: largest_number = 1.0e100_wp
 
     !> A stretch of contact radii over which depth and force of the non-adhesive state fall.
-    type :: fall_t
+    type :: unstable_range_t
         !> coordinates x = ln(a - end radius) of its ends
         real(wp) :: first = 0.0_wp, last = 0.0_wp
         !> at the first end: the most that contacts up to there bear
         type(contact_state_t) :: top
-    end type fall_t
+    end type unstable_range_t
 
     !> What determines a state once the contact radius is known.
     type :: equilibrium_t
@@ -47,8 +47,8 @@ module mdrcontact_contact_equilibrium
         logical :: is_formula = .false.
         !> relative accuracy of a state where medium or zeta are interpolated between samples; 0 where they are computed
         real(wp) :: roughness = 0.0_wp
-        !> ascending; found for contacts, by find_falls
-        type(fall_t), allocatable :: falls(:)
+        !> ascending; found for contacts, by find_unstable_ranges
+        type(unstable_range_t), allocatable :: unstable_ranges(:)
     contains
         procedure :: at
         procedure :: parts
@@ -92,7 +92,7 @@ contains
         self%last_radius = largest_contact_radius(profile, medium)
         self%is_formula = medium%is_formula
         self%roughness = medium%roughness
-        allocate (self%falls(0))
+        allocate (self%unstable_ranges(0))
         if (present(zeta)) then
             if (allocated(zeta)) then
                 call check_zeta(profile, medium, zeta, error)
@@ -123,7 +123,7 @@ contains
         copy%last_radius = self%last_radius
         copy%is_formula = self%is_formula
         copy%roughness = self%roughness
-        if (allocated(self%falls)) copy%falls = self%falls
+        if (allocated(self%unstable_ranges)) copy%unstable_ranges = self%unstable_ranges
     end subroutine copy_to
 
     subroutine check_zeta(profile, medium, zeta, error)

@@ -25,7 +25,7 @@ module mdrcontact_contact_fields
         procedure :: line_load
         procedure :: pressure
         procedure :: displacement
-        procedure :: elastic_energy
+        procedure :: energy
         procedure :: lowest_pressure
     end type fields_t
 
@@ -118,7 +118,7 @@ contains
     end subroutine displacement
 
     !> Elastic energy of the lower and of the upper body; without adhesion together int F dd from first touch.
-    subroutine elastic_energy(self, state, values, error)
+    subroutine energy(self, state, values, error)
         class(fields_t), intent(in) :: self
         type(contact_state_t), intent(in) :: state
         !> of the lower and of the upper body [modulus length^3]
@@ -143,7 +143,7 @@ contains
             call refuse(medium, "the elastic energy of a body is", "one that is homogeneous or solved exactly, or an effective "// &
                         "modulus", "the surface holds a part of it; int F dd is that of both", error)
         end associate
-    end subroutine elastic_energy
+    end subroutine energy
 
     !> The lowest pressure in a contact without adhesion. Below 0 the bodies would have to pull on each other: the contact is then
     !> not one disc, its pressure is not that of the true contact, and F(d) is a little off (theory 6). On stiff coatings only.

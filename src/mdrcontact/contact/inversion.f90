@@ -182,23 +182,23 @@ contains
         real(wp) :: smallest, first, last
         integer :: i
 
-        associate (equilibrium => mismatch%equilibrium, falls => mismatch%equilibrium%falls)
+        associate (equilibrium => mismatch%equilibrium, ranges => mismatch%equilibrium%unstable_ranges)
             smallest = smallest_log
             if (equilibrium%medium%smallest_radius > equilibrium%profile%end_radius) then
                 smallest = equilibrium%coordinate_of(equilibrium%medium%smallest_radius)
             end if
             first = smallest
-            do i = 1, size(falls)
-                if (mismatch%target_value <= mismatch%control%of(falls(i)%top%depth, falls(i)%top%force)) then
-                    call find_between(mismatch, first, falls(i)%first, radius, found, error, neighbours)
+            do i = 1, size(ranges)
+                if (mismatch%target_value <= mismatch%control%of(ranges(i)%top%depth, ranges(i)%top%force)) then
+                    call find_between(mismatch, first, ranges(i)%first, radius, found, error, neighbours)
                     if (found .or. allocated(error)) return
                 end if
-                first = falls(i)%last
+                first = ranges(i)%last
             end do
             last = equilibrium%coordinate_of(equilibrium%last_radius)
             call find_between(mismatch, first, last, radius, found, error, neighbours)
-            ! where a fall is not known as well as the states
-            if (.not. (found .or. allocated(error)) .and. radius <= equilibrium%radius_of(first) .and. size(falls) > 0) then
+            ! where a range is not known as well as the states
+            if (.not. (found .or. allocated(error)) .and. radius <= equilibrium%radius_of(first) .and. size(ranges) > 0) then
                 call find_between(mismatch, smallest, last, radius, found, error)
             end if
         end associate

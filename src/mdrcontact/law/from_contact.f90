@@ -168,7 +168,7 @@ contains
         logical :: jumps
 
         smallest_depth = options%smallest_depth
-        jumps = size(contact%equilibrium%falls) > 0
+        jumps = size(contact%equilibrium%unstable_ranges) > 0
         found = largest_depth
         if (jumps) then
             call ends_before_fall(contact, smallest_depth, largest_depth, first, last, error)
@@ -321,7 +321,7 @@ contains
 
         first = 0.0_wp
         last = 0.0_wp
-        associate (equilibrium => contact%equilibrium, top => contact%equilibrium%falls(1)%top)
+        associate (equilibrium => contact%equilibrium, top => contact%equilibrium%unstable_ranges(1)%top)
             if (largest_depth > largest_part*top%depth) then
                 call raise(error, error_unreachable, "largest_depth = "//to_text(largest_depth)//" is not allowed: the surface "// &
                            "bends so much that the contact jumps at depth "//to_text(top%depth)//", contact radius "// &

@@ -4,16 +4,16 @@
 !> A surface layer much stiffer than what lies below it bends as a plate, and a plate does not follow a tip, a corner or a
 !> flat flank. p(r) is the sum of flat punches' pressures d'(s) p_1(r; s) ds over s > r (theory 6), negative near the edge where
 !> d' is: of the states of one depth the contact, as it grows, comes to the one with the smallest radius, and larger ones pull.
-module mdrcontact_contact_falls
+module mdrcontact_contact_unstable_ranges
     use mdrcontact_contact_control, only: depth_control
     use mdrcontact_contact_curve, only: curve_point_t, curve_t, new_curve
-    use mdrcontact_contact_equilibrium, only: equilibrium_t, fall_t
+    use mdrcontact_contact_equilibrium, only: equilibrium_t, unstable_range_t
     use mdrcontact_contact_range, only: coordinates_between
     use mdrcontact_error, only: error_no_convergence, error_t
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
-    public :: find_falls
+    public :: find_unstable_ranges
 
     !> Contrasts of surface and body from which on depths are looked at: they have been seen to fall from 80 on under cones, where
     !> E0*/E_eff is 31, and from 12 on at the corner of a flat end 30 thicknesses wide.
@@ -27,13 +27,13 @@ module mdrcontact_contact_falls
 
 contains
 
-    !> Fills equilibrium%falls. Where the states cannot be sampled none are known.
-    subroutine find_falls(equilibrium, error)
+    !> Fills equilibrium%unstable_ranges. Where the states cannot be sampled none are known.
+    subroutine find_unstable_ranges(equilibrium, error)
         type(equilibrium_t), intent(inout) :: equilibrium
         type(error_t), allocatable, intent(out) :: error
         type(curve_t) :: curve
         type(curve_point_t) :: point
-        type(fall_t) :: fall
+        type(unstable_range_t) :: found
         real(wp), allocatable :: coordinates(:), turns(:, :)
         real(wp) :: first, last, lowest
         integer :: i
@@ -57,23 +57,23 @@ contains
         if (size(turns, 2) == 0) return
         if (.not. curve%slope(depth_control, turns(1, 1)) > 0.0_wp) return
         do i = 1, size(turns, 2), 2
-            call curve%turn(depth_control, turns(1, i), turns(2, i), fall%first, error)
+            call curve%turn(depth_control, turns(1, i), turns(2, i), found%first, error)
             if (allocated(error)) return
-            fall%last = last
+            found%last = last
             if (i < size(turns, 2)) then
-                call curve%turn(depth_control, turns(1, i + 1), turns(2, i + 1), fall%last, error)
+                call curve%turn(depth_control, turns(1, i + 1), turns(2, i + 1), found%last, error)
                 if (allocated(error)) return
             end if
-            point = curve%at(fall%last)
+            point = curve%at(found%last)
             lowest = point%depth
-            point = curve%at(fall%first)
+            point = curve%at(found%first)
             if (lowest > point%depth*(1.0_wp - 10.0_wp*tolerance)) cycle
-            fall%top%radius = point%radius
-            fall%top%depth = point%depth
-            fall%top%force = point%force
-            fall%top%stiffness = point%stiffness
-            equilibrium%falls = [equilibrium%falls, fall]
+            found%top%radius = point%radius
+            found%top%depth = point%depth
+            found%top%force = point%force
+            found%top%stiffness = point%stiffness
+            equilibrium%unstable_ranges = [equilibrium%unstable_ranges, found]
         end do
-    end subroutine find_falls
+    end subroutine find_unstable_ranges
 
-end module mdrcontact_contact_falls
+end module mdrcontact_contact_unstable_ranges
