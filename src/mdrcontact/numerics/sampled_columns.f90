@@ -3,8 +3,9 @@
 !> polynomials.
 !>
 !> Piecewise Chebyshev series, from values alone or from values and slopes. A panel is halved until its last terms vanish and it
-!> meets the functions where they were not sampled, or their slopes; neighbours must meet each other. A panel that begins at a break of the functions uses the variable
-!> sqrt(x - left edge), in which the square-root branches of contact mechanics are analytic.
+!> meets the functions where they were not sampled, or their slopes; neighbours must meet each other. A panel that begins at a
+!> break of the functions uses the variable sqrt(x - left edge), in which the square-root branches of contact mechanics are
+!> analytic.
 module mdrcontact_numerics_sampled_columns
     use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_error, only: check_memory, error_no_convergence, error_t, raise, to_text
