@@ -62,11 +62,11 @@ static void hertz(void)
     CHECK_FREE(c);
 }
 
-/* Von Mises stress is Y at p = 1.6129... Y, and F = (pi p/6)^3 R^2/E*^2 6: Hertz's own. */
+/* The von Mises stress is Y at p = 1.6129... Y, a = pi p R/(2 E*) and F = (pi p)^3 R^2/(6 E*^2): Hertz's own. */
 static void hertz_yields(void)
 {
     const double yield = 2.0, p = yield / (2.0 * 0.3100205020), modulus = 210.0 / 0.91;
-    const mdr_strength strengths[2] = {{MDR_LARGEST_SHEAR, 0, 1.5}, {MDR_VON_MISES, 0, 2.0}};
+    const mdr_strength strengths[2] = {{MDR_LARGEST_SHEAR, 0, 1.01}, {MDR_VON_MISES, 0, 2.0}};
     mdr_contact *c = on_steel();
     mdr_failure_load found[2];
     int count = 0;
@@ -79,7 +79,7 @@ static void hertz_yields(void)
     CHECK_CLOSE(found[0].radius, acos(-1.0) * p / (2.0 * modulus), 1e-8);
     CHECK_CLOSE(found[0].force, pow(acos(-1.0) * p, 3) / (6.0 * modulus * modulus), 1e-7);
     CHECK_INT(found[1].quantity, MDR_LARGEST_SHEAR);
-    CHECK_CLOSE(found[1].force, pow(1.5, 3) * found[0].force, 1e-7);
+    CHECK_CLOSE(found[1].force, pow(1.01, 3) * found[0].force, 1e-7);
     /* a strength that is not reached has no entry; what does not fit is left out */
     CHECK_SUCCESS(mdr_contact_first_failure(c, MDR_BODY_LOWER, 0.0, 1e-3, 2, strengths, 2, found, &count));
     CHECK_INT(count, 0);
@@ -133,6 +133,47 @@ static void film_under_friction(void)
         }
     }
     CHECK_CLOSE(found[6].z, 1.0, 0.0);
+    CHECK_FREE(c);
+}
+
+/* Two equal bodies: friction drags the upper one the other way, so that its maxima lie on the other side. */
+static void both_bodies(void)
+{
+    mdr_medium *m = NULL, *both = NULL;
+    mdr_contact *c;
+    mdr_state state;
+    mdr_maximum lower[4], upper[4];
+    int count = 0;
+
+    CHECK_SUCCESS(new_homogeneous(210.0, 0.3, &m));
+    CHECK_SUCCESS(mdr_medium_pair(m, m, &both));
+    CHECK_FREE(m);
+    c = ball_on(both, 0.0);
+    state = at_radius(c, 0.1);
+    CHECK_SUCCESS(mdr_contact_critical(c, MDR_BODY_LOWER, &state, 0.3, 4, lower, &count));
+    CHECK_SUCCESS(mdr_contact_critical(c, MDR_BODY_UPPER, &state, 0.3, 4, upper, &count));
+    for (int i = 0; i < 4; i++) {
+        CHECK_CLOSE(upper[i].value, lower[i].value, 1e-9);
+        CHECK_CLOSE(upper[i].angle + lower[i].angle, acos(-1.0), 1e-15);
+    }
+    /* tension opens cracks behind the indenter, which drags the lower body along +x */
+    CHECK_CLOSE(lower[3].angle, acos(-1.0), 1e-15);
+    CHECK_FREE(c);
+}
+
+/* The search says how far it is. */
+static void progress(void)
+{
+    mdr_contact *c = on_steel();
+    const mdr_state state = at_radius(c, 0.1);
+    double part = 0.0;
+    mdr_maximum found[4];
+    int count;
+
+    CHECK_SUCCESS(mdr_set_progress(&part));
+    CHECK_SUCCESS(mdr_contact_critical(c, MDR_BODY_LOWER, &state, 0.0, 4, found, &count));
+    CHECK_CLOSE(part, 1.0, 0.0);
+    CHECK_SUCCESS(mdr_set_progress(NULL));
     CHECK_FREE(c);
 }
 
@@ -196,6 +237,8 @@ int main(void)
     hertz();
     hertz_yields();
     film_under_friction();
+    both_bodies();
+    progress();
     refusals();
     return check_report("largest stresses");
 }

@@ -68,6 +68,7 @@ contains
             if (allocated(error)) return
         end do
         call largest_of(body, [free_surface_tension], 0, .false., maxima(n + 1:), error)
+        call report_progress(1.0_wp)
     end subroutine critical
 
     !> A body with what stresses inside it need.
