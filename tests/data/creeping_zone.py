@@ -10,8 +10,8 @@ and so is c of q(a) = -2 sigma sqrt(c^2 - a^2). One unknown is left, a(t), of th
 
     (2/pi) int_a^c [J0 q + J1 z - (d - g)]/sqrt(c^2 - x^2) dx = gamma/sigma
 
-Here z lives on equal cells of x, linear in each, and is integrated with the root in closed form; c^2 is linear in time during a step,
-so that int q dt is a power 3/2; what was printed beside the contact at the start, 2 sigma sqrt(c0^2 - x^2), is integrated by a double
+Here z lives on equal cells of x, linear in each, and is integrated with the root in closed form; c^2 is linear in time in a step,
+so that int q dt is a power 3/2; what was printed beside the contact at the start, 2 sigma sqrt(c0^2 - x^2), takes a double
 exponential rule. Second order in the cells and in the steps, which are graded towards the start.
 """
 
@@ -131,7 +131,7 @@ class March:
             if value == before_value or abs(value) < 1e-15:
                 break
             there = here - value * (here - before) / (value - before_value)
-            if not 0.0 < there:
+            if not there > 0.0:
                 return False
             before, before_value, here = here, value, min(there, self.a * (1.0 - 1e-13))
         if abs(value) > 1e-12:

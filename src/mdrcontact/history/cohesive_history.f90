@@ -24,6 +24,8 @@ module mdrcontact_history_cohesive_history
     real(wp), parameter :: part_of_zone = 0.2_wp, part_of_span = 0.01_wp
     !> The first after a kink, of the shortest time of creep, or of the interval; how fast they grow, and what is a kink [steepest].
     real(wp), parameter :: first_of_time = 0.1_wp, first_of_interval = 0.01_wp, growth = 1.5_wp, kink = 0.1_wp
+    !> The end of the zone goes by so much of its way to a turn, and beside one by so much of the zone.
+    real(wp), parameter :: part_of_way = 0.3_wp, part_beside_turn = 1.0e-4_wp
     integer, parameter :: most_levels = 7
     !> Steps this much shorter find no state either: it jumps [step].
     real(wp), parameter :: shortest = 1.0e-4_wp
@@ -270,9 +272,26 @@ contains
             end associate
             next = growth*max(next, h)
             if (moved > 0.0_wp) next = min(next, 1.0_wp/moved)
+            next = min(next, time_to_turn(round%march))
         end do
         if (control%depth_weight > 0.0_wp .and. round%march%is_apart) round%march%depth = s(2)
     end subroutine pass
+
+    !> The longest step while the end of the zone comes back to a place where an edge has turned: the memory has a kink there, and as
+    !> it is passed the speed of the contact jumps, often where the force is lowest.
+    pure function time_to_turn(march) result(longest)
+        type(cohesive_march_t), intent(in) :: march
+        real(wp) :: longest
+        real(wp) :: way
+
+        longest = huge(1.0_wp)
+        associate (c => march%springs%c, length => march%springs%length)
+            if (march%is_apart .or. .not. c(2) < c(1) .or. .not. length > 0.0_wp) return
+            if (.not. any(march%turns < c(2))) return
+            way = part_of_way*(c(2) - maxval(march%turns, mask=march%turns < c(2)))
+            longest = max(way, part_beside_turn*(c(2) - march%springs%a(2)))/(c(1) - c(2))*length
+        end associate
+    end function time_to_turn
 
     !> A step of length h, or several shorter ones, jumps included.
     subroutine advance(round, control, time, s, slope, h, error)

@@ -27,6 +27,8 @@ module mdrcontact_history_cohesive_march
     real(wp), parameter :: rounding = 1.0e-7_wp
     !> d ln h/d ln(c - a), about.
     real(wp), parameter :: usual_slope = 1.1_wp
+    !> Trials nearer to each other say nothing of a slope but their rounding [ln l].
+    real(wp), parameter :: same_slope = 1.0e-8_wp
     !> How far the place may go in one step [zone], at first [of that], and in a jump from one trial to the next [1].
     real(wp), parameter :: farthest = 0.6_wp, first_part = 1.0e-3_wp, stride = 0.03_wp
     integer, parameter :: most_strides = 5000, halvings = 50
@@ -356,7 +358,7 @@ contains
             if (abs(y) <= zone_tolerance) return
             if (i > enough .and. abs(y) <= rounding) return
             if (i > 1) then
-                if (abs(x - x_before) > 1.0e-6_wp) slope = max(0.2_wp, (y - y_before)/(x - x_before))
+                if (abs(x - x_before) > same_slope) slope = max(0.2_wp, (y - y_before)/(x - x_before))
             end if
             step = -max(-widest_step, min(widest_step, y/slope))
             if (abs(step) <= zone_tolerance) return
