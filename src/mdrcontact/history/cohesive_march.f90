@@ -34,6 +34,8 @@ module mdrcontact_history_cohesive_march
     integer, parameter :: most_strides = 5000, halvings = 50
     !> Radii nearer to each other than this are one, and no zone without contact is smaller [zone at touch].
     real(wp), parameter :: near = 1.0e-7_wp, smallest = 1.0e-6_wp
+    !> Breaks nearer to each other are one [zone]: the gap jumps by about ten times this where one begins to count.
+    real(wp), parameter :: same_break = 1.0e-12_wp
     !> The surface may reach into the indenter by so much of the range: the error of the method.
     real(wp), parameter :: negligible = 1.0e-2_wp
     !> The longest panels in and outside the contact [largest radius].
@@ -419,8 +421,8 @@ contains
         count = 1
         next = trial%c
         do i = 1, size(places)
-            next = maxval(places, mask=places < next - near*(trial%c - trial%a))
-            if (.not. next > trial%a + near*(trial%c - trial%a)) exit
+            next = maxval(places, mask=places < next - same_break*(trial%c - trial%a))
+            if (.not. next > trial%a + same_break*(trial%c - trial%a)) exit
             count = count + 1
             ends(count) = sqrt((trial%c - next)/(trial%c - trial%a))
         end do
