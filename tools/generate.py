@@ -15,6 +15,7 @@ REPOSITORY = Path(__file__).resolve().parents[1]
 sys.path[:0] = [str(REPOSITORY / "python" / "src"), str(REPOSITORY / "tools")]
 from wrap_header import described, functions_of, layout, structures, stub, without_comments, write  # noqa: E402
 from write_entries import entries  # noqa: E402
+from write_open_handle import open_handle  # noqa: E402
 
 INCLUDE = REPOSITORY / "include"
 LONGEST_LINE = 132
@@ -113,6 +114,7 @@ def main(root=REPOSITORY):
         "src/mdrcontact/codes.f90": codes("".join(path.read_text(encoding="utf-8") for path in sorted(INCLUDE.rglob("*.h")))),
         "src/mdrcontact/api/records.f90": records(found),
         "src/mdrcontact/api/entries.c": entries(text),
+        "src/mdrcontact/api/open_handle.f90": open_handle(),
         "cmake/mdrcontact.map": symbols(versions()),
         "python/mdrcontact/_native.pyi": stub(functions_of(text, described(found))),
         "python/mdrcontact/_layout.py": layout(text, found),

@@ -3,7 +3,8 @@
 module mdrcontact_api_adhesion
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_loc, c_ptr, c_size_t, c_sizeof
     use mdrcontact_api_arrays, only: check_array, check_count, check_results
-    use mdrcontact_api_handles, only: hand_over, open_handle
+    use mdrcontact_api_handles, only: hand_over
+    use mdrcontact_api_open_handle, only: open_handle
     use mdrcontact_api_options, only: check_size, write_facts
     use mdrcontact_api_records, only: c_loop_facts_t
     use mdrcontact_api_status, only: check_given, status_of

@@ -4,7 +4,7 @@ module mdrcontact_api_compliance
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
     use mdrcontact_api_arrays, only: check_array, check_count, check_each_not_negative, check_each_positive, deliver_parts, &
                                      make_room
-    use mdrcontact_api_handles, only: open_handle
+    use mdrcontact_api_open_handle, only: open_handle
     use mdrcontact_api_status, only: status_of
     use mdrcontact_body_compliance, only: normal_load, twist_load
     use mdrcontact_error, only: check_choice, error_t

@@ -4,7 +4,8 @@ module mdrcontact_api_conduction
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
     use mdrcontact_api_arrays, only: check_array, check_count, check_each_not_negative, check_each_positive, check_in_out, &
                                      check_results, deliver_parts, make_room
-    use mdrcontact_api_handles, only: deliver, open_handle
+    use mdrcontact_api_handles, only: deliver
+    use mdrcontact_api_open_handle, only: open_handle
     use mdrcontact_api_status, only: check_given, status_of
     use mdrcontact_conduction_answers, only: admittance_of, flux_after_step, follow_history, step_of
     use mdrcontact_conduction_bodies, only: conduction_t, new_conduction

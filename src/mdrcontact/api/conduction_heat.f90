@@ -3,7 +3,7 @@
 module mdrcontact_api_conduction_heat
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
     use mdrcontact_api_arrays, only: check_array, check_count, check_in_out, check_results, make_room
-    use mdrcontact_api_handles, only: open_handle
+    use mdrcontact_api_open_handle, only: open_handle
     use mdrcontact_api_status, only: check_given, status_of
     use mdrcontact_conduction_along, only: conductance_along
     use mdrcontact_conduction_bodies, only: conduction_t

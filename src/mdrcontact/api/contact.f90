@@ -4,7 +4,8 @@ module mdrcontact_api_contact
     use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_int, c_loc, c_ptr, c_sizeof
     use mdrcontact_api_arrays, only: check_array, check_count, check_each_positive, check_in_out, check_results_or_infinity, &
                                      make_room
-    use mdrcontact_api_handles, only: hand_over, open_handle
+    use mdrcontact_api_handles, only: hand_over
+    use mdrcontact_api_open_handle, only: open_handle
     use mdrcontact_api_options, only: read_options
     use mdrcontact_api_records, only: c_contact_options_t
     use mdrcontact_api_status, only: check_given, status_of, wanted_threads

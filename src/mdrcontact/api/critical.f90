@@ -3,7 +3,7 @@
 module mdrcontact_api_critical
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
     use mdrcontact_api_arrays, only: check_array, check_count, check_results
-    use mdrcontact_api_handles, only: open_handle
+    use mdrcontact_api_open_handle, only: open_handle
     use mdrcontact_api_records, only: c_failure_load_t, c_maximum_t, c_strength_t
     use mdrcontact_api_status, only: check_given, status_of, wanted_threads
     use mdrcontact_codes, only: body_lower, body_upper

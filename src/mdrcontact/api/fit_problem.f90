@@ -3,7 +3,7 @@
 module mdrcontact_api_fit_problem
     use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_int, c_loc, c_null_ptr, c_ptr, c_sizeof
     use mdrcontact_api_arrays, only: check_count, make_room
-    use mdrcontact_api_handles, only: open_handle
+    use mdrcontact_api_open_handle, only: open_handle
     use mdrcontact_api_options, only: read_options
     use mdrcontact_api_records, only: c_fit_parameter_t, c_fit_problem_t
     use mdrcontact_api_status, only: check_given, status_of

@@ -3,7 +3,8 @@
 module mdrcontact_api_friction
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
     use mdrcontact_api_arrays, only: check_array, check_count, check_results
-    use mdrcontact_api_handles, only: hand_over, open_handle
+    use mdrcontact_api_handles, only: hand_over
+    use mdrcontact_api_open_handle, only: open_handle
     use mdrcontact_api_status, only: status_of
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_state, only: contact_state_t

@@ -6,28 +6,16 @@
 module mdrcontact_api_handles
     use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_double, c_f_pointer, c_int, c_int64_t, c_loc, c_null_char, c_ptr
     use mdrcontact_api_status, only: check_given, status_of
-    use mdrcontact_contact, only: contact_t, on_unloading
-    use mdrcontact_contact_loop, only: loop_t
+    use mdrcontact_contact, only: on_unloading
     use mdrcontact_error, only: check_memory, error_invalid, error_t, raise
-    use mdrcontact_history_friction, only: first_shear_t, friction_t
-    use mdrcontact_history_friction_history, only: friction_history_t
-    use mdrcontact_history_rate_contact, only: rate_contact_t
-    use mdrcontact_history_relaxing_contact, only: relaxing_contact_t
-    use mdrcontact_lateral_structure, only: structure_t
     use mdrcontact_law, only: contact_law_t
     use mdrcontact_law_evaluate, only: law_view_t
     use mdrcontact_law_pack, only: pack_table, packed_size
-    use mdrcontact_material_rheology, only: rheology_t
-    use mdrcontact_medium, only: medium_t, refuse_states
+    use mdrcontact_medium, only: medium_t
     use mdrcontact_medium_solver, only: solver_t
-    use mdrcontact_conduction_bodies, only: conduction_t
-    use mdrcontact_poroelastic_table, only: poroelastic_t
-    use mdrcontact_profile, only: profile_t
-    use mdrcontact_wear, only: wear_t
-    use mdrcontact_wear_history, only: wear_history_t
     implicit none (type, external)
     private
-    public :: deliver, description_of, deliver_solver, hand_over, hand_over_solver, open_handle
+    public :: deliver, description_of, deliver_solver, hand_over, hand_over_solver, look_inside, refuse_kind
     public :: mdr_free
 
     integer(c_int64_t), parameter :: no_tag = 0_c_int64_t, live_tag = 7239381865347100001_c_int64_t
@@ -54,21 +42,6 @@ module mdrcontact_api_handles
             integer(c_int) :: status
         end function mdrcontact_law_view_from
     end interface
-
-    integer, parameter :: is_other = 0, is_profile = 1, is_medium = 2, is_contact = 3, is_loop = 4, is_structure = 5, is_law = 6, &
-                          is_friction = 7, is_material = 8, is_friction_history = 9, is_poroelastic = 10, is_conduction = 11, &
-                          is_rate = 12, is_wear = 13, is_wear_history = 14, is_shear = 15
-    character(len=*), parameter :: kinds(*) = [character(len=20) :: "mdr_profile", "mdr_medium", "mdr_contact", "mdr_loop", &
-                                               "mdr_structure", "mdr_law", "mdr_friction", "mdr_material", &
-                                               "mdr_friction_history", "mdr_poroelastic", "mdr_conduction", "mdr_rate", &
-                                               "mdr_wear", "mdr_wear_history", "mdr_shear"]
-
-    !> The object behind a handle, by the type of the pointer that is to hold it; null after an error. `name` is the argument's.
-    interface open_handle
-        module procedure open_profile, open_medium, open_contact, open_loop, open_structure, open_law, open_friction, &
-                         open_material, open_friction_history, open_relaxing_contact, open_poroelastic, open_conduction, &
-                         open_rate, open_wear, open_wear_history, open_shear
-    end interface open_handle
 
 contains
 
@@ -175,266 +148,6 @@ contains
         status = hand_over(object, out, error)
     end function hand_over_solver
 
-    subroutine open_profile(handle, name, object, error)
-        type(c_ptr), intent(in) :: handle
-        character(len=*), intent(in) :: name
-        class(profile_t), pointer, intent(out) :: object
-        type(error_t), allocatable, intent(inout) :: error
-        class(*), pointer :: inside
-
-        nullify (object)
-        call look_inside(handle, name, is_profile, inside, error)
-        if (allocated(error)) return
-        select type (inside)
-        class is (profile_t)
-            object => inside
-        end select
-    end subroutine open_profile
-
-    subroutine open_medium(handle, name, object, error)
-        type(c_ptr), intent(in) :: handle
-        character(len=*), intent(in) :: name
-        type(medium_t), pointer, intent(out) :: object
-        type(error_t), allocatable, intent(inout) :: error
-        class(*), pointer :: inside
-
-        nullify (object)
-        call look_inside(handle, name, is_medium, inside, error)
-        if (allocated(error)) return
-        select type (inside)
-        type is (medium_t)
-            object => inside
-        end select
-    end subroutine open_medium
-
-    subroutine open_contact(handle, name, object, error)
-        type(c_ptr), intent(in) :: handle
-        character(len=*), intent(in) :: name
-        type(contact_t), pointer, intent(out) :: object
-        type(error_t), allocatable, intent(inout) :: error
-        class(*), pointer :: inside
-
-        nullify (object)
-        call look_inside(handle, name, is_contact, inside, error)
-        if (allocated(error)) return
-        select type (inside)
-        type is (contact_t)
-            object => inside
-        class default
-            call refuse_states(error)
-        end select
-    end subroutine open_contact
-
-    subroutine open_relaxing_contact(handle, name, object, error)
-        type(c_ptr), intent(in) :: handle
-        character(len=*), intent(in) :: name
-        type(relaxing_contact_t), pointer, intent(out) :: object
-        type(error_t), allocatable, intent(inout) :: error
-        class(*), pointer :: inside
-
-        nullify (object)
-        call look_inside(handle, name, is_contact, inside, error)
-        if (allocated(error)) return
-        select type (inside)
-        type is (relaxing_contact_t)
-            object => inside
-        class default
-            call raise(error, error_invalid, "the body is elastic: its states do not depend on time")
-        end select
-    end subroutine open_relaxing_contact
-
-    subroutine open_loop(handle, name, object, error)
-        type(c_ptr), intent(in) :: handle
-        character(len=*), intent(in) :: name
-        type(loop_t), pointer, intent(out) :: object
-        type(error_t), allocatable, intent(inout) :: error
-        class(*), pointer :: inside
-
-        nullify (object)
-        call look_inside(handle, name, is_loop, inside, error)
-        if (allocated(error)) return
-        select type (inside)
-        type is (loop_t)
-            object => inside
-        end select
-    end subroutine open_loop
-
-    subroutine open_structure(handle, name, object, error)
-        type(c_ptr), intent(in) :: handle
-        character(len=*), intent(in) :: name
-        class(structure_t), pointer, intent(out) :: object
-        type(error_t), allocatable, intent(inout) :: error
-        class(*), pointer :: inside
-
-        nullify (object)
-        call look_inside(handle, name, is_structure, inside, error)
-        if (allocated(error)) return
-        select type (inside)
-        class is (structure_t)
-            object => inside
-        end select
-    end subroutine open_structure
-
-    subroutine open_law(handle, name, object, error)
-        type(c_ptr), intent(in) :: handle
-        character(len=*), intent(in) :: name
-        type(contact_law_t), pointer, intent(out) :: object
-        type(error_t), allocatable, intent(inout) :: error
-        class(*), pointer :: inside
-
-        nullify (object)
-        call look_inside(handle, name, is_law, inside, error)
-        if (allocated(error)) return
-        select type (inside)
-        type is (contact_law_t)
-            object => inside
-        end select
-    end subroutine open_law
-
-    subroutine open_friction(handle, name, object, error)
-        type(c_ptr), intent(in) :: handle
-        character(len=*), intent(in) :: name
-        type(friction_t), pointer, intent(out) :: object
-        type(error_t), allocatable, intent(inout) :: error
-        class(*), pointer :: inside
-
-        nullify (object)
-        call look_inside(handle, name, is_friction, inside, error)
-        if (allocated(error)) return
-        select type (inside)
-        type is (friction_t)
-            object => inside
-        end select
-    end subroutine open_friction
-
-    subroutine open_material(handle, name, object, error)
-        type(c_ptr), intent(in) :: handle
-        character(len=*), intent(in) :: name
-        type(rheology_t), pointer, intent(out) :: object
-        type(error_t), allocatable, intent(inout) :: error
-        class(*), pointer :: inside
-
-        nullify (object)
-        call look_inside(handle, name, is_material, inside, error)
-        if (allocated(error)) return
-        select type (inside)
-        type is (rheology_t)
-            object => inside
-        end select
-    end subroutine open_material
-
-    subroutine open_friction_history(handle, name, object, error)
-        type(c_ptr), intent(in) :: handle
-        character(len=*), intent(in) :: name
-        type(friction_history_t), pointer, intent(out) :: object
-        type(error_t), allocatable, intent(inout) :: error
-        class(*), pointer :: inside
-
-        nullify (object)
-        call look_inside(handle, name, is_friction_history, inside, error)
-        if (allocated(error)) return
-        select type (inside)
-        type is (friction_history_t)
-            object => inside
-        end select
-    end subroutine open_friction_history
-
-    subroutine open_shear(handle, name, object, error)
-        type(c_ptr), intent(in) :: handle
-        character(len=*), intent(in) :: name
-        type(first_shear_t), pointer, intent(out) :: object
-        type(error_t), allocatable, intent(inout) :: error
-        class(*), pointer :: inside
-
-        nullify (object)
-        call look_inside(handle, name, is_shear, inside, error)
-        if (allocated(error)) return
-        select type (inside)
-        type is (first_shear_t)
-            object => inside
-        end select
-    end subroutine open_shear
-
-    subroutine open_wear(handle, name, object, error)
-        type(c_ptr), intent(in) :: handle
-        character(len=*), intent(in) :: name
-        type(wear_t), pointer, intent(out) :: object
-        type(error_t), allocatable, intent(inout) :: error
-        class(*), pointer :: inside
-
-        nullify (object)
-        call look_inside(handle, name, is_wear, inside, error)
-        if (allocated(error)) return
-        select type (inside)
-        type is (wear_t)
-            object => inside
-        end select
-    end subroutine open_wear
-
-    subroutine open_wear_history(handle, name, object, error)
-        type(c_ptr), intent(in) :: handle
-        character(len=*), intent(in) :: name
-        type(wear_history_t), pointer, intent(out) :: object
-        type(error_t), allocatable, intent(inout) :: error
-        class(*), pointer :: inside
-
-        nullify (object)
-        call look_inside(handle, name, is_wear_history, inside, error)
-        if (allocated(error)) return
-        select type (inside)
-        type is (wear_history_t)
-            object => inside
-        end select
-    end subroutine open_wear_history
-
-    subroutine open_poroelastic(handle, name, object, error)
-        type(c_ptr), intent(in) :: handle
-        character(len=*), intent(in) :: name
-        type(poroelastic_t), pointer, intent(out) :: object
-        type(error_t), allocatable, intent(inout) :: error
-        class(*), pointer :: inside
-
-        nullify (object)
-        call look_inside(handle, name, is_poroelastic, inside, error)
-        if (allocated(error)) return
-        select type (inside)
-        type is (poroelastic_t)
-            object => inside
-        end select
-    end subroutine open_poroelastic
-
-    subroutine open_conduction(handle, name, object, error)
-        type(c_ptr), intent(in) :: handle
-        character(len=*), intent(in) :: name
-        type(conduction_t), pointer, intent(out) :: object
-        type(error_t), allocatable, intent(inout) :: error
-        class(*), pointer :: inside
-
-        nullify (object)
-        call look_inside(handle, name, is_conduction, inside, error)
-        if (allocated(error)) return
-        select type (inside)
-        type is (conduction_t)
-            object => inside
-        end select
-    end subroutine open_conduction
-
-    subroutine open_rate(handle, name, object, error)
-        type(c_ptr), intent(in) :: handle
-        character(len=*), intent(in) :: name
-        type(rate_contact_t), pointer, intent(out) :: object
-        type(error_t), allocatable, intent(inout) :: error
-        class(*), pointer :: inside
-
-        nullify (object)
-        call look_inside(handle, name, is_rate, inside, error)
-        if (allocated(error)) return
-        select type (inside)
-        type is (rate_contact_t)
-            object => inside
-        end select
-    end subroutine open_rate
-
     !> Frees what there is, of any kind.
     function mdr_free(handle) result(status) bind(C)
         type(c_ptr), value :: handle
@@ -455,11 +168,11 @@ contains
         deallocate (inside)
     end function mdr_free
 
-    !> What a handle of the given kind holds.
-    subroutine look_inside(handle, name, kind, object, error)
+    !> The object behind a handle that `word`, the name of its kind in C, stands for; null after an error. Which type it has is not
+    !> looked at. `name` is the argument's.
+    subroutine look_inside(handle, name, word, object, error)
         type(c_ptr), intent(in) :: handle
-        character(len=*), intent(in) :: name
-        integer, intent(in) :: kind
+        character(len=*), intent(in) :: name, word
         class(*), pointer, intent(out) :: object
         type(error_t), allocatable, intent(inout) :: error
         type(handle_t), pointer :: inside
@@ -469,53 +182,18 @@ contains
         if (allocated(error)) return
         call c_f_pointer(handle, inside)
         if (inside%tag == live_tag) then
-            if (kind_of(inside%object) == kind) object => inside%object
-        end if
-        if (.not. associated(object)) then
-            call raise(error, error_invalid, " is not an "//trim(kinds(kind))//" handle, or it has been freed", name)
+            object => inside%object
+        else
+            call refuse_kind(name, word, error)
         end if
     end subroutine look_inside
 
-    pure function kind_of(object) result(kind)
-        class(*), intent(in) :: object
-        integer :: kind
+    !> Raises for a handle of another kind than `word`.
+    subroutine refuse_kind(name, word, error)
+        character(len=*), intent(in) :: name, word
+        type(error_t), allocatable, intent(inout) :: error
 
-        select type (object)
-        type is (contact_law_t)
-            kind = is_law
-        type is (contact_t)
-            kind = is_contact
-        type is (relaxing_contact_t)
-            kind = is_contact
-        type is (loop_t)
-            kind = is_loop
-        type is (friction_t)
-            kind = is_friction
-        type is (friction_history_t)
-            kind = is_friction_history
-        type is (first_shear_t)
-            kind = is_shear
-        type is (wear_t)
-            kind = is_wear
-        type is (wear_history_t)
-            kind = is_wear_history
-        type is (rheology_t)
-            kind = is_material
-        type is (poroelastic_t)
-            kind = is_poroelastic
-        type is (conduction_t)
-            kind = is_conduction
-        type is (rate_contact_t)
-            kind = is_rate
-        class is (profile_t)
-            kind = is_profile
-        type is (medium_t)
-            kind = is_medium
-        class is (structure_t)
-            kind = is_structure
-        class default
-            kind = is_other
-        end select
-    end function kind_of
+        call raise(error, error_invalid, " is not an "//word//" handle, or it has been freed", name)
+    end subroutine refuse_kind
 
 end module mdrcontact_api_handles

@@ -5,7 +5,7 @@ module mdrcontact_api_history
     use mdrcontact_api_adhesion, only: open_path
     use mdrcontact_api_arrays, only: check_array, check_complex_arrays, check_count, check_in_out, check_results, deliver_parts, &
                                      make_room
-    use mdrcontact_api_handles, only: open_handle
+    use mdrcontact_api_open_handle, only: open_handle
     use mdrcontact_api_status, only: status_of
     use mdrcontact_contact_control, only: control_t
     use mdrcontact_error, only: check_memory, error_invalid, error_t, raise, to_text

@@ -3,7 +3,7 @@
 module mdrcontact_api_interior
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
     use mdrcontact_api_arrays, only: check_array, check_count, check_results, check_results_or_infinity
-    use mdrcontact_api_handles, only: open_handle
+    use mdrcontact_api_open_handle, only: open_handle
     use mdrcontact_api_status, only: check_given, status_of, wanted_threads
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_state, only: contact_state_t

@@ -3,7 +3,7 @@
 module mdrcontact_api_law_batch
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
     use mdrcontact_api_arrays, only: check_array, check_count, check_in_out, make_room
-    use mdrcontact_api_handles, only: open_handle
+    use mdrcontact_api_open_handle, only: open_handle
     use mdrcontact_api_status, only: status_of, wanted_threads
     use mdrcontact_error, only: check_choice, error_invalid, error_t, raise
     use mdrcontact_contact, only: check_branch

@@ -2,7 +2,8 @@
 !> Compiled laws for C: files, and the same content in memory.
 module mdrcontact_api_law_file
     use, intrinsic :: iso_c_binding, only: c_associated, c_int, c_null_char, c_ptr
-    use mdrcontact_api_handles, only: hand_over, open_handle
+    use mdrcontact_api_handles, only: hand_over
+    use mdrcontact_api_open_handle, only: open_handle
     use mdrcontact_api_status, only: check_given, status_of
     use mdrcontact_api_text, only: read_characters, read_text, write_characters
     use mdrcontact_error, only: check_count_from, error_t

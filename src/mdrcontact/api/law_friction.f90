@@ -3,7 +3,7 @@
 module mdrcontact_api_law_friction
     use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_int, c_loc, c_ptr
     use mdrcontact_api_arrays, only: check_array, check_count
-    use mdrcontact_api_handles, only: open_handle
+    use mdrcontact_api_open_handle, only: open_handle
     use mdrcontact_api_status, only: status_of, wanted_threads
     use mdrcontact_error, only: error_invalid, error_t, raise, raise_at
     use mdrcontact_law, only: contact_law_t

@@ -5,7 +5,8 @@ module mdrcontact_api_layered
                                            c_sizeof
     use mdrcontact_api_arrays, only: check_array, check_count, check_not_empty
     use mdrcontact_api_callback, only: c_function_t, new_c_function
-    use mdrcontact_api_handles, only: deliver_solver, hand_over, open_handle
+    use mdrcontact_api_handles, only: deliver_solver, hand_over
+    use mdrcontact_api_open_handle, only: open_handle
     use mdrcontact_api_medium_options, only: read_medium_options, read_surface
     use mdrcontact_api_options, only: read_options
     use mdrcontact_api_records, only: c_layer_t

@@ -3,7 +3,8 @@
 module mdrcontact_api_material
     use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_int, c_ptr
     use mdrcontact_api_arrays, only: check_array, check_count, check_in_out, check_results, deliver_parts, make_room
-    use mdrcontact_api_handles, only: deliver, hand_over, open_handle
+    use mdrcontact_api_handles, only: deliver, hand_over
+    use mdrcontact_api_open_handle, only: open_handle
     use mdrcontact_api_medium_options, only: read_medium_options, read_surface
     use mdrcontact_api_status, only: check_given, status_of
     use mdrcontact_codes, only: of_complex_modulus => complex_modulus, of_creep => creep, of_relaxation => relaxation

@@ -4,7 +4,8 @@ module mdrcontact_api_medium
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
     use mdrcontact_body_compliance, only: shear_load, twist_load
     use mdrcontact_api_arrays, only: check_each_positive, check_each_within, check_in_out, check_positive_results, make_room
-    use mdrcontact_api_handles, only: deliver_solver, hand_over, open_handle
+    use mdrcontact_api_handles, only: deliver_solver, hand_over
+    use mdrcontact_api_open_handle, only: open_handle
     use mdrcontact_api_status, only: status_of, wanted_threads
     use mdrcontact_codes, only: of_modulus => modulus, of_stiffness => stiffness, of_tangential_modulus => tangential_modulus, &
                                 of_torsional_stiffness => torsional_stiffness

@@ -4,7 +4,8 @@ module mdrcontact_api_profile_data
     use, intrinsic :: iso_c_binding, only: c_double, c_funptr, c_int, c_ptr
     use mdrcontact_api_arrays, only: check_array, check_count, check_not_empty
     use mdrcontact_api_callback, only: c_function_t, new_c_function
-    use mdrcontact_api_handles, only: hand_over, open_handle
+    use mdrcontact_api_handles, only: hand_over
+    use mdrcontact_api_open_handle, only: open_handle
     use mdrcontact_error, only: check_memory, count_text, error_invalid, error_t, raise, raise_at
     use mdrcontact_profile, only: profile_t
     use mdrcontact_profile_area_function, only: area_function_t, new_area_function_profile

@@ -4,7 +4,7 @@ module mdrcontact_api_profile_values
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
     use mdrcontact_api_arrays, only: check_each_not_negative, check_each_within, check_in_out, check_results_or_infinity, &
                                      make_room
-    use mdrcontact_api_handles, only: open_handle
+    use mdrcontact_api_open_handle, only: open_handle
     use mdrcontact_api_status, only: status_of, wanted_threads
     use mdrcontact_error, only: check_choice, error_t
     use mdrcontact_profile, only: profile_t

@@ -4,7 +4,8 @@ module mdrcontact_api_rate
     use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_int, c_loc, c_ptr, c_sizeof
     use mdrcontact_api_adhesion, only: open_path
     use mdrcontact_api_arrays, only: check_each_finite, check_in_out, check_results, make_room
-    use mdrcontact_api_handles, only: hand_over, open_handle
+    use mdrcontact_api_handles, only: hand_over
+    use mdrcontact_api_open_handle, only: open_handle
     use mdrcontact_api_options, only: read_options
     use mdrcontact_api_records, only: c_rate_options_t
     use mdrcontact_api_status, only: check_given, status_of

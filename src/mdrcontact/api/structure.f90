@@ -4,7 +4,8 @@ module mdrcontact_api_structure
     use, intrinsic :: iso_c_binding, only: c_double, c_f_procpointer, c_funptr, c_int, c_loc, c_null_ptr, c_ptr, c_associated, &
                                            c_sizeof
     use mdrcontact_api_arrays, only: check_array, check_count, check_in_out, make_room
-    use mdrcontact_api_handles, only: deliver, hand_over, hand_over_solver, open_handle
+    use mdrcontact_api_handles, only: deliver, hand_over, hand_over_solver
+    use mdrcontact_api_open_handle, only: open_handle
     use mdrcontact_api_options, only: read_options
     use mdrcontact_api_records, only: c_structure_options_t
     use mdrcontact_api_status, only: check_given, status_of, wanted_threads
