@@ -43,6 +43,9 @@ typedef struct objects {
     mdr_contact *contact;
     mdr_friction *friction;
     mdr_law *law;
+    mdr_loop *loop;
+    mdr_shear *shear;
+    mdr_wear *wear;
 } objects;
 
 /* Each use gives a structure of another version to the library. */
@@ -118,6 +121,41 @@ static int use_summary(const objects *o, void *structure)
     return mdr_fit_solve(&problem, 4, d, F, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, structure);
 }
 
+static int use_loop_facts(const objects *o, void *structure) { return mdr_loop_about(o->loop, structure); }
+
+static int use_shear_facts(const objects *o, void *structure) { return mdr_shear_about(o->shear, structure); }
+
+static int use_wear_options(const objects *o, void *structure)
+{
+    mdr_wear_history *h = NULL;
+    const int status = mdr_wear_history_new(o->wear, MDR_GIVEN_DEPTH, 0.1, structure, &h);
+    MDR_FREE(h);
+    return status;
+}
+
+/* Success where a structure was read and refused for this member of it alone, which is required and 0. */
+static int lacks_only(int status, const char *member)
+{
+    char words[200] = "";
+    mdr_last_error(words, sizeof words);
+    return status == MDR_EINVALID && strstr(words, member) ? MDR_SUCCESS : status;
+}
+
+static int use_rate_options(const objects *o, void *structure)
+{
+    (void)o;
+    return lacks_only(mdr_rate_work(structure, 0, NULL, NULL, NULL, NULL), "work = 0");
+}
+
+static int use_layer(const objects *o, void *structure)
+{
+    mdr_medium *m = NULL;
+    (void)o;
+    const int status = mdr_medium_layered(0, NULL, structure, MDR_MODEL_EXACT, NULL, &m);
+    MDR_FREE(m);
+    return lacks_only(status, "E = 0");
+}
+
 static void every_size(const objects *o, use function, const void *known, size_t full, int is_filled)
 {
     for (size_t size = sizeof(size_t); size <= full + LONGER; size += size < full && full - size < 8 ? full - size : 8) {
@@ -143,6 +181,32 @@ static void every_size(const objects *o, use function, const void *known, size_t
         const type known = MDR_SIZED(type); \
         every_size(&o, function, &known, sizeof known, is_filled); \
     } while (0)
+
+/* Layers of a program of a newer version lie further apart, and their new members are 0. */
+static void layers_have_a_stride(void)
+{
+    enum { COUNT = 3 };
+    static const double a[1] = {1.0};
+    const size_t size = sizeof(mdr_layer) + LONGER;
+    const mdr_layer base = mdr_isotropic(1.0, 0.3, 0.0);
+    unsigned char *const apart = calloc(COUNT, size);
+    mdr_layer layers[COUNT];
+    double close_by, far_apart;
+    mdr_medium *m = NULL;
+    for (int i = 0; i < COUNT; i++) {
+        layers[i] = mdr_isotropic(2.0 + i, 0.3, 0.5);
+        memcpy(apart + (size_t)i * size, &layers[i], sizeof layers[i]);
+        memcpy(apart + (size_t)i * size, &size, sizeof size);
+    }
+    CHECK_SUCCESS(mdr_medium_layered(COUNT, layers, &base, MDR_MODEL_EXACT, NULL, &m));
+    CHECK_SUCCESS(mdr_medium_values(m, MDR_MODULUS, 1, a, &close_by));
+    MDR_FREE(m);
+    CHECK_SUCCESS(mdr_medium_layered(COUNT, (const mdr_layer *)(const void *)apart, &base, MDR_MODEL_EXACT, NULL, &m));
+    CHECK_SUCCESS(mdr_medium_values(m, MDR_MODULUS, 1, a, &far_apart));
+    MDR_FREE(m);
+    CHECK_CLOSE(far_apart, close_by, 0.0);
+    free(apart);
+}
 
 /* A shorter structure gets what it has room for. */
 static void what_is_known_is_written(const objects *o)
@@ -186,7 +250,9 @@ static void defaults(void)
 
 int main(void)
 {
-    objects o = {NULL, NULL, NULL, NULL, NULL};
+    static const double depth = 0.1, wear_coefficient = 1e-3;
+    objects o = {NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL};
+    mdr_state state;
     mdr_medium *base = NULL;
     CHECK_SUCCESS(mdr_profile_paraboloid(1.0, &o.ball));
     CHECK_SUCCESS(new_homogeneous(1.0, 0.3, &base));
@@ -196,6 +262,15 @@ int main(void)
     CHECK_SUCCESS(mdr_friction_new(o.contact, 0.3, &o.friction));
     options.friction = o.friction;
     CHECK_SUCCESS(mdr_law_new(o.contact, 0.1, &options, &o.law));
+    CHECK_SUCCESS(mdr_contact_states(o.contact, MDR_GIVEN_DEPTH, MDR_ON_LOADING, 1, &depth, &state));
+    CHECK_SUCCESS(mdr_shear_new(o.friction, &state, MDR_ALONG, &o.shear));
+    CHECK_SUCCESS(mdr_wear_new(o.contact, 1, &wear_coefficient, NULL, 0.0, &o.wear));
+    mdr_contact_options adhesive = MDR_SIZED(mdr_contact_options);
+    mdr_contact *sticky = NULL;
+    adhesive.work_of_adhesion = 0.01;
+    CHECK_SUCCESS(mdr_contact_new(o.ball, base, &adhesive, &sticky));
+    CHECK_SUCCESS(mdr_loop_new(sticky, MDR_CONTROL_DEPTH, depth, 10, 0.0, &o.loop));
+    MDR_FREE(sticky);
     EVERY_SIZE(use_medium, mdr_medium_options, 0);
     EVERY_SIZE(use_contact, mdr_contact_options, 0);
     EVERY_SIZE(use_law, mdr_law_options, 0);
@@ -205,8 +280,17 @@ int main(void)
     EVERY_SIZE(use_law_facts, mdr_law_facts, 1);
     EVERY_SIZE(use_summary, mdr_fit_summary, 1);
     EVERY_SIZE(use_failure, mdr_failure, 1);
+    EVERY_SIZE(use_loop_facts, mdr_loop_facts, 1);
+    EVERY_SIZE(use_shear_facts, mdr_shear_facts, 1);
+    EVERY_SIZE(use_wear_options, mdr_wear_options, 0);
+    EVERY_SIZE(use_rate_options, mdr_rate_options, 0);
+    EVERY_SIZE(use_layer, mdr_layer, 0);
+    layers_have_a_stride();
     what_is_known_is_written(&o);
     defaults();
+    MDR_FREE(o.loop);
+    MDR_FREE(o.shear);
+    MDR_FREE(o.wear);
     MDR_FREE(o.friction);
     MDR_FREE(o.law);
     MDR_FREE(o.contact);

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The compiled module that lies under the package."""
 
+import re
 import shutil
 import subprocess
 import sys
@@ -22,6 +23,15 @@ def test_what_follows_from_the_headers_is_up_to_date(tmp_path):
     for path in made:
         kept = ROOT / path.relative_to(tmp_path)
         assert path.read_text(encoding="utf-8") == kept.read_text(encoding="utf-8"), f"{kept} is out of date: run {program}"
+
+
+def test_every_structure_that_grows_is_used_at_every_size():
+    """The C test of programs with another header leaves none out."""
+    headers = "".join(path.read_text(encoding="utf-8") for path in (ROOT / "include").rglob("*.h"))
+    growing = re.findall(r"typedef struct (mdr_\w+) \{\s*size_t size;", headers)
+    used = re.findall(r"EVERY_SIZE\(\w+, (mdr_\w+),", (ROOT / "tests" / "c" / "test_sized.c").read_text(encoding="utf-8"))
+    assert len(growing) > 10
+    assert sorted(used) == sorted(growing)
 
 
 def test_every_function_of_the_types_exists():
