@@ -277,8 +277,8 @@ contains
         if (control%depth_weight > 0.0_wp .and. round%march%is_apart) round%march%depth = s(2)
     end subroutine pass
 
-    !> The longest step while the end of the zone comes back to a place where an edge has turned: the memory has a kink there, and as
-    !> it is passed the speed of the contact jumps, often where the force is lowest.
+    !> The longest step while the end of the zone comes back to a place where an edge has turned: the memory has a kink there, and
+    !> as it is passed the speed of the contact jumps, often where the force is lowest.
     pure function time_to_turn(march) result(longest)
         type(cohesive_march_t), intent(in) :: march
         real(wp) :: longest
