@@ -24,7 +24,7 @@ module mdrcontact_contact_curve
     real(wp), parameter :: usual_length = 1.6_wp
     !> Nodes between two of a panel for the integral of 1/k.
     integer, parameter :: shift_nodes = 20
-    !> Columns: ln d0, ln F0, ln k, ln dl.
+    !> Which column is ln d0, ln F0, ln k, ln dl.
     integer, parameter :: of_depth = 1, of_force = 2, of_stiffness = 3, of_excess = 4
 
     !> The sampled equilibria.
