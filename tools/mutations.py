@@ -240,7 +240,7 @@ MUTATIONS = [
     ("numerics/sampled_columns.f90", "if (missed <= margin*maxval(reached(i:i + 1))) cycle", "if (missed <= 1.0_wp) cycle",
      "contact_curve"),
     ("numerics/sampled_columns.f90", "fits = missed <= margin*max(tail, allowed)", "fits = .true.", "sampled_columns"),
-    ("fit/least_squares.f90", "< at_bound*difference_step)", "< -1.0_wp)", "test_calibration.py"),
+    ("fit/least_squares.f90", "< at_bound*difference_step", "< -1.0_wp", "test_calibration.py"),
     ("layered/zone_rule.f90", "longest_plain = 4.0_wp", "longest_plain = 40.0_wp", "test_cohesion"),
     ("layered/zone.f90", "mean = mean + 2.0_wp*shift/(pi", "mean = mean + shift/(pi", "test_cohesion"),
     ("tension/fields.f90", "self%couple*self%radius*sum(", "0.5_wp*self%couple*self%radius*sum(", "test_surfaces.py"),

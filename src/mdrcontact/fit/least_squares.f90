@@ -218,16 +218,16 @@ contains
         real(wp), intent(in) :: u(:)
         type(outcome_t), intent(in) :: outcome
         real(wp) :: gain
-        real(wp) :: jacobian(size(outcome%jacobian, 1), size(u)), below, above, slope
+        real(wp) :: below, above, slope
+        logical :: is_held(size(u))
         integer :: i
 
-        jacobian = outcome%jacobian
         do i = 1, size(u)
             call residuals%neighbours(u, i, difference_step, below, above)
-            slope = dot_product(jacobian(:, i), outcome%r)
-            if (merge(u(i) - below, above - u(i), slope > 0.0_wp) < at_bound*difference_step) jacobian(:, i) = 0.0_wp
+            slope = dot_product(outcome%jacobian(:, i), outcome%r)
+            is_held(i) = merge(u(i) - below, above - u(i), slope > 0.0_wp) < at_bound*difference_step
         end do
-        gain = newton_decrement(jacobian, outcome%r)
+        gain = newton_decrement(outcome%jacobian, outcome%r, is_held)
     end function possible_gain
 
     subroutine read_state(workspace, outcome)

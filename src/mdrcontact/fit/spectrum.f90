@@ -107,17 +107,26 @@ contains
     end function products
 
     !> g (J^T J)^-1 g with g = J^T r: how much a Newton step along the directions that are determined lowers |r|^2.
-    function newton_decrement(jacobian, r) result(gain)
+    function newton_decrement(jacobian, r, is_held) result(gain)
         real(wp), intent(in) :: jacobian(:, :), r(:)
+        !> unknowns that do not move
+        logical, intent(in), optional :: is_held(:)
         real(wp) :: gain
         type(spectrum_t) :: spectrum
-        real(wp) :: g(size(jacobian, 2))
+        real(wp) :: g(size(jacobian, 2)), matrix(size(jacobian, 2), size(jacobian, 2))
         integer :: i
 
-        spectrum = new_spectrum(products(jacobian))
+        matrix = products(jacobian)
         do i = 1, size(g)
-            g(i) = dot_product(jacobian(:, i), r)/spectrum%scale(i)
+            g(i) = dot_product(jacobian(:, i), r)
+            if (.not. present(is_held)) cycle
+            if (.not. is_held(i)) cycle
+            g(i) = 0.0_wp
+            matrix(i, :) = 0.0_wp
+            matrix(:, i) = 0.0_wp
         end do
+        spectrum = new_spectrum(matrix)
+        g = g/spectrum%scale
         g = matmul(transpose(spectrum%vectors), g)
         gain = sum(g**2/max(spectrum%eigenvalues, smallest_eigenvalue), mask=spectrum%eigenvalues > smallest_eigenvalue)
     end function newton_decrement
