@@ -32,6 +32,7 @@ module mdrcontact_field_failure
     type :: failure_load_t
         !> the state at which it is; the smallest one looked at where it is at any load, as under a sharp tip
         type(contact_state_t) :: state
+        !> the strength itself, as it was given
         type(strength_t) :: strength
         !> where in the body; its value is larger than the strength where that is reached at any load
         type(maximum_t) :: at
