@@ -13,7 +13,7 @@ from pathlib import Path
 
 REPOSITORY = Path(__file__).resolve().parents[1]
 sys.path[:0] = [str(REPOSITORY / "python" / "src"), str(REPOSITORY / "tools")]
-from wrap_header import described, functions_of, layout, structures, stub, without_comments, write  # noqa: E402
+from wrap_header import described, functions_of, layout, structures, type_hints, without_comments, write  # noqa: E402
 from write_entries import entries  # noqa: E402
 from write_open_handle import open_handle  # noqa: E402
 
@@ -116,7 +116,7 @@ def main(root=REPOSITORY):
         "src/mdrcontact/api/entries.c": entries(text),
         "src/mdrcontact/api/open_handle.f90": open_handle(),
         "cmake/mdrcontact.map": symbols(versions()),
-        "python/mdrcontact/_native.pyi": stub(functions_of(text, described(found))),
+        "python/mdrcontact/_native.pyi": type_hints(functions_of(text, described(found))),
         "python/mdrcontact/_layout.py": layout(text, found),
     }
     for name, lines in made.items():

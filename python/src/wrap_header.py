@@ -220,7 +220,7 @@ def functions_of(text, rows):
     return [Function(result, name, words, rows) for result, name, words in prototypes(text)]
 
 
-def stub(functions):
+def type_hints(functions):
     """The module's types."""
     return [
         SPDX,

@@ -393,6 +393,7 @@ contains
     end subroutine find_places
 
     !> The smallest force comes first.
+    !> Keeps the order of strengths that are reached at the same force, as under a sharp tip at any, which GSL's sort does not.
     pure subroutine sort_by_force(failures)
         type(failure_load_t), intent(inout) :: failures(:)
         type(failure_load_t) :: next
