@@ -75,13 +75,13 @@ typedef struct states {
 static void from_radius(void *with)
 {
     states *s = with;
-    check(mdr_contact_states(s->contact, MDR_GIVEN_RADIUS, MDR_ON_UNLOADING, s->count, s->given, s->out));
+    check(mdr_contact_states(s->contact, MDR_RADIUS, MDR_ON_UNLOADING, s->count, s->given, s->out));
 }
 
 static void from_depth(void *with)
 {
     states *s = with;
-    check(mdr_contact_states(s->contact, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, s->count, s->given, s->out));
+    check(mdr_contact_states(s->contact, MDR_DEPTH, MDR_ON_UNLOADING, s->count, s->given, s->out));
 }
 
 /* Layers of thickness 1 in all on a substrate, E falling or rising to that of the substrate, 1. */
@@ -173,7 +173,7 @@ static void partial_slip(void *with)
     shear *s = with;
     mdr_shear *sheared = NULL;
     check(mdr_shear_new(s->friction, &s->state, MDR_ALONG, &sheared));
-    check(mdr_shear_states(sheared, MDR_GIVEN_SHIFT, s->count, s->shift, s->out));
+    check(mdr_shear_states(sheared, MDR_SHIFT, s->count, s->shift, s->out));
     MDR_FREE(sheared);
 }
 
@@ -197,7 +197,7 @@ static void partial_slip_cost(double contrast)
         one.contact = contact;
         from_radius(&one);
         all.friction = friction;
-        check(mdr_contact_states(contact, MDR_GIVEN_RADIUS, MDR_ON_UNLOADING, 1, one.given, &all.state));
+        check(mdr_contact_states(contact, MDR_RADIUS, MDR_ON_UNLOADING, 1, one.given, &all.state));
         check(mdr_shear_new(friction, &all.state, MDR_ALONG, &sheared));
         check(mdr_shear_about(sheared, &facts));
         MDR_FREE(sheared);
@@ -238,7 +238,7 @@ static void follow(void *with)
     path *p = with;
     mdr_friction_history *history = NULL;
     check(mdr_friction_history_new(p->friction, p->deepest, RINGS, &history));
-    check(mdr_friction_history_advance(history, MDR_GIVEN_DEPTH, MDR_GIVEN_SHIFT, SEGMENTS * STEPS, p->depth, p->shift, p->states,
+    check(mdr_friction_history_advance(history, MDR_DEPTH, MDR_SHIFT, SEGMENTS * STEPS, p->depth, p->shift, p->states,
                                        p->out));
     MDR_FREE(history);
 }
@@ -259,7 +259,7 @@ static void history_cost(double contrast)
     double depth[SEGMENTS], last_depth = 0.0, last_shift = 0.0, one;
     check(mdr_contact_new(profile, film, NULL, &contact));
     check(mdr_friction_new(contact, 0.3, &friction));
-    check(mdr_contact_states(contact, MDR_GIVEN_RADIUS, MDR_ON_UNLOADING, SEGMENTS, radius, reached));
+    check(mdr_contact_states(contact, MDR_RADIUS, MDR_ON_UNLOADING, SEGMENTS, radius, reached));
     for (int i = 0; i < SEGMENTS; ++i) depth[i] = reached[i].depth;
     p.friction = friction;
     p.deepest = 0.0;

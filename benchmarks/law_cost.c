@@ -155,7 +155,7 @@ static double external_state(task *t)
 {
     double sum = 0.0, a, F, k, slope, energy;
     for (int i = 0; i < POINTS; ++i) {
-        mdr_law_values(t->law, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, 1, &t->d[i], NULL, &a, &F, &k, &slope, &energy);
+        mdr_law_values(t->law, MDR_DEPTH, MDR_ON_UNLOADING, 1, &t->d[i], NULL, &a, &F, &k, &slope, &energy);
         sum += energy;
     }
     return sum;
@@ -173,26 +173,26 @@ static double many_laws(task *t)
 
 static double batch_force(task *t)
 {
-    mdr_law_values(t->law, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, POINTS, t->d, NULL, NULL, t->F, NULL, NULL, NULL);
+    mdr_law_values(t->law, MDR_DEPTH, MDR_ON_UNLOADING, POINTS, t->d, NULL, NULL, t->F, NULL, NULL, NULL);
     return t->F[7];
 }
 
 static double batch_slope(task *t)
 {
-    mdr_law_values(t->law, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, POINTS, t->d, NULL, NULL, t->F, NULL, t->slope, NULL);
+    mdr_law_values(t->law, MDR_DEPTH, MDR_ON_UNLOADING, POINTS, t->d, NULL, NULL, t->F, NULL, t->slope, NULL);
     return t->F[7];
 }
 
 static double batch_all(task *t)
 {
-    mdr_law_values(t->law, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, POINTS, t->d, NULL, t->a, t->F, t->k, t->slope, NULL);
+    mdr_law_values(t->law, MDR_DEPTH, MDR_ON_UNLOADING, POINTS, t->d, NULL, t->a, t->F, t->k, t->slope, NULL);
     return t->F[7];
 }
 
 static double batch_one(task *t)
 {
     for (int i = 0; i < POINTS; ++i) {
-        mdr_law_values(t->law, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, 1, &t->d[i], NULL, NULL, &t->F[i], NULL, &t->slope[i], NULL);
+        mdr_law_values(t->law, MDR_DEPTH, MDR_ON_UNLOADING, 1, &t->d[i], NULL, NULL, &t->F[i], NULL, &t->slope[i], NULL);
     }
     return t->F[7];
 }
@@ -238,7 +238,7 @@ static double friction_step_with_tangent(task *t)
 static double usual_rule(task *t)
 {
     const double mu = 0.3;
-    mdr_law_values(t->law, MDR_GIVEN_FORCE, MDR_ON_UNLOADING, POINTS, t->F, NULL, NULL, NULL, t->usual_k, NULL, NULL);
+    mdr_law_values(t->law, MDR_FORCE, MDR_ON_UNLOADING, POINTS, t->F, NULL, NULL, NULL, t->usual_k, NULL, NULL);
     for (int i = 0; i < POINTS; ++i) {
         const double kept = t->F[i] < t->usual_F[i] ? t->F[i] / t->usual_F[i] : 1.0;
         const double x = kept * t->usual_T[2 * i] + t->usual_k[i] * t->shift[3 * i];
@@ -299,7 +299,7 @@ static double big_batch(const mdr_law *law, const double d[], double force[], in
 {
     mdr_set_threads(threads);
     const double start = seconds();
-    mdr_law_values(law, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, BIG, d, NULL, NULL, force, NULL, NULL, NULL);
+    mdr_law_values(law, MDR_DEPTH, MDR_ON_UNLOADING, BIG, d, NULL, NULL, force, NULL, NULL, NULL);
     const double taken = seconds() - start;
     mdr_set_threads(1);
     return taken;
@@ -373,11 +373,11 @@ int main(void)
     printf("two_threads_speedup %.2f\n", one / two);
 
     start = busy();
-    check(mdr_contact_states(gao, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, DIRECT, depths, states));
+    check(mdr_contact_states(gao, MDR_DEPTH, MDR_ON_UNLOADING, DIRECT, depths, states));
     for (int i = 0; i < DIRECT; ++i) exact[i] = states[i].force;
     printf("direct_solve_ratio %.0f\n", (busy() - start) / DIRECT / reference);
     start = busy();
-    check(mdr_contact_states(contact, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, DIRECT, depths, states));
+    check(mdr_contact_states(contact, MDR_DEPTH, MDR_ON_UNLOADING, DIRECT, depths, states));
     for (int i = 0; i < DIRECT; ++i) exact[i] = states[i].force;
     printf("exact_solve_ratio %.0f\n", (busy() - start) / DIRECT / reference);
 
@@ -388,7 +388,7 @@ int main(void)
         many[i] = a * a / R;
         exact[i] = closed_form(a);
     }
-    check(mdr_law_values(gao_law, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, MANY, many, NULL, NULL, found, NULL, NULL, NULL));
+    check(mdr_law_values(gao_law, MDR_DEPTH, MDR_ON_UNLOADING, MANY, many, NULL, NULL, found, NULL, NULL, NULL));
     double worst = 0.0;
     for (int i = 0; i < MANY; ++i) worst = fmax(worst, fabs(found[i] / exact[i] - 1.0));
     printf("error_at_1e6_random_depths %.2e\n", worst);

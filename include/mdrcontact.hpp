@@ -8,7 +8,7 @@
  *     auto glass = mdr_isotropic(72e9, 0.17, 0);
  *     auto body = mdr::make<mdr::Medium>(mdr_medium_layered, 0, nullptr, &glass, MDR_MODEL_EXACT, nullptr);
  *     auto contact = mdr::make<mdr::Contact>(mdr_contact_new, ball, body, nullptr);
- *     mdr::check(mdr_contact_states(contact, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, n, d, states));
+ *     mdr::check(mdr_contact_states(contact, MDR_DEPTH, MDR_ON_UNLOADING, n, d, states));
  *     mdr::Law law(mdr::make<mdr::LawHandle>(mdr_law_new, contact, 2e-7, nullptr));
  *     double F = law.force(1e-7);
  */

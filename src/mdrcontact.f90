@@ -105,12 +105,12 @@ module mdrcontact
     use mdrcontact_conduction_source, only: sliding, spinning
     use mdrcontact_conduction_table, only: tabulate_conductance
     use mdrcontact_conduction_transient, only: gaussian, uniform_centre, uniform_mean
-    use mdrcontact_poroelastic_answers, only: gel_creep => creep, gel_mean_creep => mean_creep, &
-                                              gel_mean_relaxation => mean_relaxation, gel_paraboloid => paraboloid, &
-                                              gel_relaxation => relaxation
     use mdrcontact_poroelastic_gel, only: drains_by_surface, sealed, sealed_by_indenter
     use mdrcontact_poroelastic_compliance, only: poroelastic_compliance
-    use mdrcontact_poroelastic_response, only: poroelastic_dynamic_stiffness, poroelastic_pressure, poroelastic_response, &
+    use mdrcontact_poroelastic_response, only: gel_creep => creep, gel_mean_creep => mean_creep, &
+                                               gel_mean_relaxation => mean_relaxation, gel_paraboloid => paraboloid, &
+                                               gel_relaxation => relaxation, poroelastic_dynamic_stiffness, poroelastic_pressure, &
+                                               poroelastic_response, &
                                                pore_pressure, total_pressure
     use mdrcontact_poroelastic_table, only: new_poroelastic, poroelastic_t
     use mdrcontact_profile, only: profile_t

@@ -6,6 +6,7 @@ the symbols of the shared library with their versions, and for Python the module
 given, is where they go. Building the library needs none of this; a file that is up to date is left alone.
 """
 
+import os
 import re
 import sys
 import textwrap
@@ -28,6 +29,19 @@ FORTRAN = {
     "address": ("type(c_ptr)", "c_null_ptr"),
     "char": ("character(kind=c_char)", "c_null_char"),
 }
+# Enumerations whose numbers are no codes: statuses, bits of a sum, a format, places in an array.
+NO_CODES = {"mdr_status", "mdr_warning", "mdr_law_format", "mdr_fit_instrument"}
+WORD_OF = """\
+    !> What a code means in a word, as Python and problem files write it; empty for a number that is no code.
+    pure function word_of(code) result(word)
+        integer, intent(in) :: code
+        character(len=len(words)) :: word
+        integer :: place
+
+        word = ""
+        place = findloc(numbers, code, dim=1)
+        if (place > 0) word = words(place)
+    end function word_of"""
 SINCE = re.compile(r"@since (\d+\.\d+)")
 
 
@@ -43,22 +57,65 @@ def folded(words, names):
     return lines
 
 
-def codes(headers):
-    """The module of the core's code numbers: those of the enumerations, without MDR_."""
+def enumerations_of(headers):
+    """Names, without MDR_, values and meanings of the members of each enumeration."""
     member = r"MDR_(\w+) = (\d+),?(?:\s*/\*\*<(.*?)\*/)?"
     found = re.findall(r"enum (\w+) \{(.*?)\};", headers, flags=re.DOTALL)
-    enumerations = {name: re.findall(member, body, flags=re.DOTALL) for name, body in found}
+    return {name: re.findall(member, body, flags=re.DOTALL) for name, body in found}
+
+
+def words_of(enumerations):
+    """The words that stand for codes, by code. Every enumeration of codes has its own hundred: a code says what it is one of."""
+    found, owners = {}, {}
+    for enumeration, members in enumerations.items():
+        if enumeration in NO_CODES:
+            continue
+        names = [name for name, *_ in members]
+        prefix = os.path.commonprefix(names)
+        prefix = prefix[: prefix.rfind("_") + 1] if len(names) > 1 else ""
+        for name, number, _ in members:
+            code = int(number)
+            if owners.setdefault(code // 100, enumeration) != enumeration or code % 100 == 0 or code < 100 or code in found:
+                raise SystemExit(f"MDR_{name} = {code}: {enumeration} needs a hundred of its own")
+            word = name.removeprefix(prefix).lower()
+            found[code] = word if enumeration == "mdr_quantity" else word.replace("_", "-")
+    return dict(sorted(found.items()))
+
+
+def codes(headers):
+    """The module of the core's code numbers: those of the enumerations, without MDR_, and the words that stand for them."""
+    enumerations = enumerations_of(headers)
+    words_by_code = words_of(enumerations)
+    longest = max(map(len, words_by_code.values()))
     lines = [SPDX, "!> The numbers of the C header's enumerations, written by tools/generate.py."]
     lines += ["module mdrcontact_codes", "    implicit none (type, external)", "    private"]
     for members in enumerations.values():
         lines += folded("    public ::", [name.lower() for name, *_ in members])
+    lines += ["    public :: word_of"]
     for enumeration, members in enumerations.items():
         lines += ["", f"    ! enum {enumeration}"]
         for name, value, words in members:
             means = " ".join(f"MDR_{name}. {words}".split())
             lines += textwrap.wrap(means, LONGEST_LINE, initial_indent="    !> ", subsequent_indent="    !> ")
             lines.append(f"    integer, parameter :: {name.lower()} = {value}")
+    lines += ["", "    !> The codes in ascending order, and their words."]
+    lines += filled("    integer, parameter :: numbers(*) = [", [str(code) for code in words_by_code])
+    quoted = [f'"{word}"' for word in words_by_code.values()]
+    lines += filled(f"    character(len={longest}), parameter :: words(*) = [character(len={longest}) ::", quoted)
+    lines += ["", "contains", "", *WORD_OF.split("\n")]
     return [*lines, "", "end module mdrcontact_codes"]
+
+
+def filled(start, entries):
+    """An array constructor over as many lines as it takes."""
+    lines, line = [], start
+    for i, entry in enumerate(entries):
+        word = f"{entry}{', ' if i + 1 < len(entries) else ']'}"
+        if len(line + word) + 1 > LONGEST_LINE:
+            lines.append(line + "&")
+            line = " " * 8
+        line += word if line.endswith(("[", " ")) else f" {word}"
+    return [*lines, line]
 
 
 def records(found):

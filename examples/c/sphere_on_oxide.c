@@ -50,11 +50,11 @@ int main(void)
 
     for (int i = 0; i < MODELS; i++) {
         mdr_contact *contact = sphere_on_oxide(models[i]);
-        check(mdr_contact_states(contact, MDR_GIVEN_FORCE, MDR_ON_UNLOADING, COUNT, force, state));
+        check(mdr_contact_states(contact, MDR_FORCE, MDR_ON_UNLOADING, COUNT, force, state));
         printf("%s\n%12s %12s %12s %16s %20s\n", names[i], "force, mN", "depth, nm", "radius, nm", "stiffness, N/m",
                "pressure at 0, GPa");
         for (int j = 0; j < COUNT; j++) {
-            check(mdr_contact_field(contact, MDR_FIELD_PRESSURE, &state[j], 1, middle, pressure));
+            check(mdr_contact_field(contact, MDR_PRESSURE, &state[j], 1, middle, pressure));
             printf("%12.4f %12.3f %12.2f %16.1f %20.4f\n", state[j].force * 1e-6, state[j].depth, state[j].radius,
                    state[j].stiffness, pressure[0]);
         }

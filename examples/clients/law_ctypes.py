@@ -11,7 +11,7 @@ import mdrcontact
 
 library = ctypes.CDLL(mdrcontact.get_library())
 Handle = ctypes.c_void_p
-UNLOADING = 2  # MDR_ON_UNLOADING of mdrcontact.h
+UNLOADING = 302  # MDR_ON_UNLOADING of mdrcontact.h
 
 
 def call(name, *arguments):

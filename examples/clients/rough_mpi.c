@@ -84,7 +84,7 @@ int main(int argc, char **argv)
     for (int j = 0; j < 4; j++) {
         double sum = 0.0;
         for (int i = 0; i < n; i++) d[i] = z[i] - separations[j] * s; /* < 0: apart, and the law answers 0 */
-        check(mdr_law_values(law, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, n, d, NULL, NULL, F, NULL, NULL, NULL));
+        check(mdr_law_values(law, MDR_DEPTH, MDR_ON_UNLOADING, n, d, NULL, NULL, F, NULL, NULL, NULL));
         for (int i = 0; i < n; i++) sum += F[i];
         MPI_Allreduce(&sum, &whole[j], 1, MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
     }

@@ -377,7 +377,7 @@ static int pull_apart(const kind *of, double largest_tension)
     char words[128];
     grains two;
 
-    check(mdr_contact_pull_off(of->contact, MDR_CONTROL_DEPTH, 1, &at_depth, NULL));
+    check(mdr_contact_pull_off(of->contact, MDR_DEPTH, 1, &at_depth, NULL));
     open_grains(&two, of, cells, of->diameter - pressed, step);
     two.last_depth = NAN;
     command(two.lammps, "group upper id 2");
@@ -403,7 +403,7 @@ static int spin_on(const kind *of, double depth, double omega_0, double step, in
     char words[64];
     grains two;
 
-    check(mdr_contact_states(of->contact, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, 1, &depth, &state));
+    check(mdr_contact_states(of->contact, MDR_DEPTH, MDR_ON_UNLOADING, 1, &depth, &state));
     open_grains(&two, of, cells, of->diameter - depth, step);
     command(two.lammps, "fix hold all setforce 0 0 0");
     command(two.lammps, "fix move all nve/sphere");
@@ -466,7 +466,7 @@ int main(void)
     make_law(&coated);
     make_law(&silica);
     make_law(&sticky);
-    check(mdr_contact_pull_off(sticky.contact, MDR_CONTROL_FORCE, 1, &pull_off, NULL));
+    check(mdr_contact_pull_off(sticky.contact, MDR_FORCE, 1, &pull_off, NULL));
 
     failed = collide(&coated, 1e-5, 0.2, 2e-8, 80000, 1e-3);
     failed += collide(&silica, 2e-9, 0.2, 1e-11, 40000, 1e-3);

@@ -22,7 +22,7 @@ typedef struct mdr_rate mdr_rate;
 /** Where an adhesive contact breaks: first the lowest force, or depth, of all its stable states, then, by radius, where each other
  *  stable segment ends: a coated body can have several. The first is 0 without adhesion.
  *  @param c         contact
- *  @param control   MDR_CONTROL_FORCE or MDR_CONTROL_DEPTH
+ *  @param control   MDR_FORCE or MDR_DEPTH
  *  @param capacity  room in `out` >= 0; 1 for the pull-off alone
  *  @param out       [capacity] receives the first of them; NULL where capacity is 0
  *  @param count     or NULL: how many there are, 0 without adhesion
@@ -32,10 +32,10 @@ int mdr_contact_pull_off(const mdr_contact *c, int control, int capacity, mdr_st
 
 /** A cycle: approach from afar, jump into contact, press to `largest`, retract until the bodies are apart again.
  *  @param c                 contact
- *  @param control           one of enum mdr_control: what the positions of the loop are
+ *  @param control           MDR_FORCE, MDR_DEPTH or MDR_SPRING: what the positions of the loop are
  *  @param largest           position where the motion turns back, > 0 [length, or modulus length^2 under force control]
  *  @param points            points on each way, 2 to 1000000; jumps and their ends come on top
- *  @param spring_stiffness  > 0 for MDR_CONTROL_SPRING [modulus length], not looked at otherwise
+ *  @param spring_stiffness  > 0 for MDR_SPRING [modulus length], not looked at otherwise
  *  @param out               receives the handle
  *  @return also MDR_EUNREACHABLE if `largest` cannot be reached or the bodies do not stick when they touch,
  *          MDR_ENOCONVERGENCE */
@@ -133,8 +133,8 @@ typedef struct mdr_rate_state {
  *  Where the contact is pressed in faster than its edge can close, it grows at once to the radius without tension. Under a force bodies
  *  that have come apart stay so, and their depth is that of the rupture. Outputs that are NULL are skipped.
  *  @param r                 contact
- *  @param control           one of enum mdr_control: what `in` holds; MDR_CONTROL_SPRING: the far end of a spring, d + F/stiffness
- *  @param spring_stiffness  > 0 for MDR_CONTROL_SPRING [modulus length], not looked at otherwise
+ *  @param control           MDR_FORCE, MDR_DEPTH or MDR_SPRING: what `in` holds
+ *  @param spring_stiffness  > 0 for MDR_SPRING [modulus length], not looked at otherwise
  *  @param tolerance         of ln a in each step, 1e-12 to 1e-3; 0: 1e-9
  *  @param start             at the first time
  *  @param n                 number of samples
@@ -161,9 +161,8 @@ int mdr_rate_history(const mdr_rate *r, int control, double spring_stiffness, do
  *  (no second solution to compare with), and materials without a glassy or a relaxed modulus, flat ends, walls, and zones shorter than
  *  1e-3 of the contact radius: there mdr_rate_new() holds. Outputs that are NULL are skipped.
  *  @param c                 contact
- *  @param control           one of enum mdr_control: what `in` holds; MDR_CONTROL_SPRING: the far end of a spring, d + F/stiffness.
- *                           Under a force bodies that have come apart stay so
- *  @param spring_stiffness  > 0 for MDR_CONTROL_SPRING [modulus length], not looked at otherwise
+ *  @param control           MDR_FORCE, MDR_DEPTH or MDR_SPRING: what `in` holds. Under a force bodies that have come apart stay so
+ *  @param spring_stiffness  > 0 for MDR_SPRING [modulus length], not looked at otherwise
  *  @param tolerance         of the force, relative to its largest, 1e-7 to 1e-2; 0: 1e-4
  *  @param start             all 0: the bodies are apart; radius < 0: the contact is in equilibrium with the first value, in the largest
  *                           stable state; nothing else is looked at

@@ -28,9 +28,9 @@ typedef struct mdr_conductor {
 
 /** What layers lie on. */
 enum mdr_conduction_base {
-    MDR_BASE_HALF_SPACE = 1, /**< The last layer is a half-space. */
-    MDR_BASE_PERFECT = 2,    /**< A perfect conductor at potential 0. */
-    MDR_BASE_INSULATING = 3  /**< No flux: steady states need a sink. */
+    MDR_BASE_HALF_SPACE = 1801, /**< The last layer is a half-space. */
+    MDR_BASE_PERFECT = 1802,    /**< A perfect conductor at potential 0. */
+    MDR_BASE_INSULATING = 1803  /**< No flux: steady states need a sink. */
 };
 
 /** One or two bodies whose surfaces meet at a circular spot; beside it no flux passes. Potentials count from those far away.
@@ -69,39 +69,21 @@ int mdr_conduction_spot(const mdr_conduction *p, int n, const double radius[], d
  *  @return also MDR_EINVALID, MDR_EDOMAIN, MDR_ENOCONVERGENCE */
 int mdr_conduction_tabulate(const mdr_conduction *p, double smallest, double largest, double tolerance, mdr_conduction **out);
 
-/** A field of the steady spot at potential difference 1. */
-enum mdr_conduction_field {
-    MDR_CONDUCTION_FLUX = 1,      /**< Flux density through the spot; without a film it is infinite at its edge, 0 <= r < a. */
-    MDR_CONDUCTION_POTENTIAL = 2, /**< Potential of a body from its own far field. */
-    MDR_CONDUCTION_FLUX_Z = 3,    /**< Flux density into the body. */
-    MDR_CONDUCTION_FLUX_R = 4     /**< Flux density away from the axis. */
-};
-
 /** Fields of the spot at potential difference 1.
  *  @param p       conduction; fields inside are not offered on an insulating base
- *  @param field   one of enum mdr_conduction_field
+ *  @param field   MDR_FLUX, MDR_FLUX_Z, MDR_FLUX_R or MDR_POTENTIAL
  *  @param radius  a > 0 [length]
- *  @param body    one of enum mdr_body; not used by MDR_CONDUCTION_FLUX
+ *  @param body    one of enum mdr_body; not used by MDR_FLUX
  *  @param below   at an interface with a resistance: 1 the side below it, 0 the side above
- *  @param time    0: steady; else of MDR_CONDUCTION_FLUX without a film: after a step of the potential, D t/a^2 >= 1e-4 with
+ *  @param time    0: steady; else of MDR_FLUX without a film: after a step of the potential, D t/a^2 >= 1e-4 with
  *                 D = along/capacity of the surface [time]
  *  @param n       number of points
  *  @param r       [n] >= 0 [length]
- *  @param z       [n] >= 0, depth below the body's own surface; may be NULL for MDR_CONDUCTION_FLUX [length]
+ *  @param z       [n] >= 0, depth below the body's own surface; may be NULL for MDR_FLUX [length]
  *  @param out     [n] potential [1], or flux density [conductance/length^2]
  *  @return also MDR_EINVALID, MDR_EDOMAIN, MDR_ENOCONVERGENCE */
 int mdr_conduction_field(const mdr_conduction *p, int field, double radius, int body, int below, double time, int n,
                          const double r[], const double z[], double out[]);
-
-/** What a spot answers in time. */
-enum mdr_conduction_answer {
-    MDR_CONDUCTION_CONDUCTANCE = 1, /**< Flux per potential of an equipotential spot [conductance]. */
-    MDR_CONDUCTION_RESISTANCE = 2,  /**< Potential per flux of an equipotential spot [1/conductance]. */
-    MDR_CONDUCTION_MEAN = 3,        /**< Area mean of the potential per flux under a uniform flux, the film left out. */
-    MDR_CONDUCTION_CENTRE = 4,      /**< Potential in the centre per flux under a uniform flux, the film left out. */
-    MDR_CONDUCTION_GAUSSIAN = 5     /**< Mean over a Gaussian probe per flux of a Gaussian pump with radii w0 and w1 (1/e^2):
-                                         `radius` is sqrt(w0^2 + w1^2). */
-};
 
 /** C(k), what the surfaces answer to a wave of flux: potential over flux at wavenumber k, 1/(sqrt(sigma along) k) of a half-space at
  *  rest; of two bodies the sum of both, without the film in the spot. See mdr_medium_compliance().
@@ -116,7 +98,7 @@ int mdr_conduction_compliance(const mdr_conduction *p, double omega, int n, cons
 
 /** Answers to exp(i omega t): complex, ahead of its cause or behind it.
  *  @param p         conduction
- *  @param answer    one of enum mdr_conduction_answer
+ *  @param answer    MDR_CONDUCTANCE, MDR_RESISTANCE, MDR_MEAN_POTENTIAL, MDR_CENTRE_POTENTIAL or MDR_GAUSSIAN_POTENTIAL
  *  @param radius    a > 0 [length]
  *  @param n         number of frequencies
  *  @param omega     [n] angular frequencies >= 0, omega a^2/D <= 1e5 with D = along/capacity of the surface; 0: steady [1/time]
@@ -127,14 +109,14 @@ int mdr_conduction_admittance(const mdr_conduction *p, int answer, double radius
                               double ahead[]);
 
 /** Answers in time: to a step at time 0, or to any history that goes evenly from one value to the next; of potential for
- *  MDR_CONDUCTION_CONDUCTANCE, else of flux.
+ *  MDR_CONDUCTANCE, else of flux.
  *  @param p       conduction
- *  @param answer  one of enum mdr_conduction_answer
+ *  @param answer  as for mdr_conduction_admittance()
  *  @param radius  as for mdr_conduction_admittance()
  *  @param n       number of times
  *  @param time    [n] > 0, D t/a^2 >= 1e-4 with D = along/capacity of the surface; of a history ascending, and apart by that [time]
  *  @param given   [n] the history, whose first value is 0; NULL: a step to 1
- *  @param out     [n] flux or potential, see enum mdr_conduction_answer
+ *  @param out     [n] flux or potential, see enum mdr_quantity
  *  @return also MDR_EINVALID, MDR_EDOMAIN, MDR_ENOCONVERGENCE */
 int mdr_conduction_follow(const mdr_conduction *p, int answer, double radius, int n, const double time[], const double given[],
                           double out[]);
@@ -164,10 +146,10 @@ int mdr_conduction_along(const mdr_conduction *p, const mdr_contact *c, int n, c
 
 /** How the heat of friction is made. */
 enum mdr_heat_motion {
-    MDR_HEAT_SLIDING = 1,  /**< q = mu v p(r), the source resting on both bodies: fretting, or low speeds. */
-    MDR_HEAT_SPINNING = 2, /**< q = mu omega r p(r) of a twist about the axis: exact at any speed. */
-    MDR_HEAT_MOVING = 3    /**< q = mu v p(r), the source moving over the lower body, v a c/sigma <= 1000, and resting on the
-                                upper one. Of two bodies the share is that of equal flux_mean, an approximation. */
+    MDR_HEAT_SLIDING = 1901,  /**< q = mu v p(r), the source resting on both bodies: fretting, or low speeds. */
+    MDR_HEAT_SPINNING = 1902, /**< q = mu omega r p(r) of a twist about the axis: exact at any speed. */
+    MDR_HEAT_MOVING = 1903    /**< q = mu v p(r), the source moving over the lower body, v a c/sigma <= 1000, and resting on the
+                                   upper one. Of two bodies the share is that of equal flux_mean, an approximation. */
 };
 
 /** The heat of friction of a state, and temperature rises of the contact over those far away. */

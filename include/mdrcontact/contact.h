@@ -19,22 +19,15 @@ typedef struct mdr_contact mdr_contact;
 
 /** The edge opening dl of an adhesive contact: the distance of the springs at the edge from the indenter when they let go. */
 enum mdr_adhesion_rule {
-    MDR_ADHESION_AUTOMATIC = 0, /**< Energy where the medium meets the balance exactly, the source's rule elsewhere. */
-    MDR_ADHESION_PAPER = 1,     /**< dl = sqrt(2 pi a gamma/E_eff), equation (28). */
-    MDR_ADHESION_ENERGY = 2     /**< dl = sqrt(4 pi a gamma/k'(a)), the balance of energy. */
+    MDR_ADHESION_AUTOMATIC = 801, /**< Energy where the medium meets the balance exactly, the source's rule elsewhere. */
+    MDR_ADHESION_PAPER = 802,     /**< dl = sqrt(2 pi a gamma/E_eff), equation (28). */
+    MDR_ADHESION_ENERGY = 803     /**< dl = sqrt(4 pi a gamma/k'(a)), the balance of energy. */
 };
 
 /** Which stable state is meant where an adhesive contact has several. */
 enum mdr_branch {
-    MDR_ON_LOADING = 1,  /**< The smallest contact, met when the bodies approach. */
-    MDR_ON_UNLOADING = 2 /**< The largest contact, kept when they are drawn apart: what is usually meant. */
-};
-
-/** What the machine prescribes. */
-enum mdr_control {
-    MDR_CONTROL_FORCE = 0, /**< The normal force. */
-    MDR_CONTROL_DEPTH = 1, /**< The indentation depth. */
-    MDR_CONTROL_SPRING = 2 /**< The far end of a spring that presses the indenter, d + F/stiffness; loops only. */
+    MDR_ON_LOADING = 301,  /**< The smallest contact, met when the bodies approach. */
+    MDR_ON_UNLOADING = 302 /**< The largest contact, kept when they are drawn apart: what is usually meant. */
 };
 
 /** What a contact can have beyond indenter and medium. Begun by MDR_SIZED. The arrays are
@@ -74,35 +67,13 @@ typedef struct mdr_state {
                              cohesive stress [length]. With radius 0 they attract each other without contact. */
 } mdr_state;
 
-/** Which number determines a state. */
-enum mdr_given {
-    MDR_GIVEN_DEPTH = 1, /**< Indentation depth >= 0, with adhesion down to the pull-off depth [length]. */
-    MDR_GIVEN_FORCE = 2, /**< Normal force >= 0, with adhesion down to the pull-off force [modulus length^2]. */
-    MDR_GIVEN_RADIUS = 3 /**< Contact radius >= 0, at least that of the indenter's flat end, below its vertical wall [length]. With
-                              adhesion the state may be unstable under given depth or force. */
-};
-
-/** Fields of a state. */
-enum mdr_field_kind {
-    MDR_FIELD_PRESSURE = 1,     /**< p(r), the contact pressure, equation (6), 0 <= r <= a [modulus]. Infinite where theory says
-                                     so: at the edge of a flat punch or of an adhesive contact, at the apex of a cone. With a
-                                     cohesive stress sigma up to zone_radius, finite at a and -sigma from there on. */
-    MDR_FIELD_DISPLACEMENT = 2, /**< u(r), the displacement of the surface: d - f(r) for r <= a, where f(r) must be defined; the
-                                     free surface beyond; any r >= 0. Of two bodies both together, each into its body [length]. */
-    MDR_FIELD_LINE_LOAD = 3,    /**< q(x), the line load of the one-dimensional springs, equations (5), (21), 0 <= x <= a, or to
-                                     zone_radius [modulus length]. */
-    MDR_FIELD_DISPLACEMENT_LOWER = 4, /**< u(r) of the medium, or of the lower of two bodies, into that body: where its surface was
-                                           flat, the shape of the deformed interface for r <= a [length]. */
-    MDR_FIELD_DISPLACEMENT_UPPER = 5  /**< u(r) of the upper body, into that body; 0 for a rigid indenter [length]. */
-};
-
 /** States from depths, forces or radii.
  *
  *  A coating far stiffer than the body, from 80 times under a cone, from 12 times at the corner of a wide flat end, bends so much
  *  that depth and force fall over some radii. Of several states of one depth or force without adhesion the one with the smallest
  *  radius is given, to which the contact grows from first touch; larger ones would pull (mdr_contact_lowest_pressure()).
  *  @param c       contact
- *  @param given   one of enum mdr_given: what `in` holds
+ *  @param given   MDR_DEPTH, MDR_FORCE or MDR_RADIUS: what `in` holds
  *  @param branch  one of enum mdr_branch: which state of an adhesive contact; not looked at for radii
  *  @param n       number of states
  *  @param in      [n] depths, forces or radii
@@ -119,7 +90,7 @@ int mdr_contact_states(const mdr_contact *c, int given, int branch, int n, const
  *  Any other body or path, as a contact that shrinks and grows again, is marched through time with the memory of all layers, under
  *  the model exact and unless a dashpot is in parallel at the surface; power laws are sums of exponentials there.
  *  @param c          contact
- *  @param given      one of enum mdr_given
+ *  @param given      MDR_DEPTH, MDR_FORCE or MDR_RADIUS: what `in` holds
  *  @param tolerance  of marching, relative to the largest depth, radius and force; 1e-9 to 1e-2, 1e-5 is a good choice
  *  @param n          number of times
  *  @param time       [n] strictly ascending [time]
@@ -145,20 +116,14 @@ int mdr_contact_history(const mdr_contact *c, int given, double tolerance, int n
 int mdr_contact_dynamic_stiffness(const mdr_contact *c, int n, const double omega[], const double radius[], double storage[],
                                   double loss[]);
 
-/** What answers a step at constant contact radius, as under a flat punch. */
-enum mdr_step {
-    MDR_STEP_RELAXATION = 1, /**< Force per depth after a step of the depth [modulus length]. */
-    MDR_STEP_CREEP = 2       /**< Depth per force after a step of the force [1/(modulus length)]. */
-};
-
 /** The answer of a viscoelastic body to a step at time 0, the contact radius being held. Bodies as for
  *  mdr_contact_dynamic_stiffness().
  *  @param c       contact; the indenter does not matter
- *  @param step    one of enum mdr_step
+ *  @param step    MDR_RELAXATION or MDR_CREEP: which step
  *  @param radius  contact radius > 0 [length]
  *  @param n       number of times
  *  @param time    [n] > 0 [time]
- *  @param out     [n] see enum mdr_step
+ *  @param out     [n] see enum mdr_quantity
  *  @return as mdr_contact_dynamic_stiffness() */
 int mdr_contact_step_response(const mdr_contact *c, int step, double radius, int n, const double time[], double out[]);
 
@@ -173,11 +138,11 @@ int mdr_contact_energy(const mdr_contact *c, const mdr_state *state, double *low
 
 /** A field of a state.
  *  @param c      contact
- *  @param field  one of enum mdr_field_kind
+ *  @param field  MDR_PRESSURE, MDR_DISPLACEMENT, MDR_DISPLACEMENT_LOWER, MDR_DISPLACEMENT_UPPER or MDR_LINE_LOAD
  *  @param state  a state of this contact, with a radius > 0
  *  @param n      number of positions
- *  @param r      [n] r or x, see enum mdr_field_kind [length]
- *  @param out    [n] values, see enum mdr_field_kind
+ *  @param r      [n] r or x, see enum mdr_quantity [length]
+ *  @param out    [n] values, see enum mdr_quantity
  *  @return also MDR_EDOMAIN for a position outside the range of the field, MDR_ENOCONVERGENCE */
 int mdr_contact_field(const mdr_contact *c, int field, const mdr_state *state, int n, const double r[], double out[]);
 
@@ -186,7 +151,7 @@ int mdr_contact_field(const mdr_contact *c, int field, const mdr_state *state, i
  *  punch) at a ratio of moduli of 100; at larger ones, where the radius jumps, by as much as the force jumps there: under a cone
  *  7 % at 300, 28 % at 1,000. It happens on stiff coatings, solved exactly: from a ratio of moduli of 5 (nu = 1/2) to 7 (nu = 0)
  *  under flat ends, 6 to 10 under r^4, 8 to 12 under r^3, 12 to 20 under r^2.5, 50 to 100 under cones; never under paraboloids.
- *  It can also show outside alone: where the surface beyond the contact, MDR_FIELD_DISPLACEMENT, would pass through the indenter,
+ *  It can also show outside alone: where the surface beyond the contact, MDR_DISPLACEMENT, would pass through the indenter,
  *  u(r) < d - f(r), as under cones from a ratio of 300 on.
  *  @param c         contact without adhesion
  *  @param state     a state of this contact, with a radius > 0
@@ -220,14 +185,14 @@ int mdr_contact_warnings(const mdr_contact *c, const mdr_state *state, char *buf
 
 /** Which body of a contact. */
 enum mdr_body {
-    MDR_BODY_LOWER = 1, /**< The medium, or the lower one of two. */
-    MDR_BODY_UPPER = 2  /**< The upper one of two deformable bodies; a rigid indenter is none. */
+    MDR_BODY_LOWER = 401, /**< The medium, or the lower one of two. */
+    MDR_BODY_UPPER = 402  /**< The upper one of two deformable bodies; a rigid indenter is none. */
 };
 
 /** Which side of an interface between layers: sigma_rr, sigma_tt and sigma_rt jump there. */
 enum mdr_side {
-    MDR_SIDE_BELOW = 1, /**< That of the larger depth. */
-    MDR_SIDE_ABOVE = 2  /**< That of the smaller depth. */
+    MDR_SIDE_BELOW = 501, /**< That of the larger depth. */
+    MDR_SIDE_ABOVE = 502  /**< That of the smaller depth. */
 };
 
 /** Displacements and stresses at a point inside a body, in cylinder coordinates (r, t, z); z and u_z point into the body, tension
@@ -289,20 +254,9 @@ int mdr_contact_interior_error(const mdr_contact *c, int body, const mdr_state *
  *  @return also MDR_EINVALID for graded bodies and media without E and nu, MDR_ENOCONVERGENCE */
 int mdr_contact_layer_energies(const mdr_contact *c, int body, const mdr_state *state, int capacity, double out[], int *count);
 
-/** Which largest stress is meant: of a layer, at an interface or on the free surface. */
-enum mdr_stress {
-    MDR_VON_MISES = 1,           /**< Of a layer: the von Mises stress; a metal yields at the yield stress. */
-    MDR_LARGEST_SHEAR = 2,       /**< Of a layer: (s_1 - s_3)/2; by Tresca a metal yields at half the yield stress. */
-    MDR_LARGEST_TENSION = 3,     /**< Of a layer: the largest principal stress s_1. A strength of the first layer is one of its
-                                      free surface, too. */
-    MDR_INTERFACE_SHEAR = 4,     /**< Of an interface: sqrt(s_rz^2 + s_tz^2). */
-    MDR_INTERFACE_TENSION = 5,   /**< Of an interface: s_zz. */
-    MDR_FREE_SURFACE_TENSION = 6 /**< Of the free surface, a <= r <= 3 a: s_1, which opens ring cracks. */
-};
-
 /** A largest stress and where it is. */
 typedef struct mdr_maximum {
-    int quantity; /**< One of enum mdr_stress. */
+    int quantity; /**< MDR_VON_MISES to MDR_FREE_SURFACE_TENSION of enum mdr_quantity. */
     int place;    /**< Which layer or interface, 0 is the first one from the surface; 0 of the free surface. */
     double value; /**< The stress, negative where all of it is compression [modulus]. */
     double r;     /**< Distance from the axis [length]. */
@@ -328,7 +282,7 @@ int mdr_contact_critical(const mdr_contact *c, int body, const mdr_state *state,
 
 /** What a layer, an interface or the free surface bears. */
 typedef struct mdr_strength {
-    int quantity; /**< One of enum mdr_stress. */
+    int quantity; /**< MDR_VON_MISES to MDR_FREE_SURFACE_TENSION of enum mdr_quantity. */
     int place;    /**< Which layer or interface, 0 is the first one from the surface; 0 of the free surface. */
     double value; /**< The strength > 0 [modulus]. */
 } mdr_strength;
@@ -341,7 +295,7 @@ typedef struct mdr_failure_load {
     double stiffness;   /**< k [modulus length]. */
     double punch_depth; /**< Depth beyond that of the non-adhesive state [length]. */
     double zone_radius; /**< 0 [length]. */
-    int quantity;       /**< Of the strength, one of enum mdr_stress. */
+    int quantity;       /**< Of the strength. */
     int place;          /**< Of the strength. */
     double strength;    /**< [modulus] */
     double value;       /**< The largest stress: the strength, or more where that is reached at any load [modulus]. */

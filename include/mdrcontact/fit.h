@@ -15,23 +15,21 @@ extern "C" {
 
 /** What x and y of the data are. */
 enum mdr_fit_data_kind {
-    MDR_FIT_FORCE_DEPTH = 1,      /**< Indentation depth [length] and force [modulus length^2]. */
-    MDR_FIT_STIFFNESS_DEPTH = 2,  /**< Indentation depth [length] and contact stiffness > 0 [modulus length]; given the force of
-                                       each point [modulus length^2] (dynamic nanoindentation). */
-    MDR_FIT_MODULUS_RADIUS = 3,   /**< Contact radius > 0 [length] and effective contact modulus [modulus]. */
-    MDR_FIT_STIFFNESS_RADIUS = 4, /**< Contact radius > 0 [length] and contact stiffness [modulus length]. */
-    MDR_FIT_FORCE_TIME = 5,       /**< Ascending times [time] and force [modulus length^2] of a viscoelastic body; given the
-                                       indentation depth at each time [length], in between linear: mdr_contact_history(). */
-    MDR_FIT_DEPTH_TIME = 6,       /**< Ascending times [time] and indentation depth [length]; given the force [modulus length^2]. */
-    MDR_FIT_DYNAMIC_STIFFNESS = 7 /**< Angular frequency > 0 [1/time] and, as `branch` says of each point, MDR_FIT_STORAGE or
-                                       MDR_FIT_LOSS, real or imaginary part of the dynamic stiffness [modulus length]; given the
-                                       contact radius > 0 [length]: mdr_contact_dynamic_stiffness(). */
+    MDR_FIT_FORCE_DEPTH = 1501,      /**< Indentation depth [length] and force [modulus length^2]. */
+    MDR_FIT_STIFFNESS_DEPTH = 1502,  /**< Indentation depth [length] and contact stiffness > 0 [modulus length]; given the force of
+                                          each point [modulus length^2] (dynamic nanoindentation). */
+    MDR_FIT_MODULUS_RADIUS = 1503,   /**< Contact radius > 0 [length] and effective contact modulus [modulus]. */
+    MDR_FIT_STIFFNESS_RADIUS = 1504, /**< Contact radius > 0 [length] and contact stiffness [modulus length]. */
+    MDR_FIT_FORCE_TIME = 1505,       /**< Ascending times [time] and force [modulus length^2] of a viscoelastic body; given the
+                                          indentation depth at each time [length], in between linear: mdr_contact_history(). */
+    MDR_FIT_DEPTH_TIME = 1506,       /**< Ascending times [time] and indentation depth [length]; given the force [modulus
+                                          length^2]. */
+    MDR_FIT_DYNAMIC_STIFFNESS = 1507 /**< Angular frequency > 0 [1/time] and, as `branch` says of each point, MDR_STORAGE or
+                                          MDR_LOSS, real or imaginary part of the dynamic stiffness [modulus length]; given the
+                                          contact radius > 0 [length]: mdr_contact_dynamic_stiffness(). */
 };
 
-/** What a point of MDR_FIT_DYNAMIC_STIFFNESS is: the real or the imaginary part. */
-enum mdr_fit_part { MDR_FIT_STORAGE = 1, MDR_FIT_LOSS = 2 };
-
-/** The parameters of the instrument, by their place behind those of indenter, medium and counterbody. */
+/** The parameters of the instrument, by their place behind those of indenter, medium and counterbody: indices, not codes. */
 enum mdr_fit_instrument {
     MDR_FIT_WORK_OF_ADHESION = 0,     /**< gamma >= 0; the search begins above 0 [modulus length]. */
     MDR_FIT_DEPTH_OFFSET = 1,         /**< Depth that the instrument reads at first contact [length]. */
@@ -54,9 +52,9 @@ enum mdr_fit_instrument {
 
 /** How residuals r, in standard deviations, count; s is loss_scale. */
 enum mdr_fit_loss {
-    MDR_FIT_LINEAR = 0, /**< r^2: least squares. */
-    MDR_FIT_HUBER = 1,  /**< r^2 up to s, then growing in proportion to r. */
-    MDR_FIT_CAUCHY = 2  /**< s^2 ln(1 + r^2/s^2). */
+    MDR_FIT_LINEAR = 1601, /**< r^2: least squares. */
+    MDR_FIT_HUBER = 1602,  /**< r^2 up to s, then growing in proportion to r. */
+    MDR_FIT_CAUCHY = 1603  /**< s^2 ln(1 + r^2/s^2). */
 };
 
 /** One parameter of the problem, in its own unit. */
@@ -95,7 +93,7 @@ typedef struct mdr_fit_problem {
     const int *branch;                   /**< [n] of enum mdr_branch; NULL: all points on one branch, down to pull-off. Matters
                                               with adhesion, where the bodies part at pull-off and read the force offset from there.
                                               In a fit the readings say which points are in contact, in mdr_fit_predict() the
-                                              model does. For MDR_FIT_DYNAMIC_STIFFNESS of enum mdr_fit_part. */
+                                              model does. For MDR_FIT_DYNAMIC_STIFFNESS MDR_STORAGE or MDR_LOSS. */
     int is_elastic;                      /**< Of MDR_FIT_STIFFNESS_DEPTH: 1: nothing has yielded, loading and unloading are one curve,
                                               and the surface sinks in as under the indenter itself; 0 (default): it sinks in as
                                               under the smooth indenter that MDR_FIT_CONTACT_DEPTH_FACTOR stands for. */

@@ -18,8 +18,8 @@ typedef struct mdr_friction mdr_friction;
 
 /** How a state is sheared. */
 enum mdr_shear_direction {
-    MDR_ALONG = 1, /**< The indenter is displaced along the surface. */
-    MDR_AROUND = 2 /**< It is twisted about its axis. */
+    MDR_ALONG = 601, /**< The indenter is displaced along the surface. */
+    MDR_AROUND = 602 /**< It is twisted about its axis. */
 };
 
 /** A state of shear under a constant normal force: a disc of stick inside an annulus of slip. Shift and force have one sign. */
@@ -34,27 +34,6 @@ typedef struct mdr_shear_state {
     double sliding;           /**< 1 if the whole contact slides, else 0; under a twist 1 if the disc of stick is smaller than
                                    1e-6 a, which no torque distinguishes from 0. */
 } mdr_shear_state;
-
-/** Which number determines a state of shear along the surface. */
-enum mdr_tangential_given {
-    MDR_GIVEN_SHIFT = 1,           /**< The shift s, of either sign [length]. */
-    MDR_GIVEN_TANGENTIAL_FORCE = 2 /**< The tangential force T, |T| <= coefficient F; at that bound the state in which sliding
-                                        begins [modulus length^2]. */
-};
-
-/** Which number determines a state of shear around the axis. */
-enum mdr_torsional_given {
-    MDR_GIVEN_TWIST = 1, /**< The twist phi, of either sign [radian]. */
-    MDR_GIVEN_TORQUE = 2 /**< The torque M, smaller than that of sliding [modulus length^3]. */
-};
-
-/** Fields of a state of shear. */
-enum mdr_tangential_field {
-    MDR_FIELD_TRACTION = 1,            /**< tau(r), the shear traction along the shift, of one direction, or around the axis,
-                                            0 <= r <= a [modulus]. */
-    MDR_FIELD_TANGENTIAL_LINE_LOAD = 2 /**< q_t(x), the line load of the springs along the shift, 0 <= x <= a; or
-                                            2 x int_x^a tau dr/sqrt(r^2 - x^2) [modulus length]. */
-};
 
 /** Coulomb's law in a contact: slip where the traction reaches coefficient times pressure, stick where it is less.
  *
@@ -89,7 +68,7 @@ int mdr_shear_new(const mdr_friction *f, const mdr_state *state, int direction, 
 
 /** States of shear, each reached from 0 in one go.
  *  @param s      sheared state
- *  @param given  one of enum mdr_tangential_given for MDR_ALONG, of enum mdr_torsional_given for MDR_AROUND: what `in` holds
+ *  @param given  what `in` holds: MDR_SHIFT or MDR_TANGENTIAL_FORCE for MDR_ALONG, MDR_TWIST or MDR_TORQUE for MDR_AROUND
  *  @param n      number of states
  *  @param in     [n] shifts or tangential forces, twists or torques
  *  @param out    [n] states
@@ -114,7 +93,7 @@ int mdr_shear_about(const mdr_shear *s, mdr_shear_facts *facts);
 /** A field of a state of shear.
  *  @param s      sheared state
  *  @param at     a state of shear of it
- *  @param field  one of enum mdr_tangential_field
+ *  @param field  MDR_TRACTION or MDR_TANGENTIAL_LINE_LOAD
  *  @param n      number of positions
  *  @param r      [n] r or x, 0 <= r <= a [length]
  *  @param out    [n] values
@@ -159,8 +138,8 @@ int mdr_friction_history_copy(const mdr_friction_history *h, mdr_friction_histor
 
 /** Goes on along a path of steps in which depth and shift change in proportion. After a failure the history is as before the call.
  *  @param h                 history
- *  @param normal_given      MDR_GIVEN_DEPTH or MDR_GIVEN_FORCE: what `normal` holds
- *  @param tangential_given  one of enum mdr_tangential_given: what `tangential` holds
+ *  @param normal_given      MDR_DEPTH or MDR_FORCE: what `normal` holds
+ *  @param tangential_given  MDR_SHIFT or MDR_TANGENTIAL_FORCE: what `tangential` holds
  *  @param n                 number of steps
  *  @param normal            [n] depths or normal forces at the ends of the steps, >= 0; 0 parts the bodies
  *  @param tangential        [n] shifts or tangential forces there, |T| < coefficient F

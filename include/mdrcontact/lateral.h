@@ -31,14 +31,15 @@ typedef int (*mdr_field)(double x, double y, double z, double *E, double *nu, vo
 
 /** Shapes of bodies in a half-space, with their parameters in order; all but directions are [length]. */
 enum mdr_shape {
-    MDR_SHAPE_LAYER = 0,      /**< z_top, z_bottom > z_top; INFINITY is allowed. */
-    MDR_SHAPE_HALF_SPACE = 1, /**< x, y, z of a point on the interface; x, y, z of the normal, of any length, into the material. */
-    MDR_SHAPE_BALL = 2,       /**< x, y, z of the centre; radius > 0. */
-    MDR_SHAPE_FIBRE = 3,      /**< Endless round cylinder: x, y, z of a point on the axis; x, y, z of its direction, of any
-                                   length; radius > 0. */
-    MDR_SHAPE_PILLAR = 4,     /**< Upright round cylinder: x, y of the axis; radius > 0; z_top, z_bottom > z_top; INFINITY is
-                                   allowed. */
-    MDR_SHAPE_BOX = 5         /**< x_low, x_high, y_low, y_high, z_top, z_bottom, ascending in pairs. */
+    MDR_SHAPE_LAYER = 1401,      /**< z_top, z_bottom > z_top; INFINITY is allowed. */
+    MDR_SHAPE_HALF_SPACE = 1402, /**< x, y, z of a point on the interface; x, y, z of the normal, of any length, into the
+                                      material. */
+    MDR_SHAPE_BALL = 1403,       /**< x, y, z of the centre; radius > 0. */
+    MDR_SHAPE_FIBRE = 1404,      /**< Endless round cylinder: x, y, z of a point on the axis; x, y, z of its direction, of any
+                                      length; radius > 0. */
+    MDR_SHAPE_PILLAR = 1405,     /**< Upright round cylinder: x, y of the axis; radius > 0; z_top, z_bottom > z_top; INFINITY is
+                                      allowed. */
+    MDR_SHAPE_BOX = 1406         /**< x_low, x_high, y_low, y_high, z_top, z_bottom, ascending in pairs. */
 };
 
 /** What a structure leaves to choose. Begun by MDR_SIZED; a structure looks only at what concerns

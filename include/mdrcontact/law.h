@@ -98,7 +98,7 @@ int mdr_law_follow(const mdr_law *law, double d, int *segment, mdr_law_point *po
 
 /** States of a law. Outputs that are NULL are skipped, and cost nothing.
  *  @param law     law
- *  @param given   MDR_GIVEN_DEPTH or MDR_GIVEN_FORCE: what `in` holds
+ *  @param given   MDR_DEPTH or MDR_FORCE: what `in` holds
  *  @param branch  one of enum mdr_branch
  *  @param n       number of states
  *  @param in      [n] depths up to the largest one, where all else is 0 for bodies that are apart [length]; or forces >= 0, with

@@ -37,18 +37,9 @@ int mdr_material_viscoelastic(double relaxed_shear_modulus, int n, const double 
  *  @param out       receives the handle */
 int mdr_material_power_law(double modulus, double time, double exponent, double nu, mdr_material **out);
 
-/** What is wanted of a viscoelastic material. */
-enum mdr_material_quantity {
-    MDR_RELAXATION = 1,     /**< G(t), the shear relaxation modulus [modulus], at t = 0 the glassy one; a dashpot bears nothing at
-                                 t > 0. t >= 0, and > 0 of a power law or with a dashpot, whose G(0) is infinite. */
-    MDR_CREEP = 2,          /**< J(t), the shear compliance: the strain under a constant stress of 1 [1/modulus]; J(0) = 0 of a power
-                                 law or with a dashpot. t >= 0. */
-    MDR_COMPLEX_MODULUS = 3 /**< The complex shear modulus at angular frequencies omega > 0, storage and loss modulus [modulus]. */
-};
-
 /** A quantity of a viscoelastic material.
  *  @param m          material
- *  @param quantity   one of enum mdr_material_quantity
+ *  @param quantity   MDR_RELAXATION, MDR_CREEP or MDR_COMPLEX_MODULUS
  *  @param n          number of times or frequencies
  *  @param x          [n] t [time] or omega [1/time]
  *  @param out        [n] values, of the complex modulus real parts
@@ -57,8 +48,8 @@ int mdr_material_values(const mdr_material *m, int quantity, int n, const double
 
 /** The elastic materials that a viscoelastic one is like under sudden and under lasting loads. */
 enum mdr_limit {
-    MDR_LIMIT_GLASSY = 1, /**< At once. */
-    MDR_LIMIT_RELAXED = 2 /**< In the end. */
+    MDR_LIMIT_GLASSY = 701, /**< At once. */
+    MDR_LIMIT_RELAXED = 702 /**< In the end. */
 };
 
 /** E and nu of a limit.

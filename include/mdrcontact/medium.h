@@ -19,20 +19,20 @@ typedef struct mdr_medium mdr_medium;
 /** Models of a coated, layered or graded half-space. h is the thickness, x = a/h, xi = h/a, index 0 the coating, 1 the substrate,
  *  E* = E/(1 - nu^2). */
 enum mdr_model {
-    MDR_MODEL_GAO = 0,                /**< Gao's weights, moduli in parallel, equations (12)-(16): the source's model. */
-    MDR_MODEL_GAO_SERIES = 1,         /**< Gao's weights, 1/G in series: far closer to the exact solution at large contrast. */
-    MDR_MODEL_DOERNER_NIX = 2,        /**< 1/E_eff = (1 - e^(-alpha xi))/E*0 + e^(-alpha xi)/E*1, equation (11). */
-    MDR_MODEL_WAVE = 3,               /**< Response to a wave of wavenumber q = wave_factor/a, equations (19), (20). */
-    MDR_MODEL_MENCIK_EXPONENTIAL = 4, /**< E_eff = E*1 + (E*0 - E*1) e^(-alpha x). */
-    MDR_MODEL_MENCIK_RECIPROCAL = 5,  /**< 1/E_eff = 1/E*1 + (1/E*0 - 1/E*1) e^(-alpha x). */
-    MDR_MODEL_BEC = 6,                /**< Bec et al. 2006: film and substrate as springs in series. */
-    MDR_MODEL_PERRIOT_BARTHEL = 7,    /**< Perriot, Barthel 2004: a fit to their exact solution. */
-    MDR_MODEL_HAY_CRAWFORD = 8,       /**< Hay, Crawford 2011: Gao's weights with the film also acting in parallel. */
-    MDR_MODEL_DIMITRIADIS = 9,        /**< Dimitriadis et al. 2002: layer with nu = 1/2 on a rigid base, for a paraboloid or a
-                                           sphere and a < h; all else is refused. */
-    MDR_MODEL_GARCIA = 10,            /**< Garcia, Garcia 2018: the same with their coefficients. */
-    MDR_MODEL_EXACT = 11,             /**< The exact solution of the layered half-space. */
-    MDR_MODEL_GAO_POWER = 12          /**< Gao's weights, power mean G_eff = [G1^p + (G0^p - G1^p) I0]^(1/p) between the two. */
+    MDR_MODEL_GAO = 201,                /**< Gao's weights, moduli in parallel, equations (12)-(16): the source's model. */
+    MDR_MODEL_GAO_SERIES = 202,         /**< Gao's weights, 1/G in series: far closer to the exact solution at large contrast. */
+    MDR_MODEL_DOERNER_NIX = 203,        /**< 1/E_eff = (1 - e^(-alpha xi))/E*0 + e^(-alpha xi)/E*1, equation (11). */
+    MDR_MODEL_WAVE = 204,               /**< Response to a wave of wavenumber q = wave_factor/a, equations (19), (20). */
+    MDR_MODEL_MENCIK_EXPONENTIAL = 205, /**< E_eff = E*1 + (E*0 - E*1) e^(-alpha x). */
+    MDR_MODEL_MENCIK_RECIPROCAL = 206,  /**< 1/E_eff = 1/E*1 + (1/E*0 - 1/E*1) e^(-alpha x). */
+    MDR_MODEL_BEC = 207,                /**< Bec et al. 2006: film and substrate as springs in series. */
+    MDR_MODEL_PERRIOT_BARTHEL = 208,    /**< Perriot, Barthel 2004: a fit to their exact solution. */
+    MDR_MODEL_HAY_CRAWFORD = 209,       /**< Hay, Crawford 2011: Gao's weights with the film also acting in parallel. */
+    MDR_MODEL_DIMITRIADIS = 210,        /**< Dimitriadis et al. 2002: layer with nu = 1/2 on a rigid base, for a paraboloid or a
+                                             sphere and a < h; all else is refused. */
+    MDR_MODEL_GARCIA = 211,             /**< Garcia, Garcia 2018: the same with their coefficients. */
+    MDR_MODEL_EXACT = 212,              /**< The exact solution of the layered half-space. */
+    MDR_MODEL_GAO_POWER = 213           /**< Gao's weights, power mean G_eff = [G1^p + (G0^p - G1^p) I0]^(1/p) between the two. */
 };
 
 /** The name of a model, as Python and problem files write it: "gao-series", "exact", ...
@@ -50,9 +50,9 @@ int mdr_model_from_name(const char *name, int *model);
 
 /** Which substrates a model takes. */
 enum mdr_model_base {
-    MDR_BASE_ELASTIC = 0, /**< An elastic half-space. */
-    MDR_BASE_ANY = 1,     /**< An elastic half-space or a rigid base. */
-    MDR_BASE_RIGID = 2    /**< A rigid base. */
+    MDR_BASE_ELASTIC = 1301, /**< An elastic half-space. */
+    MDR_BASE_ANY = 1302,     /**< An elastic half-space or a rigid base. */
+    MDR_BASE_RIGID = 1303    /**< A rigid base. */
 };
 
 /** What a model takes. */
@@ -76,10 +76,10 @@ int mdr_model_info(int model, mdr_model_facts *facts);
 
 /** Which Poisson's ratio enters I0 of Gao's weights, which the source leaves open. */
 enum mdr_weight_nu {
-    MDR_WEIGHT_NU_SURFACE = 0,   /**< That of the surface: the most accurate on average, and the default. */
-    MDR_WEIGHT_NU_SUBSTRATE = 1, /**< That of the substrate. */
-    MDR_WEIGHT_NU_EFFECTIVE = 2, /**< The effective one at the same a. */
-    MDR_WEIGHT_NU_GIVEN = 3      /**< The number weight_nu. */
+    MDR_WEIGHT_NU_SURFACE = 1201,   /**< That of the surface: the most accurate on average, and the default. */
+    MDR_WEIGHT_NU_SUBSTRATE = 1202, /**< That of the substrate. */
+    MDR_WEIGHT_NU_EFFECTIVE = 1203, /**< The effective one at the same a. */
+    MDR_WEIGHT_NU_GIVEN = 1204      /**< The number weight_nu. */
 };
 
 /** What a model leaves to choose. Begun by MDR_SIZED; a model looks only at what concerns it. */
@@ -241,24 +241,10 @@ int mdr_medium_table(int n, const double a[], const double moduli[], mdr_medium 
  *  @return also MDR_ECALLBACK, MDR_ENOCONVERGENCE if the function is not smooth enough to be sampled */
 int mdr_medium_function(mdr_function modulus, void *context, double smallest_radius, double largest_radius, mdr_medium **out);
 
-/** What is wanted of a medium at a contact radius. */
-enum mdr_medium_quantity {
-    MDR_MODULUS = 1,            /**< E_eff(a), the effective contact modulus, equation (10) [modulus]. */
-    MDR_STIFFNESS = 2,          /**< k = 2 a E_eff(a), the stiffness of a flat punch of radius a, equation (10) [modulus length]. */
-    MDR_TANGENTIAL_MODULUS = 3, /**< G_t(a) = k_t(a)/(2 a), what takes E_eff's place where a contact that sticks all over is displaced
-                                     along the surface: 4 G/(2 - nu) of a homogeneous body, 1/G_t adds where two bodies touch
-                                     [modulus]. Homogeneous media with E and nu; coated, layered or graded ones under the model
-                                     MDR_MODEL_EXACT, exact but for the displacement that varies as cos 2 phi around the axis (k_t is
-                                     low by at most 0.35 %), or by Gao's weights with those of a tangential load; pairs of these. */
-    MDR_TORSIONAL_STIFFNESS = 4 /**< M/phi of a contact that sticks all over and is twisted about its axis: 16 G a^3/3 of a
-                                     homogeneous body [modulus length^3]. Exact for homogeneous media with E and nu, for coated,
-                                     layered and graded ones under the model MDR_MODEL_EXACT, and for pairs of these. */
-};
-
 /** A quantity of a medium at many contact radii. Kernels of layered bodies are tabulated in each call for MDR_TANGENTIAL_MODULUS and
  *  MDR_TORSIONAL_STIFFNESS: give all radii at once.
  *  @param m         medium
- *  @param quantity  one of enum mdr_medium_quantity
+ *  @param quantity  MDR_MODULUS, MDR_STIFFNESS, MDR_TANGENTIAL_MODULUS or MDR_TORSIONAL_STIFFNESS
  *  @param n         number of radii
  *  @param a         [n] contact radii > 0 [length]
  *  @param out       [n] values
@@ -268,9 +254,9 @@ int mdr_medium_values(const mdr_medium *m, int quantity, int n, const double a[]
 
 /** Loads of a surface. */
 enum mdr_load {
-    MDR_LOAD_NORMAL = 1, /**< A pressure. */
-    MDR_LOAD_SHEAR = 2,  /**< A traction of one direction along the surface: the mean over the directions of the wave. */
-    MDR_LOAD_TWIST = 3   /**< A traction along the surface across the wave, which one around an axis consists of. */
+    MDR_LOAD_NORMAL = 901, /**< A pressure. */
+    MDR_LOAD_SHEAR = 902,  /**< A traction of one direction along the surface: the mean over the directions of the wave. */
+    MDR_LOAD_TWIST = 903   /**< A traction along the surface across the wave, which one around an axis consists of. */
 };
 
 /** C(k), what the surface answers to a wave of load: displacement over traction at wavenumber k, of a pair the sum over both bodies.

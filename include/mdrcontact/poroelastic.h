@@ -18,21 +18,9 @@ typedef struct mdr_poroelastic mdr_poroelastic;
 
 /** What the pore fluid may do at the surface of a gel. There is no default: it matters more than anything else. */
 enum mdr_drainage {
-    MDR_DRAINAGE_SURFACE = 1, /**< It drains everywhere, under the indenter too, which is porous or leaks along the interface. */
-    MDR_DRAINAGE_SEALED = 2,  /**< No flux through the surface anywhere. */
-    MDR_DRAINAGE_INDENTER = 3 /**< No flux under the indenter, pore pressure 0 beside it. */
-};
-
-/** What answers a step at time 0 at constant contact radius. */
-enum mdr_poroelastic_answer {
-    MDR_POROELASTIC_RELAXATION = 1, /**< Force per depth of a flat punch after a step of its depth [modulus length]. */
-    MDR_POROELASTIC_CREEP = 2,      /**< Depth per force of a flat punch after a step of its force [1/(modulus length)]. */
-    MDR_POROELASTIC_PARABOLOID = 3, /**< Force per depth of a paraboloid after a step of its depth d, the contact radius
-                                         a = sqrt(R d) being held [modulus length]. In a true contact it grows and comes back: by up
-                                         to 9 % at MDR_DRAINAGE_INDENTER, where the force is then up to 0.05 of its relaxing part
-                                         off; of second order where the whole surface drains or is sealed. */
-    MDR_POROELASTIC_MEAN_RELAXATION = 4, /**< Mean of the relaxation from the step on: what answers a ramp of the depth. */
-    MDR_POROELASTIC_MEAN_CREEP = 5       /**< Mean of the creep from the step on: what answers a ramp of the force. */
+    MDR_DRAINAGE_SURFACE = 1701, /**< It drains everywhere, under the indenter too, which is porous or leaks along the interface. */
+    MDR_DRAINAGE_SEALED = 1702,  /**< No flux through the surface anywhere. */
+    MDR_DRAINAGE_INDENTER = 1703 /**< No flux under the indenter, pore pressure 0 beside it. */
 };
 
 /** The answers of a gel in time and under oscillation: a poroelastic half-space (Biot, incompressible constituents), or a film
@@ -49,13 +37,13 @@ int mdr_poroelastic_new(double nu, int drainage, double ratio, double *deviation
 
 /** The answer to a step at time 0.
  *  @param p              gel
- *  @param answer         one of enum mdr_poroelastic_answer
+ *  @param answer         MDR_RELAXATION, MDR_CREEP, MDR_PARABOLOID_RELAXATION, MDR_MEAN_RELAXATION or MDR_MEAN_CREEP
  *  @param shear_modulus  G > 0, drained and undrained [modulus]
  *  @param diffusivity    D > 0: 2 G (1 - nu)/(1 - 2 nu) times permeability over viscosity [length^2/time]
  *  @param radius         contact radius a > 0, on a film `ratio` thicknesses [length]
  *  @param n              number of times
  *  @param time           [n] >= 0; from the table up to D t/a^2 = 1e8, solved one by one beyond [time]
- *  @param out            [n] see enum mdr_poroelastic_answer
+ *  @param out            [n] see enum mdr_quantity
  *  @return also MDR_EINVALID */
 int mdr_poroelastic_response(const mdr_poroelastic *p, int answer, double shear_modulus, double diffusivity, double radius, int n,
                              const double time[], double out[]);
@@ -73,15 +61,9 @@ int mdr_poroelastic_response(const mdr_poroelastic *p, int answer, double shear_
 int mdr_poroelastic_dynamic_stiffness(const mdr_poroelastic *p, double shear_modulus, double diffusivity, double radius, int n,
                                       const double omega[], double storage[], double loss[]);
 
-/** Which pressure under an indenter. */
-enum mdr_gel_pressure {
-    MDR_POROELASTIC_TOTAL = 1, /**< The total pressure, which the indenter bears. */
-    MDR_POROELASTIC_PORE = 2   /**< That of the fluid at the surface; of a film only where it is 0, MDR_DRAINAGE_SURFACE. */
-};
-
 /** Pressures under an indenter after a step of its depth at time 0, the contact radius being held; per depth [modulus/length].
  *  @param p              gel
- *  @param kind           one of enum mdr_gel_pressure
+ *  @param kind           MDR_TOTAL_PRESSURE or MDR_PORE_PRESSURE
  *  @param is_flat        1: a flat punch, 0: a paraboloid
  *  @param shear_modulus  G > 0 [modulus]
  *  @param diffusivity    D > 0 [length^2/time]

@@ -73,14 +73,6 @@ int mdr_profile_rounded_cone(double blend_radius, double inclination, mdr_profil
  *  @param out           receives the handle */
 int mdr_profile_area_function(int n, const double coefficients[], double min_height, double max_height, mdr_profile **out);
 
-/** What is known or wanted of an indenter. */
-enum mdr_profile_quantity {
-    MDR_HEIGHT = 1,       /**< f(r), the height of its surface above its lowest point [length]. */
-    MDR_HEIGHT_SLOPE = 2, /**< f'(r) [1]; infinite at the equator of a sphere. */
-    MDR_G = 3,            /**< g(x), its one-dimensional profile, equation (3) [length]; infinite at the equator of a sphere. */
-    MDR_G_SLOPE = 4       /**< g'(x) [1]. */
-};
-
 /** Indenter through points, interpolated without overshoot. Of its height leading zeros are a flat end; if its one-dimensional
  *  profile is given, its height follows from (4).
  *  @param quantity  MDR_HEIGHT or MDR_G: what y is
@@ -110,7 +102,7 @@ int mdr_profile_sum(int n, const mdr_profile *const terms[], mdr_profile **out);
 
 /** Height or one-dimensional profile of an indenter, or the slope of either.
  *  @param p         indenter
- *  @param quantity  one of enum mdr_profile_quantity
+ *  @param quantity  MDR_HEIGHT, MDR_HEIGHT_SLOPE, MDR_G or MDR_G_SLOPE
  *  @param n         number of radii
  *  @param x         [n] r or x >= 0 [length]
  *  @param out       [n] values

@@ -34,7 +34,7 @@ int mdr_wear_new(const mdr_contact *c, int n, const double coefficient[], const 
  *  @param w             contact that wears
  *  @param state         a state of its unworn contact, with a radius > 0
  *  @param stick_radius  c, 0 < c <= a [length]
- *  @param given         what is held: MDR_GIVEN_DEPTH or MDR_GIVEN_FORCE
+ *  @param given         what is held: MDR_DEPTH or MDR_FORCE
  *  @param reached       receives depth, stick radius, force, stiffness, and the depth beyond that of the unworn state at c
  *  @param outer_radius  receives b, up to where the indenter is worn; may be NULL [length]
  *  @param worn_volume   receives int_c^b (f - f0) 2 pi r dr, of both sides together; may be NULL [length^3]
@@ -66,7 +66,7 @@ int mdr_wear_passes(const mdr_wear *w, const mdr_state *state, double depth, dou
  *  falls as exp(-s/l) after a few l. Of a coated punch that is worn through. a/(2.060650 k E*) at constant force and
  *  a/(0.578887 k E*) at constant depth on a homogeneous body.
  *  @param w       contact of a flat punch that wears, on a homogeneous or an exact medium
- *  @param given   what is constant: MDR_GIVEN_DEPTH or MDR_GIVEN_FORCE
+ *  @param given   what is constant: MDR_DEPTH or MDR_FORCE
  *  @param length  receives l, a sliding distance [length]
  *  @return also MDR_EINVALID for other indenters and media */
 int mdr_wear_running_in(const mdr_wear *w, int given, double *length);
@@ -92,16 +92,16 @@ typedef struct mdr_wear_state {
 
 /** What the indenter rubs on. */
 enum mdr_wear_places {
-    MDR_WEAR_FRESH = 1, /**< Fresh places of the body, as a tip that goes its way: the indenter alone changes. */
-    MDR_WEAR_SAME = 2   /**< The same places, as both do that move back and forth by much less than a: both change. */
+    MDR_WEAR_FRESH = 2001, /**< Fresh places of the body, as a tip that goes its way: the indenter alone changes. */
+    MDR_WEAR_SAME = 2002   /**< The same places, as both do that move back and forth by much less than a: both change. */
 };
 
 /** How a sliding contact is followed. Two resolutions, of n/2 and n intervals, march side by side; they state the error. */
 enum mdr_wear_scheme {
-    MDR_WEAR_DISC = 1, /**< A disc that moves with the edge of the contact, of second order, extrapolated: with 80 intervals a, d, F
-                            are good to 1e-4 on bodies of any layers. For contacts that do not shrink, and no flat punch. */
-    MDR_WEAR_RINGS = 2 /**< Rings that stay on the indenter, of first order: some 1e-2 with 80 intervals, but k F s is met to
-                            rounding, any path of load and depth can be followed, and a flat punch too. */
+    MDR_WEAR_DISC = 2101, /**< A disc that moves with the edge of the contact, of second order, extrapolated: with 80 intervals a,
+                               d, F are good to 1e-4 on bodies of any layers. For contacts that do not shrink, and no flat punch. */
+    MDR_WEAR_RINGS = 2102 /**< Rings that stay on the indenter, of first order: some 1e-2 with 80 intervals, but k F s is met to
+                               rounding, any path of load and depth can be followed, and a flat punch too. */
 };
 
 /** What a history of wear leaves to choose. Begun by MDR_SIZED. */
@@ -114,7 +114,7 @@ typedef struct mdr_wear_options {
 
 /** A contact that is pressed on and has not slid yet. A step takes about a millisecond.
  *  @param w        contact that wears, on a homogeneous or an exact medium
- *  @param given    MDR_GIVEN_DEPTH or MDR_GIVEN_FORCE
+ *  @param given    MDR_DEPTH or MDR_FORCE
  *  @param value    d [length] or F [modulus length^2] at the beginning, > 0
  *  @param options  see there; NULL: all defaults
  *  @param out      receives the handle
@@ -129,7 +129,7 @@ int mdr_wear_history_copy(const mdr_wear_history *h, mdr_wear_history **out);
 /** Slides on: in each part of the path depth or force goes evenly to its value at the end. After a failure the history is as before,
  *  and can go on with other values.
  *  @param h        history
- *  @param given    MDR_GIVEN_DEPTH (from the original apex) or MDR_GIVEN_FORCE
+ *  @param given    MDR_DEPTH (from the original apex) or MDR_FORCE
  *  @param n        number of parts
  *  @param sliding  [n] sliding distances, >= 0 [length]
  *  @param value    [n] d [length] or F [modulus length^2] at their ends, > 0

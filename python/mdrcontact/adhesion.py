@@ -15,11 +15,11 @@ from .errors import ArgumentTypeError, InvalidArgumentError
 
 __all__ = ["Loop", "PullOff"]
 
-RULES = {"automatic": 0, "paper": 1, "energy": 2}
+RULES = {"automatic": _layout.ADHESION_AUTOMATIC, "paper": _layout.ADHESION_PAPER, "energy": _layout.ADHESION_ENERGY}
 """Names and codes of the adhesion rules."""
-BRANCHES = {"loading": 1, "unloading": 2}
+BRANCHES = {"loading": _layout.ON_LOADING, "unloading": _layout.ON_UNLOADING}
 """Names and codes of the branches of an adhesive contact."""
-CONTROLS = {"force": 0, "depth": 1, "spring": 2}
+CONTROLS = {"force": _layout.FORCE, "depth": _layout.DEPTH, "spring": _layout.SPRING}
 """What a machine may prescribe."""
 
 _FIRST_ROOM = 16

@@ -37,11 +37,11 @@ from .state import State
 __all__ = ["Conduction", "TabulatedConduction", "Spot", "FrictionHeat", "ContactConductance"]
 
 ANSWERS: dict[str, int] = {
-    "conductance": _layout.CONDUCTION_CONDUCTANCE,
-    "resistance": _layout.CONDUCTION_RESISTANCE,
-    "mean": _layout.CONDUCTION_MEAN,
-    "centre": _layout.CONDUCTION_CENTRE,
-    "gaussian": _layout.CONDUCTION_GAUSSIAN,
+    "conductance": _layout.CONDUCTANCE,
+    "resistance": _layout.RESISTANCE,
+    "mean": _layout.MEAN_POTENTIAL,
+    "centre": _layout.CENTRE_POTENTIAL,
+    "gaussian": _layout.GAUSSIAN_POTENTIAL,
 }
 """What a spot answers in time."""
 MOTIONS: dict[str, int] = {
@@ -184,7 +184,7 @@ class Conduction(Value):
 
     def step_flux(self, r: ArrayLike, time: float, radius: float) -> FloatOrArray:
         """Flux density through a spot without a film at 0 <= r < a, a time after a step of its potential to 1."""
-        given = _layout.CONDUCTION_FLUX, number("radius", radius), _layout.BODY_LOWER, 0, not_zero("time", time)
+        given = _layout.FLUX, number("radius", radius), _layout.BODY_LOWER, 0, not_zero("time", time)
         return evaluate("r", r, lambda points: _native.conduction_field(self._handle.address, *given, points, 0))
 
     def friction_heat(
@@ -273,22 +273,22 @@ class Spot:
 
     def flux(self, r: ArrayLike) -> FloatOrArray:
         """Flux density through the spot at potential 1, 0 <= r < a [conductance/length^2]; without a film infinite at the edge."""
-        return self._field(_layout.CONDUCTION_FLUX, r, 0.0, "lower", "above")
+        return self._field(_layout.FLUX, r, 0.0, "lower", "above")
 
     def potential(self, r: ArrayLike, z: ArrayLike, body: str = "lower", side: str = "below") -> FloatOrArray:
         """Potential of a body from its own far field, at total potential 1, r >= 0, depth z >= 0 below its surface [1].
 
         side : "below" or "above", of an interface with a resistance
         """
-        return self._field(_layout.CONDUCTION_POTENTIAL, r, z, body, side)
+        return self._field(_layout.POTENTIAL, r, z, body, side)
 
     def flux_inside(
         self, r: ArrayLike, z: ArrayLike, body: str = "lower", side: str = "below"
     ) -> tuple[FloatOrArray, FloatOrArray]:
         """Flux density into the body and away from the axis at total potential 1 [conductance/length^2]."""
         return (
-            self._field(_layout.CONDUCTION_FLUX_Z, r, z, body, side),
-            self._field(_layout.CONDUCTION_FLUX_R, r, z, body, side),
+            self._field(_layout.FLUX_Z, r, z, body, side),
+            self._field(_layout.FLUX_R, r, z, body, side),
         )
 
     def _field(self, kind: int, r: ArrayLike, z: ArrayLike, body: str, side: str) -> FloatOrArray:

@@ -106,21 +106,21 @@ class Contact(Value):
         branch : where an adhesive contact has several stable states, the one met on "loading" (the smallest contact, d >= 0) or
             kept on "unloading" (the largest)
         """
-        return self._states("depth", _layout.GIVEN_DEPTH, depth, branch)
+        return self._states("depth", _layout.DEPTH, depth, branch)
 
     def at_force(self, force: ArrayLike, branch: str = "unloading") -> State:
         """The stable states under normal forces F >= 0 [modulus length^2], any shape; with adhesion down to the pull-off force.
 
         branch : as in `at_depth`
         """
-        return self._states("force", _layout.GIVEN_FORCE, force, branch)
+        return self._states("force", _layout.FORCE, force, branch)
 
     def at_radius(self, radius: ArrayLike) -> State:
         """The states of equilibrium at contact radii a >= 0 [length], any shape; with adhesion they may be unstable.
 
         A radius at a vertical wall (flat punch) determines no state.
         """
-        return self._states("radius", _layout.GIVEN_RADIUS, radius, "unloading")
+        return self._states("radius", _layout.RADIUS, radius, "unloading")
 
     def history(
         self,
@@ -221,11 +221,11 @@ class Contact(Value):
             which is porous; "sealed", no flux anywhere; "indenter", no flux under the indenter, drained beside it, on a half-space
             only. There is no default: it matters more than anything else
         """
-        return history.step(self, _layout.STEP_RELAXATION, time, radius, drainage)
+        return history.step(self, _layout.RELAXATION, time, radius, drainage)
 
     def creep(self, time: ArrayLike, radius: float | None = None, drainage: str | None = None) -> FloatOrArray:
         """Depth per force [1/(modulus length)] at times > 0 after a step of the force. Arguments as of `relaxation`."""
-        return history.step(self, _layout.STEP_CREEP, time, radius, drainage)
+        return history.step(self, _layout.CREEP, time, radius, drainage)
 
     def pressure_in_time(
         self,
@@ -318,7 +318,7 @@ class Contact(Value):
     def _warn_at(self, depth: float) -> None:
         """Looks at the state of a depth that the library reached without a state of Python's."""
         with contextlib.suppress(MDRError):
-            self._states("depth", _layout.GIVEN_DEPTH, depth, "unloading")
+            self._states("depth", _layout.DEPTH, depth, "unloading")
 
 
 def _table(zeta: Any) -> Table:

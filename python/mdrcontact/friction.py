@@ -112,10 +112,10 @@ class FrictionHistory:
         """
         if (depth is None) == (force is None) or (shift is None) == (tangential_force is None):
             raise ArgumentTypeError("a step needs one of depth and force, and one of shift and tangential_force")
-        given, normal = (_layout.GIVEN_FORCE, ("force", force)) if depth is None else (_layout.GIVEN_DEPTH, ("depth", depth))
-        along_given, along = _layout.GIVEN_SHIFT, ("shift", shift)
+        given, normal = (_layout.FORCE, ("force", force)) if depth is None else (_layout.DEPTH, ("depth", depth))
+        along_given, along = _layout.SHIFT, ("shift", shift)
         if shift is None:
-            along_given, along = _layout.GIVEN_TANGENTIAL_FORCE, ("tangential_force", tangential_force)
+            along_given, along = _layout.TANGENTIAL_FORCE, ("tangential_force", tangential_force)
         steps, along_steps = together(**{name: values for name, values in (normal, along) if values is not None})
         if steps.ndim > 1:
             raise ArgumentTypeError("steps are numbers or arrays of one dimension")
@@ -160,7 +160,7 @@ def _led_again(given: tuple[Any, ...], steps: array[float]) -> FrictionHistory:
     for part in np.split(rows, turns):
         if not len(part):
             continue
-        normal = "force" if part[0, 0] == _layout.GIVEN_FORCE else "depth"
-        along = "shift" if part[0, 1] == _layout.GIVEN_SHIFT else "tangential_force"
+        normal = "force" if part[0, 0] == _layout.FORCE else "depth"
+        along = "shift" if part[0, 1] == _layout.SHIFT else "tangential_force"
         history.advance(**{normal: part[:, 2], along: part[:, 3]})
     return history

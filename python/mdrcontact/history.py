@@ -61,7 +61,7 @@ class AdhesiveHistory(NamedTuple):
 STATE = _layout.rate_state.names or ()
 """What the library remembers of an adhesive history."""
 _HAPPENED = [name for name in STATE if name.startswith(("lowest", "rupture")) or name == "work"]
-_GIVEN = {"depth": _layout.GIVEN_DEPTH, "force": _layout.GIVEN_FORCE, "radius": _layout.GIVEN_RADIUS}
+_GIVEN = {"depth": _layout.DEPTH, "force": _layout.FORCE, "radius": _layout.RADIUS}
 
 
 def history(

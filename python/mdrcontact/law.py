@@ -145,7 +145,7 @@ class ContactLaw(LawSteps):
         """Status, and the first of F, slope, a and k: F alone is cheapest."""
         columns = [np.empty(depth.shape) for _ in range(wanted)]
         F, slope, a, k = [address(column) for column in columns] + [0] * (4 - wanted)
-        status = _native.law_values(self._address, _layout.GIVEN_DEPTH, branch, depth, 0, a, F, k, slope, 0)
+        status = _native.law_values(self._address, _layout.DEPTH, branch, depth, 0, a, F, k, slope, 0)
         return self._warn("depth", depth, (status, *columns))
 
     def energy(self, depth: ArrayLike, branch: str = "unloading") -> FloatOrArray:
@@ -157,7 +157,7 @@ class ContactLaw(LawSteps):
 
     def _energy(self, branch: int, depth: NDArray[np.float64]) -> tuple[int, NDArray[np.float64]]:
         U = np.empty(depth.shape)
-        return _native.law_values(self._address, _layout.GIVEN_DEPTH, branch, depth, 0, 0, 0, 0, 0, address(U)), U
+        return _native.law_values(self._address, _layout.DEPTH, branch, depth, 0, 0, 0, 0, 0, address(U)), U
 
     def conductance(self, depth: ArrayLike, branch: str = "unloading") -> tuple[FloatOrArray, FloatOrArray]:
         """G [conductance] and dG/dd along the branch [conductance/length] at depths d [length], any shape, of a law that was made
@@ -188,7 +188,7 @@ class ContactLaw(LawSteps):
         """Status, d, dd/dF, a and k."""
         d, compliance, a, k = (np.empty(force.shape) for _ in range(4))
         at_d, at_compliance, at_a, at_k = map(address, (d, compliance, a, k))
-        given = _layout.GIVEN_FORCE
+        given = _layout.FORCE
         status = _native.law_values(self._address, given, branch, force, at_d, at_a, 0, at_k, at_compliance, 0)
         return status, d, compliance, a, k
 

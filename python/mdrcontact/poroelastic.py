@@ -172,7 +172,7 @@ def _answers(medium: Any, radius: float, drainage: str | None) -> tuple[int, flo
 def step(contact: Any, kind: int, time: ArrayLike, radius: float | None, drainage: str | None) -> FloatOrArray:
     """See `Contact.relaxation` and `Contact.creep`."""
     handle, modulus, diffusivity, a = _answers(contact.medium, contact_radius(contact.indenter, radius), drainage)
-    answer = _layout.POROELASTIC_RELAXATION if kind == _layout.STEP_RELAXATION else _layout.POROELASTIC_CREEP
+    answer = _layout.RELAXATION if kind == _layout.RELAXATION else _layout.CREEP
     return evaluate("time", time, lambda t: _native.poroelastic_response(handle, answer, modulus, diffusivity, a, t))
 
 
@@ -193,7 +193,7 @@ def pressure(
     contact: Any, kind: str, r: ArrayLike, time: float, depth: float | None, radius: float | None, drainage: str | None
 ) -> FloatOrArray:
     """See `Contact.pressure_in_time`."""
-    kinds = {"total": _layout.POROELASTIC_TOTAL, "pore": _layout.POROELASTIC_PORE}
+    kinds = {"total": _layout.TOTAL_PRESSURE, "pore": _layout.PORE_PRESSURE}
     if kind not in kinds:
         raise InvalidArgumentError(f'kind = {kind!r} is not allowed: it must be "total" or "pore"')
     is_flat = isinstance(contact.indenter, FlatPunch)
@@ -246,7 +246,7 @@ def history(
         return t, t.copy(), t.copy(), t.copy()
     handle, modulus, diffusivity, a = _answers(contact.medium, float(values[0]), drainage)
     d = a**2 / contact.indenter.radius
-    status, answer = _native.poroelastic_response(handle, _layout.POROELASTIC_PARABOLOID, modulus, diffusivity, a, t - t[0])
+    status, answer = _native.poroelastic_response(handle, _layout.PARABOLOID_RELAXATION, modulus, diffusivity, a, t - t[0])
     check(status)
     return t, np.full(t.shape, d), values.copy(), d * answer
 
@@ -256,11 +256,7 @@ def _punch_history(
 ) -> tuple[NDArray[np.float64], ...]:
     """By superposition: a jump at the first time, and a ramp from each kink of the path on."""
     handle, modulus, diffusivity, a = _answers(contact.medium, float(contact.indenter.radius), drainage)
-    one, mean = (
-        (_layout.POROELASTIC_RELAXATION, _layout.POROELASTIC_MEAN_RELAXATION)
-        if name == "depth"
-        else (_layout.POROELASTIC_CREEP, _layout.POROELASTIC_MEAN_CREEP)
-    )
+    one, mean = (_layout.RELAXATION, _layout.MEAN_RELAXATION) if name == "depth" else (_layout.CREEP, _layout.MEAN_CREEP)
 
     def answer(kind: int, since: NDArray[np.float64]) -> NDArray[np.float64]:
         status, out = _native.poroelastic_response(handle, kind, modulus, diffusivity, a, np.ascontiguousarray(since))

@@ -33,7 +33,7 @@ _CONTROLS = {"shift": 0, "force": 1}
 """What is prescribed."""
 _NAMES = (("shift", "tangential_force"), ("twist", "torque"))
 """The same in words, along the surface and around the axis."""
-_GIVEN = ((_layout.GIVEN_SHIFT, _layout.GIVEN_TANGENTIAL_FORCE), (_layout.GIVEN_TWIST, _layout.GIVEN_TORQUE))
+_GIVEN = ((_layout.SHIFT, _layout.TANGENTIAL_FORCE), (_layout.TWIST, _layout.TORQUE))
 
 
 class ShearState(NamedTuple):
@@ -156,12 +156,12 @@ class ShearedContact:
 
         at : one state of shear, as `at_shift` gives
         """
-        return self._field(_layout.FIELD_TRACTION, "r", r, at)
+        return self._field(_layout.TRACTION, "r", r, at)
 
     def line_load(self, x: ArrayLike, at: ShearState) -> FloatOrArray:
         """Line load q_t(x) [modulus length] of the springs along the shift, 0 <= x <= a, any shape; of a twist
         2 x int_x^a tau dr/sqrt(r^2 - x^2), whose torque is 4 int_0^a x q dx. Arguments as of `traction`."""
-        return self._field(_layout.FIELD_TANGENTIAL_LINE_LOAD, "x", x, at)
+        return self._field(_layout.TANGENTIAL_LINE_LOAD, "x", x, at)
 
     @cached_property
     def _handle(self) -> Handle:

@@ -22,7 +22,7 @@ __all__ = ["State"]
 _NAMES = ("depth", "radius", "force", "stiffness", "punch_depth", "zone_radius")
 """The numbers of a state."""
 _COUNT = len(_NAMES)
-_DISPLACEMENTS = {"lower": _layout.FIELD_DISPLACEMENT_LOWER, "upper": _layout.FIELD_DISPLACEMENT_UPPER}
+_DISPLACEMENTS = {"lower": _layout.DISPLACEMENT_LOWER, "upper": _layout.DISPLACEMENT_UPPER}
 
 
 def _item(i: int) -> Any:
@@ -100,7 +100,7 @@ class State(tuple[Any, ...]):
         Infinite where theory says so: at the edge of a flat punch, at the apex of a cone; minus infinity at an adhesive edge.
         With a cohesive stress sigma r goes up to the zone's end c; p is finite at a and -sigma where a < r < c.
         """
-        return self._field(_layout.FIELD_PRESSURE, "r", r)
+        return self._field(_layout.PRESSURE, "r", r)
 
     def displacement(self, r: ArrayLike, body: str | None = None) -> FloatOrArray:
         """Surface displacement u(r) [length], positive into the medium, at r >= 0, any shape. Inside the contact it is d - f(r),
@@ -109,13 +109,13 @@ class State(tuple[Any, ...]):
         body : of two deformable bodies (`Pair`) "lower" or "upper", each positive into its own body; None: their sum. u(0) of
             each is its part of the approach. Where the lower surface was flat, "lower" is the shape of the interface for r <= a
         """
-        field = _layout.FIELD_DISPLACEMENT if body is None else code("body", body, _DISPLACEMENTS)
+        field = _layout.DISPLACEMENT if body is None else code("body", body, _DISPLACEMENTS)
         return self._field(field, "r", r)
 
     def line_load(self, x: ArrayLike) -> FloatOrArray:
         """Line load q(x) [modulus length] of the one-dimensional springs, equations (5), (21), at 0 <= x <= a, or up to the end of
         a cohesive zone, any shape."""
-        return self._field(_layout.FIELD_LINE_LOAD, "x", x)
+        return self._field(_layout.LINE_LOAD, "x", x)
 
     def energy(self, body: str | None = None) -> FloatOrArray:
         """Elastic energy [modulus length^3] of each state: the work of the force from first touch; with adhesion the energy gained

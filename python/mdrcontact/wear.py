@@ -253,7 +253,7 @@ def _shaped(values: FloatOrArray, shape: tuple[int, ...]) -> FloatOrArray:
 def _given(constant: str) -> int:
     if constant not in ("depth", "force"):
         raise InvalidArgumentError(f"constant = {constant!r} is not allowed: it must be 'depth' or 'force'")
-    return _layout.GIVEN_FORCE if constant == "force" else _layout.GIVEN_DEPTH
+    return _layout.FORCE if constant == "force" else _layout.DEPTH
 
 
 def _led(force: Any, depth: Any) -> tuple[str, float]:
@@ -338,8 +338,8 @@ class WearHistory:
             if word not in words:
                 raise InvalidArgumentError(f"{name} = {word!r} is not allowed: {nearest(str(word), words)}")
         count = whole("intervals", intervals, 1)
-        options = record(_layout.wear_options, intervals=count, places=1 + _PLACES.index(places),
-                         scheme=1 + SCHEMES.index(scheme))  # fmt: skip
+        options = record(_layout.wear_options, intervals=count, places=_layout.WEAR_FRESH + _PLACES.index(places),
+                         scheme=_layout.WEAR_DISC + SCHEMES.index(scheme))  # fmt: skip
         given = _given(constant), number(constant, value)
         self._own(_native.wear_history_new(wear._handle.address, *given, address(options)))
         self._made_from = constant, float(value), count, places, scheme

@@ -4,50 +4,40 @@ module mdrcontact_codes
     implicit none (type, external)
     private
     public :: success, enull, einvalid, edomain, eunreachable, enoconvergence, enomemory, ecallback, efile, ecancelled
+    public :: depth, force, radius, spring, shift, tangential_force, twist, torque, height, height_slope, g, g_slope, modulus, &
+              stiffness, tangential_modulus, torsional_stiffness, pressure, displacement, line_load, displacement_lower, &
+              displacement_upper, traction, tangential_line_load, relaxation, creep, mean_relaxation, mean_creep, &
+              paraboloid_relaxation, complex_modulus, storage, loss, total_pressure, pore_pressure, flux, flux_z, flux_r, &
+              potential, conductance, resistance, mean_potential, centre_potential, gaussian_potential, von_mises, largest_shear, &
+              largest_tension, interface_shear, interface_tension, free_surface_tension
     public :: form_paraboloid_force, form_cone_force, form_adhesive_depth, form_reduced_depth, form_radius_scale, form_depth_scale
     public :: base_half_space, base_perfect, base_insulating
-    public :: conduction_flux, conduction_potential, conduction_flux_z, conduction_flux_r
-    public :: conduction_conductance, conduction_resistance, conduction_mean, conduction_centre, conduction_gaussian
     public :: heat_sliding, heat_spinning, heat_moving
     public :: adhesion_automatic, adhesion_paper, adhesion_energy
     public :: on_loading, on_unloading
-    public :: control_force, control_depth, control_spring
-    public :: given_depth, given_force, given_radius
-    public :: field_pressure, field_displacement, field_line_load, field_displacement_lower, field_displacement_upper
-    public :: step_relaxation, step_creep
     public :: warning_slope, warning_pressure, warning_compression, warning_contrast, warning_short_zone, warning_wetting
     public :: body_lower, body_upper
     public :: side_below, side_above
-    public :: von_mises, largest_shear, largest_tension, interface_shear, interface_tension, free_surface_tension
     public :: fit_force_depth, fit_stiffness_depth, fit_modulus_radius, fit_stiffness_radius, fit_force_time, fit_depth_time, &
               fit_dynamic_stiffness
-    public :: fit_storage, fit_loss
     public :: fit_work_of_adhesion, fit_depth_offset, fit_force_offset, fit_frame_compliance, fit_indenter_modulus, &
               fit_contact_depth_factor, fit_stiffness_factor, fit_contact_depth_scale, fit_area_factor, fit_cohesive_stress, &
               fit_instrument_count
     public :: fit_linear, fit_huber, fit_cauchy
     public :: along, around
-    public :: given_shift, given_tangential_force
-    public :: given_twist, given_torque
-    public :: field_traction, field_tangential_line_load
     public :: shape_layer, shape_half_space, shape_ball, shape_fibre, shape_pillar, shape_box
     public :: law_format
-    public :: relaxation, creep, complex_modulus
     public :: limit_glassy, limit_relaxed
     public :: model_gao, model_gao_series, model_doerner_nix, model_wave, model_mencik_exponential, model_mencik_reciprocal, &
               model_bec, model_perriot_barthel, model_hay_crawford, model_dimitriadis, model_garcia, model_exact, model_gao_power
     public :: base_elastic, base_any, base_rigid
     public :: weight_nu_surface, weight_nu_substrate, weight_nu_effective, weight_nu_given
-    public :: modulus, stiffness, tangential_modulus, torsional_stiffness
     public :: load_normal, load_shear, load_twist
     public :: drainage_surface, drainage_sealed, drainage_indenter
-    public :: poroelastic_relaxation, poroelastic_creep, poroelastic_paraboloid, poroelastic_mean_relaxation, &
-              poroelastic_mean_creep
-    public :: poroelastic_total, poroelastic_pore
-    public :: height, height_slope, g, g_slope
     public :: wear_fresh, wear_same
     public :: wear_disc, wear_rings
     public :: weight_phi, weight_i0, weight_i1, weight_j0, weight_j1, weight_i0_tangential, weight_j0_tangential
+    public :: word_of
 
     ! enum mdr_status
     !> MDR_SUCCESS. The call did what it says.
@@ -71,118 +61,173 @@ module mdrcontact_codes
     !> MDR_ECANCELLED. The function given to mdr_set_cancel() ended the call.
     integer, parameter :: ecancelled = 9
 
+    ! enum mdr_quantity
+    !> MDR_DEPTH. d, indentation depth; of a contact with adhesion down to the pull-off depth [length].
+    integer, parameter :: depth = 101
+    !> MDR_FORCE. F, normal force; with adhesion down to the pull-off force [modulus length^2].
+    integer, parameter :: force = 102
+    !> MDR_RADIUS. a, contact radius, at least that of the indenter's flat end, below its vertical wall [length]. With adhesion a
+    !> state of given radius may be unstable under given depth or force.
+    integer, parameter :: radius = 103
+    !> MDR_SPRING. Position of the far end of a spring that presses the indenter, d + F/stiffness [length].
+    integer, parameter :: spring = 104
+    !> MDR_SHIFT. s, displacement of the indenter along the surface, of either sign [length].
+    integer, parameter :: shift = 105
+    !> MDR_TANGENTIAL_FORCE. T, |T| <= coefficient F; at that bound the state in which sliding begins [modulus length^2].
+    integer, parameter :: tangential_force = 106
+    !> MDR_TWIST. phi, angle of the indenter about its axis, of either sign [radian].
+    integer, parameter :: twist = 107
+    !> MDR_TORQUE. M, smaller than that of sliding [modulus length^3].
+    integer, parameter :: torque = 108
+    !> MDR_HEIGHT. f(r), the height of an indenter's surface above its lowest point [length].
+    integer, parameter :: height = 111
+    !> MDR_HEIGHT_SLOPE. f'(r) [1]; infinite at the equator of a sphere.
+    integer, parameter :: height_slope = 112
+    !> MDR_G. g(x), the one-dimensional profile of an indenter, equation (3) [length]; infinite at the equator of a sphere.
+    integer, parameter :: g = 113
+    !> MDR_G_SLOPE. g'(x) [1].
+    integer, parameter :: g_slope = 114
+    !> MDR_MODULUS. E_eff(a), the effective contact modulus, equation (10) [modulus].
+    integer, parameter :: modulus = 121
+    !> MDR_STIFFNESS. k = 2 a E_eff(a), the stiffness of a flat punch of radius a, equation (10) [modulus length].
+    integer, parameter :: stiffness = 122
+    !> MDR_TANGENTIAL_MODULUS. G_t(a) = k_t(a)/(2 a), what takes E_eff's place where a contact that sticks all over is displaced
+    !> along the surface: 4 G/(2 - nu) of a homogeneous body, 1/G_t adds where two bodies touch [modulus]. Homogeneous media with E
+    !> and nu; coated, layered or graded ones under the model MDR_MODEL_EXACT, exact but for the displacement that varies as cos 2
+    !> phi around the axis (k_t is low by at most 0.35 %), or by Gao's weights with those of a tangential load; pairs of these.
+    integer, parameter :: tangential_modulus = 123
+    !> MDR_TORSIONAL_STIFFNESS. M/phi of a contact that sticks all over and is twisted about its axis: 16 G a^3/3 of a homogeneous
+    !> body [modulus length^3]. Exact for homogeneous media with E and nu, for coated, layered and graded ones under the model
+    !> MDR_MODEL_EXACT, and for pairs of these.
+    integer, parameter :: torsional_stiffness = 124
+    !> MDR_PRESSURE. p(r), the contact pressure, equation (6), 0 <= r <= a [modulus]. Infinite where theory says so: at the edge of
+    !> a flat punch or of an adhesive contact, at the apex of a cone. With a cohesive stress sigma up to zone_radius, finite at a
+    !> and -sigma from there on.
+    integer, parameter :: pressure = 131
+    !> MDR_DISPLACEMENT. u(r), the displacement of the surface: d - f(r) for r <= a, where f(r) must be defined; the free surface
+    !> beyond; any r >= 0. Of two bodies both together, each into its body [length].
+    integer, parameter :: displacement = 132
+    !> MDR_LINE_LOAD. q(x), the line load of the one-dimensional springs, equations (5), (21), 0 <= x <= a, or to zone_radius
+    !> [modulus length].
+    integer, parameter :: line_load = 133
+    !> MDR_DISPLACEMENT_LOWER. u(r) of the medium, or of the lower of two bodies, into that body: where its surface was flat, the
+    !> shape of the deformed interface for r <= a [length].
+    integer, parameter :: displacement_lower = 134
+    !> MDR_DISPLACEMENT_UPPER. u(r) of the upper body, into that body; 0 for a rigid indenter [length].
+    integer, parameter :: displacement_upper = 135
+    !> MDR_TRACTION. tau(r), the shear traction along the shift, of one direction, or around the axis, 0 <= r <= a [modulus].
+    integer, parameter :: traction = 136
+    !> MDR_TANGENTIAL_LINE_LOAD. q_t(x), the line load of the springs along the shift, 0 <= x <= a; or 2 x int_x^a tau dr/sqrt(r^2 -
+    !> x^2) [modulus length].
+    integer, parameter :: tangential_line_load = 137
+    !> MDR_RELAXATION. What a step of the deformation at time 0 meets: of a material G(t), the shear relaxation modulus [modulus],
+    !> at t = 0 the glassy one; a dashpot bears nothing at t > 0; t >= 0, and > 0 of a power law or with a dashpot, whose G(0) is
+    !> infinite. Of a contact force per depth of a flat punch after a step of its depth [modulus length].
+    integer, parameter :: relaxation = 141
+    !> MDR_CREEP. What a step of the load at time 0 makes: of a material J(t), the shear compliance, the strain under a constant
+    !> stress of 1 [1/modulus]; J(0) = 0 of a power law or with a dashpot; t >= 0. Of a contact depth per force of a flat punch
+    !> after a step of its force [1/(modulus length)].
+    integer, parameter :: creep = 142
+    !> MDR_MEAN_RELAXATION. Mean of the relaxation of a contact from the step on: what answers a ramp of the depth [modulus length].
+    integer, parameter :: mean_relaxation = 143
+    !> MDR_MEAN_CREEP. Mean of the creep of a contact from the step on: what answers a ramp of the force [1/(modulus length)].
+    integer, parameter :: mean_creep = 144
+    !> MDR_PARABOLOID_RELAXATION. Force per depth of a paraboloid after a step of its depth d, the contact radius a = sqrt(R d)
+    !> being held [modulus length]. In a true contact it grows and comes back: by up to 9 % at MDR_DRAINAGE_INDENTER, where the
+    !> force is then up to 0.05 of its relaxing part off; of second order where the whole surface drains or is sealed.
+    integer, parameter :: paraboloid_relaxation = 145
+    !> MDR_COMPLEX_MODULUS. The complex shear modulus at angular frequencies omega > 0, storage and loss modulus [modulus].
+    integer, parameter :: complex_modulus = 146
+    !> MDR_STORAGE. The real part of a dynamic stiffness [modulus length].
+    integer, parameter :: storage = 147
+    !> MDR_LOSS. Its imaginary part [modulus length].
+    integer, parameter :: loss = 148
+    !> MDR_TOTAL_PRESSURE. Of a gel: the total pressure, which the indenter bears.
+    integer, parameter :: total_pressure = 149
+    !> MDR_PORE_PRESSURE. Of a gel: that of the fluid at the surface; of a film only where it is 0, MDR_DRAINAGE_SURFACE.
+    integer, parameter :: pore_pressure = 150
+    !> MDR_FLUX. Flux density through a spot; without a film it is infinite at its edge, 0 <= r < a.
+    integer, parameter :: flux = 161
+    !> MDR_FLUX_Z. Flux density into a body.
+    integer, parameter :: flux_z = 162
+    !> MDR_FLUX_R. Flux density away from the axis.
+    integer, parameter :: flux_r = 163
+    !> MDR_POTENTIAL. Potential of a body from its own far field.
+    integer, parameter :: potential = 164
+    !> MDR_CONDUCTANCE. Flux per potential of an equipotential spot [conductance].
+    integer, parameter :: conductance = 165
+    !> MDR_RESISTANCE. Potential per flux of an equipotential spot [1/conductance].
+    integer, parameter :: resistance = 166
+    !> MDR_MEAN_POTENTIAL. Area mean of the potential per flux under a uniform flux, the film left out.
+    integer, parameter :: mean_potential = 167
+    !> MDR_CENTRE_POTENTIAL. Potential in the centre per flux under a uniform flux, the film left out.
+    integer, parameter :: centre_potential = 168
+    !> MDR_GAUSSIAN_POTENTIAL. Mean over a Gaussian probe per flux of a Gaussian pump with radii w0 and w1 (1/e^2): `radius` is
+    !> sqrt(w0^2 + w1^2).
+    integer, parameter :: gaussian_potential = 169
+    !> MDR_VON_MISES. Largest stress of a layer: the von Mises stress; a metal yields at the yield stress.
+    integer, parameter :: von_mises = 181
+    !> MDR_LARGEST_SHEAR. Of a layer: (s_1 - s_3)/2; by Tresca a metal yields at half the yield stress.
+    integer, parameter :: largest_shear = 182
+    !> MDR_LARGEST_TENSION. Of a layer: the largest principal stress s_1. A strength of the first layer is one of its free surface,
+    !> too.
+    integer, parameter :: largest_tension = 183
+    !> MDR_INTERFACE_SHEAR. Of an interface: sqrt(s_rz^2 + s_tz^2).
+    integer, parameter :: interface_shear = 184
+    !> MDR_INTERFACE_TENSION. Of an interface: s_zz.
+    integer, parameter :: interface_tension = 185
+    !> MDR_FREE_SURFACE_TENSION. Of the free surface, a <= r <= 3 a: s_1, which opens ring cracks.
+    integer, parameter :: free_surface_tension = 186
+
     ! enum mdr_formula
     !> MDR_FORM_PARABOLOID_FORCE. R > 0, G0, G1, h: F(a) of a paraboloid without adhesion, equation (24): (16 a^3/(3R)) [G1 + (G0 -
     !> G1)/(2 pi) (4 arctan xi + xi^3 ln(1 + xi^-2) - xi)].
-    integer, parameter :: form_paraboloid_force = 1
+    integer, parameter :: form_paraboloid_force = 1101
     !> MDR_FORM_CONE_FORCE. phi, 0 < phi < pi/2 [radian], G0, G1, h: F(a) of a cone without adhesion, equation (27): 2 pi a^2
     !> tan(phi) [G1 + (G0 - G1) (2/pi) arctan(h/a)].
-    integer, parameter :: form_cone_force = 2
+    integer, parameter :: form_cone_force = 1102
     !> MDR_FORM_ADHESIVE_DEPTH. R > 0, G0, G1, h, gamma >= 0: d(a) of an adhesive paraboloid by the source's rule, equation (29):
     !> a^2/R - sqrt(2 pi a gamma/E_eff(a)).
-    integer, parameter :: form_adhesive_depth = 3
+    integer, parameter :: form_adhesive_depth = 1103
     !> MDR_FORM_REDUCED_DEPTH. tau = G0/G1 > 0 [1], ht = h/a_c > 0 [1]: d/d_c at at = a/a_c, equation (32): at^2/3 - (4/3) sqrt(at)
     !> [1 + (tau - 1) I0(ht/at; nu = 1/2)]^(-1/2).
-    integer, parameter :: form_reduced_depth = 4
+    integer, parameter :: form_reduced_depth = 1104
     !> MDR_FORM_RADIUS_SCALE. G1, gamma > 0: a_c = (pi gamma R^2/(32 G1))^(1/3) of R, the contact radius at which an uncoated
     !> contact breaks under depth control, equation (31).
-    integer, parameter :: form_radius_scale = 5
+    integer, parameter :: form_radius_scale = 1105
     !> MDR_FORM_DEPTH_SCALE. G1, gamma > 0: d_c = 3 (pi^2 gamma^2 R/(2^10 G1^2))^(1/3) of R, minus the depth there.
-    integer, parameter :: form_depth_scale = 6
+    integer, parameter :: form_depth_scale = 1106
 
     ! enum mdr_conduction_base
     !> MDR_BASE_HALF_SPACE. The last layer is a half-space.
-    integer, parameter :: base_half_space = 1
+    integer, parameter :: base_half_space = 1801
     !> MDR_BASE_PERFECT. A perfect conductor at potential 0.
-    integer, parameter :: base_perfect = 2
+    integer, parameter :: base_perfect = 1802
     !> MDR_BASE_INSULATING. No flux: steady states need a sink.
-    integer, parameter :: base_insulating = 3
-
-    ! enum mdr_conduction_field
-    !> MDR_CONDUCTION_FLUX. Flux density through the spot; without a film it is infinite at its edge, 0 <= r < a.
-    integer, parameter :: conduction_flux = 1
-    !> MDR_CONDUCTION_POTENTIAL. Potential of a body from its own far field.
-    integer, parameter :: conduction_potential = 2
-    !> MDR_CONDUCTION_FLUX_Z. Flux density into the body.
-    integer, parameter :: conduction_flux_z = 3
-    !> MDR_CONDUCTION_FLUX_R. Flux density away from the axis.
-    integer, parameter :: conduction_flux_r = 4
-
-    ! enum mdr_conduction_answer
-    !> MDR_CONDUCTION_CONDUCTANCE. Flux per potential of an equipotential spot [conductance].
-    integer, parameter :: conduction_conductance = 1
-    !> MDR_CONDUCTION_RESISTANCE. Potential per flux of an equipotential spot [1/conductance].
-    integer, parameter :: conduction_resistance = 2
-    !> MDR_CONDUCTION_MEAN. Area mean of the potential per flux under a uniform flux, the film left out.
-    integer, parameter :: conduction_mean = 3
-    !> MDR_CONDUCTION_CENTRE. Potential in the centre per flux under a uniform flux, the film left out.
-    integer, parameter :: conduction_centre = 4
-    !> MDR_CONDUCTION_GAUSSIAN. Mean over a Gaussian probe per flux of a Gaussian pump with radii w0 and w1 (1/e^2): `radius` is
-    !> sqrt(w0^2 + w1^2).
-    integer, parameter :: conduction_gaussian = 5
+    integer, parameter :: base_insulating = 1803
 
     ! enum mdr_heat_motion
     !> MDR_HEAT_SLIDING. q = mu v p(r), the source resting on both bodies: fretting, or low speeds.
-    integer, parameter :: heat_sliding = 1
+    integer, parameter :: heat_sliding = 1901
     !> MDR_HEAT_SPINNING. q = mu omega r p(r) of a twist about the axis: exact at any speed.
-    integer, parameter :: heat_spinning = 2
+    integer, parameter :: heat_spinning = 1902
     !> MDR_HEAT_MOVING. q = mu v p(r), the source moving over the lower body, v a c/sigma <= 1000, and resting on the upper one. Of
     !> two bodies the share is that of equal flux_mean, an approximation.
-    integer, parameter :: heat_moving = 3
+    integer, parameter :: heat_moving = 1903
 
     ! enum mdr_adhesion_rule
     !> MDR_ADHESION_AUTOMATIC. Energy where the medium meets the balance exactly, the source's rule elsewhere.
-    integer, parameter :: adhesion_automatic = 0
+    integer, parameter :: adhesion_automatic = 801
     !> MDR_ADHESION_PAPER. dl = sqrt(2 pi a gamma/E_eff), equation (28).
-    integer, parameter :: adhesion_paper = 1
+    integer, parameter :: adhesion_paper = 802
     !> MDR_ADHESION_ENERGY. dl = sqrt(4 pi a gamma/k'(a)), the balance of energy.
-    integer, parameter :: adhesion_energy = 2
+    integer, parameter :: adhesion_energy = 803
 
     ! enum mdr_branch
     !> MDR_ON_LOADING. The smallest contact, met when the bodies approach.
-    integer, parameter :: on_loading = 1
+    integer, parameter :: on_loading = 301
     !> MDR_ON_UNLOADING. The largest contact, kept when they are drawn apart: what is usually meant.
-    integer, parameter :: on_unloading = 2
-
-    ! enum mdr_control
-    !> MDR_CONTROL_FORCE. The normal force.
-    integer, parameter :: control_force = 0
-    !> MDR_CONTROL_DEPTH. The indentation depth.
-    integer, parameter :: control_depth = 1
-    !> MDR_CONTROL_SPRING. The far end of a spring that presses the indenter, d + F/stiffness; loops only.
-    integer, parameter :: control_spring = 2
-
-    ! enum mdr_given
-    !> MDR_GIVEN_DEPTH. Indentation depth >= 0, with adhesion down to the pull-off depth [length].
-    integer, parameter :: given_depth = 1
-    !> MDR_GIVEN_FORCE. Normal force >= 0, with adhesion down to the pull-off force [modulus length^2].
-    integer, parameter :: given_force = 2
-    !> MDR_GIVEN_RADIUS. Contact radius >= 0, at least that of the indenter's flat end, below its vertical wall [length]. With
-    !> adhesion the state may be unstable under given depth or force.
-    integer, parameter :: given_radius = 3
-
-    ! enum mdr_field_kind
-    !> MDR_FIELD_PRESSURE. p(r), the contact pressure, equation (6), 0 <= r <= a [modulus]. Infinite where theory says so: at the
-    !> edge of a flat punch or of an adhesive contact, at the apex of a cone. With a cohesive stress sigma up to zone_radius, finite
-    !> at a and -sigma from there on.
-    integer, parameter :: field_pressure = 1
-    !> MDR_FIELD_DISPLACEMENT. u(r), the displacement of the surface: d - f(r) for r <= a, where f(r) must be defined; the free
-    !> surface beyond; any r >= 0. Of two bodies both together, each into its body [length].
-    integer, parameter :: field_displacement = 2
-    !> MDR_FIELD_LINE_LOAD. q(x), the line load of the one-dimensional springs, equations (5), (21), 0 <= x <= a, or to zone_radius
-    !> [modulus length].
-    integer, parameter :: field_line_load = 3
-    !> MDR_FIELD_DISPLACEMENT_LOWER. u(r) of the medium, or of the lower of two bodies, into that body: where its surface was flat,
-    !> the shape of the deformed interface for r <= a [length].
-    integer, parameter :: field_displacement_lower = 4
-    !> MDR_FIELD_DISPLACEMENT_UPPER. u(r) of the upper body, into that body; 0 for a rigid indenter [length].
-    integer, parameter :: field_displacement_upper = 5
-
-    ! enum mdr_step
-    !> MDR_STEP_RELAXATION. Force per depth after a step of the depth [modulus length].
-    integer, parameter :: step_relaxation = 1
-    !> MDR_STEP_CREEP. Depth per force after a step of the force [1/(modulus length)].
-    integer, parameter :: step_creep = 2
+    integer, parameter :: on_unloading = 302
 
     ! enum mdr_warning
     !> MDR_WARNING_SLOPE. The indenter's surface has a slope f'(a) of more than 1.2 at the edge of the contact: 50 degrees, or a =
@@ -204,56 +249,35 @@ module mdrcontact_codes
 
     ! enum mdr_body
     !> MDR_BODY_LOWER. The medium, or the lower one of two.
-    integer, parameter :: body_lower = 1
+    integer, parameter :: body_lower = 401
     !> MDR_BODY_UPPER. The upper one of two deformable bodies; a rigid indenter is none.
-    integer, parameter :: body_upper = 2
+    integer, parameter :: body_upper = 402
 
     ! enum mdr_side
     !> MDR_SIDE_BELOW. That of the larger depth.
-    integer, parameter :: side_below = 1
+    integer, parameter :: side_below = 501
     !> MDR_SIDE_ABOVE. That of the smaller depth.
-    integer, parameter :: side_above = 2
-
-    ! enum mdr_stress
-    !> MDR_VON_MISES. Of a layer: the von Mises stress; a metal yields at the yield stress.
-    integer, parameter :: von_mises = 1
-    !> MDR_LARGEST_SHEAR. Of a layer: (s_1 - s_3)/2; by Tresca a metal yields at half the yield stress.
-    integer, parameter :: largest_shear = 2
-    !> MDR_LARGEST_TENSION. Of a layer: the largest principal stress s_1. A strength of the first layer is one of its free surface,
-    !> too.
-    integer, parameter :: largest_tension = 3
-    !> MDR_INTERFACE_SHEAR. Of an interface: sqrt(s_rz^2 + s_tz^2).
-    integer, parameter :: interface_shear = 4
-    !> MDR_INTERFACE_TENSION. Of an interface: s_zz.
-    integer, parameter :: interface_tension = 5
-    !> MDR_FREE_SURFACE_TENSION. Of the free surface, a <= r <= 3 a: s_1, which opens ring cracks.
-    integer, parameter :: free_surface_tension = 6
+    integer, parameter :: side_above = 502
 
     ! enum mdr_fit_data_kind
     !> MDR_FIT_FORCE_DEPTH. Indentation depth [length] and force [modulus length^2].
-    integer, parameter :: fit_force_depth = 1
+    integer, parameter :: fit_force_depth = 1501
     !> MDR_FIT_STIFFNESS_DEPTH. Indentation depth [length] and contact stiffness > 0 [modulus length]; given the force of each point
     !> [modulus length^2] (dynamic nanoindentation).
-    integer, parameter :: fit_stiffness_depth = 2
+    integer, parameter :: fit_stiffness_depth = 1502
     !> MDR_FIT_MODULUS_RADIUS. Contact radius > 0 [length] and effective contact modulus [modulus].
-    integer, parameter :: fit_modulus_radius = 3
+    integer, parameter :: fit_modulus_radius = 1503
     !> MDR_FIT_STIFFNESS_RADIUS. Contact radius > 0 [length] and contact stiffness [modulus length].
-    integer, parameter :: fit_stiffness_radius = 4
+    integer, parameter :: fit_stiffness_radius = 1504
     !> MDR_FIT_FORCE_TIME. Ascending times [time] and force [modulus length^2] of a viscoelastic body; given the indentation depth
     !> at each time [length], in between linear: mdr_contact_history().
-    integer, parameter :: fit_force_time = 5
+    integer, parameter :: fit_force_time = 1505
     !> MDR_FIT_DEPTH_TIME. Ascending times [time] and indentation depth [length]; given the force [modulus length^2].
-    integer, parameter :: fit_depth_time = 6
-    !> MDR_FIT_DYNAMIC_STIFFNESS. Angular frequency > 0 [1/time] and, as `branch` says of each point, MDR_FIT_STORAGE or
-    !> MDR_FIT_LOSS, real or imaginary part of the dynamic stiffness [modulus length]; given the contact radius > 0 [length]:
+    integer, parameter :: fit_depth_time = 1506
+    !> MDR_FIT_DYNAMIC_STIFFNESS. Angular frequency > 0 [1/time] and, as `branch` says of each point, MDR_STORAGE or MDR_LOSS, real
+    !> or imaginary part of the dynamic stiffness [modulus length]; given the contact radius > 0 [length]:
     !> mdr_contact_dynamic_stiffness().
-    integer, parameter :: fit_dynamic_stiffness = 7
-
-    ! enum mdr_fit_part
-    !> MDR_FIT_STORAGE.
-    integer, parameter :: fit_storage = 1
-    !> MDR_FIT_LOSS.
-    integer, parameter :: fit_loss = 2
+    integer, parameter :: fit_dynamic_stiffness = 1507
 
     ! enum mdr_fit_instrument
     !> MDR_FIT_WORK_OF_ADHESION. gamma >= 0; the search begins above 0 [modulus length].
@@ -284,209 +308,170 @@ module mdrcontact_codes
 
     ! enum mdr_fit_loss
     !> MDR_FIT_LINEAR. r^2: least squares.
-    integer, parameter :: fit_linear = 0
+    integer, parameter :: fit_linear = 1601
     !> MDR_FIT_HUBER. r^2 up to s, then growing in proportion to r.
-    integer, parameter :: fit_huber = 1
+    integer, parameter :: fit_huber = 1602
     !> MDR_FIT_CAUCHY. s^2 ln(1 + r^2/s^2).
-    integer, parameter :: fit_cauchy = 2
+    integer, parameter :: fit_cauchy = 1603
 
     ! enum mdr_shear_direction
     !> MDR_ALONG. The indenter is displaced along the surface.
-    integer, parameter :: along = 1
+    integer, parameter :: along = 601
     !> MDR_AROUND. It is twisted about its axis.
-    integer, parameter :: around = 2
-
-    ! enum mdr_tangential_given
-    !> MDR_GIVEN_SHIFT. The shift s, of either sign [length].
-    integer, parameter :: given_shift = 1
-    !> MDR_GIVEN_TANGENTIAL_FORCE. The tangential force T, |T| <= coefficient F; at that bound the state in which sliding begins
-    !> [modulus length^2].
-    integer, parameter :: given_tangential_force = 2
-
-    ! enum mdr_torsional_given
-    !> MDR_GIVEN_TWIST. The twist phi, of either sign [radian].
-    integer, parameter :: given_twist = 1
-    !> MDR_GIVEN_TORQUE. The torque M, smaller than that of sliding [modulus length^3].
-    integer, parameter :: given_torque = 2
-
-    ! enum mdr_tangential_field
-    !> MDR_FIELD_TRACTION. tau(r), the shear traction along the shift, of one direction, or around the axis, 0 <= r <= a [modulus].
-    integer, parameter :: field_traction = 1
-    !> MDR_FIELD_TANGENTIAL_LINE_LOAD. q_t(x), the line load of the springs along the shift, 0 <= x <= a; or 2 x int_x^a tau
-    !> dr/sqrt(r^2 - x^2) [modulus length].
-    integer, parameter :: field_tangential_line_load = 2
+    integer, parameter :: around = 602
 
     ! enum mdr_shape
     !> MDR_SHAPE_LAYER. z_top, z_bottom > z_top; INFINITY is allowed.
-    integer, parameter :: shape_layer = 0
+    integer, parameter :: shape_layer = 1401
     !> MDR_SHAPE_HALF_SPACE. x, y, z of a point on the interface; x, y, z of the normal, of any length, into the material.
-    integer, parameter :: shape_half_space = 1
+    integer, parameter :: shape_half_space = 1402
     !> MDR_SHAPE_BALL. x, y, z of the centre; radius > 0.
-    integer, parameter :: shape_ball = 2
+    integer, parameter :: shape_ball = 1403
     !> MDR_SHAPE_FIBRE. Endless round cylinder: x, y, z of a point on the axis; x, y, z of its direction, of any length; radius > 0.
-    integer, parameter :: shape_fibre = 3
+    integer, parameter :: shape_fibre = 1404
     !> MDR_SHAPE_PILLAR. Upright round cylinder: x, y of the axis; radius > 0; z_top, z_bottom > z_top; INFINITY is allowed.
-    integer, parameter :: shape_pillar = 4
+    integer, parameter :: shape_pillar = 1405
     !> MDR_SHAPE_BOX. x_low, x_high, y_low, y_high, z_top, z_bottom, ascending in pairs.
-    integer, parameter :: shape_box = 5
+    integer, parameter :: shape_box = 1406
 
     ! enum mdr_law_format
     !> MDR_LAW_FORMAT. This version.
     integer, parameter :: law_format = 1296843314
 
-    ! enum mdr_material_quantity
-    !> MDR_RELAXATION. G(t), the shear relaxation modulus [modulus], at t = 0 the glassy one; a dashpot bears nothing at t > 0. t >=
-    !> 0, and > 0 of a power law or with a dashpot, whose G(0) is infinite.
-    integer, parameter :: relaxation = 1
-    !> MDR_CREEP. J(t), the shear compliance: the strain under a constant stress of 1 [1/modulus]; J(0) = 0 of a power law or with a
-    !> dashpot. t >= 0.
-    integer, parameter :: creep = 2
-    !> MDR_COMPLEX_MODULUS. The complex shear modulus at angular frequencies omega > 0, storage and loss modulus [modulus].
-    integer, parameter :: complex_modulus = 3
-
     ! enum mdr_limit
     !> MDR_LIMIT_GLASSY. At once.
-    integer, parameter :: limit_glassy = 1
+    integer, parameter :: limit_glassy = 701
     !> MDR_LIMIT_RELAXED. In the end.
-    integer, parameter :: limit_relaxed = 2
+    integer, parameter :: limit_relaxed = 702
 
     ! enum mdr_model
     !> MDR_MODEL_GAO. Gao's weights, moduli in parallel, equations (12)-(16): the source's model.
-    integer, parameter :: model_gao = 0
+    integer, parameter :: model_gao = 201
     !> MDR_MODEL_GAO_SERIES. Gao's weights, 1/G in series: far closer to the exact solution at large contrast.
-    integer, parameter :: model_gao_series = 1
+    integer, parameter :: model_gao_series = 202
     !> MDR_MODEL_DOERNER_NIX. 1/E_eff = (1 - e^(-alpha xi))/E*0 + e^(-alpha xi)/E*1, equation (11).
-    integer, parameter :: model_doerner_nix = 2
+    integer, parameter :: model_doerner_nix = 203
     !> MDR_MODEL_WAVE. Response to a wave of wavenumber q = wave_factor/a, equations (19), (20).
-    integer, parameter :: model_wave = 3
+    integer, parameter :: model_wave = 204
     !> MDR_MODEL_MENCIK_EXPONENTIAL. E_eff = E*1 + (E*0 - E*1) e^(-alpha x).
-    integer, parameter :: model_mencik_exponential = 4
+    integer, parameter :: model_mencik_exponential = 205
     !> MDR_MODEL_MENCIK_RECIPROCAL. 1/E_eff = 1/E*1 + (1/E*0 - 1/E*1) e^(-alpha x).
-    integer, parameter :: model_mencik_reciprocal = 5
+    integer, parameter :: model_mencik_reciprocal = 206
     !> MDR_MODEL_BEC. Bec et al. 2006: film and substrate as springs in series.
-    integer, parameter :: model_bec = 6
+    integer, parameter :: model_bec = 207
     !> MDR_MODEL_PERRIOT_BARTHEL. Perriot, Barthel 2004: a fit to their exact solution.
-    integer, parameter :: model_perriot_barthel = 7
+    integer, parameter :: model_perriot_barthel = 208
     !> MDR_MODEL_HAY_CRAWFORD. Hay, Crawford 2011: Gao's weights with the film also acting in parallel.
-    integer, parameter :: model_hay_crawford = 8
+    integer, parameter :: model_hay_crawford = 209
     !> MDR_MODEL_DIMITRIADIS. Dimitriadis et al. 2002: layer with nu = 1/2 on a rigid base, for a paraboloid or a sphere and a < h;
     !> all else is refused.
-    integer, parameter :: model_dimitriadis = 9
+    integer, parameter :: model_dimitriadis = 210
     !> MDR_MODEL_GARCIA. Garcia, Garcia 2018: the same with their coefficients.
-    integer, parameter :: model_garcia = 10
+    integer, parameter :: model_garcia = 211
     !> MDR_MODEL_EXACT. The exact solution of the layered half-space.
-    integer, parameter :: model_exact = 11
+    integer, parameter :: model_exact = 212
     !> MDR_MODEL_GAO_POWER. Gao's weights, power mean G_eff = [G1^p + (G0^p - G1^p) I0]^(1/p) between the two.
-    integer, parameter :: model_gao_power = 12
+    integer, parameter :: model_gao_power = 213
 
     ! enum mdr_model_base
     !> MDR_BASE_ELASTIC. An elastic half-space.
-    integer, parameter :: base_elastic = 0
+    integer, parameter :: base_elastic = 1301
     !> MDR_BASE_ANY. An elastic half-space or a rigid base.
-    integer, parameter :: base_any = 1
+    integer, parameter :: base_any = 1302
     !> MDR_BASE_RIGID. A rigid base.
-    integer, parameter :: base_rigid = 2
+    integer, parameter :: base_rigid = 1303
 
     ! enum mdr_weight_nu
     !> MDR_WEIGHT_NU_SURFACE. That of the surface: the most accurate on average, and the default.
-    integer, parameter :: weight_nu_surface = 0
+    integer, parameter :: weight_nu_surface = 1201
     !> MDR_WEIGHT_NU_SUBSTRATE. That of the substrate.
-    integer, parameter :: weight_nu_substrate = 1
+    integer, parameter :: weight_nu_substrate = 1202
     !> MDR_WEIGHT_NU_EFFECTIVE. The effective one at the same a.
-    integer, parameter :: weight_nu_effective = 2
+    integer, parameter :: weight_nu_effective = 1203
     !> MDR_WEIGHT_NU_GIVEN. The number weight_nu.
-    integer, parameter :: weight_nu_given = 3
-
-    ! enum mdr_medium_quantity
-    !> MDR_MODULUS. E_eff(a), the effective contact modulus, equation (10) [modulus].
-    integer, parameter :: modulus = 1
-    !> MDR_STIFFNESS. k = 2 a E_eff(a), the stiffness of a flat punch of radius a, equation (10) [modulus length].
-    integer, parameter :: stiffness = 2
-    !> MDR_TANGENTIAL_MODULUS. G_t(a) = k_t(a)/(2 a), what takes E_eff's place where a contact that sticks all over is displaced
-    !> along the surface: 4 G/(2 - nu) of a homogeneous body, 1/G_t adds where two bodies touch [modulus]. Homogeneous media with E
-    !> and nu; coated, layered or graded ones under the model MDR_MODEL_EXACT, exact but for the displacement that varies as cos 2
-    !> phi around the axis (k_t is low by at most 0.35 %), or by Gao's weights with those of a tangential load; pairs of these.
-    integer, parameter :: tangential_modulus = 3
-    !> MDR_TORSIONAL_STIFFNESS. M/phi of a contact that sticks all over and is twisted about its axis: 16 G a^3/3 of a homogeneous
-    !> body [modulus length^3]. Exact for homogeneous media with E and nu, for coated, layered and graded ones under the model
-    !> MDR_MODEL_EXACT, and for pairs of these.
-    integer, parameter :: torsional_stiffness = 4
+    integer, parameter :: weight_nu_given = 1204
 
     ! enum mdr_load
     !> MDR_LOAD_NORMAL. A pressure.
-    integer, parameter :: load_normal = 1
+    integer, parameter :: load_normal = 901
     !> MDR_LOAD_SHEAR. A traction of one direction along the surface: the mean over the directions of the wave.
-    integer, parameter :: load_shear = 2
+    integer, parameter :: load_shear = 902
     !> MDR_LOAD_TWIST. A traction along the surface across the wave, which one around an axis consists of.
-    integer, parameter :: load_twist = 3
+    integer, parameter :: load_twist = 903
 
     ! enum mdr_drainage
     !> MDR_DRAINAGE_SURFACE. It drains everywhere, under the indenter too, which is porous or leaks along the interface.
-    integer, parameter :: drainage_surface = 1
+    integer, parameter :: drainage_surface = 1701
     !> MDR_DRAINAGE_SEALED. No flux through the surface anywhere.
-    integer, parameter :: drainage_sealed = 2
+    integer, parameter :: drainage_sealed = 1702
     !> MDR_DRAINAGE_INDENTER. No flux under the indenter, pore pressure 0 beside it.
-    integer, parameter :: drainage_indenter = 3
-
-    ! enum mdr_poroelastic_answer
-    !> MDR_POROELASTIC_RELAXATION. Force per depth of a flat punch after a step of its depth [modulus length].
-    integer, parameter :: poroelastic_relaxation = 1
-    !> MDR_POROELASTIC_CREEP. Depth per force of a flat punch after a step of its force [1/(modulus length)].
-    integer, parameter :: poroelastic_creep = 2
-    !> MDR_POROELASTIC_PARABOLOID. Force per depth of a paraboloid after a step of its depth d, the contact radius a = sqrt(R d)
-    !> being held [modulus length]. In a true contact it grows and comes back: by up to 9 % at MDR_DRAINAGE_INDENTER, where the
-    !> force is then up to 0.05 of its relaxing part off; of second order where the whole surface drains or is sealed.
-    integer, parameter :: poroelastic_paraboloid = 3
-    !> MDR_POROELASTIC_MEAN_RELAXATION. Mean of the relaxation from the step on: what answers a ramp of the depth.
-    integer, parameter :: poroelastic_mean_relaxation = 4
-    !> MDR_POROELASTIC_MEAN_CREEP. Mean of the creep from the step on: what answers a ramp of the force.
-    integer, parameter :: poroelastic_mean_creep = 5
-
-    ! enum mdr_gel_pressure
-    !> MDR_POROELASTIC_TOTAL. The total pressure, which the indenter bears.
-    integer, parameter :: poroelastic_total = 1
-    !> MDR_POROELASTIC_PORE. That of the fluid at the surface; of a film only where it is 0, MDR_DRAINAGE_SURFACE.
-    integer, parameter :: poroelastic_pore = 2
-
-    ! enum mdr_profile_quantity
-    !> MDR_HEIGHT. f(r), the height of its surface above its lowest point [length].
-    integer, parameter :: height = 1
-    !> MDR_HEIGHT_SLOPE. f'(r) [1]; infinite at the equator of a sphere.
-    integer, parameter :: height_slope = 2
-    !> MDR_G. g(x), its one-dimensional profile, equation (3) [length]; infinite at the equator of a sphere.
-    integer, parameter :: g = 3
-    !> MDR_G_SLOPE. g'(x) [1].
-    integer, parameter :: g_slope = 4
+    integer, parameter :: drainage_indenter = 1703
 
     ! enum mdr_wear_places
     !> MDR_WEAR_FRESH. Fresh places of the body, as a tip that goes its way: the indenter alone changes.
-    integer, parameter :: wear_fresh = 1
+    integer, parameter :: wear_fresh = 2001
     !> MDR_WEAR_SAME. The same places, as both do that move back and forth by much less than a: both change.
-    integer, parameter :: wear_same = 2
+    integer, parameter :: wear_same = 2002
 
     ! enum mdr_wear_scheme
     !> MDR_WEAR_DISC. A disc that moves with the edge of the contact, of second order, extrapolated: with 80 intervals a, d, F are
     !> good to 1e-4 on bodies of any layers. For contacts that do not shrink, and no flat punch.
-    integer, parameter :: wear_disc = 1
+    integer, parameter :: wear_disc = 2101
     !> MDR_WEAR_RINGS. Rings that stay on the indenter, of first order: some 1e-2 with 80 intervals, but k F s is met to rounding,
     !> any path of load and depth can be followed, and a flat punch too.
-    integer, parameter :: wear_rings = 2
+    integer, parameter :: wear_rings = 2102
 
     ! enum mdr_weight_kind
     !> MDR_WEIGHT_PHI. Phi(xi) = dI0/dxi, the weight of the depth a xi itself; equation (18) at nu = 1/2.
-    integer, parameter :: weight_phi = 1
+    integer, parameter :: weight_phi = 1001
     !> MDR_WEIGHT_I0. I0(xi), the weight of the shear modulus above the depth a xi, equations (12)-(15).
-    integer, parameter :: weight_i0 = 2
+    integer, parameter :: weight_i0 = 1002
     !> MDR_WEIGHT_I1. I1(xi), the weight of Poisson's ratio above it; nu is checked but does not enter.
-    integer, parameter :: weight_i1 = 3
+    integer, parameter :: weight_i1 = 1003
     !> MDR_WEIGHT_J0. 1 - I0, the weight of what lies below, to full relative precision.
-    integer, parameter :: weight_j0 = 4
+    integer, parameter :: weight_j0 = 1004
     !> MDR_WEIGHT_J1. 1 - I1, to full relative precision.
-    integer, parameter :: weight_j1 = 5
+    integer, parameter :: weight_j1 = 1005
     !> MDR_WEIGHT_I0_TANGENTIAL. I0 of a load along the surface, the weight of the shear modulus in the tangential stiffness, I1 +
     !> [xi L - xi/(1 + xi^2)]/(2 pi (2 - nu)) with L = ln(1 + 1/xi^2). Poisson's ratio keeps the weight I1.
-    integer, parameter :: weight_i0_tangential = 6
+    integer, parameter :: weight_i0_tangential = 1006
     !> MDR_WEIGHT_J0_TANGENTIAL. 1 less that, to full relative precision.
-    integer, parameter :: weight_j0_tangential = 7
+    integer, parameter :: weight_j0_tangential = 1007
+
+    !> The codes in ascending order, and their words.
+    integer, parameter :: numbers(*) = [101, 102, 103, 104, 105, 106, 107, 108, 111, 112, 113, 114, 121, 122, 123, 124, 131, 132, &
+        133, 134, 135, 136, 137, 141, 142, 143, 144, 145, 146, 147, 148, 149, 150, 161, 162, 163, 164, 165, 166, 167, 168, 169, &
+        181, 182, 183, 184, 185, 186, 201, 202, 203, 204, 205, 206, 207, 208, 209, 210, 211, 212, 213, 301, 302, 401, 402, 501, &
+        502, 601, 602, 701, 702, 801, 802, 803, 901, 902, 903, 1001, 1002, 1003, 1004, 1005, 1006, 1007, 1101, 1102, 1103, 1104, &
+        1105, 1106, 1201, 1202, 1203, 1204, 1301, 1302, 1303, 1401, 1402, 1403, 1404, 1405, 1406, 1501, 1502, 1503, 1504, 1505, &
+        1506, 1507, 1601, 1602, 1603, 1701, 1702, 1703, 1801, 1802, 1803, 1901, 1902, 1903, 2001, 2002, 2101, 2102]
+    character(len=21), parameter :: words(*) = [character(len=21) :: "depth", "force", "radius", "spring", "shift", &
+        "tangential_force", "twist", "torque", "height", "height_slope", "g", "g_slope", "modulus", "stiffness", &
+        "tangential_modulus", "torsional_stiffness", "pressure", "displacement", "line_load", "displacement_lower", &
+        "displacement_upper", "traction", "tangential_line_load", "relaxation", "creep", "mean_relaxation", "mean_creep", &
+        "paraboloid_relaxation", "complex_modulus", "storage", "loss", "total_pressure", "pore_pressure", "flux", "flux_z", &
+        "flux_r", "potential", "conductance", "resistance", "mean_potential", "centre_potential", "gaussian_potential", &
+        "von_mises", "largest_shear", "largest_tension", "interface_shear", "interface_tension", "free_surface_tension", "gao", &
+        "gao-series", "doerner-nix", "wave", "mencik-exponential", "mencik-reciprocal", "bec", "perriot-barthel", "hay-crawford", &
+        "dimitriadis", "garcia", "exact", "gao-power", "loading", "unloading", "lower", "upper", "below", "above", "along", &
+        "around", "glassy", "relaxed", "automatic", "paper", "energy", "normal", "shear", "twist", "phi", "i0", "i1", "j0", "j1", &
+        "i0-tangential", "j0-tangential", "paraboloid-force", "cone-force", "adhesive-depth", "reduced-depth", "radius-scale", &
+        "depth-scale", "surface", "substrate", "effective", "given", "elastic", "any", "rigid", "layer", "half-space", "ball", &
+        "fibre", "pillar", "box", "force-depth", "stiffness-depth", "modulus-radius", "stiffness-radius", "force-time", &
+        "depth-time", "dynamic-stiffness", "linear", "huber", "cauchy", "surface", "sealed", "indenter", "half-space", "perfect", &
+        "insulating", "sliding", "spinning", "moving", "fresh", "same", "disc", "rings"]
+
+contains
+
+    !> What a code means in a word, as Python and problem files write it; empty for a number that is no code.
+    pure function word_of(code) result(word)
+        integer, intent(in) :: code
+        character(len=len(words)) :: word
+        integer :: place
+
+        word = ""
+        place = findloc(numbers, code, dim=1)
+        if (place > 0) word = words(place)
+    end function word_of
 
 end module mdrcontact_codes

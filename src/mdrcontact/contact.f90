@@ -10,7 +10,7 @@ module mdrcontact_contact
     use mdrcontact_contact_equilibrium, only: adhesion_automatic, adhesion_energy, adhesion_paper, new_equilibrium
     use mdrcontact_contact_exact_zeta, only: exact_zeta
     use mdrcontact_contact_unstable_ranges, only: find_unstable_ranges
-    use mdrcontact_error, only: check_choice, check_finite, check_not_negative, error_domain, error_invalid, error_t, &
+    use mdrcontact_error, only: check_code, check_finite, check_not_negative, error_domain, error_invalid, error_t, &
                                 error_unreachable, raise, to_text
     use mdrcontact_contact_fields, only: check_state, fields_t
     use mdrcontact_gsl, only: disable_gsl_abort
@@ -181,8 +181,7 @@ contains
         type(error_t), allocatable, intent(inout) :: error
 
         call check_not_negative(error, "work_of_adhesion", work_of_adhesion)
-        call check_choice(error, "adhesion_rule", rule, adhesion_automatic, adhesion_energy, &
-                          "0 (automatic), 1 (paper) or 2 (energy)")
+        call check_code(error, "adhesion_rule", rule, [adhesion_automatic, adhesion_paper, adhesion_energy])
     end subroutine check_adhesion
 
     !> Whether the work of adhesion is greater than 0.
@@ -311,7 +310,7 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         integer, intent(in) :: branch
 
-        call check_choice(error, "branch", branch, on_loading, on_unloading, "1 (loading) or 2 (unloading)")
+        call check_code(error, "branch", branch, [on_loading, on_unloading])
     end subroutine check_branch
 
     !> The stable state at a given value s of what a machine controls: depth, force, or the far end of a spring.

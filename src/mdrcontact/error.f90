@@ -8,13 +8,14 @@ module mdrcontact_error
     use mdrcontact_codes, only: error_callback => ecallback, error_cancelled => ecancelled, error_domain => edomain, &
                                 error_file => efile, error_invalid => einvalid, error_memory => enomemory, &
                                 error_no_convergence => enoconvergence, error_null => enull, error_unreachable => eunreachable, &
-                                success
+                                success, word_of
     use mdrcontact_kinds, only: half_pi, wp
     use mdrcontact_padded_text, only: padded_count, padded_number
     implicit none (type, external)
     private
     public :: error_t, raise, explain, raise_at, count_text, to_text
-    public :: check_memory, check_choice, check_count_from, check_count_within, check_same_size, check_finite, check_positive, &
+    public :: check_memory, check_choice, check_code, check_count_from, check_count_within, &
+              check_same_size, check_finite, check_positive, &
               check_not_negative, check_within, check_poisson, check_inclination, check_table
     public :: success, error_null, error_invalid, error_domain, error_unreachable, error_no_convergence, &
               error_memory, error_callback, error_file, error_cancelled
@@ -114,6 +115,33 @@ contains
         if (choice >= first .and. choice <= last) return
         call raise(error, error_invalid, name//" = "//count_text(choice)//" is not allowed: it must be "//allowed)
     end subroutine check_choice
+
+    !> Raises unless a code is one of those that are allowed, which it names by number and word.
+    pure subroutine check_code(error, name, code, allowed)
+        type(error_t), allocatable, intent(inout) :: error
+        character(len=*), intent(in) :: name
+        integer, intent(in) :: code, allowed(:)
+        character(len=512) :: words
+        integer :: i
+
+        if (any(allowed == code)) return
+        words = ""
+        do i = 1, size(allowed)
+            if (i > 1 .and. i < size(allowed)) words = trim(words)//","
+            if (i > 1 .and. i == size(allowed)) words = trim(words)//" or"
+            words = trim(words)//" "//code_text(allowed(i))
+        end do
+        call raise(error, error_invalid, name//" = "//trim(code_text(code))//" is not allowed: it must be"//trim(words))
+    end subroutine check_code
+
+    !> A code as number and word.
+    pure function code_text(code) result(text)
+        integer, intent(in) :: code
+        character(len=48) :: text
+
+        text = count_text(code)
+        if (word_of(code) /= "") text = trim(text)//" ("//trim(word_of(code))//")"
+    end function code_text
 
     !> Raises unless count >= smallest.
     pure subroutine check_count_from(error, name, count, smallest)

@@ -10,7 +10,8 @@ module mdrcontact_model
     use mdrcontact_body_layers, only: layers_t
     use mdrcontact_codes, only: base_any, base_elastic, base_rigid, model_bec, model_dimitriadis, model_doerner_nix, model_exact, &
                                 model_gao, model_gao_power, model_gao_series, model_garcia, model_hay_crawford, &
-                                model_mencik_exponential, model_mencik_reciprocal, model_perriot_barthel, model_wave
+                                model_mencik_exponential, model_mencik_reciprocal, model_perriot_barthel, model_wave, &
+                                weight_nu_surface
     use mdrcontact_error, only: count_text, error_invalid, error_t, raise, to_text
     use mdrcontact_kinds, only: half_pi, wp
     use mdrcontact_medium_exact, only: layered_exact_t, new_layered_exact
@@ -55,7 +56,7 @@ module mdrcontact_model
         !> q a > 0 of the wave
         real(c_double) :: wave_factor = half_pi
         !> one of gao_nu_..., which nu enters I0, and the number for gao_nu_given
-        integer(c_int) :: weight_nu_choice = 0_c_int
+        integer(c_int) :: weight_nu_choice = int(weight_nu_surface, c_int)
         !> that number, -1 < weight_nu <= 1/2
         real(c_double) :: weight_nu = 0.5_c_double
         !> relative tolerance of the exact solution

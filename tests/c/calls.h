@@ -125,7 +125,7 @@ APART int law_point(const mdr_law *law, int given, int branch, double in, mdr_la
     mdr_law_point p = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
     const int status = mdr_law_values(law, given, branch, 1, &in, &p.depth, &p.radius, &p.force, &p.stiffness, &p.slope, &p.energy);
     if (status != MDR_SUCCESS) return status;
-    if (given == MDR_GIVEN_FORCE && p.slope > 0.0) p.slope = 1.0 / p.slope;
+    if (given == MDR_FORCE && p.slope > 0.0) p.slope = 1.0 / p.slope;
     mdr_law_about(law, &facts);
     if (p.depth > facts.highest_depth) p.beyond = p.depth - facts.highest_depth;
     *point = p;

@@ -94,7 +94,7 @@ static mdr_contact *ball_on(mdr_medium *m, double work_of_adhesion)
 static mdr_state state_at(const mdr_contact *c, double a)
 {
     mdr_state state = {0};
-    CHECK_SUCCESS(mdr_contact_states(c, MDR_GIVEN_RADIUS, MDR_ON_UNLOADING, 1, &a, &state));
+    CHECK_SUCCESS(mdr_contact_states(c, MDR_RADIUS, MDR_ON_UNLOADING, 1, &a, &state));
     return state;
 }
 
@@ -137,11 +137,11 @@ static void states(numbers *out)
     for (int i = 0; i < 4; i++) {
         mdr_contact *c = ball_on(i < 2 ? coating(i == 0 ? 30.0 : 0.03) : i == 2 ? grading() : coating(2.0), 0.0);
         const int n = i < 2 ? 3 : 2;
-        CHECK_SUCCESS(columns_of(c, MDR_GIVEN_RADIUS, n, a, NULL, NULL, more(out, n), NULL));
-        CHECK_SUCCESS(columns_of(c, MDR_GIVEN_FORCE, 2, F, more(out, 2), NULL, NULL, NULL));
+        CHECK_SUCCESS(columns_of(c, MDR_RADIUS, n, a, NULL, NULL, more(out, n), NULL));
+        CHECK_SUCCESS(columns_of(c, MDR_FORCE, 2, F, more(out, 2), NULL, NULL, NULL));
         const mdr_state state = state_at(c, 1.0);
-        CHECK_SUCCESS(mdr_contact_field(c, MDR_FIELD_PRESSURE, &state, 2, r, more(out, 2)));
-        CHECK_SUCCESS(mdr_contact_field(c, MDR_FIELD_DISPLACEMENT, &state, 1, (const double[1]){2.5}, more(out, 1)));
+        CHECK_SUCCESS(mdr_contact_field(c, MDR_PRESSURE, &state, 2, r, more(out, 2)));
+        CHECK_SUCCESS(mdr_contact_field(c, MDR_DISPLACEMENT, &state, 1, (const double[1]){2.5}, more(out, 1)));
         CHECK_SUCCESS(mdr_contact_energy(c, &state, more(out, 1), NULL));
         CHECK_SUCCESS(mdr_contact_lowest_pressure(c, &state, more(out, 1), NULL));
         MDR_FREE(c);
@@ -184,9 +184,9 @@ static void histories(numbers *out)
     static const double t[4] = {0.0, 0.5, 1.0, 4.0}, d[4] = {0.0, 0.2, 0.1, 0.05}, again[4] = {0.0, 0.2, 0.1, 0.2};
     for (int i = 0; i < 4; i++) {
         mdr_contact *c = ball_on_polymer(i);
-        CHECK_SUCCESS(mdr_contact_history(c, MDR_GIVEN_DEPTH, 1e-4, 4, t, d, NULL, more(out, 4), more(out, 4)));
-        if (i == 2) CHECK_SUCCESS(mdr_contact_history(c, MDR_GIVEN_DEPTH, 1e-4, 4, t, again, NULL, NULL, more(out, 4)));
-        if (i == 0) CHECK_SUCCESS(mdr_contact_history(c, MDR_GIVEN_FORCE, 1e-4, 4, t, d, more(out, 4), NULL, NULL));
+        CHECK_SUCCESS(mdr_contact_history(c, MDR_DEPTH, 1e-4, 4, t, d, NULL, more(out, 4), more(out, 4)));
+        if (i == 2) CHECK_SUCCESS(mdr_contact_history(c, MDR_DEPTH, 1e-4, 4, t, again, NULL, NULL, more(out, 4)));
+        if (i == 0) CHECK_SUCCESS(mdr_contact_history(c, MDR_FORCE, 1e-4, 4, t, d, more(out, 4), NULL, NULL));
         MDR_FREE(c);
     }
 }
@@ -197,7 +197,7 @@ static void responses(numbers *out)
     for (int i = 0; i < 4; i++) {
         mdr_contact *c = ball_on_polymer(i);
         CHECK_SUCCESS(mdr_contact_dynamic_stiffness(c, 3, omega, a, more(out, 3), more(out, 3)));
-        CHECK_SUCCESS(mdr_contact_step_response(c, MDR_STEP_CREEP, 0.7, 2, omega, more(out, 2)));
+        CHECK_SUCCESS(mdr_contact_step_response(c, MDR_CREEP, 0.7, 2, omega, more(out, 2)));
         MDR_FREE(c);
     }
 }
@@ -207,8 +207,8 @@ static void loops(numbers *out)
     mdr_contact *c = ball_on(coating(10.0), 0.02);
     mdr_loop *loop = NULL;
     mdr_loop_facts facts = MDR_SIZED(mdr_loop_facts);
-    CHECK_SUCCESS(pull_off_of(c, MDR_CONTROL_FORCE, 1, more(out, 1), more(out, 1), more(out, 1), NULL));
-    CHECK_SUCCESS(mdr_loop_new(c, MDR_CONTROL_DEPTH, 0.1, 5, 0.0, &loop));
+    CHECK_SUCCESS(pull_off_of(c, MDR_FORCE, 1, more(out, 1), more(out, 1), more(out, 1), NULL));
+    CHECK_SUCCESS(mdr_loop_new(c, MDR_DEPTH, 0.1, 5, 0.0, &loop));
     CHECK_SUCCESS(mdr_loop_points(loop, 8, (mdr_loop_point *)more(out, 8 * (int)(sizeof(mdr_loop_point) / sizeof(double))), NULL));
     CHECK_SUCCESS(mdr_loop_about(loop, &facts));
     *more(out, 1) = facts.dissipated_energy;
@@ -228,12 +228,12 @@ static void friction(numbers *out)
         const mdr_state state = state_at(c, 0.7);
         CHECK_SUCCESS(mdr_friction_new(c, 0.3, &f));
         CHECK_SUCCESS(shear_sliding(f, &state, MDR_ALONG, more(out, 1), NULL));
-        CHECK_SUCCESS(shear_states(f, &state, MDR_ALONG, MDR_GIVEN_SHIFT, 1, shift + 1, sheared));
+        CHECK_SUCCESS(shear_states(f, &state, MDR_ALONG, MDR_SHIFT, 1, shift + 1, sheared));
         *more(out, 1) = sheared[0].tangential_force;
-        CHECK_SUCCESS(shear_field(f, &state, MDR_ALONG, sheared, MDR_FIELD_TRACTION, 1, (const double[1]){0.3}, more(out, 1)));
-        CHECK_SUCCESS(shear_loop(f, &state, MDR_ALONG, MDR_GIVEN_SHIFT, 0.004, 5, more(out, 5), more(out, 5), more(out, 1)));
+        CHECK_SUCCESS(shear_field(f, &state, MDR_ALONG, sheared, MDR_TRACTION, 1, (const double[1]){0.3}, more(out, 1)));
+        CHECK_SUCCESS(shear_loop(f, &state, MDR_ALONG, MDR_SHIFT, 0.004, 5, more(out, 5), more(out, 5), more(out, 1)));
         CHECK_SUCCESS(mdr_friction_history_new(f, 0.12, 20, &h));
-        CHECK_SUCCESS(mdr_friction_history_advance(h, MDR_GIVEN_DEPTH, MDR_GIVEN_SHIFT, 3, depth, shift, reached, sheared));
+        CHECK_SUCCESS(mdr_friction_history_advance(h, MDR_DEPTH, MDR_SHIFT, 3, depth, shift, reached, sheared));
         for (int j = 0; j < 3; j++) *more(out, 1) = sheared[j].tangential_force;
         MDR_FREE(h);
         MDR_FREE(f);
@@ -250,11 +250,11 @@ static void torsion(numbers *out)
     mdr_contact *c = ball_on(m, 0.0);
     const mdr_state state = state_at(c, 0.7);
     CHECK_SUCCESS(mdr_friction_new(c, 0.3, &f));
-    CHECK_SUCCESS(shear_states(f, &state, MDR_AROUND, MDR_GIVEN_TWIST, 1, (const double[1]){0.01}, &twisted));
+    CHECK_SUCCESS(shear_states(f, &state, MDR_AROUND, MDR_TWIST, 1, (const double[1]){0.01}, &twisted));
     *more(out, 1) = twisted.tangential_force;
     CHECK_SUCCESS(shear_sliding(f, &state, MDR_AROUND, NULL, more(out, 1)));
-    CHECK_SUCCESS(shear_field(f, &state, MDR_AROUND, &twisted, MDR_FIELD_TRACTION, 1, (const double[1]){0.3}, more(out, 1)));
-    CHECK_SUCCESS(shear_loop(f, &state, MDR_AROUND, MDR_GIVEN_TWIST, 0.01, 5, more(out, 5), more(out, 5), more(out, 1)));
+    CHECK_SUCCESS(shear_field(f, &state, MDR_AROUND, &twisted, MDR_TRACTION, 1, (const double[1]){0.3}, more(out, 1)));
+    CHECK_SUCCESS(shear_loop(f, &state, MDR_AROUND, MDR_TWIST, 0.01, 5, more(out, 5), more(out, 5), more(out, 1)));
     MDR_FREE(f);
     MDR_FREE(c);
 }

@@ -77,17 +77,17 @@ static void jkr(const mdr_contact *c)
         d[i] = a[i] * a[i] / R - sqrt(2 * pi * a[i] * work / modulus);
         F[i] = 4 * modulus * pow(a[i], 3) / (3 * R) - sqrt(8 * pi * pow(a[i], 3) * work * modulus);
     }
-    CHECK_SUCCESS(columns_of(c, MDR_GIVEN_RADIUS, 4, a, found, NULL, NULL, NULL));
+    CHECK_SUCCESS(columns_of(c, MDR_RADIUS, 4, a, found, NULL, NULL, NULL));
     for (int i = 0; i < 4; i++) CHECK_CLOSE(found[i], d[i], 1e-11);
-    CHECK_SUCCESS(columns_of(c, MDR_GIVEN_RADIUS, 4, a, NULL, NULL, found, NULL));
+    CHECK_SUCCESS(columns_of(c, MDR_RADIUS, 4, a, NULL, NULL, found, NULL));
     for (int i = 0; i < 4; i++) CHECK_CLOSE(found[i], F[i], 1e-11);
-    CHECK_SUCCESS(columns_of(c, MDR_GIVEN_DEPTH, 4, d, NULL, found, NULL, NULL));
+    CHECK_SUCCESS(columns_of(c, MDR_DEPTH, 4, d, NULL, found, NULL, NULL));
     for (int i = 0; i < 4; i++) CHECK_CLOSE(found[i], a[i], 1e-10);
-    CHECK_SUCCESS(columns_of(c, MDR_GIVEN_FORCE, 4, F, NULL, found, NULL, NULL));
+    CHECK_SUCCESS(columns_of(c, MDR_FORCE, 4, F, NULL, found, NULL, NULL));
     for (int i = 0; i < 4; i++) CHECK_CLOSE(found[i], a[i], 1e-10);
-    CHECK_SUCCESS(mdr_contact_states(c, MDR_GIVEN_FORCE, MDR_ON_UNLOADING, 4, F, states));
+    CHECK_SUCCESS(mdr_contact_states(c, MDR_FORCE, MDR_ON_UNLOADING, 4, F, states));
     for (int i = 0; i < 4; i++) CHECK_CLOSE(states[i].radius, a[i], 1e-10);
-    CHECK_SUCCESS(mdr_contact_states(c, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, 4, d, states));
+    CHECK_SUCCESS(mdr_contact_states(c, MDR_DEPTH, MDR_ON_UNLOADING, 4, d, states));
     for (int i = 0; i < 4; i++) {
         CHECK_CLOSE(states[i].radius, a[i], 1e-10);
         CHECK_CLOSE(states[i].depth, d[i], 1e-12);
@@ -105,10 +105,10 @@ static void pull_off(const mdr_contact *c)
     double a[1];
     mdr_state state;
 
-    CHECK_SUCCESS(columns_of(c, MDR_GIVEN_FORCE, 1, before, NULL, a, NULL, NULL));
+    CHECK_SUCCESS(columns_of(c, MDR_FORCE, 1, before, NULL, a, NULL, NULL));
     CHECK_CLOSE(a[0], cbrt(9 * pi * work * R * R / (8 * modulus)), 3e-3);
-    CHECK_STATUS(columns_of(c, MDR_GIVEN_FORCE, 1, after, NULL, a, NULL, NULL), MDR_EUNREACHABLE, "force = ");
-    CHECK_STATUS(mdr_contact_states(c, MDR_GIVEN_DEPTH, MDR_ON_LOADING, 1, (const double[]){-0.01}, &state), MDR_EUNREACHABLE,
+    CHECK_STATUS(columns_of(c, MDR_FORCE, 1, after, NULL, a, NULL, NULL), MDR_EUNREACHABLE, "force = ");
+    CHECK_STATUS(mdr_contact_states(c, MDR_DEPTH, MDR_ON_LOADING, 1, (const double[]){-0.01}, &state), MDR_EUNREACHABLE,
                  "depth = ");
 }
 
@@ -123,7 +123,7 @@ static void maugis(double sigma)
     options.work_of_adhesion = work;
     options.cohesive_stress = sigma;
     CHECK_SUCCESS(new_contact(&options, &c));
-    CHECK_SUCCESS(mdr_contact_states(c, MDR_GIVEN_RADIUS, MDR_ON_UNLOADING, 3, radii, states));
+    CHECK_SUCCESS(mdr_contact_states(c, MDR_RADIUS, MDR_ON_UNLOADING, 3, radii, states));
     for (int i = 0; i < 3; i++) {
         const double a = states[i].radius, m = states[i].zone_radius / a, root = sqrt(m * m - 1), angle = acos(1 / m);
         const double gap = a * a / (pi * R) * ((m * m - 2) * angle + root) + 4 * sigma * a / (pi * modulus) * (root * angle - m + 1);
@@ -131,7 +131,7 @@ static void maugis(double sigma)
         CHECK_CLOSE(states[i].depth, a * a / R - 2 * sigma / modulus * a * root, 1e-13);
         CHECK_CLOSE(states[i].force, 4 * modulus * a * a * a / (3 * R) - 2 * sigma * a * a * (root + m * m * angle), 1e-12);
         double pressure = 0.0;
-        CHECK_SUCCESS(mdr_contact_field(c, MDR_FIELD_PRESSURE, &states[i], 1, &states[i].zone_radius, &pressure));
+        CHECK_SUCCESS(mdr_contact_field(c, MDR_PRESSURE, &states[i], 1, &states[i].zone_radius, &pressure));
         CHECK_CLOSE(pressure, -sigma, 1e-15);
     }
     CHECK_FREE(c);
@@ -150,8 +150,8 @@ int main(void)
         options.work_of_adhesion = work;
         options.adhesion_rule = rule;
         CHECK_SUCCESS(new_contact(&options, &c));
-        branches_refuse(c, MDR_GIVEN_DEPTH);
-        branches_refuse(c, MDR_GIVEN_FORCE);
+        branches_refuse(c, MDR_DEPTH);
+        branches_refuse(c, MDR_FORCE);
         jkr(c);
         pull_off(c);
         CHECK_FREE(c);

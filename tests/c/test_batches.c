@@ -56,7 +56,7 @@ static int force_on_loading(const mdr_contact *c, double F[])
 {
     static const mdr_state none;
     mdr_state states[STATES];
-    const int status = mdr_contact_states(c, MDR_GIVEN_DEPTH, MDR_ON_LOADING, STATES, small_place, states);
+    const int status = mdr_contact_states(c, MDR_DEPTH, MDR_ON_LOADING, STATES, small_place, states);
 
     for (int i = 0; i < STATES; i++) F[i] = status == MDR_SUCCESS ? states[i].force : none.force;
     return status;
@@ -82,16 +82,16 @@ static int evaluate(const objects *o, int threads, double *out)
     CALL(mdr_weight(MDR_WEIGHT_J0, 0.3, QUICK, place, NEXT));
     CALL(mdr_weight(MDR_WEIGHT_J1, 0.3, QUICK, place, NEXT));
     CALL(force_on_loading(o->contact, NEXT));
-    CALL(columns_of(o->contact, MDR_GIVEN_FORCE, STATES, small_place, NULL, NEXT, NULL, NULL));
-    CALL(columns_of(o->quick, MDR_GIVEN_DEPTH, QUICK, place, NULL, NULL, NEXT, NULL));
-    CALL(columns_of(o->exact, MDR_GIVEN_FORCE, EXACT, small_place, NEXT, NULL, NULL, NULL));
-    CALL(columns_of(o->exact, MDR_GIVEN_RADIUS, EXACT, small_place, NULL, NULL, NULL, NEXT));
-    CALL(field_at(o->contact, MDR_FIELD_PRESSURE, MDR_GIVEN_RADIUS, 1.0, STATES, small_place, NEXT));
-    CALL(field_at(o->exact, MDR_FIELD_DISPLACEMENT, MDR_GIVEN_RADIUS, 0.5, STATES, small_place, NEXT));
-    CALL(field_at(o->exact, MDR_FIELD_LINE_LOAD, MDR_GIVEN_RADIUS, 1.0, STATES, small_place, NEXT));
-    CALL(field_at(o->quick, MDR_FIELD_PRESSURE, MDR_GIVEN_DEPTH, 0.6, STATES, small_place, NEXT));
-    CALL(field_at(o->contact, MDR_FIELD_DISPLACEMENT, MDR_GIVEN_DEPTH, 0.1, STATES, small_place, NEXT));
-    CALL(field_at(o->contact, MDR_FIELD_LINE_LOAD, MDR_GIVEN_DEPTH, 0.6, STATES, small_place, NEXT));
+    CALL(columns_of(o->contact, MDR_FORCE, STATES, small_place, NULL, NEXT, NULL, NULL));
+    CALL(columns_of(o->quick, MDR_DEPTH, QUICK, place, NULL, NULL, NEXT, NULL));
+    CALL(columns_of(o->exact, MDR_FORCE, EXACT, small_place, NEXT, NULL, NULL, NULL));
+    CALL(columns_of(o->exact, MDR_RADIUS, EXACT, small_place, NULL, NULL, NULL, NEXT));
+    CALL(field_at(o->contact, MDR_PRESSURE, MDR_RADIUS, 1.0, STATES, small_place, NEXT));
+    CALL(field_at(o->exact, MDR_DISPLACEMENT, MDR_RADIUS, 0.5, STATES, small_place, NEXT));
+    CALL(field_at(o->exact, MDR_LINE_LOAD, MDR_RADIUS, 1.0, STATES, small_place, NEXT));
+    CALL(field_at(o->quick, MDR_PRESSURE, MDR_DEPTH, 0.6, STATES, small_place, NEXT));
+    CALL(field_at(o->contact, MDR_DISPLACEMENT, MDR_DEPTH, 0.1, STATES, small_place, NEXT));
+    CALL(field_at(o->contact, MDR_LINE_LOAD, MDR_DEPTH, 0.6, STATES, small_place, NEXT));
     CALL(mdr_closed_form(MDR_FORM_PARABOLOID_FORCE, QUICK, place, (const double[]){1.0, 3.0, 1.0, 0.5}, NEXT));
     CALL(mdr_closed_form(MDR_FORM_CONE_FORCE, QUICK, place, (const double[]){0.3, 3.0, 1.0, 0.5}, NEXT));
     CALL(mdr_closed_form(MDR_FORM_ADHESIVE_DEPTH, QUICK, place, (const double[]){1.0, 3.0, 1.0, 0.5, 0.1}, NEXT));
@@ -145,7 +145,7 @@ static void test_one_by_one(const objects *o, const double *alone)
     CHECK_CLOSE(all[0], 0.0, 0.0);
     CHECK_SUCCESS(force_on_loading(o->contact, all));
     CHECK_INT(memcmp(all, alone + 11 * QUICK, sizeof all), 0);
-    CHECK_SUCCESS(field_at(o->contact, MDR_FIELD_PRESSURE, MDR_GIVEN_RADIUS, 1.0, STATES, small_place, all));
+    CHECK_SUCCESS(field_at(o->contact, MDR_PRESSURE, MDR_RADIUS, 1.0, STATES, small_place, all));
     CHECK_INT(memcmp(all, alone + 16 * QUICK, sizeof all), 0);
 }
 
@@ -167,11 +167,11 @@ static void test_errors(const objects *o)
         mdr_state states[STATES];
 
         CHECK_SUCCESS(mdr_set_threads(threads));
-        CHECK_STATUS(columns_of(o->exact, MDR_GIVEN_DEPTH, STATES, bad, out, NULL, NULL, NULL), MDR_EUNREACHABLE,
+        CHECK_STATUS(columns_of(o->exact, MDR_DEPTH, STATES, bad, out, NULL, NULL, NULL), MDR_EUNREACHABLE,
                      "entry 4 of depth = -4 ");
-        CHECK_STATUS(mdr_contact_states(o->contact, MDR_GIVEN_FORCE, MDR_ON_LOADING, STATES, bad, states), MDR_EUNREACHABLE,
+        CHECK_STATUS(mdr_contact_states(o->contact, MDR_FORCE, MDR_ON_LOADING, STATES, bad, states), MDR_EUNREACHABLE,
                      "entry 4 of force = -4 ");
-        CHECK_STATUS(field_at(o->exact, MDR_FIELD_PRESSURE, MDR_GIVEN_RADIUS, 1.0, STATES, x, out), MDR_EDOMAIN, "r = 3 ");
+        CHECK_STATUS(field_at(o->exact, MDR_PRESSURE, MDR_RADIUS, 1.0, STATES, x, out), MDR_EDOMAIN, "r = 3 ");
         CHECK_STATUS(mdr_weight(MDR_WEIGHT_I0, 0.3, STATES, bad, out), MDR_EINVALID, "entry 4 of xi");
         CHECK_STATUS(mdr_structure_modulus(o->structure, EXACT, x, x, bad, out), MDR_EINVALID, "a = -4 ");
         CHECK_STATUS(mdr_set_threads(-1), MDR_EINVALID, "threads = -1 is not allowed");

@@ -46,9 +46,9 @@ static mdr_shear_state sheared[MANY / 10];
 static double sway[MANY], other[MANY], deep[POINTS];
 static mdr_law *law;
 
-static int states(void) { return columns_of(exact, MDR_GIVEN_FORCE, MANY, in, NULL, NULL, out, NULL); }
-static int formula_states(void) { return columns_of(plain, MDR_GIVEN_FORCE, MANY, in, NULL, NULL, out, NULL); }
-static int pressures(void) { return field_at(rough, MDR_FIELD_PRESSURE, MDR_GIVEN_RADIUS, 1.0, MANY, radii, out); }
+static int states(void) { return columns_of(exact, MDR_FORCE, MANY, in, NULL, NULL, out, NULL); }
+static int formula_states(void) { return columns_of(plain, MDR_FORCE, MANY, in, NULL, NULL, out, NULL); }
+static int pressures(void) { return field_at(rough, MDR_PRESSURE, MDR_RADIUS, 1.0, MANY, radii, out); }
 static int compiled(void) { return mdr_law_new(sharp, 1.0, NULL, &law); }
 static int place(void) { return mdr_structure_modulus(balls, MANY, in, in, in + 1, out); }
 static int cells(void) { return mdr_structure_modulus(voxels, MANY, in, in, in + 1, out); }
@@ -56,23 +56,23 @@ static int table(void) { return mdr_structure_medium(balls, 0.0, 0.0, 0.01, 10.0
 static int torsion(void) { return mdr_medium_values(film, MDR_TORSIONAL_STIFFNESS, MANY, in, out); }
 static int path(void)
 {
-    return mdr_contact_history(relaxing, MDR_GIVEN_DEPTH, 1e-9, MANY / 500, in + POINTS, sway, out, NULL, NULL);
+    return mdr_contact_history(relaxing, MDR_DEPTH, 1e-9, MANY / 500, in + POINTS, sway, out, NULL, NULL);
 }
 static int sticky_path(void)
 {
     const mdr_rate_state apart = {0};
     mdr_rate_state end;
-    return mdr_contact_adhesive_history(sticky, MDR_CONTROL_DEPTH, 0.0, 1e-7, &apart, POINTS, in, deep, out, NULL, NULL, NULL,
+    return mdr_contact_adhesive_history(sticky, MDR_DEPTH, 0.0, 1e-7, &apart, POINTS, in, deep, out, NULL, NULL, NULL,
                                         &end);
 }
 static int oscillation(void) { return mdr_contact_dynamic_stiffness(relaxing, MANY, in, in, out, other); }
-static int rub(void) { return shear_states(rubbed_film, &pressed, MDR_ALONG, MDR_GIVEN_SHIFT, MANY / 10, sway, sheared); }
-static int rub_in_turn(void) { return shear_loop(rubbed_film, &pressed, MDR_ALONG, MDR_GIVEN_SHIFT, 1e-3, MANY, out, other,
+static int rub(void) { return shear_states(rubbed_film, &pressed, MDR_ALONG, MDR_SHIFT, MANY / 10, sway, sheared); }
+static int rub_in_turn(void) { return shear_loop(rubbed_film, &pressed, MDR_ALONG, MDR_SHIFT, 1e-3, MANY, out, other,
                                                  other); }
 static int many_rings(void) { return mdr_friction_history_new(rubbed_film, 0.5, 1000, &rings); }
 static int rub_along(void)
 {
-    return mdr_friction_history_advance(history, MDR_GIVEN_DEPTH, MDR_GIVEN_SHIFT, MANY / 10, in, sway, normal, sheared);
+    return mdr_friction_history_advance(history, MDR_DEPTH, MDR_SHIFT, MANY / 10, in, sway, normal, sheared);
 }
 static int inside(void)
 {
@@ -176,7 +176,7 @@ int main(void)
     CHECK_SUCCESS(mdr_friction_new(plain, 0.3, &rubbed));
     CHECK_SUCCESS(mdr_friction_new(on_film, 0.3, &rubbed_film));
     CHECK_SUCCESS(mdr_friction_history_new(rubbed, 0.0, 0, &history));
-    CHECK_SUCCESS(mdr_contact_states(on_film, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, 1, (double[]){0.3}, &pressed));
+    CHECK_SUCCESS(mdr_contact_states(on_film, MDR_DEPTH, MDR_ON_UNLOADING, 1, (double[]){0.3}, &pressed));
 
     CHECK_INT(mdr_set_cancel(stop, &answers_no), MDR_SUCCESS);
     check_cancelled("states", states);
@@ -205,19 +205,19 @@ int main(void)
     check_cancelled("shapes, two threads", place);
     CHECK_SUCCESS(mdr_set_threads(1));
     answers_no = 1;
-    CHECK_SUCCESS(columns_of(exact, MDR_GIVEN_DEPTH, 1, in, NULL, NULL, out, NULL));
+    CHECK_SUCCESS(columns_of(exact, MDR_DEPTH, 1, in, NULL, NULL, out, NULL));
     once = out[0];
     CHECK_SUCCESS(mdr_set_cancel(NULL, NULL));
-    CHECK_SUCCESS(columns_of(exact, MDR_GIVEN_DEPTH, 1, in, NULL, NULL, out, NULL));
+    CHECK_SUCCESS(columns_of(exact, MDR_DEPTH, 1, in, NULL, NULL, out, NULL));
     CHECK_CLOSE(out[0], once, 0.0);
 
     /* the contact with friction has not been loaded yet */
-    CHECK_SUCCESS(mdr_friction_history_advance(history, MDR_GIVEN_DEPTH, MDR_GIVEN_SHIFT, 1, (double[]){0.1}, (double[]){1e-3},
+    CHECK_SUCCESS(mdr_friction_history_advance(history, MDR_DEPTH, MDR_SHIFT, 1, (double[]){0.1}, (double[]){1e-3},
                                                normal, sheared));
     once = sheared[0].tangential_force;
     CHECK_FREE(history);
     CHECK_SUCCESS(mdr_friction_history_new(rubbed, 0.0, 0, &history));
-    CHECK_SUCCESS(mdr_friction_history_advance(history, MDR_GIVEN_DEPTH, MDR_GIVEN_SHIFT, 1, (double[]){0.1}, (double[]){1e-3},
+    CHECK_SUCCESS(mdr_friction_history_advance(history, MDR_DEPTH, MDR_SHIFT, 1, (double[]){0.1}, (double[]){1e-3},
                                                normal, sheared));
     CHECK_CLOSE(sheared[0].tangential_force, once, 0.0);
 

@@ -64,12 +64,12 @@ static void against_the_contact(void)
     CHECK_SUCCESS(mdr_profile_cone(phi, &cone));
     CHECK_SUCCESS(new_coated(3 * G0, 0.5, h, 3 * G1, 0.5, MDR_MODEL_GAO, NULL, &m));
     CHECK_SUCCESS(mdr_contact_new(paraboloid, m, NULL, &c));
-    CHECK_SUCCESS(columns_of(c, MDR_GIVEN_RADIUS, 3, a, NULL, NULL, expected, NULL));
+    CHECK_SUCCESS(columns_of(c, MDR_RADIUS, 3, a, NULL, NULL, expected, NULL));
     CHECK_SUCCESS(mdr_closed_form(MDR_FORM_PARABOLOID_FORCE, 3, a, (const double[]){R, G0, G1, h}, found));
     for (int i = 0; i < 3; i++) CHECK_CLOSE(found[i], expected[i], 1e-12);
     CHECK_FREE(c);
     CHECK_SUCCESS(mdr_contact_new(cone, m, NULL, &c));
-    CHECK_SUCCESS(columns_of(c, MDR_GIVEN_RADIUS, 3, a, NULL, NULL, expected, NULL));
+    CHECK_SUCCESS(columns_of(c, MDR_RADIUS, 3, a, NULL, NULL, expected, NULL));
     CHECK_SUCCESS(mdr_closed_form(MDR_FORM_CONE_FORCE, 3, a, (const double[]){phi, G0, G1, h}, found));
     for (int i = 0; i < 3; i++) CHECK_CLOSE(found[i], expected[i], 1e-12);
     CHECK_FREE(c);
@@ -77,7 +77,7 @@ static void against_the_contact(void)
     options.work_of_adhesion = work;
     options.adhesion_rule = MDR_ADHESION_PAPER;
     CHECK_SUCCESS(mdr_contact_new(paraboloid, m, &options, &c));
-    CHECK_SUCCESS(columns_of(c, MDR_GIVEN_RADIUS, 3, a, expected, NULL, NULL, NULL));
+    CHECK_SUCCESS(columns_of(c, MDR_RADIUS, 3, a, expected, NULL, NULL, NULL));
     CHECK_SUCCESS(mdr_closed_form(MDR_FORM_ADHESIVE_DEPTH, 3, a, (const double[]){R, G0, G1, h, work}, found));
     for (int i = 0; i < 3; i++) CHECK_CLOSE(found[i], expected[i], 1e-12);
     CHECK_FREE(c);

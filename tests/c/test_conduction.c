@@ -21,24 +21,24 @@ static void test_half_space(void)
     memcpy(out, radius, sizeof out);
     CHECK_SUCCESS(mdr_conduction_spot(p, 2, out, out, NULL));
     CHECK_CLOSE(out[1], conductance[1], 1e-15);
-    CHECK_SUCCESS(mdr_conduction_field(p, MDR_CONDUCTION_FLUX, 1.5, MDR_BODY_LOWER, 1, 0.0, 2, r, NULL, out));
+    CHECK_SUCCESS(mdr_conduction_field(p, MDR_FLUX, 1.5, MDR_BODY_LOWER, 1, 0.0, 2, r, NULL, out));
     CHECK_CLOSE(out[1], 8.0 / (PI * sqrt(1.5 * 1.5 - 0.25)), 1e-13);
-    CHECK_SUCCESS(mdr_conduction_field(p, MDR_CONDUCTION_POTENTIAL, 1.5, MDR_BODY_LOWER, 1, 0.0, 2, r, z, out));
+    CHECK_SUCCESS(mdr_conduction_field(p, MDR_POTENTIAL, 1.5, MDR_BODY_LOWER, 1, 0.0, 2, r, z, out));
     CHECK_CLOSE(out[0], 1.0, 1e-13);
     CHECK_CLOSE(out[1], 1.0, 1e-13);
-    CHECK_SUCCESS(mdr_conduction_admittance(p, MDR_CONDUCTION_CONDUCTANCE, 1.5, 2, omega, out, ahead));
+    CHECK_SUCCESS(mdr_conduction_admittance(p, MDR_CONDUCTANCE, 1.5, 2, omega, out, ahead));
     CHECK_CLOSE(out[0], conductance[0], 1e-13);
     CHECK_TRUE(ahead[0] == 0.0 && ahead[1] > 0.0 && out[1] > out[0]);
-    CHECK_SUCCESS(mdr_conduction_follow(p, MDR_CONDUCTION_CONDUCTANCE, 1.5, 2, time, NULL, out));
+    CHECK_SUCCESS(mdr_conduction_follow(p, MDR_CONDUCTANCE, 1.5, 2, time, NULL, out));
     CHECK_TRUE(out[0] > conductance[0] && out[1] > out[0]);
-    CHECK_SUCCESS(mdr_conduction_follow(p, MDR_CONDUCTION_CONDUCTANCE, 1.5, 2, (double[]){1.0, 1.0 + 1e8}, z, out));
+    CHECK_SUCCESS(mdr_conduction_follow(p, MDR_CONDUCTANCE, 1.5, 2, (double[]){1.0, 1.0 + 1e8}, z, out));
     CHECK_TRUE(out[0] == 0.0 && out[1] == 0.0);
-    CHECK_SUCCESS(mdr_conduction_follow(p, MDR_CONDUCTION_CONDUCTANCE, 1.5, 2, (double[]){1.0, 1.0 + 1e8}, r, out));
+    CHECK_SUCCESS(mdr_conduction_follow(p, MDR_CONDUCTANCE, 1.5, 2, (double[]){1.0, 1.0 + 1e8}, r, out));
     CHECK_CLOSE(out[1], 0.5 * conductance[0], 1e-2);
-    CHECK_STATUS(mdr_conduction_follow(p, 1, 1.5, 2, time, r, out), MDR_EINVALID, "entry 2 of time");
-    CHECK_STATUS(mdr_conduction_follow(p, 1, 1.5, 2, r, time, out), MDR_EINVALID, "given");
-    CHECK_STATUS(mdr_conduction_follow(p, 1, 1.5, 2, (double[]){0.0, 1e-7}, r, out), MDR_EDOMAIN, "time");
-    CHECK_STATUS(mdr_conduction_follow(p, 1, 1.5, 1, NULL, r, out), MDR_ENULL, "time");
+    CHECK_STATUS(mdr_conduction_follow(p, MDR_CONDUCTANCE, 1.5, 2, time, r, out), MDR_EINVALID, "entry 2 of time");
+    CHECK_STATUS(mdr_conduction_follow(p, MDR_CONDUCTANCE, 1.5, 2, r, time, out), MDR_EINVALID, "given");
+    CHECK_STATUS(mdr_conduction_follow(p, MDR_CONDUCTANCE, 1.5, 2, (double[]){0.0, 1e-7}, r, out), MDR_EDOMAIN, "time");
+    CHECK_STATUS(mdr_conduction_follow(p, MDR_CONDUCTANCE, 1.5, 1, NULL, r, out), MDR_ENULL, "time");
     CHECK_STATUS(mdr_conduction_follow(p, 7, 1.5, 2, (double[]){0.0, 1.0}, r, out), MDR_EINVALID, "answer = 7");
     CHECK_FREE(p);
     CHECK_TRUE(p == NULL);
@@ -75,7 +75,7 @@ static void test_of_contact(void)
     CHECK_SUCCESS(mdr_profile_paraboloid(2.0, &ball));
     CHECK_SUCCESS(new_homogeneous(E, nu, &body));
     CHECK_SUCCESS(mdr_contact_new(ball, body, NULL, &c));
-    CHECK_SUCCESS(mdr_contact_states(c, MDR_GIVEN_RADIUS, MDR_ON_UNLOADING, 1, radius, &state));
+    CHECK_SUCCESS(mdr_contact_states(c, MDR_RADIUS, MDR_ON_UNLOADING, 1, radius, &state));
     CHECK_SUCCESS(mdr_conduction_along(p, c, 1, &state, &conductance, &by_force, &by_depth));
     /* Barber: G = k 2 S/E*; d = a^2/R, F ~ a^3 */
     CHECK_CLOSE(conductance, state.stiffness * 8.0 * (1.0 - nu * nu) / E, 1e-10);
@@ -92,7 +92,7 @@ static void test_of_contact(void)
     CHECK_SUCCESS(mdr_conduction_rough(p, c, &state, 1e3, &rough));
     /* so large a resistance lets everything through by itself: int p dA/kappa */
     CHECK_CLOSE(rough, state.force / 1e3, 1e-2);
-    CHECK_SUCCESS(mdr_conduction_field(p, MDR_CONDUCTION_FLUX, 0.3, MDR_BODY_LOWER, 0, 1.0, 2, r, NULL, out));
+    CHECK_SUCCESS(mdr_conduction_field(p, MDR_FLUX, 0.3, MDR_BODY_LOWER, 0, 1.0, 2, r, NULL, out));
     CHECK_TRUE(out[1] > out[0] && out[0] > 0.0);
     CHECK_SUCCESS(mdr_conduction_tabulate(p, 0.1, 0.5, 1e-8, &table));
     CHECK_SUCCESS(mdr_conduction_spot(table, 1, radius, out, out + 1));
@@ -110,9 +110,10 @@ static void test_of_contact(void)
     CHECK_STATUS(mdr_conduction_heat(p, c, 1, NULL, MDR_HEAT_SLIDING, 0.5, 0.0, &heat), MDR_ENULL, "states");
     CHECK_STATUS(mdr_conduction_heat(p, c, 1, &state, MDR_HEAT_SLIDING, 0.5, 0.0, NULL), MDR_ENULL, "out");
     CHECK_STATUS(mdr_conduction_rough(p, c, &state, 0.0, &rough), MDR_EINVALID, "kappa = 0");
-    CHECK_STATUS(mdr_conduction_field(p, MDR_CONDUCTION_FLUX, 0.05, MDR_BODY_LOWER, 0, 1.0, 2, r, NULL, out), MDR_EDOMAIN,
+    CHECK_STATUS(mdr_conduction_field(p, MDR_FLUX, 0.05, MDR_BODY_LOWER, 0, 1.0, 2, r, NULL, out), MDR_EDOMAIN,
                  "entry 2 of r");
-    CHECK_STATUS(mdr_conduction_heat_field(p, c, &state, 1, 0.5, 2, 1, 2, r, z, out), MDR_EINVALID, "body = 2");
+    CHECK_STATUS(mdr_conduction_heat_field(p, c, &state, MDR_HEAT_SLIDING, 0.5, MDR_BODY_UPPER, 1, 2, r, z, out), MDR_EINVALID,
+                 "body = 402 (upper) is not allowed: it must be 401 (lower)");
     CHECK_FREE(c);
     CHECK_FREE(body);
     CHECK_FREE(ball);
@@ -128,41 +129,44 @@ static void test_refusals(void)
     mdr_material *other = NULL;
 
     CHECK_STATUS(mdr_conduction_new(1, &bad, MDR_BASE_PERFECT, 0, NULL, 0, 0.0, 0.0, &p), MDR_EINVALID, "sigma = -1");
-    CHECK_STATUS(mdr_conduction_new(1, &layer, MDR_BASE_PERFECT, 1, &bad, 1, 0.0, 0.0, &p), MDR_EINVALID, "sigma = -1");
+    CHECK_STATUS(mdr_conduction_new(1, &layer, MDR_BASE_PERFECT, 1, &bad, MDR_BASE_HALF_SPACE, 0.0, 0.0, &p), MDR_EINVALID,
+                 "sigma = -1");
     CHECK_STATUS(mdr_conduction_new(1, &layer, 4, 0, NULL, 0, 0.0, 0.0, &p), MDR_EINVALID, "base = 4");
-    CHECK_STATUS(mdr_conduction_new(0, NULL, 1, 0, NULL, 0, 0.0, 0.0, &p), MDR_EINVALID, "no layer");
-    CHECK_STATUS(mdr_conduction_new(-1, &layer, 1, 0, NULL, 0, 0.0, 0.0, &p), MDR_EINVALID, "n = -1");
-    CHECK_STATUS(mdr_conduction_new(1, NULL, 1, 0, NULL, 0, 0.0, 0.0, &p), MDR_ENULL, "lower");
-    CHECK_STATUS(mdr_conduction_new(1, &layer, 1, 1, NULL, 1, 0.0, 0.0, &p), MDR_ENULL, "upper");
-    CHECK_STATUS(mdr_conduction_new(1, &layer, 1, 0, NULL, 0, -1.0, 0.0, &p), MDR_EINVALID, "film = -1");
-    CHECK_STATUS(mdr_conduction_new(1, &layer, 1, 0, NULL, 0, 0.0, NAN, &p), MDR_EINVALID, "sink");
-    CHECK_STATUS(mdr_conduction_new(1, &layer, 3, 0, NULL, 0, 0.0, 2.0, &p), MDR_EDOMAIN, "sink = 2");
-    CHECK_STATUS(mdr_conduction_new(1, &layer, 1, 0, NULL, 0, 0.0, 0.0, NULL), MDR_ENULL, "out");
+    CHECK_STATUS(mdr_conduction_new(0, NULL, MDR_BASE_HALF_SPACE, 0, NULL, 0, 0.0, 0.0, &p), MDR_EINVALID, "no layer");
+    CHECK_STATUS(mdr_conduction_new(-1, &layer, MDR_BASE_HALF_SPACE, 0, NULL, 0, 0.0, 0.0, &p), MDR_EINVALID, "n = -1");
+    CHECK_STATUS(mdr_conduction_new(1, NULL, MDR_BASE_HALF_SPACE, 0, NULL, 0, 0.0, 0.0, &p), MDR_ENULL, "lower");
+    CHECK_STATUS(mdr_conduction_new(1, &layer, MDR_BASE_HALF_SPACE, 1, NULL, MDR_BASE_HALF_SPACE, 0.0, 0.0, &p), MDR_ENULL,
+                 "upper");
+    CHECK_STATUS(mdr_conduction_new(1, &layer, MDR_BASE_HALF_SPACE, 0, NULL, 0, -1.0, 0.0, &p), MDR_EINVALID, "film = -1");
+    CHECK_STATUS(mdr_conduction_new(1, &layer, MDR_BASE_HALF_SPACE, 0, NULL, 0, 0.0, NAN, &p), MDR_EINVALID, "sink");
+    CHECK_STATUS(mdr_conduction_new(1, &layer, MDR_BASE_INSULATING, 0, NULL, 0, 0.0, 2.0, &p), MDR_EDOMAIN, "sink = 2");
+    CHECK_STATUS(mdr_conduction_new(1, &layer, MDR_BASE_HALF_SPACE, 0, NULL, 0, 0.0, 0.0, NULL), MDR_ENULL, "out");
     CHECK_TRUE(p == NULL);
     CHECK_SUCCESS(mdr_conduction_new(1, &layer, MDR_BASE_INSULATING, 0, NULL, 0, 0.0, 0.0, &p));
     CHECK_STATUS(mdr_conduction_spot(p, 1, one, out, more), MDR_EINVALID, "sink");
-    CHECK_STATUS(mdr_conduction_admittance(p, 1, 1.0, 2, one, out, more), MDR_EINVALID, "entry 2 of omega");
+    CHECK_STATUS(mdr_conduction_admittance(p, MDR_CONDUCTANCE, 1.0, 2, one, out, more), MDR_EINVALID, "entry 2 of omega");
     CHECK_STATUS(mdr_conduction_compliance(p, -1.0, 1, one, out, more), MDR_EINVALID, "omega");
     CHECK_STATUS(mdr_conduction_compliance(p, 0.0, 1, NULL, out, more), MDR_ENULL, "k");
     CHECK_STATUS(mdr_conduction_compliance(NULL, 0.0, 1, one, out, more), MDR_ENULL, "p");
     CHECK_SUCCESS(mdr_conduction_compliance(p, 0.0, 0, NULL, NULL, NULL));
     CHECK_STATUS(mdr_conduction_admittance(p, 6, 1.0, 1, one, out, more), MDR_EINVALID, "answer = 6");
-    CHECK_STATUS(mdr_conduction_admittance(p, 1, 1e4, 1, one, out, more), MDR_EDOMAIN, "omega");
-    CHECK_STATUS(mdr_conduction_admittance(p, 1, 1.0, 1, one, NULL, more), MDR_ENULL, "in_phase");
-    CHECK_STATUS(mdr_conduction_follow(p, 1, 1e3, 1, one, NULL, out), MDR_EDOMAIN, "time");
-    CHECK_STATUS(mdr_conduction_follow(p, 1, 1.0, 2, one, NULL, out), MDR_EINVALID, "entry 2 of time");
-    CHECK_STATUS(mdr_conduction_follow(p, 1, 1.0, 1, NULL, NULL, out), MDR_ENULL, "time");
-    CHECK_SUCCESS(mdr_conduction_follow(p, 1, 1.0, 0, NULL, NULL, NULL));
+    CHECK_STATUS(mdr_conduction_admittance(p, MDR_CONDUCTANCE, 1e4, 1, one, out, more), MDR_EDOMAIN, "omega");
+    CHECK_STATUS(mdr_conduction_admittance(p, MDR_CONDUCTANCE, 1.0, 1, one, NULL, more), MDR_ENULL, "in_phase");
+    CHECK_STATUS(mdr_conduction_follow(p, MDR_CONDUCTANCE, 1e3, 1, one, NULL, out), MDR_EDOMAIN, "time");
+    CHECK_STATUS(mdr_conduction_follow(p, MDR_CONDUCTANCE, 1.0, 2, one, NULL, out), MDR_EINVALID, "entry 2 of time");
+    CHECK_STATUS(mdr_conduction_follow(p, MDR_CONDUCTANCE, 1.0, 1, NULL, NULL, out), MDR_ENULL, "time");
+    CHECK_SUCCESS(mdr_conduction_follow(p, MDR_CONDUCTANCE, 1.0, 0, NULL, NULL, NULL));
     CHECK_FREE(p);
     CHECK_SUCCESS(mdr_conduction_new(1, &layer, MDR_BASE_HALF_SPACE, 0, NULL, 0, 0.0, 0.0, &p));
     CHECK_STATUS(mdr_conduction_spot(p, 2, one, out, more), MDR_EINVALID, "radius = -1");
     CHECK_STATUS(mdr_conduction_spot(p, -1, one, out, more), MDR_EINVALID, "n = -1");
     CHECK_STATUS(mdr_conduction_spot(NULL, 1, one, out, more), MDR_ENULL, "p");
-    CHECK_STATUS(mdr_conduction_field(p, 1, 1.0, 1, 1, 0.0, 1, one, NULL, out), MDR_EDOMAIN, "r = 1");
-    CHECK_STATUS(mdr_conduction_field(p, 2, 1.0, 1, 1, 0.0, 1, one, NULL, out), MDR_ENULL, "z");
-    CHECK_STATUS(mdr_conduction_field(p, 5, 1.0, 1, 1, 0.0, 1, one, one, out), MDR_EINVALID, "field = 5");
-    CHECK_STATUS(mdr_conduction_field(p, 2, 1.0, 2, 1, 0.0, 1, one, one, out), MDR_EINVALID, "body = 2");
-    CHECK_STATUS(mdr_conduction_field(p, 2, 1.0, 1, 2, 0.0, 1, one, one, out), MDR_EINVALID, "below = 2");
+    CHECK_STATUS(mdr_conduction_field(p, MDR_FLUX, 1.0, MDR_BODY_LOWER, 1, 0.0, 1, one, NULL, out), MDR_EDOMAIN, "r = 1");
+    CHECK_STATUS(mdr_conduction_field(p, MDR_POTENTIAL, 1.0, MDR_BODY_LOWER, 1, 0.0, 1, one, NULL, out), MDR_ENULL, "z");
+    CHECK_STATUS(mdr_conduction_field(p, 5, 1.0, MDR_BODY_LOWER, 1, 0.0, 1, one, one, out), MDR_EINVALID, "field = 5");
+    CHECK_STATUS(mdr_conduction_field(p, MDR_POTENTIAL, 1.0, MDR_BODY_UPPER, 1, 0.0, 1, one, one, out), MDR_EINVALID,
+                 "body = 402 (upper) is not allowed: it must be 401 (lower)");
+    CHECK_STATUS(mdr_conduction_field(p, MDR_POTENTIAL, 1.0, MDR_BODY_LOWER, 2, 0.0, 1, one, one, out), MDR_EINVALID, "below = 2");
     CHECK_SUCCESS(mdr_material_viscoelastic(1.0 / 2.6, 0, NULL, NULL, 0.0, 0.3, 0.0, &other));
     CHECK_STATUS(mdr_conduction_spot((mdr_conduction *)other, 1, one, out, more), MDR_EINVALID, "mdr_conduction");
     CHECK_FREE(other);

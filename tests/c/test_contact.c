@@ -6,7 +6,7 @@
 
 static const double pi = 3.14159265358979323846;
 
-static const int givens[] = {MDR_GIVEN_DEPTH, MDR_GIVEN_FORCE, MDR_GIVEN_RADIUS};
+static const int givens[] = {MDR_DEPTH, MDR_FORCE, MDR_RADIUS};
 
 static mdr_contact *new_contact(mdr_profile *p, mdr_medium *m)
 {
@@ -106,15 +106,15 @@ static void ends_refuse(void)
     CHECK_SUCCESS(mdr_profile_sphere(1.0, &p));
     CHECK_SUCCESS(mdr_medium_contact_modulus(1.0, &m));
     mdr_contact *c = new_contact(p, m);
-    CHECK_STATUS(columns_of(c, MDR_GIVEN_RADIUS, 1, beyond, NULL, a, NULL, NULL), MDR_EDOMAIN, "radius = 1.5");
-    CHECK_STATUS(columns_of(c, MDR_GIVEN_DEPTH, 1, deep, NULL, a, NULL, NULL), MDR_EUNREACHABLE, "depth = ");
-    CHECK_STATUS(columns_of(c, MDR_GIVEN_FORCE, 1, deep, NULL, a, NULL, NULL), MDR_EUNREACHABLE, "force = ");
+    CHECK_STATUS(columns_of(c, MDR_RADIUS, 1, beyond, NULL, a, NULL, NULL), MDR_EDOMAIN, "radius = 1.5");
+    CHECK_STATUS(columns_of(c, MDR_DEPTH, 1, deep, NULL, a, NULL, NULL), MDR_EUNREACHABLE, "depth = ");
+    CHECK_STATUS(columns_of(c, MDR_FORCE, 1, deep, NULL, a, NULL, NULL), MDR_EUNREACHABLE, "force = ");
     CHECK_FREE(c);
     CHECK_SUCCESS(mdr_profile_flat_punch(0.4, &p));
     CHECK_SUCCESS(mdr_medium_contact_modulus(1.0, &m));
     c = new_contact(p, m);
-    CHECK_STATUS(columns_of(c, MDR_GIVEN_RADIUS, 1, inside, NULL, a, NULL, NULL), MDR_EUNREACHABLE, "radius = 0.2");
-    CHECK_STATUS(columns_of(c, MDR_GIVEN_RADIUS, 1, wall, NULL, a, NULL, NULL), MDR_EUNREACHABLE, "give depth or force");
+    CHECK_STATUS(columns_of(c, MDR_RADIUS, 1, inside, NULL, a, NULL, NULL), MDR_EUNREACHABLE, "radius = 0.2");
+    CHECK_STATUS(columns_of(c, MDR_RADIUS, 1, wall, NULL, a, NULL, NULL), MDR_EUNREACHABLE, "give depth or force");
     CHECK_UNTOUCHED(1, a);
     CHECK_FREE(c);
 }
@@ -183,13 +183,13 @@ static void flat_punch(void)
     CHECK_SUCCESS(mdr_profile_flat_punch(b, &p));
     CHECK_SUCCESS(mdr_medium_contact_modulus(modulus, &m));
     mdr_contact *c = new_contact(p, m);
-    CHECK_SUCCESS(columns_of(c, MDR_GIVEN_DEPTH, 2, depth, d, a, F, k));
+    CHECK_SUCCESS(columns_of(c, MDR_DEPTH, 2, depth, d, a, F, k));
     for (int i = 0; i < 2; i++) {
         CHECK_CLOSE(a[i], b, 1e-12);
         CHECK_CLOSE(F[i], 2 * b * modulus * depth[i], 1e-12);
         CHECK_CLOSE(k[i], 2 * b * modulus, 1e-12);
     }
-    CHECK_SUCCESS(columns_of(c, MDR_GIVEN_FORCE, 2, F, d, a, NULL, NULL));
+    CHECK_SUCCESS(columns_of(c, MDR_FORCE, 2, F, d, a, NULL, NULL));
     for (int i = 0; i < 2; i++) CHECK_CLOSE(d[i], depth[i], 1e-12);
     CHECK_FREE(c);
 }
@@ -236,7 +236,7 @@ static void first_touch_and_in_place(void)
     CHECK_SUCCESS(mdr_profile_paraboloid(2.0, &p));
     CHECK_SUCCESS(mdr_medium_contact_modulus(1.0, &m));
     mdr_contact *c = new_contact(p, m);
-    CHECK_SUCCESS(columns_of(c, MDR_GIVEN_DEPTH, 3, values, NULL, values, F, NULL));
+    CHECK_SUCCESS(columns_of(c, MDR_DEPTH, 3, values, NULL, values, F, NULL));
     CHECK_CLOSE(values[0], 0.0, 0.0);
     CHECK_CLOSE(F[0], 0.0, 0.0);
     CHECK_CLOSE(values[1], 1.0, 1e-12);
@@ -262,13 +262,13 @@ static void zeta_scales_the_depth(void)
     CHECK_SUCCESS(mdr_profile_paraboloid(R, &p));
     CHECK_SUCCESS(new_coated(1.5, 0.0, 0.3, 1.5, 0.0, MDR_MODEL_GAO, NULL, &m));
     CHECK_SUCCESS(mdr_contact_new(p, m, &options, &c));
-    CHECK_SUCCESS(columns_of(c, MDR_GIVEN_RADIUS, 2, a, d, NULL, F, k));
+    CHECK_SUCCESS(columns_of(c, MDR_RADIUS, 2, a, d, NULL, F, k));
     for (int i = 0; i < 2; i++) {
         CHECK_CLOSE(d[i], 1.25 * a[i] * a[i] / R, 1e-12);
         CHECK_CLOSE(F[i], 1.25 * 4.0 / 3.0 * modulus * pow(a[i], 3) / R, 1e-10);
         CHECK_CLOSE(k[i], 2 * modulus * a[i], 1e-12);
     }
-    CHECK_STATUS(columns_of(c, MDR_GIVEN_RADIUS, 1, (const double[]){101.0}, d, NULL, NULL, NULL), MDR_EDOMAIN, "up to 100");
+    CHECK_STATUS(columns_of(c, MDR_RADIUS, 1, (const double[]){101.0}, d, NULL, NULL, NULL), MDR_EDOMAIN, "up to 100");
     CHECK_FREE(c);
     CHECK_FREE(p);
     CHECK_FREE(m);

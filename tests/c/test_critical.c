@@ -33,7 +33,7 @@ static mdr_contact *on_film(double work_of_adhesion)
 static mdr_state at_radius(const mdr_contact *c, double radius)
 {
     mdr_state state;
-    CHECK_SUCCESS(mdr_contact_states(c, MDR_GIVEN_RADIUS, 0, 1, &radius, &state));
+    CHECK_SUCCESS(mdr_contact_states(c, MDR_RADIUS, 0, 1, &radius, &state));
     return state;
 }
 
@@ -192,38 +192,45 @@ static void refusals(void)
 
     fill_untouched(1, &out[0].value);
     fill_untouched(1, &found[0].depth);
-    CHECK_STATUS(mdr_contact_critical(NULL, 1, &state, 0.0, 9, out, &count), MDR_ENULL, "c is NULL");
+    CHECK_STATUS(mdr_contact_critical(NULL, MDR_BODY_LOWER, &state, 0.0, 9, out, &count), MDR_ENULL, "c is NULL");
     CHECK_STATUS(mdr_contact_critical(c, 3, &state, 0.0, 9, out, &count), MDR_EINVALID, "body = 3");
-    CHECK_STATUS(mdr_contact_critical(c, 2, &state, 0.0, 9, out, &count), MDR_EINVALID, "rigid");
-    CHECK_STATUS(mdr_contact_critical(c, 1, NULL, 0.0, 9, out, &count), MDR_ENULL, "state is NULL");
-    CHECK_STATUS(mdr_contact_critical(c, 1, &nothing, 0.0, 9, out, &count), MDR_EINVALID, "radius");
-    CHECK_STATUS(mdr_contact_critical(c, 1, &state, -0.1, 9, out, &count), MDR_EINVALID, "friction = -0.1");
-    CHECK_STATUS(mdr_contact_critical(c, 1, &state, NAN, 9, out, &count), MDR_EINVALID, "friction = NaN");
-    CHECK_STATUS(mdr_contact_critical(sticky, 1, &sticky_state, 0.1, 9, out, &count), MDR_EINVALID, "adhesion");
-    CHECK_STATUS(mdr_contact_critical(c, 1, &state, 0.0, -1, out, &count), MDR_EINVALID, "capacity = -1");
-    CHECK_STATUS(mdr_contact_critical(c, 1, &state, 0.0, 9, NULL, &count), MDR_ENULL, "out is NULL");
-    CHECK_STATUS(mdr_contact_critical(c, 1, &state, 0.0, 9, out, NULL), MDR_ENULL, "count is NULL");
-    CHECK_STATUS(mdr_contact_first_failure(NULL, 1, 0.0, 1.0, 1, good, 2, found, &count), MDR_ENULL, "c is NULL");
+    CHECK_STATUS(mdr_contact_critical(c, MDR_BODY_UPPER, &state, 0.0, 9, out, &count), MDR_EINVALID, "rigid");
+    CHECK_STATUS(mdr_contact_critical(c, MDR_BODY_LOWER, NULL, 0.0, 9, out, &count), MDR_ENULL, "state is NULL");
+    CHECK_STATUS(mdr_contact_critical(c, MDR_BODY_LOWER, &nothing, 0.0, 9, out, &count), MDR_EINVALID, "radius");
+    CHECK_STATUS(mdr_contact_critical(c, MDR_BODY_LOWER, &state, -0.1, 9, out, &count), MDR_EINVALID, "friction = -0.1");
+    CHECK_STATUS(mdr_contact_critical(c, MDR_BODY_LOWER, &state, NAN, 9, out, &count), MDR_EINVALID, "friction = NaN");
+    CHECK_STATUS(mdr_contact_critical(sticky, MDR_BODY_LOWER, &sticky_state, 0.1, 9, out, &count), MDR_EINVALID, "adhesion");
+    CHECK_STATUS(mdr_contact_critical(c, MDR_BODY_LOWER, &state, 0.0, -1, out, &count), MDR_EINVALID, "capacity = -1");
+    CHECK_STATUS(mdr_contact_critical(c, MDR_BODY_LOWER, &state, 0.0, 9, NULL, &count), MDR_ENULL, "out is NULL");
+    CHECK_STATUS(mdr_contact_critical(c, MDR_BODY_LOWER, &state, 0.0, 9, out, NULL), MDR_ENULL, "count is NULL");
+    CHECK_STATUS(mdr_contact_first_failure(NULL, MDR_BODY_LOWER, 0.0, 1.0, 1, good, 2, found, &count), MDR_ENULL, "c is NULL");
     CHECK_STATUS(mdr_contact_first_failure(c, 0, 0.0, 1.0, 1, good, 2, found, &count), MDR_EINVALID, "body = 0");
-    CHECK_STATUS(mdr_contact_first_failure(c, 2, 0.0, 1.0, 1, good, 2, found, &count), MDR_EINVALID, "rigid");
-    CHECK_STATUS(mdr_contact_first_failure(c, 1, -0.1, 1.0, 1, good, 2, found, &count), MDR_EINVALID, "friction = -0.1");
-    CHECK_STATUS(mdr_contact_first_failure(sticky, 1, 0.1, 1.0, 1, good, 2, found, &count), MDR_EINVALID, "adhesion");
-    CHECK_STATUS(mdr_contact_first_failure(c, 1, 0.0, -1.0, 1, good, 2, found, &count), MDR_EINVALID, "largest_radius = -1");
-    CHECK_STATUS(mdr_contact_first_failure(c, 1, 0.0, NAN, 1, good, 2, found, &count), MDR_EINVALID, "largest_radius = NaN");
-    CHECK_STATUS(mdr_contact_first_failure(bare, 1, 0.0, 0.0, 1, bad + 6, 2, found, &count), MDR_EINVALID, "value = 0");
-    CHECK_STATUS(mdr_contact_first_failure(bare, 1, 0.0, 0.0, 1, good, 2, found, &count), MDR_EINVALID, "of layers is 1");
-    CHECK_STATUS(mdr_contact_first_failure(bare, 1, 0.0, 0.0, 1, &(mdr_strength){MDR_VON_MISES, 0, 1.0}, 2, found, &count),
+    CHECK_STATUS(mdr_contact_first_failure(c, MDR_BODY_UPPER, 0.0, 1.0, 1, good, 2, found, &count), MDR_EINVALID, "rigid");
+    CHECK_STATUS(mdr_contact_first_failure(c, MDR_BODY_LOWER, -0.1, 1.0, 1, good, 2, found, &count), MDR_EINVALID,
+                 "friction = -0.1");
+    CHECK_STATUS(mdr_contact_first_failure(sticky, MDR_BODY_LOWER, 0.1, 1.0, 1, good, 2, found, &count), MDR_EINVALID, "adhesion");
+    CHECK_STATUS(mdr_contact_first_failure(c, MDR_BODY_LOWER, 0.0, -1.0, 1, good, 2, found, &count), MDR_EINVALID,
+                 "largest_radius = -1");
+    CHECK_STATUS(mdr_contact_first_failure(c, MDR_BODY_LOWER, 0.0, NAN, 1, good, 2, found, &count), MDR_EINVALID,
+                 "largest_radius = NaN");
+    CHECK_STATUS(mdr_contact_first_failure(bare, MDR_BODY_LOWER, 0.0, 0.0, 1, bad + 6, 2, found, &count), MDR_EINVALID,
+                 "value = 0");
+    CHECK_STATUS(mdr_contact_first_failure(bare, MDR_BODY_LOWER, 0.0, 0.0, 1, good, 2, found, &count), MDR_EINVALID,
+                 "of layers is 1");
+    CHECK_STATUS(mdr_contact_first_failure(bare, MDR_BODY_LOWER, 0.0, 0.0, 1, &(mdr_strength){MDR_VON_MISES, 0, 1.0}, 2, found,
+                 &count),
                  MDR_EINVALID, "largest_radius");
-    CHECK_STATUS(mdr_contact_first_failure(c, 1, 0.0, 1.0, -1, good, 2, found, &count), MDR_EINVALID, "n = -1");
-    CHECK_STATUS(mdr_contact_first_failure(c, 1, 0.0, 1.0, 0, NULL, 2, found, &count), MDR_EINVALID, "n = 0");
-    CHECK_STATUS(mdr_contact_first_failure(c, 1, 0.0, 1.0, 1, NULL, 2, found, &count), MDR_ENULL, "strengths is NULL");
+    CHECK_STATUS(mdr_contact_first_failure(c, MDR_BODY_LOWER, 0.0, 1.0, -1, good, 2, found, &count), MDR_EINVALID, "n = -1");
+    CHECK_STATUS(mdr_contact_first_failure(c, MDR_BODY_LOWER, 0.0, 1.0, 0, NULL, 2, found, &count), MDR_EINVALID, "n = 0");
+    CHECK_STATUS(mdr_contact_first_failure(c, MDR_BODY_LOWER, 0.0, 1.0, 1, NULL, 2, found, &count), MDR_ENULL, "strengths is NULL");
     for (int i = 0; i < 7; i++) {
-        CHECK_STATUS(mdr_contact_first_failure(c, 1, 0.0, 1.0, 1, bad + i, 2, found, &count), MDR_EINVALID, words[i]);
-        CHECK_STATUS(mdr_contact_first_failure(c, 1, 0.0, 1.0, 1, bad + i, 2, found, &count), MDR_EINVALID, "entry 1 of strengths");
+        CHECK_STATUS(mdr_contact_first_failure(c, MDR_BODY_LOWER, 0.0, 1.0, 1, bad + i, 2, found, &count), MDR_EINVALID, words[i]);
+        CHECK_STATUS(mdr_contact_first_failure(c, MDR_BODY_LOWER, 0.0, 1.0, 1, bad + i, 2, found, &count), MDR_EINVALID,
+                     "entry 1 of strengths");
     }
-    CHECK_STATUS(mdr_contact_first_failure(c, 1, 0.0, 1.0, 1, good, -1, found, &count), MDR_EINVALID, "capacity = -1");
-    CHECK_STATUS(mdr_contact_first_failure(c, 1, 0.0, 1.0, 1, good, 2, NULL, &count), MDR_ENULL, "out is NULL");
-    CHECK_STATUS(mdr_contact_first_failure(c, 1, 0.0, 1.0, 1, good, 2, found, NULL), MDR_ENULL, "count is NULL");
+    CHECK_STATUS(mdr_contact_first_failure(c, MDR_BODY_LOWER, 0.0, 1.0, 1, good, -1, found, &count), MDR_EINVALID, "capacity = -1");
+    CHECK_STATUS(mdr_contact_first_failure(c, MDR_BODY_LOWER, 0.0, 1.0, 1, good, 2, NULL, &count), MDR_ENULL, "out is NULL");
+    CHECK_STATUS(mdr_contact_first_failure(c, MDR_BODY_LOWER, 0.0, 1.0, 1, good, 2, found, NULL), MDR_ENULL, "count is NULL");
     CHECK_UNTOUCHED(1, &out[0].value);
     CHECK_UNTOUCHED(1, &found[0].depth);
     CHECK_INT(count, -7);

@@ -93,11 +93,11 @@ static void test_pressures_at_the_axis(void)
     CHECK_SUCCESS(mdr_profile_cone(0.3, &cone));
     CHECK_SUCCESS(mdr_medium_contact_modulus(1.0, &m));
     CHECK_SUCCESS(mdr_contact_new(ball, m, NULL, &c));
-    CHECK_SUCCESS(field_at(c, MDR_FIELD_PRESSURE, MDR_GIVEN_RADIUS, 0.5, 4, r, p));
+    CHECK_SUCCESS(field_at(c, MDR_PRESSURE, MDR_RADIUS, 0.5, 4, r, p));
     for (int i = 0; i < 4; i++) CHECK_CLOSE(p[i], 2.0 * 0.5 / pi, 1e-12);
     CHECK_FREE(c);
     CHECK_SUCCESS(mdr_contact_new(cone, m, NULL, &c));
-    CHECK_SUCCESS(field_at(c, MDR_FIELD_PRESSURE, MDR_GIVEN_RADIUS, 0.5, 4, r, p));
+    CHECK_SUCCESS(field_at(c, MDR_PRESSURE, MDR_RADIUS, 0.5, 4, r, p));
     CHECK_CLOSE(p[0], INFINITY, 0.0);
     for (int i = 1; i < 4; i++) CHECK_CLOSE(p[i], 0.5 * tan(0.3) * (log(1.0 / r[i])), 1e-12);
     CHECK_FREE(c);
@@ -105,11 +105,11 @@ static void test_pressures_at_the_axis(void)
     for (int k = 0; k < 2; k++) {
         CHECK_SUCCESS(mdr_medium_power_graded(1.0, 1.0, exponents[k], 0.3, &m));
         CHECK_SUCCESS(mdr_contact_new(ball, m, NULL, &c));
-        CHECK_SUCCESS(field_at(c, MDR_FIELD_PRESSURE, MDR_GIVEN_RADIUS, 0.5, 4, r, p));
+        CHECK_SUCCESS(field_at(c, MDR_PRESSURE, MDR_RADIUS, 0.5, 4, r, p));
         for (int i = 1; i < 4; i++) CHECK_CLOSE(p[i], p[0], 1e-8);
         CHECK_FREE(c);
         CHECK_SUCCESS(mdr_contact_new(cone, m, NULL, &c));
-        CHECK_SUCCESS(field_at(c, MDR_FIELD_PRESSURE, MDR_GIVEN_RADIUS, 0.5, 4, r, p));
+        CHECK_SUCCESS(field_at(c, MDR_PRESSURE, MDR_RADIUS, 0.5, 4, r, p));
         if (exponents[k] > 0.0) CHECK_CLOSE(p[2], p[0], 1e-8);
         else CHECK_CLOSE(p[2] / p[3], pow(100.0, 0.3), 1e-6);
         CHECK_FREE(c);

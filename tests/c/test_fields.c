@@ -27,8 +27,8 @@ static void refusals(void)
 
     CHECK_SUCCESS(mdr_profile_cone(0.1, &p));
     fill_untouched(2, out);
-    CHECK_SUCCESS(mdr_contact_states(c, MDR_GIVEN_RADIUS, 0, 1, &(double){1.0}, &state));
-    for (int field = MDR_FIELD_PRESSURE; field <= MDR_FIELD_LINE_LOAD; field++) {
+    CHECK_SUCCESS(mdr_contact_states(c, MDR_RADIUS, 0, 1, &(double){1.0}, &state));
+    for (int field = MDR_PRESSURE; field <= MDR_LINE_LOAD; field++) {
         mdr_state wrong = state;
 
         CHECK_STATUS(mdr_contact_field(NULL, field, &state, 2, r, out), MDR_ENULL, "c is NULL");
@@ -48,7 +48,7 @@ static void refusals(void)
         CHECK_STATUS(mdr_contact_field(c, field, &wrong, 2, r, out), MDR_EINVALID, "punch_depth");
         CHECK_STATUS(mdr_contact_field(c, field, &state, 2, negative, out), MDR_EINVALID, " = -0.5");
         CHECK_STATUS(mdr_contact_field(c, field, &state, 2, not_a_number, out), MDR_EINVALID, " = NaN");
-        if (field != MDR_FIELD_DISPLACEMENT) {
+        if (field != MDR_DISPLACEMENT) {
             CHECK_STATUS(mdr_contact_field(c, field, &state, 2, outside, out), MDR_EDOMAIN, " = 1.01");
         }
         CHECK_SUCCESS(mdr_contact_field(c, field, &state, 0, NULL, NULL));
@@ -60,10 +60,10 @@ static void refusals(void)
     CHECK_UNTOUCHED(2, out);
     CHECK_SUCCESS(mdr_contact_lowest_pressure(c, &state, NULL, NULL));
     CHECK_STATUS(mdr_contact_states(c, 4, MDR_ON_UNLOADING, 1, r, &state), MDR_EINVALID, "given = 4");
-    CHECK_STATUS(mdr_contact_states(c, MDR_GIVEN_DEPTH, 3, 1, r, &state), MDR_EINVALID, "branch = 3");
-    CHECK_STATUS(mdr_contact_states(c, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, 1, r, NULL), MDR_ENULL, "out is NULL");
-    CHECK_STATUS(mdr_contact_states(c, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, 1, NULL, &state), MDR_ENULL, "in is NULL");
-    CHECK_SUCCESS(mdr_contact_states(c, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, 0, NULL, NULL));
+    CHECK_STATUS(mdr_contact_states(c, MDR_DEPTH, 3, 1, r, &state), MDR_EINVALID, "branch = 3");
+    CHECK_STATUS(mdr_contact_states(c, MDR_DEPTH, MDR_ON_UNLOADING, 1, r, NULL), MDR_ENULL, "out is NULL");
+    CHECK_STATUS(mdr_contact_states(c, MDR_DEPTH, MDR_ON_UNLOADING, 1, NULL, &state), MDR_ENULL, "in is NULL");
+    CHECK_SUCCESS(mdr_contact_states(c, MDR_DEPTH, MDR_ON_UNLOADING, 0, NULL, NULL));
     CHECK_UNTOUCHED(2, out);
     CHECK_SUCCESS(mdr_contact_lowest_pressure(c, &state, out, out + 1));
     CHECK_TRUE(out[0] == 0.0 && out[1] == state.radius); /* at the edge */
@@ -78,22 +78,22 @@ static void hertz(void)
     double by_radius[4], by_depth[4];
     mdr_contact *c = paraboloid(R, modulus);
 
-    CHECK_SUCCESS(field_at(c, MDR_FIELD_PRESSURE, MDR_GIVEN_RADIUS, a, 4, r, by_radius));
-    CHECK_SUCCESS(field_at(c, MDR_FIELD_PRESSURE, MDR_GIVEN_DEPTH, d, 4, r, by_depth));
+    CHECK_SUCCESS(field_at(c, MDR_PRESSURE, MDR_RADIUS, a, 4, r, by_radius));
+    CHECK_SUCCESS(field_at(c, MDR_PRESSURE, MDR_DEPTH, d, 4, r, by_depth));
     for (int i = 0; i < 4; i++) {
         CHECK_CLOSE(by_radius[i], p0 * sqrt(1 - r[i] * r[i] / (a * a)), 1e-10);
         CHECK_CLOSE(by_depth[i], p0 * sqrt(1 - r[i] * r[i] / (a * a)), 1e-10);
     }
-    CHECK_SUCCESS(field_at(c, MDR_FIELD_LINE_LOAD, MDR_GIVEN_RADIUS, a, 4, r, by_radius));
-    CHECK_SUCCESS(field_at(c, MDR_FIELD_LINE_LOAD, MDR_GIVEN_DEPTH, d, 4, r, by_depth));
+    CHECK_SUCCESS(field_at(c, MDR_LINE_LOAD, MDR_RADIUS, a, 4, r, by_radius));
+    CHECK_SUCCESS(field_at(c, MDR_LINE_LOAD, MDR_DEPTH, d, 4, r, by_depth));
     for (int i = 0; i < 4; i++) {
         CHECK_CLOSE(by_radius[i], modulus * (d - r[i] * r[i] / R), 1e-10);
         CHECK_CLOSE(by_depth[i], modulus * (d - r[i] * r[i] / R), 1e-10);
     }
-    CHECK_SUCCESS(field_at(c, MDR_FIELD_DISPLACEMENT, MDR_GIVEN_RADIUS, a, 4, r, by_radius));
+    CHECK_SUCCESS(field_at(c, MDR_DISPLACEMENT, MDR_RADIUS, a, 4, r, by_radius));
     for (int i = 0; i < 4; i++) CHECK_CLOSE(by_radius[i], d - r[i] * r[i] / (2 * R), 1e-12);
-    CHECK_SUCCESS(field_at(c, MDR_FIELD_DISPLACEMENT, MDR_GIVEN_RADIUS, a, 3, far, by_radius));
-    CHECK_SUCCESS(field_at(c, MDR_FIELD_DISPLACEMENT, MDR_GIVEN_DEPTH, d, 3, far, by_depth));
+    CHECK_SUCCESS(field_at(c, MDR_DISPLACEMENT, MDR_RADIUS, a, 3, far, by_radius));
+    CHECK_SUCCESS(field_at(c, MDR_DISPLACEMENT, MDR_DEPTH, d, 3, far, by_depth));
     for (int i = 0; i < 3; i++) {
         const double s = far[i] / a;
         const double u = a * a / (pi * R) * ((2 - s * s) * asin(1 / s) + sqrt(s * s - 1));
@@ -114,7 +114,7 @@ static void sneddon(void)
     CHECK_SUCCESS(mdr_profile_cone(phi, &p));
     CHECK_SUCCESS(mdr_medium_contact_modulus(modulus, &m));
     CHECK_SUCCESS(mdr_contact_new(p, m, NULL, &c));
-    CHECK_SUCCESS(field_at(c, MDR_FIELD_PRESSURE, MDR_GIVEN_RADIUS, a, 4, r, out));
+    CHECK_SUCCESS(field_at(c, MDR_PRESSURE, MDR_RADIUS, a, 4, r, out));
     CHECK_TRUE(isinf(out[0]) && out[0] > 0); /* the cone's apex */
     for (int i = 1; i < 4; i++) CHECK_CLOSE(out[i], 0.5 * modulus * tan(phi) * acosh(a / r[i]), 1e-10);
     CHECK_FREE(p);
@@ -134,14 +134,14 @@ static void boussinesq(void)
     CHECK_SUCCESS(mdr_medium_contact_modulus(modulus, &m));
     CHECK_SUCCESS(mdr_contact_new(p, m, NULL, &c));
     fill_untouched(4, out);
-    CHECK_STATUS(field_at(c, MDR_FIELD_PRESSURE, MDR_GIVEN_RADIUS, b, 4, r, out), MDR_EUNREACHABLE, "give depth or force");
+    CHECK_STATUS(field_at(c, MDR_PRESSURE, MDR_RADIUS, b, 4, r, out), MDR_EUNREACHABLE, "give depth or force");
     CHECK_UNTOUCHED(4, out);
-    CHECK_SUCCESS(field_at(c, MDR_FIELD_PRESSURE, MDR_GIVEN_DEPTH, d, 4, r, out));
+    CHECK_SUCCESS(field_at(c, MDR_PRESSURE, MDR_DEPTH, d, 4, r, out));
     for (int i = 0; i < 3; i++) CHECK_CLOSE(out[i], modulus * d / (pi * sqrt(b * b - r[i] * r[i])), 1e-10);
     CHECK_TRUE(isinf(out[3]) && out[3] > 0);
-    CHECK_SUCCESS(field_at(c, MDR_FIELD_LINE_LOAD, MDR_GIVEN_DEPTH, d, 4, r, out));
+    CHECK_SUCCESS(field_at(c, MDR_LINE_LOAD, MDR_DEPTH, d, 4, r, out));
     for (int i = 0; i < 4; i++) CHECK_CLOSE(out[i], modulus * d, 1e-12);
-    CHECK_SUCCESS(field_at(c, MDR_FIELD_DISPLACEMENT, MDR_GIVEN_DEPTH, d, 2, far, out));
+    CHECK_SUCCESS(field_at(c, MDR_DISPLACEMENT, MDR_DEPTH, d, 2, far, out));
     for (int i = 0; i < 2; i++) CHECK_CLOSE(out[i], 2 * d / pi * asin(b / far[i]), 1e-10);
     CHECK_FREE(p);
     CHECK_FREE(m);
@@ -163,10 +163,10 @@ static void two_bodies(void)
     CHECK_SUCCESS(new_homogeneous(3.0, 0.0, &ball));
     CHECK_SUCCESS(mdr_medium_pair(half_space, ball, &pair));
     CHECK_SUCCESS(mdr_contact_new(p, pair, NULL, &c));
-    CHECK_SUCCESS(mdr_contact_states(c, MDR_GIVEN_RADIUS, MDR_ON_LOADING, 1, &a, &state));
-    CHECK_SUCCESS(mdr_contact_field(c, MDR_FIELD_DISPLACEMENT, &state, 3, r, both));
-    CHECK_SUCCESS(mdr_contact_field(c, MDR_FIELD_DISPLACEMENT_LOWER, &state, 3, r, lower));
-    CHECK_SUCCESS(mdr_contact_field(c, MDR_FIELD_DISPLACEMENT_UPPER, &state, 3, r, upper));
+    CHECK_SUCCESS(mdr_contact_states(c, MDR_RADIUS, MDR_ON_LOADING, 1, &a, &state));
+    CHECK_SUCCESS(mdr_contact_field(c, MDR_DISPLACEMENT, &state, 3, r, both));
+    CHECK_SUCCESS(mdr_contact_field(c, MDR_DISPLACEMENT_LOWER, &state, 3, r, lower));
+    CHECK_SUCCESS(mdr_contact_field(c, MDR_DISPLACEMENT_UPPER, &state, 3, r, upper));
     for (int i = 0; i < 3; i++) {
         CHECK_CLOSE(lower[i], both[i] / 3, 1e-14);
         CHECK_CLOSE(upper[i], 2 * both[i] / 3, 1e-14);
@@ -200,13 +200,13 @@ static void lowest_pressure(void)
     CHECK_SUCCESS(mdr_profile_cone(0.1, &cone));
     CHECK_SUCCESS(new_coated(100.0, 0.25, 1.0, 1.0, 0.3, MDR_MODEL_EXACT, NULL, &film));
     CHECK_SUCCESS(mdr_contact_new(cone, film, NULL, &c));
-    CHECK_SUCCESS(mdr_contact_states(c, MDR_GIVEN_RADIUS, MDR_ON_UNLOADING, 1, &a, &state));
+    CHECK_SUCCESS(mdr_contact_states(c, MDR_RADIUS, MDR_ON_UNLOADING, 1, &a, &state));
     for (int i = 0; i < SCAN; i++) r[i] = a * i / SCAN;
-    CHECK_SUCCESS(mdr_contact_field(c, MDR_FIELD_PRESSURE, &state, SCAN, r, p));
+    CHECK_SUCCESS(mdr_contact_field(c, MDR_PRESSURE, &state, SCAN, r, p));
     for (int i = 0; i < SCAN; i++) scanned = fmin(scanned, p[i]);
     CHECK_SUCCESS(mdr_contact_lowest_pressure(c, &state, &lowest, &place));
     CHECK_CLOSE(lowest, scanned, 1e-4);
-    CHECK_SUCCESS(mdr_contact_field(c, MDR_FIELD_PRESSURE, &state, 1, &place, p));
+    CHECK_SUCCESS(mdr_contact_field(c, MDR_PRESSURE, &state, 1, &place, p));
     CHECK_CLOSE(p[0], lowest, 1e-12);
     CHECK_FREE(c);
     CHECK_FREE(film);
@@ -250,7 +250,7 @@ static void pressures(int which_tip, int which_body, double length, double modul
 
     for (int i = 0; i < PLACES; i++) r[i] = 0.5 * length * place[i];
     CHECK_SUCCESS(mdr_contact_new(indenter, medium, NULL, &c));
-    CHECK_SUCCESS(field_at(c, MDR_FIELD_PRESSURE, MDR_GIVEN_RADIUS, 0.5 * length, PLACES, r, p));
+    CHECK_SUCCESS(field_at(c, MDR_PRESSURE, MDR_RADIUS, 0.5 * length, PLACES, r, p));
     for (int i = 0; i < PLACES; i++) p[i] /= modulus;
     CHECK_FREE(c);
     CHECK_FREE(medium);
@@ -291,9 +291,9 @@ static void line_load_of_a_stiff_film(void)
             double sum = 0.0;
             int status;
 
-            CHECK_SUCCESS(mdr_contact_states(c, MDR_GIVEN_RADIUS, MDR_ON_UNLOADING, 1, &a[k], &state));
+            CHECK_SUCCESS(mdr_contact_states(c, MDR_RADIUS, MDR_ON_UNLOADING, 1, &a[k], &state));
             for (int i = 0; i <= STEPS; i++) x[i] = a[k] * i / STEPS;
-            status = mdr_contact_field(c, MDR_FIELD_LINE_LOAD, &state, STEPS + 1, x, q);
+            status = mdr_contact_field(c, MDR_LINE_LOAD, &state, STEPS + 1, x, q);
             /* there rounding alone is 1e-10 or more, as the processor's sums are ordered: right, or refused */
             if (b == 1 && k == 2 && status == MDR_ENOCONVERGENCE) continue;
             CHECK_SUCCESS(status);

@@ -38,7 +38,7 @@ static void truth_comes_back(void)
 
     /* the same curve by way of a contact */
     CHECK_INT(mdr_contact_new(ball, film, NULL, &contact), MDR_SUCCESS);
-    CHECK_INT(columns_of(contact, MDR_GIVEN_DEPTH, POINTS, d, NULL, radii, expected, NULL), MDR_SUCCESS);
+    CHECK_INT(columns_of(contact, MDR_DEPTH, POINTS, d, NULL, radii, expected, NULL), MDR_SUCCESS);
     for (int i = 0; i < POINTS; i++) {
         CHECK_CLOSE(F[i], expected[i], 1e-9);
         CHECK_CLOSE(a[i], radii[i], 1e-9);
@@ -252,7 +252,7 @@ static void elastic_contact_depths(void)
     CHECK_SUCCESS(new_coated(72e9, 0.17, 500e-9, 163e9, 0.22, MDR_MODEL_EXACT, NULL, &medium));
     CHECK_SUCCESS(mdr_contact_new(profile, medium, NULL, &contact));
     for (int i = 0; i < POINTS; i++) d[i] = 4e-9 * (i + 1);
-    CHECK_SUCCESS(columns_of(contact, MDR_GIVEN_DEPTH, POINTS, d, NULL, a, F, k));
+    CHECK_SUCCESS(columns_of(contact, MDR_DEPTH, POINTS, d, NULL, a, F, k));
     fill(&problem, parameters, profile, medium);
     CHECK_INT(problem.is_elastic, 0);
     problem.data_kind = MDR_FIT_STIFFNESS_DEPTH;
@@ -291,7 +291,7 @@ static void a_body_is_a_pattern(void)
     CHECK_SUCCESS(mdr_medium_layered(1, &film, &silicon, MDR_MODEL_EXACT, NULL, &medium));
     CHECK_SUCCESS(mdr_contact_new(profile, medium, NULL, &contact));
     for (int i = 0; i < POINTS; i++) d[i] = 1e-8 * (i + 1);
-    CHECK_SUCCESS(columns_of(contact, MDR_GIVEN_DEPTH, POINTS, d, NULL, NULL, F, NULL));
+    CHECK_SUCCESS(columns_of(contact, MDR_DEPTH, POINTS, d, NULL, NULL, F, NULL));
 
     problem.profile = profile;
     problem.medium = medium;

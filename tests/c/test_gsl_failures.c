@@ -119,12 +119,12 @@ static int adhesive(void)
 {
     mdr_contact *c = NULL;
     int status = mdr_contact_new(ball, film, &sticky, &c);
-    if (status == MDR_SUCCESS) status = columns_of(c, MDR_GIVEN_DEPTH, 1, y + 1, NULL, out, NULL, NULL);
+    if (status == MDR_SUCCESS) status = columns_of(c, MDR_DEPTH, 1, y + 1, NULL, out, NULL, NULL);
     MDR_FREE(c);
     return status;
 }
-static int states(void) { return columns_of(contact, MDR_GIVEN_DEPTH, 2, y + 1, NULL, NULL, out, NULL); }
-static int exact_states(void) { return columns_of(exact_contact, MDR_GIVEN_DEPTH, 2, y + 1, NULL, NULL, out, NULL); }
+static int states(void) { return columns_of(contact, MDR_DEPTH, 2, y + 1, NULL, NULL, out, NULL); }
+static int exact_states(void) { return columns_of(exact_contact, MDR_DEPTH, 2, y + 1, NULL, NULL, out, NULL); }
 static int layer_energies(void)
 {
     static const mdr_state state = {0.1, 0.3, 0.05, 0.6, 0.0, 0.0};
@@ -147,9 +147,9 @@ static int graded(void)
 }
 static int power_graded(void)
 {
-    return field_at(broken_power, MDR_FIELD_DISPLACEMENT, MDR_GIVEN_RADIUS, 0.5, 1, x + 2, out);
+    return field_at(broken_power, MDR_DISPLACEMENT, MDR_RADIUS, 0.5, 1, x + 2, out);
 }
-static int fields(void) { return field_at(contact, MDR_FIELD_PRESSURE, MDR_GIVEN_RADIUS, 1.0, 3, x, out); }
+static int fields(void) { return field_at(contact, MDR_PRESSURE, MDR_RADIUS, 1.0, 3, x, out); }
 static int fit(void)
 {
     static const double depth[3] = {0.1, 0.2, 0.3}, load[3] = {0.05, 0.15, 0.3};

@@ -80,14 +80,14 @@ static void test_histories(void)
     CHECK_SUCCESS(relaxing_medium(1, film, &h, NULL, MDR_MODEL_EXACT, NULL, &coated));
     CHECK_SUCCESS(mdr_contact_new(ball, body, NULL, &contact));
     CHECK_SUCCESS(mdr_contact_new(ball, coated, NULL, &gel));
-    CHECK_SUCCESS(mdr_contact_history(contact, MDR_GIVEN_DEPTH, 1e-5, N, t, held, NULL, a, F));
+    CHECK_SUCCESS(mdr_contact_history(contact, MDR_DEPTH, 1e-5, N, t, held, NULL, a, F));
     for (int i = 0; i < N; i++) {
         CHECK_CLOSE(a[i], sqrt(0.5), 1e-12);
         CHECK_CLOSE(F[i], 4.0 / 3.0 * 2.0 / 0.6 * relaxation(t[i]) * pow(0.5, 1.5), 1e-11);
     }
-    CHECK_SUCCESS(mdr_contact_history(contact, MDR_GIVEN_FORCE, 1e-5, N, t, held, d, NULL, NULL));
+    CHECK_SUCCESS(mdr_contact_history(contact, MDR_FORCE, 1e-5, N, t, held, d, NULL, NULL));
     CHECK_TRUE(d[0] < d[1] && d[1] < d[2] && d[2] < d[3]);
-    CHECK_SUCCESS(mdr_contact_history(gel, MDR_GIVEN_DEPTH, 1e-5, N, t, held, d, a, F));
+    CHECK_SUCCESS(mdr_contact_history(gel, MDR_DEPTH, 1e-5, N, t, held, d, a, F));
     for (int i = 1; i < N; i++) CHECK_CLOSE(F[i] / F[0], relaxation(t[i]) / 3.5, 1e-9);
     for (int i = 0; i < N; i++) CHECK_CLOSE(d[i], held[i], 0.0);
     /* two layers of the film's material are the film */
@@ -95,33 +95,33 @@ static void test_histories(void)
     CHECK_FREE(coated);
     CHECK_SUCCESS(relaxing_medium(2, halves, (const double[2]){0.25, 0.75}, NULL, MDR_MODEL_EXACT, NULL, &coated));
     CHECK_SUCCESS(mdr_contact_new(ball, coated, NULL, &gel));
-    CHECK_SUCCESS(mdr_contact_history(gel, MDR_GIVEN_DEPTH, 1e-5, N, t, held, NULL, NULL, d));
+    CHECK_SUCCESS(mdr_contact_history(gel, MDR_DEPTH, 1e-5, N, t, held, NULL, NULL, d));
     for (int i = 0; i < N; i++) CHECK_CLOSE(d[i], F[i], 1e-9);
-    CHECK_SUCCESS(mdr_contact_history(contact, MDR_GIVEN_DEPTH, 1e-5, 0, NULL, NULL, NULL, NULL, NULL));
+    CHECK_SUCCESS(mdr_contact_history(contact, MDR_DEPTH, 1e-5, 0, NULL, NULL, NULL, NULL, NULL));
 
-    CHECK_STATUS(mdr_contact_history(contact, MDR_GIVEN_DEPTH, 1e-5, N, backward, held, untouched, NULL, NULL),
+    CHECK_STATUS(mdr_contact_history(contact, MDR_DEPTH, 1e-5, N, backward, held, untouched, NULL, NULL),
                  MDR_EINVALID, "ascending");
     /* marched, in two rounds or more, the last of them up to its last sample */
     double part = -1.0;
     CHECK_SUCCESS(mdr_set_progress(&part));
-    CHECK_SUCCESS(mdr_contact_history(contact, MDR_GIVEN_DEPTH, 1e-5, N, t, again, NULL, a, F));
+    CHECK_SUCCESS(mdr_contact_history(contact, MDR_DEPTH, 1e-5, N, t, again, NULL, a, F));
     CHECK_TRUE(part > 1.0 && part < 20.0);
     CHECK_CLOSE(part - floor(part), (N - 2) / (double)N, 1e-14);
     CHECK_SUCCESS(mdr_set_progress(NULL));
     part = -1.0;
-    CHECK_SUCCESS(mdr_contact_history(contact, MDR_GIVEN_DEPTH, 1e-5, N, t, again, NULL, a, F));
+    CHECK_SUCCESS(mdr_contact_history(contact, MDR_DEPTH, 1e-5, N, t, again, NULL, a, F));
     CHECK_TRUE(part == -1.0);
     CHECK_TRUE(a[2] < a[1] && a[2] < a[3] && F[2] < F[1]);
-    CHECK_STATUS(mdr_contact_history(contact, MDR_GIVEN_DEPTH, 0.0, N, t, again, untouched, NULL, NULL), MDR_EINVALID, "tolerance");
+    CHECK_STATUS(mdr_contact_history(contact, MDR_DEPTH, 0.0, N, t, again, untouched, NULL, NULL), MDR_EINVALID, "tolerance");
     CHECK_STATUS(mdr_contact_history(contact, 9, 1e-5, N, t, held, untouched, NULL, NULL), MDR_EINVALID, "given = 9");
-    CHECK_STATUS(mdr_contact_history(contact, MDR_GIVEN_DEPTH, 1e-5, -1, t, held, untouched, NULL, NULL), MDR_EINVALID, "n = -1");
-    CHECK_STATUS(mdr_contact_history(contact, MDR_GIVEN_DEPTH, 1e-5, N, NULL, held, untouched, NULL, NULL), MDR_ENULL, "time");
-    CHECK_STATUS(mdr_contact_history(NULL, MDR_GIVEN_DEPTH, 1e-5, N, t, held, untouched, NULL, NULL), MDR_ENULL, "c");
-    CHECK_STATUS(columns_of(contact, MDR_GIVEN_DEPTH, 1, held, untouched, NULL, NULL, NULL), MDR_EINVALID, "history");
+    CHECK_STATUS(mdr_contact_history(contact, MDR_DEPTH, 1e-5, -1, t, held, untouched, NULL, NULL), MDR_EINVALID, "n = -1");
+    CHECK_STATUS(mdr_contact_history(contact, MDR_DEPTH, 1e-5, N, NULL, held, untouched, NULL, NULL), MDR_ENULL, "time");
+    CHECK_STATUS(mdr_contact_history(NULL, MDR_DEPTH, 1e-5, N, t, held, untouched, NULL, NULL), MDR_ENULL, "c");
+    CHECK_STATUS(columns_of(contact, MDR_DEPTH, 1, held, untouched, NULL, NULL, NULL), MDR_EINVALID, "history");
     CHECK_STATUS(mdr_medium_values(body, MDR_MODULUS, 1, held, untouched), MDR_EINVALID, "history");
     state.depth = 0.5;
     state.radius = 0.7;
-    CHECK_STATUS(mdr_contact_field(contact, MDR_FIELD_PRESSURE, &state, 1, t, untouched), MDR_EINVALID, "");
+    CHECK_STATUS(mdr_contact_field(contact, MDR_PRESSURE, &state, 1, t, untouched), MDR_EINVALID, "");
     CHECK_STATUS(mdr_contact_energy(contact, &state, &energy, NULL), MDR_EINVALID, "");
     CHECK_STATUS(relaxing_medium(0, NULL, NULL, NULL, MDR_MODEL_EXACT, NULL, &none), MDR_EINVALID, "rigid");
     CHECK_STATUS(relaxing_medium(1, film, &h, material, 99, NULL, &none), MDR_EINVALID, "model = 99");
@@ -149,11 +149,11 @@ static void test_histories(void)
     CHECK_SUCCESS(mdr_material_values(material, MDR_COMPLEX_MODULUS, 1, omega, &G, &lost));
     CHECK_CLOSE(storage[1], 2.0 * 1.5 * 2.0 * G / 0.6, 1e-14);
     CHECK_CLOSE(loss[0], 2.0 * 0.5 * 2.0 * lost / 0.6, 1e-14);
-    CHECK_SUCCESS(mdr_contact_step_response(contact, MDR_STEP_RELAXATION, 0.5, N - 1, t + 1, F));
+    CHECK_SUCCESS(mdr_contact_step_response(contact, MDR_RELAXATION, 0.5, N - 1, t + 1, F));
     for (int i = 1; i < N; i++) CHECK_CLOSE(F[i - 1], 2.0 / 0.6 * relaxation(t[i]), 1e-12);
     CHECK_STATUS(mdr_contact_step_response(contact, 3, 0.5, 1, t + 1, untouched), MDR_EINVALID, "step = 3");
-    CHECK_STATUS(mdr_contact_step_response(contact, MDR_STEP_CREEP, -0.5, 1, t + 1, untouched), MDR_EINVALID, "radius");
-    CHECK_STATUS(mdr_contact_step_response(contact, MDR_STEP_CREEP, 0.5, 1, t, untouched), MDR_EINVALID, "time");
+    CHECK_STATUS(mdr_contact_step_response(contact, MDR_CREEP, -0.5, 1, t + 1, untouched), MDR_EINVALID, "radius");
+    CHECK_STATUS(mdr_contact_step_response(contact, MDR_CREEP, 0.5, 1, t, untouched), MDR_EINVALID, "time");
     CHECK_STATUS(mdr_contact_dynamic_stiffness(contact, 1, omega, NULL, untouched, untouched), MDR_ENULL, "radius");
     CHECK_STATUS(mdr_contact_dynamic_stiffness(contact, 2, omega, t, untouched, untouched), MDR_EINVALID, "radius");
     CHECK_STATUS(mdr_contact_dynamic_stiffness(NULL, 1, omega, radius, untouched, untouched), MDR_ENULL, "c");
@@ -187,21 +187,21 @@ static void test_marching(void)
         CHECK_SUCCESS(relaxing_medium(1, tops + i, &h, base, MDR_MODEL_EXACT, NULL, &coated));
         CHECK_SUCCESS(mdr_contact_new(ball, coated, NULL, &contact));
         if (i < 2) {
-            CHECK_SUCCESS(mdr_contact_history(contact, MDR_GIVEN_DEPTH, 1e-3, 5, t, path, d, a, F));
+            CHECK_SUCCESS(mdr_contact_history(contact, MDR_DEPTH, 1e-3, 5, t, path, d, a, F));
             CHECK_TRUE(a[2] == 0.0 && F[2] == 0.0 && a[4] > 0.0 && F[4] > 0.5 * F[1] && F[4] < F[1]);
         } else {
-            CHECK_STATUS(mdr_contact_history(contact, MDR_GIVEN_DEPTH, 1e-3, 5, t, path, untouched, untouched, untouched),
+            CHECK_STATUS(mdr_contact_history(contact, MDR_DEPTH, 1e-3, 5, t, path, untouched, untouched, untouched),
                          MDR_EINVALID, "dashpot");
         }
         if (i > 0) {
-            CHECK_STATUS(mdr_contact_history(contact, MDR_GIVEN_DEPTH, 1e-3, 5, t, jump, untouched, untouched, untouched),
+            CHECK_STATUS(mdr_contact_history(contact, MDR_DEPTH, 1e-3, 5, t, jump, untouched, untouched, untouched),
                          MDR_EINVALID, "begin with 0");
         }
-        CHECK_STATUS(mdr_contact_history(contact, MDR_GIVEN_DEPTH, 1e-3, 5, twice, path, untouched, untouched, untouched),
+        CHECK_STATUS(mdr_contact_history(contact, MDR_DEPTH, 1e-3, 5, twice, path, untouched, untouched, untouched),
                      MDR_EINVALID, "ascending");
-        CHECK_STATUS(mdr_contact_history(contact, MDR_GIVEN_DEPTH, 1e-3, 5, t, missing, untouched, untouched, untouched),
+        CHECK_STATUS(mdr_contact_history(contact, MDR_DEPTH, 1e-3, 5, t, missing, untouched, untouched, untouched),
                      MDR_EINVALID, "finite");
-        CHECK_STATUS(mdr_contact_history(contact, MDR_GIVEN_FORCE, 1e-3, 5, t, pull, untouched, untouched, untouched),
+        CHECK_STATUS(mdr_contact_history(contact, MDR_FORCE, 1e-3, 5, t, pull, untouched, untouched, untouched),
                      MDR_EINVALID, "force");
         CHECK_FREE(contact);
         CHECK_FREE(coated);

@@ -32,37 +32,47 @@ static void refusals(void)
     fill_untouched(18, &out[0].u_r);
     fill_untouched(2, energy);
     fill_untouched(1, &deviation);
-    CHECK_SUCCESS(mdr_contact_states(c, MDR_GIVEN_RADIUS, 0, 1, &(double){1.0}, &state));
-    CHECK_SUCCESS(mdr_contact_states(sticky, MDR_GIVEN_RADIUS, 0, 1, &(double){1.0}, &sticky_state));
-    CHECK_STATUS(mdr_contact_interior(NULL, 1, &state, 1, 0.0, 2, r, z, NULL, out), MDR_ENULL, "c is NULL");
-    CHECK_STATUS(mdr_contact_interior(c, 3, &state, 1, 0.0, 2, r, z, NULL, out), MDR_EINVALID, "body = 3");
-    CHECK_STATUS(mdr_contact_interior(c, 2, &state, 1, 0.0, 2, r, z, NULL, out), MDR_EINVALID, "rigid");
-    CHECK_STATUS(mdr_contact_interior(c, 1, NULL, 1, 0.0, 2, r, z, NULL, out), MDR_ENULL, "state is NULL");
-    CHECK_STATUS(mdr_contact_interior(c, 1, &state, 0, 0.0, 2, r, z, NULL, out), MDR_EINVALID, "side = 0");
-    CHECK_STATUS(mdr_contact_interior(c, 1, &state, 1, -0.1, 2, r, z, NULL, out), MDR_EINVALID, "friction");
-    CHECK_STATUS(mdr_contact_interior(c, 1, &state, 1, NAN, 2, r, z, NULL, out), MDR_EINVALID, "friction");
-    CHECK_STATUS(mdr_contact_interior(sticky, 1, &sticky_state, 1, 0.1, 2, r, z, NULL, out), MDR_EINVALID, "adhesion");
-    CHECK_STATUS(mdr_contact_interior(c, 1, &state, 1, 0.0, -1, r, z, NULL, out), MDR_EINVALID, "n = -1");
-    CHECK_STATUS(mdr_contact_interior(c, 1, &state, 1, 0.0, 2, NULL, z, NULL, out), MDR_ENULL, "r is NULL");
-    CHECK_STATUS(mdr_contact_interior(c, 1, &state, 1, 0.0, 2, r, NULL, NULL, out), MDR_ENULL, "z is NULL");
-    CHECK_STATUS(mdr_contact_interior(c, 1, &state, 1, 0.0, 2, r, z, NULL, NULL), MDR_ENULL, "out is NULL");
-    CHECK_STATUS(mdr_contact_interior(c, 1, &state, 1, 0.0, 2, negative, z, NULL, out), MDR_EINVALID, "-0.5");
-    CHECK_STATUS(mdr_contact_interior(c, 1, &state, 1, 0.0, 2, r, negative, NULL, out), MDR_EINVALID, "-0.5");
-    CHECK_SUCCESS(mdr_contact_interior(c, 1, &state, 1, 0.0, 0, NULL, NULL, NULL, NULL));
+    CHECK_SUCCESS(mdr_contact_states(c, MDR_RADIUS, 0, 1, &(double){1.0}, &state));
+    CHECK_SUCCESS(mdr_contact_states(sticky, MDR_RADIUS, 0, 1, &(double){1.0}, &sticky_state));
+    CHECK_STATUS(mdr_contact_interior(NULL, MDR_BODY_LOWER, &state, MDR_SIDE_BELOW, 0.0, 2, r, z, NULL, out), MDR_ENULL,
+                 "c is NULL");
+    CHECK_STATUS(mdr_contact_interior(c, 3, &state, MDR_SIDE_BELOW, 0.0, 2, r, z, NULL, out), MDR_EINVALID, "body = 3");
+    CHECK_STATUS(mdr_contact_interior(c, MDR_BODY_UPPER, &state, MDR_SIDE_BELOW, 0.0, 2, r, z, NULL, out), MDR_EINVALID, "rigid");
+    CHECK_STATUS(mdr_contact_interior(c, MDR_BODY_LOWER, NULL, MDR_SIDE_BELOW, 0.0, 2, r, z, NULL, out), MDR_ENULL,
+                 "state is NULL");
+    CHECK_STATUS(mdr_contact_interior(c, MDR_BODY_LOWER, &state, 0, 0.0, 2, r, z, NULL, out), MDR_EINVALID, "side = 0");
+    CHECK_STATUS(mdr_contact_interior(c, MDR_BODY_LOWER, &state, MDR_SIDE_BELOW, -0.1, 2, r, z, NULL, out), MDR_EINVALID,
+                 "friction");
+    CHECK_STATUS(mdr_contact_interior(c, MDR_BODY_LOWER, &state, MDR_SIDE_BELOW, NAN, 2, r, z, NULL, out), MDR_EINVALID,
+                 "friction");
+    CHECK_STATUS(mdr_contact_interior(sticky, MDR_BODY_LOWER, &sticky_state, MDR_SIDE_BELOW, 0.1, 2, r, z, NULL, out),
+                 MDR_EINVALID, "adhesion");
+    CHECK_STATUS(mdr_contact_interior(c, MDR_BODY_LOWER, &state, MDR_SIDE_BELOW, 0.0, -1, r, z, NULL, out), MDR_EINVALID, "n = -1");
+    CHECK_STATUS(mdr_contact_interior(c, MDR_BODY_LOWER, &state, MDR_SIDE_BELOW, 0.0, 2, NULL, z, NULL, out), MDR_ENULL,
+                 "r is NULL");
+    CHECK_STATUS(mdr_contact_interior(c, MDR_BODY_LOWER, &state, MDR_SIDE_BELOW, 0.0, 2, r, NULL, NULL, out), MDR_ENULL,
+                 "z is NULL");
+    CHECK_STATUS(mdr_contact_interior(c, MDR_BODY_LOWER, &state, MDR_SIDE_BELOW, 0.0, 2, r, z, NULL, NULL), MDR_ENULL,
+                 "out is NULL");
+    CHECK_STATUS(mdr_contact_interior(c, MDR_BODY_LOWER, &state, MDR_SIDE_BELOW, 0.0, 2, negative, z, NULL, out), MDR_EINVALID,
+                 "-0.5");
+    CHECK_STATUS(mdr_contact_interior(c, MDR_BODY_LOWER, &state, MDR_SIDE_BELOW, 0.0, 2, r, negative, NULL, out), MDR_EINVALID,
+                 "-0.5");
+    CHECK_SUCCESS(mdr_contact_interior(c, MDR_BODY_LOWER, &state, MDR_SIDE_BELOW, 0.0, 0, NULL, NULL, NULL, NULL));
     CHECK_UNTOUCHED(18, &out[0].u_r);
-    CHECK_STATUS(mdr_contact_interior_error(NULL, 1, &state, &deviation), MDR_ENULL, "c is NULL");
+    CHECK_STATUS(mdr_contact_interior_error(NULL, MDR_BODY_LOWER, &state, &deviation), MDR_ENULL, "c is NULL");
     CHECK_STATUS(mdr_contact_interior_error(c, 3, &state, &deviation), MDR_EINVALID, "body = 3");
-    CHECK_STATUS(mdr_contact_interior_error(c, 2, &state, &deviation), MDR_EINVALID, "rigid");
-    CHECK_STATUS(mdr_contact_interior_error(c, 1, NULL, &deviation), MDR_ENULL, "state is NULL");
-    CHECK_STATUS(mdr_contact_interior_error(c, 1, &nothing, &deviation), MDR_EINVALID, "radius");
-    CHECK_STATUS(mdr_contact_interior_error(c, 1, &state, NULL), MDR_ENULL, "deviation is NULL");
+    CHECK_STATUS(mdr_contact_interior_error(c, MDR_BODY_UPPER, &state, &deviation), MDR_EINVALID, "rigid");
+    CHECK_STATUS(mdr_contact_interior_error(c, MDR_BODY_LOWER, NULL, &deviation), MDR_ENULL, "state is NULL");
+    CHECK_STATUS(mdr_contact_interior_error(c, MDR_BODY_LOWER, &nothing, &deviation), MDR_EINVALID, "radius");
+    CHECK_STATUS(mdr_contact_interior_error(c, MDR_BODY_LOWER, &state, NULL), MDR_ENULL, "deviation is NULL");
     CHECK_UNTOUCHED(1, &deviation);
-    CHECK_STATUS(mdr_contact_layer_energies(NULL, 1, &state, 2, energy, &count), MDR_ENULL, "c is NULL");
-    CHECK_STATUS(mdr_contact_layer_energies(c, 2, &state, 2, energy, &count), MDR_EINVALID, "rigid");
-    CHECK_STATUS(mdr_contact_layer_energies(c, 1, NULL, 2, energy, &count), MDR_ENULL, "state is NULL");
-    CHECK_STATUS(mdr_contact_layer_energies(c, 1, &state, -1, energy, &count), MDR_EINVALID, "capacity = -1");
-    CHECK_STATUS(mdr_contact_layer_energies(c, 1, &state, 2, NULL, &count), MDR_ENULL, "out is NULL");
-    CHECK_STATUS(mdr_contact_layer_energies(c, 1, &state, 2, energy, NULL), MDR_ENULL, "count is NULL");
+    CHECK_STATUS(mdr_contact_layer_energies(NULL, MDR_BODY_LOWER, &state, 2, energy, &count), MDR_ENULL, "c is NULL");
+    CHECK_STATUS(mdr_contact_layer_energies(c, MDR_BODY_UPPER, &state, 2, energy, &count), MDR_EINVALID, "rigid");
+    CHECK_STATUS(mdr_contact_layer_energies(c, MDR_BODY_LOWER, NULL, 2, energy, &count), MDR_ENULL, "state is NULL");
+    CHECK_STATUS(mdr_contact_layer_energies(c, MDR_BODY_LOWER, &state, -1, energy, &count), MDR_EINVALID, "capacity = -1");
+    CHECK_STATUS(mdr_contact_layer_energies(c, MDR_BODY_LOWER, &state, 2, NULL, &count), MDR_ENULL, "out is NULL");
+    CHECK_STATUS(mdr_contact_layer_energies(c, MDR_BODY_LOWER, &state, 2, energy, NULL), MDR_ENULL, "count is NULL");
     CHECK_UNTOUCHED(2, energy);
     CHECK_INT(count, -7);
     CHECK_FREE(c);
@@ -78,9 +88,9 @@ static void film_on_steel(void)
     double energy[2], p;
     int count = 0;
 
-    CHECK_SUCCESS(mdr_contact_states(c, MDR_GIVEN_RADIUS, 0, 1, &(double){1.0}, &state));
+    CHECK_SUCCESS(mdr_contact_states(c, MDR_RADIUS, 0, 1, &(double){1.0}, &state));
     CHECK_SUCCESS(mdr_contact_interior(c, MDR_BODY_LOWER, &state, MDR_SIDE_BELOW, 0.0, 3, r, z, NULL, below));
-    CHECK_SUCCESS(mdr_contact_field(c, MDR_FIELD_PRESSURE, &state, 1, r, &p));
+    CHECK_SUCCESS(mdr_contact_field(c, MDR_PRESSURE, &state, 1, r, &p));
     CHECK_CLOSE(below[0].s_zz, -p, 1e-9 * p);
     CHECK_CLOSE(below[0].u_z, state.depth, 1e-9);
     /* the table tests/data/stress.csv */
@@ -108,10 +118,10 @@ static void deviation_from_the_surface(void)
     mdr_state state;
     double deviation;
 
-    CHECK_SUCCESS(mdr_contact_states(sticky, MDR_GIVEN_RADIUS, 0, 1, &(double){1.0}, &state));
+    CHECK_SUCCESS(mdr_contact_states(sticky, MDR_RADIUS, 0, 1, &(double){1.0}, &state));
     CHECK_SUCCESS(mdr_contact_interior_error(sticky, MDR_BODY_LOWER, &state, &deviation));
     CHECK_TRUE(deviation < 1e-12);
-    CHECK_SUCCESS(mdr_contact_states(c, MDR_GIVEN_RADIUS, 0, 1, &(double){1.0}, &state));
+    CHECK_SUCCESS(mdr_contact_states(c, MDR_RADIUS, 0, 1, &(double){1.0}, &state));
     CHECK_SUCCESS(mdr_contact_interior_error(c, MDR_BODY_LOWER, &state, &deviation));
     CHECK_TRUE(deviation < 1e-12);
     state.depth *= 1.001;
@@ -135,7 +145,7 @@ static void friction_on_both_bodies(void)
     CHECK_SUCCESS(new_homogeneous(1.0, 0.3, &m));
     CHECK_SUCCESS(mdr_medium_pair(m, m, &both));
     CHECK_SUCCESS(mdr_contact_new(p, both, NULL, &c));
-    CHECK_SUCCESS(mdr_contact_states(c, MDR_GIVEN_RADIUS, 0, 1, &(double){1.0}, &state));
+    CHECK_SUCCESS(mdr_contact_states(c, MDR_RADIUS, 0, 1, &(double){1.0}, &state));
     CHECK_SUCCESS(mdr_contact_interior(c, MDR_BODY_UPPER, &state, MDR_SIDE_BELOW, 0.3, 1, &r, &z, &(double){0.0}, &upper));
     CHECK_SUCCESS(mdr_contact_interior(c, MDR_BODY_LOWER, &state, MDR_SIDE_BELOW, 0.3, 1, &r, &z, &(double){acos(-1.0)}, &lower));
     CHECK_SUCCESS(mdr_contact_interior(c, MDR_BODY_LOWER, &state, MDR_SIDE_BELOW, 0.3, 1, &r, &z, &(double){0.0}, &ahead));

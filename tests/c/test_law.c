@@ -30,14 +30,14 @@ static void test_values(void)
     CHECK_SUCCESS(mdr_law_new(contact, 1.0, NULL, &law));
     for (int i = 0; i < N; i++) d[i] = pow(10.0, -4.0 * i / (N - 1.0));
     CHECK_SUCCESS(mdr_set_threads(2));
-    CHECK_SUCCESS(mdr_law_values(law, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, N, d, NULL, a, F, k, slope, NULL));
-    CHECK_SUCCESS(mdr_law_values(law, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, N, d, NULL, NULL, F1, NULL, NULL, NULL));
+    CHECK_SUCCESS(mdr_law_values(law, MDR_DEPTH, MDR_ON_UNLOADING, N, d, NULL, a, F, k, slope, NULL));
+    CHECK_SUCCESS(mdr_law_values(law, MDR_DEPTH, MDR_ON_UNLOADING, N, d, NULL, NULL, F1, NULL, NULL, NULL));
     CHECK_SUCCESS(mdr_set_threads(0));
-    CHECK_SUCCESS(mdr_law_values(law, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, N, d, NULL, NULL, F2, NULL, NULL, NULL));
-    CHECK_SUCCESS(mdr_law_values(law, MDR_GIVEN_FORCE, MDR_ON_UNLOADING, N - 2, F + 1, back, NULL, NULL, NULL, NULL, NULL));
+    CHECK_SUCCESS(mdr_law_values(law, MDR_DEPTH, MDR_ON_UNLOADING, N, d, NULL, NULL, F2, NULL, NULL, NULL));
+    CHECK_SUCCESS(mdr_law_values(law, MDR_FORCE, MDR_ON_UNLOADING, N - 2, F + 1, back, NULL, NULL, NULL, NULL, NULL));
     for (int i = 0; i < N; i += 1371) {
         double exact, radius, stiffness, one, rise;
-        CHECK_SUCCESS(columns_of(contact, MDR_GIVEN_DEPTH, 1, &d[i], NULL, &radius, &exact, &stiffness));
+        CHECK_SUCCESS(columns_of(contact, MDR_DEPTH, 1, &d[i], NULL, &radius, &exact, &stiffness));
         CHECK_SUCCESS(mdr_law_force(law, MDR_ON_UNLOADING, d[i], &one, &rise));
         CHECK_CLOSE(F[i], exact, 1e-9);
         CHECK_CLOSE(a[i], radius, 1e-9);
@@ -52,7 +52,7 @@ static void test_values(void)
     /* below the compiled range a power of d, continuous with it; below 0 open */
     double near = 0.9e-4, open = -1e-3, force = 1.0, rise = 1.0, exact;
     CHECK_SUCCESS(mdr_law_force(law, MDR_ON_UNLOADING, near, &force, &rise));
-    CHECK_SUCCESS(columns_of(contact, MDR_GIVEN_DEPTH, 1, &near, NULL, NULL, &exact, NULL));
+    CHECK_SUCCESS(columns_of(contact, MDR_DEPTH, 1, &near, NULL, NULL, &exact, NULL));
     CHECK_CLOSE(force, exact, 1e-4);
     CHECK_SUCCESS(mdr_law_force(law, MDR_ON_UNLOADING, open, &force, &rise));
     CHECK_TRUE(force == 0.0 && rise == 0.0);
@@ -74,7 +74,7 @@ static void test_history(void)
     CHECK_INT(facts.adhesive, 1);
     CHECK_TRUE(facts.error <= facts.tolerance);
     CHECK_TRUE(facts.solutions > 10 && facts.solutions <= 200);
-    CHECK_SUCCESS(pull_off_of(contact, MDR_CONTROL_DEPTH, 1, &pull_off_depth, NULL, NULL, NULL));
+    CHECK_SUCCESS(pull_off_of(contact, MDR_DEPTH, 1, &pull_off_depth, NULL, NULL, NULL));
     CHECK_CLOSE(facts.lowest_depth, pull_off_depth, 1e-9);
     below = 1.001 * pull_off_depth;
     CHECK_SUCCESS(mdr_law_follow(law, -1e-9, &segment, &point));
@@ -87,7 +87,7 @@ static void test_history(void)
     CHECK_TRUE(segment == 0 && point.force == 0.0);
     CHECK_SUCCESS(mdr_law_force(law, MDR_ON_LOADING, -1e-9, &F, NULL));
     CHECK_TRUE(F == 0.0);
-    CHECK_STATUS(mdr_law_values(law, MDR_GIVEN_FORCE, MDR_ON_UNLOADING, 1, &(double){2.0 * facts.lowest_force}, &F, NULL, NULL,
+    CHECK_STATUS(mdr_law_values(law, MDR_FORCE, MDR_ON_UNLOADING, 1, &(double){2.0 * facts.lowest_force}, &F, NULL, NULL,
                                 NULL, NULL, NULL),
                  MDR_EUNREACHABLE, "entry 1 of force = ");
     CHECK_FREE(law);
@@ -171,11 +171,11 @@ static void test_refusals(void)
     CHECK_STATUS(mdr_law_force(law, MDR_ON_UNLOADING, 1.5, out, NULL), MDR_EDOMAIN, "compiled up to");
     CHECK_STATUS(mdr_law_force(NULL, MDR_ON_UNLOADING, 0.1, out, NULL), MDR_ENULL, "law");
     CHECK_STATUS(mdr_law_force((const mdr_law *)contact, MDR_ON_UNLOADING, 0.1, out, NULL), MDR_EINVALID, "mdr_law handle");
-    CHECK_STATUS(mdr_law_values(law, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, 3, in, NULL, NULL, out, NULL, NULL, NULL), MDR_EINVALID,
+    CHECK_STATUS(mdr_law_values(law, MDR_DEPTH, MDR_ON_UNLOADING, 3, in, NULL, NULL, out, NULL, NULL, NULL), MDR_EINVALID,
                  "entry 2 of depth = ");
-    CHECK_STATUS(mdr_law_values(law, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, -1, in, NULL, NULL, out, NULL, NULL, NULL), MDR_EINVALID,
+    CHECK_STATUS(mdr_law_values(law, MDR_DEPTH, MDR_ON_UNLOADING, -1, in, NULL, NULL, out, NULL, NULL, NULL), MDR_EINVALID,
                  "n = -1");
-    CHECK_STATUS(mdr_law_values(law, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, 3, NULL, NULL, NULL, out, NULL, NULL, NULL), MDR_ENULL,
+    CHECK_STATUS(mdr_law_values(law, MDR_DEPTH, MDR_ON_UNLOADING, 3, NULL, NULL, NULL, out, NULL, NULL, NULL), MDR_ENULL,
                  "d is NULL");
     CHECK_STATUS(mdr_law_follow(law, 0.1, &segment, &point), MDR_EINVALID, "segment");
     CHECK_STATUS(mdr_law_follow(law, 0.1, NULL, &point), MDR_ENULL, "segment");

@@ -54,7 +54,7 @@ static void worst_of_path(const mdr_friction *f, mdr_law *const laws[2], const d
         for (int part = 1; part <= (i ? SEGMENT : 1); part++) {
             const double *from = path[i ? i - 1 : 0], x = (double)part / SEGMENT;
             double d = depth * (from[0] + x * (path[i][0] - from[0])), s = shift * (from[1] + x * (path[i][1] - from[1]));
-            CHECK_SUCCESS(mdr_friction_history_advance(history, MDR_GIVEN_DEPTH, MDR_GIVEN_SHIFT, 1, &d, &s, &state, &exact));
+            CHECK_SUCCESS(mdr_friction_history_advance(history, MDR_DEPTH, MDR_SHIFT, 1, &d, &s, &state, &exact));
             for (int j = 0; j < 2; j++) {
                 const double step[3] = {s - before, 0.0, 0.0};
                 CHECK_SUCCESS(mdr_law_advance(laws[j], 1, &state.force, step, 0, NULL, memory[j], T));
@@ -78,7 +78,7 @@ int main(void)
         double shift = 0.0, worst[2];
 
         CHECK_SUCCESS(mdr_friction_new(contact, mu, &f));
-        CHECK_SUCCESS(mdr_contact_states(contact, MDR_GIVEN_RADIUS, MDR_ON_UNLOADING, 1, &cases[i].radius, &state));
+        CHECK_SUCCESS(mdr_contact_states(contact, MDR_RADIUS, MDR_ON_UNLOADING, 1, &cases[i].radius, &state));
         CHECK_SUCCESS(shear_sliding(f, &state, MDR_ALONG, &shift, NULL));
         for (int j = 0; j < 2; j++) {
             mdr_law_options options = MDR_SIZED(mdr_law_options);

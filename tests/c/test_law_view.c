@@ -50,7 +50,7 @@ static int differences(const mdr_law *law, int branch, const double d[], const d
     int count = 0;
     for (int i = 0; i < N; ++i) {
         mdr_law_point point = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
-        CHECK_SUCCESS(law_point(law, MDR_GIVEN_DEPTH, branch, d[i], &point));
+        CHECK_SUCCESS(law_point(law, MDR_DEPTH, branch, d[i], &point));
         count += !same(F[i], point.force) + !same(slope[i], point.slope) + !same(a[i], point.radius) + !same(k[i], point.stiffness);
     }
     return count;
@@ -65,17 +65,17 @@ static void test_bits(double work_of_adhesion, double flat, int branch)
 
     CHECK_SUCCESS(mdr_law_view_of(law, branch, &view));
     for (int i = 0; i < N; ++i) d[i] = pow((i - 100.0) / (N - 101.0), 3.0);
-    CHECK_SUCCESS(mdr_law_values(law, MDR_GIVEN_DEPTH, branch, N, d, NULL, a, F, k, slope, NULL));
-    CHECK_SUCCESS(mdr_law_values(law, MDR_GIVEN_DEPTH, branch, N, d, NULL, NULL, only_F, NULL, NULL, NULL));
-    CHECK_SUCCESS(mdr_law_values(law, MDR_GIVEN_DEPTH, branch, N, d, NULL, NULL, also_F, NULL, also_slope, NULL));
+    CHECK_SUCCESS(mdr_law_values(law, MDR_DEPTH, branch, N, d, NULL, a, F, k, slope, NULL));
+    CHECK_SUCCESS(mdr_law_values(law, MDR_DEPTH, branch, N, d, NULL, NULL, only_F, NULL, NULL, NULL));
+    CHECK_SUCCESS(mdr_law_values(law, MDR_DEPTH, branch, N, d, NULL, NULL, also_F, NULL, also_slope, NULL));
     CHECK_INT(differences(law, branch, d, F, slope, a, k), 0);
     CHECK_INT(memcmp(F, only_F, sizeof F) + memcmp(F, also_F, sizeof F) + memcmp(slope, also_slope, sizeof F), 0);
     for (int i = 0; i < N; ++i) {
         double one, other, rise, external, energy;
         mdr_law_point state, point;
         CHECK_SUCCESS(mdr_law_view_state(&view, d[i], &state));
-        CHECK_SUCCESS(law_point(law, MDR_GIVEN_DEPTH, branch, d[i], &point));
-        CHECK_SUCCESS(mdr_law_values(law, MDR_GIVEN_DEPTH, branch, 1, &d[i], NULL, NULL, NULL, NULL, NULL, &energy));
+        CHECK_SUCCESS(law_point(law, MDR_DEPTH, branch, d[i], &point));
+        CHECK_SUCCESS(mdr_law_values(law, MDR_DEPTH, branch, 1, &d[i], NULL, NULL, NULL, NULL, NULL, &energy));
         CHECK_TRUE(memcmp(&state, &point, sizeof state) == 0 && same(state.energy, energy));
         CHECK_SUCCESS(mdr_law_view_force(&view, d[i], &one));
         CHECK_SUCCESS(mdr_law_view_force_slope(&view, d[i], &other, &rise));
@@ -134,8 +134,8 @@ static void test_copy(double work_of_adhesion, double cohesive_stress, double fl
 
         CHECK_SUCCESS(mdr_law_view_from(buffer, branch, &view));
         for (int i = 0; i < N; ++i) d[i] = some_depth((const mdr_law_head *)buffer, i);
-        CHECK_SUCCESS(mdr_law_values(law, MDR_GIVEN_DEPTH, branch, N, d, NULL, a, F, k, slope, NULL));
-        CHECK_SUCCESS(mdr_law_values(law, MDR_GIVEN_DEPTH, branch, N, d, NULL, NULL, NULL, NULL, NULL, U));
+        CHECK_SUCCESS(mdr_law_values(law, MDR_DEPTH, branch, N, d, NULL, a, F, k, slope, NULL));
+        CHECK_SUCCESS(mdr_law_values(law, MDR_DEPTH, branch, N, d, NULL, NULL, NULL, NULL, NULL, U));
         for (int i = 0; i < N; ++i) {
             mdr_law_point state, point, other;
             double force, rise;
@@ -195,7 +195,7 @@ static void test_conductance(double work_of_adhesion)
         CHECK_SUCCESS(mdr_law_conductance(law, branch, N, d, G, slope));
         CHECK_SUCCESS(mdr_law_conductance(read, branch, N, d, again, NULL));
         CHECK_INT(memcmp(G, again, sizeof G), 0);
-        CHECK_SUCCESS(mdr_law_values(law, MDR_GIVEN_DEPTH, branch, N, d, NULL, a, NULL, NULL, NULL, NULL));
+        CHECK_SUCCESS(mdr_law_values(law, MDR_DEPTH, branch, N, d, NULL, a, NULL, NULL, NULL, NULL));
         double *buffer = malloc((size_t)facts.buffer_size * sizeof *buffer);
         CHECK_SUCCESS(mdr_law_buffer(law, facts.buffer_size, buffer));
         CHECK_SUCCESS(mdr_law_view_from(buffer, branch, &view));
@@ -284,18 +284,18 @@ static void test_beyond(void)
 
     CHECK_SUCCESS(mdr_law_about(law, &facts));
     d = facts.highest_depth + 0.5;
-    CHECK_SUCCESS(law_point(law, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, facts.highest_depth, &last));
-    CHECK_SUCCESS(law_point(law, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, d, &point));
+    CHECK_SUCCESS(law_point(law, MDR_DEPTH, MDR_ON_UNLOADING, facts.highest_depth, &last));
+    CHECK_SUCCESS(law_point(law, MDR_DEPTH, MDR_ON_UNLOADING, d, &point));
     CHECK_CLOSE(point.beyond, 0.5, 1e-12);
     CHECK_CLOSE(point.force, last.force + 0.5 * last.slope, 1e-12);
     CHECK_SUCCESS(mdr_law_view_of(law, MDR_ON_UNLOADING, &view));
     CHECK_SUCCESS(mdr_law_view_force(&view, d, &F));
     CHECK_TRUE(same(F, point.force));
-    CHECK_SUCCESS(mdr_law_values(law, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, 1, &d, NULL, NULL, &F, NULL, NULL, NULL));
+    CHECK_SUCCESS(mdr_law_values(law, MDR_DEPTH, MDR_ON_UNLOADING, 1, &d, NULL, NULL, &F, NULL, NULL, NULL));
     CHECK_TRUE(same(F, point.force));
-    CHECK_SUCCESS(mdr_law_values(law, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, 1, &d, NULL, NULL, NULL, NULL, NULL, &U));
+    CHECK_SUCCESS(mdr_law_values(law, MDR_DEPTH, MDR_ON_UNLOADING, 1, &d, NULL, NULL, NULL, NULL, NULL, &U));
     CHECK_CLOSE(U, point.energy, 0.0);
-    CHECK_SUCCESS(law_point(law, MDR_GIVEN_FORCE, MDR_ON_UNLOADING, point.force, &last));
+    CHECK_SUCCESS(law_point(law, MDR_FORCE, MDR_ON_UNLOADING, point.force, &last));
     CHECK_CLOSE(last.depth, d, 1e-7);
     CHECK_FREE(law);
 }
@@ -315,13 +315,13 @@ static void test_refusals(void)
     CHECK_STATUS(mdr_law_buffer(NULL, 7, d), MDR_ENULL, "law");
     CHECK_INT(mdr_law_view_from(NULL, MDR_ON_UNLOADING, &view), MDR_ENULL);
     CHECK_INT(mdr_law_view_from((double[22]){1.0}, MDR_ON_UNLOADING, &view), MDR_EINVALID);
-    CHECK_STATUS(law_point(law, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, NAN, &point), MDR_EINVALID, "depth = NaN");
-    CHECK_STATUS(law_point(law, MDR_GIVEN_FORCE, MDR_ON_UNLOADING, -1.0, &point), MDR_EUNREACHABLE, "cannot be reached");
-    CHECK_STATUS(mdr_law_values(law, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, 2, d, NULL, NULL, NULL, NULL, NULL, U), MDR_EDOMAIN,
+    CHECK_STATUS(law_point(law, MDR_DEPTH, MDR_ON_UNLOADING, NAN, &point), MDR_EINVALID, "depth = NaN");
+    CHECK_STATUS(law_point(law, MDR_FORCE, MDR_ON_UNLOADING, -1.0, &point), MDR_EUNREACHABLE, "cannot be reached");
+    CHECK_STATUS(mdr_law_values(law, MDR_DEPTH, MDR_ON_UNLOADING, 2, d, NULL, NULL, NULL, NULL, NULL, U), MDR_EDOMAIN,
                  "entry 2 of depth = 2");
-    CHECK_STATUS(mdr_law_values(law, MDR_GIVEN_RADIUS, MDR_ON_UNLOADING, 2, d, NULL, NULL, NULL, NULL, NULL, U), MDR_EINVALID,
-                 "given = 3");
-    CHECK_STATUS(mdr_law_values(law, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, 2, NULL, NULL, NULL, NULL, NULL, NULL, U), MDR_ENULL,
+    CHECK_STATUS(mdr_law_values(law, MDR_RADIUS, MDR_ON_UNLOADING, 2, d, NULL, NULL, NULL, NULL, NULL, U), MDR_EINVALID,
+                 "given = 103 (radius)");
+    CHECK_STATUS(mdr_law_values(law, MDR_DEPTH, MDR_ON_UNLOADING, 2, NULL, NULL, NULL, NULL, NULL, NULL, U), MDR_ENULL,
                  "d is NULL");
     CHECK_FREE(law);
 }

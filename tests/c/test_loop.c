@@ -38,10 +38,10 @@ static void pull_off_refuses(const mdr_contact *c)
     double d = untouched, a = untouched, F = untouched;
     int count = -7;
 
-    CHECK_STATUS(pull_off_of(NULL, MDR_CONTROL_FORCE, 1, &d, &a, &F, NULL), MDR_ENULL, "c is NULL");
-    CHECK_STATUS(pull_off_of(c, MDR_CONTROL_SPRING, 1, &d, &a, &F, NULL), MDR_EINVALID, "control = 2");
+    CHECK_STATUS(pull_off_of(NULL, MDR_FORCE, 1, &d, &a, &F, NULL), MDR_ENULL, "c is NULL");
+    CHECK_STATUS(pull_off_of(c, MDR_SPRING, 1, &d, &a, &F, NULL), MDR_EINVALID, "control = 104 (spring)");
     CHECK_STATUS(pull_off_of(c, -1, 1, &d, &a, &F, NULL), MDR_EINVALID, "control = -1");
-    CHECK_STATUS(pull_off_of(c, MDR_CONTROL_FORCE, -1, &d, &a, &F, &count), MDR_EINVALID, "capacity = -1");
+    CHECK_STATUS(pull_off_of(c, MDR_FORCE, -1, &d, &a, &F, &count), MDR_EINVALID, "capacity = -1");
     CHECK_UNTOUCHED(1, &d);
     CHECK_UNTOUCHED(1, &a);
     CHECK_UNTOUCHED(1, &F);
@@ -56,16 +56,16 @@ static void loop_refuses(const mdr_contact *c)
     int number = -7;
     mdr_loop *l = NULL;
 
-    CHECK_STATUS(mdr_loop_new(NULL, MDR_CONTROL_DEPTH, 0.5, 10, 0.0, &l), MDR_ENULL, "c is NULL");
-    CHECK_STATUS(mdr_loop_new(c, MDR_CONTROL_DEPTH, 0.5, 10, 0.0, NULL), MDR_ENULL, "out is NULL");
+    CHECK_STATUS(mdr_loop_new(NULL, MDR_DEPTH, 0.5, 10, 0.0, &l), MDR_ENULL, "c is NULL");
+    CHECK_STATUS(mdr_loop_new(c, MDR_DEPTH, 0.5, 10, 0.0, NULL), MDR_ENULL, "out is NULL");
     CHECK_STATUS(mdr_loop_new(c, 9, 0.5, 10, 0.0, &l), MDR_EINVALID, "control = 9");
     for (int i = 0; i < 4; i++) {
-        CHECK_STATUS(mdr_loop_new(c, MDR_CONTROL_DEPTH, bad[i], 10, 0.0, &l), MDR_EINVALID, "largest = ");
-        CHECK_STATUS(mdr_loop_new(c, MDR_CONTROL_SPRING, 0.5, 10, bad[i], &l), MDR_EINVALID, "spring_stiffness = ");
+        CHECK_STATUS(mdr_loop_new(c, MDR_DEPTH, bad[i], 10, 0.0, &l), MDR_EINVALID, "largest = ");
+        CHECK_STATUS(mdr_loop_new(c, MDR_SPRING, 0.5, 10, bad[i], &l), MDR_EINVALID, "spring_stiffness = ");
     }
-    CHECK_STATUS(mdr_loop_new(c, MDR_CONTROL_DEPTH, 0.5, 1, 0.0, &l), MDR_EINVALID, "points = 1");
-    CHECK_STATUS(mdr_loop_new(c, MDR_CONTROL_DEPTH, 0.5, -1, 0.0, &l), MDR_EINVALID, "points = -1");
-    CHECK_STATUS(mdr_loop_new(c, MDR_CONTROL_DEPTH, 0.5, INT_MAX, 0.0, &l), MDR_EINVALID, "it must be from 2 to 1000000");
+    CHECK_STATUS(mdr_loop_new(c, MDR_DEPTH, 0.5, 1, 0.0, &l), MDR_EINVALID, "points = 1");
+    CHECK_STATUS(mdr_loop_new(c, MDR_DEPTH, 0.5, -1, 0.0, &l), MDR_EINVALID, "points = -1");
+    CHECK_STATUS(mdr_loop_new(c, MDR_DEPTH, 0.5, INT_MAX, 0.0, &l), MDR_EINVALID, "it must be from 2 to 1000000");
     CHECK_TRUE(l == NULL);
     fill_untouched(5, &point.position);
     CHECK_STATUS(mdr_loop_points(NULL, 1, &point, &number), MDR_ENULL, "l is NULL");
@@ -73,7 +73,7 @@ static void loop_refuses(const mdr_contact *c)
     CHECK_STATUS(mdr_loop_about((const mdr_loop *)(const void *)c, &facts), MDR_EINVALID, "not an mdr_loop");
     CHECK_SUCCESS(mdr_free(NULL));
     CHECK_FREE(l);
-    CHECK_SUCCESS(mdr_loop_new(c, MDR_CONTROL_DEPTH, 0.5, 10, 0.0, &l));
+    CHECK_SUCCESS(mdr_loop_new(c, MDR_DEPTH, 0.5, 10, 0.0, &l));
     CHECK_STATUS(mdr_loop_points(l, -1, &point, &number), MDR_EINVALID, "capacity = -1");
     CHECK_STATUS(mdr_loop_points(l, 1, NULL, &number), MDR_ENULL, "out is NULL");
     CHECK_STATUS(mdr_loop_about(l, NULL), MDR_ENULL, "facts is NULL");
@@ -90,21 +90,21 @@ static void jkr_pull_off(const mdr_contact *c)
     double d, a, F, ds[3], as[3], Fs[3];
     int count = 0;
 
-    CHECK_SUCCESS(pull_off_of(c, MDR_CONTROL_FORCE, 1, &d, &a, &F, NULL));
+    CHECK_SUCCESS(pull_off_of(c, MDR_FORCE, 1, &d, &a, &F, NULL));
     CHECK_CLOSE(F, -1.5 * pi * work * R, 1e-12);
     CHECK_CLOSE(a, cbrt(9 * pi * work * R * R / (8 * modulus)), 1e-6); /* at an extremum of F: half the digits */
-    CHECK_SUCCESS(pull_off_of(c, MDR_CONTROL_DEPTH, 1, &d, &a, &F, NULL));
+    CHECK_SUCCESS(pull_off_of(c, MDR_DEPTH, 1, &d, &a, &F, NULL));
     CHECK_CLOSE(F, -5.0 / 6.0 * pi * work * R, 1e-6);
     CHECK_CLOSE(a, cbrt(pi * work * R * R / (8 * modulus)), 1e-6);
     CHECK_CLOSE(d, a * a / R - sqrt(2 * pi * a * work / modulus), 1e-12);
-    CHECK_SUCCESS(pull_off_of(c, MDR_CONTROL_DEPTH, 1, NULL, NULL, NULL, NULL));
-    CHECK_SUCCESS(pull_off_of(c, MDR_CONTROL_DEPTH, 3, ds, as, Fs, &count));
+    CHECK_SUCCESS(pull_off_of(c, MDR_DEPTH, 1, NULL, NULL, NULL, NULL));
+    CHECK_SUCCESS(pull_off_of(c, MDR_DEPTH, 3, ds, as, Fs, &count));
     CHECK_INT(count, 1);
     CHECK_CLOSE(ds[0], d, 1e-12);
     CHECK_CLOSE(as[0], a, 1e-12);
     CHECK_CLOSE(Fs[0], F, 1e-12);
     count = 0;
-    CHECK_SUCCESS(pull_off_of(c, MDR_CONTROL_DEPTH, 0, NULL, NULL, NULL, &count));
+    CHECK_SUCCESS(pull_off_of(c, MDR_DEPTH, 0, NULL, NULL, NULL, &count));
     CHECK_INT(count, 1);
 }
 
@@ -133,7 +133,7 @@ static void loop_under_depth_control(const mdr_contact *c)
     int count = 0, jumps = 0, index[2] = {-1, -1};
     mdr_loop *l = NULL;
 
-    CHECK_SUCCESS(mdr_loop_new(c, MDR_CONTROL_DEPTH, 0.5, 20, 0.0, &l));
+    CHECK_SUCCESS(mdr_loop_new(c, MDR_DEPTH, 0.5, 20, 0.0, &l));
     CHECK_SUCCESS(mdr_loop_about(l, &facts));
     CHECK_TRUE(facts.points > 40 && facts.points <= CAPACITY);
     CHECK_INT(facts.jumps, 2);
@@ -160,7 +160,7 @@ static void loop_under_depth_control(const mdr_contact *c)
     CHECK_INT(count, facts.points);
     CHECK_SUCCESS(mdr_loop_points(l, 0, NULL, NULL));
     CHECK_FREE(l);
-    CHECK_SUCCESS(mdr_loop_new(c, MDR_CONTROL_SPRING, 0.5, 20, 1e6, &l)); /* a stiff spring is depth control */
+    CHECK_SUCCESS(mdr_loop_new(c, MDR_SPRING, 0.5, 20, 1e6, &l)); /* a stiff spring is depth control */
     CHECK_CLOSE(lost_in(l), lost_under_depth_control(), 1e-3);
     CHECK_FREE(l);
 }
@@ -184,17 +184,17 @@ static void loss_does_not_depend_on_the_load(const mdr_contact *paraboloid)
     CHECK_SUCCESS(mdr_medium_contact_modulus(modulus, &m));
     CHECK_SUCCESS(mdr_contact_new(p, m, &options, &punch));
     for (int i = 0; i < 5; i++) {
-        CHECK_SUCCESS(mdr_loop_new(punch, MDR_CONTROL_DEPTH, loads[i], 3, 0.0, &l));
+        CHECK_SUCCESS(mdr_loop_new(punch, MDR_DEPTH, loads[i], 3, 0.0, &l));
         energy = lost_in(l);
         CHECK_CLOSE(energy, out, 1e-12);
         CHECK_FREE(l);
-        CHECK_SUCCESS(mdr_loop_new(punch, MDR_CONTROL_SPRING, loads[i], 3, stiffness, &l));
+        CHECK_SUCCESS(mdr_loop_new(punch, MDR_SPRING, loads[i], 3, stiffness, &l));
         energy = lost_in(l);
         CHECK_CLOSE(energy, out + pull_off * pull_off / (2 * stiffness), 1e-12);
         CHECK_FREE(l);
     }
     for (int i = 0; i < 3; i++) {
-        CHECK_SUCCESS(mdr_loop_new(paraboloid, MDR_CONTROL_SPRING, loads[i], 3, stiffness, &l));
+        CHECK_SUCCESS(mdr_loop_new(paraboloid, MDR_SPRING, loads[i], 3, stiffness, &l));
         energy = lost_in(l);
         if (i == 0) small = energy;
         CHECK_CLOSE(energy, small, 1e-12);
@@ -214,7 +214,7 @@ static void loop_on_a_spring(const mdr_contact *c)
     int count = 0;
     mdr_loop *l = NULL;
 
-    CHECK_SUCCESS(mdr_loop_new(c, MDR_CONTROL_SPRING, 1.0, 8000, 0.7, &l));
+    CHECK_SUCCESS(mdr_loop_new(c, MDR_SPRING, 1.0, 8000, 0.7, &l));
     CHECK_SUCCESS(mdr_loop_points(l, CAPACITY, p, &count));
     CHECK_TRUE(count <= CAPACITY);
     for (int i = 1; i < count; i++) area += 0.5 * (p[i].force + p[i - 1].force) * (p[i].position - p[i - 1].position);
@@ -246,11 +246,11 @@ static void without_adhesion(void)
     mdr_contact *c = new_contact(0.0);
     mdr_loop *l = NULL;
 
-    CHECK_SUCCESS(pull_off_of(c, MDR_CONTROL_FORCE, 1, &d, &a, &F, NULL));
+    CHECK_SUCCESS(pull_off_of(c, MDR_FORCE, 1, &d, &a, &F, NULL));
     CHECK_TRUE(d == 0 && a == 0 && F == 0);
-    CHECK_SUCCESS(pull_off_of(c, MDR_CONTROL_FORCE, 1, &d, &a, &F, &count));
+    CHECK_SUCCESS(pull_off_of(c, MDR_FORCE, 1, &d, &a, &F, &count));
     CHECK_INT(count, 0);
-    CHECK_SUCCESS(mdr_loop_new(c, MDR_CONTROL_FORCE, 2.0, 5, 0.0, &l));
+    CHECK_SUCCESS(mdr_loop_new(c, MDR_FORCE, 2.0, 5, 0.0, &l));
     CHECK_SUCCESS(mdr_loop_about(l, &facts));
     CHECK_INT(facts.jumps, 0);
     CHECK_CLOSE(facts.dissipated_energy, 0.0, 0.0);
@@ -267,8 +267,8 @@ int main(void)
     loop_under_depth_control(c);
     loop_on_a_spring(c);
     loss_does_not_depend_on_the_load(c);
-    long_loops(c, MDR_CONTROL_DEPTH, 0.0);
-    long_loops(c, MDR_CONTROL_SPRING, 0.7);
+    long_loops(c, MDR_DEPTH, 0.0);
+    long_loops(c, MDR_SPRING, 0.7);
     CHECK_FREE(c);
     without_adhesion();
     return check_report("loop");

@@ -128,7 +128,7 @@ static void gao_values(void)
         for (int choice = 0; choice < 4; choice++) {
             double found[3];
             mdr_medium *m = NULL;
-            options.weight_nu_choice = choice;
+            options.weight_nu_choice = MDR_WEIGHT_NU_SURFACE + choice;
             options.weight_nu = 0.4;
             CHECK_SUCCESS(new_coated(E0, nu0, h, E1, nu1, model, &options, &m));
             CHECK_SUCCESS(mdr_medium_values(m, MDR_MODULUS, 3, a, found));
@@ -291,11 +291,11 @@ static void bottom_effect(void)
         CHECK_SUCCESS(mdr_contact_new(p, m, NULL, &c));
         CHECK_STATUS(mdr_medium_values(m, MDR_MODULUS, 1, too_far, F), MDR_EDOMAIN,
                      "defined up to 0.5; the models dimitriadis and garcia");
-        CHECK_STATUS(columns_of(c, MDR_GIVEN_RADIUS, 1, too_far, NULL, NULL, F, NULL), MDR_EDOMAIN,
+        CHECK_STATUS(columns_of(c, MDR_RADIUS, 1, too_far, NULL, NULL, F, NULL), MDR_EDOMAIN,
                      "defined up to 0.5; the models dimitriadis and garcia hold for a < h: take the model exact");
-        CHECK_STATUS(columns_of(c, MDR_GIVEN_DEPTH, 1, too_deep, NULL, NULL, F, NULL), MDR_EUNREACHABLE, "garcia hold for a < h");
-        CHECK_STATUS(columns_of(c, MDR_GIVEN_FORCE, 1, too_much, F, NULL, NULL, NULL), MDR_EUNREACHABLE, "garcia hold for a < h");
-        CHECK_SUCCESS(columns_of(c, MDR_GIVEN_DEPTH, 1, depth, NULL, NULL, F, NULL));
+        CHECK_STATUS(columns_of(c, MDR_DEPTH, 1, too_deep, NULL, NULL, F, NULL), MDR_EUNREACHABLE, "garcia hold for a < h");
+        CHECK_STATUS(columns_of(c, MDR_FORCE, 1, too_much, F, NULL, NULL, NULL), MDR_EUNREACHABLE, "garcia hold for a < h");
+        CHECK_SUCCESS(columns_of(c, MDR_DEPTH, 1, depth, NULL, NULL, F, NULL));
         for (int k = 4; k >= 0; k--) expected = expected * chi + series[i][k];
         CHECK_CLOSE(F[0], hertz * expected, 1e-10);
         CHECK_FREE(c);

@@ -22,7 +22,7 @@ static void layered_refuses(void)
     CHECK_STATUS(new_layered(2, E, nu, bad_h, 1.0, 0.3, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "entry 2 of thickness = 0");
     CHECK_STATUS(new_layered(2, E, nu, h, 0.0, 0.3, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "substrate E = 0");
     CHECK_STATUS(new_layered(2, E, nu, h, 1.0, NAN, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "substrate nu = NaN");
-    CHECK_STATUS(new_layered(2, E, nu, h, 1.0, 0.3, MDR_MODEL_WAVE, NULL, &m), MDR_EINVALID, "model = 3");
+    CHECK_STATUS(new_layered(2, E, nu, h, 1.0, 0.3, MDR_MODEL_WAVE, NULL, &m), MDR_EINVALID, "model = 204 (wave)");
     options = MDR_SIZED(mdr_medium_options);
     options.weight_nu_choice = -1;
     CHECK_STATUS(new_layered(2, E, nu, h, 1.0, 0.3, MDR_MODEL_GAO, &options, &m), MDR_EINVALID, "weight_nu_choice = -1");
@@ -45,7 +45,7 @@ static void graded_refuses(void)
     CHECK_STATUS(mdr_medium_graded(3, repeated, E, nu, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "entry 3 of z = 1");
     CHECK_STATUS(mdr_medium_graded(3, z, bad_E, nu, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "entry 2 of E = 0");
     CHECK_STATUS(mdr_medium_graded(3, z, E, bad_nu, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "entry 3 of nu = 0.7");
-    CHECK_STATUS(mdr_medium_graded(3, z, E, nu, MDR_MODEL_BEC, NULL, &m), MDR_EINVALID, "model = 6");
+    CHECK_STATUS(mdr_medium_graded(3, z, E, nu, MDR_MODEL_BEC, NULL, &m), MDR_EINVALID, "model = 207 (bec)");
     CHECK_TRUE(m == NULL);
 }
 

@@ -124,13 +124,13 @@ static void depth_of_first_touch(void)
     CHECK_SUCCESS(new_coated(6.0, 0.5, 1.0, 3.0, 0.5, MDR_MODEL_EXACT, NULL, &m));
     CHECK_SUCCESS(mdr_profile_paraboloid(4.0, &p));
     CHECK_SUCCESS(mdr_contact_new(p, m, NULL, &c));
-    CHECK_SUCCESS(columns_of(c, MDR_GIVEN_RADIUS, 1, a, d, NULL, NULL, NULL));
+    CHECK_SUCCESS(columns_of(c, MDR_RADIUS, 1, a, d, NULL, NULL, NULL));
     CHECK_CLOSE(d[0] * 4.0, 1.2676, 5e-5);
     CHECK_FREE(c);
     CHECK_FREE(p);
     CHECK_SUCCESS(mdr_profile_cone(0.3, &p));
     CHECK_SUCCESS(mdr_contact_new(p, m, NULL, &c));
-    CHECK_SUCCESS(columns_of(c, MDR_GIVEN_RADIUS, 1, a, d, NULL, NULL, NULL));
+    CHECK_SUCCESS(columns_of(c, MDR_RADIUS, 1, a, d, NULL, NULL, NULL));
     CHECK_CLOSE(d[0] / (0.5 * pi * tan(0.3)), 1.1976, 5e-5);
     CHECK_FREE(c);
     CHECK_FREE(p);
@@ -153,12 +153,12 @@ static void exact_zeta_of_a_model(void)
     options.zeta_is_exact = 1;
     CHECK_SUCCESS(mdr_profile_sphere(5.5, &p));
     CHECK_SUCCESS(mdr_contact_new(p, exact, NULL, &c));
-    CHECK_SUCCESS(columns_of(c, MDR_GIVEN_RADIUS, 3, a, expected, NULL, NULL, NULL));
+    CHECK_SUCCESS(columns_of(c, MDR_RADIUS, 3, a, expected, NULL, NULL, NULL));
     CHECK_FREE(c);
     CHECK_SUCCESS(mdr_contact_new(p, model, &options, &c));
-    CHECK_SUCCESS(columns_of(c, MDR_GIVEN_RADIUS, 3, a, d, NULL, NULL, NULL));
+    CHECK_SUCCESS(columns_of(c, MDR_RADIUS, 3, a, d, NULL, NULL, NULL));
     for (int i = 0; i < 3; i++) CHECK_CLOSE(d[i], expected[i], 1e-6);
-    CHECK_STATUS(columns_of(c, MDR_GIVEN_RADIUS, 1, (const double[]){5.6}, d, NULL, NULL, NULL), MDR_EDOMAIN, "5.5");
+    CHECK_STATUS(columns_of(c, MDR_RADIUS, 1, (const double[]){5.6}, d, NULL, NULL, NULL), MDR_EDOMAIN, "5.5");
     CHECK_FREE(c);
     CHECK_STATUS(mdr_contact_new(p, exact, &options, &c), MDR_EINVALID, "under an approximate model");
     options.zeta_count = 3;
@@ -186,7 +186,7 @@ static void graded_bodies(void)
     CHECK_SUCCESS(mdr_profile_sphere(10.0, &p));
     for (int i = 0; i < 2; i++) {
         CHECK_SUCCESS(mdr_contact_new(p, i == 0 ? graded : coated, NULL, &c));
-        CHECK_SUCCESS(columns_of(c, MDR_GIVEN_RADIUS, 1, a + 3, d + i, NULL, F + i, NULL));
+        CHECK_SUCCESS(columns_of(c, MDR_RADIUS, 1, a + 3, d + i, NULL, F + i, NULL));
         CHECK_FREE(c);
     }
     CHECK_CLOSE(d[0], d[1], 1e-8);
@@ -222,7 +222,7 @@ static void rim_of_a_sphere(void)
     CHECK_SUCCESS(mdr_profile_sphere(R, &p));
     CHECK_SUCCESS(mdr_contact_new(p, m, NULL, &c));
     for (last = nextafter(R, 0.0); last > R * (1.0 - 1e-14); last = nextafter(last, 0.0)) {
-        int status = columns_of(c, MDR_GIVEN_RADIUS, 1, &last, &d, &a, &F, &k);
+        int status = columns_of(c, MDR_RADIUS, 1, &last, &d, &a, &F, &k);
         CHECK_TRUE(status == MDR_EDOMAIN || (status == MDR_SUCCESS && last < R && d > 0.0 && F > 0.0));
     }
     CHECK_FREE(c);

@@ -55,7 +55,7 @@ int main(void)
     CHECK_SUCCESS(mdr_contact_new(p, m, NULL, &c));
     CHECK_SUCCESS(mdr_friction_new(c, 0.3, &friction));
     CHECK_SUCCESS(mdr_friction_history_new(friction, 0.0, 0, &path));
-    CHECK_SUCCESS(mdr_friction_history_advance(path, MDR_GIVEN_DEPTH, MDR_GIVEN_SHIFT, 1, &(double){0.01}, &(double){1e-3}, states,
+    CHECK_SUCCESS(mdr_friction_history_advance(path, MDR_DEPTH, MDR_SHIFT, 1, &(double){0.01}, &(double){1e-3}, states,
                                                sheared));
     CHECK_SUCCESS(mdr_material_viscoelastic(1.0, 1, &modulus, &relaxation_time, 0.0, 0.3, 0.0, &polymer));
     CHECK_SUCCESS(relaxing_medium(0, NULL, NULL, polymer, MDR_MODEL_EXACT, NULL, &relaxing));
@@ -75,24 +75,24 @@ int main(void)
     CHECK_TRUE(malloc(8 * COUNT) == NULL);
     CHECK_STATUS(mdr_medium_values(m, MDR_MODULUS, COUNT, in, out), MDR_ENOMEMORY, "not enough memory");
     CHECK_STATUS(mdr_medium_values(m, MDR_STIFFNESS, COUNT, in, out), MDR_ENOMEMORY, "not enough memory");
-    CHECK_STATUS(mdr_contact_states(c, MDR_GIVEN_RADIUS, MDR_ON_UNLOADING, COUNT, in, (mdr_state *)out), MDR_ENOMEMORY,
+    CHECK_STATUS(mdr_contact_states(c, MDR_RADIUS, MDR_ON_UNLOADING, COUNT, in, (mdr_state *)out), MDR_ENOMEMORY,
                  "not enough memory");
-    CHECK_STATUS(mdr_contact_states(c, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, COUNT, in, (mdr_state *)out), MDR_ENOMEMORY,
+    CHECK_STATUS(mdr_contact_states(c, MDR_DEPTH, MDR_ON_UNLOADING, COUNT, in, (mdr_state *)out), MDR_ENOMEMORY,
                  "not enough memory");
-    CHECK_STATUS(mdr_contact_states(c, MDR_GIVEN_FORCE, MDR_ON_UNLOADING, COUNT, in, (mdr_state *)out), MDR_ENOMEMORY,
+    CHECK_STATUS(mdr_contact_states(c, MDR_FORCE, MDR_ON_UNLOADING, COUNT, in, (mdr_state *)out), MDR_ENOMEMORY,
                  "not enough memory");
-    CHECK_STATUS(field_at(c, MDR_FIELD_PRESSURE, MDR_GIVEN_RADIUS, 1.0, COUNT, in, out), MDR_ENOMEMORY, "not enough memory");
-    CHECK_STATUS(field_at(c, MDR_FIELD_LINE_LOAD, MDR_GIVEN_RADIUS, 1.0, COUNT, in, out), MDR_ENOMEMORY, "not enough memory");
-    CHECK_STATUS(field_at(c, MDR_FIELD_DISPLACEMENT, MDR_GIVEN_RADIUS, 1.0, COUNT, in, out), MDR_ENOMEMORY, "not enough memory");
+    CHECK_STATUS(field_at(c, MDR_PRESSURE, MDR_RADIUS, 1.0, COUNT, in, out), MDR_ENOMEMORY, "not enough memory");
+    CHECK_STATUS(field_at(c, MDR_LINE_LOAD, MDR_RADIUS, 1.0, COUNT, in, out), MDR_ENOMEMORY, "not enough memory");
+    CHECK_STATUS(field_at(c, MDR_DISPLACEMENT, MDR_RADIUS, 1.0, COUNT, in, out), MDR_ENOMEMORY, "not enough memory");
     CHECK_STATUS(mdr_profile_values(p, MDR_HEIGHT, COUNT, in, out), MDR_ENOMEMORY, "not enough memory");
     CHECK_STATUS(mdr_closed_form(MDR_FORM_CONE_FORCE, COUNT, in, (const double[]){0.2, 1.0, 2.0, 1.0}, out), MDR_ENOMEMORY,
                  "not enough memory");
     CHECK_STATUS(mdr_material_values(polymer, MDR_RELAXATION, COUNT, in, out, NULL), MDR_ENOMEMORY, "not enough memory");
-    CHECK_STATUS(mdr_contact_history(in_time, MDR_GIVEN_DEPTH, 1e-5, COUNT, in, in, NULL, NULL, out), MDR_ENOMEMORY, "memory");
+    CHECK_STATUS(mdr_contact_history(in_time, MDR_DEPTH, 1e-5, COUNT, in, in, NULL, NULL, out), MDR_ENOMEMORY, "memory");
     CHECK_STATUS(mdr_contact_dynamic_stiffness(in_time, COUNT, in, in, out, out), MDR_ENOMEMORY, "not enough memory");
-    CHECK_STATUS(mdr_contact_step_response(in_time, MDR_STEP_CREEP, 1.0, COUNT, in, out), MDR_ENOMEMORY, "not enough memory");
-    CHECK_STATUS(shear_states(friction, states, MDR_ALONG, MDR_GIVEN_SHIFT, COUNT, in, sheared), MDR_ENOMEMORY, "memory");
-    CHECK_STATUS(mdr_friction_history_advance(path, MDR_GIVEN_DEPTH, MDR_GIVEN_SHIFT, COUNT, in, in, states, sheared),
+    CHECK_STATUS(mdr_contact_step_response(in_time, MDR_CREEP, 1.0, COUNT, in, out), MDR_ENOMEMORY, "not enough memory");
+    CHECK_STATUS(shear_states(friction, states, MDR_ALONG, MDR_SHIFT, COUNT, in, sheared), MDR_ENOMEMORY, "memory");
+    CHECK_STATUS(mdr_friction_history_advance(path, MDR_DEPTH, MDR_SHIFT, COUNT, in, in, states, sheared),
                  MDR_ENOMEMORY, "memory");
     for (int i = 0; i < COUNT; i += 1000) CHECK_CLOSE(out[i], untouched, 0.0);
     /* objects whose size the caller chooses */
@@ -108,7 +108,7 @@ int main(void)
     CHECK_SUCCESS(mdr_weight(MDR_WEIGHT_I0, 0.3, COUNT, in, out));
     grant_all_requests();
 
-    CHECK_SUCCESS(columns_of(c, MDR_GIVEN_RADIUS, COUNT, in, NULL, NULL, out, NULL));
+    CHECK_SUCCESS(columns_of(c, MDR_RADIUS, COUNT, in, NULL, NULL, out, NULL));
     CHECK_CLOSE(out[COUNT - 1], 4.0 / 3.0 / 0.91 * pow(in[COUNT - 1], 3), 1e-12);
     CHECK_FREE(path);
     CHECK_FREE(friction);

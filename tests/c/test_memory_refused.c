@@ -53,10 +53,10 @@ static int medium(void) { mdr_medium *m = NULL; return mdr_medium_table(POINTS -
 static int contact_of_tip(void) { mdr_contact *c = NULL; return mdr_contact_new(tip, half_space, NULL, &c); }
 static int contact_on_film(void) { mdr_contact *c = NULL; return mdr_contact_new(ball, film, NULL, &c); }
 static mdr_state reached[POINTS];
-static int states(void) { return mdr_contact_states(contact, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, POINTS, x, reached); }
-static int states_on_film(void) { return columns_of(on_film, MDR_GIVEN_DEPTH, 3, x + 100, NULL, NULL, out, NULL); }
-static int states_of_tip(void) { return columns_of(by_tip, MDR_GIVEN_DEPTH, 3, x + 100, NULL, NULL, out, NULL); }
-static int field(void) { return field_at(contact, MDR_FIELD_PRESSURE, MDR_GIVEN_RADIUS, 2.0, POINTS, x, out); }
+static int states(void) { return mdr_contact_states(contact, MDR_DEPTH, MDR_ON_UNLOADING, POINTS, x, reached); }
+static int states_on_film(void) { return columns_of(on_film, MDR_DEPTH, 3, x + 100, NULL, NULL, out, NULL); }
+static int states_of_tip(void) { return columns_of(by_tip, MDR_DEPTH, 3, x + 100, NULL, NULL, out, NULL); }
+static int field(void) { return field_at(contact, MDR_PRESSURE, MDR_RADIUS, 2.0, POINTS, x, out); }
 /* At scattered points or on a grid. */
 static int stress_at(mdr_contact *c, double friction, int is_grid)
 {
@@ -71,7 +71,7 @@ static int stress_at(mdr_contact *c, double friction, int is_grid)
 static int stresses(void) { return stress_at(contact, 0.0, 0); }
 static int stresses_sliding(void) { return stress_at(contact, 0.3, 0); }
 static int stresses_of_grid(void) { return stress_at(coated, 0.3, 1); }
-static int loop(void) { mdr_loop *l = NULL; return mdr_loop_new(contact, MDR_CONTROL_DEPTH, 0.5, POINTS, 0.0, &l); }
+static int loop(void) { mdr_loop *l = NULL; return mdr_loop_new(contact, MDR_DEPTH, 0.5, POINTS, 0.0, &l); }
 static int make_voxels(void)
 {
     const int size[3] = {ROWS, ROWS, 10};
@@ -88,18 +88,18 @@ static int write_law(void)
     return status == MDR_SUCCESS ? mdr_law_read(text, length, &again) : status;
 }
 
-static int path(void) { return mdr_contact_history(relaxing, MDR_GIVEN_DEPTH, 1e-2, POINTS - 1, x + 1, y + 1, out, NULL, NULL); }
+static int path(void) { return mdr_contact_history(relaxing, MDR_DEPTH, 1e-2, POINTS - 1, x + 1, y + 1, out, NULL, NULL); }
 static int path_of_forces(void)
 {
-    return mdr_contact_history(relaxing, MDR_GIVEN_FORCE, 1e-2, POINTS - 1, x + 1, small + 1, out, NULL, NULL);
+    return mdr_contact_history(relaxing, MDR_FORCE, 1e-2, POINTS - 1, x + 1, small + 1, out, NULL, NULL);
 }
 static int oscillations(void) { return mdr_contact_dynamic_stiffness(relaxing, POINTS - 1, x + 1, x + 1, out, other); }
 static int tangential_states(void)
 {
     static mdr_shear_state found[POINTS];
-    return shear_states(rubbed, &pressed, MDR_ALONG, MDR_GIVEN_SHIFT, POINTS, small, found);
+    return shear_states(rubbed, &pressed, MDR_ALONG, MDR_SHIFT, POINTS, small, found);
 }
-static int tangential_loop(void) { return shear_loop(rubbed, &pressed, MDR_ALONG, MDR_GIVEN_SHIFT, 1e-3, POINTS, out, other,
+static int tangential_loop(void) { return shear_loop(rubbed, &pressed, MDR_ALONG, MDR_SHIFT, 1e-3, POINTS, out, other,
                                                      other); }
 /* Large matrices of rings: made, led deeper and back, copied. */
 static int rings(void)
@@ -110,7 +110,7 @@ static int rings(void)
     mdr_shear_state sheared[2];
     int status = mdr_friction_history_new(rubbed, 0.5, 120, &history);
     if (status == MDR_SUCCESS) {
-        status = mdr_friction_history_advance(history, MDR_GIVEN_DEPTH, MDR_GIVEN_SHIFT, 2, d, s, states, sheared);
+        status = mdr_friction_history_advance(history, MDR_DEPTH, MDR_SHIFT, 2, d, s, states, sheared);
     }
     return status == MDR_SUCCESS ? mdr_friction_history_copy(history, &copy) : status;
 }
@@ -120,8 +120,8 @@ static int fields_at(mdr_contact *c, int n)
 {
     mdr_state state;
     double lower, lowest;
-    int status = mdr_contact_states(c, MDR_GIVEN_RADIUS, MDR_ON_UNLOADING, 1, (double[]){0.5}, &state);
-    for (int field = MDR_FIELD_PRESSURE; status == MDR_SUCCESS && field <= MDR_FIELD_DISPLACEMENT_UPPER; field++) {
+    int status = mdr_contact_states(c, MDR_RADIUS, MDR_ON_UNLOADING, 1, (double[]){0.5}, &state);
+    for (int field = MDR_PRESSURE; status == MDR_SUCCESS && field <= MDR_DISPLACEMENT_UPPER; field++) {
         status = mdr_contact_field(c, field, &state, n, half + 99, out);
     }
     if (status == MDR_SUCCESS) status = mdr_contact_energy(c, &state, &lower, NULL);
@@ -143,7 +143,7 @@ static int contact_on_layers(void)
 {
     mdr_contact *c = NULL;
     int status = mdr_contact_new(ball, multilayer, NULL, &c);
-    return status == MDR_SUCCESS ? columns_of(c, MDR_GIVEN_DEPTH, 1, x + 100, NULL, NULL, out, NULL) : status;
+    return status == MDR_SUCCESS ? columns_of(c, MDR_DEPTH, 1, x + 100, NULL, NULL, out, NULL) : status;
 }
 static int pair_of_layers(void)
 {
@@ -191,7 +191,7 @@ static int stress_in_layers(void)
     mdr_interior found;
     const double radius = 0.5, r = 0.1, z = 0.2;
     int status = mdr_contact_new(ball, exact_layers, NULL, &c);
-    if (status == MDR_SUCCESS) status = mdr_contact_states(c, MDR_GIVEN_RADIUS, MDR_ON_UNLOADING, 1, &radius, &state);
+    if (status == MDR_SUCCESS) status = mdr_contact_states(c, MDR_RADIUS, MDR_ON_UNLOADING, 1, &radius, &state);
     if (status != MDR_SUCCESS) return status;
     return mdr_contact_interior(c, MDR_BODY_LOWER, &state, MDR_SIDE_BELOW, 0.0, 1, &r, &z, NULL, &found);
 }
@@ -213,8 +213,8 @@ static int contact_scaled(void)
     options.zeta = one;
     return mdr_contact_new(ball, film, &options, &c);
 }
-static int states_scaled(void) { return columns_of(scaled, MDR_GIVEN_DEPTH, 3, x + 100, NULL, NULL, out, NULL); }
-static int states_on_pair(void) { return columns_of(on_pair, MDR_GIVEN_DEPTH, 3, x + 100, NULL, NULL, out, NULL); }
+static int states_scaled(void) { return columns_of(scaled, MDR_DEPTH, 3, x + 100, NULL, NULL, out, NULL); }
+static int states_on_pair(void) { return columns_of(on_pair, MDR_DEPTH, 3, x + 100, NULL, NULL, out, NULL); }
 static int sum(void)
 {
     const mdr_profile *terms[2] = {tip, tip};
@@ -234,39 +234,39 @@ static int loop_path(void)
 {
     mdr_loop *l = NULL;
     static mdr_loop_point points[POINTS];
-    int status = mdr_loop_new(adhesive, MDR_CONTROL_DEPTH, 0.5, POINTS, 3.0, &l);
+    int status = mdr_loop_new(adhesive, MDR_DEPTH, 0.5, POINTS, 3.0, &l);
     return status == MDR_SUCCESS ? mdr_loop_points(l, POINTS, points, NULL) : status;
 }
 static int creep(void) { return mdr_material_values(springs, MDR_CREEP, POINTS - 1, x + 1, out, NULL); }
 static int new_frequencies(void) { return mdr_contact_dynamic_stiffness(relaxing_film, 3, x + 1, one, out, other); }
-static int steps(void) { return mdr_contact_step_response(relaxing_film, MDR_STEP_CREEP, 0.5, 3, x + 1, out); }
+static int steps(void) { return mdr_contact_step_response(relaxing_film, MDR_CREEP, 0.5, 3, x + 1, out); }
 /* bodies that stay apart */
 static int march_of_zone(void)
 {
     static const mdr_rate_state apart;
     mdr_rate_state end;
-    return mdr_contact_adhesive_history(relaxing_zone, MDR_CONTROL_DEPTH, 0.0, 0.0, &apart, POINTS - 1, x + 1, low + 1, out, NULL,
+    return mdr_contact_adhesive_history(relaxing_zone, MDR_DEPTH, 0.0, 0.0, &apart, POINTS - 1, x + 1, low + 1, out, NULL,
                                         NULL, NULL, &end);
 }
 
 static int march(void)
 {
     const double t[4] = {0.0, 0.1, 0.2, 0.3}, d[4] = {0.0, 0.1, 0.05, 0.1};
-    return mdr_contact_history(relaxing_film, MDR_GIVEN_DEPTH, 1e-3, 4, t, d, out, NULL, NULL);
+    return mdr_contact_history(relaxing_film, MDR_DEPTH, 1e-3, 4, t, d, out, NULL, NULL);
 }
 
 static int torsional_states(void)
 {
     static mdr_shear_state found[POINTS];
-    return shear_states(rubbed, &pressed, MDR_AROUND, MDR_GIVEN_TWIST, 1400, small, found);
+    return shear_states(rubbed, &pressed, MDR_AROUND, MDR_TWIST, 1400, small, found);
 }
 static int shear_fields(const mdr_friction *f, mdr_contact *c, int n)
 {
     mdr_state state;
     mdr_shear_state sheared;
-    int status = mdr_contact_states(c, MDR_GIVEN_RADIUS, MDR_ON_UNLOADING, 1, (double[]){0.5}, &state);
-    if (status == MDR_SUCCESS) status = shear_states(f, &state, MDR_ALONG, MDR_GIVEN_SHIFT, 1, (double[]){1e-3}, &sheared);
-    for (int field = MDR_FIELD_TRACTION; status == MDR_SUCCESS && field <= MDR_FIELD_TANGENTIAL_LINE_LOAD; field++) {
+    int status = mdr_contact_states(c, MDR_RADIUS, MDR_ON_UNLOADING, 1, (double[]){0.5}, &state);
+    if (status == MDR_SUCCESS) status = shear_states(f, &state, MDR_ALONG, MDR_SHIFT, 1, (double[]){1e-3}, &sheared);
+    for (int field = MDR_TRACTION; status == MDR_SUCCESS && field <= MDR_TANGENTIAL_LINE_LOAD; field++) {
         status = shear_field(f, &state, MDR_ALONG, &sheared, field, n, half, out);
     }
     return status;
@@ -288,7 +288,7 @@ static int law_of_coating(void) { return law_of(coated, 1e-8); }
 static int law_of_adhesive(void) { return law_of(adhesive, 1e-8); }
 static int law_energies(void)
 {
-    return mdr_law_values(law, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, POINTS, half, NULL, NULL, NULL, NULL, NULL, out);
+    return mdr_law_values(law, MDR_DEPTH, MDR_ON_UNLOADING, POINTS, half, NULL, NULL, NULL, NULL, NULL, out);
 }
 static int law_of_friction(void)
 {
@@ -444,7 +444,7 @@ int main(void)
     CHECK_SUCCESS(new_coated(2.0, 0.3, 1.0, 1.0, 0.3, MDR_MODEL_EXACT, NULL, &coating));
     CHECK_SUCCESS(mdr_contact_new(ball, coating, NULL, &coated));
     CHECK_SUCCESS(mdr_friction_new(contact, 0.3, &rubbed));
-    CHECK_SUCCESS(mdr_contact_states(contact, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, 1, (double[]){0.3}, &pressed));
+    CHECK_SUCCESS(mdr_contact_states(contact, MDR_DEPTH, MDR_ON_UNLOADING, 1, (double[]){0.3}, &pressed));
 
     CHECK_SUCCESS(mdr_material_viscoelastic(1.0 / 2.6, 0, NULL, NULL, 0.0, 0.3, 0.0, &layer[0]));
     CHECK_SUCCESS(relaxing_medium(1, (const mdr_material *const *)layer, (double[]){0.4}, springs, MDR_MODEL_EXACT, NULL,

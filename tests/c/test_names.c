@@ -28,7 +28,7 @@ int main(void)
     CHECK_INT(new_homogeneous(3e9, 0.3, &medium), MDR_SUCCESS);
     CHECK_INT(mdr_contact_new(profile, medium, NULL, &contact), MDR_SUCCESS);
     for (int i = 0; i < POINTS; i++) d[i] = 5e-9 * (i + 1);
-    CHECK_INT(columns_of(contact, MDR_GIVEN_DEPTH, POINTS, d, NULL, NULL, F, NULL), MDR_SUCCESS);
+    CHECK_INT(columns_of(contact, MDR_DEPTH, POINTS, d, NULL, NULL, F, NULL), MDR_SUCCESS);
 
     problem = MDR_SIZED(mdr_fit_problem);
     problem.profile = profile;

@@ -10,11 +10,11 @@ static void test_limits(const mdr_poroelastic *gel, double nu)
     const double G = 3.0, D = 2.0, a = 0.5, at_once = 8.0 * G * a, at_last = 4.0 * G * a / (1.0 - nu);
     double force[N], again[N], depth[N], storage[2], loss[2];
 
-    CHECK_SUCCESS(mdr_poroelastic_response(gel, MDR_POROELASTIC_RELAXATION, G, D, a, N, time, force));
+    CHECK_SUCCESS(mdr_poroelastic_response(gel, MDR_RELAXATION, G, D, a, N, time, force));
     CHECK_CLOSE(force[0], at_once, 1e-12);
     CHECK_CLOSE(force[N - 1], at_last, 1e-12);
     for (int i = 1; i < N; i++) CHECK_TRUE(force[i] < force[i - 1]);
-    CHECK_SUCCESS(mdr_poroelastic_response(gel, MDR_POROELASTIC_CREEP, G, D, a, N, time, depth));
+    CHECK_SUCCESS(mdr_poroelastic_response(gel, MDR_CREEP, G, D, a, N, time, depth));
     CHECK_CLOSE(depth[0], 1.0 / at_once, 1e-12);
     CHECK_CLOSE(depth[N - 1], 1.0 / at_last, 1e-12);
     for (int i = 1; i < N; i++) CHECK_TRUE(depth[i] * force[i] < 1.0 + 1e-12);
@@ -24,7 +24,7 @@ static void test_limits(const mdr_poroelastic *gel, double nu)
     CHECK_TRUE(loss[0] >= 0.0 && loss[1] >= 0.0 && loss[0] < 1e-9 && loss[1] < 1e-9);
     /* lengths doubled, time in quarters: the same in place */
     memcpy(again, time, sizeof again);
-    CHECK_SUCCESS(mdr_poroelastic_response(gel, MDR_POROELASTIC_RELAXATION, G, 4.0 * D, 2.0 * a, N, again, again));
+    CHECK_SUCCESS(mdr_poroelastic_response(gel, MDR_RELAXATION, G, 4.0 * D, 2.0 * a, N, again, again));
     for (int i = 0; i < N; i++) CHECK_CLOSE(again[i], 2.0 * force[i], 1e-14);
 }
 
@@ -34,7 +34,7 @@ static void test_paraboloid(const mdr_poroelastic *gel)
     const double time[2] = {0.3, 3.0};
     double force[2];
 
-    CHECK_SUCCESS(mdr_poroelastic_response(gel, MDR_POROELASTIC_PARABOLOID, 1.0, 1.0, 1.0, 2, time, force));
+    CHECK_SUCCESS(mdr_poroelastic_response(gel, MDR_PARABOLOID_RELAXATION, 1.0, 1.0, 1.0, 2, time, force));
     CHECK_CLOSE(force[0], 16.0 / 3.0 * 0.8584312823880124, 1e-6);
     CHECK_CLOSE(force[1], 16.0 / 3.0 * 0.750836446149805, 1e-6);
 }
@@ -43,8 +43,8 @@ static void test_paraboloid(const mdr_poroelastic *gel)
 static void test_means(const mdr_poroelastic *gel)
 {
     enum { HALVES = 200 };
-    const int step[2] = {MDR_POROELASTIC_RELAXATION, MDR_POROELASTIC_CREEP};
-    const int ramp[2] = {MDR_POROELASTIC_MEAN_RELAXATION, MDR_POROELASTIC_MEAN_CREEP};
+    const int step[2] = {MDR_RELAXATION, MDR_CREEP};
+    const int ramp[2] = {MDR_MEAN_RELAXATION, MDR_MEAN_CREEP};
     const double last = 0.7;
     double time[HALVES + 1], values[HALVES + 1], mean;
 
@@ -70,8 +70,9 @@ static void test_compliance(void)
     CHECK_CLOSE(out, 0.25 / k, 1e-8);
     CHECK_STATUS(mdr_poroelastic_compliance(0.2, MDR_DRAINAGE_INDENTER, 0.0, 2.0, 1.0, 0.0, 1, &k, &out, &more), MDR_EINVALID,
                  "drainage = 3");
-    CHECK_STATUS(mdr_poroelastic_compliance(0.2, 1, -1.0, 2.0, 1.0, 0.0, 1, &k, &out, &more), MDR_EINVALID, "thickness");
-    CHECK_STATUS(mdr_poroelastic_compliance(0.2, 1, 0.0, 2.0, 1.0, 0.0, 1, NULL, &out, &more), MDR_ENULL, "k");
+    CHECK_STATUS(mdr_poroelastic_compliance(0.2, MDR_DRAINAGE_SURFACE, -1.0, 2.0, 1.0, 0.0, 1, &k, &out, &more), MDR_EINVALID,
+                 "thickness");
+    CHECK_STATUS(mdr_poroelastic_compliance(0.2, MDR_DRAINAGE_SURFACE, 0.0, 2.0, 1.0, 0.0, 1, NULL, &out, &more), MDR_ENULL, "k");
 }
 
 static void test_pressure(const mdr_poroelastic *gel)
@@ -80,16 +81,16 @@ static void test_pressure(const mdr_poroelastic *gel)
     double early[3], pore[3], out = 7.0;
 
     /* at first that of an incompressible body, 2 G/((1 - nu) pi a) / sqrt(1 - r^2/a^2), and the fluid bears it */
-    CHECK_SUCCESS(mdr_poroelastic_pressure(gel, MDR_POROELASTIC_TOTAL, 1, 1.0, 1.0, 1.0, 1e-3, 3, r, early));
-    CHECK_SUCCESS(mdr_poroelastic_pressure(gel, MDR_POROELASTIC_PORE, 1, 1.0, 1.0, 1.0, 1e-3, 3, r, pore));
+    CHECK_SUCCESS(mdr_poroelastic_pressure(gel, MDR_TOTAL_PRESSURE, 1, 1.0, 1.0, 1.0, 1e-3, 3, r, early));
+    CHECK_SUCCESS(mdr_poroelastic_pressure(gel, MDR_PORE_PRESSURE, 1, 1.0, 1.0, 1.0, 1e-3, 3, r, pore));
     for (int i = 0; i < 3; i++) {
         CHECK_CLOSE(early[i], 4.0 / (acos(-1.0) * sqrt(1.0 - r[i] * r[i])), 3e-2);
         CHECK_CLOSE(pore[i], early[i], 5e-2);
     }
-    CHECK_STATUS(mdr_poroelastic_pressure(gel, MDR_POROELASTIC_TOTAL, 1, 1.0, 1.0, 1.0, 1.0, 1, edge, &out), MDR_EDOMAIN, "r = 1");
+    CHECK_STATUS(mdr_poroelastic_pressure(gel, MDR_TOTAL_PRESSURE, 1, 1.0, 1.0, 1.0, 1.0, 1, edge, &out), MDR_EDOMAIN, "r = 1");
     CHECK_STATUS(mdr_poroelastic_pressure(gel, 3, 1, 1.0, 1.0, 1.0, 1.0, 1, r, &out), MDR_EINVALID, "kind = 3");
-    CHECK_STATUS(mdr_poroelastic_pressure(gel, MDR_POROELASTIC_PORE, 2, 1.0, 1.0, 1.0, 1.0, 1, r, &out), MDR_EINVALID, "is_flat");
-    CHECK_STATUS(mdr_poroelastic_pressure(gel, MDR_POROELASTIC_PORE, 1, 1.0, 1.0, 1.0, 1e-9, 1, r, &out), MDR_EDOMAIN, "time");
+    CHECK_STATUS(mdr_poroelastic_pressure(gel, MDR_PORE_PRESSURE, 2, 1.0, 1.0, 1.0, 1.0, 1, r, &out), MDR_EINVALID, "is_flat");
+    CHECK_STATUS(mdr_poroelastic_pressure(gel, MDR_PORE_PRESSURE, 1, 1.0, 1.0, 1.0, 1e-9, 1, r, &out), MDR_EDOMAIN, "time");
     CHECK_TRUE(out == 7.0);
 }
 
@@ -107,18 +108,18 @@ static void test_refusals(mdr_poroelastic *gel)
     CHECK_STATUS(mdr_poroelastic_new(0.2, MDR_DRAINAGE_SURFACE, 1e3, NULL, &none), MDR_EINVALID, "ratio = 1000");
     CHECK_STATUS(mdr_poroelastic_new(0.2, MDR_DRAINAGE_SURFACE, 0.0, NULL, NULL), MDR_ENULL, "out");
     CHECK_STATUS(mdr_poroelastic_response(gel, 9, 1.0, 1.0, 1.0, 1, time, out), MDR_EINVALID, "answer = 9");
-    CHECK_STATUS(mdr_poroelastic_response(gel, 1, 0.0, 1.0, 1.0, 1, time, out), MDR_EINVALID, "shear_modulus = 0");
-    CHECK_STATUS(mdr_poroelastic_response(gel, 1, 1.0, -1.0, 1.0, 1, time, out), MDR_EINVALID, "diffusivity = -1");
-    CHECK_STATUS(mdr_poroelastic_response(gel, 1, 1.0, 1.0, NAN, 1, time, out), MDR_EINVALID, "radius");
-    CHECK_STATUS(mdr_poroelastic_response(gel, 1, 1.0, 1.0, 1.0, 2, time, out), MDR_EINVALID, "entry 2 of time");
-    CHECK_STATUS(mdr_poroelastic_response(gel, 1, 1.0, 1e300, 1e-300, 1, time, out), MDR_ENOCONVERGENCE, "range");
-    CHECK_STATUS(mdr_poroelastic_response(gel, 1, 1.0, 1.0, 1.0, 1, NULL, out), MDR_ENULL, "time");
-    CHECK_STATUS(mdr_poroelastic_response(gel, 1, 1.0, 1.0, 1.0, -1, time, out), MDR_EINVALID, "n = -1");
-    CHECK_SUCCESS(mdr_poroelastic_response(gel, 1, 1.0, 1.0, 1.0, 0, NULL, NULL));
+    CHECK_STATUS(mdr_poroelastic_response(gel, MDR_RELAXATION, 0.0, 1.0, 1.0, 1, time, out), MDR_EINVALID, "shear_modulus = 0");
+    CHECK_STATUS(mdr_poroelastic_response(gel, MDR_RELAXATION, 1.0, -1.0, 1.0, 1, time, out), MDR_EINVALID, "diffusivity = -1");
+    CHECK_STATUS(mdr_poroelastic_response(gel, MDR_RELAXATION, 1.0, 1.0, NAN, 1, time, out), MDR_EINVALID, "radius");
+    CHECK_STATUS(mdr_poroelastic_response(gel, MDR_RELAXATION, 1.0, 1.0, 1.0, 2, time, out), MDR_EINVALID, "entry 2 of time");
+    CHECK_STATUS(mdr_poroelastic_response(gel, MDR_RELAXATION, 1.0, 1e300, 1e-300, 1, time, out), MDR_ENOCONVERGENCE, "range");
+    CHECK_STATUS(mdr_poroelastic_response(gel, MDR_RELAXATION, 1.0, 1.0, 1.0, 1, NULL, out), MDR_ENULL, "time");
+    CHECK_STATUS(mdr_poroelastic_response(gel, MDR_RELAXATION, 1.0, 1.0, 1.0, -1, time, out), MDR_EINVALID, "n = -1");
+    CHECK_SUCCESS(mdr_poroelastic_response(gel, MDR_RELAXATION, 1.0, 1.0, 1.0, 0, NULL, NULL));
     CHECK_STATUS(mdr_poroelastic_dynamic_stiffness(gel, 1.0, 1.0, 1.0, 2, time, out, loss), MDR_EINVALID, "entry 2 of omega");
     CHECK_STATUS(mdr_poroelastic_dynamic_stiffness(gel, 1.0, 1.0, 1.0, 1, time, NULL, loss), MDR_ENULL, "storage");
     CHECK_SUCCESS(mdr_material_viscoelastic(1.0 / 2.6, 0, NULL, NULL, 0.0, 0.3, 0.0, &other));
-    CHECK_STATUS(mdr_poroelastic_response((mdr_poroelastic *)other, 1, 1.0, 1.0, 1.0, 1, time, out), MDR_EINVALID,
+    CHECK_STATUS(mdr_poroelastic_response((mdr_poroelastic *)other, MDR_RELAXATION, 1.0, 1.0, 1.0, 1, time, out), MDR_EINVALID,
                  "mdr_poroelastic");
     CHECK_FREE(other);
     CHECK_TRUE(none == NULL && out[0] == 7.0 && out[1] == 7.0 && loss[0] == 7.0);

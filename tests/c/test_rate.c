@@ -25,11 +25,11 @@ static void test_pull_off(const mdr_rate *rate)
     mdr_rate_state end = {0}, middle = {0};
     double d[3], a[3], F[3], v[3], lost[3], work[3];
 
-    CHECK_SUCCESS(mdr_rate_history(rate, MDR_CONTROL_DEPTH, 0.0, 1e-10, &rest, 3, time, depth, d, a, F, v, lost, work, &end));
+    CHECK_SUCCESS(mdr_rate_history(rate, MDR_DEPTH, 0.0, 1e-10, &rest, 3, time, depth, d, a, F, v, lost, work, &end));
     CHECK_CLOSE(end.lowest_force, -0.018852959529303603, 1e-10);
     CHECK_TRUE(a[0] > 0.49 && a[2] == 0.0 && F[2] == 0.0 && end.ruptures == 1.0 && v[1] > 0.0 && lost[1] > 0.0 && work[2] < 0.0);
-    CHECK_SUCCESS(mdr_rate_history(rate, MDR_CONTROL_DEPTH, 0.0, 1e-10, &rest, 2, time, depth, d, a, F, v, lost, NULL, &middle));
-    CHECK_SUCCESS(mdr_rate_history(rate, MDR_CONTROL_DEPTH, 0.0, 1e-10, &middle, 2, time + 1, depth + 1, NULL, NULL, NULL, NULL,
+    CHECK_SUCCESS(mdr_rate_history(rate, MDR_DEPTH, 0.0, 1e-10, &rest, 2, time, depth, d, a, F, v, lost, NULL, &middle));
+    CHECK_SUCCESS(mdr_rate_history(rate, MDR_DEPTH, 0.0, 1e-10, &middle, 2, time + 1, depth + 1, NULL, NULL, NULL, NULL,
                                    NULL,
                                    NULL, &middle));
     CHECK_CLOSE(middle.lowest_force, end.lowest_force, 1e-11);
@@ -44,17 +44,22 @@ static void test_refusals(const mdr_contact *contact, const mdr_rate *rate, mdr_
     mdr_rate *none = NULL;
     double out[N] = {7.0, 7.0};
 
-    CHECK_STATUS(mdr_rate_history(rate, 1, 0.0, 0.0, &apart, N, still, still, out, out, out, out, out, out, &end), MDR_EINVALID,
+    CHECK_STATUS(mdr_rate_history(rate, MDR_DEPTH, 0.0, 0.0, &apart, N, still, still, out, out, out, out, out, out, &end),
+                 MDR_EINVALID,
                  "time");
-    CHECK_STATUS(mdr_rate_history(rate, 1, 0.0, 0.0, &apart, N, time, deep, out, NULL, NULL, NULL, NULL, NULL, &end), MDR_EDOMAIN,
+    CHECK_STATUS(mdr_rate_history(rate, MDR_DEPTH, 0.0, 0.0, &apart, N, time, deep, out, NULL, NULL, NULL, NULL, NULL, &end),
+                 MDR_EDOMAIN,
                  "largest_radius");
-    CHECK_STATUS(mdr_rate_history(rate, 2, 0.0, 0.0, &apart, N, time, still, out, NULL, NULL, NULL, NULL, NULL, &end), MDR_EINVALID,
+    CHECK_STATUS(mdr_rate_history(rate, MDR_SPRING, 0.0, 0.0, &apart, N, time, still, out, NULL, NULL, NULL, NULL, NULL, &end),
+                 MDR_EINVALID,
                  "stiffness");
-    CHECK_STATUS(mdr_rate_history(rate, 1, 0.0, 1.0, &apart, N, time, still, out, NULL, NULL, NULL, NULL, NULL, &end), MDR_EINVALID,
+    CHECK_STATUS(mdr_rate_history(rate, MDR_DEPTH, 0.0, 1.0, &apart, N, time, still, out, NULL, NULL, NULL, NULL, NULL, &end),
+                 MDR_EINVALID,
                  "tolerance");
-    CHECK_STATUS(mdr_rate_history(rate, 1, 0.0, 0.0, NULL, N, time, still, out, NULL, NULL, NULL, NULL, NULL, &end), MDR_ENULL,
+    CHECK_STATUS(mdr_rate_history(rate, MDR_DEPTH, 0.0, 0.0, NULL, N, time, still, out, NULL, NULL, NULL, NULL, NULL, &end),
+                 MDR_ENULL,
                  "start");
-    CHECK_STATUS(mdr_rate_history(rate, 1, 0.0, 0.0, &apart, -1, time, still, out, NULL, NULL, NULL, NULL, NULL, &end),
+    CHECK_STATUS(mdr_rate_history(rate, MDR_DEPTH, 0.0, 0.0, &apart, -1, time, still, out, NULL, NULL, NULL, NULL, NULL, &end),
                  MDR_EINVALID, "n");
     CHECK_STATUS(mdr_rate_work(NULL, N, time, out, NULL, NULL), MDR_ENULL, "options");
     options.exponent = 2.5;
@@ -132,17 +137,18 @@ static void test_viscoelastic_zone(void)
     CHECK_SUCCESS(mdr_profile_paraboloid(1.0, &ball));
     CHECK_SUCCESS(mdr_contact_new(ball, body, &options, &contact));
     CHECK_SUCCESS(mdr_contact_new(ball, body, NULL, &plain));
-    CHECK_STATUS(mdr_contact_adhesive_history(plain, 1, 0.0, 0.0, &rest, N, time, depth, d, a, c, F, &end), MDR_EINVALID,
+    CHECK_STATUS(mdr_contact_adhesive_history(plain, MDR_DEPTH, 0.0, 0.0, &rest, N, time, depth, d, a, c, F, &end), MDR_EINVALID,
                  "cohesive_stress");
-    CHECK_STATUS(mdr_contact_adhesive_history(contact, 1, 0.0, 0.0, &wrong, N, time, depth, d, a, c, F, &end), MDR_EINVALID,
+    CHECK_STATUS(mdr_contact_adhesive_history(contact, MDR_DEPTH, 0.0, 0.0, &wrong, N, time, depth, d, a, c, F, &end), MDR_EINVALID,
                  "start");
-    CHECK_STATUS(mdr_contact_adhesive_history(contact, 1, 0.0, 0.0, NULL, N, time, depth, d, a, c, F, &end), MDR_ENULL, "start");
-    CHECK_STATUS(mdr_contact_adhesive_history(NULL, 1, 0.0, 0.0, &rest, N, time, depth, d, a, c, F, &end), MDR_ENULL, "c");
+    CHECK_STATUS(mdr_contact_adhesive_history(contact, MDR_DEPTH, 0.0, 0.0, NULL, N, time, depth, d, a, c, F, &end), MDR_ENULL,
+                 "start");
+    CHECK_STATUS(mdr_contact_adhesive_history(NULL, MDR_DEPTH, 0.0, 0.0, &rest, N, time, depth, d, a, c, F, &end), MDR_ENULL, "c");
     CHECK_TRUE(c[0] == 7.0 && end.radius == 7.0);
-    CHECK_SUCCESS(mdr_contact_adhesive_history(contact, 1, 0.0, 0.0, &rest, N, time, depth, d, a, c, F, &end));
+    CHECK_SUCCESS(mdr_contact_adhesive_history(contact, MDR_DEPTH, 0.0, 0.0, &rest, N, time, depth, d, a, c, F, &end));
     CHECK_CLOSE(end.lowest_force, -2.645998 * 0.047123889803846899, 1e-4);
     CHECK_TRUE(a[0] > 0.5999 && c[0] > a[0] && F[0] > 0.0 && a[1] == 0.0 && c[1] == 0.0 && d[1] == depth[1] && end.ruptures == 1.0);
-    CHECK_SUCCESS(mdr_contact_adhesive_history(contact, 1, 0.0, 0.0, &rest, N, time, depth, NULL, NULL, NULL, NULL, &end));
+    CHECK_SUCCESS(mdr_contact_adhesive_history(contact, MDR_DEPTH, 0.0, 0.0, &rest, N, time, depth, NULL, NULL, NULL, NULL, &end));
     CHECK_FREE(contact);
     CHECK_FREE(plain);
     CHECK_FREE(ball);

@@ -124,9 +124,9 @@ static void states_of_laws(void)
         for (int i = 0; i < 4; i++) {
             fesetround(modes[i]);
             CHECK_SUCCESS(mdr_law_force(law, MDR_ON_UNLOADING, d[0], &F[i], NULL));
-            CHECK_SUCCESS(law_point(law, MDR_GIVEN_FORCE, MDR_ON_UNLOADING, 0.03 * j, &at[i]));
-            CHECK_SUCCESS(mdr_law_values(law, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, 1, d, NULL, NULL, &all[i], NULL, NULL, NULL));
-            CHECK_SUCCESS(mdr_law_values(law, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, 1, d, NULL, NULL, NULL, NULL, NULL, &U[i]));
+            CHECK_SUCCESS(law_point(law, MDR_FORCE, MDR_ON_UNLOADING, 0.03 * j, &at[i]));
+            CHECK_SUCCESS(mdr_law_values(law, MDR_DEPTH, MDR_ON_UNLOADING, 1, d, NULL, NULL, &all[i], NULL, NULL, NULL));
+            CHECK_SUCCESS(mdr_law_values(law, MDR_DEPTH, MDR_ON_UNLOADING, 1, d, NULL, NULL, NULL, NULL, NULL, &U[i]));
             fesetround(FE_TONEAREST);
             CHECK_CLOSE(F[i], F[0], 1e-14);
             CHECK_CLOSE(all[i], F[0], 1e-14);
@@ -145,11 +145,11 @@ static void in_teams(void)
     static double a[MANY], alone[MANY], shared[MANY];
     mdr_contact *c = ball_on(coating(10.0), 0.0);
     for (int i = 0; i < MANY; i++) a[i] = 0.1 + 0.01 * i;
-    CHECK_SUCCESS(columns_of(c, MDR_GIVEN_RADIUS, MANY, a, NULL, NULL, alone, NULL));
+    CHECK_SUCCESS(columns_of(c, MDR_RADIUS, MANY, a, NULL, NULL, alone, NULL));
     CHECK_SUCCESS(mdr_set_threads(4));
     fesetround(FE_UPWARD);
     for (int i = 0; i < 2; i++) {
-        CHECK_SUCCESS(columns_of(c, MDR_GIVEN_RADIUS, MANY, a, NULL, NULL, shared, NULL));
+        CHECK_SUCCESS(columns_of(c, MDR_RADIUS, MANY, a, NULL, NULL, shared, NULL));
         fesetround(FE_TONEAREST);
         for (int j = 0; j < MANY; j++) CHECK_CLOSE(shared[j], alone[j], 0.0);
     }

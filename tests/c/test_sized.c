@@ -128,7 +128,7 @@ static int use_shear_facts(const objects *o, void *structure) { return mdr_shear
 static int use_wear_options(const objects *o, void *structure)
 {
     mdr_wear_history *h = NULL;
-    const int status = mdr_wear_history_new(o->wear, MDR_GIVEN_DEPTH, 0.1, structure, &h);
+    const int status = mdr_wear_history_new(o->wear, MDR_DEPTH, 0.1, structure, &h);
     MDR_FREE(h);
     return status;
 }
@@ -262,14 +262,14 @@ int main(void)
     CHECK_SUCCESS(mdr_friction_new(o.contact, 0.3, &o.friction));
     options.friction = o.friction;
     CHECK_SUCCESS(mdr_law_new(o.contact, 0.1, &options, &o.law));
-    CHECK_SUCCESS(mdr_contact_states(o.contact, MDR_GIVEN_DEPTH, MDR_ON_LOADING, 1, &depth, &state));
+    CHECK_SUCCESS(mdr_contact_states(o.contact, MDR_DEPTH, MDR_ON_LOADING, 1, &depth, &state));
     CHECK_SUCCESS(mdr_shear_new(o.friction, &state, MDR_ALONG, &o.shear));
     CHECK_SUCCESS(mdr_wear_new(o.contact, 1, &wear_coefficient, NULL, 0.0, &o.wear));
     mdr_contact_options adhesive = MDR_SIZED(mdr_contact_options);
     mdr_contact *sticky = NULL;
     adhesive.work_of_adhesion = 0.01;
     CHECK_SUCCESS(mdr_contact_new(o.ball, base, &adhesive, &sticky));
-    CHECK_SUCCESS(mdr_loop_new(sticky, MDR_CONTROL_DEPTH, depth, 10, 0.0, &o.loop));
+    CHECK_SUCCESS(mdr_loop_new(sticky, MDR_DEPTH, depth, 10, 0.0, &o.loop));
     MDR_FREE(sticky);
     EVERY_SIZE(use_medium, mdr_medium_options, 0);
     EVERY_SIZE(use_contact, mdr_contact_options, 0);

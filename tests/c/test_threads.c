@@ -33,13 +33,13 @@ static int lead(const mdr_friction *friction, double *v)
     failed += mdr_friction_history_new(friction, 0.1, 20, &there) != MDR_SUCCESS;
     for (int i = 0; i < POINTS; i++) {
         if (i == 3) failed += mdr_friction_history_copy(there, &back) != MDR_SUCCESS;
-        failed += mdr_friction_history_advance(there, MDR_GIVEN_DEPTH, MDR_GIVEN_SHIFT, 1, depth + i, shift + i, states, out + i)
+        failed += mdr_friction_history_advance(there, MDR_DEPTH, MDR_SHIFT, 1, depth + i, shift + i, states, out + i)
                   != MDR_SUCCESS;
         v[i] = out[i].tangential_force;
         v[POINTS + i] = out[i].dissipated_energy;
     }
     failed += mdr_free(there) != MDR_SUCCESS;
-    failed += mdr_friction_history_advance(back, MDR_GIVEN_DEPTH, MDR_GIVEN_SHIFT, 2, depth, shift, states, out) != MDR_SUCCESS;
+    failed += mdr_friction_history_advance(back, MDR_DEPTH, MDR_SHIFT, 2, depth, shift, states, out) != MDR_SUCCESS;
     failed += mdr_free(back) != MDR_SUCCESS;
     v[2 * POINTS] = out[1].tangential_force;
     v[3 * POINTS] = out[1].dissipated_energy;
@@ -57,19 +57,19 @@ static void evaluate(task *t)
     failed += mdr_profile_values(t->profile, MDR_G, POINTS, a, v + POINTS) != MDR_SUCCESS;
     failed += mdr_medium_values(t->medium, MDR_MODULUS, POINTS, a, v + 2 * POINTS) != MDR_SUCCESS;
     failed += mdr_weight(MDR_WEIGHT_I0, 0.3, POINTS, a, v + 3 * POINTS) != MDR_SUCCESS;
-    failed += columns_of(t->contact, MDR_GIVEN_RADIUS, POINTS, a, d, NULL, F, NULL) != MDR_SUCCESS;
-    failed += columns_of(t->contact, MDR_GIVEN_DEPTH, POINTS, d, NULL, v + 4 * POINTS, NULL, NULL) != MDR_SUCCESS;
-    failed += columns_of(t->contact, MDR_GIVEN_FORCE, POINTS, F, NULL, v + 5 * POINTS, NULL, NULL) != MDR_SUCCESS;
-    failed += field_at(t->contact, MDR_FIELD_PRESSURE, MDR_GIVEN_RADIUS, 3.0, POINTS, a, v + 6 * POINTS) != MDR_SUCCESS;
-    failed += field_at(t->contact, MDR_FIELD_DISPLACEMENT, MDR_GIVEN_RADIUS, 0.3, POINTS, a, v + 7 * POINTS) != MDR_SUCCESS;
+    failed += columns_of(t->contact, MDR_RADIUS, POINTS, a, d, NULL, F, NULL) != MDR_SUCCESS;
+    failed += columns_of(t->contact, MDR_DEPTH, POINTS, d, NULL, v + 4 * POINTS, NULL, NULL) != MDR_SUCCESS;
+    failed += columns_of(t->contact, MDR_FORCE, POINTS, F, NULL, v + 5 * POINTS, NULL, NULL) != MDR_SUCCESS;
+    failed += field_at(t->contact, MDR_PRESSURE, MDR_RADIUS, 3.0, POINTS, a, v + 6 * POINTS) != MDR_SUCCESS;
+    failed += field_at(t->contact, MDR_DISPLACEMENT, MDR_RADIUS, 0.3, POINTS, a, v + 7 * POINTS) != MDR_SUCCESS;
     failed += mdr_material_values(t->material, MDR_RELAXATION, POINTS, a, v + 8 * POINTS, NULL) != MDR_SUCCESS;
-    failed += mdr_contact_history(t->relaxing, MDR_GIVEN_DEPTH, 1e-5, POINTS, a, d, NULL, NULL, v + 9 * POINTS) != MDR_SUCCESS;
+    failed += mdr_contact_history(t->relaxing, MDR_DEPTH, 1e-5, POINTS, a, d, NULL, NULL, v + 9 * POINTS) != MDR_SUCCESS;
     failed += mdr_contact_dynamic_stiffness(t->relaxing, 1, a, a, v + 10 * POINTS, v + 10 * POINTS + 1) != MDR_SUCCESS;
     failed += lead(t->friction, v + 11 * POINTS);
-    failed += mdr_poroelastic_response(t->pores, MDR_POROELASTIC_RELAXATION, 1.0, 1.0, 1.0, POINTS, a, v + 15 * POINTS)
+    failed += mdr_poroelastic_response(t->pores, MDR_RELAXATION, 1.0, 1.0, 1.0, POINTS, a, v + 15 * POINTS)
               != MDR_SUCCESS;
     failed += mdr_conduction_spot(t->conduction, POINTS, a, v + 16 * POINTS, NULL) != MDR_SUCCESS;
-    failed += mdr_conduction_follow(t->conduction, MDR_CONDUCTION_CONDUCTANCE, 0.3, 1, a, NULL, v + 17 * POINTS) != MDR_SUCCESS;
+    failed += mdr_conduction_follow(t->conduction, MDR_CONDUCTANCE, 0.3, 1, a, NULL, v + 17 * POINTS) != MDR_SUCCESS;
     t->failed_calls += failed;
 }
 

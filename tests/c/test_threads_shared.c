@@ -45,11 +45,11 @@ static void evaluate_contact(task *t, const mdr_contact *contact)
 {
     double depth[1], *F;
     F = next(t, 1);
-    record(t, columns_of(contact, MDR_GIVEN_RADIUS, 1, &radii[1], depth, NULL, F, NULL));
-    record(t, columns_of(contact, MDR_GIVEN_DEPTH, 1, depth, NULL, next(t, 1), NULL, NULL));
-    record(t, columns_of(contact, MDR_GIVEN_FORCE, 1, F, next(t, 1), NULL, NULL, NULL));
-    record(t, field_at(contact, MDR_FIELD_PRESSURE, MDR_GIVEN_RADIUS, 0.31, 1, &radii[0], next(t, 1)));
-    record(t, field_at(contact, MDR_FIELD_DISPLACEMENT, MDR_GIVEN_RADIUS, 0.31, 1, &radii[2], next(t, 1)));
+    record(t, columns_of(contact, MDR_RADIUS, 1, &radii[1], depth, NULL, F, NULL));
+    record(t, columns_of(contact, MDR_DEPTH, 1, depth, NULL, next(t, 1), NULL, NULL));
+    record(t, columns_of(contact, MDR_FORCE, 1, F, next(t, 1), NULL, NULL, NULL));
+    record(t, field_at(contact, MDR_PRESSURE, MDR_RADIUS, 0.31, 1, &radii[0], next(t, 1)));
+    record(t, field_at(contact, MDR_DISPLACEMENT, MDR_RADIUS, 0.31, 1, &radii[2], next(t, 1)));
 }
 
 static void evaluate_fit(task *t, const mdr_fit_problem *problem)
@@ -75,12 +75,12 @@ static void *evaluate(void *argument)
     for (int i = 0; i < MEDIA; i++) record(t, mdr_medium_values(s->media[i], MDR_MODULUS, POINTS, radii, next(t, POINTS)));
     for (int i = 0; i < CONTACTS; i++) evaluate_contact(t, s->contacts[i]);
     evaluate_contact(t, s->adhesive);
-    record(t, pull_off_of(s->adhesive, MDR_CONTROL_FORCE, 1, next(t, 1), NULL, NULL, NULL));
+    record(t, pull_off_of(s->adhesive, MDR_FORCE, 1, next(t, 1), NULL, NULL, NULL));
     record(t, mdr_loop_points(s->loop, POINTS, (mdr_loop_point *)next(t, POINTS * (int)(sizeof(mdr_loop_point) / sizeof(double))),
                               NULL));
     record(t, mdr_law_force(s->law, MDR_ON_UNLOADING, 0.1, next(t, 1), NULL));
     record(t, mdr_law_follow(s->law, 0.1, &segment, (mdr_law_point *)next(t, sizeof(mdr_law_point) / sizeof(double))));
-    record(t, mdr_law_values(s->law, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, POINTS, radii, NULL, NULL, next(t, POINTS), NULL, NULL,
+    record(t, mdr_law_values(s->law, MDR_DEPTH, MDR_ON_UNLOADING, POINTS, radii, NULL, NULL, next(t, POINTS), NULL, NULL,
                              NULL));
     record(t, mdr_structure_modulus(s->shapes, 1, zero, zero, radii, next(t, 1)));
     record(t, mdr_structure_modulus(s->voxels, 1, zero, zero, radii, next(t, 1)));
@@ -153,7 +153,7 @@ static void make(shared *s)
     sticky = MDR_SIZED(mdr_contact_options);
     sticky.work_of_adhesion = 0.02;
     CHECK_SUCCESS(mdr_contact_new(s->cone, s->media[1], &sticky, &s->adhesive));
-    CHECK_SUCCESS(mdr_loop_new(s->adhesive, MDR_CONTROL_DEPTH, 0.3, POINTS, 0.0, &s->loop));
+    CHECK_SUCCESS(mdr_loop_new(s->adhesive, MDR_DEPTH, 0.3, POINTS, 0.0, &s->loop));
     loose = MDR_SIZED(mdr_law_options);
     loose.tolerance = 1e-4;
     CHECK_SUCCESS(mdr_law_new(s->adhesive, 1.0, &loose, &s->law));

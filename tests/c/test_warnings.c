@@ -9,7 +9,7 @@ enum { depth, force, radius, room = 1000 };
 /* Warnings of the state of one depth, force or radius; the text goes to `words`. */
 static int warnings_at(mdr_contact *c, int given, double value, char *words)
 {
-    static const int codes[] = {MDR_GIVEN_DEPTH, MDR_GIVEN_FORCE, MDR_GIVEN_RADIUS};
+    static const int codes[] = {MDR_DEPTH, MDR_FORCE, MDR_RADIUS};
     mdr_state state;
     int found = -1;
 
@@ -129,7 +129,7 @@ static void refusals(void)
     mdr_state state;
     mdr_contact *c = contact_of(paraboloid(1.0), half_space(1.0));
 
-    CHECK_SUCCESS(mdr_contact_states(c, MDR_GIVEN_RADIUS, MDR_ON_UNLOADING, 1, &(double){3.0}, &state));
+    CHECK_SUCCESS(mdr_contact_states(c, MDR_RADIUS, MDR_ON_UNLOADING, 1, &(double){3.0}, &state));
     CHECK_STATUS(mdr_contact_warnings(NULL, &state, NULL, 0, &found), MDR_ENULL, "c is NULL");
     CHECK_STATUS(mdr_contact_warnings(c, NULL, NULL, 0, &found), MDR_ENULL, "state is NULL");
     CHECK_STATUS(mdr_contact_warnings(c, &state, NULL, 1, &found), MDR_ENULL, "buffer is NULL");

@@ -66,7 +66,7 @@ def test_bits_of_the_library(name, branch, law, tmp_path):
     d = depths(law)
     d.tofile(tmp_path / "depths")
     law.buffer().tofile(tmp_path / "buffer")
-    run([program, "buffer", "depths", str({"loading": 1, "unloading": 2}[branch]), "out"], tmp_path)
+    run([program, "buffer", "depths", str({"loading": 301, "unloading": 302}[branch]), "out"], tmp_path)
     found = np.fromfile(tmp_path / "out").reshape(-1, 7)
     state = law.at_depth(d, branch=branch)
     beyond = np.maximum(d - law.depth_range[1], 0.0)

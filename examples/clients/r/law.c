@@ -51,7 +51,7 @@ SEXP law_states(SEXP pointer, SEXP depth)
     const int n = length(depth);
     SEXP states = PROTECT(allocMatrix(REALSXP, n, 4));
     double *to = REAL(states);
-    check(mdr_law_values(law_of(pointer), MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, n, REAL(depth), NULL, to + 2 * n, to, to + 3 * n,
+    check(mdr_law_values(law_of(pointer), MDR_DEPTH, MDR_ON_UNLOADING, n, REAL(depth), NULL, to + 2 * n, to, to + 3 * n,
                          to + n, NULL));
     UNPROTECT(1);
     return states;

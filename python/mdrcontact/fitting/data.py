@@ -10,6 +10,7 @@ from typing import Any, ClassVar, NamedTuple, TypeVar
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from .. import _layout
 from .._boundary import number, numbers
 from ..adhesion import BRANCHES
 from ..errors import ArgumentTypeError, InvalidArgumentError
@@ -172,7 +173,7 @@ class ForceDepth(Data):
     missing : "raise" or "drop" rows with NaN or infinity
     """
 
-    code, x_name, y_name = 1, "depth", "force"
+    code, x_name, y_name = _layout.FIT_FORCE_DEPTH, "depth", "force"
 
     def __init__(
         self,
@@ -247,7 +248,7 @@ class StiffnessDepth(Data):
         the stiffness says, dP/dh = S to 5 %, unless the instrument's contact depth is changed
     """
 
-    code, x_name, y_name, given_name = 2, "depth", "stiffness", "force"
+    code, x_name, y_name, given_name = _layout.FIT_STIFFNESS_DEPTH, "depth", "stiffness", "force"
     unloadings: tuple[UnloadingPoint, ...] = ()
     record: tuple[Array, Array] | None = None
     """depth and force of the whole test, where the stiffness is that of unloading curves"""
@@ -294,7 +295,7 @@ class ModulusRadius(Data):
     sd, relative_sd : of the modulus, as in ForceDepth
     """
 
-    code, x_name, y_name = 3, "radius", "modulus"
+    code, x_name, y_name = _layout.FIT_MODULUS_RADIUS, "radius", "modulus"
 
     def __init__(
         self,
@@ -315,7 +316,7 @@ class StiffnessRadius(Data):
     sd, relative_sd : of the stiffness, as in ForceDepth
     """
 
-    code, x_name, y_name = 4, "radius", "stiffness"
+    code, x_name, y_name = _layout.FIT_STIFFNESS_RADIUS, "radius", "stiffness"
 
     def __init__(
         self,

@@ -9,6 +9,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from .. import _layout
 from .data import Data
 
 Array = NDArray[np.float64]
@@ -51,7 +52,7 @@ def measure_misfit(data: Data, fitted: Array, offset: float = 0.0) -> Misfit:
     largest = float(np.maximum(means.max(), np.abs(model).max()))
     if not largest > 0.0:
         return Misfit(math.nan, math.nan, math.nan, math.nan)
-    each = data.y_name in ("stiffness", "modulus") and data.code < 7 and bool((model > 0.0).all())
+    each = data.y_name in ("stiffness", "modulus") and data.code != _layout.FIT_DYNAMIC_STIFFNESS and bool((model > 0.0).all())
     left = (y - model) / (model if each else largest)
     same = np.diff(branch) == 0
     # von Neumann: successive differences do not see what neighbours share

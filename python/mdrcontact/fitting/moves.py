@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from .. import _layout
 from .._choices import nearest
 from ..errors import InvalidArgumentError, MDRError
 from ..problem.units import MODULUS, practical, shown
@@ -112,7 +113,7 @@ def find_moves(result: FitResult, name: str | None = None) -> Moves:
     chosen = name or next(
         (n for n in result.names if dimension_of(n) is MODULUS and not result.problem.free[n].prior), result.names[0]
     )
-    if result.data.code > 4 or len(result.data) < _FEWEST:
+    if result.data.code > _layout.FIT_STIFFNESS_RADIUS or len(result.data) < _FEWEST:
         return Moves(result, chosen, (), (), ())
     parts = (_moved(result, chosen, *choice) for choice in _ranges(result))
     branches = (_moved(result, chosen, *choice) for choice in _branches(result))

@@ -59,7 +59,7 @@ class ForceTime(_InTime):
     sd, relative_sd : of the force, as in ForceDepth
     """
 
-    code, x_name, y_name, given_name = 5, "time", "force", "depth"
+    code, x_name, y_name, given_name = _layout.FIT_FORCE_TIME, "time", "force", "depth"
 
     def __init__(
         self,
@@ -91,7 +91,7 @@ class DepthTime(_InTime):
     sd, relative_sd : of the depth, as in ForceDepth
     """
 
-    code, x_name, y_name, given_name = 6, "time", "depth", "force"
+    code, x_name, y_name, given_name = _layout.FIT_DEPTH_TIME, "time", "depth", "force"
 
     def __init__(
         self,
@@ -118,7 +118,7 @@ class DynamicStiffness(Data):
     As data they are two points each, the storage and the loss.
     """
 
-    code, x_name, y_name, given_name = 7, "omega", "stiffness", "radius"
+    code, x_name, y_name, given_name = _layout.FIT_DYNAMIC_STIFFNESS, "omega", "stiffness", "radius"
 
     def __init__(
         self,
@@ -141,7 +141,7 @@ class DynamicStiffness(Data):
             sd = np.repeat(np.full(w.shape, errors) if errors.ndim == 0 else column_of("sd", errors), 2)
         parts = numbers("stiffness", np.column_stack([k.real, k.imag]).ravel())
         super().__init__(np.repeat(w, 2), parts, np.repeat(a, 2), sd, None, missing)
-        self.branch = np.tile(np.array([_layout.FIT_STORAGE, _layout.FIT_LOSS], np.int32), len(w))[self._kept]
+        self.branch = np.tile(np.array([_layout.STORAGE, _layout.LOSS], np.int32), len(w))[self._kept]
 
     def _check_order(self) -> None:
         """Frequencies may stand in any order."""

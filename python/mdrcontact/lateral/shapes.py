@@ -178,7 +178,7 @@ class Shapes(Structure):
         nu = base.nu if self.reference_nu is None else number("reference_nu", self.reference_nu)
         chosen = {"reference_nu": nu, "tolerance": not_zero("tolerance", tolerance), "exponent": exponent}
         options = record(_layout.structure_options, reference_nu_is_given=True, exponent_is_given=True, **chosen)
-        kinds, moduli = [_KINDS.index(type(b)) for b in known], [b.material.E for b in known]
+        kinds, moduli = [_layout.SHAPE_LAYER + _KINDS.index(type(b)) for b in known], [b.material.E for b in known]
         ratios = [b.material.nu for b in known]
         created = _native.structure_shapes(base.E, base.nu, kinds, table, moduli, ratios, address(options))
         self._own(created, shapes=bodies, tolerance=tolerance, exponent=exponent)

@@ -35,7 +35,7 @@ class Model(NamedTuple):
 
 
 def _models() -> Iterator[tuple[str, Model]]:
-    for code in itertools.count():
+    for code in itertools.count(_layout.MODEL_GAO):
         facts = record(_layout.model_facts)
         if _native.model_info(code, address(facts)):
             return
@@ -52,7 +52,11 @@ MODELS: Mapping[str, Model] = dict(sorted(_models(), key=lambda entry: entry[0] 
 OPTIONS: tuple[str, ...] = tuple(sorted({name for model in MODELS.values() for name in model.options}))
 """The options of all models."""
 
-_WEIGHT_NU = {"surface": 0, "substrate": 1, "effective": 2}
+_WEIGHT_NU = {
+    "surface": _layout.WEIGHT_NU_SURFACE,
+    "substrate": _layout.WEIGHT_NU_SUBSTRATE,
+    "effective": _layout.WEIGHT_NU_EFFECTIVE,
+}
 
 
 class Settings(NamedTuple):

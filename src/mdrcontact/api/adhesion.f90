@@ -8,18 +8,16 @@ module mdrcontact_api_adhesion
     use mdrcontact_api_options, only: check_size, write_facts
     use mdrcontact_api_records, only: c_loop_facts_t
     use mdrcontact_api_status, only: check_given, status_of
+    use mdrcontact_codes, only: by_depth => depth, by_force => force, by_spring => spring
     use mdrcontact_contact_control, only: control_t, depth_control, force_control
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_state, only: contact_state_t
-    use mdrcontact_error, only: check_choice, check_count_from, error_t
+    use mdrcontact_error, only: check_code, check_count_from, error_t
     use mdrcontact_contact_loop, only: loop_t, new_loop, spring_control
     implicit none (type, external)
     private
     public :: mdr_contact_pull_off, open_path
     public :: mdr_loop_new, mdr_loop_points, mdr_loop_about
-
-    !> enum mdr_control
-    integer, parameter :: by_force = 0, by_depth = 1, by_spring = 2
 
     !> struct mdr_loop_point
     type, bind(C) :: point_t
@@ -130,10 +128,9 @@ contains
         type(error_t), allocatable, intent(inout) :: error
 
         if (spring_allowed) then
-            call check_choice(error, "control", int(control), by_force, by_spring, &
-                              "MDR_CONTROL_FORCE (0), MDR_CONTROL_DEPTH (1) or MDR_CONTROL_SPRING (2)")
+            call check_code(error, "control", int(control), [by_force, by_depth, by_spring])
         else
-            call check_choice(error, "control", int(control), by_force, by_depth, "MDR_CONTROL_FORCE (0) or MDR_CONTROL_DEPTH (1)")
+            call check_code(error, "control", int(control), [by_force, by_depth])
         end if
         if (allocated(error)) return
         select case (control)

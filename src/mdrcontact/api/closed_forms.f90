@@ -6,12 +6,14 @@ module mdrcontact_api_closed_forms
     use mdrcontact_api_status, only: check_given, status_of, wanted_threads
     use mdrcontact_contact_closed_form_values, only: closed_form_values, of_adhesive_depth, of_cone_force, of_depth_scale, &
                                                      of_paraboloid_force, of_radius_scale, of_reduced_depth
-    use mdrcontact_error, only: check_choice, check_inclination, check_not_negative, check_positive, error_t
+    use mdrcontact_error, only: check_code, check_inclination, check_not_negative, check_positive, error_t
     implicit none (type, external)
     private
     public :: mdr_closed_form
 
-    !> How many constants each formula has.
+    !> The formulas, and how many constants each has.
+    integer, parameter :: formulas(*) = [of_paraboloid_force, of_cone_force, of_adhesive_depth, of_reduced_depth, &
+                                         of_radius_scale, of_depth_scale]
     integer, parameter :: counts(*) = [4, 4, 5, 2, 2, 2]
 
 contains
@@ -24,16 +26,19 @@ contains
         character(len=14) :: name
         real(c_double), allocatable :: values(:)
         type(error_t), allocatable :: error
+        integer :: count
 
-        call check_choice(error, "formula", int(formula), of_paraboloid_force, of_depth_scale, "one of enum mdr_formula")
+        call check_code(error, "formula", int(formula), formulas)
         call check_given(error, "constants", present(constants))
+        count = 0
+        if (.not. allocated(error)) count = counts(findloc(formulas, int(formula), dim=1))
         name = name_of(int(formula))
-        if (.not. allocated(error)) call check_constants(error, int(formula), constants(:counts(formula)))
+        if (.not. allocated(error)) call check_constants(error, int(formula), constants(:count))
         call check_in_out(error, n, trim(name), present(x), present(out))
         if (.not. allocated(error) .and. n > 0) call check_each_positive(error, trim(name), x(:n))
         call make_room(error, n, values)
         if (.not. allocated(error) .and. n > 0) then
-            call closed_form_values(int(formula), x(:n), constants(:counts(formula)), values, wanted_threads())
+            call closed_form_values(int(formula), x(:n), constants(:count), values, wanted_threads())
             call check_results(error, values)
             if (.not. allocated(error)) out(:n) = values
         end if

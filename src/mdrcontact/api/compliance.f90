@@ -6,8 +6,8 @@ module mdrcontact_api_compliance
                                      make_room
     use mdrcontact_api_open_handle, only: open_handle
     use mdrcontact_api_status, only: status_of
-    use mdrcontact_body_compliance, only: normal_load, twist_load
-    use mdrcontact_error, only: check_choice, error_t
+    use mdrcontact_body_compliance, only: normal_load, shear_load, twist_load
+    use mdrcontact_error, only: check_code, error_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_medium, only: medium_t
     use mdrcontact_medium_compliance, only: surface_compliance
@@ -32,7 +32,7 @@ contains
 
         call open_handle(m, "m", medium, error)
         if (.not. allocated(error)) then
-            call check_choice(error, "load", int(load), normal_load, twist_load, "1 (normal), 2 (shear) or 3 (twist)")
+            call check_code(error, "load", int(load), [normal_load, shear_load, twist_load])
         end if
         if (.not. allocated(error)) call check_each_not_negative(error, "omega", [omega])
         call check_count(error, n)

@@ -7,24 +7,24 @@ module mdrcontact_api_conduction
     use mdrcontact_api_handles, only: deliver
     use mdrcontact_api_open_handle, only: open_handle
     use mdrcontact_api_status, only: check_given, status_of
+    use mdrcontact_codes, only: body_lower, body_upper, flux_r, flux_z, potential, spot_flux => flux
     use mdrcontact_conduction_answers, only: admittance_of, flux_after_step, follow_history, step_of
     use mdrcontact_conduction_bodies, only: conduction_t, new_conduction
     use mdrcontact_conduction_conductors, only: conductor_t, conductors_t, new_conductors
     use mdrcontact_conduction_table, only: tabulate_conductance
     use mdrcontact_conduction_fields, only: conductance_at, flux_at, inside_at
-    use mdrcontact_error, only: check_choice, check_memory, check_not_negative, error_invalid, error_t, raise, raise_at
+    use mdrcontact_error, only: check_choice, check_code, check_memory, check_not_negative, error_invalid, error_t, raise, &
+                                raise_at
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
     public :: mdr_conduction_new, mdr_conduction_spot, mdr_conduction_field, mdr_conduction_admittance, mdr_conduction_follow, &
-              mdr_conduction_tabulate, mdr_conduction_compliance
+              mdr_conduction_tabulate, mdr_conduction_compliance, check_body
 
     !> Members of struct mdr_conductor.
     integer, parameter :: members = 5
-    !> enum mdr_conduction_field
-    integer, parameter :: spot_flux = 1, potential = 2, flux_z = 3, flux_r = 4
-    !> enum mdr_body
-    integer, parameter :: lower_body = 1, upper_body = 2
+    !> Fields inside a body, in the order of the columns below.
+    integer, parameter :: inside(*) = [potential, flux_z, flux_r]
 
 contains
 
@@ -134,37 +134,52 @@ contains
         type(conduction_t), pointer :: conduction
         real(c_double), allocatable :: values(:, :)
         type(error_t), allocatable :: error
-        integer :: stat
+        integer :: column, stat
 
         call open_handle(p, "p", conduction, error)
         call check_in_out(error, n, "r", present(r), present(out))
-        call check_choice(error, "field", int(field), spot_flux, flux_r, "1 (flux through the spot), 2 (potential), 3 (flux "// &
-                          "along z) or 4 (flux along r)")
+        call check_code(error, "field", int(field), [spot_flux, inside])
         call check_choice(error, "below", int(below), 0, 1, "0 (above an interface) or 1 (below it)")
-        call check_choice(error, "body", int(body), lower_body, upper_body, "1 (lower) or 2 (upper)")
+        if (field /= spot_flux) call check_body(error, conduction, int(body))
         if (field /= spot_flux) call check_array(error, "z", n, present(z))
         call check_not_negative(error, "time", time)
         if (field /= spot_flux .and. time > 0.0_wp) then
             call raise(error, error_invalid, " is not allowed: after a step only the flux through the spot is known", "time")
         end if
         if (.not. allocated(error)) then
-            allocate (values(n, potential:flux_r), stat=stat)
+            allocate (values(n, size(inside)), stat=stat)
             call check_memory(error, stat)
         end if
         if (.not. allocated(error) .and. n > 0) then
             if (time > 0.0_wp) then
-                call flux_after_step(conduction, radius, time, r(:n), values(:, potential), error)
+                call flux_after_step(conduction, radius, time, r(:n), values(:, 1), error)
             else if (field == spot_flux) then
-                call flux_at(conduction, radius, r(:n), values(:, potential), error)
+                call flux_at(conduction, radius, r(:n), values(:, 1), error)
             else
-                call inside_at(conduction, int(body), radius, r(:n), z(:n), below == 1, values(:, potential), values(:, flux_z), &
-                               values(:, flux_r), error)
+                call inside_at(conduction, merge(2, 1, body == body_upper), radius, r(:n), z(:n), below == 1, values(:, 1), &
+                               values(:, 2), values(:, 3), error)
             end if
-            if (.not. allocated(error)) call check_results(error, values(:, max(field, potential)))
-            if (.not. allocated(error)) out(:n) = values(:, max(field, potential))
+            column = max(findloc(inside, int(field), dim=1), 1)
+            if (.not. allocated(error)) call check_results(error, values(:, column))
+            if (.not. allocated(error)) out(:n) = values(:, column)
         end if
         status = status_of(error)
     end function mdr_conduction_field
+
+    !> Raises unless it is a body of the conduction.
+    subroutine check_body(error, conduction, body)
+        type(error_t), allocatable, intent(inout) :: error
+        !> not looked at after an error
+        type(conduction_t), intent(in) :: conduction
+        integer, intent(in) :: body
+
+        if (allocated(error)) return
+        if (size(conduction%bodies) == 1) then
+            call check_code(error, "body", body, [body_lower])
+        else
+            call check_code(error, "body", body, [body_lower, body_upper])
+        end if
+    end subroutine check_body
 
     function mdr_conduction_compliance(p, omega, n, k, out, imaginary) result(status) &
         bind(C, name="mdrcontact_entry_conduction_compliance")

@@ -5,6 +5,8 @@ module mdrcontact_api_conduction_heat
     use mdrcontact_api_arrays, only: check_array, check_count, check_in_out, check_results, make_room
     use mdrcontact_api_open_handle, only: open_handle
     use mdrcontact_api_status, only: check_given, status_of
+    use mdrcontact_api_conduction, only: check_body
+    use mdrcontact_codes, only: body_upper, moving => heat_moving, sliding => heat_sliding, spinning => heat_spinning
     use mdrcontact_conduction_along, only: conductance_along
     use mdrcontact_conduction_bodies, only: conduction_t
     use mdrcontact_conduction_rough, only: rough_conductance
@@ -12,13 +14,10 @@ module mdrcontact_api_conduction_heat
     use mdrcontact_conduction_moving, only: moving_heat
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_state, only: contact_state_t
-    use mdrcontact_error, only: check_choice, check_memory, error_t, raise_at
+    use mdrcontact_error, only: check_choice, check_code, check_memory, error_t, raise_at
     implicit none (type, external)
     private
     public :: mdr_conduction_along, mdr_conduction_rough, mdr_conduction_heat, mdr_conduction_heat_field
-
-    !> enum mdr_heat_motion: the third is that of a source over the lower body.
-    integer, parameter :: moving = 3
 
     !> Struct mdr_friction_heat.
     type, bind(C) :: record_t
@@ -127,7 +126,7 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         type(heat_t) :: heat
 
-        call check_choice(error, "motion", motion, 1, moving, "1 (sliding), 2 (spinning) or 3 (moving)")
+        call check_code(error, "motion", motion, [sliding, spinning, moving])
         if (allocated(error)) return
         if (motion == moving) then
             call moving_heat(conduction, contact, state, strength, speed, heat, error)
@@ -158,10 +157,12 @@ contains
         call check_given(error, "state", present(state))
         call check_in_out(error, n, "r", present(r), present(out))
         call check_array(error, "z", n, present(z))
+        call check_body(error, conduction, int(body))
         call check_choice(error, "below", int(below), 0, 1, "0 (above an interface) or 1 (below it)")
         call make_room(error, n, values)
         if (.not. allocated(error) .and. n > 0) then
-            call heat_field(conduction, contact, state, int(motion), strength, int(body), r(:n), z(:n), below == 1, values, error)
+            call heat_field(conduction, contact, state, int(motion), strength, merge(2, 1, body == body_upper), r(:n), z(:n), &
+                            below == 1, values, error)
             if (.not. allocated(error)) call check_results(error, values)
             if (.not. allocated(error)) out(:n) = values
         end if

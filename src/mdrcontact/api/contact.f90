@@ -42,7 +42,7 @@ contains
         call open_handle(medium, "medium", body, error)
         chosen%work_of_adhesion = given%work_of_adhesion
         chosen%cohesive_stress = given%cohesive_stress
-        chosen%adhesion_rule = given%adhesion_rule
+        if (given%adhesion_rule /= 0_c_int) chosen%adhesion_rule = int(given%adhesion_rule)
         chosen%zeta_is_exact = given%zeta_is_exact /= 0_c_int
         if (chosen%zeta_is_exact .and. given%zeta_count /= 0) then
             call raise(error, error_invalid, "zeta_is_exact = "//count_text(int(given%zeta_is_exact))//" is not allowed with a "// &

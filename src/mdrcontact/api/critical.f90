@@ -9,7 +9,7 @@ module mdrcontact_api_critical
     use mdrcontact_codes, only: body_lower, body_upper
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_state, only: contact_state_t
-    use mdrcontact_error, only: check_choice, check_count_from, check_memory, error_t
+    use mdrcontact_error, only: check_code, check_count_from, check_memory, error_t
     use mdrcontact_field_critical, only: critical
     use mdrcontact_field_failure, only: failure_load_t, first_failure, strength_t
     use mdrcontact_field_largest, only: maximum_t
@@ -34,7 +34,7 @@ contains
         integer :: i
 
         call open_handle(c, "c", contact, error)
-        call check_choice(error, "body", int(body), body_lower, body_upper, "1 (lower) or 2 (upper)")
+        call check_code(error, "body", int(body), [body_lower, body_upper])
         call check_given(error, "state", present(state))
         call check_list(error, capacity, present(out), present(count))
         if (.not. allocated(error)) then
@@ -67,7 +67,7 @@ contains
         integer :: i, stat
 
         call open_handle(c, "c", contact, error)
-        call check_choice(error, "body", int(body), body_lower, body_upper, "1 (lower) or 2 (upper)")
+        call check_code(error, "body", int(body), [body_lower, body_upper])
         call check_count(error, n)
         call check_array(error, "strengths", n, present(strengths))
         call check_list(error, capacity, present(out), present(count))

@@ -101,8 +101,8 @@ contains
         if (.not. allocated(error)) call read_body(given, problem%body, error)
         if (allocated(error)) return
         if (given%data_kind /= 0) problem%data_kind = int(given%data_kind)
-        problem%adhesion_rule = int(given%adhesion_rule)
-        problem%loss = int(given%loss)
+        if (given%adhesion_rule /= 0) problem%adhesion_rule = int(given%adhesion_rule)
+        if (given%loss /= 0) problem%loss = int(given%loss)
         if (given%loss_scale /= 0.0_c_double) problem%loss_scale = given%loss_scale
         problem%sd_is_absolute = given%sd_is_relative == 0
         if (given%max_iterations /= 0) problem%max_iterations = int(given%max_iterations)

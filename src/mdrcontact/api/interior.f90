@@ -6,16 +6,14 @@ module mdrcontact_api_interior
     use mdrcontact_api_open_handle, only: open_handle
     use mdrcontact_api_status, only: check_given, status_of, wanted_threads
     use mdrcontact_contact, only: contact_t
+    use mdrcontact_codes, only: body_lower, body_upper, side_above, side_below
     use mdrcontact_contact_state, only: contact_state_t
-    use mdrcontact_error, only: check_choice, check_count_from, check_memory, error_t, raise_at
+    use mdrcontact_error, only: check_code, check_count_from, check_memory, error_t, raise_at
     use mdrcontact_field, only: interior, interior_error, layer_energy
     use mdrcontact_field_interior, only: components
     implicit none (type, external)
     private
     public :: mdr_contact_interior, mdr_contact_interior_error, mdr_contact_layer_energies
-
-    !> enum mdr_body, enum mdr_side
-    integer, parameter :: lower_body = 1, upper_body = 2, side_below = 1, side_above = 2
 
 contains
 
@@ -35,9 +33,9 @@ contains
         integer :: i, stat
 
         call open_handle(c, "c", contact, error)
-        call check_choice(error, "body", int(body), lower_body, upper_body, "1 (lower) or 2 (upper)")
+        call check_code(error, "body", int(body), [body_lower, body_upper])
         call check_given(error, "state", present(state))
-        call check_choice(error, "side", int(side), side_below, side_above, "1 (below) or 2 (above)")
+        call check_code(error, "side", int(side), [side_below, side_above])
         call check_count(error, n)
         call check_array(error, "r", n, present(r))
         call check_array(error, "z", n, present(z))
@@ -49,7 +47,7 @@ contains
         if (.not. allocated(error) .and. n > 0) then
             azimuth = 0.0_c_double
             if (present(angle)) azimuth = angle(:n)
-            call interior(contact, state, body == upper_body, r(:n), z(:n), side == side_below, friction, azimuth, field, error, &
+            call interior(contact, state, body == body_upper, r(:n), z(:n), side == side_below, friction, azimuth, field, error, &
                                   wanted_threads())
             do i = 1, n
                 if (allocated(error)) exit
@@ -75,10 +73,10 @@ contains
         type(error_t), allocatable :: error
 
         call open_handle(c, "c", contact, error)
-        call check_choice(error, "body", int(body), lower_body, upper_body, "1 (lower) or 2 (upper)")
+        call check_code(error, "body", int(body), [body_lower, body_upper])
         call check_given(error, "state", present(state))
         call check_given(error, "deviation", present(deviation))
-        if (.not. allocated(error)) call interior_error(contact, state, body == upper_body, found, error)
+        if (.not. allocated(error)) call interior_error(contact, state, body == body_upper, found, error)
         if (.not. allocated(error)) call check_results(error, [found])
         status = status_of(error)
         if (.not. allocated(error)) deviation = found
@@ -98,12 +96,12 @@ contains
         integer :: n
 
         call open_handle(c, "c", contact, error)
-        call check_choice(error, "body", int(body), lower_body, upper_body, "1 (lower) or 2 (upper)")
+        call check_code(error, "body", int(body), [body_lower, body_upper])
         call check_given(error, "state", present(state))
         call check_count_from(error, "capacity", int(capacity), 0)
         call check_array(error, "out", capacity, present(out))
         call check_given(error, "count", present(count))
-        if (.not. allocated(error)) call layer_energy(contact, state, body == upper_body, energies, error)
+        if (.not. allocated(error)) call layer_energy(contact, state, body == body_upper, energies, error)
         status = status_of(error)
         if (allocated(error)) return
         count = size(energies, kind=c_int)

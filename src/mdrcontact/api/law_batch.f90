@@ -5,7 +5,7 @@ module mdrcontact_api_law_batch
     use mdrcontact_api_arrays, only: check_array, check_count, check_in_out, make_room
     use mdrcontact_api_open_handle, only: open_handle
     use mdrcontact_api_status, only: status_of, wanted_threads
-    use mdrcontact_error, only: check_choice, error_invalid, error_t, raise
+    use mdrcontact_error, only: check_code, error_invalid, error_t, raise
     use mdrcontact_contact, only: check_branch
     use mdrcontact_contact_values, only: given_depth, given_force
     use mdrcontact_law, only: check_points, contact_law_t
@@ -25,7 +25,7 @@ contains
         type(error_t), allocatable :: error
 
         call open_handle(law, "law", inside, error)
-        call check_choice(error, "given", int(given), given_depth, given_force, "MDR_GIVEN_DEPTH or MDR_GIVEN_FORCE")
+        call check_code(error, "given", int(given), [given_depth, given_force])
         call check_branch(error, int(branch))
         call check_count(error, n)
         call check_array(error, merge("d", "F", given == given_depth), n, present(in))

@@ -7,8 +7,9 @@ module mdrcontact_api_material
     use mdrcontact_api_open_handle, only: open_handle
     use mdrcontact_api_medium_options, only: read_medium_options, read_surface
     use mdrcontact_api_status, only: check_given, status_of
-    use mdrcontact_codes, only: of_complex_modulus => complex_modulus, of_creep => creep, of_relaxation => relaxation
-    use mdrcontact_error, only: check_choice, check_memory, check_not_negative, check_positive, error_invalid, error_t, raise
+    use mdrcontact_codes, only: limit_glassy, limit_relaxed, of_complex_modulus => complex_modulus, of_creep => creep, &
+                                of_relaxation => relaxation
+    use mdrcontact_error, only: check_code, check_memory, check_not_negative, check_positive, error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t, new_material
     use mdrcontact_material_rheology, only: new_elastic_rheology, new_power_law_rheology, new_viscoelastic, rheology_t
@@ -20,11 +21,6 @@ module mdrcontact_api_material
     private
     public :: mdr_material_viscoelastic, mdr_material_power_law
     public :: mdr_material_values, mdr_material_limit
-
-    !> what x is
-    character(len=5), parameter :: arguments(*) = [character(len=5) :: "t", "t", "omega"]
-    !> enum mdr_limit
-    integer, parameter :: glassy = 1, relaxed = 2
 
 contains
 
@@ -78,9 +74,8 @@ contains
         integer :: i
 
         call open_handle(m, "m", material, error)
-        call check_choice(error, "quantity", int(quantity), of_relaxation, of_complex_modulus, "1 (relaxation), 2 (creep) or "// &
-                          "3 (complex modulus)")
-        call check_in_out(error, n, trim(arguments(max(1, min(int(quantity), size(arguments))))), present(x), present(out))
+        call check_code(error, "quantity", int(quantity), [of_relaxation, of_creep, of_complex_modulus])
+        call check_in_out(error, n, trim(merge("omega", "t    ", quantity == of_complex_modulus)), present(x), present(out))
         do i = 1, n
             if (allocated(error)) exit
             if (quantity == of_complex_modulus) then
@@ -124,9 +119,9 @@ contains
         type(error_t), allocatable :: error
 
         call open_handle(m, "m", rheology, error)
-        call check_choice(error, "limit", int(limit), glassy, relaxed, "1 (glassy) or 2 (relaxed)")
+        call check_code(error, "limit", int(limit), [limit_glassy, limit_relaxed])
         if (.not. allocated(error)) then
-            if (limit == glassy) then
+            if (limit == limit_glassy) then
                 call rheology%glassy(material, error)
             else
                 call rheology%relaxed(material, error)

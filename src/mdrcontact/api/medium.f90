@@ -9,7 +9,7 @@ module mdrcontact_api_medium
     use mdrcontact_api_status, only: status_of, wanted_threads
     use mdrcontact_codes, only: of_modulus => modulus, of_stiffness => stiffness, of_tangential_modulus => tangential_modulus, &
                                 of_torsional_stiffness => torsional_stiffness
-    use mdrcontact_error, only: check_choice, error_invalid, error_t, raise
+    use mdrcontact_error, only: check_code, error_invalid, error_t, raise
     use mdrcontact_medium, only: check_elastic, medium_t, new_pair
     use mdrcontact_medium_solver, only: new_under, solver_t
     use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous_from_modulus, new_rigid
@@ -74,7 +74,7 @@ contains
         integer :: i
 
         call open_handle(m, "m", whole, error)
-        call check_choice(error, "quantity", int(quantity), of_modulus, of_torsional_stiffness, "one of enum mdr_medium_quantity")
+        call check_code(error, "quantity", int(quantity), [of_modulus, of_stiffness, of_tangential_modulus, of_torsional_stiffness])
         if (.not. allocated(error)) call check_elastic(whole, error)
         if (.not. allocated(error)) then
             medium => whole%solver

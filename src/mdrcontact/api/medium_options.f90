@@ -28,7 +28,7 @@ contains
         associate (given => chosen)
             if (given%alpha /= 0.0_wp) options%alpha = given%alpha
             if (given%wave_factor /= 0.0_wp) options%wave_factor = given%wave_factor
-            options%weight_nu_choice = given%weight_nu_choice
+            if (given%weight_nu_choice /= 0_c_int) options%weight_nu_choice = given%weight_nu_choice
             options%weight_nu = given%weight_nu
             if (given%tolerance /= 0.0_wp) options%tolerance = given%tolerance
             if (given%exponent /= 0.0_wp .or. given%exponent_is_given /= 0_c_int) options%exponent = given%exponent

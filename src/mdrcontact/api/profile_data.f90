@@ -6,7 +6,7 @@ module mdrcontact_api_profile_data
     use mdrcontact_api_callback, only: c_function_t, new_c_function
     use mdrcontact_api_handles, only: hand_over
     use mdrcontact_api_open_handle, only: open_handle
-    use mdrcontact_error, only: check_memory, count_text, error_invalid, error_t, raise, raise_at
+    use mdrcontact_error, only: check_code, check_memory, error_invalid, error_t, raise, raise_at
     use mdrcontact_profile, only: profile_t
     use mdrcontact_profile_area_function, only: area_function_t, new_area_function_profile
     use mdrcontact_profile_sampled, only: sampled_profile_t
@@ -52,8 +52,7 @@ contains
         allocate (profile)
         is_height = quantity == of_height
         if (.not. is_height .and. quantity /= of_mdr) then
-            call raise(error, error_invalid, "quantity = "//count_text(int(quantity))//" is not allowed: it must be "// &
-                       "MDR_HEIGHT or MDR_G")
+            call check_code(error, "quantity", int(quantity), [of_height, of_mdr])
         end if
         call check_count(error, n)
         call check_not_empty(error, merge("r", "x", is_height), n, 3)

@@ -6,9 +6,9 @@ module mdrcontact_api_profile_values
                                      make_room
     use mdrcontact_api_open_handle, only: open_handle
     use mdrcontact_api_status, only: status_of, wanted_threads
-    use mdrcontact_error, only: check_choice, error_t
+    use mdrcontact_error, only: check_code, error_t
     use mdrcontact_profile, only: profile_t
-    use mdrcontact_profile_values, only: of_height, of_mdr, of_mdr_slope, profile_values
+    use mdrcontact_profile_values, only: of_height, of_mdr, of_mdr_slope, of_slope, profile_values
     implicit none (type, external)
     private
     public :: mdr_profile_values
@@ -27,7 +27,7 @@ contains
         type(error_t), allocatable :: error
 
         call open_handle(p, "p", profile, error)
-        call check_choice(error, "quantity", int(quantity), of_height, of_mdr_slope, "one of enum mdr_profile_quantity")
+        call check_code(error, "quantity", int(quantity), [of_height, of_slope, of_mdr, of_mdr_slope])
         name = merge("r", "x", quantity < of_mdr)
         call check_in_out(error, n, name, present(x), present(out))
         if (.not. allocated(error) .and. n > 0) then

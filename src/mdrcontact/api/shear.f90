@@ -8,10 +8,11 @@ module mdrcontact_api_shear
     use mdrcontact_api_options, only: check_size, write_facts
     use mdrcontact_api_records, only: c_shear_facts_t
     use mdrcontact_api_status, only: check_given, status_of
-    use mdrcontact_codes, only: along, around, field_line_load => field_tangential_line_load, field_traction, given_shift, &
-                                given_tangential_force, given_torque, given_twist
+    use mdrcontact_codes, only: along, around, field_line_load => tangential_line_load, field_traction => traction, &
+                                given_shift => shift, given_tangential_force => tangential_force, given_torque => torque, &
+                                given_twist => twist
     use mdrcontact_contact_state, only: contact_state_t
-    use mdrcontact_error, only: check_choice, check_count_from, check_memory, check_positive, error_t, raise_at
+    use mdrcontact_error, only: check_code, check_count_from, check_memory, check_positive, error_t, raise_at
     use mdrcontact_history_friction, only: first_shear_t, friction_t, tangential_state_t
     implicit none (type, external)
     private
@@ -33,7 +34,7 @@ contains
         allocate (shear)
         call open_handle(f, "f", friction, error)
         call check_given(error, "state", present(state))
-        call check_choice(error, "direction", int(direction), along, around, "1 (along the surface) or 2 (around the axis)")
+        call check_code(error, "direction", int(direction), [along, around])
         if (.not. allocated(error)) then
             if (direction == around) then
                 call friction%first_twist(state, shear, error)
@@ -54,10 +55,9 @@ contains
         type(error_t), allocatable, intent(out) :: error
 
         if (shear%is_twist()) then
-            call check_choice(error, "given", int(given), given_twist, given_torque, "MDR_GIVEN_TWIST or MDR_GIVEN_TORQUE")
+            call check_code(error, "given", int(given), [given_twist, given_torque])
         else
-            call check_choice(error, "given", int(given), given_shift, given_tangential_force, "MDR_GIVEN_SHIFT or "// &
-                              "MDR_GIVEN_TANGENTIAL_FORCE")
+            call check_code(error, "given", int(given), [given_shift, given_tangential_force])
         end if
         if (allocated(error)) return
         if (given == merge(given_twist, given_shift, shear%is_twist())) then
@@ -130,7 +130,7 @@ contains
         call open_handle(s, "s", shear, error)
         call check_given(error, "at", present(at))
         call check_in_out(error, n, "r", present(r), present(out))
-        call check_choice(error, "field", int(field), field_traction, field_line_load, "1 (traction) or 2 (line load)")
+        call check_code(error, "field", int(field), [field_traction, field_line_load])
         call make_room(error, n, values)
         if (.not. allocated(error) .and. n > 0) then
             if (field == field_traction) then

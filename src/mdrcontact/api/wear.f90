@@ -8,9 +8,10 @@ module mdrcontact_api_wear
     use mdrcontact_api_options, only: read_options
     use mdrcontact_api_records, only: c_wear_options_t
     use mdrcontact_api_status, only: check_given, status_of
+    use mdrcontact_codes, only: fresh_places => wear_fresh, same_places => wear_same
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_state, only: contact_state_t
-    use mdrcontact_error, only: check_choice, check_count_from, check_memory, error_t, raise_at
+    use mdrcontact_error, only: check_code, check_count_from, check_memory, error_t, raise_at
     use mdrcontact_kinds, only: wp
     use mdrcontact_profile_worn, only: worn_profile_t
     use mdrcontact_wear, only: new_wear, wear_t
@@ -21,9 +22,6 @@ module mdrcontact_api_wear
     public :: mdr_wear_new, mdr_wear_limit, mdr_wear_track, mdr_wear_passes, mdr_wear_running_in
     public :: mdr_wear_history_new, mdr_wear_history_copy, mdr_wear_history_advance, mdr_wear_history_state, &
               mdr_wear_history_profile, mdr_wear_history_save, mdr_wear_history_restore
-
-    !> enum mdr_wear_places
-    integer, parameter :: fresh_places = 1, same_places = 2
 
 contains
 
@@ -164,7 +162,7 @@ contains
         call open_handle(w, "w", wear, error)
         call read_options(error, "options", options, c_loc(chosen), c_sizeof(chosen))
         if (chosen%places == 0) chosen%places = fresh_places
-        call check_choice(error, "places", int(chosen%places), fresh_places, same_places, "1 (fresh) or 2 (the same)")
+        call check_code(error, "places", int(chosen%places), [fresh_places, same_places])
         if (.not. allocated(error)) then
             call new_wear_history(history, wear, int(given), value, error, int(chosen%intervals), chosen%places == same_places, &
                                   int(chosen%scheme))

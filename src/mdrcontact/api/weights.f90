@@ -5,8 +5,8 @@ module mdrcontact_api_weights
     use mdrcontact_api_arrays, only: check_each_not_negative, check_in_out
     use mdrcontact_api_status, only: status_of, wanted_threads
     use mdrcontact_batch, only: run_map
-    use mdrcontact_error, only: check_choice, check_poisson, error_t
-    use mdrcontact_weights, only: of_i0_slope, of_j0_tangential, weight_map_t
+    use mdrcontact_error, only: check_code, check_poisson, error_t
+    use mdrcontact_weights, only: of_i0, of_i0_slope, of_i0_tangential, of_i1, of_j0, of_j0_tangential, of_j1, weight_map_t
     implicit none (type, external)
     private
     public :: mdr_weight
@@ -22,7 +22,7 @@ contains
         type(weight_map_t) :: map
         type(error_t), allocatable :: error
 
-        call check_choice(error, "weight", int(weight), of_i0_slope, of_j0_tangential, "one of enum mdr_weight_kind")
+        call check_code(error, "weight", int(weight), [of_i0_slope, of_i0, of_i1, of_j0, of_j1, of_i0_tangential, of_j0_tangential])
         call check_in_out(error, n, "xi", present(xi), present(out))
         call check_poisson(error, "nu", nu)
         if (.not. allocated(error) .and. n > 0) then

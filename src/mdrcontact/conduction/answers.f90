@@ -4,7 +4,7 @@
 !> Steps come from an inverse Laplace transform on parabolas (Weideman, Trefethen, Math. Comp. 76 (2007) 1341), one for all times up
 !> to a factor apart: singularities lie on the negative axis.
 module mdrcontact_conduction_answers
-    use mdrcontact_codes, only: spot_conductance_answer => conduction_conductance, spot_resistance_answer => conduction_resistance
+    use mdrcontact_codes, only: spot_conductance_answer => conductance, spot_resistance_answer => resistance
     use mdrcontact_conduction_basis, only: basis_t
     use mdrcontact_conduction_bodies, only: conduction_t
     use mdrcontact_conduction_film_in_time, only: film_basis_t, film_spot_at, new_film_basis
@@ -12,7 +12,7 @@ module mdrcontact_conduction_answers
     use mdrcontact_conduction_spot, only: spot_t
     use mdrcontact_conduction_transient, only: basis_for, gaussian, given_flux, spot_at, uniform_centre, uniform_mean
     use mdrcontact_cancel, only: check_cancelled
-    use mdrcontact_error, only: check_choice, check_finite, check_memory, check_not_negative, check_positive, error_domain, &
+    use mdrcontact_error, only: check_code, check_finite, check_memory, check_not_negative, check_positive, error_domain, &
                                 error_invalid, error_t, raise, to_text
     use mdrcontact_kinds, only: pi, wp
     implicit none (type, external)
@@ -82,8 +82,8 @@ contains
         real(wp), intent(in) :: a
         type(error_t), allocatable, intent(inout) :: error
 
-        call check_choice(error, "answer", answer, spot_conductance_answer, gaussian, "1 (conductance), 2 (resistance), "// &
-                          "3 (mean of a uniform flux), 4 (centre of a uniform flux) or 5 (Gaussian)")
+        call check_code(error, "answer", answer, [spot_conductance_answer, spot_resistance_answer, uniform_mean, uniform_centre, &
+                                               gaussian])
         call check_positive(error, "radius", a)
     end subroutine check_answer
 
@@ -114,7 +114,7 @@ contains
             call conduction%check_steady(error)
             call conduction%check_radius(a, error)
         end if
-        if (answer > spot_resistance_answer) then
+        if (answer /= spot_conductance_answer .and. answer /= spot_resistance_answer) then
             call given_flux(conduction, answer, a, s, value, error)
             return
         end if
@@ -333,7 +333,7 @@ contains
         end if
         if (allocated(error)) return
         do i = 1, n
-            if (answer > spot_resistance_answer) then
+            if (answer /= spot_conductance_answer .and. answer /= spot_resistance_answer) then
                 call given_flux(conduction, answer, a, s(i), answered(i), error)
             else if (conduction%film > 0.0_wp) then
                 call film_spot_at(conduction, a, s(i), film, answered(i), error)

@@ -9,7 +9,7 @@
 module mdrcontact_conduction_conductors
     use mdrcontact_codes, only: half_space_base => base_half_space, insulating_base => base_insulating, &
                                 perfect_base => base_perfect
-    use mdrcontact_error, only: check_choice, check_finite, check_memory, check_not_negative, check_positive, error_invalid, &
+    use mdrcontact_error, only: check_code, check_finite, check_memory, check_not_negative, check_positive, error_invalid, &
                                 error_t, raise
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
@@ -58,7 +58,7 @@ contains
         integer :: i, n, stat
 
         if (allocated(error)) return
-        call check_choice(error, "base", base, half_space_base, insulating_base, "1 (half-space), 2 (perfect) or 3 (insulating)")
+        call check_code(error, "base", base, [half_space_base, perfect_base, insulating_base])
         n = size(layers)
         if (n == 0 .and. .not. allocated(error)) call raise(error, error_invalid, "a conductor has no layer: give at least one")
         if (allocated(error)) return

@@ -6,7 +6,7 @@ module mdrcontact_conduction_source
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_fields, only: check_state
     use mdrcontact_contact_state, only: contact_state_t
-    use mdrcontact_error, only: check_choice, check_memory, check_not_negative, error_invalid, error_t, raise
+    use mdrcontact_error, only: check_code, check_memory, check_not_negative, error_invalid, error_t, raise
     use mdrcontact_kinds, only: half_pi, wp
     use mdrcontact_layered_legendre, only: normalisation
     use mdrcontact_layered_moments, only: is_smooth
@@ -61,7 +61,7 @@ contains
         logical, intent(in) :: at_points
         type(error_t), allocatable, intent(inout) :: error
 
-        call check_choice(error, "motion", motion, sliding, spinning, "1 (sliding) or 2 (spinning)")
+        call check_code(error, "motion", motion, [sliding, spinning])
         call check_not_negative(error, "strength", strength)
         if (allocated(error)) return
         if (.not. state%radius > 0.0_wp) then

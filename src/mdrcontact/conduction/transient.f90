@@ -1,8 +1,8 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> A spot at one Laplace variable s, or at i omega: conductance of an equipotential spot, and potentials under a given flux.
 module mdrcontact_conduction_transient
-    use mdrcontact_codes, only: gaussian => conduction_gaussian, uniform_centre => conduction_centre, &
-                                uniform_mean => conduction_mean
+    use mdrcontact_codes, only: gaussian => gaussian_potential, uniform_centre => centre_potential, &
+                                uniform_mean => mean_potential
     use mdrcontact_conduction_basis, only: basis_t, new_basis
     use mdrcontact_conduction_bodies, only: conduction_t
     use mdrcontact_conduction_waves, only: wave_rule

@@ -2,12 +2,13 @@
 !> Many states of a contact, and its fields at many positions, on one thread or several.
 module mdrcontact_contact_values
     use mdrcontact_batch, only: batch_t, check_threads, run_batch, team_size
-    use mdrcontact_codes, only: field_displacement, field_displacement_lower, field_displacement_upper, field_line_load, &
-                                field_pressure, given_depth, given_force, given_radius
+    use mdrcontact_codes, only: field_displacement => displacement, field_displacement_lower => displacement_lower, &
+                                field_displacement_upper => displacement_upper, field_line_load => line_load, &
+                                field_pressure => pressure, given_depth => depth, given_force => force, given_radius => radius
     use mdrcontact_contact, only: check_branch, contact_t
     use mdrcontact_contact_inversion, only: neighbours_t
     use mdrcontact_contact_state, only: contact_state_t
-    use mdrcontact_error, only: check_choice, check_count_within, check_same_size, error_t, raise_at
+    use mdrcontact_error, only: check_code, check_same_size, error_t, raise_at
     use mdrcontact_kinds, only: wp
     use mdrcontact_medium_solver, only: lower_body, upper_body
     implicit none (type, external)
@@ -71,7 +72,7 @@ contains
         team = 1
         if (present(threads)) team = threads
         call check_threads(error, team)
-        call check_choice(error, "given", given, given_depth, given_radius, "1 (depth), 2 (force) or 3 (radius)")
+        call check_code(error, "given", given, [given_depth, given_force, given_radius])
         if (present(branch) .and. given /= given_radius) call check_branch(error, branch)
         call check_same_size(error, size(input), size(states))
         if (allocated(error)) return
@@ -135,7 +136,8 @@ contains
         wanted = 1
         if (present(threads)) wanted = threads
         call check_threads(error, wanted)
-        call check_count_within(error, "field", field, field_pressure, field_displacement_upper)
+        call check_code(error, "field", field, [field_pressure, field_displacement, field_displacement_lower, &
+                                             field_displacement_upper, field_line_load])
         call check_same_size(error, size(positions), size(values))
         if (allocated(error)) return
         batch%contact => contact

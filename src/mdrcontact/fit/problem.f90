@@ -7,9 +7,9 @@ module mdrcontact_fit_problem
                                 data_force_depth => fit_force_depth, data_force_time => fit_force_time, &
                                 data_modulus_radius => fit_modulus_radius, data_stiffness_depth => fit_stiffness_depth, &
                                 data_stiffness_radius => fit_stiffness_radius, loss_cauchy => fit_cauchy, loss_huber => fit_huber, &
-                                loss_linear => fit_linear, part_loss => fit_loss, part_storage => fit_storage
+                                loss_linear => fit_linear, part_loss => loss, part_storage => storage
     use mdrcontact_contact_equilibrium, only: adhesion_automatic
-    use mdrcontact_error, only: check_choice, check_count_from, check_finite, check_not_negative, check_positive, count_text, &
+    use mdrcontact_error, only: check_code, check_count_from, check_finite, check_not_negative, check_positive, count_text, &
                                 error_invalid, error_t, raise, to_text
     use mdrcontact_contact, only: on_loading, on_unloading
     use mdrcontact_fit_order, only: ascending
@@ -188,10 +188,10 @@ contains
             call raise(error, error_invalid, "there are "//count_text(size(self%parameters))//" parameters: this indenter, "// &
                        "this medium and the instrument have "//count_text(expected)//" together")
         end if
-        if (self%data_kind < data_force_depth .or. self%data_kind > data_dynamic_stiffness) then
-            call raise(error, error_invalid, "data_kind = "//count_text(self%data_kind)//" is not allowed: it must be 1 to 7")
-        end if
-        call check_choice(error, "loss", self%loss, loss_linear, loss_cauchy, "0 (linear), 1 (Huber) or 2 (Cauchy)")
+        call check_code(error, "data_kind", self%data_kind, [data_force_depth, data_stiffness_depth, data_modulus_radius, &
+                                                             data_stiffness_radius, data_force_time, data_depth_time, &
+                                                             data_dynamic_stiffness])
+        call check_code(error, "loss", self%loss, [loss_linear, loss_huber, loss_cauchy])
         call check_positive(error, "loss_scale", self%loss_scale)
         call check_count_from(error, "max_iterations", self%max_iterations, 1)
         if (allocated(self%prior_weights)) then
@@ -267,7 +267,7 @@ contains
         type(fit_data_t), intent(in) :: self
         type(fit_problem_t), intent(in) :: problem
         type(error_t), allocatable, intent(out) :: error
-        integer :: i
+        integer :: i, allowed(2)
 
         if (.not. (allocated(self%x) .and. allocated(self%y))) then
             call raise(error, error_invalid, "the data are missing")
@@ -277,9 +277,10 @@ contains
         if (allocated(self%sd)) call check_column(self%sd, "sd", size(self%x), error)
         if (allocated(self%branch)) then
             call check_column(real(self%branch, wp), "branch", size(self%x), error)
-            if (any(self%branch /= on_loading .and. self%branch /= on_unloading)) then
-                call raise(error, error_invalid, "branch is not allowed: its entries must be in enum mdr_branch")
-            end if
+            allowed = merge([part_storage, part_loss], [on_loading, on_unloading], problem%data_kind == data_dynamic_stiffness)
+            do i = 1, size(self%branch)
+                call check_code(error, "branch", self%branch(i), allowed)
+            end do
         end if
         if (needs_given(problem%data_kind)) then
             if (allocated(self%given)) then

@@ -2,10 +2,10 @@
 !> A contact with friction along any path of normal and tangential loading, with the memory of where it has slipped (theory 10).
 module mdrcontact_history_friction_history
     use mdrcontact_cancel, only: check_cancelled
-    use mdrcontact_codes, only: given_shift, given_tangential_force
+    use mdrcontact_codes, only: given_shift => shift, given_tangential_force => tangential_force
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_contact_values, only: given_depth, given_force
-    use mdrcontact_error, only: check_finite, check_not_negative, count_text, error_domain, error_invalid, error_t, &
+    use mdrcontact_error, only: check_code, check_finite, check_not_negative, count_text, error_domain, error_invalid, error_t, &
                                 error_unreachable, raise, to_text
     use mdrcontact_history_friction, only: friction_t, tangential_state_t
     use mdrcontact_history_friction_rings, only: new_ring_grid, ring_grid_t, rings_t
@@ -130,8 +130,7 @@ contains
             case (given_force)
                 call contact%at_force(normal, state, error)
             case default
-                call raise(error, error_invalid, "normal_given = "//count_text(normal_given)//" is not allowed: it must be 1 "// &
-                           "(depth) or 2 (force)")
+                call check_code(error, "normal_given", normal_given, [given_depth, given_force])
             end select
             if (allocated(error)) return
             if (allocated(self%grid)) then
@@ -148,8 +147,7 @@ contains
             case (given_tangential_force)
                 call find_shift(self, state, tangential, shift, error)
             case default
-                call raise(error, error_invalid, "tangential_given = "//count_text(tangential_given)//" is not allowed: it "// &
-                           "must be 1 (shift) or 2 (tangential force)")
+                call check_code(error, "tangential_given", tangential_given, [given_shift, given_tangential_force])
             end select
             if (allocated(error)) return
         end associate

@@ -4,8 +4,7 @@ module mdrcontact_history_relaxation
     use mdrcontact_contact, only: contact_t, new_contact
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_contact_values, only: contact_states, given_depth, given_force, given_radius
-    use mdrcontact_error, only: check_choice, check_not_negative, check_table, check_within, error_invalid, error_t, raise, &
-                                to_text
+    use mdrcontact_error, only: check_code, check_not_negative, check_table, check_within, error_invalid, error_t, raise, to_text
     use mdrcontact_history_relaxation_follow, only: follow_depth
     use mdrcontact_history_relaxation_steps, only: march_through
     use mdrcontact_history_relaxation_under_force, only: follow_force
@@ -50,7 +49,7 @@ contains
         depth = 0.0_wp
         radius = 0.0_wp
         force = 0.0_wp
-        call check_choice(error, "given", given, given_depth, given_radius, "1 (depth), 2 (force) or 3 (radius)")
+        call check_code(error, "given", given, [given_depth, given_force, given_radius])
         call refuse_attraction(contact, error)
         if (allocated(error)) return
         call check_within(error, "tolerance", accuracy, smallest_tolerance, largest_tolerance)

@@ -4,8 +4,8 @@
 module mdrcontact_history_relaxation_stiffness
     use mdrcontact_body_chain, only: chain_t
     use mdrcontact_body_compliance, only: normal_load
-    use mdrcontact_codes, only: step_creep, step_relaxation
-    use mdrcontact_error, only: check_choice, check_positive, error_domain, error_invalid, error_no_convergence, error_t, raise, &
+    use mdrcontact_codes, only: step_creep => creep, step_relaxation => relaxation
+    use mdrcontact_error, only: check_code, check_positive, error_domain, error_invalid, error_no_convergence, error_t, raise, &
                                 raise_at, to_text
     use mdrcontact_history_relaxing_contact, only: refuse_attraction, relaxing_contact_t
     use mdrcontact_kinds, only: pi, wp
@@ -85,7 +85,7 @@ contains
         integer :: i, j
 
         values = 0.0_wp
-        call check_choice(error, "step", step, step_relaxation, step_creep, "1 (relaxation) or 2 (creep)")
+        call check_code(error, "step", step, [step_relaxation, step_creep])
         do i = 1, size(time)
             call check_positive(error, "time", time(i), i)
         end do

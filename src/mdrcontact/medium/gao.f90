@@ -6,7 +6,8 @@ module mdrcontact_medium_gao
     use mdrcontact_body_compliance, only: shear_load
     use mdrcontact_codes, only: gao_nu_effective => weight_nu_effective, gao_nu_given => weight_nu_given, &
                                 gao_nu_substrate => weight_nu_substrate, gao_nu_surface => weight_nu_surface
-    use mdrcontact_error, only: check_memory, check_poisson, check_positive, count_text, error_invalid, error_t, raise
+    use mdrcontact_error, only: check_code, check_memory, check_poisson, check_positive, count_text, error_invalid, error_t, &
+                                raise
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t
     use mdrcontact_medium_solver, only: solver_t, take_common
@@ -124,8 +125,8 @@ contains
         case (gao_nu_given)
             call check_poisson(error, "weight_nu", options%weight_nu)
         case default
-            call raise(error, error_invalid, "weight_nu_choice = "//count_text(options%weight_nu_choice)//" is not allowed: it "// &
-                       "must be 0 (surface), 1 (substrate), 2 (effective) or 3 (given)")
+            call check_code(error, "weight_nu_choice", options%weight_nu_choice, [gao_nu_surface, gao_nu_substrate, &
+                                                                                  gao_nu_effective, gao_nu_given])
         end select
     end subroutine i0_poisson_choice
 

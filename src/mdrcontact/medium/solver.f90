@@ -9,7 +9,6 @@
 module mdrcontact_medium_solver
     use mdrcontact_body, only: body_t
     use mdrcontact_body_compliance, only: twist_load
-    use mdrcontact_codes, only: lower_body => body_lower, upper_body => body_upper
     use mdrcontact_error, only: check_memory, error_invalid, error_t, raise
     use mdrcontact_medium_load, only: load_t
     use mdrcontact_medium_slip, only: slip_t
@@ -24,6 +23,8 @@ module mdrcontact_medium_solver
     public :: new_under, check_springs, refuse
     public :: reason_length, lower_body, upper_body, of_line_load, of_pressure, of_displacement
 
+    !> The bodies of a pair, by their place in arrays.
+    integer, parameter :: lower_body = 1, upper_body = 2
     !> Fields of a state.
     integer, parameter :: of_line_load = 1, of_pressure = 2, of_displacement = 3
     !> Room for the words of why_it_ends.

@@ -7,7 +7,7 @@
 module mdrcontact_poroelastic_gel
     use mdrcontact_codes, only: drains_by_surface => drainage_surface, sealed => drainage_sealed, &
                                 sealed_by_indenter => drainage_indenter
-    use mdrcontact_error, only: check_choice, check_not_negative, error_invalid, error_t, raise, to_text
+    use mdrcontact_error, only: check_code, check_not_negative, error_invalid, error_t, raise, to_text
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
@@ -44,16 +44,15 @@ contains
             call raise(error, error_invalid, " = "//to_text(poisson)//" is not allowed: the drained Poisson's ratio of a gel "// &
                        "must be greater than -1 and less than 0.5, at which nothing drains", "nu")
         end if
-        call check_choice(error, "drainage", drainage, drains_by_surface, sealed_by_indenter, &
-                          "1 (surface), 2 (sealed) or 3 (indenter)")
+        call check_code(error, "drainage", drainage, [drains_by_surface, sealed, sealed_by_indenter])
         call check_not_negative(error, "ratio", ratio)
         if (allocated(error)) return
         if (ratio > largest_ratio) then
             call raise(error, error_invalid, " = "//to_text(ratio)//" is not allowed: contacts of gels are computed up to "// &
                        to_text(largest_ratio)//" thicknesses of a film", "ratio")
         else if (ratio > 0.0_wp .and. drainage == sealed_by_indenter) then
-            call raise(error, error_invalid, "drainage = 3 (indenter) is not allowed on a film: it is computed on a half-space "// &
-                       "only; on a film take 1 (surface) or 2 (sealed), between which it lies")
+            call raise(error, error_invalid, "drainage = indenter is not allowed on a film: it is computed on a half-space "// &
+                       "only; on a film take surface or sealed, between which it lies")
         end if
         self = gel_t(poisson, drainage, ratio)
     end subroutine new_gel

@@ -1,18 +1,21 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> What a gel answers, in the caller's units.
 module mdrcontact_poroelastic_response
-    use mdrcontact_codes, only: pore_pressure => poroelastic_pore, total_pressure => poroelastic_total
-    use mdrcontact_error, only: check_choice, check_not_negative, check_positive, error_domain, error_t, raise, &
-                                raise_at, to_text
+    use mdrcontact_codes, only: creep, mean_creep, mean_relaxation, paraboloid => paraboloid_relaxation, pore_pressure, &
+                                relaxation, total_pressure
+    use mdrcontact_error, only: check_code, check_not_negative, check_positive, error_domain, error_t, raise, raise_at, to_text
     use mdrcontact_kinds, only: pi, wp
-    use mdrcontact_poroelastic_answers, only: creep, loss, mean_creep, paraboloid, relaxation, storage
+    use mdrcontact_poroelastic_answers, only: loss, storage
     use mdrcontact_poroelastic_contact, only: flat, parabolic
     use mdrcontact_poroelastic_pressure, only: gel_pressure
     use mdrcontact_poroelastic_table, only: poroelastic_t
     implicit none (type, external)
     private
     public :: poroelastic_response, poroelastic_dynamic_stiffness, poroelastic_pressure
-    public :: total_pressure, pore_pressure
+    public :: relaxation, creep, paraboloid, mean_relaxation, mean_creep, total_pressure, pore_pressure
+
+    !> The answers in the order of the table's columns.
+    integer, parameter :: columns(*) = [relaxation, creep, paraboloid, mean_relaxation, mean_creep]
 
     !> Smallest D t/a^2 of a pressure.
     real(wp), parameter :: shortest_pressure = 1.0e-5_wp
@@ -36,8 +39,7 @@ contains
         integer :: i
 
         values = 0.0_wp
-        call check_choice(error, "answer", answer, relaxation, mean_creep, &
-                          "1 (relaxation), 2 (creep), 3 (paraboloid), 4 or 5 (the means of 1 and 2 since the step)")
+        call check_code(error, "answer", answer, columns)
         call check_units(shear_modulus, diffusivity, radius, error)
         if (allocated(error)) return
         scale = 8.0_wp*shear_modulus*radius
@@ -45,7 +47,7 @@ contains
         if (answer == paraboloid) scale = scale*2.0_wp/3.0_wp
         do i = 1, size(time)
             if (.not. time(i) >= 0.0_wp) call check_not_negative(error, "time", time(i), i)
-            call table%value(answer, diffusivity*time(i)/radius**2, values(i), error)
+            call table%value(findloc(columns, answer, dim=1), diffusivity*time(i)/radius**2, values(i), error)
             if (allocated(error)) then
                 if (error%entry == 0) call raise_at(error, i)
                 return
@@ -98,7 +100,7 @@ contains
         integer :: i
 
         values = 0.0_wp
-        call check_choice(error, "kind", kind, total_pressure, pore_pressure, "1 (total) or 2 (pore)")
+        call check_code(error, "kind", kind, [total_pressure, pore_pressure])
         call check_units(shear_modulus, diffusivity, radius, error)
         call check_positive(error, "time", time)
         do i = 1, size(r)

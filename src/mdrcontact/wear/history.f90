@@ -12,7 +12,7 @@ module mdrcontact_wear_history
     use mdrcontact_codes, only: fixed_rings => wear_rings, moving_disc => wear_disc
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_contact_values, only: given_depth
-    use mdrcontact_error, only: check_choice, check_count_within, check_not_negative, check_positive, count_text, error_domain, &
+    use mdrcontact_error, only: check_code, check_count_within, check_not_negative, check_positive, count_text, error_domain, &
                                 error_invalid, error_t, raise, to_text
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_profile_worn, only: new_worn_profile, worn_profile_t
@@ -151,7 +151,7 @@ contains
             call raise(error, error_invalid, "intervals = "//count_text(n)//" is not allowed: it must be a multiple of 4")
         end if
         if (.not. present(scheme)) return
-        if (scheme /= 0) call check_choice(error, "scheme", scheme, moving_disc, fixed_rings, "1 (disc) or 2 (rings)")
+        if (scheme /= 0) call check_code(error, "scheme", scheme, [moving_disc, fixed_rings])
         self%has_rings = scheme == fixed_rings
     end subroutine choose
 

@@ -14,7 +14,7 @@ module mdrcontact_wear_limit
     use mdrcontact_contact_fields, only: check_state
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_contact_values, only: given_depth, given_force
-    use mdrcontact_error, only: check_choice, check_positive, error_domain, error_invalid, error_t, raise, to_text
+    use mdrcontact_error, only: check_code, check_positive, error_domain, error_invalid, error_t, raise, to_text
     use mdrcontact_kinds, only: half_pi, pi, wp
     use mdrcontact_numerics_quadrature, only: gauss_legendre
     use mdrcontact_numerics_roots, only: find_root
@@ -85,7 +85,7 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         integer, intent(in) :: control
 
-        call check_choice(error, "control", control, given_depth, given_force, "1 (depth) or 2 (force)")
+        call check_code(error, "control", control, [given_depth, given_force])
     end subroutine check_control
 
     !> Raises unless a limit exists for these arguments.

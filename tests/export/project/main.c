@@ -17,7 +17,7 @@ int main(void)
         || mdr_profile_paraboloid(2.0, &profile) != MDR_SUCCESS
         || mdr_medium_contact_modulus(3.0, &medium) != MDR_SUCCESS
         || mdr_contact_new(profile, medium, NULL, &contact) != MDR_SUCCESS
-        || mdr_contact_states(contact, MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, 1, depth, &state) != MDR_SUCCESS) {
+        || mdr_contact_states(contact, MDR_DEPTH, MDR_ON_UNLOADING, 1, depth, &state) != MDR_SUCCESS) {
         char text[200];
         mdr_last_error(text, (int)sizeof text);
         fprintf(stderr, "%s\n", text);

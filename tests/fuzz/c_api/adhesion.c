@@ -11,7 +11,7 @@ static void pull_off(world *w)
     double d[MOST_POINTS], a[MOST_POINTS], F[MOST_POINTS];
     int slot, count = -1, status;
     const mdr_contact *contact = some_contact(w, &slot);
-    const int control = take_choice(&w->in, 3);
+    const int control = TAKE_ONE_OF(&w->in, MDR_FORCE, MDR_DEPTH, MDR_SPRING);
 
     if (!afford(w, PRICE_OF_PULL_OFF * (w->contact_is_exact[slot] ? EXACT : 1))) return;
     fill(d), fill(a), fill(F);
@@ -35,7 +35,7 @@ static void loop(world *w)
     mdr_loop_facts facts = MDR_SIZED(mdr_loop_facts);
     int slot, status, count = 0, n;
     const mdr_contact *contact = some_contact(w, &slot);
-    const int control = take_choice(&w->in, 3);
+    const int control = TAKE_ONE_OF(&w->in, MDR_FORCE, MDR_DEPTH, MDR_SPRING);
     const double spring = take_positive(&w->in), largest = take_positive(&w->in);
     mdr_loop *made = NULL;
 

@@ -23,8 +23,10 @@ void fuzz_conduction(world *w)
 {
     mdr_conductor lower[MOST_LAYERS], upper[MOST_LAYERS];
     const int n = take_stack(&w->in, lower), m = take_chance(&w->in) ? take_stack(&w->in, upper) : 0;
-    const int base = take_code(&w->in, 3), upper_base = take_code(&w->in, 3), answer = take_code(&w->in,
-            5), points = take_count(&w->in);
+    const int base = TAKE_ONE_OF(&w->in, MDR_BASE_HALF_SPACE, MDR_BASE_PERFECT, MDR_BASE_INSULATING),
+            upper_base = TAKE_ONE_OF(&w->in, MDR_BASE_HALF_SPACE, MDR_BASE_PERFECT, MDR_BASE_INSULATING),
+            answer = TAKE_ONE_OF(&w->in, MDR_CONDUCTANCE, MDR_RESISTANCE, MDR_MEAN_POTENTIAL, MDR_CENTRE_POTENTIAL,
+            MDR_GAUSSIAN_POTENTIAL), points = take_count(&w->in);
     const double film = take_chance(&w->in) ? take_positive(&w->in) : 0.0, sink = take_chance(&w->in) ? take_positive(&w->in) : 0.0;
     const double a = take_positive(&w->in);
     double x[MOST_POINTS], z[MOST_POINTS], out[MOST_POINTS], more[MOST_POINTS];
@@ -43,7 +45,8 @@ void fuzz_conduction(world *w)
         judge("mdr_conduction_spot", status, points, out, NOT_NEGATIVE);
         judge("mdr_conduction_spot", status, points, more, NOT_NEGATIVE);
         fill(out);
-        status = mdr_conduction_field(p, take_code(&w->in, 4), a, take_code(&w->in, 2), take_byte(&w->in) % 2, 0.0, points, x, z,
+        status = mdr_conduction_field(p, TAKE_ONE_OF(&w->in, MDR_FLUX, MDR_POTENTIAL, MDR_FLUX_Z, MDR_FLUX_R), a,
+                TAKE_ONE_OF(&w->in, MDR_BODY_LOWER, MDR_BODY_UPPER), take_byte(&w->in) % 2, 0.0, points, x, z,
                                       out);
         judge("mdr_conduction_field", status, points, out, NOT_NAN);
     }
@@ -74,13 +77,15 @@ void fuzz_conduction(world *w)
         judge("mdr_conduction_rough", mdr_conduction_rough(p, contact, &state, x[0], out), 1, out, NOT_NEGATIVE);
         fill(out);
         fill(heat);
-        status = mdr_conduction_heat(p, contact, 1, &state, take_code(&w->in, 3), x[1], x[2], (mdr_friction_heat *)heat);
+        status = mdr_conduction_heat(p, contact, 1, &state, TAKE_ONE_OF(&w->in, MDR_HEAT_SLIDING, MDR_HEAT_SPINNING,
+                MDR_HEAT_MOVING), x[1], x[2], (mdr_friction_heat *)heat);
         judge("mdr_conduction_heat", status, (int)(sizeof heat / sizeof *heat), heat, NOT_NAN);
         fill(out);
-        status = mdr_conduction_heat_field(p, contact, &state, take_code(&w->in, 2), x[1], 1, 1, points, x, z, out);
+        status = mdr_conduction_heat_field(p, contact, &state, TAKE_ONE_OF(&w->in, MDR_HEAT_SLIDING, MDR_HEAT_SPINNING), x[1],
+                MDR_BODY_LOWER, 1, points, x, z, out);
         judge("mdr_conduction_heat_field", status, points, out, NOT_NAN);
         fill(out);
-        judge("mdr_conduction_field", mdr_conduction_field(p, MDR_CONDUCTION_FLUX, a, MDR_BODY_LOWER, 0, x[0], points, z, NULL,
+        judge("mdr_conduction_field", mdr_conduction_field(p, MDR_FLUX, a, MDR_BODY_LOWER, 0, x[0], points, z, NULL,
                                                            out), points, out, NOT_NAN);
     }
     if (p && afford(w, 10 * PRICE_OF_ANSWER)) {

@@ -24,7 +24,7 @@ void fuzz_contacts(world *w)
         chosen = &options;
         if (!afford(w, is_exact ? 4 * PRICE_OF_ADHESION : PRICE_OF_ADHESION)) return;
         options.work_of_adhesion = take_positive(in);
-        options.adhesion_rule = take_choice(in, 3);
+        options.adhesion_rule = TAKE_ONE_OF(in, MDR_ADHESION_AUTOMATIC, MDR_ADHESION_PAPER, MDR_ADHESION_ENERGY);
         if (take_byte(in) % 5 == 0) {
             if (!afford(w, is_exact ? 20 * PRICE_OF_ADHESION : 2 * PRICE_OF_ADHESION)) return;
             options.cohesive_stress = take_positive(in);

@@ -17,7 +17,7 @@ void fuzz_fields(world *w)
 
     take_positives(&w->in, r);
     if (!afford(w, w->contact_is_exact[slot] ? PRICE_OF_EXACT_FIELD : PRICE_OF_FIELD)) return;
-    if (mdr_contact_states(contact, which < 3 ? MDR_GIVEN_RADIUS : MDR_GIVEN_DEPTH, MDR_ON_UNLOADING, 1, &at, &state) == MDR_SUCCESS) {
+    if (mdr_contact_states(contact, which < 3 ? MDR_RADIUS : MDR_DEPTH, MDR_ON_UNLOADING, 1, &at, &state) == MDR_SUCCESS) {
         radius = state.radius;
     } else if (take_chance(&w->in)) {
         state.punch_depth = take_number(&w->in); /* no state of this contact */
@@ -29,5 +29,6 @@ void fuzz_fields(world *w)
         r[1] = 0.0;
     }
     fill(out);
-    judge("mdr_contact_field", mdr_contact_field(contact, 1 + (take_chance(&w->in) ? 3 + which % 2 : which % 3), &state, n, r, out), n, out, NOT_NAN);
+    judge("mdr_contact_field", mdr_contact_field(contact, MDR_PRESSURE + (take_chance(&w->in) ? 3 + which % 2 : which % 3),
+            &state, n, r, out), n, out, NOT_NAN);
 }

@@ -64,12 +64,13 @@ static void widen(world *w, mdr_fit_problem *problem, int branch[MOST_POINTS], d
                   mdr_medium **own)
 {
     input *in = &w->in;
-    for (int i = 0; i < MOST_POINTS; i++) branch[i] = take_code(in, 2);
+    for (int i = 0; i < MOST_POINTS; i++) branch[i] = TAKE_ONE_OF(in, MDR_ON_LOADING, MDR_ON_UNLOADING);
     for (int i = 0; i < 2 * MOST_NUMBERS; i++) weights[i] = i % 5 == 0 ? take_number(in) : 0.0;
     if (take_byte(in) % 2) problem->branch = branch;
     if (take_chance(in)) problem->prior_weights = weights;
     if (take_chance(in)) problem->prior_count = take_choice(in, 3);
-    const int kind = take_chance(in) ? take_choice(in, 6) : 0, model = take_choice(in, MDR_MODEL_EXACT);
+    const int kind = take_chance(in) ? take_choice(in, 6) : 0, model = take_member(in, MDR_MODEL_GAO,
+            MDR_MODEL_EXACT - MDR_MODEL_GAO);
     problem->counterbody = some_medium(w);
     for (int i = 0; i < SLOTS; i++) {
         if (problem->counterbody == w->media[i] && w->medium_is_exact[i]) problem->counterbody = NULL;
@@ -102,16 +103,16 @@ static void fit(world *w, choices of)
     int status, kind, model, count = 0, n = take_count(in), at_bound[MOST_NUMBERS], branch[MOST_POINTS];
 
     problem = MDR_SIZED(mdr_fit_problem);
-    problem.data_kind = take_code(in, of.kinds);
+    problem.data_kind = take_member(in, MDR_FIT_FORCE_DEPTH, of.kinds);
     profile = new_profile(take_choice(in, of.indenters));
     problem.profile = some_profile(w);
     if (profile != NULL) problem.profile = profile;
     kind = take_choice(in, of.media);
-    model = take_choice(in, MDR_MODEL_EXACT);
+    model = take_member(in, MDR_MODEL_GAO, MDR_MODEL_EXACT - MDR_MODEL_GAO);
     medium = new_medium(kind, model, 1 + (take_code(in, 2) == 2));
     problem.medium = medium;
-    problem.adhesion_rule = take_choice(in, 3);
-    problem.loss = take_choice(in, 3);
+    problem.adhesion_rule = TAKE_ONE_OF(in, MDR_ADHESION_AUTOMATIC, MDR_ADHESION_PAPER, MDR_ADHESION_ENERGY);
+    problem.loss = TAKE_ONE_OF(in, MDR_FIT_LINEAR, MDR_FIT_HUBER, MDR_FIT_CAUCHY);
     problem.sd_is_relative = take_choice(in, 2);
     problem.max_iterations = 5;
     problem.any_units = take_choice(in, 2);

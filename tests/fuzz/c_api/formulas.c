@@ -39,7 +39,7 @@ void fuzz_formulas(world *w)
 void fuzz_lists(world *w)
 {
     enum { MOST_ORDER = 3, POINTS = 6 * MOST_ORDER * MOST_ORDER * MOST_ORDER };
-    const int model = take_choice(&w->in, MDR_MODEL_GAO_POWER + 2), length = take_choice(&w->in, 30);
+    const int model = take_member(&w->in, MDR_MODEL_GAO, MDR_MODEL_GAO_POWER - MDR_MODEL_GAO + 2), length = take_choice(&w->in, 30);
     const int order = take_choice(&w->in, 4);
     double points[3 * POINTS], weights[2 * POINTS];
     mdr_model_facts facts = MDR_SIZED(mdr_model_facts);

@@ -9,7 +9,9 @@ enum { PRICE_OF_TABLE = 90 };
 void fuzz_gels(world *w)
 {
     const double nu = take_ratio(&w->in), ratio = take_chance(&w->in) ? take_positive(&w->in) : 0.0;
-    const int drainage = take_code(&w->in, 3), answer = take_code(&w->in, 5), n = take_count(&w->in);
+    const int drainage = TAKE_ONE_OF(&w->in, MDR_DRAINAGE_SURFACE, MDR_DRAINAGE_SEALED, MDR_DRAINAGE_INDENTER),
+            answer = TAKE_ONE_OF(&w->in, MDR_RELAXATION, MDR_CREEP, MDR_PARABOLOID_RELAXATION, MDR_MEAN_RELAXATION,
+            MDR_MEAN_CREEP), n = take_count(&w->in);
     const double G = take_positive(&w->in), D = take_positive(&w->in), a = take_positive(&w->in);
     double x[MOST_POINTS], out[MOST_POINTS], loss[MOST_POINTS];
     mdr_poroelastic *gel = NULL;
@@ -28,7 +30,8 @@ void fuzz_gels(world *w)
     judge("mdr_poroelastic_dynamic_stiffness", status, n, out, NOT_NAN);
     judge("mdr_poroelastic_dynamic_stiffness", status, n, loss, NOT_NAN);
     fill(out);
-    status = mdr_poroelastic_pressure(gel, take_code(&w->in, 2), take_byte(&w->in) % 2, G, D, a, take_positive(&w->in), n, x, out);
+    status = mdr_poroelastic_pressure(gel, TAKE_ONE_OF(&w->in, MDR_TOTAL_PRESSURE, MDR_PORE_PRESSURE), take_byte(&w->in) % 2, G,
+            D, a, take_positive(&w->in), n, x, out);
     judge("mdr_poroelastic_pressure", status, n, out, NOT_NAN);
     fill(out);
     fill(loss);

@@ -30,6 +30,18 @@ int take_code(input *in, int count)
     return choice < 0 || choice >= count ? choice : choice + 1;
 }
 
+int take_member(input *in, int first, int count)
+{
+    const int choice = take_choice(in, count);
+    return choice < 0 || choice >= count ? choice : first + choice;
+}
+
+int take_one_of(input *in, int count, const int codes[])
+{
+    const int choice = take_choice(in, count);
+    return choice < 0 || choice >= count ? choice : codes[choice];
+}
+
 int take_chance(input *in)
 {
     return take_byte(in) % 16 == 15;

@@ -17,6 +17,10 @@ typedef struct input {
 int take_byte(input *in);
 int take_choice(input *in, int count);      /* 0 ... count-1, and now and then one that is out of range */
 int take_code(input *in, int count);        /* 1 ... count, and now and then one that is out of range */
+int take_member(input *in, int first, int count); /* first ... first + count - 1, and now and then a number that is none */
+int take_one_of(input *in, int count, const int codes[]); /* one of the codes, and now and then a number that is none */
+/* The same of the codes that are listed. */
+#define TAKE_ONE_OF(in, ...) take_one_of(in, (int)(sizeof((const int[]){__VA_ARGS__}) / sizeof(int)), (const int[]){__VA_ARGS__})
 int take_chance(input *in);                 /* 1 for one byte in sixteen */
 int take_count(input *in);                  /* 1 ... MOST_POINTS, and now and then 0 or a negative number */
 double take_number(input *in);              /* anything a double can be; ordinary sizes are the most frequent */

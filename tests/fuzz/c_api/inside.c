@@ -18,7 +18,7 @@ static void fuzz_failure(world *w, const mdr_contact *contact, int body, const m
 
     for (int i = 0; i < 2; i++) {
         const double value = take_chance(&w->in) ? take_number(&w->in) : 0.1;
-        strengths[i] = (mdr_strength){take_code(&w->in, 6), take_code(&w->in, 2) - 1, value};
+        strengths[i] = (mdr_strength){take_member(&w->in, MDR_VON_MISES, 6), take_code(&w->in, 2) - 1, value};
     }
     status = mdr_contact_critical(contact, body, state, friction, MOST_MAXIMA, maxima, &count);
     judge_status("mdr_contact_critical", status);
@@ -37,7 +37,8 @@ static void fuzz_failure(world *w, const mdr_contact *contact, int body, const m
 /* Stresses and displacements, energies, and the lowest pressure. */
 void fuzz_inside(world *w)
 {
-    const int body = take_code(&w->in, 2), side = take_code(&w->in, 2), n = take_count(&w->in);
+    const int body = TAKE_ONE_OF(&w->in, MDR_BODY_LOWER, MDR_BODY_UPPER), side = TAKE_ONE_OF(&w->in, MDR_SIDE_BELOW,
+            MDR_SIDE_ABOVE), n = take_count(&w->in);
     const double friction = take_chance(&w->in) ? take_number(&w->in) : 0.0;
     double r[MOST_POINTS], z[MOST_POINTS], angle[MOST_POINTS], out[MOST_POINTS];
     double pressure[MOST_POINTS], place[MOST_POINTS];
@@ -86,7 +87,8 @@ void fuzz_friction(world *w)
 {
     enum { MEMBERS = 6 };
     const double coefficient = take_chance(&w->in) ? take_positive(&w->in) : 0.3;
-    const int given = take_code(&w->in, 2), normal = take_code(&w->in, 2), n = take_count(&w->in);
+    const int given = TAKE_ONE_OF(&w->in, MDR_SHIFT, MDR_TANGENTIAL_FORCE), normal = TAKE_ONE_OF(&w->in, MDR_DEPTH, MDR_FORCE),
+            n = take_count(&w->in);
     double in[MOST_POINTS], path[MOST_POINTS], out[MOST_POINTS], other[MOST_POINTS], lost[MOST_POINTS];
     mdr_shear_state found[MOST_POINTS];
     mdr_state states[MOST_POINTS], state;
@@ -111,7 +113,8 @@ void fuzz_friction(world *w)
     }
     if (status == MDR_SUCCESS && n > 0) {
         fill(out);
-        status = shear_field(f, &state, MDR_ALONG, found, take_code(&w->in, 2), n, path, out);
+        status = shear_field(f, &state, MDR_ALONG, found, TAKE_ONE_OF(&w->in, MDR_TRACTION, MDR_TANGENTIAL_LINE_LOAD), n, path,
+                out);
         judge("mdr_shear_field", status, n, out, NOT_NAN);
     }
     fill(out), fill(other), fill(lost);

@@ -36,7 +36,8 @@ static void make(world *w)
 
 static void evaluate(world *w)
 {
-    const int n = take_count(&w->in), branch = take_code(&w->in, 2), threads = take_chance(&w->in) ? take_choice(&w->in, 3) : 1;
+    const int n = take_count(&w->in), branch = TAKE_ONE_OF(&w->in, MDR_ON_LOADING, MDR_ON_UNLOADING),
+            threads = take_chance(&w->in) ? take_choice(&w->in, 3) : 1;
     const mdr_law *law = some_law(w);
     double point[POINT], x[MOST_POINTS], p[MOST_POINTS], q[MOST_POINTS], r[MOST_POINTS], s[MOST_POINTS];
     int status, segment = take_choice(&w->in, 4);
@@ -53,20 +54,20 @@ static void evaluate(world *w)
     status = mdr_law_follow(law, x[1], &segment, (mdr_law_point *)point);
     judge("mdr_law_follow", status, MOST_POINTS, point, NOT_NAN);
     fill(point);
-    status = law_point(law, MDR_GIVEN_DEPTH, branch, x[1], (mdr_law_point *)point);
+    status = law_point(law, MDR_DEPTH, branch, x[1], (mdr_law_point *)point);
     judge("mdr_law_values", status, MOST_POINTS, point, NOT_NAN);
     fill(point);
-    status = law_point(law, MDR_GIVEN_FORCE, branch, x[2], (mdr_law_point *)point);
+    status = law_point(law, MDR_FORCE, branch, x[2], (mdr_law_point *)point);
     judge("mdr_law_values", status, MOST_POINTS, point, NOT_NAN);
     judge_status("mdr_law_view_of", mdr_law_view_of(law, branch, &view));
     fill(p), fill(q), fill(r), fill(s);
-    status = mdr_law_values(law, MDR_GIVEN_DEPTH, branch, n, x, NULL, r, p, s, q, NULL);
+    status = mdr_law_values(law, MDR_DEPTH, branch, n, x, NULL, r, p, s, q, NULL);
     judge("mdr_law_values", status, n, p, FINITE);
     judge("mdr_law_values", status, n, q, NOT_NAN);
     judge("mdr_law_values", status, n, r, NOT_NEGATIVE);
     judge("mdr_law_values", status, n, s, NOT_NEGATIVE);
     fill(p), fill(q), fill(r), fill(s);
-    status = mdr_law_values(law, MDR_GIVEN_FORCE, branch, n, x, p, r, NULL, s, q, NULL);
+    status = mdr_law_values(law, MDR_FORCE, branch, n, x, p, r, NULL, s, q, NULL);
     judge("mdr_law_values", status, n, p, FINITE);
     judge("mdr_law_values", status, n, q, NOT_NAN);
     judge("mdr_law_values", status, n, r, NOT_NEGATIVE);
@@ -77,21 +78,21 @@ static void evaluate(world *w)
 static void derive(world *w)
 {
     const mdr_law *law = some_law(w);
-    const int n = take_count(&w->in), branch = take_code(&w->in, 2);
+    const int n = take_count(&w->in), branch = TAKE_ONE_OF(&w->in, MDR_ON_LOADING, MDR_ON_UNLOADING);
     mdr_law *other = NULL;
     double x[MOST_POINTS], U[MOST_POINTS];
     int status;
 
     take_numbers(&w->in, x);
     fill(U);
-    status = mdr_law_values(law, MDR_GIVEN_DEPTH, branch, n, x, NULL, NULL, NULL, NULL, NULL, U);
+    status = mdr_law_values(law, MDR_DEPTH, branch, n, x, NULL, NULL, NULL, NULL, NULL, U);
     judge("mdr_law_values", status, n, U, FINITE);
     fill(U);
     judge("mdr_law_conductance", mdr_law_conductance(law, branch, n, x, U, NULL), n, U, FINITE);
     status = mdr_law_with_radius(law, take_positive(&w->in), &other);
     judge_object("mdr_law_with_radius", status, other);
     fill(U);
-    if (other) status = mdr_law_values(other, MDR_GIVEN_DEPTH, branch, n, x, NULL, NULL, NULL, NULL, NULL, U);
+    if (other) status = mdr_law_values(other, MDR_DEPTH, branch, n, x, NULL, NULL, NULL, NULL, NULL, U);
     if (other) judge("mdr_law_values", status, n, U, FINITE);
     MDR_FREE(other);
 }

@@ -9,14 +9,15 @@ enum { PRICE_OF_EXACT = 30, PRICE_OF_EXACT_GRADED = 60, PRICE_OF_SAMPLED = 10 };
 
 static const mdr_medium_options *take_options(input *in, int *model, mdr_medium_options *options)
 {
-    *model = take_choice(in, MDR_MODEL_EXACT + 1);
+    *model = take_member(in, MDR_MODEL_GAO, MDR_MODEL_EXACT - MDR_MODEL_GAO + 1);
     *options = MDR_SIZED(mdr_medium_options);
     options->tolerance = 1e-4; /* cheaper */
     if (!take_chance(in)) return options;
     if (take_chance(in)) return NULL;
     options->alpha = take_positive(in);
     options->wave_factor = take_positive(in);
-    options->weight_nu_choice = take_choice(in, 4);
+    options->weight_nu_choice = TAKE_ONE_OF(in, MDR_WEIGHT_NU_SURFACE, MDR_WEIGHT_NU_SUBSTRATE, MDR_WEIGHT_NU_EFFECTIVE,
+            MDR_WEIGHT_NU_GIVEN);
     options->weight_nu = take_ratio(in);
     options->tolerance = take_byte(in) % 2 ? 1e-6 : take_number(in);
     return options;

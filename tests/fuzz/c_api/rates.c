@@ -46,14 +46,16 @@ void fuzz_rates(world *w)
     for (int i = 1; i < n; i++) x[i] += x[i - 1];
     start.radius = take_chance(&w->in) ? -1.0 : 0.0;
     for (int i = 0; i < 6; i++) fill(out[i]);
-    status = mdr_rate_history(rate, take_choice(&w->in, 3), take_positive(&w->in), 1e-4, &start, n, x, x, out[0], out[1], out[2],
+    status = mdr_rate_history(rate, TAKE_ONE_OF(&w->in, MDR_FORCE, MDR_DEPTH, MDR_SPRING), take_positive(&w->in), 1e-4, &start, n,
+            x, x, out[0], out[1], out[2],
                               out[3], out[4], out[5], &end);
     judge("mdr_rate_history", status, n, out[0], FINITE);
     judge("mdr_rate_history", status, n, out[1], NOT_NEGATIVE);
     for (int i = 2; i < 6; i++) judge("mdr_rate_history", status, n, out[i], FINITE);
     judge_status("mdr_free", mdr_free(rate));
     for (int i = 0; i < 4; i++) fill(out[i]);
-    status = mdr_contact_adhesive_history(contact, take_choice(&w->in, 3), take_positive(&w->in), 1e-2, &start, n < 3 ? n : 2, x, x,
+    status = mdr_contact_adhesive_history(contact, TAKE_ONE_OF(&w->in, MDR_FORCE, MDR_DEPTH, MDR_SPRING), take_positive(&w->in),
+            1e-2, &start, n < 3 ? n : 2, x, x,
                                           out[0], out[1], out[2], out[3], &end);
     judge("mdr_contact_adhesive_history", status, n < 3 ? n : 2, out[0], FINITE);
     for (int i = 1; i < 3; i++) judge("mdr_contact_adhesive_history", status, n < 3 ? n : 2, out[i], NOT_NEGATIVE);

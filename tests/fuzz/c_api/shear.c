@@ -86,7 +86,7 @@ static void twist(world *w)
 {
     enum { MEMBERS = sizeof(mdr_shear_state) / sizeof(double), PRICE = 20 };
     const double coefficient = take_chance(&w->in) ? take_positive(&w->in) : 0.3;
-    const int given = take_code(&w->in, 2), n = take_count(&w->in);
+    const int given = TAKE_ONE_OF(&w->in, MDR_TWIST, MDR_TORQUE), n = take_count(&w->in);
     double in[MOST_POINTS], r[MOST_POINTS], out[MOST_POINTS], other[MOST_POINTS], lost[MOST_POINTS], numbers[MEMBERS];
     mdr_shear_state found[MOST_POINTS];
     mdr_friction *f = NULL;
@@ -108,7 +108,7 @@ static void twist(world *w)
     }
     if (status == MDR_SUCCESS && n > 0) {
         fill(out);
-        status = shear_field(f, &state, MDR_AROUND, found, take_code(&w->in, 2), n, r, out);
+        status = shear_field(f, &state, MDR_AROUND, found, TAKE_ONE_OF(&w->in, MDR_TRACTION, MDR_TANGENTIAL_LINE_LOAD), n, r, out);
         judge("mdr_shear_field", status, n, out, NOT_NAN);
     }
     fill(out);

@@ -13,12 +13,12 @@ static int call(const mdr_contact *c, int which, int branch, int n, const double
     int status;
 
     switch (which) {
-    case 0: return columns_of(c, MDR_GIVEN_DEPTH, n, in, d, a, F, k);
-    case 1: return columns_of(c, MDR_GIVEN_FORCE, n, in, d, a, F, k);
-    case 2: return columns_of(c, MDR_GIVEN_RADIUS, n, in, d, a, F, k);
+    case 0: return columns_of(c, MDR_DEPTH, n, in, d, a, F, k);
+    case 1: return columns_of(c, MDR_FORCE, n, in, d, a, F, k);
+    case 2: return columns_of(c, MDR_RADIUS, n, in, d, a, F, k);
     default: break;
     }
-    status = mdr_contact_states(c, which == 3 ? MDR_GIVEN_DEPTH : MDR_GIVEN_FORCE, branch, n, in, states);
+    status = mdr_contact_states(c, which == 3 ? MDR_DEPTH : MDR_FORCE, branch, n, in, states);
     for (int i = 0; i < n && status == MDR_SUCCESS && d != NULL; i++) {
         d[i] = states[i].depth, a[i] = states[i].radius, F[i] = states[i].force, k[i] = states[i].stiffness;
     }
@@ -39,7 +39,7 @@ void fuzz_states(world *w)
         "mdr_contact_states", "mdr_contact_states", "mdr_contact_states", "mdr_contact_states", "mdr_contact_states"
     };
     double in[MOST_POINTS], d[MOST_POINTS], a[MOST_POINTS], F[MOST_POINTS], k[MOST_POINTS];
-    const int which = take_byte(&w->in) % 5, branch = which < 3 ? 0 : take_code(&w->in, 2);
+    const int which = take_byte(&w->in) % 5, branch = which < 3 ? 0 : TAKE_ONE_OF(&w->in, MDR_ON_LOADING, MDR_ON_UNLOADING);
     int slot, status, n = take_count(&w->in);
     const mdr_contact *contact = some_contact(w, &slot);
     enum judgement sign;

@@ -62,7 +62,7 @@ static int make(world *w, mdr_structure **out)
         E = take_positive(in);
         nu = take_ratio(in);
         n = take_count(in) % (MOST_BODIES + 1);
-        for (int i = 0; i < MOST_BODIES; i++) kinds[i] = take_choice(in, 6);
+        for (int i = 0; i < MOST_BODIES; i++) kinds[i] = take_member(in, MDR_SHAPE_LAYER, 6);
         for (int i = 0; i < MOST_BODIES * NUMBERS; i++) parameters[i] = take_byte(in) % 2 ? take_number(in) : take_positive(in);
         take_positives(in, shape_E);
         take_ratios(in, shape_nu);

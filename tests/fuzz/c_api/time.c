@@ -32,7 +32,8 @@ static int make_material(input *in, mdr_material **out)
 
 static void materials(world *w)
 {
-    const int slot = take_byte(&w->in) % SLOTS, n = take_count(&w->in), limit = take_code(&w->in, 2);
+    const int slot = take_byte(&w->in) % SLOTS, n = take_count(&w->in), limit = TAKE_ONE_OF(&w->in, MDR_LIMIT_GLASSY,
+            MDR_LIMIT_RELAXED);
     double x[MOST_POINTS], out[MOST_POINTS], other[MOST_POINTS];
     mdr_material *made = NULL;
     const mdr_material *material;
@@ -63,7 +64,7 @@ static void body(world *w)
 {
     enum { MOST_LAYERS = 3 };
     const int slot = take_byte(&w->in) % SLOTS, n = take_byte(&w->in) % (MOST_LAYERS + 1);
-    const int model = take_byte(&w->in) % 4 ? MDR_MODEL_EXACT : take_choice(&w->in, MDR_MODEL_EXACT);
+    const int model = take_byte(&w->in) % 4 ? MDR_MODEL_EXACT : take_member(&w->in, MDR_MODEL_GAO, MDR_MODEL_EXACT - MDR_MODEL_GAO);
     mdr_layer layers[MOST_LAYERS + 1];
     double thickness[MOST_POINTS];
     mdr_medium *made = NULL;
@@ -91,9 +92,9 @@ static void body(world *w)
 /* A path of a contact; its cost is that of a coarse one. */
 static void history(world *w)
 {
-    const int given = take_code(&w->in, 3), n = take_count(&w->in);
+    const int given = TAKE_ONE_OF(&w->in, MDR_DEPTH, MDR_FORCE, MDR_RADIUS), n = take_count(&w->in);
     double time[MOST_POINTS], in[MOST_POINTS], d[MOST_POINTS], a[MOST_POINTS], F[MOST_POINTS], tolerance = 1e-2, part = 0.0;
-    const double *wanted = given == MDR_GIVEN_DEPTH ? d : given == MDR_GIVEN_FORCE ? F : a;
+    const double *wanted = given == MDR_DEPTH ? d : given == MDR_FORCE ? F : a;
     int slot, status;
     const mdr_contact *contact = some_contact(w, &slot);
 
@@ -119,7 +120,7 @@ static void history(world *w)
 
 static void oscillation(world *w)
 {
-    const int step = take_code(&w->in, 2);
+    const int step = TAKE_ONE_OF(&w->in, MDR_RELAXATION, MDR_CREEP);
     double omega[MOST_POINTS], radius[MOST_POINTS], storage[MOST_POINTS], loss[MOST_POINTS], out[MOST_POINTS];
     int slot, status, n = take_count(&w->in);
     const mdr_contact *contact = some_contact(w, &slot);

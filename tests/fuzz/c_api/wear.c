@@ -8,7 +8,7 @@ enum { PRICE_OF_WEAR = 8, PRICE_OF_HISTORY = 30, MOST_LAYERS = 3, INTERVALS = 16
 
 static void march(world *w, const mdr_wear *wear, const mdr_state *state)
 {
-    const int given = take_code(&w->in, 2), n = take_count(&w->in) % 3;
+    const int given = TAKE_ONE_OF(&w->in, MDR_DEPTH, MDR_FORCE), n = take_count(&w->in) % 3;
     double sliding[MOST_POINTS], value[MOST_POINTS], out[MOST_POINTS], numbers[MOST_NUMBERS];
     mdr_wear_state found[MOST_POINTS];
     mdr_wear_history *h = NULL, *copy = NULL;
@@ -17,10 +17,10 @@ static void march(world *w, const mdr_wear *wear, const mdr_state *state)
     int status, count = 0;
 
     options.intervals = INTERVALS;
-    options.places = take_code(&w->in, 2);
-    options.scheme = take_code(&w->in, 2);
+    options.places = TAKE_ONE_OF(&w->in, MDR_WEAR_FRESH, MDR_WEAR_SAME);
+    options.scheme = TAKE_ONE_OF(&w->in, MDR_WEAR_DISC, MDR_WEAR_RINGS);
     take_positives(&w->in, sliding);
-    for (int i = 0; i < MOST_POINTS; i++) value[i] = given == MDR_GIVEN_DEPTH ? state->depth : state->force;
+    for (int i = 0; i < MOST_POINTS; i++) value[i] = given == MDR_DEPTH ? state->depth : state->force;
     status = mdr_wear_history_new(wear, given, value[0], &options, &h);
     judge_object("mdr_wear_history_new", status, h);
     if (!h) return;
@@ -61,10 +61,11 @@ void fuzz_wear(world *w)
     fill(out);
     judge("mdr_wear_track", mdr_wear_track(wear, &state, passes, points, y, out), points, out, FINITE);
     judge_status("mdr_wear_passes", mdr_wear_passes(wear, &state, y[0], &rim));
-    judge_status("mdr_wear_limit", mdr_wear_limit(wear, &state, part * state.radius, take_code(&w->in, 2), &reached, &rim, &volume,
+    judge_status("mdr_wear_limit", mdr_wear_limit(wear, &state, part * state.radius, TAKE_ONE_OF(&w->in, MDR_DEPTH, MDR_FORCE),
+            &reached, &rim, &volume,
                                                   &worn));
     judge_status("mdr_free", mdr_free(worn));
-    judge_status("mdr_wear_running_in", mdr_wear_running_in(wear, take_code(&w->in, 2), &rim));
+    judge_status("mdr_wear_running_in", mdr_wear_running_in(wear, TAKE_ONE_OF(&w->in, MDR_DEPTH, MDR_FORCE), &rim));
     if (afford(w, PRICE_OF_HISTORY)) march(w, wear, &state);
     judge_status("mdr_free", mdr_free(wear));
 }

@@ -69,7 +69,7 @@ mdr_state some_state(world *w, const mdr_contact *contact)
 {
     const double at = take_positive(&w->in);
     mdr_state state = {at, at, at, at, 0.0, 0.0};
-    if (mdr_contact_states(contact, MDR_GIVEN_RADIUS, MDR_ON_UNLOADING, 1, &at, &state) != MDR_SUCCESS && take_chance(&w->in)) {
+    if (mdr_contact_states(contact, MDR_RADIUS, MDR_ON_UNLOADING, 1, &at, &state) != MDR_SUCCESS && take_chance(&w->in)) {
         state.radius = take_number(&w->in);
         state.punch_depth = take_number(&w->in);
     }

@@ -62,10 +62,10 @@ static void evaluate(const mdr_law *law)
             }
         }
         for (int i = 0; i < DEPTHS; i++) {
-            status = mdr_law_values(law, MDR_GIVEN_DEPTH, branch, 1, &x[i], NULL, v[2], v[0], v[3], v[1], NULL);
+            status = mdr_law_values(law, MDR_DEPTH, branch, 1, &x[i], NULL, v[2], v[0], v[3], v[1], NULL);
             if (status == MDR_SUCCESS && isnan(v[0][0])) finding("mdr_law_values gives NaN at a depth");
             x[i] = facts.lowest_force + (i - 1) / (DEPTHS - 3.0) * (facts.highest_force - facts.lowest_force);
-            status = mdr_law_values(law, MDR_GIVEN_FORCE, branch, 1, &x[i], v[0], v[2], NULL, v[3], v[1], NULL);
+            status = mdr_law_values(law, MDR_FORCE, branch, 1, &x[i], v[0], v[2], NULL, v[3], v[1], NULL);
             if (status == MDR_SUCCESS && isnan(v[0][0])) finding("mdr_law_values gives NaN under a force");
         }
     }

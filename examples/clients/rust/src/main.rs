@@ -76,7 +76,7 @@ impl Law {
     fn energy(&self, depth: f64) -> Result<f64, String> {
         let mut energy = 0.0;
         let (law, none) = (self.0, ptr::null_mut());
-        let (given, branch) = (mdr::MDR_GIVEN_DEPTH, mdr::MDR_ON_UNLOADING);
+        let (given, branch) = (mdr::MDR_DEPTH, mdr::MDR_ON_UNLOADING);
         check(unsafe { mdr::mdr_law_values(law, given, branch, 1, &depth, none, none, none, none, none, &mut energy) }).map(|()| energy)
     }
 }
