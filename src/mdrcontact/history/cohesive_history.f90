@@ -27,7 +27,7 @@ module mdrcontact_history_cohesive_history
     !> The end of the zone goes by so much of its way to a turn, and beside one by so much of the zone.
     real(wp), parameter :: part_of_way = 0.3_wp, part_beside_turn = 1.0e-4_wp
     integer, parameter :: most_levels = 7
-    !> Steps this much shorter find no state either: it jumps [step].
+    !> Steps this much shorter find no state either: it jumps [step, and shortest time of creep: a jump leaves memories as they are].
     real(wp), parameter :: shortest = 1.0e-4_wp
     !> A zone shorter than this takes too many steps [contact radius].
     real(wp), parameter :: shortest_zone = 1.0e-3_wp
@@ -167,12 +167,12 @@ contains
 
         path = 0.0_wp
         creep = creep_of(contact%medium%materials(1)%contact_series(1.0_wp, 1.0_wp))
-        shortest_time = first_of_time/max(maxval([0.0_wp, creep%rate]), tiny(1.0_wp))
         span = max(maxval(s) - minval(s), tiny(1.0_wp))
         call start_march(round%march, contact%equilibrium%profile, creep, contact%cohesive_stress, &
                          contact%work_of_adhesion/contact%cohesive_stress, contact%equilibrium%last_radius, error)
         if (.not. allocated(error)) call begin(round, control, at_rest, s(1), time(1), error)
         if (allocated(error)) return
+        shortest_time = first_of_time*time_of_creep(round%march)
         call record(round%march, path(:, 1))
         next = shortest_time
         slope_before = huge(1.0_wp)
@@ -293,6 +293,14 @@ contains
         end associate
     end function time_to_turn
 
+    !> The shortest time of creep.
+    pure function time_of_creep(march) result(time)
+        type(cohesive_march_t), intent(in) :: march
+        real(wp) :: time
+
+        time = 1.0_wp/max(maxval([0.0_wp, march%springs%creep%rate]), tiny(1.0_wp))
+    end function time_of_creep
+
     !> A step of length h, or several shorter ones, jumps included.
     subroutine advance(round, control, time, s, slope, h, error)
         type(round_t), intent(inout) :: round
@@ -300,10 +308,11 @@ contains
         !> at its beginning, and ds/dt
         real(wp), intent(in) :: time, s, slope, h
         type(error_t), allocatable, intent(inout) :: error
-        real(wp) :: done, part
+        real(wp) :: done, part, briefest
         integer :: direction
         logical :: found
 
+        briefest = shortest*min(h, time_of_creep(round%march))
         done = 0.0_wp
         part = h
         do while (done < h)
@@ -313,7 +322,7 @@ contains
             else
                 call step_march(round%march, part, control, s + slope*(done + part), found, direction, error)
                 if (allocated(error)) return
-                if (.not. found .and. part > shortest*h) then
+                if (.not. found .and. part > briefest) then
                     part = 0.25_wp*part
                     cycle
                 end if
