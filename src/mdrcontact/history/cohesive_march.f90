@@ -159,7 +159,7 @@ contains
         logical, intent(out) :: found
         integer, intent(out) :: direction
         type(error_t), allocatable, intent(inout) :: error
-        real(wp) :: x, x_before, y, y_before, most, scale, next
+        real(wp) :: x, x_before, y, y_before, most, scale, next, low, high
         logical :: grows
         integer :: i
 
@@ -171,6 +171,8 @@ contains
         x_before = self%place
         y_before = value_at(self, control, x_before, error) - s
         direction = merge(-1, 1, y_before > 0.0_wp)
+        low = merge(-huge(x), x_before, y_before > 0.0_wp)
+        high = merge(x_before, huge(x), y_before > 0.0_wp)
         x = self%place + direction*max(min(abs(self%speed*h), 0.5_wp*most), first_part*most)
         do i = 1, most_trials
             if (allocated(error) .or. x < smallest*self%touching - self%touching) return
@@ -181,7 +183,14 @@ contains
             found = abs(y) <= merge(tolerance, rounding, grows)*scale
             if (found) exit
             if (.not. grows) return
+            if (y > 0.0_wp) then
+                high = x
+            else
+                low = x
+            end if
             next = x - y*(x - x_before)/(y - y_before)
+            ! where the contact vanishes s has a kink, beside which secants go to and fro
+            if (i > enough .and. modulo(i, 2) == 0 .and. low > -huge(x) .and. high < huge(x)) next = 0.5_wp*(low + high)
             found = abs(next - x) <= tolerance*most
             if (found) exit
             if (abs(next - self%place) > most) return
