@@ -7,6 +7,7 @@ import csv
 import io
 import math
 import sys
+import time
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
@@ -134,6 +135,30 @@ def test_slow_limit():
     """The relaxed body."""
     slow = elastic(1.0).loop("depth", elastic(1.0).at_radius(0.6).depth, 2000)
     assert pulled(1e-5).end["lowest_force"] == pytest.approx(min(slow.force), rel=2e-3)
+
+
+@pytest.mark.parametrize("stress", [0.25, 1.0])
+def test_slow_histories_take_no_longer(stress):
+    """Where a slow contact comes off, creep lasts a part of 1e-5 of the history; thousands of jumps took 50 times as long."""
+
+    def spent(speed):
+        before = time.thread_time()
+        pulled(speed, stress=stress)
+        return time.thread_time() - before
+
+    assert spent(1e-5) < 15.0 * spent(1e-2)
+
+
+@pytest.mark.parametrize("tolerance", [1e-4, 1e-5])
+@pytest.mark.parametrize(
+    ("stress", "speed", "lowest"),
+    [(0.25, 1e-5, -1.0467797), (0.25, 1e-4, -1.0536167), (1.0, 1e-5, -1.0141702), (1.0, 1e-4, -1.0749057)],
+)
+def test_slow_retraction(stress, speed, lowest, tolerance):
+    """By the integral equation of creeping_zone.py with the loads of the zone kept for 45 creep times, each step of c^2 linear in
+    time in closed form, panels of Gauss nodes graded towards c, and steps of a half to two creep times at pull-off."""
+    found = pulled(speed, stress=stress, tolerance=tolerance)
+    assert found.end["lowest_force"] / UNIT == pytest.approx(lowest, abs=tolerance * abs(found.force[0]) / UNIT)
 
 
 def test_several_times():
