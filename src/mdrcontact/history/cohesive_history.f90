@@ -27,7 +27,7 @@ module mdrcontact_history_cohesive_history
     !> The end of the zone goes by so much of its way to a turn, and beside one by so much of the zone.
     real(wp), parameter :: part_of_way = 0.3_wp, part_beside_turn = 1.0e-4_wp
     integer, parameter :: most_levels = 7
-    !> Steps this much shorter find no state either: it jumps [step, and shortest time of creep: a jump leaves memories as they are].
+    !> Steps this much shorter find no state either: it jumps, memories as they are [step, and shortest time of creep].
     real(wp), parameter :: shortest = 1.0e-4_wp
     !> A zone shorter than this takes too many steps [contact radius].
     real(wp), parameter :: shortest_zone = 1.0e-3_wp
