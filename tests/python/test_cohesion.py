@@ -213,9 +213,6 @@ def test_refusals():
     for model in ("gao", "perriot-barthel"):
         with pytest.raises(mdr.InvalidArgumentError, match="an effective modulus has no equation"):
             mdr.Contact(PARABOLOID, FILM.with_model(model), work_of_adhesion=0.5, cohesive_stress=1.0)
-    graded = mdr.Graded([0.0, 1.0], [1.0, 3.0], [0.3, 0.3], model="exact")
-    with pytest.raises(mdr.InvalidArgumentError, match="vary from the surface down"):
-        mdr.Contact(PARABOLOID, graded, work_of_adhesion=0.5, cohesive_stress=1.0)
     with pytest.raises(mdr.InvalidArgumentError, match="vertical wall"):
         mdr.Contact(mdr.FlatPunch(1.0), FILM, work_of_adhesion=0.5, cohesive_stress=1.0)
     with pytest.raises(mdr.InvalidArgumentError, match="paper"):

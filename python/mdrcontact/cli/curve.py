@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from ..contact import Contact
-from ..errors import MDRError
+from ..errors import InvalidArgumentError, MDRError
 from ..medium import Pair
 from ..problem import Problem, load
 from ..problem.units import LENGTH, MODULUS, shown
@@ -57,7 +57,13 @@ def run(arguments: argparse.Namespace) -> None:
     if arguments.csv:
         results[arguments.csv] = as_csv(table)
     if arguments.plot or arguments.pressure_csv:
-        pressures = pressure_distributions(contact, curve)
+        try:
+            pressures = pressure_distributions(contact, curve)
+        except InvalidArgumentError as refusal:
+            if arguments.pressure_csv:
+                raise
+            pressures = []
+            print(f"\nThe picture has no pressures: {refusal}.")
         if arguments.pressure_csv:
             results[arguments.pressure_csv] = as_csv(_stacked(pressures))
         if arguments.plot:

@@ -72,7 +72,10 @@ def curve_figure(problem: Problem, curve: Curve, pressures: Sequence[tuple[float
             axis.set_xlim(0.0 if 0.0 <= curve.depth[0] < 0.5 * curve.depth[-1] else None, None)
             axis.set_ylim(0.0 if 0.0 <= axis.dataLim.y0 < 0.5 * values.max() else None, None)
         axes.flat[0].legend()
-        _draw_pressures(axes.flat[3], pressures, curve)
+        if pressures:
+            _draw_pressures(axes.flat[3], pressures, curve)
+        else:
+            axes.flat[3].set_axis_off()
         return _render(figure, form)
 
 

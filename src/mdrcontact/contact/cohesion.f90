@@ -46,6 +46,8 @@ module mdrcontact_contact_cohesion
         real(wp) :: depth_rate = 0.0_wp, force_rate = 0.0_wp
         !> the slopes are good to some digits: a guess that is nearly right is mended by them
         logical :: is_close = .false.
+        !> unknowns that the springs took, where the body's constants vary from the surface down
+        integer :: unknowns = 0
     end type zone_guess_t
 
     !> ln of h(c) over the range, as a function of ln l, l the length of the zone.
@@ -63,6 +65,8 @@ module mdrcontact_contact_cohesion
     real(wp), parameter :: close_enough = 1.0e-13_wp, widest_step = 1.5_wp
     !> Slopes are taken from steps longer than this, and trusted to be right to as many digits over a step up to this.
     real(wp), parameter :: shortest_secant = 1.0e-5_wp, last_step = 1.0e-9_wp
+    !> Unknowns that a search begins with, in those of the state before it.
+    real(wp), parameter :: fewer_unknowns = 0.85_wp
     !> Where c - a of a state has lost its digits [a].
     real(wp), parameter :: shortest_length = 1.0e-9_wp
     !> The opening beside the contact may be below 0 by so much of the range: rounding.
@@ -93,11 +97,6 @@ contains
         self%kernel = medium%springs%kernel
         self%modulus = medium%springs%modulus
         self%tolerance = medium%springs%tolerance
-        if (self%kernel%resolved > 1.0_wp) then
-            call raise(error, error_invalid, "the load of a cohesive zone (cohesive_stress) is not known on a body whose "// &
-                       "constants vary from the surface down: its springs are nearly singular at the edge")
-            return
-        end if
         self%stress = stress
         self%range = work/stress
         self%small_zone = 0.25_wp*pi*self%modulus*self%range/stress
@@ -188,9 +187,16 @@ contains
         type(zoned_springs_t), target :: springs
         type(zone_state_t) :: zone
 
-        call new_zoned_springs(springs, self%kernel, self%tolerance, profile, radius, error)
-        if (.not. allocated(error)) call close_gap(self, springs, guess, zone, error)
-        if (.not. allocated(error)) call check_opening(self, zone, radius, error)
+        ! neighbours take nearly as many
+        guess%unknowns = nint(fewer_unknowns*guess%unknowns)
+        do
+            call new_zoned_springs(springs, self%kernel, self%tolerance, profile, radius, error, least=guess%unknowns)
+            if (.not. allocated(error)) call close_gap(self, springs, guess, zone, error)
+            if (allocated(error)) return
+            if (springs%is_met_by(zone, guess%unknowns, error)) exit
+            if (allocated(error)) return
+        end do
+        call check_opening(self, zone, radius, error)
         if (allocated(error)) return
         state%depth = zone%depth
         state%radius = radius
@@ -283,6 +289,11 @@ contains
         type(zone_state_t) :: zone
         type(zone_guess_t) :: guess
 
+        if (self%kernel%resolved > 1.0_wp) then
+            call raise(error, error_invalid, "fields of a contact with a cohesive zone (cohesive_stress) are not known on a "// &
+                       "body whose constants vary from the surface down; its states, branches, loops and laws are")
+            return
+        end if
         call new_zoned_springs(springs, self%kernel, self%tolerance, profile, state%radius, error, at_points=.true.)
         if (allocated(error)) return
         guess%length = state%zone_radius - state%radius

@@ -1,23 +1,23 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The springs' equation at one contact radius (theory 6): (1 + K) q = E0* (d - g) in even Legendre polynomials.
 !>
-!> n unknowns are solved for, and as many coefficients more come from one iteration of the equation: what they add to a number
-!> is of second order in them and is kept. Numbers of all smaller n are partial sums of the same factorization, which give
-!> the error of each number. Under a fine surface layer X is nearly singular at the edge, and its series falls slowly there: its
-!> product with g is taken whole, as an integral.
+!> n unknowns are solved for, and as many coefficients more come from one iteration of the equation (`remainder`). Under a fine
+!> surface layer X is nearly singular at the edge, and its series falls slowly there: its product with g is taken whole, as an
+!> integral.
 module mdrcontact_layered_solve
     use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_error, only: check_memory, error_no_convergence, error_t, raise, to_text
-    use mdrcontact_kinds, only: half_pi, wp
+    use mdrcontact_kinds, only: wp
     use mdrcontact_lapack, only: dpotrf
     use mdrcontact_layered_kernel, only: kernel_t
     use mdrcontact_layered_legendre, only: edge_kernel, edge_row, edge_slopes, is_fine, moments_t, new_interaction
     use mdrcontact_layered_moments, only: edge_moment, is_smooth, profile_moments
+    use mdrcontact_layered_remainder, only: new_remainder, remainder_t
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
     private
-    public :: equation_t, new_equation, solution_t, solve, first_unknowns, next_unknowns, nodes_of_film, factorize, solve_lower, &
-              solve_upper, raise_missed
+    public :: equation_t, new_equation, solution_t, solve, first_unknowns, next_unknowns, nodes_of_film, factorize, needed, &
+              solve_lower, solve_upper, raise_missed
 
     !> Unknowns at most, and those that a graded body is begun with at most.
     integer, parameter :: most_unknowns = 1500, first_graded = 16
@@ -28,8 +28,6 @@ module mdrcontact_layered_solve
     real(wp), parameter :: needed = 0.6_wp
     !> Unknowns where the coefficients themselves are wanted, in those of a state, and what the last of them may be, in tolerances.
     real(wp), parameter :: more_of_series = 1.4_wp, loose = 10.0_wp
-    !> What the estimate is multiplied by: it has been seen too small by a factor 2.
-    real(wp), parameter :: safety = 4.0_wp
     !> Rounding of the kernel and its moments, with some to spare.
     real(wp), parameter :: rounding = 14.0_wp*epsilon(1.0_wp)
 
@@ -222,7 +220,8 @@ contains
         real(wp), allocatable, intent(out), optional :: series(:, :)
         type(equation_t) :: equation
         real(wp), allocatable :: forward(:, :), rest(:, :), known(:), work(:, :)
-        real(wp) :: beyond, tail
+        type(remainder_t) :: remainder
+        real(wp) :: beyond, whole
         integer :: m, sides, stat
 
         m = 2*n
@@ -230,10 +229,10 @@ contains
         sides = merge(3, 2, present(profile))
         call new_equation(equation, kernel, a, m, n, nodes, ceiling(needed*2*(m + n)), solved, error, profile)
         if (allocated(error) .or. .not. solved) return
-        allocate (forward(n, 3), rest(m - n, 3), known(m), work(m - n, 6), stat=stat)
+        allocate (forward(n, 3), rest(m - n, 3), known(m), work(m - n, 3), stat=stat)
         call check_memory(error, stat)
         if (stat /= 0) return
-        tail = 0.0_wp
+        whole = 0.0_wp
         known = 0.0_wp
         associate (moments => equation%moments, h => equation%h, rhs => equation%rhs)
             if (is_fine(kernel, a/kernel%unit, n) .and. any(abs(rhs(n + 1:, 3)) > 0.0_wp)) then
@@ -243,8 +242,8 @@ contains
                     if (allocated(error)) return
                 end if
                 call edge_kernel(moments, known)
-                known = known*rhs(:, 3)
-                tail = sum(known(:n)) - edge_load
+                known = -known*rhs(:, 3)
+                whole = -edge_load - sum(known(:n))
             end if
             forward = rhs(:n, :)
             call solve_lower(n, m, sides, h, forward)
@@ -253,8 +252,10 @@ contains
             call solve_upper(n, m, sides, h, rhs)
             work(:, :sides) = matmul(h(n + 1:, :), rhs(:n, :sides))
             rest(:, :sides) = rest(:, :sides) - work(:, :sides)
-            call add_rest(n, m, a, equation%mean, equation%rise, h, forward, rest, known(n + 1:), tail, solution, work(:, 1), &
-                          work(:, 2), work(:, 3), work(:, 4), work(:, 5), work(:, 6))
+            call new_remainder(remainder, n, m, h, error)
+            if (allocated(error)) return
+            call add_rest(n, a, equation%mean, equation%rise, remainder, forward, rest, known(n + 1:), whole, solution, &
+                          work(:, 1), work(:, 2))
             if (present(profile)) then
                 beyond = solution%depth - equation%mean
                 rhs(n + 1:, :) = rest
@@ -272,43 +273,26 @@ contains
         solution%errors = solution%errors + solution%rounding
     end subroutine solve_with
 
-    !> The numbers from the factorization, what the coefficients beyond n add to them, and their errors.
-    !>
-    !> The Schur complement of the n unknowns is close to its diagonal, S_i, which the pivots approach geometrically to 1.
-    pure subroutine add_rest(n, m, a, mean, rise, h, forward, rest, known, tail, solution, inverse, load, unsure, quarter, eighth, &
-                             terms)
-        integer, intent(in) :: n, m
+    !> The numbers from the factorization with what the coefficients beyond n add to them, and their errors.
+    subroutine add_rest(n, a, mean, rise, remainder, forward, rest, known, whole, solution, load, terms)
+        integer, intent(in) :: n
         !> contact radius, mean of g over the contact and g(a) - mean [length]
         real(wp), intent(in) :: a, mean, rise
-        !> with the factor in its first n rows
-        real(wp), intent(in) :: h(m, n)
+        type(remainder_t), intent(in) :: remainder
         !> the right-hand sides 1, edge and g, times the inverse of the factor, and what is left of them beyond n
-        real(wp), intent(in) :: forward(n, 3), rest(n + 1:m, 3)
-        !> terms of the edge kernel times g, which decrease slowest, and the negative sum of all of them beyond n
-        real(wp), intent(in) :: known(n + 1:m), tail
+        real(wp), intent(in) :: forward(:, :), rest(:, :)
+        !> terms of edge and g, which decrease slowest, and the sum of all of them beyond n
+        real(wp), intent(in) :: known(:), whole
         type(solution_t), intent(inout) :: solution
         !> room
-        real(wp), dimension(n + 1:m), intent(out) :: inverse, load, unsure, quarter, eighth, terms
+        real(wp), intent(out) :: load(:), terms(:)
         real(wp) :: sums(4)
-        real(wp) :: ratio, punch_depth, beyond, error, error_of_depth
-        integer :: i
+        real(wp) :: beyond, error, error_of_depth
 
-        punch_depth = h(n, n)**2 - 1.0_wp
-        ratio = 0.0_wp
-        if (abs(punch_depth) > epsilon(punch_depth)) ratio = min(max(punch_depth/(h(n - 2, n - 2)**2 - 1.0_wp), 0.0_wp), 1.0_wp)
-        ratio = sqrt(ratio)
-        do i = n + 1, m
-            punch_depth = punch_depth*ratio
-            inverse(i) = 1.0_wp/(1.0_wp + punch_depth)
-            unsure(i) = punch_depth*inverse(i)
-        end do
-        call taper(n, m, max(m/4, 2), quarter)
-        call taper(n, m, max(m/8, 1), eighth)
-        inverse = quarter*inverse
-        sums(1) = sum(forward(:, 1)**2) + sum(inverse*rest(:, 1)**2)
-        sums(2) = sum(forward(:, 1)*forward(:, 2)) + sum(inverse*rest(:, 1)*rest(:, 2))
-        sums(3) = sum(forward(:, 2)*forward(:, 3)) + sum(inverse*rest(:, 2)*rest(:, 3) + quarter*known) + tail
-        sums(4) = sum(forward(:, 1)*forward(:, 3)) + sum(inverse*rest(:, 1)*rest(:, 3))
+        sums(1) = remainder%product(forward(:, 1), forward(:, 1), rest(:, 1), rest(:, 1))
+        sums(2) = remainder%product(forward(:, 1), forward(:, 2), rest(:, 1), rest(:, 2))
+        sums(3) = remainder%product(forward(:, 2), forward(:, 3), rest(:, 2), rest(:, 3), known, whole)
+        sums(4) = remainder%product(forward(:, 1), forward(:, 3), rest(:, 1), rest(:, 3))
         solution%modulus = 0.5_wp*sums(1)
         solution%punch_edge = sums(2)
         beyond = (rise + sums(3))/sums(2)
@@ -316,61 +300,17 @@ contains
         solution%force = a*(beyond*sums(1) - sums(4))
 
         load = beyond*rest(:, 1) - rest(:, 3)
-        call find_not_seen(rest(:, 1), rest(:, 1), terms, error)
+        call remainder%not_seen(n, rest(:, 1), rest(:, 1), terms, error)
         solution%errors(1) = error/sums(1)
-        call find_not_seen(rest(:, 1), rest(:, 2), terms, error)
+        call remainder%not_seen(n, rest(:, 1), rest(:, 2), terms, error)
         solution%errors(2) = error/abs(sums(2))
         if (solution%depth == 0.0_wp) return
-        call find_not_seen(rest(:, 2), load, terms, error, known)
+        call remainder%not_seen(n, rest(:, 2), load, terms, error, known)
         error_of_depth = error/abs(sums(2))
         solution%errors(3) = error_of_depth/solution%depth
-        call find_not_seen(rest(:, 1), load, terms, error)
+        call remainder%not_seen(n, rest(:, 1), load, terms, error)
         solution%errors(4) = a*(sums(1)*error_of_depth + error)/solution%force
-
-    contains
-
-        !> What is unsure of the terms x y of a sum, and those left out. Where the last quarter of the terms does not cancel, it
-        !> gives how many times the last one these are, whether they fall as a power or as an exponential; where it does, the
-        !> sum depends little on how it ends.
-        pure subroutine find_not_seen(x, y, terms, error, apart)
-            real(wp), intent(in) :: x(n + 1:m), y(n + 1:m)
-            real(wp), intent(out) :: terms(n + 1:m), error
-            !> part of the terms whose sum is known
-            real(wp), intent(in), optional :: apart(n + 1:m)
-            real(wp) :: first, last, more, partial
-            integer :: i
-
-            terms = x*y
-            error = 0.0_wp
-            partial = 0.0_wp
-            do i = n + 1, m
-                partial = partial + terms(i)*unsure(i)
-                error = max(error, abs(partial))
-            end do
-            if (present(apart)) terms = terms - apart
-            i = m - max(m/4, 4) + 1
-            first = maxval(abs(terms(i:i + 2)))
-            last = maxval(abs(terms(m - 2:m)))
-            more = real(m, wp)
-            if (first > last .and. last > 0.0_wp) more = min(more, real(m - 2 - i, wp)/log(first/last))
-            if (last > 0.0_wp) more = more*(sum(terms(i:))/sum(abs(terms(i:))))**2
-            error = safety*(error + abs(sum((quarter - eighth)*terms)) + last*more)
-        end subroutine find_not_seen
-
     end subroutine add_rest
-
-    !> Weights of the terms n + 1 ... m of a sum that go to 0 over the last `length` of them: a profile with a kink makes terms
-    !> that alternate and fall slowly, and their sum is close to that of all without end.
-    pure subroutine taper(n, m, length, weights)
-        integer, intent(in) :: n, m, length
-        real(wp), intent(out) :: weights(n + 1:m)
-        integer :: i
-
-        weights = 1.0_wp
-        do i = 1, length
-            weights(m - length + i) = cos(half_pi*real(i, wp)/real(length + 1, wp))**2
-        end do
-    end subroutine taper
 
     !> Cholesky factor of the first n rows of a, in place, lower triangle.
     subroutine factorize(n, m, a, done)

@@ -11,12 +11,14 @@ module mdrcontact_layered_zone
     use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_layered_fields, only: line_load_t
+    use mdrcontact_layered_fine_zone, only: fine_springs_t, fine_zone_t, new_fine_springs
     use mdrcontact_layered_kernel, only: kernel_t
     use mdrcontact_layered_legendre, only: contact_rule, is_fine, normalisation
     use mdrcontact_layered_moments, only: is_smooth
     use mdrcontact_layered_rule, only: rule_t
     use mdrcontact_layered_solve, only: equation_t, first_unknowns, new_equation, next_unknowns, raise_missed, solve_lower, &
                                        solve_upper
+    use mdrcontact_layered_zone_effect, only: effect_of_zone
     use mdrcontact_layered_zone_rule, only: new_zone_rule, rule_breaks, zone_rule_t
     use mdrcontact_numerics_quadrature, only: gauss_legendre
     use mdrcontact_profile, only: profile_t
@@ -28,6 +30,8 @@ module mdrcontact_layered_zone
     integer, parameter :: most_unknowns = 1500, more = 2
     !> Part of the tolerance that the last terms of a series and the integrals may leave.
     real(wp), parameter :: share = 0.01_wp
+    !> Neighbouring states by different numbers of unknowns are to differ by less than a curve through them shows.
+    real(wp), parameter :: loosest = 1.0e-8_wp
     !> Rules of all sizes up to this are known to all digits.
     integer, parameter :: largest_small_rule = 20
     !> Sums that are taken side by side.
@@ -45,6 +49,8 @@ module mdrcontact_layered_zone
         real(wp) :: first_opening = 0.0_wp
         !> q(a)/E0* [length]
         real(wp) :: edge = 0.0_wp
+        !> estimated error of depth, force and gap, relative to their parts
+        real(wp) :: error = 0.0_wp
     end type zone_state_t
 
     !> The load of a state over E0*.
@@ -65,6 +71,8 @@ module mdrcontact_layered_zone
         real(wp) :: depth = 0.0_wp, stiffness = 0.0_wp
         type(kernel_t), pointer, private :: kernel => null()
         class(profile_t), pointer, private :: profile => null()
+        !> where the body's constants vary from the surface down; all up to `breaks` is for other bodies
+        type(fine_springs_t), allocatable, private :: fine
         !> the factorized equation, and its solutions for 1 and g less its mean
         type(equation_t), private :: equation
         real(wp), allocatable, private :: of_one(:), of_profile(:)
@@ -78,15 +86,19 @@ module mdrcontact_layered_zone
         real(wp), private :: unit = huge(1.0_wp)
         !> relative, of what is integrated over the zone
         real(wp), private :: tolerance = 0.0_wp
+        !> of numbers of a state
+        real(wp), private :: wanted = 0.0_wp
+        integer, private :: unknowns = 0
     contains
         procedure :: with_zone
         procedure :: beyond
+        procedure :: is_met_by
     end type zoned_springs_t
 
 contains
 
     !> Factorizes the springs' equation at contact radius a.
-    subroutine new_zoned_springs(self, kernel, tolerance, profile, a, error, at_points)
+    subroutine new_zoned_springs(self, kernel, tolerance, profile, a, error, at_points, least)
         type(zoned_springs_t), intent(out) :: self
         !> referred to, not copied
         type(kernel_t), intent(in), target :: kernel
@@ -100,6 +112,8 @@ contains
         !> for values of the load at points, not for the numbers of a state, in which last terms show by their squares; default
         !> false
         logical, intent(in), optional :: at_points
+        !> unknowns at least; default: as many as the contact takes without a zone
+        integer, intent(in), optional :: least
         real(wp), allocatable :: exponents(:), coefficients(:)
         logical :: for_points
 
@@ -107,6 +121,7 @@ contains
         self%kernel => kernel
         self%profile => profile
         self%tolerance = share*tolerance
+        self%wanted = min(tolerance, loosest)
         if (.not. kernel%vanishes) self%unit = kernel%unit
         call profile%powers(exponents, coefficients)
         call rule_breaks(profile, is_smooth(profile) .or. (size(exponents) > 0 .and. &
@@ -118,7 +133,13 @@ contains
         if (.not. a > 0.0_wp .or. kernel%vanishes) return
         for_points = .false.
         if (present(at_points)) for_points = at_points
-        call factorize_equation(self, tolerance, for_points, error)
+        if (kernel%resolved > 1.0_wp) then
+            self%unknowns = 0
+            if (present(least)) self%unknowns = least
+            call factorize_fine(self, self%wanted, error)
+        else
+            call factorize_equation(self, tolerance, for_points, error)
+        end if
     end subroutine new_zoned_springs
 
     subroutine factorize_equation(self, tolerance, at_points, error)
@@ -150,6 +171,54 @@ contains
         end do
         call raise_missed(error, "a cohesive zone", tolerance, self%a, reached)
     end subroutine factorize_equation
+
+    !> Where the body's constants vary from the surface down.
+    subroutine factorize_fine(self, tolerance, error)
+        type(zoned_springs_t), intent(inout) :: self
+        !> see new_zoned_springs
+        real(wp), intent(in) :: tolerance
+        type(error_t), allocatable, intent(inout) :: error
+        integer :: n
+        logical :: solved
+
+        n = max(self%unknowns, first_unknowns(self%kernel, tolerance, self%a/self%kernel%unit, .not. is_smooth(self%profile), &
+                                              .true.))
+        do
+            n = min(n, most_unknowns)
+            call check_cancelled(error)
+            if (allocated(error)) return
+            allocate (self%fine)
+            call new_fine_springs(self%fine, self%kernel, tolerance, self%profile, self%a, n, solved, error)
+            if (allocated(error) .or. .not. solved) exit
+            if (self%fine%error <= tolerance) then
+                self%unknowns = n
+                self%depth = self%fine%depth
+                self%stiffness = self%fine%stiffness
+                return
+            end if
+            if (n >= most_unknowns) exit
+            n = next_unknowns(n, self%fine%error/tolerance)
+            deallocate (self%fine)
+        end do
+        if (.not. allocated(error)) call raise_missed(error, "a cohesive zone", tolerance, self%a, self%fine%error)
+    end subroutine factorize_fine
+
+    !> Whether the unknowns were enough for a state.
+    function is_met_by(self, state, least, error) result(met)
+        class(zoned_springs_t), intent(in) :: self
+        type(zone_state_t), intent(in) :: state
+        !> unknowns that were, or would be, enough
+        integer, intent(inout) :: least
+        type(error_t), allocatable, intent(inout) :: error
+        logical :: met
+
+        met = .not. state%error > self%wanted
+        least = self%unknowns
+        if (met) return
+        least = min(next_unknowns(self%unknowns, state%error/self%wanted), most_unknowns)
+        if (self%unknowns < most_unknowns) return
+        call raise_missed(error, "a cohesive zone", self%wanted, self%a, state%error)
+    end function is_met_by
 
     !> With n unknowns.
     subroutine factorize_with(self, n, at_points, reached, solved, error)
@@ -241,8 +310,12 @@ contains
         type(zone_load_t), intent(out), optional :: load
         type(zone_rule_t) :: rule
         real(wp), allocatable :: opening(:), z(:), height(:)
+        real(wp) :: tolerance
 
-        call new_zone_rule(rule, self%a, length, self%breaks, self%unit, self%tolerance, error)
+        ! panels that move with a must not show in a curve of states
+        tolerance = merge(min(self%tolerance, all_digits), self%tolerance, self%kernel%resolved > 1.0_wp)
+        call new_zone_rule(rule, self%a, length, self%breaks, self%unit, tolerance, error, &
+                           graded=self%kernel%resolved > 1.0_wp)
         if (allocated(error)) return
         state%edge = -stress*sqrt(length*(2.0_wp*self%a + length))
         z = -stress*rule%root
@@ -252,11 +325,14 @@ contains
             state%depth = self%height + state%edge
             state%force = 2.0_wp*(self%a*state%edge + self%profile%mdr_moment(self%a))
             if (present(load)) call bare_load(self, state, load%contact)
+        else if (self%kernel%resolved > 1.0_wp) then
+            call interact_finely(self, rule, length, stress, z, state, opening, error)
+            if (allocated(error)) return
         else
             call interact(self, rule, z, state, opening, load)
         end if
         state%force = state%force + 2.0_wp*sum(rule%dx*z)
-        state%gap = (2.0_wp/pi)*sum(rule%over_root*opening)
+        if (.not. allocated(self%fine)) state%gap = (2.0_wp/pi)*sum(rule%over_root*opening)
         state%first_opening = opening(minloc(rule%beyond, dim=1))
         if (.not. present(load)) return
         load%x = rule%x
@@ -319,6 +395,41 @@ contains
         state%force = self%a*sqrt(2.0_wp)*q(1)
         if (present(load)) call contact_load(self, q, mean + beyond, state, load%contact)
     end subroutine interact
+
+    !> The same where the body's constants vary from the surface down, and the gap.
+    subroutine interact_finely(self, rule, length, stress, z, state, opening, error)
+        class(zoned_springs_t), intent(in) :: self
+        type(zone_rule_t), intent(in) :: rule
+        !> c - a [length], 2 sigma/E0* [1]
+        real(wp), intent(in) :: length, stress
+        real(wp), intent(in) :: z(:)
+        type(zone_state_t), intent(inout) :: state
+        real(wp), intent(inout) :: opening(:)
+        type(error_t), allocatable, intent(inout) :: error
+        type(fine_zone_t) :: found
+        real(wp), allocatable :: among(:)
+        real(wp) :: shift, mean, part
+
+        shift = 0.0_wp
+        if (allocated(self%fine)) shift = self%fine%equation%moments%shift
+        allocate (among(0:size(z)))
+        call effect_of_zone(self%kernel, self%a, length, stress, [0.0_wp, rule%beyond], shift, among, error)
+        if (allocated(error)) return
+        opening = opening + (among(1:) - among(0))
+        if (.not. self%a > 0.0_wp) then
+            state%depth = state%edge + among(0)
+            return
+        end if
+        call self%fine%with_zone(self%kernel, rule, rule%dx*z, state%edge, among(0), found, error)
+        if (allocated(error)) return
+        state%gap = (2.0_wp/pi)*(sum(rule%over_root*opening) + found%opening)
+        opening = opening + found%at_nodes
+        mean = found%mean + 2.0_wp*shift/(pi*self%unit)*sum(rule%dx*z)
+        state%depth = self%fine%equation%mean + mean + found%beyond
+        state%force = found%force
+        part = abs(self%fine%equation%mean) + abs(mean) + abs(found%beyond)
+        state%error = max(found%errors(1)/part, found%errors(2)/(self%stiffness*part), (2.0_wp/pi)*found%errors(3)/state%gap)
+    end subroutine interact_finely
 
     !> The load as a series, with the displacement that the kernel adds.
     subroutine contact_load(self, q, mean, state, load)

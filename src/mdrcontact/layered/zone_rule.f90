@@ -20,6 +20,8 @@ module mdrcontact_layered_zone_rule
     !> Towards the axis, where g may be a broken power, panels shrink by this factor, down to this part of the zone's end.
     real(wp), parameter :: shrinking = 0.125_wp, nearest_axis = 1.0e-8_wp
     integer, parameter :: most_panels = 200
+    !> Where the kernel varies at all lengths, panels are at most so many times as long as they are away from a.
+    real(wp), parameter :: fastest_growth = 3.0_wp
 
     !> Nodes of one zone.
     type :: zone_rule_t
@@ -47,7 +49,7 @@ contains
     end subroutine rule_breaks
 
     !> The nodes of the zone of length `length` beyond the contact radius a.
-    subroutine new_zone_rule(self, a, length, breaks, unit, tolerance, error, loaded)
+    subroutine new_zone_rule(self, a, length, breaks, unit, tolerance, error, loaded, graded)
         type(zone_rule_t), intent(out) :: self
         !> a >= 0, c - a > 0 [length]
         real(wp), intent(in) :: a, length
@@ -60,14 +62,19 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         !> the distance from a at which the load ends, beyond which panels may grow; default: they stay short [length]
         real(wp), intent(in), optional :: loaded
+        !> the kernel varies at all lengths, and panels grow from a on; default false
+        logical, intent(in), optional :: graded
         !> ends of the panels, from a
         real(wp) :: ends(0:most_panels), node(most_nodes), weight(most_nodes), last
         logical :: behind_kink(most_panels)
         integer :: panels, nodes(most_panels), i, first, stat
+        real(wp) :: growth
 
+        growth = 0.0_wp
+        if (present(graded)) growth = merge(fastest_growth, 0.0_wp, graded)
         last = length
         if (present(loaded)) last = loaded
-        call find_panels(a, length, last, breaks, unit, ends, behind_kink, panels)
+        call find_panels(a, length, last, breaks, unit, growth, ends, behind_kink, panels)
         if (panels > most_panels) then
             call raise(error, error_no_convergence, "the cohesive zone spans too many thicknesses of the first layer, or kinks "// &
                        "of the indenter: a larger cohesive_stress makes it shorter")
@@ -75,7 +82,8 @@ contains
         end if
         do i = 1, panels
             nodes(i) = nodes_for(a + length, length - ends(i), ends(i) - ends(i - 1), i == panels .or. behind_kink(i), &
-                                 behind(breaks, a + ends(i - 1)), unit, tolerance)
+                                 behind(breaks, a + ends(i - 1)), unit, merge(ends(i - 1), 0.0_wp, growth > 0.0_wp), &
+                                 merge(tolerance*(length/(ends(i) - ends(i - 1))), tolerance, growth > 0.0_wp))
         end do
         i = sum(nodes(:panels))
         allocate (self%x(i), self%beyond(i), self%root(i), self%dx(i), self%over_root(i), stat=stat)
@@ -96,27 +104,30 @@ contains
 
     !> How many nodes leave the tolerance on a panel: errors fall as rho^(-2n) for the ellipse through the nearest singularity, that
     !> of the kernel beside the panel, the root at the end of the zone, or a kink of g behind the panel.
-    pure function nodes_for(end, left, long, has_root, passed, unit, tolerance) result(nodes)
+    pure function nodes_for(end, left, long, has_root, passed, unit, away, tolerance) result(nodes)
         !> c, what is left of the zone behind the panel, its own length
         real(wp), intent(in) :: end, left, long
         !> the panel is one in y, with y^2 the distance from an end
         logical, intent(in) :: has_root
         !> how far behind the panel the last kink is, 0 at its beginning
         real(wp), intent(in) :: passed
-        real(wp), intent(in) :: unit, tolerance
+        real(wp), intent(in) :: unit
+        !> how far behind the panel the kernel may be singular, beside what the unit says
+        real(wp), intent(in) :: away
+        real(wp), intent(in) :: tolerance
         integer :: nodes
         real(wp) :: z, rho, digits
 
         if (has_root) then
-            z = 2.0_wp*sqrt(max(2.0_wp*min(end, pole*unit)/long, 1.0_wp)) - 1.0_wp
+            z = 2.0_wp*sqrt(max(2.0_wp*min(end, max(pole*unit, 0.5_wp*(long + away)))/long, 1.0_wp)) - 1.0_wp
             if (passed > 0.0_wp .and. passed < end) z = min(z, 2.0_wp*sqrt(1.0_wp + passed/long) - 1.0_wp)
             if (left > 0.0_wp) z = min(z, 2.0_wp*sqrt(1.0_wp + left/long) - 1.0_wp)
         else
-            z = min(hypot(1.0_wp, 2.0_wp*pole*(unit/long)), 1.0_wp + 2.0_wp*left/long)
+            z = min(max(hypot(1.0_wp, 2.0_wp*pole*(unit/long)), 1.0_wp + 2.0_wp*away/long), 1.0_wp + 2.0_wp*left/long)
             if (passed < end) z = min(z, 1.0_wp + 2.0_wp*passed/long)
         end if
         rho = z + sqrt((z - 1.0_wp)*(z + 1.0_wp))
-        digits = 2.0_wp - 0.5_wp*log(tolerance)
+        digits = 2.0_wp - 0.5_wp*log(min(tolerance, 1.0_wp))
         nodes = least_nodes
         ! rho is 1 where a singularity lies at the panel itself
         if (rho < huge(1.0_wp)) nodes = max(nodes, min(ceiling(digits/max(log(rho), digits/most_nodes)), most_nodes))
@@ -133,8 +144,10 @@ contains
     end function behind
 
     !> Ends of the panels by their distance from a.
-    pure subroutine find_panels(a, length, loaded, breaks, unit, ends, behind_kink, panels)
+    pure subroutine find_panels(a, length, loaded, breaks, unit, growth, ends, behind_kink, panels)
         real(wp), intent(in) :: a, length, loaded, breaks(:), unit
+        !> a panel is so many times as long as it is away from a, if that is more; one with a root at its end as long as that
+        real(wp), intent(in) :: growth
         real(wp), intent(out) :: ends(0:)
         !> whether g may have a root at the beginning of the panel
         logical, intent(out) :: behind_kink(:)
@@ -152,10 +165,10 @@ contains
             next = length
             k = findloc(breaks(2:) > (a + here)*(1.0_wp + 4.0_wp*epsilon(a)), .true., dim=1)
             if (k > 0) next = min(next, breaks(k + 1) - a)
-            step = longest_panel*unit
+            step = longest_panel*unit + min(growth, 1.0_wp)*here
             ! a root at c is left to a panel that is not long
             if (.not. kinked .and. next - here > 1.2_wp*step) then
-                step = min(longest_plain*unit, max(next - here - step, 0.5_wp*step))
+                step = min(longest_plain*unit + growth*here, max(next - here - step, 0.5_wp*step))
             end if
             step = step + max(here - loaded, 0.0_wp)
             ! away from a kink just passed, and from the axis
