@@ -14,9 +14,8 @@ module mdrcontact_error
     implicit none (type, external)
     private
     public :: error_t, raise, explain, raise_at, count_text, to_text
-    public :: check_memory, check_choice, check_code, check_count_from, check_count_within, &
-              check_same_size, check_finite, check_positive, &
-              check_not_negative, check_within, check_poisson, check_inclination, check_table
+    public :: check_memory, check_choice, check_code, check_count_from, check_count_within, check_same_size, check_finite, &
+              check_positive, check_not_negative, check_within, check_poisson, check_inclination, check_table
     public :: success, error_null, error_invalid, error_domain, error_unreachable, error_no_convergence, &
               error_memory, error_callback, error_file, error_cancelled
 

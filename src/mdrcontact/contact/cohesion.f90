@@ -186,6 +186,7 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         type(zoned_springs_t), target :: springs
         type(zone_state_t) :: zone
+        logical :: met
 
         ! neighbours take nearly as many
         guess%unknowns = nint(fewer_unknowns*guess%unknowns)
@@ -193,8 +194,9 @@ contains
             call new_zoned_springs(springs, self%kernel, self%tolerance, profile, radius, error, least=guess%unknowns)
             if (.not. allocated(error)) call close_gap(self, springs, guess, zone, error)
             if (allocated(error)) return
-            if (springs%is_met_by(zone, guess%unknowns, error)) exit
+            call springs%judge(zone, met, guess%unknowns, error)
             if (allocated(error)) return
+            if (met) exit
         end do
         call check_opening(self, zone, radius, error)
         if (allocated(error)) return
@@ -289,7 +291,7 @@ contains
         type(zone_state_t) :: zone
         type(zone_guess_t) :: guess
 
-        if (self%kernel%resolved > 1.0_wp) then
+        if (self%kernel%is_graded()) then
             call raise(error, error_invalid, "fields of a contact with a cohesive zone (cohesive_stress) are not known on a "// &
                        "body whose constants vary from the surface down; its states, branches, loops and laws are")
             return

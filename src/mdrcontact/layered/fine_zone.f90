@@ -14,6 +14,7 @@ module mdrcontact_layered_fine_zone
     use mdrcontact_layered_moments, only: edge_moment, is_smooth
     use mdrcontact_layered_remainder, only: new_remainder, remainder_t
     use mdrcontact_layered_rule, only: rule_t
+    use mdrcontact_layered_series, only: weigh_even
     use mdrcontact_layered_solve, only: equation_t, needed, new_equation, nodes_of_film, solve_lower, solve_upper
     use mdrcontact_layered_zone_rule, only: zone_rule_t
     use mdrcontact_profile, only: profile_t
@@ -144,8 +145,8 @@ contains
         integer, intent(in) :: m
         type(error_t), allocatable, intent(inout) :: error
         type(rule_t) :: rule
-        real(wp) :: even(1), odd(1), s(m)
-        integer :: i, j, stat
+        real(wp) :: s(m)
+        integer :: j, stat
 
         call contact_rule(rule, self%a/self%unit, m, m + more_orders, .true., error)
         if (allocated(error)) return
@@ -154,17 +155,10 @@ contains
         if (stat /= 0) return
         self%from_edge = 0.5_wp*rule%distance
         self%weights = 0.5_wp*rule%weights
+        call weigh_even(1.0_wp - self%from_edge, self%weights, self%polynomials)
         s = normalisation(m)
-        do i = 1, size(self%weights)
-            associate (u => 1.0_wp - self%from_edge(i))
-                even = self%weights(i)
-                odd = self%weights(i)*u
-                do j = 0, m - 1
-                    self%polynomials(i, j + 1) = s(j + 1)*even(1)
-                    even = (real(4*j + 3, wp)*u*odd - real(2*j + 1, wp)*even)/real(2*j + 2, wp)
-                    odd = (real(4*j + 5, wp)*u*even - real(2*j + 2, wp)*odd)/real(2*j + 3, wp)
-                end do
-            end associate
+        do j = 1, m
+            self%polynomials(:, j) = s(j)*self%polynomials(:, j)
         end do
     end subroutine place_nodes
 

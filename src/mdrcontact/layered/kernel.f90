@@ -42,6 +42,7 @@ module mdrcontact_layered_kernel
         real(wp), allocatable :: rest(:)
     contains
         procedure :: octaves
+        procedure :: is_graded
         procedure :: evaluate
         procedure :: integral_beyond
         procedure :: integrate
@@ -59,6 +60,14 @@ contains
         count = 0
         if (allocated(self%coefficients)) count = ubound(self%coefficients, 2)/2
     end function octaves
+
+    !> Whether the body's constants vary from the surface down, and X at all lengths above `unit`.
+    pure function is_graded(self) result(answer)
+        class(kernel_t), intent(in) :: self
+        logical :: answer
+
+        answer = self%resolved > 1.0_wp
+    end function is_graded
 
     !> X(y) - shift at y >= 0.
     pure subroutine evaluate(self, y, shift, x)

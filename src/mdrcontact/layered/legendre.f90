@@ -107,7 +107,7 @@ contains
         integer, intent(in) :: n
         logical :: answer
 
-        answer = kernel%resolved > 1.0_wp .and. real(n, wp) < 2.7_wp*sqrt(a) + 2.0_wp
+        answer = kernel%is_graded() .and. real(n, wp) < 2.7_wp*sqrt(a) + 2.0_wp
     end function is_fine
 
     !> The rule that resolves the kernel from one end of a contact of radius a [unit]: of at least `count` nodes, and where the

@@ -4,12 +4,29 @@ module mdrcontact_layered_series
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
-    public :: add_even_sum, add_projections, even_slope, even_sum
+    public :: add_even_sum, add_projections, even_slope, even_sum, weigh_even
 
     !> Places at a time: room for them is fixed.
     integer, parameter :: together = 256
 
 contains
+
+    !> w P_2j(u), j = 0 ...
+    pure subroutine weigh_even(u, w, values)
+        real(wp), intent(in) :: u(:), w(:)
+        !> (place, polynomial)
+        real(wp), intent(out) :: values(:, 0:)
+        real(wp), dimension(size(u)) :: even, odd
+        integer :: j
+
+        even = w
+        odd = w*u
+        do j = 0, ubound(values, 2)
+            values(:, j) = even
+            even = (real(4*j + 3, wp)*u*odd - real(2*j + 1, wp)*even)/real(2*j + 2, wp)
+            odd = (real(4*j + 5, wp)*u*even - real(2*j + 2, wp)*odd)/real(2*j + 3, wp)
+        end do
+    end subroutine weigh_even
 
     !> sum of c_j P_2j(u), j = 0 ...
     pure function even_sum(c, u) result(total)

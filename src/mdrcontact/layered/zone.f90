@@ -16,6 +16,7 @@ module mdrcontact_layered_zone
     use mdrcontact_layered_legendre, only: contact_rule, is_fine, normalisation
     use mdrcontact_layered_moments, only: is_smooth
     use mdrcontact_layered_rule, only: rule_t
+    use mdrcontact_layered_series, only: weigh_even
     use mdrcontact_layered_solve, only: equation_t, first_unknowns, new_equation, next_unknowns, raise_missed, solve_lower, &
                                        solve_upper
     use mdrcontact_layered_zone_effect, only: effect_of_zone
@@ -92,7 +93,7 @@ module mdrcontact_layered_zone
     contains
         procedure :: with_zone
         procedure :: beyond
-        procedure :: is_met_by
+        procedure :: judge
     end type zoned_springs_t
 
 contains
@@ -121,6 +122,8 @@ contains
         self%kernel => kernel
         self%profile => profile
         self%tolerance = share*tolerance
+        ! panels that move with a must not show in a curve of states
+        if (kernel%is_graded()) self%tolerance = all_digits
         self%wanted = min(tolerance, loosest)
         if (.not. kernel%vanishes) self%unit = kernel%unit
         call profile%powers(exponents, coefficients)
@@ -133,7 +136,7 @@ contains
         if (.not. a > 0.0_wp .or. kernel%vanishes) return
         for_points = .false.
         if (present(at_points)) for_points = at_points
-        if (kernel%resolved > 1.0_wp) then
+        if (kernel%is_graded()) then
             self%unknowns = 0
             if (present(least)) self%unknowns = least
             call factorize_fine(self, self%wanted, error)
@@ -178,9 +181,11 @@ contains
         !> see new_zoned_springs
         real(wp), intent(in) :: tolerance
         type(error_t), allocatable, intent(inout) :: error
+        real(wp) :: reached
         integer :: n
         logical :: solved
 
+        reached = huge(reached)
         n = max(self%unknowns, first_unknowns(self%kernel, tolerance, self%a/self%kernel%unit, .not. is_smooth(self%profile), &
                                               .true.))
         do
@@ -189,36 +194,38 @@ contains
             if (allocated(error)) return
             allocate (self%fine)
             call new_fine_springs(self%fine, self%kernel, tolerance, self%profile, self%a, n, solved, error)
-            if (allocated(error) .or. .not. solved) exit
-            if (self%fine%error <= tolerance) then
+            if (allocated(error)) return
+            if (.not. solved) exit
+            reached = self%fine%error
+            if (reached <= tolerance) then
                 self%unknowns = n
                 self%depth = self%fine%depth
                 self%stiffness = self%fine%stiffness
                 return
             end if
             if (n >= most_unknowns) exit
-            n = next_unknowns(n, self%fine%error/tolerance)
+            n = next_unknowns(n, reached/tolerance)
             deallocate (self%fine)
         end do
-        if (.not. allocated(error)) call raise_missed(error, "a cohesive zone", tolerance, self%a, self%fine%error)
+        call raise_missed(error, "a cohesive zone", tolerance, self%a, reached)
     end subroutine factorize_fine
 
-    !> Whether the unknowns were enough for a state.
-    function is_met_by(self, state, least, error) result(met)
+    !> Whether the unknowns were enough for a state; raises where there cannot be more.
+    subroutine judge(self, state, met, unknowns, error)
         class(zoned_springs_t), intent(in) :: self
         type(zone_state_t), intent(in) :: state
-        !> unknowns that were, or would be, enough
-        integer, intent(inout) :: least
+        logical, intent(out) :: met
+        !> that were, or would be, enough
+        integer, intent(out) :: unknowns
         type(error_t), allocatable, intent(inout) :: error
-        logical :: met
 
         met = .not. state%error > self%wanted
-        least = self%unknowns
+        unknowns = self%unknowns
         if (met) return
-        least = min(next_unknowns(self%unknowns, state%error/self%wanted), most_unknowns)
+        unknowns = min(next_unknowns(self%unknowns, state%error/self%wanted), most_unknowns)
         if (self%unknowns < most_unknowns) return
         call raise_missed(error, "a cohesive zone", self%wanted, self%a, state%error)
-    end function is_met_by
+    end subroutine judge
 
     !> With n unknowns.
     subroutine factorize_with(self, n, at_points, reached, solved, error)
@@ -268,9 +275,8 @@ contains
         integer, intent(in) :: n
         type(error_t), allocatable, intent(inout) :: error
         type(rule_t) :: rule
-        real(wp), allocatable :: even(:), odd(:)
         real(wp) :: a, s(n)
-        integer :: j, nodes
+        integer :: j
 
         a = self%a/self%kernel%unit
         if (2*n > largest_small_rule .or. is_fine(self%kernel, a, n)) then
@@ -283,18 +289,12 @@ contains
         end if
         if (allocated(error)) return
         call move_alloc(rule%distance, self%from_edge)
-        nodes = size(self%from_edge)
-        allocate (self%polynomials(nodes, n))
+        allocate (self%polynomials(size(self%from_edge), n))
+        call weigh_even(1.0_wp - self%from_edge, rule%weights, self%polynomials)
         s = normalisation(n)
-        associate (u => 1.0_wp - self%from_edge)
-            even = rule%weights
-            odd = rule%weights*u
-            do j = 0, n - 1
-                self%polynomials(:, j + 1) = s(j + 1)*even
-                even = (real(4*j + 3, wp)*u*odd - real(2*j + 1, wp)*even)/real(2*j + 2, wp)
-                odd = (real(4*j + 5, wp)*u*even - real(2*j + 2, wp)*odd)/real(2*j + 3, wp)
-            end do
-        end associate
+        do j = 1, n
+            self%polynomials(:, j) = s(j)*self%polynomials(:, j)
+        end do
     end subroutine place_nodes
 
     !> The state with a zone of length c - a under a cohesive stress.
@@ -310,12 +310,8 @@ contains
         type(zone_load_t), intent(out), optional :: load
         type(zone_rule_t) :: rule
         real(wp), allocatable :: opening(:), z(:), height(:)
-        real(wp) :: tolerance
 
-        ! panels that move with a must not show in a curve of states
-        tolerance = merge(min(self%tolerance, all_digits), self%tolerance, self%kernel%resolved > 1.0_wp)
-        call new_zone_rule(rule, self%a, length, self%breaks, self%unit, tolerance, error, &
-                           graded=self%kernel%resolved > 1.0_wp)
+        call new_zone_rule(rule, self%a, length, self%breaks, self%unit, self%tolerance, error, graded=self%kernel%is_graded())
         if (allocated(error)) return
         state%edge = -stress*sqrt(length*(2.0_wp*self%a + length))
         z = -stress*rule%root
@@ -325,7 +321,7 @@ contains
             state%depth = self%height + state%edge
             state%force = 2.0_wp*(self%a*state%edge + self%profile%mdr_moment(self%a))
             if (present(load)) call bare_load(self, state, load%contact)
-        else if (self%kernel%resolved > 1.0_wp) then
+        else if (self%kernel%is_graded()) then
             call interact_finely(self, rule, length, stress, z, state, opening, error)
             if (allocated(error)) return
         else
