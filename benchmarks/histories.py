@@ -100,6 +100,15 @@ def main():
     fitted = fastest(lambda: mdr.fit(data, tip, start, wide, **given), rounds=3)
     rows.append((f"the same with the thickness, a prior on it, {result.evaluations} evaluations", fitted, 0.3))
 
+    creeping = mdr.Homogeneous(mdr.Viscoelastic(0.5, [(4.5, 0.1)], nu=0.0))
+    zoned = mdr.Contact(mdr.Paraboloid(1.0), creeping, work_of_adhesion=0.01, cohesive_stress=0.25)
+
+    def drawn_off(speed):
+        return fastest(lambda: zoned.history([0.0, 1.0 / speed], depth=[0.32, -0.68], start="rest", tolerance=1e-4))
+
+    quick = drawn_off(1e-2)
+    rows.append(("creeping half-space with a zone, drawn off at V tau/R = 1e-2", quick, None))
+    rows.append(("the same at 1e-5, most of which is rest", drawn_off(1e-5), 15.0 * quick))
     rows += gels()
     print(f"## Viscoelastic bodies\n\n{machine()}\n\n| what | time | budget |\n|---|---|---|")
     for what, seconds, budget in rows:
