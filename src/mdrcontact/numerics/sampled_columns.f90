@@ -3,7 +3,8 @@
 !> polynomials.
 !>
 !> Piecewise Chebyshev series, from values alone or from values and slopes. A panel is halved until its last terms vanish and it
-!> meets the functions where they were not sampled, or their slopes; neighbours must meet each other. A panel that begins at a
+!> meets the functions where they were not sampled, or their slopes; neighbours must meet each other, and functions that jump are
+!> refused. A panel that begins at a
 !> break of the functions uses the variable sqrt(x - left edge), in which the square-root branches of contact mechanics are
 !> analytic.
 module mdrcontact_numerics_sampled_columns
@@ -31,6 +32,9 @@ module mdrcontact_numerics_sampled_columns
     real(wp), parameter :: between = cos(0.625_wp*pi)
     !> By how much more than its last terms a series may miss its functions.
     real(wp), parameter :: margin = 30.0_wp
+    !> A panel of the shortest length is kept though it misses its functions, near a kink that nobody named, but by no more than
+    !> this.
+    real(wp), parameter :: largest_miss = 1.0e-4_wp
     !> The slope of a function of t = sqrt(x - left edge) is taken no closer to the edge than this t.
     real(wp), parameter :: smallest_root = 1.0e-5_wp
 
@@ -88,7 +92,8 @@ module mdrcontact_numerics_sampled_columns
         logical, allocatable :: from_root(:)
         !> (lanes, terms, groups of columns, panels)
         real(wp), allocatable :: coefficients(:, :, :, :)
-        !> the most by which a counted column missed its function where it was not sampled
+        !> the most by which a counted column missed its function where it was not sampled; no panel missed it by more than
+        !> `largest_miss` or its noise
         real(wp) :: error = 0.0_wp
         !> how often the functions were evaluated
         integer :: solutions = 0
@@ -177,6 +182,12 @@ contains
                 waiting = [0.5_wp*(left + right), waiting]
                 before = [tail, tail, before(2:)]
                 cycle
+            end if
+            missed = max(missed, tail)
+            if (missed > max(largest_miss, margin*allowed)) then
+                call raise(error, error_no_convergence, "the contact jumps near radius = "//to_text(source%radius(left))//": "// &
+                           "samples of it are "//to_text(missed)//" off; give the indenter or the medium no steps there")
+                return
             end if
             waiting = waiting(2:)
             before = before(2:)
