@@ -46,22 +46,17 @@ install_system_packages "${tools[@]}"
 say "2/6 Python package in .venv"
 install_python_package test fortitude-lint ruff yamllint
 
-say "3/6 Linters and documentation"
-existing=()
-for folder in src tests examples python; do
-    [[ -d $folder ]] && existing+=("$folder")
-done
-check fortitude .venv/bin/fortitude check "${existing[@]}"
-if grep -q '^\[tool\.ruff' pyproject.toml; then
+say "3/6 Linters and documentation: beside the compilation, which leaves cores idle; their words follow it"
+linters() {
+    check fortitude .venv/bin/fortitude check src tests examples python
     check ruff .venv/bin/ruff check python tests examples docs tools
     check ruff_format .venv/bin/ruff format --check python tests examples docs tools benchmarks
-fi
-if grep -q '^\[tool\.mypy\]' pyproject.toml; then
     check mypy .venv/bin/python -m mypy
-fi
-check yamllint .venv/bin/yamllint --strict .
-
-check documentation with_progress "$log_dir/docs.log" docs/build.sh
+    check yamllint .venv/bin/yamllint --strict .
+    check documentation with_progress "$log_dir/docs.log" docs/build.sh
+}
+linters > "$log_dir/linters.log" 2>&1 &
+linters_job=$!
 
 say "4/6 Library, examples, Fortran and C tests (ctest)"
 build_all() {
@@ -70,6 +65,8 @@ build_all() {
         with_progress "$log_dir/build.log" cmake --build "$build" --parallel "$jobs"
 }
 check build build_all
+wait "$linters_job"
+cat "$log_dir/linters.log"
 ctest --test-dir "$build" --parallel "$jobs" ${ctest_options[@]+"${ctest_options[@]}"} --output-on-failure --no-tests=error \
     --test-output-size-passed 1000000 --test-output-size-failed 1000000 --output-junit "$PWD/$results/ctest.xml"
 

@@ -46,6 +46,12 @@ function(mdrcontact_set_flags target)
   endforeach()
 endfunction()
 
+# mdrcontact_set_test_flags(target): of a program that is compiled as often as it runs. Its own statements need no speed.
+function(mdrcontact_set_test_flags target)
+  mdrcontact_set_flags(${target})
+  target_compile_options(${target} PRIVATE "$<$<CONFIG:Release>:-O1>")
+endfunction()
+
 # mdrcontact_export_only(target script): a shared library or module in which all symbols that the script does not name are its own,
 # so that no function of a program can take the place of one of them, nor they that of a program's.
 function(mdrcontact_export_only target script)

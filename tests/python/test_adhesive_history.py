@@ -62,6 +62,7 @@ def test_rows(row):
     assert found.end["lowest_force"] / UNIT == pytest.approx(float(row["value"]), rel=allowed)
 
 
+@pytest.mark.slow
 def test_halved_steps():
     """theory_adhesion_time 5: -1.404011, its limit -1.404014; and where the contact comes off like a flat punch."""
     assert pulled(0.01, tolerance=2e-6).end["lowest_force"] / UNIT == pytest.approx(-1.404014, abs=5e-6)
@@ -169,6 +170,7 @@ def test_several_times():
     assert pulled(0.1, late).end["lowest_force"] == pytest.approx(one, rel=1e-3)
 
 
+@pytest.mark.slow
 def test_machines():
     """A stiff spring is depth control; a soft one, whose force hardly changes while the bodies jump apart, is force control."""
     depth = pulled(0.1, tolerance=1e-5)
@@ -198,6 +200,7 @@ def test_cycles():
     assert fine.end["work"] == pytest.approx(area, rel=0.05)
 
 
+@pytest.mark.slow
 def test_threads_and_progress(monkeypatch):
     """Threads of the caller and a progress bar change no bit; the bar speaks of rounds."""
 

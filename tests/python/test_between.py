@@ -30,7 +30,9 @@ def folder(random, tests, scatter, noise=0.01, area=0.0):
 
 
 @pytest.mark.parametrize(
-    ("tests", "scatter", "area"), [(3, 0.02, 0.0), (8, 0.005, 0.0), (8, 0.02, 0.0), (5, 0.01, 0.02), (16, 0.002, 0.0)]
+    ("tests", "scatter", "area"),
+    [(3, 0.02, 0.0), (5, 0.01, 0.02)]
+    + [pytest.param(*row, marks=pytest.mark.slow) for row in [(8, 0.005, 0.0), (8, 0.02, 0.0), (16, 0.002, 0.0)]],
 )
 def test_two_hundred_folders(tests, scatter, area):
     """95 % intervals of 200 folders: 91 to 98 % of them hold the truth. Intervals from the errors of the tests alone hold 26 to

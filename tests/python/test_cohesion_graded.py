@@ -59,6 +59,7 @@ def test_nothing_varies(tip, stress):
 
 
 @pytest.mark.parametrize("tip", [PARABOLOID, mdr.Cone(0.4)])
+@pytest.mark.slow
 def test_short_range(tip):
     """The limit of no range, as sigma^-2."""
     limit = mdr.Contact(tip, graded(4.0), work_of_adhesion=WORK).at_radius(0.5)
@@ -95,6 +96,7 @@ def test_branch_begins_without_contact():
     assert contact.pull_off("depth").others == ()
 
 
+@pytest.mark.slow
 def test_bodies_in_either_order():
     body, other = graded(4.0), mdr.Homogeneous(mdr.Elastic(3.0, 0.3))
     one, two = (ranged(PARABOLOID, mdr.Pair(*bodies), 1.0).at_radius(0.3) for bodies in ((body, other), (other, body)))
@@ -118,6 +120,7 @@ def test_fields_are_refused():
             field()
 
 
+@pytest.mark.slow
 def test_picture_without_pressures(tmp_path, capsys):
     problem, picture = tmp_path / "film.toml", tmp_path / "film.png"
     problem.write_text(

@@ -102,6 +102,7 @@ def test_weights_that_follow_the_contact_point(distance):
     assert square([held.estimates[name] for name in ("depth_offset", "E", "force_offset")]) > square(best)
 
 
+@pytest.mark.slow
 def test_moving_weights_cover():
     """Curves of noise alone: the modulus scatters as its standard error says."""
     off = []

@@ -206,7 +206,7 @@ STEEP = {
 }
 
 
-@pytest.mark.parametrize("case", STEEP)
+@pytest.mark.parametrize("case", [pytest.param(name, marks=[pytest.mark.slow] * ("100" in name)) for name in STEEP])
 def test_steep_gradients(case):
     """The surface against the contact, which integrates other equations, and the balance of forces."""
     moduli, a = STEEP[case]

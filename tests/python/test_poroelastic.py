@@ -271,6 +271,7 @@ def test_a_fit_compares_its_tables_with_their_source(monkeypatch):
         mdr.fit_gel(data, tip, body, gel.NAMES, drainage="sealed")
 
 
+@pytest.mark.slow
 def test_fits_say_what_the_data_do_not_tell():
     true = mdr.Homogeneous(mdr.Poroelastic(28e3, 0.2, 3e-8))
     time = np.append(0.0, np.geomspace(1.0, 10.0, 50))

@@ -4,6 +4,7 @@
 import itertools
 
 import numpy as np
+import pytest
 from hypothesis import strategies as st
 
 import mdrcontact as mdr
@@ -52,6 +53,7 @@ def inside(medium, state, rng):
 
 
 @relation(12, tip=d.smooth_tips, medium=st.one_of(d.homogeneous, stacks), share=d.shares, friction=frictions, seed=seeds)
+@pytest.mark.slow
 def test_no_sample_exceeds_a_maximum(tip, medium, share, friction, seed):
     """Many more points than the search has, in layers, at interfaces and on the free surface; each maximum is the stress at its
     place."""
