@@ -20,6 +20,8 @@ module mdrcontact_numerics_radius_law
 
     !> What the slope of an interpolated quantity may lack, relative: a function that is itself computed to 1e-9 has no better one.
     real(wp), parameter :: interpolation_roughness = 1.0e-6_wp
+    !> Relative, of the values of a caller's function, which may itself have been solved with ever more unknowns.
+    real(wp), parameter :: noise_of_values = 1.0e-10_wp
 
     !> The interpolated quantity. Beyond its largest radius it is not evaluated.
     type :: radius_law_t
@@ -114,7 +116,7 @@ contains
         allocate (self%sampled)
         call new_sampled_function(self%sampled, logarithmic, octaves(log(smallest), log(largest)), &
                                   spread(.false., 1, size(octaves(log(smallest), log(largest))) - 1), tolerance, error, most=most, &
-                                  everywhere=everywhere, least_size=1.0_wp)
+                                  everywhere=everywhere, least_size=1.0_wp, steps=noise_of_values)
         if (.not. allocated(error)) then
             self%breaks = fine_edges(self%sampled)
         else if (error%code == error_no_convergence) then

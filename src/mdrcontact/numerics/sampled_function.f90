@@ -68,7 +68,7 @@ contains
 
     !> Samples `f` between the first and the last of `edges` to a relative `tolerance` of the largest value in each panel.
     subroutine new_sampled_function(self, f, edges, from_root, tolerance, error, noise, most, roughness, everywhere, &
-                                    least_size)
+                                    least_size, steps)
         type(sampled_function_t), intent(out) :: self
         class(scalar_function_t), intent(inout) :: f
         !> ascending; panels never cross one, so put them where f is not analytic
@@ -87,6 +87,10 @@ contains
         logical, intent(in), optional :: everywhere
         !> f sees x rounded as if |x| were at least this: 1 if x is a logarithm; default 0
         real(wp), intent(in), optional :: least_size
+        !> relative size of steps of f that are noise: a panel that halving made no better is not refined below them, else its slope
+        !> would be that of a step; default 0
+        real(wp), intent(in), optional :: steps
+        !> left edge, right edge, and what was unresolved of the panel before it was halved
         real(wp), allocatable :: stack(:, :)
         logical, allocatable :: root_stack(:)
         integer :: waiting, count, limit, stat
@@ -100,13 +104,14 @@ contains
         ! Panels wait on a stack, leftmost on top, so that finished ones come out in ascending order.
         call resize(self, 0, size(edges) + 64, error)
         if (allocated(error)) return
-        allocate (stack(2, size(edges) + 64), root_stack(size(edges) + 64), stat=stat)
+        allocate (stack(3, size(edges) + 64), root_stack(size(edges) + 64), stat=stat)
         call check_memory(error, stat)
         if (stat /= 0) return
         call cosine_transform(cosines)
         waiting = size(edges) - 1
         stack(1, :waiting) = edges(waiting:1:-1)
         stack(2, :waiting) = edges(waiting + 1:2:-1)
+        stack(3, :waiting) = huge(1.0_wp)
         root_stack(:waiting) = .false.
         if (size(from_root) > 0) root_stack(:waiting) = from_root(waiting:1:-1)
         count = 0
@@ -136,6 +141,9 @@ contains
                 stagnates = unresolved > 0.1_wp*maxval(abs(coefficients(nodes/2:nodes - 3)))
                 if (stagnates) attainable = max(attainable, roughness*largest)
             end if
+            if (present(steps)) then
+                if (unresolved > 0.5_wp*stack(3, waiting)) attainable = max(attainable, steps*largest)
+            end if
             resolved = unresolved <= attainable
             if (resolved) then
                 if (look_everywhere) then
@@ -151,8 +159,9 @@ contains
             end if
             if (.not. resolved .and. right - left <= shortest_panel*x) resolved = .true.
             if (.not. resolved .and. waiting < size(root_stack)) then
-                stack(:, waiting + 1) = [left, 0.5_wp*(left + right)]
+                stack(:, waiting + 1) = [left, 0.5_wp*(left + right), unresolved]
                 stack(1, waiting) = 0.5_wp*(left + right)
+                stack(3, waiting) = unresolved
                 root_stack(waiting + 1) = root_stack(waiting)
                 root_stack(waiting) = .false.
                 waiting = waiting + 1
