@@ -239,6 +239,8 @@ MUTATIONS = [
     ("layered/zone_rule.f90", "if (kinked .or. next < length) step", "if (kinked) step", "test_cohesion.py"),
     ("numerics/sampled_columns.f90", "if (missed <= margin*maxval(reached(i:i + 1))) cycle", "if (missed <= 1.0_wp) cycle",
      "contact_curve"),
+    ("numerics/sampled_columns.f90", "largest_miss = 1.0e-4_wp", "largest_miss = 1.0_wp", "sampled_columns"),
+    ("numerics/radius_law.f90", "noise_of_values = 1.0e-10_wp", "noise_of_values = 0.0_wp", "test_sampled"),
     ("numerics/sampled_columns.f90", "fits = missed <= margin*max(tail, allowed)", "fits = .true.", "sampled_columns"),
     ("fit/least_squares.f90", "< at_bound*difference_step", "< -1.0_wp", "test_calibration.py"),
     ("layered/zone_rule.f90", "longest_plain = 4.0_wp", "longest_plain = 40.0_wp", "test_cohesion"),
