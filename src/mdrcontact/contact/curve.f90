@@ -6,7 +6,7 @@
 !> interpolated are the logarithms of d0, F0, k and, with adhesion, dl over x = ln(a - end radius), where every shape and medium is
 !> close to a straight line (theory 4 and 5): d = d0 - dl, F = F0 - k dl.
 module mdrcontact_contact_curve
-    use mdrcontact_contact_control, only: control_t
+    use mdrcontact_contact_control, only: control_t, depth_control
     use mdrcontact_contact_equilibrium, only: equilibrium_t
     use mdrcontact_contact_samples, only: curve_point_t, rows, samples_t
     use mdrcontact_contact_state, only: contact_state_t
@@ -22,6 +22,12 @@ module mdrcontact_contact_curve
 
     !> The length in ln a of a panel for which its terms usually suffice.
     real(wp), parameter :: usual_length = 1.6_wp
+    !> ln dl may jump by this from one panel to the next.
+    real(wp), parameter :: largest_kink = 1.0e-5_wp
+    !> Panels shorter than this enclose a kink.
+    real(wp), parameter :: enclosing = 1.0e-6_wp
+    !> Close to a panel's left edge, in its variable.
+    real(wp), parameter :: beside = -0.9_wp
     !> Nodes between two of a panel for the integral of 1/k.
     integer, parameter :: shift_nodes = 20
     !> Which column is ln d0, ln F0, ln k, ln dl.
@@ -78,7 +84,38 @@ contains
         source%has_slopes = .not. (self%adhesive .or. equilibrium%medium%is_modulus_formula)
         call new_columns(self, source, coordinates, coordinates(2:), sampling, error)
         if (.not. allocated(error)) call self%prepare(error)
+        if (.not. allocated(error)) call check_kinks(self, error)
     end subroutine new_curve
+
+    !> Where the slope of k jumps, so does dl: the edge of the contact rests there while depth and force change, and no radius tells
+    !> these states apart. That is harmless only where all states around are unstable under any control.
+    subroutine check_kinks(self, error)
+        type(curve_t), intent(in) :: self
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp), dimension(rows, 2) :: v, dv
+        real(wp) :: s(2), ds(2), jump
+        integer :: i, before
+
+        before = 1
+        do i = 2, size(self%from_root)
+            if (self%edges(i + 1) - self%edges(i) < enclosing) cycle
+            call self%in_panel(before, 1.0_wp, v(:, 1), dv(:, 1))
+            call self%in_panel(i, -1.0_wp, v(:, 2), dv(:, 2))
+            before = i
+            if (.not. abs(v(of_excess, 2) - v(of_excess, 1)) > largest_kink) cycle
+            call self%control_of(depth_control, v(:, 1), dv(:, 1), s(1), ds(1))
+            call self%control_of(depth_control, v(:, 2), dv(:, 2), s(2), ds(2))
+            jump = s(2) - s(1)
+            ! a panel from a break on has no slope there
+            call self%in_panel(i, beside, v(:, 2), dv(:, 2))
+            call self%control_of(depth_control, v(:, 2), dv(:, 2), s(2), ds(2))
+            if (all([ds, jump] < 0.0_wp)) cycle
+            call raise(error, error_no_convergence, "the contact modulus has a kink at radius = "// &
+                       to_text(self%end_radius + exp(self%edges(i)))//": by the energy balance the contact's edge "// &
+                       "rests there while depth and force change; smooth the modulus, or take the source's rule of adhesion")
+            return
+        end do
+    end subroutine check_kinks
 
     !> d0, F0, k and dl at coordinate x, and their slopes in x.
     subroutine sample(self, x, values, error, slopes)

@@ -35,6 +35,8 @@ module mdrcontact_numerics_sampled_columns
     !> A panel of the shortest length is kept though it misses its functions, near a kink that nobody named, but by no more than
     !> this.
     real(wp), parameter :: largest_miss = 1.0e-4_wp
+    !> Edges closer than this part of the shortest length were named, around a kink: halving leaves no such panel.
+    real(wp), parameter :: negligible = 0.5_wp
     !> The slope of a function of t = sqrt(x - left edge) is taken no closer to the edge than this t.
     real(wp), parameter :: smallest_root = 1.0e-5_wp
 
@@ -184,7 +186,7 @@ contains
                 cycle
             end if
             missed = max(missed, tail)
-            if (missed > max(largest_miss, margin*allowed)) then
+            if (missed > max(largest_miss, margin*allowed) .and. right - left > negligible*sampling%shortest_length) then
                 call raise(error, error_no_convergence, "the contact jumps near radius = "//to_text(source%radius(left))//": "// &
                            "samples of it are "//to_text(missed)//" off; give the indenter or the medium no steps there")
                 return

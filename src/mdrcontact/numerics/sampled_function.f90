@@ -29,6 +29,9 @@ module mdrcontact_numerics_sampled_function
     real(wp), parameter :: margin = 10.0_wp
     !> A panel is not halved below this length relative to its distance from 0.
     real(wp), parameter :: shortest_panel = 1.0e-10_wp
+    !> A panel shorter than the first, relative likewise, is a straight line if its last coefficients have not fallen below the second
+    !> times the others: it holds a kink or noise, of which a polynomial has slopes that the function has nowhere.
+    real(wp), parameter :: narrow_panel = 1.0e-6_wp, least_fall = 1.0e-3_wp
 
     !> The slope in x of a function of t = sqrt(x - left edge) is taken no closer to the edge than this t: 1/t amplifies rounding.
     real(wp), parameter :: smallest_root = 1.0e-5_wp
@@ -171,6 +174,8 @@ contains
                 call raise(error, error_no_convergence, "the function is not smooth enough to be sampled near x = "//to_text(left))
                 return
             end if
+            if (right - left < narrow_panel*x .and. unresolved > least_fall*maxval(abs(coefficients(3:)))) &
+                call straighten(coefficients, 0.5_wp*nodes*cosines(1, 2))
             count = count + 1
             if (count > size(self%from_root)) call resize(self, count - 1, 2*count, error)
             if (allocated(error)) return
@@ -226,6 +231,18 @@ contains
             coefficients(j) = sum(values*cosines(:, j))
         end do
     end subroutine sample_panel
+
+    !> The straight line through the values at the outermost nodes, z and -z.
+    pure subroutine straighten(c, z)
+        real(wp), intent(inout) :: c(nodes)
+        real(wp), intent(in) :: z
+        real(wp) :: ends(2)
+
+        ends = [chebyshev_sum(c, -abs(z)), chebyshev_sum(c, abs(z))]
+        c = 0.0_wp
+        c(1) = 0.5_wp*sum(ends)
+        c(2) = 0.5_wp*(ends(2) - ends(1))/abs(z)
+    end subroutine straighten
 
     !> Where the panel's variable z, -1 to 1, lies in the panel, 0 to 1.
     pure function place(z, from_root) result(t)
