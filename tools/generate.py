@@ -14,11 +14,12 @@ from pathlib import Path
 
 REPOSITORY = Path(__file__).resolve().parents[1]
 sys.path[:0] = [str(REPOSITORY / "python" / "src"), str(REPOSITORY / "tools")]
-from wrap_header import described, functions_of, layout, structures, type_hints, without_comments, write  # noqa: E402
+from wrap_header import PROTOTYPE, described, functions_of, layout, structures, type_hints, without_comments, write  # noqa: E402
 from write_entries import entries  # noqa: E402
 from write_open_handle import open_handle  # noqa: E402
 
 INCLUDE = REPOSITORY / "include"
+API = REPOSITORY / "src" / "mdrcontact" / "api"
 LONGEST_LINE = 132
 SPDX = "! SPDX-License-Identifier: GPL-3.0-or-later"
 # Declaration of a member, and its value in a new structure: 0, the default of everything.
@@ -142,7 +143,7 @@ def versions():
         parts = re.split(r"/\*\*(.*?)\*/", path.read_text(encoding="utf-8"), flags=re.DOTALL)
         since = next((SINCE.search(part)[1] for part in parts[1:2] if SINCE.search(part)), None)
         for words, code in zip(parts[1::2], parts[2::2], strict=True):
-            for name in re.findall(r"^(?:int|void|const char \*)\s*(mdr_\w+)\([^)]*\);", code, flags=re.MULTILINE):
+            for _, name, _ in PROTOTYPE.findall(code):
                 own = SINCE.search(words)
                 if not (own or since):
                     raise SystemExit(f"{path.name}: {name} has no @since, nor has its header")
@@ -167,10 +168,11 @@ def main(root=REPOSITORY):
     header = INCLUDE / "mdrcontact.h"
     text = without_comments(header)
     found = structures(text)
+    sources = "".join(path.read_text(encoding="utf-8") for path in sorted(API.glob("*.f90")))
     made = {
         "src/mdrcontact/codes.f90": codes("".join(path.read_text(encoding="utf-8") for path in sorted(INCLUDE.rglob("*.h")))),
         "src/mdrcontact/api/records.f90": records(found),
-        "src/mdrcontact/api/entries.c": entries(text),
+        "src/mdrcontact/api/entries.c": entries(text, sources),
         "src/mdrcontact/api/open_handle.f90": open_handle(),
         "cmake/mdrcontact.map": symbols(versions()),
         "python/mdrcontact/_native.pyi": type_hints(functions_of(text, described(found))),

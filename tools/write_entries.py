@@ -1,19 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The C side of the functions of the header, for generate.py.
 
-Each function mdr_x sets the arithmetic of the library, calls mdrcontact_entry_x, which Fortran defines, and sets the caller's
-arithmetic again. Functions that do not compute, or take nanoseconds, are left to themselves.
+Where Fortran defines mdrcontact_entry_x, the function mdr_x sets the arithmetic of the library, calls it, and sets the caller's
+arithmetic again. Functions that do not compute, or take nanoseconds, have no such entry: they are defined under their own names.
 """
 
 import re
 
 from wrap_header import prototypes
 
-# Functions without computation, and states of laws: under another rounding mode these differ in the last digits.
-DIRECT = re.compile(
-    r"mdr_(version|status_name|last_error|last_failure|set_\w+|free|model_(name|from_name|info)"
-    r"|law_(force|values|follow|conductance)|loop_points)"
-)
 LONGEST_LINE = 132
 TOP = """/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The functions of mdrcontact.h that compute: each in the library's arithmetic. Written by tools/generate.py. */
@@ -32,20 +27,24 @@ def folded(line):
     return [line.rstrip() for line in lines]
 
 
-def entry(name, words):
+def entry(result, name, words):
     """Both declarations and the body."""
     inner = name.replace("mdr_", "mdrcontact_entry_", 1)
     names = ", ".join(re.fullmatch(r".*?(\w+)(\[\d*\])?", word)[1] for word in words)
     taken = ", ".join(words)
     call = f"{inner}({names});"
-    lines = [f"int {inner}({taken});", f"int {name}({taken})", "{", f"    if (arithmetic_is_set()) return {call}"]
-    lines += ["    fenv_t callers;", "    mdrcontact_set_arithmetic(&callers);", f"    const int status = {call}"]
+    lines = [f"{result} {inner}({taken});", f"{result} {name}({taken})", "{", f"    if (arithmetic_is_set()) return {call}"]
+    lines += ["    fenv_t callers;", "    mdrcontact_set_arithmetic(&callers);", f"    const {result} status = {call}"]
     lines += ["    mdrcontact_set_arithmetic_back(&callers);", "    return status;", "}", ""]
     return [part for line in lines for part in folded(line)]
 
 
-def entries(text):
-    """The lines of api/entries.c."""
-    functions = [(name, words) for result, name, words in prototypes(text) if result == "int"]
-    lines = [line for name, words in functions if not DIRECT.fullmatch(name) for line in entry(name, words)]
+def entries(text, sources):
+    """The lines of api/entries.c, from the header and the Fortran of api/."""
+    defined = set(re.findall(r'name="mdrcontact_entry_(\w+)"', sources))
+    functions = prototypes(text)
+    unknown = defined - {name.removeprefix("mdr_") for _, name, _ in functions}
+    if unknown:
+        raise SystemExit(f"the header has no {', '.join(sorted(unknown))}")
+    lines = [line for function in functions if function[1].removeprefix("mdr_") in defined for line in entry(*function)]
     return TOP.split("\n") + lines[:-1]

@@ -6,8 +6,8 @@ module `_native`. The module's types, and its structures and constants, lie in t
 to date is left alone.
 
 In Python a function has the name without mdr_, takes the inputs in the header's order, lengths of arrays excepted, and returns the
-status followed by the outputs. What f2py does not know travels as an address, a Python int: handles, functions, texts, structures
-(which are NumPy records), and arrays that may be missing. A structure of doubles only is a row of doubles.
+status, or another result, followed by the outputs. What f2py does not know travels as an address, a Python int: handles, functions,
+texts, structures (which are NumPy records), and arrays that may be missing. A structure of doubles only is a row of doubles.
 """
 
 import re
@@ -53,6 +53,8 @@ SIZES = {
 }
 # Numbers that go in and come out again.
 BOTH_WAYS = {"segment"}
+# A function: its result, name and arguments.
+PROTOTYPE = re.compile(r"^((?:const )?\w+ \**)(mdr_\w+)\(([^)]*)\);", re.MULTILINE)
 # Names that mean something to f2py or Python.
 RESERVED = {"in": "values", "size": "cells", "kind": "kinds"}
 LONGEST_LINE = 132
@@ -61,6 +63,7 @@ INTERRUPTED = "int interrupted(void *);"
 SET_INTERRUPTED = 'PyDict_SetItemString(d, "interrupted", PyLong_FromVoidPtr((void *)(size_t)interrupted));'
 SPDX = "# SPDX-License-Identifier: GPL-3.0-or-later"
 NUMBERS = {"int": ("integer", "int"), "double": ("double precision", "float")}
+ADDRESS = "integer*8", "int"
 
 
 class Argument:
@@ -102,7 +105,7 @@ class Argument:
 
     def declaration(self):
         """Of f2py's signature file."""
-        kind = "integer*8" if self.kind == "address" else NUMBERS[self.kind][0]
+        kind = NUMBERS.get(self.kind, ADDRESS)[0]
         c = "c, " if self.by_value or self.size else ""
         return f"{kind}, intent({c}{self.way}) :: {self.name}" + (f"({self.size})" if self.size else "")
 
@@ -119,7 +122,8 @@ class Function:
     """One function of the header."""
 
     def __init__(self, result, name, words, rows):
-        self.c_name, self.name, self.returns = name, name.removeprefix("mdr_"), result == "int"
+        self.c_name, self.name = name, name.removeprefix("mdr_")
+        self.result = None if result == "void" else NUMBERS.get(result, ADDRESS)
         self.arguments = [Argument(name, word, rows) for word in words]
         self.lengths = {}
         for argument in self.arguments:
@@ -128,7 +132,7 @@ class Function:
 
     def signature(self):
         """What f2py reads. All functions give the lock of the interpreter back: they know nothing of Python."""
-        kind = "integer function" if self.returns else "subroutine"
+        kind = f"{self.result[0]} function" if self.result else "subroutine"
         lines = [f"{kind} {self.name}({', '.join(argument.name for argument in self.arguments)})", f"  fortranname {self.c_name}"]
         lines += ["  threadsafe", f"  intent(c) {self.name}"]
         for argument in self.arguments:
@@ -145,7 +149,7 @@ class Function:
         # f2py puts lengths of outputs where they stand
         given = [argument.type() for argument in self.arguments if "out" in argument.way]
         inputs = ", ".join([f"{argument.name}: {argument.type()}" for argument in taken] + ["/"] * bool(taken))
-        results = ["int"] * self.returns + given
+        results = ([self.result[1]] if self.result else []) + given
         result = "None" if not results else results[0] if len(results) == 1 else f"tuple[{', '.join(results)}]"
         if len(line := f"def {self.name}({inputs}) -> {result}: ...") <= LONGEST_LINE:
             return line
@@ -164,11 +168,10 @@ def without_comments(header):
 
 
 def prototypes(text):
-    """Result (int or void), name and arguments of each function."""
-    found = re.findall(r"^(int|void) (mdr_\w+)\(([^)]*)\);", text, flags=re.MULTILINE)
+    """Result, name and arguments of each function."""
     return [
-        (result, name, [] if words == "void" else [" ".join(word.split()) for word in words.split(",")])
-        for result, name, words in found
+        (result.strip(), name, [] if words == "void" else [" ".join(word.split()) for word in words.split(",")])
+        for result, name, words in PROTOTYPE.findall(text)
     ]
 
 

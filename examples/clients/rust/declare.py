@@ -38,7 +38,8 @@ def declarations(text):
         yield f'pub type {name} = Option<unsafe extern "C" fn({taken}) -> c_int>;'
     yield 'extern "C" {'
     for result, name, words in prototypes(text):
-        yield f"    pub fn {name}({', '.join(map(argument, words))}){' -> c_int' if result == 'int' else ''};"
+        returned = "" if result == "void" else " -> " + argument(f"{result} it".replace("* ", "*")).removeprefix("it: ")
+        yield f"    pub fn {name}({', '.join(map(argument, words))}){returned};"
     yield "}"
 
 
