@@ -17,7 +17,7 @@ static void check(int status)
     char text[512];
     if (status == MDR_SUCCESS) return;
     mdr_last_error(text, sizeof text);
-    fprintf(stderr, "%s: %s\n", mdr_status_name(status), text);
+    fprintf(stderr, "%s: %s\n", mdr_name_of(status), text);
     exit(EXIT_FAILURE);
 }
 

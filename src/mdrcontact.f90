@@ -28,7 +28,7 @@ module mdrcontact
     use mdrcontact_contact_equilibrium, only: adhesion_automatic, adhesion_energy, adhesion_paper
     use mdrcontact_error, only: error_callback, error_cancelled, error_domain, error_file, error_invalid, error_memory, &
                                 error_no_convergence, error_t, error_unreachable
-    use mdrcontact_codes, only: free_surface_tension, interface_shear, interface_tension, largest_shear, largest_tension, von_mises
+    use mdrcontact_codes, only: free_surface_tension, interface_shear, interface_tension, tension, tresca, von_mises, word_of
     use mdrcontact_field, only: interior, interior_error, layer_energy
     use mdrcontact_field_critical, only: critical
     use mdrcontact_field_failure, only: failure_load_t, first_failure, strength_t
@@ -91,7 +91,7 @@ module mdrcontact
     use mdrcontact_medium_viscoelastic, only: new_viscoelastic_medium, viscoelastic_t
     use mdrcontact_medium_wave, only: new_wave, wave_t
     use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous, new_homogeneous_from_modulus, new_rigid
-    use mdrcontact_model, only: find_model, model_options_t, models, new_solver
+    use mdrcontact_model, only: model_options_t, models, new_solver
     use mdrcontact_conduction_along, only: conductance_along
     use mdrcontact_conduction_answers, only: admittance_of, flux_after_step, follow_history, step_of, spot_conductance_answer, &
                                              spot_resistance_answer
@@ -135,6 +135,7 @@ module mdrcontact
     use mdrcontact_wear_limit, only: wear_limit_t
     use mdrcontact_weights, only: weight_i0, weight_i0_tangential, weight_i1, weight_j0, weight_j0_tangential, weight_j1, &
                                   weight_phi
+    use mdrcontact_words, only: code_of
     implicit none (type, external)
     public
 end module mdrcontact

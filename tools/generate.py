@@ -30,10 +30,12 @@ FORTRAN = {
     "address": ("type(c_ptr)", "c_null_ptr"),
     "char": ("character(kind=c_char)", "c_null_char"),
 }
-# Enumerations whose numbers are no codes: statuses, bits of a sum, a format, places in an array.
-NO_CODES = {"mdr_status", "mdr_warning", "mdr_law_format", "mdr_fit_instrument"}
+# Enumerations whose numbers are no codes: bits of a sum, a format, places in an array.
+NO_CODES = {"mdr_warning", "mdr_law_format", "mdr_fit_instrument"}
+# Words that the names of the statuses do not give.
+STATUS_WORDS = {"ENOCONVERGENCE": "no-convergence", "ENOMEMORY": "no-memory"}
 WORD_OF = """\
-    !> What a code means in a word, as Python and problem files write it; empty for a number that is no code.
+    !> What a code means in a word, as all languages and problem files write it; empty for a number that is no code.
     pure function word_of(code) result(word)
         integer, intent(in) :: code
         character(len=len(words)) :: word
@@ -42,7 +44,15 @@ WORD_OF = """\
         word = ""
         place = findloc(numbers, code, dim=1)
         if (place > 0) word = words(place)
-    end function word_of"""
+    end function word_of
+
+    !> The codes of the enumeration that a code belongs to; none for a number that is no code.
+    pure function codes_beside(code) result(codes)
+        integer, intent(in) :: code
+        integer, allocatable :: codes(:)
+
+        codes = pack(numbers, numbers - modulo(numbers, 100) == code - modulo(code, 100) .and. any(numbers == code))
+    end function codes_beside"""
 SINCE = re.compile(r"@since (\d+\.\d+)")
 
 
@@ -66,7 +76,8 @@ def enumerations_of(headers):
 
 
 def words_of(enumerations):
-    """The words that stand for codes, by code. Every enumeration of codes has its own hundred: a code says what it is one of."""
+    """The words that stand for codes, by code. Every enumeration of codes has its own hundred, the statuses the first one: a code
+    says what it is one of."""
     found, owners = {}, {}
     for enumeration, members in enumerations.items():
         if enumeration in NO_CODES:
@@ -76,9 +87,10 @@ def words_of(enumerations):
         prefix = prefix[: prefix.rfind("_") + 1] if len(names) > 1 else ""
         for name, number, _ in members:
             code = int(number)
-            if owners.setdefault(code // 100, enumeration) != enumeration or code % 100 == 0 or code < 100 or code in found:
+            is_status = enumeration == "mdr_status"
+            if owners.setdefault(code // 100, enumeration) != enumeration or (code < 100) != is_status or code in found:
                 raise SystemExit(f"MDR_{name} = {code}: {enumeration} needs a hundred of its own")
-            word = name.removeprefix(prefix).lower()
+            word = STATUS_WORDS.get(name, name.removeprefix("E" if is_status else prefix)).lower()
             found[code] = word if enumeration == "mdr_quantity" else word.replace("_", "-")
     return dict(sorted(found.items()))
 
@@ -92,19 +104,27 @@ def codes(headers):
     lines += ["module mdrcontact_codes", "    implicit none (type, external)", "    private"]
     for members in enumerations.values():
         lines += folded("    public ::", [name.lower() for name, *_ in members])
-    lines += ["    public :: word_of"]
+    lines += ["    public :: codes_beside, word_of"]
     for enumeration, members in enumerations.items():
         lines += ["", f"    ! enum {enumeration}"]
         for name, value, words in members:
             means = " ".join(f"MDR_{name}. {words}".split())
             lines += textwrap.wrap(means, LONGEST_LINE, initial_indent="    !> ", subsequent_indent="    !> ")
             lines.append(f"    integer, parameter :: {name.lower()} = {value}")
-    lines += ["", "    !> The codes in ascending order, and their words."]
+    lines += ["", "    !> The codes in ascending order, statuses first, and their words."]
     lines += filled("    integer, parameter :: numbers(*) = [", [str(code) for code in words_by_code])
     quoted = [f'"{word}"' for word in words_by_code.values()]
     lines += filled(f"    character(len={longest}), parameter :: words(*) = [character(len={longest}) ::", quoted)
     lines += ["", "contains", "", *WORD_OF.split("\n")]
     return [*lines, "", "end module mdrcontact_codes"]
+
+
+def names(headers):
+    """The C function of the words."""
+    lines = ["/* SPDX-License-Identifier: GPL-3.0-or-later */", "/* The words of codes. Written by tools/generate.py. */"]
+    lines += ['#include "mdrcontact.h"', "", "const char *mdr_name_of(int code)", "{", "    switch (code) {"]
+    lines += [f'    case {code}: return "{word}";' for code, word in words_of(enumerations_of(headers)).items()]
+    return [*lines, '    default: return "unknown";', "    }", "}"]
 
 
 def filled(start, entries):
@@ -169,8 +189,10 @@ def main(root=REPOSITORY):
     text = without_comments(header)
     found = structures(text)
     sources = "".join(path.read_text(encoding="utf-8") for path in sorted(API.glob("*.f90")))
+    headers = "".join(path.read_text(encoding="utf-8") for path in sorted(INCLUDE.rglob("*.h")))
     made = {
-        "src/mdrcontact/codes.f90": codes("".join(path.read_text(encoding="utf-8") for path in sorted(INCLUDE.rglob("*.h")))),
+        "src/mdrcontact/codes.f90": codes(headers),
+        "src/mdrcontact/api/names.c": names(headers),
         "src/mdrcontact/api/records.f90": records(found),
         "src/mdrcontact/api/entries.c": entries(text, sources),
         "src/mdrcontact/api/open_handle.f90": open_handle(),

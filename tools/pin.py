@@ -174,7 +174,7 @@ def sliders(contact: mdr.Contact) -> Any:
 
 def failures(contact: mdr.Contact) -> Any:
     count = 1 + (contact.medium is FILM)
-    for found in contact.first_failure({"yield": [2e9] * count, "tension": [1e9] * count}, largest_radius=3e-6):
+    for found in contact.first_failure({"von_mises": [2e9] * count, "tension": [1e9] * count}, largest_radius=3e-6):
         yield found.state.force
 
 

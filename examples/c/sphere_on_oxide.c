@@ -18,7 +18,7 @@ static void check(int status)
     if (status != MDR_SUCCESS) {
         char text[512];
         mdr_last_error(text, (int)sizeof text);
-        fprintf(stderr, "%s: %s\n", mdr_status_name(status), text);
+        fprintf(stderr, "%s: %s\n", mdr_name_of(status), text);
         exit(EXIT_FAILURE);
     }
 }

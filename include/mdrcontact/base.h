@@ -130,8 +130,8 @@ enum mdr_quantity {
     MDR_GAUSSIAN_POTENTIAL = 169,    /**< Mean over a Gaussian probe per flux of a Gaussian pump with radii w0 and w1 (1/e^2):
                                           `radius` is sqrt(w0^2 + w1^2). */
     MDR_VON_MISES = 181,             /**< Largest stress of a layer: the von Mises stress; a metal yields at the yield stress. */
-    MDR_LARGEST_SHEAR = 182,         /**< Of a layer: (s_1 - s_3)/2; by Tresca a metal yields at half the yield stress. */
-    MDR_LARGEST_TENSION = 183,       /**< Of a layer: the largest principal stress s_1. A strength of the first layer is one of its
+    MDR_TRESCA = 182,                /**< Of a layer: (s_1 - s_3)/2; by Tresca a metal yields at half the yield stress. */
+    MDR_TENSION = 183,               /**< Of a layer: the largest principal stress s_1. A strength of the first layer is one of its
                                           free surface, too. */
     MDR_INTERFACE_SHEAR = 184,       /**< Of an interface: sqrt(s_rz^2 + s_tz^2). */
     MDR_INTERFACE_TENSION = 185,     /**< Of an interface: s_zz. */
@@ -141,8 +141,18 @@ enum mdr_quantity {
 /** The library's version, 10000 major + 100 minor + patch. Never fails. */
 int mdr_version(void);
 
-/** The name of a status code, "MDR_EINVALID" for instance; "unknown status" for any other number. A constant: never freed. */
-const char *mdr_status_name(int status);
+/** The word of a code, as all languages and problem files write it: "force" of MDR_FORCE, "gao-series" of MDR_MODEL_GAO_SERIES,
+ *  "invalid" of MDR_EINVALID. "unknown" for a number that is no code. A constant: never freed.
+ *  @param code  of any enumeration but the bits of enum mdr_warning and the places of enum mdr_fit_instrument */
+const char *mdr_name_of(int code);
+
+/** The code of a word: mdr_name_of() the other way, within one enumeration.
+ *  @param enumeration  any code of the enumeration: MDR_MODEL_EXACT for a model
+ *  @param name         ended by a null character
+ *  @param code         receives the code
+ *  @return MDR_SUCCESS, MDR_ENULL, or MDR_EINVALID for a number that is no code and for a word that the enumeration does not have: the
+ *          error names the nearest one, and all of them */
+int mdr_code_of(int enumeration, const char *name, int *code);
 
 /**
  * The text of the calling thread's last failure. Successful calls leave it as it is; it is empty before the first failure.

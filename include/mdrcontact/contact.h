@@ -272,7 +272,7 @@ typedef struct mdr_maximum {
  *  @param state     a state of this contact, with a radius > 0
  *  @param friction  f >= 0, as of mdr_contact_interior()
  *  @param capacity  size of the array, >= 0: at most so many are written; 0: they are counted only
- *  @param out       [capacity] of each layer, the half-space last, MDR_VON_MISES, MDR_LARGEST_SHEAR and MDR_LARGEST_TENSION; of each
+ *  @param out       [capacity] of each layer, the half-space last, MDR_VON_MISES, MDR_TRESCA and MDR_TENSION; of each
  *                   interface MDR_INTERFACE_SHEAR and MDR_INTERFACE_TENSION; then MDR_FREE_SURFACE_TENSION
  *  @param count     receives how many there are
  *  @return as mdr_contact_interior(); also MDR_EINVALID for graded bodies, and MDR_ENOCONVERGENCE where mdr_contact_interior_error()

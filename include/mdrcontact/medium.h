@@ -35,19 +35,6 @@ enum mdr_model {
     MDR_MODEL_GAO_POWER = 213           /**< Gao's weights, power mean G_eff = [G1^p + (G0^p - G1^p) I0]^(1/p) between the two. */
 };
 
-/** The name of a model, as Python and problem files write it: "gao-series", "exact", ...
- *  @param model   one of enum mdr_model
- *  @param length  size of name, at least 19
- *  @param name    [length] receives the name and a null character
- *  @return MDR_SUCCESS, MDR_ENULL, or MDR_EINVALID for a model that does not exist or too short a length */
-int mdr_model_name(int model, int length, char *name);
-
-/** The model of a name.
- *  @param name   ended by a null character
- *  @param model  receives one of enum mdr_model
- *  @return MDR_SUCCESS, MDR_ENULL, or MDR_EINVALID for a name that no model has */
-int mdr_model_from_name(const char *name, int *model);
-
 /** Which substrates a model takes. */
 enum mdr_model_base {
     MDR_BASE_ELASTIC = 1301, /**< An elastic half-space. */
@@ -63,7 +50,6 @@ typedef struct mdr_model_facts {
     int takes_layers;     /**< 1: any number of layers; 0: one coating. */
     int takes_graded;     /**< 1: graded half-spaces too. */
     int spherical_only;   /**< 1: it is valid under a paraboloid or a sphere only. */
-    char name[24];        /**< Its name. */
     char constant[24];    /**< The member of mdr_medium_options that is a number which a fit can find; empty if there is none. */
     char option[24];      /**< Another member that concerns it; empty if there is none. */
     double default_constant; /**< The default of the member that `constant` names; 0 if there is none. */

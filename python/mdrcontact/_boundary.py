@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import ctypes
 import weakref
 from collections.abc import Callable
 from typing import Any
@@ -168,6 +169,11 @@ def record(layout: np.dtype[Any], **members: Any) -> NDArray[Any]:
 def address(array: NDArray[Any] | None) -> int:
     """Where an array lies, which must be contiguous and live as long as the address is used; 0 for None, a NULL pointer."""
     return 0 if array is None else int(array.ctypes.data)
+
+
+def words_of(*codes: int) -> dict[str, int]:
+    """Codes of the library by their words, which all languages and problem files write."""
+    return {ctypes.string_at(_native.name_of(code)).decode(): code for code in codes}
 
 
 class Handle:

@@ -21,7 +21,6 @@ model_facts = np.dtype(
         ("takes_layers", np.intc),
         ("takes_graded", np.intc),
         ("spherical_only", np.intc),
-        ("name", "S24"),
         ("constant", "S24"),
         ("option", "S24"),
         ("default_constant", np.float64),
@@ -489,8 +488,8 @@ MEAN_POTENTIAL = 167
 CENTRE_POTENTIAL = 168
 GAUSSIAN_POTENTIAL = 169
 VON_MISES = 181
-LARGEST_SHEAR = 182
-LARGEST_TENSION = 183
+TRESCA = 182
+TENSION = 183
 INTERFACE_SHEAR = 184
 INTERFACE_TENSION = 185
 FREE_SURFACE_TENSION = 186

@@ -9,17 +9,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from . import _layout, _native
-from ._boundary import Handle, address, call, number, record, whole
+from ._boundary import Handle, address, call, number, record, whole, words_of
 from ._choices import nearest
 from .errors import ArgumentTypeError, InvalidArgumentError
 
 __all__ = ["Loop", "PullOff"]
 
-RULES = {"automatic": _layout.ADHESION_AUTOMATIC, "paper": _layout.ADHESION_PAPER, "energy": _layout.ADHESION_ENERGY}
+RULES = words_of(_layout.ADHESION_AUTOMATIC, _layout.ADHESION_PAPER, _layout.ADHESION_ENERGY)
 """Names and codes of the adhesion rules."""
-BRANCHES = {"loading": _layout.ON_LOADING, "unloading": _layout.ON_UNLOADING}
+BRANCHES = words_of(_layout.ON_LOADING, _layout.ON_UNLOADING)
 """Names and codes of the branches of an adhesive contact."""
-CONTROLS = {"force": _layout.FORCE, "depth": _layout.DEPTH, "spring": _layout.SPRING}
+CONTROLS = words_of(_layout.FORCE, _layout.DEPTH, _layout.SPRING)
 """What a machine may prescribe."""
 
 _FIRST_ROOM = 16

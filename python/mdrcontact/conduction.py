@@ -26,6 +26,7 @@ from ._boundary import (
     numbers,
     one_path,
     together,
+    words_of,
 )
 from ._value import Value
 from .adhesion import code
@@ -36,19 +37,11 @@ from .state import State
 
 __all__ = ["Conduction", "TabulatedConduction", "Spot", "FrictionHeat", "ContactConductance"]
 
-ANSWERS: dict[str, int] = {
-    "conductance": _layout.CONDUCTANCE,
-    "resistance": _layout.RESISTANCE,
-    "mean": _layout.MEAN_POTENTIAL,
-    "centre": _layout.CENTRE_POTENTIAL,
-    "gaussian": _layout.GAUSSIAN_POTENTIAL,
-}
+ANSWERS = words_of(
+    _layout.CONDUCTANCE, _layout.RESISTANCE, _layout.MEAN_POTENTIAL, _layout.CENTRE_POTENTIAL, _layout.GAUSSIAN_POTENTIAL
+)
 """What a spot answers in time."""
-MOTIONS: dict[str, int] = {
-    "sliding": _layout.HEAT_SLIDING,
-    "spinning": _layout.HEAT_SPINNING,
-    "moving": _layout.HEAT_MOVING,
-}
+MOTIONS = words_of(_layout.HEAT_SLIDING, _layout.HEAT_SPINNING, _layout.HEAT_MOVING)
 """How the heat of friction is made."""
 SIDES: dict[str, int] = {"below": 1, "above": 0}
 """Of an interface."""
@@ -216,8 +209,9 @@ class Conduction(Value):
         """What follows a step at time 0, at times with D t/a^2 >= 1e-4 of the surface, any shape.
 
         answer : "conductance", flux per potential after a step of the potential of an equipotential spot; potential per flux
-            after a step of flux: "resistance", of an equipotential spot; "mean" or "centre" under a uniform flux; "gaussian", the
-            mean over a Gaussian probe under a Gaussian pump with 1/e^2 radii w0 and w1, radius = sqrt(w0^2 + w1^2)
+            after a step of flux: "resistance", of an equipotential spot; "mean_potential" or "centre_potential" under a uniform
+            flux; "gaussian_potential", the mean over a Gaussian probe under a Gaussian pump with 1/e^2 radii w0 and w1,
+            radius = sqrt(w0^2 + w1^2)
         """
         wanted, a = code("answer", answer, ANSWERS), number("radius", radius)
         return evaluate("time", time, lambda t: _native.conduction_follow(self._handle.address, wanted, a, t, 0))

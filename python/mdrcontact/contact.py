@@ -240,7 +240,7 @@ class Contact(Value):
         """Pressure [modulus] at 0 <= r < a, any shape, under an indenter that was pressed into a gel at once, a time before, its
         contact radius being held.
 
-        kind : "total", what the indenter bears, or "pore", that of the fluid at the surface, on a half-space only
+        kind : "total_pressure", what the indenter bears, or "pore_pressure", that of the fluid at the surface, on a half-space only
         time : since the step, D t/a^2 >= 1e-5 [time]
         depth : that of a flat punch's step [length]
         radius : the held contact radius of a Paraboloid, whose depth it determines [length]
@@ -277,8 +277,8 @@ class Contact(Value):
         """The states at which given strengths are first reached as the load grows, the first one first.
 
         strengths : what the layers and interfaces bear [modulus], one number each from the surface down, None where no failure is
-            looked for: "yield" (von Mises stress) and "tension" (principal stress) of each layer, the half-space last;
-            "interface shear" and "interface tension" of each interface
+            looked for: "von_mises" (a yield stress) and "tension" (principal stress) of each layer, the half-space last;
+            "interface_shear" and "interface_tension" of each interface
         largest_radius : how far to look [length]; default: 30 times the thickness of all layers, as far as the contact is defined
 
         A strength that is not reached, or only at the singular edge of a punch or an adhesive contact, has no entry; one that is

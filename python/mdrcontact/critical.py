@@ -17,7 +17,7 @@ from .medium import Coated, Homogeneous, Layered, Pair
 
 __all__ = ["Critical", "InterfaceMaxima", "LayerMaxima", "Maximum"]
 
-_OF_LAYER = _layout.VON_MISES, _layout.LARGEST_SHEAR, _layout.LARGEST_TENSION
+_OF_LAYER = _layout.VON_MISES, _layout.TRESCA, _layout.TENSION
 """In the order of LayerMaxima."""
 
 

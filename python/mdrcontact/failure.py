@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from . import _layout, _native
-from ._boundary import Refusal, address, not_zero, number, outcome
+from ._boundary import Refusal, address, not_zero, number, outcome, words_of
 from .adhesion import code
 from .critical import Maximum, layers_of, maximum
 from .errors import ArgumentTypeError, InvalidArgumentError
@@ -18,19 +18,14 @@ from .state import State, state_of
 
 __all__ = ["Failure"]
 
-_MODES = {
-    "yield": _layout.VON_MISES,
-    "tension": _layout.LARGEST_TENSION,
-    "interface shear": _layout.INTERFACE_SHEAR,
-    "interface tension": _layout.INTERFACE_TENSION,
-}
+_MODES = words_of(_layout.VON_MISES, _layout.TENSION, _layout.INTERFACE_SHEAR, _layout.INTERFACE_TENSION)
 
 
 class Failure(NamedTuple):
     """A strength that is reached."""
 
     mode: str
-    """one of "yield", "tension", "interface shear" and "interface tension"; see `Contact.first_failure`"""
+    """one of "von_mises", "tension", "interface_shear" and "interface_tension"; see `Contact.first_failure`"""
     place: int
     """which layer or interface, 0 is the first one from the surface"""
     strength: float
@@ -79,7 +74,7 @@ def _wanted(contact: Any, strengths: Mapping[str, Sequence[float | None]], body:
     interfaces, rigid = layers_of(contact.medium, body)
     if not isinstance(strengths, Mapping):
         raise ArgumentTypeError(
-            f"strengths = {strengths!r} is not allowed: it must be a dict of lists, as in {{'yield': [1e9, None]}}"
+            f"strengths = {strengths!r} is not allowed: it must be a dict of lists, as in {{'von_mises': [1e9, None]}}"
         )
     wanted = []
     for mode, given in strengths.items():

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _layout, _native, poroelastic
-from ._boundary import ComplexOrArray, FloatOrArray, check, evaluate, number, one_path, together
+from ._boundary import ComplexOrArray, FloatOrArray, check, evaluate, number, one_path, together, words_of
 from ._progress import marching
 from .adhesion import CONTROLS
 from .errors import ArgumentTypeError, InvalidArgumentError
@@ -61,7 +61,7 @@ class AdhesiveHistory(NamedTuple):
 STATE = _layout.rate_state.names or ()
 """What the library remembers of an adhesive history."""
 _HAPPENED = [name for name in STATE if name.startswith(("lowest", "rupture")) or name == "work"]
-_GIVEN = {"depth": _layout.DEPTH, "force": _layout.FORCE, "radius": _layout.RADIUS}
+_GIVEN = words_of(_layout.DEPTH, _layout.FORCE, _layout.RADIUS)
 
 
 def history(

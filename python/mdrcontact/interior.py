@@ -9,14 +9,14 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _layout, _native
-from ._boundary import FloatOrArray, call, check, number, together
+from ._boundary import FloatOrArray, call, check, number, together, words_of
 from .adhesion import code
 from .errors import NoConvergenceError
 
 __all__ = ["Interior"]
 
-BODIES = {"lower": _layout.BODY_LOWER, "upper": _layout.BODY_UPPER}
-SIDES = {"below": _layout.SIDE_BELOW, "above": _layout.SIDE_ABOVE}
+BODIES = words_of(_layout.BODY_LOWER, _layout.BODY_UPPER)
+SIDES = words_of(_layout.SIDE_BELOW, _layout.SIDE_ABOVE)
 USUAL, TOLERANCES = 1e-8, 10.0
 """Deviations up to the larger one of the first and of so many tolerances of the medium bring no warning."""
 WRONG = 1e-3

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import Any
@@ -13,18 +12,15 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _layout, _native
-from ._boundary import ComplexOrArray, FloatOrArray, Handle, check, complex_values, evaluate, number, one_path
+from ._boundary import ComplexOrArray, FloatOrArray, Handle, check, complex_values, evaluate, number, one_path, words_of
 from ._parameters import WithParameters
+from .adhesion import code
 from .errors import ArgumentTypeError, InvalidArgumentError
 from .profile import FlatPunch, Paraboloid, Profile
 
 __all__ = ["Poroelastic"]
 
-DRAINAGES: Mapping[str, int] = {
-    "surface": _layout.DRAINAGE_SURFACE,
-    "sealed": _layout.DRAINAGE_SEALED,
-    "indenter": _layout.DRAINAGE_INDENTER,
-}
+DRAINAGES = words_of(_layout.DRAINAGE_SURFACE, _layout.DRAINAGE_SEALED, _layout.DRAINAGE_INDENTER)
 """What the fluid may do at the surface."""
 
 _NO_STATES = (
@@ -193,9 +189,7 @@ def pressure(
     contact: Any, kind: str, r: ArrayLike, time: float, depth: float | None, radius: float | None, drainage: str | None
 ) -> FloatOrArray:
     """See `Contact.pressure_in_time`."""
-    kinds = {"total": _layout.TOTAL_PRESSURE, "pore": _layout.PORE_PRESSURE}
-    if kind not in kinds:
-        raise InvalidArgumentError(f'kind = {kind!r} is not allowed: it must be "total" or "pore"')
+    chosen = code("kind", kind, words_of(_layout.TOTAL_PRESSURE, _layout.PORE_PRESSURE))
     is_flat = isinstance(contact.indenter, FlatPunch)
     _check_held(contact.indenter)
     held = contact_radius(contact.indenter, radius)
@@ -207,7 +201,7 @@ def pressure(
     handle, modulus, diffusivity, a = _answers(contact.medium, held, drainage)
     at = number("time", time)
     return d * evaluate(
-        "r", r, lambda points: _native.poroelastic_pressure(handle, kinds[kind], int(is_flat), modulus, diffusivity, a, at, points)
+        "r", r, lambda points: _native.poroelastic_pressure(handle, chosen, int(is_flat), modulus, diffusivity, a, at, points)
     )
 
 

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _layout, _native
-from ._boundary import FloatOrArray, Handle, address, call, evaluate, number, numbers, record, row, together, whole
+from ._boundary import FloatOrArray, Handle, address, call, evaluate, number, numbers, record, row, together, whole, words_of
 from ._choices import nearest
 from ._value import Value
 from .contact import Contact
@@ -31,7 +31,8 @@ __all__ = [
     "wear_coefficient_from_volume",
 ]
 
-_PLACES, SCHEMES = ("fresh", "same"), ("disc", "rings")
+_PLACES = tuple(words_of(_layout.WEAR_FRESH, _layout.WEAR_SAME))
+SCHEMES = tuple(words_of(_layout.WEAR_DISC, _layout.WEAR_RINGS))
 """In the order of the library's codes."""
 _LONGEST_PAST = 2000
 """Numbers of a saved past at most."""

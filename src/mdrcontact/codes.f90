@@ -8,8 +8,8 @@ module mdrcontact_codes
               stiffness, tangential_modulus, torsional_stiffness, pressure, displacement, line_load, displacement_lower, &
               displacement_upper, traction, tangential_line_load, relaxation, creep, mean_relaxation, mean_creep, &
               paraboloid_relaxation, complex_modulus, storage, loss, total_pressure, pore_pressure, flux, flux_z, flux_r, &
-              potential, conductance, resistance, mean_potential, centre_potential, gaussian_potential, von_mises, largest_shear, &
-              largest_tension, interface_shear, interface_tension, free_surface_tension
+              potential, conductance, resistance, mean_potential, centre_potential, gaussian_potential, von_mises, tresca, &
+              tension, interface_shear, interface_tension, free_surface_tension
     public :: form_paraboloid_force, form_cone_force, form_adhesive_depth, form_reduced_depth, form_radius_scale, form_depth_scale
     public :: base_half_space, base_perfect, base_insulating
     public :: heat_sliding, heat_spinning, heat_moving
@@ -37,7 +37,7 @@ module mdrcontact_codes
     public :: wear_fresh, wear_same
     public :: wear_disc, wear_rings
     public :: weight_phi, weight_i0, weight_i1, weight_j0, weight_j1, weight_i0_tangential, weight_j0_tangential
-    public :: word_of
+    public :: codes_beside, word_of
 
     ! enum mdr_status
     !> MDR_SUCCESS. The call did what it says.
@@ -167,11 +167,10 @@ module mdrcontact_codes
     integer, parameter :: gaussian_potential = 169
     !> MDR_VON_MISES. Largest stress of a layer: the von Mises stress; a metal yields at the yield stress.
     integer, parameter :: von_mises = 181
-    !> MDR_LARGEST_SHEAR. Of a layer: (s_1 - s_3)/2; by Tresca a metal yields at half the yield stress.
-    integer, parameter :: largest_shear = 182
-    !> MDR_LARGEST_TENSION. Of a layer: the largest principal stress s_1. A strength of the first layer is one of its free surface,
-    !> too.
-    integer, parameter :: largest_tension = 183
+    !> MDR_TRESCA. Of a layer: (s_1 - s_3)/2; by Tresca a metal yields at half the yield stress.
+    integer, parameter :: tresca = 182
+    !> MDR_TENSION. Of a layer: the largest principal stress s_1. A strength of the first layer is one of its free surface, too.
+    integer, parameter :: tension = 183
     !> MDR_INTERFACE_SHEAR. Of an interface: sqrt(s_rz^2 + s_tz^2).
     integer, parameter :: interface_shear = 184
     !> MDR_INTERFACE_TENSION. Of an interface: s_zz.
@@ -438,32 +437,34 @@ module mdrcontact_codes
     !> MDR_WEIGHT_J0_TANGENTIAL. 1 less that, to full relative precision.
     integer, parameter :: weight_j0_tangential = 1007
 
-    !> The codes in ascending order, and their words.
-    integer, parameter :: numbers(*) = [101, 102, 103, 104, 105, 106, 107, 108, 111, 112, 113, 114, 121, 122, 123, 124, 131, 132, &
-        133, 134, 135, 136, 137, 141, 142, 143, 144, 145, 146, 147, 148, 149, 150, 161, 162, 163, 164, 165, 166, 167, 168, 169, &
-        181, 182, 183, 184, 185, 186, 201, 202, 203, 204, 205, 206, 207, 208, 209, 210, 211, 212, 213, 301, 302, 401, 402, 501, &
-        502, 601, 602, 701, 702, 801, 802, 803, 901, 902, 903, 1001, 1002, 1003, 1004, 1005, 1006, 1007, 1101, 1102, 1103, 1104, &
-        1105, 1106, 1201, 1202, 1203, 1204, 1301, 1302, 1303, 1401, 1402, 1403, 1404, 1405, 1406, 1501, 1502, 1503, 1504, 1505, &
-        1506, 1507, 1601, 1602, 1603, 1701, 1702, 1703, 1801, 1802, 1803, 1901, 1902, 1903, 2001, 2002, 2101, 2102]
-    character(len=21), parameter :: words(*) = [character(len=21) :: "depth", "force", "radius", "spring", "shift", &
+    !> The codes in ascending order, statuses first, and their words.
+    integer, parameter :: numbers(*) = [0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 101, 102, 103, 104, 105, 106, 107, 108, 111, 112, 113, 114, &
+        121, 122, 123, 124, 131, 132, 133, 134, 135, 136, 137, 141, 142, 143, 144, 145, 146, 147, 148, 149, 150, 161, 162, 163, &
+        164, 165, 166, 167, 168, 169, 181, 182, 183, 184, 185, 186, 201, 202, 203, 204, 205, 206, 207, 208, 209, 210, 211, 212, &
+        213, 301, 302, 401, 402, 501, 502, 601, 602, 701, 702, 801, 802, 803, 901, 902, 903, 1001, 1002, 1003, 1004, 1005, 1006, &
+        1007, 1101, 1102, 1103, 1104, 1105, 1106, 1201, 1202, 1203, 1204, 1301, 1302, 1303, 1401, 1402, 1403, 1404, 1405, 1406, &
+        1501, 1502, 1503, 1504, 1505, 1506, 1507, 1601, 1602, 1603, 1701, 1702, 1703, 1801, 1802, 1803, 1901, 1902, 1903, 2001, &
+        2002, 2101, 2102]
+    character(len=21), parameter :: words(*) = [character(len=21) :: "success", "null", "invalid", "domain", "unreachable", &
+        "no-convergence", "no-memory", "callback", "file", "cancelled", "depth", "force", "radius", "spring", "shift", &
         "tangential_force", "twist", "torque", "height", "height_slope", "g", "g_slope", "modulus", "stiffness", &
         "tangential_modulus", "torsional_stiffness", "pressure", "displacement", "line_load", "displacement_lower", &
         "displacement_upper", "traction", "tangential_line_load", "relaxation", "creep", "mean_relaxation", "mean_creep", &
         "paraboloid_relaxation", "complex_modulus", "storage", "loss", "total_pressure", "pore_pressure", "flux", "flux_z", &
         "flux_r", "potential", "conductance", "resistance", "mean_potential", "centre_potential", "gaussian_potential", &
-        "von_mises", "largest_shear", "largest_tension", "interface_shear", "interface_tension", "free_surface_tension", "gao", &
-        "gao-series", "doerner-nix", "wave", "mencik-exponential", "mencik-reciprocal", "bec", "perriot-barthel", "hay-crawford", &
-        "dimitriadis", "garcia", "exact", "gao-power", "loading", "unloading", "lower", "upper", "below", "above", "along", &
-        "around", "glassy", "relaxed", "automatic", "paper", "energy", "normal", "shear", "twist", "phi", "i0", "i1", "j0", "j1", &
-        "i0-tangential", "j0-tangential", "paraboloid-force", "cone-force", "adhesive-depth", "reduced-depth", "radius-scale", &
-        "depth-scale", "surface", "substrate", "effective", "given", "elastic", "any", "rigid", "layer", "half-space", "ball", &
-        "fibre", "pillar", "box", "force-depth", "stiffness-depth", "modulus-radius", "stiffness-radius", "force-time", &
-        "depth-time", "dynamic-stiffness", "linear", "huber", "cauchy", "surface", "sealed", "indenter", "half-space", "perfect", &
-        "insulating", "sliding", "spinning", "moving", "fresh", "same", "disc", "rings"]
+        "von_mises", "tresca", "tension", "interface_shear", "interface_tension", "free_surface_tension", "gao", "gao-series", &
+        "doerner-nix", "wave", "mencik-exponential", "mencik-reciprocal", "bec", "perriot-barthel", "hay-crawford", "dimitriadis", &
+        "garcia", "exact", "gao-power", "loading", "unloading", "lower", "upper", "below", "above", "along", "around", "glassy", &
+        "relaxed", "automatic", "paper", "energy", "normal", "shear", "twist", "phi", "i0", "i1", "j0", "j1", "i0-tangential", &
+        "j0-tangential", "paraboloid-force", "cone-force", "adhesive-depth", "reduced-depth", "radius-scale", "depth-scale", &
+        "surface", "substrate", "effective", "given", "elastic", "any", "rigid", "layer", "half-space", "ball", "fibre", "pillar", &
+        "box", "force-depth", "stiffness-depth", "modulus-radius", "stiffness-radius", "force-time", "depth-time", &
+        "dynamic-stiffness", "linear", "huber", "cauchy", "surface", "sealed", "indenter", "half-space", "perfect", "insulating", &
+        "sliding", "spinning", "moving", "fresh", "same", "disc", "rings"]
 
 contains
 
-    !> What a code means in a word, as Python and problem files write it; empty for a number that is no code.
+    !> What a code means in a word, as all languages and problem files write it; empty for a number that is no code.
     pure function word_of(code) result(word)
         integer, intent(in) :: code
         character(len=len(words)) :: word
@@ -473,5 +474,13 @@ contains
         place = findloc(numbers, code, dim=1)
         if (place > 0) word = words(place)
     end function word_of
+
+    !> The codes of the enumeration that a code belongs to; none for a number that is no code.
+    pure function codes_beside(code) result(codes)
+        integer, intent(in) :: code
+        integer, allocatable :: codes(:)
+
+        codes = pack(numbers, numbers - modulo(numbers, 100) == code - modulo(code, 100) .and. any(numbers == code))
+    end function codes_beside
 
 end module mdrcontact_codes

@@ -13,7 +13,7 @@ module mdrcontact_error
     use mdrcontact_padded_text, only: padded_count, padded_number
     implicit none (type, external)
     private
-    public :: error_t, raise, explain, raise_at, count_text, to_text
+    public :: error_t, raise, explain, raise_at, code_text, count_text, to_text
     public :: check_memory, check_choice, check_code, check_count_from, check_count_within, check_same_size, check_finite, &
               check_positive, check_not_negative, check_within, check_poisson, check_inclination, check_table
     public :: success, error_null, error_invalid, error_domain, error_unreachable, error_no_convergence, &
@@ -133,13 +133,13 @@ contains
         call raise(error, error_invalid, name//" = "//trim(code_text(code))//" is not allowed: it must be"//trim(words))
     end subroutine check_code
 
-    !> A code as number and word.
+    !> A code as number and word; of a number below 100, which may be a status by chance, the number.
     pure function code_text(code) result(text)
         integer, intent(in) :: code
         character(len=48) :: text
 
         text = count_text(code)
-        if (word_of(code) /= "") text = trim(text)//" ("//trim(word_of(code))//")"
+        if (code >= 100 .and. word_of(code) /= "") text = trim(text)//" ("//trim(word_of(code))//")"
     end function code_text
 
     !> Raises unless count >= smallest.

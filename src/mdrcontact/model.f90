@@ -11,8 +11,8 @@ module mdrcontact_model
     use mdrcontact_codes, only: base_any, base_elastic, base_rigid, model_bec, model_dimitriadis, model_doerner_nix, model_exact, &
                                 model_gao, model_gao_power, model_gao_series, model_garcia, model_hay_crawford, &
                                 model_mencik_exponential, model_mencik_reciprocal, model_perriot_barthel, model_wave, &
-                                weight_nu_surface
-    use mdrcontact_error, only: count_text, error_invalid, error_t, raise, to_text
+                                weight_nu_surface, word_of
+    use mdrcontact_error, only: code_text, count_text, error_invalid, error_t, raise, to_text
     use mdrcontact_kinds, only: half_pi, wp
     use mdrcontact_medium_exact, only: layered_exact_t, new_layered_exact
     use mdrcontact_layered_shared, only: layered_shared_t
@@ -34,7 +34,7 @@ module mdrcontact_model
     use mdrcontact_tension_surface, only: has_springs, is_bare, surface_t
     implicit none (type, external)
     private
-    public :: models, model_table, new_solver, find_model, model_position
+    public :: models, model_table, new_solver, model_position
     public :: constant_of, model_options_t, option_names, option_values, options_of, with_constant
 
     !> Codes of the models, enum mdr_model of the C header.
@@ -73,7 +73,6 @@ module mdrcontact_model
     !> A row of the table.
     type :: model_t
         integer :: code = -1
-        character(len=18) :: name = ""
         !> one of base_...
         integer :: base = base_elastic
         !> whether it takes any number of layers, and a graded body
@@ -87,19 +86,19 @@ module mdrcontact_model
 
     !> The models.
     type(model_t), parameter :: model_table(*) = [ &
-        model_t(models%gao, "gao", base_elastic, .true., .true., option="weight_nu"), &
-        model_t(models%gao_series, "gao-series", base_elastic, .true., .true., option="weight_nu"), &
-        model_t(models%gao_power, "gao-power", base_elastic, .true., .true., "exponent", "weight_nu"), &
-        model_t(models%doerner_nix, "doerner-nix", constant="alpha"), &
-        model_t(models%wave, "wave", constant="wave_factor"), &
-        model_t(models%mencik_exponential, "mencik-exponential", constant="alpha"), &
-        model_t(models%mencik_reciprocal, "mencik-reciprocal", constant="alpha"), &
-        model_t(models%bec, "bec"), &
-        model_t(models%perriot_barthel, "perriot-barthel"), &
-        model_t(models%hay_crawford, "hay-crawford"), &
-        model_t(models%dimitriadis, "dimitriadis", base_rigid, spherical_only=.true., largest_ratio=bottom_effect_ratio), &
-        model_t(models%garcia, "garcia", base_rigid, spherical_only=.true., largest_ratio=bottom_effect_ratio), &
-        model_t(models%exact, "exact", base_any, .true., .true., option="tolerance")]
+        model_t(models%gao, base_elastic, .true., .true., option="weight_nu"), &
+        model_t(models%gao_series, base_elastic, .true., .true., option="weight_nu"), &
+        model_t(models%gao_power, base_elastic, .true., .true., "exponent", "weight_nu"), &
+        model_t(models%doerner_nix, constant="alpha"), &
+        model_t(models%wave, constant="wave_factor"), &
+        model_t(models%mencik_exponential, constant="alpha"), &
+        model_t(models%mencik_reciprocal, constant="alpha"), &
+        model_t(models%bec), &
+        model_t(models%perriot_barthel), &
+        model_t(models%hay_crawford), &
+        model_t(models%dimitriadis, base_rigid, spherical_only=.true., largest_ratio=bottom_effect_ratio), &
+        model_t(models%garcia, base_rigid, spherical_only=.true., largest_ratio=bottom_effect_ratio), &
+        model_t(models%exact, base_any, .true., .true., option="tolerance")]
 
 contains
 
@@ -110,19 +109,6 @@ contains
 
         position = findloc(model_table%code, code, dim=1)
     end function model_position
-
-    !> The code of the model of this name; -1 if there is none.
-    pure function find_model(name) result(code)
-        !> as in model_table
-        character(len=*), intent(in) :: name
-        integer :: code
-        integer :: i
-
-        code = -1
-        do i = 1, size(model_table)
-            if (model_table(i)%name == name) code = model_table(i)%code
-        end do
-    end function find_model
 
     !> The options as numbers, in the order of their names.
     pure function option_values(options) result(values)
@@ -287,7 +273,7 @@ contains
                 call refuse(model, " on a rigid base (substrate E = infinity)", model_table%base /= base_elastic, error)
             else if (model_table(i)%base == base_rigid .and. .not. layers%rigid_base) then
                 call raise(error, error_invalid, "substrate E = "//to_text(layers%materials(n + 1)%young)//" is not allowed: "// &
-                           "the model "//trim(model_table(i)%name)//" is for a layer on a rigid base, substrate E = infinity")
+                           "the model "//trim(word_of(model))//" is for a layer on a rigid base, substrate E = infinity")
             end if
         end if
     end subroutine check_model
@@ -299,17 +285,14 @@ contains
         logical, intent(in) :: allowed(:)
         type(error_t), allocatable, intent(inout) :: error
         character(len=20*size(model_table)) :: names
-        character(len=len(model_table%name) + 15) :: name
         integer :: i
 
         names = ""
         do i = 1, size(model_table)
-            if (allowed(i)) names = trim(names)//", "//trim(model_table(i)%name)
+            if (allowed(i)) names = trim(names)//", "//trim(word_of(model_table(i)%code))
         end do
-        name = count_text(model)
-        i = model_position(model)
-        if (i > 0) name = trim(name)//" ("//trim(model_table(i)%name)//")"
-        call raise(error, error_invalid, "model = "//trim(name)//" is not allowed"//what//": choose from "//trim(names(3:)))
+        call raise(error, error_invalid, "model = "//trim(code_text(model))//" is not allowed"//what//": choose from "// &
+                   trim(names(3:)))
     end subroutine refuse
 
     pure function gao_options(model, options) result(chosen)

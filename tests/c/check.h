@@ -68,7 +68,7 @@ static inline void check_success_at(const char *file, int line, const char *what
         char text[512];
         mdr_last_error(text, (int)sizeof text);
         check_failed(file, line, what);
-        fprintf(stderr, "%s: %s\n", mdr_status_name(status), text);
+        fprintf(stderr, "%s: %s\n", mdr_name_of(status), text);
     }
 }
 
@@ -80,7 +80,7 @@ static inline void check_status_at(const char *file, int line, const char *what,
     check_count++;
     if (status != expected) {
         check_failed(file, line, what);
-        fprintf(stderr, "%s, expected %s\n", mdr_status_name(status), mdr_status_name(expected));
+        fprintf(stderr, "%s, expected %s\n", mdr_name_of(status), mdr_name_of(expected));
     } else if (strstr(text, part) == NULL) {
         check_failed(file, line, what);
         fprintf(stderr, "the text \"%s\" does not contain \"%s\"\n", text, part);

@@ -50,11 +50,11 @@ static void hertz(void)
     CHECK_INT(count, 4);
     CHECK_INT(found[0].quantity, MDR_VON_MISES);
     CHECK_CLOSE(found[0].value, 2.0 * 0.3100205020 * p, 1e-9);
-    CHECK_INT(found[1].quantity, MDR_LARGEST_SHEAR);
+    CHECK_INT(found[1].quantity, MDR_TRESCA);
     CHECK_CLOSE(found[1].value, 0.3100205020 * p, 1e-9);
     CHECK_CLOSE(found[1].z, 0.04808645, 1e-4);
     CHECK_CLOSE(found[1].r + 1.0, 1.0, 1e-6);
-    CHECK_INT(found[2].quantity, MDR_LARGEST_TENSION);
+    CHECK_INT(found[2].quantity, MDR_TENSION);
     CHECK_INT(found[3].quantity, MDR_FREE_SURFACE_TENSION);
     CHECK_CLOSE(found[3].value, 0.4 / 3.0 * p, 1e-12);
     CHECK_CLOSE(found[3].r, 0.1, 1e-12);
@@ -66,7 +66,7 @@ static void hertz(void)
 static void hertz_yields(void)
 {
     const double yield = 2.0, p = yield / (2.0 * 0.3100205020), modulus = 210.0 / 0.91;
-    const mdr_strength strengths[2] = {{MDR_LARGEST_SHEAR, 0, 1.01}, {MDR_VON_MISES, 0, 2.0}};
+    const mdr_strength strengths[2] = {{MDR_TRESCA, 0, 1.01}, {MDR_VON_MISES, 0, 2.0}};
     mdr_contact *c = on_steel();
     mdr_failure_load found[2];
     int count = 0;
@@ -78,7 +78,7 @@ static void hertz_yields(void)
     CHECK_CLOSE(found[0].value, yield, 1e-8);
     CHECK_CLOSE(found[0].radius, acos(-1.0) * p / (2.0 * modulus), 1e-8);
     CHECK_CLOSE(found[0].force, pow(acos(-1.0) * p, 3) / (6.0 * modulus * modulus), 1e-7);
-    CHECK_INT(found[1].quantity, MDR_LARGEST_SHEAR);
+    CHECK_INT(found[1].quantity, MDR_TRESCA);
     CHECK_CLOSE(found[1].force, pow(1.01, 3) * found[0].force, 1e-7);
     /* a strength that is not reached has no entry; what does not fit is left out */
     CHECK_SUCCESS(mdr_contact_first_failure(c, MDR_BODY_LOWER, 0.0, 1e-3, 2, strengths, 2, found, &count));
@@ -94,8 +94,8 @@ static void hertz_yields(void)
 static void film_under_friction(void)
 {
     enum { MAXIMA = 9 };
-    static const int quantities[MAXIMA] = {MDR_VON_MISES, MDR_LARGEST_SHEAR, MDR_LARGEST_TENSION, MDR_VON_MISES, MDR_LARGEST_SHEAR,
-                                           MDR_LARGEST_TENSION, MDR_INTERFACE_SHEAR, MDR_INTERFACE_TENSION,
+    static const int quantities[MAXIMA] = {MDR_VON_MISES, MDR_TRESCA, MDR_TENSION, MDR_VON_MISES, MDR_TRESCA,
+                                           MDR_TENSION, MDR_INTERFACE_SHEAR, MDR_INTERFACE_TENSION,
                                            MDR_FREE_SURFACE_TENSION};
     static const int places[MAXIMA] = {0, 0, 0, 1, 1, 1, 0, 0, 0};
     mdr_contact *c = on_film(0.0);
@@ -124,7 +124,7 @@ static void film_under_friction(void)
         mises = sqrt(0.5 * (pow(f.s_rr - f.s_tt, 2) + pow(f.s_tt - f.s_zz, 2) + pow(f.s_zz - f.s_rr, 2)) + 3.0 * f.s_rz * f.s_rz);
         switch (m->quantity) {
         case MDR_VON_MISES: CHECK_CLOSE(m->value, mises, 1e-9); break;
-        case MDR_LARGEST_SHEAR:
+        case MDR_TRESCA:
             CHECK_CLOSE(m->value, 0.5 * (fmax(mean + circle, f.s_tt) - fmin(mean - circle, f.s_tt)), 1e-9);
             break;
         case MDR_INTERFACE_SHEAR: CHECK_CLOSE(m->value, fabs(f.s_rz), 1e-9); break;

@@ -180,7 +180,7 @@ static void check_refusal(const char *name, enum refused which, int (*call)(void
     refusals = 0;
     status = call();
     refused = NOTHING;
-    if (status != expected || refusals == 0) printf("%s: %s, %d refusals\n", name, mdr_status_name(status), refusals);
+    if (status != expected || refusals == 0) printf("%s: %s, %d refusals\n", name, mdr_name_of(status), refusals);
     CHECK_INT(status, expected);
     CHECK_TRUE(refusals > 0);
     if (call != fit) CHECK_UNTOUCHED(3, out);

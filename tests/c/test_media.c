@@ -304,19 +304,12 @@ static void bottom_effect(void)
     }
 }
 
-/* The names of the table of models, both ways. */
-static void model_names(void)
+static void facts_of_models(void)
 {
     mdr_model_facts facts = MDR_SIZED(mdr_model_facts);
-    char name[20] = "untouched";
-    int model = -1;
 
     for (int i = MDR_MODEL_GAO_POWER; i >= MDR_MODEL_GAO; i--) {
-        CHECK_SUCCESS(mdr_model_name(i, 20, name));
-        CHECK_SUCCESS(mdr_model_from_name(name, &model));
-        CHECK_TRUE(model == i);
         CHECK_SUCCESS(mdr_model_info(i, &facts));
-        CHECK_TRUE(strcmp(facts.name, name) == 0);
         CHECK_TRUE(facts.spherical_only == (i == MDR_MODEL_DIMITRIADIS || i == MDR_MODEL_GARCIA));
         CHECK_TRUE(facts.largest_ratio == (facts.spherical_only ? 1.0 : INFINITY));
         CHECK_TRUE(facts.base == (facts.spherical_only ? MDR_BASE_RIGID : i == MDR_MODEL_EXACT ? MDR_BASE_ANY : MDR_BASE_ELASTIC));
@@ -328,20 +321,6 @@ static void model_names(void)
     CHECK_TRUE(strcmp(facts.constant, "") == 0 && strcmp(facts.option, "tolerance") == 0);
     CHECK_STATUS(mdr_model_info(-1, &facts), MDR_EINVALID, "model = -1");
     CHECK_STATUS(mdr_model_info(0, NULL), MDR_ENULL, "facts is NULL");
-    CHECK_SUCCESS(mdr_model_name(MDR_MODEL_EXACT, 20, name));
-    CHECK_TRUE(strcmp(name, "exact") == 0);
-    CHECK_SUCCESS(mdr_model_from_name("mencik-exponential", &model));
-    CHECK_TRUE(model == MDR_MODEL_MENCIK_EXPONENTIAL);
-    CHECK_STATUS(mdr_model_name(MDR_MODEL_GAO, 20, NULL), MDR_ENULL, "name is NULL");
-    CHECK_STATUS(mdr_model_name(-1, 20, name), MDR_EINVALID, "model = -1");
-    CHECK_STATUS(mdr_model_name(MDR_MODEL_GAO, 18, name), MDR_EINVALID, "length = 18");
-    CHECK_SUCCESS(mdr_model_name(MDR_MODEL_EXACT, 19, name));
-    CHECK_TRUE(strcmp(name, "exact") == 0);
-    CHECK_STATUS(mdr_model_from_name(NULL, &model), MDR_ENULL, "name is NULL");
-    CHECK_STATUS(mdr_model_from_name("gao", NULL), MDR_ENULL, "model is NULL");
-    CHECK_STATUS(mdr_model_from_name("gauss", &model), MDR_EINVALID, "name = gauss");
-    CHECK_STATUS(mdr_model_from_name("a name longer than that of any model", &model), MDR_EINVALID, "name = a name");
-    CHECK_TRUE(model == MDR_MODEL_MENCIK_EXPONENTIAL && strcmp(name, "exact") == 0);
 }
 
 /* Two bodies: refusals, and 1/E* = 1/E1* + 1/E2*. Bodies may be freed before the pair. */
@@ -379,7 +358,7 @@ static void pairs(void)
 int main(void)
 {
     pairs();
-    model_names();
+    facts_of_models();
     homogeneous_refuses();
     coated_refuses();
     published_models();

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* Version, status names, the protocol of the last error's text, and options. */
+/* Version, words of codes, the protocol of the last error's text, and options. */
 #include "check.h"
 
 static void version_agrees_with_the_header(void)
@@ -7,21 +7,44 @@ static void version_agrees_with_the_header(void)
     CHECK_INT(mdr_version(), 10000 * MDR_VERSION_MAJOR + 100 * MDR_VERSION_MINOR + MDR_VERSION_PATCH);
 }
 
-static void every_status_has_its_name(void)
+static void codes_have_words(void)
 {
-#define NAME_OF(code) CHECK_TEXT(mdr_status_name(code), #code)
-    NAME_OF(MDR_SUCCESS);
-    NAME_OF(MDR_ENULL);
-    NAME_OF(MDR_EINVALID);
-    NAME_OF(MDR_EDOMAIN);
-    NAME_OF(MDR_EUNREACHABLE);
-    NAME_OF(MDR_ENOCONVERGENCE);
-    NAME_OF(MDR_ENOMEMORY);
-    NAME_OF(MDR_ECALLBACK);
-    NAME_OF(MDR_EFILE);
-    NAME_OF(MDR_ECANCELLED);
-    CHECK_TEXT(mdr_status_name(-1), "unknown status");
-    CHECK_TEXT(mdr_status_name(99), "unknown status");
+    int code = -1;
+
+    CHECK_TEXT(mdr_name_of(MDR_SUCCESS), "success");
+    CHECK_TEXT(mdr_name_of(MDR_EINVALID), "invalid");
+    CHECK_TEXT(mdr_name_of(MDR_ENOCONVERGENCE), "no-convergence");
+    CHECK_TEXT(mdr_name_of(MDR_TANGENTIAL_FORCE), "tangential_force");
+    CHECK_TEXT(mdr_name_of(MDR_MODEL_GAO_SERIES), "gao-series");
+    CHECK_TEXT(mdr_name_of(MDR_ON_LOADING), "loading");
+    CHECK_TEXT(mdr_name_of(-1), "unknown");
+    CHECK_TEXT(mdr_name_of(99), "unknown");
+    CHECK_SUCCESS(mdr_code_of(MDR_SUCCESS, "cancelled", &code));
+    CHECK_INT(code, MDR_ECANCELLED);
+    for (int known = 0; known < 3000; known++) {
+        if (strcmp(mdr_name_of(known), "unknown") == 0) {
+            CHECK_STATUS(mdr_code_of(known, "depth", &code), MDR_EINVALID, "enumeration = ");
+            continue;
+        }
+        CHECK_SUCCESS(mdr_code_of(known, mdr_name_of(known), &code));
+        CHECK_INT(code, known);
+    }
+}
+
+/* A wrong word is answered with the nearest one and all of the enumeration, and with no other. */
+static void wrong_words_are_answered(void)
+{
+    int code = 77;
+
+    CHECK_STATUS(mdr_code_of(MDR_MODEL_EXACT, "gauss", &code), MDR_EINVALID, "name = gauss is not allowed: did you mean gao?");
+    CHECK_STATUS(mdr_code_of(MDR_MODEL_EXACT, "exakt", &code), MDR_EINVALID, "did you mean exact? It must be one of gao, gao-series");
+    CHECK_STATUS(mdr_code_of(MDR_ON_LOADING, "depth", &code), MDR_EINVALID, "one of loading, unloading");
+    CHECK_STATUS(mdr_code_of(MDR_ON_LOADING, "", &code), MDR_EINVALID, "did you mean loading?");
+    CHECK_STATUS(mdr_code_of(MDR_DEPTH, "a word that is much longer than any word of the library, and of its messages", &code),
+                 MDR_EINVALID, "name = a word that is much longer than any word");
+    CHECK_STATUS(mdr_code_of(MDR_DEPTH, NULL, &code), MDR_ENULL, "name is NULL");
+    CHECK_STATUS(mdr_code_of(MDR_DEPTH, "depth", NULL), MDR_ENULL, "code is NULL");
+    CHECK_INT(code, 77);
 }
 
 static void text_is_empty_before_the_first_failure(void)
@@ -126,7 +149,8 @@ int main(void)
 {
     text_is_empty_before_the_first_failure();
     version_agrees_with_the_header();
-    every_status_has_its_name();
+    codes_have_words();
+    wrong_words_are_answered();
     text_fits_or_is_cut();
     success_leaves_the_text();
     options_begin_with_their_size();

@@ -204,4 +204,4 @@ def test_what_decides_in_a_weakly_bonded_film():
     smooth = mdr.Contact(mdr.Paraboloid(10.0), mdr.Coated(film, 1.0, mdr.SMOOTH))
     critical = smooth.at_force(1.0).critical()
     assert sum(layer.energy for layer in critical.layers) == pytest.approx(smooth.at_force(1.0).energy(), rel=1e-9)
-    assert smooth.first_failure({"yield": [3.0]})[0].at.value == pytest.approx(3.0, rel=1e-6)
+    assert smooth.first_failure({"von_mises": [3.0]})[0].at.value == pytest.approx(3.0, rel=1e-6)

@@ -250,9 +250,9 @@ def test_faults_in_the_file_are_one_line_and_status_2(problem, capsys, number):
 
 
 def test_strengths_of_too_few_layers(problem, capsys):
-    Path(problem).write_text(GOOD + '\n[strength]\nyield = ["1 GPa"]\n', encoding="utf-8")
+    Path(problem).write_text(GOOD + '\n[strength]\nvon_mises = ["1 GPa"]\n', encoding="utf-8")
     assert main(["stress", problem]) == 2
-    assert "[strength]: strengths: 'yield' has 1 values: one for each of the 2 layers is needed" in capsys.readouterr().err
+    assert "[strength]: strengths: 'von_mises' has 1 values: one for each of the 2 layers is needed" in capsys.readouterr().err
 
 
 def test_nothing_to_compare(problem, capsys):

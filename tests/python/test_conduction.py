@@ -57,12 +57,18 @@ def value_of(row):
     if what == "j" and "t" in given:
         return conduction.step_flux(given["r"], given["t"], a)
     if "s" in given or "t" in given:
-        answer = {"G": "conductance", "R": "resistance", "Ru mean": "mean", "Ru centre": "centre", "Z gauss": "gaussian"}[what]
+        answer = {
+            "G": "conductance",
+            "R": "resistance",
+            "Ru mean": "mean_potential",
+            "Ru centre": "centre_potential",
+            "Z gauss": "gaussian_potential",
+        }[what]
         if "s" in given:
             return conduction.admittance(given["s"].imag, given.get("w", a), answer)
         return conduction.step(given["t"], a, answer)
     if what.startswith("Ru"):
-        return conduction.admittance(0.0, a, {"Ru mean": "mean", "Ru centre": "centre"}[what]).real
+        return conduction.admittance(0.0, a, {"Ru mean": "mean_potential", "Ru centre": "centre_potential"}[what]).real
     spot = conduction.at_radius(a)
     if what == "series G":
         parts = [mdr.Conduction(body_of(row[name])).at_radius(a).conductance for name in ("body1", "body2")]
@@ -224,7 +230,7 @@ def test_limits_of_resistances():
     plain = mdr.Conduction(mdr.Conductor(1.0))
     assert plain.replace(film=3e-3).at_radius(1.0).conductance == pytest.approx(4.0, rel=2e-2)
     much = plain.replace(film=1e6).at_radius(1.0).conductance
-    mean = plain.admittance(0.0, 1.0, "mean").real
+    mean = plain.admittance(0.0, 1.0, "mean_potential").real
     assert 1.0 / much - 1e6 / np.pi == pytest.approx(mean, rel=1e-4)
 
 
@@ -305,7 +311,7 @@ def test_any_history():
     for spot, answer in (
         (mdr.Conduction(body), "conductance"),
         (mdr.Conduction(body, film=0.3), "resistance"),
-        (mdr.Conduction(body), "centre"),
+        (mdr.Conduction(body), "centre_potential"),
     ):
         late, width = 0.7, 1e-3
         steep = spot.follow([0.0, width, late + 0.5 * width], [0.0, 1.0, 1.0], 1.0, answer)
@@ -647,11 +653,13 @@ def test_fits_find_what_made_the_data():
     silica, silicon = mdr.Conductor(1.4, None, 1.66e6), mdr.Conductor(148.0, None, 1.66e6)
     true = mdr.Conduction(mdr.LayeredConductor([(silica, 1e-7), mdr.Interface(2e-8)], silicon))
     omega = np.geomspace(1e4, 1e8, 30)
-    z = np.asarray(true.admittance(omega, 3e-6, "gaussian"))
+    z = np.asarray(true.admittance(omega, 3e-6, "gaussian_potential"))
     sd = 1e-3 * abs(z).max()
     z = z + sd * (noise.standard_normal(30) + 1j * noise.standard_normal(30))
     start = true.replace(body=mdr.LayeredConductor([(silica, 1e-7), mdr.Interface(5e-9)], silicon.replace(sigma=60.0)))
-    fit = mdr.fit_conduction(mdr.Impedance(omega, z, 3e-6, "gaussian", sd), start, ["layer1.resistance", "substrate.sigma"])
+    fit = mdr.fit_conduction(
+        mdr.Impedance(omega, z, 3e-6, "gaussian_potential", sd), start, ["layer1.resistance", "substrate.sigma"]
+    )
     for name, value in (("layer1.resistance", 2e-8), ("substrate.sigma", 148.0)):
         assert abs(fit.values[name] - value) < 4.0 * fit.errors[name], fit
         assert fit.errors[name] < 0.1 * value

@@ -7,7 +7,7 @@ from conftest import ROOT
 
 SOURCE = ROOT / "src" / "mdrcontact"
 ORDER = [
-    {"base", "batch", "cancel", "codes", "error", "file", "gsl", "kinds", "lapack", "padded_text", "version"},
+    {"base", "batch", "cancel", "codes", "error", "file", "gsl", "kinds", "lapack", "padded_text", "version", "words"},
     {"numerics"},
     {"profile"},
     {"material"},

@@ -415,35 +415,35 @@ def test_hertz_yields_where_it_is_known_to():
 def test_first_failure_under_a_flat_punch():
     """One contact radius: stresses grow with the depth. The film yields at the edge, where they are infinite: no entry."""
     contact = mdr.Contact(mdr.FlatPunch(1.0), CONTACT.medium)
-    failures = contact.first_failure({"yield": [50.0, 60.0], "interface shear": [30.0], "tension": [None, 5.0]}, friction=0.1)
-    assert [failure.mode for failure in failures].count("yield") == 1 and len(failures) == 3
+    failures = contact.first_failure({"von_mises": [50.0, 60.0], "interface_shear": [30.0], "tension": [None, 5.0]}, friction=0.1)
+    assert [failure.mode for failure in failures].count("von_mises") == 1 and len(failures) == 3
     for failure in failures:
         field = failure.state.interior(failure.at.r, failure.at.z, side="above", friction=0.1, angle=failure.at.angle)
         measure = {
-            "yield": field.von_mises,
-            "interface shear": np.hypot(field.s_rz, field.s_tz),
+            "von_mises": field.von_mises,
+            "interface_shear": np.hypot(field.s_rz, field.s_tz),
             "tension": field.principal[..., 0],
         }
         assert measure[failure.mode] == pytest.approx(failure.strength, rel=1e-9)
     # half the strength at half the force
-    half = contact.first_failure({"interface shear": [15.0]}, friction=0.1)[0]
-    whole = next(failure for failure in failures if failure.mode == "interface shear")
+    half = contact.first_failure({"interface_shear": [15.0]}, friction=0.1)[0]
+    whole = next(failure for failure in failures if failure.mode == "interface_shear")
     assert half.state.force == pytest.approx(0.5 * whole.state.force, rel=1e-9)
 
 
 def test_first_failure_is_where_a_strength_is_reached():
-    failures = CONTACT.first_failure({"yield": [None, 60.0], "interface shear": [30.0]}, largest_radius=3.0)
-    assert [failure.mode for failure in failures] == ["yield", "interface shear"]
+    failures = CONTACT.first_failure({"von_mises": [None, 60.0], "interface_shear": [30.0]}, largest_radius=3.0)
+    assert [failure.mode for failure in failures] == ["von_mises", "interface_shear"]
     assert failures[0].state.force < failures[1].state.force
     again = failures[0].state.critical()
     assert again.layers[1].von_mises.value == pytest.approx(60.0, rel=1e-4)
-    assert CONTACT.first_failure({"yield": [1e6, None]}, largest_radius=1.0) == ()
-    numpys = CONTACT.first_failure({"yield": (None, np.float32(60.0))}, largest_radius=np.int64(3))
+    assert CONTACT.first_failure({"von_mises": [1e6, None]}, largest_radius=1.0) == ()
+    numpys = CONTACT.first_failure({"von_mises": (None, np.float32(60.0))}, largest_radius=np.int64(3))
     assert numpys[0].state == failures[0].state
-    for wrong in ({}, {"yield": [1.0]}, {"melt": [1.0]}, {"yield": [-1.0, None]}, {"yield": [None, None]}):
+    for wrong in ({}, {"von_mises": [1.0]}, {"melt": [1.0]}, {"von_mises": [-1.0, None]}, {"von_mises": [None, None]}):
         with pytest.raises(mdr.InvalidArgumentError, match="strengths"):
             CONTACT.first_failure(wrong)
-    for wrong in ([1.0], {"yield": 1.0}, {"yield": "60"}, {"yield": ["60", None]}):
+    for wrong in ([1.0], {"von_mises": 1.0}, {"von_mises": "60"}, {"von_mises": ["60", None]}):
         with pytest.raises(mdr.ArgumentTypeError, match="strengths"):
             CONTACT.first_failure(wrong)
 
@@ -451,17 +451,17 @@ def test_first_failure_is_where_a_strength_is_reached():
 def test_wrong_strengths_and_friction_are_refused_by_name():
     for options, words in (
         (
-            {"strengths": {"yield": [None, np.nan]}},
-            "strengths: 'yield': value = NaN is not allowed: it must be finite and greater",
+            {"strengths": {"von_mises": [None, np.nan]}},
+            "strengths: 'von_mises': value = NaN is not allowed: it must be finite and greater",
         ),
-        ({"strengths": {"interface shear": [-3.0]}}, "strengths: 'interface shear': value = -3 is not allowed"),
+        ({"strengths": {"interface_shear": [-3.0]}}, "strengths: 'interface_shear': value = -3 is not allowed"),
         ({"friction": -0.1}, "friction = -0.1 is not allowed: it must be finite and at least 0"),
         ({"body": "upper"}, "body"),
         ({"largest_radius": 0.0}, "largest_radius = 0.0 is not allowed"),
         ({"largest_radius": -1.0}, "largest_radius = -1 is not allowed"),
     ):
         with pytest.raises(mdr.InvalidArgumentError, match=words):
-            CONTACT.first_failure(**{"strengths": {"yield": [None, 60.0]}, **options})
+            CONTACT.first_failure(**{"strengths": {"von_mises": [None, 60.0]}, **options})
     with pytest.raises(mdr.InvalidArgumentError, match="friction = -0.1 is not allowed"):
         STATE.critical(friction=-0.1)
     graded = mdr.Contact(mdr.Paraboloid(1.0), mdr.Graded([0.0, 1.0], [1.0, 2.0], [0.3, 0.3]))
@@ -472,7 +472,7 @@ def test_wrong_strengths_and_friction_are_refused_by_name():
 def test_what_fails_at_once_is_said_so():
     """Under a cone stresses do not tend to 0 with the load: a film that does not bear them is not safe."""
     contact = mdr.Contact(mdr.Cone(0.2), CONTACT.medium)
-    failures = contact.first_failure({"yield": [14.0, 2.0]}, largest_radius=3.0)
+    failures = contact.first_failure({"von_mises": [14.0, 2.0]}, largest_radius=3.0)
     assert [(failure.place, failure.at_once) for failure in failures] == [(0, True), (1, False)]
     # where stresses are infinite nothing is looked for nearer than 1e-3 a
     state = contact.at_radius(0.5)
@@ -484,16 +484,16 @@ def test_what_fails_at_once_is_said_so():
 def test_first_failure_under_a_flat_end():
     """Contact begins at the radius of the end."""
     contact = mdr.Contact(mdr.FlatEndedParaboloid(0.5, 50.0), mdr.Homogeneous(STEEL))
-    (failure,) = contact.first_failure({"yield": [2.0]}, largest_radius=3.0)
+    (failure,) = contact.first_failure({"von_mises": [2.0]}, largest_radius=3.0)
     assert failure.state.radius > 0.5 and not failure.at_once
     assert failure.state.critical().layers[0].von_mises.value == pytest.approx(2.0, rel=1e-4)
     with pytest.raises(mdr.InvalidArgumentError, match="larger than the flat end"):
-        contact.first_failure({"yield": [2.0]}, largest_radius=0.4)
+        contact.first_failure({"von_mises": [2.0]}, largest_radius=0.4)
 
 
 def test_the_edge_of_an_adhesive_contact_is_no_failure():
     contact = mdr.Contact(mdr.Paraboloid(100.0), CONTACT.medium, work_of_adhesion=1e-3)
-    failures = contact.first_failure({"yield": [14.0, 2.0]}, largest_radius=3.0)
+    failures = contact.first_failure({"von_mises": [14.0, 2.0]}, largest_radius=3.0)
     assert [failure.place for failure in failures] == [1] and not failures[0].at_once
 
 

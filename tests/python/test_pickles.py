@@ -169,7 +169,7 @@ def results():
         critical.layers[0],
         critical.layers[0].von_mises,
         critical.interfaces[0],
-        *CONTACT.first_failure({"yield": [1e8, 1e8]}),
+        *CONTACT.first_failure({"von_mises": [1e8, 1e8]}),
         history_in_time(),
         *rates(),
         zone_in_time(),

@@ -124,10 +124,10 @@ def test_permeability_is_the_other_way_to_say_diffusivity():
 def test_early_pressure_is_that_of_the_incompressible_body():
     r = np.array([0.0, 0.5])
     contact = punch()
-    total = contact.pressure_in_time("total", r, 1e-5, depth=1.0, drainage="indenter")
+    total = contact.pressure_in_time("total_pressure", r, 1e-5, depth=1.0, drainage="indenter")
     assert total == pytest.approx(4.0 / np.pi / np.sqrt(1.0 - r**2), rel=1e-2)
     held = mdr.Contact(mdr.Paraboloid(1.0), contact.medium)
-    assert held.pressure_in_time("total", r, 1e-5, radius=1.0, drainage="indenter") == pytest.approx(
+    assert held.pressure_in_time("total_pressure", r, 1e-5, radius=1.0, drainage="indenter") == pytest.approx(
         8.0 / np.pi * np.sqrt(1.0 - r**2), rel=1e-2
     )
 
@@ -154,16 +154,16 @@ def test_pore_pressure_of_a_sealed_surface():
         wave = w * k * flux / (1.0 + flux) * (load @ b)
         pore = np.array([np.sum(wave * special.j0(k * x)) for x in r])
         total += (np.exp(z) / z * 2j * opening * turn * width / np.pi * pore).imag
-    found = punch().pressure_in_time("pore", r, tau, depth=1.0, drainage="sealed")
+    found = punch().pressure_in_time("pore_pressure", r, tau, depth=1.0, drainage="sealed")
     assert found == pytest.approx(4.0 / np.pi * total, rel=1e-6)
 
 
 def test_late_pressure_is_drained():
     r = np.array([0.0, 0.5, 0.9])
     for drainage in DRAINAGES.values():
-        total = punch().pressure_in_time("total", r, 1e12, depth=1.0, drainage=drainage)
+        total = punch().pressure_in_time("total_pressure", r, 1e12, depth=1.0, drainage=drainage)
         assert total == pytest.approx(2.0 / 0.8 / np.pi / np.sqrt(1.0 - r**2), rel=1e-5)
-        assert punch().pressure_in_time("pore", r, 1e12, depth=1.0, drainage=drainage) == pytest.approx(0.0, abs=1e-5)
+        assert punch().pressure_in_time("pore_pressure", r, 1e12, depth=1.0, drainage=drainage) == pytest.approx(0.0, abs=1e-5)
 
 
 GEL = mdr.Poroelastic(1.0, 0.2, 1.0)
@@ -199,7 +199,10 @@ def on_film(a, drainage):
         (lambda: mdr.Friction(punch(), 0.1), "poroelastic"),
         (lambda: on_film(9.0, "surface"), "ratio = 9"),
         (lambda: on_film(1.0, "indenter"), "film"),
-        (lambda: mdr.Contact(mdr.FlatPunch(1.0), FILM).pressure_in_time("pore", 0.0, 1.0, depth=1.0, drainage="sealed"), "film"),
+        (
+            lambda: mdr.Contact(mdr.FlatPunch(1.0), FILM).pressure_in_time("pore_pressure", 0.0, 1.0, depth=1.0, drainage="sealed"),
+            "film",
+        ),
     ],
 )
 def test_refusals(call, words):

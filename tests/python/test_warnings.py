@@ -86,7 +86,7 @@ def test_ordinary_contacts_do_not_warn():
 def test_a_search_does_not_warn_of_what_it_looks_at():
     tin = mdr.Coated(mdr.Elastic(450e9, 0.25), 2e-6, mdr.Elastic(210e9, 0.3))
     contact = mdr.Contact(mdr.Paraboloid(20e-6), tin)
-    (failure,) = contact.first_failure({"yield": [None, 1e9]})
+    (failure,) = contact.first_failure({"von_mises": [None, 1e9]})
     assert float(failure.state.radius) < 20e-6
 
 

@@ -62,7 +62,8 @@ class Impedance:
     omega : angular frequencies > 0 [1/time]
     values : complex, as many
     radius : of the spot, or sqrt(w0^2 + w1^2) of Gaussian pump and probe [length]
-    answer : "resistance" (default: the impedance), "conductance", "mean", "centre" or "gaussian", as of `Conduction.admittance`
+    answer : "resistance" (default: the impedance), "conductance", "mean_potential", "centre_potential" or
+        "gaussian_potential", as of `Conduction.admittance`
     sd : standard deviation of real and imaginary part, one or as many; None: all alike and not known, relative
     """
 

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import _layout, _native
-from .._boundary import Refusal, address, not_zero, outcome, record, whole
+from .._boundary import Refusal, address, not_zero, outcome, record, whole, words_of
 from ..adhesion import RULES, code
 from ..errors import ArgumentTypeError, InvalidArgumentError
 from ..medium.viscoelastic import is_viscoelastic
@@ -20,7 +20,7 @@ from .parameters import Free, Instrument, JointPrior, Pattern, handles_of, patte
 from .time_data import DepthTime, DynamicStiffness, ForceTime
 
 _OF_CONTACT_DEPTH = ("contact_depth_factor", "contact_depth_scale")
-_LOSSES = {"linear": _layout.FIT_LINEAR, "huber": _layout.FIT_HUBER, "cauchy": _layout.FIT_CAUCHY}
+_LOSSES = words_of(_layout.FIT_LINEAR, _layout.FIT_HUBER, _layout.FIT_CAUCHY)
 
 
 class Problem(NamedTuple):

@@ -9,7 +9,7 @@ from typing import Any
 from numpy.typing import ArrayLike
 
 from .. import _layout, _native
-from .._boundary import ComplexOrArray, FloatOrArray, Handle, complex_values, evaluate, number, numbers
+from .._boundary import ComplexOrArray, FloatOrArray, Handle, complex_values, evaluate, number, numbers, words_of
 from .._choices import nearest
 from .._parameters import WithParameters
 from ..conductor import conduction_of, flux_compliance
@@ -18,7 +18,7 @@ from ..poroelastic import compliance as gel_compliance
 from ..poroelastic import is_poroelastic
 from .viscoelastic import is_viscoelastic
 
-_LOADS = {"normal": _layout.LOAD_NORMAL, "shear": _layout.LOAD_SHEAR, "twist": _layout.LOAD_TWIST}
+_LOADS = words_of(_layout.LOAD_NORMAL, _layout.LOAD_SHEAR, _layout.LOAD_TWIST)
 
 
 @dataclass(frozen=True)

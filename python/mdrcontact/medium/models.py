@@ -10,7 +10,7 @@ from typing import Any, NamedTuple, TypeVar
 from numpy.typing import NDArray
 
 from .. import _layout, _native
-from .._boundary import address, not_zero, number, record
+from .._boundary import address, not_zero, number, record, words_of
 from .._choices import nearest
 from ..errors import InvalidArgumentError
 from .base import Medium
@@ -39,11 +39,12 @@ def _models() -> Iterator[tuple[str, Model]]:
         facts = record(_layout.model_facts)
         if _native.model_info(code, address(facts)):
             return
-        _, _, base, layers, graded, _, name, *options, default = facts[0].tolist()
+        _, _, base, layers, graded, _, *options, default = facts[0].tolist()
         constant, option = (words.decode() for words in options)
         options = tuple(words for words in (constant, option) if words)
         rigid = base == _layout.BASE_RIGID, base != _layout.BASE_ELASTIC
-        yield name.decode(), Model(code, options, constant, default, *rigid, bool(layers), bool(graded))
+        (name,) = words_of(code)
+        yield name, Model(code, options, constant, default, *rigid, bool(layers), bool(graded))
 
 
 MODELS: Mapping[str, Model] = dict(sorted(_models(), key=lambda entry: entry[0] == "exact"))
@@ -52,11 +53,7 @@ MODELS: Mapping[str, Model] = dict(sorted(_models(), key=lambda entry: entry[0] 
 OPTIONS: tuple[str, ...] = tuple(sorted({name for model in MODELS.values() for name in model.options}))
 """The options of all models."""
 
-_WEIGHT_NU = {
-    "surface": _layout.WEIGHT_NU_SURFACE,
-    "substrate": _layout.WEIGHT_NU_SUBSTRATE,
-    "effective": _layout.WEIGHT_NU_EFFECTIVE,
-}
+_WEIGHT_NU = words_of(_layout.WEIGHT_NU_SURFACE, _layout.WEIGHT_NU_SUBSTRATE, _layout.WEIGHT_NU_EFFECTIVE)
 
 
 class Settings(NamedTuple):

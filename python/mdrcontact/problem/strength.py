@@ -9,7 +9,7 @@ from .section import ProblemError, Section
 from .units import MODULUS, Dimension
 
 KNOWN: Mapping[str, Dimension | None] = {
-    "yield": MODULUS,
+    "von_mises": MODULUS,
     "tension": MODULUS,
     "interface_shear": MODULUS,
     "interface_tension": MODULUS,
@@ -31,7 +31,7 @@ def read_strength(section: Section) -> Strengths:
         for value, number in zip(values, known, strict=True):
             if number is not None and not number > 0.0:
                 raise ProblemError(f'[{section.path}]: {key} = {value!r} is not allowed: a strength is greater than 0, or "none"')
-        strengths[key.replace("_", " ")] = known
+        strengths[key] = known
     if not strengths:
         raise ProblemError(f"[{section.path}]: it is empty: give at least one of {', '.join(KNOWN)}")
     return strengths

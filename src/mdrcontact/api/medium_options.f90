@@ -1,19 +1,19 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The optional settings of a medium, `mdr_medium_options`, and the names of the models, for C.
+!> The optional settings of a medium, `mdr_medium_options`, and what models take, for C.
 module mdrcontact_api_medium_options
     use, intrinsic :: ieee_arithmetic, only: ieee_positive_inf, ieee_value
     use, intrinsic :: iso_c_binding, only: c_char, c_double, c_int, c_loc, c_null_char, c_ptr, c_size_t, c_sizeof
     use mdrcontact_api_options, only: check_size, read_options, write_facts
     use mdrcontact_api_records, only: c_medium_options_t, c_model_facts_t
-    use mdrcontact_api_status, only: check_given, status_of
-    use mdrcontact_error, only: check_count_from, count_text, error_invalid, error_t, raise
+    use mdrcontact_api_status, only: status_of
+    use mdrcontact_error, only: code_text, error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
-    use mdrcontact_model, only: find_model, model_options_t, model_position, model_table, option_names, option_values
+    use mdrcontact_model, only: model_options_t, model_position, model_table, option_names, option_values
     use mdrcontact_tension_surface, only: surface_t
     implicit none (type, external)
     private
     public :: read_medium_options, read_surface
-    public :: mdr_model_name, mdr_model_from_name, mdr_model_info
+    public :: mdr_model_info
 
 contains
 
@@ -46,21 +46,6 @@ contains
         surface = surface_t(chosen%surface_tension, chosen%surface_bending, chosen%surface_stretching)
     end subroutine read_surface
 
-    function mdr_model_name(model, length, name) result(status) bind(C)
-        integer(c_int), value :: model, length
-        character(kind=c_char), intent(inout), optional :: name(*)
-        integer(c_int) :: status
-        type(error_t), allocatable :: error
-        integer :: position
-
-        position = model_position(int(model))
-        call check_given(error, "name", present(name))
-        if (position == 0) call raise_model(error, model)
-        call check_count_from(error, "length", int(length), len(model_table%name) + 1)
-        if (.not. allocated(error)) call write_name(model_table(position)%name, name(:length))
-        status = status_of(error)
-    end function mdr_model_name
-
     function mdr_model_info(model, facts) result(status) bind(C)
         integer(c_int), value :: model
         type(c_ptr), value :: facts
@@ -72,7 +57,8 @@ contains
 
         position = model_position(int(model))
         call check_size(error, "facts", facts, c_sizeof(made), used)
-        if (position == 0) call raise_model(error, model)
+        if (position == 0) call raise(error, error_invalid, "model = "//trim(code_text(int(model)))//" is not allowed: it must "// &
+                                      "be one of enum mdr_model")
         status = status_of(error)
         if (allocated(error)) return
         associate (row => model_table(position))
@@ -82,39 +68,12 @@ contains
             made%spherical_only = merge(1_c_int, 0_c_int, row%spherical_only)
             made%largest_ratio = row%largest_ratio
             if (row%largest_ratio >= huge(1.0_wp)) made%largest_ratio = ieee_value(1.0_c_double, ieee_positive_inf)
-            call write_name(row%name, made%name)
             call write_name(row%constant, made%constant)
             call write_name(row%option, made%option)
             made%default_constant = sum(option_values(model_options_t()), mask=option_names == row%constant)
         end associate
         call write_facts(facts, c_loc(made), used)
     end function mdr_model_info
-
-    function mdr_model_from_name(name, model) result(status) bind(C)
-        character(kind=c_char), intent(in), optional :: name(*)
-        integer(c_int), intent(inout), optional :: model
-        integer(c_int) :: status
-        type(error_t), allocatable :: error
-        character(len=len(model_table%name) + 1) :: text
-        integer :: i, code
-
-        call check_given(error, "name", present(name))
-        call check_given(error, "model", present(model))
-        if (.not. allocated(error)) then
-            text = ""
-            do i = 1, len(text)
-                if (name(i) == c_null_char) exit
-                text(i:i) = name(i)
-            end do
-            code = find_model(text)
-            if (code >= 0) then
-                model = int(code, c_int)
-            else
-                call raise(error, error_invalid, "name = "//trim(text)//" is not allowed: it must be the name of a model")
-            end if
-        end if
-        status = status_of(error)
-    end function mdr_model_from_name
 
     !> A name as C has it.
     pure subroutine write_name(name, characters)
@@ -127,12 +86,5 @@ contains
         end do
         characters(len_trim(name) + 1) = c_null_char
     end subroutine write_name
-
-    pure subroutine raise_model(error, model)
-        type(error_t), allocatable, intent(inout) :: error
-        integer(c_int), intent(in) :: model
-
-        call raise(error, error_invalid, "model = "//count_text(int(model))//" is not allowed: it must be one of enum mdr_model")
-    end subroutine raise_model
 
 end module mdrcontact_api_medium_options

@@ -78,20 +78,3 @@ int mdr_last_error(char *buffer, int length)
     }
     return last_length;
 }
-
-const char *mdr_status_name(int status)
-{
-    switch (status) {
-    case MDR_SUCCESS: return "MDR_SUCCESS";
-    case MDR_ENULL: return "MDR_ENULL";
-    case MDR_EINVALID: return "MDR_EINVALID";
-    case MDR_EDOMAIN: return "MDR_EDOMAIN";
-    case MDR_EUNREACHABLE: return "MDR_EUNREACHABLE";
-    case MDR_ENOCONVERGENCE: return "MDR_ENOCONVERGENCE";
-    case MDR_ENOMEMORY: return "MDR_ENOMEMORY";
-    case MDR_ECALLBACK: return "MDR_ECALLBACK";
-    case MDR_EFILE: return "MDR_EFILE";
-    case MDR_ECANCELLED: return "MDR_ECANCELLED";
-    default: return "unknown status";
-    }
-}

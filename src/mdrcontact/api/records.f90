@@ -25,7 +25,6 @@ module mdrcontact_api_records
         integer(c_int) :: takes_layers = 0_c_int
         integer(c_int) :: takes_graded = 0_c_int
         integer(c_int) :: spherical_only = 0_c_int
-        character(kind=c_char) :: name(24) = c_null_char
         character(kind=c_char) :: constant(24) = c_null_char
         character(kind=c_char) :: option(24) = c_null_char
         real(c_double) :: default_constant = 0.0_c_double

@@ -2,7 +2,7 @@
 !> What decides inside a body of layers: the largest stresses of a state in each layer, at each interface and on the free surface.
 module mdrcontact_field_critical
     use mdrcontact_cancel, only: report_progress
-    use mdrcontact_codes, only: free_surface_tension, interface_shear, interface_tension, largest_shear, largest_tension, von_mises
+    use mdrcontact_codes, only: free_surface_tension, interface_shear, interface_tension, tension, tresca, von_mises
     use mdrcontact_contact_fields, only: fields_t
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: check_memory, error_no_convergence, error_t, raise, to_text
@@ -21,7 +21,7 @@ module mdrcontact_field_critical
     real(wp), parameter :: inside = 8.0_wp*epsilon(1.0_wp)
     !> By how much the field may deviate from the contact on the surface; beyond, no maxima are given [1].
     real(wp), parameter :: largest_deviation = 1.0e-3_wp
-    integer, parameter :: of_layer(3) = [von_mises, largest_shear, largest_tension]
+    integer, parameter :: of_layer(3) = [von_mises, tresca, tension]
     integer, parameter :: of_interface(2) = [interface_shear, interface_tension]
 
 contains
@@ -35,7 +35,7 @@ contains
         logical, intent(in) :: upper
         !> f >= 0: see interior
         real(wp), intent(in) :: friction
-        !> of each layer from the surface down von_mises, largest_shear and largest_tension, the half-space last; of each interface
+        !> of each layer from the surface down von_mises, tresca and tension, the half-space last; of each interface
         !> interface_shear and interface_tension; free_surface_tension
         type(maximum_t), allocatable, intent(out) :: maxima(:)
         type(error_t), allocatable, intent(out) :: error

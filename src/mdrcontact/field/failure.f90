@@ -4,7 +4,7 @@ module mdrcontact_field_failure
     use mdrcontact_base_nonfinite, only: is_finite
     use mdrcontact_body_layers, only: layers_t
     use mdrcontact_cancel, only: report_progress
-    use mdrcontact_codes, only: free_surface_tension, interface_shear, interface_tension, largest_shear, largest_tension, von_mises
+    use mdrcontact_codes, only: free_surface_tension, interface_shear, interface_tension, tension, tresca, von_mises
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: check_memory, check_not_negative, count_text, error_cancelled, error_invalid, error_memory, &
@@ -19,7 +19,7 @@ module mdrcontact_field_failure
 
     !> What a layer or an interface bears.
     type :: strength_t
-        !> a quantity of maximum_t: von_mises, largest_shear (half the yield stress by Tresca), largest_tension, which of the first
+        !> a quantity of maximum_t: von_mises, tresca (half the yield stress by Tresca), tension, which of the first
         !> layer includes the free surface; interface_shear, interface_tension; free_surface_tension
         integer :: quantity = 0
         !> which layer or interface, 0 is the first one from the surface
@@ -327,7 +327,7 @@ contains
 
         call largest_of(body, [strength%quantity], strength%place, is_coarse, found, error)
         top = found(1)
-        if (strength%quantity /= largest_tension .or. strength%place > 0) return
+        if (strength%quantity /= tension .or. strength%place > 0) return
         call largest_of(body, [free_surface_tension], 0, is_coarse, found, error)
         if (found(1)%value > top%value) top = found(1)
     end subroutine find_top
@@ -377,7 +377,7 @@ contains
         character(len=:), allocatable, intent(out) :: whose
 
         select case (quantity)
-        case (von_mises, largest_shear, largest_tension)
+        case (von_mises, tresca, tension)
             places = layers%bodies()
             whose = "layers"
         case (interface_shear, interface_tension)

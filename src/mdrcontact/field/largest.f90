@@ -5,7 +5,7 @@ module mdrcontact_field_largest
     use mdrcontact_base_nonfinite, only: infinity, is_finite
     use mdrcontact_body_layers, only: layers_t
     use mdrcontact_cancel, only: check_cancelled
-    use mdrcontact_codes, only: free_surface_tension, interface_shear, interface_tension, largest_shear, largest_tension, von_mises
+    use mdrcontact_codes, only: free_surface_tension, interface_shear, interface_tension, tension, tresca, von_mises
     use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_field_interior, only: components, infinite_pressure, interior_field, s_rr, s_rz, s_tt, s_zz
     use mdrcontact_kinds, only: pi, wp
@@ -16,7 +16,7 @@ module mdrcontact_field_largest
 
     !> A largest stress and where it is.
     type :: maximum_t
-        !> von_mises, largest_shear, largest_tension of a layer; interface_shear, interface_tension; or free_surface_tension
+        !> von_mises, tresca, tension of a layer; interface_shear, interface_tension; or free_surface_tension
         integer :: quantity = 0
         !> which layer or interface, 0 is the first one from the surface; 0 of the free surface
         integer :: place = 0
@@ -239,9 +239,9 @@ contains
         select case (quantity)
         case (von_mises)
             parts = [by_mises]
-        case (largest_shear)
+        case (tresca)
             parts = [in_plane, down_from_hoop, up_from_hoop]
-        case (largest_tension, free_surface_tension)
+        case (tension, free_surface_tension)
             parts = [along_plane, hoop]
         case (interface_shear)
             parts = [shear_outward, shear_inward]

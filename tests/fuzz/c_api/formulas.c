@@ -35,7 +35,7 @@ void fuzz_formulas(world *w)
     }
 }
 
-/* Names and facts of models, and the points of a rule. */
+/* Words of codes, facts of models, and the points of a rule. */
 void fuzz_lists(world *w)
 {
     enum { MOST_ORDER = 3, POINTS = 6 * MOST_ORDER * MOST_ORDER * MOST_ORDER };
@@ -47,12 +47,11 @@ void fuzz_lists(world *w)
     int status, again = -1;
 
     memset(name, 'x', sizeof name), name[sizeof name - 1] = '\0';
-    status = mdr_model_name(model, length < (int)sizeof name ? length : (int)sizeof name, name);
-    judge_status("mdr_model_name", status);
-    if (status == MDR_SUCCESS && (mdr_model_from_name(name, &again) != MDR_SUCCESS || again != model)) {
-        finding("mdr_model_from_name", "another model", again);
-    }
-    judge_status("mdr_model_from_name", mdr_model_from_name(name, &again));
+    name[length < (int)sizeof name ? length : (int)sizeof name - 1] = '\0';
+    judge_status("mdr_code_of", mdr_code_of(model, name, &again));
+    status = mdr_code_of(model, mdr_name_of(model), &again);
+    judge_status("mdr_code_of", status);
+    if (status == MDR_SUCCESS && again != model) finding("mdr_code_of", "another code", again);
     judge_status("mdr_model_info", mdr_model_info(model, &facts));
     if (order > MOST_ORDER) return;
     status = mdr_lateral_rule(order, take_ratio(&w->in), points, weights);

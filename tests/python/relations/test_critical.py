@@ -93,7 +93,7 @@ def test_a_strength_is_reached_where_it_is_said_to_be(tip, medium, share, fricti
     largest = state.critical(friction=friction).layers
     for place, layer in enumerate(largest):
         strengths = [part * layer.von_mises.value if i == place else None for i in range(len(largest))]
-        (failure,) = contact.first_failure({"yield": strengths}, friction=friction, largest_radius=state.radius)
+        (failure,) = contact.first_failure({"von_mises": strengths}, friction=friction, largest_radius=state.radius)
         assert failure.place == place and failure.state.radius <= state.radius
         near(failure.at.value, part * layer.von_mises.value, 1e-8)
         near(failure.state.critical(friction=friction).layers[place].von_mises.value, failure.strength, 1e-8)

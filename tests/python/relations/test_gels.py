@@ -121,11 +121,11 @@ def test_pressure_bears_the_force(nu, drainage, tau, flat):
     def ring(v):
         """r = sin v: the edge is infinite as 1/sqrt(1 - r^2)"""
         r = np.minimum(np.sin(v), 1.0 - 1e-15)
-        return 2.0 * np.pi * r * contact.pressure_in_time("total", r, tau, drainage=drainage, **given) * np.cos(v)
+        return 2.0 * np.pi * r * contact.pressure_in_time("total_pressure", r, tau, drainage=drainage, **given) * np.cos(v)
 
     near(panels(ring, np.linspace(0.0, 0.5 * np.pi, 4)), force, 1e-6)
     r = np.array([0.0, 0.4, 0.8])
-    pore = contact.pressure_in_time("pore", r, tau, drainage=drainage, **given)
+    pore = contact.pressure_in_time("pore_pressure", r, tau, drainage=drainage, **given)
     if drainage == "surface":
         assert not pore.any()
     else:
