@@ -14,10 +14,8 @@ static double busy(void)
 
 static void check(int status)
 {
-    char text[512];
     if (status == MDR_SUCCESS) return;
-    mdr_last_error(text, sizeof text);
-    fprintf(stderr, "%s: %s\n", mdr_name_of(status), text);
+    fprintf(stderr, "%s: %s\n", mdr_name_of(status), mdr_last_error());
     exit(EXIT_FAILURE);
 }
 

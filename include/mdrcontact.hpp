@@ -50,9 +50,7 @@ inline void check(int status)
     if (status == MDR_SUCCESS) return;
     mdr_failure failure = MDR_SIZED(mdr_failure);
     mdr_last_failure(&failure);
-    char words[1200];
-    mdr_last_error(words, static_cast<int>(sizeof words));
-    throw Error(status, words, failure.argument, failure.entry);
+    throw Error(status, mdr_last_error(), failure.argument, failure.entry);
 }
 
 /** An object of the library, freed with its owner; it moves and does not copy. As an argument it is what it holds. */

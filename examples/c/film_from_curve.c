@@ -20,9 +20,7 @@ enum { MOST_NUMBERS = 30 };
 static void check(int status)
 {
     if (status != MDR_SUCCESS) {
-        char text[512];
-        mdr_last_error(text, (int)sizeof text);
-        fprintf(stderr, "%s: %s\n", mdr_name_of(status), text);
+        fprintf(stderr, "%s: %s\n", mdr_name_of(status), mdr_last_error());
         exit(EXIT_FAILURE);
     }
 }

@@ -10,6 +10,7 @@ import math
 import mdrcontact
 
 library = ctypes.CDLL(mdrcontact.get_library())
+library.mdr_last_error.restype = ctypes.c_char_p
 Handle = ctypes.c_void_p
 UNLOADING = 302  # MDR_ON_UNLOADING of mdrcontact.h
 
@@ -17,9 +18,7 @@ UNLOADING = 302  # MDR_ON_UNLOADING of mdrcontact.h
 def call(name, *arguments):
     """Calls a function; the words of a failure are those of this thread's last one."""
     if getattr(library, name)(*arguments):
-        words = ctypes.create_string_buffer(1024)
-        library.mdr_last_error(words, len(words))
-        raise RuntimeError(words.value.decode())
+        raise RuntimeError(library.mdr_last_error().decode())
 
 
 def main():

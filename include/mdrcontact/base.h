@@ -154,15 +154,9 @@ const char *mdr_name_of(int code);
  *          error names the nearest one, and all of them */
 int mdr_code_of(int enumeration, const char *name, int *code);
 
-/**
- * The text of the calling thread's last failure. Successful calls leave it as it is; it is empty before the first failure.
- *
- * Writes at most `length` characters, the closing zero included; what does not fit is cut off.
- * @param buffer  receives the text; NULL: the length only
- * @param length  size of buffer; nothing is written if it is less than 1
- * @return        the full length of the text without its closing zero, at most 1023: length + 1 characters hold all of it
- */
-int mdr_last_error(char *buffer, int length);
+/** The text of the calling thread's last failure, of at most 1023 characters. It stays until the thread's next failure: successful
+ *  calls leave it as it is. Empty before the first one; never NULL, never freed. */
+const char *mdr_last_error(void);
 
 /** The parts of a failure, for programs that put the words together themselves; mdr_last_error() says "entry 3 of xi = -1 is not
  *  allowed: ..." of the argument "xi", the entry 3 and the text " = -1 is not allowed: ...". */

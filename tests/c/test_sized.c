@@ -136,9 +136,7 @@ static int use_wear_options(const objects *o, void *structure)
 /* Success where a structure was read and refused for this member of it alone, which is required and 0. */
 static int lacks_only(int status, const char *member)
 {
-    char words[200] = "";
-    mdr_last_error(words, sizeof words);
-    return status == MDR_EINVALID && strstr(words, member) ? MDR_SUCCESS : status;
+    return status == MDR_EINVALID && strstr(mdr_last_error(), member) ? MDR_SUCCESS : status;
 }
 
 static int use_rate_options(const objects *o, void *structure)

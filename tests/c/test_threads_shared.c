@@ -35,10 +35,9 @@ static double *next(task *t, int n)
 
 static void record(task *t, int status)
 {
-    char words[200];
     if (status == MDR_SUCCESS) return;
     t->failed_calls++;
-    if (mdr_last_error(words, (int)sizeof words) > 0) fprintf(stderr, "%s\n", words);
+    fprintf(stderr, "%s\n", mdr_last_error());
 }
 
 static void evaluate_contact(task *t, const mdr_contact *contact)

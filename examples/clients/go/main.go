@@ -33,9 +33,7 @@ func call(f func() C.int) error {
 	if f() == C.MDR_SUCCESS {
 		return nil
 	}
-	var words [1024]C.char
-	C.mdr_last_error(&words[0], C.int(len(words)))
-	return errors.New(C.GoString(&words[0]))
+	return errors.New(C.GoString(C.mdr_last_error()))
 }
 
 func must(err error) {

@@ -7,10 +7,7 @@
 
 static void check(int status)
 {
-    char words[1024];
-    if (status == MDR_SUCCESS) return;
-    mdr_last_error(words, (int)sizeof words);
-    mexErrMsgIdAndTxt("mdrcontact:refused", "%s", words);
+    if (status != MDR_SUCCESS) mexErrMsgIdAndTxt("mdrcontact:refused", "%s", mdr_last_error());
 }
 
 void mexFunction(int results, mxArray *result[], int arguments, const mxArray *argument[])

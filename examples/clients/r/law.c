@@ -7,10 +7,7 @@
 
 static void check(int status)
 {
-    char words[1024];
-    if (status == MDR_SUCCESS) return;
-    mdr_last_error(words, (int)sizeof words);
-    error("%s", words);
+    if (status != MDR_SUCCESS) error("%s", mdr_last_error());
 }
 
 static mdr_law *law_of(SEXP pointer) { return (mdr_law *)R_ExternalPtrAddr(pointer); }

@@ -11,7 +11,6 @@
 enum { LONGEST_TEXT = 1023 };
 
 static _Thread_local char last_text[LONGEST_TEXT + 1];
-static _Thread_local int last_length;
 static _Thread_local mdr_failure last_failure;
 static _Thread_local int wanted_threads = 1;
 
@@ -20,20 +19,19 @@ void mdrcontact_store_error(int status, const char *words, int length, const cha
                             int entry);
 int mdrcontact_wanted_threads(void);
 
-/* Copies what fits of n characters, and a closing zero; returns how many fitted. */
-static int copy(char *to, int room, const char *from, int n)
+/* Copies what fits of n characters, and a closing zero. */
+static void copy(char *to, int room, const char *from, int n)
 {
     const int copied = n < room - 1 ? n : room - 1;
     memcpy(to, from, (size_t)copied);
     to[copied] = '\0';
-    return copied;
 }
 
 /* The sentence ends with the text. */
 void mdrcontact_store_error(int status, const char *words, int length, const char *argument, int argument_length, int text_length,
                             int entry)
 {
-    last_length = copy(last_text, (int)sizeof last_text, words, length);
+    copy(last_text, (int)sizeof last_text, words, length);
     memset(&last_failure, 0, sizeof last_failure);
     last_failure.status = status;
     last_failure.entry = entry;
@@ -71,10 +69,7 @@ int mdr_set_threads(int threads)
     return MDR_SUCCESS;
 }
 
-int mdr_last_error(char *buffer, int length)
+const char *mdr_last_error(void)
 {
-    if (buffer != NULL && length > 0) {
-        copy(buffer, length, last_text, last_length);
-    }
-    return last_length;
+    return last_text;
 }

@@ -18,9 +18,7 @@ int main(void)
         || mdr_medium_contact_modulus(3.0, &medium) != MDR_SUCCESS
         || mdr_contact_new(profile, medium, NULL, &contact) != MDR_SUCCESS
         || mdr_contact_states(contact, MDR_DEPTH, MDR_ON_UNLOADING, 1, depth, &state) != MDR_SUCCESS) {
-        char text[200];
-        mdr_last_error(text, (int)sizeof text);
-        fprintf(stderr, "%s\n", text);
+        fprintf(stderr, "%s\n", mdr_last_error());
         return 1;
     }
     MDR_FREE(contact);

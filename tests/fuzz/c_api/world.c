@@ -84,11 +84,10 @@ void finding(const char *call, const char *what, double value)
 
 void judge_status(const char *call, int status)
 {
-    char words[64];
     mdr_failure failure = MDR_SIZED(mdr_failure);
     if (status == MDR_SUCCESS) return;
     if (strcmp(mdr_name_of(status), "unknown") == 0) finding(call, "a status that has no name", status);
-    if (mdr_last_error(words, (int)sizeof words) < 1) finding(call, "a failure without words", status);
+    if (mdr_last_error()[0] == '\0') finding(call, "a failure without words", status);
     mdr_last_failure(&failure);
     if (failure.status != status || failure.text[0] == '\0') finding(call, "a failure without parts", failure.status);
 }

@@ -4,7 +4,7 @@
 //! of its fall.
 //!
 //! SI units. Epoxy paint E = 3 GPa, nu = 0.35, 25 um thick, on aluminium E = 70 GPa, nu = 0.33; balls 7850 kg/m^3, taken as rigid.
-use std::{f64::consts::PI, ptr, thread};
+use std::{f64::consts::PI, ffi::CStr, ptr, thread};
 
 /// The declarations that build.rs makes of mdrcontact.h.
 #[allow(dead_code, non_camel_case_types, non_snake_case)]
@@ -17,9 +17,7 @@ fn check(status: i32) -> Result<(), String> {
     if status == mdr::MDR_SUCCESS {
         return Ok(());
     }
-    let mut text = [0u8; 1024];
-    let length = unsafe { mdr::mdr_last_error(text.as_mut_ptr().cast(), text.len() as i32) } as usize;
-    Err(String::from_utf8_lossy(&text[..length]).into_owned())
+    Err(unsafe { CStr::from_ptr(mdr::mdr_last_error()) }.to_string_lossy().into_owned())
 }
 
 /// A layer of an isotropic material, bonded and free of stress.
