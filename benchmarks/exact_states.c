@@ -90,25 +90,32 @@ typedef struct layers {
     mdr_layer layer[MANY];
 } layers;
 
+static mdr_medium *medium_of_layers(int count, const mdr_layer *from_surface, const mdr_layer *base)
+{
+    mdr_body *body = NULL;
+    mdr_medium *medium = NULL;
+    check(mdr_body_layered(count, from_surface, base, NULL, &body));
+    check(mdr_medium_new(body, NULL, &medium));
+    MDR_FREE(body);
+    return medium;
+}
+
 static void make_medium(void *with)
 {
     layers *body = with;
-    mdr_medium *medium = NULL;
     const mdr_layer base = mdr_isotropic(1.0, 0.3, 0.0);
-    check(mdr_medium_layered(body->count, body->layer, &base, MDR_MODEL_EXACT, NULL, &medium));
+    mdr_medium *medium = medium_of_layers(body->count, body->layer, &base);
     MDR_FREE(medium);
 }
 
 static mdr_medium *fill_layers(layers *body, int count, double contrast)
 {
     const mdr_layer base = mdr_isotropic(1.0, 0.3, 0.0);
-    mdr_medium *medium = NULL;
     body->count = count;
     for (int i = 0; i < count; ++i) {
         body->layer[i] = mdr_isotropic(contrast + (1.0 - contrast) * (count > 1 ? (i + 0.5) / count : 0.0), 0.3, 1.0 / count);
     }
-    check(mdr_medium_layered(count, body->layer, &base, MDR_MODEL_EXACT, NULL, &medium));
-    return medium;
+    return medium_of_layers(count, body->layer, &base);
 }
 
 static const char *const profile_names[SHEARED] = {"paraboloid", "cone", "flat-ended cone", "rounded cone", "r^1.5"};
@@ -364,7 +371,7 @@ static void fit_cost(void)
     mdr_medium *film = NULL;
     check(mdr_profile_paraboloid(10e-6, &ball));
     const mdr_layer coating = mdr_isotropic(72e9, 0.17, 500e-9), base = mdr_isotropic(163e9, 0.22, 0.0);
-    check(mdr_medium_layered(1, &coating, &base, MDR_MODEL_EXACT, NULL, &film));
+    film = medium_of_layers(1, &coating, &base);
     c.problem = MDR_SIZED(mdr_fit_problem);
     c.problem.profile = ball;
     c.problem.medium = film;

@@ -36,11 +36,16 @@ static mdr_contact *coated_contact(int exact)
 {
     const double nu0 = exact ? 0.25 : 0.5, nu1 = exact ? 0.3 : 0.5;
     mdr_profile *ball = NULL;
+    mdr_body *body = NULL;
     mdr_medium *film = NULL;
     mdr_contact *contact = NULL;
+    mdr_medium_options options = MDR_SIZED(mdr_medium_options);
     check(mdr_profile_paraboloid(R, &ball));
     const mdr_layer coating = mdr_isotropic(2.0 * G0 * (1.0 + nu0), nu0, h), base = mdr_isotropic(2.0 * G1 * (1.0 + nu1), nu1, 0.0);
-    check(mdr_medium_layered(1, &coating, &base, exact ? MDR_MODEL_EXACT : MDR_MODEL_GAO, NULL, &film));
+    options.model = exact ? MDR_MODEL_EXACT : MDR_MODEL_GAO;
+    check(mdr_body_layered(1, &coating, &base, NULL, &body));
+    check(mdr_medium_new(body, &options, &film));
+    MDR_FREE(body);
     check(mdr_contact_new(ball, film, NULL, &contact));
     MDR_FREE(ball);
     MDR_FREE(film);

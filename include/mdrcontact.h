@@ -70,6 +70,7 @@
 #include "mdrcontact/base.h"
 #include "mdrcontact/profile.h"
 #include "mdrcontact/material.h"
+#include "mdrcontact/body.h"
 #include "mdrcontact/medium.h"
 #include "mdrcontact/weights.h"
 #include "mdrcontact/contact.h"

@@ -6,8 +6,9 @@
  *
  *     auto ball = mdr::make<mdr::Profile>(mdr_profile_paraboloid, 1e-5);
  *     auto glass = mdr_isotropic(72e9, 0.17, 0);
- *     auto body = mdr::make<mdr::Medium>(mdr_medium_layered, 0, nullptr, &glass, MDR_MODEL_EXACT, nullptr);
- *     auto contact = mdr::make<mdr::Contact>(mdr_contact_new, ball, body, nullptr);
+ *     auto plate = mdr::make<mdr::Body>(mdr_body_layered, 0, nullptr, &glass, nullptr);
+ *     auto medium = mdr::make<mdr::Medium>(mdr_medium_new, plate, nullptr);
+ *     auto contact = mdr::make<mdr::Contact>(mdr_contact_new, ball, medium, nullptr);
  *     mdr::check(mdr_contact_states(contact, MDR_DEPTH, MDR_ON_UNLOADING, n, d, states));
  *     mdr::Law law(mdr::make<mdr::LawHandle>(mdr_law_new, contact, 2e-7, nullptr));
  *     double F = law.force(1e-7);
@@ -82,6 +83,7 @@ private:
 
 using Profile = Handle<mdr_profile>;
 using Material = Handle<mdr_material>;
+using Body = Handle<mdr_body>;
 using Medium = Handle<mdr_medium>;
 using Contact = Handle<mdr_contact>;
 using Loop = Handle<mdr_loop>;

@@ -43,12 +43,15 @@ static void report(const char *name, void (*work)(void))
 int main(void)
 {
     mdr_profile *ball = NULL;
+    mdr_body *body = NULL;
     mdr_medium *film = NULL;
     mdr_contact *contact = NULL;
     mdr_law *law = NULL;
     check(mdr_profile_paraboloid(1e-4, &ball));
     const mdr_layer coating = mdr_isotropic(400e9, 0.25, 2e-6), base = mdr_isotropic(208e9, 0.3, 0.0);
-    check(mdr_medium_layered(1, &coating, &base, MDR_MODEL_EXACT, NULL, &film));
+    check(mdr_body_layered(1, &coating, &base, NULL, &body));
+    check(mdr_medium_new(body, NULL, &film));
+    check(mdr_free(body));
     check(mdr_contact_new(ball, film, NULL, &contact));
     check(mdr_law_new(contact, 3e-7, NULL, &law));
     check(mdr_law_view_of(law, MDR_ON_UNLOADING, &view));

@@ -4,6 +4,7 @@
 # The kind of handle in C, the type behind it, the type's module, and where a type extends it, "class".
 KINDS = [
     ("mdr_profile", "profile_t", "mdrcontact_profile", "class"),
+    ("mdr_body", "any_body_t", "mdrcontact_api_any_body", "type"),
     ("mdr_medium", "medium_t", "mdrcontact_medium", "type"),
     ("mdr_contact", "contact_t", "mdrcontact_contact", "type"),
     ("mdr_contact", "relaxing_contact_t", "mdrcontact_history_relaxing_contact", "type"),

@@ -26,6 +26,7 @@ static void check(int status)
 static mdr_law *painted_plate(double ball_radius, double largest_depth)
 {
     mdr_profile *ball = NULL;
+    mdr_body *body = NULL;
     mdr_medium *plate = NULL;
     mdr_contact *contact = NULL;
     mdr_law *law = NULL;
@@ -35,7 +36,9 @@ static mdr_law *painted_plate(double ball_radius, double largest_depth)
     options.description = "steel ball R = 1 mm on 25 um epoxy on aluminium, SI units";
     check(mdr_profile_paraboloid(ball_radius, &ball));
     const mdr_layer coating = mdr_isotropic(3e9, 0.35, 25e-6), base = mdr_isotropic(70e9, 0.33, 0.0);
-    check(mdr_medium_layered(1, &coating, &base, MDR_MODEL_EXACT, NULL, &plate));
+    check(mdr_body_layered(1, &coating, &base, NULL, &body));
+    check(mdr_medium_new(body, NULL, &plate));
+    check(mdr_free(body));
     check(mdr_contact_new(ball, plate, NULL, &contact));
     check(mdr_law_new(contact, largest_depth, &options, &law));
     check(mdr_free(contact));

@@ -62,6 +62,7 @@ int main(int argc, char *argv[])
 {
     static double depth[MOST_POINTS], load[MOST_POINTS], sd[MOST_POINTS];
     mdr_profile *sphere = NULL;
+    mdr_body *body = NULL;
     mdr_medium *oxide = NULL;
     mdr_fit_problem problem = MDR_SIZED(mdr_fit_problem);
     mdr_fit_parameter numbers[MOST_NUMBERS];
@@ -76,7 +77,9 @@ int main(int argc, char *argv[])
     n = read_curve(argv[1], depth, load, sd);
     check(mdr_profile_sphere(10000.0, &sphere));
     const mdr_layer coating = mdr_isotropic(60.0, 0.17, 500.0), base = mdr_isotropic(163.0, 0.22, 0.0);
-    check(mdr_medium_layered(1, &coating, &base, MDR_MODEL_EXACT, NULL, &oxide));
+    check(mdr_body_layered(1, &coating, &base, NULL, &body));
+    check(mdr_medium_new(body, NULL, &oxide));
+    check(mdr_free(body));
     problem.profile = sphere;
     problem.medium = oxide;
     problem.parameters = numbers;

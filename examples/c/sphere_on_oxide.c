@@ -24,12 +24,17 @@ static void check(int status)
 static mdr_contact *sphere_on_oxide(int model)
 {
     mdr_profile *sphere = NULL;
+    mdr_body *body = NULL;
     mdr_medium *coated = NULL;
+    mdr_medium_options options = MDR_SIZED(mdr_medium_options);
     mdr_contact *contact = NULL;
 
     check(mdr_profile_sphere(10000.0, &sphere));
     const mdr_layer coating = mdr_isotropic(72.0, 0.17, 500.0), base = mdr_isotropic(163.0, 0.22, 0.0);
-    check(mdr_medium_layered(1, &coating, &base, model, NULL, &coated));
+    check(mdr_body_layered(1, &coating, &base, NULL, &body));
+    options.model = model;
+    check(mdr_medium_new(body, &options, &coated));
+    check(mdr_free(body));
     check(mdr_contact_new(sphere, coated, NULL, &contact));
     check(mdr_free(coated)); /* the contact has its own copies */
     check(mdr_free(sphere));

@@ -24,6 +24,7 @@ static const double diameter = 1e-3;
 static mdr_law *two_grains(void)
 {
     mdr_profile *gap = NULL;
+    mdr_body *body = NULL;
     mdr_medium *grain = NULL, *both = NULL;
     mdr_contact *contact = NULL;
     mdr_law *law = NULL;
@@ -33,7 +34,9 @@ static mdr_law *two_grains(void)
     options.continue_beyond = 1;
     check(mdr_profile_paraboloid(0.25 * diameter, &gap));
     const mdr_layer coating = mdr_isotropic(3e9, 0.35, 20e-6), base = mdr_isotropic(70e9, 0.22, 0.0);
-    check(mdr_medium_layered(1, &coating, &base, MDR_MODEL_EXACT, NULL, &grain));
+    check(mdr_body_layered(1, &coating, &base, NULL, &body));
+    check(mdr_medium_new(body, NULL, &grain));
+    check(mdr_free(body));
     check(mdr_medium_pair(grain, grain, &both));
     check(mdr_contact_new(gap, both, NULL, &contact));
     check(mdr_law_new(contact, 10e-6, &options, &law));

@@ -28,13 +28,16 @@ static void check(int status)
 static mdr_law *new_law(double largest_depth)
 {
     mdr_profile *asperity = NULL;
+    mdr_body *body = NULL;
     mdr_medium *surface = NULL;
     mdr_contact *contact = NULL;
     mdr_law *law = NULL;
 
     check(mdr_profile_paraboloid(20e-6, &asperity));
     const mdr_layer coating = mdr_isotropic(300e9, 0.2, 0.2e-6), base = mdr_isotropic(210e9, 0.3, 0.0);
-    check(mdr_medium_layered(1, &coating, &base, MDR_MODEL_EXACT, NULL, &surface));
+    check(mdr_body_layered(1, &coating, &base, NULL, &body));
+    check(mdr_medium_new(body, NULL, &surface));
+    check(mdr_free(body));
     check(mdr_contact_new(asperity, surface, NULL, &contact));
     check(mdr_law_new(contact, largest_depth, NULL, &law));
     check(mdr_free(contact));

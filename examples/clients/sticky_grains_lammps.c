@@ -41,6 +41,7 @@ static void make_law(kind *self)
     mdr_contact_options adhesion = MDR_SIZED(mdr_contact_options);
     mdr_law_options options = MDR_SIZED(mdr_law_options);
     mdr_profile *gap = NULL;
+    mdr_body *body = NULL;
     mdr_medium *grain = NULL, *both = NULL;
     mdr_friction *friction = NULL;
     mdr_law_point point;
@@ -48,7 +49,9 @@ static void make_law(kind *self)
 
     adhesion.work_of_adhesion = self->work_of_adhesion;
     check(mdr_profile_paraboloid(0.25 * self->diameter, &gap));
-    check(mdr_medium_layered(self->coat > 0.0, &coat, &base, MDR_MODEL_EXACT, NULL, &grain));
+    check(mdr_body_layered(self->coat > 0.0, &coat, &base, NULL, &body));
+    check(mdr_medium_new(body, NULL, &grain));
+    check(mdr_free(body));
     check(mdr_medium_pair(grain, grain, &both));
     check(mdr_contact_new(gap, both, &adhesion, &self->contact));
     if (self->friction > 0.0) check(mdr_friction_new(self->contact, self->friction, &friction));

@@ -153,7 +153,7 @@ int mdr_rate_history(const mdr_rate *r, int control, double spring_stiffness, do
                      const double time[], const double in[], double d[], double a[], double F[], double v[], double dissipated[],
                      double work[], mdr_rate_state *end);
 
-/** A path in time of a viscoelastic half-space whose surface the indenter attracts: a contact with a body of mdr_medium_layered()
+/** A path in time of a viscoelastic half-space whose surface the indenter attracts: a contact with a body of mdr_body_layered()
  *  without layers, with a work_of_adhesion and a cohesive_stress. Approach, jump-in, dwell, retraction, pull-off; all loss is in the solid.
  *
  *  Each spring of the body remembers its own load (Haiat, Phan Huy, Barthel, J. Mech. Phys. Solids 51 (2003) 69), and the edges of

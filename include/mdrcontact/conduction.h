@@ -73,7 +73,7 @@ int mdr_conduction_tabulate(const mdr_conduction *p, double smallest, double lar
  *  @param p       conduction; fields inside are not offered on an insulating base
  *  @param field   MDR_FLUX, MDR_FLUX_Z, MDR_FLUX_R or MDR_POTENTIAL
  *  @param radius  a > 0 [length]
- *  @param body    one of enum mdr_body; not used by MDR_FLUX
+ *  @param body    one of enum mdr_which_body; not used by MDR_FLUX
  *  @param below   at an interface with a resistance: 1 the side below it, 0 the side above
  *  @param time    0: steady; else of MDR_FLUX without a film: after a step of the potential, D t/a^2 >= 1e-4 with
  *                 D = along/capacity of the surface [time]
@@ -86,7 +86,7 @@ int mdr_conduction_field(const mdr_conduction *p, int field, double radius, int 
                          const double r[], const double z[], double out[]);
 
 /** C(k), what the surfaces answer to a wave of flux: potential over flux at wavenumber k, 1/(sqrt(sigma along) k) of a half-space at
- *  rest; of two bodies the sum of both, without the film in the spot. See mdr_medium_compliance().
+ *  rest; of two bodies the sum of both, without the film in the spot. See mdr_body_compliance().
  *  @param p          conduction
  *  @param omega      angular frequency >= 0, 0: steady [1/time]
  *  @param n          number of wavenumbers
@@ -183,7 +183,7 @@ int mdr_conduction_heat(const mdr_conduction *p, const mdr_contact *c, int n, co
  *  @param state     of that contact, a > 0
  *  @param motion    MDR_HEAT_SLIDING or MDR_HEAT_SPINNING
  *  @param strength  as for mdr_conduction_heat()
- *  @param body      one of enum mdr_body
+ *  @param body      one of enum mdr_which_body
  *  @param below     at an interface with a resistance: 1 the side below it, 0 the side above
  *  @param n         number of points
  *  @param r         [n] >= 0 [length]

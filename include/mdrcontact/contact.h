@@ -184,7 +184,7 @@ enum mdr_warning {
 int mdr_contact_warnings(const mdr_contact *c, const mdr_state *state, char *buffer, int length, int *warnings);
 
 /** Which body of a contact. */
-enum mdr_body {
+enum mdr_which_body {
     MDR_BODY_LOWER = 401, /**< The medium, or the lower one of two. */
     MDR_BODY_UPPER = 402  /**< The upper one of two deformable bodies; a rigid indenter is none. */
 };
@@ -217,7 +217,7 @@ typedef struct mdr_interior {
  *  has its value just below the surface, halfway. Under an approximate model it is the field in the layers under the model's own
  *  pressure, whose surface does not fit the indenter.
  *  @param c         contact
- *  @param body      one of enum mdr_body
+ *  @param body      one of enum mdr_which_body
  *  @param state     a state of this contact, with a radius > 0
  *  @param side      one of enum mdr_side, for points on an interface
  *  @param friction  f >= 0: the contact slides, with traction f p(r) in +x on the lower body and -f p(r) on the upper one, p that
@@ -237,7 +237,7 @@ int mdr_contact_interior(const mdr_contact *c, int body, const mdr_state *state,
  *  body's part of it, relative to d or f(a). Under an approximate model s_zz alone, for its surface does not fit the indenter. Costs
  *  about as much as three points on the surface; one call serves all points of a state.
  *  @param c         contact
- *  @param body      one of enum mdr_body
+ *  @param body      one of enum mdr_which_body
  *  @param state     a state of this contact, with a radius > 0
  *  @param deviation receives the largest of them [1]: 1e-8 or less is usual with the default tolerance of a medium
  *  @return as mdr_contact_interior() */
@@ -246,7 +246,7 @@ int mdr_contact_interior_error(const mdr_contact *c, int body, const mdr_state *
 /** Elastic energy in each layer of a body without friction, from the surface down, the half-space last (0 for a rigid base).
  *  Together they are the work of the pressure on the surface.
  *  @param c         contact
- *  @param body      one of enum mdr_body
+ *  @param body      one of enum mdr_which_body
  *  @param state     a state of this contact, with a radius > 0
  *  @param capacity  size of the array, >= 0: at most so many are written
  *  @param out       [capacity] energies [modulus length^3]
@@ -268,7 +268,7 @@ typedef struct mdr_maximum {
  *  surface, and where they are; with friction in the plane of sliding. They are looked for up to 3 (a + z) from the axis, and no
  *  nearer than 1e-3 a to a point where stresses are infinite. They have about ten digits, three beside such a point, places five.
  *  @param c         contact
- *  @param body      one of enum mdr_body
+ *  @param body      one of enum mdr_which_body
  *  @param state     a state of this contact, with a radius > 0
  *  @param friction  f >= 0, as of mdr_contact_interior()
  *  @param capacity  size of the array, >= 0: at most so many are written; 0: they are counted only
@@ -307,7 +307,7 @@ typedef struct mdr_failure_load {
 /** The loads at which strengths are reached first, as the contact grows. At the edge of a flat punch or of an adhesive contact, where
  *  stresses are infinite no matter how weak the load is, there is no failure.
  *  @param c               contact
- *  @param body            one of enum mdr_body
+ *  @param body            one of enum mdr_which_body
  *  @param friction        f >= 0, as of mdr_contact_interior()
  *  @param largest_radius  contact radii are looked at up to this one, and up to where indenter and medium end, four decades [length];
  *                         0: 30 times the thickness of all layers

@@ -13,7 +13,7 @@
 extern "C" {
 #endif
 
-/** A viscoelastic material, for layers of mdr_medium_layered(). Made by mdr_material_.... */
+/** A viscoelastic material, for layers of mdr_body_layered(). Made by mdr_material_.... */
 typedef struct mdr_material mdr_material;
 
 /** A linear viscoelastic material whose shear modulus relaxes as G(t) = relaxed_shear_modulus + sum moduli_i exp(-t/times_i) (Prony

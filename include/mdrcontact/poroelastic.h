@@ -77,7 +77,7 @@ int mdr_poroelastic_pressure(const mdr_poroelastic *p, int kind, int is_flat, do
                              double radius, double time, int n, const double r[], double out[]);
 
 /** C(k), what the surface of a gel answers to a wave of pressure that oscillates: displacement over pressure at wavenumber k,
- *  1/(2 G k) of an incompressible half-space, (1 - nu)/(G k) of one that has drained. See mdr_medium_compliance().
+ *  1/(2 G k) of an incompressible half-space, (1 - nu)/(G k) of one that has drained. See mdr_body_compliance().
  *  @param nu             drained Poisson's ratio, -1 < nu < 1/2
  *  @param drainage       MDR_DRAINAGE_SURFACE or MDR_DRAINAGE_SEALED
  *  @param thickness      > 0 of a film on a rigid base that lets no fluid through; 0: half-space [length]

@@ -13,36 +13,6 @@ failure = np.dtype(
     ],
     align=True,
 )
-model_facts = np.dtype(
-    [
-        ("size", np.uintp),
-        ("largest_ratio", np.float64),
-        ("base", np.intc),
-        ("takes_layers", np.intc),
-        ("takes_graded", np.intc),
-        ("spherical_only", np.intc),
-        ("constant", "S24"),
-        ("option", "S24"),
-        ("default_constant", np.float64),
-    ],
-    align=True,
-)
-medium_options = np.dtype(
-    [
-        ("size", np.uintp),
-        ("alpha", np.float64),
-        ("wave_factor", np.float64),
-        ("weight_nu_choice", np.intc),
-        ("weight_nu", np.float64),
-        ("tolerance", np.float64),
-        ("exponent", np.float64),
-        ("exponent_is_given", np.intc),
-        ("surface_tension", np.float64),
-        ("surface_bending", np.float64),
-        ("surface_stretching", np.float64),
-    ],
-    align=True,
-)
 layer = np.dtype(
     [
         ("size", np.uintp),
@@ -61,6 +31,43 @@ layer = np.dtype(
         ("normal_compliance", np.float64),
         ("tangential_compliance", np.float64),
         ("material", np.uintp),
+    ],
+    align=True,
+)
+surface = np.dtype(
+    [
+        ("size", np.uintp),
+        ("tension", np.float64),
+        ("bending", np.float64),
+        ("stretching", np.float64),
+    ],
+    align=True,
+)
+model_facts = np.dtype(
+    [
+        ("size", np.uintp),
+        ("largest_ratio", np.float64),
+        ("base", np.intc),
+        ("takes_layers", np.intc),
+        ("takes_graded", np.intc),
+        ("spherical_only", np.intc),
+        ("constant", "S24"),
+        ("option", "S24"),
+        ("default_constant", np.float64),
+    ],
+    align=True,
+)
+medium_options = np.dtype(
+    [
+        ("size", np.uintp),
+        ("model", np.intc),
+        ("alpha", np.float64),
+        ("wave_factor", np.float64),
+        ("weight_nu_choice", np.intc),
+        ("weight_nu", np.float64),
+        ("tolerance", np.float64),
+        ("exponent", np.float64),
+        ("exponent_is_given", np.intc),
     ],
     align=True,
 )
@@ -497,6 +504,10 @@ FREE_SURFACE_TENSION = 186
 LIMIT_GLASSY = 701
 LIMIT_RELAXED = 702
 
+LOAD_NORMAL = 901
+LOAD_SHEAR = 902
+LOAD_TWIST = 903
+
 MODEL_GAO = 201
 MODEL_GAO_SERIES = 202
 MODEL_DOERNER_NIX = 203
@@ -519,10 +530,6 @@ WEIGHT_NU_SURFACE = 1201
 WEIGHT_NU_SUBSTRATE = 1202
 WEIGHT_NU_EFFECTIVE = 1203
 WEIGHT_NU_GIVEN = 1204
-
-LOAD_NORMAL = 901
-LOAD_SHEAR = 902
-LOAD_TWIST = 903
 
 WEIGHT_PHI = 1001
 WEIGHT_I0 = 1002

@@ -39,8 +39,7 @@ class Elastic(WithParameters):
         if self.conductor is not None and not isinstance(self.conductor, Conductor):
             raise ArgumentTypeError(f"conductor = {self.conductor!r} is not allowed: it must be a Conductor")
         # the library's half-space of this material checks E and nu, and knows E*
-        half_space = record(_layout.layer, E=self.E, nu=self.nu)
-        self._set(_handle=Handle(_native.medium_layered(0, 0, address(half_space), _layout.MODEL_EXACT, 0)))
+        self._set(_handle=_half_space(self))
 
     def __repr__(self) -> str:
         known = "" if self.conductor is None else f", conductor={self.conductor!r}"
@@ -83,9 +82,7 @@ class TransverselyIsotropic(WithParameters):
             given = tuple(number(name, value) for name, value in zip(_ENGINEERING, self.engineering, strict=True))
             self._set(engineering=given)
         # the library's half-space of this material checks the numbers, and knows E*
-        half_space = record(_layout.layer, **self._layer())
-        created = _native.medium_layered(0, 0, address(half_space), _layout.MODEL_EXACT, 0)
-        self._set(_handle=Handle(created))
+        self._set(_handle=_half_space(self))
         if self.engineering is not None:
             self._set(**_stiffnesses(*self.engineering))
 
@@ -131,6 +128,12 @@ class TransverselyIsotropic(WithParameters):
         if self.engineering is not None:
             return dict(zip(_ENGINEERING_MEMBERS, self.engineering, strict=True))
         return {name: getattr(self, name) for name in _STIFFNESSES}
+
+
+def _half_space(material: Elastic | TransverselyIsotropic) -> Handle:
+    """The medium of a half-space."""
+    body = Handle(_native.body_layered(0, 0, address(record(_layout.layer, **material._layer())), 0))
+    return Handle(_native.medium_new(body.address, 0))
 
 
 _STIFFNESSES = ("C11", "C12", "C13", "C33", "C44")

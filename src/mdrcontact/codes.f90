@@ -10,6 +10,7 @@ module mdrcontact_codes
               paraboloid_relaxation, complex_modulus, storage, loss, total_pressure, pore_pressure, flux, flux_z, flux_r, &
               potential, conductance, resistance, mean_potential, centre_potential, gaussian_potential, von_mises, tresca, &
               tension, interface_shear, interface_tension, free_surface_tension
+    public :: load_normal, load_shear, load_twist
     public :: form_paraboloid_force, form_cone_force, form_adhesive_depth, form_reduced_depth, form_radius_scale, form_depth_scale
     public :: base_half_space, base_perfect, base_insulating
     public :: heat_sliding, heat_spinning, heat_moving
@@ -32,7 +33,6 @@ module mdrcontact_codes
               model_bec, model_perriot_barthel, model_hay_crawford, model_dimitriadis, model_garcia, model_exact, model_gao_power
     public :: base_elastic, base_any, base_rigid
     public :: weight_nu_surface, weight_nu_substrate, weight_nu_effective, weight_nu_given
-    public :: load_normal, load_shear, load_twist
     public :: drainage_surface, drainage_sealed, drainage_indenter
     public :: wear_fresh, wear_same
     public :: wear_disc, wear_rings
@@ -178,6 +178,14 @@ module mdrcontact_codes
     !> MDR_FREE_SURFACE_TENSION. Of the free surface, a <= r <= 3 a: s_1, which opens ring cracks.
     integer, parameter :: free_surface_tension = 186
 
+    ! enum mdr_load
+    !> MDR_LOAD_NORMAL. A pressure.
+    integer, parameter :: load_normal = 901
+    !> MDR_LOAD_SHEAR. A traction of one direction along the surface: the mean over the directions of the wave.
+    integer, parameter :: load_shear = 902
+    !> MDR_LOAD_TWIST. A traction along the surface across the wave, which one around an axis consists of.
+    integer, parameter :: load_twist = 903
+
     ! enum mdr_formula
     !> MDR_FORM_PARABOLOID_FORCE. R > 0, G0, G1, h: F(a) of a paraboloid without adhesion, equation (24): (16 a^3/(3R)) [G1 + (G0 -
     !> G1)/(2 pi) (4 arctan xi + xi^3 ln(1 + xi^-2) - xi)].
@@ -246,7 +254,7 @@ module mdrcontact_codes
     !> slope of the surface at the edge is not small.
     integer, parameter :: warning_wetting = 32
 
-    ! enum mdr_body
+    ! enum mdr_which_body
     !> MDR_BODY_LOWER. The medium, or the lower one of two.
     integer, parameter :: body_lower = 401
     !> MDR_BODY_UPPER. The upper one of two deformable bodies; a rigid indenter is none.
@@ -389,14 +397,6 @@ module mdrcontact_codes
     integer, parameter :: weight_nu_effective = 1203
     !> MDR_WEIGHT_NU_GIVEN. The number weight_nu.
     integer, parameter :: weight_nu_given = 1204
-
-    ! enum mdr_load
-    !> MDR_LOAD_NORMAL. A pressure.
-    integer, parameter :: load_normal = 901
-    !> MDR_LOAD_SHEAR. A traction of one direction along the surface: the mean over the directions of the wave.
-    integer, parameter :: load_shear = 902
-    !> MDR_LOAD_TWIST. A traction along the surface across the wave, which one around an axis consists of.
-    integer, parameter :: load_twist = 903
 
     ! enum mdr_drainage
     !> MDR_DRAINAGE_SURFACE. It drains everywhere, under the indenter too, which is porous or leaks along the interface.

@@ -16,11 +16,60 @@
 #define APART static inline
 #endif
 
+/* The medium of a body that serves for nothing else: `status` is that of its making. */
+static inline int medium_of(int status, mdr_body *body, int model, const mdr_medium_options *options, mdr_medium **out)
+{
+    mdr_medium_options chosen = options ? *options : MDR_SIZED(mdr_medium_options);
+    chosen.model = model;
+    if (status == MDR_SUCCESS) status = mdr_medium_new(body, &chosen, out);
+    MDR_FREE(body);
+    return status;
+}
+
+/* Layers from the surface down, on a half-space or, where it is NULL, a rigid base. */
+static inline int medium_of_layers(int n, const mdr_layer *layers, const mdr_layer *substrate, int model,
+                                   const mdr_medium_options *options, mdr_medium **out)
+{
+    mdr_body *body = NULL;
+    const int status = mdr_body_layered(n, layers, substrate, NULL, &body);
+    return medium_of(status, body, model, options, out);
+}
+
+static inline int medium_of_grades(int n, const double z[], const double E[], const double nu[], int model,
+                                   const mdr_medium_options *options, mdr_medium **out)
+{
+    mdr_body *body = NULL;
+    const int status = mdr_body_graded(n, z, E, nu, &body);
+    return medium_of(status, body, model, options, out);
+}
+
+static inline int medium_of_functions(mdr_function E, mdr_function nu, void *context, double depth, int model,
+                                      const mdr_medium_options *options, mdr_medium **out)
+{
+    mdr_body *body = NULL;
+    const int status = mdr_body_graded_function(E, nu, context, depth, &body);
+    return medium_of(status, body, model, options, out);
+}
+
+static inline int medium_of_power(double E0, double z0, double exponent, double nu, mdr_medium **out)
+{
+    mdr_body *body = NULL;
+    const int status = mdr_body_power_graded(E0, z0, exponent, nu, &body);
+    return medium_of(status, body, MDR_MODEL_EXACT, NULL, out);
+}
+
+static inline int rigid_medium(mdr_medium **out)
+{
+    mdr_body *body = NULL;
+    const int status = mdr_body_rigid(&body);
+    return medium_of(status, body, MDR_MODEL_EXACT, NULL, out);
+}
+
 /* A half-space of one material. */
 static inline int new_homogeneous(double E, double nu, mdr_medium **out)
 {
     const mdr_layer half_space = mdr_isotropic(E, nu, 0.0);
-    return mdr_medium_layered(0, NULL, &half_space, MDR_MODEL_EXACT, NULL, out);
+    return medium_of_layers(0, NULL, &half_space, MDR_MODEL_EXACT, NULL, out);
 }
 
 /* One coating, on a rigid base where the substrate's E is INFINITY. */
@@ -28,7 +77,7 @@ static inline int new_coated(double E, double nu, double thickness, double subst
                          const mdr_medium_options *options, mdr_medium **out)
 {
     const mdr_layer film = mdr_isotropic(E, nu, thickness), base = mdr_isotropic(substrate_E, substrate_nu, 0.0);
-    return mdr_medium_layered(1, &film, substrate_E == INFINITY ? NULL : &base, model, options, out);
+    return medium_of_layers(1, &film, substrate_E == INFINITY ? NULL : &base, model, options, out);
 }
 
 /* Layers from the surface down. */
@@ -38,7 +87,7 @@ static inline int new_layered(int n, const double E[], const double nu[], const 
     const mdr_layer base = mdr_isotropic(substrate_E, substrate_nu, 0.0);
     mdr_layer *layers = n > 0 ? malloc((size_t)n * sizeof *layers) : NULL;
     for (int i = 0; layers && i < n; i++) layers[i] = mdr_isotropic(E[i], nu[i], thickness[i]);
-    const int status = mdr_medium_layered(n, layers, substrate_E == INFINITY ? NULL : &base, model, options, out);
+    const int status = medium_of_layers(n, layers, substrate_E == INFINITY ? NULL : &base, model, options, out);
     free(layers);
     return status;
 }

@@ -134,7 +134,7 @@ static inline int relaxing_medium(int n, const mdr_material *const materials[], 
         layers[i].material = materials[i];
     }
     base.material = substrate;
-    return mdr_medium_layered(n, layers, substrate ? &base : NULL, model, options, out);
+    return medium_of_layers(n, layers, substrate ? &base : NULL, model, options, out);
 }
 
 static inline int check_report(const char *name)

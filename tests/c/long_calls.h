@@ -72,7 +72,7 @@ static mdr_medium *grading(void)
 {
     static const double z[3] = {0.0, 1.0, 2.0}, E[3] = {4.0, 1.0, 2.0}, nu[3] = {0.3, 0.2, 0.3};
     mdr_medium *m = NULL;
-    CHECK_SUCCESS(mdr_medium_graded(3, z, E, nu, MDR_MODEL_EXACT, NULL, &m));
+    CHECK_SUCCESS(medium_of_grades(3, z, E, nu, MDR_MODEL_EXACT, NULL, &m));
     return m;
 }
 
@@ -120,7 +120,7 @@ static void media(numbers *out)
     static const double a[3] = {0.05, 1.0, 20.0};
     double scale = 2.0;
     mdr_medium *m[5] = {coating(10.0), coating(0.1), grading(), NULL, NULL};
-    CHECK_SUCCESS(mdr_medium_graded_function(rising, constant_nu, &scale, 4.0, MDR_MODEL_GAO_SERIES, NULL, &m[3]));
+    CHECK_SUCCESS(medium_of_functions(rising, constant_nu, &scale, 4.0, MDR_MODEL_GAO_SERIES, NULL, &m[3]));
     CHECK_SUCCESS(mdr_medium_pair(m[0], m[2], &m[4]));
     for (int i = 0; i < 5; i++) {
         CHECK_SUCCESS(mdr_medium_values(m[i], MDR_MODULUS, 3, a, more(out, 3)));

@@ -20,8 +20,9 @@ static mdr::LawHandle some_law()
 {
     const auto ball = mdr::make<mdr::Profile>(mdr_profile_paraboloid, 1e-5);
     const mdr_layer glass = mdr_isotropic(72e9, 0.17, 0.0);
-    const auto body = mdr::make<mdr::Medium>(mdr_medium_layered, 0, nullptr, &glass, MDR_MODEL_EXACT, nullptr);
-    const auto contact = mdr::make<mdr::Contact>(mdr_contact_new, ball, body, nullptr);
+    const auto body = mdr::make<mdr::Body>(mdr_body_layered, 0, nullptr, &glass, nullptr);
+    const auto medium = mdr::make<mdr::Medium>(mdr_medium_new, body, nullptr);
+    const auto contact = mdr::make<mdr::Contact>(mdr_contact_new, ball, medium, nullptr);
     return mdr::make<mdr::LawHandle>(mdr_law_new, contact, 2e-7, nullptr);
 }
 

@@ -149,11 +149,11 @@ int main(void)
     }
     CHECK_SUCCESS(mdr_profile_paraboloid(1.0, &p));
     CHECK_SUCCESS(mdr_profile_cone(0.3, &cone));
-    CHECK_SUCCESS(mdr_medium_graded(3, z, E, nu, MDR_MODEL_EXACT, NULL, &graded));
+    CHECK_SUCCESS(medium_of_grades(3, z, E, nu, MDR_MODEL_EXACT, NULL, &graded));
     CHECK_SUCCESS(new_homogeneous(1.0, 0.3, &half_space));
     for (int i = 0; i < DEPTHS; i++) depths[i] = 0.3 * i, rising_E[i] = 1.0 + 0.3 * i, same_nu[i] = 0.3;
-    CHECK_SUCCESS(mdr_medium_graded(DEPTHS, depths, rising_E, same_nu, MDR_MODEL_EXACT, NULL, &deeply_graded));
-    CHECK_SUCCESS(mdr_medium_graded(3, z, E, nu, MDR_MODEL_GAO, NULL, &weighted));
+    CHECK_SUCCESS(medium_of_grades(DEPTHS, depths, rising_E, same_nu, MDR_MODEL_EXACT, NULL, &deeply_graded));
+    CHECK_SUCCESS(medium_of_grades(3, z, E, nu, MDR_MODEL_GAO, NULL, &weighted));
     CHECK_SUCCESS(mdr_contact_new(p, graded, NULL, &exact));
     CHECK_SUCCESS(mdr_contact_new(p, half_space, NULL, &plain));
     CHECK_SUCCESS(mdr_contact_new(cone, weighted, NULL, &rough));

@@ -32,7 +32,7 @@ static void half_space(void)
     double found[1];
     mdr_medium *m = NULL;
 
-    CHECK_SUCCESS(mdr_medium_layered(0, NULL, &base, MDR_MODEL_EXACT, NULL, &m));
+    CHECK_SUCCESS(medium_of_layers(0, NULL, &base, MDR_MODEL_EXACT, NULL, &m));
     CHECK_SUCCESS(mdr_medium_values(m, MDR_MODULUS, 1, a, found));
     CHECK_CLOSE(found[0], 145.561086575394, 1e-13);
     CHECK_SUCCESS(mdr_medium_values(m, MDR_TANGENTIAL_MODULUS, 1, a, found));
@@ -54,20 +54,20 @@ static void strides(void)
     double one[1], other[1];
     mdr_medium *m = NULL;
 
-    CHECK_SUCCESS(mdr_medium_layered(2, film, &base, MDR_MODEL_EXACT, NULL, &m));
+    CHECK_SUCCESS(medium_of_layers(2, film, &base, MDR_MODEL_EXACT, NULL, &m));
     CHECK_SUCCESS(mdr_medium_values(m, MDR_MODULUS, 1, a, one));
     CHECK_FREE(m);
     for (int i = 0; i < 2; i++) longer[i].known.size = sizeof(longer_layer);
-    CHECK_SUCCESS(mdr_medium_layered(2, &longer[0].known, &base, MDR_MODEL_EXACT, NULL, &m));
+    CHECK_SUCCESS(medium_of_layers(2, &longer[0].known, &base, MDR_MODEL_EXACT, NULL, &m));
     CHECK_SUCCESS(mdr_medium_values(m, MDR_MODULUS, 1, a, other));
     CHECK_FREE(m);
     CHECK_TRUE(one[0] == other[0]);
     longer[1].unknown = 1.0;
-    CHECK_STATUS(mdr_medium_layered(2, &longer[0].known, &base, MDR_MODEL_EXACT, NULL, &m), MDR_EINVALID, "does not know");
+    CHECK_STATUS(medium_of_layers(2, &longer[0].known, &base, MDR_MODEL_EXACT, NULL, &m), MDR_EINVALID, "does not know");
     longer[0].known.size = 0;
-    CHECK_STATUS(mdr_medium_layered(2, &longer[0].known, &base, MDR_MODEL_EXACT, NULL, &m), MDR_EINVALID, "layer 1->size = 0");
+    CHECK_STATUS(medium_of_layers(2, &longer[0].known, &base, MDR_MODEL_EXACT, NULL, &m), MDR_EINVALID, "layer 1->size = 0");
     longer[0].known.size = (size_t)1 << 60;
-    CHECK_STATUS(mdr_medium_layered(2, &longer[0].known, &base, MDR_MODEL_EXACT, NULL, &m), MDR_EINVALID, "layer 1->size = ");
+    CHECK_STATUS(medium_of_layers(2, &longer[0].known, &base, MDR_MODEL_EXACT, NULL, &m), MDR_EINVALID, "layer 1->size = ");
     CHECK_TRUE(m == NULL);
 }
 
@@ -79,21 +79,21 @@ static void refusals(void)
     double found[1];
     mdr_medium *m = NULL;
 
-    CHECK_STATUS(mdr_medium_layered(1, NULL, &base, MDR_MODEL_EXACT, NULL, &m), MDR_ENULL, "layers is NULL");
-    CHECK_STATUS(mdr_medium_layered(1, &film, &base, MDR_MODEL_EXACT, NULL, NULL), MDR_ENULL, "out is NULL");
-    CHECK_STATUS(mdr_medium_layered(0, NULL, NULL, MDR_MODEL_EXACT, NULL, &m), MDR_EINVALID, "must carry a layer");
-    CHECK_STATUS(mdr_medium_layered(-1, &film, &base, MDR_MODEL_EXACT, NULL, &m), MDR_EINVALID, "n = -1");
-    CHECK_STATUS(mdr_medium_layered(1, &film, &base, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "choose from exact");
+    CHECK_STATUS(medium_of_layers(1, NULL, &base, MDR_MODEL_EXACT, NULL, &m), MDR_ENULL, "layers is NULL");
+    CHECK_STATUS(medium_of_layers(1, &film, &base, MDR_MODEL_EXACT, NULL, NULL), MDR_ENULL, "out is NULL");
+    CHECK_STATUS(medium_of_layers(0, NULL, NULL, MDR_MODEL_EXACT, NULL, &m), MDR_EINVALID, "must carry a layer");
+    CHECK_STATUS(medium_of_layers(-1, &film, &base, MDR_MODEL_EXACT, NULL, &m), MDR_EINVALID, "n = -1");
+    CHECK_STATUS(medium_of_layers(1, &film, &base, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "choose from exact");
     film.C13 = 300.0;
-    CHECK_STATUS(mdr_medium_layered(1, &film, &base, MDR_MODEL_EXACT, NULL, &m), MDR_EINVALID, "layer 1 C13 = 300");
+    CHECK_STATUS(medium_of_layers(1, &film, &base, MDR_MODEL_EXACT, NULL, &m), MDR_EINVALID, "layer 1 C13 = 300");
     film = zinc_oxide(1.0);
     film.normal_compliance = INFINITY;
-    CHECK_STATUS(mdr_medium_layered(1, &film, &base, MDR_MODEL_EXACT, NULL, &m), MDR_EINVALID, "normal_compliance = ");
+    CHECK_STATUS(medium_of_layers(1, &film, &base, MDR_MODEL_EXACT, NULL, &m), MDR_EINVALID, "normal_compliance = ");
     film.normal_compliance = 0.0;
     film.tangential_compliance = -1.0;
-    CHECK_STATUS(mdr_medium_layered(1, &film, &base, MDR_MODEL_EXACT, NULL, &m), MDR_EINVALID, "tangential_compliance = -1");
+    CHECK_STATUS(medium_of_layers(1, &film, &base, MDR_MODEL_EXACT, NULL, &m), MDR_EINVALID, "tangential_compliance = -1");
     film.tangential_compliance = INFINITY;
-    CHECK_SUCCESS(mdr_medium_layered(1, &film, &base, MDR_MODEL_EXACT, NULL, &m));
+    CHECK_SUCCESS(medium_of_layers(1, &film, &base, MDR_MODEL_EXACT, NULL, &m));
     CHECK_SUCCESS(mdr_medium_values(m, MDR_MODULUS, 1, a, found));
     CHECK_STATUS(mdr_medium_values(m, MDR_TANGENTIAL_MODULUS, 1, a, found), MDR_EINVALID, "no stiffness along the surface");
     CHECK_FREE(m);

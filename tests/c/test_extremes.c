@@ -103,7 +103,7 @@ static void test_pressures_at_the_axis(void)
     CHECK_FREE(c);
     CHECK_FREE(m);
     for (int k = 0; k < 2; k++) {
-        CHECK_SUCCESS(mdr_medium_power_graded(1.0, 1.0, exponents[k], 0.3, &m));
+        CHECK_SUCCESS(medium_of_power(1.0, 1.0, exponents[k], 0.3, &m));
         CHECK_SUCCESS(mdr_contact_new(ball, m, NULL, &c));
         CHECK_SUCCESS(field_at(c, MDR_PRESSURE, MDR_RADIUS, 0.5, 4, r, p));
         for (int i = 1; i < 4; i++) CHECK_CLOSE(p[i], p[0], 1e-8);

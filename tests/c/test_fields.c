@@ -233,7 +233,7 @@ static mdr_medium *body(int which, double length, double modulus)
     if (which == 0) CHECK_SUCCESS(new_homogeneous(modulus, 0.3, &m));
     if (which == 1) CHECK_SUCCESS(new_coated(9.0 * modulus, 0.3, h, modulus, 0.2, MDR_MODEL_GAO, NULL, &m));
     if (which == 2) CHECK_SUCCESS(new_coated(9.0 * modulus, 0.3, h, modulus, 0.2, MDR_MODEL_EXACT, NULL, &m));
-    if (which == 3) CHECK_SUCCESS(mdr_medium_power_graded(modulus, length, 0.3, 0.3, &m));
+    if (which == 3) CHECK_SUCCESS(medium_of_power(modulus, length, 0.3, 0.3, &m));
     return m;
 }
 

@@ -288,7 +288,7 @@ static void a_body_is_a_pattern(void)
     film.thickness = 1e-6, film.normal_compliance = 1.0 / 2e17;
     silicon.E = 163e9, silicon.nu = 0.22;
     CHECK_SUCCESS(mdr_profile_paraboloid(5e-6, &profile));
-    CHECK_SUCCESS(mdr_medium_layered(1, &film, &silicon, MDR_MODEL_EXACT, NULL, &medium));
+    CHECK_SUCCESS(medium_of_layers(1, &film, &silicon, MDR_MODEL_EXACT, NULL, &medium));
     CHECK_SUCCESS(mdr_contact_new(profile, medium, NULL, &contact));
     for (int i = 0; i < POINTS; i++) d[i] = 1e-8 * (i + 1);
     CHECK_SUCCESS(columns_of(contact, MDR_DEPTH, POINTS, d, NULL, NULL, F, NULL));

@@ -82,7 +82,7 @@ static void refusals(void)
 
     CHECK_SUCCESS(new_coated(700.0, 0.2, 1.0, E, nu, MDR_MODEL_EXACT, NULL, &film));
     CHECK_SUCCESS(mdr_medium_contact_modulus(1.0, &modulus));
-    CHECK_SUCCESS(mdr_medium_rigid(&rigid));
+    CHECK_SUCCESS(rigid_medium(&rigid));
     fill_untouched(2, G);
     CHECK_STATUS(mdr_medium_values(NULL, MDR_TANGENTIAL_MODULUS, 2, a, G), MDR_ENULL, "m is NULL");
     CHECK_STATUS(mdr_medium_values(film, MDR_TANGENTIAL_MODULUS, -1, a, G), MDR_EINVALID, "n = -1");

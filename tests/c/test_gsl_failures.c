@@ -141,7 +141,7 @@ static int interior(void)
 static int graded(void)
 {
     mdr_medium *m = NULL;
-    int status = mdr_medium_graded(3, x, E_graded, nu_graded, MDR_MODEL_EXACT, NULL, &m);
+    int status = medium_of_grades(3, x, E_graded, nu_graded, MDR_MODEL_EXACT, NULL, &m);
     MDR_FREE(m);
     return status;
 }
@@ -197,7 +197,7 @@ int main(void)
     CHECK_SUCCESS(new_layered(1, E, nu, thin, 1.0, 0.4, MDR_MODEL_EXACT, NULL, &exact_film));
     CHECK_SUCCESS(mdr_contact_new(ball, film, NULL, &contact));
     CHECK_SUCCESS(mdr_contact_new(ball, exact_film, NULL, &exact_contact));
-    CHECK_SUCCESS(mdr_medium_power_graded(1.0, 1.0, 0.4, 0.3, &rising));
+    CHECK_SUCCESS(medium_of_power(1.0, 1.0, 0.4, 0.3, &rising));
     CHECK_SUCCESS(mdr_contact_new(ball, rising, NULL, &broken_power));
 
     check_refusal("table, no spline", SPLINE, table, MDR_ENOMEMORY);

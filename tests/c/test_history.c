@@ -129,16 +129,16 @@ static void test_histories(void)
     mixed.thickness = h;
     mixed.material = material;
     mixed.E = 1.0;
-    CHECK_STATUS(mdr_medium_layered(1, &mixed, NULL, MDR_MODEL_EXACT, NULL, &none), MDR_EINVALID, "beside the material of layer 1");
+    CHECK_STATUS(medium_of_layers(1, &mixed, NULL, MDR_MODEL_EXACT, NULL, &none), MDR_EINVALID, "beside the material of layer 1");
     mdr_layer of_crystal[2] = {MDR_SIZED(mdr_layer), MDR_SIZED(mdr_layer)};
     of_crystal[0].thickness = of_crystal[1].thickness = h;
     of_crystal[0].material = material;
     of_crystal[1].E = 1.0;
     of_crystal[1].prestress = 0.1;
-    CHECK_STATUS(mdr_medium_layered(2, of_crystal, NULL, MDR_MODEL_EXACT, NULL, &none), MDR_EINVALID, "prestress of layer 2");
+    CHECK_STATUS(medium_of_layers(2, of_crystal, NULL, MDR_MODEL_EXACT, NULL, &none), MDR_EINVALID, "prestress of layer 2");
     CHECK_STATUS(mdr_layers_wrinkling(1, of_crystal, NULL, 1, NULL, NULL), MDR_EINVALID, "relaxes");
     of_crystal[0].normal_compliance = -1.0;
-    CHECK_STATUS(mdr_medium_layered(1, of_crystal, NULL, MDR_MODEL_EXACT, NULL, &none), MDR_EINVALID, "normal_compliance = -1");
+    CHECK_STATUS(medium_of_layers(1, of_crystal, NULL, MDR_MODEL_EXACT, NULL, &none), MDR_EINVALID, "normal_compliance = -1");
     CHECK_STATUS(relaxing_medium(1, film, &h, (const mdr_material *)ball, MDR_MODEL_EXACT, NULL, &none),
                  MDR_EINVALID, "substrate");
     CHECK_TRUE(none == NULL);

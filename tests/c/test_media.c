@@ -332,8 +332,8 @@ static void pairs(void)
     mdr_profile *p = NULL;
     mdr_contact *c = NULL;
 
-    CHECK_STATUS(mdr_medium_rigid(NULL), MDR_ENULL, "out is NULL");
-    CHECK_SUCCESS(mdr_medium_rigid(&rigid));
+    CHECK_STATUS(rigid_medium(NULL), MDR_ENULL, "out is NULL");
+    CHECK_SUCCESS(rigid_medium(&rigid));
     CHECK_SUCCESS(new_homogeneous(3.0, 0.0, &film));
     CHECK_SUCCESS(new_homogeneous(6.0, 0.0, &ball));
     CHECK_STATUS(mdr_medium_pair(NULL, ball, &none), MDR_ENULL, "lower is NULL");

@@ -13,9 +13,9 @@ static void layered_refuses(void)
     mdr_medium_options options;
 
     CHECK_STATUS(new_layered(2, E, nu, h, 1.0, 0.3, MDR_MODEL_GAO, NULL, NULL), MDR_ENULL, "out is NULL");
-    CHECK_STATUS(mdr_medium_layered(2, NULL, &base, MDR_MODEL_GAO, NULL, &m), MDR_ENULL, "layers is NULL");
+    CHECK_STATUS(medium_of_layers(2, NULL, &base, MDR_MODEL_GAO, NULL, &m), MDR_ENULL, "layers is NULL");
     CHECK_STATUS(new_layered(-2, E, nu, h, 1.0, 0.3, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "n = -2");
-    CHECK_STATUS(mdr_medium_layered(0, NULL, NULL, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "it must carry a layer");
+    CHECK_STATUS(medium_of_layers(0, NULL, NULL, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "it must carry a layer");
     CHECK_STATUS(new_layered(2, bad_E, nu, h, 1.0, 0.3, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "layer 2 E = -3");
     CHECK_STATUS(new_layered(2, bad_first, nu, h, 1.0, 0.3, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "layer 1 E = NaN");
     CHECK_STATUS(new_layered(2, E, bad_nu, h, 1.0, 0.3, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "layer 2 nu = 0.6");
@@ -35,17 +35,17 @@ static void graded_refuses(void)
     const double late[3] = {0.1, 1.0, 2.0}, repeated[3] = {0.0, 1.0, 1.0}, bad_E[3] = {2.0, 0.0, 1.0}, bad_nu[3] = {0.3, 0.3, 0.7};
     mdr_medium *m = NULL;
 
-    CHECK_STATUS(mdr_medium_graded(3, z, E, nu, MDR_MODEL_GAO, NULL, NULL), MDR_ENULL, "out is NULL");
-    CHECK_STATUS(mdr_medium_graded(3, NULL, E, nu, MDR_MODEL_GAO, NULL, &m), MDR_ENULL, "z is NULL");
-    CHECK_STATUS(mdr_medium_graded(3, z, NULL, nu, MDR_MODEL_GAO, NULL, &m), MDR_ENULL, "E is NULL");
-    CHECK_STATUS(mdr_medium_graded(3, z, E, NULL, MDR_MODEL_GAO, NULL, &m), MDR_ENULL, "nu is NULL");
-    CHECK_STATUS(mdr_medium_graded(-1, z, E, nu, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "n = -1");
-    CHECK_STATUS(mdr_medium_graded(1, z, E, nu, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "too short");
-    CHECK_STATUS(mdr_medium_graded(3, late, E, nu, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "entry 1 of z = 0.1");
-    CHECK_STATUS(mdr_medium_graded(3, repeated, E, nu, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "entry 3 of z = 1");
-    CHECK_STATUS(mdr_medium_graded(3, z, bad_E, nu, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "entry 2 of E = 0");
-    CHECK_STATUS(mdr_medium_graded(3, z, E, bad_nu, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "entry 3 of nu = 0.7");
-    CHECK_STATUS(mdr_medium_graded(3, z, E, nu, MDR_MODEL_BEC, NULL, &m), MDR_EINVALID, "model = 207 (bec)");
+    CHECK_STATUS(medium_of_grades(3, z, E, nu, MDR_MODEL_GAO, NULL, NULL), MDR_ENULL, "out is NULL");
+    CHECK_STATUS(medium_of_grades(3, NULL, E, nu, MDR_MODEL_GAO, NULL, &m), MDR_ENULL, "z is NULL");
+    CHECK_STATUS(medium_of_grades(3, z, NULL, nu, MDR_MODEL_GAO, NULL, &m), MDR_ENULL, "E is NULL");
+    CHECK_STATUS(medium_of_grades(3, z, E, NULL, MDR_MODEL_GAO, NULL, &m), MDR_ENULL, "nu is NULL");
+    CHECK_STATUS(medium_of_grades(-1, z, E, nu, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "n = -1");
+    CHECK_STATUS(medium_of_grades(1, z, E, nu, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "too short");
+    CHECK_STATUS(medium_of_grades(3, late, E, nu, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "entry 1 of z = 0.1");
+    CHECK_STATUS(medium_of_grades(3, repeated, E, nu, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "entry 3 of z = 1");
+    CHECK_STATUS(medium_of_grades(3, z, bad_E, nu, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "entry 2 of E = 0");
+    CHECK_STATUS(medium_of_grades(3, z, E, bad_nu, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "entry 3 of nu = 0.7");
+    CHECK_STATUS(medium_of_grades(3, z, E, nu, MDR_MODEL_BEC, NULL, &m), MDR_EINVALID, "model = 207 (bec)");
     CHECK_TRUE(m == NULL);
 }
 
@@ -81,18 +81,18 @@ static void callbacks_refuse(void)
     double number = 0.3, negative = -1.0;
     mdr_medium *m = NULL;
 
-    CHECK_STATUS(mdr_medium_graded_function(constant, constant, &number, 1.0, MDR_MODEL_GAO, NULL, NULL), MDR_ENULL, "out is NULL");
-    CHECK_STATUS(mdr_medium_graded_function(NULL, constant, &number, 1.0, MDR_MODEL_GAO, NULL, &m), MDR_ENULL, "E is NULL");
-    CHECK_STATUS(mdr_medium_graded_function(constant, NULL, &number, 1.0, MDR_MODEL_GAO, NULL, &m), MDR_ENULL, "nu is NULL");
-    CHECK_STATUS(mdr_medium_graded_function(constant, constant, &number, 0.0, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "depth = 0");
-    CHECK_STATUS(mdr_medium_graded_function(constant, constant, &number, 1.0, 99, NULL, &m), MDR_EINVALID, "model = 99");
-    CHECK_STATUS(mdr_medium_graded_function(fails, constant, &number, 1.0, MDR_MODEL_GAO, NULL, &m), MDR_ECALLBACK,
+    CHECK_STATUS(medium_of_functions(constant, constant, &number, 1.0, MDR_MODEL_GAO, NULL, NULL), MDR_ENULL, "out is NULL");
+    CHECK_STATUS(medium_of_functions(NULL, constant, &number, 1.0, MDR_MODEL_GAO, NULL, &m), MDR_ENULL, "E is NULL");
+    CHECK_STATUS(medium_of_functions(constant, NULL, &number, 1.0, MDR_MODEL_GAO, NULL, &m), MDR_ENULL, "nu is NULL");
+    CHECK_STATUS(medium_of_functions(constant, constant, &number, 0.0, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "depth = 0");
+    CHECK_STATUS(medium_of_functions(constant, constant, &number, 1.0, 99, NULL, &m), MDR_EINVALID, "model = 99");
+    CHECK_STATUS(medium_of_functions(fails, constant, &number, 1.0, MDR_MODEL_GAO, NULL, &m), MDR_ECALLBACK,
                  "the function E reported failure 7 at x = ");
-    CHECK_STATUS(mdr_medium_graded_function(constant, fails_at_the_surface, &number, 1.0, MDR_MODEL_GAO, NULL, &m), MDR_ECALLBACK,
+    CHECK_STATUS(medium_of_functions(constant, fails_at_the_surface, &number, 1.0, MDR_MODEL_GAO, NULL, &m), MDR_ECALLBACK,
                  "the function nu reported failure 9 at x = ");
-    CHECK_STATUS(mdr_medium_graded_function(constant, gives_nan, &number, 1.0, MDR_MODEL_GAO, NULL, &m), MDR_ECALLBACK,
+    CHECK_STATUS(medium_of_functions(constant, gives_nan, &number, 1.0, MDR_MODEL_GAO, NULL, &m), MDR_ECALLBACK,
                  "the function nu gave NaN at x = ");
-    CHECK_STATUS(mdr_medium_graded_function(constant, constant, &negative, 1.0, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "E at ");
+    CHECK_STATUS(medium_of_functions(constant, constant, &negative, 1.0, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "E at ");
 
     CHECK_STATUS(mdr_medium_function(constant, &number, 0.1, 1.0, NULL), MDR_ENULL, "out is NULL");
     CHECK_STATUS(mdr_medium_function(NULL, &number, 0.1, 1.0, &m), MDR_ENULL, "modulus is NULL");
@@ -120,14 +120,50 @@ static void table_and_power_refuse(void)
     CHECK_STATUS(mdr_medium_table(3, repeated, E, &m), MDR_EINVALID, "entry 2 of a = 0.1");
     CHECK_STATUS(mdr_medium_table(3, a, bad_E, &m), MDR_EINVALID, "entry 2 of moduli = -1");
 
-    CHECK_STATUS(mdr_medium_power_graded(1.0, 1.0, 0.5, 0.3, NULL), MDR_ENULL, "out is NULL");
-    CHECK_STATUS(mdr_medium_power_graded(0.0, 1.0, 0.5, 0.3, &m), MDR_EINVALID, "E0 = 0");
-    CHECK_STATUS(mdr_medium_power_graded(1.0, -1.0, 0.5, 0.3, &m), MDR_EINVALID, "z0 = -1");
-    CHECK_STATUS(mdr_medium_power_graded(1.0, 1.0, 1.0, 0.3, &m), MDR_EINVALID, "exponent = 1");
-    CHECK_STATUS(mdr_medium_power_graded(1.0, 1.0, -1.0, 0.3, &m), MDR_EINVALID, "exponent = -1");
-    CHECK_STATUS(mdr_medium_power_graded(1.0, 1.0, NAN, 0.3, &m), MDR_EINVALID, "exponent = NaN");
-    CHECK_STATUS(mdr_medium_power_graded(1.0, 1.0, 0.5, 0.6, &m), MDR_EINVALID, "nu = 0.6");
+    CHECK_STATUS(medium_of_power(1.0, 1.0, 0.5, 0.3, NULL), MDR_ENULL, "out is NULL");
+    CHECK_STATUS(medium_of_power(0.0, 1.0, 0.5, 0.3, &m), MDR_EINVALID, "E0 = 0");
+    CHECK_STATUS(medium_of_power(1.0, -1.0, 0.5, 0.3, &m), MDR_EINVALID, "z0 = -1");
+    CHECK_STATUS(medium_of_power(1.0, 1.0, 1.0, 0.3, &m), MDR_EINVALID, "exponent = 1");
+    CHECK_STATUS(medium_of_power(1.0, 1.0, -1.0, 0.3, &m), MDR_EINVALID, "exponent = -1");
+    CHECK_STATUS(medium_of_power(1.0, 1.0, NAN, 0.3, &m), MDR_EINVALID, "exponent = NaN");
+    CHECK_STATUS(medium_of_power(1.0, 1.0, 0.5, 0.6, &m), MDR_EINVALID, "nu = 0.6");
     CHECK_TRUE(m == NULL);
+}
+
+/* Bodies that have one solution take no other model; a body serves any number of media, and may be freed before them. */
+static void bodies_become_media(void)
+{
+    const double a = 2.0;
+    const mdr_layer film = mdr_isotropic(9.0, 0.3, 1.0), base = mdr_isotropic(1.0, 0.3, 0.0);
+    double exact, gao;
+    mdr_medium_options options = MDR_SIZED(mdr_medium_options);
+    mdr_body *body = NULL;
+    mdr_medium *m = NULL, *other = NULL;
+
+    options.model = MDR_MODEL_GAO;
+    CHECK_STATUS(mdr_medium_new(NULL, &options, &m), MDR_ENULL, "body is NULL");
+    CHECK_SUCCESS(mdr_body_power_graded(1.0, 1.0, 0.5, 0.3, &body));
+    CHECK_STATUS(mdr_medium_new(body, &options, &m), MDR_EINVALID, "model = 201 (gao) is not allowed for a rigid body, or one");
+    CHECK_STATUS(mdr_medium_new(body, NULL, NULL), MDR_ENULL, "out is NULL");
+    CHECK_FREE(body);
+    CHECK_STATUS(mdr_body_rigid(NULL), MDR_ENULL, "out is NULL");
+    CHECK_SUCCESS(mdr_body_rigid(&body));
+    CHECK_STATUS(mdr_medium_new(body, &options, &m), MDR_EINVALID, "choose from exact");
+    CHECK_FREE(body);
+    CHECK_SUCCESS(mdr_body_layered(1, &film, &base, NULL, &body));
+    CHECK_STATUS(mdr_medium_new((const mdr_body *)(const void *)&film, NULL, &m), MDR_EINVALID, "body is not an mdr_body handle");
+    options.model = MDR_DEPTH;
+    CHECK_STATUS(mdr_medium_new(body, &options, &m), MDR_EINVALID, "model = 101 (depth) is not allowed");
+    CHECK_TRUE(m == NULL);
+    options.model = MDR_MODEL_GAO;
+    CHECK_SUCCESS(mdr_medium_new(body, NULL, &m));
+    CHECK_SUCCESS(mdr_medium_new(body, &options, &other));
+    CHECK_FREE(body);
+    CHECK_SUCCESS(mdr_medium_values(m, MDR_MODULUS, 1, &a, &exact));
+    CHECK_SUCCESS(mdr_medium_values(other, MDR_MODULUS, 1, &a, &gao));
+    CHECK_TRUE(gao > 1.1 * exact);
+    CHECK_FREE(other);
+    CHECK_FREE(m);
 }
 
 /* The moduli of two media at radii from far below to far above 1; frees both. */
@@ -189,11 +225,11 @@ static void gradients(void)
     double found[5];
     mdr_medium *m = NULL;
 
-    CHECK_SUCCESS(mdr_medium_graded(2, z, E, nu, MDR_MODEL_GAO, NULL, &m));
+    CHECK_SUCCESS(medium_of_grades(2, z, E, nu, MDR_MODEL_GAO, NULL, &m));
     CHECK_SUCCESS(mdr_medium_values(m, MDR_MODULUS, 5, a, found));
     for (int i = 0; i < 5; i++) CHECK_CLOSE(found[i], linear_gradient(a[i], 5.0, 1.0, 2.0), 1e-10);
     CHECK_FREE(m);
-    CHECK_SUCCESS(mdr_medium_graded_function(falling_E, half, NULL, 2.0, MDR_MODEL_GAO, NULL, &m));
+    CHECK_SUCCESS(medium_of_functions(falling_E, half, NULL, 2.0, MDR_MODEL_GAO, NULL, &m));
     CHECK_SUCCESS(mdr_medium_values(m, MDR_MODULUS, 5, a, found));
     for (int i = 0; i < 5; i++) CHECK_CLOSE(found[i], linear_gradient(a[i], 5.0, 1.0, 2.0), 1e-10);
     CHECK_FREE(m);
@@ -206,7 +242,7 @@ static void power_and_table(void)
     double found[4];
     mdr_medium *m = NULL, *expected = NULL;
 
-    CHECK_SUCCESS(mdr_medium_power_graded(4.0, 1.0, 0.0, 0.2, &m));
+    CHECK_SUCCESS(medium_of_power(4.0, 1.0, 0.0, 0.2, &m));
     CHECK_SUCCESS(new_homogeneous(4.0, 0.2, &expected));
     same_modulus(m, expected, 1e-13);
     CHECK_SUCCESS(mdr_medium_table(4, a, E, &m));
@@ -247,6 +283,7 @@ int main(void)
     graded_refuses();
     callbacks_refuse();
     table_and_power_refuse();
+    bodies_become_media();
     layers();
     gradients();
     power_and_table();

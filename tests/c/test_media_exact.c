@@ -17,7 +17,7 @@ static void refusals(void)
     CHECK_STATUS(new_layered(2, E, nu, h, 1.0, 0.3, MDR_MODEL_EXACT, NULL, NULL), MDR_ENULL, "out is NULL");
     CHECK_STATUS(new_layered(2, bad_E, nu, h, 1.0, 0.3, MDR_MODEL_EXACT, NULL, &m), MDR_EINVALID, "layer 2 E = NaN");
     CHECK_STATUS(new_layered(2, E, nu, bad_h, 1.0, 0.3, MDR_MODEL_EXACT, NULL, &m), MDR_EINVALID, "entry 2 of thickness");
-    CHECK_STATUS(mdr_medium_layered(0, NULL, NULL, MDR_MODEL_EXACT, NULL, &m), MDR_EINVALID, "it must carry a layer");
+    CHECK_STATUS(medium_of_layers(0, NULL, NULL, MDR_MODEL_EXACT, NULL, &m), MDR_EINVALID, "it must carry a layer");
     options = MDR_SIZED(mdr_medium_options);
     for (int i = 0; i < 4; i++) {
         options.tolerance = bad_tolerance[i];
@@ -40,37 +40,49 @@ static void rigid_base(void)
     CHECK_FREE(m);
 }
 
+/* Two equal materials, one a layer, under a surface that is not bare. */
+static int new_half_space_under(const mdr_surface *surface, double E, double nu, int model, mdr_medium **out)
+{
+    const mdr_layer layer = mdr_isotropic(E, nu, 1.0);
+    mdr_body *body = NULL;
+    const int status = mdr_body_layered(1, &layer, &layer, surface, &body);
+    return medium_of(status, body, model, NULL, out);
+}
+
 /* A flat punch on a surface with tension, l = 2 tau/E* = 10 a (theory_surfaces 6); what such a surface does not take. */
 static void surface_with_tension(void)
 {
     const double a = 1.0, bad[4] = {-1.0, NAN, INFINITY, -INFINITY};
     double found;
     mdr_medium *m = NULL;
-    mdr_medium_options options = MDR_SIZED(mdr_medium_options);
+    mdr_surface surface = MDR_SIZED(mdr_surface);
     mdr_material *gel = NULL;
+    mdr_body *body = NULL;
 
-    options.surface_tension = 5.0;
-    CHECK_SUCCESS(new_coated(0.75, 0.5, 1.0, 0.75, 0.5, MDR_MODEL_EXACT, &options, &m));
+    surface.tension = 5.0;
+    CHECK_SUCCESS(new_half_space_under(&surface, 0.75, 0.5, MDR_MODEL_EXACT, &m));
     CHECK_SUCCESS(mdr_medium_values(m, MDR_STIFFNESS, 1, &a, &found));
     CHECK_CLOSE(found, 12.4154001386, 1e-10);
     CHECK_STATUS(mdr_medium_values(m, MDR_TANGENTIAL_MODULUS, 1, &a, &found), MDR_EINVALID, "surface with tension");
     CHECK_FREE(m);
-    CHECK_STATUS(new_coated(0.75, 0.5, 1.0, 0.75, 0.5, MDR_MODEL_GAO, &options, &m), MDR_EINVALID, "exact");
+    CHECK_STATUS(new_half_space_under(&surface, 0.75, 0.5, MDR_MODEL_GAO, &m), MDR_EINVALID, "exact");
     CHECK_SUCCESS(mdr_material_viscoelastic(0.75 / 3, 0, NULL, NULL, 0.0, 0.5, 0.0, &gel));
-    CHECK_STATUS(relaxing_medium(0, NULL, NULL, gel, MDR_MODEL_EXACT, &options, &m), MDR_EINVALID, "surface_tension");
+    mdr_layer of_gel = MDR_SIZED(mdr_layer);
+    of_gel.material = gel;
+    CHECK_STATUS(mdr_body_layered(0, NULL, &of_gel, &surface, &body), MDR_EINVALID, "must be elastic");
     CHECK_FREE(gel);
     for (int i = 0; i < 4; i++) {
-        options.surface_tension = bad[i];
-        CHECK_STATUS(new_coated(0.75, 0.5, 1.0, 0.75, 0.5, MDR_MODEL_EXACT, &options, &m), MDR_EINVALID, "tension");
-        options.surface_tension = 0.5;
-        options.surface_bending = bad[i];
-        CHECK_STATUS(new_coated(0.75, 0.5, 1.0, 0.75, 0.5, MDR_MODEL_EXACT, &options, &m), MDR_EINVALID, "bending");
-        options.surface_bending = 0.0;
-        options.surface_stretching = bad[i];
-        CHECK_STATUS(new_coated(0.75, 0.5, 1.0, 0.75, 0.5, MDR_MODEL_EXACT, &options, &m), MDR_EINVALID, "stretching");
-        options.surface_stretching = 0.0;
+        surface.tension = bad[i];
+        CHECK_STATUS(new_half_space_under(&surface, 0.75, 0.5, MDR_MODEL_EXACT, &m), MDR_EINVALID, "tension");
+        surface.tension = 0.5;
+        surface.bending = bad[i];
+        CHECK_STATUS(new_half_space_under(&surface, 0.75, 0.5, MDR_MODEL_EXACT, &m), MDR_EINVALID, "bending");
+        surface.bending = 0.0;
+        surface.stretching = bad[i];
+        CHECK_STATUS(new_half_space_under(&surface, 0.75, 0.5, MDR_MODEL_EXACT, &m), MDR_EINVALID, "stretching");
+        surface.stretching = 0.0;
     }
-    CHECK_TRUE(m == NULL);
+    CHECK_TRUE(m == NULL && body == NULL);
 }
 
 /* A surface that is stiff in its plane: small contacts do not move it sideways, E* 4 (1 - nu)^2/(3 - 4 nu); nu = 1/2 does not mind. */
@@ -79,15 +91,15 @@ static void surface_with_stiff_sheet(void)
     const double a = 1e-6, E = 0.91, nu = 0.3;
     double found;
     mdr_medium *m = NULL;
-    mdr_medium_options options = MDR_SIZED(mdr_medium_options);
+    mdr_surface surface = MDR_SIZED(mdr_surface);
 
-    options.surface_stretching = 5.0;
-    CHECK_SUCCESS(new_coated(E, nu, 1.0, E, nu, MDR_MODEL_EXACT, &options, &m));
+    surface.stretching = 5.0;
+    CHECK_SUCCESS(new_half_space_under(&surface, E, nu, MDR_MODEL_EXACT, &m));
     CHECK_SUCCESS(mdr_medium_values(m, MDR_STIFFNESS, 1, &a, &found));
     CHECK_CLOSE(found / (2.0 * a), 4.0 * (1.0 - nu) * (1.0 - nu) / (3.0 - 4.0 * nu), 1e-6);
     CHECK_STATUS(mdr_medium_values(m, MDR_TANGENTIAL_MODULUS, 1, &a, &found), MDR_EINVALID, "sheet");
     CHECK_FREE(m);
-    CHECK_SUCCESS(new_coated(0.75, 0.5, 1.0, 0.75, 0.5, MDR_MODEL_EXACT, &options, &m));
+    CHECK_SUCCESS(new_half_space_under(&surface, 0.75, 0.5, MDR_MODEL_EXACT, &m));
     CHECK_SUCCESS(mdr_medium_values(m, MDR_STIFFNESS, 1, &a, &found));
     CHECK_CLOSE(found / (2.0 * a), 1.0, 1e-14);
     CHECK_FREE(m);
@@ -178,7 +190,7 @@ static void graded_bodies(void)
     mdr_profile *p = NULL;
     mdr_contact *c = NULL;
 
-    CHECK_SUCCESS(mdr_medium_graded(4, z, E, nu, MDR_MODEL_EXACT, NULL, &graded));
+    CHECK_SUCCESS(medium_of_grades(4, z, E, nu, MDR_MODEL_EXACT, NULL, &graded));
     CHECK_SUCCESS(new_coated(5.0, 0.2, 0.3, 1.0, 0.4, MDR_MODEL_EXACT, NULL, &coated));
     CHECK_SUCCESS(mdr_medium_values(graded, MDR_MODULUS, 6, a, found));
     CHECK_SUCCESS(mdr_medium_values(coated, MDR_MODULUS, 6, a, expected));
@@ -235,34 +247,48 @@ static void compliances(void)
 {
     const double k[2] = {1e-9, 1e9}, bad[2] = {1.0, 0.0};
     double C[2], imaginary[2];
-    mdr_medium *m = NULL, *modulus = NULL, *rigid = NULL;
+    const mdr_layer film = mdr_isotropic(2.6, 0.3, 0.1), base = mdr_isotropic(26.0, 0.3, 0.0);
+    mdr_surface tension = MDR_SIZED(mdr_surface);
+    mdr_body *body = NULL, *rigid = NULL, *power = NULL, *tense = NULL;
+    mdr_medium *medium = NULL;
 
-    CHECK_SUCCESS(new_coated(2.6, 0.3, 0.1, 26.0, 0.3, MDR_MODEL_GAO, NULL, &m));
-    CHECK_SUCCESS(mdr_medium_contact_modulus(1.0, &modulus));
-    CHECK_SUCCESS(mdr_medium_rigid(&rigid));
+    tension.tension = 3.0;
+    CHECK_SUCCESS(mdr_body_layered(1, &film, &base, NULL, &body));
+    CHECK_SUCCESS(mdr_body_layered(1, &film, &base, &tension, &tense));
+    CHECK_SUCCESS(mdr_body_rigid(&rigid));
+    CHECK_SUCCESS(mdr_body_power_graded(1.0, 1.0, 0.2, 0.3, &power));
+    CHECK_SUCCESS(mdr_medium_contact_modulus(1.0, &medium));
     for (int load = MDR_LOAD_NORMAL; load <= MDR_LOAD_TWIST; load++) {
         const double factor = load == MDR_LOAD_NORMAL ? 0.7 : load == MDR_LOAD_SHEAR ? 0.85 : 1.0;
 
-        CHECK_SUCCESS(mdr_medium_compliance(m, load, 0.0, 2, k, C, imaginary));
+        CHECK_SUCCESS(mdr_body_compliance(body, load, 0.0, 2, k, C, imaginary));
         CHECK_CLOSE(C[0], 0.1 * factor / k[0], 1e-6);
         CHECK_CLOSE(C[1], factor / k[1], 1e-15);
         CHECK_TRUE(imaginary[0] == 0.0 && imaginary[1] == 0.0);
     }
     fill_untouched(2, C);
-    CHECK_STATUS(mdr_medium_compliance(NULL, MDR_LOAD_NORMAL, 0.0, 2, k, C, NULL), MDR_ENULL, "m is NULL");
-    CHECK_STATUS(mdr_medium_compliance(m, 4, 0.0, 2, k, C, NULL), MDR_EINVALID, "load = 4");
-    CHECK_STATUS(mdr_medium_compliance(m, MDR_LOAD_NORMAL, NAN, 2, k, C, NULL), MDR_EINVALID, "omega");
-    CHECK_STATUS(mdr_medium_compliance(m, MDR_LOAD_NORMAL, 0.0, -1, k, C, NULL), MDR_EINVALID, "n = -1");
-    CHECK_STATUS(mdr_medium_compliance(m, MDR_LOAD_NORMAL, 0.0, 2, bad, C, NULL), MDR_EINVALID, "entry 2 of k");
-    CHECK_STATUS(mdr_medium_compliance(m, MDR_LOAD_NORMAL, 0.0, 2, NULL, C, NULL), MDR_ENULL, "k is NULL");
-    CHECK_STATUS(mdr_medium_compliance(m, MDR_LOAD_NORMAL, 0.0, 2, k, NULL, NULL), MDR_ENULL, "out is NULL");
-    CHECK_STATUS(mdr_medium_compliance(modulus, MDR_LOAD_NORMAL, 0.0, 2, k, C, NULL), MDR_EINVALID, "modulus alone");
-    CHECK_STATUS(mdr_medium_compliance(rigid, MDR_LOAD_NORMAL, 0.0, 2, k, C, NULL), MDR_EINVALID, "rigid");
+    CHECK_STATUS(mdr_body_compliance(NULL, MDR_LOAD_NORMAL, 0.0, 2, k, C, NULL), MDR_ENULL, "body is NULL");
+    CHECK_STATUS(mdr_body_compliance(body, 4, 0.0, 2, k, C, NULL), MDR_EINVALID, "load = 4");
+    CHECK_STATUS(mdr_body_compliance(body, MDR_LOAD_NORMAL, NAN, 2, k, C, NULL), MDR_EINVALID, "omega");
+    CHECK_STATUS(mdr_body_compliance(body, MDR_LOAD_NORMAL, 0.0, -1, k, C, NULL), MDR_EINVALID, "n = -1");
+    CHECK_STATUS(mdr_body_compliance(body, MDR_LOAD_NORMAL, 0.0, 2, bad, C, NULL), MDR_EINVALID, "entry 2 of k");
+    CHECK_STATUS(mdr_body_compliance(body, MDR_LOAD_NORMAL, 0.0, 2, NULL, C, NULL), MDR_ENULL, "k is NULL");
+    CHECK_STATUS(mdr_body_compliance(body, MDR_LOAD_NORMAL, 0.0, 2, k, NULL, NULL), MDR_ENULL, "out is NULL");
+    CHECK_STATUS(mdr_body_compliance((const mdr_body *)medium, MDR_LOAD_NORMAL, 0.0, 2, k, C, NULL), MDR_EINVALID,
+                 "not an mdr_body");
+    CHECK_STATUS(mdr_body_compliance(rigid, MDR_LOAD_NORMAL, 0.0, 2, k, C, NULL), MDR_EINVALID, "rigid");
+    CHECK_STATUS(mdr_body_compliance(power, MDR_LOAD_NORMAL, 0.0, 2, k, C, NULL), MDR_EINVALID, "power of the depth");
+    CHECK_STATUS(mdr_body_compliance(tense, MDR_LOAD_SHEAR, 0.0, 2, k, C, NULL), MDR_EINVALID, "under a pressure");
     CHECK_UNTOUCHED(2, C);
-    CHECK_SUCCESS(mdr_medium_compliance(m, MDR_LOAD_NORMAL, 0.0, 0, NULL, NULL, NULL));
+    CHECK_SUCCESS(mdr_body_compliance(body, MDR_LOAD_NORMAL, 0.0, 0, NULL, NULL, NULL));
+    /* 1/C + tension k^2 in place of 1/C: short waves see nothing but the tension */
+    CHECK_SUCCESS(mdr_body_compliance(tense, MDR_LOAD_NORMAL, 0.0, 2, k, C, NULL));
+    CHECK_CLOSE(C[1], 1.0 / (3.0 * k[1] * k[1]), 1e-8);
+    CHECK_FREE(tense);
+    CHECK_FREE(power);
     CHECK_FREE(rigid);
-    CHECK_FREE(modulus);
-    CHECK_FREE(m);
+    CHECK_FREE(body);
+    CHECK_FREE(medium);
 }
 
 int main(void)

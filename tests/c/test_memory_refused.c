@@ -137,7 +137,7 @@ static int layers(void)
 {
     const mdr_layer base = mdr_isotropic(2.0, 0.3, 0.0);
     mdr_medium *m = NULL;
-    return mdr_medium_layered(POINTS - 1, many, &base, MDR_MODEL_GAO, NULL, &m);
+    return medium_of_layers(POINTS - 1, many, &base, MDR_MODEL_GAO, NULL, &m);
 }
 static int contact_on_layers(void)
 {
@@ -162,19 +162,19 @@ static int friction_on_layers(void)
 static int graded_table(void)
 {
     mdr_medium *m = NULL;
-    return mdr_medium_graded(GRADES, x, one, small, MDR_MODEL_GAO, NULL, &m);
+    return medium_of_grades(GRADES, x, one, small, MDR_MODEL_GAO, NULL, &m);
 }
 static int graded_table_exact(void)
 {
     mdr_medium *m = NULL;
-    return mdr_medium_graded(GRADES, x, one, small, MDR_MODEL_EXACT, NULL, &m);
+    return medium_of_grades(GRADES, x, one, small, MDR_MODEL_EXACT, NULL, &m);
 }
 /* Thousands of layers and depths, solved exactly. */
 static int layers_exact(void)
 {
     const mdr_layer base = mdr_isotropic(2.0, 0.3, 0.0);
     mdr_medium *m = NULL;
-    return mdr_medium_layered(LAYERS, stiff, &base, MDR_MODEL_EXACT, NULL, &m);
+    return medium_of_layers(LAYERS, stiff, &base, MDR_MODEL_EXACT, NULL, &m);
 }
 static int sheared(mdr_medium *m)
 {
@@ -470,7 +470,7 @@ int main(void)
     CHECK_SUCCESS(new_layered(POINTS - 1, one, small, one, 2.0, 0.3, MDR_MODEL_GAO, NULL, &multilayer));
     CHECK_SUCCESS(mdr_contact_new(ball, multilayer, NULL, &on_layers));
     CHECK_SUCCESS(new_layered(LAYERS, x + 5000, half + 1, one, 2.0, 0.3, MDR_MODEL_EXACT, NULL, &exact_layers));
-    CHECK_SUCCESS(mdr_medium_graded(LAYERS, x, x + 5000, half, MDR_MODEL_EXACT, NULL, &exact_grades));
+    CHECK_SUCCESS(medium_of_grades(LAYERS, x, x + 5000, half, MDR_MODEL_EXACT, NULL, &exact_grades));
 
     refuse_each("table of f", 0, profile);
     refuse_each("table of g", 0, mdr_table);

@@ -53,10 +53,14 @@ typedef int (*use)(const objects *o, void *structure);
 
 static int use_medium(const objects *o, void *structure)
 {
+    const mdr_layer film = mdr_isotropic(2.0, 0.3, 1.0), base = mdr_isotropic(1.0, 0.3, 0.0);
+    mdr_body *body = NULL;
     mdr_medium *m = NULL;
     (void)o;
-    const int status = new_coated(2.0, 0.3, 1.0, 1.0, 0.3, MDR_MODEL_GAO_POWER, structure, &m);
+    int status = mdr_body_layered(1, &film, &base, NULL, &body);
+    if (status == MDR_SUCCESS) status = mdr_medium_new(body, structure, &m);
     MDR_FREE(m);
+    MDR_FREE(body);
     return status;
 }
 
@@ -149,9 +153,19 @@ static int use_layer(const objects *o, void *structure)
 {
     mdr_medium *m = NULL;
     (void)o;
-    const int status = mdr_medium_layered(0, NULL, structure, MDR_MODEL_EXACT, NULL, &m);
+    const int status = medium_of_layers(0, NULL, structure, MDR_MODEL_EXACT, NULL, &m);
     MDR_FREE(m);
     return lacks_only(status, "E = 0");
+}
+
+static int use_surface(const objects *o, void *structure)
+{
+    const mdr_layer half_space = mdr_isotropic(1.0, 0.3, 0.0);
+    mdr_body *body = NULL;
+    (void)o;
+    const int status = mdr_body_layered(0, NULL, &half_space, structure, &body);
+    MDR_FREE(body);
+    return status;
 }
 
 static void every_size(const objects *o, use function, const void *known, size_t full, int is_filled)
@@ -196,10 +210,10 @@ static void layers_have_a_stride(void)
         memcpy(apart + (size_t)i * size, &layers[i], sizeof layers[i]);
         memcpy(apart + (size_t)i * size, &size, sizeof size);
     }
-    CHECK_SUCCESS(mdr_medium_layered(COUNT, layers, &base, MDR_MODEL_EXACT, NULL, &m));
+    CHECK_SUCCESS(medium_of_layers(COUNT, layers, &base, MDR_MODEL_EXACT, NULL, &m));
     CHECK_SUCCESS(mdr_medium_values(m, MDR_MODULUS, 1, a, &close_by));
     MDR_FREE(m);
-    CHECK_SUCCESS(mdr_medium_layered(COUNT, (const mdr_layer *)(const void *)apart, &base, MDR_MODEL_EXACT, NULL, &m));
+    CHECK_SUCCESS(medium_of_layers(COUNT, (const mdr_layer *)(const void *)apart, &base, MDR_MODEL_EXACT, NULL, &m));
     CHECK_SUCCESS(mdr_medium_values(m, MDR_MODULUS, 1, a, &far_apart));
     MDR_FREE(m);
     CHECK_CLOSE(far_apart, close_by, 0.0);
@@ -283,6 +297,7 @@ int main(void)
     EVERY_SIZE(use_wear_options, mdr_wear_options, 0);
     EVERY_SIZE(use_rate_options, mdr_rate_options, 0);
     EVERY_SIZE(use_layer, mdr_layer, 0);
+    EVERY_SIZE(use_surface, mdr_surface, 0);
     layers_have_a_stride();
     what_is_known_is_written(&o);
     defaults();

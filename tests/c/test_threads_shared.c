@@ -98,9 +98,9 @@ static void make_media(shared *s)
     CHECK_SUCCESS(new_homogeneous(1.0, 0.3, &s->media[0]));
     CHECK_SUCCESS(new_layered(LAYERS, E, nu, h, 1.0, 0.4, MDR_MODEL_GAO, NULL, &s->media[1]));
     CHECK_SUCCESS(new_layered(LAYERS, E, nu, h, 1.0, 0.4, MDR_MODEL_EXACT, &loose, &s->media[2]));
-    CHECK_SUCCESS(mdr_medium_graded(LAYERS, z, E, nu, MDR_MODEL_GAO_SERIES, NULL, &s->media[3]));
-    CHECK_SUCCESS(mdr_medium_graded(LAYERS, z, E, nu, MDR_MODEL_EXACT, &loose, &s->media[4]));
-    CHECK_SUCCESS(mdr_medium_power_graded(1.0, 1.0, 0.2, 0.3, &s->media[5]));
+    CHECK_SUCCESS(medium_of_grades(LAYERS, z, E, nu, MDR_MODEL_GAO_SERIES, NULL, &s->media[3]));
+    CHECK_SUCCESS(medium_of_grades(LAYERS, z, E, nu, MDR_MODEL_EXACT, &loose, &s->media[4]));
+    CHECK_SUCCESS(medium_of_power(1.0, 1.0, 0.2, 0.3, &s->media[5]));
     CHECK_SUCCESS(mdr_medium_table(POINTS, a, radii, &s->media[6]));
     CHECK_SUCCESS(mdr_medium_pair(s->media[2], s->media[4], &s->media[7])); /* both exact: fields too */
 }

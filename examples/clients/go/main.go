@@ -45,16 +45,19 @@ func must(err error) {
 
 func newLaw(radius, modulus, nu, depth float64) *C.mdr_law {
 	var ball *C.mdr_profile
-	var body *C.mdr_medium
+	var plate *C.mdr_body
+	var medium *C.mdr_medium
 	var contact *C.mdr_contact
 	var law *C.mdr_law
 	must(call(func() C.int { return C.mdr_profile_paraboloid(C.double(radius), &ball) }))
 	glass := C.mdr_isotropic(C.double(modulus), C.double(nu), 0)
-	must(call(func() C.int { return C.mdr_medium_layered(0, nil, &glass, C.MDR_MODEL_EXACT, nil, &body) }))
-	must(call(func() C.int { return C.mdr_contact_new(ball, body, nil, &contact) }))
+	must(call(func() C.int { return C.mdr_body_layered(0, nil, &glass, nil, &plate) }))
+	must(call(func() C.int { return C.mdr_medium_new(plate, nil, &medium) }))
+	must(call(func() C.int { return C.mdr_contact_new(ball, medium, nil, &contact) }))
 	must(call(func() C.int { return C.mdr_law_new(contact, C.double(depth), nil, &law) }))
 	must(call(func() C.int { return C.mdr_free(unsafe.Pointer(contact)) }))
-	must(call(func() C.int { return C.mdr_free(unsafe.Pointer(body)) }))
+	must(call(func() C.int { return C.mdr_free(unsafe.Pointer(medium)) }))
+	must(call(func() C.int { return C.mdr_free(unsafe.Pointer(plate)) }))
 	must(call(func() C.int { return C.mdr_free(unsafe.Pointer(ball)) }))
 	return law
 }

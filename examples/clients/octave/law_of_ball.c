@@ -15,6 +15,7 @@ void mexFunction(int results, mxArray *result[], int arguments, const mxArray *a
     static const int sizes[] = {1, 2, 1, 2, 1};
     const double *x[5];
     mdr_profile *ball = NULL;
+    mdr_body *body = NULL;
     mdr_medium *film = NULL;
     mdr_contact *contact = NULL;
     mdr_law *law = NULL;
@@ -30,13 +31,15 @@ void mexFunction(int results, mxArray *result[], int arguments, const mxArray *a
     int status = mdr_profile_paraboloid(x[0][0], &ball);
     if (status == MDR_SUCCESS) {
         const mdr_layer coating = mdr_isotropic(x[1][0], x[1][1], x[2][0]), base = mdr_isotropic(x[3][0], x[3][1], 0.0);
-        status = mdr_medium_layered(1, &coating, &base, MDR_MODEL_EXACT, NULL, &film);
+        status = mdr_body_layered(1, &coating, &base, NULL, &body);
     }
+    if (status == MDR_SUCCESS) status = mdr_medium_new(body, NULL, &film);
     if (status == MDR_SUCCESS) status = mdr_contact_new(ball, film, NULL, &contact);
     if (status == MDR_SUCCESS) status = mdr_law_new(contact, x[4][0], NULL, &law);
     if (status == MDR_SUCCESS) status = mdr_law_about(law, &facts);
     MDR_FREE(contact);
     MDR_FREE(film);
+    MDR_FREE(body);
     MDR_FREE(ball);
     check(status);
     result[0] = mxCreateDoubleMatrix(1, (mwSize)facts.buffer_size, mxREAL);

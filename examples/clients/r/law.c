@@ -24,16 +24,19 @@ SEXP law_of_ball(SEXP numbers)
 {
     const double *x = REAL(numbers);
     mdr_profile *ball = NULL;
+    mdr_body *body = NULL;
     mdr_medium *film = NULL;
     mdr_contact *contact = NULL;
     mdr_law *law = NULL;
     int status = mdr_profile_paraboloid(x[0], &ball);
     const mdr_layer coating = mdr_isotropic(x[1], x[2], x[3]), base = mdr_isotropic(x[4], x[5], 0.0);
-    if (status == MDR_SUCCESS) status = mdr_medium_layered(1, &coating, &base, MDR_MODEL_EXACT, NULL, &film);
+    if (status == MDR_SUCCESS) status = mdr_body_layered(1, &coating, &base, NULL, &body);
+    if (status == MDR_SUCCESS) status = mdr_medium_new(body, NULL, &film);
     if (status == MDR_SUCCESS) status = mdr_contact_new(ball, film, NULL, &contact);
     if (status == MDR_SUCCESS) status = mdr_law_new(contact, x[6], NULL, &law);
     MDR_FREE(contact);
     MDR_FREE(film);
+    MDR_FREE(body);
     MDR_FREE(ball);
     check(status);
     SEXP pointer = PROTECT(R_MakeExternalPtr(law, R_NilValue, R_NilValue));

@@ -3,7 +3,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from functools import partial
 from typing import Any
 
 from numpy.typing import ArrayLike
@@ -28,9 +29,18 @@ class Medium(WithParameters):
     Lengths and moduli are in the units of the whole problem. A medium never changes and may be shared between threads.
     """
 
-    def _own(self, created: tuple[int, int], **values: Any) -> None:
+    _body: Handle | None = field(init=False, repr=False, compare=False)
+    """of a medium that is one body under a model"""
+
+    def _own(self, created: tuple[int, int], body: Handle | None = None, **values: Any) -> None:
         """Takes over what a compiled constructor returned, and the fields as they were understood."""
-        self._set(_handle=Handle(created), **values)
+        self._set(_handle=Handle(created), _body=body, **values)
+
+    def _bodies(self) -> list[Handle]:
+        """Those whose compliances add; an exception where they are not known."""
+        if self._body is None:
+            raise InvalidArgumentError("this medium is known by its modulus alone: give E and nu of its layers")
+        return [self._body]
 
     def _given(self) -> dict[str, Any]:
         """Without a surface that adds nothing."""
@@ -86,8 +96,9 @@ class Medium(WithParameters):
             return gel_compliance(self, k, omega, drainage)
         if drainage is not None:
             raise InvalidArgumentError(f"drainage = {drainage!r} is not allowed: this medium has no pores")
-        both = complex_values(
-            "k", k, lambda q: _native.medium_compliance(self._handle.address, _LOADS[load], number("omega", omega), q)
+        both = sum(
+            complex_values("k", k, partial(_native.body_compliance, body.address, _LOADS[load], number("omega", omega)))
+            for body in self._bodies()
         )
         return both if is_viscoelastic(self) else both.real
 

@@ -71,7 +71,7 @@ class Coated(UnderModel):
         **options: float | str,
     ) -> None:
         surface = given_surface(surface, elastic=is_elastic(coating, substrate))
-        thickness, chosen = number("thickness", thickness), settings(model, options, surface=surface)
+        thickness, chosen = number("thickness", thickness), settings(model, options)
         if check_body(coating, substrate, model, options, RIGID):
             if not 0.0 < thickness < math.inf:
                 raise InvalidArgumentError(f"thickness = {thickness!r} is not allowed: it must be finite and greater than 0")
@@ -81,8 +81,8 @@ class Coated(UnderModel):
             return
         film = material("coating", coating)
         below = substrate_material(substrate)
-        created = stack([Layer(film, thickness)], below, chosen.native)
-        self._own_with(created, chosen.given, coating=film, thickness=thickness, substrate=substrate, model=model, surface=surface)
+        body = stack([Layer(film, thickness)], below, surface)
+        self._own_with(body, chosen, coating=film, thickness=thickness, substrate=substrate, model=model, surface=surface)
 
     @staticmethod
     def models() -> tuple[str, ...]:

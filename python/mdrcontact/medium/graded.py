@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from .. import _native
-from .._boundary import number, row
+from .._boundary import Handle, number, row
 from .._callback import Callback
 from ..errors import InvalidArgumentError
 from .base import Medium
@@ -48,32 +48,32 @@ class Graded(UnderModel):
     ) -> None:
         chosen = settings(model, options, graded=True)
         if callable(E) or callable(nu):
-            created, arguments = _from_functions(z, E, nu, chosen.native)
+            body, arguments = _from_functions(z, E, nu)
         else:
-            created, arguments = _from_tables(z, E, nu, chosen.native)
-        self._own_with(created, chosen.given, **arguments, model=model)
+            body, arguments = _from_tables(z, E, nu)
+        self._own_with(body, chosen, **arguments, model=model)
 
     def _constants(self) -> dict[str, Any]:
         constants = super()._constants()
         return constants if isinstance(self.E, tuple) and isinstance(self.nu, tuple) else {}
 
 
-def _from_functions(z: Any, E: Any, nu: Any, native: tuple[Any, ...]) -> tuple[tuple[int, int], dict[str, Any]]:
+def _from_functions(z: Any, E: Any, nu: Any) -> tuple[Handle, dict[str, Any]]:
     depth = number("z", z)
     E, nu = (value if callable(value) else number(name, value) for name, value in (("E", E), ("nu", nu)))
     calls = [Callback(name, value if callable(value) else _Constant(value)) for name, value in (("E", E), ("nu", nu))]
-    created = _native.medium_graded_function(calls[0].address, calls[1].address, 0, depth, *native)
+    created = _native.body_graded_function(calls[0].address, calls[1].address, 0, depth)
     for call in calls:
         call.reraise()
-    return created, {"z": depth, "E": E, "nu": nu}
+    return Handle(created), {"z": depth, "E": E, "nu": nu}
 
 
-def _from_tables(z: Any, E: Any, nu: Any, native: tuple[Any, ...]) -> tuple[tuple[int, int], dict[str, Any]]:
+def _from_tables(z: Any, E: Any, nu: Any) -> tuple[Handle, dict[str, Any]]:
     depths, moduli = row("z", z), row("E", E)
     ratios = (number("nu", nu),) * len(depths) if np.ndim(nu) == 0 else row("nu", nu)
     if not len(depths) == len(moduli) == len(ratios):
         raise InvalidArgumentError(f"z, E and nu must have the same length; it is {len(depths)}, {len(moduli)} and {len(ratios)}")
-    return _native.medium_graded(depths, moduli, ratios, *native), {"z": depths, "E": moduli, "nu": ratios}
+    return Handle(_native.body_graded(depths, moduli, ratios)), {"z": depths, "E": moduli, "nu": ratios}
 
 
 class _Constant:
@@ -103,4 +103,5 @@ class PowerLawGraded(Medium):
     nu: float
 
     def __post_init__(self) -> None:
-        self._own(_native.medium_power_graded(*self._numbers()))
+        body = Handle(_native.body_power_graded(*self._numbers()))
+        self._own(_native.medium_new(body.address, 0), body)

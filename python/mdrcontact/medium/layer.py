@@ -11,11 +11,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import _layout, _native
-from .._boundary import address, call, number
+from .._boundary import Handle, address, call, number
 from .._parameters import WithParameters
 from ..conductor import SLIDING, Interface
 from ..errors import ArgumentTypeError, InvalidArgumentError
 from ..material import RIGID, SMOOTH, Elastic, Material, TransverselyIsotropic, material
+from .surface import Surface, structure_of
 
 
 @dataclass(frozen=True)
@@ -77,11 +78,10 @@ def is_bonded(medium: Any) -> bool:
     return all(layer._is_plain() for layer in getattr(medium, "layers", ()) if isinstance(layer, Layer))
 
 
-def stack(layers: Sequence[Layer], substrate: Any, native: tuple[int, int] = (_layout.MODEL_EXACT, 0)) -> tuple[int, int]:
-    """What the library's constructor returns for layers of any kind from the surface down."""
+def stack(layers: Sequence[Layer], substrate: Any, surface: Surface | None = None) -> Handle:
+    """The library's body of layers of any kind from the surface down."""
     rows, base = _structures(layers, substrate)
-    created: tuple[int, int] = _native.medium_layered(len(layers), address(rows), address(base), *native)
-    return created
+    return Handle(_native.body_layered(len(layers), address(rows), address(base), address(structure_of(surface))))
 
 
 def wrinkling(layers: Sequence[Layer], substrate: Any, layer: int) -> Wrinkling:

@@ -47,11 +47,10 @@ class Layered(UnderModel):
         given = _layers(layers)
         elastic = is_elastic(*(layer.material if isinstance(layer, Layer) else layer[0] for layer in given), substrate)
         surface = given_surface(surface, elastic=elastic)
-        chosen = settings(model, options, layers=True, surface=surface)
+        chosen = settings(model, options, layers=True)
         below = substrate_material(substrate)
-        stacked = [_as_layer(layer) for layer in given]
-        created = stack(stacked, below, chosen.native)
-        self._own_with(created, chosen.given, layers=given, substrate=substrate, model=model, surface=surface)
+        body = stack([_as_layer(layer) for layer in given], below, surface)
+        self._own_with(body, chosen, layers=given, substrate=substrate, model=model, surface=surface)
 
     def _constants(self) -> dict[str, Any]:
         return {**super()._constants(), "layers": tuple(map(_as_layer, self.layers))}

@@ -10,11 +10,10 @@ from typing import Any, NamedTuple, TypeVar
 from numpy.typing import NDArray
 
 from .. import _layout, _native
-from .._boundary import address, not_zero, number, record, words_of
+from .._boundary import Handle, address, not_zero, number, record, words_of
 from .._choices import nearest
 from ..errors import InvalidArgumentError
 from .base import Medium
-from .surface import Surface, write_surface
 
 Self = TypeVar("Self", bound="UnderModel")
 
@@ -57,27 +56,23 @@ _WEIGHT_NU = words_of(_layout.WEIGHT_NU_SURFACE, _layout.WEIGHT_NU_SUBSTRATE, _l
 
 
 class Settings(NamedTuple):
-    """A model's code, its options as the library takes them, and as the user gave them."""
+    """A model and its options as the library takes them, and the options as the user gave them."""
 
-    code: int
     record: NDArray[Any]
     given: dict[str, float | str]
 
-    @property
-    def native(self) -> tuple[int, int]:
-        """Code and address of the options, valid as long as this object lives."""
-        return self.code, address(self.record)
+    def medium_of(self, body: Handle) -> tuple[int, int]:
+        """What the library's constructor returns for a body under the model."""
+        created: tuple[int, int] = _native.medium_new(body.address, address(self.record))
+        return created
 
 
-def settings(
-    model: str, options: Mapping[str, Any], *, layers: bool = False, graded: bool = False, surface: Surface | None = None
-) -> Settings:
+def settings(model: str, options: Mapping[str, Any], *, layers: bool = False, graded: bool = False) -> Settings:
     """Checks a model's name and its options; wrong names are answered with the nearest right one."""
     known = {name: row for name, row in MODELS.items() if row.layers >= layers and row.graded >= graded}
     if not isinstance(model, str) or model not in known:
         raise InvalidArgumentError(f"model = {model!r} is not allowed: {nearest(str(model), known)}")
-    values = record(_layout.medium_options)
-    write_surface(surface, values)
+    values = record(_layout.medium_options, model=known[model].code)
     given: dict[str, float | str] = {}
     for name, value in options.items():
         if name not in known[model].options:
@@ -93,7 +88,7 @@ def settings(
             values["exponent_is_given"] = True
         if name == "weight_nu":
             values["weight_nu_choice"] = _layout.WEIGHT_NU_GIVEN
-    return Settings(known[model].code, values, given)
+    return Settings(values, given)
 
 
 def _weight_nu(value: str) -> int:
@@ -109,8 +104,8 @@ class UnderModel(Medium):
     model: str
     options: tuple[tuple[str, float | str], ...]
 
-    def _own_with(self, created: tuple[int, int], options: Mapping[str, float | str], **values: Any) -> None:
-        self._own(created, **values, **options, options=tuple(options.items()))
+    def _own_with(self, body: Handle, chosen: Settings, **values: Any) -> None:
+        self._own(chosen.medium_of(body), body, **values, **chosen.given, options=tuple(chosen.given.items()))
 
     def with_model(self: Self, model: str, **options: Any) -> Self:
         """The same body under another model; options of the present model are not carried over."""

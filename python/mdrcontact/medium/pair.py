@@ -32,9 +32,12 @@ class Pair(Medium):
 
     def __init__(self, lower: Medium | Elastic | _Rigid, upper: Medium | Elastic | _Rigid) -> None:
         bodies = _body("lower", lower), _body("upper", upper)
-        handles = [Handle(_native.medium_rigid()) if body is RIGID else body._handle for body in bodies]
+        handles = [_rigid() if body is RIGID else body._handle for body in bodies]
         created = _native.medium_pair(handles[0].address, handles[1].address)
         self._own(created, lower=bodies[0], upper=bodies[1])
+
+    def _bodies(self) -> list[Handle]:
+        return [handle for body in (self.lower, self.upper) if isinstance(body, Medium) for handle in body._bodies()]
 
     def _tolerance(self) -> float:
         return max(body._tolerance() for body in (self.lower, self.upper) if isinstance(body, Medium))
@@ -49,6 +52,12 @@ class Pair(Medium):
         """The same bodies, those that are coated, layered or graded under another model."""
         bodies: list[Any] = [self.lower, self.upper]
         return Pair(*(body.with_model(model, **options) if hasattr(body, "with_model") else body for body in bodies))
+
+
+def _rigid() -> Handle:
+    """The medium of a rigid body."""
+    body = Handle(_native.body_rigid())
+    return Handle(_native.medium_new(body.address, 0))
 
 
 def _body(name: str, body: Any) -> Any:

@@ -6,6 +6,10 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any
 
+from numpy.typing import NDArray
+
+from .. import _layout
+from .._boundary import record
 from .._parameters import WithParameters
 from ..errors import ArgumentTypeError, InvalidArgumentError
 
@@ -52,8 +56,6 @@ def given_surface(surface: object, *, elastic: bool) -> Surface | None:
     return surface
 
 
-def write_surface(surface: Surface | None, record: Any) -> None:
-    """Into the options of a medium, as the library takes them."""
-    if surface is not None:
-        for name, value in surface._given().items():
-            record[f"surface_{name}"] = value
+def structure_of(surface: Surface | None) -> NDArray[Any] | None:
+    """The surface as the library takes it."""
+    return None if surface is None else record(_layout.surface, **surface._given())

@@ -196,26 +196,58 @@ int mdr_material_limit(const mdr_material *m, int limit, double *E, double *nu)
     return status;
 }
 
-int mdrcontact_entry_medium_contact_modulus(double contact_modulus, mdr_medium **out);
-int mdr_medium_contact_modulus(double contact_modulus, mdr_medium **out)
+int mdrcontact_entry_body_layered(int n, const mdr_layer *layers, const mdr_layer *substrate, const mdr_surface *surface,
+        mdr_body **out);
+int mdr_body_layered(int n, const mdr_layer *layers, const mdr_layer *substrate, const mdr_surface *surface, mdr_body **out)
 {
-    if (arithmetic_is_set()) return mdrcontact_entry_medium_contact_modulus(contact_modulus, out);
+    if (arithmetic_is_set()) return mdrcontact_entry_body_layered(n, layers, substrate, surface, out);
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_medium_contact_modulus(contact_modulus, out);
+    const int status = mdrcontact_entry_body_layered(n, layers, substrate, surface, out);
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }
 
-int mdrcontact_entry_medium_layered(int n, const mdr_layer *layers, const mdr_layer *substrate, int model,
-        const mdr_medium_options *options, mdr_medium **out);
-int mdr_medium_layered(int n, const mdr_layer *layers, const mdr_layer *substrate, int model, const mdr_medium_options *options,
-        mdr_medium **out)
+int mdrcontact_entry_body_graded(int n, const double z[], const double E[], const double nu[], mdr_body **out);
+int mdr_body_graded(int n, const double z[], const double E[], const double nu[], mdr_body **out)
 {
-    if (arithmetic_is_set()) return mdrcontact_entry_medium_layered(n, layers, substrate, model, options, out);
+    if (arithmetic_is_set()) return mdrcontact_entry_body_graded(n, z, E, nu, out);
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_medium_layered(n, layers, substrate, model, options, out);
+    const int status = mdrcontact_entry_body_graded(n, z, E, nu, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_body_graded_function(mdr_function E, mdr_function nu, void *context, double depth, mdr_body **out);
+int mdr_body_graded_function(mdr_function E, mdr_function nu, void *context, double depth, mdr_body **out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_body_graded_function(E, nu, context, depth, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_body_graded_function(E, nu, context, depth, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_body_power_graded(double E0, double z0, double exponent, double nu, mdr_body **out);
+int mdr_body_power_graded(double E0, double z0, double exponent, double nu, mdr_body **out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_body_power_graded(E0, z0, exponent, nu, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_body_power_graded(E0, z0, exponent, nu, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_body_rigid(mdr_body **out);
+int mdr_body_rigid(mdr_body **out)
+{
+    if (arithmetic_is_set()) return mdrcontact_entry_body_rigid(out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_body_rigid(out);
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }
@@ -232,50 +264,36 @@ int mdr_layers_wrinkling(int n, const mdr_layer *layers, const mdr_layer *substr
     return status;
 }
 
-int mdrcontact_entry_medium_graded(int n, const double z[], const double E[], const double nu[], int model,
-        const mdr_medium_options *options, mdr_medium **out);
-int mdr_medium_graded(int n, const double z[], const double E[], const double nu[], int model, const mdr_medium_options *options,
-        mdr_medium **out)
+int mdrcontact_entry_body_compliance(const mdr_body *body, int load, double omega, int n, const double k[], double out[],
+        double imaginary[]);
+int mdr_body_compliance(const mdr_body *body, int load, double omega, int n, const double k[], double out[], double imaginary[])
 {
-    if (arithmetic_is_set()) return mdrcontact_entry_medium_graded(n, z, E, nu, model, options, out);
+    if (arithmetic_is_set()) return mdrcontact_entry_body_compliance(body, load, omega, n, k, out, imaginary);
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_medium_graded(n, z, E, nu, model, options, out);
+    const int status = mdrcontact_entry_body_compliance(body, load, omega, n, k, out, imaginary);
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }
 
-int mdrcontact_entry_medium_graded_function(mdr_function E, mdr_function nu, void *context, double depth, int model,
-        const mdr_medium_options *options, mdr_medium **out);
-int mdr_medium_graded_function(mdr_function E, mdr_function nu, void *context, double depth, int model,
-        const mdr_medium_options *options, mdr_medium **out)
+int mdrcontact_entry_medium_contact_modulus(double contact_modulus, mdr_medium **out);
+int mdr_medium_contact_modulus(double contact_modulus, mdr_medium **out)
 {
-    if (arithmetic_is_set()) return mdrcontact_entry_medium_graded_function(E, nu, context, depth, model, options, out);
+    if (arithmetic_is_set()) return mdrcontact_entry_medium_contact_modulus(contact_modulus, out);
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_medium_graded_function(E, nu, context, depth, model, options, out);
+    const int status = mdrcontact_entry_medium_contact_modulus(contact_modulus, out);
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }
 
-int mdrcontact_entry_medium_power_graded(double E0, double z0, double exponent, double nu, mdr_medium **out);
-int mdr_medium_power_graded(double E0, double z0, double exponent, double nu, mdr_medium **out)
+int mdrcontact_entry_medium_new(const mdr_body *body, const mdr_medium_options *options, mdr_medium **out);
+int mdr_medium_new(const mdr_body *body, const mdr_medium_options *options, mdr_medium **out)
 {
-    if (arithmetic_is_set()) return mdrcontact_entry_medium_power_graded(E0, z0, exponent, nu, out);
+    if (arithmetic_is_set()) return mdrcontact_entry_medium_new(body, options, out);
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_medium_power_graded(E0, z0, exponent, nu, out);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_medium_rigid(mdr_medium **out);
-int mdr_medium_rigid(mdr_medium **out)
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_medium_rigid(out);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_medium_rigid(out);
+    const int status = mdrcontact_entry_medium_new(body, options, out);
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }
@@ -321,18 +339,6 @@ int mdr_medium_values(const mdr_medium *m, int quantity, int n, const double a[]
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
     const int status = mdrcontact_entry_medium_values(m, quantity, n, a, out);
-    mdrcontact_set_arithmetic_back(&callers);
-    return status;
-}
-
-int mdrcontact_entry_medium_compliance(const mdr_medium *m, int load, double omega, int n, const double k[], double out[],
-        double imaginary[]);
-int mdr_medium_compliance(const mdr_medium *m, int load, double omega, int n, const double k[], double out[], double imaginary[])
-{
-    if (arithmetic_is_set()) return mdrcontact_entry_medium_compliance(m, load, omega, n, k, out, imaginary);
-    fenv_t callers;
-    mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_medium_compliance(m, load, omega, n, k, out, imaginary);
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }

@@ -1,22 +1,17 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Viscoelastic materials and the media made of them, for C.
+!> Viscoelastic materials, for C.
 module mdrcontact_api_material
-    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_int, c_ptr
+    use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
     use mdrcontact_api_arrays, only: check_array, check_count, check_in_out, check_results, deliver_parts, make_room
-    use mdrcontact_api_handles, only: deliver, hand_over
+    use mdrcontact_api_handles, only: deliver
     use mdrcontact_api_open_handle, only: open_handle
-    use mdrcontact_api_medium_options, only: read_medium_options, read_surface
-    use mdrcontact_api_status, only: check_given, status_of
+    use mdrcontact_api_status, only: status_of
     use mdrcontact_codes, only: limit_glassy, limit_relaxed, of_complex_modulus => complex_modulus, of_creep => creep, &
                                 of_relaxation => relaxation
-    use mdrcontact_error, only: check_code, check_memory, check_not_negative, check_positive, error_invalid, error_t, raise
+    use mdrcontact_error, only: check_code, check_not_negative, check_positive, error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
-    use mdrcontact_material, only: material_t, new_material
-    use mdrcontact_material_rheology, only: new_elastic_rheology, new_power_law_rheology, new_viscoelastic, rheology_t
-    use mdrcontact_medium, only: medium_t
-    use mdrcontact_medium_viscoelastic, only: new_viscoelastic_medium
-    use mdrcontact_model, only: model_options_t
-    use mdrcontact_tension_surface, only: is_bare, surface_t
+    use mdrcontact_material, only: material_t
+    use mdrcontact_material_rheology, only: new_power_law_rheology, new_viscoelastic, rheology_t
     implicit none (type, external)
     private
     public :: mdr_material_viscoelastic, mdr_material_power_law

@@ -1,22 +1,26 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Homogeneous media, and the modulus and stiffness of any medium, for C.
+!> Media of one body or of two, and the modulus and stiffness of any medium, for C.
 module mdrcontact_api_medium
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
-    use mdrcontact_body_compliance, only: shear_load, twist_load
+    use mdrcontact_api_any_body, only: any_body_t
     use mdrcontact_api_arrays, only: check_each_positive, check_each_within, check_in_out, check_positive_results, make_room
     use mdrcontact_api_handles, only: deliver_solver, hand_over
+    use mdrcontact_api_medium_options, only: read_medium_options
     use mdrcontact_api_open_handle, only: open_handle
-    use mdrcontact_api_status, only: status_of, wanted_threads
+    use mdrcontact_api_status, only: check_given, status_of, wanted_threads
+    use mdrcontact_body_compliance, only: shear_load, twist_load
     use mdrcontact_codes, only: of_modulus => modulus, of_stiffness => stiffness, of_tangential_modulus => tangential_modulus, &
-                                of_torsional_stiffness => torsional_stiffness
-    use mdrcontact_error, only: check_code, error_invalid, error_t, raise
-    use mdrcontact_medium, only: check_elastic, medium_t, new_pair
+                                of_torsional_stiffness => torsional_stiffness, word_of
+    use mdrcontact_error, only: check_code, check_memory, code_text, error_invalid, error_t, raise
+    use mdrcontact_medium, only: check_elastic, medium_t, new_medium, new_pair
     use mdrcontact_medium_solver, only: new_under, solver_t
-    use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous_from_modulus, new_rigid
+    use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous_from_modulus
     use mdrcontact_medium_values, only: modulus_values
+    use mdrcontact_medium_viscoelastic, only: new_viscoelastic_medium
+    use mdrcontact_model, only: model_options_t, models
     implicit none (type, external)
     private
-    public :: mdr_medium_rigid, mdr_medium_pair
+    public :: mdr_medium_new, mdr_medium_pair
     public :: mdr_medium_contact_modulus, mdr_medium_values
 
 contains
@@ -32,15 +36,54 @@ contains
         status = deliver_solver(medium, out, error)
     end function mdr_medium_contact_modulus
 
-    function mdr_medium_rigid(out) result(status) bind(C, name="mdrcontact_entry_medium_rigid")
+    function mdr_medium_new(body, options, out) result(status) bind(C, name="mdrcontact_entry_medium_new")
+        type(c_ptr), value :: body, options
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
-        type(homogeneous_t) :: medium
+        type(any_body_t), pointer :: given
+        type(model_options_t) :: chosen
+        type(medium_t), allocatable :: medium
+        class(*), allocatable :: object
         type(error_t), allocatable :: error
+        integer :: model
 
-        call new_rigid(medium)
-        status = deliver_solver(medium, out, error)
-    end function mdr_medium_rigid
+        allocate (medium)
+        call open_handle(body, "body", given, error)
+        call check_given(error, "out", present(out))
+        call read_medium_options(error, options, model, chosen)
+        if (.not. allocated(error)) then
+            if (allocated(given%solved)) then
+                call take_solved(given%solved, model, medium, error)
+            else if (allocated(given%relaxing)) then
+                allocate (medium%relaxing)
+                associate (relaxing => given%relaxing)
+                    call new_viscoelastic_medium(medium%relaxing, relaxing%materials, relaxing%thickness, relaxing%rigid_base, &
+                                                 model, chosen, error, bonds=relaxing%bonds)
+                end associate
+            else
+                call new_medium(medium, given%elastic, model, error, chosen, surface=given%surface)
+            end if
+        end if
+        call move_alloc(medium, object)
+        status = hand_over(object, out, error)
+    end function mdr_medium_new
+
+    !> The medium of a body that has one solution.
+    subroutine take_solved(solved, model, medium, error)
+        class(solver_t), intent(in) :: solved
+        integer, intent(in) :: model
+        type(medium_t), intent(inout) :: medium
+        type(error_t), allocatable, intent(inout) :: error
+        integer :: stat
+
+        if (model /= models%exact) then
+            call raise(error, error_invalid, "model = "//trim(code_text(model))//" is not allowed for a rigid body, or one "// &
+                       "of a power of the depth: choose from "//trim(word_of(models%exact)))
+            return
+        end if
+        allocate (medium%solver, source=solved, stat=stat)
+        call check_memory(error, stat)
+    end subroutine take_solved
 
     function mdr_medium_pair(lower, upper, out) result(status) bind(C, name="mdrcontact_entry_medium_pair")
         type(c_ptr), value :: lower, upper

@@ -8,23 +8,26 @@ module mdrcontact_api_medium_options
     use mdrcontact_api_status, only: status_of
     use mdrcontact_error, only: code_text, error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
-    use mdrcontact_model, only: model_options_t, model_position, model_table, option_names, option_values
-    use mdrcontact_tension_surface, only: surface_t
+    use mdrcontact_model, only: model_options_t, model_position, model_table, models, option_names, option_values
     implicit none (type, external)
     private
-    public :: read_medium_options, read_surface
+    public :: read_medium_options
     public :: mdr_model_info
 
 contains
 
     !> What the caller gave, or the defaults for a null pointer.
-    subroutine read_medium_options(error, structure, options)
+    subroutine read_medium_options(error, structure, model, options)
         type(error_t), allocatable, intent(inout) :: error
         type(c_ptr), intent(in) :: structure
+        !> one of models%...
+        integer, intent(out) :: model
         type(model_options_t), intent(out) :: options
         type(c_medium_options_t), target :: chosen
 
         call read_options(error, "options", structure, c_loc(chosen), c_sizeof(chosen))
+        model = models%exact
+        if (chosen%model /= 0_c_int) model = int(chosen%model)
         associate (given => chosen)
             if (given%alpha /= 0.0_wp) options%alpha = given%alpha
             if (given%wave_factor /= 0.0_wp) options%wave_factor = given%wave_factor
@@ -34,17 +37,6 @@ contains
             if (given%exponent /= 0.0_wp .or. given%exponent_is_given /= 0_c_int) options%exponent = given%exponent
         end associate
     end subroutine read_medium_options
-
-    !> Tension and plate of the surface; bare for a null pointer.
-    subroutine read_surface(error, structure, surface)
-        type(error_t), allocatable, intent(inout) :: error
-        type(c_ptr), intent(in) :: structure
-        type(surface_t), intent(out) :: surface
-        type(c_medium_options_t), target :: chosen
-
-        call read_options(error, "options", structure, c_loc(chosen), c_sizeof(chosen))
-        surface = surface_t(chosen%surface_tension, chosen%surface_bending, chosen%surface_stretching)
-    end subroutine read_surface
 
     function mdr_model_info(model, facts) result(status) bind(C)
         integer(c_int), value :: model

@@ -3,6 +3,7 @@
 module mdrcontact_api_open_handle
     use, intrinsic :: iso_c_binding, only: c_ptr
     use mdrcontact_api_handles, only: look_inside, refuse_kind
+    use mdrcontact_api_any_body, only: any_body_t
     use mdrcontact_conduction_bodies, only: conduction_t
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_loop, only: loop_t
@@ -27,6 +28,7 @@ module mdrcontact_api_open_handle
     interface open_handle
         module procedure &
             open_profile, &
+            open_any_body, &
             open_medium, &
             open_contact, &
             open_relaxing_contact, &
@@ -63,6 +65,24 @@ contains
             call refuse_kind(name, "mdr_profile", error)
         end select
     end subroutine open_profile
+
+    subroutine open_any_body(handle, name, object, error)
+        type(c_ptr), intent(in) :: handle
+        character(len=*), intent(in) :: name
+        type(any_body_t), pointer, intent(out) :: object
+        type(error_t), allocatable, intent(inout) :: error
+        class(*), pointer :: inside
+
+        nullify (object)
+        call look_inside(handle, name, "mdr_body", inside, error)
+        if (allocated(error)) return
+        select type (inside)
+        type is (any_body_t)
+            object => inside
+        class default
+            call refuse_kind(name, "mdr_body", error)
+        end select
+    end subroutine open_any_body
 
     subroutine open_medium(handle, name, object, error)
         type(c_ptr), intent(in) :: handle

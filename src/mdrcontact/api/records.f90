@@ -4,9 +4,9 @@ module mdrcontact_api_records
     use, intrinsic :: iso_c_binding, only: c_char, c_double, c_int, c_null_char, c_null_ptr, c_ptr, c_size_t
     implicit none (type, external)
     private
-    public :: c_failure_t, c_model_facts_t, c_medium_options_t, c_layer_t, c_contact_options_t, c_maximum_t, c_strength_t, &
-              c_failure_load_t, c_loop_facts_t, c_rate_options_t, c_shear_facts_t, c_wear_options_t, c_law_options_t, &
-              c_law_facts_t, c_structure_options_t, c_fit_parameter_t, c_fit_problem_t, c_fit_summary_t
+    public :: c_failure_t, c_layer_t, c_surface_t, c_model_facts_t, c_medium_options_t, c_contact_options_t, c_maximum_t, &
+              c_strength_t, c_failure_load_t, c_loop_facts_t, c_rate_options_t, c_shear_facts_t, c_wear_options_t, &
+              c_law_options_t, c_law_facts_t, c_structure_options_t, c_fit_parameter_t, c_fit_problem_t, c_fit_summary_t
 
     !> struct mdr_failure
     type, bind(C) :: c_failure_t
@@ -16,34 +16,6 @@ module mdrcontact_api_records
         character(kind=c_char) :: argument(64) = c_null_char
         character(kind=c_char) :: text(1024) = c_null_char
     end type c_failure_t
-
-    !> struct mdr_model_facts
-    type, bind(C) :: c_model_facts_t
-        integer(c_size_t) :: size = 0_c_size_t
-        real(c_double) :: largest_ratio = 0.0_c_double
-        integer(c_int) :: base = 0_c_int
-        integer(c_int) :: takes_layers = 0_c_int
-        integer(c_int) :: takes_graded = 0_c_int
-        integer(c_int) :: spherical_only = 0_c_int
-        character(kind=c_char) :: constant(24) = c_null_char
-        character(kind=c_char) :: option(24) = c_null_char
-        real(c_double) :: default_constant = 0.0_c_double
-    end type c_model_facts_t
-
-    !> struct mdr_medium_options
-    type, bind(C) :: c_medium_options_t
-        integer(c_size_t) :: size = 0_c_size_t
-        real(c_double) :: alpha = 0.0_c_double
-        real(c_double) :: wave_factor = 0.0_c_double
-        integer(c_int) :: weight_nu_choice = 0_c_int
-        real(c_double) :: weight_nu = 0.0_c_double
-        real(c_double) :: tolerance = 0.0_c_double
-        real(c_double) :: exponent = 0.0_c_double
-        integer(c_int) :: exponent_is_given = 0_c_int
-        real(c_double) :: surface_tension = 0.0_c_double
-        real(c_double) :: surface_bending = 0.0_c_double
-        real(c_double) :: surface_stretching = 0.0_c_double
-    end type c_medium_options_t
 
     !> struct mdr_layer
     type, bind(C) :: c_layer_t
@@ -64,6 +36,40 @@ module mdrcontact_api_records
         real(c_double) :: tangential_compliance = 0.0_c_double
         type(c_ptr) :: material = c_null_ptr
     end type c_layer_t
+
+    !> struct mdr_surface
+    type, bind(C) :: c_surface_t
+        integer(c_size_t) :: size = 0_c_size_t
+        real(c_double) :: tension = 0.0_c_double
+        real(c_double) :: bending = 0.0_c_double
+        real(c_double) :: stretching = 0.0_c_double
+    end type c_surface_t
+
+    !> struct mdr_model_facts
+    type, bind(C) :: c_model_facts_t
+        integer(c_size_t) :: size = 0_c_size_t
+        real(c_double) :: largest_ratio = 0.0_c_double
+        integer(c_int) :: base = 0_c_int
+        integer(c_int) :: takes_layers = 0_c_int
+        integer(c_int) :: takes_graded = 0_c_int
+        integer(c_int) :: spherical_only = 0_c_int
+        character(kind=c_char) :: constant(24) = c_null_char
+        character(kind=c_char) :: option(24) = c_null_char
+        real(c_double) :: default_constant = 0.0_c_double
+    end type c_model_facts_t
+
+    !> struct mdr_medium_options
+    type, bind(C) :: c_medium_options_t
+        integer(c_size_t) :: size = 0_c_size_t
+        integer(c_int) :: model = 0_c_int
+        real(c_double) :: alpha = 0.0_c_double
+        real(c_double) :: wave_factor = 0.0_c_double
+        integer(c_int) :: weight_nu_choice = 0_c_int
+        real(c_double) :: weight_nu = 0.0_c_double
+        real(c_double) :: tolerance = 0.0_c_double
+        real(c_double) :: exponent = 0.0_c_double
+        integer(c_int) :: exponent_is_given = 0_c_int
+    end type c_medium_options_t
 
     !> struct mdr_contact_options
     type, bind(C) :: c_contact_options_t

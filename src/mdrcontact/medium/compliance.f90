@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> What the surfaces of a contact answer to a wave of load: C(k) = displacement over traction, the sum over both bodies.
+!> What the surface of a body answers to a wave of load: C(k) = displacement over traction.
 module mdrcontact_medium_compliance
     use mdrcontact_base_nonfinite, only: is_finite
     use mdrcontact_body, only: body_t
@@ -7,7 +7,6 @@ module mdrcontact_medium_compliance
     use mdrcontact_body_compliance, only: compliance_t, normal_load, twist_load
     use mdrcontact_error, only: error_domain, error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
-    use mdrcontact_medium_solver, only: solver_t
     use mdrcontact_medium_viscoelastic, only: viscoelastic_t
     use mdrcontact_tension_membrane, only: membrane_t, new_membrane
     use mdrcontact_tension_surface, only: is_bare, surface_t
@@ -15,18 +14,20 @@ module mdrcontact_medium_compliance
     private
     public :: surface_compliance
 
-    !> C(k) of one or two elastic bodies, or of one that relaxes.
+    !> C(k) of an elastic body, or of one that relaxes.
     interface surface_compliance
         module procedure of_elastic, of_relaxing
     end interface surface_compliance
 
 contains
 
-    !> C(k) of the body, or the sum of both, whatever model its contacts are solved by (theory 6): 2/(E* k) of a half-space under a
+    !> C(k), whatever model contacts are solved by (theory 6): 2/(E* k) of a half-space under a
     !> pressure, (2 - nu)/(2 G k) under a load of one direction averaged over the directions of the wave, 1/(G k) under one across
     !> the wave, which a twist consists of. Under a load along the wave it is twice the second less the third.
-    subroutine of_elastic(solver, load, k, values, error)
-        class(solver_t), intent(in) :: solver
+    subroutine of_elastic(body, surface, load, k, values, error)
+        class(body_t), intent(in) :: body
+        !> what its surface has
+        type(surface_t), intent(in) :: surface
         !> normal_load, shear_load or twist_load
         integer, intent(in) :: load
         !> wavenumbers > 0 [1/length]
@@ -36,16 +37,8 @@ contains
         type(error_t), allocatable, intent(out) :: error
 
         values = 0.0_wp
-        if (solver%is_rigid) then
-            call raise(error, error_invalid, " is not allowed: a rigid body has no compliance", "m")
-        else if (.not. allocated(solver%pressed)) then
-            call raise(error, error_invalid, " is not allowed: this medium is known by its modulus alone; give E and nu of its "// &
-                       "layers", "m")
-        else
-            call add_body(solver%pressed, load, k, values, error, solver%sheet%stretching)
-            if (allocated(solver%counterbody)) call add_body(solver%counterbody, load, k, values, error)
-            if (.not. is_bare(solver%sheet)) call add_sheet(solver%sheet, load, k, values, error)
-        end if
+        call add_body(body, load, k, values, error, surface%stretching)
+        if (.not. is_bare(surface)) call add_sheet(surface, load, k, values, error)
         call check_values(error, values)
     end subroutine of_elastic
 
@@ -101,20 +94,18 @@ contains
         complex(wp), intent(inout) :: values(:)
         type(error_t), allocatable, intent(inout) :: error
         !> of a sheet on it, in its plane [modulus length]
-        real(wp), intent(in), optional :: stretching
+        real(wp), intent(in) :: stretching
         class(compliance_t), allocatable :: compliance
         type(membrane_t) :: membrane
 
         if (.not. allocated(error)) call body%compliance(load, compliance, error)
         if (allocated(error)) return
-        if (present(stretching) .and. load == normal_load) then
-            if (stretching > 0.0_wp) then
-                call new_membrane(membrane, stretching, compliance, error, has_springs=.false.)
-                if (.not. allocated(error)) call add(membrane, load, k, values)
-                return
-            end if
+        if (stretching > 0.0_wp .and. load == normal_load) then
+            call new_membrane(membrane, stretching, compliance, error, has_springs=.false.)
+            if (.not. allocated(error)) call add(membrane, load, k, values)
+        else
+            call add(compliance, load, k, values)
         end if
-        call add(compliance, load, k, values)
     end subroutine add_body
 
     !> The scale of a twist is 4 G0, so that M/phi of a punch is to it as dF/dd is to E*; a wave has half of it.

@@ -54,8 +54,8 @@ static mdr_medium *new_medium(int kind, int model, int layers)
 
     if (kind == 1) new_homogeneous(1.0, 0.3, &m);
     if (kind == 2) new_layered(layers, one, nu, one, 1.0, 0.4, model, NULL, &m);
-    if (kind == 3) mdr_medium_graded(2, z, one, nu, model, NULL, &m);
-    if (kind == 4) mdr_medium_power_graded(1.0, 1.0, 0.2, 0.3, &m);
+    if (kind == 3) medium_of_grades(2, z, one, nu, model, NULL, &m);
+    if (kind == 4) medium_of_power(1.0, 1.0, 0.2, 0.3, &m);
     return m;
 }
 

@@ -28,13 +28,27 @@ static double take_substrate(input *in)
     return take_byte(in) % 8 == 7 ? INFINITY : take_positive(in);
 }
 
-/* Layers of all kinds, and the stress at which one wrinkles. */
+/* What the surface of a body answers. */
+static void waves(input *in, const mdr_body *body)
+{
+    const int n = take_count(in), load = take_member(in, MDR_LOAD_NORMAL, MDR_LOAD_TWIST - MDR_LOAD_NORMAL + 1);
+    const double omega = take_chance(in) ? take_positive(in) : 0.0;
+    double k[MOST_POINTS], out[MOST_POINTS];
+
+    take_positives(in, k);
+    fill(out);
+    judge("mdr_body_compliance", mdr_body_compliance(body, load, omega, n, k, out, NULL), n, out, FINITE);
+}
+
+/* Layers of all kinds, the stress at which one wrinkles, and what their surface answers. */
 static int make_stack(world *w, mdr_medium **out, int *is_exact)
 {
     input *in = &w->in;
     mdr_layer layers[4];
     mdr_medium_options options;
     const mdr_medium_options *chosen;
+    mdr_surface surface = MDR_SIZED(mdr_surface);
+    mdr_body *body = NULL;
     double stress, wavelength;
     int model, n = take_count(in) % 4, rigid = take_byte(in) % 8 == 7;
 
@@ -64,15 +78,17 @@ static int make_stack(world *w, mdr_medium **out, int *is_exact)
     }
     chosen = take_options(in, &model, &options);
     if (take_byte(in) % 4 == 3) {
-        options.surface_tension = take_number(in);
-        options.surface_bending = take_chance(in) ? take_number(in) : take_byte(in) % 2 * take_positive(in);
-        if (take_chance(in)) options.surface_stretching = take_number(in);
-        chosen = &options;
+        surface.tension = take_number(in);
+        surface.bending = take_chance(in) ? take_number(in) : take_byte(in) % 2 * take_positive(in);
+        if (take_chance(in)) surface.stretching = take_number(in);
     }
     *is_exact = 1;
     if (!afford(w, PRICE_OF_EXACT)) return MDR_ENULL;
     if (take_byte(in) % 8 == 7) mdr_layers_wrinkling(n, layers, rigid ? NULL : &layers[3], take_count(in), &stress, &wavelength);
-    return mdr_medium_layered(n, layers, rigid ? NULL : &layers[3], take_chance(in) ? MDR_MODEL_EXACT : model, chosen, out);
+    const int status = mdr_body_layered(n, layers, rigid ? NULL : &layers[3], &surface, &body);
+    judge_object("mdr_body_layered", status, body);
+    if (body) waves(in, body);
+    return medium_of(status, body, take_chance(in) ? MDR_MODEL_EXACT : model, chosen, out);
 }
 
 /* MDR_ENULL without an object where a costly one was left out. */
@@ -120,26 +136,26 @@ static int make(world *w, mdr_medium **out, int *is_exact)
         take_ascending(in, x);
         take_positives(in, y);
         take_ratios(in, z);
-        return mdr_medium_graded(n, x, y, z, model, chosen, out);
+        return medium_of_grades(n, x, y, z, model, chosen, out);
     case 6:
         chosen = take_options(in, &model, &options);
         if (model == MDR_MODEL_EXACT || !afford(w, PRICE_OF_SAMPLED)) return MDR_ENULL;
         f = take_function(in);
         g = take_function(in);
         (void)g;
-        return mdr_medium_graded_function(call_function, call_function, &f, take_positive(in), model, chosen, out);
+        return medium_of_functions(call_function, call_function, &f, take_positive(in), model, chosen, out);
     case 7:
         p = take_positive(in);
         q = take_positive(in);
         r = take_ratio(in);
-        return mdr_medium_power_graded(p, q, r, take_ratio(in), out);
+        return medium_of_power(p, q, r, take_ratio(in), out);
     case 8:
         n = take_count(in);
         take_ascending(in, x);
         if (x[0] == 0.0) x[0] = x[1] / 2.0;
         take_positives(in, y);
         return mdr_medium_table(n, x, y, out);
-    case 9: return mdr_medium_rigid(out);
+    case 9: return rigid_medium(out);
     case 10:
         *is_exact = 1;
         return afford(w, 1) ? mdr_medium_pair(some_medium(w), some_medium(w), out) : MDR_ENULL;

@@ -22,9 +22,6 @@ static void moduli(world *w)
     judge("mdr_weight", mdr_weight(MDR_WEIGHT_J0_TANGENTIAL, nu, n, a, out), n, out, FINITE);
     if (!afford(w, w->medium_is_exact[slot] ? PRICE_OF_EXACT_MODULUS : PRICE_OF_MODULUS)) return;
     fill(out);
-    judge("mdr_medium_compliance", mdr_medium_compliance(w->media[slot], 1 + n % 3, nu > 0.0 ? nu : 0.0, n, a, out, NULL), n, out,
-          NOT_NAN);
-    fill(out);
     judge("mdr_medium_values", mdr_medium_values(w->media[slot], MDR_TANGENTIAL_MODULUS, n, a, out), n, out, POSITIVE);
     fill(out);
     judge("mdr_medium_values", mdr_medium_values(w->media[slot], MDR_TORSIONAL_STIFFNESS, n, a, out), n, out, POSITIVE);

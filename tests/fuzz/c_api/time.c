@@ -81,8 +81,8 @@ static void body(world *w)
     take_positives(&w->in, thickness);
     for (int i = 0; i < MOST_LAYERS; i++) layers[i].thickness = thickness[i];
     if (n > 0 && model == MDR_MODEL_EXACT && !afford(w, PRICE_OF_EXACT)) return;
-    const int status = mdr_medium_layered(n, layers, substrate, model, NULL, &made);
-    judge_object("mdr_medium_layered", status, made);
+    const int status = medium_of_layers(n, layers, substrate, model, NULL, &made);
+    judge_object("mdr_medium_new", status, made);
     if (!made) return;
     MDR_FREE(w->media[slot]);
     w->media[slot] = made;

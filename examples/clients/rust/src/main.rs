@@ -45,15 +45,17 @@ impl Law {
     /// Of a ball of the given radius on the painted plate.
     fn new(radius: f64, largest_depth: f64) -> Result<Law, String> {
         let mut law = Law(ptr::null_mut());
-        let (mut ball, mut plate, mut contact) = (ptr::null_mut(), ptr::null_mut(), ptr::null_mut());
-        let model = mdr::MDR_MODEL_EXACT;
+        let (mut ball, mut plate) = (ptr::null_mut(), ptr::null_mut());
+        let (mut medium, mut contact) = (ptr::null_mut(), ptr::null_mut());
         let (paint, aluminium) = (isotropic(3e9, 0.35, 25e-6), isotropic(70e9, 0.33, 0.0));
         unsafe {
             let made = check(mdr::mdr_profile_paraboloid(radius, &mut ball))
-                .and_then(|()| check(mdr::mdr_medium_layered(1, &paint, &aluminium, model, ptr::null(), &mut plate)))
-                .and_then(|()| check(mdr::mdr_contact_new(ball, plate, ptr::null(), &mut contact)))
+                .and_then(|()| check(mdr::mdr_body_layered(1, &paint, &aluminium, ptr::null(), &mut plate)))
+                .and_then(|()| check(mdr::mdr_medium_new(plate, ptr::null(), &mut medium)))
+                .and_then(|()| check(mdr::mdr_contact_new(ball, medium, ptr::null(), &mut contact)))
                 .and_then(|()| check(mdr::mdr_law_new(contact, largest_depth, ptr::null(), &mut law.0)));
             mdr::mdr_free(contact.cast());
+            mdr::mdr_free(medium.cast());
             mdr::mdr_free(plate.cast());
             mdr::mdr_free(ball.cast());
             made.map(|()| law)

@@ -1,88 +1,101 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Coated, layered and graded half-spaces under a model of the caller's choice, for C.
-module mdrcontact_api_layered
+!> Bodies, for C: layers, graded half-spaces, and what their surfaces answer to waves.
+module mdrcontact_api_body
     use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_funptr, c_int, c_int8_t, c_loc, c_ptr, c_size_t, &
                                            c_sizeof
-    use mdrcontact_api_arrays, only: check_array, check_count, check_not_empty
+    use mdrcontact_api_any_body, only: any_body_t
+    use mdrcontact_api_arrays, only: check_array, check_count, check_each_not_negative, check_each_positive, check_in_out, &
+                                     check_not_empty, deliver_parts, make_room
     use mdrcontact_api_callback, only: c_function_t, new_c_function
-    use mdrcontact_api_handles, only: deliver_solver, hand_over
+    use mdrcontact_api_handles, only: hand_over
     use mdrcontact_api_open_handle, only: open_handle
-    use mdrcontact_api_medium_options, only: read_medium_options, read_surface
     use mdrcontact_api_options, only: read_options
-    use mdrcontact_api_records, only: c_layer_t
+    use mdrcontact_api_records, only: c_layer_t, c_surface_t
     use mdrcontact_api_status, only: check_given, status_of
-    use mdrcontact_body, only: body_t
-    use mdrcontact_body_graded, only: graded_body_t, new_graded_body, new_graded_body_from_functions
+    use mdrcontact_body_compliance, only: normal_load, shear_load, twist_load
     use mdrcontact_body_elements_interface, only: bond_t
+    use mdrcontact_body_graded, only: graded_body_t, new_graded_body, new_graded_body_from_functions
     use mdrcontact_body_layers, only: layers_t
     use mdrcontact_body_stack, only: new_stack, stack_t
     use mdrcontact_body_wrinkling, only: find_wrinkling
-    use mdrcontact_error, only: check_choice, check_memory, count_text, error_invalid, error_t, raise
+    use mdrcontact_error, only: check_choice, check_code, check_memory, count_text, error_invalid, error_t, raise
+    use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: by_engineering, by_stiffness, material_t, new_material, new_transverse
     use mdrcontact_material_rheology, only: new_elastic_rheology, rheology_t
-    use mdrcontact_medium, only: medium_t, new_medium
+    use mdrcontact_medium_compliance, only: surface_compliance
+    use mdrcontact_medium_homogeneous, only: homogeneous_t, new_rigid
     use mdrcontact_medium_power_graded, only: new_power_graded, power_graded_t
-    use mdrcontact_medium_viscoelastic, only: new_viscoelastic_medium
-    use mdrcontact_model, only: model_options_t
     use mdrcontact_tension_surface, only: is_bare, surface_t
     implicit none (type, external)
     private
     public :: mdr_layers_wrinkling
-    public :: mdr_medium_layered, mdr_medium_graded, mdr_medium_graded_function, mdr_medium_power_graded
+    public :: mdr_body_layered, mdr_body_graded, mdr_body_graded_function, mdr_body_power_graded, mdr_body_rigid, &
+              mdr_body_compliance
 
 contains
 
-    function mdr_medium_layered(n, layers, substrate, model, options, out) result(status) &
-        bind(C, name="mdrcontact_entry_medium_layered")
-        integer(c_int), value :: n, model
-        type(c_ptr), value :: layers, substrate, options
+    function mdr_body_layered(n, layers, substrate, surface, out) result(status) bind(C, name="mdrcontact_entry_body_layered")
+        integer(c_int), value :: n
+        type(c_ptr), value :: layers, substrate, surface
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
         type(layers_t) :: layered
         type(rheology_t), allocatable :: relaxing(:)
-        type(stack_t) :: body
+        type(stack_t), allocatable :: stack
+        type(any_body_t), allocatable :: body
+        type(material_t), allocatable :: unit(:)
         type(error_t), allocatable :: error
+        integer :: stat
 
+        allocate (body, stack)
+        call read_surface(error, surface, body%surface)
         call read_layers(error, n, layers, substrate, layered, relaxing)
         if (allocated(relaxing)) then
-            status = deliver_relaxing(layered, relaxing, model, options, out, error)
+            if (.not. is_bare(body%surface)) then
+                call raise(error, error_invalid, "a surface with tension or a sheet is not allowed: the body below it must be "// &
+                           "elastic")
+            end if
+            ! what does not depend on the materials is checked as of an elastic body
+            allocate (unit(n + 1), stat=stat)
+            call check_memory(error, stat)
+            if (.not. allocated(error)) unit(:) = material_t(1.0_wp, 0.0_wp)
+            if (.not. allocated(error)) call new_stack(stack, unit(:n), layered%thickness, unit(n + 1), error, layered%rigid_base, &
+                                                       layered%bonds)
+            allocate (body%relaxing)
+            call move_alloc(relaxing, body%relaxing%materials)
+            call move_alloc(layered%thickness, body%relaxing%thickness)
+            call move_alloc(layered%bonds, body%relaxing%bonds)
+            body%relaxing%rigid_base = layered%rigid_base
         else
-            if (.not. allocated(error)) call new_stack(body, layered%materials(:n), layered%thickness, layered%materials(n + 1), &
+            if (.not. allocated(error)) call new_stack(stack, layered%materials(:n), layered%thickness, layered%materials(n + 1), &
                                                        error, layered%rigid_base, layered%bonds)
-            status = deliver_model(body, model, options, out, error)
+            call move_alloc(stack, body%elastic)
         end if
-    end function mdr_medium_layered
+        status = hand_over_body(body, out, error)
+    end function mdr_body_layered
 
-    !> The medium of layers that relax, unless there is an error already.
-    function deliver_relaxing(layered, materials, model, options, out, error) result(status)
-        type(layers_t), intent(in) :: layered
-        type(rheology_t), intent(in) :: materials(:)
-        integer(c_int), intent(in) :: model
-        type(c_ptr), intent(in) :: options
+    !> Puts a body behind a new handle, unless there is an error.
+    function hand_over_body(body, out, error) result(status)
+        type(any_body_t), allocatable, intent(inout) :: body
         type(c_ptr), intent(inout), optional :: out
         type(error_t), allocatable, intent(inout) :: error
         integer(c_int) :: status
-        type(medium_t), allocatable :: medium
         class(*), allocatable :: object
-        type(model_options_t) :: chosen
-        type(surface_t) :: surface
 
-        call check_given(error, "out", present(out))
-        call read_medium_options(error, options, chosen)
-        call read_surface(error, options, surface)
-        if (.not. is_bare(surface)) then
-            call raise(error, error_invalid, "surface_tension, surface_bending and surface_stretching are not allowed: a "// &
-                       "body under a surface with tension or a sheet must be elastic")
-        end if
-        allocate (medium)
-        allocate (medium%relaxing)
-        if (.not. allocated(error)) then
-            call new_viscoelastic_medium(medium%relaxing, materials, layered%thickness, layered%rigid_base, int(model), chosen, &
-                                         error, bonds=layered%bonds)
-        end if
-        call move_alloc(medium, object)
+        call move_alloc(body, object)
         status = hand_over(object, out, error)
-    end function deliver_relaxing
+    end function hand_over_body
+
+    !> Tension and sheets of a surface; bare for a null pointer.
+    subroutine read_surface(error, structure, surface)
+        type(error_t), allocatable, intent(inout) :: error
+        type(c_ptr), intent(in) :: structure
+        type(surface_t), intent(out) :: surface
+        type(c_surface_t), target :: given
+
+        call read_options(error, "surface", structure, c_loc(given), c_sizeof(given))
+        surface = surface_t(given%tension, given%bending, given%stretching)
+    end subroutine read_surface
 
     function mdr_layers_wrinkling(n, layers, substrate, layer, stress, wavelength) result(status) &
         bind(C, name="mdrcontact_entry_layers_wrinkling")
@@ -217,74 +230,107 @@ contains
         rheology = new_elastic_rheology(material)
     end subroutine read_layer
 
-    function mdr_medium_graded(n, z, e, nu, model, options, out) result(status) bind(C, name="mdrcontact_entry_medium_graded")
+    function mdr_body_graded(n, z, e, nu, out) result(status) bind(C, name="mdrcontact_entry_body_graded")
         integer(c_int), value :: n
         real(c_double), intent(in), optional :: z(*), e(*), nu(*)
-        integer(c_int), value :: model
-        type(c_ptr), value :: options
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
-        type(graded_body_t) :: body
+        type(graded_body_t), allocatable :: graded
+        type(any_body_t), allocatable :: body
         type(error_t), allocatable :: error
 
+        allocate (body, graded)
         call check_count(error, n)
         call check_not_empty(error, "z", n, 2)
         call check_array(error, "z", n, present(z))
         call check_array(error, "E", n, present(e))
         call check_array(error, "nu", n, present(nu))
-        if (.not. allocated(error)) call new_graded_body(body, z(:n), e(:n), nu(:n), error)
-        status = deliver_model(body, model, options, out, error)
-    end function mdr_medium_graded
+        if (.not. allocated(error)) call new_graded_body(graded, z(:n), e(:n), nu(:n), error)
+        call move_alloc(graded, body%elastic)
+        status = hand_over_body(body, out, error)
+    end function mdr_body_graded
 
-    function mdr_medium_graded_function(e, nu, context, depth, model, options, out) result(status) &
-        bind(C, name="mdrcontact_entry_medium_graded_function")
+    function mdr_body_graded_function(e, nu, context, depth, out) result(status) &
+        bind(C, name="mdrcontact_entry_body_graded_function")
         type(c_funptr), value :: e, nu
         type(c_ptr), value :: context
         real(c_double), value :: depth
-        integer(c_int), value :: model
-        type(c_ptr), value :: options
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
         type(c_function_t) :: young, poisson
-        type(graded_body_t) :: body
+        type(graded_body_t), allocatable :: graded
+        type(any_body_t), allocatable :: body
         type(error_t), allocatable :: error
 
+        allocate (body, graded)
         call new_c_function(young, "E", e, context, error)
         call new_c_function(poisson, "nu", nu, context, error)
-        if (.not. allocated(error)) call new_graded_body_from_functions(body, young, poisson, depth, error)
-        status = deliver_model(body, model, options, out, error)
-    end function mdr_medium_graded_function
+        if (.not. allocated(error)) call new_graded_body_from_functions(graded, young, poisson, depth, error)
+        call move_alloc(graded, body%elastic)
+        status = hand_over_body(body, out, error)
+    end function mdr_body_graded_function
 
-    function mdr_medium_power_graded(e0, z0, exponent, nu, out) result(status) bind(C, name="mdrcontact_entry_medium_power_graded")
+    function mdr_body_power_graded(e0, z0, exponent, nu, out) result(status) bind(C, name="mdrcontact_entry_body_power_graded")
         real(c_double), value :: e0, z0, exponent, nu
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
-        type(power_graded_t) :: medium
+        type(power_graded_t), allocatable :: solved
+        type(any_body_t), allocatable :: body
         type(error_t), allocatable :: error
 
-        call new_power_graded(medium, e0, z0, exponent, nu, error)
-        status = deliver_solver(medium, out, error)
-    end function mdr_medium_power_graded
+        allocate (body, solved)
+        call new_power_graded(solved, e0, z0, exponent, nu, error)
+        call move_alloc(solved, body%solved)
+        status = hand_over_body(body, out, error)
+    end function mdr_body_power_graded
 
-    !> The medium of a body, unless there is an error already.
-    function deliver_model(body, model, options, out, error) result(status)
-        class(body_t), intent(in) :: body
-        integer(c_int), intent(in) :: model
-        type(c_ptr), intent(in) :: options
+    function mdr_body_rigid(out) result(status) bind(C, name="mdrcontact_entry_body_rigid")
         type(c_ptr), intent(inout), optional :: out
-        type(error_t), allocatable, intent(inout) :: error
         integer(c_int) :: status
-        type(medium_t), allocatable :: medium
-        class(*), allocatable :: object
-        type(model_options_t) :: chosen
-        type(surface_t) :: surface
+        type(homogeneous_t), allocatable :: solved
+        type(any_body_t), allocatable :: body
+        type(error_t), allocatable :: error
 
-        call read_medium_options(error, options, chosen)
-        call read_surface(error, options, surface)
-        allocate (medium)
-        if (.not. allocated(error)) call new_medium(medium, body, int(model), error, chosen, surface=surface)
-        call move_alloc(medium, object)
-        status = hand_over(object, out, error)
-    end function deliver_model
+        allocate (body, solved)
+        call new_rigid(solved)
+        call move_alloc(solved, body%solved)
+        status = hand_over_body(body, out, error)
+    end function mdr_body_rigid
 
-end module mdrcontact_api_layered
+    function mdr_body_compliance(body, load, omega, n, k, out, imaginary) result(status) &
+        bind(C, name="mdrcontact_entry_body_compliance")
+        type(c_ptr), value :: body
+        integer(c_int), value :: load, n
+        real(c_double), value :: omega
+        real(c_double), intent(in), optional :: k(*)
+        real(c_double), intent(inout), optional :: out(*), imaginary(*)
+        integer(c_int) :: status
+        type(any_body_t), pointer :: given
+        complex(wp), allocatable :: values(:)
+        real(c_double), allocatable :: wavenumbers(:)
+        type(error_t), allocatable :: error
+
+        call open_handle(body, "body", given, error)
+        call check_code(error, "load", int(load), [normal_load, shear_load, twist_load])
+        if (.not. allocated(error)) call check_each_not_negative(error, "omega", [omega])
+        call check_in_out(error, n, "k", present(k), present(out))
+        if (.not. allocated(error) .and. n > 0) call check_each_positive(error, "k", k(:n))
+        call make_room(error, n, values)
+        call make_room(error, n, wavenumbers)
+        if (.not. allocated(error)) then
+            ! without points k may be NULL
+            if (n > 0) wavenumbers(:) = k(:n)
+            if (allocated(given%relaxing)) then
+                call surface_compliance(given%relaxing, load, omega, wavenumbers, values, error)
+            else if (allocated(given%elastic)) then
+                call surface_compliance(given%elastic, given%surface, load, wavenumbers, values, error)
+            else
+                call raise(error, error_invalid, " is not allowed: the compliance of a rigid body, or of one of a power of the "// &
+                           "depth, is not known", "body")
+            end if
+        end if
+        call deliver_parts(error, values, out, imaginary)
+        status = status_of(error)
+    end function mdr_body_compliance
+
+end module mdrcontact_api_body
