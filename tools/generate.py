@@ -14,7 +14,17 @@ from pathlib import Path
 
 REPOSITORY = Path(__file__).resolve().parents[1]
 sys.path[:0] = [str(REPOSITORY / "python" / "src"), str(REPOSITORY / "tools")]
-from wrap_header import PROTOTYPE, described, functions_of, layout, structures, type_hints, without_comments, write  # noqa: E402
+from wrap_header import (  # noqa: E402
+    PROTOTYPE,
+    described,
+    functions_of,
+    layout,
+    structures,
+    type_hints,
+    with_parts,
+    without_comments,
+    write,
+)
 from write_entries import entries  # noqa: E402
 from write_open_handle import open_handle  # noqa: E402
 
@@ -194,7 +204,7 @@ def main(root=REPOSITORY):
         "src/mdrcontact/codes.f90": codes(headers),
         "src/mdrcontact/api/names.c": names(headers),
         "src/mdrcontact/api/records.f90": records(found),
-        "src/mdrcontact/api/entries.c": entries(text, sources),
+        "src/mdrcontact/api/entries.c": entries(with_parts(header), sources),
         "src/mdrcontact/api/open_handle.f90": open_handle(),
         "cmake/mdrcontact.map": symbols(versions()),
         "python/mdrcontact/_native.pyi": type_hints(functions_of(text, described(found))),

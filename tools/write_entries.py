@@ -1,20 +1,24 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The C side of the functions of the header, for generate.py.
 
-Where Fortran defines mdrcontact_entry_x, the function mdr_x sets the arithmetic of the library, calls it, and sets the caller's
-arithmetic again. Functions that do not compute, or take nanoseconds, have no such entry: they are defined under their own names.
+Where Fortran defines mdrcontact_entry_x, the function mdr_x refuses what the header says must not be: a negative count, and a
+pointer that is NULL where its @param does not speak of NULL. Handles and structures that begin with their size are looked at when
+they are opened. Then it sets the arithmetic of the library, calls the entry, and sets the caller's arithmetic again. Functions that
+do not compute, or take nanoseconds, have no such entry: they are defined under their own names.
 """
 
 import re
 
-from wrap_header import prototypes
+from wrap_header import PROTOTYPE
 
 LONGEST_LINE = 132
 TOP = """/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The functions of mdrcontact.h that compute: each in the library's arithmetic. Written by tools/generate.py. */
 #include "../arithmetic.h"
 #include "mdrcontact.h"
+#include "refuse.h"
 """
+COUNTS = ("n", "m", "capacity")
 
 
 def folded(line):
@@ -27,24 +31,56 @@ def folded(line):
     return [line.rstrip() for line in lines]
 
 
-def entry(result, name, words):
+def name_of(words):
+    """The name of an argument."""
+    return re.fullmatch(r".*?(\w+)(\[\d*\])?", words)[1]
+
+
+def refusals(arguments, said, opened):
+    """The lines that refuse counts and pointers. `said` is what the header says of each argument; `opened` are the types that are
+    looked at later."""
+    lines, names = [], [name_of(words) for words in arguments]
+    lengths = {name for words, name in zip(arguments, names, strict=True) if words == f"int {name}"}
+    for words, name in zip(arguments, names, strict=True):
+        kind, stars = re.fullmatch(r"(?:const )?(\w+) ?(\**).*", words).groups()
+        if name in lengths and name in COUNTS:
+            lines.append(f'    if ({name} < 0) return mdrcontact_refuse_count("{name}", {name});')
+        if not (stars or "[" in words) or (kind in opened and stars == "*") or "NULL" in said[name]:
+            continue
+        size = re.search(r"\[.*?\]", said[name])
+        length = next((word for word in re.findall(r"\w+", size[0]) if word in lengths), None) if size else None
+        condition = f"{length} > 0 && " if length else ""
+        lines.append(f'    if ({condition}!{name}) return mdrcontact_refuse_null("{name}");')
+    return lines
+
+
+def entry(result, name, arguments, checks):
     """Both declarations and the body."""
     inner = name.replace("mdr_", "mdrcontact_entry_", 1)
-    names = ", ".join(re.fullmatch(r".*?(\w+)(\[\d*\])?", word)[1] for word in words)
-    taken = ", ".join(words)
-    call = f"{inner}({names});"
-    lines = [f"{result} {inner}({taken});", f"{result} {name}({taken})", "{", f"    if (arithmetic_is_set()) return {call}"]
+    taken = ", ".join(arguments)
+    call = f"{inner}({', '.join(map(name_of, arguments))});"
+    lines = [f"{result} {inner}({taken});", f"{result} {name}({taken})", "{", *checks]
+    lines += [f"    if (arithmetic_is_set()) return {call}"]
     lines += ["    fenv_t callers;", "    mdrcontact_set_arithmetic(&callers);", f"    const {result} status = {call}"]
     lines += ["    mdrcontact_set_arithmetic_back(&callers);", "    return status;", "}", ""]
     return [part for line in lines for part in folded(line)]
 
 
-def entries(text, sources):
-    """The lines of api/entries.c, from the header and the Fortran of api/."""
+def entries(headers, sources):
+    """The lines of api/entries.c, from the headers with their comments and the Fortran of api/."""
     defined = set(re.findall(r'name="mdrcontact_entry_(\w+)"', sources))
-    functions = prototypes(text)
-    unknown = defined - {name.removeprefix("mdr_") for _, name, _ in functions}
-    if unknown:
-        raise SystemExit(f"the header has no {', '.join(sorted(unknown))}")
-    lines = [line for function in functions if function[1].removeprefix("mdr_") in defined for line in entry(*function)]
-    return TOP.split("\n") + lines[:-1]
+    opened = set(re.findall(r"typedef struct (\w+) \1;", headers))
+    opened |= set(re.findall(r"typedef struct (\w+) \{\s*size_t size;", headers))
+    lines = TOP.split("\n")
+    parts = re.split(r"/\*\*(.*?)\*/", headers, flags=re.DOTALL)
+    for words, code in zip(parts[1::2], parts[2::2], strict=True):
+        for result, name, taken in PROTOTYPE.findall(code):
+            if name.removeprefix("mdr_") not in defined:
+                continue
+            defined.remove(name.removeprefix("mdr_"))
+            arguments = [" ".join(word.split()) for word in taken.split(",")]
+            said = dict(re.findall(r"@param (\w+)\s+(.*?)(?=\n \*  @|\Z)", words, flags=re.DOTALL))
+            lines += entry(result.strip(), name, arguments, refusals(arguments, said, opened))
+    if defined:
+        raise SystemExit(f"the header has no {', '.join(sorted(defined))}")
+    return lines[:-1]

@@ -158,13 +158,17 @@ class Function:
         return f"def {self.name}(\n    {inputs}\n) -> {result}: ..."
 
 
-def without_comments(header):
-    """What the compiler sees of the header, whose parts lie in the folder of its name."""
+def with_parts(header):
+    """The header and its parts, which lie in the folder of its name."""
     header = Path(header)
     text = header.read_text(encoding="utf-8")
     parts = re.findall(rf'#include "({header.stem}/.*)"', text)
-    text += "".join((header.parent / part).read_text(encoding="utf-8") for part in parts)
-    return re.sub(r"/\*.*?\*/", "", text, flags=re.DOTALL)
+    return text + "".join((header.parent / part).read_text(encoding="utf-8") for part in parts)
+
+
+def without_comments(header):
+    """What the compiler sees of the header and its parts."""
+    return re.sub(r"/\*.*?\*/", "", with_parts(header), flags=re.DOTALL)
 
 
 def prototypes(text):

@@ -41,10 +41,9 @@ static void refusals(void)
     CHECK_STATUS(mdr_closed_form(MDR_FORM_ADHESIVE_DEPTH, 3, a, (const double[]){R, G0, G1, h, -1.0}, out), MDR_EINVALID,
                  "work_of_adhesion = ");
     CHECK_STATUS(mdr_closed_form(MDR_FORM_PARABOLOID_FORCE, -1, a, (const double[]){R, G0, G1, h}, out), MDR_EINVALID, "n = -1");
-    CHECK_STATUS(mdr_closed_form(MDR_FORM_PARABOLOID_FORCE, 3, NULL, (const double[]){R, G0, G1, h}, out), MDR_ENULL, "a is NULL");
+    CHECK_STATUS(mdr_closed_form(MDR_FORM_PARABOLOID_FORCE, 3, NULL, (const double[]){R, G0, G1, h}, out), MDR_ENULL, "x is NULL");
     CHECK_STATUS(mdr_closed_form(MDR_FORM_CONE_FORCE, 3, a, (const double[]){phi, G0, G1, h}, NULL), MDR_ENULL, "out is NULL");
-    CHECK_STATUS(mdr_closed_form(MDR_FORM_REDUCED_DEPTH, 3, NULL, (const double[]){2.0, 1.0}, out), MDR_ENULL,
-                 "reduced_radius is NULL");
+    CHECK_STATUS(mdr_closed_form(MDR_FORM_REDUCED_DEPTH, 3, NULL, (const double[]){2.0, 1.0}, out), MDR_ENULL, "x is NULL");
     CHECK_STATUS(mdr_closed_form(MDR_FORM_RADIUS_SCALE, 1, (const double[]){R}, (const double[]){G1, work}, NULL), MDR_ENULL,
                  "out is NULL");
     CHECK_UNTOUCHED(3, out);

@@ -34,10 +34,8 @@ static void table_refuses(int of, const char *x_name, const char *y_name)
     mdr_profile *p = NULL;
 
     CHECK_STATUS(mdr_profile_table(of, 4, x, y, NULL), MDR_ENULL, "out is NULL");
-    snprintf(text, sizeof text, "%s is NULL", x_name);
-    CHECK_STATUS(mdr_profile_table(of, 4, NULL, y, &p), MDR_ENULL, text);
-    snprintf(text, sizeof text, "%s is NULL", y_name);
-    CHECK_STATUS(mdr_profile_table(of, 4, x, NULL, &p), MDR_ENULL, text);
+    CHECK_STATUS(mdr_profile_table(of, 4, NULL, y, &p), MDR_ENULL, "x is NULL");
+    CHECK_STATUS(mdr_profile_table(of, 4, x, NULL, &p), MDR_ENULL, "y is NULL");
     CHECK_STATUS(mdr_profile_table(of, -4, x, y, &p), MDR_EINVALID, "n = -4");
     CHECK_STATUS(mdr_profile_table(of, 0, NULL, NULL, &p), MDR_EINVALID, "too short");
     CHECK_STATUS(mdr_profile_table(of, 1, x, y, &p), MDR_EINVALID, "too short");

@@ -70,7 +70,7 @@ static void evaluations_refuse(void)
         CHECK_STATUS(mdr_profile_values(NULL, of, 2, r, out), MDR_ENULL, "p is NULL");
         CHECK_STATUS(mdr_profile_values((const mdr_profile *)medium, of, 2, r, out), MDR_EINVALID, "not an mdr_profile");
         CHECK_STATUS(mdr_profile_values(p, of, -2, r, out), MDR_EINVALID, "n = -2");
-        CHECK_STATUS(mdr_profile_values(p, of, 2, NULL, out), MDR_ENULL, i < 2 ? "r is NULL" : "x is NULL");
+        CHECK_STATUS(mdr_profile_values(p, of, 2, NULL, out), MDR_ENULL, "x is NULL");
         CHECK_STATUS(mdr_profile_values(p, of, 2, r, NULL), MDR_ENULL, "out is NULL");
         CHECK_STATUS(mdr_profile_values(p, of, 2, negative, out), MDR_EINVALID, name);
         CHECK_STATUS(mdr_profile_values(p, of, 2, not_a_number, out), MDR_EINVALID, name);

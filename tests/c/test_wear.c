@@ -220,7 +220,7 @@ static void test_refusals(const mdr_contact *contact)
     CHECK_STATUS(mdr_wear_history_new(NULL, MDR_FORCE, 1.0, NULL, &h), MDR_ENULL, "w");
     CHECK_STATUS(mdr_wear_history_copy(NULL, &h), MDR_ENULL, "h");
     CHECK_STATUS(mdr_wear_history_state(h, 0, NULL, NULL, NULL), MDR_ENULL, "h");
-    CHECK_STATUS(mdr_wear_history_profile(h, NULL), MDR_ENULL, "h");
+    CHECK_STATUS(mdr_wear_history_profile(h, NULL), MDR_ENULL, "out is NULL");
     CHECK_STATUS(mdr_wear_history_save(h, 0, NULL, NULL), MDR_ENULL, "h");
     CHECK_TRUE(h == NULL && out == 7.0);
     CHECK_SUCCESS(mdr_material_viscoelastic(1.0 / 2.6, 0, NULL, NULL, 0.0, 0.3, 0.0, &other));

@@ -2,12 +2,12 @@
 !> Pull-off and loops of adhesive contacts, for C.
 module mdrcontact_api_adhesion
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_loc, c_ptr, c_size_t, c_sizeof
-    use mdrcontact_api_arrays, only: check_array, check_count, check_results
+    use mdrcontact_api_arrays, only: check_array, check_results
     use mdrcontact_api_handles, only: hand_over
     use mdrcontact_api_open_handle, only: open_handle
     use mdrcontact_api_options, only: check_size, write_facts
     use mdrcontact_api_records, only: c_loop_facts_t
-    use mdrcontact_api_status, only: check_given, status_of
+    use mdrcontact_api_status, only: status_of
     use mdrcontact_codes, only: by_depth => depth, by_force => force, by_spring => spring
     use mdrcontact_contact_control, only: control_t, depth_control, force_control
     use mdrcontact_contact, only: contact_t
@@ -16,7 +16,7 @@ module mdrcontact_api_adhesion
     use mdrcontact_contact_loop, only: loop_t, new_loop, spring_control
     implicit none (type, external)
     private
-    public :: mdr_contact_pull_off, open_path
+    public :: mdr_contact_pull_off, choose_control
     public :: mdr_loop_new, mdr_loop_points, mdr_loop_about
 
     !> struct mdr_loop_point
@@ -142,22 +142,5 @@ contains
             call spring_control(chosen, spring_stiffness, error)
         end select
     end subroutine choose_control
-
-    !> The control along a path in time from a state to another, and whether all arguments of the path are there.
-    subroutine open_path(chosen, control, spring_stiffness, n, are_given, error)
-        type(control_t), intent(out) :: chosen
-        integer(c_int), intent(in) :: control, n
-        real(c_double), intent(in) :: spring_stiffness
-        !> start, end, time, in
-        logical, intent(in) :: are_given(4)
-        type(error_t), allocatable, intent(inout) :: error
-
-        call choose_control(chosen, control, spring_stiffness, .true., error)
-        call check_given(error, "start", are_given(1))
-        call check_given(error, "end", are_given(2))
-        call check_count(error, n)
-        call check_array(error, "time", n, are_given(3))
-        call check_array(error, "in", n, are_given(4))
-    end subroutine open_path
 
 end module mdrcontact_api_adhesion

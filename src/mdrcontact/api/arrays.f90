@@ -9,9 +9,9 @@ module mdrcontact_api_arrays
                                 error_domain, error_invalid, error_no_convergence, error_t, raise, to_text
     implicit none (type, external)
     private
-    public :: check_count, check_array, check_in_out, check_not_empty, check_each_finite, check_each_positive, &
+    public :: check_count, check_array, check_not_empty, check_each_finite, check_each_positive, &
               check_each_not_negative, check_each_within
-    public :: make_room, check_complex_arrays, deliver_parts, check_results, check_results_or_infinity, check_positive_results
+    public :: make_room, deliver_parts, check_results, check_results_or_infinity, check_positive_results
 
     !> Room for n results, unless there is an error: they are written to the caller's array when all of them are known.
     interface make_room
@@ -37,18 +37,6 @@ contains
 
         if (n > 0) call check_given(error, name, is_given)
     end subroutine check_array
-
-    !> Raises unless n >= 0 and, for n > 0, both input and output are there.
-    pure subroutine check_in_out(error, n, name, has_in, has_out)
-        type(error_t), allocatable, intent(inout) :: error
-        integer(c_int), intent(in) :: n
-        character(len=*), intent(in) :: name
-        logical, intent(in) :: has_in, has_out
-
-        call check_count(error, n)
-        call check_array(error, name, n, has_in)
-        call check_array(error, "out", n, has_out)
-    end subroutine check_in_out
 
     !> Raises for an empty table: the array may then be missing, and a section of what is missing must not be passed on.
     pure subroutine check_not_empty(error, name, n, fewest)
@@ -127,19 +115,6 @@ contains
             end if
         end do
     end subroutine check_each_within
-
-    !> The same for complex results, whose parts go to two arrays.
-    pure subroutine check_complex_arrays(error, n, name, has_in, has_storage, has_loss)
-        type(error_t), allocatable, intent(inout) :: error
-        integer(c_int), intent(in) :: n
-        character(len=*), intent(in) :: name
-        logical, intent(in) :: has_in, has_storage, has_loss
-
-        call check_count(error, n)
-        call check_array(error, name, n, has_in)
-        call check_array(error, "storage", n, has_storage)
-        call check_array(error, "loss", n, has_loss)
-    end subroutine check_complex_arrays
 
     pure subroutine make_real_room(error, n, values)
         type(error_t), allocatable, intent(inout) :: error

@@ -4,8 +4,7 @@ module mdrcontact_api_body
     use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_funptr, c_int, c_int8_t, c_loc, c_ptr, c_size_t, &
                                            c_sizeof
     use mdrcontact_api_any_body, only: any_body_t
-    use mdrcontact_api_arrays, only: check_array, check_count, check_each_not_negative, check_each_positive, check_in_out, &
-                                     check_not_empty, deliver_parts, make_room
+    use mdrcontact_api_arrays, only: check_each_not_negative, check_each_positive, check_not_empty, deliver_parts, make_room
     use mdrcontact_api_callback, only: c_function_t, new_c_function
     use mdrcontact_api_handles, only: hand_over
     use mdrcontact_api_open_handle, only: open_handle
@@ -136,7 +135,6 @@ contains
         integer :: i, stat
 
         layered%rigid_base = .not. c_associated(substrate)
-        call check_count(error, n)
         if (n > 0) call check_given(error, "layers", c_associated(layers))
         if (n == 0 .and. layered%rigid_base) then
             call raise(error, error_invalid, "substrate is NULL, a rigid base: it must carry a layer")
@@ -240,11 +238,7 @@ contains
         type(error_t), allocatable :: error
 
         allocate (body, graded)
-        call check_count(error, n)
         call check_not_empty(error, "z", n, 2)
-        call check_array(error, "z", n, present(z))
-        call check_array(error, "E", n, present(e))
-        call check_array(error, "nu", n, present(nu))
         if (.not. allocated(error)) call new_graded_body(graded, z(:n), e(:n), nu(:n), error)
         call move_alloc(graded, body%elastic)
         status = hand_over_body(body, out, error)
@@ -313,7 +307,6 @@ contains
         call open_handle(body, "body", given, error)
         call check_code(error, "load", int(load), [normal_load, shear_load, twist_load])
         if (.not. allocated(error)) call check_each_not_negative(error, "omega", [omega])
-        call check_in_out(error, n, "k", present(k), present(out))
         if (.not. allocated(error) .and. n > 0) call check_each_positive(error, "k", k(:n))
         call make_room(error, n, values)
         call make_room(error, n, wavenumbers)

@@ -2,8 +2,8 @@
 !> The closed forms for an incompressible coating, for C.
 module mdrcontact_api_closed_forms
     use, intrinsic :: iso_c_binding, only: c_double, c_int
-    use mdrcontact_api_arrays, only: check_each_positive, check_in_out, check_results, make_room
-    use mdrcontact_api_status, only: check_given, status_of, wanted_threads
+    use mdrcontact_api_arrays, only: check_each_positive, check_results, make_room
+    use mdrcontact_api_status, only: status_of, wanted_threads
     use mdrcontact_contact_closed_form_values, only: closed_form_values, of_adhesive_depth, of_cone_force, of_depth_scale, &
                                                      of_paraboloid_force, of_radius_scale, of_reduced_depth
     use mdrcontact_error, only: check_code, check_inclination, check_not_negative, check_positive, error_t
@@ -29,12 +29,10 @@ contains
         integer :: count
 
         call check_code(error, "formula", int(formula), formulas)
-        call check_given(error, "constants", present(constants))
         count = 0
         if (.not. allocated(error)) count = counts(findloc(formulas, int(formula), dim=1))
         name = name_of(int(formula))
         if (.not. allocated(error)) call check_constants(error, int(formula), constants(:count))
-        call check_in_out(error, n, trim(name), present(x), present(out))
         if (.not. allocated(error) .and. n > 0) call check_each_positive(error, trim(name), x(:n))
         call make_room(error, n, values)
         if (.not. allocated(error) .and. n > 0) then

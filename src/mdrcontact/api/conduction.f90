@@ -2,11 +2,11 @@
 !> Conduction through spots, for C.
 module mdrcontact_api_conduction
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
-    use mdrcontact_api_arrays, only: check_array, check_count, check_each_not_negative, check_each_positive, check_in_out, &
-                                     check_results, deliver_parts, make_room
+    use mdrcontact_api_arrays, only: check_array, check_each_not_negative, check_each_positive, check_results, deliver_parts, &
+                                     make_room
     use mdrcontact_api_handles, only: deliver
     use mdrcontact_api_open_handle, only: open_handle
-    use mdrcontact_api_status, only: check_given, status_of
+    use mdrcontact_api_status, only: status_of
     use mdrcontact_codes, only: body_lower, body_upper, flux_r, flux_z, potential, spot_flux => flux
     use mdrcontact_conduction_answers, only: admittance_of, flux_after_step, follow_history, step_of
     use mdrcontact_conduction_bodies, only: conduction_t, new_conduction
@@ -41,11 +41,6 @@ contains
         type(error_t), allocatable :: error
         integer :: stat
 
-        call check_given(error, "out", present(out))
-        call check_count(error, n)
-        call check_array(error, "lower", n, present(lower))
-        call check_count(error, m)
-        call check_array(error, "upper", m, present(upper))
         if (.not. allocated(error)) then
             allocate (bodies(merge(2, 1, m > 0)), stat=stat)
             call check_memory(error, stat)
@@ -87,8 +82,6 @@ contains
         integer :: i, stat
 
         call open_handle(p, "p", conduction, error)
-        call check_count(error, n)
-        call check_array(error, "radius", n, present(radius))
         if (.not. allocated(error)) then
             allocate (values(n, 2), stat=stat)
             call check_memory(error, stat)
@@ -118,7 +111,6 @@ contains
         type(error_t), allocatable :: error
 
         call open_handle(p, "p", conduction, error)
-        call check_given(error, "out", present(out))
         if (.not. allocated(error)) call tabulate_conductance(conduction, smallest, largest, tolerance, tabulated, error)
         status = deliver(tabulated, out, error)
     end function mdr_conduction_tabulate
@@ -137,7 +129,6 @@ contains
         integer :: column, stat
 
         call open_handle(p, "p", conduction, error)
-        call check_in_out(error, n, "r", present(r), present(out))
         call check_code(error, "field", int(field), [spot_flux, inside])
         call check_choice(error, "below", int(below), 0, 1, "0 (above an interface) or 1 (below it)")
         if (field /= spot_flux) call check_body(error, conduction, int(body))
@@ -195,7 +186,6 @@ contains
 
         call open_handle(p, "p", conduction, error)
         if (.not. allocated(error)) call check_each_not_negative(error, "omega", [omega])
-        call check_in_out(error, n, "k", present(k), present(out))
         if (.not. allocated(error) .and. n > 0) call check_each_positive(error, "k", k(:n))
         call make_room(error, n, values)
         if (.not. allocated(error) .and. n > 0) call conduction%compliance(k(:n), omega, values)
@@ -216,10 +206,6 @@ contains
         type(error_t), allocatable :: error
 
         call open_handle(p, "p", conduction, error)
-        call check_count(error, n)
-        call check_array(error, "omega", n, present(omega))
-        call check_array(error, "in_phase", n, present(in_phase))
-        call check_array(error, "ahead", n, present(ahead))
         call make_room(error, n, values)
         if (.not. allocated(error) .and. n > 0) call admittance_of(conduction, int(answer), radius, omega(:n), values, error)
         call deliver_parts(error, values, in_phase, ahead)
@@ -239,7 +225,6 @@ contains
         type(error_t), allocatable :: error
 
         call open_handle(p, "p", conduction, error)
-        call check_in_out(error, n, "time", present(time), present(out))
         call make_room(error, n, values)
         if (.not. allocated(error) .and. n > 0) then
             if (present(given)) then

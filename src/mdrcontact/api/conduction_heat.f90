@@ -2,9 +2,9 @@
 !> Conductance along the loading of a contact, and the heat of its friction, for C.
 module mdrcontact_api_conduction_heat
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
-    use mdrcontact_api_arrays, only: check_array, check_count, check_in_out, check_results, make_room
+    use mdrcontact_api_arrays, only: check_results, make_room
     use mdrcontact_api_open_handle, only: open_handle
-    use mdrcontact_api_status, only: check_given, status_of
+    use mdrcontact_api_status, only: status_of
     use mdrcontact_api_conduction, only: check_body
     use mdrcontact_codes, only: body_upper, moving => heat_moving, sliding => heat_sliding, spinning => heat_spinning
     use mdrcontact_conduction_along, only: conductance_along
@@ -41,8 +41,6 @@ contains
 
         call open_handle(p, "p", conduction, error)
         call open_handle(c, "c", contact, error)
-        call check_count(error, n)
-        call check_array(error, "states", n, present(states))
         if (.not. allocated(error)) then
             allocate (values(n, 3), stat=stat)
             call check_memory(error, stat)
@@ -75,8 +73,6 @@ contains
 
         call open_handle(p, "p", conduction, error)
         call open_handle(c, "c", contact, error)
-        call check_given(error, "state", present(state))
-        call check_given(error, "out", present(out))
         if (.not. allocated(error)) call rough_conductance(conduction, contact, state, kappa, value, error)
         if (.not. allocated(error)) call check_results(error, [value])
         status = status_of(error)
@@ -99,7 +95,6 @@ contains
 
         call open_handle(p, "p", conduction, error)
         call open_handle(c, "c", contact, error)
-        call check_in_out(error, n, "states", present(states), present(out))
         if (.not. allocated(error)) then
             allocate (records(n), stat=stat)
             call check_memory(error, stat)
@@ -154,9 +149,6 @@ contains
 
         call open_handle(p, "p", conduction, error)
         call open_handle(c, "c", contact, error)
-        call check_given(error, "state", present(state))
-        call check_in_out(error, n, "r", present(r), present(out))
-        call check_array(error, "z", n, present(z))
         call check_body(error, conduction, int(body))
         call check_choice(error, "below", int(below), 0, 1, "0 (above an interface) or 1 (below it)")
         call make_room(error, n, values)

@@ -2,8 +2,7 @@
 !> The contact of an indenter with a medium, its states and their fields, for C.
 module mdrcontact_api_contact
     use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_int, c_loc, c_ptr, c_sizeof
-    use mdrcontact_api_arrays, only: check_array, check_count, check_each_positive, check_in_out, check_results_or_infinity, &
-                                     make_room
+    use mdrcontact_api_arrays, only: check_each_positive, check_results_or_infinity, make_room
     use mdrcontact_api_handles, only: hand_over
     use mdrcontact_api_open_handle, only: open_handle
     use mdrcontact_api_options, only: read_options
@@ -101,36 +100,23 @@ contains
         real(c_double), intent(in), optional :: in(*)
         type(contact_state_t), intent(inout), optional :: out(*)
         integer(c_int) :: status
+        type(contact_t), pointer :: contact
         type(contact_state_t), allocatable :: states(:)
         type(error_t), allocatable :: error
+        integer :: stat
 
-        call check_array(error, "out", n, present(out))
-        if (.not. allocated(error)) call solve(c, int(given), int(branch), n, in, states, error)
+        call open_handle(c, "c", contact, error)
+        if (.not. allocated(error)) then
+            allocate (states(n), stat=stat)
+            call check_memory(error, stat)
+        end if
+        if (.not. allocated(error) .and. n > 0) then
+            call contact_states(contact, int(given), in(:n), states, error, int(branch), wanted_threads())
+        end if
         status = status_of(error)
         if (allocated(error) .or. n == 0) return
         out(:n) = states
     end function mdr_contact_states
-
-    !> All states are computed before the first number is written.
-    subroutine solve(c, given, branch, n, in, states, error)
-        type(c_ptr), intent(in) :: c
-        integer, intent(in) :: given, branch
-        integer(c_int), intent(in) :: n
-        real(c_double), intent(in), optional :: in(*)
-        type(contact_state_t), allocatable, intent(out) :: states(:)
-        type(error_t), allocatable, intent(inout) :: error
-        type(contact_t), pointer :: contact
-        integer :: stat
-
-        call open_handle(c, "c", contact, error)
-        call check_count(error, n)
-        call check_array(error, "in", n, present(in))
-        if (allocated(error)) return
-        allocate (states(n), stat=stat)
-        call check_memory(error, stat)
-        if (allocated(error) .or. n == 0) return
-        call contact_states(contact, given, in(:n), states, error, branch, wanted_threads())
-    end subroutine solve
 
     function mdr_contact_field(c, field, state, n, r, out) result(status) bind(C, name="mdrcontact_entry_contact_field")
         type(c_ptr), value :: c
@@ -144,8 +130,6 @@ contains
         type(error_t), allocatable :: error
 
         call open_handle(c, "c", contact, error)
-        call check_given(error, "state", present(state))
-        call check_in_out(error, n, "r", present(r), present(out))
         call make_room(error, n, values)
         if (.not. allocated(error) .and. n > 0) then
             call contact_field(contact, int(field), state, r(:n), values, error, wanted_threads())
@@ -166,7 +150,6 @@ contains
         type(error_t), allocatable :: error
 
         call open_handle(c, "c", contact, error)
-        call check_given(error, "state", present(state))
         if (.not. allocated(error)) call contact%lowest_pressure(state, lowest, place, error)
         status = status_of(error)
         if (allocated(error)) return
@@ -184,7 +167,6 @@ contains
         type(error_t), allocatable :: error
 
         call open_handle(c, "c", contact, error)
-        call check_given(error, "state", present(state))
         if (.not. allocated(error)) call contact%energy(state, values, error)
         if (.not. allocated(error)) call check_results_or_infinity(error, values)
         status = status_of(error)
@@ -207,7 +189,6 @@ contains
         integer :: i
 
         call open_handle(c, "c", contact, error)
-        call check_given(error, "state", present(state))
         call check_given(error, "buffer", c_associated(buffer) .or. length < 1)
         if (.not. allocated(error)) call contact%warnings(state, found, error)
         status = status_of(error)

@@ -2,14 +2,14 @@
 !> The largest stresses inside the bodies of a contact, and the loads at first failure, for C.
 module mdrcontact_api_critical
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
-    use mdrcontact_api_arrays, only: check_array, check_count, check_results
+    use mdrcontact_api_arrays, only: check_results
     use mdrcontact_api_open_handle, only: open_handle
     use mdrcontact_api_records, only: c_failure_load_t, c_maximum_t, c_strength_t
-    use mdrcontact_api_status, only: check_given, status_of, wanted_threads
+    use mdrcontact_api_status, only: status_of, wanted_threads
     use mdrcontact_codes, only: body_lower, body_upper
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_state, only: contact_state_t
-    use mdrcontact_error, only: check_code, check_count_from, check_memory, error_t
+    use mdrcontact_error, only: check_code, check_memory, error_t
     use mdrcontact_field_critical, only: critical
     use mdrcontact_field_failure, only: failure_load_t, first_failure, strength_t
     use mdrcontact_field_largest, only: maximum_t
@@ -35,8 +35,6 @@ contains
 
         call open_handle(c, "c", contact, error)
         call check_code(error, "body", int(body), [body_lower, body_upper])
-        call check_given(error, "state", present(state))
-        call check_list(error, capacity, present(out), present(count))
         if (.not. allocated(error)) then
             call critical(contact, state, body == body_upper, friction, maxima, error, wanted_threads(), counted_only=capacity == 0)
         end if
@@ -68,9 +66,6 @@ contains
 
         call open_handle(c, "c", contact, error)
         call check_code(error, "body", int(body), [body_lower, body_upper])
-        call check_count(error, n)
-        call check_array(error, "strengths", n, present(strengths))
-        call check_list(error, capacity, present(out), present(count))
         if (.not. allocated(error)) then
             allocate (wanted(n), stat=stat)
             call check_memory(error, stat)
@@ -92,16 +87,5 @@ contains
             end associate
         end do
     end function mdr_contact_first_failure
-
-    !> Raises unless a list of unknown length can be written.
-    pure subroutine check_list(error, capacity, has_out, has_count)
-        type(error_t), allocatable, intent(inout) :: error
-        integer(c_int), intent(in) :: capacity
-        logical, intent(in) :: has_out, has_count
-
-        call check_count_from(error, "capacity", int(capacity), 0)
-        call check_array(error, "out", capacity, has_out)
-        call check_given(error, "count", has_count)
-    end subroutine check_list
 
 end module mdrcontact_api_critical

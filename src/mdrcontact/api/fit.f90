@@ -6,7 +6,7 @@ module mdrcontact_api_fit
     use mdrcontact_api_fit_problem, only: read_data, read_problem
     use mdrcontact_api_options, only: check_size, write_facts
     use mdrcontact_api_records, only: c_fit_summary_t
-    use mdrcontact_api_status, only: check_given, status_of
+    use mdrcontact_api_status, only: status_of
     use mdrcontact_error, only: count_text, error_invalid, error_t, raise
     use mdrcontact_fit, only: fit_result_t, solve_fit
     use mdrcontact_fit_interval, only: interval_quantile, profile_interval
@@ -90,7 +90,6 @@ contains
         type(error_t), allocatable :: error
         real(c_double), allocatable :: model(:), radii(:)
 
-        call check_given(error, "fitted", present(fitted))
         if (.not. allocated(error)) call read_problem(problem, chosen, branch, error)
         if (.not. allocated(error)) call read_data(branch, n, x, y, given, data=data, error=error)
         if (.not. allocated(error)) call check_points(data, chosen, error)
@@ -120,8 +119,6 @@ contains
         type(error_t), allocatable :: error
         real(c_double) :: ends(2)
 
-        call check_given(error, "lower", present(lower))
-        call check_given(error, "upper", present(upper))
         if (.not. allocated(error)) call read_problem(problem, chosen, branch, error)
         if (.not. allocated(error)) call read_data(branch, n, x, y, given, sd, data, error)
         if (.not. allocated(error)) then
@@ -149,7 +146,6 @@ contains
         real(c_double) :: found
 
         call interval_quantile(level, degrees_of_freedom, found, error)
-        call check_given(error, "factor", present(factor))
         status = status_of(error)
         if (.not. allocated(error)) factor = found
     end function mdr_fit_quantile

@@ -2,7 +2,7 @@
 !> The problem of a fit as C describes it, and its translation.
 module mdrcontact_api_fit_problem
     use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_int, c_loc, c_null_ptr, c_ptr, c_sizeof
-    use mdrcontact_api_arrays, only: check_count, make_room
+    use mdrcontact_api_arrays, only: make_room
     use mdrcontact_api_open_handle, only: open_handle
     use mdrcontact_api_options, only: read_options
     use mdrcontact_api_records, only: c_fit_parameter_t, c_fit_problem_t
@@ -32,7 +32,6 @@ contains
         type(error_t), allocatable :: error
 
         call check_given(error, "problem", c_associated(problem))
-        call check_given(error, "count", present(count))
         call check_count_from(error, "capacity", int(capacity), 0)
         if (capacity > 0) call check_given(error, "out", c_associated(out))
         call read_options(error, "problem", problem, c_loc(given), c_sizeof(given))
@@ -136,9 +135,6 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         integer(c_int), pointer :: branches(:)
 
-        call check_count(error, n)
-        call check_given(error, "x", present(x))
-        call check_given(error, "y", present(y))
         if (allocated(error)) return
         call read_column(n, x, data%x, error)
         call read_column(n, y, data%y, error)

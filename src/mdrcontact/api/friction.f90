@@ -2,7 +2,7 @@
 !> Contacts with friction, for C.
 module mdrcontact_api_friction
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
-    use mdrcontact_api_arrays, only: check_array, check_count, check_results
+    use mdrcontact_api_arrays, only: check_results
     use mdrcontact_api_handles, only: hand_over
     use mdrcontact_api_open_handle, only: open_handle
     use mdrcontact_api_status, only: status_of
@@ -85,11 +85,6 @@ contains
         integer :: i, stat
 
         call open_handle(h, "h", history, error)
-        call check_count(error, n)
-        call check_array(error, "normal", n, present(normal))
-        call check_array(error, "tangential", n, present(tangential))
-        call check_array(error, "states", n, present(states))
-        call check_array(error, "out", n, present(out))
         status = status_of(error)
         if (allocated(error)) return
         allocate (normals(n), tangentials(n), stat=stat)

@@ -48,7 +48,7 @@ contains
     !> Puts a copy of a finished object of few numbers behind a new handle, and the handle into `out`, unless there was an error.
     function deliver(object, out, error) result(status)
         class(*), intent(in) :: object
-        type(c_ptr), intent(inout), optional :: out
+        type(c_ptr), intent(inout) :: out
         type(error_t), allocatable, intent(inout) :: error
         integer(c_int) :: status
         class(*), allocatable :: copy
@@ -65,14 +65,13 @@ contains
     !> is no memory for the copy of a component.
     function hand_over(object, out, error) result(status)
         class(*), allocatable, intent(inout) :: object
-        type(c_ptr), intent(inout), optional :: out
+        type(c_ptr), intent(inout) :: out
         type(error_t), allocatable, intent(inout) :: error
         integer(c_int) :: status
         type(handle_t), pointer :: inside
         integer :: stat
 
         nullify (inside)
-        call check_given(error, "out", present(out))
         if (.not. allocated(error)) then
             allocate (inside, stat=stat)
             call check_memory(error, stat)
@@ -120,7 +119,7 @@ contains
     !> Puts a copy of a solver of few numbers behind the handle of a medium.
     function deliver_solver(solver, out, error) result(status)
         class(solver_t), intent(in) :: solver
-        type(c_ptr), intent(inout), optional :: out
+        type(c_ptr), intent(inout) :: out
         type(error_t), allocatable, intent(inout) :: error
         integer(c_int) :: status
         class(solver_t), allocatable :: copy
@@ -136,7 +135,7 @@ contains
     !> The same with the solver itself.
     function hand_over_solver(solver, out, error) result(status)
         class(solver_t), allocatable, intent(inout) :: solver
-        type(c_ptr), intent(inout), optional :: out
+        type(c_ptr), intent(inout) :: out
         type(error_t), allocatable, intent(inout) :: error
         integer(c_int) :: status
         type(medium_t), allocatable :: medium

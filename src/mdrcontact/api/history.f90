@@ -2,9 +2,8 @@
 !> Histories of contacts with viscoelastic bodies, for C.
 module mdrcontact_api_history
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
-    use mdrcontact_api_adhesion, only: open_path
-    use mdrcontact_api_arrays, only: check_array, check_complex_arrays, check_count, check_in_out, check_results, deliver_parts, &
-                                     make_room
+    use mdrcontact_api_adhesion, only: choose_control
+    use mdrcontact_api_arrays, only: check_results, deliver_parts, make_room
     use mdrcontact_api_open_handle, only: open_handle
     use mdrcontact_api_status, only: status_of
     use mdrcontact_contact_control, only: control_t
@@ -35,9 +34,6 @@ contains
         integer :: i, stat
 
         call open_handle(c, "c", contact, error)
-        call check_count(error, n)
-        call check_array(error, "time", n, present(time))
-        call check_array(error, "in", n, present(in))
         status = status_of(error)
         if (allocated(error) .or. n == 0) return
         allocate (values(n, 3), stat=stat)
@@ -73,7 +69,7 @@ contains
         integer :: i, stat
 
         call open_handle(c, "c", contact, error)
-        call open_path(chosen, control, spring_stiffness, n, [present(start), present(end), present(time), present(in)], error)
+        call choose_control(chosen, control, spring_stiffness, .true., error)
         if (.not. allocated(error)) then
             if (start%radius > 0.0_c_double) call raise(error, error_invalid, " = "//to_text(real(start%radius, wp))// &
                                                         " is not allowed: it must be 0 (apart) or less (at rest)", "start")
@@ -109,8 +105,6 @@ contains
         type(error_t), allocatable :: error
 
         call open_handle(c, "c", contact, error)
-        call check_complex_arrays(error, n, "omega", present(omega), present(storage), present(loss))
-        call check_array(error, "radius", n, present(radius))
         call make_room(error, n, values)
         if (.not. allocated(error) .and. n > 0) call dynamic_stiffness(contact, omega(:n), radius(:n), values, error)
         call deliver_parts(error, values, storage, loss)
@@ -130,7 +124,6 @@ contains
         type(error_t), allocatable :: error
 
         call open_handle(c, "c", contact, error)
-        call check_in_out(error, n, "time", present(time), present(out))
         call make_room(error, n, values)
         if (.not. allocated(error) .and. n > 0) then
             call step_response(contact, int(step), time(:n), radius, values, error)

@@ -2,9 +2,9 @@
 !> Stresses and displacements inside the bodies of a contact, for C.
 module mdrcontact_api_interior
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
-    use mdrcontact_api_arrays, only: check_array, check_count, check_results, check_results_or_infinity
+    use mdrcontact_api_arrays, only: check_results, check_results_or_infinity
     use mdrcontact_api_open_handle, only: open_handle
-    use mdrcontact_api_status, only: check_given, status_of, wanted_threads
+    use mdrcontact_api_status, only: status_of, wanted_threads
     use mdrcontact_contact, only: contact_t
     use mdrcontact_codes, only: body_lower, body_upper, side_above, side_below
     use mdrcontact_contact_state, only: contact_state_t
@@ -34,19 +34,14 @@ contains
 
         call open_handle(c, "c", contact, error)
         call check_code(error, "body", int(body), [body_lower, body_upper])
-        call check_given(error, "state", present(state))
         call check_code(error, "side", int(side), [side_below, side_above])
-        call check_count(error, n)
-        call check_array(error, "r", n, present(r))
-        call check_array(error, "z", n, present(z))
-        call check_array(error, "out", n, present(out))
         if (.not. allocated(error)) then
             allocate (field(n, components), azimuth(n), stat=stat)
             call check_memory(error, stat)
         end if
         if (.not. allocated(error) .and. n > 0) then
-            azimuth = 0.0_c_double
-            if (present(angle)) azimuth = angle(:n)
+            azimuth(:) = 0.0_c_double
+            if (present(angle)) azimuth(:) = angle(:n)
             call interior(contact, state, body == body_upper, r(:n), z(:n), side == side_below, friction, azimuth, field, error, &
                                   wanted_threads())
             do i = 1, n
@@ -74,8 +69,6 @@ contains
 
         call open_handle(c, "c", contact, error)
         call check_code(error, "body", int(body), [body_lower, body_upper])
-        call check_given(error, "state", present(state))
-        call check_given(error, "deviation", present(deviation))
         if (.not. allocated(error)) call interior_error(contact, state, body == body_upper, found, error)
         if (.not. allocated(error)) call check_results(error, [found])
         status = status_of(error)
@@ -97,10 +90,7 @@ contains
 
         call open_handle(c, "c", contact, error)
         call check_code(error, "body", int(body), [body_lower, body_upper])
-        call check_given(error, "state", present(state))
         call check_count_from(error, "capacity", int(capacity), 0)
-        call check_array(error, "out", capacity, present(out))
-        call check_given(error, "count", present(count))
         if (.not. allocated(error)) call layer_energy(contact, state, body == body_upper, energies, error)
         status = status_of(error)
         if (allocated(error)) return

@@ -2,8 +2,8 @@
 !> Weights of laterally heterogeneous structures, for C (theory 7).
 module mdrcontact_api_lateral
     use, intrinsic :: iso_c_binding, only: c_double, c_int
-    use mdrcontact_api_arrays, only: check_array, check_count, check_each_finite, check_each_not_negative
-    use mdrcontact_api_status, only: check_given, status_of, wanted_threads
+    use mdrcontact_api_arrays, only: check_each_finite, check_each_not_negative
+    use mdrcontact_api_status, only: status_of, wanted_threads
     use mdrcontact_error, only: check_count_within, check_memory, check_not_negative, check_poisson, check_positive, &
                                 error_invalid, error_t, raise, to_text
     use mdrcontact_kinds, only: wp
@@ -25,11 +25,6 @@ contains
         integer(c_int) :: status
         type(error_t), allocatable :: error
 
-        call check_count(error, n)
-        call check_array(error, "rho", n, present(rho))
-        call check_array(error, "z", n, present(z))
-        call check_array(error, "shear", n, present(shear))
-        call check_array(error, "poisson", n, present(poisson))
         call check_poisson(error, "nu", nu)
         if (.not. allocated(error) .and. n > 0) then
             call check_each_not_negative(error, "rho", rho(:n))
@@ -62,8 +57,6 @@ contains
         if (real(nx, wp)*real(ny, wp) > real(huge(1), wp)) then
             call raise(error, error_invalid, "there are more cells than an int counts")
         end if
-        call check_given(error, "shear", present(shear))
-        call check_given(error, "poisson", present(poisson))
         if (.not. allocated(error)) then
             allocate (weights(nx, ny, 2), stat=stat)
             if (stat == 0) allocate (across(nx + 1), along(ny + 1), stat=stat)
@@ -93,8 +86,6 @@ contains
 
         call check_count_within(error, "order", int(order), 1, 200)
         call check_poisson(error, "nu", nu)
-        call check_given(error, "points", present(points))
-        call check_given(error, "weights", present(weights))
         if (.not. allocated(error)) then
             n = space_rule_size(int(order))
             call space_rule(int(order), nu, points(:, :n), weights(:, :n), error)
@@ -110,7 +101,6 @@ contains
         integer :: i
 
         call check_count_within(error, "n"//name, int(n), 1, huge(1) - 1)
-        call check_given(error, name, present(lines))
         if (allocated(error)) return
         call check_each_finite(error, name, lines(:n + 1))
         do i = 1, n

@@ -155,7 +155,6 @@ contains
         type(error_t), allocatable :: error
 
         call open_handle(law, "law", inside, error)
-        call check_given(error, "buffer", present(buffer))
         if (.not. allocated(error)) then
             if (size < packed_size(inside%by_depth)) then
                 call raise(error, error_invalid, " = "//count_text(int(size))//" is not allowed: the law has "// &

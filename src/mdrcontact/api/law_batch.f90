@@ -2,7 +2,7 @@
 !> Compiled contact laws for C: arrays of points.
 module mdrcontact_api_law_batch
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
-    use mdrcontact_api_arrays, only: check_array, check_count, check_in_out, make_room
+    use mdrcontact_api_arrays, only: check_array, check_count, make_room
     use mdrcontact_api_open_handle, only: open_handle
     use mdrcontact_api_status, only: status_of, wanted_threads
     use mdrcontact_error, only: check_code, error_invalid, error_t, raise
@@ -117,7 +117,8 @@ contains
 
         call open_handle(law, "law", inside, error)
         call check_branch(error, int(branch))
-        call check_in_out(error, n, "d", present(d), .true.)
+        call check_count(error, n)
+        call check_array(error, "d", n, present(d))
         if (.not. allocated(error)) then
             if (.not. allocated(inside%by_depth%conductance)) then
                 call raise(error, error_invalid, "this law does not conduct: make it with options.conduction")

@@ -83,7 +83,6 @@ contains
         type(error_t), allocatable, intent(inout) :: error
 
         name = "" ! gfortran 12 would call its length uninitialized
-        call check_given(error, "path", c_associated(path))
         if (.not. allocated(error)) call read_text(path, name, error)
         if (.not. allocated(error)) name = name//c_null_char
     end subroutine read_name
@@ -98,7 +97,6 @@ contains
         integer(c_int) :: status
 
         call check_given(error, "buffer", c_associated(buffer) .or. length < 1)
-        call check_given(error, "full_length", present(full_length))
         status = status_of(error)
         if (allocated(error)) return
         full_length = len(text, kind=c_int)
@@ -113,7 +111,6 @@ contains
         type(error_t), allocatable, intent(inout) :: error
 
         text = "" ! see above
-        call check_given(error, "buffer", c_associated(buffer))
         call check_count_from(error, "length", int(length), 0)
         if (.not. allocated(error)) call read_characters(buffer, int(length), text, error)
     end subroutine read_content

@@ -2,7 +2,6 @@
 !> The tangential force of compiled laws with friction, for C.
 module mdrcontact_api_law_friction
     use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_int, c_loc, c_ptr
-    use mdrcontact_api_arrays, only: check_array, check_count
     use mdrcontact_api_open_handle, only: open_handle
     use mdrcontact_api_status, only: status_of, wanted_threads
     use mdrcontact_error, only: error_invalid, error_t, raise, raise_at
@@ -26,11 +25,6 @@ contains
         type(error_t), allocatable :: error
 
         call open_friction(law, inside, error)
-        call check_count(error, n)
-        call check_array(error, "force", n, present(force))
-        call check_array(error, "shift", n, present(shift))
-        call check_array(error, "memory", n, c_associated(memory))
-        call check_array(error, "T", n, present(traction))
         if (.not. allocated(error) .and. n > 0) then
             call c_f_pointer(c_loc(force), steps%force, [int(n)])
             call c_f_pointer(c_loc(shift), steps%shift, [3, int(n)])
@@ -86,7 +80,6 @@ contains
         integer :: pass, i
 
         call open_records(law, n, memory, inside, records, error)
-        call check_array(error, "normal", n, present(normal))
         ! all are possible before the first is turned
         do pass = 1, 2
             if (allocated(error)) exit
@@ -115,8 +108,6 @@ contains
 
         nullify (records)
         call open_friction(law, inside, error)
-        call check_count(error, n)
-        call check_array(error, "memory", n, c_associated(memory))
         if (.not. allocated(error)) call c_f_pointer(memory, records, [inside%memory_size(), max(int(n), 0)])
     end subroutine open_records
 

@@ -2,7 +2,7 @@
 !> Viscoelastic materials, for C.
 module mdrcontact_api_material
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
-    use mdrcontact_api_arrays, only: check_array, check_count, check_in_out, check_results, deliver_parts, make_room
+    use mdrcontact_api_arrays, only: check_results, deliver_parts, make_room
     use mdrcontact_api_handles, only: deliver
     use mdrcontact_api_open_handle, only: open_handle
     use mdrcontact_api_status, only: status_of
@@ -30,9 +30,6 @@ contains
         real(c_double) :: none(0)
         type(error_t), allocatable :: error
 
-        call check_count(error, n)
-        call check_array(error, "moduli", n, present(moduli))
-        call check_array(error, "times", n, present(times))
         if (.not. allocated(error)) then
             if (n == 0) then
                 call new_viscoelastic(rheology, relaxed_shear_modulus, none, none, viscosity, nu, bulk_modulus, error)
@@ -70,7 +67,6 @@ contains
 
         call open_handle(m, "m", material, error)
         call check_code(error, "quantity", int(quantity), [of_relaxation, of_creep, of_complex_modulus])
-        call check_in_out(error, n, trim(merge("omega", "t    ", quantity == of_complex_modulus)), present(x), present(out))
         do i = 1, n
             if (allocated(error)) exit
             if (quantity == of_complex_modulus) then

@@ -3,11 +3,11 @@
 module mdrcontact_api_medium
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
     use mdrcontact_api_any_body, only: any_body_t
-    use mdrcontact_api_arrays, only: check_each_positive, check_each_within, check_in_out, check_positive_results, make_room
+    use mdrcontact_api_arrays, only: check_each_positive, check_each_within, check_positive_results, make_room
     use mdrcontact_api_handles, only: deliver_solver, hand_over
     use mdrcontact_api_medium_options, only: read_medium_options
     use mdrcontact_api_open_handle, only: open_handle
-    use mdrcontact_api_status, only: check_given, status_of, wanted_threads
+    use mdrcontact_api_status, only: status_of, wanted_threads
     use mdrcontact_body_compliance, only: shear_load, twist_load
     use mdrcontact_codes, only: of_modulus => modulus, of_stiffness => stiffness, of_tangential_modulus => tangential_modulus, &
                                 of_torsional_stiffness => torsional_stiffness, word_of
@@ -49,7 +49,6 @@ contains
 
         allocate (medium)
         call open_handle(body, "body", given, error)
-        call check_given(error, "out", present(out))
         call read_medium_options(error, options, model, chosen)
         if (.not. allocated(error)) then
             if (allocated(given%solved)) then
@@ -124,7 +123,6 @@ contains
             if (medium%is_rigid) call raise(error, error_invalid, " is not allowed: it is rigid; pair it with a deformable "// &
                                               "body", "m")
         end if
-        call check_in_out(error, n, "a", present(a), present(out))
         if (.not. allocated(error) .and. quantity == of_tangential_modulus) then
             call new_under(medium, shear_load, other, error)
             medium => other

@@ -2,7 +2,7 @@
 !> Media whose effective modulus is a table or a user's function, for C.
 module mdrcontact_api_medium_data
     use, intrinsic :: iso_c_binding, only: c_double, c_funptr, c_int, c_ptr
-    use mdrcontact_api_arrays, only: check_array, check_count, check_not_empty, check_each_positive
+    use mdrcontact_api_arrays, only: check_not_empty, check_each_positive
     use mdrcontact_api_callback, only: c_function_t, new_c_function
     use mdrcontact_api_handles, only: hand_over_solver
     use mdrcontact_error, only: check_table, error_t
@@ -24,10 +24,7 @@ contains
         type(error_t), allocatable :: error
 
         allocate (medium)
-        call check_count(error, n)
         call check_not_empty(error, "a", n, 3)
-        call check_array(error, "a", n, present(a))
-        call check_array(error, "moduli", n, present(moduli))
         if (.not. allocated(error)) then
             call check_table(error, "a", a(:n), "moduli", moduli(:n), 3)
             call check_each_positive(error, "a", a(:n))

@@ -4,6 +4,7 @@
  * because Fortran has no thread-local variables: the rest of the library keeps no state between calls.
  */
 #include "mdrcontact.h"
+#include "refuse.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -55,15 +56,33 @@ int mdrcontact_wanted_threads(void)
     return wanted_threads;
 }
 
+/* Words that begin with an argument. */
+static int refuse(int status, const char *argument, const char *text)
+{
+    char words[256];
+    const int length = snprintf(words, sizeof words, "%s%s", argument, text), name = (int)strlen(argument);
+    mdrcontact_store_error(status, words, length, argument, name, length - name, 0);
+    return status;
+}
+
+int mdrcontact_refuse_null(const char *argument)
+{
+    return refuse(MDR_ENULL, argument, " is NULL: a pointer is required");
+}
+
+int mdrcontact_refuse_count(const char *argument, int count)
+{
+    char text[80];
+    snprintf(text, sizeof text, " = %d is not allowed: it must be at least 0", count);
+    return refuse(MDR_EINVALID, argument, text);
+}
+
 int mdr_set_threads(int threads)
 {
     if (threads < 0) {
         char text[128];
-        const int length = snprintf(text, sizeof text, "threads = %d is not allowed: it must be at least 1, or 0 for as many as "
-                                    "OpenMP offers", threads);
-        const int name = (int)strlen("threads");
-        mdrcontact_store_error(MDR_EINVALID, text, length, "threads", name, length - name, 0);
-        return MDR_EINVALID;
+        snprintf(text, sizeof text, " = %d is not allowed: it must be at least 1, or 0 for as many as OpenMP offers", threads);
+        return refuse(MDR_EINVALID, "threads", text);
     }
     wanted_threads = threads;
     return MDR_SUCCESS;

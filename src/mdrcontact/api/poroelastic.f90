@@ -2,11 +2,10 @@
 !> Poroelastic gels, for C.
 module mdrcontact_api_poroelastic
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
-    use mdrcontact_api_arrays, only: check_complex_arrays, check_each_positive, check_in_out, check_results, deliver_parts, &
-                                     make_room
+    use mdrcontact_api_arrays, only: check_each_positive, check_results, deliver_parts, make_room
     use mdrcontact_api_handles, only: deliver
     use mdrcontact_api_open_handle, only: open_handle
-    use mdrcontact_api_status, only: check_given, status_of
+    use mdrcontact_api_status, only: status_of
     use mdrcontact_error, only: check_choice, error_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_poroelastic_compliance, only: poroelastic_compliance
@@ -29,7 +28,6 @@ contains
         type(poroelastic_t) :: table
         type(error_t), allocatable :: error
 
-        call check_given(error, "out", present(out))
         if (.not. allocated(error)) call new_poroelastic(table, nu, int(drainage), ratio, error)
         status = deliver(table, out, error)
         if (present(deviation) .and. .not. allocated(error)) deviation = table%error
@@ -48,7 +46,6 @@ contains
         type(error_t), allocatable :: error
 
         call open_handle(p, "p", table, error)
-        call check_in_out(error, n, "time", present(time), present(out))
         call make_room(error, n, values)
         if (.not. allocated(error) .and. n > 0) then
             call poroelastic_response(table, int(answer), shear_modulus, diffusivity, radius, time(:n), values, error)
@@ -71,7 +68,6 @@ contains
         type(error_t), allocatable :: error
 
         call open_handle(p, "p", table, error)
-        call check_complex_arrays(error, n, "omega", present(omega), present(storage), present(loss))
         call make_room(error, n, values)
         if (.not. allocated(error) .and. n > 0) then
             call poroelastic_dynamic_stiffness(table, shear_modulus, diffusivity, radius, omega(:n), values, error)
@@ -93,7 +89,6 @@ contains
         type(error_t), allocatable :: error
 
         call open_handle(p, "p", table, error)
-        call check_in_out(error, n, "r", present(r), present(out))
         call check_choice(error, "is_flat", int(is_flat), 0, 1, "0 (a paraboloid) or 1 (a flat punch)")
         call make_room(error, n, values)
         if (.not. allocated(error) .and. n > 0) then
@@ -116,7 +111,6 @@ contains
         real(c_double), allocatable :: wavenumbers(:)
         type(error_t), allocatable :: error
 
-        call check_in_out(error, n, "k", present(k), present(out))
         if (.not. allocated(error) .and. n > 0) call check_each_positive(error, "k", k(:n))
         call make_room(error, n, values)
         call make_room(error, n, wavenumbers)

@@ -2,7 +2,7 @@
 !> Indenter profiles from area functions, tables, user functions and other profiles, for C.
 module mdrcontact_api_profile_data
     use, intrinsic :: iso_c_binding, only: c_double, c_funptr, c_int, c_ptr
-    use mdrcontact_api_arrays, only: check_array, check_count, check_not_empty
+    use mdrcontact_api_arrays, only: check_array, check_not_empty
     use mdrcontact_api_callback, only: c_function_t, new_c_function
     use mdrcontact_api_handles, only: hand_over
     use mdrcontact_api_open_handle, only: open_handle
@@ -31,9 +31,7 @@ contains
         type(error_t), allocatable :: error
 
         allocate (profile)
-        call check_count(error, n)
         if (n == 0) call raise(error, error_invalid, "coefficients is empty: at least C0 is needed")
-        call check_array(error, "coefficients", n, present(coefficients))
         if (.not. allocated(error)) call new_area_function_profile(profile, coefficients(:n), min_height, max_height, error)
         call move_alloc(profile, object)
         status = hand_over(object, out, error)
@@ -54,10 +52,7 @@ contains
         if (.not. is_height .and. quantity /= of_mdr) then
             call check_code(error, "quantity", int(quantity), [of_height, of_mdr])
         end if
-        call check_count(error, n)
         call check_not_empty(error, merge("r", "x", is_height), n, 3)
-        call check_array(error, merge("r", "x", is_height), n, present(x))
-        call check_array(error, merge("f", "g", is_height), n, present(y))
         if (.not. allocated(error)) then
             if (is_height) then
                 call new_tabulated_profile(profile, x(:n), y(:n), error)
@@ -99,7 +94,6 @@ contains
         type(error_t), allocatable :: error
 
         allocate (profile)
-        call check_count(error, n)
         if (n == 0) call raise(error, error_invalid, "terms is empty: at least one is needed")
         call check_array(error, "terms", n, present(terms))
         if (.not. allocated(error)) call copy_terms(terms(:n), copies, error)

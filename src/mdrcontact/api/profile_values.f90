@@ -2,8 +2,7 @@
 !> Height, slope and MDR profile of an indenter at given radii, for C.
 module mdrcontact_api_profile_values
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
-    use mdrcontact_api_arrays, only: check_each_not_negative, check_each_within, check_in_out, check_results_or_infinity, &
-                                     make_room
+    use mdrcontact_api_arrays, only: check_each_not_negative, check_each_within, check_results_or_infinity, make_room
     use mdrcontact_api_open_handle, only: open_handle
     use mdrcontact_api_status, only: status_of, wanted_threads
     use mdrcontact_error, only: check_code, error_t
@@ -29,7 +28,6 @@ contains
         call open_handle(p, "p", profile, error)
         call check_code(error, "quantity", int(quantity), [of_height, of_slope, of_mdr, of_mdr_slope])
         name = merge("r", "x", quantity < of_mdr)
-        call check_in_out(error, n, name, present(x), present(out))
         if (.not. allocated(error) .and. n > 0) then
             call check_each_not_negative(error, name, x(:n))
             call check_each_within(error, name, x(:n), 0.0_c_double, profile%largest_radius, "the profile")

@@ -2,8 +2,8 @@
 !> Contacts whose work of adhesion depends on the speed of their edge, for C.
 module mdrcontact_api_rate
     use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_int, c_loc, c_ptr, c_sizeof
-    use mdrcontact_api_adhesion, only: open_path
-    use mdrcontact_api_arrays, only: check_each_finite, check_in_out, check_results, make_room
+    use mdrcontact_api_adhesion, only: choose_control
+    use mdrcontact_api_arrays, only: check_each_finite, check_results, make_room
     use mdrcontact_api_handles, only: hand_over
     use mdrcontact_api_open_handle, only: open_handle
     use mdrcontact_api_options, only: read_options
@@ -80,7 +80,6 @@ contains
         real(c_double) :: longest
 
         call read_law(options, given, law, error)
-        call check_in_out(error, n, "v", present(v), present(out))
         call make_room(error, n, values)
         if (.not. allocated(error) .and. n > 0) then
             call check_each_finite(error, "v", v(:n))
@@ -114,7 +113,7 @@ contains
         integer :: i, stat
 
         call open_handle(r, "r", contact, error)
-        call open_path(chosen, control, spring_stiffness, n, [present(start), present(end), present(time), present(in)], error)
+        call choose_control(chosen, control, spring_stiffness, .true., error)
         status = status_of(error)
         if (allocated(error)) return
         state = start

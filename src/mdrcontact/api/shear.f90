@@ -2,12 +2,12 @@
 !> First shear and first twist of states of contacts with friction, for C. The handle holds the slip, which is solved once.
 module mdrcontact_api_shear
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_loc, c_ptr, c_size_t, c_sizeof
-    use mdrcontact_api_arrays, only: check_array, check_in_out, check_results, check_results_or_infinity, make_room
+    use mdrcontact_api_arrays, only: check_results, check_results_or_infinity, make_room
     use mdrcontact_api_handles, only: hand_over
     use mdrcontact_api_open_handle, only: open_handle
     use mdrcontact_api_options, only: check_size, write_facts
     use mdrcontact_api_records, only: c_shear_facts_t
-    use mdrcontact_api_status, only: check_given, status_of
+    use mdrcontact_api_status, only: status_of
     use mdrcontact_codes, only: along, around, field_line_load => tangential_line_load, field_traction => traction, &
                                 given_shift => shift, given_tangential_force => tangential_force, given_torque => torque, &
                                 given_twist => twist
@@ -33,7 +33,6 @@ contains
 
         allocate (shear)
         call open_handle(f, "f", friction, error)
-        call check_given(error, "state", present(state))
         call check_code(error, "direction", int(direction), [along, around])
         if (.not. allocated(error)) then
             if (direction == around) then
@@ -79,7 +78,6 @@ contains
         integer :: i, stat
 
         call open_handle(s, "s", shear, error)
-        call check_in_out(error, n, "in", present(in), present(out))
         if (.not. allocated(error)) then
             allocate (states(n), stat=stat)
             call check_memory(error, stat)
@@ -128,8 +126,6 @@ contains
         type(error_t), allocatable :: error
 
         call open_handle(s, "s", shear, error)
-        call check_given(error, "at", present(at))
-        call check_in_out(error, n, "r", present(r), present(out))
         call check_code(error, "field", int(field), [field_traction, field_line_load])
         call make_room(error, n, values)
         if (.not. allocated(error) .and. n > 0) then
@@ -158,9 +154,6 @@ contains
 
         call open_handle(s, "s", shear, error)
         call check_count_from(error, "n", int(n), 3)
-        call check_array(error, "shift", n, present(shift))
-        call check_array(error, "force", n, present(force))
-        call check_given(error, "dissipated", present(dissipated))
         call check_positive(error, "amplitude", amplitude)
         if (.not. allocated(error)) call solve(shear, given, amplitude, turn, error)
         call make_room(error, n, shifts)

@@ -3,7 +3,7 @@
 module mdrcontact_api_structure
     use, intrinsic :: iso_c_binding, only: c_double, c_f_procpointer, c_funptr, c_int, c_loc, c_null_ptr, c_ptr, c_associated, &
                                            c_sizeof
-    use mdrcontact_api_arrays, only: check_array, check_count, check_in_out, make_room
+    use mdrcontact_api_arrays, only: make_room
     use mdrcontact_api_handles, only: deliver, hand_over, hand_over_solver
     use mdrcontact_api_open_handle, only: open_handle
     use mdrcontact_api_options, only: read_options
@@ -66,11 +66,6 @@ contains
         allocate (structure)
         call new_material(background, e, nu, error)
         call read_structure_options(error, options, chosen)
-        call check_count(error, n)
-        call check_array(error, "kind", n, present(kind))
-        call check_array(error, "parameters", n, present(parameters))
-        call check_array(error, "shape_E", n, present(shape_e))
-        call check_array(error, "shape_nu", n, present(shape_nu))
         if (.not. allocated(error)) then
             allocate (shapes(n), stat=stat)
             call check_memory(error, stat)
@@ -111,9 +106,6 @@ contains
 
         allocate (structure)
         call read_structure_options(error, options, chosen)
-        call check_given(error, "size", present(size))
-        call check_given(error, "labels", present(labels))
-        call check_given(error, "spacing", present(spacing))
         call check_materials(phases, e, nu, materials, error)
         if (.not. allocated(error)) call new_material(below, below_e, below_nu, error, "below")
         if (.not. allocated(error) .and. chosen%padded /= 0_c_int) then
@@ -177,9 +169,6 @@ contains
         type(error_t), allocatable :: error
 
         call open_handle(s, "s", structure, error)
-        call check_in_out(error, n, "x", present(x), present(out))
-        call check_array(error, "y", n, present(y))
-        call check_array(error, "a", n, present(a))
         call make_room(error, n, values)
         if (.not. allocated(error) .and. n > 0) then
             call structure_values(structure, x(:n), y(:n), a(:n), values, wanted_threads(), error)
@@ -230,8 +219,6 @@ contains
         integer :: i, stat
 
         call check_count_from(error, "phases", int(n), 1)
-        call check_array(error, "E", n, present(e))
-        call check_array(error, "nu", n, present(nu))
         if (allocated(error)) return
         allocate (materials(n), stat=stat)
         call check_memory(error, stat)

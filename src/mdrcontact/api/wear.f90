@@ -2,12 +2,12 @@
 !> Wear, for C.
 module mdrcontact_api_wear
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_loc, c_ptr, c_sizeof
-    use mdrcontact_api_arrays, only: check_array, check_count, check_in_out, check_results, make_room
+    use mdrcontact_api_arrays, only: check_array, check_results, make_room
     use mdrcontact_api_handles, only: hand_over
     use mdrcontact_api_open_handle, only: open_handle
     use mdrcontact_api_options, only: read_options
     use mdrcontact_api_records, only: c_wear_options_t
-    use mdrcontact_api_status, only: check_given, status_of
+    use mdrcontact_api_status, only: status_of
     use mdrcontact_codes, only: fresh_places => wear_fresh, same_places => wear_same
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_state, only: contact_state_t
@@ -41,7 +41,6 @@ contains
         allocate (wear)
         call open_handle(c, "c", contact, error)
         call check_count_from(error, "n", int(n), 1)
-        call check_array(error, "coefficient", n, present(coefficient))
         call check_array(error, "thickness", max(n, 1) - 1, present(thickness))
         if (.not. allocated(error)) then
             if (n > 1) then
@@ -71,8 +70,6 @@ contains
         type(error_t), allocatable :: error
 
         call open_handle(w, "w", wear, error)
-        call check_given(error, "state", present(state))
-        call check_given(error, "reached", present(reached))
         if (.not. allocated(error)) call wear%limit(state, stick_radius, int(given), limit, error, profile)
         if (.not. allocated(error)) call check_results(error, [limit%state%depth, limit%state%force, limit%state%stiffness, &
                                                                limit%outer_radius, limit%worn_volume])
@@ -101,8 +98,6 @@ contains
         type(error_t), allocatable :: error
 
         call open_handle(w, "w", wear, error)
-        call check_given(error, "state", present(state))
-        call check_in_out(error, n, "y", present(y), present(out))
         if (.not. allocated(error)) call make_room(error, n, depths)
         if (.not. allocated(error) .and. n > 0) call wear%track(state, y(:n), passes, depths, error)
         status = status_of(error)
@@ -120,8 +115,6 @@ contains
         type(error_t), allocatable :: error
 
         call open_handle(w, "w", wear, error)
-        call check_given(error, "state", present(state))
-        call check_given(error, "passes", present(passes))
         if (.not. allocated(error)) call wear%passes_through(state, depth, found, error)
         if (.not. allocated(error)) call check_results(error, [found])
         status = status_of(error)
@@ -138,7 +131,6 @@ contains
         type(error_t), allocatable :: error
 
         call open_handle(w, "w", wear, error)
-        call check_given(error, "length", present(length))
         if (.not. allocated(error)) call wear%running_in_length(int(given), found, error)
         if (.not. allocated(error)) call check_results(error, [found])
         status = status_of(error)
@@ -205,10 +197,6 @@ contains
         integer :: i, stat
 
         call open_handle(h, "h", history, error)
-        call check_count(error, n)
-        call check_array(error, "sliding", n, present(sliding))
-        call check_array(error, "value", n, present(value))
-        call check_array(error, "out", n, present(out))
         if (.not. allocated(error)) then
             allocate (states(n), stat=stat)
             call check_memory(error, stat)
@@ -245,9 +233,6 @@ contains
         type(error_t), allocatable :: error
 
         call open_handle(h, "h", history, error)
-        call check_count(error, n)
-        call check_array(error, "r", n, present(r))
-        call check_array(error, "pressure", n, present(pressure))
         if (.not. allocated(error)) call make_room(error, n, values)
         if (.not. allocated(error) .and. n > 0) call history%pressure(r(:n), values, error)
         status = status_of(error)
@@ -305,8 +290,6 @@ contains
         type(error_t), allocatable :: error
 
         call open_handle(h, "h", history, error)
-        call check_count(error, n)
-        call check_array(error, "numbers", n, present(numbers))
         if (.not. allocated(error)) call make_room(error, n, own)
         if (.not. allocated(error) .and. n > 0) own(:) = numbers(:n)
         if (.not. allocated(error)) call history%restore(own, error)

@@ -2,7 +2,7 @@
 !> The weights of a depth, for C.
 module mdrcontact_api_weights
     use, intrinsic :: iso_c_binding, only: c_double, c_int
-    use mdrcontact_api_arrays, only: check_each_not_negative, check_in_out
+    use mdrcontact_api_arrays, only: check_each_not_negative
     use mdrcontact_api_status, only: status_of, wanted_threads
     use mdrcontact_batch, only: run_map
     use mdrcontact_error, only: check_code, check_poisson, error_t
@@ -23,7 +23,6 @@ contains
         type(error_t), allocatable :: error
 
         call check_code(error, "weight", int(weight), [of_i0_slope, of_i0, of_i1, of_j0, of_j1, of_i0_tangential, of_j0_tangential])
-        call check_in_out(error, n, "xi", present(xi), present(out))
         call check_poisson(error, "nu", nu)
         if (.not. allocated(error) .and. n > 0) then
             call check_each_not_negative(error, "xi", xi(:n))

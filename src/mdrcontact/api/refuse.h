@@ -1,0 +1,10 @@
+/* SPDX-License-Identifier: GPL-3.0-or-later */
+/* What the entries say of arguments that the header does not allow, whatever the function does. */
+#ifndef MDRCONTACT_REFUSE_H
+#define MDRCONTACT_REFUSE_H
+
+/* Each stores the words as the thread's last error and returns the status. */
+int mdrcontact_refuse_null(const char *argument);
+int mdrcontact_refuse_count(const char *argument, int count);
+
+#endif
