@@ -19,6 +19,7 @@ from wrap_header import (  # noqa: E402
     described,
     functions_of,
     layout,
+    prototypes,
     structures,
     type_hints,
     with_parts,
@@ -27,6 +28,7 @@ from wrap_header import (  # noqa: E402
 )
 from write_entries import entries  # noqa: E402
 from write_open_handle import open_handle  # noqa: E402
+from write_profiles import profiles  # noqa: E402
 
 INCLUDE = REPOSITORY / "include"
 API = REPOSITORY / "src" / "mdrcontact" / "api"
@@ -198,7 +200,8 @@ def main(root=REPOSITORY):
     header = INCLUDE / "mdrcontact.h"
     text = without_comments(header)
     found = structures(text)
-    sources = "".join(path.read_text(encoding="utf-8") for path in sorted(API.glob("*.f90")))
+    constructors = profiles(prototypes(text))
+    sources = "".join(path.read_text(encoding="utf-8") for path in sorted(API.glob("*.f90"))) + "\n".join(constructors)
     headers = "".join(path.read_text(encoding="utf-8") for path in sorted(INCLUDE.rglob("*.h")))
     made = {
         "src/mdrcontact/codes.f90": codes(headers),
@@ -206,6 +209,7 @@ def main(root=REPOSITORY):
         "src/mdrcontact/api/records.f90": records(found),
         "src/mdrcontact/api/entries.c": entries(with_parts(header), sources),
         "src/mdrcontact/api/open_handle.f90": open_handle(),
+        "src/mdrcontact/api/profile.f90": constructors,
         "cmake/mdrcontact.map": symbols(versions()),
         "python/mdrcontact/_native.pyi": type_hints(functions_of(text, described(found))),
         "python/mdrcontact/_layout.py": layout(text, found),

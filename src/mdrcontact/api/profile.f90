@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Indenter profiles with closed forms, for C.
+!> Indenter profiles with closed forms, for C. Written by tools/generate.py.
 module mdrcontact_api_profile
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
     use mdrcontact_api_handles, only: deliver
@@ -12,12 +12,19 @@ module mdrcontact_api_profile
     use mdrcontact_profile_sphere, only: new_sphere, sphere_t
     implicit none (type, external)
     private
-    public :: mdr_profile_paraboloid, mdr_profile_sphere, mdr_profile_cone, mdr_profile_power, mdr_profile_flat_punch, &
-              mdr_profile_flat_cone, mdr_profile_flat_paraboloid, mdr_profile_rounded_cone
+    public :: mdr_profile_paraboloid
+    public :: mdr_profile_sphere
+    public :: mdr_profile_cone
+    public :: mdr_profile_power
+    public :: mdr_profile_flat_punch
+    public :: mdr_profile_flat_cone
+    public :: mdr_profile_flat_paraboloid
+    public :: mdr_profile_rounded_cone
 
 contains
 
-    function mdr_profile_paraboloid(radius, out) result(status) bind(C, name="mdrcontact_entry_profile_paraboloid")
+    function mdr_profile_paraboloid(radius, out) result(status) &
+        bind(C, name="mdrcontact_entry_profile_paraboloid")
         real(c_double), value :: radius
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
@@ -28,7 +35,8 @@ contains
         status = deliver(profile, out, error)
     end function mdr_profile_paraboloid
 
-    function mdr_profile_sphere(radius, out) result(status) bind(C, name="mdrcontact_entry_profile_sphere")
+    function mdr_profile_sphere(radius, out) result(status) &
+        bind(C, name="mdrcontact_entry_profile_sphere")
         real(c_double), value :: radius
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
@@ -39,7 +47,8 @@ contains
         status = deliver(profile, out, error)
     end function mdr_profile_sphere
 
-    function mdr_profile_cone(inclination, out) result(status) bind(C, name="mdrcontact_entry_profile_cone")
+    function mdr_profile_cone(inclination, out) result(status) &
+        bind(C, name="mdrcontact_entry_profile_cone")
         real(c_double), value :: inclination
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
@@ -50,7 +59,8 @@ contains
         status = deliver(profile, out, error)
     end function mdr_profile_cone
 
-    function mdr_profile_power(exponent, coefficient, out) result(status) bind(C, name="mdrcontact_entry_profile_power")
+    function mdr_profile_power(exponent, coefficient, out) result(status) &
+        bind(C, name="mdrcontact_entry_profile_power")
         real(c_double), value :: exponent, coefficient
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
@@ -61,7 +71,8 @@ contains
         status = deliver(profile, out, error)
     end function mdr_profile_power
 
-    function mdr_profile_flat_punch(radius, out) result(status) bind(C, name="mdrcontact_entry_profile_flat_punch")
+    function mdr_profile_flat_punch(radius, out) result(status) &
+        bind(C, name="mdrcontact_entry_profile_flat_punch")
         real(c_double), value :: radius
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
@@ -72,7 +83,8 @@ contains
         status = deliver(profile, out, error)
     end function mdr_profile_flat_punch
 
-    function mdr_profile_flat_cone(end_radius, inclination, out) result(status) bind(C, name="mdrcontact_entry_profile_flat_cone")
+    function mdr_profile_flat_cone(end_radius, inclination, out) result(status) &
+        bind(C, name="mdrcontact_entry_profile_flat_cone")
         real(c_double), value :: end_radius, inclination
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
