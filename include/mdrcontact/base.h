@@ -219,6 +219,21 @@ int mdr_free(void *handle);
 /** Frees what a variable `handle` stands for, and sets it to NULL. */
 #define MDR_FREE(handle) ((void)mdr_free(handle), (void)((handle) = NULL))
 
+/** A number of an object. */
+typedef struct mdr_parameter {
+    char name[48]; /**< Its name, see mdr_fit_parameters(). */
+    double value;  /**< In its own unit. */
+} mdr_parameter;
+
+/** The numbers that an indenter, a material, a body or a medium was made of, by the names that fits have. A medium has those of its
+ *  body, then the constant of a model that has one, and tension, bending and stretching of a surface that is not bare. Pairs, rigid
+ *  bodies and what is made of functions or tables have none, but for graded bodies given by depths.
+ *  @param object    an mdr_profile, mdr_material, mdr_body or mdr_medium
+ *  @param capacity  room in `out` >= 0
+ *  @param out       [capacity] receives the first of them
+ *  @param count     receives how many there are */
+int mdr_parameters(const void *object, int capacity, mdr_parameter out[], int *count);
+
 /**
  * A user function y = f(x). It is called only while the object it describes is made, in the thread that makes it.
  * @param x        where

@@ -13,6 +13,13 @@ failure = np.dtype(
     ],
     align=True,
 )
+parameter = np.dtype(
+    [
+        ("name", "S48"),
+        ("value", np.float64),
+    ],
+    align=True,
+)
 layer = np.dtype(
     [
         ("size", np.uintp),

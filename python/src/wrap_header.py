@@ -30,6 +30,7 @@ SIZES = {
     "mdr_contact_layer_energies": {"out": "capacity"},
     "mdr_contact_pull_off": {"out": "capacity"},
     "mdr_loop_points": {"out": "capacity"},
+    "mdr_parameters": {"out": ""},
     "mdr_closed_form": {"constants": ""},
     "mdr_conduction_follow": {"given": ""},
     "mdr_material_viscoelastic": {"moduli": "", "times": ""},

@@ -4,6 +4,21 @@
 #include "mdrcontact.h"
 #include "refuse.h"
 
+int mdrcontact_entry_parameters(const void *object, int capacity, mdr_parameter out[], int *count);
+int mdr_parameters(const void *object, int capacity, mdr_parameter out[], int *count)
+{
+    if (!object) return mdrcontact_refuse_null("object");
+    if (capacity < 0) return mdrcontact_refuse_count("capacity", capacity);
+    if (capacity > 0 && !out) return mdrcontact_refuse_null("out");
+    if (!count) return mdrcontact_refuse_null("count");
+    if (arithmetic_is_set()) return mdrcontact_entry_parameters(object, capacity, out, count);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_parameters(object, capacity, out, count);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
 int mdrcontact_entry_profile_paraboloid(double radius, mdr_profile **out);
 int mdr_profile_paraboloid(double radius, mdr_profile **out)
 {

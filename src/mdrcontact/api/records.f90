@@ -4,8 +4,8 @@ module mdrcontact_api_records
     use, intrinsic :: iso_c_binding, only: c_char, c_double, c_int, c_null_char, c_null_ptr, c_ptr, c_size_t
     implicit none (type, external)
     private
-    public :: c_failure_t, c_layer_t, c_surface_t, c_model_facts_t, c_medium_options_t, c_contact_options_t, c_maximum_t, &
-              c_strength_t, c_failure_load_t, c_loop_facts_t, c_rate_options_t, c_shear_facts_t, c_wear_options_t, &
+    public :: c_failure_t, c_parameter_t, c_layer_t, c_surface_t, c_model_facts_t, c_medium_options_t, c_contact_options_t, &
+              c_maximum_t, c_strength_t, c_failure_load_t, c_loop_facts_t, c_rate_options_t, c_shear_facts_t, c_wear_options_t, &
               c_law_options_t, c_law_facts_t, c_structure_options_t, c_fit_parameter_t, c_fit_problem_t, c_fit_summary_t
 
     !> struct mdr_failure
@@ -16,6 +16,12 @@ module mdrcontact_api_records
         character(kind=c_char) :: argument(64) = c_null_char
         character(kind=c_char) :: text(1024) = c_null_char
     end type c_failure_t
+
+    !> struct mdr_parameter
+    type, bind(C) :: c_parameter_t
+        character(kind=c_char) :: name(48) = c_null_char
+        real(c_double) :: value = 0.0_c_double
+    end type c_parameter_t
 
     !> struct mdr_layer
     type, bind(C) :: c_layer_t

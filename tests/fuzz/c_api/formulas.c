@@ -38,11 +38,12 @@ void fuzz_formulas(world *w)
 /* Words of codes, facts of models, and the points of a rule. */
 void fuzz_lists(world *w)
 {
-    enum { MOST_ORDER = 3, POINTS = 6 * MOST_ORDER * MOST_ORDER * MOST_ORDER };
+    enum { MOST_NUMBERS = 8, MOST_ORDER = 3, POINTS = 6 * MOST_ORDER * MOST_ORDER * MOST_ORDER };
     const int model = take_member(&w->in, MDR_MODEL_GAO, MDR_MODEL_GAO_POWER - MDR_MODEL_GAO + 2), length = take_choice(&w->in, 30);
     const int order = take_choice(&w->in, 4);
     double points[3 * POINTS], weights[2 * POINTS];
     mdr_model_facts facts = MDR_SIZED(mdr_model_facts);
+    mdr_parameter numbers[MOST_NUMBERS];
     char name[30];
     int status, again = -1;
 
@@ -53,6 +54,7 @@ void fuzz_lists(world *w)
     judge_status("mdr_code_of", status);
     if (status == MDR_SUCCESS && again != model) finding("mdr_code_of", "another code", again);
     judge_status("mdr_model_info", mdr_model_info(model, &facts));
+    judge_status("mdr_parameters", mdr_parameters(some_medium(w), length % (MOST_NUMBERS + 1), numbers, &again));
     if (order > MOST_ORDER) return;
     status = mdr_lateral_rule(order, take_ratio(&w->in), points, weights);
     judge_status("mdr_lateral_rule", status);
