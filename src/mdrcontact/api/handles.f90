@@ -15,7 +15,7 @@ module mdrcontact_api_handles
     use mdrcontact_medium_solver, only: solver_t
     implicit none (type, external)
     private
-    public :: deliver, description_of, deliver_solver, hand_over, hand_over_solver, look_inside, refuse_kind
+    public :: deliver, description_of, hand_over, hand_over_solver, look_inside, refuse_kind
     public :: mdr_free
 
     integer(c_int64_t), parameter :: no_tag = 0_c_int64_t, live_tag = 7239381865347100001_c_int64_t
@@ -116,23 +116,7 @@ contains
         description = c_loc(inside%description)
     end function description_of
 
-    !> Puts a copy of a solver of few numbers behind the handle of a medium.
-    function deliver_solver(solver, out, error) result(status)
-        class(solver_t), intent(in) :: solver
-        type(c_ptr), intent(inout) :: out
-        type(error_t), allocatable, intent(inout) :: error
-        integer(c_int) :: status
-        class(solver_t), allocatable :: copy
-        integer :: stat
-
-        if (.not. allocated(error)) then
-            allocate (copy, source=solver, stat=stat)
-            call check_memory(error, stat)
-        end if
-        status = hand_over_solver(copy, out, error)
-    end function deliver_solver
-
-    !> The same with the solver itself.
+    !> Puts a solver behind the handle of a medium.
     function hand_over_solver(solver, out, error) result(status)
         class(solver_t), allocatable, intent(inout) :: solver
         type(c_ptr), intent(inout) :: out

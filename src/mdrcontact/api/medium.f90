@@ -4,7 +4,7 @@ module mdrcontact_api_medium
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
     use mdrcontact_api_any_body, only: any_body_t
     use mdrcontact_api_arrays, only: check_each_positive, check_each_within, check_positive_results, make_room
-    use mdrcontact_api_handles, only: deliver_solver, hand_over
+    use mdrcontact_api_handles, only: hand_over, hand_over_solver
     use mdrcontact_api_medium_options, only: read_medium_options
     use mdrcontact_api_open_handle, only: open_handle
     use mdrcontact_api_status, only: status_of, wanted_threads
@@ -29,11 +29,14 @@ contains
         real(c_double), value :: contact_modulus
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
-        type(homogeneous_t) :: medium
+        type(homogeneous_t), allocatable :: half_space
+        class(solver_t), allocatable :: solver
         type(error_t), allocatable :: error
 
-        call new_homogeneous_from_modulus(medium, contact_modulus, error)
-        status = deliver_solver(medium, out, error)
+        allocate (half_space)
+        call new_homogeneous_from_modulus(half_space, contact_modulus, error)
+        call move_alloc(half_space, solver)
+        status = hand_over_solver(solver, out, error)
     end function mdr_medium_contact_modulus
 
     function mdr_medium_new(body, options, out) result(status) bind(C, name="mdrcontact_entry_medium_new")
