@@ -66,7 +66,7 @@ def not_zero(name: str, value: Any) -> float:
 def whole(name: str, value: Any, smallest: int, largest: int | None = None) -> int:
     """`value` as a whole number of a range."""
     is_whole = isinstance(value, (int, np.integer)) and not isinstance(value, bool)
-    if not is_whole or not smallest <= value <= (largest or value):
+    if not is_whole or not smallest <= value <= (value if largest is None else largest):
         allowed = f", at least {smallest}" if largest is None else f" from {smallest} to {largest}"
         words = f"{name} = {value!r} is not allowed: it must be a whole number{allowed}"
         raise InvalidArgumentError(words) if is_whole else ArgumentTypeError(words)
