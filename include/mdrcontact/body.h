@@ -109,13 +109,11 @@ int mdr_body_rigid(mdr_body **out);
 
 /** The compression of one layer, all else as it is, at which the surface wrinkles: some wave then has no stiffness. The stress that
  *  the layer itself was given is not used. Exact; the limit of a thin stiff film is that of Chen and Hutchinson (2004).
- *  @param n           number of layers, at least 1
- *  @param layers      [n] from the surface down
- *  @param substrate   the half-space below, or NULL: a rigid base
- *  @param layer       which layer, 1 to n from the surface down
+ *  @param body        elastic body of at least one layer, whose surface is bare
+ *  @param layer       which layer, from 1 at the surface down
  *  @param stress      or NULL: receives the stress, < 0 [modulus]
  *  @param wavelength  or NULL: receives the wavelength of the wrinkles [length] */
-int mdr_layers_wrinkling(int n, const mdr_layer *layers, const mdr_layer *substrate, int layer, double *stress, double *wavelength);
+int mdr_body_wrinkling(const mdr_body *body, int layer, double *stress, double *wavelength);
 
 /** Loads of a surface. */
 enum mdr_load {

@@ -105,12 +105,27 @@ static void wrinkles(void)
     const mdr_layer film = isotropic(1e5, 0.3, 1.0), base = isotropic(1.0, 0.5, 0.0);
     const double plane = 1e5 / 0.91, half = 1.0 / 0.75, pi = 3.14159265358979323846;
     double stress = 0.0, wavelength = 0.0;
+    mdr_surface tension = MDR_SIZED(mdr_surface);
+    mdr_body *body = NULL, *other = NULL;
 
-    CHECK_SUCCESS(mdr_layers_wrinkling(1, &film, &base, 1, &stress, &wavelength));
+    CHECK_SUCCESS(mdr_body_layered(1, &film, &base, NULL, &body));
+    CHECK_SUCCESS(mdr_body_wrinkling(body, 1, &stress, &wavelength));
     CHECK_CLOSE(stress, -0.25 * plane * pow(3.0 * half / plane, 2.0 / 3.0), 2e-4);
     CHECK_CLOSE(wavelength, 2.0 * pi * cbrt(plane / (3.0 * half)), 5e-4);
-    CHECK_SUCCESS(mdr_layers_wrinkling(1, &film, &base, 1, NULL, NULL));
-    CHECK_STATUS(mdr_layers_wrinkling(1, &film, &base, 2, &stress, NULL), MDR_EINVALID, "layer = 2");
+    CHECK_SUCCESS(mdr_body_wrinkling(body, 1, NULL, NULL));
+    CHECK_STATUS(mdr_body_wrinkling(body, 2, &stress, NULL), MDR_EINVALID, "layer = 2");
+    CHECK_STATUS(mdr_body_wrinkling(body, 0, &stress, NULL), MDR_EINVALID, "layer = 0");
+    CHECK_FREE(body);
+    tension.tension = 1.0;
+    CHECK_SUCCESS(mdr_body_layered(1, &film, &base, &tension, &other));
+    CHECK_STATUS(mdr_body_wrinkling(other, 1, &stress, NULL), MDR_EINVALID, "bare surface");
+    CHECK_FREE(other);
+    CHECK_SUCCESS(mdr_body_power_graded(1.0, 1.0, 0.2, 0.3, &other));
+    CHECK_STATUS(mdr_body_wrinkling(other, 1, &stress, NULL), MDR_EINVALID, "elastic layers");
+    CHECK_FREE(other);
+    CHECK_SUCCESS(mdr_body_layered(0, NULL, &base, NULL, &other));
+    CHECK_STATUS(mdr_body_wrinkling(other, 1, &stress, NULL), MDR_EINVALID, "one of the 0 layers");
+    CHECK_FREE(other);
 }
 
 int main(void)

@@ -136,7 +136,10 @@ static void test_histories(void)
     of_crystal[1].E = 1.0;
     of_crystal[1].prestress = 0.1;
     CHECK_STATUS(medium_of_layers(2, of_crystal, NULL, MDR_MODEL_EXACT, NULL, &none), MDR_EINVALID, "prestress of layer 2");
-    CHECK_STATUS(mdr_layers_wrinkling(1, of_crystal, NULL, 1, NULL, NULL), MDR_EINVALID, "relaxes");
+    mdr_body *relaxing = NULL;
+    CHECK_SUCCESS(mdr_body_layered(1, of_crystal, NULL, NULL, &relaxing));
+    CHECK_STATUS(mdr_body_wrinkling(relaxing, 1, NULL, NULL), MDR_EINVALID, "relaxes");
+    CHECK_FREE(relaxing);
     of_crystal[0].normal_compliance = -1.0;
     CHECK_STATUS(medium_of_layers(1, of_crystal, NULL, MDR_MODEL_EXACT, NULL, &none), MDR_EINVALID, "normal_compliance = -1");
     CHECK_STATUS(relaxing_medium(1, film, &h, (const mdr_material *)ball, MDR_MODEL_EXACT, NULL, &none),

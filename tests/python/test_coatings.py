@@ -206,6 +206,10 @@ def test_biot_and_wrinkling():
     film = mdr.Elastic(1e4, 0.3)
     stiff = mdr.Layered([(film, 1e-3)], mdr.Elastic(1.0, 0.5))
     found = stiff.wrinkling()
+    with pytest.raises(mdr.InvalidArgumentError, match="layer = 1 is not allowed: it must be a whole number from 0 to 0"):
+        stiff.wrinkling(1)
+    with pytest.raises(mdr.InvalidArgumentError, match="bare surface"):
+        stiff.replace(surface=mdr.Surface(tension=1.0)).wrinkling()
     assert found.stress == pytest.approx(-critical, rel=2e-3)
     assert found.wavelength == pytest.approx(2e-3 * math.pi * (plane / (3.0 * half_space)) ** (1.0 / 3.0), rel=2e-3)
     mdr.Layered([mdr.Layer(film, 1e-3, prestress=0.7 * found.stress)], mdr.Elastic(1.0, 0.5))

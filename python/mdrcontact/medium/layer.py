@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import _layout, _native
-from .._boundary import Handle, address, call, number
+from .._boundary import Handle, address, number
 from .._parameters import WithParameters
 from ..conductor import SLIDING, Interface
 from ..errors import ArgumentTypeError, InvalidArgumentError
@@ -82,12 +82,6 @@ def stack(layers: Sequence[Layer], substrate: Any, surface: Surface | None = Non
     """The library's body of layers of any kind from the surface down."""
     rows, base = _structures(layers, substrate)
     return Handle(_native.body_layered(len(layers), address(rows), address(base), address(structure_of(surface))))
-
-
-def wrinkling(layers: Sequence[Layer], substrate: Any, layer: int) -> Wrinkling:
-    """Of one layer, counted from 0."""
-    rows, base = _structures(layers, substrate)
-    return Wrinkling(*call(_native.layers_wrinkling, len(layers), address(rows), address(base), layer + 1))
 
 
 def _structures(layers: Sequence[Layer], substrate: Any) -> tuple[NDArray[Any], NDArray[Any] | None]:

@@ -7,11 +7,12 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
-from .._boundary import number
+from .. import _native
+from .._boundary import call, number, whole
 from ..errors import ArgumentTypeError, InvalidArgumentError
 from ..material import Material, _Rigid, material
 from .coated import substrate_material
-from .layer import Layer, Wrinkling, stack, wrinkling
+from .layer import Layer, Wrinkling, stack
 from .models import UnderModel, settings
 from .surface import Surface, given_surface
 from .viscoelastic import is_elastic
@@ -66,12 +67,8 @@ class Layered(UnderModel):
 
         layer : number of the layer from the surface down, 0 the first
         """
-        stacked = [_as_layer(part) for part in self.layers]
-        if isinstance(layer, bool) or not isinstance(layer, int) or not 0 <= layer < len(stacked):
-            raise InvalidArgumentError(f"layer = {layer!r} is not allowed: it must be an integer from 0 to {len(stacked) - 1}")
-        if not is_elastic(*(part.material for part in stacked), self.substrate):
-            raise InvalidArgumentError("wrinkling of a body that relaxes is not known: take the elastic body of one of its limits")
-        return wrinkling(stacked, self.substrate, layer)
+        (body,) = self._bodies()
+        return Wrinkling(*call(_native.body_wrinkling, body.address, whole("layer", layer, 0, len(self.layers) - 1) + 1))
 
 
 def _as_layer(part: Layer | tuple[Material, float]) -> Layer:

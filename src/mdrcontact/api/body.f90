@@ -27,9 +27,8 @@ module mdrcontact_api_body
     use mdrcontact_tension_surface, only: is_bare, surface_t
     implicit none (type, external)
     private
-    public :: mdr_layers_wrinkling
     public :: mdr_body_layered, mdr_body_graded, mdr_body_graded_function, mdr_body_power_graded, mdr_body_rigid, &
-              mdr_body_compliance
+              mdr_body_compliance, mdr_body_wrinkling
 
 contains
 
@@ -96,28 +95,39 @@ contains
         surface = surface_t(given%tension, given%bending, given%stretching)
     end subroutine read_surface
 
-    function mdr_layers_wrinkling(n, layers, substrate, layer, stress, wavelength) result(status) &
-        bind(C, name="mdrcontact_entry_layers_wrinkling")
-        integer(c_int), value :: n, layer
-        type(c_ptr), value :: layers, substrate
+    function mdr_body_wrinkling(body, layer, stress, wavelength) result(status) bind(C, name="mdrcontact_entry_body_wrinkling")
+        type(c_ptr), value :: body
+        integer(c_int), value :: layer
         real(c_double), intent(inout), optional :: stress, wavelength
         integer(c_int) :: status
-        type(layers_t) :: layered
-        type(rheology_t), allocatable :: relaxing(:)
+        type(any_body_t), pointer :: given
+        type(layers_t) :: layers
+        logical :: is_layered
         real(c_double) :: found(2)
         type(error_t), allocatable :: error
+        integer :: n
 
-        call read_layers(error, n, layers, substrate, layered, relaxing)
-        if (allocated(relaxing)) call raise(error, error_invalid, "a layer with a material is not allowed: wrinkling of a body "// &
-                                            "that relaxes is not known; give the constants of one of its limits")
-        if (.not. allocated(error)) call check_choice(error, "layer", int(layer), 1, int(n), "1 to n, from the surface down")
-        if (.not. allocated(error)) call find_wrinkling(layered%materials(:n), layered%thickness, layered%materials(n + 1), &
-                                                        layered%rigid_base, layered%bonds, int(layer), found(1), found(2), error)
+        call open_handle(body, "body", given, error)
+        if (.not. allocated(error)) then
+            is_layered = allocated(given%elastic) .and. is_bare(given%surface)
+            if (is_layered) is_layered = .not. given%elastic%is_graded
+            if (.not. is_layered) then
+                call raise(error, error_invalid, " is not allowed: it must be elastic layers under a bare surface; of a body "// &
+                           "that relaxes take one of its limits", "body")
+            end if
+        end if
+        if (.not. allocated(error)) call given%elastic%sublayers(layers, error)
+        if (.not. allocated(error)) then
+            n = size(layers%thickness)
+            call check_choice(error, "layer", int(layer), 1, n, "one of the "//count_text(n)//" layers, 1 at the surface")
+        end if
+        if (.not. allocated(error)) call find_wrinkling(layers%materials(:n), layers%thickness, layers%materials(n + 1), &
+                                                        layers%rigid_base, layers%bonds, int(layer), found(1), found(2), error)
         status = status_of(error)
         if (allocated(error)) return
         if (present(stress)) stress = found(1)
         if (present(wavelength)) wavelength = found(2)
-    end function mdr_layers_wrinkling
+    end function mdr_body_wrinkling
 
     !> An array of struct mdr_layer, and the half-space below it or NULL.
     subroutine read_layers(error, n, layers, substrate, layered, relaxing)

@@ -307,15 +307,13 @@ int mdr_body_rigid(mdr_body **out)
     return status;
 }
 
-int mdrcontact_entry_layers_wrinkling(int n, const mdr_layer *layers, const mdr_layer *substrate, int layer, double *stress,
-        double *wavelength);
-int mdr_layers_wrinkling(int n, const mdr_layer *layers, const mdr_layer *substrate, int layer, double *stress, double *wavelength)
+int mdrcontact_entry_body_wrinkling(const mdr_body *body, int layer, double *stress, double *wavelength);
+int mdr_body_wrinkling(const mdr_body *body, int layer, double *stress, double *wavelength)
 {
-    if (n < 0) return mdrcontact_refuse_count("n", n);
-    if (arithmetic_is_set()) return mdrcontact_entry_layers_wrinkling(n, layers, substrate, layer, stress, wavelength);
+    if (arithmetic_is_set()) return mdrcontact_entry_body_wrinkling(body, layer, stress, wavelength);
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_layers_wrinkling(n, layers, substrate, layer, stress, wavelength);
+    const int status = mdrcontact_entry_body_wrinkling(body, layer, stress, wavelength);
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }

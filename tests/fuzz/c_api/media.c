@@ -84,10 +84,12 @@ static int make_stack(world *w, mdr_medium **out, int *is_exact)
     }
     *is_exact = 1;
     if (!afford(w, PRICE_OF_EXACT)) return MDR_ENULL;
-    if (take_byte(in) % 8 == 7) mdr_layers_wrinkling(n, layers, rigid ? NULL : &layers[3], take_count(in), &stress, &wavelength);
     const int status = mdr_body_layered(n, layers, rigid ? NULL : &layers[3], &surface, &body);
     judge_object("mdr_body_layered", status, body);
     if (body) waves(in, body);
+    if (body && take_byte(in) % 8 == 7) {
+        judge_status("mdr_body_wrinkling", mdr_body_wrinkling(body, take_count(in), &stress, &wavelength));
+    }
     return medium_of(status, body, take_chance(in) ? MDR_MODEL_EXACT : model, chosen, out);
 }
 
