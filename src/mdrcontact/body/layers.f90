@@ -2,11 +2,9 @@
 !> Homogeneous layers with their elastic constants: a body as the stresses inside it need it.
 module mdrcontact_body_layers
     use mdrcontact_body_elements_interface, only: bond_t
-    use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t
     use mdrcontact_material_transverse, only: of_isotropic, transverse_t
-    use mdrcontact_numerics_copy, only: copy_array
     implicit none (type, external)
     private
     public :: layers_t
@@ -24,7 +22,6 @@ module mdrcontact_body_layers
         !> bonded to a rigid base: the half-space's constants are not used
         logical :: rigid_base = .false.
     contains
-        procedure :: in_units_of
         procedure :: top
         procedure :: layer_at
         procedure :: is_plain
@@ -36,21 +33,6 @@ module mdrcontact_body_layers
     end type layers_t
 
 contains
-
-    !> The same with lengths in units of another one, without materials and interfaces.
-    pure subroutine in_units_of(self, length, scaled, error)
-        class(layers_t), intent(in) :: self
-        !> > 0
-        real(wp), intent(in) :: length
-        type(layers_t), intent(out) :: scaled
-        type(error_t), allocatable, intent(inout) :: error
-
-        scaled%rigid_base = self%rigid_base
-        call copy_array(self%thickness, scaled%thickness, error)
-        call copy_array(self%shear, scaled%shear, error)
-        call copy_array(self%poisson, scaled%poisson, error)
-        if (.not. allocated(error)) scaled%thickness(:) = scaled%thickness/length
-    end subroutine in_units_of
 
     !> Depth of a layer's upper face [length]; layer n + 1 is the half-space.
     pure function top(self, layer) result(z)

@@ -8,9 +8,9 @@ module mdrcontact_field_energy
     use mdrcontact_body_layers, only: layers_t
     use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_medium_load, only: load_t
-    use mdrcontact_error, only: check_memory, error_t
-    use mdrcontact_field_states, only: depth_t, normal_rows, states_t
-    use mdrcontact_field_states_of_layers, only: displacement_unit, new_states
+    use mdrcontact_error, only: error_t
+    use mdrcontact_field_layer_states, only: layer_states_t, new_layer_states
+    use mdrcontact_field_states, only: depth_t, normal_rows
     use mdrcontact_field_transform, only: hankel_transform
     use mdrcontact_field_waves, only: faded, part_of_waves, wave_rule
     use mdrcontact_kinds, only: pi, wp
@@ -26,25 +26,23 @@ contains
         type(layers_t), intent(in) :: layers
         type(error_t), allocatable, intent(inout) :: error
         real(wp) :: energies(size(layers%thickness) + 1)
-        class(states_t), allocatable :: states
+        type(layer_states_t) :: states
         real(wp), allocatable :: k(:), weight(:), transform(:)
         real(wp) :: below(size(layers%thickness) + 2)
-        integer :: i, waves, first, last, stat
+        integer :: i, waves, first, last
 
         energies = 0.0_wp
         below = 0.0_wp
         below(1) = load%square_integral(error)/layers%contact_modulus()
         if (allocated(error)) return
         if (size(layers%thickness) > 0) then
-            call new_states(states, layers, load%radius, error)
+            call new_layer_states(states, layers, load%radius, error)
             if (allocated(error)) return
             ! p_hat^2 holds waves up to 2 a, and the states e^(-2 k z)
             call wave_rule(2.0_wp, states%structure, 0.5_wp*faded*load%radius/layers%decays_to(layers%top(2), .false.), k, &
                            weight, error)
             if (allocated(error)) return
-            allocate (transform(size(k)), stat=stat)
-            call check_memory(error, stat)
-            if (stat /= 0) return
+            allocate (transform(size(k)))
             call hankel_transform(load, k/load%radius, transform, error)
             if (allocated(error)) return
             weight(:) = pi/(2.0_wp*load%radius)*weight*transform**2
@@ -55,8 +53,7 @@ contains
                 if (.not. allocated(error)) call states%prepare(k(first:last), error)
                 if (allocated(error)) return
                 do i = 1, size(layers%thickness) + merge(0, 1, layers%rigid_base)
-                    below(i) = below(i) + energy_below(states, layers, load%radius, i, k(first:last), weight(first:last), error)
-                    if (allocated(error)) return
+                    below(i) = below(i) + energy_below(states, layers, load%radius, i, k(first:last), weight(first:last))
                 end do
             end do
         end if
@@ -64,25 +61,21 @@ contains
     end function layer_energies
 
     !> W at the upper face of a layer; for the first one what the layers below add to a half-space of its material.
-    function energy_below(states, layers, radius, layer, k, weight, error) result(energy)
-        class(states_t), intent(in) :: states
+    pure function energy_below(states, layers, radius, layer, k, weight) result(energy)
+        type(layer_states_t), intent(in) :: states
         type(layers_t), intent(in) :: layers
         !> a [length]
         real(wp), intent(in) :: radius
         integer, intent(in) :: layer
         !> waves, and pi p_hat^2 dk/(2 a)
         real(wp), intent(in) :: k(:), weight(:)
-        type(error_t), allocatable, intent(inout) :: error
         real(wp) :: energy
         type(depth_t) :: depth
         real(wp), allocatable :: y(:, :)
-        integer :: last, stat
+        integer :: last
 
-        energy = 0.0_wp
         last = count(k*layers%decays_to(layers%top(max(layer, 2)), .false.) <= 0.5_wp*faded*radius)
-        allocate (y(last, normal_rows), stat=stat)
-        call check_memory(error, stat)
-        if (stat /= 0) return
+        allocate (y(last, normal_rows))
         depth%layer = layer
         depth%z = layers%top(layer)/radius
         depth%less = layer == 1
@@ -92,7 +85,7 @@ contains
         else
             energy = -sum(weight(:last)*(y(:, 1)*y(:, 3) + y(:, 2)*y(:, 4)))
         end if
-        energy = energy/displacement_unit(layers, layer)
+        energy = energy/layers%shear(1)
     end function energy_below
 
 end module mdrcontact_field_energy

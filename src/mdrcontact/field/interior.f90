@@ -9,11 +9,11 @@ module mdrcontact_field_interior
     use mdrcontact_error, only: check_memory, check_not_negative, error_domain, error_t, raise, to_text
     use mdrcontact_field_half_space, only: half_space_rule_t, new_half_space_rule, normal_sums, shear_sums
     use mdrcontact_field_hankel, only: add_grid, add_point, hankel_t, new_hankel
+    use mdrcontact_field_layer_states, only: layer_states_t, new_layer_states
     use mdrcontact_field_lattice, only: distinct_among, lattice_t, new_lattice
     use mdrcontact_medium_load, only: load_t
     use mdrcontact_body_layers, only: layers_t
     use mdrcontact_field_states, only: depth_t, states_t
-    use mdrcontact_field_states_of_layers, only: displacement_unit, new_states
     use mdrcontact_field_waves, only: faded
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
@@ -73,13 +73,13 @@ contains
         !> how many threads; default 1
         integer, intent(in), optional :: threads
         type(depth_t), allocatable :: depths(:)
-        class(states_t), allocatable, target :: states
+        type(layer_states_t), target :: states
         type(lattice_t) :: lattice
         integer :: stat
 
         call check_points(load, layers, r, z, below, error)
         if (allocated(error) .or. size(r) == 0) return
-        call new_states(states, layers, load%radius, error)
+        call new_layer_states(states, layers, load%radius, error)
         if (allocated(error)) return
         allocate (depths(size(r)), stat=stat)
         call check_memory(error, stat)
@@ -183,7 +183,7 @@ contains
         if (stat /= 0) return
         do i = 1, size(in_layer)
             in_layer(i)%layer = i
-            in_layer(i)%shear = displacement_unit(layers, i)
+            in_layer(i)%shear = layers%shear(1)
             in_layer(i)%constants = layers%constants(i, in_layer(i)%shear)
         end do
         do i = 1, size(z)

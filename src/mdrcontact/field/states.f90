@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The states of a body in Hankel space under a traction on its surface, as the integrals of stresses need them: see
-!> mdrcontact_field_sweep for what a state is.
+!> mdrcontact_field_layer_states for what a state is.
 module mdrcontact_field_states
     use mdrcontact_error, only: error_t
     use mdrcontact_field_half_space, only: half_space_rule_t, half_space_t
