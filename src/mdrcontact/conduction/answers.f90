@@ -28,6 +28,12 @@ module mdrcontact_conduction_answers
     !> D t/a^2 from which on answers are solved, D the largest diffusivity at the surface, and omega a^2/D up to which.
     real(wp), parameter :: first_time = 1.0e-4_wp, last_frequency = 1.0e5_wp
 
+    !> What the solution is expanded in: without a film in the spot, and with one.
+    type :: waves_t
+        type(basis_t) :: basis
+        type(film_basis_t) :: film
+    end type waves_t
+
 contains
 
     !> At frequencies: G, 1/G, or the potential per flux. Steady at 0.
@@ -104,9 +110,7 @@ contains
         complex(wp), intent(in) :: s
         complex(wp), intent(out) :: value
         type(error_t), allocatable, intent(inout) :: error
-        type(basis_t) :: basis
-        type(film_basis_t) :: film
-        real(wp) :: conductance, slope
+        type(waves_t) :: waves
 
         value = 0.0_wp
         if (allocated(error)) return
@@ -114,23 +118,57 @@ contains
             call conduction%check_steady(error)
             call conduction%check_radius(a, error)
         end if
-        if (answer /= spot_conductance_answer .and. answer /= spot_resistance_answer) then
-            call given_flux(conduction, answer, a, s, value, error)
-            return
+        call find_waves(conduction, answer, a, abs(s), abs(s), waves, error)
+        call answer_at(conduction, answer, a, s, waves, value, error)
+    end subroutine at
+
+    !> What spots at Laplace variables of sizes between two share.
+    subroutine find_waves(conduction, answer, a, smallest, largest, waves, error)
+        type(conduction_t), intent(in) :: conduction
+        integer, intent(in) :: answer
+        real(wp), intent(in) :: a, smallest, largest
+        type(waves_t), intent(out) :: waves
+        type(error_t), allocatable, intent(inout) :: error
+
+        if (allocated(error) .or. .not. is_of_spot(answer) .or. .not. largest > 0.0_wp) return
+        if (conduction%film > 0.0_wp) then
+            call new_film_basis(waves%film, conduction, a, largest, error)
+        else
+            call basis_for(conduction, a, smallest, largest, waves%basis, error)
         end if
-        if (.not. abs(s) > 0.0_wp) then
+    end subroutine find_waves
+
+    subroutine answer_at(conduction, answer, a, s, waves, value, error)
+        type(conduction_t), intent(in) :: conduction
+        integer, intent(in) :: answer
+        real(wp), intent(in) :: a
+        complex(wp), intent(in) :: s
+        type(waves_t), intent(in) :: waves
+        complex(wp), intent(inout) :: value
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp) :: conductance, slope
+
+        if (allocated(error)) return
+        if (.not. is_of_spot(answer)) then
+            call given_flux(conduction, answer, a, s, value, error)
+        else if (.not. abs(s) > 0.0_wp) then
             call conductance_at(conduction, a, conductance, slope, error)
             value = conductance
         else if (conduction%film > 0.0_wp) then
-            call new_film_basis(film, conduction, a, abs(s), error)
-            call film_spot_at(conduction, a, s, film, value, error)
+            call film_spot_at(conduction, a, s, waves%film, value, error)
         else
-            call basis_for(conduction, a, abs(s), abs(s), basis, error)
-            call spot_at(conduction, a, s, basis, value, error)
+            call spot_at(conduction, a, s, waves%basis, value, error)
         end if
-        if (allocated(error)) return
-        if (answer == spot_resistance_answer) value = 1.0_wp/value
-    end subroutine at
+        if (answer == spot_resistance_answer .and. .not. allocated(error)) value = 1.0_wp/value
+    end subroutine answer_at
+
+    !> Whether the potential of the spot is given, not its flux.
+    elemental function is_of_spot(answer)
+        integer, intent(in) :: answer
+        logical :: is_of_spot
+
+        is_of_spot = answer == spot_conductance_answer .or. answer == spot_resistance_answer
+    end function is_of_spot
 
     !> After a step of potential or flux at time 0.
     subroutine step_of(conduction, answer, a, time, values, error)
@@ -317,31 +355,16 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         complex(wp) :: s(shared_nodes), weight(shared_nodes), answered(shared_nodes)
         real(wp) :: totals(size(time)), largest
-        type(basis_t) :: basis
-        type(film_basis_t) :: film
+        type(waves_t) :: waves
         integer :: i, n
 
         call parabola(minval(time), maxval(time), n, s, weight)
         ! beyond, exp(s t) leaves nothing of the last digits
         largest = maxval(abs(s(:n)), mask=real(s(:n), wp)*minval(time) > -20.0_wp)
-        if (answer <= spot_resistance_answer) then
-            if (conduction%film > 0.0_wp) then
-                call new_film_basis(film, conduction, a, largest, error)
-            else
-                call basis_for(conduction, a, abs(s(1)), largest, basis, error)
-            end if
-        end if
-        if (allocated(error)) return
+        call find_waves(conduction, answer, a, abs(s(1)), largest, waves, error)
         do i = 1, n
-            if (answer /= spot_conductance_answer .and. answer /= spot_resistance_answer) then
-                call given_flux(conduction, answer, a, s(i), answered(i), error)
-            else if (conduction%film > 0.0_wp) then
-                call film_spot_at(conduction, a, s(i), film, answered(i), error)
-            else
-                call spot_at(conduction, a, s(i), basis, answered(i), error)
-            end if
+            call answer_at(conduction, answer, a, s(i), waves, answered(i), error)
             if (allocated(error)) return
-            if (answer == spot_resistance_answer) answered(i) = 1.0_wp/answered(i)
             if (is_ramp) answered(i) = answered(i)/s(i)
         end do
         totals = [(sum(aimag(weight(:n)*exp(s(:n)*time(i))*answered(:n))), i=1, size(time))]

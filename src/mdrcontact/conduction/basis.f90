@@ -6,7 +6,7 @@
 !> fall along the imaginary direction: nothing is cut off.
 module mdrcontact_conduction_basis
     use mdrcontact_conduction_waves, only: wave_rule
-    use mdrcontact_error, only: check_memory, error_t
+    use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_lapack, only: dgemm
     use mdrcontact_numerics_even_waves, only: even_waves
@@ -39,16 +39,13 @@ contains
         integer, intent(in) :: order
         real(wp), intent(in) :: first, last
         type(error_t), allocatable, intent(inout) :: error
-        integer :: i, n, stat
+        integer :: i, n
 
         self%order = order
         call wave_rule(first, last, 1.0_wp, self%k, self%weight, error)
         if (allocated(error)) return
         n = far_nodes + 2*fall_nodes*fall_panels
-        allocate (self%b(order, size(self%k)), self%far(n), self%far_weight(n), self%left(order, n), &
-                  self%right(order, n), stat=stat)
-        call check_memory(error, stat)
-        if (stat /= 0) return
+        allocate (self%b(order, size(self%k)), self%far(n), self%far_weight(n), self%left(order, n), self%right(order, n))
         self%weight = self%weight*(2.0_wp/pi)
         do i = 1, size(self%k)
             call even_waves(self%k(i), self%b(:, i), error)
@@ -116,21 +113,16 @@ contains
     end function outgoing
 
     !> The matrix of chi: at the nodes, and at `far`.
-    subroutine project(self, chi, far, matrix, error)
+    subroutine project(self, chi, far, matrix)
         class(basis_t), intent(in) :: self
         complex(wp), intent(in) :: chi(:), far(:)
         !> (order, order)
         complex(wp), intent(out) :: matrix(:, :)
-        type(error_t), allocatable, intent(inout) :: error
         real(wp), allocatable :: scaled(:, :), product(:, :)
-        integer :: i, j, n, stat
+        integer :: i, j, n
 
         n = self%order
-        matrix = 0.0_wp
-        if (allocated(error)) return
-        allocate (scaled(2*n, size(self%k)), product(2*n, n), stat=stat)
-        call check_memory(error, stat)
-        if (stat /= 0) return
+        allocate (scaled(2*n, size(self%k)), product(2*n, n))
         do i = 1, size(self%k)
             scaled(:n, i) = self%b(:, i)*(self%weight(i)*real(chi(i), wp))
             scaled(n + 1:, i) = self%b(:, i)*(self%weight(i)*aimag(chi(i)))

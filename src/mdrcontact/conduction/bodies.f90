@@ -46,7 +46,10 @@ module mdrcontact_conduction_bodies
         logical :: is_insulated = .false.
     contains
         procedure :: check_radius
+        procedure :: chi
         procedure :: compliance
+        procedure :: radius_in_layers
+        procedure :: waves_in
         procedure :: check_steady
     end type conduction_t
 
@@ -86,6 +89,50 @@ contains
         end if
         call tabulate(self, error)
     end subroutine new_conduction
+
+    !> chi of the bodies together.
+    elemental function chi(self, k, s)
+        class(conduction_t), intent(in) :: self
+        !> wavenumber [1/length]; Laplace variable, 0: steady [1/time]
+        complex(wp), intent(in) :: k, s
+        complex(wp) :: chi
+        complex(wp) :: sigma, part
+        integer :: i
+
+        chi = 0.0_wp
+        do i = 1, size(self%bodies)
+            call self%bodies(i)%response(k, s, sigma, part)
+            chi = chi + self%share(i)*part
+        end do
+    end function chi
+
+    !> The radius over the thickness of the thinnest first layer; 0 without layers.
+    pure function radius_in_layers(self, a) result(ratio)
+        class(conduction_t), intent(in) :: self
+        !> [length]
+        real(wp), intent(in) :: a
+        real(wp) :: ratio
+        integer :: i
+
+        ratio = 0.0_wp
+        do i = 1, size(self%bodies)
+            if (self%bodies(i)%layers > 0) ratio = max(ratio, a/self%bodies(i)%h(1))
+        end do
+    end function radius_in_layers
+
+    !> The radius in lengths of the fastest decay in time; 0 without a capacity.
+    pure function waves_in(self, a, s) result(waves)
+        class(conduction_t), intent(in) :: self
+        !> [length], and |s| [1/time]
+        real(wp), intent(in) :: a, s
+        real(wp) :: waves
+        integer :: i
+
+        waves = 0.0_wp
+        do i = 1, size(self%bodies)
+            waves = max(waves, sqrt(s*maxval(self%bodies(i)%rate))*a)
+        end do
+    end function waves_in
 
     !> C(k): potential over flux at the surface of a wave, of two bodies the sum of both; what lies in the spot is left out.
     pure subroutine compliance(self, k, omega, values)

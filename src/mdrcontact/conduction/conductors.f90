@@ -36,8 +36,6 @@ module mdrcontact_conduction_conductors
         integer :: layers = 0
         !> S, H, sqrt(sigma_r/sigma_z), c/sigma_r, R below; one more entry for the half-space
         real(wp), allocatable :: s(:), h(:), stretch(:), rate(:), r(:)
-        !> effusivity of the half-space squared, sigma_z c
-        real(wp) :: base_effusivity = 0.0_wp
     contains
         procedure :: response
         procedure :: below
@@ -77,7 +75,6 @@ contains
         self%h = layers%thickness*self%stretch
         self%rate = layers%capacity/layers%along
         self%r = layers%resistance
-        self%base_effusivity = layers(n)%sigma*layers(n)%capacity
     end subroutine new_conductors
 
     pure subroutine check_layer(layer, i, has_bottom, error)

@@ -8,7 +8,7 @@ module mdrcontact_conduction_film
     use, intrinsic :: iso_c_binding, only: c_int
     use mdrcontact_conduction_bodies, only: conduction_t, tolerance
     use mdrcontact_conduction_waves, only: wave_rule
-    use mdrcontact_error, only: check_memory, error_no_convergence, error_t, raise, to_text
+    use mdrcontact_error, only: error_no_convergence, error_t, raise, to_text
     use mdrcontact_gsl, only: disable_gsl_abort, gsl_sf_bessel_j0, gsl_sf_bessel_jn_array
     use mdrcontact_kinds, only: half_pi, pi, wp
     use mdrcontact_lapack, only: dgemm
@@ -27,6 +27,7 @@ module mdrcontact_conduction_film
     !> Where exp(-2 k H) is nothing.
     real(wp), parameter :: faded = 20.0_wp
     integer, parameter :: octaves = 44
+    complex(wp), parameter :: steady = (0.0_wp, 0.0_wp)
     !> Terms of the Legendre series of the line load.
     integer, parameter :: line_terms = 256
 
@@ -79,13 +80,10 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         real(wp), allocatable :: matrix(:, :), slope(:, :), y(:, :), c(:, :)
         real(wp) :: of_half(2), of_all(2)
-        integer :: stat
         logical :: done
 
         reached = huge(reached)
-        allocate (matrix(n, n), slope(n, n), y(n, 1), c(n, 1), stat=stat)
-        call check_memory(error, stat)
-        if (stat /= 0) return
+        allocate (matrix(n, n), slope(n, n), y(n, 1), c(n, 1))
         call fill(conduction, a, matrix, slope, error)
         if (allocated(error)) return
         call factorize(n, n, matrix, done)
@@ -146,7 +144,7 @@ contains
         real(wp), allocatable :: z(:), weight(:), waves(:, :), scaled(:, :)
         complex(wp) :: chi
         real(wp), parameter :: tiny_step = 1.0e-30_wp
-        integer :: i, m, n, stat
+        integer :: i, m, n
 
         n = size(matrix, 1)
         matrix = 0.0_wp
@@ -154,12 +152,10 @@ contains
         if (.not. conduction%kernel%vanishes) then
             call rule_of(conduction, a, 1.0_wp, z, weight, error)
             if (allocated(error)) return
-            allocate (waves(n, size(z)), scaled(n, size(z)), stat=stat)
-            call check_memory(error, stat)
-            if (stat /= 0) return
+            allocate (waves(n, size(z)), scaled(n, size(z)))
             do i = 1, size(z)
                 call odd_waves(z(i), waves(:, i))
-                chi = chi_at(conduction, cmplx(z(i)/a, tiny_step*z(i)/a, wp))
+                chi = conduction%chi(cmplx(z(i)/a, tiny_step*z(i)/a, wp), steady)
                 ! of d chi/d ln k
                 scaled(:, i) = waves(:, i)*(weight(i)/z(i)**2*real(chi, wp))
                 weight(i) = weight(i)/z(i)**2*aimag(chi)/tiny_step
@@ -264,8 +260,8 @@ contains
             allocate (waves(size(self%c)))
             do j = 1, size(z)
                 call odd_waves(z(j), waves)
-                weight(j) = weight(j)*self%radius/conduction%scale*sum(waves*self%c)/z(j)*real(chi_at(conduction, &
-                            cmplx(z(j)/self%radius, 0.0_wp, wp)), wp)
+                weight(j) = weight(j)*self%radius/conduction%scale*sum(waves*self%c)/z(j) &
+                            *real(conduction%chi(cmplx(z(j)/self%radius, 0.0_wp, wp), steady), wp)
                 density = density + weight(j)*[(gsl_sf_bessel_j0(z(j)*r(i)/self%radius), i=1, size(r))]
             end do
         end if
@@ -288,20 +284,5 @@ contains
         end do
         call wave_rule(scale(1.0_wp, -octaves)*min(1.0_wp, a/thinnest), faded*a/thinnest, length, z, weight, error)
     end subroutine rule_of
-
-    !> Steady chi of the bodies together.
-    pure function chi_at(conduction, k) result(chi)
-        type(conduction_t), intent(in) :: conduction
-        complex(wp), intent(in) :: k
-        complex(wp) :: chi
-        complex(wp) :: sigma, part
-        integer :: i
-
-        chi = 0.0_wp
-        do i = 1, size(conduction%bodies)
-            call conduction%bodies(i)%response(k, (0.0_wp, 0.0_wp), sigma, part)
-            chi = chi + conduction%share(i)*part
-        end do
-    end function chi_at
 
 end module mdrcontact_conduction_film

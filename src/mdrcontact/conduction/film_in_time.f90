@@ -3,9 +3,8 @@
 module mdrcontact_conduction_film_in_time
     use mdrcontact_conduction_bodies, only: conduction_t
     use mdrcontact_conduction_film, only: of_half_space, odd_waves
-    use mdrcontact_conduction_transient, only: chi_of
     use mdrcontact_conduction_waves, only: wave_rule
-    use mdrcontact_error, only: check_memory, error_no_convergence, error_t, raise, to_text
+    use mdrcontact_error, only: error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_lapack, only: dgemm
     implicit none (type, external)
@@ -30,23 +29,13 @@ contains
         type(conduction_t), intent(in) :: conduction
         real(wp), intent(in) :: a, largest
         type(error_t), allocatable, intent(inout) :: error
-        real(wp) :: last, waves
-        integer :: i, stat
+        real(wp) :: last
+        integer :: i
 
-        last = 40.0_wp
-        waves = 0.0_wp
-        do i = 1, size(conduction%bodies)
-            associate (body => conduction%bodies(i))
-                if (body%layers > 0) last = max(last, 20.0_wp*a/body%h(1))
-                waves = max(waves, sqrt(largest*maxval(body%rate))*a)
-            end associate
-        end do
-        last = max(last, 4.0_wp*terms, 1200.0_wp*sqrt(waves))
+        last = max(20.0_wp*conduction%radius_in_layers(a), 4.0_wp*terms, 1200.0_wp*sqrt(conduction%waves_in(a, largest)))
         call wave_rule(1.0e-9_wp, last, 1.0_wp, self%z, self%weight, error)
         if (allocated(error)) return
-        allocate (self%waves(terms, size(self%z)), stat=stat)
-        call check_memory(error, stat)
-        if (stat /= 0) return
+        allocate (self%waves(terms, size(self%z)))
         do i = 1, size(self%z)
             call odd_waves(self%z(i), self%waves(:, i))
         end do
@@ -64,15 +53,13 @@ contains
         real(wp), allocatable :: scaled(:, :), product(:, :)
         complex(wp), allocatable :: matrix(:, :)
         complex(wp) :: chi, y(terms), partial
-        integer :: i, j, stat
+        integer :: i, j
 
         conductance = 0.0_wp
         if (allocated(error)) return
-        allocate (scaled(2*terms, size(basis%z)), product(2*terms, terms), matrix(terms, terms), stat=stat)
-        call check_memory(error, stat)
-        if (stat /= 0) return
+        allocate (scaled(2*terms, size(basis%z)), product(2*terms, terms), matrix(terms, terms))
         do i = 1, size(basis%z)
-            chi = chi_of(conduction, cmplx(basis%z(i)/a, 0.0_wp, wp), s)*basis%weight(i)
+            chi = conduction%chi(cmplx(basis%z(i)/a, 0.0_wp, wp), s)*basis%weight(i)
             scaled(:terms, i) = real(chi, wp)*basis%waves(:, i)
             scaled(terms + 1:, i) = aimag(chi)*basis%waves(:, i)
         end do

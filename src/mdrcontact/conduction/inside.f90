@@ -5,7 +5,7 @@ module mdrcontact_conduction_inside
     use mdrcontact_conduction_conductors, only: conductors_t, half_space_base, insulating_base, layer_at, perfect_base
     use mdrcontact_conduction_oblate, only: oblate_sum
     use mdrcontact_conduction_waves, only: wave_rule
-    use mdrcontact_error, only: check_memory, check_not_negative, error_domain, error_invalid, error_t, raise, raise_at, to_text
+    use mdrcontact_error, only: check_not_negative, error_domain, error_invalid, error_t, raise, raise_at, to_text
     use mdrcontact_gsl, only: gsl_sf_bessel_j0, gsl_sf_bessel_j1
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_numerics_even_waves, only: even_waves
@@ -36,15 +36,13 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         real(wp), allocatable :: k(:), hat(:), amplitude(:, :)
         real(wp) :: distance
-        integer :: i, layer, made, stat
+        integer :: i, layer, made
 
         call check_points(body, r, z, error)
         if (allocated(error)) return
         call find_waves(body, a, q, maxval(r), k, hat, error)
         if (allocated(error)) return
-        allocate (amplitude(size(k), 2), stat=stat)
-        call check_memory(error, stat)
-        if (stat /= 0) return
+        allocate (amplitude(size(k), 2))
         made = 0
         do i = 1, size(r)
             call layer_at(body, z(i), lower .and. z(i) > 0.0_wp, layer, distance)
@@ -69,7 +67,7 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         real(wp), allocatable :: weight(:)
         real(wp) :: waves(size(q))
-        integer :: i, stat
+        integer :: i
 
         if (body%layers == 0) then
             allocate (k(0), hat(0))
@@ -77,9 +75,7 @@ contains
         end if
         call wave_rule(scale(1.0_wp, -octaves)/max(body%depth(), a, farthest), faded/body%h(1), a + farthest, k, weight, error)
         if (allocated(error)) return
-        allocate (hat(size(k)), stat=stat)
-        call check_memory(error, stat)
-        if (stat /= 0) return
+        allocate (hat(size(k)))
         do i = 1, size(k)
             call even_waves(k(i)*a, waves, error)
             if (allocated(error)) return

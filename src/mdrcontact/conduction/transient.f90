@@ -6,12 +6,13 @@ module mdrcontact_conduction_transient
     use mdrcontact_conduction_basis, only: basis_t, new_basis
     use mdrcontact_conduction_bodies, only: conduction_t
     use mdrcontact_conduction_waves, only: wave_rule
-    use mdrcontact_error, only: check_memory, error_no_convergence, error_t, raise
+    use mdrcontact_error, only: error_no_convergence, error_t, raise
     use mdrcontact_gsl, only: gsl_sf_bessel_j1
     use mdrcontact_kinds, only: pi, wp
+    use mdrcontact_lapack, only: zgesv
     implicit none (type, external)
     private
-    public :: basis_for, chi_of, given_flux, spot_at, uniform_mean, uniform_centre, gaussian
+    public :: basis_for, given_flux, spot_at, uniform_mean, uniform_centre, gaussian
 
 contains
 
@@ -25,15 +26,13 @@ contains
         real(wp) :: depth, deepest, waves, first
         integer :: i, order
 
-        depth = 0.0_wp
+        depth = conduction%radius_in_layers(a)
+        waves = conduction%waves_in(a, largest)
         deepest = 1.0_wp
-        waves = 0.0_wp
         first = 1.0_wp
         do i = 1, size(conduction%bodies)
             associate (body => conduction%bodies(i))
-                if (body%layers > 0) depth = max(depth, a/body%h(1))
                 if (body%layers > 0) deepest = max(deepest, body%depth()/a)
-                waves = max(waves, sqrt(largest*maxval(body%rate))*a)
                 first = min(first, sqrt(smallest*minval(body%rate))*a)
             end associate
         end do
@@ -41,22 +40,6 @@ contains
         first = max(min(first, 1.0_wp/deepest), 1.0e-9_wp)
         call new_basis(basis, order, 0.05_wp*first, max(4.0_wp*order, 20.0_wp*depth, 1.5_wp*waves, 40.0_wp), error)
     end subroutine basis_for
-
-    !> chi of the bodies together at wavenumbers.
-    elemental function chi_of(conduction, k, s) result(chi)
-        type(conduction_t), intent(in) :: conduction
-        !> [1/length]; [1/time]
-        complex(wp), intent(in) :: k, s
-        complex(wp) :: chi
-        complex(wp) :: sigma, part
-        integer :: i
-
-        chi = 0.0_wp
-        do i = 1, size(conduction%bodies)
-            call conduction%bodies(i)%response(k, s, sigma, part)
-            chi = chi + conduction%share(i)*part
-        end do
-    end function chi_of
 
     !> G of an equipotential spot without a film, and on request the series of its flux.
     subroutine spot_at(conduction, a, s, basis, conductance, error, series)
@@ -69,46 +52,24 @@ contains
         !> coefficients of P_2j(x/a) of q at potential 1
         complex(wp), intent(out), optional :: series(:)
         complex(wp), allocatable :: matrix(:, :)
-        complex(wp) :: c(basis%order)
-        integer :: i, stat
+        complex(wp) :: c(basis%order, 1)
+        integer :: pivots(basis%order), i, n, info
 
         conductance = 0.0_wp
         if (allocated(error)) return
-        allocate (matrix(basis%order, basis%order), stat=stat)
-        call check_memory(error, stat)
-        if (stat /= 0) return
-        call basis%project(chi_of(conduction, cmplx(basis%k/a, 0.0_wp, wp), s), chi_of(conduction, basis%far/a, s), matrix, error)
-        call solve_symmetric(matrix, c, error)
-        if (allocated(error)) return
-        conductance = 4.0_wp*conduction%scale*a*c(1)
-        if (present(series)) series = 2.0_wp*conduction%scale*[(sqrt(4.0_wp*i - 3.0_wp)*c(i), i=1, basis%order)]
-    end subroutine spot_at
-
-    !> matrix c = (1, 0, ...) by L D L^T: the matrix is symmetric, and its real part positive where flux is lost.
-    subroutine solve_symmetric(matrix, c, error)
-        complex(wp), intent(inout), contiguous :: matrix(:, :)
-        complex(wp), intent(out) :: c(:)
-        type(error_t), allocatable, intent(inout) :: error
-        integer :: i, j, n
-
-        n = size(c)
+        n = basis%order
+        allocate (matrix(n, n))
+        call basis%project(conduction%chi(cmplx(basis%k/a, 0.0_wp, wp), s), conduction%chi(basis%far/a, s), matrix)
         c = 0.0_wp
-        c(1) = 1.0_wp
-        if (allocated(error)) return
-        do j = 1, n
-            if (.not. abs(matrix(j, j)) > 0.0_wp) then
-                call raise(error, error_no_convergence, "the conductance of a spot in time could not be solved for")
-                return
-            end if
-            do i = j + 1, n
-                c(i) = c(i) - matrix(i, j)/matrix(j, j)*c(j)
-                matrix(i:n, i) = matrix(i:n, i) - matrix(i, j)/matrix(j, j)*matrix(i:n, j)
-            end do
-        end do
-        do j = n, 1, -1
-            c(j) = (c(j) - sum(matrix(j + 1:n, j)*c(j + 1:n)))/matrix(j, j)
-        end do
-    end subroutine solve_symmetric
+        c(1, 1) = 1.0_wp
+        call zgesv(n, 1, matrix, n, pivots, c, n, info)
+        if (info /= 0) then
+            call raise(error, error_no_convergence, "the conductance of a spot in time could not be solved for")
+            return
+        end if
+        conductance = 4.0_wp*conduction%scale*a*c(1, 1)
+        if (present(series)) series = 2.0_wp*conduction%scale*[(sqrt(4.0_wp*i - 3.0_wp)*c(i, 1), i=1, n)]
+    end subroutine spot_at
 
     !> Potential per total flux under a given flux, by waves up to where nothing is left.
     subroutine given_flux(conduction, what, a, s, value, error)
@@ -125,15 +86,11 @@ contains
         integer :: i
 
         value = 0.0_wp
-        last = 0.0_wp
-        waves = 0.0_wp
+        last = 20.0_wp*conduction%radius_in_layers(a)
+        waves = conduction%waves_in(a, abs(s))
         first = 1.0_wp
         do i = 1, size(conduction%bodies)
-            associate (body => conduction%bodies(i))
-                if (body%layers > 0) last = max(last, 20.0_wp*a/body%h(1))
-                if (body%layers > 0) first = min(first, a/body%depth())
-                waves = max(waves, sqrt(abs(s)*maxval(body%rate))*a)
-            end associate
+            if (conduction%bodies(i)%layers > 0) first = min(first, a/conduction%bodies(i)%depth())
         end do
         if (waves > 0.0_wp) first = min(first, waves)
         ! chi falls as waves^2/k^2
@@ -145,7 +102,7 @@ contains
             call wave_rule(1.0e-9_wp*min(first, last), last, 1.0_wp, z, weight, error)
             if (allocated(error)) return
             do i = 1, size(z)
-                chi = chi_of(conduction, cmplx(z(i)/a, 0.0_wp, wp), s)
+                chi = conduction%chi(cmplx(z(i)/a, 0.0_wp, wp), s)
                 if (what == gaussian) then
                     value = value + weight(i)*(1.0_wp + chi)*exp(-z(i)**2/8.0_wp)
                 else

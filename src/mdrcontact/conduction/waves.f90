@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Rules for integrals over wavenumbers.
 module mdrcontact_conduction_waves
-    use mdrcontact_error, only: check_memory, error_domain, error_t, raise
+    use mdrcontact_error, only: error_domain, error_t, raise
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_numerics_quadrature, only: gauss_legendre
     implicit none (type, external)
@@ -25,7 +25,7 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         real(wp) :: node(per_panel), w(per_panel), left, right
         real(wp), allocatable :: edge(:)
-        integer :: i, n, stat
+        integer :: i, n
 
         if (allocated(error)) return
         call gauss_legendre(node, w, error)
@@ -43,9 +43,7 @@ contains
             n = n + 1
         end do
         edge(n) = last
-        allocate (k(n*per_panel), weight(n*per_panel), stat=stat)
-        call check_memory(error, stat)
-        if (stat /= 0) return
+        allocate (k(n*per_panel), weight(n*per_panel))
         do i = 1, n
             left = edge(i - 1)
             right = edge(i)
