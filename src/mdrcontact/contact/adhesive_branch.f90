@@ -5,11 +5,13 @@ module mdrcontact_contact_adhesive_branch
     use mdrcontact_contact_control, only: control_t, depth_control, force_control
     use mdrcontact_contact_equilibrium, only: equilibrium_t
     use mdrcontact_contact_state, only: contact_state_t
-    use mdrcontact_error, only: error_t
+    use mdrcontact_error, only: error_t, error_unreachable, raise, to_text
     use mdrcontact_kinds, only: wp
+    use mdrcontact_numerics_roots, only: solve_increasing
+    use mdrcontact_numerics_scalar_function, only: scalar_function_t
     implicit none (type, external)
     private
-    public :: adhesive_branch_t, stable_segment_t
+    public :: adhesive_branch_t, search_t, stable_segment_t
 
     !> A stable segment of the branch: s grows from `lowest` to `highest` as the coordinate goes from `first` to `last`.
     type :: stable_segment_t
@@ -27,13 +29,38 @@ module mdrcontact_contact_adhesive_branch
         type(stable_segment_t), allocatable, private :: of_depth(:), of_force(:)
     contains
         procedure(find), deferred :: find_segments
-        procedure :: stable_segments
-        procedure :: keep_segments
-        procedure(find_state), deferred :: state_on
+        procedure(begin), deferred :: begin_search
+        procedure(state_at_coordinate), deferred :: state_at
         procedure(state_at_radius), deferred :: at_radius
         procedure(work_of), deferred :: work_between
+        procedure :: stable_segments
+        procedure :: keep_segments
+        procedure :: segments_between
+        procedure :: state_on
         procedure :: first_attraction
     end type adhesive_branch_t
+
+    !> Where the search for a state begins.
+    type :: search_t
+        !> a coordinate, how far it may be from that of the state, and the expected slope there
+        real(wp) :: x = 0.0_wp, distance = 1.0_wp, slope = 0.0_wp
+        !> whether beyond the samples, where s follows a power of the radius: ln s is searched for
+        logical :: is_logarithmic = .false.
+        !> whether rounding shows between neighbouring coordinates
+        logical :: is_rough = .false.
+    end type search_t
+
+    !> s - offset of an equilibrium as a function of the coordinate.
+    type, extends(scalar_function_t) :: quantity_t
+        class(adhesive_branch_t), pointer :: branch => null()
+        type(equilibrium_t), pointer :: equilibrium => null()
+        type(control_t) :: control
+        real(wp) :: offset = 0.0_wp
+        !> ln(s/offset) in place of s - offset
+        logical :: is_logarithmic = .false.
+    contains
+        procedure :: value => quantity_at
+    end type quantity_t
 
     abstract interface
         !> In ascending order of the coordinate. The last reaches to the end of the indenter or medium.
@@ -46,17 +73,26 @@ module mdrcontact_contact_adhesive_branch
             type(error_t), allocatable, intent(out) :: error
         end subroutine find
 
-        !> The state with a given s on a segment that contains it.
-        subroutine find_state(self, equilibrium, control, segment, s, state, error)
-            import :: adhesive_branch_t, contact_state_t, control_t, equilibrium_t, error_t, stable_segment_t, wp
+        !> Where to look for s on a segment, from the samples.
+        pure subroutine begin(self, equilibrium, control, segment, s, search)
+            import :: adhesive_branch_t, control_t, equilibrium_t, search_t, stable_segment_t, wp
             class(adhesive_branch_t), intent(in) :: self
-            type(equilibrium_t), intent(in), target :: equilibrium
+            type(equilibrium_t), intent(in) :: equilibrium
             type(control_t), intent(in) :: control
             type(stable_segment_t), intent(in) :: segment
             real(wp), intent(in) :: s
+            type(search_t), intent(out) :: search
+        end subroutine begin
+
+        !> The state at a coordinate.
+        subroutine state_at_coordinate(self, equilibrium, x, state, error)
+            import :: adhesive_branch_t, contact_state_t, equilibrium_t, error_t, wp
+            class(adhesive_branch_t), intent(in) :: self
+            type(equilibrium_t), intent(in) :: equilibrium
+            real(wp), intent(in) :: x
             type(contact_state_t), intent(out) :: state
-            type(error_t), allocatable, intent(out) :: error
-        end subroutine find_state
+            type(error_t), allocatable, intent(inout) :: error
+        end subroutine state_at_coordinate
 
         !> The state at a radius that the caller has checked.
         subroutine state_at_radius(self, equilibrium, radius, state, error)
@@ -110,6 +146,100 @@ contains
         call move_alloc(of_depth, self%of_depth)
         call move_alloc(of_force, self%of_force)
     end subroutine keep_segments
+
+    !> The segments between the ends and extrema of the samples on which s grows; beyond the samples s goes on to grow, to the end
+    !> of the indenter or medium if there is one.
+    subroutine segments_between(self, equilibrium, control, turns, end_coordinate, list, error)
+        class(adhesive_branch_t), intent(in) :: self
+        type(equilibrium_t), intent(in) :: equilibrium
+        type(control_t), intent(in) :: control
+        real(wp), intent(in) :: turns(:), end_coordinate
+        type(stable_segment_t), allocatable, intent(out) :: list(:)
+        type(error_t), allocatable, intent(inout) :: error
+        type(contact_state_t) :: state
+        real(wp) :: s(size(turns))
+        integer :: i, n
+
+        n = size(turns)
+        do i = 1, n
+            call self%state_at(equilibrium, turns(i), state, error)
+            if (allocated(error)) return
+            s(i) = control%of(state%depth, state%force)
+        end do
+        list = [(stable_segment_t(turns(i), turns(i + 1), s(i), s(i + 1)), i=1, n - 1)]
+        list = pack(list, list%highest > list%lowest)
+        if (size(list) == 0) return
+        associate (last => list(size(list)))
+            if (last%last < turns(n) .or. end_coordinate <= turns(n)) return
+            last%last = end_coordinate
+            last%highest = huge(1.0_wp)
+        end associate
+    end subroutine segments_between
+
+    !> The state with a given s on a segment that contains it: the search begins on the samples where they reach, and solves on the
+    !> equilibrium itself.
+    subroutine state_on(self, equilibrium, control, segment, s, state, error)
+        class(adhesive_branch_t), intent(in), target :: self
+        type(equilibrium_t), intent(in), target :: equilibrium
+        type(control_t), intent(in) :: control
+        type(stable_segment_t), intent(in) :: segment
+        real(wp), intent(in) :: s
+        type(contact_state_t), intent(out) :: state
+        type(error_t), allocatable, intent(out) :: error
+        type(quantity_t) :: quantity
+        type(search_t) :: search
+        real(wp) :: x
+        logical :: found
+
+        if (segment%at_wall) then
+            call self%state_at(equilibrium, segment%last, state, error)
+            if (.not. allocated(error)) call climb(state, (s - segment%lowest)/control%of(1.0_wp, state%stiffness))
+            return
+        end if
+        if (s <= segment%lowest) then
+            x = segment%first
+        else if (s >= segment%highest) then
+            x = segment%last
+        else
+            call self%begin_search(equilibrium, control, segment, s, search)
+            quantity%branch => self
+            quantity%equilibrium => equilibrium
+            quantity%control = control
+            quantity%offset = s
+            quantity%is_rough = search%is_rough
+            quantity%is_logarithmic = search%is_logarithmic
+            if (.not. search%slope > 0.0_wp) search%slope = merge(2.0_wp, tiny(1.0_wp) + abs(s), search%is_logarithmic)
+            call solve_increasing(quantity, search%x, search%slope, segment%first, segment%last, x, found, error, search%distance)
+            if (allocated(error)) return
+            if (.not. found) then
+                call raise(error, error_unreachable, "no state found up to radius = "//to_text(equilibrium%last_radius)// &
+                           ", where the indenter or the medium ends")
+                return
+            end if
+        end if
+        call self%state_at(equilibrium, x, state, error)
+    end subroutine state_on
+
+    !> Goes deeper at the indenter's vertical wall.
+    pure subroutine climb(state, more)
+        type(contact_state_t), intent(inout) :: state
+        !> [length]
+        real(wp), intent(in) :: more
+
+        state%punch_depth = state%punch_depth + more
+        state%depth = state%depth + more
+        state%force = state%force + state%stiffness*more
+    end subroutine climb
+
+    function quantity_at(self, x) result(y)
+        class(quantity_t), intent(inout) :: self
+        real(wp), intent(in) :: x
+        real(wp) :: y
+        type(contact_state_t) :: state
+
+        call self%branch%state_at(self%equilibrium, x, state, self%error)
+        y = self%control%distance(state%depth, state%force, self%offset, self%is_logarithmic)
+    end function quantity_at
 
     !> s at which bodies that approach begin to attract each other: they touch, or come within the range of adhesion.
     elemental function first_attraction(self, control) result(s)

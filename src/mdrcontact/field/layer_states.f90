@@ -3,9 +3,10 @@
 !> surface, carried up and down without a positive exponent (theory of surfaces 2, 3).
 !>
 !> Per unit p_hat the state is (y1, y2, T, S) = (k U, k W, T, S) for displacements U, W and stresses T = sigma_rz, S = sigma_zz;
-!> a load normal to the surface has T = 0, S = -1 there. A load along it adds y5 = k V and N. With Q and Z of a layer (mdrcontact_body_elements_transverse), s = k (z - top) and t = k (bottom - z), the state is
-!> v = (y1, S) = e^(-Q s) A + e^(-Q t) B and w = (y2, T) = Z (e^(-Q t) B - e^(-Q s) A); displacements in units of 1/(2 G) of the
-!> body's surface.
+!> a load normal to the surface has T = 0, S = -1 there. A load along it adds y5 = k V and N. With Q and Z of a layer
+!> (mdrcontact_body_elements_transverse), s = k (z - top) and t = k (bottom - z),
+!>     v = (y1, S) = e^(-Q s) A + e^(-Q t) B,    w = (y2, T) = Z (e^(-Q t) B - e^(-Q s) A),
+!> displacements in units of 1/(2 G) of the body's surface.
 module mdrcontact_field_layer_states
     use mdrcontact_body_elements_interface, only: bond_t, interface_t, new_interface
     use mdrcontact_body_elements_transverse, only: modes_t, new_modes
