@@ -8,7 +8,7 @@ module mdrcontact_conduction_rough
     use mdrcontact_conduction_bodies, only: conduction_t, tolerance
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_state, only: contact_state_t
-    use mdrcontact_error, only: check_memory, check_positive, error_domain, error_no_convergence, error_t, raise, to_text
+    use mdrcontact_error, only: check_positive, error_domain, error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: half_pi, pi, wp
     use mdrcontact_layered_legendre, only: interaction_matrix, normalisation
     use mdrcontact_layered_rule, only: new_rule, rule_t
@@ -39,7 +39,7 @@ contains
         real(wp), allocatable :: matrix(:, :), spectrum(:, :)
         real(wp) :: f(terms, 1), few
         logical :: done
-        integer :: i, m, stat
+        integer :: i, m
 
         conductance = 0.0_wp
         call check_positive(error, "kappa", kappa)
@@ -48,9 +48,7 @@ contains
         if (allocated(error)) return
         m = terms + 2 + ceiling(1.5_wp*first_unknowns(conduction%kernel, tolerance, state%radius/conduction%kernel%unit, &
                                                       .false., .true.))
-        allocate (matrix(terms, terms), spectrum(terms, m), stat=stat)
-        call check_memory(error, stat)
-        if (stat /= 0) return
+        allocate (matrix(terms, terms), spectrum(terms, m))
         call fill_spectrum(spectrum, error)
         call fill_springs(conduction, state%radius, spectrum, matrix, error)
         call add_resistance(contact, state, kappa, matrix, error)

@@ -6,7 +6,7 @@ module mdrcontact_conduction_source
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_fields, only: check_state
     use mdrcontact_contact_state, only: contact_state_t
-    use mdrcontact_error, only: check_code, check_memory, check_not_negative, error_invalid, error_t, raise
+    use mdrcontact_error, only: check_code, check_not_negative, error_invalid, error_t, raise
     use mdrcontact_kinds, only: half_pi, wp
     use mdrcontact_layered_legendre, only: normalisation
     use mdrcontact_layered_moments, only: is_smooth
@@ -181,7 +181,7 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         type(rule_t) :: rule
         real(wp), allocatable :: edges(:), breaks(:), theta(:), weight(:), t(:), w(:)
-        integer :: i, n, each, kinks, stat
+        integer :: i, n, each, kinks
 
         if (smooth) then
             allocate (breaks(0))
@@ -203,9 +203,7 @@ contains
         end if
         each = size(t)
         n = each*(size(edges) - 1)
-        allocate (theta(n), weight(n), stat=stat)
-        call check_memory(error, stat)
-        if (stat /= 0) return
+        allocate (theta(n), weight(n))
         do i = 1, size(edges) - 1
             associate (length => edges(i + 1) - edges(i), first => (i - 1)*each + 1, last => i*each)
                 if (i > size(edges) - 1 - kinks) then

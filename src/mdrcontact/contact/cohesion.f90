@@ -34,7 +34,6 @@ module mdrcontact_contact_cohesion
     contains
         procedure :: at_radius
         procedure :: apart
-        procedure :: gap_at_axis
         procedure :: load
     end type cohesion_t
 
@@ -157,24 +156,6 @@ contains
         state%punch_depth = state%depth
         state%force = -pi*self%stress*zone_radius**2
     end subroutine apart
-
-    !> The gap at the axis of bodies that attract each other without contact [length].
-    function gap_at_axis(self, profile, state, error) result(gap)
-        class(cohesion_t), intent(in) :: self
-        class(profile_t), intent(in), target :: profile
-        !> with a contact radius of 0
-        type(contact_state_t), intent(in) :: state
-        type(error_t), allocatable, intent(inout) :: error
-        real(wp) :: gap
-        type(zoned_springs_t) :: springs
-        type(zone_state_t) :: zone
-
-        gap = self%range
-        call new_zoned_springs(springs, self%kernel, self%tolerance, profile, 0.0_wp, error)
-        if (allocated(error) .or. .not. state%zone_radius > 0.0_wp) return
-        call springs%with_zone(state%zone_radius, 2.0_wp*self%stress/self%modulus, zone, error)
-        gap = self%range - zone%gap
-    end function gap_at_axis
 
     !> The zone at whose end the gap is the range.
     subroutine find_zone(self, profile, radius, guess, state, error)

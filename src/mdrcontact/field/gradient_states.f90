@@ -74,13 +74,11 @@ contains
         real(wp), intent(in) :: radius, z(:)
         type(error_t), allocatable, intent(inout) :: error
         real(wp) :: surface(2), here(2), most, least
-        integer :: i, stat
+        integer :: i
 
-        allocate (self%z(size(z)), self%place(size(z)), self%is_near(size(z)), stat=stat)
-        call check_memory(error, stat)
-        if (stat /= 0) return
-        self%z(:) = z
-        self%is_near(:) = .false.
+        self%z = z
+        allocate (self%place(size(z)), self%is_near(size(z)))
+        self%is_near = .false.
         call faces_through(body, radius*min(first_step, minval(z, mask=z > 0.0_wp)), pack(radius*z, z > 0.0_wp), self%faces, &
                            error)
         if (allocated(error)) return
@@ -192,7 +190,7 @@ contains
         real(wp), intent(out) :: misfit
         type(error_t), allocatable, intent(inout) :: error
         real(wp), allocatable :: k(:), weight(:)
-        integer :: i, n, waves, rows, stat
+        integer :: i, n, waves, rows
 
         misfit = 0.0_wp
         rows = merge(shear_rows, normal_rows, self%along_surface)
@@ -200,29 +198,15 @@ contains
         ! even ones are compared only
         waves = 2*ceiling(log(shortest_wave/self%cutoff)/log(wave_ratio)) + 1
         if (allocated(self%shifts)) deallocate (self%shifts, self%alpha, self%beta)
-        allocate (k(waves), weight(waves), stat=stat)
-        call check_memory(error, stat)
-        if (stat /= 0) return
-        do i = 1, waves
-            k(i) = self%cutoff*wave_ratio**(0.5_wp*real(i - 1, wp))
-        end do
-        weight(:) = sqrt(self%cutoff/k)
+        k = self%cutoff*wave_ratio**[(0.5_wp*real(i - 1, wp), i=1, waves)]
+        weight = sqrt(self%cutoff/k)
         call prepare(self, k, error)
         if (allocated(error)) return
-        allocate (self%shifts(n), self%alpha(n, rows, size(self%z)), self%beta(n, rows, size(self%z)), stat=stat)
-        call check_memory(error, stat)
-        if (stat /= 0) return
-        self%shifts(1) = 0.0_wp
-        do i = 2, n
-            self%shifts(i) = 30.0_wp/self%cutoff*shift_ratio**(2 - i)
-        end do
-        self%alpha(:, :, :) = 0.0_wp
-        self%beta(:, :, :) = 0.0_wp
+        self%shifts = [0.0_wp, (30.0_wp/self%cutoff*shift_ratio**(2 - i), i=2, n)]
+        allocate (self%alpha(n, rows, size(self%z)), self%beta(n, rows, size(self%z)), source=0.0_wp)
         do i = 1, size(self%z)
             if (.not. self%is_near(i)) cycle
-            call fit_images(k, weight, self%z(i), self%shifts, self%y(:, :, i), self%alpha(:, :, i), self%beta(:, :, i), misfit, &
-                            error)
-            if (allocated(error)) return
+            call fit_images(k, weight, self%z(i), self%shifts, self%y(:, :, i), self%alpha(:, :, i), self%beta(:, :, i), misfit)
         end do
     end subroutine find_images
 
@@ -250,23 +234,20 @@ contains
     end subroutine add_images
 
     !> At one depth; on the surface no state is left where waves are short.
-    subroutine fit_images(k, weight, z, shifts, y, alpha, beta, misfit, error)
+    subroutine fit_images(k, weight, z, shifts, y, alpha, beta, misfit)
         real(wp), intent(in) :: k(:), weight(:), z, shifts(:), y(:, :)
         !> (image, row)
         real(wp), intent(inout) :: alpha(:, :), beta(:, :)
         !> the larger one of what it was and that of this depth
         real(wp), intent(inout) :: misfit
-        type(error_t), allocatable, intent(inout) :: error
         real(wp), allocatable :: basis(:, :), matrix(:, :), right(:, :), work(:)
-        integer :: first, n, m, i, j, images, info, stat
+        integer :: first, n, m, i, j, images, info
 
         images = size(shifts)
         first = merge(1, 2, z > 0.0_wp)
         n = merge(2, 1, z > 0.0_wp)*(images - first + 1)
         m = (size(k) + 1)/2
-        allocate (basis(size(k), n), matrix(m + n, n), right(m + n, size(y, 2)), work(64*(m + n)), stat=stat)
-        call check_memory(error, stat)
-        if (stat /= 0) return
+        allocate (basis(size(k), n), matrix(m + n, n), right(m + n, size(y, 2)), work(64*(m + n)))
         do j = first, images
             basis(:, j - first + 1) = weight*exp(-k*(z + shifts(j)))
             if (z > 0.0_wp) basis(:, images + j) = k*z*basis(:, j)

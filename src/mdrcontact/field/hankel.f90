@@ -3,6 +3,7 @@
 !>
 !> A prepared integral knows layers and load; points and grids then cost sums over its nodes, on a grid as products of matrices.
 module mdrcontact_field_hankel
+    use, intrinsic :: iso_c_binding, only: c_size_t
     use mdrcontact_batch, only: batch_t, run_batch
     use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_error, only: check_memory, error_t
@@ -11,6 +12,7 @@ module mdrcontact_field_hankel
     use mdrcontact_field_states, only: depth_t, normal_rows, shear_rows, states_t
     use mdrcontact_field_transform, only: hankel_transform
     use mdrcontact_field_waves, only: bessel_012, faded, part_of_waves, wave_rule
+    use mdrcontact_gsl, only: gsl_sort_index
     use mdrcontact_kinds, only: wp
     use mdrcontact_lapack, only: dgemm
     use mdrcontact_numerics_search, only: interval_of
@@ -58,17 +60,13 @@ contains
         !> largest a + r [a] and largest wavenumber [1/a]
         real(wp), intent(in) :: farthest, last
         type(error_t), allocatable, intent(inout) :: error
-        real(wp), allocatable :: weight(:), scaled(:)
-        integer :: stat
+        real(wp), allocatable :: weight(:)
 
         self%states => states
         call wave_rule(farthest, states%structure, last, self%all_k, weight, error)
         if (allocated(error)) return
-        allocate (self%all_load(size(self%all_k)), scaled(size(self%all_k)), stat=stat)
-        call check_memory(error, stat)
-        if (stat /= 0) return
-        scaled(:) = self%all_k/load%radius
-        call hankel_transform(load, scaled, self%all_load, error)
+        allocate (self%all_load(size(self%all_k)))
+        call hankel_transform(load, self%all_k/load%radius, self%all_load, error)
         if (allocated(error)) return
         self%all_load(:) = self%all_load*weight/load%radius**2
     end subroutine new_hankel
@@ -78,21 +76,16 @@ contains
         class(hankel_t), intent(inout) :: self
         type(error_t), allocatable, intent(inout) :: error
         logical :: found
-        integer :: n, stat
+        integer :: n
 
         found = self%done < size(self%all_k) .and. .not. allocated(error)
         if (.not. found) return
         call check_cancelled(error)
         n = min(size(self%all_k) - self%done, part_of_waves(self%states%steps))
-        if (allocated(self%k)) deallocate (self%k, self%load)
-        allocate (self%k(n), self%load(n), stat=stat)
-        call check_memory(error, stat)
-        found = .not. allocated(error)
-        if (.not. found) return
-        self%k(:) = self%all_k(self%done + 1:self%done + n)
-        self%load(:) = self%all_load(self%done + 1:self%done + n)
+        self%k = self%all_k(self%done + 1:self%done + n)
+        self%load = self%all_load(self%done + 1:self%done + n)
         self%done = self%done + n
-        call self%states%prepare(self%k, error)
+        if (.not. allocated(error)) call self%states%prepare(self%k, error)
         found = .not. allocated(error)
     end function next_part
 
@@ -204,20 +197,22 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         type(grid_t) :: grid
         integer, allocatable, target :: place(:)
-        integer :: first, waves, i, stat
+        integer(c_size_t), allocatable :: order(:)
+        real(wp), allocatable :: last(:)
+        integer :: first, waves, stat
 
         grid%hankel => self
         grid%depths => depths
         grid%r => r
         grid%sums => sums
         ! deepest reach in k first: those that need a slab are the first ones
-        allocate (place(size(depths)), grid%columns(slab, size(depths), size(sums, 2)), stat=stat)
+        allocate (order(size(depths)), last(size(depths)), place(size(depths)), grid%columns(slab, size(depths), size(sums, 2)), &
+                  stat=stat)
         call check_memory(error, stat)
         if (stat /= 0) return
-        do i = 1, size(place)
-            place(i) = i
-        end do
-        call sort_descending(depths%last, place)
+        last = -depths%last
+        call gsl_sort_index(order, last, 1_c_size_t, size(order, kind=c_size_t))
+        place = int(order) + 1
         grid%place => place
         waves = wave_count(self, depths(place(1)))
         do first = 1, waves, slab
@@ -311,21 +306,5 @@ contains
             sums(:, place(i)) = sums(:, place(i)) + product(:, i)
         end do
     end subroutine add_product
-
-    !> Orders `place` so that values(place) descends.
-    pure subroutine sort_descending(values, place)
-        real(wp), intent(in) :: values(:)
-        integer, intent(inout) :: place(:)
-        integer :: i, j, held
-
-        do i = 2, size(place)
-            held = place(i)
-            do j = i - 1, 1, -1
-                if (values(place(j)) >= values(held)) exit
-                place(j + 1) = place(j)
-            end do
-            place(j + 1) = held
-        end do
-    end subroutine sort_descending
 
 end module mdrcontact_field_hankel

@@ -2,14 +2,17 @@
 !> The largest value of a stress in a part of a loaded body, in the plane of symmetry: of all azimuths without friction, of sliding
 !> with it. It is looked for on a grid, and from its highest peaks on ever smaller ones.
 module mdrcontact_field_largest
+    use, intrinsic :: iso_c_binding, only: c_size_t
     use mdrcontact_base_nonfinite, only: infinity, is_finite
     use mdrcontact_body_layers, only: layers_t
     use mdrcontact_cancel, only: check_cancelled
-    use mdrcontact_codes, only: free_surface_tension, interface_shear, interface_tension, tension, tresca, von_mises
-    use mdrcontact_error, only: check_memory, error_t
+    use mdrcontact_codes, only: free_surface_tension, interface_shear, interface_tension, largest_shear, largest_tension, von_mises
+    use mdrcontact_error, only: error_t
     use mdrcontact_field_interior, only: components, infinite_pressure, interior_field, s_rr, s_rz, s_tt, s_zz
+    use mdrcontact_gsl, only: gsl_sort
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_medium_load, only: load_t
+    use mdrcontact_numerics_quadrature, only: merge_breaks
     implicit none (type, external)
     private
     public :: box_t, maximum_t, stressed_t
@@ -121,7 +124,7 @@ contains
         real(wp), allocatable :: r(:), z(:), values(:, :, :, :)
         integer, allocatable :: peaks(:, :), parts(:)
         type(maximum_t) :: peak
-        integer :: azimuths, i, k, stat
+        integer :: azimuths, i, k
         integer, parameter :: all_parts(*) = [(i, i=1, size_of_parts)]
         real(wp), parameter :: angle(2) = [0.0_wp, pi]
 
@@ -129,8 +132,7 @@ contains
         r = radii_in(box%r, self%load%radius, self%singular)
         z = depths_in(box%z, self%load%radius, self%singular)
         azimuths = merge(2, 1, self%friction /= 0.0_wp)
-        allocate (values(size(r), size(z), azimuths, size(all_parts)), stat=stat)
-        call check_memory(error, stat)
+        allocate (values(size(r), size(z), azimuths, size(all_parts)))
         do k = 1, azimuths
             call find_values(self, r, z, angle(k), all_parts, values(:, :, k, :), error)
         end do
@@ -204,14 +206,12 @@ contains
         real(wp), intent(out) :: values(:, :, :)
         type(error_t), allocatable, intent(inout) :: error
         real(wp), allocatable :: all_r(:), all_z(:), all_angles(:), field(:, :)
-        integer :: i, j, k, n, stat
+        integer :: i, j, k, n
 
         call check_cancelled(error)
         if (allocated(error)) return
         n = size(r)*size(z)
-        allocate (all_r(n), all_z(n), all_angles(n), field(n, components), stat=stat)
-        call check_memory(error, stat)
-        if (stat /= 0) return
+        allocate (all_r(n), all_z(n), all_angles(n), field(n, components))
         do i = 1, size(r)
             all_r((i - 1)*size(z) + 1:i*size(z)) = r(i)
             all_z((i - 1)*size(z) + 1:i*size(z)) = z
@@ -363,21 +363,13 @@ contains
     pure function ascending_within(ends, values) result(x)
         real(wp), intent(in) :: ends(2), values(:)
         real(wp), allocatable :: x(:)
-        real(wp) :: found(size(values) + 2)
-        integer :: n
+        real(wp), allocatable :: inside(:)
+        type(error_t), allocatable :: unused
 
-        n = 1
-        found(1) = ends(1)
-        do while (any(values > found(n) .and. values < ends(2)))
-            found(n + 1) = minval(values, mask=values > found(n))
-            n = n + 1
-        end do
-        if (ends(2) > found(n)) then
-            n = n + 1
-            found(n) = ends(2)
-        end if
-        allocate (x(n))
-        x(:) = found(:n)
+        inside = pack(values, values > ends(1) .and. values < ends(2))
+        call gsl_sort(inside, 1_c_size_t, size(inside, kind=c_size_t))
+        x = ends(:1)
+        call merge_breaks(x, [inside, ends(2)], unused)
     end function ascending_within
 
     pure function evenly(ends) result(x)

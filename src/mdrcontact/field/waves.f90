@@ -5,7 +5,7 @@
 !> that resolves the waves of a contact of radius a = 1 seen at distance r.
 module mdrcontact_field_waves
     use mdrcontact_gsl, only: gsl_sf_bessel_j0, gsl_sf_bessel_j1
-    use mdrcontact_error, only: check_memory, error_domain, error_t, raise, to_text
+    use mdrcontact_error, only: error_domain, error_t, raise, to_text
     use mdrcontact_kinds, only: wp
     use mdrcontact_numerics_quadrature, only: gauss_legendre
     implicit none (type, external)
@@ -38,7 +38,7 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         real(wp), allocatable :: ends(:)
         real(wp) :: node(panel_nodes), w(panel_nodes)
-        integer :: i, stat
+        integer :: i
 
         call gauss_legendre(node, w, error)
         if (allocated(error)) return
@@ -49,9 +49,7 @@ contains
             return
         end if
         call panel_ends(farthest, min(first_panel/max(farthest, structure), last), last, ends)
-        allocate (k(panel_nodes*(size(ends) - 1)), weight(panel_nodes*(size(ends) - 1)), stat=stat)
-        call check_memory(error, stat)
-        if (stat /= 0) return
+        allocate (k(panel_nodes*(size(ends) - 1)), weight(panel_nodes*(size(ends) - 1)))
         do i = 1, size(ends) - 1
             k(panel_nodes*(i - 1) + 1:panel_nodes*i) = ends(i) + (ends(i + 1) - ends(i))*node
             weight(panel_nodes*(i - 1) + 1:panel_nodes*i) = (ends(i + 1) - ends(i))*w

@@ -52,16 +52,13 @@ contains
         integer, intent(in), optional :: sliders
         !> whether they bear a twist about the normal, with its torque, in place of the shift; of a paraboloid on homogeneous bodies
         logical, intent(in), optional :: twist
-        integer :: stat
 
         if (present(sliders)) call check_sliders(error, sliders)
         if (allocated(error)) return
         call new_law_of_contact(self, contact, largest_depth, error, options)
         if (.not. allocated(error)) call check_same_contact(contact, friction, largest_depth, error)
         if (allocated(error)) return
-        allocate (self%friction, stat=stat)
-        call check_memory(error, stat)
-        if (allocated(error)) return
+        allocate (self%friction)
         if (present(twist)) then
             if (twist) then
                 call new_twist_law(self%friction, self%by_depth, friction%contact, friction%coefficient, error, sliders)

@@ -44,7 +44,6 @@ module mdrcontact_history_relaxation_path
         type(rules_t) :: rules
     end type path_t
 
-
 contains
 
     !> Panels through points of never decreasing time and depth, from first contact, the first point.
@@ -130,12 +129,9 @@ contains
         type(rules_t), intent(inout) :: rules
         integer, intent(in) :: largest
         type(error_t), allocatable, intent(out) :: error
-        integer :: l, n, stat
+        integer :: l, n
 
-        allocate (rules%nodes(largest, largest), rules%weights(largest, largest), &
-                  rules%to_coefficients(largest, largest, largest), stat=stat)
-        call check_memory(error, stat)
-        if (stat /= 0) return
+        allocate (rules%nodes(largest, largest), rules%weights(largest, largest), rules%to_coefficients(largest, largest, largest))
         do n = 1, largest
             call gauss_legendre(rules%nodes(:n, n), rules%weights(:n, n), error)
             if (allocated(error)) return
@@ -326,13 +322,14 @@ contains
         !> 0 to 1
         real(wp), intent(in) :: fraction
         real(wp), intent(out) :: load(:), passed(:)
-        real(wp) :: k(most), moments(size(self%rates), most), decay(size(self%rates)), length, rise
+        real(wp) :: k(most), p(most, most), moments(size(self%rates), most), decay(size(self%rates)), length, rise
         integer :: l, n
 
         n = self%terms(panel)
         length = fraction*(self%time(panel) - self%time(panel - 1))
         rise = fraction*(self%depth(panel) - self%depth(panel - 1))
-        call polynomial(self%stiffness(:n, panel), fraction*self%rules%nodes(:n, n), k(:n))
+        p(:n, :n) = legendre(n, 2.0_wp*(fraction*self%rules%nodes(:n, n)) - 1.0_wp)
+        k(:n) = matmul(p(:n, :n), self%stiffness(:n, panel))
         call moments_of(self%rates*length, n, moments, decay)
         passed = decay*self%rise(:, panel - 1) + rise*moments(:, 1)
         load = decay*self%load(:, panel - 1)
@@ -340,23 +337,5 @@ contains
             load = load + rise*sum(self%rules%to_coefficients(l, :n, n)*k(:n))*moments(:, l)
         end do
     end subroutine partial_integrals
-
-    !> A Legendre series at positions in [0, 1].
-    pure subroutine polynomial(coefficients, positions, values)
-        real(wp), intent(in) :: coefficients(:), positions(:)
-        real(wp), intent(out) :: values(:)
-        real(wp), dimension(size(positions)) :: before, here, next
-        integer :: l
-
-        before = 0.0_wp
-        here = 1.0_wp
-        values = 0.0_wp
-        do l = 0, size(coefficients) - 1
-            values = values + coefficients(l + 1)*here
-            next = (real(2*l + 1, wp)*(2.0_wp*positions - 1.0_wp)*here - real(l, wp)*before)/real(l + 1, wp)
-            before = here
-            here = next
-        end do
-    end subroutine polynomial
 
 end module mdrcontact_history_relaxation_path

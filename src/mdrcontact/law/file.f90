@@ -172,9 +172,7 @@ contains
         allocate (shares(0))
         sliders = reader%whole(-most_sliders, most_sliders)
         if (.not. reader%sound .or. sliders == 0) return
-        allocate (friction, stat=stat)
-        call check_memory(error, stat)
-        if (allocated(error)) return
+        allocate (friction)
         reader%sound = abs(sliders) >= fewest_sliders
         friction%sliders = abs(sliders)
         friction%coefficient = reader%number()

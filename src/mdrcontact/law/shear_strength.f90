@@ -6,7 +6,7 @@
 module mdrcontact_law_shear_strength
     use mdrcontact_body_compliance, only: shear_load
     use mdrcontact_contact, only: contact_t, on_unloading
-    use mdrcontact_error, only: check_memory, check_positive, error_invalid, error_t, raise, to_text
+    use mdrcontact_error, only: check_positive, error_invalid, error_t, raise, to_text
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_law, only: contact_law_t
     use mdrcontact_law_evaluate, only: point_at
@@ -35,7 +35,6 @@ contains
         type(law_options_t), intent(in), optional :: options
         !> 4 to 64 vector sliders for the springs of the contact; default 8
         integer, intent(in), optional :: sliders
-        integer :: stat
 
         call check_positive(error, "shear_strength", shear_strength)
         if (present(sliders)) call check_sliders(error, sliders)
@@ -47,9 +46,7 @@ contains
         end if
         call new_law_of_contact(self, contact, largest_depth, error, options)
         if (allocated(error)) return
-        allocate (self%friction, stat=stat)
-        call check_memory(error, stat)
-        if (allocated(error)) return
+        allocate (self%friction)
         self%friction%shear_strength = shear_strength
         self%friction%sliders = default_sliders
         if (present(sliders)) self%friction%sliders = sliders

@@ -8,7 +8,7 @@
 module mdrcontact_law_sliders_join
     use mdrcontact_kinds, only: wp
     use mdrcontact_law_levels, only: levels_t
-    use mdrcontact_law_sliders_motion, only: motion_t
+    use mdrcontact_law_sliders_motion, only: copy_slider, motion_t
     implicit none (type, external)
     private
     public :: join_sliders
@@ -46,7 +46,7 @@ contains
         do i = 1, motion%used - 1
             if (i < motion%before .or. any(levels%places == motion%level(motion%used) - motion%level(i))) then
                 last = last + 1
-                call copy(motion, i, last)
+                call copy_slider(motion, i, last)
             else
                 call add(motion, last, i, lost)
             end if
@@ -100,19 +100,9 @@ contains
         integer :: i
 
         do i = gone, motion%used - 1
-            call copy(motion, i + 1, i)
+            call copy_slider(motion, i + 1, i)
         end do
         motion%level(motion%used) = motion%level(motion%used + 1)
     end subroutine close_up
-
-    pure subroutine copy(motion, from, to)
-        type(motion_t), intent(inout) :: motion
-        integer, intent(in) :: from, to
-
-        motion%level(to) = motion%level(from)
-        motion%stiffness(to) = motion%stiffness(from)
-        motion%strength(to) = motion%strength(from)
-        motion%borne(to, :) = motion%borne(from, :)
-    end subroutine copy
 
 end module mdrcontact_law_sliders_join

@@ -19,7 +19,7 @@ module mdrcontact_law_sliders_motion
     use mdrcontact_law_strengths, only: growth_beyond, place_t, radius_loads
     implicit none (type, external)
     private
-    public :: motion_t, move, mdrcontact_sliders_sound, mdrcontact_sliders_steps
+    public :: copy_slider, motion_t, move, mdrcontact_sliders_sound, mdrcontact_sliders_steps
 
     !> The last of as many sliders as a step may meet, a multiple of four.
     integer, parameter :: most = most_sliders + most_levels + 3
@@ -173,5 +173,18 @@ contains
             call growth_beyond(levels, from, place, motion%newborn(i), motion%newborn_slope(i))
         end do
     end subroutine find_loads
+
+    !> Puts one slider in the place of another.
+    pure subroutine copy_slider(motion, from, to)
+        type(motion_t), intent(inout) :: motion
+        integer, intent(in) :: from, to
+
+        motion%level(to) = motion%level(from)
+        motion%beyond(to) = motion%beyond(from)
+        motion%strength(to) = motion%strength(from)
+        motion%stiffness(to) = motion%stiffness(from)
+        motion%borne(to, :) = motion%borne(from, :)
+        motion%factor(to) = motion%factor(from)
+    end subroutine copy_slider
 
 end module mdrcontact_law_sliders_motion

@@ -6,7 +6,7 @@
 module mdrcontact_law_sliders_shrink
     use mdrcontact_kinds, only: wp
     use mdrcontact_law_levels, only: by_shear, by_twist, levels_t
-    use mdrcontact_law_sliders_motion, only: motion_t
+    use mdrcontact_law_sliders_motion, only: copy_slider, motion_t
     use mdrcontact_law_strengths, only: load_beyond, place_t
     implicit none (type, external)
     private
@@ -112,10 +112,10 @@ contains
         divided = all(parts*norm2(motion%borne(i, :)) <= strengths) .and. all(parts > 0.0_wp)
         if (.not. divided) return
         do j = motion%used, i + 1, -1
-            call copy(motion, j, j + 1)
+            call copy_slider(motion, j, j + 1)
         end do
         motion%used = motion%used + 1
-        call copy(motion, i, i + 1)
+        call copy_slider(motion, i, i + 1)
         motion%level(i + 1) = level
         motion%beyond(i + 1) = load
         motion%strength(i:i + 1) = strengths
@@ -124,17 +124,5 @@ contains
         motion%stiffness(i) = motion%stiffness(i) - motion%stiffness(i + 1)
         motion%borne(i, :) = motion%borne(i, :) - motion%borne(i + 1, :)
     end subroutine divide
-
-    pure subroutine copy(motion, from, to)
-        type(motion_t), intent(inout) :: motion
-        integer, intent(in) :: from, to
-
-        motion%level(to) = motion%level(from)
-        motion%beyond(to) = motion%beyond(from)
-        motion%strength(to) = motion%strength(from)
-        motion%stiffness(to) = motion%stiffness(from)
-        motion%borne(to, :) = motion%borne(from, :)
-        motion%factor(to) = motion%factor(from)
-    end subroutine copy
 
 end module mdrcontact_law_sliders_shrink
