@@ -4,7 +4,6 @@ module mdrcontact_contact
     use mdrcontact_codes, only: on_loading, on_unloading
     use mdrcontact_contact_adhesive_branch, only: adhesive_branch_t, stable_segment_t
     use mdrcontact_contact_branch, only: branch_t, new_branch
-    use mdrcontact_contact_cohesion, only: new_cohesion
     use mdrcontact_contact_control, only: control_t, depth_control, force_control
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_contact_equilibrium, only: adhesion_automatic, adhesion_energy, adhesion_paper, new_equilibrium
@@ -15,7 +14,7 @@ module mdrcontact_contact
     use mdrcontact_contact_fields, only: check_state, fields_t
     use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_contact_inversion, only: invert, neighbours_t
-    use mdrcontact_contact_zone_branch, only: new_zone_branch, zone_branch_t, zone_is_resolved
+    use mdrcontact_contact_zone_branch, only: add_cohesion, new_zone_branch, zone_branch_t
     use mdrcontact_contact_warnings, only: add_warning => add, contact_warning_t, find_warnings, warning_short_zone
     use mdrcontact_kinds, only: wp
     use mdrcontact_medium, only: check_elastic, medium_t
@@ -135,21 +134,11 @@ contains
         type(contact_options_t), intent(in) :: options
         type(error_t), allocatable, intent(out) :: error
         type(zone_branch_t), allocatable :: branch
-        logical :: is_resolved
 
-        associate (equilibrium => self%equilibrium)
-            allocate (equilibrium%cohesion)
-            call new_cohesion(equilibrium%cohesion, equilibrium%profile, equilibrium%medium, equilibrium%last_radius, &
-                              options%work_of_adhesion, options%cohesive_stress, error)
-            if (allocated(error)) return
-            call zone_is_resolved(equilibrium, is_resolved, error)
-            if (allocated(error)) return
-            self%has_short_zone = .not. is_resolved
-            if (.not. is_resolved) then
-                deallocate (equilibrium%cohesion)
-                return
-            end if
-        end associate
+        call add_cohesion(self%equilibrium, options%cohesive_stress, error)
+        if (allocated(error)) return
+        self%has_short_zone = .not. allocated(self%equilibrium%cohesion)
+        if (self%has_short_zone) return
         allocate (branch)
         call new_zone_branch(branch, self%equilibrium, error)
         call move_alloc(branch, self%branch)

@@ -2,7 +2,7 @@
 !> The stable states of a contact with a cohesive zone, with and without contact, and those in which it is entered and left.
 module mdrcontact_contact_zone_branch
     use mdrcontact_contact_adhesive_branch, only: adhesive_branch_t, search_t, stable_segment_t
-    use mdrcontact_contact_cohesion, only: zone_guess_t
+    use mdrcontact_contact_cohesion, only: new_cohesion, zone_guess_t
     use mdrcontact_contact_control, only: control_t
     use mdrcontact_contact_equilibrium, only: equilibrium_t
     use mdrcontact_contact_range, only: adhesive_range
@@ -13,7 +13,7 @@ module mdrcontact_contact_zone_branch
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
-    public :: zone_branch_t, new_zone_branch, zone_is_resolved
+    public :: zone_branch_t, new_zone_branch, add_cohesion
 
     !> The equilibria of a contact with a cohesive zone.
     type, extends(adhesive_branch_t) :: zone_branch_t
@@ -42,17 +42,22 @@ module mdrcontact_contact_zone_branch
 
 contains
 
-    !> Whether the zone is long enough to change the states of the equilibrium, whose cohesion is that of these numbers.
-    subroutine zone_is_resolved(equilibrium, answer, error)
-        type(equilibrium_t), intent(in) :: equilibrium
-        logical, intent(out) :: answer
+    !> Gives an adhesive equilibrium its range, unless the zone is too short to change a digit.
+    subroutine add_cohesion(equilibrium, stress, error)
+        type(equilibrium_t), intent(inout) :: equilibrium
+        !> sigma > 0 [modulus]
+        real(wp), intent(in) :: stress
         type(error_t), allocatable, intent(inout) :: error
         real(wp) :: first, last, equal
 
-        answer = .true.
-        call adhesive_range(equilibrium, first, last, error, equal)
-        if (.not. allocated(error)) answer = equilibrium%cohesion%small_zone > shortest_zone*equilibrium%radius_of(equal)
-    end subroutine zone_is_resolved
+        allocate (equilibrium%cohesion)
+        call new_cohesion(equilibrium%cohesion, equilibrium%profile, equilibrium%medium, equilibrium%last_radius, &
+                          equilibrium%work_of_adhesion, stress, error)
+        if (.not. allocated(error)) call adhesive_range(equilibrium, first, last, error, equal)
+        if (allocated(error)) return
+        if (equilibrium%cohesion%small_zone > shortest_zone*equilibrium%radius_of(equal)) return
+        deallocate (equilibrium%cohesion)
+    end subroutine add_cohesion
 
     !> Samples the branch.
     subroutine new_zone_branch(self, equilibrium, error)

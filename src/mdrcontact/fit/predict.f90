@@ -2,6 +2,7 @@
 !> The forward model: what the instrument reads at given parameters of the problem.
 module mdrcontact_fit_predict
     use mdrcontact_contact_equilibrium, only: equilibrium_t, new_equilibrium
+    use mdrcontact_contact_zone_branch, only: add_cohesion
     use mdrcontact_error, only: check_finite, check_memory, check_not_negative, check_positive, error_domain, error_invalid, &
                                 error_t, error_unreachable, raise, to_text
     use mdrcontact_contact, only: on_loading, on_unloading
@@ -9,7 +10,7 @@ module mdrcontact_fit_predict
     use mdrcontact_fit_body, only: make_body
     use mdrcontact_fit_contact_radius, only: contact_radii
     use mdrcontact_fit_force_curve, only: force_curve_t, new_force_curve
-    use mdrcontact_fit_zone_force, only: add_cohesion, zone_forces
+    use mdrcontact_fit_zone_force, only: zone_forces
     use mdrcontact_fit_problem, only: at_area_factor, at_cohesive_stress, at_contact_depth_factor, at_contact_depth_scale, &
                                       at_depth_offset, &
                                       at_force_offset, at_frame_compliance, at_indenter_modulus, at_stiffness_factor, &

@@ -2,33 +2,16 @@
 !> F(d) of a contact with a cohesive zone at many depths: the stable states, with contact and without, inverted on their samples.
 module mdrcontact_fit_zone_force
     use mdrcontact_contact_adhesive_branch, only: stable_segment_t
-    use mdrcontact_contact_cohesion, only: new_cohesion
     use mdrcontact_contact_control, only: depth_control
     use mdrcontact_contact_equilibrium, only: equilibrium_t
-    use mdrcontact_contact_zone_branch, only: new_zone_branch, zone_branch_t, zone_is_resolved
+    use mdrcontact_contact_zone_branch, only: new_zone_branch, zone_branch_t
     use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
-    public :: add_cohesion, zone_forces
+    public :: zone_forces
 
 contains
-
-    !> Gives an equilibrium its range of adhesion, unless the zone is too short to change a digit.
-    subroutine add_cohesion(equilibrium, stress, error)
-        type(equilibrium_t), intent(inout) :: equilibrium
-        !> sigma > 0 [modulus]
-        real(wp), intent(in) :: stress
-        type(error_t), allocatable, intent(inout) :: error
-        logical :: is_resolved
-
-        allocate (equilibrium%cohesion)
-        call new_cohesion(equilibrium%cohesion, equilibrium%profile, equilibrium%medium, equilibrium%last_radius, &
-                          equilibrium%work_of_adhesion, stress, error)
-        is_resolved = .true.
-        if (.not. allocated(error)) call zone_is_resolved(equilibrium, is_resolved, error)
-        if (.not. is_resolved) deallocate (equilibrium%cohesion)
-    end subroutine add_cohesion
 
     !> F and a at depths on loading or unloading; where the bodies are apart, `apart` says so. Below pull-off F goes on as above it,
     !> up to 0: readings of bodies that still touch there show a search where pull-off should be.

@@ -4,6 +4,7 @@
 !> are nodes.
 module mdrcontact_history_relaxation_panels
     use mdrcontact_kinds, only: pi, wp
+    use mdrcontact_numerics_quadrature, only: legendre
     implicit none (type, external)
     private
     public :: panels_t, new_panels, interpolate, per_panel, add_turn, cut
@@ -115,27 +116,21 @@ contains
     pure subroutine lobatto(nodes, weights)
         real(wp), intent(out) :: nodes(per_panel), weights(per_panel)
         integer, parameter :: n = per_panel - 1
-        real(wp) :: x, before, here, next, step
-        integer :: i, l, trial
+        real(wp) :: x, p(1, n + 1), step
+        integer :: i, trial
 
         do i = 0, n
             x = -cos(pi*real(i, wp)/real(n, wp))
             do trial = 1, 50
-                before = 1.0_wp
-                here = x
-                do l = 1, n - 1
-                    next = (real(2*l + 1, wp)*x*here - real(l, wp)*before)/real(l + 1, wp)
-                    before = here
-                    here = next
-                end do
+                p = legendre(n + 1, [x])
                 ! zeros of (1 - x^2) P_n'
-                step = (x*here - before)/(real(n + 1, wp)*here)
+                step = (x*p(1, n + 1) - p(1, n))/(real(n + 1, wp)*p(1, n + 1))
                 if (i == 0 .or. i == n) step = 0.0_wp
                 x = x - step
                 if (abs(step) < 1.0e-16_wp) exit
             end do
             nodes(i + 1) = 0.5_wp*(1.0_wp + x)
-            weights(i + 1) = 1.0_wp/(real(n*(n + 1), wp)*here**2)
+            weights(i + 1) = 1.0_wp/(real(n*(n + 1), wp)*p(1, n + 1)**2)
         end do
         nodes(1) = 0.0_wp
         nodes(per_panel) = 1.0_wp

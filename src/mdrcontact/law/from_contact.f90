@@ -142,12 +142,11 @@ contains
             stiffness = 2.0_wp*state%radius*modulus(1)
         end if
         share = state%stiffness/stiffness
+        ! where there is none the null pointer is an absent argument
+        call compile_straight(self%by_depth, state%radius, stiffness, share*low, share*largest_depth, options%conductance)
         if (associated(options%conductance)) then
-            call compile_straight(self%by_depth, state%radius, stiffness, share*low, share*largest_depth, options%conductance)
             if (allocated(options%conductance%error)) call move_alloc(options%conductance%error, error)
             if (allocated(error)) return
-        else
-            call compile_straight(self%by_depth, state%radius, stiffness, share*low, share*largest_depth)
         end if
         call compile_straight(self%by_force, state%radius, stiffness, low*state%stiffness, largest_depth*state%stiffness)
     end subroutine compile_punch
@@ -282,12 +281,9 @@ contains
         integer :: i
 
         associate (tolerance => fit_share*self%tolerance)
-            if (associated(options%conductance)) then
-                call compile_segments(self%by_depth, curve, branch%of_depth, branch%of_depth_fold, breaks, tolerance, error, &
-                                      options%conductance)
-            else
-                call compile_segments(self%by_depth, curve, branch%of_depth, branch%of_depth_fold, breaks, tolerance, error)
-            end if
+            ! where there is none the null pointer is an absent argument
+            call compile_segments(self%by_depth, curve, branch%of_depth, branch%of_depth_fold, breaks, tolerance, error, &
+                                  options%conductance)
             if (.not. allocated(error)) call compile_segments(self%by_force, curve, branch%of_force, branch%of_force_fold, breaks, &
                                                               tolerance, error)
         end associate
