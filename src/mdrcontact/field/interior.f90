@@ -66,12 +66,10 @@ contains
         !> (size(r), components) [length] and [modulus]
         real(wp), intent(out) :: field(:, :)
         type(error_t), allocatable, intent(out) :: error
-        !> traction friction*p(r) in +x on the surface; default 0
-        real(wp), intent(in), optional :: friction
-        !> azimuth of the points from +x [radian]; default 0
-        real(wp), intent(in), optional :: angle(:)
-        !> how many threads; default 1
-        integer, intent(in), optional :: threads
+        !> traction friction*p(r) in +x on the surface, and azimuth of the points from +x [radian]
+        real(wp), intent(in) :: friction, angle(:)
+        !> how many threads
+        integer, intent(in) :: threads
         type(depth_t), allocatable :: depths(:)
         type(layer_states_t), target :: states
         type(lattice_t) :: lattice
@@ -100,34 +98,30 @@ contains
         type(depth_t), intent(inout), target :: depths(:)
         real(wp), intent(out) :: field(:, :)
         type(error_t), allocatable, intent(inout) :: error
-        real(wp), intent(in), optional :: friction, angle(:)
-        integer, intent(in), optional :: threads
+        real(wp), intent(in) :: friction, angle(:)
+        integer, intent(in) :: threads
         real(wp), allocatable :: radii(:), sums(:, :)
-        integer :: team, stat
+        integer :: stat
 
-        team = 1
-        if (present(threads)) team = threads
         allocate (radii(size(r)), sums(normal_sums, size(r)), stat=stat)
         call check_memory(error, stat)
         if (stat /= 0) return
         radii(:) = r/load%radius
         call states%turn(.false., depths, error)
-        if (.not. allocated(error)) call find_sums(load, states, lattice, r, radii, depths, sums, team, error)
+        if (.not. allocated(error)) call find_sums(load, states, lattice, r, radii, depths, sums, threads, error)
         if (allocated(error)) return
         call normal_components(depths, radii, load%radius, sums, field)
-        if (present(friction)) then
-            if (friction /= 0.0_wp) then
-                deallocate (sums)
-                allocate (sums(shear_sums, size(r)), stat=stat)
-                call check_memory(error, stat)
-                if (stat /= 0) return
-                call states%turn(.true., depths, error)
-                if (.not. allocated(error)) call find_sums(load, states, lattice, r, radii, depths, sums, team, error)
-                if (allocated(error)) return
-                call add_shear_components(depths, radii, load%radius, sums, friction, field, angle)
-            end if
+        if (friction /= 0.0_wp) then
+            deallocate (sums)
+            allocate (sums(shear_sums, size(r)), stat=stat)
+            call check_memory(error, stat)
+            if (stat /= 0) return
+            call states%turn(.true., depths, error)
+            if (.not. allocated(error)) call find_sums(load, states, lattice, r, radii, depths, sums, threads, error)
+            if (allocated(error)) return
+            call add_shear_components(depths, radii, load%radius, sums, friction, angle, field)
         end if
-        call mark_singular(load, states%half_space%singular, r, z, field, friction, angle)
+        call mark_singular(load, states%half_space%singular, r, z, friction, angle, field)
     end subroutine state_field
 
     !> Refuses points outside the body or too far away.
@@ -366,21 +360,16 @@ contains
         end do
     end subroutine normal_components
 
-    pure subroutine add_shear_components(depths, r, unit, sums, friction, field, angle)
+    pure subroutine add_shear_components(depths, r, unit, sums, friction, angle, field)
         type(depth_t), intent(in) :: depths(:)
-        real(wp), intent(in) :: r(:), unit, sums(:, :), friction
+        real(wp), intent(in) :: r(:), unit, sums(:, :), friction, angle(:)
         real(wp), intent(inout) :: field(:, :)
-        real(wp), intent(in), optional :: angle(:)
         real(wp) :: along, across
         integer :: i
 
-        along = friction
-        across = 0.0_wp
         do i = 1, size(r)
-            if (present(angle)) then
-                along = friction*cos(angle(i))
-                across = friction*sin(angle(i))
-            end if
+            along = friction*cos(angle(i))
+            across = friction*sin(angle(i))
             associate (s => sums(:, i), mu => depths(i)%shear, h => depths(i)%constants%h, c => depths(i)%constants%c, &
                        c66 => depths(i)%constants%c66)
                 field(i, u_r) = field(i, u_r) + along*unit*(s(1) + r(i)**2*s(7))/(4.0_wp*mu)
@@ -422,13 +411,12 @@ contains
     end function infinite_pressure
 
     !> Infinities where the pressure is infinite: the quadratures do not see them.
-    pure subroutine mark_singular(load, ratio, r, z, field, friction, angle)
+    pure subroutine mark_singular(load, ratio, r, z, friction, angle, field)
         class(load_t), intent(in) :: load
         !> see half_space_t
-        real(wp), intent(in) :: ratio(3), r(:), z(:)
+        real(wp), intent(in) :: ratio(3), r(:), z(:), friction, angle(:)
         real(wp), intent(inout) :: field(:, :)
-        real(wp), intent(in), optional :: friction, angle(:)
-        real(wp) :: pressure, azimuth, part
+        real(wp) :: pressure, part
         integer :: i, j
 
         do i = 1, size(r)
@@ -439,10 +427,7 @@ contains
                 part = ratio(merge(j - s_rr + 1, 3, r(i) > 0.0_wp))
                 if (abs(part) > 0.0_wp) field(i, j) = -sign(1.0_wp, part)*pressure
             end do
-            if (.not. present(friction)) cycle
-            azimuth = 0.0_wp
-            if (present(angle)) azimuth = angle(i)
-            call mark_sliding(friction, azimuth, pressure, r(i) == load%radius, field(i, :))
+            call mark_sliding(friction, angle(i), pressure, r(i) == load%radius, field(i, :))
         end do
     end subroutine mark_singular
 
