@@ -158,7 +158,7 @@ MUTATIONS = [
     ("field/transform.f90", "next = real(2*n - 1, wp)*over*here - below", "next = real(2*n + 1, wp)*over*here - below",
      "test_field_transform"),
     ("field/hankel.f90", "self%all_load(self%done + 1:self%done + n)", "self%all_load(1:n)", "test_field_layers"),
-    ("field/energy.f90", "weight(first:last), error)", "weight(:last - first + 1), error)", "test_field_layers"),
+    ("field/energy.f90", "weight(first:last))", "weight(:last - first + 1))", "test_field_layers"),
     ("medium/load.f90", "half%low = panel%low + 0.5_wp", "half%low = panel%low + 0.25_wp", "test_field_transform"),
     ("contact/loop.f90", "            if (from >= largest) first = entered\n", "", "c_loop"),
     ("lateral/section.f90", "rho >= norm2(centre) + maxval", "rho >= norm2(centre) + minval", "lateral_structures"),
