@@ -30,6 +30,10 @@
  * or a value out of its range, MDR_ENOMEMORY, MDR_ENOCONVERGENCE for a result outside the number range, and in long calls
  * MDR_ECANCELLED; only further codes, and further reasons, are listed with the functions.
  *
+ * @par Memory
+ * A call whose caller-sized data (points, layers, cells, files) do not fit into memory returns MDR_ENOMEMORY and changes nothing. What
+ * the library sizes itself, some MiB an object, is not checked: without memory for that the program ends.
+ *
  * @par Arrays
  * `n` is the number of elements of all arrays of the call; n = 0 is allowed, and then the arrays may be NULL. An
  * output array may be the input array itself; otherwise arrays must not overlap. Error messages count entries from 1,

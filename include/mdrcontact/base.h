@@ -41,7 +41,7 @@ enum mdr_status {
     MDR_EDOMAIN = 3,        /**< A point lies where the object is not defined (r > a, beyond the end of a table). */
     MDR_EUNREACHABLE = 4,   /**< No contact state has the requested depth, force or radius. */
     MDR_ENOCONVERGENCE = 5, /**< An iteration or refinement ended before it met its tolerance, or a result left the number range. */
-    MDR_ENOMEMORY = 6,      /**< Memory could not be allocated. */
+    MDR_ENOMEMORY = 6,      /**< The caller's data do not fit into memory. */
     MDR_ECALLBACK = 7,      /**< A user function reported a failure or gave NaN or infinity. */
     MDR_EFILE = 8,          /**< A file could not be read or written, or is damaged. */
     MDR_ECANCELLED = 9      /**< The function given to mdr_set_cancel() ended the call. */

@@ -4,18 +4,19 @@
 !> Its surface answers to a load with its compliance in Hankel space (mdrcontact_body_compliance, theory 6).
 !> Concrete bodies are made by their `new_...` procedures, keep their materials and never change afterwards.
 module mdrcontact_body
+    use mdrcontact_base_object, only: object_t, room
     use mdrcontact_base_parameter, only: parameter_t
     use mdrcontact_body_compliance, only: compliance_t
     use mdrcontact_body_layers, only: layers_t
-    use mdrcontact_error, only: check_memory, error_t
+    use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t
     implicit none (type, external)
     private
-    public :: body_t
+    public :: body_t, copy
 
     !> A body of which media are made: by a model (mdrcontact_model), or by its exact compliance. Its numbers are to be read only.
-    type, abstract :: body_t
+    type, abstract, extends(object_t) :: body_t
         !> E [modulus] and nu at the surface
         type(material_t) :: surface_material
         !> E0*, the contact modulus of the surface material [modulus]
@@ -45,11 +46,11 @@ module mdrcontact_body
         procedure :: parameters
         !> the same kind of body with other numbers
         procedure :: with_parameters
-        !> a copy, or error_memory; those with arrays that grow with a caller's data override it
-        procedure :: copy_to
-        !> makes the numbers that every body has those of another one
-        procedure, non_overridable :: take_numbers
     end type body_t
+
+    interface copy
+        module procedure copy_body
+    end interface copy
 
     abstract interface
         subroutine compliance_under(self, load, compliance, error)
@@ -106,34 +107,17 @@ contains
 
         associate (unused => values)
         end associate
-        call self%copy_to(body, error)
+        call copy(self, body, error)
     end subroutine with_parameters
 
-    subroutine copy_to(self, copy, error)
-        class(body_t), intent(in) :: self
-        class(body_t), allocatable, intent(out) :: copy
+    !> The same body; an error where there is no memory for it.
+    subroutine copy_body(from, to, error)
+        class(body_t), intent(in) :: from
+        class(body_t), allocatable, intent(out) :: to
         type(error_t), allocatable, intent(inout) :: error
-        integer :: stat
 
-        if (allocated(error)) return
-        allocate (copy, source=self, stat=stat)
-        call check_memory(error, stat)
-    end subroutine copy_to
-
-    pure subroutine take_numbers(self, other)
-        class(body_t), intent(inout) :: self
-        class(body_t), intent(in) :: other
-
-        self%surface_material = other%surface_material
-        self%surface_modulus = other%surface_modulus
-        self%long_wave_limit = other%long_wave_limit
-        self%first_depth = other%first_depth
-        self%last_depth = other%last_depth
-        self%softest = other%softest
-        self%stiffest = other%stiffest
-        self%is_graded = other%is_graded
-        self%is_plain = other%is_plain
-        self%slides = other%slides
-    end subroutine take_numbers
+        call room(from%bytes(), error)
+        if (.not. allocated(error)) allocate (to, source=from)
+    end subroutine copy_body
 
 end module mdrcontact_body

@@ -52,7 +52,7 @@ module mdrcontact_codes
     integer, parameter :: eunreachable = 4
     !> MDR_ENOCONVERGENCE. An iteration or refinement ended before it met its tolerance, or a result left the number range.
     integer, parameter :: enoconvergence = 5
-    !> MDR_ENOMEMORY. Memory could not be allocated.
+    !> MDR_ENOMEMORY. The caller's data do not fit into memory.
     integer, parameter :: enomemory = 6
     !> MDR_ECALLBACK. A user function reported a failure or gave NaN or infinity.
     integer, parameter :: ecallback = 7

@@ -1,13 +1,15 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> A medium: a body under a model, or two of them. Elastic bodies have a solver; one that relaxes has materials in its place.
 module mdrcontact_medium
+    use, intrinsic :: iso_fortran_env, only: int64
+    use mdrcontact_base_object, only: object_t, room
     use mdrcontact_base_parameter, only: parameter_t
     use mdrcontact_body, only: body_t
-    use mdrcontact_error, only: check_memory, error_invalid, error_t, raise
+    use mdrcontact_error, only: error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
     use mdrcontact_layered_shared, only: layered_shared_t
     use mdrcontact_medium_pair, only: new_pair
-    use mdrcontact_medium_power_graded, only: new_power_graded, power_graded_t
+    use mdrcontact_medium_power_graded, only: new_power_graded, power_graded_t, power_law_parameters
     use mdrcontact_medium_solver, only: solver_t
     use mdrcontact_medium_viscoelastic, only: viscoelastic_t
     use mdrcontact_model, only: constant_of, model_options_t, models, new_solver, with_constant
@@ -17,7 +19,7 @@ module mdrcontact_medium
     public :: medium_t, new_medium, new_pair, check_elastic, refuse_states
 
     !> Either a solver or a body that relaxes; both are to be read only.
-    type :: medium_t
+    type, extends(object_t) :: medium_t
         !> of an elastic body, or of two
         class(solver_t), allocatable :: solver
         !> the materials of a body that relaxes
@@ -31,8 +33,7 @@ module mdrcontact_medium
         procedure :: parameters
         !> the same kind of medium with other numbers
         procedure :: with_parameters
-        !> a copy, or error_memory
-        procedure :: copy_to
+        procedure :: bytes
     end type medium_t
 
     !> The medium of two bodies.
@@ -71,7 +72,8 @@ contains
         call check_elastic(upper, error)
         if (allocated(error)) return
         if (allocated(lower%relaxing) .and. upper%solver%is_rigid) then
-            call lower%copy_to(self, error)
+            call room(lower%bytes(), error)
+            if (.not. allocated(error)) self = lower
             return
         end if
         call check_elastic(lower, error)
@@ -92,17 +94,15 @@ contains
         end if
         if (.not. allocated(self%solver)) return
         if (self%solver%is_pair) return
-        select type (solver => self%solver)
-        class is (power_graded_t)
-            list = solver%parameters()
-        class default
+        associate (solver => self%solver)
+            if (allocated(solver%power_law)) list = power_law_parameters(solver%power_law)
             if (.not. allocated(solver%pressed)) return
             call solver%pressed%parameters(list)
             list = [list, constant_of(self%model, self%options)]
             if (.not. is_bare(solver%sheet)) list = [list, parameter_t("surface.tension", solver%sheet%tension), &
                                                      parameter_t("surface.bending", solver%sheet%bending), &
                                                      parameter_t("surface.stretching", solver%sheet%stretching)]
-        end select
+        end associate
     end subroutine parameters
 
     subroutine with_parameters(self, values, medium, error, shared)
@@ -116,18 +116,16 @@ contains
         type(power_graded_t) :: power_graded
 
         if (size(values) == 0) then
-            call self%copy_to(medium, error)
+            call room(self%bytes(), error)
+            if (.not. allocated(error)) medium = self
         else if (allocated(self%relaxing)) then
             allocate (medium%relaxing)
             call self%relaxing%with_parameters(values, medium%relaxing, error, shared)
+        else if (allocated(self%solver%power_law)) then
+            call new_power_graded(power_graded, values(1), values(2), values(3), values(4), error)
+            allocate (medium%solver, source=power_graded)
         else
-            select type (solver => self%solver)
-            class is (power_graded_t)
-                call new_power_graded(power_graded, values(1), values(2), values(3), values(4), error)
-                allocate (medium%solver, source=power_graded)
-            class default
-                call make_alike(self, values, shared, medium, error)
-            end select
+            call make_alike(self, values, shared, medium, error)
         end if
     end subroutine with_parameters
 
@@ -174,19 +172,13 @@ contains
                    "glassy or the relaxed material")
     end subroutine refuse_states
 
-    subroutine copy_to(self, copy, error)
+    pure recursive function bytes(self)
         class(medium_t), intent(in) :: self
-        type(medium_t), intent(inout) :: copy
-        type(error_t), allocatable, intent(inout) :: error
-        integer :: stat
+        integer(int64) :: bytes
 
-        if (allocated(error)) return
-        copy%model = self%model
-        copy%options = self%options
-        if (allocated(self%solver)) call self%solver%copy_to(copy%solver, error)
-        if (.not. allocated(self%relaxing)) return
-        allocate (copy%relaxing, source=self%relaxing, stat=stat)
-        call check_memory(error, stat)
-    end subroutine copy_to
+        bytes = 0
+        if (allocated(self%solver)) bytes = self%solver%bytes()
+        if (allocated(self%relaxing)) bytes = self%relaxing%bytes()
+    end function bytes
 
 end module mdrcontact_medium

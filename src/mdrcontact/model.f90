@@ -6,7 +6,7 @@
 module mdrcontact_model
     use, intrinsic :: iso_c_binding, only: c_double, c_int
     use mdrcontact_base_parameter, only: parameter_t
-    use mdrcontact_body, only: body_t
+    use mdrcontact_body, only: body_t, copy
     use mdrcontact_body_layers, only: layers_t
     use mdrcontact_codes, only: base_any, base_elastic, base_rigid, model_bec, model_dimitriadis, model_doerner_nix, model_exact, &
                                 model_gao, model_gao_power, model_gao_series, model_garcia, model_hay_crawford, &
@@ -201,7 +201,7 @@ contains
             call new_layered_medium(medium, body, model, chosen, error)
         end if
         if (allocated(error) .or. .not. allocated(medium)) return
-        if (.not. allocated(medium%pressed)) call body%copy_to(medium%pressed, error)
+        if (.not. allocated(medium%pressed)) call copy(body, medium%pressed, error)
     end subroutine new_solver
 
     !> A body under a surface that is not bare, solved exactly.

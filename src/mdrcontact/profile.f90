@@ -5,19 +5,20 @@
 !> integral, which each shape provides in closed form where there is one.
 !> Popov, Phys. Mesomech. 17 (2014) 50, equations (3) and (4).
 module mdrcontact_profile
+    use mdrcontact_base_object, only: object_t, room
     use mdrcontact_base_parameter, only: parameter_t
-    use mdrcontact_error, only: check_memory, error_t
+    use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
-    public :: profile_t, root_after, root_beyond
+    public :: copy, profile_t, root_after, root_beyond
 
     !> An axisymmetric indenter. Concrete shapes are made by their `new_...` procedures and never change afterwards: numbers
     !> are to be read only.
     !>
     !> The functions are elemental and do not check their argument: it must lie in [0, largest_radius],
     !> below the end where the profile ends in a vertical tangent (sphere). Beyond it they return NaN or are undefined.
-    type, abstract :: profile_t
+    type, abstract, extends(object_t) :: profile_t
         !> the largest radius at which the profile is defined [length]; huge() where there is no end
         real(wp) :: largest_radius = huge(1.0_wp)
         !> where g is singular at its end [length]: quadrature is refined towards it; huge() where it is not
@@ -61,9 +62,11 @@ module mdrcontact_profile
         procedure :: with_parameters
         !> puts these numbers into a copy of the shape
         procedure :: set => nothing
-        !> a copy, or error_memory; those with arrays that grow with a caller's data override it
-        procedure :: copy_to
     end type profile_t
+
+    interface copy
+        module procedure copy_profile
+    end interface copy
 
     abstract interface
         elemental function radial_function(self, x) result(y)
@@ -167,7 +170,7 @@ contains
         class(profile_t), allocatable, intent(out) :: profile
         type(error_t), allocatable, intent(inout) :: error
 
-        call self%copy_to(profile, error)
+        call copy(self, profile, error)
         if (.not. allocated(error)) call profile%set(values, error)
     end subroutine with_parameters
 
@@ -190,15 +193,15 @@ contains
         answer = size(exponents) > 0 .and. all(exponents == 2.0_wp)
     end function is_spherical
 
-    recursive subroutine copy_to(self, copy, error)
-        class(profile_t), intent(in) :: self
-        class(profile_t), allocatable, intent(out) :: copy
+    !> The same indenter; an error where there is no memory for it.
+    subroutine copy_profile(from, to, error)
+        class(profile_t), intent(in) :: from
+        class(profile_t), allocatable, intent(out) :: to
         type(error_t), allocatable, intent(inout) :: error
-        integer :: stat
 
-        allocate (copy, source=self, stat=stat)
-        call check_memory(error, stat)
-    end subroutine copy_to
+        call room(from%bytes(), error)
+        if (.not. allocated(error)) allocate (to, source=from)
+    end subroutine copy_profile
 
     !> sqrt(x^2 - b^2) without cancellation, 0 for x <= b: the root that every flat end and tangent point brings into g(x).
     elemental function root_beyond(x, b) result(root)

@@ -1,8 +1,11 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * One large request for memory is refused, each in turn: the call must say so, or do without. This program brings its own malloc
- * and realloc. Each trial is a process of its own, since the run-time system of Fortran ends one that allocates without a status: where
- * the library still does, the number of such requests is known here and must not grow.
+ * One large request for memory is refused, each in turn: the call must say so, or do without. This program brings its own malloc,
+ * realloc and free. Each trial is a process of its own, since the run-time system of Fortran ends one that allocates without a status:
+ * where the library still does, the number of such requests is known here and must not grow.
+ *
+ * Before it copies an object, the library allocates as much as the copy takes and frees it again. What was free then is there for the
+ * requests that follow: no other thread takes it here.
  */
 #define _GNU_SOURCE
 #include "check.h"
@@ -12,20 +15,42 @@
 
 void *__libc_malloc(size_t size);
 void *__libc_realloc(void *old, size_t size);
+void __libc_free(void *block);
 
 enum { LARGE = 65536, POINTS = 8500, ROWS = 100, GRADES = 400, LAYERS = 3000, NUMBERS = 14, SURVIVED = 42 };
 
 /* Large requests so far, and which one is refused; 0: none. */
 static int requests, refused;
+/* What the latest large request got, and what was freed at once after one and is not used up. */
+static void *latest;
+static size_t latest_size, tried;
 
 static int is_refused(size_t size)
 {
-    return size >= LARGE && ++requests == refused;
+    if (size < LARGE) return 0;
+    latest = NULL;
+    if (size <= tried) {
+        tried -= size;
+        return 0;
+    }
+    tried = 0;
+    return ++requests == refused;
 }
 
 void *malloc(size_t size)
 {
-    return is_refused(size) ? NULL : __libc_malloc(size);
+    void *block;
+
+    if (is_refused(size)) return NULL;
+    block = __libc_malloc(size);
+    if (size >= LARGE) latest = block, latest_size = size;
+    return block;
+}
+
+void free(void *block)
+{
+    if (block != NULL && block == latest) tried = latest_size, latest = NULL;
+    __libc_free(block);
 }
 
 void *realloc(void *old, size_t size)
@@ -383,6 +408,8 @@ static int dies(int (*call)(void), int number, int *count)
         int status;
         if (freopen("/dev/null", "w", stderr) == NULL) _exit(1);
         requests = 0;
+        tried = 0;
+        latest = NULL;
         refused = number;
         status = call();
         refused = 0;

@@ -7,7 +7,7 @@ module mdrcontact_api_profile_data
     use mdrcontact_api_handles, only: hand_over
     use mdrcontact_api_open_handle, only: open_handle
     use mdrcontact_error, only: check_code, check_memory, error_invalid, error_t, raise, raise_at
-    use mdrcontact_profile, only: profile_t
+    use mdrcontact_profile, only: copy, profile_t
     use mdrcontact_profile_area_function, only: area_function_t, new_area_function_profile
     use mdrcontact_profile_sampled, only: sampled_profile_t
     use mdrcontact_profile_sum, only: new_profile_sum, profile_sum_t, profile_term_t
@@ -117,7 +117,7 @@ contains
                 call raise_at(error, i)
                 return
             end if
-            call term%copy_to(copies(i)%profile, error)
+            call copy(term, copies(i)%profile, error)
             if (allocated(error)) return
         end do
     end subroutine copy_terms

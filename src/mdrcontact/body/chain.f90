@@ -2,6 +2,8 @@
 !> The surface compliance of layers, and of what lies between them, on a half-space or a rigid base (theory 6), for real elastic
 !> constants and for the complex ones of an oscillation or of a Laplace transform.
 module mdrcontact_body_chain
+    use, intrinsic :: iso_fortran_env, only: int64
+    use mdrcontact_base_object, only: real_bytes
     use mdrcontact_body_compliance, only: plane_compliance_t
     use mdrcontact_body_elements_element, only: element_t
     use mdrcontact_body_elements_interface, only: bond_t, interface_t, new_interface
@@ -48,6 +50,7 @@ module mdrcontact_body_chain
         procedure :: chi_across
         procedure :: matrices
         procedure :: key
+        procedure :: bytes
     end type chain_t
 
 contains
@@ -100,6 +103,18 @@ contains
         if (self%is_film) self%film = new_film(moduli(1)%poisson, moduli(2)%poisson, contrast)
         call take_numbers(self, thickness, moduli, below, error)
     end subroutine new_chain
+
+    pure recursive function bytes(self)
+        class(chain_t), intent(in) :: self
+        integer(int64) :: bytes
+        integer :: i
+
+        bytes = storage_size(self%links)/8*size(self%links, kind=int64)
+        do i = 1, size(self%links)
+            bytes = bytes + storage_size(self%links(i)%element)/8
+        end do
+        if (allocated(self%numbers)) bytes = bytes + real_bytes*size(self%numbers)
+    end function bytes
 
     !> What the surface compliance takes of the series of transfer matrices above the base.
     pure subroutine add_series(self)

@@ -8,6 +8,7 @@
 !>     chi_t = [(1 - nu0) chi_L + chi_T]/(2 - nu0)   and   chi_T.
 !> sigma and chi are analytic in a sector around the positive k axis.
 module mdrcontact_body_compliance
+    use mdrcontact_base_object, only: object_t
     use mdrcontact_codes, only: normal_load => load_normal, shear_load => load_shear, twist_load => load_twist
     use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: wp
@@ -20,7 +21,7 @@ module mdrcontact_body_compliance
     integer, parameter :: along = 1, normal_to = 2
 
     !> The compliance under one load. Its numbers are to be read only.
-    type, abstract :: compliance_t
+    type, abstract, extends(object_t) :: compliance_t
         !> S0 [modulus]
         complex(wp) :: scale = 1.0_wp
         !> sigma(0): 0 on a rigid base [1]

@@ -1,8 +1,10 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> A body with E(z) and nu(z) varying with depth: its constants at any depth, and sublayers that thin towards the surface.
 module mdrcontact_body_graded
+    use, intrinsic :: iso_fortran_env, only: int64
+    use mdrcontact_base_object, only: real_bytes
     use mdrcontact_base_parameter, only: nature_poisson, parameter_t
-    use mdrcontact_body, only: body_t
+    use mdrcontact_body, only: body_t, copy
     use mdrcontact_body_compliance, only: compliance_t, normal_load
     use mdrcontact_body_gradation, only: gradation_t, new_gradation, nodes
     use mdrcontact_body_layers, only: layers_t
@@ -12,7 +14,6 @@ module mdrcontact_body_graded
     use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t
-    use mdrcontact_numerics_copy, only: copy_array
     use mdrcontact_numerics_quadrature, only: merge_breaks, new_antiderivative
     use mdrcontact_numerics_sampled_function, only: new_sampled_function, sampled_function_t
     use mdrcontact_numerics_scalar_function, only: scalar_function_t, watched_function_t
@@ -42,7 +43,7 @@ module mdrcontact_body_graded
         procedure :: sublayers
         procedure :: parameters
         procedure :: with_parameters
-        procedure :: copy_to
+        procedure :: bytes
     end type graded_body_t
 
 contains
@@ -105,13 +106,21 @@ contains
         type(graded_body_t), allocatable :: graded
 
         if (.not. allocated(self%z)) then
-            call self%copy_to(body, error)
+            call copy(self, body, error)
             return
         end if
         allocate (graded)
         call new_graded_body(graded, values(1::3), values(2::3), values(3::3), error)
         call move_alloc(graded, body)
     end subroutine with_parameters
+
+    pure recursive function bytes(self)
+        class(graded_body_t), intent(in) :: self
+        integer(int64) :: bytes
+
+        bytes = real_bytes*size(self%ends)
+        if (allocated(self%z)) bytes = bytes + 3*real_bytes*size(self%z)
+    end function bytes
 
     !> E(z) and nu(z) as functions on 0 < z <= depth, constant below. They are called here and never again.
     subroutine new_graded_body_from_functions(self, young, poisson, depth, error)
@@ -238,26 +247,6 @@ contains
         end do
     end subroutine constants_in
 
-    subroutine copy_to(self, copy, error)
-        class(graded_body_t), intent(in) :: self
-        class(body_t), allocatable, intent(out) :: copy
-        type(error_t), allocatable, intent(inout) :: error
-        type(graded_body_t), allocatable :: own
-
-        allocate (own)
-        call own%take_numbers(self)
-        call copy_array(self%z, own%z, error)
-        call copy_array(self%young, own%young, error)
-        call copy_array(self%poisson, own%poisson, error)
-        call copy_array(self%ends, own%ends, error)
-        if (allocated(self%young_of)) then
-            allocate (own%young_of, own%poisson_of)
-            call self%young_of%copy_to(own%young_of, error)
-            call self%poisson_of%copy_to(own%poisson_of, error)
-        end if
-        call move_alloc(own, copy)
-    end subroutine copy_to
-
     subroutine surface_compliance(self, load, compliance, error)
         class(graded_body_t), intent(in) :: self
         integer, intent(in) :: load
@@ -283,6 +272,7 @@ contains
         if (load == normal_load) own%at_zero = self%long_wave_limit
         call move_alloc(own, compliance)
     end subroutine surface_compliance
+
     !> None.
     pure subroutine sublayers(self, layers, error)
         class(graded_body_t), intent(in) :: self

@@ -1,6 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> A stack of layers on an elastic half-space or a rigid base, bonded or held by springs, as a surface compliance (theory 6).
 module mdrcontact_body_stack
+    use, intrinsic :: iso_fortran_env, only: int64
     use mdrcontact_base_parameter, only: append, nature_signed, parameter_t, prefixed
     use mdrcontact_body, only: body_t
     use mdrcontact_body_chain, only: chain_t, new_chain
@@ -12,7 +13,6 @@ module mdrcontact_body_stack
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t, moduli_t
     use mdrcontact_material_transverse, only: transverse_t
-    use mdrcontact_numerics_copy, only: copy_array
     use mdrcontact_numerics_quadrature, only: merge_breaks
     implicit none (type, external)
     private
@@ -37,7 +37,7 @@ module mdrcontact_body_stack
         procedure :: add_breaks
         procedure :: parameters
         procedure :: with_parameters
-        procedure :: copy_to
+        procedure :: bytes
     end type stack_t
 
     !> Numbers of a layer behind those of its material: thickness, prestress, K_n and K_t.
@@ -214,26 +214,13 @@ contains
         call move_alloc(stack, body)
     end subroutine with_parameters
 
-    subroutine copy_to(self, copy, error)
+    pure recursive function bytes(self)
         class(stack_t), intent(in) :: self
-        class(body_t), allocatable, intent(out) :: copy
-        type(error_t), allocatable, intent(inout) :: error
-        type(stack_t), allocatable :: own
-        integer :: stat
+        integer(int64) :: bytes
 
-        allocate (own)
-        call own%take_numbers(self)
-        own%substrate = self%substrate
-        own%rigid_base = self%rigid_base
-        call copy_array(self%thickness, own%thickness, error)
-        if (allocated(error)) return
-        allocate (own%layers(size(self%layers)), own%bonds(size(self%layers)), stat=stat)
-        call check_memory(error, stat)
-        if (stat /= 0) return
-        own%layers(:) = self%layers
-        own%bonds(:) = self%bonds
-        call move_alloc(own, copy)
-    end subroutine copy_to
+        bytes = (storage_size(self%layers) + storage_size(self%thickness) + storage_size(self%bonds))/8 &
+                *size(self%layers, kind=int64)
+    end function bytes
 
     pure function same(one, other) result(answer)
         type(material_t), intent(in) :: one, other

@@ -4,16 +4,18 @@
 !> With adhesion the edge springs are drawn by dl(a): d = d0(a) - dl(a), F = F0(a) - k(a) dl(a), d0 and F0 those of the non-adhesive
 !> state. With a zeta(a) the depth is zeta(a) g(a), equation (9).
 module mdrcontact_contact_equilibrium
+    use, intrinsic :: iso_fortran_env, only: int64
     use mdrcontact_base_nonfinite, only: is_finite
+    use mdrcontact_base_object, only: object_t
     use mdrcontact_codes, only: adhesion_automatic, adhesion_energy, adhesion_paper
     use mdrcontact_contact_cohesion, only: cohesion_t
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_contact_scaled_profile, only: new_scaled_profile, scaled_profile_t
     use mdrcontact_error, only: error_domain, error_invalid, error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: pi, wp
-    use mdrcontact_medium_solver, only: solver_t, reason_length
+    use mdrcontact_medium_solver, only: copy, reason_length, solver_t
     use mdrcontact_numerics_radius_law, only: interpolation_roughness, radius_law_t
-    use mdrcontact_profile, only: profile_t
+    use mdrcontact_profile, only: copy, profile_t
     implicit none (type, external)
     private
     public :: equilibrium_t, new_equilibrium, unstable_range_t
@@ -31,7 +33,7 @@ module mdrcontact_contact_equilibrium
     end type unstable_range_t
 
     !> What determines a state once the contact radius is known.
-    type :: equilibrium_t
+    type, extends(object_t) :: equilibrium_t
         !> with zeta g for g where a zeta is given
         class(profile_t), allocatable :: profile
         class(solver_t), allocatable :: medium
@@ -56,7 +58,7 @@ module mdrcontact_contact_equilibrium
         procedure :: radius_of
         procedure :: coordinate_of
         procedure :: why_it_ends
-        procedure :: copy_to
+        procedure :: bytes
     end type equilibrium_t
 
 contains
@@ -87,7 +89,7 @@ contains
                        ", is larger than the largest contact radius of the medium, "//to_text(medium%largest_radius))
             return
         end if
-        call medium%copy_to(self%medium, error)
+        call copy(medium, self%medium, error)
         if (allocated(error)) return
         self%last_radius = largest_contact_radius(profile, medium)
         self%is_formula = medium%is_formula
@@ -107,24 +109,15 @@ contains
                 return
             end if
         end if
-        call profile%copy_to(self%profile, error)
+        call copy(profile, self%profile, error)
     end subroutine new_equilibrium
 
-    subroutine copy_to(self, copy, error)
+    pure recursive function bytes(self)
         class(equilibrium_t), intent(in) :: self
-        type(equilibrium_t), intent(inout) :: copy
-        type(error_t), allocatable, intent(inout) :: error
+        integer(int64) :: bytes
 
-        call self%profile%copy_to(copy%profile, error)
-        if (.not. allocated(error)) call self%medium%copy_to(copy%medium, error)
-        copy%work_of_adhesion = self%work_of_adhesion
-        copy%rule = self%rule
-        if (allocated(self%cohesion)) copy%cohesion = self%cohesion
-        copy%last_radius = self%last_radius
-        copy%is_formula = self%is_formula
-        copy%roughness = self%roughness
-        if (allocated(self%unstable_ranges)) copy%unstable_ranges = self%unstable_ranges
-    end subroutine copy_to
+        bytes = self%profile%bytes() + self%medium%bytes()
+    end function bytes
 
     subroutine check_zeta(profile, medium, zeta, error)
         class(profile_t), intent(in) :: profile

@@ -1,10 +1,11 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> An indenter whose depth is corrected, d = zeta(a) g(a), equation (9): zeta g stands for g in all that follows from it.
 module mdrcontact_contact_scaled_profile
+    use, intrinsic :: iso_fortran_env, only: int64
     use mdrcontact_base_nonfinite, only: quiet_nan
+    use mdrcontact_base_object, only: real_bytes, room
     use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_kinds, only: wp
-    use mdrcontact_numerics_copy, only: copy_array
     use mdrcontact_numerics_quadrature, only: gauss_legendre, graded_edges, merge_breaks
     use mdrcontact_numerics_radius_law, only: radius_law_t
     use mdrcontact_profile, only: profile_t
@@ -32,7 +33,7 @@ module mdrcontact_contact_scaled_profile
         procedure :: mdr_moment
         procedure :: add_breaks
         procedure :: radius_from_mdr
-        procedure :: copy_to
+        procedure :: bytes
     end type scaled_profile_t
 
 contains
@@ -46,9 +47,10 @@ contains
         real(wp), allocatable :: breaks(:)
         integer :: i, stat
 
-        call profile%copy_to(self%profile, error)
-        if (.not. allocated(error)) call zeta%copy_to(self%zeta, error)
+        call room(profile%bytes() + zeta%bytes(), error)
         if (allocated(error)) return
+        allocate (self%profile, source=profile)
+        self%zeta = zeta
         self%largest_radius = profile%largest_radius
         self%singular_radius = profile%singular_radius
         self%end_radius = profile%end_radius
@@ -175,25 +177,12 @@ contains
         call self%zeta%add_breaks(radii, error)
     end subroutine add_breaks
 
-    recursive subroutine copy_to(self, copy, error)
+    pure recursive function bytes(self)
         class(scaled_profile_t), intent(in) :: self
-        class(profile_t), allocatable, intent(out) :: copy
-        type(error_t), allocatable, intent(inout) :: error
-        type(scaled_profile_t), allocatable :: own
+        integer(int64) :: bytes
 
-        allocate (own)
-        own%largest_radius = self%largest_radius
-        own%singular_radius = self%singular_radius
-        own%end_radius = self%end_radius
-        own%has_wall = self%has_wall
-        own%t = self%t
-        own%w = self%w
-        call self%profile%copy_to(own%profile, error)
-        if (.not. allocated(error)) call self%zeta%copy_to(own%zeta, error)
-        call copy_array(self%radii, own%radii, error)
-        call copy_array(self%moments, own%moments, error)
-        call move_alloc(own, copy)
-    end subroutine copy_to
+        bytes = self%profile%bytes() + self%zeta%bytes() + 2*real_bytes*size(self%radii)
+    end function bytes
 
     pure function radius_from_mdr(self, depth) result(radius)
         class(scaled_profile_t), intent(in) :: self

@@ -4,12 +4,13 @@
 !> The vector is [indenter, medium, counterbody, instrument]. Objects say which numbers they have; trials are objects like them with
 !> other numbers.
 module mdrcontact_fit_body
+    use mdrcontact_base_object, only: room
     use mdrcontact_base_parameter, only: parameter_t, prefixed
     use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_layered_shared, only: layered_shared_t
     use mdrcontact_medium, only: medium_t, new_pair
-    use mdrcontact_profile, only: profile_t
+    use mdrcontact_profile, only: copy, profile_t
     implicit none (type, external)
     private
     public :: fit_body_t, new_fit_body, make_body
@@ -41,15 +42,16 @@ contains
         type(medium_t), intent(in), optional :: counterbody
         type(parameter_t), allocatable :: of_medium(:), of_counterbody(:)
 
-        call profile%copy_to(self%profile, error)
-        allocate (self%medium)
-        call medium%copy_to(self%medium, error)
+        call room(profile%bytes() + medium%bytes(), error)
+        if (present(counterbody)) call room(counterbody%bytes(), error)
+        if (allocated(error)) return
+        allocate (self%profile, source=profile)
+        allocate (self%medium, source=medium)
         call profile%parameters(self%parameters)
         call medium%parameters(of_medium)
         allocate (of_counterbody(0))
         if (present(counterbody)) then
-            allocate (self%counterbody)
-            call counterbody%copy_to(self%counterbody, error)
+            allocate (self%counterbody, source=counterbody)
             call counterbody%parameters(of_counterbody)
         end if
         self%of_indenter = size(self%parameters)
@@ -76,7 +78,7 @@ contains
             call self%profile%with_parameters(values(:n), profile, error)
         else
             ! a tip that stays as it is need not be sampled anew
-            call self%profile%copy_to(profile, error)
+            call copy(self%profile, profile, error)
         end if
         if (allocated(error)) return
         if (.not. allocated(self%counterbody)) then

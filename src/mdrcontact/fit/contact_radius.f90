@@ -2,13 +2,12 @@
 !> The contact radius behind readings of depth, force and stiffness: that at which the surface sinks in as far as the body under
 !> the tip lets it, f(a) = c (h - sigma(a) P/S).
 module mdrcontact_fit_contact_radius
-    use mdrcontact_error, only: error_domain, error_t, raise, to_text
+    use mdrcontact_error, only: check_memory, error_domain, error_t, raise, to_text
     use mdrcontact_fit_problem, only: at_area_factor, at_contact_depth_factor, at_contact_depth_scale, at_depth_offset, &
                                       at_force_offset, at_frame_compliance, fit_data_t
     use mdrcontact_fit_sink_in, only: new_sink_in, sink_in_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_medium_solver, only: solver_t
-    use mdrcontact_numerics_copy, only: copy_array
     use mdrcontact_numerics_roots, only: find_root, solve_increasing
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
     use mdrcontact_profile, only: profile_t
@@ -81,10 +80,10 @@ contains
         type(readings_t), intent(out) :: readings
         type(error_t), allocatable, intent(out) :: error
         real(wp) :: load, compliance
-        integer :: i
+        integer :: i, stat
 
-        call copy_array(data%x, readings%depth, error)
-        call copy_array(data%x, readings%recovery, error)
+        allocate (readings%depth(size(data%x)), readings%recovery(size(data%x)), stat=stat)
+        call check_memory(error, stat)
         if (allocated(error)) return
         do i = 1, size(data%x)
             load = data%given(i) - instrument(at_force_offset)
@@ -126,9 +125,10 @@ contains
         real(wp), allocatable, intent(in) :: height(:)
         real(wp), allocatable, intent(out) :: a(:)
         type(error_t), allocatable, intent(out) :: error
-        integer :: i
+        integer :: i, stat
 
-        call copy_array(height, a, error)
+        allocate (a(size(height)), stat=stat)
+        call check_memory(error, stat)
         if (allocated(error)) return
         do i = 1, size(a)
             if (.not. height(i) > 0.0_wp) then
@@ -155,12 +155,13 @@ contains
         type(sink_in_t), target :: sink_in
         type(balance_t) :: balance
         real(wp) :: smallest, largest, end_of_tip
-        integer :: i, range, side
+        integer :: i, range, side, stat
 
         ! the first point begins at its depth as a radius
-        call copy_array(readings%depth, a, error)
-        call copy_array(data%x, modulus, error)
-        if (allocated(error)) return
+        allocate (a(size(data%x)), modulus(size(data%x)), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
+        a(:) = readings%depth
         balance%profile => profile
         balance%sink_in => sink_in
         balance%scale = instrument(at_contact_depth_scale)

@@ -3,6 +3,7 @@
 !> of squares rises by its quantile.
 module mdrcontact_fit_interval
     use, intrinsic :: iso_c_binding, only: c_double
+    use mdrcontact_base_object, only: room
     use mdrcontact_base_nonfinite, only: infinity, is_finite
     use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_error, only: check_memory, count_text, error_invalid, error_memory, error_no_convergence, error_t, raise, to_text
@@ -99,8 +100,9 @@ contains
         ! correlated residuals weigh less than so many independent ones
         threshold = threshold*fit%widening(i)
         ! the noise stays that of the best fit
-        call data%copy_to(weighted, error)
+        call room(data%bytes(), error)
         if (allocated(error)) return
+        weighted = data
         if (.not. allocated(weighted%sd)) then
             allocate (weighted%sd(size(data%x)), stat=stat)
             call check_memory(error, stat)

@@ -24,7 +24,6 @@ module mdrcontact_fit_predict
     use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous_from_modulus
     use mdrcontact_medium_pair, only: new_pair
     use mdrcontact_profile, only: profile_t
-    use mdrcontact_numerics_copy, only: copy_array
     use mdrcontact_numerics_radius_law, only: new_radius_law_from_function, radius_law_t
     implicit none (type, external)
     private
@@ -83,7 +82,7 @@ contains
         type(medium_t) :: pressed
         class(solver_t), allocatable, target :: medium
         real(wp), allocatable :: modulus(:)
-        integer :: n
+        integer :: n, stat
 
         y = 0.0_wp
         n = size(problem%body%parameters)
@@ -104,8 +103,9 @@ contains
             if (problem%data_kind == data_stiffness_depth) then
                 call contact_radii(profile, medium, instrument, problem%is_elastic, data, a, modulus, error)
             else
-                call copy_array(data%x, a, error)
-                if (.not. allocated(error)) a(:) = a*sqrt(instrument(at_area_factor))
+                allocate (a(size(data%x)), stat=stat)
+                call check_memory(error, stat)
+                if (stat == 0) a(:) = data%x*sqrt(instrument(at_area_factor))
             end if
             if (.not. (allocated(error) .or. allocated(modulus))) call sampled_moduli(medium, a, modulus, error)
             if (allocated(error)) return

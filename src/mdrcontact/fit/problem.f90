@@ -1,7 +1,9 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> What is fitted to what: the parameters of indenter, medium and instrument, and the measured data.
 module mdrcontact_fit_problem
+    use, intrinsic :: iso_fortran_env, only: int64
     use mdrcontact_base_nonfinite, only: infinity, is_finite, is_nan
+    use mdrcontact_base_object, only: object_t, real_bytes
     use mdrcontact_base_parameter, only: nature_not_negative, nature_signed, parameter_t
     use mdrcontact_codes, only: data_depth_time => fit_depth_time, data_dynamic_stiffness => fit_dynamic_stiffness, &
                                 data_force_depth => fit_force_depth, data_force_time => fit_force_time, &
@@ -9,13 +11,12 @@ module mdrcontact_fit_problem
                                 data_stiffness_radius => fit_stiffness_radius, loss_cauchy => fit_cauchy, loss_huber => fit_huber, &
                                 loss_linear => fit_linear, part_loss => loss, part_storage => storage
     use mdrcontact_contact_equilibrium, only: adhesion_automatic
-    use mdrcontact_error, only: check_code, check_count_from, check_finite, check_not_negative, check_positive, count_text, &
-                                error_invalid, error_t, raise, to_text
+    use mdrcontact_error, only: check_code, check_count_from, check_finite, check_memory, check_not_negative, check_positive, &
+                                count_text, error_invalid, error_t, raise, to_text
     use mdrcontact_contact, only: on_loading, on_unloading
     use mdrcontact_fit_order, only: ascending
     use mdrcontact_fit_body, only: fit_body_t
     use mdrcontact_kinds, only: wp
-    use mdrcontact_numerics_copy, only: copy_array
     implicit none (type, external)
     private
     public :: fit_problem_t, fit_parameter_t, fit_data_t, check_problem, check_data, check_points, problem_parameters, &
@@ -86,7 +87,7 @@ module mdrcontact_fit_problem
     end type fit_problem_t
 
     !> Measured points, in any order.
-    type :: fit_data_t
+    type, extends(object_t) :: fit_data_t
         !> d or a [length], time or angular frequency [1/time]
         real(wp), allocatable :: x(:)
         !> F, k, E_eff or d, same size
@@ -99,7 +100,7 @@ module mdrcontact_fit_problem
         !> data_dynamic_stiffness part_storage or part_loss
         integer, allocatable :: branch(:)
     contains
-        procedure :: copy_to => copy_data
+        procedure :: bytes
     end type fit_data_t
 
 contains
@@ -142,13 +143,15 @@ contains
         integer, allocatable, intent(out) :: order(:)
         type(error_t), allocatable, intent(inout) :: error
         integer, allocatable :: by_x(:)
-        integer :: i, branch, count
+        integer :: i, branch, count, stat
 
         if (allocated(error)) return
         call ascending(self%x, order, error)
         if (allocated(error) .or. .not. allocated(self%branch)) return
-        call copy_array(order, by_x, error)
+        allocate (by_x(size(order)), stat=stat)
+        call check_memory(error, stat)
         if (allocated(error)) return
+        by_x(:) = order
         count = 0
         do branch = on_loading, on_unloading
             do i = 1, size(by_x)
@@ -159,18 +162,13 @@ contains
         end do
     end subroutine ascending_points
 
-    !> A copy, with a status for its memory.
-    pure subroutine copy_data(self, copy, error)
+    !> What a copy takes at most.
+    pure recursive function bytes(self)
         class(fit_data_t), intent(in) :: self
-        type(fit_data_t), intent(out) :: copy
-        type(error_t), allocatable, intent(inout) :: error
+        integer(int64) :: bytes
 
-        call copy_array(self%x, copy%x, error)
-        call copy_array(self%y, copy%y, error)
-        call copy_array(self%given, copy%given, error)
-        call copy_array(self%sd, copy%sd, error)
-        call copy_array(self%branch, copy%branch, error)
-    end subroutine copy_data
+        bytes = 5*real_bytes*size(self%x)
+    end function bytes
 
     !> Raises unless the problem is well-formed.
     subroutine check_problem(self, error)

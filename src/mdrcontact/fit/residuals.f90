@@ -1,6 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The residuals of a fit: data in their standard deviations, bent by the loss, and below them what was known beforehand.
 module mdrcontact_fit_residuals
+    use mdrcontact_base_object, only: room
     use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_fit_least_squares, only: residuals_t
     use mdrcontact_fit_predict, only: predict
@@ -169,8 +170,9 @@ contains
         real(wp), allocatable :: below(:), above(:), step(:)
         integer :: n, stat
 
-        call self%data%copy_to(shifted, error)
+        call room(self%data%bytes(), error)
         if (allocated(error)) return
+        shifted = self%data
         n = size(self%data%x)
         allocate (below(n), above(n), step(n), stat=stat)
         call check_memory(error, stat)

@@ -13,7 +13,7 @@ module mdrcontact_history_cohesive_march
     use mdrcontact_kinds, only: half_pi, pi, wp
     use mdrcontact_material_prony, only: creep_t
     use mdrcontact_numerics_quadrature, only: gauss_legendre
-    use mdrcontact_profile, only: profile_t
+    use mdrcontact_profile, only: copy, profile_t
     implicit none (type, external)
     private
     public :: cohesive_march_t, start_march, rest_march, step_march, step_apart, jump_march, mark_edges, first_attraction
@@ -85,7 +85,7 @@ contains
         real(wp), intent(in) :: stress, range, last_radius
         type(error_t), allocatable, intent(inout) :: error
 
-        call profile%copy_to(self%profile, error)
+        call copy(profile, self%profile, error)
         if (.not. allocated(error)) call new_spring_step(self%springs, creep, 2.0_wp*stress, error)
         if (.not. allocated(error)) call gauss_legendre(self%node, self%weight, error)
         if (allocated(error)) return

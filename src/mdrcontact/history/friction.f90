@@ -8,6 +8,7 @@
 !> radius give all. Nothing is neglected then: torsion moves neither the pressure nor anything that varies around the axis.
 module mdrcontact_history_friction
     use, intrinsic :: iso_c_binding, only: c_double
+    use mdrcontact_base_object, only: room
     use mdrcontact_body_compliance, only: shear_load
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_state, only: contact_state_t
@@ -111,9 +112,11 @@ contains
                        "rim of an adhesive contact is under tension; set work_of_adhesion = 0")
         end if
         if (allocated(error)) return
-        call contact%equilibrium%copy_to(self%contact%equilibrium, error)
+        call room(contact%equilibrium%bytes(), error)
+        if (allocated(error)) return
+        self%contact%equilibrium = contact%equilibrium
         self%coefficient = coefficient
-        if (.not. allocated(error)) call new_under(contact%equilibrium%medium, shear_load, self%tangential, error)
+        call new_under(contact%equilibrium%medium, shear_load, self%tangential, error)
     end subroutine new_friction
 
     !> What happens to a normal state as its indenter is displaced along the surface.

@@ -1,6 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> A contact with friction along any path of normal and tangential loading, with the memory of where it has slipped (theory 10).
 module mdrcontact_history_friction_history
+    use mdrcontact_base_object, only: real_bytes, room
     use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_codes, only: given_shift => shift, given_tangential_force => tangential_force
     use mdrcontact_contact_state, only: contact_state_t
@@ -11,7 +12,6 @@ module mdrcontact_history_friction_history
     use mdrcontact_history_friction_rings, only: new_ring_grid, ring_grid_t, rings_t
     use mdrcontact_history_friction_springs, only: radius_at, springs_t
     use mdrcontact_kinds, only: wp
-    use mdrcontact_numerics_copy, only: copy_array
     use mdrcontact_numerics_roots, only: find_root
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
     implicit none (type, external)
@@ -177,10 +177,8 @@ contains
         other%modulus = self%modulus
         other%past = self%past
         if (.not. allocated(self%grid)) return
-        allocate (other%grid)
-        other%grid%radii = self%grid%radii
-        other%grid%largest_depth = self%grid%largest_depth
-        call copy_array(self%grid%products, other%grid%products, error)
+        call room(real_bytes*size(self%grid%products), error)
+        if (.not. allocated(error)) other%grid = self%grid
     end subroutine copy
 
     !> T, what is dissipated and the radius of stick of a step.

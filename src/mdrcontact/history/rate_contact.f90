@@ -4,6 +4,7 @@
 !> At one contact radius all states differ by the flat punch's: d = d0(a) - e, F = F0(a) - k(a) e, and the energy release rate is
 !> G = (e/D(a))^2, D the opening dl(a) at a work of adhesion of 1. What a machine controls, s = w_d d + w_F F, determines e.
 module mdrcontact_history_rate_contact
+    use mdrcontact_base_object, only: room
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_control, only: control_t
     use mdrcontact_contact_curve, only: curve_t, new_curve
@@ -23,7 +24,7 @@ module mdrcontact_history_rate_contact
     !> The edge is followed down to this part of the radius at which adhesion hands over to elasticity, or of the largest.
     real(wp), parameter :: smallest_part = 1.0e-3_wp
     !> Step in ln a in search of the handover; what is sampled beyond both ends, as stages of a step may lie there.
-    real(wp), parameter :: stride = 0.7_wp, room = 0.7_wp
+    real(wp), parameter :: stride = 0.7_wp, margin = 0.7_wp
     integer, parameter :: most_strides = 60
 
     !> Samples and law. Any number of threads may share it.
@@ -87,8 +88,9 @@ contains
                        "speed: the edge has no range")
         end if
         if (allocated(error)) return
-        call contact%equilibrium%copy_to(equilibrium, error)
+        call room(contact%equilibrium%bytes(), error)
         if (allocated(error)) return
+        equilibrium = contact%equilibrium
         equilibrium%work_of_adhesion = 1.0_wp
         call check_profile(equilibrium, largest_radius, error)
         if (allocated(error)) return
@@ -105,8 +107,8 @@ contains
                        ", but the medium is defined from "//to_text(equilibrium%medium%smallest_radius)//" on", "smallest_radius")
             return
         end if
-        from = max(self%first - room, equilibrium%coordinate_of(equilibrium%medium%smallest_radius))
-        to = min(self%last + room, equilibrium%coordinate_of(equilibrium%last_radius))
+        from = max(self%first - margin, equilibrium%coordinate_of(equilibrium%medium%smallest_radius))
+        to = min(self%last + margin, equilibrium%coordinate_of(equilibrium%last_radius))
         call coordinates_between(equilibrium, from, to, coordinates, error)
         if (.not. allocated(error)) call new_curve(self%curve, equilibrium, coordinates, tolerance, error)
     end subroutine new_rate_contact

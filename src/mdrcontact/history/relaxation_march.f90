@@ -12,7 +12,7 @@ module mdrcontact_history_relaxation_march
     use mdrcontact_history_relaxation_panels, only: add_turn, cut, interpolate, new_panels, panels_t, per_panel
     use mdrcontact_history_relaxation_path, only: mean_lag, mean_rise
     use mdrcontact_kinds, only: wp
-    use mdrcontact_profile, only: profile_t
+    use mdrcontact_profile, only: copy, profile_t
     implicit none (type, external)
     private
     public :: march_t, start_march, step_march, mark_kink
@@ -70,7 +70,7 @@ contains
         real(wp), intent(in) :: limit
         type(error_t), allocatable, intent(inout) :: error
 
-        call profile%copy_to(self%profile, error)
+        call copy(profile, self%profile, error)
         if (allocated(error)) return
         self%memory = memory
         self%limit = limit

@@ -1,9 +1,10 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The contact of a rigid indenter with a body that relaxes. Its states depend on time.
 module mdrcontact_history_relaxing_contact
+    use mdrcontact_base_object, only: room
     use mdrcontact_contact, only: check_adhesion, check_cohesion, contact_options_t
     use mdrcontact_contact_equilibrium, only: equilibrium_t, new_equilibrium
-    use mdrcontact_error, only: check_memory, error_invalid, error_t, raise, to_text
+    use mdrcontact_error, only: error_invalid, error_t, raise, to_text
     use mdrcontact_kinds, only: wp
     use mdrcontact_medium_viscoelastic, only: viscoelastic_t
     use mdrcontact_profile, only: profile_t
@@ -33,7 +34,6 @@ contains
         type(error_t), allocatable, intent(out) :: error
         !> without adhesion, or with a cohesive stress on a half-space; a zeta for a body under an approximate model
         type(contact_options_t), intent(in), optional :: options
-        integer :: stat
 
         if (present(options)) then
             call check_adhesion(options%work_of_adhesion, options%adhesion_rule, error)
@@ -50,8 +50,8 @@ contains
             call new_equilibrium(self%equilibrium, profile, medium%reference, error)
         end if
         if (allocated(error)) return
-        allocate (self%medium, source=medium, stat=stat)
-        call check_memory(error, stat)
+        call room(medium%bytes(), error)
+        if (.not. allocated(error)) allocate (self%medium, source=medium)
     end subroutine new_relaxing_contact
 
     !> Raises where the contact has a cohesive zone, which moves when anything does.

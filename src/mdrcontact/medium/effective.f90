@@ -5,7 +5,8 @@
 !> Beside a flat end g' is infinite; it is taken at distances from there: the rounding of s would be seen far beyond that of a.
 module mdrcontact_medium_effective
     use mdrcontact_base_nonfinite, only: infinity
-    use mdrcontact_error, only: check_memory, error_t
+    use mdrcontact_base_object, only: room
+    use mdrcontact_error, only: error_t
     use mdrcontact_medium_load, only: load_t
     use mdrcontact_medium_slip, only: slip_t
     use mdrcontact_kinds, only: pi, wp
@@ -37,9 +38,6 @@ module mdrcontact_medium_effective
         procedure :: surface_load
         procedure :: new_slip
         procedure, non_overridable :: all_breaks
-        procedure :: copy_to
-        !> a copy as such a medium, or error_memory; those with arrays that grow with a caller's data override it
-        procedure :: copy_effective
     end type effective_medium_t
 
     !> q' = -E_eff(x) g'(x), equation (21); an adhesive edge adds the constant E_eff(a) punch_depth.
@@ -83,26 +81,6 @@ contains
             slopes(i) = self%effective_modulus_slope(a(i))
         end do
     end subroutine modulus
-
-    recursive subroutine copy_to(self, copy, error)
-        class(effective_medium_t), intent(in) :: self
-        class(solver_t), allocatable, intent(out) :: copy
-        type(error_t), allocatable, intent(inout) :: error
-        class(effective_medium_t), allocatable :: own
-
-        call self%copy_effective(own, error)
-        call move_alloc(own, copy)
-    end subroutine copy_to
-
-    recursive subroutine copy_effective(self, copy, error)
-        class(effective_medium_t), intent(in) :: self
-        class(effective_medium_t), allocatable, intent(out) :: copy
-        type(error_t), allocatable, intent(inout) :: error
-        integer :: stat
-
-        allocate (copy, source=self, stat=stat)
-        call check_memory(error, stat)
-    end subroutine copy_effective
 
     !> Where profile or modulus are not analytic.
     pure subroutine all_breaks(self, profile, radii, error)
@@ -374,10 +352,11 @@ contains
         type(effective_load_t), allocatable :: own
         real(wp), allocatable :: breaks(:)
 
-        allocate (own)
-        call self%copy_effective(own%medium, error)
-        if (.not. allocated(error)) call profile%copy_to(own%profile, error)
+        call room(self%bytes() + profile%bytes(), error)
         if (allocated(error)) return
+        allocate (own)
+        allocate (own%medium, source=self)
+        allocate (own%profile, source=profile)
         own%radius = a
         own%edge = self%effective_modulus(a)*punch_depth
         call self%all_breaks(profile, breaks, error)

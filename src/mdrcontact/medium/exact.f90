@@ -5,7 +5,7 @@
 !> Results meet the stated relative tolerance, or an error says that they do not.
 module mdrcontact_medium_exact
     use mdrcontact_base_nonfinite, only: infinity
-    use mdrcontact_body, only: body_t
+    use mdrcontact_body, only: body_t, copy
     use mdrcontact_body_compliance, only: compliance_t, normal_load
     use mdrcontact_body_stack, only: new_stack, stack_t
     use mdrcontact_error, only: check_memory, check_within, error_invalid, error_t, raise
@@ -24,7 +24,7 @@ module mdrcontact_medium_exact
     use mdrcontact_layered_springs, only: springs_t
     use mdrcontact_material, only: in_series, material_t
     use mdrcontact_medium_solver, only: depth_and_force, lower_body, of_displacement, of_line_load, of_pressure, &
-                                         set_pair, solver_t, take_common, upper_body
+                                         set_pair, solver_t, upper_body
     use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous_from_modulus
     use mdrcontact_numerics_pick, only: pick
     use mdrcontact_profile, only: profile_t
@@ -63,7 +63,6 @@ module mdrcontact_medium_exact
         procedure :: surface_load
         procedure :: under
         procedure :: new_slip
-        procedure :: copy_to
     end type layered_exact_t
 
     !> The exact medium of a body, or of layers on a substrate.
@@ -93,7 +92,7 @@ contains
             self%springs%tolerance = tolerance
         end if
         call solve_body(self, body, normal_load, error, shared)
-        if (.not. allocated(error)) call body%copy_to(self%pressed, error)
+        if (.not. allocated(error)) call copy(body, self%pressed, error)
     end subroutine new_exact_from_body
 
     !> Any compliance under a normal load; what it is of is not known.
@@ -175,11 +174,12 @@ contains
     end subroutine new_exact_from_layers
 
     !> A homogeneous half-space, or a rigid one, to be paired.
-    subroutine new_exact_from_homogeneous(self, homogeneous)
+    subroutine new_exact_from_homogeneous(self, homogeneous, error)
         type(layered_exact_t), intent(out) :: self
         class(homogeneous_t), intent(in) :: homogeneous
+        type(error_t), allocatable, intent(inout) :: error
 
-        if (allocated(homogeneous%pressed)) allocate (self%pressed, source=homogeneous%pressed)
+        if (allocated(homogeneous%pressed)) call copy(homogeneous%pressed, self%pressed, error)
         self%surface = homogeneous
         allocate (self%springs)
         self%springs%modulus = homogeneous%half_space_modulus()
@@ -211,19 +211,6 @@ contains
         self%surface_contrast = contrast_of(self%springs%kernel)
         call mark_exact(self)
     end subroutine new_exact_pair
-
-    recursive subroutine copy_to(self, copy, error)
-        class(layered_exact_t), intent(in) :: self
-        class(solver_t), allocatable, intent(out) :: copy
-        type(error_t), allocatable, intent(inout) :: error
-        type(layered_exact_t), allocatable :: own
-
-        allocate (own)
-        call take_common(own, self, error)
-        if (allocated(self%parts)) own%parts = self%parts
-        own%surface = self%surface
-        call move_alloc(own, copy)
-    end subroutine copy_to
 
     !> E0*/E_eff at large radii, or what it comes to at the unit if the base is stiff again.
     pure function contrast_of(kernel) result(ratio)

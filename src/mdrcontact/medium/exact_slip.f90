@@ -8,11 +8,11 @@ module mdrcontact_medium_exact_slip
     use mdrcontact_kinds, only: wp
     use mdrcontact_layered_fields, only: line_load_t, new_line_load
     use mdrcontact_layered_slip_profile, only: slip_profile_t
-    use mdrcontact_medium_solver, only: of_line_load, solver_t
+    use mdrcontact_medium_solver, only: copy, of_line_load, solver_t
     use mdrcontact_medium_superposed_slip, only: traction_between
     use mdrcontact_numerics_quadrature, only: graded_edges, graded_rule, mark_breaks, smallest_panel_ratio
     use mdrcontact_numerics_pick, only: pick
-    use mdrcontact_profile, only: profile_t
+    use mdrcontact_profile, only: copy, profile_t
     implicit none (type, external)
     private
     public :: layered_slip_t, new_layered_slip
@@ -58,9 +58,9 @@ contains
         real(wp) :: even, effective, rise, depth, force
         integer :: j
 
-        call normal%copy_to(self%normal, error)
-        if (.not. allocated(error)) call tangential%copy_to(self%tangential, error)
-        if (.not. allocated(error)) call profile%copy_to(self%profile%base, error)
+        call copy(normal, self%normal, error)
+        if (.not. allocated(error)) call copy(tangential, self%tangential, error)
+        if (.not. allocated(error)) call copy(profile, self%profile%base, error)
         if (allocated(error)) return
         self%radius = springs%a
         call normal%response(profile, springs%a, depth, force, effective, rise, error)

@@ -3,6 +3,8 @@
 !> compliances in series, or by any power mean between -, Poisson's ratios with dI1. Exact to first order in the contrast.
 !> Gao, Chiu, Lee, Int. J. Solids Struct. 29 (1992) 2471; Popov 2014, equations (12)-(16).
 module mdrcontact_medium_gao
+    use, intrinsic :: iso_fortran_env, only: int64
+    use mdrcontact_base_object, only: real_bytes, room
     use mdrcontact_body_compliance, only: shear_load
     use mdrcontact_codes, only: gao_nu_effective => weight_nu_effective, gao_nu_given => weight_nu_given, &
                                 gao_nu_substrate => weight_nu_substrate, gao_nu_surface => weight_nu_surface
@@ -10,9 +12,8 @@ module mdrcontact_medium_gao
                                 raise
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t
-    use mdrcontact_medium_solver, only: solver_t, take_common
+    use mdrcontact_medium_solver, only: solver_t
     use mdrcontact_medium_effective, only: effective_medium_t
-    use mdrcontact_numerics_copy, only: copy_array
     use mdrcontact_numerics_power_mean, only: new_power_mean, power_mean_t
     use mdrcontact_weights, only: all_weights, weight_i0_poisson_slope, weight_i0_slope, weight_i0_tangential_poisson_slope, &
                                   weight_i0_tangential_slope, weight_i1_slope
@@ -49,7 +50,7 @@ module mdrcontact_medium_gao
         procedure :: effective_modulus
         procedure :: effective_modulus_slope
         procedure :: under
-        procedure :: copy_effective
+        procedure :: bytes
     end type gao_t
 
 contains
@@ -140,39 +141,26 @@ contains
         type(gao_t), allocatable :: own
 
         if (load /= shear_load) return
+        call room(3*real_bytes*size(self%shear), error)
+        if (allocated(error)) return
         allocate (own)
-        call copy_layers(self, own, error)
+        own%shear = self%shear
+        own%poisson = self%poisson
+        own%depth = self%depth
+        own%mean = self%mean
+        own%options = self%options
         own%under_shear = .true.
         own%p = 2.0_wp
-        if (.not. allocated(error)) call move_alloc(own, other)
+        call move_alloc(own, other)
     end subroutine under
 
-    recursive subroutine copy_effective(self, copy, error)
+    pure recursive function bytes(self)
         class(gao_t), intent(in) :: self
-        class(effective_medium_t), allocatable, intent(out) :: copy
-        type(error_t), allocatable, intent(inout) :: error
-        type(gao_t), allocatable :: own
+        integer(int64) :: bytes
 
-        allocate (own)
-        call take_common(own, self, error)
-        call copy_layers(self, own, error)
-        own%under_shear = self%under_shear
-        own%p = self%p
-        call move_alloc(own, copy)
-    end subroutine copy_effective
-
-    !> Without the direction of the load.
-    subroutine copy_layers(self, copy, error)
-        class(gao_t), intent(in) :: self
-        type(gao_t), intent(inout) :: copy
-        type(error_t), allocatable, intent(inout) :: error
-
-        call copy_array(self%shear, copy%shear, error)
-        call copy_array(self%poisson, copy%poisson, error)
-        call copy_array(self%depth, copy%depth, error)
-        copy%mean = self%mean
-        copy%options = self%options
-    end subroutine copy_layers
+        bytes = 3*real_bytes*size(self%shear)
+        if (allocated(self%pressed)) bytes = bytes + self%pressed%bytes()
+    end function bytes
 
     !> E_eff = 2 G_eff/(1 - nu_eff), every average a sum of positive weights times values.
     elemental function effective_modulus(self, a) result(value)

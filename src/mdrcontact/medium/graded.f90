@@ -4,6 +4,7 @@
 !>
 !> The integrals are done once, when the medium is made, over a range of contact radii; afterwards E_eff(a) is an interpolation.
 module mdrcontact_medium_graded
+    use, intrinsic :: iso_fortran_env, only: int64
     use mdrcontact_body, only: body_t
     use mdrcontact_body_compliance, only: shear_load
     use mdrcontact_body_sublayers, only: is_integrated_by
@@ -11,7 +12,7 @@ module mdrcontact_medium_graded
     use mdrcontact_error, only: check_memory, error_invalid, error_t, raise
     use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_kinds, only: wp
-    use mdrcontact_medium_solver, only: solver_t, take_common
+    use mdrcontact_medium_solver, only: solver_t
     use mdrcontact_medium_effective, only: effective_medium_t
     use mdrcontact_medium_gao, only: gao_nu_effective, gao_options_t, i0_poisson_choice
     use mdrcontact_numerics_power_mean, only: new_power_mean, power_mean_t
@@ -33,7 +34,7 @@ module mdrcontact_medium_graded
         procedure :: effective_modulus
         procedure :: effective_modulus_slope
         procedure :: under
-        procedure :: copy_effective
+        procedure :: bytes
     end type graded_t
 
     !> E_eff(a) by quadrature over depth, z(1) < z < z(n); constant above and below.
@@ -142,18 +143,13 @@ contains
         if (.not. allocated(error)) call move_alloc(own, other)
     end subroutine under
 
-    recursive subroutine copy_effective(self, copy, error)
+    pure recursive function bytes(self)
         class(graded_t), intent(in) :: self
-        class(effective_medium_t), allocatable, intent(out) :: copy
-        type(error_t), allocatable, intent(inout) :: error
-        type(graded_t), allocatable :: own
+        integer(int64) :: bytes
 
-        allocate (own)
-        call take_common(own, self, error)
-        if (.not. allocated(error)) call self%law%copy_to(own%law, error)
-        own%options = self%options
-        call move_alloc(own, copy)
-    end subroutine copy_effective
+        bytes = self%law%bytes()
+        if (allocated(self%pressed)) bytes = bytes + self%pressed%bytes()
+    end function bytes
 
     elemental function effective_modulus(self, a) result(value)
         class(graded_t), intent(in) :: self

@@ -4,11 +4,13 @@
 !> Homogeneous bodies and bodies solved exactly add exactly. Where one of them is known by an effective modulus only, the moduli add
 !> in series. The springs of power-law graded bodies add only if they have the same exponent.
 module mdrcontact_medium_pair
+    use mdrcontact_base_object, only: room
+    use mdrcontact_body, only: copy
     use mdrcontact_error, only: error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
     use mdrcontact_medium_exact, only: layered_exact_t, new_exact_pair, new_layered_exact
     use mdrcontact_medium_sampled_exact, only: new_sampled_exact
-    use mdrcontact_medium_solver, only: solver_t
+    use mdrcontact_medium_solver, only: copy, solver_t
     use mdrcontact_medium_effective, only: effective_medium_t
     use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous_from_modulus, new_homogeneous_pair
     use mdrcontact_medium_power_graded, only: new_power_graded_pair, power_graded_t
@@ -48,7 +50,7 @@ contains
             return
         end if
         if (upper%is_rigid) then
-            call lower%copy_to(medium, error)
+            call copy(lower, medium, error)
             return
         end if
         select type (lower)
@@ -98,22 +100,23 @@ contains
         type(layered_exact_t), allocatable :: exact
 
         allocate (exact)
-        call as_exact(lower, bare(1), first)
-        call as_exact(upper, bare(2), second)
-        call new_exact_pair(exact, first, second, error)
+        call as_exact(lower, bare(1), first, error)
+        call as_exact(upper, bare(2), second, error)
+        if (.not. allocated(error)) call new_exact_pair(exact, first, second, error)
         if (.not. allocated(error)) call move_alloc(exact, medium)
     end subroutine add_exactly
 
     !> The medium itself, or a half-space in the same form.
-    subroutine as_exact(medium, bare, exact)
+    subroutine as_exact(medium, bare, exact, error)
         class(solver_t), intent(in), target :: medium
         type(layered_exact_t), intent(inout), target :: bare
         class(layered_exact_t), pointer, intent(out) :: exact
+        type(error_t), allocatable, intent(inout) :: error
 
         exact => bare
         select type (medium)
         class is (homogeneous_t)
-            call new_layered_exact(bare, medium)
+            call new_layered_exact(bare, medium, error)
         class is (layered_exact_t)
             exact => medium
         end select
@@ -144,7 +147,8 @@ contains
 
         select type (medium)
         class is (effective_medium_t)
-            call medium%copy_effective(effective, error)
+            call room(medium%bytes(), error)
+            if (.not. allocated(error)) allocate (effective, source=medium)
         class is (layered_exact_t)
             if (medium%pressed%first_depth > 0.0_wp) then
                 allocate (sampled)
@@ -153,9 +157,8 @@ contains
             else
                 ! layers of one material
                 call new_homogeneous_from_modulus(homogeneous, medium%pressed%surface_modulus, error)
-                if (allocated(error)) return
-                allocate (homogeneous%pressed, source=medium%pressed)
-                allocate (effective, source=homogeneous)
+                if (.not. allocated(error)) call copy(medium%pressed, homogeneous%pressed, error)
+                if (.not. allocated(error)) allocate (effective, source=homogeneous)
             end if
         class default
             call raise(error, error_invalid, " is not allowed: the springs of a power-law graded body and those of another "// &

@@ -17,7 +17,7 @@ module mdrcontact_medium_power_graded
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
     implicit none (type, external)
     private
-    public :: power_graded_t, new_power_graded, new_power_graded_pair
+    public :: power_graded_t, new_power_graded, new_power_graded_pair, power_law_parameters
 
     !> Nodes from the edge half of the way to a corner, and from there.
     integer, parameter :: panel_nodes = 20
@@ -25,8 +25,6 @@ module mdrcontact_medium_power_graded
     !> E(z) = E0 (z/z0)^m by its springs.
     type, extends(solver_t) :: power_graded_t
         private
-        !> E0, z0, m, nu; 0 of a pair
-        real(wp) :: given(4) = 0.0_wp
         !> m
         real(wp) :: exponent = 0.0_wp
         !> c1 [modulus length^-m]
@@ -37,7 +35,6 @@ module mdrcontact_medium_power_graded
         procedure :: modulus
         procedure :: response
         procedure :: field
-        procedure :: parameters
     end type power_graded_t
 
     !> g(x) of one indenter in this medium.
@@ -87,7 +84,7 @@ contains
                        "-1 and less than 1")
         end if
         if (allocated(error)) return
-        self%given = [young, reference_depth, exponent, poisson]
+        self%power_law = [young, reference_depth, exponent, poisson]
         self%exponent = exponent
         self%is_exact = .true.
         call gauss_jacobi(0.5_wp*(exponent - 1.0_wp), self%edge_rule(:, 1), self%edge_rule(:, 2), error)
@@ -98,15 +95,14 @@ contains
     end subroutine new_power_graded
 
     !> The arguments of new_power_graded.
-    pure function parameters(self) result(list)
-        class(power_graded_t), intent(in) :: self
+    pure function power_law_parameters(n) result(list)
+        !> E0, z0, m and nu
+        real(wp), intent(in) :: n(4)
         type(parameter_t) :: list(4)
 
-        associate (n => self%given)
-            list = [parameter_t("E0", n(1)), parameter_t("z0", n(2)), parameter_t("exponent", n(3), nature_signed), &
-                    parameter_t("nu", n(4), nature_poisson)]
-        end associate
-    end function parameters
+        list = [parameter_t("E0", n(1)), parameter_t("z0", n(2)), parameter_t("exponent", n(3), nature_signed), &
+                parameter_t("nu", n(4), nature_poisson)]
+    end function power_law_parameters
 
     !> Two of them pressed together: their springs, of one power of x, add in series.
     subroutine new_power_graded_pair(self, lower, upper, error)

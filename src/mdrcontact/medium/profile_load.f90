@@ -9,7 +9,7 @@ module mdrcontact_medium_profile_load
     use mdrcontact_layered_panels, only: panels_t
     use mdrcontact_layered_series, only: even_slope
     use mdrcontact_numerics_quadrature, only: merge_breaks
-    use mdrcontact_profile, only: profile_t
+    use mdrcontact_profile, only: copy, profile_t
     implicit none (type, external)
     private
     public :: profile_load_t, new_profile_load
@@ -40,7 +40,7 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         real(wp), allocatable :: breaks(:)
 
-        call profile%copy_to(self%profile, error)
+        call copy(profile, self%profile, error)
         self%modulus = modulus
         self%radius = springs%a
         self%edge = modulus*springs%edge

@@ -1,6 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> E_eff(a) of a body solved exactly, sampled once: one body of a pair whose other body is known by an effective modulus only.
 module mdrcontact_medium_sampled_exact
+    use mdrcontact_body, only: copy
     use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_medium_exact, only: layered_exact_t
@@ -48,7 +49,7 @@ contains
         ! contacts begin at 0: below the first sample the modulus is that of the surface
         self%smallest_radius = 0.0_wp
         self%why_it_ends = ", where the sampled modulus of the exact body ends; take the model exact for both bodies"
-        call exact%pressed%copy_to(self%pressed, error)
+        call copy(exact%pressed, self%pressed, error)
     end subroutine new_sampled_exact
 
 end module mdrcontact_medium_sampled_exact

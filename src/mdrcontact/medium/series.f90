@@ -5,6 +5,8 @@
 !> Exact for two homogeneous bodies, for a -> 0 and a -> infinity, and where the two moduli are proportional; else stiffer than the
 !> two bodies, by up to 1 % of E_eff for exact moduli, which is far below the errors of the models themselves.
 module mdrcontact_medium_series
+    use, intrinsic :: iso_fortran_env, only: int64
+    use mdrcontact_base_object, only: room
     use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: half_pi, wp
     use mdrcontact_material, only: in_series
@@ -24,7 +26,7 @@ module mdrcontact_medium_series
         procedure :: effective_modulus
         procedure :: effective_modulus_slope
         procedure :: add_breaks
-        procedure :: copy_effective
+        procedure :: bytes
         procedure :: upper_share
         procedure :: upper_depth
         procedure :: take_share
@@ -34,14 +36,15 @@ module mdrcontact_medium_series
 contains
 
     !> Two bodies, neither of them a pair.
-    recursive subroutine new_series(self, lower, upper, error)
+    subroutine new_series(self, lower, upper, error)
         type(series_t), intent(out) :: self
         class(effective_medium_t), intent(in) :: lower, upper
         type(error_t), allocatable, intent(inout) :: error
 
-        call lower%copy_effective(self%lower, error)
-        if (.not. allocated(error)) call upper%copy_effective(self%upper, error)
+        call room(lower%bytes() + upper%bytes(), error)
         if (allocated(error)) return
+        allocate (self%lower, source=lower)
+        allocate (self%upper, source=upper)
         self%largest_radius = min(lower%largest_radius, upper%largest_radius)
         self%why_it_ends = upper%why_it_ends
         if (lower%largest_radius <= upper%largest_radius) self%why_it_ends = lower%why_it_ends
@@ -50,16 +53,13 @@ contains
         call set_pair(self, lower, upper, error)
     end subroutine new_series
 
-    recursive subroutine copy_effective(self, copy, error)
+    !> Each of the two holds its body, which is also one of the pair's.
+    pure recursive function bytes(self)
         class(series_t), intent(in) :: self
-        class(effective_medium_t), allocatable, intent(out) :: copy
-        type(error_t), allocatable, intent(inout) :: error
-        type(series_t), allocatable :: own
+        integer(int64) :: bytes
 
-        allocate (own)
-        call new_series(own, self%lower, self%upper, error)
-        call move_alloc(own, copy)
-    end subroutine copy_effective
+        bytes = 2*(self%lower%bytes() + self%upper%bytes())
+    end function bytes
 
     elemental function effective_modulus(self, a) result(value)
         class(series_t), intent(in) :: self

@@ -7,9 +7,11 @@
 !> `punch_depth` is 0 without adhesion, negative at an adhesive edge (theory 5) and positive at a vertical wall (flat punch).
 !> Contact, adhesion and fitting are written in these terms, for any solver.
 module mdrcontact_medium_solver
-    use mdrcontact_body, only: body_t
+    use, intrinsic :: iso_fortran_env, only: int64
+    use mdrcontact_base_object, only: object_t, room
+    use mdrcontact_body, only: body_t, copy
     use mdrcontact_body_compliance, only: twist_load
-    use mdrcontact_error, only: check_memory, error_invalid, error_t, raise
+    use mdrcontact_error, only: error_invalid, error_t, raise
     use mdrcontact_medium_load, only: load_t
     use mdrcontact_medium_slip, only: slip_t
     use mdrcontact_kinds, only: wp
@@ -19,7 +21,7 @@ module mdrcontact_medium_solver
     use mdrcontact_tension_surface, only: is_bare, surface_t
     implicit none (type, external)
     private
-    public :: solver_t, modulus_of_radius_t, depth_and_force, set_pair, take_common
+    public :: copy, solver_t, modulus_of_radius_t, depth_and_force, set_pair
     public :: new_under, check_springs, refuse
     public :: reason_length, lower_body, upper_body, of_line_load, of_pressure, of_displacement
 
@@ -32,7 +34,7 @@ module mdrcontact_medium_solver
 
     !> An elastic half-space, or two of them. Concrete solvers are made by their `new_...` procedures and never change afterwards.
     !> All radii are positive and finite, and at most the profile's largest_radius: callers check this.
-    type, abstract :: solver_t
+    type, abstract, extends(object_t) :: solver_t
         !> the body that is pressed and, of two deformable ones, the upper one, where they are known; not allocated else
         class(body_t), allocatable :: pressed, counterbody
         !> the springs on a line to which it comes exactly; not allocated where there are none or a modulus alone is known
@@ -47,6 +49,8 @@ module mdrcontact_medium_solver
         real(wp) :: smallest_radius = 0.0_wp, largest_radius = huge(1.0_wp)
         !> relative accuracy of E_eff and its slope where they are interpolated between samples; 0 where they are computed
         real(wp) :: roughness = 0.0_wp
+        !> E0, z0, m and nu of one power-law graded body; not allocated of any other
+        real(wp), allocatable :: power_law(:)
         !> how many times stiffer the surface is than what lies below it, at most, where that is known
         real(wp) :: surface_contrast = 1.0_wp
         !> what follows a message that a contact would be larger: why, and what to do; blank where the end was given by the caller
@@ -83,9 +87,12 @@ module mdrcontact_medium_solver
         procedure :: under
         !> first shear of a state
         procedure :: new_slip
-        !> a copy, or error_memory; those with arrays that grow with a caller's data override it
-        procedure :: copy_to
+        procedure :: bytes
     end type solver_t
+
+    interface copy
+        module procedure copy_solver
+    end interface copy
 
     !> E_eff of a medium as a function of the contact radius.
     type, extends(scalar_function_t) :: modulus_of_radius_t
@@ -186,35 +193,9 @@ contains
         self%is_pair = .true.
         self%lower_is_rigid = lower%is_rigid
         self%spherical_only = lower%spherical_only .or. upper%spherical_only
-        if (allocated(lower%pressed)) call lower%pressed%copy_to(self%pressed, error)
-        if (allocated(upper%pressed)) call upper%pressed%copy_to(self%counterbody, error)
+        if (allocated(lower%pressed)) call copy(lower%pressed, self%pressed, error)
+        if (allocated(upper%pressed)) call copy(upper%pressed, self%counterbody, error)
     end subroutine set_pair
-
-    !> Makes what every solver has that of another one.
-    subroutine take_common(self, other, error)
-        class(solver_t), intent(inout) :: self
-        class(solver_t), intent(in) :: other
-        type(error_t), allocatable, intent(inout) :: error
-
-        if (allocated(other%springs)) self%springs = other%springs
-        self%sheet = other%sheet
-        self%is_pair = other%is_pair
-        self%spherical_only = other%spherical_only
-        self%share_of_upper = other%share_of_upper
-        self%smallest_radius = other%smallest_radius
-        self%largest_radius = other%largest_radius
-        self%roughness = other%roughness
-        self%surface_contrast = other%surface_contrast
-        self%why_it_ends = other%why_it_ends
-        self%is_exact = other%is_exact
-        self%is_formula = other%is_formula
-        self%is_modulus_formula = other%is_modulus_formula
-        self%has_free_springs = other%has_free_springs
-        self%is_rigid = other%is_rigid
-        self%lower_is_rigid = other%lower_is_rigid
-        if (allocated(other%pressed)) call other%pressed%copy_to(self%pressed, error)
-        if (allocated(other%counterbody)) call other%counterbody%copy_to(self%counterbody, error)
-    end subroutine take_common
 
     !> Depth and force alone.
     subroutine depth_and_force(solver, profile, a, depth, force, error)
@@ -241,15 +222,25 @@ contains
         if (.not. allocated(radii)) allocate (radii(0))
     end subroutine add_breaks
 
-    recursive subroutine copy_to(self, copy, error)
+    !> Of its bodies.
+    pure recursive function bytes(self)
         class(solver_t), intent(in) :: self
-        class(solver_t), allocatable, intent(out) :: copy
-        type(error_t), allocatable, intent(inout) :: error
-        integer :: stat
+        integer(int64) :: bytes
 
-        allocate (copy, source=self, stat=stat)
-        call check_memory(error, stat)
-    end subroutine copy_to
+        bytes = 0
+        if (allocated(self%pressed)) bytes = bytes + self%pressed%bytes()
+        if (allocated(self%counterbody)) bytes = bytes + self%counterbody%bytes()
+    end function bytes
+
+    !> The same solver; an error where there is no memory for it.
+    subroutine copy_solver(from, to, error)
+        class(solver_t), intent(in) :: from
+        class(solver_t), allocatable, intent(out) :: to
+        type(error_t), allocatable, intent(inout) :: error
+
+        call room(from%bytes(), error)
+        if (.not. allocated(error)) allocate (to, source=from)
+    end subroutine copy_solver
 
     ! The five below are answers of media of which nothing of the kind is known: none.
 

@@ -4,15 +4,16 @@
 !>
 !> Depth, force and stiffness meet 1e-9, of a cone 1e-8 (measured: docs/surfaces.md).
 module mdrcontact_medium_springless
+    use, intrinsic :: iso_fortran_env, only: int64
     use mdrcontact_base_nonfinite, only: infinity
-    use mdrcontact_body, only: body_t
+    use mdrcontact_body, only: body_t, copy
     use mdrcontact_body_compliance, only: compliance_t, normal_load
-    use mdrcontact_error, only: check_memory, error_invalid, error_t, raise, to_text
+    use mdrcontact_error, only: error_invalid, error_t, raise, to_text
     use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_kinds, only: wp
     use mdrcontact_layered_shared, only: layered_shared_t
     use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous_from_modulus
-    use mdrcontact_medium_solver, only: of_displacement, of_line_load, of_pressure, solver_t, take_common
+    use mdrcontact_medium_solver, only: of_displacement, of_line_load, of_pressure, solver_t
     use mdrcontact_profile, only: profile_t
     use mdrcontact_tension_fields, only: load_t, new_load
     use mdrcontact_tension_green, only: green_t, new_green
@@ -46,7 +47,7 @@ module mdrcontact_medium_springless
         procedure :: modulus
         procedure :: response
         procedure :: field
-        procedure :: copy_to
+        procedure :: bytes
         procedure :: table_error
     end type springless_t
 
@@ -81,7 +82,7 @@ contains
             call move_alloc(own, self%compliance)
         end if
         if (.not. allocated(error)) call check_stability(surface, self%compliance, error)
-        if (.not. allocated(error)) call body%copy_to(self%pressed, error)
+        if (.not. allocated(error)) call copy(body, self%pressed, error)
         if (allocated(error)) return
         self%sheet = surface
         self%surface_modulus = real(self%compliance%scale, wp)
@@ -153,25 +154,12 @@ contains
                    "be between 1e-90 and 1e90")
     end subroutine check_lengths
 
-    recursive subroutine copy_to(self, copy, error)
+    pure recursive function bytes(self)
         class(springless_t), intent(in) :: self
-        class(solver_t), allocatable, intent(out) :: copy
-        type(error_t), allocatable, intent(inout) :: error
-        type(springless_t), allocatable :: own
-        integer :: stat
+        integer(int64) :: bytes
 
-        allocate (own)
-        call take_common(own, self, error)
-        if (allocated(error)) return
-        allocate (own%compliance, source=self%compliance, stat=stat)
-        call check_memory(error, stat)
-        own%green = self%green
-        own%surface_modulus = self%surface_modulus
-        own%bare_excess = self%bare_excess
-        own%bare_length = self%bare_length
-        if (allocated(self%table)) own%table = self%table
-        call move_alloc(own, copy)
-    end subroutine copy_to
+        bytes = self%pressed%bytes() + self%compliance%bytes()
+    end function bytes
 
     !> Relative difference of the table from the solver where it was not sampled; 0 without a table.
     pure function table_error(self) result(difference)

@@ -2,13 +2,13 @@
 !> A body whose surface carries a sheet that is stiff in its plane (theory_surfaces 5): short waves still meet springs, those of a
 !> surface that cannot move sideways, and its states are those of a body with that compliance.
 module mdrcontact_medium_stretched
-    use mdrcontact_body, only: body_t
+    use mdrcontact_body, only: body_t, copy
     use mdrcontact_body_compliance, only: compliance_t, normal_load
     use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_layered_shared, only: layered_shared_t
     use mdrcontact_medium_exact, only: layered_exact_t, new_layered_exact
-    use mdrcontact_medium_solver, only: solver_t, take_common
+    use mdrcontact_medium_solver, only: solver_t
     use mdrcontact_profile, only: profile_t
     use mdrcontact_tension_membrane, only: membrane_t, new_membrane
     use mdrcontact_tension_surface, only: check_surface, surface_t
@@ -27,7 +27,6 @@ module mdrcontact_medium_stretched
         procedure :: modulus
         procedure :: response
         procedure :: field
-        procedure :: copy_to
     end type stretched_t
 
 contains
@@ -52,29 +51,19 @@ contains
         if (.not. allocated(error)) call new_membrane(membrane, surface%stretching, compliance, error, has_springs=.true.)
         if (.not. allocated(error)) call new_layered_exact(self%exact, membrane, error, tolerance, shared)
         if (allocated(error)) return
-        call take_common(self, self%exact, error)
-        ! those are nearly singular at the edge
-        deallocate (self%springs)
+        ! without its springs, which are nearly singular at the edge
+        self%largest_radius = self%exact%largest_radius
+        self%surface_contrast = self%exact%surface_contrast
+        self%is_exact = .true.
+        self%is_modulus_formula = .false.
         self%sheet = surface
         if (body%last_depth > 0.0_wp) self%largest_radius = self%largest_radius*(body%last_depth/membrane%last_depth)
         if (membrane%excess > 0.0_wp .and. most_lengths*membrane%length < self%largest_radius) then
             self%largest_radius = most_lengths*membrane%length
             self%why_it_ends = ": beyond 1000 lengths 2 K_m/E* of the sheet it adds less than 0.2 %: leave it out"
         end if
-        call body%copy_to(self%pressed, error)
+        call copy(body, self%pressed, error)
     end subroutine new_stretched
-
-    recursive subroutine copy_to(self, copy, error)
-        class(stretched_t), intent(in) :: self
-        class(solver_t), allocatable, intent(out) :: copy
-        type(error_t), allocatable, intent(inout) :: error
-        type(stretched_t), allocatable :: own
-
-        allocate (own)
-        call take_common(own, self, error)
-        own%exact = self%exact
-        call move_alloc(own, copy)
-    end subroutine copy_to
 
     subroutine modulus(self, a, values, error, slopes)
         class(stretched_t), intent(in) :: self

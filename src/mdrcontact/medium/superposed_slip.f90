@@ -9,10 +9,10 @@ module mdrcontact_medium_superposed_slip
     use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_medium_slip, only: beside, slip_t
     use mdrcontact_kinds, only: wp
-    use mdrcontact_medium_solver, only: depth_and_force, of_line_load, of_pressure, solver_t
+    use mdrcontact_medium_solver, only: copy, depth_and_force, of_line_load, of_pressure, solver_t
     use mdrcontact_numerics_pick, only: pick
     use mdrcontact_numerics_quadrature, only: graded_edges, mark_breaks, smallest_panel_ratio
-    use mdrcontact_profile, only: profile_t
+    use mdrcontact_profile, only: copy, profile_t
     implicit none (type, external)
     private
     public :: superposed_slip_t, new_superposed_slip, traction_between
@@ -49,9 +49,9 @@ contains
         type(error_t), allocatable, intent(out) :: error
         real(wp) :: depth, modulus(1), shear(1), dissipated, tangential_force, lowest
 
-        call normal%copy_to(self%normal, error)
-        if (.not. allocated(error)) call tangential%copy_to(self%tangential, error)
-        if (.not. allocated(error)) call profile%copy_to(self%profile, error)
+        call copy(normal, self%normal, error)
+        if (.not. allocated(error)) call copy(tangential, self%tangential, error)
+        if (.not. allocated(error)) call copy(profile, self%profile, error)
         call profile%add_breaks(self%breaks, error)
         call normal%add_breaks(self%breaks, error)
         if (allocated(error)) return

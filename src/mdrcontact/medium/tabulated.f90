@@ -1,9 +1,9 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The user's own effective modulus E_eff(a): a table or a function (theory 3, last item).
 module mdrcontact_medium_tabulated
-    use mdrcontact_error, only: check_memory, error_t
+    use, intrinsic :: iso_fortran_env, only: int64
+    use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: wp
-    use mdrcontact_medium_solver, only: take_common
     use mdrcontact_medium_effective, only: effective_medium_t
     use mdrcontact_numerics_radius_law, only: interpolation_roughness, new_radius_law_from_function, &
                                                 new_radius_law_from_table, radius_law_t
@@ -21,7 +21,7 @@ module mdrcontact_medium_tabulated
         procedure :: effective_modulus
         procedure :: effective_modulus_slope
         procedure :: add_breaks
-        procedure :: copy_effective
+        procedure :: bytes
     end type tabulated_medium_t
 
     real(wp), parameter :: sampling_tolerance = 1.0e-13_wp
@@ -73,21 +73,13 @@ contains
         self%roughness = interpolation_roughness
     end subroutine take_range
 
-    recursive subroutine copy_effective(self, copy, error)
+    pure recursive function bytes(self)
         class(tabulated_medium_t), intent(in) :: self
-        class(effective_medium_t), allocatable, intent(out) :: copy
-        type(error_t), allocatable, intent(inout) :: error
-        integer :: stat
+        integer(int64) :: bytes
 
-        allocate (copy, mold=self, stat=stat)
-        call check_memory(error, stat)
-        if (stat /= 0) return
-        call take_common(copy, self, error)
-        select type (copy)
-        class is (tabulated_medium_t)
-            call self%law%copy_to(copy%law, error)
-        end select
-    end subroutine copy_effective
+        bytes = self%law%bytes()
+        if (allocated(self%pressed)) bytes = bytes + self%pressed%bytes()
+    end function bytes
 
     elemental function effective_modulus(self, a) result(value)
         class(tabulated_medium_t), intent(in) :: self

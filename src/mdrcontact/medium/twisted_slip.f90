@@ -15,10 +15,10 @@ module mdrcontact_medium_twisted_slip
     use mdrcontact_medium_slip, only: slip_t, thin
     use mdrcontact_gsl, only: gsl_sf_ellint_rd, gsl_sf_ellint_rf
     use mdrcontact_kinds, only: half_pi, pi, wp
-    use mdrcontact_medium_solver, only: of_pressure, refuse, solver_t
+    use mdrcontact_medium_solver, only: copy, of_pressure, refuse, solver_t
     use mdrcontact_medium_shear_moduli, only: moduli_under_shear
     use mdrcontact_numerics_quadrature, only: gauss_legendre, graded_rule, mark_breaks, merge_breaks
-    use mdrcontact_profile, only: profile_t
+    use mdrcontact_profile, only: copy, profile_t
     implicit none (type, external)
     private
     public :: twisted_slip_t, new_twisted_slip
@@ -74,8 +74,8 @@ contains
         end if
         call moduli_under_shear(normal, shear, error)
         if (.not. allocated(error)) call normal%modulus([a], modulus, error)
-        if (.not. allocated(error)) call normal%copy_to(self%normal, error)
-        if (.not. allocated(error)) call profile%copy_to(self%profile, error)
+        if (.not. allocated(error)) call copy(normal, self%normal, error)
+        if (.not. allocated(error)) call copy(profile, self%profile, error)
         call profile%add_breaks(breaks, error)
         call merge_breaks(self%breaks, breaks(:count(breaks < a)), error)
         if (allocated(error)) return

@@ -2,6 +2,8 @@
 !> A viscoelastic half-space, homogeneous or layered. It has no elastic states, and so no solver: histories
 !> (mdrcontact_history_relaxation) and oscillations (mdrcontact_history_relaxation_stiffness) start from its materials.
 module mdrcontact_medium_viscoelastic
+    use, intrinsic :: iso_fortran_env, only: int64
+    use mdrcontact_base_object, only: object_t
     use mdrcontact_base_parameter, only: append, parameter_t, prefixed
     use mdrcontact_body_chain, only: chain_t, new_chain
     use mdrcontact_body_elements_interface, only: bond_of, bond_t
@@ -20,7 +22,7 @@ module mdrcontact_medium_viscoelastic
     public :: viscoelastic_t, new_viscoelastic_medium
 
     !> Materials from the surface down, the substrate last, unless the base is rigid.
-    type :: viscoelastic_t
+    type, extends(object_t) :: viscoelastic_t
         !> from the surface down
         type(rheology_t), allocatable :: materials(:)
         !> of the layers [length]
@@ -43,6 +45,7 @@ module mdrcontact_medium_viscoelastic
         procedure :: with_parameters
         procedure :: relaxation_shape
         procedure :: chain_at
+        procedure :: bytes
     end type viscoelastic_t
 
 contains
@@ -151,6 +154,15 @@ contains
         call new_viscoelastic_medium(body, materials, thickness, self%rigid_base, self%model, self%options, error, shared, &
                                      bonds)
     end subroutine with_parameters
+
+    pure recursive function bytes(self)
+        class(viscoelastic_t), intent(in) :: self
+        integer(int64) :: bytes
+
+        bytes = (storage_size(self%materials) + storage_size(self%thickness) + storage_size(self%bonds))/8 &
+                *size(self%materials, kind=int64)
+        if (allocated(self%reference)) bytes = bytes + self%reference%bytes()
+    end function bytes
 
     !> The elastic material that stands for a relaxing one; of a power law its modulus at the time for which that of the first
     !> is given.

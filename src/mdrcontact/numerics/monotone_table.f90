@@ -4,7 +4,8 @@
 !> GSL computes the slopes once; the function then is plain data that can be copied and shared between threads.
 module mdrcontact_numerics_monotone_table
     use, intrinsic :: iso_c_binding, only: c_associated, c_int, c_null_ptr, c_ptr, c_size_t
-    use mdrcontact_numerics_copy, only: copy_array
+    use, intrinsic :: iso_fortran_env, only: int64
+    use mdrcontact_base_object, only: real_bytes
     use mdrcontact_error, only: error_invalid, error_memory, error_t, raise
     use mdrcontact_gsl, only: disable_gsl_abort, gsl_interp_steffen, gsl_spline_alloc, gsl_spline_eval_deriv, &
                               gsl_spline_free, gsl_spline_init, gsl_success
@@ -24,7 +25,7 @@ module mdrcontact_numerics_monotone_table
         real(wp), allocatable :: x(:), y(:), slopes(:)
     contains
         procedure :: value
-        procedure :: copy_to
+        procedure :: bytes
         procedure :: at
         procedure :: slope_at
     end type monotone_table_t
@@ -83,15 +84,13 @@ contains
         end if
     end function end_slope
 
-    pure subroutine copy_to(self, copy, error)
+    !> What a copy takes [byte].
+    pure function bytes(self)
         class(monotone_table_t), intent(in) :: self
-        type(monotone_table_t), intent(out) :: copy
-        type(error_t), allocatable, intent(inout) :: error
+        integer(int64) :: bytes
 
-        call copy_array(self%x, copy%x, error)
-        call copy_array(self%y, copy%y, error)
-        call copy_array(self%slopes, copy%slopes, error)
-    end subroutine copy_to
+        bytes = 3*real_bytes*size(self%x)
+    end function bytes
 
     function value(self, x) result(y)
         class(monotone_table_t), intent(inout) :: self

@@ -3,12 +3,13 @@
 !>
 !> It is interpolated in ln a, and constant below its smallest radius: forces are integrated from first contact.
 module mdrcontact_numerics_radius_law
+    use, intrinsic :: iso_fortran_env, only: int64
     use mdrcontact_base_nonfinite, only: is_finite
-    use mdrcontact_error, only: check_memory, check_positive, check_table, error_callback, error_invalid, error_memory, &
-                                error_no_convergence, error_t, raise, to_text
+    use mdrcontact_base_object, only: real_bytes
+    use mdrcontact_error, only: check_positive, check_table, error_callback, error_invalid, error_memory, error_no_convergence, &
+                                error_t, raise, to_text
     use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_kinds, only: wp
-    use mdrcontact_numerics_copy, only: copy_array
     use mdrcontact_numerics_monotone_table, only: monotone_table_t, new_monotone_table
     use mdrcontact_numerics_quadrature, only: merge_breaks
     use mdrcontact_numerics_sampled_function, only: new_sampled_function, sampled_function_t
@@ -33,7 +34,7 @@ module mdrcontact_numerics_radius_law
         real(wp), allocatable, private :: breaks(:)
     contains
         procedure :: at
-        procedure :: copy_to
+        procedure :: bytes
         procedure :: slope_at
         procedure :: add_breaks
     end type radius_law_t
@@ -126,27 +127,15 @@ contains
         end if
     end subroutine new_radius_law_from_function
 
-    !> A copy that shares nothing with this one; without memory for it, an error.
-    pure subroutine copy_to(self, copy, error)
+    !> What a copy takes [byte].
+    pure function bytes(self)
         class(radius_law_t), intent(in) :: self
-        type(radius_law_t), intent(out) :: copy
-        type(error_t), allocatable, intent(inout) :: error
-        integer :: stat
+        integer(int64) :: bytes
 
-        copy%smallest_radius = self%smallest_radius
-        copy%largest_radius = self%largest_radius
-        call copy_array(self%breaks, copy%breaks, error)
-        if (allocated(error)) return
-        if (allocated(self%table)) then
-            allocate (copy%table, stat=stat)
-            call check_memory(error, stat)
-            if (stat == 0) call self%table%copy_to(copy%table, error)
-        else if (allocated(self%sampled)) then
-            allocate (copy%sampled, stat=stat)
-            call check_memory(error, stat)
-            if (stat == 0) call self%sampled%copy_to(copy%sampled, error)
-        end if
-    end subroutine copy_to
+        bytes = real_bytes*size(self%breaks)
+        if (allocated(self%table)) bytes = bytes + self%table%bytes()
+        if (allocated(self%sampled)) bytes = bytes + self%sampled%bytes()
+    end function bytes
 
     !> The value at radius a <= largest_radius.
     elemental function at(self, a) result(y)

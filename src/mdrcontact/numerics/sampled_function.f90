@@ -5,12 +5,13 @@
 !> series is the function where it was not sampled. A panel that begins at a break of the function uses the variable
 !> sqrt(x - left edge), in which the square-root branches of contact mechanics are analytic.
 module mdrcontact_numerics_sampled_function
+    use, intrinsic :: iso_fortran_env, only: int64
     use mdrcontact_base_nonfinite, only: is_finite
+    use mdrcontact_base_object, only: real_bytes
     use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_error, only: check_memory, error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_numerics_chebyshev, only: chebyshev_sum, chebyshev_sums, cosine_transform, differentiate
-    use mdrcontact_numerics_copy, only: copy_array
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
     use mdrcontact_numerics_search, only: interval_of
     implicit none (type, external)
@@ -61,7 +62,7 @@ module mdrcontact_numerics_sampled_function
         procedure :: panels
         procedure :: edge
         procedure :: move_to
-        procedure :: copy_to
+        procedure :: bytes
         procedure :: values_in
         procedure :: slopes_in
         procedure :: degree_in
@@ -296,18 +297,13 @@ contains
         call move_alloc(coefficients, self%coefficients)
     end subroutine resize
 
-    pure subroutine copy_to(self, copy, error)
+    !> What a copy takes [byte].
+    pure function bytes(self)
         class(sampled_function_t), intent(in) :: self
-        type(sampled_function_t), intent(out) :: copy
-        type(error_t), allocatable, intent(inout) :: error
+        integer(int64) :: bytes
 
-        call copy_array(self%edges, copy%edges, error)
-        call copy_array(self%from_root, copy%from_root, error)
-        call copy_array(self%coefficients, copy%coefficients, error)
-        call copy_array(self%derivatives, copy%derivatives, error)
-        call copy_array(self%used, copy%used, error)
-        call copy_array(self%integrals, copy%integrals, error)
-    end subroutine copy_to
+        bytes = real_bytes*(2*size(self%coefficients) + 4*size(self%edges))
+    end function bytes
 
     subroutine integrate_panels(self)
         type(sampled_function_t), intent(inout) :: self

@@ -3,11 +3,10 @@
 !> Oliver, Pharr, J. Mater. Res. 7 (1992) 1564.
 module mdrcontact_profile_area_function
     use mdrcontact_base_parameter, only: nature_signed, nature_term, parameter_t
-    use mdrcontact_error, only: check_finite, check_memory, check_not_negative, check_positive, count_text, error_invalid, &
+    use mdrcontact_error, only: check_finite, check_not_negative, check_positive, count_text, error_invalid, &
                                 error_t, raise, to_text
     use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_kinds, only: pi, wp
-    use mdrcontact_numerics_copy, only: copy_array
     use mdrcontact_profile, only: profile_t
     use mdrcontact_profile_sampled, only: sample_from_height, sampled_profile_t
     use mdrcontact_numerics_roots, only: solve_increasing
@@ -24,7 +23,6 @@ module mdrcontact_profile_area_function
     contains
         procedure :: parameters
         procedure :: with_parameters
-        procedure :: copy_to
     end type area_function_t
 
     !> The height f at radius r, from A(f) = pi r^2.
@@ -116,23 +114,6 @@ contains
         call new_area_function_profile(other, values, self%min_height, self%max_height, error)
         call move_alloc(other, profile)
     end subroutine with_parameters
-
-    recursive subroutine copy_to(self, copy, error)
-        class(area_function_t), intent(in) :: self
-        class(profile_t), allocatable, intent(out) :: copy
-        type(error_t), allocatable, intent(inout) :: error
-        type(area_function_t), allocatable :: own
-        integer :: stat
-
-        allocate (own, stat=stat)
-        call check_memory(error, stat)
-        if (stat /= 0) return
-        call self%copy_samples(own, error)
-        call copy_array(self%coefficients, own%coefficients, error)
-        own%min_height = self%min_height
-        own%max_height = self%max_height
-        call move_alloc(own, copy)
-    end subroutine copy_to
 
     !> A(f) = C0 f^2 + C1 f + C2 f^(1/2) + ... [length^2]
     pure function projected_area(coefficients, height) result(area)

@@ -2,10 +2,11 @@
 !> Indenters without a closed form: a user's function, a table, an area function. f and g are sampled once, when the indenter
 !> is made, and from then on cost as little as a closed form; a user's function is not called again.
 module mdrcontact_profile_sampled
+    use, intrinsic :: iso_fortran_env, only: int64
+    use mdrcontact_base_object, only: real_bytes
     use mdrcontact_error, only: check_memory, error_invalid, error_t, raise, to_text
     use mdrcontact_kinds, only: wp
     use mdrcontact_numerics_quadrature, only: merge_breaks
-    use mdrcontact_numerics_copy, only: copy_array
     use mdrcontact_profile, only: profile_t
     use mdrcontact_profile_corners, only: add_corners
     use mdrcontact_profile_transform, only: new_transform, transform_t
@@ -29,8 +30,7 @@ module mdrcontact_profile_sampled
         procedure :: mdr_slope
         procedure :: mdr_moment
         procedure :: add_breaks
-        procedure :: copy_to
-        procedure :: copy_samples
+        procedure :: bytes
     end type sampled_profile_t
 
     real(wp), parameter :: height_tolerance = 1.0e-14_wp, transform_tolerance = 2.0e-14_wp
@@ -128,35 +128,6 @@ contains
                                   roughness=height_roughness*roughness, everywhere=.true.)
     end subroutine sample_height
 
-    recursive subroutine copy_to(self, copy, error)
-        class(sampled_profile_t), intent(in) :: self
-        class(profile_t), allocatable, intent(out) :: copy
-        type(error_t), allocatable, intent(inout) :: error
-        type(sampled_profile_t), allocatable :: own
-        integer :: stat
-
-        allocate (own, stat=stat)
-        call check_memory(error, stat)
-        if (stat /= 0) return
-        call self%copy_samples(own, error)
-        call move_alloc(own, copy)
-    end subroutine copy_to
-
-    !> Copies what is sampled into one that extends it.
-    subroutine copy_samples(self, copy, error)
-        class(sampled_profile_t), intent(in) :: self
-        class(sampled_profile_t), intent(inout) :: copy
-        type(error_t), allocatable, intent(inout) :: error
-
-        call self%f%copy_to(copy%f, error)
-        if (.not. allocated(error)) call self%g%copy_to(copy%g, error)
-        call copy_array(self%breaks, copy%breaks, error)
-        copy%f_exponent = self%f_exponent
-        copy%g_exponent = self%g_exponent
-        copy%end_radius = self%end_radius
-        copy%largest_radius = self%largest_radius
-    end subroutine copy_samples
-
     !> Takes g = `mdr` on [0, largest] and transforms it back to f.
     subroutine sample_from_mdr(self, mdr, largest, flat_radius, breaks, error)
         type(sampled_profile_t), intent(out) :: self
@@ -207,6 +178,13 @@ contains
         self%f_exponent = end_exponent(self%f, flat_radius)
         self%g_exponent = end_exponent(self%g, flat_radius)
     end subroutine finish
+
+    pure recursive function bytes(self)
+        class(sampled_profile_t), intent(in) :: self
+        integer(int64) :: bytes
+
+        bytes = self%f%bytes() + self%g%bytes() + real_bytes*size(self%breaks)
+    end function bytes
 
     elemental function height(self, x) result(y)
         class(sampled_profile_t), intent(in) :: self

@@ -1,7 +1,9 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Sums of indenters: f and g are linear in each other, so the MDR profile of a sum is the sum of the MDR profiles.
 module mdrcontact_profile_sum
-    use mdrcontact_error, only: check_memory, error_invalid, error_t, raise
+    use, intrinsic :: iso_fortran_env, only: int64
+    use mdrcontact_base_object, only: room
+    use mdrcontact_error, only: error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
     use mdrcontact_profile, only: profile_t
     use mdrcontact_numerics_quadrature, only: merge_breaks
@@ -28,7 +30,7 @@ module mdrcontact_profile_sum
         procedure :: mdr_moment
         procedure :: add_breaks
         procedure :: powers
-        procedure :: copy_to
+        procedure :: bytes
     end type profile_sum_t
 
 contains
@@ -44,36 +46,12 @@ contains
         do i = 1, size(terms)
             if (.not. allocated(terms(i)%profile)) call raise(error, error_invalid, "a term of the sum holds no profile")
         end do
+        if (.not. allocated(error)) call room(bytes_of(terms), error)
         if (allocated(error)) return
-        call take_copies(self, terms, error)
-    end subroutine new_profile_sum
-
-    recursive subroutine copy_to(self, copy, error)
-        class(profile_sum_t), intent(in) :: self
-        class(profile_t), allocatable, intent(out) :: copy
-        type(error_t), allocatable, intent(inout) :: error
-        type(profile_sum_t), allocatable :: own
-        integer :: stat
-
-        allocate (own, stat=stat)
-        call check_memory(error, stat)
-        if (stat == 0) call take_copies(own, self%terms, error)
-        call move_alloc(own, copy)
-    end subroutine copy_to
-
-    recursive subroutine take_copies(self, terms, error)
-        type(profile_sum_t), intent(inout) :: self
-        type(profile_term_t), intent(in) :: terms(:)
-        type(error_t), allocatable, intent(inout) :: error
-        integer :: i, stat
-
-        allocate (self%terms(size(terms)), stat=stat)
-        call check_memory(error, stat)
+        allocate (self%terms, source=terms)
         self%end_radius = huge(1.0_wp)
         do i = 1, size(terms)
-            if (allocated(error)) return
             associate (term => terms(i)%profile)
-                call term%copy_to(self%terms(i)%profile, error)
                 ! the term that ends first has a vertical wall there
                 if (term%largest_radius <= self%largest_radius) then
                     self%has_wall = term%has_wall .or. (self%has_wall .and. term%largest_radius >= self%largest_radius)
@@ -83,7 +61,25 @@ contains
                 self%end_radius = min(self%end_radius, term%end_radius)
             end associate
         end do
-    end subroutine take_copies
+    end subroutine new_profile_sum
+
+    pure recursive function bytes(self)
+        class(profile_sum_t), intent(in) :: self
+        integer(int64) :: bytes
+
+        bytes = bytes_of(self%terms)
+    end function bytes
+
+    pure recursive function bytes_of(terms) result(bytes)
+        type(profile_term_t), intent(in) :: terms(:)
+        integer(int64) :: bytes
+        integer :: i
+
+        bytes = storage_size(terms)/8*size(terms, kind=int64)
+        do i = 1, size(terms)
+            bytes = bytes + terms(i)%profile%bytes()
+        end do
+    end function bytes_of
 
     elemental function height(self, x) result(y)
         class(profile_sum_t), intent(in) :: self

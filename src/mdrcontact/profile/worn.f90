@@ -1,10 +1,12 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> A worn indenter: any other one, less a depth W(r) that wear has taken from it.
 module mdrcontact_profile_worn
+    use, intrinsic :: iso_fortran_env, only: int64
+    use mdrcontact_base_object, only: real_bytes
     use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_numerics_quadrature, only: merge_breaks
-    use mdrcontact_profile, only: profile_t, root_beyond
+    use mdrcontact_profile, only: copy, profile_t, root_beyond
     implicit none (type, external)
     private
     public :: worn_profile_t, new_worn_profile
@@ -29,7 +31,7 @@ module mdrcontact_profile_worn
         procedure :: mdr_moment
         procedure :: add_breaks
         procedure :: split
-        procedure :: copy_to
+        procedure :: bytes
     end type worn_profile_t
 
 contains
@@ -49,7 +51,7 @@ contains
         integer :: i, n, stat
 
         n = size(radii)
-        call base%copy_to(self%base, error)
+        call copy(base, self%base, error)
         if (allocated(error)) return
         allocate (self%radii(2*n), self%slopes(2*n), self%curvatures(2*n), self%more_slope(2*n), self%more_curvature(2*n), &
                   self%depths(2*n), stat=stat)
@@ -98,35 +100,18 @@ contains
         real(wp), allocatable, intent(out) :: radii(:), slopes(:), curvatures(:)
         type(error_t), allocatable, intent(inout) :: error
 
-        call self%base%copy_to(base, error)
+        call copy(self%base, base, error)
         radii = self%radii
         slopes = self%slopes
         curvatures = self%curvatures
     end subroutine split
 
-    recursive subroutine copy_to(self, copy, error)
+    pure recursive function bytes(self)
         class(worn_profile_t), intent(in) :: self
-        class(profile_t), allocatable, intent(out) :: copy
-        type(error_t), allocatable, intent(inout) :: error
-        type(worn_profile_t), allocatable :: own
-        integer :: stat
+        integer(int64) :: bytes
 
-        allocate (own, stat=stat)
-        call check_memory(error, stat)
-        if (stat /= 0) return
-        call self%base%copy_to(own%base, error)
-        own%largest_radius = self%largest_radius
-        own%singular_radius = self%singular_radius
-        own%end_radius = self%end_radius
-        own%has_wall = self%has_wall
-        own%radii = self%radii
-        own%slopes = self%slopes
-        own%curvatures = self%curvatures
-        own%more_slope = self%more_slope
-        own%more_curvature = self%more_curvature
-        own%depths = self%depths
-        call move_alloc(own, copy)
-    end subroutine copy_to
+        bytes = self%base%bytes() + 6*real_bytes*size(self%radii)
+    end function bytes
 
     !> W(r) [length].
     elemental function worn_depth(self, x) result(y)

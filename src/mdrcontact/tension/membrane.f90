@@ -8,9 +8,11 @@
 !> On a half-space chi = c/(1 + k l) with c = S_12 S_21/det S: it falls as 1/k only, and X(y) is a logarithm beside y = 0, as on
 !> graded bodies. Waves far shorter than all lengths are left out as those do it, by a factor exp(-2 k h_0).
 module mdrcontact_tension_membrane
+    use, intrinsic :: iso_fortran_env, only: int64
+    use mdrcontact_base_object, only: room
     use mdrcontact_body_chain, only: chain_t
     use mdrcontact_body_compliance, only: compliance_t
-    use mdrcontact_error, only: check_memory, error_invalid, error_t, raise, to_text
+    use mdrcontact_error, only: error_invalid, error_t, raise, to_text
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
@@ -37,6 +39,7 @@ module mdrcontact_tension_membrane
         procedure :: split
         procedure, private :: parts
         procedure :: key
+        procedure :: bytes
     end type membrane_t
 
 contains
@@ -54,14 +57,13 @@ contains
         complex(wp), dimension(2, 2) :: half_space, whole, change
         complex(wp) :: k
         logical :: is_whole
-        integer :: stat
         real(wp) :: determinant, shortest, longest
 
         if (allocated(error)) return
         select type (body)
         type is (chain_t)
-            allocate (self%body, source=body, stat=stat)
-            call check_memory(error, stat)
+            call room(body%bytes(), error)
+            if (.not. allocated(error)) allocate (self%body, source=body)
         class default
             call raise(error, error_invalid, "surface stretching is not allowed on a graded body: use layers")
             return
@@ -95,6 +97,13 @@ contains
         self%first_depth = self%faded
         self%last_depth = max(longest, abs(self%stretching*real(whole(1, 1), wp)))
     end subroutine new_membrane
+
+    pure recursive function bytes(self)
+        class(membrane_t), intent(in) :: self
+        integer(int64) :: bytes
+
+        bytes = self%body%bytes()
+    end function bytes
 
     subroutine chi_at(self, k, sigma, chi)
         class(membrane_t), intent(in) :: self

@@ -21,7 +21,7 @@ module mdrcontact_tension_stability
     !> What waves meet beside the tension, over the logarithm of their wavenumbers.
     type, extends(scalar_function_t) :: resistance_t
         real(wp) :: bending = 0.0_wp
-        class(compliance_t), allocatable :: compliance
+        class(compliance_t), pointer :: compliance => null()
     contains
         procedure :: value => resistance_at
     end type resistance_t
@@ -32,7 +32,7 @@ contains
     subroutine check_stability(surface, compliance, error)
         type(surface_t), intent(in) :: surface
         !> of the body without its surface, under a normal load
-        class(compliance_t), intent(in) :: compliance
+        class(compliance_t), intent(in), target :: compliance
         type(error_t), allocatable, intent(inout) :: error
         real(wp) :: tension, wave
 
@@ -48,14 +48,14 @@ contains
     subroutine critical_tension(bending, compliance, tension, wave)
         !> B > 0 [modulus length^3]
         real(wp), intent(in) :: bending
-        class(compliance_t), intent(in) :: compliance
+        class(compliance_t), intent(in), target :: compliance
         real(wp), intent(out) :: tension, wave
         type(resistance_t) :: resistance
         real(wp) :: usual, place
         integer :: i
 
         resistance%bending = bending
-        allocate (resistance%compliance, source=compliance)
+        resistance%compliance => compliance
         usual = log(0.25_wp*real(compliance%scale, wp)/bending)/3.0_wp
         call find_lowest(resistance, [(usual + log(widest)*(2.0_wp*i/steps - 1.0_wp), i=0, steps)], place, tension)
         wave = exp(place)
