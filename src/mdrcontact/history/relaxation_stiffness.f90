@@ -174,7 +174,7 @@ contains
         call medium%chain_at(normal_load, s, chain, error)
         at%surface_modulus = chain%scale
         do i = 1, 2
-            call new_part(part, chain, i == 2, memory, error)
+            call new_part(part, chain, i == 2, memory)
             if (.not. allocated(error)) call shared_kernel(at%shared, part, at%parts(i), error, allowed_misfit)
             if (allocated(error)) return
         end do

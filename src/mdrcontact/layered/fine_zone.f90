@@ -79,7 +79,7 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         real(wp), allocatable :: x(:, :), terms(:)
         real(wp) :: edge_load, missed(4)
-        integer :: m, nodes, stat
+        integer :: m, nodes
 
         m = 2*n
         nodes = max(ceiling(nodes_of_film(tolerance, a/kernel%unit)*merge(1.0_wp, 1.4_wp, is_smooth(profile))), m)
@@ -88,11 +88,8 @@ contains
         self%n = n
         self%a = a
         self%unit = kernel%unit
-        allocate (self%forward(n, 3), x(m, 3), self%edge_kernel(m), self%known_g(m), terms(n), stat=stat)
-        call check_memory(error, stat)
-        if (stat /= 0) return
-        call new_remainder(self%remainder, n, m, self%equation%h, error)
-        if (allocated(error)) return
+        allocate (self%forward(n, 3), x(m, 3), self%edge_kernel(m), self%known_g(m), terms(n))
+        call new_remainder(self%remainder, n, m, self%equation%h)
         associate (h => self%equation%h, rhs => self%equation%rhs)
             call edge_kernel(self%equation%moments, self%edge_kernel)
             self%known_g = 0.0_wp
@@ -146,13 +143,11 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         type(rule_t) :: rule
         real(wp) :: s(m)
-        integer :: j, stat
+        integer :: j
 
         call contact_rule(rule, self%a/self%unit, m, m + more_orders, .true., error)
         if (allocated(error)) return
-        allocate (self%polynomials(size(rule%weights), m), stat=stat)
-        call check_memory(error, stat)
-        if (stat /= 0) return
+        allocate (self%polynomials(size(rule%weights), m))
         self%from_edge = 0.5_wp*rule%distance
         self%weights = 0.5_wp*rule%weights
         call weigh_even(1.0_wp - self%from_edge, self%weights, self%polynomials)
@@ -176,13 +171,10 @@ contains
         real(wp), allocatable :: x(:, :), of_zone(:), to_gap(:), rhs(:, :), forward(:, :), solution(:, :), known(:, :), rest(:)
         real(wp), allocatable :: total(:), terms(:)
         real(wp) :: whole(2), edge_t, one_t, gap_t, gap_one, gap_g, of_edge, missed(3)
-        integer :: m, stat
+        integer :: m
 
         m = 2*self%n
-        allocate (rhs(m, 2), forward(self%n, 2), solution(m, 2), known(m, 2), total(self%n), rest(self%n), terms(self%n), &
-                  stat=stat)
-        call check_memory(error, stat)
-        if (stat /= 0) return
+        allocate (rhs(m, 2), forward(self%n, 2), solution(m, 2), known(m, 2), total(self%n), rest(self%n), terms(self%n))
         call between(self, kernel, rule, x, error)
         if (allocated(error)) return
         of_zone = matmul(x(:, 1:), load)/(pi*self%unit)

@@ -71,13 +71,12 @@ contains
         real(wp), allocatable, intent(out) :: matrix(:, :)
         type(error_t), allocatable, intent(inout) :: error
         type(moments_t) :: moments
-        integer :: i, stat
+        integer :: i
 
         if (allocated(error)) return
         if (kernel%vanishes) then
-            allocate (matrix(n, n), stat=stat)
-            call check_memory(error, stat)
-            if (stat == 0) matrix = 0.0_wp
+            allocate (matrix(n, n))
+            matrix = 0.0_wp
             return
         end if
         call new_interaction(moments, matrix, kernel, a, n, n, nodes, 4*n, error)
@@ -122,7 +121,7 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         type(rule_t) :: panel
         real(wp) :: ends(2)
-        integer :: i, nodes, panels, first, stat
+        integer :: i, nodes, panels, first
 
         nodes = count
         if (fine) nodes = max(ceiling(1.5_wp/trusted*real(order, wp)), min(24 + nint(16.0_wp*sqrt(sqrt(a))), 256))
@@ -137,9 +136,7 @@ contains
             return
         end if
         nodes = size(panel%weights)
-        allocate (rule%distance(panels*nodes), rule%weights(panels*nodes), stat=stat)
-        call check_memory(error, stat)
-        if (stat /= 0) return
+        allocate (rule%distance(panels*nodes), rule%weights(panels*nodes))
         do i = 1, panels
             first = (i - 1)*nodes + 1
             ends = 2.0_wp*sin(half_pi*[real(i - 1, wp), real(i, wp)]/real(panels, wp))**2
@@ -164,7 +161,7 @@ contains
         type(rule_t) :: rule
         real(wp), allocatable :: x(:), even(:), odd(:), work(:, :)
         real(wp) :: base(1)
-        integer :: n, half, highest, stat
+        integer :: n, half, highest
 
         self%a = a
         call contact_rule(rule, a, count, order, fine, error)
@@ -173,9 +170,7 @@ contains
         highest = n - 1
         if (fine) highest = floor(trusted/1.5_wp*n)
         half = n/2
-        allocate (x(n), even(half), odd(half), work(n, 4), self%t(0:last), stat=stat)
-        call check_memory(error, stat)
-        if (stat /= 0) return
+        allocate (x(n), even(half), odd(half), work(n, 4), self%t(0:last))
         if (kernel%sigma_zero > 1.0_wp .and. 2.0_wp*a <= scale(1.0_wp, kernel%plateau)) self%shift = kernel%origin
         work(:, 1) = a*rule%distance
         call kernel%evaluate(work(:, 1), self%shift, x)

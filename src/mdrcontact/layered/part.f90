@@ -6,7 +6,6 @@
 !> [chi(k) + conjg chi(conjg k)]/2 and the difference over 2i, so that each is tabulated like the compliance of an elastic body.
 module mdrcontact_layered_part
     use mdrcontact_body_compliance, only: compliance_t
-    use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
@@ -41,21 +40,14 @@ module mdrcontact_layered_part
 contains
 
     !> The real or the imaginary part of chi; sigma = 1 + chi of both.
-    subroutine new_part(self, whole, imaginary, memory, error)
+    subroutine new_part(self, whole, imaginary, memory)
         type(part_t), intent(out) :: self
         !> both live as long as the part; the memory is that of both parts of one compliance
         class(compliance_t), intent(in), target :: whole
         logical, intent(in) :: imaginary
         type(part_memory_t), intent(inout), target :: memory
-        type(error_t), allocatable, intent(inout) :: error
-        integer :: stat
 
-        if (allocated(error)) return
-        if (.not. allocated(memory%blocks)) then
-            allocate (memory%blocks(most_blocks), stat=stat)
-            call check_memory(error, stat)
-            if (stat /= 0) return
-        end if
+        if (.not. allocated(memory%blocks)) allocate (memory%blocks(most_blocks))
         self%whole => whole
         self%memory => memory
         self%is_imaginary = imaginary

@@ -5,7 +5,6 @@
 !> One iteration of the equation gives as many coefficients more, which enter products to second order. The Schur complement of
 !> the n unknowns is close to its diagonal, S_i, which the pivots approach geometrically to 1. Sums over fewer terms give the error.
 module mdrcontact_layered_remainder
-    use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_kinds, only: half_pi, wp
     implicit none (type, external)
     private
@@ -30,17 +29,14 @@ module mdrcontact_layered_remainder
 contains
 
     !> From the factor of the first n rows of 1 + H.
-    subroutine new_remainder(self, n, m, h, error)
+    subroutine new_remainder(self, n, m, h)
         type(remainder_t), intent(out) :: self
         integer, intent(in) :: n, m
         real(wp), intent(in) :: h(m, n)
-        type(error_t), allocatable, intent(inout) :: error
         real(wp) :: pivot, ratio
-        integer :: i, stat
+        integer :: i
 
-        allocate (self%inverse(m - n), self%unsure(m - n), self%quarter(m - n), self%eighth(m - n), stat=stat)
-        call check_memory(error, stat)
-        if (stat /= 0) return
+        allocate (self%inverse(m - n), self%unsure(m - n), self%quarter(m - n), self%eighth(m - n))
         pivot = h(n, n)**2 - 1.0_wp
         ratio = 0.0_wp
         if (abs(pivot) > epsilon(pivot)) ratio = min(max(pivot/(h(n - 2, n - 2)**2 - 1.0_wp), 0.0_wp), 1.0_wp)

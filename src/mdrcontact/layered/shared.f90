@@ -2,7 +2,7 @@
 !> What exact media that are made one after the other share: the waves of the kernel's tabulation, and
 !> the kernel itself where only the unit of length changes. It belongs to what makes the media; media do not refer to it.
 module mdrcontact_layered_shared
-    use mdrcontact_error, only: check_memory, error_t
+    use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_layered_kernel, only: kernel_t
     use mdrcontact_body_compliance, only: compliance_t
@@ -45,15 +45,11 @@ contains
         real(wp), intent(in), optional :: allowed
         real(wp), allocatable :: key(:)
         real(wp) :: misfit
-        integer :: i, stat
+        integer :: i
 
         call surface%key(key, error)
         if (allocated(error)) return
-        if (.not. allocated(shared%kernels)) then
-            allocate (shared%tables(attempts), shared%kernels(most_kernels), stat=stat)
-            call check_memory(error, stat)
-            if (stat /= 0) return
-        end if
+        if (.not. allocated(shared%kernels)) allocate (shared%tables(attempts), shared%kernels(most_kernels))
         do i = 1, most_kernels
             if (is_same(shared%kernels(i), key)) exit
         end do

@@ -6,7 +6,7 @@
 !> integral.
 module mdrcontact_layered_solve
     use mdrcontact_cancel, only: check_cancelled
-    use mdrcontact_error, only: check_memory, error_no_convergence, error_t, raise, to_text
+    use mdrcontact_error, only: error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: wp
     use mdrcontact_lapack, only: dpotrf
     use mdrcontact_layered_kernel, only: kernel_t
@@ -178,14 +178,12 @@ contains
         logical, intent(out) :: solved
         type(error_t), allocatable, intent(inout) :: error
         class(profile_t), intent(in), optional :: profile
-        integer :: i, stat
+        integer :: i
 
         solved = .false.
         call new_interaction(self%moments, self%h, kernel, a, rows, n, count, order, error)
         if (allocated(error)) return
-        allocate (self%rhs(rows, 3), stat=stat)
-        call check_memory(error, stat)
-        if (stat /= 0) return
+        allocate (self%rhs(rows, 3))
         self%rhs(:, 1) = 0.0_wp
         self%rhs(1, 1) = sqrt(2.0_wp)
         call edge_row(self%moments, self%h(:, 1), self%rhs(:, 2))
@@ -222,16 +220,14 @@ contains
         real(wp), allocatable :: forward(:, :), rest(:, :), known(:), work(:, :)
         type(remainder_t) :: remainder
         real(wp) :: beyond, whole
-        integer :: m, sides, stat
+        integer :: m, sides
 
         m = 2*n
         solution%unknowns = n
         sides = merge(3, 2, present(profile))
         call new_equation(equation, kernel, a, m, n, nodes, ceiling(needed*2*(m + n)), solved, error, profile)
         if (allocated(error) .or. .not. solved) return
-        allocate (forward(n, 3), rest(m - n, 3), known(m), work(m - n, 3), stat=stat)
-        call check_memory(error, stat)
-        if (stat /= 0) return
+        allocate (forward(n, 3), rest(m - n, 3), known(m), work(m - n, 3))
         whole = 0.0_wp
         known = 0.0_wp
         associate (moments => equation%moments, h => equation%h, rhs => equation%rhs)
@@ -252,8 +248,7 @@ contains
             call solve_upper(n, m, sides, h, rhs)
             work(:, :sides) = matmul(h(n + 1:, :), rhs(:n, :sides))
             rest(:, :sides) = rest(:, :sides) - work(:, :sides)
-            call new_remainder(remainder, n, m, h, error)
-            if (allocated(error)) return
+            call new_remainder(remainder, n, m, h)
             call add_rest(n, a, equation%mean, equation%rise, remainder, forward, rest, known(n + 1:), whole, solution, &
                           work(:, 1), work(:, 2))
             if (present(profile)) then

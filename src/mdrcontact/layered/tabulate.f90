@@ -8,7 +8,7 @@
 module mdrcontact_layered_tabulate
     use mdrcontact_body_compliance, only: compliance_t
     use mdrcontact_cancel, only: check_cancelled
-    use mdrcontact_error, only: check_memory, error_no_convergence, error_t, raise
+    use mdrcontact_error, only: error_no_convergence, error_t, raise
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_lapack, only: dgemv
     use mdrcontact_layered_kernel, only: degree, kernel_t, near_degree
@@ -65,29 +65,25 @@ contains
             call start_ray(ray, surface, kernel%unit, tables(attempt), most_octaves)
             call path_holds(ray, surface, kernel%unit, tables(attempt), holds)
             if (.not. holds) cycle
-            call fill_table(kernel, ray, surface, tables(attempt), error)
-            if (allocated(error)) return
+            call fill_table(kernel, ray, surface, tables(attempt))
             if (ray%roughness < 3.0e-8_wp .and. max(abs(kernel%defect()), kernel%misfit()) < allowed*(1.0_wp + ray%largest)) return
         end do
         call raise(error, error_no_convergence, "the surface compliance of this body could not be integrated over all wavelengths")
     end subroutine tabulate_kernel
 
-    subroutine fill_table(kernel, ray, surface, table, error)
+    subroutine fill_table(kernel, ray, surface, table)
         type(kernel_t), intent(inout) :: kernel
         type(ray_t), intent(inout) :: ray
         class(compliance_t), intent(in) :: surface
         type(wave_table_t), intent(in) :: table
-        type(error_t), allocatable, intent(inout) :: error
         integer, parameter :: n = degree + 1
         real(wp) :: x(2*n)
         real(wp), allocatable :: coefficients(:, :)
-        integer :: octave, stat
+        integer :: octave
         logical :: on_plateau
         real(wp) :: level, slope, spread, middle, inverse(2*n)
 
-        allocate (coefficients(0:degree, 0:2*most_octaves), stat=stat)
-        call check_memory(error, stat)
-        if (stat /= 0) return
+        allocate (coefficients(0:degree, 0:2*most_octaves))
         kernel%origin = ray%origin
         call near_values(ray, table, table%near_y, x(:n))
         coefficients(:, 0) = powers_from_values(x(:n), near_degree)
@@ -127,9 +123,7 @@ contains
         end do
         octave = min(octave, most_octaves - 1)
         if (allocated(kernel%coefficients)) deallocate (kernel%coefficients)
-        allocate (kernel%coefficients(0:degree, 0:2*octave + 2), stat=stat)
-        call check_memory(error, stat)
-        if (stat /= 0) return
+        allocate (kernel%coefficients(0:degree, 0:2*octave + 2))
         kernel%coefficients = coefficients(:, :2*octave + 2)
         call kernel%integrate()
     end subroutine fill_table

@@ -5,7 +5,7 @@
 !>
 !> Beyond the last node, an odd multiple of pi, cos^2 and sin^2 of the products are replaced by their mean.
 module mdrcontact_poroelastic_basis
-    use mdrcontact_error, only: check_memory, error_t
+    use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_lapack, only: dgemm
     use mdrcontact_numerics_even_waves, only: even_waves
@@ -41,7 +41,7 @@ contains
         real(wp), intent(in) :: shortest, longest
         type(error_t), allocatable, intent(inout) :: error
         real(wp) :: node(per_panel), weight(per_panel), left, right
-        integer :: octaves, turns, i, stat
+        integer :: octaves, turns, i
 
         if (allocated(error)) return
         octaves = max(4, ceiling(log(pi/shortest)/log(2.0_wp)))
@@ -49,10 +49,8 @@ contains
         self%order = order
         self%count = per_panel*(octaves + 1 + turns)
         allocate (self%k(self%count), self%weight(self%count), self%b(order, self%count), self%inner(order, self%count), &
-                  self%far(per_panel), self%far_weight(per_panel), self%tail(order, order), self%inner_tail(order, order), &
-                  stat=stat)
-        call check_memory(error, stat)
-        if (.not. allocated(error)) call gauss_legendre(node, weight, error)
+                  self%far(per_panel), self%far_weight(per_panel), self%tail(order, order), self%inner_tail(order, order))
+        call gauss_legendre(node, weight, error)
         if (allocated(error)) return
         right = 0.0_wp
         do i = 0, octaves + turns
@@ -115,14 +113,12 @@ contains
         complex(wp) :: beyond
         real(wp) :: product(2*self%order, self%order)
         real(wp), allocatable :: scaled(:, :)
-        integer :: i, n, stat
+        integer :: i, n
 
         matrix = 0.0_wp
         if (allocated(error)) return
         n = self%order
-        allocate (scaled(2*n, self%count), stat=stat)
-        call check_memory(error, stat)
-        if (stat /= 0) return
+        allocate (scaled(2*n, self%count))
         do i = 1, self%count
             if (is_inner) then
                 scaled(:n, i) = self%inner(:, i)*(self%weight(i)*real(f(i), wp))

@@ -8,7 +8,7 @@
 module mdrcontact_poroelastic_contact
     use mdrcontact_body_compliance, only: normal_to
     use mdrcontact_body_film, only: film_t, new_film
-    use mdrcontact_error, only: check_memory, error_no_convergence, error_t, raise
+    use mdrcontact_error, only: error_no_convergence, error_t, raise
     use mdrcontact_kinds, only: wp
     use mdrcontact_lapack, only: zgesv
     use mdrcontact_poroelastic_basis, only: basis_t
@@ -37,8 +37,9 @@ contains
 
         q = 0.0_wp
         w = 0.0_wp
-        call make_room(basis, r, p, error)
         if (allocated(error)) return
+        allocate (r(basis%order, basis%order), p(basis%order, basis%order))
+        p = 0.0_wp
         call basis%project(yield(gel, basis%k, s) - gel%local(), yield(gel, basis%far, s) - gel%local(), .false., r, error)
         call add_to_diagonal(r, gel%local())
         if (gel%drainage == sealed_by_indenter) then
@@ -59,15 +60,15 @@ contains
         logical, intent(in) :: is_drained
         complex(wp), intent(out) :: q(:)
         type(error_t), allocatable, intent(inout) :: error
-        complex(wp), allocatable :: r(:, :), p(:, :)
+        complex(wp), allocatable :: r(:, :)
         complex(wp) :: sigma, chi(basis%count), none(size(basis%far))
         type(film_t) :: film
         real(wp) :: poisson
         integer :: i
 
         q = 0.0_wp
-        call make_room(basis, r, p, error)
         if (allocated(error)) return
+        allocate (r(basis%order, basis%order))
         poisson = merge(gel%poisson, 0.5_wp, is_drained)
         film = new_film(cmplx(poisson, 0.0_wp, wp), cmplx(poisson, 0.0_wp, wp), (0.0_wp, 0.0_wp))
         chi = 0.0_wp
@@ -81,18 +82,6 @@ contains
         call add_to_diagonal(r, 1.0_wp - 2.0_wp*poisson)
         call solve_shape(r, flat, q, error)
     end subroutine solve_elastic
-
-    subroutine make_room(basis, r, p, error)
-        type(basis_t), intent(in) :: basis
-        complex(wp), allocatable, intent(out) :: r(:, :), p(:, :)
-        type(error_t), allocatable, intent(inout) :: error
-        integer :: stat
-
-        if (allocated(error)) return
-        allocate (r(basis%order, basis%order), p(basis%order, basis%order), stat=stat)
-        call check_memory(error, stat)
-        if (stat == 0) p = 0.0_wp
-    end subroutine make_room
 
     !> (1 + matrix) w = shape.
     subroutine solve_shape(matrix, shape, w, error)

@@ -6,7 +6,7 @@
 !> polynomials. Shorter times follow from the terms with which the answers begin, longer ones are solved one by one.
 module mdrcontact_poroelastic_table
     use mdrcontact_base_nonfinite, only: is_finite
-    use mdrcontact_error, only: check_memory, error_no_convergence, error_t, raise, to_text
+    use mdrcontact_error, only: error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: wp
     use mdrcontact_numerics_chebyshev, only: chebyshev_sum, node, series_of_values, terms
     use mdrcontact_poroelastic_answers, only: at_end, at_frequency, basis_for, columns, first_time, in_time, storage
@@ -58,7 +58,7 @@ contains
         real(wp), intent(in) :: ratio
         type(error_t), allocatable, intent(out) :: error
         type(basis_t) :: basis
-        integer :: i, stat
+        integer :: i
 
         call new_gel(self%gel, poisson, drainage, ratio, error)
         if (allocated(error)) return
@@ -67,9 +67,7 @@ contains
         call at_end(self%gel, basis, .true., self%drained, error)
         if (allocated(error)) return
         self%first = first_time(self%gel)
-        allocate (self%series(terms, columns, nint(log10(last_time/self%first))), stat=stat)
-        call check_memory(error, stat)
-        if (allocated(error)) return
+        allocate (self%series(terms, columns, nint(log10(last_time/self%first))))
         do i = 1, size(self%series, 3)
             call fill(self, i, error)
             if (allocated(error)) return

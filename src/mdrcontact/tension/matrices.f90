@@ -5,7 +5,7 @@
 !> couple, pi ka J_1(ka), before them. A_ij = (1/pi) int kappa_0 q_i q_j dk and its slope over a, from Phi(2a sin alpha sin beta):
 !>     A_ij = (4/pi) F(i + j, |i - j|),   F(m, n) = int int cos(2 m alpha) cos(2 n beta) Phi d alpha d beta.
 module mdrcontact_tension_matrices
-    use mdrcontact_error, only: check_memory, error_t
+    use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_lapack, only: dgemm
     use mdrcontact_tension_green, only: green_t, of_couple, of_couple_slope, of_couples, of_couples_slope, of_load, of_load_slope
@@ -30,7 +30,7 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         type(grid_t) :: grid
         real(wp), allocatable :: kernel(:, :, :), waves(:, :), transform(:, :)
-        integer :: couple, i, used, stat
+        integer :: couple, i, used
 
         couple = merge(1, 0, green%columns > 2)
         used = merge(green%columns, 1, couple == 1)
@@ -38,10 +38,8 @@ contains
         if (allocated(error)) return
         associate (nodes => size(grid%angle))
             allocate (kernel(nodes, nodes, used), matrix(n + couple, n + couple), slope(n + couple, n + couple), &
-                      waves(nodes, 0:2*n - 2), stat=stat)
+                      waves(nodes, 0:2*n - 2))
         end associate
-        call check_memory(error, stat)
-        if (stat /= 0) return
         call fill_kernel(green, grid, a, kernel)
         do i = 0, 2*n - 2
             waves(:, i) = cos(2.0_wp*i*grid%angle)

@@ -6,7 +6,7 @@
 !> b the moments of the profile: the rule dF/da = 0 at fixed depth replaces every condition at the edge.
 module mdrcontact_tension_solution
     use mdrcontact_body_compliance, only: compliance_t
-    use mdrcontact_error, only: check_memory, error_no_convergence, error_t, raise, to_text
+    use mdrcontact_error, only: error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_lapack, only: dpotrf, dpotrs
     use mdrcontact_profile, only: profile_t
@@ -188,11 +188,8 @@ contains
         real(wp), allocatable, intent(out) :: coefficients(:)
         type(error_t), allocatable, intent(inout) :: error
         real(wp), dimension(size(self%punch)) :: moments, slopes, coarse
-        integer :: stat
 
-        allocate (coefficients(size(self%punch)), stat=stat)
-        call check_memory(error, stat)
-        if (allocated(error)) return
+        allocate (coefficients(size(self%punch)))
         call profile_moments(profile, self%radius, self%couple, moments, slopes, error)
         coefficients = depth*self%punch - solved(self, moments)
         if (self%couple > 0) return
