@@ -8,7 +8,7 @@ module mdrcontact_medium_compliance
     use mdrcontact_error, only: error_domain, error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
     use mdrcontact_medium_viscoelastic, only: viscoelastic_t
-    use mdrcontact_tension_membrane, only: membrane_t, new_membrane
+    use mdrcontact_body_membrane, only: membrane_t, new_membrane
     use mdrcontact_tension_surface, only: is_bare, surface_t
     implicit none (type, external)
     private

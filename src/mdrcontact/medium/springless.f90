@@ -17,7 +17,7 @@ module mdrcontact_medium_springless
     use mdrcontact_profile, only: profile_t
     use mdrcontact_tension_fields, only: load_t, new_load
     use mdrcontact_tension_green, only: green_t, new_green
-    use mdrcontact_tension_membrane, only: membrane_t, new_membrane
+    use mdrcontact_body_membrane, only: membrane_t, new_membrane
     use mdrcontact_tension_solution, only: solution_t, solve_punch
     use mdrcontact_tension_stability, only: check_stability
     use mdrcontact_tension_surface, only: check_surface, surface_t

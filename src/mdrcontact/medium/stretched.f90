@@ -10,7 +10,7 @@ module mdrcontact_medium_stretched
     use mdrcontact_medium_exact, only: layered_exact_t, new_layered_exact
     use mdrcontact_medium_solver, only: solver_t
     use mdrcontact_profile, only: profile_t
-    use mdrcontact_tension_membrane, only: membrane_t, new_membrane
+    use mdrcontact_body_membrane, only: membrane_t, new_membrane
     use mdrcontact_tension_surface, only: check_surface, surface_t
     implicit none (type, external)
     private

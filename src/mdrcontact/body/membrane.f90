@@ -7,7 +7,7 @@
 !> relative to what short waves meet, a surface that cannot move sideways: E0* = E* 4 (1 - nu)^2/(3 - 4 nu) of an isotropic one.
 !> On a half-space chi = c/(1 + k l) with c = S_12 S_21/det S: it falls as 1/k only, and X(y) is a logarithm beside y = 0, as on
 !> graded bodies. Waves far shorter than all lengths are left out as those do it, by a factor exp(-2 k h_0).
-module mdrcontact_tension_membrane
+module mdrcontact_body_membrane
     use, intrinsic :: iso_fortran_env, only: int64
     use mdrcontact_base_object, only: room
     use mdrcontact_body_chain, only: chain_t
@@ -171,4 +171,4 @@ contains
         if (size(own) > 0) values = [own, self%length/self%first_depth, self%stretching/self%first_depth]
     end subroutine key
 
-end module mdrcontact_tension_membrane
+end module mdrcontact_body_membrane
