@@ -9,6 +9,7 @@ module mdrcontact_profile
     use mdrcontact_base_parameter, only: parameter_t
     use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: wp
+    use mdrcontact_numerics_quadrature, only: merge_breaks
     implicit none (type, external)
     private
     public :: copy, profile_t, root_after, root_beyond
@@ -45,15 +46,13 @@ module mdrcontact_profile
         !> int_0^x s g'(s) ds [length^2]; a homogeneous body's force is 2 E* times it
         procedure(radial_function), deferred :: mdr_moment
         !> adds to ascending radii those at which f is not analytic, in (0, largest_radius); quadrature is split there
-        procedure :: add_breaks => none
+        procedure :: add_breaks
         !> where a search for the contact radius at a depth begins: the inverse of g if it has a closed form [length]; else negative
         procedure :: radius_from_mdr => no_inverse
         !> g as a sum of powers c x^s where it is one
         procedure :: powers => no_powers
-        !> f' where it is piecewise linear
+        !> f', or what it adds to another profile's, where that is piecewise linear
         procedure :: linear_pieces => no_pieces
-        !> the sum that it is: another profile, and pieces with a linear f'
-        procedure :: split => no_sum
         !> whether it is a paraboloid, or a sphere, which is one near its axis
         procedure :: is_spherical
         !> its numbers, the arguments of its `new_...` procedure; none of tables, functions and sums
@@ -98,16 +97,19 @@ contains
         y = self%mdr_slope(start + distance)
     end function mdr_slope_beyond
 
-    pure subroutine none(self, radii, error)
+    !> The edge of a flat end.
+    pure subroutine add_breaks(self, radii, error)
         class(profile_t), intent(in) :: self
         !> ascending [length]; not allocated: none yet
         real(wp), allocatable, intent(inout) :: radii(:)
         type(error_t), allocatable, intent(inout) :: error
 
-        associate (unused => self, also_unused => error)
-        end associate
-        if (.not. allocated(radii)) allocate (radii(0))
-    end subroutine none
+        if (self%end_radius > 0.0_wp .and. self%end_radius < self%largest_radius) then
+            call merge_breaks(radii, [self%end_radius], error)
+        else if (.not. allocated(radii)) then
+            allocate (radii(0))
+        end if
+    end subroutine add_breaks
 
     pure function no_inverse(self, depth) result(radius)
         class(profile_t), intent(in) :: self
@@ -130,29 +132,19 @@ contains
         allocate (exponents(0), coefficients(0))
     end subroutine no_powers
 
-    pure subroutine no_pieces(self, radii, slopes, curvatures)
-        class(profile_t), intent(in) :: self
+    subroutine no_pieces(self, radii, slopes, curvatures, base)
+        class(profile_t), intent(in), target :: self
         !> f'(r) = slopes(i) + curvatures(i) r from radii(i), ascending from 0, to the next [length], [1], [1/length]; none where f'
         !> is not such a function
         real(wp), allocatable, intent(out) :: radii(:), slopes(:), curvatures(:)
+        !> the profile to which they are added; null: none
+        class(profile_t), pointer, intent(out) :: base
 
         associate (unused => self)
         end associate
+        nullify (base)
         allocate (radii(0), slopes(0), curvatures(0))
     end subroutine no_pieces
-
-    subroutine no_sum(self, base, radii, slopes, curvatures, error)
-        class(profile_t), intent(in) :: self
-        !> a copy; not allocated where it is no such sum
-        class(profile_t), allocatable, intent(out) :: base
-        !> f' = slopes(i) + curvatures(i) r from radii(i), ascending from 0, to the next [length], [1], [1/length]
-        real(wp), allocatable, intent(out) :: radii(:), slopes(:), curvatures(:)
-        type(error_t), allocatable, intent(inout) :: error
-
-        associate (unused => self, also_unused => base, unused_too => radii, and_this => slopes, this_too => curvatures, &
-                   last => error)
-        end associate
-    end subroutine no_sum
 
     pure subroutine no_parameters(self, list)
         class(profile_t), intent(in) :: self

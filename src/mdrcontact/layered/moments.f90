@@ -29,13 +29,13 @@ contains
 
     !> G_0 ... G_(m-1) [length].
     recursive subroutine profile_moments(profile, a, g, error)
-        class(profile_t), intent(in) :: profile
+        class(profile_t), intent(in), target :: profile
         !> contact radius [length]
         real(wp), intent(in) :: a
         real(wp), intent(out) :: g(:)
         type(error_t), allocatable, intent(inout) :: error
         real(wp), allocatable :: exponents(:), coefficients(:), radii(:), slopes(:), curvatures(:)
-        class(profile_t), allocatable :: base
+        class(profile_t), pointer :: base
         real(wp) :: pieces(size(g))
         integer :: i
 
@@ -45,27 +45,21 @@ contains
             if (.not. allocated(error)) call profile%moments(a, g, error)
             return
         end select
-        call profile%split(base, radii, slopes, curvatures, error)
-        if (allocated(base)) then
-            call profile_moments(base, a, g, error)
-            call piecewise_moments(radii, slopes, curvatures, a, pieces)
-            g = g + pieces*normalisation(size(g))
-            return
-        end if
-        call profile%powers(exponents, coefficients)
         g = 0.0_wp
-        if (size(exponents) > 0) then
-            do i = 1, size(exponents)
-                call add_power(exponents(i), coefficients(i)*a**exponents(i), g)
-            end do
-        else
-            call profile%linear_pieces(radii, slopes, curvatures)
+        call profile%powers(exponents, coefficients)
+        if (size(exponents) == 0) then
+            call profile%linear_pieces(radii, slopes, curvatures, base)
             if (size(radii) > 0) then
-                call piecewise_moments(radii, slopes, curvatures, a, g)
-            else
-                call integrate(profile, a, g, error)
+                if (associated(base)) call profile_moments(base, a, g, error)
+                call piecewise_moments(radii, slopes, curvatures, a, pieces)
+                g = g + pieces*normalisation(size(g))
+                return
             end if
+            call integrate(profile, a, g, error)
         end if
+        do i = 1, size(exponents)
+            call add_power(exponents(i), coefficients(i)*a**exponents(i), g)
+        end do
         g = g*normalisation(size(g))
     end subroutine profile_moments
 

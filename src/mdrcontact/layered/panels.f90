@@ -317,9 +317,7 @@ contains
         real(wp) :: half
         integer :: i
 
-        if (profile%end_radius > 0.0_wp) call merge_breaks(kinks, [profile%end_radius], error)
-        call profile%add_breaks(all, error)
-        call merge_breaks(kinks, all, error)
+        call profile%add_breaks(kinks, error)
         call merge_breaks(edges, [0.0_wp], error)
         if (allocated(error)) return
         kinks = [0.0_wp, kinks(:count(kinks > 0.0_wp .and. kinks < a)), a]

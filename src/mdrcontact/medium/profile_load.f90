@@ -50,7 +50,6 @@ contains
             self%v = springs%v
         end if
         call profile%add_breaks(breaks, error)
-        if (profile%end_radius > 0.0_wp) call merge_breaks(breaks, [profile%end_radius], error)
         call merge_breaks(self%kinks, breaks(:count(breaks < springs%a)), error)
         if (allocated(error)) return
         call self%mark_axis()

@@ -11,7 +11,7 @@
 !> The axis sticks at any twist: phi grows as ln(1/c).
 module mdrcontact_medium_twisted_slip
     use, intrinsic :: iso_c_binding, only: c_int
-    use mdrcontact_error, only: check_memory, count_text, error_invalid, error_t, raise
+    use mdrcontact_error, only: count_text, error_invalid, error_t, raise
     use mdrcontact_medium_slip, only: slip_t, thin
     use mdrcontact_gsl, only: gsl_sf_ellint_rd, gsl_sf_ellint_rf
     use mdrcontact_kinds, only: half_pi, pi, wp
@@ -216,7 +216,7 @@ contains
         real(wp), allocatable :: edges(:), b(:), w(:), rate(:), shift(:), stiffness(:), slope(:)
         logical, allocatable :: has_root(:)
         real(wp) :: t(nodes), weights(nodes), start, length
-        integer :: i, j, n, stat
+        integer :: i, j, n
 
         call gauss_legendre(t, weights, error)
         if (allocated(error)) return
@@ -224,9 +224,7 @@ contains
         if (.not. allocated(error)) call self%panels(max(c, self%smallest_stick), edges, has_root, error)
         if (allocated(error)) return
         n = nodes*(size(edges) - 1)
-        allocate (b(n), w(n), shift(n), rate(n), stiffness(n), slope(n), stat=stat)
-        call check_memory(error, stat)
-        if (stat /= 0) return
+        allocate (b(n), w(n), shift(n), rate(n), stiffness(n), slope(n))
         do i = 1, size(r)
             if (r(i) >= edges(1)) cycle
             ! in y = sqrt(b^2 - r^2): db/sqrt(b^2 - r^2) = dy/b

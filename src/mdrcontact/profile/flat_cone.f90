@@ -5,7 +5,6 @@ module mdrcontact_profile_flat_cone
     use mdrcontact_base_parameter, only: parameter_t
     use mdrcontact_error, only: check_inclination, check_positive, error_t
     use mdrcontact_kinds, only: wp
-    use mdrcontact_numerics_quadrature, only: merge_breaks
     use mdrcontact_profile, only: profile_t, root_after, root_beyond
     implicit none (type, external)
     private
@@ -23,7 +22,6 @@ module mdrcontact_profile_flat_cone
         procedure :: mdr_slope
         procedure :: mdr_slope_beyond
         procedure :: mdr_moment
-        procedure :: add_breaks
         procedure :: linear_pieces
         procedure :: parameters
         procedure :: set
@@ -121,18 +119,12 @@ contains
         y = 0.5_wp*self%tangent*(x**2*atan2(root, self%end_radius) + self%end_radius*root)
     end function mdr_moment
 
-    pure subroutine add_breaks(self, radii, error)
-        class(flat_cone_t), intent(in) :: self
-        real(wp), allocatable, intent(inout) :: radii(:)
-        type(error_t), allocatable, intent(inout) :: error
-
-        call merge_breaks(radii, [self%end_radius], error)
-    end subroutine add_breaks
-
-    pure subroutine linear_pieces(self, radii, slopes, curvatures)
-        class(flat_cone_t), intent(in) :: self
+    subroutine linear_pieces(self, radii, slopes, curvatures, base)
+        class(flat_cone_t), intent(in), target :: self
         real(wp), allocatable, intent(out) :: radii(:), slopes(:), curvatures(:)
+        class(profile_t), pointer, intent(out) :: base
 
+        nullify (base)
         radii = [0.0_wp, self%end_radius]
         slopes = [0.0_wp, self%tangent]
         curvatures = [0.0_wp, 0.0_wp]

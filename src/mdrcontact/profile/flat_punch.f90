@@ -12,11 +12,11 @@ module mdrcontact_profile_flat_punch
     !> f = g = 0 up to the vertical wall at b.
     type, extends(profile_t) :: flat_punch_t
     contains
-        procedure :: height
-        procedure :: slope
-        procedure :: mdr
-        procedure :: mdr_slope
-        procedure :: mdr_moment
+        procedure :: height => zero
+        procedure :: slope => zero
+        procedure :: mdr => zero
+        procedure :: mdr_slope => zero
+        procedure :: mdr_moment => zero
         procedure :: parameters
         procedure :: set
     end type flat_punch_t
@@ -52,7 +52,8 @@ contains
         call new_flat_punch(self, values(1), error)
     end subroutine set
 
-    elemental function height(self, x) result(y)
+    !> Of all its functions.
+    elemental function zero(self, x) result(y)
         class(flat_punch_t), intent(in) :: self
         real(wp), intent(in) :: x
         real(wp) :: y
@@ -60,46 +61,6 @@ contains
         associate (unused => self, also_unused => x)
         end associate
         y = 0.0_wp
-    end function height
-
-    elemental function slope(self, x) result(y)
-        class(flat_punch_t), intent(in) :: self
-        real(wp), intent(in) :: x
-        real(wp) :: y
-
-        associate (unused => self, also_unused => x)
-        end associate
-        y = 0.0_wp
-    end function slope
-
-    elemental function mdr(self, x) result(y)
-        class(flat_punch_t), intent(in) :: self
-        real(wp), intent(in) :: x
-        real(wp) :: y
-
-        associate (unused => self, also_unused => x)
-        end associate
-        y = 0.0_wp
-    end function mdr
-
-    elemental function mdr_slope(self, x) result(y)
-        class(flat_punch_t), intent(in) :: self
-        real(wp), intent(in) :: x
-        real(wp) :: y
-
-        associate (unused => self, also_unused => x)
-        end associate
-        y = 0.0_wp
-    end function mdr_slope
-
-    elemental function mdr_moment(self, x) result(y)
-        class(flat_punch_t), intent(in) :: self
-        real(wp), intent(in) :: x
-        real(wp) :: y
-
-        associate (unused => self, also_unused => x)
-        end associate
-        y = 0.0_wp
-    end function mdr_moment
+    end function zero
 
 end module mdrcontact_profile_flat_punch

@@ -136,10 +136,12 @@ contains
         call merge_breaks(radii, [self%blend_radius], error)
     end subroutine add_breaks
 
-    pure subroutine linear_pieces(self, radii, slopes, curvatures)
-        class(rounded_cone_t), intent(in) :: self
+    subroutine linear_pieces(self, radii, slopes, curvatures, base)
+        class(rounded_cone_t), intent(in), target :: self
         real(wp), allocatable, intent(out) :: radii(:), slopes(:), curvatures(:)
+        class(profile_t), pointer, intent(out) :: base
 
+        nullify (base)
         radii = [0.0_wp, self%blend_radius]
         slopes = [0.0_wp, self%tangent]
         curvatures = [self%tangent/self%blend_radius, 0.0_wp]

@@ -30,7 +30,7 @@ module mdrcontact_profile_worn
         procedure :: mdr_slope
         procedure :: mdr_moment
         procedure :: add_breaks
-        procedure :: split
+        procedure :: linear_pieces
         procedure :: bytes
     end type worn_profile_t
 
@@ -94,17 +94,16 @@ contains
         self%more_curvature(i) = curvature - self%curvatures(i - 1)
     end subroutine set_piece
 
-    subroutine split(self, base, radii, slopes, curvatures, error)
-        class(worn_profile_t), intent(in) :: self
-        class(profile_t), allocatable, intent(out) :: base
+    subroutine linear_pieces(self, radii, slopes, curvatures, base)
+        class(worn_profile_t), intent(in), target :: self
         real(wp), allocatable, intent(out) :: radii(:), slopes(:), curvatures(:)
-        type(error_t), allocatable, intent(inout) :: error
+        class(profile_t), pointer, intent(out) :: base
 
-        call copy(self%base, base, error)
+        base => self%base
         radii = self%radii
         slopes = self%slopes
         curvatures = self%curvatures
-    end subroutine split
+    end subroutine linear_pieces
 
     pure recursive function bytes(self)
         class(worn_profile_t), intent(in) :: self
