@@ -131,7 +131,7 @@ MUTATIONS = [
     ("python:measurement/dynamic.py", "p + math.sqrt(2.0) * rms * s, 2.0", "p + rms * s, 2.0", "test_dynamic.py"),
     ("python:measurement/segments.py", "max(len(r) * (1.0 - rho) / (1.0 + rho), 3.0)",
      "max(len(r) * (1.0 + rho) / (1.0 + rho), 3.0)", "test_records.py"),
-    ("python:problem/units.py", '("nm/mN", 1e-6)', '("nm/mN", 1e-3)', "test_problem_files.py"),
+    ("python:_units.py", '("nm/mN", 1e-6)', '("nm/mN", 1e-3)', "test_problem_files.py"),
     ("python:history.py", "material.time**exponent * (1.0 + material.nu)", "material.time**exponent * (1.0 - material.nu)",
      "test_time.py"),
     ("python:fitting/depth_profile.py", "sum(float(inverse[0] @ shift[good]) ** 2", "sum(float(inverse[0] @ shift[good]) ** 4",

@@ -6,9 +6,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from mdrcontact._units import FORCE, LENGTH
 from mdrcontact.problem import ProblemError
 from mdrcontact.problem.columns import TableOptions, read_table
-from mdrcontact.problem.units import FORCE, LENGTH
 
 DEPTH = np.linspace(1.0, 20.0, 20)
 LOAD = 0.01 * DEPTH**1.5

@@ -7,9 +7,9 @@ import numpy as np
 import pytest
 
 import mdrcontact as mdr
+from mdrcontact._units import ENERGY, FORCE, LENGTH, parse
 from mdrcontact.cli import main
 from mdrcontact.cli.example import examples
-from mdrcontact.problem.units import ENERGY, FORCE, LENGTH, parse
 
 PROBLEM = """\
 title = "a ball on oxide"

@@ -8,8 +8,8 @@ import pytest
 from conftest import ROOT
 
 import mdrcontact as mdr
-from mdrcontact.problem import ProblemError, load, read, units
-from mdrcontact.problem.units import (
+from mdrcontact import _units as units
+from mdrcontact._units import (
     ANGLE,
     FORCE,
     FREQUENCY,
@@ -23,6 +23,7 @@ from mdrcontact.problem.units import (
     practical,
     to_si,
 )
+from mdrcontact.problem import ProblemError, load, read
 
 GOOD = """
 [indenter]

@@ -7,11 +7,11 @@ import argparse
 
 import numpy as np
 
+from .._units import ENERGY, FORCE, LENGTH, MODULUS, WORK_OF_ADHESION, practical, shown
 from ..adhesion import Loop, PullOff
 from ..contact import Contact
 from ..problem import Problem, ProblemError, load
 from ..problem.adhesion import Adhesion
-from ..problem.units import ENERGY, FORCE, LENGTH, MODULUS, WORK_OF_ADHESION, practical, shown
 from . import figures, files
 from .table import Column, aligned, as_csv, column, number
 

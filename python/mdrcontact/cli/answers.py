@@ -8,13 +8,13 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+from .._units import FORCE, LENGTH, Dimension
 from ..contact import Contact
 from ..errors import MDRError
 from ..material import RIGID, Elastic
 from ..medium import Coated, Graded, Homogeneous, Layered, Medium, Pair
 from ..medium.models import MODELS
 from ..problem import Problem, ProblemError
-from ..problem.units import FORCE, LENGTH, Dimension
 from .solve import Array, Curve, progress, solve
 
 NEARLY_RIGID = 1000.0

@@ -7,8 +7,8 @@ import argparse
 
 import numpy as np
 
+from .._units import FORCE, LENGTH, MODULUS, Dimension, practical
 from ..problem import Problem, load
-from ..problem.units import FORCE, LENGTH, MODULUS, Dimension, practical
 from . import figures, files
 from .answers import Answer, answers_of, reference, response_of, spread_text
 from .solve import Array, columns

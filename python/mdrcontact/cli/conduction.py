@@ -7,11 +7,11 @@ import argparse
 
 import numpy as np
 
+from .._units import CONDUCTANCE, FORCE, LENGTH, TEMPERATURE, THERMAL_CONDUCTANCE, Unit, shown
 from ..conduction import Conduction
 from ..contact import State
 from ..problem import ProblemError, load
 from ..problem.conduction import THERMAL, Conducting
-from ..problem.units import CONDUCTANCE, FORCE, LENGTH, TEMPERATURE, THERMAL_CONDUCTANCE, Unit, shown
 from . import conduction_figure, files
 from .table import Column, as_csv, as_text, column
 

@@ -7,11 +7,11 @@ from typing import Any
 
 import numpy as np
 
+from .._units import CONDUCTANCE, FORCE, LENGTH, THERMAL_CONDUCTANCE, practical
 from ..conduction import Conduction
 from ..contact import State
 from ..problem import Problem
 from ..problem.conduction import THERMAL
-from ..problem.units import CONDUCTANCE, FORCE, LENGTH, THERMAL_CONDUCTANCE, practical
 from .figures import COLOURS, _figure, _render, _style
 
 _WIDE, _SHALLOWEST, _DEEPEST, _LAYERS = 2.5, 0.5, 2.5, 5.0

@@ -9,11 +9,11 @@ from typing import Any
 
 import numpy as np
 
+from .._units import LENGTH, MODULUS, shown
 from ..contact import Contact
 from ..errors import InvalidArgumentError, MDRError
 from ..medium import Pair
 from ..problem import Problem, load
-from ..problem.units import LENGTH, MODULUS, shown
 from . import figures, files
 from .solve import Curve, columns, crossing, progress, solve, thickness
 from .table import Column, as_csv, as_text, column, spread_over

@@ -10,12 +10,12 @@ from typing import Any
 
 import numpy as np
 
+from .._units import FORCE, LENGTH, MODULUS, STIFFNESS, Dimension, Unit, practical
 from ..adhesion import Loop, PullOff
 from ..errors import MDRError
 from ..material import Elastic
 from ..medium import Coated, Homogeneous
 from ..problem import Problem
-from ..problem.units import FORCE, LENGTH, MODULUS, STIFFNESS, Dimension, Unit, practical
 from .answers import Answer, reference, response_of, spread_text
 from .solve import Array, Curve, crossing, thickness
 

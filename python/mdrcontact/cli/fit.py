@@ -11,6 +11,7 @@ from typing import Any
 import numpy as np
 
 from .. import _progress
+from .._units import AREA, FORCE, LENGTH, MODULUS, RATIO, STIFFNESS, practical
 from ..fitting import (
     FitResult,
     OliverPharr,
@@ -27,7 +28,6 @@ from ..fitting.quantities import digits, dimension_of_data
 from ..problem import ProblemError
 from ..problem.curves import Curve
 from ..problem.fit_file import FitFile, load_fit_file
-from ..problem.units import AREA, FORCE, LENGTH, MODULUS, RATIO, STIFFNESS, practical
 from . import files, fit_many
 from .table import Column, aligned, as_csv, column, number
 

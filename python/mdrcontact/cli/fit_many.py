@@ -15,6 +15,7 @@ from typing import Any
 import numpy as np
 
 from .. import _progress
+from .._units import ENERGY, FORCE, LENGTH, practical
 from ..errors import MDRError
 from ..fitting import FailedFit, FitResult, Rating, fit_many, mean_of_tests, rate, report
 from ..fitting.causes import by_cause
@@ -22,7 +23,6 @@ from ..fitting.misfit import percent
 from ..fitting.quantities import digits, dimension_of, words_of
 from ..problem.curves import Curve
 from ..problem.fit_file import FitFile
-from ..problem.units import ENERGY, FORCE, LENGTH, practical
 from . import files, many_figure
 from .table import aligned, number
 

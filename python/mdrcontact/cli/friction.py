@@ -8,8 +8,8 @@ from functools import partial
 
 import numpy as np
 
+from .._units import ENERGY, FORCE, LENGTH, RATIO, STIFFNESS, shown
 from ..problem import ProblemError, load
-from ..problem.units import ENERGY, FORCE, LENGTH, RATIO, STIFFNESS, shown
 from . import files
 from .cycles import Cycles, cycles
 from .friction_figure import friction_figure, path_figure

@@ -5,8 +5,8 @@ from __future__ import annotations
 
 import numpy as np
 
+from .._units import ENERGY, FORCE, LENGTH, practical
 from ..problem import Problem
-from ..problem.units import ENERGY, FORCE, LENGTH, practical
 from .cycles import Cycles
 from .figures import COLOURS, _figure, _render, _style
 from .friction_path import LedPath

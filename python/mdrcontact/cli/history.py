@@ -8,11 +8,11 @@ from typing import Any
 
 import numpy as np
 
+from .._units import ENERGY, FORCE, LENGTH, SPEED, TIME, shown
 from ..contact import Contact
 from ..history import History
 from ..problem import Problem, ProblemError, load
 from ..problem.history import HistoryPath
-from ..problem.units import ENERGY, FORCE, LENGTH, SPEED, TIME, shown
 from ..rate_adhesion import RateHistory
 from . import files, history_figure
 from .table import Column, as_csv, as_text, column

@@ -3,9 +3,9 @@
 
 from __future__ import annotations
 
+from .._units import FORCE, LENGTH, TIME, practical
 from ..history import History
 from ..problem import Problem
-from ..problem.units import FORCE, LENGTH, TIME, practical
 from .figures import COLOURS, _figure, _render, _style
 
 

@@ -8,11 +8,11 @@ import tempfile
 from collections import Counter
 from pathlib import Path
 
+from .._units import FORCE, LENGTH, Dimension, shown
 from ..errors import MDRError
 from ..fitting.causes import by_cause
 from ..problem.fit_file import load_fit_file
 from ..problem.inspection import Array, Inspection, Test, inspect_file
-from ..problem.units import FORCE, LENGTH, Dimension, shown
 from . import files
 from .inspect_figure import inspect_figure
 from .table import aligned

@@ -7,10 +7,10 @@ import argparse
 from pathlib import Path
 
 from .._law_table import FORMATS
+from .._units import AREA, FORCE, LENGTH, MODULUS, Dimension, UnitError, parse, shown
 from ..friction import Friction
 from ..law import ContactLaw
 from ..problem import ProblemError, load
-from ..problem.units import AREA, FORCE, LENGTH, MODULUS, Dimension, UnitError, parse, shown
 from . import files
 
 HELP = "compile the contact into a file that other codes read"

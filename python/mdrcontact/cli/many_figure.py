@@ -9,10 +9,10 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from .._units import practical
 from ..fitting import FitResult
 from ..fitting.quantities import dimension_of, words_of
 from ..problem.curves import Curve
-from ..problem.units import practical
 
 _MOST_NAMES = 40
 """Under the picture."""

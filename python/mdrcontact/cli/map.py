@@ -12,11 +12,11 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from .. import lateral
+from .._units import LENGTH, MODULUS, practical
 from ..material import Elastic
 from ..problem import ProblemError
 from ..problem.section import Section
 from ..problem.toml import parse_file
-from ..problem.units import LENGTH, MODULUS, practical
 from . import files
 from .map_figure import map_figure
 from .table import aligned, number

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from .. import lateral
-from ..problem.units import LENGTH, MODULUS, practical
+from .._units import LENGTH, MODULUS, practical
 from .figures import COLOURS, _render, _style
 
 

@@ -12,11 +12,11 @@ from typing import Any
 import numpy as np
 
 from .. import _progress
+from .._units import LENGTH, MODULUS, RATIO, practical
 from ..fitting import DepthProfile, StiffnessDepth, modulus_at_depths, report
 from ..fitting.quantities import dimension_of, measured, words_of
 from ..problem import ProblemError
 from ..problem.fit_file import load_fit_file
-from ..problem.units import LENGTH, MODULUS, RATIO, practical
 from . import files
 from .table import Column, as_csv, as_text, column
 

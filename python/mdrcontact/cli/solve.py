@@ -12,10 +12,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import _progress
+from .._units import FORCE, LENGTH, MODULUS, RATIO, STIFFNESS
 from ..contact import Contact
 from ..medium import Coated, Layered, Medium, Pair
 from ..problem.compute import Control
-from ..problem.units import FORCE, LENGTH, MODULUS, RATIO, STIFFNESS
 from .table import Column, column
 
 Array = NDArray[np.float64]

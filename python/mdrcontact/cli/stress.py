@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from .. import _progress
+from .._units import FORCE, LENGTH, MODULUS, RATIO, shown
 from ..contact import Contact, State
 from ..critical import Maximum, layers_of
 from ..errors import InvalidArgumentError
@@ -17,7 +18,6 @@ from ..failure import Failure
 from ..interior import Interior
 from ..problem import Problem, ProblemError, load
 from ..problem.strength import Strengths
-from ..problem.units import FORCE, LENGTH, MODULUS, RATIO, shown
 from . import files
 from .inside import Inside, interface_name, layer_map, layer_name
 from .stress_figure import stress_figure

@@ -8,10 +8,10 @@ from typing import Any
 
 import numpy as np
 
+from .._units import FORCE, LENGTH, MODULUS, Unit, practical
 from ..contact import Contact
 from ..critical import Maximum
 from ..problem import Problem
-from ..problem.units import FORCE, LENGTH, MODULUS, Unit, practical
 from .figures import _GREY, COLOURS, _figure, _render, _style
 from .inside import Inside, interface_name, layer_name
 

@@ -11,7 +11,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ..problem.units import Dimension, Unit, practical
+from .._units import Dimension, Unit, practical
 
 
 class Column(NamedTuple):

@@ -7,8 +7,8 @@ import argparse
 
 import numpy as np
 
+from .._units import FORCE, LENGTH, MODULUS, RATIO, VOLUME, WEAR, practical, shown
 from ..problem import Problem, ProblemError, load
-from ..problem.units import FORCE, LENGTH, MODULUS, RATIO, VOLUME, WEAR, practical, shown
 from ..wear import Wear, WearState, WornProfile
 from . import files
 from .figures import COLOURS, _figure, _render, _style

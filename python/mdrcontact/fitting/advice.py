@@ -9,8 +9,8 @@ import numpy as np
 
 from .. import medium as media
 from .. import profile as profiles
+from .._units import LENGTH, MODULUS, shown
 from ..errors import MDRError
-from ..problem.units import LENGTH, MODULUS, shown
 from .contradictions import contradictions
 from .data import ForceDepth, ModulusRadius, StiffnessDepth, StiffnessRadius
 from .misfit import SMALL, percent

@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 
 from .. import _native
 from .._boundary import call
+from .._units import LENGTH, practical
 from ..errors import ArgumentTypeError, InvalidArgumentError
 from ..measurement.segments import effective_points
-from ..problem.units import LENGTH, practical
 from .data import StiffnessDepth
 from .many import fit_many
 from .oliver_pharr import OliverPharr, oliver_pharr

@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 
 from .. import _layout
 from .._choices import nearest
+from .._units import MODULUS, practical, shown
 from ..errors import InvalidArgumentError, MDRError
-from ..problem.units import MODULUS, practical, shown
 from .data import Data, ForceDepth
 from .parameters import Free
 from .quantities import dimension_of, dimension_of_data, words_of

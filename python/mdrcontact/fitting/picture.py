@@ -14,8 +14,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .._files import replace
+from .._units import FORCE, LENGTH, practical
 from ..errors import MDRError
-from ..problem.units import FORCE, LENGTH, practical
 from .data import Data, StiffnessDepth
 from .quantities import dimension_of_data
 from .time_data import DynamicStiffness

@@ -6,7 +6,7 @@ from __future__ import annotations
 import math
 import re
 
-from ..problem.units import (
+from .._units import (
     ANGLE,
     BENDING,
     COMPLIANCE,

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from .. import _native
-from ..problem.units import shown
+from .._units import shown
 from .quantities import dimension_of, measured, unit_of, words_of
 
 _STYLE = """

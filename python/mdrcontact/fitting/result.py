@@ -18,8 +18,8 @@ from .._boundary import call, number, whole
 from .._choices import nearest
 from .._files import replace
 from .._interrupt import workers
+from .._units import practical
 from ..errors import InvalidArgumentError, MDRError
-from ..problem.units import practical
 from .contradictions import contradictions
 from .data import StiffnessDepth
 from .misfit import LARGE, Misfit, measure_misfit, percent

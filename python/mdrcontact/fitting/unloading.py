@@ -10,12 +10,12 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from .._units import LENGTH, shown
 from ..contact import Contact
 from ..errors import InvalidArgumentError, MDRError
 from ..material import Elastic
 from ..measurement.segments import Segment, curve, find_segments
 from ..medium import Homogeneous
-from ..problem.units import LENGTH, shown
 from ..profile import PowerLaw
 from .causes import by_cause
 from .data import REVERSIBLE, ForceDepth, StiffnessDepth, UnloadingPoint

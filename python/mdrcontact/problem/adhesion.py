@@ -6,10 +6,10 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import NamedTuple
 
+from .._units import MODULUS, SPEED, STIFFNESS, WORK_OF_ADHESION, Dimension
 from ..adhesion import CONTROLS, RULES
 from ..rate_adhesion import RateAdhesion
 from .section import ProblemError, Section
-from .units import MODULUS, SPEED, STIFFNESS, WORK_OF_ADHESION, Dimension
 
 _RATE: Mapping[str, Dimension | None] = {
     "speed": SPEED,

@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .._choices import nearest
+from .._units import Dimension, UnitError, is_unit, to_si
 from .block import Block, find_block
 from .cells import Cells, Sheet, Text, is_spreadsheet, read_sheets
 from .formats import Fact, Format, recognise, refuse_foreign
@@ -21,7 +22,6 @@ from .marks import Mark, find_marks
 from .numerals import is_gap, is_number
 from .roles import ROLES
 from .section import ProblemError
-from .units import Dimension, UnitError, is_unit, to_si
 from .values import read_values
 
 _BRACKETS = re.compile(r"\s*(.*?)[\s_]*[\[(]\s*(.*?)\s*[\])]\s*")

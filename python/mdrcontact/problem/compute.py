@@ -10,10 +10,10 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from .._units import FORCE, LENGTH, Dimension
 from ..contact import Contact, State
 from ..errors import MDRError
 from .section import ProblemError, Section
-from .units import FORCE, LENGTH, Dimension
 
 _LISTS = {"depth": "depths", "force": "forces", "radius": "radii"}
 DIMENSIONS = {"depth": LENGTH, "force": FORCE, "radius": LENGTH}

@@ -6,12 +6,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any, NamedTuple
 
+from .._units import AREA_RESISTANCE, SPEED, THERMAL_AREA_RESISTANCE, Dimension
 from ..conduction import Conduction
 from ..conductor import Interface, LayeredConductor
 from ..medium import Pair
 from .conductor import ELECTRICAL, THERMAL
 from .section import ProblemError, Section
-from .units import AREA_RESISTANCE, SPEED, THERMAL_AREA_RESISTANCE, Dimension
 
 __all__ = ["THERMAL", "ELECTRICAL", "Conducting", "read_conduction"]
 

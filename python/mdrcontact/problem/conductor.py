@@ -5,9 +5,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from .._units import ELECTRICAL_CONDUCTIVITY, HEAT_CAPACITY, THERMAL_CONDUCTIVITY, Dimension
 from ..conductor import Conductor
 from .section import ProblemError, Section
-from .units import ELECTRICAL_CONDUCTIVITY, HEAT_CAPACITY, THERMAL_CONDUCTIVITY, Dimension
 
 THERMAL, ELECTRICAL = "thermal", "electrical"
 CONDUCTING: Mapping[str, Dimension | None] = {

@@ -11,6 +11,7 @@ from typing import NamedTuple
 import numpy as np
 
 from .._choices import nearest
+from .._units import STIFFNESS
 from ..errors import FileError, MDRError
 from ..fitting.data import Data
 from ..measurement.afm import SUFFIXES, TEXT_SUFFIXES, AfmCurve, MissingSettings, read_afm
@@ -19,7 +20,6 @@ from .data import KINDS, RECORDS, TABLES, column, data_of, has, read_data, recor
 from .formats import Fact
 from .record import Cantilever, Record
 from .section import ProblemError, Section
-from .units import STIFFNESS
 
 _EQUAL = 0.01
 """Of a step: how equal those of a height are."""

@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from .._units import LENGTH, RATIO, SPEED, VOLTAGE, Dimension, UnitError, is_cyclic, shown
 from ..fitting import (
     DepthTime,
     DynamicStiffness,
@@ -29,7 +30,6 @@ from .numerals import MARKS
 from .record import KEYS, Cantilever, Record, prepare
 from .roles import ROLES
 from .section import ProblemError, Section
-from .units import LENGTH, RATIO, SPEED, VOLTAGE, Dimension, UnitError, is_cyclic, shown
 
 Array = NDArray[np.float64]
 

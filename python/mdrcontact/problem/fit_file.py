@@ -10,6 +10,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 from .._choices import nearest
+from .._units import COMPLIANCE, FORCE, LENGTH, MODULUS, SENSITIVITY, STIFFNESS, WORK_OF_ADHESION, Dimension, shown
 from ..fitting import Free, Instrument, JointPrior
 from ..fitting.data import Data
 from ..fitting.gel import NAMES as GEL_NAMES
@@ -25,7 +26,6 @@ from .record import Cantilever
 from .section import ProblemError, Section
 from .tip_file import with_calibration
 from .toml import parse_file
-from .units import COMPLIANCE, FORCE, LENGTH, MODULUS, SENSITIVITY, STIFFNESS, WORK_OF_ADHESION, Dimension, shown
 
 _INSTRUMENT: Mapping[str, Dimension | None] = {
     "work_of_adhesion": WORK_OF_ADHESION,

@@ -8,8 +8,8 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
+from .._units import COMPLIANCE, LENGTH, MODULUS, SPEED, STIFFNESS, Dimension, shown
 from .section import ProblemError
-from .units import COMPLIANCE, LENGTH, MODULUS, SPEED, STIFFNESS, Dimension, shown
 
 
 class Fact(NamedTuple):

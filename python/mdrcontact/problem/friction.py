@@ -11,10 +11,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from .._units import FORCE, LENGTH, Dimension, shown
 from .columns import MeasuredTable, read_table
 from .roles import ROLES
 from .section import ProblemError, Section
-from .units import FORCE, LENGTH, Dimension, shown
 
 KNOWN: Mapping[str, Dimension | None] = {
     "coefficient": None,

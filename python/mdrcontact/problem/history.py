@@ -11,12 +11,12 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from .._units import LENGTH, TIME, Dimension
 from ..poroelastic import DRAINAGES
 from .columns import read_table
 from .compute import DIMENSIONS, MOST_POINTS
 from .roles import ROLES
 from .section import ProblemError, Section
-from .units import LENGTH, TIME, Dimension
 
 _PATHS: Mapping[str, tuple[str, ...]] = {
     "step": ("hold_time",),

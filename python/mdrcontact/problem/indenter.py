@@ -6,8 +6,8 @@ from __future__ import annotations
 from collections.abc import Callable, Mapping
 
 from .. import profile
+from .._units import ANGLE, LENGTH, Dimension, UnitError, to_si
 from .section import ProblemError, Section, arguments
-from .units import ANGLE, LENGTH, Dimension, UnitError, to_si
 
 KNOWN: Mapping[str, Dimension | None] = {
     "shape": None,

@@ -12,6 +12,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from .._units import SENSITIVITY, STIFFNESS, parse
 from ..errors import MDRError
 from ..fitting.unloading import unloading_parts
 from ..measurement import Segment
@@ -23,7 +24,6 @@ from .formats import Fact
 from .record import Cantilever, Record
 from .section import ProblemError, Section
 from .start_file import Size, start_file
-from .units import SENSITIVITY, STIFFNESS, parse
 
 Array = NDArray[np.float64]
 

@@ -7,14 +7,7 @@ from collections.abc import Callable, Mapping
 from typing import Any
 
 from .. import medium
-from ..conductor import SLIDING, Interface
-from ..crystals import CRYSTALS
-from ..material import RIGID, SMOOTH, Elastic, PowerLawRheology, TransverselyIsotropic, Viscoelastic
-from ..medium.models import MODELS, OPTIONS
-from ..poroelastic import Poroelastic
-from .conductor import CONDUCTING, read_conductor
-from .section import ProblemError, Section
-from .units import (
+from .._units import (
     AREA,
     BENDING,
     DIFFUSIVITY,
@@ -27,6 +20,13 @@ from .units import (
     VISCOSITY,
     Dimension,
 )
+from ..conductor import SLIDING, Interface
+from ..crystals import CRYSTALS
+from ..material import RIGID, SMOOTH, Elastic, PowerLawRheology, TransverselyIsotropic, Viscoelastic
+from ..medium.models import MODELS, OPTIONS
+from ..poroelastic import Poroelastic
+from .conductor import CONDUCTING, read_conductor
+from .section import ProblemError, Section
 
 MATERIAL: Mapping[str, Dimension | None] = {
     "E": MODULUS,

@@ -11,6 +11,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from .._units import ENERGY, FORCE, LENGTH, SPEED, shown
 from ..errors import MDRError
 from ..measurement import (
     PopIn,
@@ -28,7 +29,6 @@ from ..measurement.contact_point import FEWEST, METHODS, SOURCES
 from ..measurement.pull import Parting, Pull, find_parting, find_pull
 from ..measurement.segments import joined
 from .section import ProblemError, Section
-from .units import ENERGY, FORCE, LENGTH, SPEED, shown
 
 Array = NDArray[np.float64]
 

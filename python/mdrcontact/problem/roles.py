@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
-from .units import AREA, FORCE, FREQUENCY, LENGTH, MODULUS, STIFFNESS, TIME, Dimension
+from .._units import AREA, FORCE, FREQUENCY, LENGTH, MODULUS, STIFFNESS, TIME, Dimension
 
 ROLES: Mapping[str, tuple[Dimension, tuple[str, ...]]] = {
     "depth": (

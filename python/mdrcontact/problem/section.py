@@ -10,8 +10,8 @@ from inspect import Parameter, signature
 from typing import Any, TypeVar
 
 from .._choices import nearest
+from .._units import Dimension, UnitError, parse, to_si
 from ..errors import InvalidArgumentError, MDRError
-from .units import Dimension, UnitError, parse, to_si
 
 Made = TypeVar("Made")
 

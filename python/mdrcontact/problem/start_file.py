@@ -9,8 +9,8 @@ from collections.abc import Mapping, Sequence
 from types import MappingProxyType
 from typing import NamedTuple
 
+from .._units import LENGTH, MODULUS, shown
 from .formats import Fact
-from .units import LENGTH, MODULUS, shown
 
 _RADIUS, _USUAL = 5e-6, 1e4
 """Of a ball of which the file says nothing [m], and E of a body of which it says nothing [Pa]."""

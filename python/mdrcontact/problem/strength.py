@@ -5,8 +5,8 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 
+from .._units import MODULUS, Dimension
 from .section import ProblemError, Section
-from .units import MODULUS, Dimension
 
 KNOWN: Mapping[str, Dimension | None] = {
     "von_mises": MODULUS,

@@ -6,9 +6,9 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import NamedTuple
 
+from .._units import LENGTH, WEAR, Dimension
 from ..wear import SCHEMES
 from .section import ProblemError, Section
-from .units import LENGTH, WEAR, Dimension
 
 KNOWN: Mapping[str, Dimension | None] = {
     "coefficient": WEAR,

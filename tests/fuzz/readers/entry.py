@@ -11,11 +11,11 @@ from pathlib import Path
 
 import numpy as np
 
+from mdrcontact._units import FORCE, LENGTH, MODULUS, RATIO, STIFFNESS
 from mdrcontact.errors import MDRError
 from mdrcontact.problem import ProblemError, load
 from mdrcontact.problem.columns import MeasuredTable, read_table
 from mdrcontact.problem.fit_file import load_fit_file
-from mdrcontact.problem.units import FORCE, LENGTH, MODULUS, RATIO, STIFFNESS
 
 SEPARATOR = b"\n=====\n"
 """Between the problem file and the table of a fit or a path."""

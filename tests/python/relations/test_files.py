@@ -13,8 +13,9 @@ from hypothesis import assume
 from hypothesis import strategies as st
 
 import mdrcontact as mdr
+from mdrcontact import _units as units
 from mdrcontact.cli import main
-from mdrcontact.problem import read, units
+from mdrcontact.problem import read
 from mdrcontact.problem.columns import read_table
 from mdrcontact.problem.fit_file import load_fit_file
 

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple, SupportsFloat
 
 import numpy as np
 
-from .._choices import nearest
+from ._choices import nearest
 
 
 class UnitError(ValueError):
