@@ -10,7 +10,7 @@ import numpy as np
 from .._units import ENERGY, FORCE, LENGTH, MODULUS, WORK_OF_ADHESION, practical, shown
 from ..adhesion import Loop, PullOff
 from ..contact import Contact
-from ..problem import Problem, ProblemError, load
+from ..problem import Problem, load_with
 from ..problem.adhesion import Adhesion
 from . import figures, files
 from .table import Column, aligned, as_csv, column, number
@@ -39,32 +39,28 @@ The motion turns back at the last depth, force or radius of [compute].
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """What the command takes."""
-    parser.add_argument("problem", metavar="PROBLEM.toml", help="the problem file; it has a table [adhesion]")
-    files.add_options(parser, "the loop")
+    files.add_problem(parser, "the loop", "it has a table [adhesion]")
 
 
 def run(arguments: argparse.Namespace) -> None:
     """Computes, prints, writes."""
     files.check(arguments)
-    problem = load(arguments.problem)
-    if problem.adhesion is None:
-        raise ProblemError(f'{arguments.problem}: the table [adhesion] is missing: write it with work_of_adhesion = "50 mJ/m^2"')
+    problem, adhesion = load_with(arguments.problem, "adhesion")
     contact = problem.contact()
     pull_offs = [(f"pull-off, {control} prescribed", contact.pull_off(control)) for control in ("force", "depth")]
-    loop = cycle(contact, problem, problem.adhesion)
+    loop = cycle(contact, problem, adhesion)
     print(f"{problem.title}\n")
-    gamma = shown(problem.adhesion.work_of_adhesion, WORK_OF_ADHESION)
-    print(f"work of adhesion: {gamma}, {_law(problem.adhesion)}\n")
+    gamma = shown(adhesion.work_of_adhesion, WORK_OF_ADHESION)
+    print(f"work of adhesion: {gamma}, {_law(adhesion)}\n")
     print(_states(pull_offs))
     print(f"\n{_jumps(loop)}")
     print(f"\nenergy lost in the cycle: {shown(loop.dissipated_energy, ENERGY)}")
-    results = {}
-    if arguments.csv:
-        ways = ["approach" if i <= loop.turning_point else "retraction" for i in range(len(loop.depth))]
-        results[arguments.csv] = as_csv(loop_columns(loop), ("way", ways))
-    if arguments.plot:
-        results[arguments.plot] = figures.loop_figure(problem, loop, pull_offs, files.figure_format(arguments.plot))
-    files.write(results, arguments.overwrite)
+    ways = ["approach" if i <= loop.turning_point else "retraction" for i in range(len(loop.depth))]
+    files.write(
+        arguments,
+        csv=lambda: as_csv(loop_columns(loop), ("way", ways)),
+        plot=lambda: figures.loop_figure(problem, loop, pull_offs),
+    )
 
 
 def _law(adhesion: Adhesion) -> str:

@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 
-from ..fitting import FitResult, StiffnessDepth, fit, report
+from ..fitting import FitResult, StiffnessDepth, fit
 from ..fitting.calibration import as_prior, together, words_of_tests
 from ..fitting.quantities import dimension_of
 from ..problem import ProblemError
@@ -140,10 +140,10 @@ def run(arguments: argparse.Namespace) -> None:
     result = fit(data, problem.indenter, problem.medium, problem.free, instrument=problem.instrument, **problem.options)
     print("\n".join(["", result.summary(), *(f"warning: {words}" for words in words_of_tests(result))]))
     table = with_calibration(parse_file(arguments.problem), arguments.problem.parent)["indenter"]
-    contents = {arguments.output: calibration_text(result, problem.title, table, names).encode()}
-    if arguments.plot:
-        contents[arguments.plot] = files.rendered(result.plot(), files.figure_format(arguments.plot))
-    if arguments.report:
-        blocks = report.blocks_of(result, [f"curves {', '.join(names)}, problem file {arguments.problem}"])
-        contents[arguments.report] = report.page(problem.title, blocks).encode()
-    files.write(contents, arguments.overwrite)
+    notes = [f"curves {', '.join(names)}, problem file {arguments.problem}"]
+    files.write(
+        arguments,
+        output=lambda: calibration_text(result, problem.title, table, names),
+        plot=result.plot,
+        report=lambda: result.report(notes=notes, title=problem.title),
+    )

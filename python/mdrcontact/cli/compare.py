@@ -32,8 +32,7 @@ _SHOWN = 5
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """What the command takes."""
-    parser.add_argument("problem", metavar="PROBLEM.toml", help="the problem file; its medium is coated, layered or graded")
-    files.add_options(parser, "all states of all models")
+    files.add_problem(parser, "all states of all models", "its medium is coated, layered or graded")
 
 
 def run(arguments: argparse.Namespace) -> None:
@@ -53,12 +52,7 @@ def run(arguments: argparse.Namespace) -> None:
     for model, words in refusals:
         print(f"\nleft out: {model}: {words}", end="")
     print(end="\n" if refusals else "")
-    results = {}
-    if arguments.csv:
-        results[arguments.csv] = _long_csv(answers)
-    if arguments.plot:
-        results[arguments.plot] = figures.compare_figure(problem, answers, files.figure_format(arguments.plot))
-    files.write(results, arguments.overwrite)
+    files.write(arguments, csv=lambda: _long_csv(answers), plot=lambda: figures.compare_figure(problem, answers))
 
 
 def _side_by_side(problem: Problem, answers: list[Answer], name: str, values: list[Array], dimension: Dimension) -> str:

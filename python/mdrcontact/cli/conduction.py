@@ -10,7 +10,7 @@ import numpy as np
 from .._units import CONDUCTANCE, FORCE, LENGTH, TEMPERATURE, THERMAL_CONDUCTANCE, Unit, shown
 from ..conduction import Conduction
 from ..contact import State
-from ..problem import ProblemError, load
+from ..problem import load_with
 from ..problem.conduction import THERMAL, Conducting
 from . import conduction_figure, files
 from .table import Column, as_csv, as_text, column
@@ -42,30 +42,20 @@ A deformable indenter needs a conductivity, too; a rigid one holds the spot at o
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """What the command takes."""
-    parser.add_argument("problem", metavar="PROBLEM.toml", help="the problem file; it has a table [conduction]")
-    files.add_options(parser, "all rows of the table")
+    files.add_problem(parser, "all rows of the table", "it has a table [conduction]")
 
 
 def run(arguments: argparse.Namespace) -> None:
     """Computes, prints, writes."""
     files.check(arguments)
-    problem = load(arguments.problem)
-    if problem.conduction is None:
-        raise ProblemError(
-            f'{arguments.problem}: the table [conduction] is missing: write it with kind = "thermal" or "electrical"'
-        )
-    contact, conduction = problem.contact(), problem.conduction.conduction(problem.medium)
+    problem, given = load_with(arguments.problem, "conduction")
+    contact, conduction = problem.contact(), given.conduction(problem.medium)
     states = problem.control.states(contact)
-    table = columns(conduction, problem.conduction, states)
+    table = columns(conduction, given, states)
     print(f"{problem.title}\n")
     print(as_text(table, 12))
-    print(f"\n{summary(conduction, problem.conduction, states)}")
-    results = {}
-    if arguments.csv:
-        results[arguments.csv] = as_csv(table)
-    if arguments.plot:
-        results[arguments.plot] = conduction_figure.draw(problem, conduction, states, files.figure_format(arguments.plot))
-    files.write(results, arguments.overwrite)
+    print(f"\n{summary(conduction, given, states)}")
+    files.write(arguments, csv=lambda: as_csv(table), plot=lambda: conduction_figure.draw(problem, conduction, states))
 
 
 def columns(conduction: Conduction, given: Conducting, states: State) -> list[Column]:

@@ -12,26 +12,25 @@ from ..conduction import Conduction
 from ..contact import State
 from ..problem import Problem
 from ..problem.conduction import THERMAL
-from .figures import COLOURS, _figure, _render, _style
+from .figures import COLOURS, sheet
 
 _WIDE, _SHALLOWEST, _DEEPEST, _LAYERS = 2.5, 0.5, 2.5, 5.0
 """Contact radii to the sides that the section shows; into the body so many thicknesses of its layers, between two contact radii."""
 _POINTS = 61
 
 
-def draw(problem: Problem, conduction: Conduction, states: State, form: str) -> bytes:
+def draw(problem: Problem, conduction: Conduction, states: State) -> Any:
     """Conductance along the load curve, and the potential or temperature in a section at the last state, with the layers drawn."""
     found = conduction.along(states)
     kind = problem.conduction.kind if problem.conduction else THERMAL
     dimension = THERMAL_CONDUCTANCE if kind == THERMAL else CONDUCTANCE
     values = np.asarray(found.conductance)
-    with _style():
-        figure, axes = _figure(problem.title, 1, 2, (9.0, 3.8))
+    with sheet(problem.title, 1, 2, (9.0, 3.8)) as (figure, axes):
         force, unit = practical(FORCE, np.asarray(states.force)), practical(dimension, values)
         axes.flat[0].plot(force.of(states.force), unit.of(values), color=COLOURS[0])
         axes.flat[0].set(xlabel=f"force F [{force.symbol}]", ylabel=f"conductance G [{unit.symbol}]")
         _section(figure, axes.flat[1], problem, conduction, states)
-        return _render(figure, form)
+    return figure
 
 
 def _section(figure: Any, axis: Any, problem: Problem, conduction: Conduction, states: State) -> None:

@@ -34,8 +34,7 @@ _PRESSURE_POINTS = 400
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """What the command takes."""
-    parser.add_argument("problem", metavar="PROBLEM.toml", help="the problem file")
-    files.add_options(parser, "all rows of the table")
+    files.add_problem(parser, "all rows of the table")
     parser.add_argument("--pressure-csv", type=Path, metavar="FILE.csv", help="write the pressure distributions to a CSV file")
     parser.add_argument("--rows", type=_rows, default=10, metavar="N", help="rows of the table on the screen (default: 10)")
 
@@ -53,22 +52,20 @@ def run(arguments: argparse.Namespace) -> None:
     for note in (thickness_note(problem, curve), rigid_note(problem, curve)):
         if note:
             print(f"\n{note}")
-    results = {}
-    if arguments.csv:
-        results[arguments.csv] = as_csv(table)
+    pressures: list[tuple[float, Any, Any]] = []
     if arguments.plot or arguments.pressure_csv:
         try:
             pressures = pressure_distributions(contact, curve)
         except InvalidArgumentError as refusal:
             if arguments.pressure_csv:
                 raise
-            pressures = []
             print(f"\nThe picture has no pressures: {refusal}.")
-        if arguments.pressure_csv:
-            results[arguments.pressure_csv] = as_csv(_stacked(pressures))
-        if arguments.plot:
-            results[arguments.plot] = figures.curve_figure(problem, curve, pressures, files.figure_format(arguments.plot))
-    files.write(results, arguments.overwrite)
+    files.write(
+        arguments,
+        csv=lambda: as_csv(table),
+        pressure_csv=lambda: as_csv(_stacked(pressures)),
+        plot=lambda: figures.curve_figure(problem, curve, pressures),
+    )
 
 
 def thickness_note(problem: Problem, curve: Curve) -> str | None:

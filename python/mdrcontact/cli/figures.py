@@ -3,9 +3,8 @@
 
 from __future__ import annotations
 
-import io
 from collections.abc import Iterator, Sequence
-from contextlib import suppress
+from contextlib import contextmanager, suppress
 from typing import Any
 
 import numpy as np
@@ -34,8 +33,6 @@ _STYLE: dict[Any, Any] = {
     "grid.color": "#e6e6e6",
     "legend.frameon": False,
     "lines.linewidth": 1.6,
-    "savefig.dpi": 160,
-    "svg.hashsalt": "mdrcontact",
 }
 _LINEAR = 20.0
 """Values that differ by more than this factor are drawn on a logarithmic axis."""
@@ -50,10 +47,9 @@ def _marks(values: Array, marker: str = "o") -> dict[str, Any]:
     return {"marker": marker, "markersize": 3.5} if len(values) <= _FEW else {}
 
 
-def curve_figure(problem: Problem, curve: Curve, pressures: Sequence[tuple[float, Any, Any]], form: str) -> bytes:
+def curve_figure(problem: Problem, curve: Curve, pressures: Sequence[tuple[float, Any, Any]]) -> Any:
     """Force, radius and stiffness against depth, and pressure distributions."""
-    with _style():
-        figure, axes = _figure(problem.title, 2, 2, (8.4, 6.4))
+    with sheet(problem.title, 2, 2, (8.4, 6.4)) as (figure, axes):
         depth = practical(LENGTH, curve.depth)
         panels: Sequence[tuple[str, Array, Dimension]] = (
             ("force F", curve.force, FORCE),
@@ -76,13 +72,12 @@ def curve_figure(problem: Problem, curve: Curve, pressures: Sequence[tuple[float
             _draw_pressures(axes.flat[3], pressures, curve)
         else:
             axes.flat[3].set_axis_off()
-        return _render(figure, form)
+    return figure
 
 
-def compare_figure(problem: Problem, answers: Sequence[Answer], form: str) -> bytes:
+def compare_figure(problem: Problem, answers: Sequence[Answer]) -> Any:
     """Response of every model, its effective modulus against a/h, and the deviation from the reference."""
-    with _style():
-        figure, axes = _figure(problem.title, 1, 3, (12.0, 4.4))
+    with sheet(problem.title, 1, 3, (12.0, 4.4)) as (figure, axes):
         name, response, dimension = response_of(problem)
         given = practical(problem.control.dimension, problem.control.values)
         values = np.array([response(answer.curve) for answer in answers])
@@ -115,13 +110,12 @@ def compare_figure(problem: Problem, answers: Sequence[Answer], form: str) -> by
             if panel.max() > _LINEAR * panel.min():
                 axis.set_yscale("log")
         figure.legend(lines, [a.model for a in answers], loc="outside lower center", ncols=min(5, len(answers)))
-        return _render(figure, form)
+    return figure
 
 
-def loop_figure(problem: Problem, loop: Loop, pull_offs: Sequence[tuple[str, PullOff]], form: str) -> bytes:
+def loop_figure(problem: Problem, loop: Loop, pull_offs: Sequence[tuple[str, PullOff]]) -> Any:
     """Force and contact radius along a cycle of approach and retraction."""
-    with _style():
-        figure, axes = _figure(problem.title, 1, 2, (9.6, 4.2))
+    with sheet(problem.title, 1, 2, (9.6, 4.2)) as (figure, axes):
         spring = loop.control == "spring"
         x = loop.position if spring else loop.depth
         length, force = practical(LENGTH, x), practical(FORCE, loop.force)
@@ -141,7 +135,7 @@ def loop_figure(problem: Problem, loop: Loop, pull_offs: Sequence[tuple[str, Pul
         axes[1].set(xlabel=f"{along} [{length.symbol}]", ylabel=f"contact radius a [{radius.symbol}]", ylim=(0, None))
         axes[0].axhline(0.0, color=_GREY, linewidth=0.8)
         axes[0].legend()
-        return _render(figure, form)
+    return figure
 
 
 def _part(loop: Loop, part: slice, jumps: Any) -> Loop:
@@ -214,22 +208,20 @@ def _set_log_x(axis: Any) -> None:
     axis.xaxis.set_minor_formatter(NullFormatter())
 
 
-def _style() -> Any:
+@contextmanager
+def sheet(title: str, rows: int, columns: int, size: tuple[float, float]) -> Iterator[tuple[Any, Any]]:
+    """A figure and its panels, to be drawn within: all figures of the command line look alike."""
     import matplotlib
-
-    return matplotlib.rc_context(_STYLE)
-
-
-def _figure(title: str, rows: int, columns: int, size: tuple[float, float]) -> tuple[Any, Any]:
     from matplotlib.figure import Figure
 
-    figure = Figure(figsize=size, layout="constrained")
-    figure.suptitle(title, parse_math=False)
-    return figure, figure.subplots(rows, columns)
+    class Sheet(Figure):
+        """Ticks are made when a figure is saved: in its style, too."""
 
+        def savefig(self, *where: Any, **options: Any) -> None:
+            with matplotlib.rc_context(_STYLE):
+                super().savefig(*where, **options)
 
-def _render(figure: Any, form: str) -> bytes:
-    buffer = io.BytesIO()
-    metadata = {"png": {"Software": "mdrcontact"}, "pdf": {"Creator": "mdrcontact", "CreationDate": None}, "svg": {"Date": None}}
-    figure.savefig(buffer, format=form, metadata=metadata[form])
-    return buffer.getvalue()
+    with matplotlib.rc_context(_STYLE):
+        figure = Sheet(figsize=size, layout="constrained")
+        figure.suptitle(title, parse_math=False)
+        yield figure, figure.subplots(rows, columns)

@@ -5,8 +5,9 @@ from __future__ import annotations
 
 import argparse
 import io
+import json
 import os
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
 from pathlib import Path
 from typing import Any
@@ -23,11 +24,22 @@ _RESULTS = ("csv", "pressure_csv", "plot", "ranges", "json", "report", "npy", "l
 """Arguments that name a file to be written."""
 _NAMES = ("file", "path", "labels")
 """Keys of problem files that name a file to be read."""
-FIGURE_FORMATS = ("png", "pdf", "svg")
+FIGURE_FORMATS: Mapping[str, dict[str, Any]] = {
+    "png": {"Software": "mdrcontact"},
+    "pdf": {"Creator": "mdrcontact", "CreationDate": None},
+    "svg": {"Date": None},
+}
+"""With what a file says of its origin: a figure is the same file whenever it is drawn."""
 
 
 class OutputError(Exception):
     """A result cannot be written."""
+
+
+def add_problem(parser: argparse.ArgumentParser, results: str, has: str = "") -> None:
+    """What every command on a contact takes. results : in the CSV file; has : what the problem file must have"""
+    parser.add_argument("problem", metavar="PROBLEM.toml", help=f"the problem file; {has}" if has else "the problem file")
+    add_options(parser, results)
 
 
 def add_options(parser: argparse.ArgumentParser, what: str) -> None:
@@ -97,8 +109,17 @@ def figure_format(path: Path) -> str:
     return suffix
 
 
-def write(contents: Mapping[Path, bytes], overwrite: bool) -> None:
-    """Writes each file, and says so; the command's last act."""
+def write(arguments: argparse.Namespace, **results: Callable[[], Any]) -> None:
+    """Writes the results whose options are given, and says so; the command's last act.
+
+    results : by option what makes one: bytes, text, a figure, or a dictionary for JSON
+    """
+    chosen = {path: make for name, make in results.items() if (path := getattr(arguments, name)) is not None}
+    save({path: _content(path, make()) for path, make in chosen.items()}, arguments.overwrite)
+
+
+def save(contents: Mapping[Path, bytes], overwrite: bool) -> None:
+    """Writes each file, and says so."""
     _check(list(contents), overwrite)
     if contents:
         print()
@@ -107,10 +128,20 @@ def write(contents: Mapping[Path, bytes], overwrite: bool) -> None:
         print(f"written: {path}")
 
 
-def rendered(figure: Any, form: str) -> bytes:
-    """A matplotlib figure as the content of a file."""
+def _content(path: Path, result: Any) -> bytes:
+    if isinstance(result, bytes):
+        return result
+    if isinstance(result, dict):
+        result = json.dumps(result, indent=2, allow_nan=False) + "\n"
+    return result.encode() if isinstance(result, str) else _rendered(result, figure_format(path))
+
+
+def _rendered(figure: Any, form: str) -> bytes:
+    import matplotlib
+
     buffer = io.BytesIO()
-    figure.savefig(buffer, format=form, dpi=160)
+    with matplotlib.rc_context({"svg.hashsalt": "mdrcontact"}):
+        figure.savefig(buffer, format=form, dpi=160, metadata=FIGURE_FORMATS[form])
     return buffer.getvalue()
 
 

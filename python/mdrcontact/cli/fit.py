@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import argparse
-import json
 from pathlib import Path
 from typing import Any
 
@@ -123,8 +122,9 @@ def _run_one(arguments: argparse.Namespace, problem: FitFile, curve: Curve) -> N
         analysis = oliver_pharr_rows(_analysis(result))
         print(f"{_ANALYSIS}:\n" + aligned(analysis) + "\n")
     print(result.summary())
-    moves = find_moves(result) if arguments.ranges or arguments.report else None
-    if moves is not None:
+    moves: Any = None
+    if arguments.ranges or arguments.report:
+        moves = find_moves(result)
         print("".join(f"{line}\n" for line in moves.summary()), end="")
     intervals = {}
     if arguments.interval != "normal":
@@ -140,20 +140,14 @@ def _run_one(arguments: argparse.Namespace, problem: FitFile, curve: Curve) -> N
             data, problem.indenter, problem.medium, problem.free, instrument=problem.instrument, **problem.options
         )
         print(f"\n{ranking.summary()}")
-    results: dict[Path, bytes] = {}
-    if arguments.csv:
-        results[arguments.csv] = as_csv(_points(result))
-    if arguments.json:
-        found = result.to_dict()
-        found["file"] = str(arguments.data)
+
+    def numbers() -> dict[str, Any]:
+        found = {**result.to_dict(), "file": str(arguments.data)}
         for name, ends in intervals.items():
             found["parameters"][name][f"{arguments.interval}_interval"] = [v if np.isfinite(v) else None for v in ends]
-        results[arguments.json] = (json.dumps(found, indent=2, allow_nan=False) + "\n").encode()
-    if arguments.plot:
-        results[arguments.plot] = files.rendered(result.plot(), files.figure_format(arguments.plot))
-    if arguments.ranges and moves is not None:
-        results[arguments.ranges] = files.rendered(moves.plot(), files.figure_format(arguments.ranges))
-    if arguments.report and moves is not None:
+        return found
+
+    def describe() -> str:
         blocks = report.blocks_of(result, [f"file {arguments.data}, problem file {arguments.problem}", *notes])
         if analysis:
             blocks += [report.heading(_ANALYSIS), report.table(analysis)]
@@ -161,8 +155,16 @@ def _run_one(arguments: argparse.Namespace, problem: FitFile, curve: Curve) -> N
             blocks += [report.heading("Other choices"), report.items(moves.summary()), report.picture(moves.plot(), "other ranges")]
         if ranking is not None:
             blocks += [report.heading("Models"), report.preformatted(ranking.summary())]
-        results[arguments.report] = report.page(problem.title, blocks).encode()
-    files.write(results, arguments.overwrite)
+        return report.page(problem.title, blocks)
+
+    files.write(
+        arguments,
+        csv=lambda: as_csv(_points(result)),
+        json=numbers,
+        plot=result.plot,
+        ranges=lambda: moves.plot(),
+        report=describe,
+    )
 
 
 def _run_gel(arguments: argparse.Namespace, problem: FitFile, data: Any) -> None:
@@ -175,20 +177,20 @@ def _run_gel(arguments: argparse.Namespace, problem: FitFile, data: Any) -> None
     if arguments.compare:
         for other in compare_drainages(data, problem.indenter, problem.medium, list(problem.free)):
             print(f"\n{other.summary()}")
-    results: dict[Path, bytes] = {}
-    if arguments.csv:
-        x, y = dimension_of_data(data.x_name), dimension_of_data(data.y_name)
-        unit = practical(y, data.y)
-        points = [column(data.x_name, data.x, x), Column(data.y_name, data.y, unit), Column("fit", found.fitted, unit)]
-        results[arguments.csv] = as_csv(points)
-    if arguments.json:
-        numbers: dict[str, Any] = {"drainage": found.drainage, "sum_of_squares": found.chi_square, "notes": list(found.notes)}
-        numbers["parameters"] = {
-            name: {"value": value, "standard_error": found.errors[name], "interval": list(found.intervals[name])}
-            for name, value in found.values.items()
-        }
-        results[arguments.json] = (json.dumps(numbers, indent=2, allow_nan=False) + "\n").encode()
-    files.write(results, arguments.overwrite)
+    parameters = {
+        name: {"value": value, "standard_error": found.errors[name], "interval": list(found.intervals[name])}
+        for name, value in found.values.items()
+    }
+    files.write(
+        arguments,
+        csv=lambda: as_csv(_columns(data, found.fitted)),
+        json=lambda: {
+            "drainage": found.drainage,
+            "sum_of_squares": found.chi_square,
+            "notes": list(found.notes),
+            "parameters": parameters,
+        },
+    )
 
 
 def _analysis(result: FitResult) -> OliverPharr:
@@ -230,11 +232,11 @@ def _points(result: FitResult) -> list[Column]:
     data = result.data
     if isinstance(data, StiffnessDepth) and data.unloadings:
         return oliver_pharr_columns(_analysis(result))
+    return [*_columns(data, result.fitted), column("residual/sd", result.residuals, RATIO)]
+
+
+def _columns(data: Any, fitted: np.ndarray[Any, Any]) -> list[Column]:
+    """Data and model."""
     x, y = dimension_of_data(data.x_name), dimension_of_data(data.y_name)
     unit = practical(y, data.y)
-    return [
-        column(data.x_name, data.x, x),
-        Column(data.y_name, data.y, unit),
-        Column("fit", result.fitted, unit),
-        column("residual/sd", result.residuals, RATIO),
-    ]
+    return [column(data.x_name, data.x, x), Column(data.y_name, data.y, unit), Column("fit", fitted, unit)]

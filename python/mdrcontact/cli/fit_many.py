@@ -8,8 +8,6 @@ import csv
 import functools
 import hashlib
 import io
-import json
-from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -84,28 +82,29 @@ def run_curves(arguments: argparse.Namespace, problem: FitFile, curves: list[Cur
         print(f"warning: {words}")
     if spread:
         print(aligned(spread, left=1))
-    contents: dict[Path, bytes] = {}
-    if arguments.csv:
-        contents[arguments.csv] = _estimates(curves, results, names, ratings)
-    if arguments.json:
-        found = {
-            curve.name: result.to_dict() if isinstance(result, FitResult) else {"error": str(result.error)}
-            for curve, result in zip(curves, results, strict=True)
-        }
-        contents[arguments.json] = (json.dumps(found, indent=2, allow_nan=False) + "\n").encode()
-    if arguments.plot or arguments.report:
+
+    def draw() -> Any:
         drawn = tuple(name for name in names if name not in fitted[0][1].data.also_free)
-        figure = many_figure.overview(fitted, drawn or names, {id(r) for _, r in sound})
-    if arguments.plot:
-        contents[arguments.plot] = files.rendered(figure, files.figure_format(arguments.plot))
-    if arguments.report:
+        return many_figure.overview(fitted, drawn or names, {id(r) for _, r in sound})
+
+    def describe() -> str:
         blocks = [report.paragraph(words) for words in verdict]
         blocks += [report.table(spread)] if spread else []
-        blocks += [report.picture(figure, "estimates of all curves")]
+        blocks += [report.picture(draw(), "estimates of all curves")]
         blocks += [report.items([*warned_of_spread, *warned], doubt=True), report.heading("Curves"), report.table(rows)]
         blocks += [report.heading("What was assumed, for the first curve"), report.assumptions(fitted[0][1])]
-        contents[arguments.report] = report.page(problem.title, blocks).encode()
-    files.write(contents, arguments.overwrite)
+        return report.page(problem.title, blocks)
+
+    files.write(
+        arguments,
+        csv=lambda: _estimates(curves, results, names, ratings),
+        json=lambda: {
+            curve.name: result.to_dict() if isinstance(result, FitResult) else {"error": str(result.error)}
+            for curve, result in zip(curves, results, strict=True)
+        },
+        plot=draw,
+        report=describe,
+    )
 
 
 def _verdict(count: int, fitted: list[_Fitted], sound: list[_Fitted], ratings: dict[int, Rating]) -> list[str]:

@@ -9,7 +9,7 @@ from functools import partial
 import numpy as np
 
 from .._units import ENERGY, FORCE, LENGTH, RATIO, STIFFNESS, shown
-from ..problem import ProblemError, load
+from ..problem import load_with
 from . import files
 from .cycles import Cycles, cycles
 from .friction_figure import friction_figure, path_figure
@@ -50,30 +50,21 @@ _ROWS = 24
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """What the command takes."""
-    parser.add_argument("problem", metavar="PROBLEM.toml", help="the problem file; it has a table [friction]")
-    files.add_options(parser, "forces, stick radii and energies of amplitudes or steps")
+    files.add_problem(parser, "forces, stick radii and energies of amplitudes or steps", "it has a table [friction]")
 
 
 def run(arguments: argparse.Namespace) -> None:
     """Computes, prints, writes."""
     files.check(arguments)
-    problem = load(arguments.problem)
-    if problem.friction is None:
-        raise ProblemError(f"{arguments.problem}: the table [friction] is missing: write it with coefficient = 0.3")
-    picture = bool(arguments.plot)
-    if problem.friction.path is None:
-        found = cycles(problem, problem.friction, with_loops=picture)
+    problem, sliding = load_with(arguments.problem, "friction")
+    if sliding.path is None:
+        found = cycles(problem, sliding, with_loops=bool(arguments.plot))
         words, table, draw = _words(found), columns(found), partial(friction_figure, problem, found)
     else:
-        led = lead(problem, problem.friction, problem.friction.path)
+        led = lead(problem, sliding, sliding.path)
         words, table, draw = _path_words(led), path_columns(led), partial(path_figure, problem, led)
     print(f"{problem.title}\n\n{words}\n\n{as_text(table, _ROWS)}")
-    results = {}
-    if arguments.csv:
-        results[arguments.csv] = as_csv(table)
-    if picture:
-        results[arguments.plot] = draw(files.figure_format(arguments.plot))
-    files.write(results, arguments.overwrite)
+    files.write(arguments, csv=lambda: as_csv(table), plot=draw)
 
 
 def columns(found: Cycles) -> list[Column]:

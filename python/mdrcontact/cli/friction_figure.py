@@ -3,19 +3,20 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 
 from .._units import ENERGY, FORCE, LENGTH, practical
 from ..problem import Problem
 from .cycles import Cycles
-from .figures import COLOURS, _figure, _render, _style
+from .figures import COLOURS, sheet
 from .friction_path import LedPath
 
 
-def friction_figure(problem: Problem, found: Cycles, form: str) -> bytes:
+def friction_figure(problem: Problem, found: Cycles) -> Any:
     """Tangential force along some cycles, and the energy that each dissipates."""
-    with _style():
-        figure, axes = _figure(problem.title, 1, 2, (9.6, 4.2))
+    with sheet(problem.title, 1, 2, (9.6, 4.2)) as (figure, axes):
         length = practical(LENGTH, found.loops[-1].shift)
         force = practical(FORCE, found.loops[-1].tangential_force)
         for i, loop in enumerate(reversed(found.loops)):
@@ -35,13 +36,12 @@ def friction_figure(problem: Problem, found: Cycles, form: str) -> bytes:
             "sliding", (float(along.of(found.sliding_shift)), 0.02), xycoords=("data", "axes fraction"), ha="right", color="#707070"
         )
         axes[1].set(xlabel=f"amplitude of the shift [{along.symbol}]", ylabel=f"energy of a cycle [{energy.symbol}]")
-        return _render(figure, form)
+    return figure
 
 
-def path_figure(problem: Problem, led: LedPath, form: str) -> bytes:
+def path_figure(problem: Problem, led: LedPath) -> Any:
     """Tangential force against shift along a path, and against the steps T between -mu F and mu F, and the energy dissipated."""
-    with _style():
-        figure, axes = _figure(problem.title, 1, 3, (12.0, 4.0))
+    with sheet(problem.title, 1, 3, (12.0, 4.0)) as (figure, axes):
         shift, force, lost = (
             np.concatenate([[0.0], np.asarray(values, dtype=float)])
             for values in (led.shear.shift, led.shear.tangential_force, led.shear.dissipated_energy)
@@ -67,4 +67,4 @@ def path_figure(problem: Problem, led: LedPath, form: str) -> bytes:
         axes[1].legend()
         axes[2].plot(steps, energy.of(lost), color=COLOURS[2])
         axes[2].set(xlabel="step", ylabel=f"dissipated energy [{energy.symbol}]", ylim=(0, None))
-        return _render(figure, form)
+    return figure

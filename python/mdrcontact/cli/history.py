@@ -11,7 +11,7 @@ import numpy as np
 from .._units import ENERGY, FORCE, LENGTH, SPEED, TIME, shown
 from ..contact import Contact
 from ..history import History
-from ..problem import Problem, ProblemError, load
+from ..problem import load_with
 from ..problem.history import HistoryPath
 from ..rate_adhesion import RateHistory
 from . import files, history_figure
@@ -84,35 +84,27 @@ or a path from a table with columns such as "time [s]" and "depth [nm]":
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """What the command takes."""
-    parser.add_argument("problem", metavar="PROBLEM.toml", help="the problem file; it has a table [history]")
-    files.add_options(parser, "the whole path")
+    files.add_problem(parser, "the whole path", "it has a table [history]")
 
 
 def run(arguments: argparse.Namespace) -> None:
     """Computes, prints, writes."""
     files.check(arguments)
-    problem = load(arguments.problem)
-    if problem.history is None:
-        raise ProblemError(f'{arguments.problem}: the table [history] is missing: write it with path = "ramp", depth and rise_time')
-    path = problem.history
+    problem, path = load_with(arguments.problem, "history")
     contact = problem.contact(in_time=True)
     if contact.adhesion is not None:
-        found = follow_edge(problem, contact)
+        spring = problem.adhesion and problem.adhesion.spring_stiffness
+        found = follow_edge(contact, path, spring)
         history, cuts = History(*found[:4]), 1
         closing = said(found)
     else:
         history, cuts = follow(contact, path)
-        closing = summary(problem, history)
+        closing = summary(history)
     table = columns(History(*(values[::cuts] for values in history)))
     print(f"{problem.title}\n")
     print(as_text(table, 12))
     print(f"\n{closing}")
-    results = {}
-    if arguments.csv:
-        results[arguments.csv] = as_csv(table)
-    if arguments.plot:
-        results[arguments.plot] = history_figure.draw(problem, history, files.figure_format(arguments.plot))
-    files.write(results, arguments.overwrite)
+    files.write(arguments, csv=lambda: as_csv(table), plot=lambda: history_figure.draw(problem, history))
 
 
 def follow(contact: Contact, path: HistoryPath) -> tuple[History, int]:
@@ -130,10 +122,8 @@ def follow(contact: Contact, path: HistoryPath) -> tuple[History, int]:
     return found, cuts
 
 
-def follow_edge(problem: Problem, contact: Contact) -> RateHistory:
+def follow_edge(contact: Contact, path: HistoryPath, spring: float | None) -> RateHistory:
     """The history of a contact whose adhesion depends on speed, led by depth, force or the far end of a spring."""
-    path, spring = problem.history, problem.adhesion and problem.adhesion.spring_stiffness
-    assert path is not None
     name = "position" if spring is not None and path.name == "depth" else path.name
     prescribed: dict[str, Any] = {name: path.values}
     found = contact.history(path.time, **prescribed, spring_stiffness=spring, drainage=path.drainage)
@@ -163,7 +153,7 @@ def columns(history: History) -> list[Column]:
     ]
 
 
-def summary(problem: Problem, history: History) -> str:
+def summary(history: History) -> str:
     """The largest force, when contact is lost, and the energy lost over a closed path."""
     largest = int(np.argmax(history.force))
     lines = [f"largest force: {shown(history.force[largest], FORCE)} at {shown(history.time[largest], TIME)}"]

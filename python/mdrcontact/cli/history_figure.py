@@ -3,16 +3,17 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from .._units import FORCE, LENGTH, TIME, practical
 from ..history import History
 from ..problem import Problem
-from .figures import COLOURS, _figure, _render, _style
+from .figures import COLOURS, sheet
 
 
-def draw(problem: Problem, history: History, form: str) -> bytes:
+def draw(problem: Problem, history: History) -> Any:
     """Depth, contact radius and force against time, and the loop of force against depth."""
-    with _style():
-        figure, axes = _figure(problem.title, 2, 2, (8.4, 6.4))
+    with sheet(problem.title, 2, 2, (8.4, 6.4)) as (figure, axes):
         time = practical(TIME, history.time)
         panels = (
             ("indentation depth d", history.depth, LENGTH),
@@ -26,4 +27,4 @@ def draw(problem: Problem, history: History, form: str) -> bytes:
         depth, force = practical(LENGTH, history.depth), practical(FORCE, history.force)
         axes.flat[3].plot(depth.of(history.depth), force.of(history.force), color=COLOURS[3])
         axes.flat[3].set(xlabel=f"indentation depth d [{depth.symbol}]", ylabel=f"force F [{force.symbol}]")
-        return _render(figure, form)
+    return figure

@@ -51,14 +51,11 @@ def run(arguments: argparse.Namespace) -> None:
     for fact in found.tests[0].facts if found.tests else ():
         print(f"the file says: {fact}")
     print(_would_be_fitted(arguments.data, found))
-    contents = {}
-    if arguments.plot and found.tests:
-        contents[arguments.plot] = files.rendered(inspect_figure(found), files.figure_format(arguments.plot))
-    if arguments.problem:
-        contents[arguments.problem] = found.problem.encode()
-    else:
+    if not arguments.problem:
         print(f"\nA problem file to begin with (--problem writes it):\n\n{found.problem}", end="")
-    files.write(contents, arguments.overwrite)
+    if not found.tests:
+        arguments.plot = None
+    files.write(arguments, plot=lambda: inspect_figure(found), problem=lambda: found.problem)
 
 
 def _table(tests: list[Test]) -> str:

@@ -88,18 +88,17 @@ def run(arguments: argparse.Namespace) -> None:
     if law.sliders:
         off = f"T off by {law.first_shear_error:.1%} of sliding in first shear"
         print(f"{'sliders':<16}{law.sliders}, {law.memory_size} numbers a contact; {off}")
-    content = law.to_bytes() if arguments.table is None else _table(law, arguments)
-    files.write({arguments.law: content}, arguments.overwrite)
+    files.write(arguments, law=lambda: law.to_bytes() if arguments.table is None else _table(law, arguments))
 
 
-def _table(law: ContactLaw, arguments: argparse.Namespace) -> bytes:
+def _table(law: ContactLaw, arguments: argparse.Namespace) -> str:
     """The table in place of the law."""
     length = 1e-3 if arguments.millimetres else 1.0
     touch = None if arguments.touch is None else _number("--touch", arguments.touch, LENGTH) / length
     area = None if arguments.area is None else _number("--area", arguments.area, AREA) / length**2
     text = law.table(arguments.table, error=arguments.table_error, length=length, touch=touch, area=area)
     print(f"{'table':<16}{text.splitlines()[0].strip('#* ')}")
-    return text.encode()
+    return text
 
 
 def _number(option: str, text: str, dimension: Dimension) -> float:

@@ -87,15 +87,17 @@ def run(arguments: argparse.Namespace) -> None:
     print(f"{nx} x {ny} x {nz} voxels, {len(problem.radii)} radii: at most {needed / 2**20:.0f} MiB of memory", flush=True)
     maps, found = _maps(problem, arguments)
     print(_table(problem, found))
-    results = {}
-    if arguments.npy:
-        buffer = io.BytesIO()
-        np.save(buffer, maps)
-        results[arguments.npy] = buffer.getvalue()
-    if arguments.plot:
-        form = files.figure_format(arguments.plot)
-        results[arguments.plot] = map_figure(problem.title, problem.voxels, problem.radii, maps, form)
-    files.write(results, arguments.overwrite)
+    files.write(
+        arguments,
+        npy=lambda: _as_npy(maps),
+        plot=lambda: map_figure(problem.title, problem.voxels, problem.radii, maps),
+    )
+
+
+def _as_npy(maps: Any) -> bytes:
+    buffer = io.BytesIO()
+    np.save(buffer, maps)
+    return buffer.getvalue()
 
 
 def _maps(problem: MapProblem, arguments: argparse.Namespace) -> tuple[Any, dict[float, Any]]:
@@ -140,7 +142,7 @@ def _problem(table: dict[str, Any], path: Path) -> MapProblem:
     for name in ("structure", "map"):
         if name not in whole:
             raise ProblemError(f"the table [{name}] is missing: a map has [structure] and [map]")
-    structure = Section(table["structure"], "structure", _STRUCTURE)
+    structure = Section(table["structure"], "structure", _STRUCTURE, path.parent)
     phases = []
     for section in structure.children("phase", _PHASE):
         with section.words():
@@ -148,22 +150,20 @@ def _problem(table: dict[str, Any], path: Path) -> MapProblem:
     beside = structure.choice("beside", ("periodic", "padded"), "periodic")
     with structure.words():
         voxels = lateral.Voxels(
-            _labels(structure, path), phases, structure.quantities("spacing"), below=phases[0],
+            _labels(structure), phases, structure.quantities("spacing"), below=phases[0],
             beside="periodic" if beside == "periodic" else phases[0],
             exponent=structure.number("exponent", 1.0),
         )  # fmt: skip
     radii = np.array(Section(table["map"], "map", {"radii": LENGTH}).quantities("radii"))
     if not radii.size or not np.all(radii > 0.0):
         raise ProblemError("[map]: radii must be at least one length, all greater than 0")
-    return MapProblem(str(whole.plain("title")) if "title" in whole else path.stem, voxels, radii)
+    return MapProblem(str(whole.plain("title", path.stem)), voxels, radii)
 
 
-def _labels(structure: Section, path: Path) -> Any:
-    name = structure.plain("labels")
-    if not isinstance(name, str):
-        raise ProblemError('[structure]: labels must be the name of a file, as in labels = "labels.npy"')
+def _labels(structure: Section) -> Any:
+    place = structure.file("labels", "a file", "labels.npy")
     try:
         # mapped, not read: slices come from the file when they are needed
-        return np.lib.format.open_memmap(path.parent / name, mode="r")
+        return np.lib.format.open_memmap(place, mode="r")
     except (OSError, ValueError, EOFError) as problem:
-        raise ProblemError(f"[structure]: labels = {name!r} cannot be read as a NumPy array (.npy): {problem}") from problem
+        raise ProblemError(f"[structure]: labels = {place.name!r} cannot be read as a NumPy array (.npy): {problem}") from problem

@@ -10,12 +10,11 @@ import numpy as np
 
 from .. import lateral
 from .._units import LENGTH, MODULUS, practical
-from .figures import COLOURS, _render, _style
+from .figures import COLOURS, sheet
 
 
-def map_figure(title: str, voxels: lateral.Voxels, radii: Any, maps: Any, form: str) -> bytes:
+def map_figure(title: str, voxels: lateral.Voxels, radii: Any, maps: Any) -> Any:
     """Structure and maps, each map with the contact drawn to scale."""
-    from matplotlib.figure import Figure
     from matplotlib.patches import Circle
 
     nz, ny, nx = voxels.labels.shape
@@ -28,10 +27,8 @@ def map_figure(title: str, voxels: lateral.Voxels, radii: Any, maps: Any, form: 
     panels = 2 + len(radii)
     columns = min(3, panels)
     rows = math.ceil(panels / columns)
-    with _style():
-        figure = Figure(figsize=(4.0 * columns, 3.7 * rows), layout="constrained")
-        figure.suptitle(title, parse_math=False)
-        axes = np.atleast_1d(figure.subplots(rows, columns)).ravel()
+    with sheet(title, rows, columns, (4.0 * columns, 3.7 * rows)) as (figure, panes):
+        axes = np.ravel(panes)
         for axis in axes[panels:]:
             axis.set_axis_off()
         E = np.array([material.contact_modulus for material in voxels.phases])
@@ -57,4 +54,4 @@ def map_figure(title: str, voxels: lateral.Voxels, radii: Any, maps: Any, form: 
             axis.set_xlabel(f"x [{length.symbol}]")
             axis.set_ylabel(f"y [{length.symbol}]")
         axes[1].set_ylabel(f"depth z [{length.symbol}]")
-        return _render(figure, form)
+    return figure

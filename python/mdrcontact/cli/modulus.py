@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import argparse
-import json
 import math
 from pathlib import Path
 from typing import Any
@@ -16,7 +15,7 @@ from .._units import LENGTH, MODULUS, RATIO, practical
 from ..fitting import DepthProfile, StiffnessDepth, modulus_at_depths, report
 from ..fitting.quantities import dimension_of, measured, words_of
 from ..problem import ProblemError
-from ..problem.fit_file import load_fit_file
+from ..problem.fit_file import FitFile, load_fit_file
 from . import files
 from .table import Column, as_csv, as_text, column
 
@@ -67,25 +66,27 @@ def run(arguments: argparse.Namespace) -> None:
     print(f"\n{as_text(columns, 20)}\n\n{profile.summary()}")
     for word in words:
         print(f"warning: {word}")
-    contents: dict[Path, bytes] = {}
-    if arguments.csv:
-        contents[arguments.csv] = as_csv(columns)
-    if arguments.json:
-        contents[arguments.json] = (json.dumps(_plain(profile, words), indent=2, allow_nan=False) + "\n").encode()
-    if arguments.plot:
-        contents[arguments.plot] = files.rendered(profile.plot(), files.figure_format(arguments.plot))
-    if arguments.report:
-        rows = [[c.title for c in columns]]
-        rows += [[f"{float(c.unit.of(c.values[i])):.5g}" for c in columns] for i in range(len(profile.modulus))]
-        blocks = [report.paragraph(profile.summary()), report.picture(profile.plot(), "modulus against depth")]
-        blocks += [report.heading("Warnings"), report.items(words, doubt=True) if words else report.paragraph("None.")]
-        blocks += [report.heading("What was read"), report.items([f"file {arguments.data}", *notes])]
-        assumed = [f"indenter: {problem.indenter!r}", f"medium: {problem.medium!r}", f"instrument: {problem.instrument!r}"]
-        priors = [f"{words_of(n)}: {measured(n, *f.prior)}" for n, f in problem.free.items() if f.prior]
-        blocks += [report.heading("What was assumed"), report.items([*assumed, *priors])]
-        blocks += [report.heading("Points"), report.table(rows)]
-        contents[arguments.report] = report.page(problem.title, blocks).encode()
-    files.write(contents, arguments.overwrite)
+    files.write(
+        arguments,
+        csv=lambda: as_csv(columns),
+        json=lambda: _plain(profile, words),
+        plot=profile.plot,
+        report=lambda: _report(problem, profile, columns, words, [f"file {arguments.data}", *notes]),
+    )
+
+
+def _report(problem: FitFile, profile: DepthProfile, columns: list[Column], warnings: list[str], read: list[str]) -> str:
+    """All of it as one page."""
+    rows = [[c.title for c in columns]]
+    rows += [[f"{float(c.unit.of(c.values[i])):.5g}" for c in columns] for i in range(len(profile.modulus))]
+    blocks = [report.paragraph(profile.summary()), report.picture(profile.plot(), "modulus against depth")]
+    blocks += [report.heading("Warnings"), report.items(warnings, doubt=True) if warnings else report.paragraph("None.")]
+    blocks += [report.heading("What was read"), report.items(read)]
+    assumed = [f"indenter: {problem.indenter!r}", f"medium: {problem.medium!r}", f"instrument: {problem.instrument!r}"]
+    priors = [f"{words_of(n)}: {measured(n, *f.prior)}" for n, f in problem.free.items() if f.prior]
+    blocks += [report.heading("What was assumed"), report.items([*assumed, *priors])]
+    blocks += [report.heading("Points"), report.table(rows)]
+    return report.page(problem.title, blocks)
 
 
 def _columns(profile: DepthProfile, thickness: float | None) -> list[Column]:

@@ -61,12 +61,7 @@ def run(arguments: argparse.Namespace) -> None:
     state = problem.control.states(contact, slice(-1, None))[0]
     found = _inside(problem, contact, state, arguments.friction, bool(arguments.csv or arguments.plot))
     print(f"{problem.title}\n\n{_words(found)}")
-    results = {}
-    if arguments.csv:
-        results[arguments.csv] = _grid_csv(found)
-    if arguments.plot:
-        results[arguments.plot] = stress_figure(problem, contact, found, files.figure_format(arguments.plot))
-    files.write(results, arguments.overwrite)
+    files.write(arguments, csv=lambda: _grid_csv(found), plot=lambda: stress_figure(problem, contact, found))
 
 
 def _inside(problem: Problem, contact: Contact, state: State, friction: float, with_maps: bool) -> Inside:

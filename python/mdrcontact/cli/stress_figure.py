@@ -12,26 +12,25 @@ from .._units import FORCE, LENGTH, MODULUS, Unit, practical
 from ..contact import Contact
 from ..critical import Maximum
 from ..problem import Problem
-from .figures import _GREY, COLOURS, _figure, _render, _style
+from .figures import _GREY, COLOURS, sheet
 from .inside import Inside, interface_name, layer_name
 
 _LEVELS = 24
 
 
-def stress_figure(problem: Problem, contact: Contact, found: Inside, form: str) -> bytes:
+def stress_figure(problem: Problem, contact: Contact, found: Inside) -> Any:
     """Maps of von Mises stress and largest tension, stresses along the axis, along the interfaces and the surface."""
-    with _style():
-        # maps of equal scales: their width fixes their height
-        first, last = found.maps[0], found.maps[-1]
-        height = 4.2 * float((last.z[-1] - first.z[0]) / (first.x[-1] - first.x[0])) + 0.7
-        figure, axes = _figure(_title(problem, found), 2, 2, (11.0, 5.0 + height))
+    # maps of equal scales: their width fixes their height
+    first, last = found.maps[0], found.maps[-1]
+    height = 4.2 * float((last.z[-1] - first.z[0]) / (first.x[-1] - first.x[0])) + 0.7
+    with sheet(_title(problem, found), 2, 2, (11.0, 5.0 + height)) as (figure, axes):
         axes[0, 0].get_gridspec().set_height_ratios([height, 4.2])
         length = practical(LENGTH, [found.maps[-1].z[-1]])
         _draw_map(figure, axes[0, 0], found, length, "von_mises")
         _draw_map(figure, axes[0, 1], found, length, "tension")
         _draw_axis(axes[1, 0], found, length)
         _draw_faces(axes[1, 1], contact, found, length)
-        return _render(figure, form)
+    return figure
 
 
 def _title(problem: Problem, found: Inside) -> str:

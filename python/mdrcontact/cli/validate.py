@@ -59,7 +59,7 @@ def run(arguments: argparse.Namespace) -> None:
         folder = arguments.markdown.parent / "pictures"
         folder.mkdir(exist_ok=True)
         contents.update({folder / name: drawn for name, drawn in pictures(rows).items()})
-    files.write(contents, arguments.overwrite)
+    files.save(contents, arguments.overwrite)
     beyond = [row.check.name for row in rows if not row.holds]
     if beyond:
         raise MDRError(f"beyond what the source's own error explains: {', '.join(beyond)}")

@@ -4,14 +4,16 @@
 from __future__ import annotations
 
 import argparse
+from typing import Any
 
 import numpy as np
 
 from .._units import FORCE, LENGTH, MODULUS, RATIO, VOLUME, WEAR, practical, shown
-from ..problem import Problem, ProblemError, load
+from ..problem import Problem, load_with
+from ..problem.wear import Rubbing
 from ..wear import Wear, WearState, WornProfile
 from . import files
-from .figures import COLOURS, _figure, _render, _style
+from .figures import COLOURS, sheet
 from .table import Column, as_csv, as_text, column
 
 HELP = "a sliding indenter that wears: radius, depth, worn profile"
@@ -38,35 +40,24 @@ _ROWS = 24
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """What the command takes."""
-    parser.add_argument("problem", metavar="PROBLEM.toml", help="the problem file; it has a table [wear]")
-    files.add_options(parser, "radii, depths and forces of the sliding distances")
+    files.add_problem(parser, "radii, depths and forces of the sliding distances", "it has a table [wear]")
 
 
 def run(arguments: argparse.Namespace) -> None:
     """Computes, prints, writes."""
     files.check(arguments)
-    problem = load(arguments.problem)
-    if problem.wear is None:
-        raise ProblemError(
-            f'{arguments.problem}: the table [wear] is missing: write it with coefficient = "1e-6 mm^3/(N*m)", sliding = ["1 m"]'
-        )
-    states, profile = _slide(problem)
+    problem, rubbing = load_with(arguments.problem, "wear")
+    states, profile = _slide(problem, rubbing)
     table = columns(states)
-    print(f"{problem.title}\n\n{_words(problem, states)}\n\n{as_text(table, _ROWS)}")
-    results = {}
-    if arguments.csv:
-        results[arguments.csv] = as_csv(table)
-    if arguments.plot:
-        results[arguments.plot] = _draw(problem, states, profile, files.figure_format(arguments.plot))
-    files.write(results, arguments.overwrite)
+    print(f"{problem.title}\n\n{_words(rubbing, states)}\n\n{as_text(table, _ROWS)}")
+    files.write(arguments, csv=lambda: as_csv(table), plot=lambda: _draw(problem, states, profile))
 
 
-def _slide(problem: Problem) -> tuple[WearState, WornProfile]:
-    assert problem.wear is not None
+def _slide(problem: Problem, rubbing: Rubbing) -> tuple[WearState, WornProfile]:
     contact, control = problem.contact(), problem.control
     largest = float(np.max(control.values))
-    wear, distances = Wear(contact, problem.wear.coefficient), np.array(problem.wear.sliding)
-    intervals, scheme = problem.wear.intervals, problem.wear.scheme
+    wear, distances = Wear(contact, rubbing.coefficient), np.array(rubbing.sliding)
+    intervals, scheme = rubbing.intervals, rubbing.scheme
     if control.name == "depth":
         return wear.advance(distances, depth=largest, intervals=intervals, scheme=scheme)
     force = float(contact.at_radius(largest).force) if control.name == "radius" else largest
@@ -87,20 +78,18 @@ def columns(states: WearState) -> list[Column]:
     ]
 
 
-def _words(problem: Problem, states: WearState) -> str:
-    assert problem.wear is not None
+def _words(rubbing: Rubbing, states: WearState) -> str:
     last = {name: float(np.asarray(value)[-1]) for name, value in states._asdict().items()}
     return (
-        f"coefficient of wear {shown(problem.wear.coefficient, WEAR)}, after {shown(last['sliding'], LENGTH)}:\n"
+        f"coefficient of wear {shown(rubbing.coefficient, WEAR)}, after {shown(last['sliding'], LENGTH)}:\n"
         f"worn volume {shown(last['worn_volume'], VOLUME)}, contact radius {shown(last['radius'], LENGTH)}, "
         f"error {last['error']:.1g}"
     )
 
 
-def _draw(problem: Problem, states: WearState, profile: WornProfile, form: str) -> bytes:
+def _draw(problem: Problem, states: WearState, profile: WornProfile) -> Any:
     """Radius and depth against distance, and the profile before and after."""
-    with _style():
-        figure, axes = _figure(problem.title, 1, 2, (9.6, 4.2))
+    with sheet(problem.title, 1, 2, (9.6, 4.2)) as (figure, axes):
         along = practical(LENGTH, np.asarray(states.sliding))
         length = practical(LENGTH, np.asarray(states.radius))
         height = practical(LENGTH, np.asarray(states.depth))
@@ -114,4 +103,4 @@ def _draw(problem: Problem, states: WearState, profile: WornProfile, form: str) 
         axes[1].plot(length.of(r), height.of(new + np.asarray(profile.worn_depth(r))), color=COLOURS[1], label="worn")
         axes[1].set(xlabel=f"r [{length.symbol}]", ylabel=f"profile [{height.symbol}]")
         axes[1].legend(frameon=False)
-        return _render(figure, form)
+    return figure

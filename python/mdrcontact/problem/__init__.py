@@ -3,9 +3,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from .._units import Dimension
 from ..contact import Contact
 from ..medium import Medium
 from ..medium.viscoelastic import is_viscoelastic
@@ -23,11 +25,26 @@ from .tip_file import with_calibration
 from .toml import parse_file
 from .wear import Rubbing
 
-__all__ = ["Problem", "ProblemError", "load", "read"]
+__all__ = ["Problem", "ProblemError", "load", "load_with", "read"]
 
-_TABLES = dict.fromkeys(
-    ("title", "indenter", "medium", "compute", "adhesion", "strength", "friction", "history", "wear", "conduction")
-)
+
+class _Part(NamedTuple):
+    """A table that not every problem has."""
+
+    read: Callable[[Section], Any]
+    known: Mapping[str, Dimension | None]
+    example: str
+    """how it begins"""
+
+
+_PARTS: Mapping[str, _Part] = {
+    "adhesion": _Part(adhesion.read_adhesion, adhesion.KNOWN, 'work_of_adhesion = "50 mJ/m^2"'),
+    "strength": _Part(strength.read_strength, strength.KNOWN, 'yield = ["14 GPa", "1.5 GPa"]'),
+    "friction": _Part(friction.read_friction, friction.KNOWN, "coefficient = 0.3"),
+    "history": _Part(history.read_history, history.KNOWN, 'path = "ramp", depth and rise_time'),
+    "wear": _Part(wear.read_wear, wear.KNOWN, 'coefficient = "1e-6 mm^3/(N*m)", sliding = ["1 m"]'),
+    "conduction": _Part(conduction.read_conduction, conduction.KNOWN, 'kind = "thermal" or "electrical"'),
+}
 
 
 class Problem(NamedTuple):
@@ -71,6 +88,15 @@ class Problem(NamedTuple):
         )
 
 
+def load_with(path: str | Path, name: str) -> tuple[Problem, Any]:
+    """Reads a problem file that must have a table of this name, and what that says."""
+    problem = load(path)
+    part = getattr(problem, name)
+    if part is None:
+        raise ProblemError(f"{path}: the table [{name}] is missing: write it with {_PARTS[name].example}")
+    return problem, part
+
+
 def load(path: str | Path) -> Problem:
     """Reads a problem file; a fault in it is a `ProblemError` that names the file."""
     path = Path(path)
@@ -82,36 +108,19 @@ def load(path: str | Path) -> Problem:
 
 def read(table: dict[str, Any], title: str = "", folder: Path = Path()) -> Problem:
     """The problem that the tables of a problem file describe; files that it names lie in `folder`."""
-    whole = Section(table, "the file", _TABLES)
+    whole = Section(table, "the file", dict.fromkeys(("title", "indenter", "medium", "compute", *_PARTS)))
+    parts = {name: part.read(Section(table[name], name, part.known, folder)) for name, part in _PARTS.items() if name in table}
+    path = parts.get("history") or getattr(parts.get("friction"), "path", None)
     sections = {}
-    path = sliding = None
-    if "history" in table:
-        path = history.read_history(Section(table["history"], "history", history.KNOWN), folder)
-    if "friction" in table:
-        sliding = friction.read_friction(Section(table["friction"], "friction", friction.KNOWN), folder)
-    way = path or (sliding and sliding.path)
     for name, known in (("indenter", indenter.KNOWN), ("medium", medium.KNOWN), ("compute", compute.KNOWN)):
-        if name == "compute" and way and name not in table:
-            continue
-        if name not in table:
+        if name in table:
+            sections[name] = Section(table[name], name, known)
+        elif name != "compute" or path is None:
             raise ProblemError(f"the table [{name}] is missing: a problem has [indenter], [medium] and [compute]")
-        sections[name] = Section(table[name], name, known)
-    shape = sections["indenter"]
-    if "compute" in sections or not way:
+    if "compute" in sections or path is None:
         control = compute.read_control(sections["compute"])
     else:
-        control = Control(way.name, way.values.max(keepdims=True))
-    if "title" in whole:
-        title = str(whole.plain("title"))
-    return Problem(
-        title,
-        indenter.read_indenter(shape),
-        medium.read_medium(sections["medium"], shape),
-        control,
-        adhesion.read_adhesion(Section(table["adhesion"], "adhesion", adhesion.KNOWN)) if "adhesion" in table else None,
-        strength.read_strength(Section(table["strength"], "strength", strength.KNOWN)) if "strength" in table else None,
-        sliding,
-        path,
-        wear.read_wear(Section(table["wear"], "wear", wear.KNOWN)) if "wear" in table else None,
-        conduction.read_conduction(Section(table["conduction"], "conduction", conduction.KNOWN)) if "conduction" in table else None,
-    )
+        control = Control(path.name, path.values.max(keepdims=True))
+    tip = indenter.read_indenter(sections["indenter"])
+    body = medium.read_medium(sections["medium"], sections["indenter"])
+    return Problem(str(whole.plain("title", title)), tip, body, control, **parts)

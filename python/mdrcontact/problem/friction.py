@@ -60,8 +60,8 @@ class Sliding(NamedTuple):
     path: SlidingPath | None = None
 
 
-def read_friction(section: Section, folder: Path) -> Sliding:
-    """What [friction] says; the file of a path lies in `folder`."""
+def read_friction(section: Section) -> Sliding:
+    """What [friction] says."""
     coefficient = section.number("coefficient")
     given = [key for key in ("shifts", "tangential_forces", "path") if key in section]
     if len(given) > 1:
@@ -71,7 +71,7 @@ def read_friction(section: Section, folder: Path) -> Sliding:
     if not 0.0 < coefficient < math.inf:
         raise ProblemError(f"[{section.path}]: coefficient = {coefficient!r} is not allowed: it must be greater than 0 and finite")
     if given == ["path"]:
-        return Sliding(coefficient, "shift", (), _read_path(section, folder))
+        return Sliding(coefficient, "shift", (), _read_path(section))
     section.only(("coefficient", "shifts", "tangential_forces"), "amplitudes of cycles, it goes with path")
     if not given:
         return Sliding(coefficient, "shift", ())
@@ -79,10 +79,8 @@ def read_friction(section: Section, folder: Path) -> Sliding:
     return Sliding(coefficient, "shift" if given[0] == "shifts" else "force", tuple(amplitudes))
 
 
-def _read_path(section: Section, folder: Path) -> SlidingPath:
-    name = section.plain("path")
-    if not isinstance(name, str):
-        raise ProblemError(f'[{section.path}]: path = {name!r} is not the name of a table: write it as in path = "path.csv"')
+def _read_path(section: Section) -> SlidingPath:
+    place = section.file("path", "a table", "path.csv")
     rings = None
     if "rings" in section:
         rings = section.count("rings", default=_FEWEST_RINGS, largest=_MOST_RINGS)
@@ -90,7 +88,7 @@ def _read_path(section: Section, folder: Path) -> SlidingPath:
             raise ProblemError(
                 f"[{section.path}]: rings = {rings} is not allowed: it must be a whole number from {_FEWEST_RINGS} to {_MOST_RINGS}"
             )
-    table = read_table(folder / name)
+    table = read_table(place)
     normal, values = _column(section, table, "normal", _NORMAL)
     along, along_values = _column(section, table, "tangential", _TANGENTIAL)
     # spreadsheets leave empty rows at the end

@@ -5,7 +5,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from itertools import pairwise
-from pathlib import Path
 from typing import NamedTuple
 
 import numpy as np
@@ -50,17 +49,17 @@ class HistoryPath(NamedTuple):
     """of a gel"""
 
 
-def read_history(section: Section, folder: Path) -> HistoryPath:
-    """The path that [history] describes; a file lies in `folder`."""
+def read_history(section: Section) -> HistoryPath:
+    """The path that [history] describes."""
     drainage = section.choice("drainage", DRAINAGES) if "drainage" in section else None
-    return _read_path(section, folder)._replace(drainage=drainage)
+    return _read_path(section)._replace(drainage=drainage)
 
 
-def _read_path(section: Section, folder: Path) -> HistoryPath:
+def _read_path(section: Section) -> HistoryPath:
     kind = section.choice("path", _PATHS)
     if kind == "file":
         section.only(("path", "drainage", *_PATHS[kind]), 'path = "file"')
-        return _from_file(section, folder)
+        return _from_file(section)
     given = [name for name in DIMENSIONS if name in section]
     if len(given) != 1:
         raise ProblemError(f'[{section.path}]: give one of depth, force and radius, the largest value, as in depth = "200 nm"')
@@ -99,16 +98,13 @@ def _pieces(times: list[float], values: list[float], points: int) -> tuple[NDArr
     return time, np.interp(time, times, values)
 
 
-def _from_file(section: Section, folder: Path) -> HistoryPath:
-    name = section.plain("file")
-    if not isinstance(name, str):
-        raise ProblemError(f'[{section.path}]: file = {name!r} is not the name of a table: write it as in file = "path.csv"')
-    table = read_table(folder / name)
+def _from_file(section: Section) -> HistoryPath:
+    table = read_table(section.file("file", "a table", "path.csv"))
     control = section.choice("control", DIMENSIONS, default="depth")
     title = str(section.plain("time")) if "time" in section else table.find("time", ROLES["time"][1], TIME)
     time, _ = table.column(title, TIME)
     values, _ = table.column(table.find(control, ROLES[control][1], DIMENSIONS[control]), DIMENSIONS[control])
     whole = np.isfinite(time) & np.isfinite(values)
     if not whole.any():
-        raise ProblemError(f"{folder / name}: it has no row with both a time and a {control}")
+        raise ProblemError(f"{table.path}: it has no row with both a time and a {control}")
     return HistoryPath(control, time[whole], values[whole])

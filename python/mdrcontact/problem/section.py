@@ -7,6 +7,7 @@ import math
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from inspect import Parameter, signature
+from pathlib import Path
 from typing import Any, TypeVar
 
 from .._choices import nearest
@@ -37,13 +38,13 @@ class Section:
     """One table of a problem file.
 
     `known` names its keys: a `Dimension` for quantities, None for everything else. A quantity is written with its unit in the
-    value, radius = "500 nm", or in the key, radius_nm = 500.
+    value, radius = "500 nm", or in the key, radius_nm = 500. Files that it names lie in `folder`.
     """
 
-    def __init__(self, table: Any, path: str, known: Mapping[str, Dimension | None]) -> None:
+    def __init__(self, table: Any, path: str, known: Mapping[str, Dimension | None], folder: Path = Path()) -> None:
         if not isinstance(table, dict):
             raise ProblemError(f"{path} must be a table: write a line [{path}] and its keys below it")
-        self.path = path
+        self.path, self.folder = path, folder
         self._table = table
         self._known = known
         for key in table:
@@ -148,9 +149,16 @@ class Section:
             return self.number(key) if one else self.numbers(key)
         return self.quantity(key) if one else self.quantities(key)
 
-    def plain(self, key: str) -> Any:
+    def plain(self, key: str, default: Any = None) -> Any:
         """A value as it stands in the file."""
-        return self._found(key)[0]
+        return default if default is not None and key not in self else self._found(key)[0]
+
+    def file(self, key: str, what: str, example: str) -> Path:
+        """The path of a file that a key names."""
+        name = self.plain(key)
+        if not isinstance(name, str):
+            raise ProblemError(f'[{self.path}]: {key} = {name!r} is not the name of {what}: write it as in {key} = "{example}"')
+        return self.folder / name
 
     def child(self, key: str, known: Mapping[str, Dimension | None]) -> Section:
         """A table inside this one."""
