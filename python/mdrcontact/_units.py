@@ -6,7 +6,8 @@ from __future__ import annotations
 import functools
 import math
 import re
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
+from dataclasses import fields
 from decimal import Decimal
 from typing import Any, NamedTuple, SupportsFloat
 
@@ -84,6 +85,14 @@ WEAR = Dimension(
     "a coefficient of wear", "m^3/(N*m)", "1e-6 mm^3/(N*m)", (("mm^3/(N*m)", 1e-9), ("m^3/(N*m)", 1.0)), ("Pa^-1", "GPa^-1")
 )
 RATIO = Dimension("a number", "", "1", (("", 1.0),))
+QUANTITIES: Mapping[str, Dimension] = {
+    **dict.fromkeys(("depth", "radius", "height", "deflection", "sliding", "shift", "stick_radius", "worn_depth"), LENGTH),
+    **dict.fromkeys(("force", "tangential_force"), FORCE),
+    **dict.fromkeys(("stiffness", "storage", "loss"), STIFFNESS),
+    **dict.fromkeys(("modulus", "pressure"), MODULUS),
+    **{"area": AREA, "worn_volume": VOLUME, "time": TIME, "omega": FREQUENCY, "dissipated_energy": ENERGY, "error": RATIO},
+}
+"""What states, histories and measurements hold, by its name."""
 _USUAL = (LENGTH, FORCE, STIFFNESS, MODULUS, TIME, AREA, VOLTAGE)
 """Of the columns of tables."""
 
@@ -177,6 +186,11 @@ def parse(text: str, dimension: Dimension) -> float:
     if match[2] is None:
         raise UnitError(f'{text!r} has no unit: write {dimension.name} as in "{dimension.example}"')
     return to_si(match[1], match[2], dimension)
+
+
+def dimensions(*classes: Any) -> dict[str, Dimension]:
+    """The fields of classes that are quantities; `RATIO` of plain numbers."""
+    return {one.name: one.metadata["dimension"] for cls in classes for one in fields(cls) if "dimension" in one.metadata}
 
 
 class Unit(NamedTuple):

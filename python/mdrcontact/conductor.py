@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _layout, _native
 from ._boundary import ComplexOrArray, FloatOrArray, Handle, address, complex_values, number
 from ._parameters import WithParameters
+from ._units import MODULUS_PER_LENGTH
 from ._value import Value
 from .errors import ArgumentTypeError, InvalidArgumentError
 
@@ -79,8 +80,8 @@ class Interface(WithParameters):
     """
 
     resistance: float = 0.0
-    normal: float | None = None
-    tangential: float | None = None
+    normal: float | None = field(default=None, metadata={"dimension": MODULUS_PER_LENGTH})
+    tangential: float | None = field(default=None, metadata={"dimension": MODULUS_PER_LENGTH})
     _handle: Any = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:

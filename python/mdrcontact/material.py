@@ -15,6 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _layout, _native
 from ._boundary import ComplexOrArray, FloatOrArray, Handle, address, call, complex_values, evaluate, number, numbers, record
 from ._parameters import WithParameters
+from ._units import MODULUS, RATIO, TIME, VISCOSITY
 from .conductor import Conductor
 from .errors import ArgumentTypeError, InvalidArgumentError
 
@@ -30,8 +31,8 @@ class Elastic(WithParameters):
     conductor : what it conducts heat or current with, so that a body serves a contact and its `Conduction` alike; None: not known
     """
 
-    E: float
-    nu: float
+    E: float = field(metadata={"dimension": MODULUS})
+    nu: float = field(metadata={"dimension": RATIO})
     conductor: Conductor | None = None
 
     def __post_init__(self) -> None:
@@ -68,11 +69,11 @@ class TransverselyIsotropic(WithParameters):
     docs/coatings.md. `Elastic(E, nu)` is the special case of no axis.
     """
 
-    C11: float = 0.0
-    C12: float = 0.0
-    C13: float = 0.0
-    C33: float = 0.0
-    C44: float = 0.0
+    C11: float = field(default=0.0, metadata={"dimension": MODULUS})
+    C12: float = field(default=0.0, metadata={"dimension": MODULUS})
+    C13: float = field(default=0.0, metadata={"dimension": MODULUS})
+    C33: float = field(default=0.0, metadata={"dimension": MODULUS})
+    C44: float = field(default=0.0, metadata={"dimension": MODULUS})
     engineering: tuple[float, float, float, float, float] | None = field(default=None, kw_only=True)
 
     def __post_init__(self) -> None:
@@ -137,7 +138,7 @@ def _half_space(material: Elastic | TransverselyIsotropic) -> Handle:
 
 
 _STIFFNESSES = ("C11", "C12", "C13", "C33", "C44")
-_ENGINEERING = ("E_t", "E_z", "nu_t", "nu_tz", "G_z")
+_ENGINEERING = {"E_t": MODULUS, "E_z": MODULUS, "nu_t": RATIO, "nu_tz": RATIO, "G_z": MODULUS}
 _ENGINEERING_MEMBERS = ("E", "E_z", "nu", "nu_tz", "G_z")
 
 
@@ -199,11 +200,11 @@ class Viscoelastic(_Rheology):
     viscosity : of a dashpot in parallel, >= 0 [modulus time], with nu only; with no terms a Kelvin-Voigt material
     """
 
-    relaxed_shear_modulus: float
+    relaxed_shear_modulus: float = field(metadata={"dimension": MODULUS})
     terms: tuple[tuple[float, float], ...]
-    nu: float | None
-    bulk_modulus: float | None
-    viscosity: float
+    nu: float | None = field(metadata={"dimension": RATIO})
+    bulk_modulus: float | None = field(metadata={"dimension": MODULUS})
+    viscosity: float = field(metadata={"dimension": VISCOSITY})
 
     def __init__(
         self,
@@ -319,10 +320,10 @@ class PowerLawRheology(_Rheology):
     nu : Poisson's ratio, -1 < nu <= 0.5, constant
     """
 
-    modulus: float
-    time: float
-    exponent: float
-    nu: float
+    modulus: float = field(metadata={"dimension": MODULUS})
+    time: float = field(metadata={"dimension": TIME})
+    exponent: float = field(metadata={"dimension": RATIO})
+    nu: float = field(metadata={"dimension": RATIO})
 
     def __post_init__(self) -> None:
         self._set(_handle=Handle(_native.material_power_law(*self._numbers())))

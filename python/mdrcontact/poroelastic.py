@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _layout, _native
 from ._boundary import ComplexOrArray, FloatOrArray, Handle, check, complex_values, evaluate, number, one_path, words_of
 from ._parameters import WithParameters
-from .adhesion import code
+from ._units import DIFFUSIVITY, MODULUS, RATIO
 from .errors import ArgumentTypeError, InvalidArgumentError
 from .profile import FlatPunch, Paraboloid, Profile
 
@@ -49,9 +49,9 @@ class Poroelastic(WithParameters):
     A sudden load finds an incompressible body, `undrained`, one that has lasted `drained`.
     """
 
-    shear_modulus: float
-    nu: float
-    diffusivity: float
+    shear_modulus: float = field(metadata={"dimension": MODULUS})
+    nu: float = field(metadata={"dimension": RATIO})
+    diffusivity: float = field(metadata={"dimension": DIFFUSIVITY})
     _handle: Any = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:

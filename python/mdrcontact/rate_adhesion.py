@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _layout, _native
 from ._boundary import FloatOrArray, Handle, address, call, evaluate, number, record
 from ._progress import marching
+from ._units import RATIO, SPEED, WORK_OF_ADHESION
 from ._value import Value
 from ._warn import warn
 from .adhesion import CONTROLS
@@ -82,12 +83,12 @@ class RateAdhesion(_Rate):
         closing_exponent); closing_work at most `work`: in between the edge stands still. None: those of the opening edge
     """
 
-    work: float
-    speed: float
-    exponent: float
-    closing_work: float | None = None
-    closing_speed: float | None = None
-    closing_exponent: float | None = None
+    work: float = field(metadata={"dimension": WORK_OF_ADHESION})
+    speed: float = field(metadata={"dimension": SPEED})
+    exponent: float = field(metadata={"dimension": RATIO})
+    closing_work: float | None = field(default=None, metadata={"dimension": WORK_OF_ADHESION})
+    closing_speed: float | None = field(default=None, metadata={"dimension": SPEED})
+    closing_exponent: float | None = field(default=None, metadata={"dimension": RATIO})
 
     def __post_init__(self) -> None:
         given = {name: value if value is None else number(name, value) for name, value in self._given().items()}

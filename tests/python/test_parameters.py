@@ -8,6 +8,8 @@ import pytest
 from conftest import OXIDE, RUBBER, SILICON, every_medium, every_profile
 
 import mdrcontact as mdr
+from mdrcontact._units import dimensions
+from mdrcontact.fitting.quantities import dimension_of
 
 GAN = mdr.TransverselyIsotropic(390e9, 145e9, 106e9, 398e9, 105e9)
 FIBRES = mdr.TransverselyIsotropic.from_engineering(10e9, 25e9, 0.2, 0.15, 3e9)
@@ -68,6 +70,19 @@ def test_names_are_those_of_the_parts():
     ]
     assert list(mdr.Homogeneous(GEL).parameters())[:3] == ["relaxed_shear_modulus", "terms[0].modulus", "terms[0].time"]
     assert list(mdr.AreaFunction([24.5, 1e-7], max_height=1e-6).parameters()) == ["C0", "C1"]
+
+
+@pytest.mark.parametrize("thing", [*every_profile(), *every_medium(), *OWN], ids=lambda thing: type(thing).__name__)
+def test_each_field_that_is_a_number_says_its_dimension(thing):
+    """From it come keys and units of problem files, and units in fits; these count in units that depend on another number."""
+    without = {"coefficient", "coefficients", "numbers", "smallest_radius", "largest_radius", "r_max", "g", "x"}
+    without |= {"sigma", "along", "capacity", "resistance"}
+    said = dimensions(type(thing))
+    for name, value in thing._given().items():
+        if isinstance(value, float) and name in type(thing).__dataclass_fields__:
+            assert name in said or name in without, name
+    assert dimension_of("layers[0].interface.normal").si == "Pa/m"
+    assert dimension_of("coating.terms[1].time").si == "s"
 
 
 def test_other_numbers_reach_the_library():

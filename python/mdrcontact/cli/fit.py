@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from .. import _progress
-from .._units import AREA, FORCE, LENGTH, MODULUS, RATIO, STIFFNESS, practical
+from .._units import AREA, FORCE, LENGTH, MODULUS, QUANTITIES, RATIO, STIFFNESS, practical
 from ..fitting import (
     FitResult,
     OliverPharr,
@@ -23,7 +23,7 @@ from ..fitting import (
     oliver_pharr,
     report,
 )
-from ..fitting.quantities import digits, dimension_of_data
+from ..fitting.quantities import digits
 from ..problem import ProblemError
 from ..problem.curves import Curve
 from ..problem.fit_file import FitFile, load_fit_file
@@ -237,6 +237,6 @@ def _points(result: FitResult) -> list[Column]:
 
 def _columns(data: Any, fitted: np.ndarray[Any, Any]) -> list[Column]:
     """Data and model."""
-    x, y = dimension_of_data(data.x_name), dimension_of_data(data.y_name)
+    x, y = QUANTITIES[data.x_name], QUANTITIES[data.y_name]
     unit = practical(y, data.y)
     return [column(data.x_name, data.x, x), Column(data.y_name, data.y, unit), Column("fit", fitted, unit)]

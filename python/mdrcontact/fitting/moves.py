@@ -12,11 +12,11 @@ from numpy.typing import NDArray
 
 from .. import _layout
 from .._choices import nearest
-from .._units import MODULUS, practical, shown
+from .._units import MODULUS, QUANTITIES, practical, shown
 from ..errors import InvalidArgumentError, MDRError
 from .data import Data, ForceDepth
 from .parameters import Free
-from .quantities import dimension_of, dimension_of_data, words_of
+from .quantities import dimension_of, words_of
 from .result import FitResult
 from .solve import fit
 
@@ -73,7 +73,7 @@ class Moves(NamedTuple):
         figure = Figure(figsize=(6.4, 4.2), layout="constrained")
         axis = figure.subplots()
         data = self.result.data
-        along, unit = practical(dimension_of_data(data.x_name), data.x), practical(dimension_of(self.name), self._values())
+        along, unit = practical(QUANTITIES[data.x_name], data.x), practical(dimension_of(self.name), self._values())
         error = [1.96 * move.standard_error / unit.factor for move in self.ranges]
         ends, values = ([v / f for v in column] for column, f in zip(self._ranges(), (along.factor, unit.factor), strict=True))
         axis.errorbar(ends, values, error, fmt="o-", color=_BLUE, markersize=4, elinewidth=0.8, label="fitted up to there")
@@ -153,7 +153,7 @@ def _part(data: Data, keep: NDArray[np.bool_]) -> Data:
 def _ranges(result: FitResult) -> Iterator[_Choice]:
     data = result.data
     begin = result.values["depth_offset"] if data.x_name == "depth" else 0.0
-    deepest, dimension = float(data.x.max()), dimension_of_data(data.x_name)
+    deepest, dimension = float(data.x.max()), QUANTITIES[data.x_name]
     for part in _PARTS:
         end = begin + part * (deepest - begin)
         keep = data.x <= end

@@ -16,6 +16,7 @@ from .. import medium as media
 from .. import profile as profiles
 from .._boundary import address, call, number, record
 from .._choices import nearest
+from .._units import COMPLIANCE, FORCE, LENGTH, MODULUS, RATIO, WORK_OF_ADHESION
 from ..errors import ArgumentTypeError, InvalidArgumentError
 from ..material import RIGID, Elastic
 from ..medium.viscoelastic import is_viscoelastic
@@ -114,16 +115,16 @@ class Instrument:
         but ForceDepth
     """
 
-    work_of_adhesion: float = 0.0
-    depth_offset: float = 0.0
-    force_offset: float = 0.0
-    frame_compliance: float = 0.0
+    work_of_adhesion: float = field(default=0.0, metadata={"dimension": WORK_OF_ADHESION})
+    depth_offset: float = field(default=0.0, metadata={"dimension": LENGTH})
+    force_offset: float = field(default=0.0, metadata={"dimension": FORCE})
+    frame_compliance: float = field(default=0.0, metadata={"dimension": COMPLIANCE})
     indenter: Elastic | None = None
-    contact_depth_factor: float = 0.75
-    stiffness_factor: float = 1.0
-    contact_depth_scale: float = 1.0
-    area_factor: float = 1.0
-    cohesive_stress: float = 0.0
+    contact_depth_factor: float = field(default=0.75, metadata={"dimension": RATIO})
+    stiffness_factor: float = field(default=1.0, metadata={"dimension": RATIO})
+    contact_depth_scale: float = field(default=1.0, metadata={"dimension": RATIO})
+    area_factor: float = field(default=1.0, metadata={"dimension": RATIO})
+    cohesive_stress: float = field(default=0.0, metadata={"dimension": MODULUS})
 
     def __post_init__(self) -> None:
         if self.indenter is not None and not isinstance(self.indenter, Elastic):

@@ -14,10 +14,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .._files import replace
-from .._units import FORCE, LENGTH, practical
+from .._units import FORCE, LENGTH, QUANTITIES, practical
 from ..errors import MDRError
 from .data import Data, StiffnessDepth
-from .quantities import dimension_of_data
 from .time_data import DynamicStiffness
 
 Array = NDArray[np.float64]
@@ -108,8 +107,8 @@ def _draw_points(
     """Data and fit above, residuals below; the axes above."""
     above, below = figure.subplots(2, 1, sharex=True, height_ratios=[3, 1])
     order = data.order()
-    x_unit = practical(dimension_of_data(data.x_name), data.x)
-    y_unit = practical(dimension_of_data(data.y_name), data.y)
+    x_unit = practical(QUANTITIES[data.x_name], data.x)
+    y_unit = practical(QUANTITIES[data.y_name], data.y)
     x, y = data.x[order] / x_unit.factor, data.y[order] / y_unit.factor
     # the fit is one line for each branch
     ends = [0, *(np.flatnonzero(np.diff(data.branch[order]) != 0) + 1 if data.branch is not None else []), len(x)]
@@ -141,7 +140,7 @@ def _draw_points(
 
 def _draw_contact(axis: Any, data: Data, contact: float) -> None:
     """Where fit and estimators put first contact, and of a long baseline the part next to it."""
-    unit = practical(dimension_of_data(data.x_name), data.x)
+    unit = practical(QUANTITIES[data.x_name], data.x)
     deepest, first = float(data.x.max()), float(data.x.min())
     places = {"contact point of the fit": contact, **{f"contact point, {name}": at for name, at in data.contact_points.items()}}
     for (words, at), style in zip(places.items(), ("-", "--", ":"), strict=False):

@@ -20,7 +20,7 @@ from .parameters import Free, Instrument, JointPrior, Pattern, handles_of, patte
 from .time_data import DepthTime, DynamicStiffness, ForceTime
 
 _OF_CONTACT_DEPTH = ("contact_depth_factor", "contact_depth_scale")
-_LOSSES = words_of(_layout.FIT_LINEAR, _layout.FIT_HUBER, _layout.FIT_CAUCHY)
+LOSSES = {"linear": _layout.FIT_LINEAR, "huber": _layout.FIT_HUBER, "cauchy": _layout.FIT_CAUCHY}
 
 
 class Problem(NamedTuple):
@@ -121,7 +121,7 @@ def make_problem(
         raise ArgumentTypeError(f"data = {data!r} is not allowed: it must be ForceDepth(...), StiffnessDepth(...), ...")
     _check_time(data, medium)
     instrument, known = instrument or Instrument(), tuple(known)
-    rule, loss_code = code("adhesion_rule", adhesion_rule, RULES), code("loss", loss, _LOSSES)
+    rule, loss_code = code("adhesion_rule", adhesion_rule, RULES), code("loss", loss, LOSSES)
     pattern = pattern_of(indenter, medium, instrument)
     names, values = pattern.names, pattern.values
     chosen = read_free(free, names)

@@ -5,27 +5,13 @@ from __future__ import annotations
 
 import math
 import re
+from collections.abc import Iterator
+from typing import Any
 
-from .._units import (
-    ANGLE,
-    BENDING,
-    COMPLIANCE,
-    FORCE,
-    FREQUENCY,
-    LENGTH,
-    MODULUS,
-    MODULUS_PER_LENGTH,
-    RATIO,
-    STIFFNESS,
-    STRETCHING,
-    SURFACE_TENSION,
-    TIME,
-    VISCOSITY,
-    WORK_OF_ADHESION,
-    Dimension,
-    Unit,
-    practical,
-)
+from .._parameters import WithParameters
+from .._units import MODULUS, RATIO, Dimension, Unit, dimensions, practical
+from ..material import _ENGINEERING
+from .parameters import Instrument
 
 _WORDS = {
     "coating.E": "film modulus E",
@@ -69,10 +55,16 @@ _WORDS = {
     "surface.stretching": "stiffness K_m of the surface in its plane",
 }
 _LAYER_WORDS = {"E": "modulus E", "nu": "Poisson's ratio nu", "thickness": "thickness h"}
-_DATA = {
-    **{"depth": LENGTH, "radius": LENGTH, "force": FORCE, "stiffness": STIFFNESS, "modulus": MODULUS},
-    **{"time": TIME, "omega": FREQUENCY},
-}
+
+
+def _below(cls: type[Any]) -> Iterator[type[Any]]:
+    for one in cls.__subclasses__():
+        yield one
+        yield from _below(one)
+
+
+_DIMENSIONS = {**dimensions(*_below(WithParameters), Instrument), **_ENGINEERING, "indenter_modulus": MODULUS}
+"""What classes say of their fields, and of arguments in the place of some."""
 
 
 def words_of(name: str) -> str:
@@ -116,32 +108,7 @@ def dimension_of(name: str) -> Dimension:
         power = 2.0 - 0.5 ** (int(coefficient[1]) - 1)
         unit = "nm" if power == 1.0 else f"nm^{power:g}"
         return Dimension("a coefficient of an area function", f"m^{power:g}", f"1 {unit}", ((unit, 10.0 ** (-9.0 * power)),))
-    last = name.split(".")[-1].split("[")[0]
-    if ".interface." in name:
-        return MODULUS_PER_LENGTH
-    if re.fullmatch(r"C\d\d|E_t|E_z|G_z|prestress", last):
-        return MODULUS
-    if last in ("E", "E0", "indenter_modulus", "relaxed_shear_modulus", "modulus", "bulk_modulus", "cohesive_stress"):
-        return MODULUS
-    if last in ("thickness", "radius", "end_radius", "blend_radius", "depth_offset", "z", "z0"):
-        return LENGTH
-    others = {
-        "time": TIME,
-        "viscosity": VISCOSITY,
-        "inclination": ANGLE,
-        "force_offset": FORCE,
-        "work_of_adhesion": WORK_OF_ADHESION,
-        "frame_compliance": COMPLIANCE,
-        "tension": SURFACE_TENSION,
-        "bending": BENDING,
-        "stretching": STRETCHING,
-    }
-    return others.get(last, RATIO)
-
-
-def dimension_of_data(name: str) -> Dimension:
-    """What kind of quantity a column of the data is."""
-    return _DATA[name]
+    return _DIMENSIONS.get(name.split(".")[-1].split("[")[0], RATIO)
 
 
 def digits(value: float, error: float) -> str:

@@ -18,14 +18,14 @@ from .._boundary import call, number, whole
 from .._choices import nearest
 from .._files import replace
 from .._interrupt import workers
-from .._units import practical
+from .._units import QUANTITIES, practical
 from ..errors import InvalidArgumentError, MDRError
 from .contradictions import contradictions
 from .data import StiffnessDepth
 from .misfit import LARGE, Misfit, measure_misfit, percent
 from .picture import draw
 from .problem import Problem
-from .quantities import digits, dimension_of, dimension_of_data, measured, unit_of, words_of
+from .quantities import digits, dimension_of, measured, unit_of, words_of
 from .report import blocks_of, page
 from .scatter import compare_scatter
 
@@ -227,7 +227,7 @@ class FitResult:
         if self.noise_is_known and dof >= 1.0:
             lines.append(f"chi-square {self.chi_square:.4g} for {dof:.4g} degrees of freedom: ratio {self.reduced_chi_square:.3g}")
         elif self.data.sd is None and not self.noise_is_known:
-            unit = practical(dimension_of_data(self.data.y_name), [self.noise])
+            unit = practical(QUANTITIES[self.data.y_name], [self.noise])
             lines.append(f"noise, estimated from the residuals: {self.noise / unit.factor:.3g} {unit.symbol}")
         elif not self.noise_is_known:
             lines.append(f"standard deviations of the data, estimated: {self.noise:.3g} times the given ones")
@@ -354,7 +354,7 @@ class FitResult:
     def misfit_words(self) -> str:
         """The verdict with its numbers."""
         data, found = self.data, self.misfit
-        unit = practical(dimension_of_data(data.x_name), data.x)
+        unit = practical(QUANTITIES[data.x_name], data.x)
         place = f"{data.x_name} {found.at / unit.factor:.3g} {unit.symbol}"
         rest = f"largest {percent(found.largest)} at {place}, noise {percent(found.noise)}"
         size = f"{percent(self.departure or found.rms)} of the {data.y_name} ({rest})"

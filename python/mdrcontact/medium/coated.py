@@ -4,10 +4,11 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 from .._boundary import number
+from .._units import LENGTH
 from ..errors import ArgumentTypeError, InvalidArgumentError
 from ..material import RIGID, Material, _Rigid, material
 from ..poroelastic import NoHandle, Poroelastic, check_body
@@ -54,7 +55,7 @@ class Coated(UnderModel):
     """
 
     coating: Material | Poroelastic
-    thickness: float
+    thickness: float = field(metadata={"dimension": LENGTH})
     substrate: Material | _Rigid
     model: str
     options: tuple[tuple[str, float | str], ...]

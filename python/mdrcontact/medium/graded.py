@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any
 
 import numpy as np
@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike
 from .. import _native
 from .._boundary import Handle, number, row
 from .._callback import Callback
+from .._units import LENGTH, MODULUS, RATIO
 from ..errors import InvalidArgumentError
 from .base import Medium
 from .models import UnderModel, settings
@@ -32,9 +33,9 @@ class Graded(UnderModel):
     model : "exact" (default), "gao", "gao-series" or "gao-power"; options as for `Coated`
     """
 
-    z: tuple[float, ...] | float
-    E: tuple[float, ...] | float | DepthFunction
-    nu: tuple[float, ...] | float | DepthFunction
+    z: tuple[float, ...] | float = field(metadata={"dimension": LENGTH})
+    E: tuple[float, ...] | float | DepthFunction = field(metadata={"dimension": MODULUS})
+    nu: tuple[float, ...] | float | DepthFunction = field(metadata={"dimension": RATIO})
     model: str
     options: tuple[tuple[str, float | str], ...]
 
@@ -97,10 +98,10 @@ class PowerLawGraded(Medium):
     nu : Poisson's ratio, -1 < nu <= 0.5
     """
 
-    E0: float
-    z0: float
-    exponent: float
-    nu: float
+    E0: float = field(metadata={"dimension": MODULUS})
+    z0: float = field(metadata={"dimension": LENGTH})
+    exponent: float = field(metadata={"dimension": RATIO})
+    nu: float = field(metadata={"dimension": RATIO})
 
     def __post_init__(self) -> None:
         body = Handle(_native.body_power_graded(*self._numbers()))

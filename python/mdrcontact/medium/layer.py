@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 from .. import _layout, _native
 from .._boundary import Handle, address, number
 from .._parameters import WithParameters
+from .._units import LENGTH, MODULUS
 from ..conductor import SLIDING, Interface
 from ..errors import ArgumentTypeError, InvalidArgumentError
 from ..material import RIGID, SMOOTH, Elastic, Material, TransverselyIsotropic, material
@@ -33,8 +34,8 @@ class Layer(WithParameters):
     """
 
     material: Material
-    thickness: float
-    prestress: float = 0.0
+    thickness: float = field(metadata={"dimension": LENGTH})
+    prestress: float = field(default=0.0, metadata={"dimension": MODULUS})
     interface: Interface | None = None
     _handle: Any = field(init=False, repr=False, compare=False)
 

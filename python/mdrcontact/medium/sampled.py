@@ -4,13 +4,14 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from numpy.typing import ArrayLike
 
 from .. import _native
 from .._boundary import number, row
 from .._callback import Callback
+from .._units import LENGTH, MODULUS
 from ..errors import InvalidArgumentError
 from .base import Medium
 
@@ -26,8 +27,8 @@ class TabulatedMedium(Medium):
 
     _is_table = True
 
-    a: tuple[float, ...]
-    moduli: tuple[float, ...]
+    a: tuple[float, ...] = field(metadata={"dimension": LENGTH})
+    moduli: tuple[float, ...] = field(metadata={"dimension": MODULUS})
 
     def __init__(self, a: ArrayLike, moduli: ArrayLike) -> None:
         radii, values = row("a", a), row("moduli", moduli)

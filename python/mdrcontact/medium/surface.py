@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from .. import _layout
 from .._boundary import record
 from .._parameters import WithParameters
+from .._units import BENDING, STRETCHING, SURFACE_TENSION
 from ..errors import ArgumentTypeError, InvalidArgumentError
 
 
@@ -29,9 +30,9 @@ class Surface(WithParameters):
     that is bonded, or whose thickness is known, is a layer.
     """
 
-    tension: float = 0.0
-    bending: float = 0.0
-    stretching: float = 0.0
+    tension: float = field(default=0.0, metadata={"dimension": SURFACE_TENSION})
+    bending: float = field(default=0.0, metadata={"dimension": BENDING})
+    stretching: float = field(default=0.0, metadata={"dimension": STRETCHING})
     _handle: Any = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:

@@ -6,19 +6,12 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import NamedTuple
 
-from .._units import MODULUS, SPEED, STIFFNESS, WORK_OF_ADHESION, Dimension
+from .._units import MODULUS, STIFFNESS, WORK_OF_ADHESION, Dimension, dimensions
 from ..adhesion import CONTROLS, RULES
 from ..rate_adhesion import RateAdhesion
 from .section import ProblemError, Section
 
-_RATE: Mapping[str, Dimension | None] = {
-    "speed": SPEED,
-    "exponent": None,
-    "closing_work": WORK_OF_ADHESION,
-    "closing_speed": SPEED,
-    "closing_exponent": None,
-}
-"""Arguments of RateAdhesion beside the work."""
+_RATE = {name: dimension for name, dimension in dimensions(RateAdhesion).items() if name != "work"}
 
 KNOWN: Mapping[str, Dimension | None] = {
     "work_of_adhesion": WORK_OF_ADHESION,
@@ -57,12 +50,11 @@ def read_adhesion(section: Section) -> Adhesion:
 
 def _read_rate(section: Section, work: float) -> RateAdhesion | None:
     """The work of adhesion over the speed of the edge, if the file has a speed."""
-    given = [key for key in _RATE if key in section]
+    given = section.given(_RATE)
     if not given:
         return None
-    numbers = {key: section.number(key) if _RATE[key] is None else section.quantity(key) for key in given}
     for key in ("speed", "exponent"):
-        if key not in numbers:
-            raise ProblemError(f"[{section.path}]: {key} is missing: {given[0]} makes the work of adhesion depend on speed")
+        if key not in given:
+            raise ProblemError(f"[{section.path}]: {key} is missing: {[*given][0]} makes the work of adhesion depend on speed")
     with section.words():
-        return RateAdhesion(work, **numbers)
+        return RateAdhesion(work, **given)

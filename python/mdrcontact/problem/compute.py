@@ -10,13 +10,13 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from .._units import FORCE, LENGTH, Dimension
+from .._units import QUANTITIES, Dimension
 from ..contact import Contact, State
 from ..errors import MDRError
 from .section import ProblemError, Section
 
 _LISTS = {"depth": "depths", "force": "forces", "radius": "radii"}
-DIMENSIONS = {"depth": LENGTH, "force": FORCE, "radius": LENGTH}
+DIMENSIONS = {name: QUANTITIES[name] for name in _LISTS}
 
 KNOWN: Mapping[str, Dimension | None] = {
     **{f"max_{name}": dimension for name, dimension in DIMENSIONS.items()},

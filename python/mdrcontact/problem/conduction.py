@@ -10,10 +10,9 @@ from .._units import AREA_RESISTANCE, SPEED, THERMAL_AREA_RESISTANCE, Dimension
 from ..conduction import Conduction
 from ..conductor import Interface, LayeredConductor
 from ..medium import Pair
-from .conductor import ELECTRICAL, THERMAL
 from .section import ProblemError, Section
 
-__all__ = ["THERMAL", "ELECTRICAL", "Conducting", "read_conduction"]
+THERMAL, ELECTRICAL = "thermal", "electrical"
 
 KNOWN: Mapping[str, Dimension | None] = {
     "kind": None,
@@ -62,7 +61,7 @@ def read_conduction(section: Section) -> Conducting:
     """What [conduction] describes."""
     kind = section.choice("kind", (THERMAL, ELECTRICAL))
     prefix = "thermal_" if kind == THERMAL else ""
-    film = section.quantity(f"{prefix}film") if f"{prefix}film" in section else 0.0
+    film = section.quantity(f"{prefix}film", 0.0)
     interfaces = tuple(section.quantities(f"{prefix}interfaces")) if f"{prefix}interfaces" in section else ()
     heat = None
     if "speed" in section or "friction_coefficient" in section:

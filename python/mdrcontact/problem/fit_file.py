@@ -3,19 +3,23 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
 
+import numpy as np
+
 from .._choices import nearest
-from .._units import COMPLIANCE, FORCE, LENGTH, MODULUS, SENSITIVITY, STIFFNESS, WORK_OF_ADHESION, Dimension, shown
+from .._units import LENGTH, SENSITIVITY, STIFFNESS, Dimension, dimensions, shown
+from ..adhesion import RULES
 from ..fitting import Free, Instrument, JointPrior
 from ..fitting.data import Data
 from ..fitting.gel import NAMES as GEL_NAMES
 from ..fitting.parameters import pattern_of
+from ..fitting.problem import LOSSES
 from ..fitting.quantities import dimension_of
+from ..fitting.weighted import RULES as WEIGHT_RULES
 from ..poroelastic import DRAINAGES, is_poroelastic
 from . import curves as files
 from . import data as measured
@@ -27,20 +31,8 @@ from .section import ProblemError, Section
 from .tip_file import with_calibration
 from .toml import parse_file
 
-_INSTRUMENT: Mapping[str, Dimension | None] = {
-    "work_of_adhesion": WORK_OF_ADHESION,
-    "depth_offset": LENGTH,
-    "force_offset": FORCE,
-    "frame_compliance": COMPLIANCE,
-    "indenter": None,
-    "contact_depth_factor": None,
-    "contact_depth_scale": None,
-    "stiffness_factor": None,
-    "area_factor": None,
-    "cohesive_stress": MODULUS,
-    "spring_constant": STIFFNESS,
-    "deflection_sensitivity": SENSITIVITY,
-}
+_CANTILEVER: Mapping[str, Dimension] = {"spring_constant": STIFFNESS, "deflection_sensitivity": SENSITIVITY}
+_INSTRUMENT: Mapping[str, Dimension | None] = {**dimensions(Instrument), "indenter": None, **_CANTILEVER}
 _FIT: Mapping[str, Dimension | None] = {
     "free": None,
     "loss": None,
@@ -54,7 +46,16 @@ _FIT: Mapping[str, Dimension | None] = {
     "drainage": None,
 }
 
-_WEIGHTS = ("contact_weight_rule", ("held", "moving"))
+_OPTIONS: Mapping[str, Callable[[Section, str], Any]] = {
+    "loss": partial(Section.choice, choices=LOSSES),
+    "loss_scale": Section.number,
+    "adhesion_rule": partial(Section.choice, choices=RULES),
+    "max_iterations": partial(Section.count, default=100, largest=100_000),
+    "contact_weight": Section.quantity,
+    "contact_weight_rule": partial(Section.choice, choices=WEIGHT_RULES),
+    "sd_is_absolute": Section.truth,
+}
+"""What a fit takes besides."""
 _APART = 0.01
 """Of a number: more between two files is no rounding."""
 _JOINT: Mapping[str, Dimension | None] = {"names": None, "values": None, "sds": None, "correlation": None}
@@ -120,74 +121,38 @@ def _read(table: dict[str, Any], title: str) -> FitFile:
             raise ProblemError(f"the table [{name}] is missing: a fit has [indenter], [medium], [data] and [fit]")
     shape = Section(table["indenter"], "indenter", indenters.KNOWN)
     body = mediums.read_medium(Section(table["medium"], "medium", mediums.KNOWN), shape)
-    of_instrument_ = Section(table.get("instrument", {}), "instrument", _INSTRUMENT)
-    instrument, cantilever = _read_instrument(of_instrument_), _read_cantilever(of_instrument_)
+    of_instrument = Section(table.get("instrument", {}), "instrument", _INSTRUMENT)
+    instrument, cantilever = _read_instrument(of_instrument), Cantilever(**of_instrument.given(_CANTILEVER))
     tip = indenters.read_indenter(shape)
-    fit = Section(table["fit"], "fit", _FIT)
+    fit, data = Section(table["fit"], "fit", _FIT), Section(table["data"], "data", measured.KNOWN)
+    drainage, options = None, dict[str, Any]()
     if is_poroelastic(body):
-        return _read_gel(whole, title, tip, body, instrument, cantilever, fit, Section(table["data"], "data", measured.KNOWN))
-    names = pattern_of(tip, body, instrument).names
-    options: dict[str, Any] = {}
-    for key, known in (("loss", ("linear", "huber", "cauchy")), ("adhesion_rule", ("automatic", "paper", "energy")), _WEIGHTS):
-        if key in fit:
-            options[key] = fit.choice(key, known)
-    if "loss_scale" in fit:
-        options["loss_scale"] = fit.number("loss_scale")
-    if "max_iterations" in fit:
-        options["max_iterations"] = fit.count("max_iterations", 100, 100_000)
-    if "contact_weight" in fit:
-        options["contact_weight"] = fit.quantity("contact_weight")
-    if "sd_is_absolute" in fit:
-        options["sd_is_absolute"] = fit.truth("sd_is_absolute")
-    if "joint_prior" in fit:
-        options["known"] = [_read_joint_prior(section, names) for section in fit.children("joint_prior", _JOINT)]
-    data = Section(table["data"], "data", measured.KNOWN)
+        free, drainage = _read_gel(fit, instrument)
+    else:
+        names = pattern_of(tip, body, instrument).names
+        options = {key: read(fit, key) for key, read in _OPTIONS.items() if key in fit}
+        if "joint_prior" in fit:
+            options["known"] = [_read_joint_prior(section, names) for section in fit.children("joint_prior", _JOINT)]
+        free = _read_free(fit, names)
     measured.check(data)
-    if "title" in whole:
-        title = str(whole.plain("title"))
-    return FitFile(title, tip, body, instrument, cantilever, _read_free(fit, names), options, data)
+    return FitFile(str(whole.plain("title", title)), tip, body, instrument, cantilever, free, options, data, drainage)
 
 
-def _read_gel(
-    whole: Section,
-    title: str,
-    tip: Any,
-    body: Any,
-    instrument: Instrument,
-    cantilever: Cantilever,
-    fit: Section,
-    data: Section,
-) -> FitFile:
-    """Of a gel: names of its numbers, and the drainage."""
+def _read_gel(fit: Section, instrument: Instrument) -> tuple[dict[str, Free], str]:
+    """Of a gel: its free numbers, and the drainage."""
     fit.only(("free", "drainage"), "a poroelastic gel")
     if instrument != Instrument():
         raise ProblemError("[instrument]: fits of gels take data without offsets and compliances: leave the table out")
     free = fit.plain("free") if "free" in fit else None
     if not isinstance(free, list) or not free or any(name not in GEL_NAMES for name in free):
         raise ProblemError(f'[fit]: free must name numbers of the gel, of {", ".join(GEL_NAMES)}, as in free = ["diffusivity"]')
-    drainage = fit.choice("drainage", DRAINAGES)
-    measured.check(data)
-    if "title" in whole:
-        title = str(whole.plain("title"))
-    return FitFile(title, tip, body, instrument, cantilever, {name: Free() for name in free}, {}, data, drainage)
+    return {name: Free() for name in free}, fit.choice("drainage", DRAINAGES)
 
 
 def _read_instrument(section: Section) -> Instrument:
-    given: dict[str, Any] = {}
-    for key in ("work_of_adhesion", "cohesive_stress", "depth_offset", "force_offset", "frame_compliance"):
-        if key in section:
-            given[key] = section.quantity(key)
-    for key in ("contact_depth_factor", "contact_depth_scale", "stiffness_factor", "area_factor"):
-        if key in section:
-            given[key] = section.number(key)
-    if "indenter" in section:
-        given["indenter"] = mediums.read_material(section.child("indenter", mediums.MATERIAL))
-    return Instrument(**given)
-
-
-def _read_cantilever(section: Section) -> Cantilever:
-    keys = ("deflection_sensitivity", "spring_constant")
-    return Cantilever(*(section.quantity(key) if key in section else None for key in keys))
+    given = section.given(dimensions(Instrument))
+    material = mediums.read_material(section.child("indenter", mediums.MATERIAL)) if "indenter" in section else None
+    return Instrument(indenter=material, **given)
 
 
 def _read_free(fit: Section, names: list[str]) -> dict[str, Free]:
@@ -202,17 +167,14 @@ def _read_free(fit: Section, names: list[str]) -> dict[str, Free]:
         known = [n for n in names if n]
         if name not in known:
             raise ProblemError(f"[fit.free]: {name!r} is not a parameter of this problem: {nearest(name, known)}")
-        dimension = dimension_of(name)
         keys = ("start", "lower", "upper", "prior", "prior_sd")
-        section = Section(entry, f'fit.free."{name}"', dict.fromkeys(keys, dimension if dimension.si else None))
-        value = {key: section.quantity(key) if dimension.si else section.number(key) for key in keys if key in section}
+        section = Section(entry, f'fit.free."{name}"', dict.fromkeys(keys, dimension_of(name)))
+        value = section.given(keys)
         if ("prior" in value) != ("prior_sd" in value):
             raise ProblemError(f"[{section.path}]: prior and prior_sd belong together: give both or none")
-        prior = (value["prior"], value["prior_sd"]) if "prior" in value else None
+        prior = (value.pop("prior"), value.pop("prior_sd")) if "prior" in value else None
         with section.words():
-            free[name] = Free(
-                value.get("start"), lower=value.get("lower", -math.inf), upper=value.get("upper", math.inf), prior=prior
-            )
+            free[name] = Free(**value, prior=prior)
     return free
 
 
@@ -231,19 +193,13 @@ def _read_joint_prior(section: Section, names: list[str]) -> JointPrior:
         given = section.plain(key)
         if not isinstance(given, list) or len(given) != len(chosen):
             raise ProblemError(f"[{section.path}]: {key} must be a list of {len(chosen)} entries, one for each name")
-        columns.append([_quantity(section, key, name, value) for name, value in zip(chosen, given, strict=True)])
+        entries = Section(dict(zip(chosen, given, strict=True)), f"{section.path} {key}", {n: dimension_of(n) for n in chosen})
+        columns.append([*entries.given(chosen).values()])
     values, sds = columns
-    rows = section.plain("correlation") if "correlation" in section else [[float(i == j) for j in chosen] for i in chosen]
+    rows = section.plain("correlation", np.eye(len(chosen)))
     try:
         covariance = tuple(tuple(float(c) * a * b for c, b in zip(row, sds, strict=True)) for row, a in zip(rows, sds, strict=True))
     except (TypeError, ValueError) as problem:
         raise ProblemError(f"[{section.path}]: correlation must be {len(chosen)} rows of {len(chosen)} numbers") from problem
     with section.words():
         return JointPrior(tuple(chosen), tuple(values), covariance)
-
-
-def _quantity(section: Section, key: str, name: str, value: Any) -> float:
-    """An entry of a list, in the unit of its parameter."""
-    dimension = dimension_of(name)
-    one = Section({name: value}, f"{section.path} {key}", {name: dimension if dimension.si else None})
-    return one.quantity(name) if dimension.si else one.number(name)

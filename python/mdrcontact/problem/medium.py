@@ -3,66 +3,45 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from typing import Any
 
 from .. import medium
 from .._units import (
     AREA,
-    BENDING,
-    DIFFUSIVITY,
-    LENGTH,
+    ELECTRICAL_CONDUCTIVITY,
+    HEAT_CAPACITY,
     MODULUS,
-    MODULUS_PER_LENGTH,
-    STRETCHING,
-    SURFACE_TENSION,
+    THERMAL_CONDUCTIVITY,
     TIME,
-    VISCOSITY,
     Dimension,
+    dimensions,
 )
-from ..conductor import SLIDING, Interface
+from ..conductor import SLIDING, Conductor, Interface
 from ..crystals import CRYSTALS
-from ..material import RIGID, SMOOTH, Elastic, PowerLawRheology, TransverselyIsotropic, Viscoelastic
+from ..errors import InvalidArgumentError
+from ..material import _ENGINEERING, RIGID, SMOOTH, Elastic, PowerLawRheology, TransverselyIsotropic, Viscoelastic
 from ..medium.models import MODELS, OPTIONS
 from ..poroelastic import Poroelastic
-from .conductor import CONDUCTING, read_conductor
 from .section import ProblemError, Section
 
+_CONDUCTING: Mapping[str, Dimension] = {
+    "thermal_conductivity": THERMAL_CONDUCTIVITY,
+    "thermal_conductivity_along": THERMAL_CONDUCTIVITY,
+    "electrical_conductivity": ELECTRICAL_CONDUCTIVITY,
+    "electrical_conductivity_along": ELECTRICAL_CONDUCTIVITY,
+    "heat_capacity": HEAT_CAPACITY,
+}
 MATERIAL: Mapping[str, Dimension | None] = {
-    "E": MODULUS,
-    "nu": None,
-    "material": None,
-    **dict.fromkeys(("C11", "C12", "C13", "C33", "C44", "E_t", "E_z", "G_z"), MODULUS),
-    "nu_t": None,
-    "nu_tz": None,
-    "relaxed_shear_modulus": MODULUS,
-    "moduli": MODULUS,
-    "times": TIME,
-    "bulk_modulus": MODULUS,
-    "viscosity": VISCOSITY,
-    "modulus": MODULUS,
-    "time": TIME,
-    "exponent": None,
-    "shear_modulus": MODULUS,
-    "diffusivity": DIFFUSIVITY,
-    "permeability": AREA,
-    **CONDUCTING,
+    **dimensions(Elastic, TransverselyIsotropic),
+    **_ENGINEERING,
+    **dimensions(Viscoelastic, PowerLawRheology, Poroelastic),
+    **{"material": None, "moduli": MODULUS, "times": TIME, "permeability": AREA},
+    **_CONDUCTING,
 }
-_ELASTIC = ("E", "nu", *CONDUCTING)
-_PRONY = ("relaxed_shear_modulus", "moduli", "times", "nu", "bulk_modulus", "viscosity")
-_GEL = ("shear_modulus", "nu", "diffusivity")
-_GEL_BY_FLOW = ("shear_modulus", "nu", "permeability", "viscosity")
-_POWER_LAW = ("modulus", "time", "exponent", "nu")
-_SURFACE: Mapping[str, Dimension | None] = {
-    "surface_tension": SURFACE_TENSION,
-    "surface_bending": BENDING,
-    "surface_stretching": STRETCHING,
-}
-_STIFFNESSES = ("C11", "C12", "C13", "C33", "C44")
-_ENGINEERING = ("E_t", "E_z", "nu_t", "nu_tz", "G_z")
-_PLACE: Mapping[str, Dimension | None] = {"thickness": LENGTH, "prestress": MODULUS, "interface": None}
+_SURFACE = {f"surface_{name}": dimension for name, dimension in dimensions(medium.Surface).items()}
+_PLACE: Mapping[str, Dimension | None] = {**dimensions(medium.Layer), "interface": None}
 """Keys of a layer beside those of its material."""
-_SPRINGS: Mapping[str, Dimension | None] = {"normal": MODULUS_PER_LENGTH, "tangential": MODULUS_PER_LENGTH}
 _FILM: Mapping[str, Dimension | None] = {**MATERIAL, **_PLACE}
 _MATERIALS = ("material", "coating", "layer", "substrate")
 """Tables in that of a medium."""
@@ -72,57 +51,67 @@ KNOWN: Mapping[str, Dimension | None] = {
     "model": None,
     **dict.fromkeys((*_MATERIALS, *OPTIONS)),
     **_SURFACE,
-    "z": LENGTH,
-    "E0": MODULUS,
-    "z0": LENGTH,
-    "a": LENGTH,
+    **dimensions(medium.Graded, medium.PowerLawGraded, medium.TabulatedMedium),
     **_FILM,
 }
 
 
-def read_material(section: Section) -> Elastic | TransverselyIsotropic | Viscoelastic | PowerLawRheology | Poroelastic:
-    """The material of a table: E and nu of an elastic one, C11 to C44, or E_t, E_z, nu_t, nu_tz, G_z, or the name of a crystal as
-    `material` of one with its axis along z, a Prony series with relaxed_shear_modulus, moduli and times, a power law
-    with modulus, time and exponent, or a gel with shear_modulus, nu and diffusivity."""
-    with section.words():
-        if "diffusivity" in section or "permeability" in section:
-            return _gel(section)
-        if "exponent" in section:
-            section.only((*_POWER_LAW, *_PLACE), "a power law, which has an exponent")
-            return section.make(PowerLawRheology)
-        if "relaxed_shear_modulus" in section:
-            section.only((*_PRONY, *_PLACE), "a Prony series, which has a relaxed_shear_modulus")
-            return _prony(section)
-        if "material" in section:
-            section.only(("material", *_PLACE), "a material with a name")
-            return CRYSTALS[section.choice("material", CRYSTALS)].material
-        if any(name in section for name in _STIFFNESSES):
-            section.only((*_STIFFNESSES, *_PLACE), "a material with an axis, which has C11, C12, C13, C33, C44")
-            return section.make(TransverselyIsotropic)
-        if any(name in section for name in _ENGINEERING):
-            section.only((*_ENGINEERING, *_PLACE), f"a material with an axis, which has {', '.join(_ENGINEERING)}")
-            return section.make(TransverselyIsotropic.from_engineering)
-        section.only((*_ELASTIC, *_PLACE), "an elastic material")
-        return Elastic(section.quantity("E"), section.number("nu"), read_conductor(section))
+def read_material(section: Section) -> Any:
+    """The material of a table: the name of a crystal as `material` of one with its axis along z, or what a class makes of keys
+    of which one is its own."""
+    if "material" in section:
+        section.only(("material", *_PLACE), "a material with a name")
+        return _crystal(section, "material")
+    for key, (what, call) in _KINDS.items():
+        if key in section:
+            return section.make(call, f"{what}, which has {', '.join(section.arguments(call))}", _PLACE)
+    return section.make(_elastic, "an elastic material", _PLACE)
 
 
-def _gel(section: Section) -> Poroelastic:
-    keys = _GEL if "diffusivity" in section else _GEL_BY_FLOW
-    section.only((*keys, *_PLACE), f"a gel, which has {', '.join(keys)}")
-    return section.make(Poroelastic if "diffusivity" in section else Poroelastic.from_permeability)
+def _elastic(
+    E: float,
+    nu: float,
+    thermal_conductivity: float | None = None,
+    thermal_conductivity_along: float | None = None,
+    electrical_conductivity: float | None = None,
+    electrical_conductivity_along: float | None = None,
+    heat_capacity: float = 0.0,
+) -> Elastic:
+    if thermal_conductivity is not None and electrical_conductivity is not None:
+        raise InvalidArgumentError("give thermal_conductivity or electrical_conductivity: one problem conducts one of them")
+    if electrical_conductivity is not None:
+        return Elastic(E, nu, Conductor(electrical_conductivity, electrical_conductivity_along, heat_capacity))
+    if thermal_conductivity is not None:
+        return Elastic(E, nu, Conductor(thermal_conductivity, thermal_conductivity_along, heat_capacity))
+    return Elastic(E, nu)
 
 
-def _prony(section: Section) -> Viscoelastic:
-    moduli = section.quantities("moduli") if "moduli" in section else []
-    times = section.quantities("times") if "times" in section else []
+def _prony(
+    relaxed_shear_modulus: float,
+    moduli: Sequence[float] = (),
+    times: Sequence[float] = (),
+    nu: float | None = None,
+    bulk_modulus: float | None = None,
+    viscosity: float = 0.0,
+) -> Viscoelastic:
     if len(moduli) != len(times):
-        raise ProblemError(f"[{section.path}]: moduli has {len(moduli)} and times has {len(times)} entries: give as many of both")
-    terms = list(zip(moduli, times, strict=True))
-    viscosity = section.quantity("viscosity") if "viscosity" in section else 0.0
-    relaxed = section.quantity("relaxed_shear_modulus")
-    nu = section.number("nu") if "nu" in section else None
-    bulk = section.quantity("bulk_modulus") if "bulk_modulus" in section else None
-    return Viscoelastic(relaxed, terms, nu, bulk, viscosity)
+        raise InvalidArgumentError(f"moduli has {len(moduli)} and times has {len(times)} entries: give as many of both")
+    return Viscoelastic(relaxed_shear_modulus, zip(moduli, times, strict=True), nu, bulk_modulus, viscosity)
+
+
+_KINDS: Mapping[str, tuple[str, Callable[..., Any]]] = {
+    "diffusivity": ("a gel", Poroelastic),
+    "permeability": ("a gel", Poroelastic.from_permeability),
+    "exponent": ("a power law", PowerLawRheology),
+    "relaxed_shear_modulus": ("a Prony series", _prony),
+    **dict.fromkeys(dimensions(TransverselyIsotropic), ("a material with an axis", TransverselyIsotropic)),
+    **dict.fromkeys(_ENGINEERING, ("a material with an axis", TransverselyIsotropic.from_engineering)),
+}
+"""By a key that others do not have: what it is, and what makes it. All others are elastic."""
+
+
+def _crystal(section: Section, key: str) -> TransverselyIsotropic:
+    return CRYSTALS[section.choice(key, CRYSTALS)].material
 
 
 def _model(section: Section) -> tuple[str, dict[str, Any]]:
@@ -138,20 +127,12 @@ def _substrate(section: Section) -> Any:
     return read_material(section.child("substrate", MATERIAL))
 
 
-def _named_or_table(section: Section, key: str) -> Any:
-    """A material by the name of a crystal, or by a table."""
-    if isinstance(section.plain(key), str):
-        return CRYSTALS[section.choice(key, CRYSTALS)].material
-    return read_material(section.child(key, MATERIAL))
-
-
 def _film(section: Section) -> medium.Layer | tuple[Any, float]:
     film: tuple[Any, float] = read_material(section), section.quantity("thickness")
     if "prestress" not in section and "interface" not in section:
         return film
-    stress = section.quantity("prestress") if "prestress" in section else 0.0
     with section.words():
-        return medium.Layer(*film, stress, _interface(section) if "interface" in section else None)
+        return medium.Layer(*film, section.quantity("prestress", 0.0), _interface(section) if "interface" in section else None)
 
 
 def _interface(section: Section) -> Interface:
@@ -159,16 +140,18 @@ def _interface(section: Section) -> Interface:
     if isinstance(section.plain("interface"), str):
         section.choice("interface", ["sliding"])
         return SLIDING
-    return section.child("interface", _SPRINGS).make(Interface)
+    return section.child("interface", dimensions(Interface)).make(Interface)
 
 
 def _surface(section: Section) -> medium.Surface | None:
-    given = {key.removeprefix("surface_"): section.quantity(key) for key in _SURFACE if key in section}
+    given = {key.removeprefix("surface_"): value for key, value in section.given(_SURFACE).items()}
     return medium.Surface(**given) if given else None
 
 
 def _homogeneous(section: Section) -> medium.Medium:
-    return medium.Homogeneous(_named_or_table(section, "material"), _surface(section))
+    named = isinstance(section.plain("material"), str)
+    body = _crystal(section, "material") if named else read_material(section.child("material", MATERIAL))
+    return medium.Homogeneous(body, _surface(section))
 
 
 def _coated(section: Section) -> medium.Medium:
@@ -192,16 +175,12 @@ def _graded(section: Section) -> medium.Medium:
     return medium.Graded(section.quantities("z"), section.quantities("E"), nu, model, **options)
 
 
-def _table(section: Section) -> medium.Medium:
-    return medium.TabulatedMedium(section.quantities("a"), section.quantities("moduli"))
-
-
 _TYPES: Mapping[str, tuple[tuple[str, ...], Callable[[Section], medium.Medium]]] = {
     "coated": (("coating", "substrate", "model", *_SURFACE, *OPTIONS), _coated),
     "layered": (("layer", "substrate", "model", *_SURFACE, *OPTIONS), _layered),
     "graded": (("z", "E", "nu", "model", *OPTIONS), _graded),
     "power-law-graded": (("E0", "z0", "exponent", "nu"), lambda section: section.make(medium.PowerLawGraded)),
-    "table": (("a", "moduli"), _table),
+    "table": (("a", "moduli"), lambda section: section.make(medium.TabulatedMedium)),
     "homogeneous": (("material", *_SURFACE), _homogeneous),
 }
 

@@ -1,29 +1,28 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the columns of tables are: the dimension of each, and the names that instruments give it, in small letters."""
+"""What the columns of tables are, and the names that instruments give them, in small letters."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 
-from .._units import AREA, FORCE, FREQUENCY, LENGTH, MODULUS, STIFFNESS, TIME, Dimension
+from .._units import QUANTITIES, Dimension
 
-ROLES: Mapping[str, tuple[Dimension, tuple[str, ...]]] = {
+_NAMES: Mapping[str, tuple[str, ...]] = {
     "depth": (
-        LENGTH,
-        (
-            *("depth", "d", "h", "displacement", "indentation", "indentation depth", "displacement into surface", "pd"),
-            *("penetration depth", "penetration", "disp", "displ"),
-        ),
+        *("depth", "d", "h", "displacement", "indentation", "indentation depth", "displacement into surface", "pd"),
+        *("penetration depth", "penetration", "disp", "displ"),
     ),
-    "force": (FORCE, ("force", "load", "f", "p", "load on sample", "fn", "normal force", "normal load")),
-    "stiffness": (STIFFNESS, ("stiffness", "contact stiffness", "s", "k", "harmonic contact stiffness")),
-    "radius": (LENGTH, ("radius", "contact radius", "a")),
-    "area": (AREA, ("area", "contact area", "projected area", "projected contact area")),
-    "modulus": (MODULUS, ("modulus", "effective modulus", "e_eff", "eeff", "er", "e_r", "reduced modulus")),
-    "height": (LENGTH, ("height", "height (measured)", "height (piezo)", "piezo", "z", "zsensor")),
-    "deflection": (LENGTH, ("deflection", "vdeflection", "vertical deflection", "defl")),
-    "time": (TIME, ("time", "t", "time on sample", "elapsed time")),
-    "omega": (FREQUENCY, ("omega", "angular frequency", "w", "frequency", "freq")),
-    "storage": (STIFFNESS, ("storage", "storage stiffness", "dynamic stiffness", "k'", "k1")),
-    "loss": (STIFFNESS, ("loss", "loss stiffness", "k''", "k2")),
+    "force": ("force", "load", "f", "p", "load on sample", "fn", "normal force", "normal load"),
+    "stiffness": ("stiffness", "contact stiffness", "s", "k", "harmonic contact stiffness"),
+    "radius": ("radius", "contact radius", "a"),
+    "area": ("area", "contact area", "projected area", "projected contact area"),
+    "modulus": ("modulus", "effective modulus", "e_eff", "eeff", "er", "e_r", "reduced modulus"),
+    "height": ("height", "height (measured)", "height (piezo)", "piezo", "z", "zsensor"),
+    "deflection": ("deflection", "vdeflection", "vertical deflection", "defl"),
+    "time": ("time", "t", "time on sample", "elapsed time"),
+    "omega": ("omega", "angular frequency", "w", "frequency", "freq"),
+    "storage": ("storage", "storage stiffness", "dynamic stiffness", "k'", "k1"),
+    "loss": ("loss", "loss stiffness", "k''", "k2"),
 }
+ROLES: Mapping[str, tuple[Dimension, tuple[str, ...]]] = {role: (QUANTITIES[role], names) for role, names in _NAMES.items()}
+"""Dimension and names."""

@@ -11,15 +11,10 @@ from pathlib import Path
 from typing import Any, TypeVar
 
 from .._choices import nearest
-from .._units import Dimension, UnitError, parse, to_si
+from .._units import RATIO, Dimension, UnitError, parse, to_si
 from ..errors import InvalidArgumentError, MDRError
 
 Made = TypeVar("Made")
-
-
-def arguments(call: Callable[..., Any], known: Mapping[str, Dimension | None]) -> tuple[str, ...]:
-    """The keys of a table that are arguments of a constructor."""
-    return tuple(name for name in signature(call).parameters if name in known)
 
 
 def _real(number: float) -> float:
@@ -37,8 +32,8 @@ class ProblemError(InvalidArgumentError):
 class Section:
     """One table of a problem file.
 
-    `known` names its keys: a `Dimension` for quantities, None for everything else. A quantity is written with its unit in the
-    value, radius = "500 nm", or in the key, radius_nm = 500. Files that it names lie in `folder`.
+    `known` names its keys: a `Dimension` for quantities, None or `RATIO` for everything else. A quantity is written with its unit
+    in the value, radius = "500 nm", or in the key, radius_nm = 500. Files that it names lie in `folder`.
     """
 
     def __init__(self, table: Any, path: str, known: Mapping[str, Dimension | None], folder: Path = Path()) -> None:
@@ -46,9 +41,9 @@ class Section:
             raise ProblemError(f"{path} must be a table: write a line [{path}] and its keys below it")
         self.path, self.folder = path, folder
         self._table = table
-        self._known = known
+        self._known = {key: dimension if dimension != RATIO else None for key, dimension in known.items()}
         for key in table:
-            if key not in known and not any(d and key.startswith(f"{k}_") for k, d in known.items()):
+            if key not in known and not any(d and key.startswith(f"{k}_") for k, d in self._known.items()):
                 raise ProblemError(f"[{path}]: unknown key {key!r}: {nearest(key, known)}")
 
     def __contains__(self, key: str) -> bool:
@@ -61,8 +56,10 @@ class Section:
             if key not in allowed and key in self:
                 raise ProblemError(f"[{self.path}]: the key {key!r} does not belong to {because}: {nearest(key, sorted(allowed))}")
 
-    def quantity(self, key: str) -> float:
+    def quantity(self, key: str, default: float | None = None) -> float:
         """A quantity in SI units."""
+        if default is not None and key not in self:
+            return default
         value, suffix = self._found(key)
         return self._convert(key, value, suffix)
 
@@ -135,16 +132,30 @@ class Section:
             raise ProblemError(f"[{self.path}]: {key} = {value!r} is not allowed: it must be true or false, without quotes")
         return value
 
-    def make(self, call: Callable[..., Made]) -> Made:
-        """What a constructor makes of the keys that are its arguments; one without a default must be there."""
-        parameters = signature(call).parameters
-        needed = [name for name in arguments(call, self._known) if name in self or parameters[name].default is Parameter.empty]
-        given = {name: self._value(name, one="float" in str(parameters[name].annotation)) for name in needed}
+    def arguments(self, call: Callable[..., Any]) -> dict[str, Parameter]:
+        """The arguments of a constructor that are keys of this table."""
+        return {name: one for name, one in signature(call).parameters.items() if name in self._known}
+
+    def make(self, call: Callable[..., Made], what: str = "", further: Iterable[str] = ()) -> Made:
+        """What a constructor makes of the keys that are its arguments; one without a default must be there. Where `what` says what
+        it makes, other keys are refused but for `further` ones."""
+        parameters = self.arguments(call)
+        if what:
+            self.only((*parameters, *further), what)
+        needed = [name for name, one in parameters.items() if name in self or one.default is Parameter.empty]
+        given = {name: self._value(name, str(parameters[name].annotation)) for name in needed}
         with self.words():
             return call(**given)
 
-    def _value(self, key: str, one: bool) -> Any:
-        """A number or a list of them, in SI units where it is a quantity."""
+    def given(self, keys: Iterable[str]) -> dict[str, float]:
+        """Those of some numbers and quantities that are there, in SI units."""
+        return {key: self._value(key, "float") for key in keys if key in self}
+
+    def _value(self, key: str, kind: str) -> Any:
+        """A word, a number or a list of numbers, as an argument's annotation says; in SI units where it is a quantity."""
+        if kind == "str":
+            return self.plain(key)
+        one = kind.startswith("float")
         if self._known[key] is None:
             return self.number(key) if one else self.numbers(key)
         return self.quantity(key) if one else self.quantities(key)

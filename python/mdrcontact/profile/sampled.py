@@ -5,13 +5,14 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from numpy.typing import ArrayLike
 
 from .. import _layout, _native
 from .._boundary import number, row
 from .._callback import Callback
+from .._units import LENGTH
 from ..errors import InvalidArgumentError
 from .base import Profile
 
@@ -33,8 +34,8 @@ class TabulatedProfile(Profile):
 
     _is_table = True
 
-    r: tuple[float, ...]
-    f: tuple[float, ...]
+    r: tuple[float, ...] = field(metadata={"dimension": LENGTH})
+    f: tuple[float, ...] = field(metadata={"dimension": LENGTH})
 
     def __init__(self, r: ArrayLike, f: ArrayLike) -> None:
         radii, heights = _pair("r", r, "f", f)

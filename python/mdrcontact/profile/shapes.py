@@ -4,10 +4,11 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from .. import _native
 from .._boundary import number
+from .._units import ANGLE, LENGTH, RATIO
 from ..errors import ArgumentTypeError, InvalidArgumentError
 from .base import Profile
 
@@ -16,7 +17,7 @@ from .base import Profile
 class Paraboloid(Profile):
     """A paraboloid, f = r^2/(2R): the usual approximation of a sphere for a << R. radius: R > 0 [length]."""
 
-    radius: float
+    radius: float = field(metadata={"dimension": LENGTH})
 
     def __post_init__(self) -> None:
         self._own(_native.profile_paraboloid(*self._numbers()))
@@ -46,7 +47,7 @@ class Paraboloid(Profile):
 class Sphere(Profile):
     """A sphere, exact: f = R - sqrt(R^2 - r^2). radius: R > 0 [length]; the contact radius stays below R."""
 
-    radius: float
+    radius: float = field(metadata={"dimension": LENGTH})
 
     def __post_init__(self) -> None:
         self._own(_native.profile_sphere(*self._numbers()))
@@ -61,7 +62,7 @@ class Cone(Profile):
     degrees : whether the angle is in degrees; `.inclination` is in radian all the same
     """
 
-    inclination: float
+    inclination: float = field(metadata={"dimension": ANGLE})
 
     def __init__(self, inclination: float | None = None, *, half_angle: float | None = None, degrees: bool = False) -> None:
         if (inclination is None) == (half_angle is None):
@@ -78,7 +79,7 @@ class Cone(Profile):
 class PowerLaw(Profile):
     """A power law, f = c r^n. exponent: n, 0 < n <= 100; coefficient: c > 0 [length^(1-n)]."""
 
-    exponent: float
+    exponent: float = field(metadata={"dimension": RATIO})
     coefficient: float
 
     def __post_init__(self) -> None:
@@ -89,7 +90,7 @@ class PowerLaw(Profile):
 class FlatPunch(Profile):
     """A flat cylindrical punch. radius: b > 0 [length], the contact radius at every depth."""
 
-    radius: float
+    radius: float = field(metadata={"dimension": LENGTH})
 
     def __post_init__(self) -> None:
         self._own(_native.profile_flat_punch(*self._numbers()))
@@ -103,8 +104,8 @@ class FlatEndedCone(Profile):
     inclination : phi, angle between face and surface, 0 < phi < pi/2 [radian, or degrees with degrees=True]
     """
 
-    end_radius: float
-    inclination: float
+    end_radius: float = field(metadata={"dimension": LENGTH})
+    inclination: float = field(metadata={"dimension": ANGLE})
 
     def __init__(self, end_radius: float, inclination: float, *, degrees: bool = False) -> None:
         end_radius, phi = number("end_radius", end_radius), _radians("inclination", inclination, degrees)
@@ -119,8 +120,8 @@ class FlatEndedParaboloid(Profile):
     radius : R > 0, radius of curvature [length]
     """
 
-    end_radius: float
-    radius: float
+    end_radius: float = field(metadata={"dimension": LENGTH})
+    radius: float = field(metadata={"dimension": LENGTH})
 
     def __post_init__(self) -> None:
         self._own(_native.profile_flat_paraboloid(*self._numbers()))
@@ -134,8 +135,8 @@ class RoundedCone(Profile):
     inclination : phi, angle between face and surface, 0 < phi < pi/2 [radian, or degrees with degrees=True]
     """
 
-    blend_radius: float
-    inclination: float
+    blend_radius: float = field(metadata={"dimension": LENGTH})
+    inclination: float = field(metadata={"dimension": ANGLE})
 
     def __init__(self, blend_radius: float, inclination: float, *, degrees: bool = False) -> None:
         blend_radius, phi = number("blend_radius", blend_radius), _radians("inclination", inclination, degrees)

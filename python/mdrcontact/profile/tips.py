@@ -4,13 +4,14 @@
 from __future__ import annotations
 
 import math
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, ClassVar
 
 from numpy.typing import ArrayLike
 
 from .. import _native
 from .._boundary import number, row
+from .._units import LENGTH
 from .base import Profile
 
 
@@ -61,8 +62,8 @@ class AreaFunction(Profile):
     """
 
     coefficients: tuple[float, ...]
-    max_height: float
-    min_height: float
+    max_height: float = field(metadata={"dimension": LENGTH})
+    min_height: float = field(metadata={"dimension": LENGTH})
 
     def __init__(self, coefficients: ArrayLike, *, max_height: float, min_height: float = 0.0) -> None:
         terms = row("coefficients", coefficients)
