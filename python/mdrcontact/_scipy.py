@@ -11,4 +11,5 @@ def require() -> None:
     try:
         import scipy  # noqa: F401
     except ImportError as problem:
-        raise MDRError('maps, sliding and fits of gels and of adhesion need SciPy: pip install "mdrcontact[map]"') from problem
+        words = 'maps, sliding and fits of gels, conductors and adhesion need SciPy: pip install "mdrcontact[map]"'
+        raise MDRError(words) from problem

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Objects that are what their fields say, and hold an object of the compiled library."""
+"""Objects that are what their fields say, and hold an object of the compiled library where one stands behind them."""
 
 from __future__ import annotations
 
@@ -12,11 +12,27 @@ from ._boundary import Handle, number
 Self = TypeVar("Self", bound="Value")
 
 
+class Named:
+    """The type of objects of which there is one of each name."""
+
+    def __init__(self, name: str) -> None:
+        self._name = name
+
+    def __repr__(self) -> str:
+        return self._name
+
+    def __reduce__(self) -> str:
+        return self._name
+
+
 @dataclass(frozen=True)
 class Value:
-    """A frozen dataclass with a handle: printed, compared and hashed by its fields; copied and pickled by being made anew."""
+    """A frozen dataclass: printed, compared and hashed by its fields; copied and pickled by being made anew."""
 
-    _handle: Handle = field(init=False, repr=False, compare=False)
+    _handle: Handle = field(init=False, repr=False, compare=False, default=None)  # type: ignore[assignment]
+
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}({', '.join(f'{name}={value!r}' for name, value in self._given().items())})"
 
     def replace(self: Self, **changes: Any) -> Self:
         """A new object with some constructor arguments changed: `coated.replace(thickness=2e-6)`."""

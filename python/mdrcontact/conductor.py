@@ -14,23 +14,18 @@ from . import _layout, _native
 from ._boundary import ComplexOrArray, FloatOrArray, Handle, address, complex_values, number
 from ._parameters import WithParameters
 from ._units import MODULUS_PER_LENGTH
-from ._value import Value
+from ._value import Named, Value
 from .errors import ArgumentTypeError, InvalidArgumentError
 
 __all__ = ["Conductor", "Interface", "LayeredConductor", "PERFECT", "INSULATING", "SLIDING"]
 
 
-class _Base:
+class _Base(Named):
     """What layers lie on where it is no half-space."""
 
     def __init__(self, name: str, number: int) -> None:
-        self._name, self._code = name, number
-
-    def __repr__(self) -> str:
-        return self._name
-
-    def __reduce__(self) -> str:
-        return self._name
+        super().__init__(name)
+        self._code = number
 
 
 PERFECT: Final = _Base("PERFECT", _layout.BASE_PERFECT)
@@ -57,10 +52,9 @@ class Conductor(WithParameters):
     sigma: float
     along: float | None = None
     capacity: float = 0.0
-    _handle: Any = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
-        self._set(sigma=number("sigma", self.sigma), capacity=number("capacity", self.capacity), _handle=None)
+        self._set(sigma=number("sigma", self.sigma), capacity=number("capacity", self.capacity))
         if self.along is not None:
             self._set(along=number("along", self.along))
         _check(np.array([self._row(1.0)]))
@@ -82,10 +76,9 @@ class Interface(WithParameters):
     resistance: float = 0.0
     normal: float | None = field(default=None, metadata={"dimension": MODULUS_PER_LENGTH})
     tangential: float | None = field(default=None, metadata={"dimension": MODULUS_PER_LENGTH})
-    _handle: Any = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
-        self._set(resistance=number("resistance", self.resistance), _handle=None)
+        self._set(resistance=number("resistance", self.resistance))
         _check(np.array([(1.0, 1.0, 1.0, 0.0, self.resistance)]))
         for name, least in (("normal", "> 0"), ("tangential", ">= 0")):
             value = getattr(self, name)
@@ -119,10 +112,9 @@ class LayeredConductor(Value):
 
     layers: tuple[Any, ...]
     substrate: Conductor | _Base
-    _handle: Any = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
-        self._set(layers=tuple(layer if isinstance(layer, Interface) else tuple(layer) for layer in self.layers), _handle=None)
+        self._set(layers=tuple(layer if isinstance(layer, Interface) else tuple(layer) for layer in self.layers))
         rows, base = self.rows()
         if base == _layout.BASE_HALF_SPACE:
             rows[-1, 0] = 1.0

@@ -16,6 +16,7 @@ from . import _layout, _native
 from ._boundary import ComplexOrArray, FloatOrArray, Handle, address, call, complex_values, evaluate, number, numbers, record
 from ._parameters import WithParameters
 from ._units import MODULUS, RATIO, TIME, VISCOSITY
+from ._value import Named
 from .conductor import Conductor
 from .errors import ArgumentTypeError, InvalidArgumentError
 
@@ -350,17 +351,8 @@ def _pairs(name: str, values: Iterable[tuple[float, float]]) -> NDArray[np.float
     return array
 
 
-class _Rigid:
-    """The type of `RIGID` and `SMOOTH`; there is one object of each."""
-
-    def __init__(self, name: str) -> None:
-        self._name = name
-
-    def __repr__(self) -> str:
-        return self._name
-
-    def __reduce__(self) -> str:
-        return self._name
+class _Rigid(Named):
+    """The type of `RIGID` and `SMOOTH`."""
 
 
 RIGID = _Rigid("RIGID")

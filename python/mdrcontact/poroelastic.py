@@ -52,7 +52,6 @@ class Poroelastic(WithParameters):
     shear_modulus: float = field(metadata={"dimension": MODULUS})
     nu: float = field(metadata={"dimension": RATIO})
     diffusivity: float = field(metadata={"dimension": DIFFUSIVITY})
-    _handle: Any = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
         self._numbers()

@@ -11,12 +11,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from .. import _scipy
 from .._boundary import number, numbers
 from .._choices import nearest
+from .._value import Value
 from ..conduction import ANSWERS, Conduction
 from ..conductor import Conductor, Interface, LayeredConductor
 from ..contact import Contact
-from ..errors import ArgumentTypeError, InvalidArgumentError, MDRError, NoConvergenceError
+from ..errors import ArgumentTypeError, InvalidArgumentError, NoConvergenceError
 
 __all__ = ["ConductanceForce", "Impedance", "ConductionFit", "fit_conduction"]
 
@@ -27,7 +29,7 @@ _LOOSE = 0.5
 
 
 @dataclass(frozen=True, eq=False)
-class ConductanceForce:
+class ConductanceForce(Value):
     """Conductances of a contact under normal forces.
 
     force : > 0 [modulus length^2]
@@ -42,8 +44,7 @@ class ConductanceForce:
     sd: Any = None
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "force", numbers("force", self.force))
-        object.__setattr__(self, "conductance", numbers("conductance", self.conductance))
+        self._set(force=numbers("force", self.force), conductance=numbers("conductance", self.conductance))
         if self.force.shape != self.conductance.shape or self.force.ndim != 1:
             raise InvalidArgumentError("conductance is not allowed: it must have one dimension and as many entries as force")
 
@@ -56,7 +57,7 @@ class ConductanceForce:
 
 
 @dataclass(frozen=True, eq=False)
-class Impedance:
+class Impedance(Value):
     """Answers of a spot to oscillations.
 
     omega : angular frequencies > 0 [1/time]
@@ -74,9 +75,7 @@ class Impedance:
     sd: Any = None
 
     def __post_init__(self) -> None:
-        object.__setattr__(self, "omega", numbers("omega", self.omega))
-        object.__setattr__(self, "values", np.asarray(self.values, complex))
-        object.__setattr__(self, "radius", number("radius", self.radius))
+        self._set(omega=numbers("omega", self.omega), values=np.asarray(self.values, complex), radius=number("radius", self.radius))
         if self.omega.shape != self.values.shape or self.omega.ndim != 1:
             raise InvalidArgumentError("values is not allowed: it must have one dimension and as many entries as omega")
         if self.answer not in ANSWERS:
@@ -120,10 +119,9 @@ def fit_conduction(data: Any, conduction: Conduction, free: Iterable[str]) -> Co
     free : of the lower body "layer1.sigma", "layer1.along", "layer1.capacity", "layer1.thickness", "layer1.resistance" (of the
         interface below it), ..., "substrate.sigma", ...; "film" of the spot
     """
-    try:
-        from scipy.optimize import least_squares
-    except ImportError as problem:
-        raise MDRError('fits of conductors need SciPy: pip install "mdrcontact[map]"') from problem
+    _scipy.require()
+    from scipy.optimize import least_squares
+
     sets = [data] if isinstance(data, (ConductanceForce, Impedance)) else list(data)
     names = tuple(free)
     if isinstance(free, str) or not names or len(set(names)) != len(names):

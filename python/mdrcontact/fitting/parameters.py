@@ -5,7 +5,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterable, Mapping, Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -17,6 +17,7 @@ from .. import profile as profiles
 from .._boundary import address, call, number, record
 from .._choices import nearest
 from .._units import COMPLIANCE, FORCE, LENGTH, MODULUS, RATIO, WORK_OF_ADHESION
+from .._value import Value
 from ..errors import ArgumentTypeError, InvalidArgumentError
 from ..material import RIGID, Elastic
 from ..medium.viscoelastic import is_viscoelastic
@@ -24,7 +25,7 @@ from ..poroelastic import is_poroelastic
 
 
 @dataclass(frozen=True)
-class Free:
+class Free(Value):
     """A parameter that the fit is to find.
 
     start : where the search begins; default: the value in the indenter, medium or instrument
@@ -38,11 +39,8 @@ class Free:
     prior: tuple[float, float] | None = field(default=None, kw_only=True)
 
     def __post_init__(self) -> None:
-        given = {"lower": number("lower", self.lower), "upper": number("upper", self.upper), "start": self.start}
-        if self.start is not None:
-            given["start"] = number("start", self.start)
-        for name, value in given.items():
-            object.__setattr__(self, name, value)
+        given = {"lower": self.lower, "upper": self.upper} | ({} if self.start is None else {"start": self.start})
+        self._set(**{name: number(name, value) for name, value in given.items()})
         if self.prior is None:
             return
         try:
@@ -52,11 +50,11 @@ class Free:
         prior = number("prior value", mean), number("prior standard deviation", sd)
         if not (math.isfinite(prior[0]) and 0.0 < prior[1] < math.inf):
             raise InvalidArgumentError(f"prior = {prior!r} is not allowed: its standard deviation must be greater than 0")
-        object.__setattr__(self, "prior", prior)
+        self._set(prior=prior)
 
 
 @dataclass(frozen=True)
-class JointPrior:
+class JointPrior(Value):
     """What is known beforehand of several parameters together, such as the coefficients of a calibrated tip.
 
     names : of the parameters, which become free
@@ -77,9 +75,7 @@ class JointPrior:
             )
         if not (np.isfinite(values).all() and np.isfinite(covariance).all()):
             raise InvalidArgumentError("values and covariance are not allowed: they must be finite")
-        object.__setattr__(self, "names", names)
-        object.__setattr__(self, "values", tuple(values.tolist()))
-        object.__setattr__(self, "covariance", tuple(map(tuple, covariance.tolist())))
+        self._set(names=names, values=tuple(values.tolist()), covariance=tuple(map(tuple, covariance.tolist())))
         self.weights()
 
     def weights(self) -> NDArray[np.float64]:
@@ -96,7 +92,7 @@ class JointPrior:
 
 
 @dataclass(frozen=True, kw_only=True)
-class Instrument:
+class Instrument(Value):
     """What stands between the contact and the data.
 
     work_of_adhesion : gamma >= 0 [modulus length]; for ForceDepth
@@ -129,9 +125,7 @@ class Instrument:
     def __post_init__(self) -> None:
         if self.indenter is not None and not isinstance(self.indenter, Elastic):
             raise ArgumentTypeError(f"indenter = {self.indenter!r} is not allowed: it must be an Elastic(E, nu) or None")
-        for name, value in vars(self).copy().items():
-            if name != "indenter":
-                object.__setattr__(self, name, number(name, value))
+        self._set(**{name: number(name, value) for name, value in self._given().items() if name != "indenter"})
 
 
 class Pattern(NamedTuple):
@@ -153,7 +147,7 @@ class Pattern(NamedTuple):
         if _MODULUS in tool:
             tool["indenter"] = Elastic(tool.pop(_MODULUS), 0.0)
         indenter, medium = self.indenter.with_parameters(tip), self.medium.with_parameters(changed)
-        instrument = replace(self.instrument, **tool)
+        instrument = self.instrument.replace(**tool)
         if "indenter" in tool and has_homogeneous_indenter(medium):
             medium = medium.replace(upper=instrument.indenter)
         return indenter, medium, instrument
@@ -264,7 +258,7 @@ def with_indenter(instrument: Instrument, medium: Any) -> Instrument:
         return instrument
     if instrument.indenter is not None:
         raise InvalidArgumentError("Instrument(indenter=...) is not allowed with a Pair: its upper body is the indenter")
-    return replace(instrument, indenter=medium.upper.material)
+    return instrument.replace(indenter=medium.upper.material)
 
 
 def read_free(free: Any, names: Sequence[str]) -> dict[str, Free]:

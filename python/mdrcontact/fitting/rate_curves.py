@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from .. import _scipy
 from .._boundary import number, numbers
 from .._choices import nearest
+from .._value import Value
 from ..contact import Contact
 from ..errors import ArgumentTypeError, InvalidArgumentError, MDRError, NoConvergenceError
 
@@ -31,7 +32,7 @@ _LAGS = np.concatenate([np.linspace(0.0, 0.9, 91), np.linspace(0.9025, 0.99, 36)
 
 
 @dataclass(frozen=True, eq=False)
-class RateCurve:
+class RateCurve(Value):
     """One retraction: readings from rest in contact to a little beyond the lowest force; a rupture is a jump: those behind it are
     not fitted.
 
@@ -51,10 +52,8 @@ class RateCurve:
             raise InvalidArgumentError(f"time, position and force must have the same length, at least {_FEWEST}, and one dimension")
         if not all(np.all(np.isfinite(values)) for values in columns.values()) or np.any(np.diff(columns["time"]) <= 0.0):
             raise InvalidArgumentError("time must be strictly ascending, and time, position and force finite")
-        for name, values in columns.items():
-            object.__setattr__(self, name, values)
         stiffness = None if spring_stiffness is None else number("spring_stiffness", spring_stiffness)
-        object.__setattr__(self, "spring_stiffness", stiffness)
+        self._set(**columns, spring_stiffness=stiffness)
 
     @property
     def count(self) -> int:

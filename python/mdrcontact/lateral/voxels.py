@@ -115,7 +115,7 @@ class Voxels(Structure):
 
     def _values(self, x: Any, y: Any, a: Any) -> Any:
         # the library's own copy of the array is made for the first point: maps do not need it
-        if not hasattr(self, "_handle"):
+        if self._handle is None:
             padded = isinstance(self.beside, Elastic)
             beside = self.beside if isinstance(self.beside, Elastic) else self.below
             cells = np.ascontiguousarray(self.labels, dtype=np.intc)

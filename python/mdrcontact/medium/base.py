@@ -22,7 +22,7 @@ from .viscoelastic import is_viscoelastic
 _LOADS = words_of(_layout.LOAD_NORMAL, _layout.LOAD_SHEAR, _layout.LOAD_TWIST)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, repr=False)
 class Medium(WithParameters):
     """An elastic half-space: for a contact radius a it gives the effective contact modulus E_eff(a), equation (10).
 

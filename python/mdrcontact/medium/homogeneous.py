@@ -40,8 +40,4 @@ class Homogeneous(Medium):
             return
         body = material("material", self.material)
         surface = given_surface(self.surface, elastic=is_elastic(body))
-        half_space = stack([], body, surface)
-        self._own(settings("exact", {}).medium_of(half_space), half_space, surface=surface)
-
-    def __repr__(self) -> str:
-        return f"Homogeneous({', '.join(f'{name}={value!r}' for name, value in self._given().items())})"
+        self._own(stack([], body, settings("exact", {}, surface=surface).native), surface=surface)

@@ -37,11 +37,10 @@ class Layer(WithParameters):
     thickness: float = field(metadata={"dimension": LENGTH})
     prestress: float = field(default=0.0, metadata={"dimension": MODULUS})
     interface: Interface | None = None
-    _handle: Any = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
         self._set(material=material("material", self.material), thickness=number("thickness", self.thickness))
-        self._set(prestress=number("prestress", self.prestress), _handle=None)
+        self._set(prestress=number("prestress", self.prestress))
         if self.interface is not None and not isinstance(self.interface, Interface):
             words = "it must be an Interface(normal=..., tangential=...), SLIDING or None"
             raise ArgumentTypeError(f"interface = {self.interface!r} is not allowed: {words}")

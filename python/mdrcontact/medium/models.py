@@ -132,6 +132,3 @@ class UnderModel(Medium):
         given = super()._given()
         options = given.pop("options")
         return {**given, **dict(options)}
-
-    def __repr__(self) -> str:
-        return f"{type(self).__name__}({', '.join(f'{name}={value!r}' for name, value in self._given().items())})"

@@ -33,11 +33,9 @@ class Surface(WithParameters):
     tension: float = field(default=0.0, metadata={"dimension": SURFACE_TENSION})
     bending: float = field(default=0.0, metadata={"dimension": BENDING})
     stretching: float = field(default=0.0, metadata={"dimension": STRETCHING})
-    _handle: Any = field(init=False, repr=False, compare=False)
 
     def __post_init__(self) -> None:
         self._numbers()
-        self._set(_handle=None)
 
 
 def given_surface(surface: object, *, elastic: bool) -> Surface | None:
