@@ -7,13 +7,14 @@ import argparse
 
 import numpy as np
 
+from .._text import aligned
 from .._units import ENERGY, FORCE, LENGTH, MODULUS, WORK_OF_ADHESION, practical, shown
 from ..adhesion import Loop, PullOff
 from ..contact import Contact
 from ..problem import Problem, load_with
 from ..problem.adhesion import Adhesion
 from . import figures, files
-from .table import Column, aligned, as_csv, column, number
+from .table import Column, as_csv, column, columns_of, number
 
 HELP = "pull-off, and a loop of approach and retraction"
 DESCRIPTION = """\
@@ -87,9 +88,7 @@ def loop_columns(loop: Loop) -> list[Column]:
     """What the CSV file holds of a loop."""
     return [
         column("position", loop.position, FORCE if loop.control == "force" else LENGTH),
-        column("depth", loop.depth, LENGTH),
-        column("radius", loop.radius, LENGTH),
-        column("force", loop.force, FORCE),
+        *columns_of(loop, "depth", "radius", "force"),
     ]
 
 

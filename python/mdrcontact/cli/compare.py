@@ -7,12 +7,13 @@ import argparse
 
 import numpy as np
 
+from .._text import aligned
 from .._units import FORCE, LENGTH, MODULUS, Dimension, practical
 from ..problem import Problem, load
 from . import figures, files
 from .answers import Answer, answers_of, reference, response_of, spread_text
 from .solve import Array, columns
-from .table import Column, aligned, as_csv, number, spread_over
+from .table import Column, as_csv, number, spread_over
 
 HELP = "one problem under every medium model, and the spread between them"
 DESCRIPTION = """\

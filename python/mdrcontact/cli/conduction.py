@@ -7,13 +7,13 @@ import argparse
 
 import numpy as np
 
-from .._units import CONDUCTANCE, FORCE, LENGTH, TEMPERATURE, THERMAL_CONDUCTANCE, Unit, shown
+from .._units import CONDUCTANCE, LENGTH, TEMPERATURE, THERMAL_CONDUCTANCE, Unit, shown
 from ..conduction import Conduction
 from ..contact import State
 from ..problem import load_with
 from ..problem.conduction import THERMAL, Conducting
 from . import conduction_figure, files
-from .table import Column, as_csv, as_text, column
+from .table import Column, as_csv, as_text, column, columns_of
 
 HELP = "heat or current through a contact along its loading"
 DESCRIPTION = """\
@@ -63,9 +63,7 @@ def columns(conduction: Conduction, given: Conducting, states: State) -> list[Co
     found = conduction.along(states)
     dimension = THERMAL_CONDUCTANCE if given.kind == THERMAL else CONDUCTANCE
     table = [
-        column("depth", np.asarray(states.depth), LENGTH),
-        column("radius", np.asarray(states.radius), LENGTH),
-        column("force", np.asarray(states.force), FORCE),
+        *columns_of(states, "depth", "radius", "force"),
         column("conductance", np.asarray(found.conductance), dimension),
         Column("dlnG/dlnF", np.asarray(found.by_force) * np.asarray(states.force) / np.asarray(found.conductance), Unit("", 1.0)),
     ]

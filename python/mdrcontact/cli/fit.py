@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from .. import _progress
+from .._text import aligned
 from .._units import AREA, FORCE, LENGTH, MODULUS, QUANTITIES, RATIO, STIFFNESS, practical
 from ..fitting import (
     FitResult,
@@ -28,7 +29,7 @@ from ..problem import ProblemError
 from ..problem.curves import Curve
 from ..problem.fit_file import FitFile, load_fit_file
 from . import files, fit_many
-from .table import Column, aligned, as_csv, column, number
+from .table import Column, as_csv, column, number
 
 HELP = "film properties from measured curves, with intervals"
 DESCRIPTION = """\
@@ -120,7 +121,7 @@ def _run_one(arguments: argparse.Namespace, problem: FitFile, curve: Curve) -> N
     analysis: list[list[str]] = []
     if isinstance(data, StiffnessDepth) and data.unloadings:
         analysis = oliver_pharr_rows(_analysis(result))
-        print(f"{_ANALYSIS}:\n" + aligned(analysis) + "\n")
+        print(f"{_ANALYSIS}:\n" + aligned(analysis, left=0) + "\n")
     print(result.summary())
     moves: Any = None
     if arguments.ranges or arguments.report:

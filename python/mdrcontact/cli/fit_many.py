@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 
 from .. import _progress
+from .._text import aligned
 from .._units import ENERGY, FORCE, LENGTH, practical
 from ..errors import MDRError
 from ..fitting import FailedFit, FitResult, Rating, fit_many, mean_of_tests, rate, report
@@ -22,7 +23,7 @@ from ..fitting.quantities import digits, dimension_of, words_of
 from ..problem.curves import Curve
 from ..problem.fit_file import FitFile
 from . import files, many_figure
-from .table import aligned, number
+from .table import number
 
 _WITHOUT_MODEL = {"jump-in": FORCE, "pull-off": FORCE, "last rupture": LENGTH, "energy lost": ENERGY}
 """What records say without a model, in columns of the table."""

@@ -14,7 +14,7 @@ from . import files
 from .cycles import Cycles, cycles
 from .friction_figure import friction_figure, path_figure
 from .friction_path import LedPath, lead
-from .table import Column, as_csv, as_text, column
+from .table import Column, as_csv, as_text, column, columns_of
 
 HELP = "fretting loops or any path: partial slip, sliding, dissipated energy"
 DESCRIPTION = """\
@@ -71,12 +71,11 @@ def columns(found: Cycles) -> list[Column]:
     """What the table shows."""
     turns, radius = found.turns, float(found.state.radius)
     return [
-        column("shift", np.asarray(turns.shift), LENGTH),
-        column("tangential force", np.asarray(turns.tangential_force), FORCE),
+        *columns_of(turns, "shift", "tangential_force"),
         column("T/(mu F)", np.asarray(turns.tangential_force) / found.friction.coefficient / float(found.state.force), RATIO),
-        column("stick radius", np.asarray(turns.stick_radius), LENGTH),
+        *columns_of(turns, "stick_radius"),
         column("c/a", np.asarray(turns.stick_radius) / radius, RATIO),
-        column("stiffness", np.asarray(turns.stiffness), STIFFNESS),
+        *columns_of(turns, "stiffness"),
         column("energy of a cycle", found.energies, ENERGY),
     ]
 
@@ -86,12 +85,8 @@ def path_columns(led: LedPath) -> list[Column]:
     shear = led.shear
     return [
         column("step", np.arange(1.0, len(np.asarray(shear.shift)) + 1.0), RATIO),
-        column("depth", np.asarray(led.state.depth), LENGTH),
-        column("force", np.asarray(led.state.force), FORCE),
-        column("shift", np.asarray(shear.shift), LENGTH),
-        column("tangential force", np.asarray(shear.tangential_force), FORCE),
-        column("stick radius", np.asarray(shear.stick_radius), LENGTH),
-        column("dissipated energy", np.asarray(shear.dissipated_energy), ENERGY),
+        *columns_of(led.state, "depth", "force"),
+        *columns_of(shear, "shift", "tangential_force", "stick_radius", "dissipated_energy"),
         column("sliding", np.asarray(shear.sliding, dtype=float), RATIO),
     ]
 

@@ -15,7 +15,7 @@ from ..problem import load_with
 from ..problem.history import HistoryPath
 from ..rate_adhesion import RateHistory
 from . import files, history_figure
-from .table import Column, as_csv, as_text, column
+from .table import as_csv, as_text, columns_of
 
 _FEWEST = 60
 """Steps that a path is cut into at least."""
@@ -100,7 +100,7 @@ def run(arguments: argparse.Namespace) -> None:
     else:
         history, cuts = follow(contact, path)
         closing = summary(history)
-    table = columns(History(*(values[::cuts] for values in history)))
+    table = columns_of(History(*(values[::cuts] for values in history)), "time", "depth", "radius", "force")
     print(f"{problem.title}\n")
     print(as_text(table, 12))
     print(f"\n{closing}")
@@ -141,16 +141,6 @@ def said(history: RateHistory) -> str:
         lines.append(f"the contact breaks at {shown(end['rupture_time'], TIME)}, depth {shown(end['rupture_depth'], LENGTH)}")
     lines.append(f"energy lost at the edge: {shown(float(history.dissipated[-1]), ENERGY)}")
     return "\n".join(lines)
-
-
-def columns(history: History) -> list[Column]:
-    """What the tables show of a history."""
-    return [
-        column("time", history.time, TIME),
-        column("depth", history.depth, LENGTH),
-        column("radius", history.radius, LENGTH),
-        column("force", history.force, FORCE),
-    ]
 
 
 def summary(history: History) -> str:

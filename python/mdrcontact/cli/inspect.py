@@ -8,6 +8,7 @@ import tempfile
 from collections import Counter
 from pathlib import Path
 
+from .._text import aligned
 from .._units import FORCE, LENGTH, Dimension, shown
 from ..errors import MDRError
 from ..fitting.causes import by_cause
@@ -15,7 +16,6 @@ from ..problem.fit_file import load_fit_file
 from ..problem.inspection import Array, Inspection, Test, inspect_file
 from . import files
 from .inspect_figure import inspect_figure
-from .table import aligned
 
 HELP = "say what a file of measurements is, and write a problem file to begin with"
 DESCRIPTION = """\

@@ -12,6 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from .. import lateral
+from .._text import aligned
 from .._units import LENGTH, MODULUS, practical
 from ..material import Elastic
 from ..problem import ProblemError
@@ -19,7 +20,7 @@ from ..problem.section import Section
 from ..problem.toml import parse_file
 from . import files
 from .map_figure import map_figure
-from .table import aligned, number
+from .table import number
 
 HELP = "effective modulus at every place of a heterogeneous structure"
 DESCRIPTION = """\

@@ -12,11 +12,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import _progress
-from .._units import FORCE, LENGTH, MODULUS, RATIO, STIFFNESS
+from .._units import MODULUS, RATIO
 from ..contact import Contact
 from ..medium import Coated, Layered, Medium, Pair
 from ..problem.compute import Control
-from .table import Column, column
+from .table import Column, column, columns_of
 
 Array = NDArray[np.float64]
 
@@ -77,11 +77,9 @@ def columns(curve: Curve, medium: Medium) -> list[Column]:
     """What the tables show of a curve."""
     h = thickness(medium)
     return [
-        column("depth", curve.depth, LENGTH),
-        column("radius", curve.radius, LENGTH),
+        *columns_of(curve, "depth", "radius"),
         *([column("a/h", curve.radius / h, RATIO)] if h else []),
-        column("force", curve.force, FORCE),
-        column("stiffness", curve.stiffness, STIFFNESS),
+        *columns_of(curve, "force", "stiffness"),
         column("effective modulus", curve.modulus, MODULUS),
         column("mean pressure", curve.mean_pressure, MODULUS),
     ]

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 
 from .. import _progress
+from .._text import aligned
 from .._units import FORCE, LENGTH, MODULUS, RATIO, shown
 from ..contact import Contact, State
 from ..critical import Maximum, layers_of
@@ -21,7 +22,7 @@ from ..problem.strength import Strengths
 from . import files
 from .inside import Inside, interface_name, layer_map, layer_name
 from .stress_figure import stress_figure
-from .table import aligned, as_csv, column, number
+from .table import as_csv, column, number
 
 HELP = "stresses inside a coated body, and the load at first failure"
 DESCRIPTION = """\

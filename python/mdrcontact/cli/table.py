@@ -6,12 +6,13 @@ from __future__ import annotations
 import csv
 import io
 from collections.abc import Sequence
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from .._units import Dimension, Unit, practical
+from .._text import aligned
+from .._units import QUANTITIES, Dimension, Unit, practical
 
 
 class Column(NamedTuple):
@@ -32,21 +33,16 @@ def column(name: str, values: NDArray[np.float64], dimension: Dimension) -> Colu
     return Column(name, values, practical(dimension, values))
 
 
+def columns_of(states: Any, *names: str) -> list[Column]:
+    """What states hold, by the names of their fields."""
+    return [column(name.replace("_", " "), np.asarray(getattr(states, name), dtype=float), QUANTITIES[name]) for name in names]
+
+
 def number(value: float) -> str:
     """A number for the screen: five digits."""
     if not np.isfinite(value):
         return "-"
     return f"{value:.5g}" if value == 0.0 or 1e-3 <= abs(value) < 1e6 else f"{value:.4e}"
-
-
-def aligned(rows: Sequence[Sequence[str]], left: int = 0) -> str:
-    """Rows of words as a table; the first `left` columns begin flush left, the others end flush right."""
-    widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
-    lines = []
-    for row in rows:
-        cells = [cell.ljust(w) if i < left else cell.rjust(w) for i, (cell, w) in enumerate(zip(row, widths, strict=True))]
-        lines.append("  ".join(cells).rstrip())
-    return "\n".join(lines)
 
 
 def spread_over(count: int, most: int) -> list[int]:
@@ -60,7 +56,7 @@ def as_text(columns: Sequence[Column], rows: int) -> str:
     """A table for the screen with at most `rows` rows."""
     picked = spread_over(len(columns[0].values), rows)
     body = [[number(float(c.unit.of(c.values[i]))) for c in columns] for i in picked]
-    return aligned([[c.title for c in columns], *body])
+    return aligned([[c.title for c in columns], *body], left=0)
 
 
 def as_csv(columns: Sequence[Column], labels: tuple[str, Sequence[str]] | None = None) -> bytes:

@@ -8,13 +8,13 @@ from pathlib import Path
 
 from .. import _progress
 from .._choices import nearest
+from .._text import aligned
 from ..errors import MDRError
 from ..problem import ProblemError
 from ..validation import CHECKS
 from ..validation.page import TITLES, Row, html, markdown, pictures, programs
 from ..validation.page import run as run_checks
 from . import files
-from .table import aligned
 
 HELP = "compare the library with formulas, tables and programs of others"
 DESCRIPTION = """\

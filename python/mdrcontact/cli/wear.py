@@ -8,13 +8,13 @@ from typing import Any
 
 import numpy as np
 
-from .._units import FORCE, LENGTH, MODULUS, RATIO, VOLUME, WEAR, practical, shown
+from .._units import LENGTH, VOLUME, WEAR, practical, shown
 from ..problem import Problem, load_with
 from ..problem.wear import Rubbing
 from ..wear import Wear, WearState, WornProfile
 from . import files
 from .figures import COLOURS, sheet
-from .table import Column, as_csv, as_text, column
+from .table import as_csv, as_text, columns_of
 
 HELP = "a sliding indenter that wears: radius, depth, worn profile"
 DESCRIPTION = """\
@@ -36,6 +36,7 @@ The error is stated: the difference from half the intervals.
 """
 
 _ROWS = 24
+_COLUMNS = ("sliding", "radius", "depth", "force", "pressure", "worn_depth", "worn_volume", "error")
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -48,7 +49,7 @@ def run(arguments: argparse.Namespace) -> None:
     files.check(arguments)
     problem, rubbing = load_with(arguments.problem, "wear")
     states, profile = _slide(problem, rubbing)
-    table = columns(states)
+    table = columns_of(states, *_COLUMNS)
     print(f"{problem.title}\n\n{_words(rubbing, states)}\n\n{as_text(table, _ROWS)}")
     files.write(arguments, csv=lambda: as_csv(table), plot=lambda: _draw(problem, states, profile))
 
@@ -62,20 +63,6 @@ def _slide(problem: Problem, rubbing: Rubbing) -> tuple[WearState, WornProfile]:
         return wear.advance(distances, depth=largest, intervals=intervals, scheme=scheme)
     force = float(contact.at_radius(largest).force) if control.name == "radius" else largest
     return wear.advance(distances, force=force, intervals=intervals, scheme=scheme)
-
-
-def columns(states: WearState) -> list[Column]:
-    """What the table shows."""
-    return [
-        column("sliding", np.asarray(states.sliding), LENGTH),
-        column("radius", np.asarray(states.radius), LENGTH),
-        column("depth", np.asarray(states.depth), LENGTH),
-        column("force", np.asarray(states.force), FORCE),
-        column("pressure", np.asarray(states.pressure), MODULUS),
-        column("worn depth", np.asarray(states.worn_depth), LENGTH),
-        column("worn volume", np.asarray(states.worn_volume), VOLUME),
-        column("error", np.asarray(states.error), RATIO),
-    ]
 
 
 def _words(rubbing: Rubbing, states: WearState) -> str:

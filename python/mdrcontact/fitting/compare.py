@@ -10,6 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from .. import medium as media
+from .._text import aligned
 from ..errors import ArgumentTypeError, MDRError
 from ..material import RIGID
 from ..medium.models import MODELS
@@ -67,9 +68,7 @@ class ModelRanking(NamedTuple):
             error = "" if entry.error is None else f"{100.0 * entry.error:+.1f} %" + (" WRONG HERE" if entry.is_wrong else "")
             numbers = [f"{entry.delta_aic:.1f}", f"{entry.result.bic:.5g}", f"{entry.weight:.2g}"]
             rows.append([entry.model + note, *numbers, error, *cells])
-        widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
-        lines = ["  ".join(cell.ljust(w) for cell, w in zip(row, widths, strict=True)).rstrip() for row in rows]
-        return "\n".join([*lines, *(f"refused: {model}: {words}" for model, words in self.refused.items()), _CAUTION])
+        return "\n".join([aligned(rows), *(f"refused: {model}: {words}" for model, words in self.refused.items()), _CAUTION])
 
 
 def compare_models(

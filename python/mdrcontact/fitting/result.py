@@ -18,6 +18,7 @@ from .._boundary import call, number, whole
 from .._choices import nearest
 from .._files import replace
 from .._interrupt import workers
+from .._text import aligned
 from .._units import QUANTITIES, practical
 from ..errors import InvalidArgumentError, MDRError
 from .contradictions import contradictions
@@ -217,10 +218,9 @@ class FitResult:
         for name in self.names:
             ends = self.interval_as_text(name, level)
             rows.append([f"{words_of(name)} ({name})", self.as_text(name), ends, "; ".join(self.doubts(name))])
-        widths = [max(len(row[i]) for row in rows) for i in range(len(rows[0]))]
         lines = [f"Fit of {len(self.data)} points: " + ("converged" if self.converged else "NOT CONVERGED, best point found")]
         lines[0] += f" after {self.iterations} iterations"
-        lines += ["  ".join(cell.ljust(w) for cell, w in zip(row, widths, strict=True)).rstrip() for row in rows]
+        lines.append(aligned(rows))
         if len(self.data) > 2:
             lines.append(f"the model {self.misfit_words()}")
         dof = self.degrees_of_freedom

@@ -1,0 +1,17 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Tables for the screen."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+
+def aligned(rows: Sequence[Sequence[str]], left: int | None = None) -> str:
+    """Rows of words as a table; the first `left` columns begin flush left, the others end flush right; None: all left."""
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    begin = len(widths) if left is None else left
+    lines = []
+    for row in rows:
+        cells = [cell.ljust(w) if i < begin else cell.rjust(w) for i, (cell, w) in enumerate(zip(row, widths, strict=True))]
+        lines.append("  ".join(cells).rstrip())
+    return "\n".join(lines)
