@@ -156,10 +156,8 @@ def _body(body: Any) -> LayeredConductor:
         return LayeredConductor((), body)
     if hasattr(body, "material"):
         return LayeredConductor((), _conductor(body.material))
-    if hasattr(body, "coating"):
-        return LayeredConductor(((_conductor(body.coating), body.thickness),), _conductor(body.substrate))
-    if hasattr(body, "layers"):
-        return LayeredConductor(tuple((_conductor(m), h) for m, h in body.layers), _conductor(body.substrate))
+    if hasattr(body, "substrate"):
+        return LayeredConductor(tuple((_conductor(m), h) for m, h in body._stack()), _conductor(body.substrate))
     raise ArgumentTypeError(f"{body!r} is not allowed: it must be a Conductor, a LayeredConductor or an elastic body of materials "
                             "with conductors")  # fmt: skip
 

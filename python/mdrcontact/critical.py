@@ -73,12 +73,8 @@ def layers_of(medium: Any, body: str = "lower") -> tuple[list[float], bool]:
     """Thicknesses from the surface down [length], and whether the base is rigid."""
     if isinstance(medium, Pair):
         return layers_of(medium.upper if body == "upper" else medium.lower)
-    if isinstance(medium, Homogeneous):
-        return [], False
-    if isinstance(medium, Coated):
-        return [medium.thickness], medium.substrate in (RIGID, SMOOTH)
-    if isinstance(medium, Layered):
-        return [thickness for _, thickness in medium.layers], medium.substrate in (RIGID, SMOOTH)
+    if isinstance(medium, (Homogeneous, Coated, Layered)):
+        return [thickness for _, thickness in medium._stack()], getattr(medium, "substrate", None) in (RIGID, SMOOTH)
     if medium is RIGID:
         raise InvalidArgumentError(f"body = {body!r} is not allowed: it is rigid")
     raise InvalidArgumentError(f"a {type(medium).__name__} has no layers to look into: use interior(...) for its stresses")

@@ -171,7 +171,9 @@ def _radius(contact: Any, given: dict[str, ArrayLike]) -> Any:
 def _at_rest(medium: Any, needs_modulus: bool) -> Any:
     """The relaxed body. A power law relaxes without end: under a force there is none; at a depth the radius follows from the
     ratios of the moduli, in which what relaxes less is rigid at last."""
-    exponent = max((m.exponent for m in _materials(medium) if isinstance(m, PowerLawRheology)), default=0.0)
+    below = getattr(medium, "material", getattr(medium, "substrate", None))
+    materials = [*(material for material, _ in medium._stack()), below]
+    exponent = max((m.exponent for m in materials if isinstance(m, PowerLawRheology)), default=0.0)
 
     def relaxed(material: Any) -> Any:
         if needs_modulus or exponent == 0.0:
@@ -196,12 +198,3 @@ def _at_rest(medium: Any, needs_modulus: bool) -> Any:
     if isinstance(medium, Layered):
         return medium.replace(layers=[(layer(m), h) for m, h in medium.layers], substrate=relaxed(medium.substrate))
     return medium
-
-
-def _materials(medium: Any) -> list[Any]:
-    """Of every layer and the substrate."""
-    if isinstance(medium, Homogeneous):
-        return [medium.material]
-    if isinstance(medium, Coated):
-        return [medium.coating, medium.substrate]
-    return [*(m for m, _ in medium.layers), medium.substrate] if isinstance(medium, Layered) else []

@@ -88,11 +88,7 @@ def _surface_layer(medium: Any) -> Layer | None:
     model = getattr(medium, "model", "exact")
     if model != "exact":
         raise InvalidArgumentError(f"model = {model!r} is not allowed: derivatives are known of the model 'exact'")
-    layers: list[Any] = []
-    if isinstance(medium, Coated):
-        layers = [(medium.coating, medium.thickness)]
-    elif isinstance(medium, Layered):
-        layers = list(medium.layers)
+    layers = medium._stack()
     below = medium.material if isinstance(medium, Homogeneous) else medium.substrate
     bodies = [material for material, _ in layers] + ([] if below in (RIGID, SMOOTH) else [below])
     if not all(isinstance(material, (Elastic, TransverselyIsotropic)) for material in bodies):

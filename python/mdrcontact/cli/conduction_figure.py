@@ -37,7 +37,7 @@ def _section(figure: Any, axis: Any, problem: Problem, conduction: Conduction, s
     """What the lower body has at the last state."""
     last = states[-1]
     a = float(last.radius)
-    thicknesses = _thicknesses(problem.medium)
+    thicknesses = [thickness for _, thickness in problem.medium._stack()]
     deep = float(np.clip(_LAYERS * sum(thicknesses) or np.inf, _SHALLOWEST * a, _DEEPEST * a))
     x, z = np.linspace(-_WIDE, _WIDE, 2 * _POINTS - 1) * a, np.linspace(0.0, deep, _POINTS)
     half = np.abs(x[_POINTS - 1 :])
@@ -61,11 +61,3 @@ def _section(figure: Any, axis: Any, problem: Problem, conduction: Conduction, s
     axis.set(xlabel=f"x [{length.symbol}]", ylabel=f"depth z [{length.symbol}]", title=title)
     axis.set_ylim(float(length.of(deep)), 0.0)
     figure.colorbar(drawn, ax=axis, shrink=0.85)
-
-
-def _thicknesses(medium: Any) -> list[float]:
-    """Of the layers of the lower body."""
-    body = getattr(medium, "lower", medium)
-    if hasattr(body, "layers"):
-        return [float(thickness) for _, thickness in body.layers]
-    return [float(body.thickness)] if hasattr(body, "thickness") else []

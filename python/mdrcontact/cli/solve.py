@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from .. import _progress
 from .._units import MODULUS, RATIO
 from ..contact import Contact
-from ..medium import Coated, Layered, Medium, Pair
+from ..medium import Medium
 from ..problem.compute import Control
 from .table import Column, column, columns_of
 
@@ -64,13 +64,7 @@ def solve(contact: Contact, control: Control, bar: Any) -> Curve:
 
 def thickness(medium: Medium) -> float | None:
     """Thickness h of the coating or of all layers together; None for a medium without layers."""
-    if isinstance(medium, Pair):
-        return thickness(medium.lower) if isinstance(medium.lower, Medium) else None
-    if isinstance(medium, Coated):
-        return medium.thickness
-    if isinstance(medium, Layered):
-        return math.fsum(h for _, h in medium.layers)
-    return None
+    return math.fsum(h for _, h in medium._stack()) or None
 
 
 def columns(curve: Curve, medium: Medium) -> list[Column]:

@@ -155,7 +155,7 @@ def _ratio_range(result: FitResult, radius: np.ndarray) -> tuple[float, float] |
     medium = result.medium
     if not len(radius) or not isinstance(medium, media.Coated | media.Layered):
         return None
-    h = medium.thickness if isinstance(medium, media.Coated) else next(h for _, h in medium.layers)
+    _, h = medium._stack()[0]
     return float(radius.min() / h), float(radius.max() / h)
 
 

@@ -16,13 +16,11 @@ _SOFTER = 1.5
 def contradictions(result: Any) -> list[str]:
     """Free film moduli that began above the modulus below them and ended below it."""
     medium, problem = result.medium, result.problem
-    if isinstance(medium, media.Coated):
-        stack = [("coating.E", medium.coating), ("", medium.substrate)]
-    elif isinstance(medium, media.Layered):
-        stack = [(f"layers[{i}].E", material) for i, (material, _) in enumerate(medium.layers)] + [("", medium.substrate)]
-    else:
+    if not isinstance(medium, (media.Coated, media.Layered)):
         return []
-    names = []
+    coated = isinstance(medium, media.Coated)
+    films = [("coating.E" if coated else f"layers[{i}].E", material) for i, (material, _) in enumerate(medium._stack())]
+    stack, names = [*films, ("", medium.substrate)], []
     for (name, material), (_, below) in pairwise(stack):
         if name not in result.names or problem.free[name].prior is not None:
             continue

@@ -46,6 +46,10 @@ class Medium(WithParameters):
         """Without a surface that adds nothing."""
         return {name: value for name, value in super()._given().items() if name != "surface" or value is not None}
 
+    def _stack(self) -> tuple[tuple[Any, float], ...]:
+        """Material and thickness of each layer from the surface down; of a pair those of the lower body."""
+        return ()
+
     def _tolerance(self) -> float:
         """The tolerance that was given for its solution, 0 where none was."""
         return 0.0

@@ -85,6 +85,9 @@ class Coated(UnderModel):
         body = stack([Layer(film, thickness)], below, surface)
         self._own_with(body, chosen, coating=film, thickness=thickness, substrate=substrate, model=model, surface=surface)
 
+    def _stack(self) -> tuple[tuple[Any, float], ...]:
+        return ((self.coating, self.thickness),)
+
     @staticmethod
     def models() -> tuple[str, ...]:
         """The names of all models."""

@@ -63,23 +63,8 @@ class Wrinkling(NamedTuple):
     """of the wrinkles [length]"""
 
 
-def is_plain(layers: Sequence[Layer], substrate: Any) -> bool:
-    """Whether all of a body is isotropic, bonded and free of stress."""
-    materials = [layer.material for layer in layers] + [substrate]
-    return (
-        substrate is not SMOOTH
-        and all(layer._is_plain() for layer in layers)
-        and not any(isinstance(m, TransverselyIsotropic) for m in materials)
-    )
-
-
-def is_bonded(medium: Any) -> bool:
-    """Whether no layer of a medium has a prestress or an interface that gives, as far as it has layers of that kind."""
-    return all(layer._is_plain() for layer in getattr(medium, "layers", ()) if isinstance(layer, Layer))
-
-
-def stack(layers: Sequence[Layer], substrate: Any, surface: Surface | None = None) -> Handle:
-    """The library's body of layers of any kind from the surface down."""
+def stack(layers: Sequence[Layer], substrate: Any, native: tuple[int, int] = (_layout.MODEL_EXACT, 0)) -> tuple[int, int]:
+    """What the library's constructor returns for layers of any kind from the surface down."""
     rows, base = _structures(layers, substrate)
     return Handle(_native.body_layered(len(layers), address(rows), address(base), address(structure_of(surface))))
 

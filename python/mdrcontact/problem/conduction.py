@@ -44,9 +44,7 @@ class Conducting(NamedTuple):
     def _with_interfaces(self, body: Any) -> Any:
         if not any(self.interfaces):
             return body
-        layers = (
-            list(body.layers) if hasattr(body, "layers") else [(body.coating, body.thickness)] if hasattr(body, "coating") else []
-        )
+        layers = body._stack()
         if len(self.interfaces) > len(layers):
             raise ProblemError(f"[conduction]: interfaces has {len(self.interfaces)} entries, and the medium {len(layers)} layers")
         stack: list[Any] = []
