@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tables for the screen."""
+"""Lists and tables for the screen."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 
 
 def aligned(rows: Sequence[Sequence[str]], left: int | None = None) -> str:
@@ -15,3 +15,8 @@ def aligned(rows: Sequence[Sequence[str]], left: int | None = None) -> str:
         cells = [cell.ljust(w) if i < begin else cell.rjust(w) for i, (cell, w) in enumerate(zip(row, widths, strict=True))]
         lines.append("  ".join(cells).rstrip())
     return "\n".join(lines)
+
+
+def listed(title: object, lines: Iterable[str]) -> str:
+    """Lines below their title."""
+    return "\n".join([str(title), *(f"  {line}" for line in lines)])

@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from .._text import listed
 from ..fitting import FitResult, StiffnessDepth, fit
 from ..fitting.calibration import as_prior, together, words_of_tests
 from ..fitting.quantities import dimension_of
@@ -133,11 +134,11 @@ def run(arguments: argparse.Namespace) -> None:
             data, notes = curve.read()
             if not isinstance(data, StiffnessDepth):
                 raise ProblemError('[data]: kind must be "unloading" or "stiffness-depth": a calibration needs contact stiffnesses')
-            print("\n".join([curve.name, *(f"  {note}" for note in notes)]))
+            print(listed(curve.name, notes))
             curves.append(data)
             names.append(curve.name)
     data = together(curves)
-    result = fit(data, problem.indenter, problem.medium, problem.free, instrument=problem.instrument, **problem.options)
+    result = fit(data, **problem.arguments)
     print("\n".join(["", result.summary(), *(f"warning: {words}" for words in words_of_tests(result))]))
     table = with_calibration(parse_file(arguments.problem), arguments.problem.parent)["indenter"]
     notes = [f"curves {', '.join(names)}, problem file {arguments.problem}"]

@@ -42,6 +42,15 @@ def add_problem(parser: argparse.ArgumentParser, results: str, has: str = "") ->
     add_options(parser, results)
 
 
+def add_fit(parser: argparse.ArgumentParser, results: str, data: str, says: str) -> None:
+    """What fits of one measurement take. data : what is measured; says : what the problem file says"""
+    parser.add_argument("data", type=Path, metavar="DATA", help=data)
+    parser.add_argument("--problem", type=Path, required=True, metavar="PROBLEM.toml", help=says)
+    add_options(parser, results)
+    parser.add_argument("--json", type=Path, metavar="FILE.json", help="write everything about the result as JSON")
+    parser.add_argument("--report", type=Path, metavar="FILE.html", help="write all of it, picture included, as one HTML file")
+
+
 def add_options(parser: argparse.ArgumentParser, what: str) -> None:
     """The options that every command with results has."""
     parser.add_argument("--csv", type=Path, metavar="FILE.csv", help=f"write {what} to a CSV file, units in its header")

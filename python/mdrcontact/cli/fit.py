@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from .. import _progress
-from .._text import aligned
+from .._text import aligned, listed
 from .._units import AREA, FORCE, LENGTH, MODULUS, QUANTITIES, RATIO, STIFFNESS, practical
 from ..fitting import (
     FitResult,
@@ -77,11 +77,8 @@ _ANALYSIS = "Oliver and Pharr on the fitted body, standard errors of the stiffne
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """What the command takes."""
-    parser.add_argument("data", type=Path, metavar="DATA", help="a table, an AFM file, or a folder of them")
-    parser.add_argument("--problem", type=Path, required=True, metavar="PROBLEM.toml", help="indenter, medium, data and fit")
-    files.add_options(parser, "points and residuals, or for a folder the estimates")
-    parser.add_argument("--json", type=Path, metavar="FILE.json", help="write everything about the result as JSON")
-    parser.add_argument("--report", type=Path, metavar="FILE.html", help="write all of it, picture included, as one HTML file")
+    data, says = "a table, an AFM file, or a folder of them", "indenter, medium, data and fit"
+    files.add_fit(parser, "points and residuals, or for a folder the estimates", data, says)
     words = "draw how far the modulus moves with range, branch and contact point, of one curve"
     parser.add_argument("--ranges", type=Path, metavar="FILE.png", help=words)
     parser.add_argument("--keep-all", action="store_true", help="of a folder or map: let doubtful curves into the mean, too")
@@ -111,13 +108,13 @@ def run(arguments: argparse.Namespace) -> None:
 
 def _run_one(arguments: argparse.Namespace, problem: FitFile, curve: Curve) -> None:
     data, notes = curve.read()
-    print("\n".join([str(arguments.data), *(f"  {note}" for note in notes)]))
+    print(listed(arguments.data, notes))
     print(f"  indenter: {problem.indenter!r}\n  medium: {problem.medium!r}\n")
     if problem.drainage is not None:
         _run_gel(arguments, problem, data)
         return
     with _progress.waiting("fit"):
-        result = fit(data, problem.indenter, problem.medium, problem.free, instrument=problem.instrument, **problem.options)
+        result = fit(data, **problem.arguments)
     analysis: list[list[str]] = []
     if isinstance(data, StiffnessDepth) and data.unloadings:
         analysis = oliver_pharr_rows(_analysis(result))
@@ -137,9 +134,7 @@ def _run_one(arguments: argparse.Namespace, problem: FitFile, curve: Curve) -> N
             print(f"{arguments.interval} 95 % interval of {name}: {number(lower)} to {number(upper)}")
     ranking = None
     if arguments.compare:
-        ranking = compare_models(
-            data, problem.indenter, problem.medium, problem.free, instrument=problem.instrument, **problem.options
-        )
+        ranking = compare_models(data, **problem.arguments)
         print(f"\n{ranking.summary()}")
 
     def numbers() -> dict[str, Any]:

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from .. import _progress
-from .._text import aligned
+from .._text import aligned, listed
 from .._units import ENERGY, FORCE, LENGTH, practical
 from ..errors import MDRError
 from ..fitting import FailedFit, FitResult, Rating, fit_many, mean_of_tests, rate, report
@@ -53,18 +53,10 @@ def _refuse(refusal: MDRError) -> Any:
 
 def run_curves(arguments: argparse.Namespace, problem: FitFile, curves: list[Curve]) -> None:
     """Fits each curve and reports all of them."""
-    print("\n".join([f"{len(curves)} curves in {arguments.data}; as in", *(f"  {note}" for note in _first_notes(curves))]))
+    print(listed(f"{len(curves)} curves in {arguments.data}; as in", _first_notes(curves)))
     tasks = [functools.partial(_only_data, curve) for curve in curves]
     with _progress.bar(len(curves), "curves") as bar:
-        results = fit_many(
-            tasks,
-            problem.indenter,
-            problem.medium,
-            problem.free,
-            instrument=problem.instrument,
-            progress=lambda done: bar.update(),
-            **problem.options,
-        )
+        results = fit_many(tasks, progress=lambda done: bar.update(), **problem.arguments)
     fitted = [(curve, r) for curve, r in zip(curves, results, strict=True) if isinstance(r, FitResult)]
     failed = [(c.name, f"not fitted: {r.error}") for c, r in zip(curves, results, strict=True) if isinstance(r, FailedFit)]
     if not fitted:

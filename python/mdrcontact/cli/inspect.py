@@ -8,7 +8,7 @@ import tempfile
 from collections import Counter
 from pathlib import Path
 
-from .._text import aligned
+from .._text import aligned, listed
 from .._units import FORCE, LENGTH, Dimension, shown
 from ..errors import MDRError
 from ..fitting.causes import by_cause
@@ -45,7 +45,7 @@ def run(arguments: argparse.Namespace) -> None:
     pictures = [arguments.plot] if arguments.plot else []
     files.check_results([*pictures, *([arguments.problem] if arguments.problem else [])], pictures, arguments.overwrite)
     found = inspect_file(arguments.data)
-    print("\n".join([str(arguments.data), *(f"  {note}" for note in found.notes), ""]))
+    print(listed(arguments.data, found.notes) + "\n")
     if found.tests:
         print(_table(found.tests) + "\n")
     for fact in found.tests[0].facts if found.tests else ():

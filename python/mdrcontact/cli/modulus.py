@@ -5,12 +5,12 @@ from __future__ import annotations
 
 import argparse
 import math
-from pathlib import Path
 from typing import Any
 
 import numpy as np
 
 from .. import _progress
+from .._text import listed
 from .._units import LENGTH, MODULUS, RATIO, practical
 from ..fitting import DepthProfile, StiffnessDepth, modulus_at_depths, report
 from ..fitting.quantities import dimension_of, measured, words_of
@@ -34,11 +34,7 @@ prior and is found at each point; the others have priors, and what moving each b
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """What the command takes."""
-    parser.add_argument("data", type=Path, metavar="DATA", help="a table of depth, force and stiffness")
-    parser.add_argument("--problem", type=Path, required=True, metavar="PROBLEM.toml", help="tip, medium, data and fit")
-    files.add_options(parser, "the modulus at each depth")
-    parser.add_argument("--json", type=Path, metavar="FILE.json", help="write the result as JSON")
-    parser.add_argument("--report", type=Path, metavar="FILE.html", help="write all of it, picture included, as one HTML file")
+    files.add_fit(parser, "the modulus at each depth", "a table of depth, force and stiffness", "tip, medium, data and fit")
 
 
 def run(arguments: argparse.Namespace) -> None:
@@ -47,7 +43,7 @@ def run(arguments: argparse.Namespace) -> None:
     problem = load_fit_file(arguments.problem)
     print(f"{problem.title}\n")
     data, notes = problem.read_data(arguments.data)
-    print("\n".join([str(arguments.data), *(f"  {note}" for note in notes)]))
+    print(listed(arguments.data, notes))
     if not isinstance(data, StiffnessDepth):
         raise ProblemError('[data]: kind must be "stiffness-depth"')
     with _progress.bar(len(data), "points") as bar:

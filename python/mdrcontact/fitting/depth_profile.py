@@ -166,7 +166,7 @@ def modulus_at_depths(
         return fit_many(points, tip, body, {name: problem.free[name]}, instrument=tool, check_units=False, progress=report)
 
     found = moduli(values, progress)
-    modulus = np.array([r.estimates[name] if isinstance(r, FitResult) else math.nan for r in found])
+    modulus = _modulus(found, name)
     error = np.array([r.standard_errors[name] if isinstance(r, FitResult) else math.nan for r in found])
     failures = {i: str(r.error) for i, r in enumerate(found) if not isinstance(r, FitResult)}
     shifts = [_modulus(moduli(values + step), name) - modulus for step in _steps(problem, place)]

@@ -75,6 +75,12 @@ class FitFile(NamedTuple):
     drainage: str | None = None
     """of a gel"""
 
+    @property
+    def arguments(self) -> dict[str, Any]:
+        """What `fit` takes besides the data."""
+        known = {"indenter": self.indenter, "medium": self.medium, "free": self.free, "instrument": self.instrument}
+        return {**known, **self.options}
+
     def curves(self, path: Path) -> list[files.Curve]:
         """The curves of one file, with a warning where it says another instrument than the problem."""
         found = files.curves(self.data, self.cantilever, path)

@@ -116,11 +116,6 @@ _FOREIGN = (
 )
 
 
-def foreign_suffix(path: Path) -> bool:
-    """Whether the ending of a file is that of a format that is refused by name."""
-    return any(re.fullmatch(one.suffixes, path.suffix.lower()) for one in _FOREIGN)
-
-
 def refuse_foreign(path: Path, content: bytes) -> None:
     """Raises for a file of a format that is not read, and says how to export it."""
     for one in _FOREIGN:
