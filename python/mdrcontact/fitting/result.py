@@ -36,6 +36,11 @@ UNLIKELY = 1e-3
 """Random residuals with a smaller probability of their pattern are not believed to be random."""
 
 
+_NUMBERS = (
+    *("chi_square", "prior_chi_square", "degrees_of_freedom", "noise", "noise_is_known", "log_likelihood", "aic", "bic"),
+    *("pattern_probability", "lag_correlation", "converged", "iterations", "evaluations", "warnings"),
+)
+"""What a dictionary of a result holds by the names of its attributes."""
 _ROUNDING = 1e-8
 """Of the largest reading: the model itself is no more accurate."""
 
@@ -433,20 +438,7 @@ class FitResult:
             "describes_data": self.describes_data,
             "verdict": self.verdict,
             "misfit": self.misfit._asdict(),
-            "chi_square": self.chi_square,
-            "prior_chi_square": self.prior_chi_square,
-            "degrees_of_freedom": self.degrees_of_freedom,
-            "noise": self.noise,
-            "noise_is_known": self.noise_is_known,
-            "log_likelihood": self.log_likelihood,
-            "aic": self.aic,
-            "bic": self.bic,
-            "pattern_probability": self.pattern_probability,
-            "lag_correlation": self.lag_correlation,
-            "converged": self.converged,
-            "iterations": self.iterations,
-            "evaluations": self.evaluations,
-            "warnings": self.warnings,
+            **{name: getattr(self, name) for name in _NUMBERS},
             "indenter": repr(self.indenter),
             "medium": repr(self.medium),
             "instrument": repr(self.instrument),

@@ -83,7 +83,7 @@ def _tests(section: Section, tables: list[MeasuredTable], kind: str) -> list[Mea
 
 def _without(section: Section, path: Path, tables: list[MeasuredTable]) -> list[MeasuredTable]:
     """The tests that [data] does not leave out."""
-    names = section.plain("leave_out") if "leave_out" in section else []
+    names = section.plain("leave_out", [])
     if not isinstance(names, list) or not all(isinstance(name, str) for name in names):
         raise ProblemError('[data]: leave_out must be a list of tests, as in leave_out = ["Test 3"]')
     known = [table.name for table in tables]

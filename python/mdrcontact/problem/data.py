@@ -128,16 +128,16 @@ def read_data(section: Section, cantilever: Cantilever, table: MeasuredTable, ki
 
 def table_options(section: Section) -> TableOptions:
     """What [data] says of a table that does not say it itself."""
-    columns = section.plain("columns") if "columns" in section else []
+    columns = section.plain("columns", [])
     if not isinstance(columns, list) or not all(isinstance(title, str) and title for title in columns):
         raise ProblemError('[data]: columns must be a list of titles, as in columns = ["depth [nm]", "load [mN]"]')
-    units = section.plain("units") if "units" in section else {}
+    units = section.plain("units", {})
     if not isinstance(units, dict) or not all(isinstance(unit, str) for unit in units.values()):
         raise ProblemError('[data]: units must be a table of units by title, as in units = { Depth = "nm" }')
-    skip = section.plain("skip") if "skip" in section else 0
+    skip = section.plain("skip", 0)
     if isinstance(skip, bool) or not isinstance(skip, int) or skip < 0:
         raise ProblemError(f"[data]: skip = {skip!r} is not allowed: it must be a number of lines, at least 0")
-    sheet = str(section.plain("sheet")) if "sheet" in section else ""
+    sheet = str(section.plain("sheet", ""))
     decimal = section.choice("decimal", MARKS) if "decimal" in section else ""
     return TableOptions(tuple(columns), units, skip, sheet, decimal)
 
@@ -174,8 +174,8 @@ def _between(section: Section, values: Mapping[str, Array]) -> NDArray[np.bool_]
     keep = np.ones(len(next(iter(values.values()))), dtype=bool)
     for role in ("depth", "radius"):
         if role in values:
-            low = section.quantity(f"min_{role}") if f"min_{role}" in section else -math.inf
-            high = section.quantity(f"max_{role}") if f"max_{role}" in section else math.inf
+            low = section.quantity(f"min_{role}", -math.inf)
+            high = section.quantity(f"max_{role}", math.inf)
             keep &= ~((values[role] < low) | (values[role] > high))
             if not keep.any():
                 ends = " to ".join(shown(float(v), LENGTH) for v in (np.nanmin(values[role]), np.nanmax(values[role])))
@@ -214,8 +214,7 @@ def _read_columns(section: Section, table: MeasuredTable, kind: str) -> tuple[Da
         keep &= _loading(section, table, found["depth"].values, found["force"].values, found["stiffness"].values, notes)
     if sd is not None:
         options["sd"] = sd[keep] * factor
-    if "relative_sd" in section:
-        options["relative_sd"] = section.number("relative_sd")
+    options |= section.given(("relative_sd",))
     if "elastic" in section:
         options["elastic"] = section.truth("elastic")
     if not keep.all():
@@ -344,7 +343,7 @@ def _record_data(section: Section, record: Record, kind: str) -> Data:
             if kind == "force-time":
                 return ForceTime(record.time, record.depth, record.force, sd=record.sd, relative_sd=relative)
             return DepthTime(record.time, record.force, record.depth, sd=record.sd, relative_sd=relative)
-    branch = section.plain("branch") if "branch" in section else "both"
+    branch = section.plain("branch", "both")
     return ForceDepth(record.depth, record.force, sd=record.sd, relative_sd=relative, branch=None if branch == "both" else branch)
 
 
