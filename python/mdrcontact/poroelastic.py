@@ -15,6 +15,7 @@ from . import _layout, _native
 from ._boundary import ComplexOrArray, FloatOrArray, Handle, check, complex_values, evaluate, number, one_path, words_of
 from ._parameters import WithParameters
 from ._units import DIFFUSIVITY, MODULUS, RATIO
+from .adhesion import code
 from .errors import ArgumentTypeError, InvalidArgumentError
 from .profile import FlatPunch, Paraboloid, Profile
 

@@ -20,7 +20,7 @@ from .parameters import Free, Instrument, JointPrior, Pattern, handles_of, patte
 from .time_data import DepthTime, DynamicStiffness, ForceTime
 
 _OF_CONTACT_DEPTH = ("contact_depth_factor", "contact_depth_scale")
-LOSSES = {"linear": _layout.FIT_LINEAR, "huber": _layout.FIT_HUBER, "cauchy": _layout.FIT_CAUCHY}
+LOSSES = words_of(_layout.FIT_LINEAR, _layout.FIT_HUBER, _layout.FIT_CAUCHY)
 
 
 class Problem(NamedTuple):

@@ -40,4 +40,5 @@ class Homogeneous(Medium):
             return
         body = material("material", self.material)
         surface = given_surface(self.surface, elastic=is_elastic(body))
-        self._own(stack([], body, settings("exact", {}, surface=surface).native), surface=surface)
+        half_space = stack([], body, surface)
+        self._own(settings("exact", {}).medium_of(half_space), half_space, surface=surface)

@@ -63,8 +63,8 @@ class Wrinkling(NamedTuple):
     """of the wrinkles [length]"""
 
 
-def stack(layers: Sequence[Layer], substrate: Any, native: tuple[int, int] = (_layout.MODEL_EXACT, 0)) -> tuple[int, int]:
-    """What the library's constructor returns for layers of any kind from the surface down."""
+def stack(layers: Sequence[Layer], substrate: Any, surface: Surface | None = None) -> Handle:
+    """The library's body of layers of any kind from the surface down."""
     rows, base = _structures(layers, substrate)
     return Handle(_native.body_layered(len(layers), address(rows), address(base), address(structure_of(surface))))
 

@@ -36,6 +36,9 @@ class Pair(Medium):
         created = _native.medium_pair(handles[0].address, handles[1].address)
         self._own(created, lower=bodies[0], upper=bodies[1])
 
+    def _bodies(self) -> list[Handle]:
+        return [handle for body in (self.lower, self.upper) if isinstance(body, Medium) for handle in body._bodies()]
+
     def _stack(self) -> tuple[tuple[Any, float], ...]:
         return self.lower._stack() if isinstance(self.lower, Medium) else ()
 

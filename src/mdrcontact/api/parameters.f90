@@ -11,7 +11,7 @@ module mdrcontact_api_parameters
     use mdrcontact_error, only: error_t
     use mdrcontact_material_rheology, only: rheology_t
     use mdrcontact_medium, only: medium_t
-    use mdrcontact_medium_power_graded, only: power_graded_t
+    use mdrcontact_medium_power_graded, only: power_law_parameters
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
     private
@@ -60,10 +60,9 @@ contains
         type is (any_body_t)
             if (allocated(object%elastic)) call object%elastic%parameters(list)
             if (allocated(object%relaxing)) call object%relaxing%parameters(list)
-            select type (solved => object%solved)
-            type is (power_graded_t)
-                list = solved%parameters()
-            end select
+            if (allocated(object%solved)) then
+                if (allocated(object%solved%power_law)) list = power_law_parameters(object%solved%power_law)
+            end if
         class default
             call refuse_kind("object", kinds, error)
         end select

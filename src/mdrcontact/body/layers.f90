@@ -2,7 +2,6 @@
 !> Homogeneous layers with their elastic constants: a body as the stresses inside it need it.
 module mdrcontact_body_layers
     use mdrcontact_body_elements_interface, only: bond_t
-    use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t
     use mdrcontact_material_transverse, only: of_isotropic, transverse_t
@@ -34,25 +33,6 @@ module mdrcontact_body_layers
     end type layers_t
 
 contains
-
-    !> The same with lengths in units of another one, without materials and interfaces.
-    pure subroutine in_units_of(self, length, scaled, error)
-        class(layers_t), intent(in) :: self
-        !> > 0
-        real(wp), intent(in) :: length
-        type(layers_t), intent(out) :: scaled
-        type(error_t), allocatable, intent(inout) :: error
-        integer :: n, stat
-
-        scaled%rigid_base = self%rigid_base
-        n = size(self%thickness)
-        allocate (scaled%thickness(n), scaled%shear(n + 1), scaled%poisson(n + 1), stat=stat)
-        call check_memory(error, stat)
-        if (stat /= 0) return
-        scaled%thickness(:) = self%thickness/length
-        scaled%shear(:) = self%shear
-        scaled%poisson(:) = self%poisson
-    end subroutine in_units_of
 
     !> Depth of a layer's upper face [length]; layer n + 1 is the half-space.
     pure function top(self, layer) result(z)

@@ -6,7 +6,7 @@ module mdrcontact_field_largest
     use mdrcontact_base_nonfinite, only: infinity, is_finite
     use mdrcontact_body_layers, only: layers_t
     use mdrcontact_cancel, only: check_cancelled
-    use mdrcontact_codes, only: free_surface_tension, interface_shear, interface_tension, largest_shear, largest_tension, von_mises
+    use mdrcontact_codes, only: free_surface_tension, interface_shear, interface_tension, tension, tresca, von_mises
     use mdrcontact_error, only: error_t
     use mdrcontact_field_interior, only: components, infinite_pressure, interior_field, s_rr, s_rz, s_tt, s_zz
     use mdrcontact_gsl, only: gsl_sort
