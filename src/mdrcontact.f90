@@ -29,10 +29,10 @@ module mdrcontact
     use mdrcontact_error, only: error_callback, error_cancelled, error_domain, error_file, error_invalid, error_memory, &
                                 error_no_convergence, error_t, error_unreachable
     use mdrcontact_codes, only: free_surface_tension, interface_shear, interface_tension, tension, tresca, von_mises, word_of
-    use mdrcontact_field, only: interior, interior_error, layer_energy
-    use mdrcontact_field_critical, only: critical
-    use mdrcontact_field_failure, only: failure_load_t, first_failure, strength_t
-    use mdrcontact_field_largest, only: maximum_t
+    use mdrcontact_inside, only: interior, interior_error, layer_energy
+    use mdrcontact_inside_critical, only: critical
+    use mdrcontact_inside_failure, only: failure_load_t, first_failure, strength_t
+    use mdrcontact_inside_largest, only: maximum_t
     use mdrcontact_fit, only: fit_result_t, solve_fit
     use mdrcontact_fit_body, only: fit_body_t, new_fit_body
     use mdrcontact_fit_interval, only: profile_interval
@@ -43,17 +43,17 @@ module mdrcontact
                                       data_stiffness_depth, data_stiffness_radius, fit_data_t, fit_parameter_t, fit_problem_t, &
                                       instrument_numbers, loss_cauchy, loss_huber, loss_linear, part_loss, part_storage, &
                                       problem_parameters, start_parameters
-    use mdrcontact_history_friction, only: first_shear_t, friction_t, new_friction, tangential_state_t
-    use mdrcontact_history_friction_history, only: friction_history_t, given_shift, given_tangential_force, new_friction_history
-    use mdrcontact_history_friction_law, only: new_contact_law
-    use mdrcontact_history_rate_contact, only: new_rate_contact, rate_contact_t
-    use mdrcontact_history_cohesive_history, only: cohesive_columns, cohesive_history
-    use mdrcontact_history_rate_history, only: rate_history
-    use mdrcontact_history_rate_law, only: new_rate_law, new_surface_law, rate_law_t
-    use mdrcontact_history_rate_state, only: rate_state_t
-    use mdrcontact_history_relaxation, only: contact_history
-    use mdrcontact_history_relaxing_contact, only: new_relaxing_contact, relaxing_contact_t
-    use mdrcontact_history_relaxation_stiffness, only: dynamic_stiffness, step_creep, step_relaxation, step_response
+    use mdrcontact_friction_partial_slip, only: first_shear_t, friction_t, new_friction, tangential_state_t
+    use mdrcontact_friction_history, only: friction_history_t, given_shift, given_tangential_force, new_friction_history
+    use mdrcontact_friction_law, only: new_contact_law
+    use mdrcontact_adhesion_rate_contact, only: new_rate_contact, rate_contact_t
+    use mdrcontact_adhesion_cohesive_history, only: cohesive_columns, cohesive_history
+    use mdrcontact_adhesion_rate_history, only: rate_history
+    use mdrcontact_adhesion_rate_law, only: new_rate_law, new_surface_law, rate_law_t
+    use mdrcontact_adhesion_rate_state, only: rate_state_t
+    use mdrcontact_time_history, only: contact_history
+    use mdrcontact_time_relaxing_contact, only: new_relaxing_contact, relaxing_contact_t
+    use mdrcontact_time_stiffness, only: dynamic_stiffness, step_creep, step_relaxation, step_response
     use mdrcontact_kinds, only: wp
     use mdrcontact_lateral_density, only: deviatoric_weight, lateral_density, volumetric_weight
     use mdrcontact_lateral_field, only: field_structure_t, field_t, new_field_structure
@@ -69,7 +69,7 @@ module mdrcontact
     use mdrcontact_law_friction, only: contact_steps_t, friction_law_t
     use mdrcontact_law_file, only: load_law, save_law
     use mdrcontact_medium_exact, only: layered_exact_t, new_layered_exact
-    use mdrcontact_layered_shared, only: layered_shared_t
+    use mdrcontact_line_shared, only: layered_shared_t
     use mdrcontact_contact_loop, only: loop_t, new_loop, spring_control
     use mdrcontact_material, only: material_t, new_material, new_transverse
     use mdrcontact_material_transverse, only: from_engineering, from_stiffness, transverse_t

@@ -7,7 +7,7 @@ module mdrcontact_medium
     use mdrcontact_body, only: body_t
     use mdrcontact_error, only: error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
-    use mdrcontact_layered_shared, only: layered_shared_t
+    use mdrcontact_line_shared, only: layered_shared_t
     use mdrcontact_medium_pair, only: new_pair
     use mdrcontact_medium_power_graded, only: new_power_graded, power_graded_t, power_law_parameters
     use mdrcontact_medium_solver, only: solver_t

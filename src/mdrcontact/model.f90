@@ -15,7 +15,7 @@ module mdrcontact_model
     use mdrcontact_error, only: code_text, count_text, error_invalid, error_t, raise, to_text
     use mdrcontact_kinds, only: half_pi, wp
     use mdrcontact_medium_exact, only: layered_exact_t, new_layered_exact
-    use mdrcontact_layered_shared, only: layered_shared_t
+    use mdrcontact_line_shared, only: layered_shared_t
     use mdrcontact_material, only: material_t
     use mdrcontact_medium_solver, only: solver_t
     use mdrcontact_medium_bec, only: bec_t, new_bec

@@ -10,9 +10,9 @@ module mdrcontact_api_critical
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: check_code, check_memory, error_t
-    use mdrcontact_field_critical, only: critical
-    use mdrcontact_field_failure, only: failure_load_t, first_failure, strength_t
-    use mdrcontact_field_largest, only: maximum_t
+    use mdrcontact_inside_critical, only: critical
+    use mdrcontact_inside_failure, only: failure_load_t, first_failure, strength_t
+    use mdrcontact_inside_largest, only: maximum_t
     implicit none (type, external)
     private
     public :: mdr_contact_critical, mdr_contact_first_failure

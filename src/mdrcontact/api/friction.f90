@@ -9,8 +9,8 @@ module mdrcontact_api_friction
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: check_memory, error_t, raise_at
-    use mdrcontact_history_friction, only: friction_t, new_friction, tangential_state_t
-    use mdrcontact_history_friction_history, only: friction_history_t, friction_past_t, new_friction_history
+    use mdrcontact_friction_partial_slip, only: friction_t, new_friction, tangential_state_t
+    use mdrcontact_friction_history, only: friction_history_t, friction_past_t, new_friction_history
     implicit none (type, external)
     private
     public :: mdr_friction_new, mdr_friction_history_new, mdr_friction_history_copy, mdr_friction_history_advance

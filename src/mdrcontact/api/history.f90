@@ -8,11 +8,11 @@ module mdrcontact_api_history
     use mdrcontact_api_status, only: status_of
     use mdrcontact_contact_control, only: control_t
     use mdrcontact_error, only: check_memory, error_invalid, error_t, raise, to_text
-    use mdrcontact_history_cohesive_history, only: cohesive_columns, cohesive_history
-    use mdrcontact_history_rate_state, only: rate_state_t
-    use mdrcontact_history_relaxation, only: contact_history
-    use mdrcontact_history_relaxation_stiffness, only: dynamic_stiffness, step_response
-    use mdrcontact_history_relaxing_contact, only: relaxing_contact_t
+    use mdrcontact_adhesion_cohesive_history, only: cohesive_columns, cohesive_history
+    use mdrcontact_adhesion_rate_state, only: rate_state_t
+    use mdrcontact_time_history, only: contact_history
+    use mdrcontact_time_stiffness, only: dynamic_stiffness, step_response
+    use mdrcontact_time_relaxing_contact, only: relaxing_contact_t
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private

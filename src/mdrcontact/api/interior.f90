@@ -9,8 +9,8 @@ module mdrcontact_api_interior
     use mdrcontact_codes, only: body_lower, body_upper, side_above, side_below
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: check_code, check_count_from, check_memory, error_t, raise_at
-    use mdrcontact_field, only: interior, interior_error, layer_energy
-    use mdrcontact_field_interior, only: components
+    use mdrcontact_inside, only: interior, interior_error, layer_energy
+    use mdrcontact_inside_interior, only: components
     implicit none (type, external)
     private
     public :: mdr_contact_interior, mdr_contact_interior_error, mdr_contact_layer_energies

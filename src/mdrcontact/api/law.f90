@@ -11,11 +11,11 @@ module mdrcontact_api_law
     use mdrcontact_conduction_table, only: conductance_function_t
     use mdrcontact_contact, only: check_branch, contact_t, on_unloading
     use mdrcontact_error, only: count_text, error_invalid, error_t, raise
-    use mdrcontact_history_friction, only: friction_t
+    use mdrcontact_friction_partial_slip, only: friction_t
     use mdrcontact_law, only: contact_law_t, law_point_t
     use mdrcontact_law_evaluate, only: law_view_t
     use mdrcontact_law_friction, only: default_sliders, friction_law_t
-    use mdrcontact_history_friction_law, only: new_contact_law
+    use mdrcontact_friction_law, only: new_contact_law
     use mdrcontact_law_from_contact, only: law_options_t
     use mdrcontact_law_pack, only: packed_size
     implicit none (type, external)

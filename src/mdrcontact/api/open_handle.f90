@@ -8,10 +8,10 @@ module mdrcontact_api_open_handle
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_loop, only: loop_t
     use mdrcontact_error, only: error_invalid, error_t, raise
-    use mdrcontact_history_friction, only: first_shear_t, friction_t
-    use mdrcontact_history_friction_history, only: friction_history_t
-    use mdrcontact_history_rate_contact, only: rate_contact_t
-    use mdrcontact_history_relaxing_contact, only: relaxing_contact_t
+    use mdrcontact_friction_partial_slip, only: first_shear_t, friction_t
+    use mdrcontact_friction_history, only: friction_history_t
+    use mdrcontact_adhesion_rate_contact, only: rate_contact_t
+    use mdrcontact_time_relaxing_contact, only: relaxing_contact_t
     use mdrcontact_lateral_structure, only: structure_t
     use mdrcontact_law, only: contact_law_t
     use mdrcontact_material_rheology, only: rheology_t

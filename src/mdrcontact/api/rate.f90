@@ -12,10 +12,10 @@ module mdrcontact_api_rate
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_control, only: control_t
     use mdrcontact_error, only: check_memory, error_invalid, error_t, raise
-    use mdrcontact_history_rate_contact, only: new_rate_contact, rate_contact_t
-    use mdrcontact_history_rate_history, only: columns, rate_history
-    use mdrcontact_history_rate_law, only: new_rate_law, new_surface_law, rate_law_t
-    use mdrcontact_history_rate_state, only: rate_state_t
+    use mdrcontact_adhesion_rate_contact, only: new_rate_contact, rate_contact_t
+    use mdrcontact_adhesion_rate_history, only: columns, rate_history
+    use mdrcontact_adhesion_rate_law, only: new_rate_law, new_surface_law, rate_law_t
+    use mdrcontact_adhesion_rate_state, only: rate_state_t
     use mdrcontact_material_rheology, only: rheology_t
     implicit none (type, external)
     private

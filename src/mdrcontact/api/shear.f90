@@ -13,7 +13,7 @@ module mdrcontact_api_shear
                                 given_twist => twist
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: check_code, check_count_from, check_memory, check_positive, error_t, raise_at
-    use mdrcontact_history_friction, only: first_shear_t, friction_t, tangential_state_t
+    use mdrcontact_friction_partial_slip, only: first_shear_t, friction_t, tangential_state_t
     implicit none (type, external)
     private
     public :: mdr_shear_new, mdr_shear_states, mdr_shear_about, mdr_shear_field, mdr_shear_loop

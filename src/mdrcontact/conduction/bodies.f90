@@ -7,9 +7,9 @@ module mdrcontact_conduction_bodies
     use mdrcontact_conduction_sink, only: add_sink
     use mdrcontact_error, only: check_not_negative, check_positive, error_domain, error_invalid, error_t, raise, to_text
     use mdrcontact_kinds, only: wp
-    use mdrcontact_layered_combine, only: add_kernels
-    use mdrcontact_layered_kernel, only: kernel_t
-    use mdrcontact_layered_shared, only: layered_shared_t, shared_kernel
+    use mdrcontact_line_combine, only: add_kernels
+    use mdrcontact_line_kernel, only: kernel_t
+    use mdrcontact_line_shared, only: layered_shared_t, shared_kernel
     use mdrcontact_numerics_radius_law, only: radius_law_t
     implicit none (type, external)
     private

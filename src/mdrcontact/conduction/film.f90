@@ -12,9 +12,9 @@ module mdrcontact_conduction_film
     use mdrcontact_gsl, only: disable_gsl_abort, gsl_sf_bessel_j0, gsl_sf_bessel_jn_array
     use mdrcontact_kinds, only: half_pi, pi, wp
     use mdrcontact_lapack, only: dgemm
-    use mdrcontact_layered_rule, only: largest_rule, new_rule, rule_t
-    use mdrcontact_layered_series, only: add_projections
-    use mdrcontact_layered_solve, only: factorize, solve_lower
+    use mdrcontact_line_rule, only: largest_rule, new_rule, rule_t
+    use mdrcontact_line_series, only: add_projections
+    use mdrcontact_line_solve, only: factorize, solve_lower
     use mdrcontact_numerics_even_waves, only: highest_order
     implicit none (type, external)
     private

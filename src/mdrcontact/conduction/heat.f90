@@ -11,9 +11,9 @@ module mdrcontact_conduction_heat
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: check_choice, error_invalid, error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: pi, wp
-    use mdrcontact_layered_legendre, only: interaction_matrix, normalisation
-    use mdrcontact_layered_moments, only: is_smooth
-    use mdrcontact_layered_solve, only: factorize, first_unknowns, nodes_of_film, solve_lower, solve_upper
+    use mdrcontact_line_legendre, only: interaction_matrix, normalisation
+    use mdrcontact_line_moments, only: is_smooth
+    use mdrcontact_line_solve, only: factorize, first_unknowns, nodes_of_film, solve_lower, solve_upper
     implicit none (type, external)
     private
     public :: heat_t, friction_heat, heat_field

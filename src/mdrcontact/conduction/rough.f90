@@ -10,10 +10,10 @@ module mdrcontact_conduction_rough
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: check_positive, error_domain, error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: half_pi, pi, wp
-    use mdrcontact_layered_legendre, only: interaction_matrix, normalisation
-    use mdrcontact_layered_rule, only: new_rule, rule_t
-    use mdrcontact_layered_series, only: add_projections
-    use mdrcontact_layered_solve, only: factorize, first_unknowns, solve_lower
+    use mdrcontact_line_legendre, only: interaction_matrix, normalisation
+    use mdrcontact_line_rule, only: new_rule, rule_t
+    use mdrcontact_line_series, only: add_projections
+    use mdrcontact_line_solve, only: factorize, first_unknowns, solve_lower
     use mdrcontact_numerics_quadrature, only: legendre
     implicit none (type, external)
     private

@@ -6,8 +6,8 @@
 module mdrcontact_conduction_sink
     use mdrcontact_gsl, only: gsl_sf_psi_1piy
     use mdrcontact_kinds, only: wp
-    use mdrcontact_layered_kernel, only: degree, kernel_t, near_degree
-    use mdrcontact_layered_tabulate, only: powers_from_values
+    use mdrcontact_line_kernel, only: degree, kernel_t, near_degree
+    use mdrcontact_line_tabulate, only: powers_from_values
     use mdrcontact_numerics_chebyshev, only: node
     implicit none (type, external)
     private

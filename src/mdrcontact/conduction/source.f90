@@ -8,10 +8,10 @@ module mdrcontact_conduction_source
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: check_code, check_not_negative, error_invalid, error_t, raise
     use mdrcontact_kinds, only: half_pi, wp
-    use mdrcontact_layered_legendre, only: normalisation
-    use mdrcontact_layered_moments, only: is_smooth
-    use mdrcontact_layered_rule, only: new_rule, rule_t
-    use mdrcontact_layered_series, only: add_projections
+    use mdrcontact_line_legendre, only: normalisation
+    use mdrcontact_line_moments, only: is_smooth
+    use mdrcontact_line_rule, only: new_rule, rule_t
+    use mdrcontact_line_series, only: add_projections
     use mdrcontact_numerics_quadrature, only: gauss_legendre
     implicit none (type, external)
     private

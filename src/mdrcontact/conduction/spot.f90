@@ -6,8 +6,8 @@ module mdrcontact_conduction_spot
     use mdrcontact_conduction_bodies, only: conduction_t, tolerance
     use mdrcontact_error, only: check_memory, error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: pi, wp
-    use mdrcontact_layered_legendre, only: normalisation
-    use mdrcontact_layered_solve, only: equation_t, first_unknowns, new_equation, next_unknowns, solution_t, solve, solve_lower, &
+    use mdrcontact_line_legendre, only: normalisation
+    use mdrcontact_line_solve, only: equation_t, first_unknowns, new_equation, next_unknowns, solution_t, solve, solve_lower, &
                                         solve_upper
     implicit none (type, external)
     private

@@ -6,8 +6,8 @@ module mdrcontact_contact_cohesion
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: error_domain, error_invalid, error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: pi, wp
-    use mdrcontact_layered_kernel, only: kernel_t
-    use mdrcontact_layered_zone, only: new_zoned_springs, zone_load_t, zone_state_t, zoned_springs_t
+    use mdrcontact_line_kernel, only: kernel_t
+    use mdrcontact_line_zone, only: new_zoned_springs, zone_load_t, zone_state_t, zoned_springs_t
     use mdrcontact_medium_solver, only: check_springs, solver_t
     use mdrcontact_numerics_roots, only: solve_increasing
     use mdrcontact_numerics_scalar_function, only: scalar_function_t

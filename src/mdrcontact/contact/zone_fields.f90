@@ -10,8 +10,8 @@ module mdrcontact_contact_zone_fields
     use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_gsl, only: gsl_sf_ellint_rd, gsl_sf_ellint_rf
     use mdrcontact_kinds, only: half_pi, pi, wp
-    use mdrcontact_layered_fields, only: line_load_t
-    use mdrcontact_layered_zone, only: zone_load_t, zone_state_t, zoned_springs_t
+    use mdrcontact_line_fields, only: line_load_t
+    use mdrcontact_line_zone, only: zone_load_t, zone_state_t, zoned_springs_t
     use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous_from_modulus
     use mdrcontact_medium_solver, only: of_displacement, of_pressure
     use mdrcontact_numerics_pick, only: pick

@@ -8,7 +8,7 @@ module mdrcontact_fit_body
     use mdrcontact_base_parameter, only: parameter_t, prefixed
     use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: wp
-    use mdrcontact_layered_shared, only: layered_shared_t
+    use mdrcontact_line_shared, only: layered_shared_t
     use mdrcontact_medium, only: medium_t, new_pair
     use mdrcontact_profile, only: copy, profile_t
     implicit none (type, external)

@@ -18,7 +18,7 @@ module mdrcontact_fit_predict
                                       data_stiffness_depth, fit_data_t, fit_problem_t
     use mdrcontact_fit_predict_time, only: predict_time
     use mdrcontact_kinds, only: wp
-    use mdrcontact_layered_shared, only: layered_shared_t
+    use mdrcontact_line_shared, only: layered_shared_t
     use mdrcontact_medium, only: check_elastic, medium_t
     use mdrcontact_medium_solver, only: solver_t, modulus_of_radius_t
     use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous_from_modulus

@@ -6,9 +6,9 @@ module mdrcontact_fit_predict_time
     use mdrcontact_fit_problem, only: at_area_factor, at_depth_offset, at_force_offset, at_frame_compliance, &
                                       at_indenter_modulus, at_stiffness_factor, at_work_of_adhesion, &
                                       data_dynamic_stiffness, data_force_time, fit_data_t, part_loss
-    use mdrcontact_history_relaxation, only: contact_history
-    use mdrcontact_history_relaxation_stiffness, only: dynamic_stiffness
-    use mdrcontact_history_relaxing_contact, only: new_relaxing_contact, relaxing_contact_t
+    use mdrcontact_time_history, only: contact_history
+    use mdrcontact_time_stiffness, only: dynamic_stiffness
+    use mdrcontact_time_relaxing_contact, only: new_relaxing_contact, relaxing_contact_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_medium, only: medium_t
     use mdrcontact_profile, only: profile_t

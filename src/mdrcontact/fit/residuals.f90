@@ -11,7 +11,7 @@ module mdrcontact_fit_residuals
                                       loss_linear
     use mdrcontact_fit_variables, only: variables_t
     use mdrcontact_kinds, only: wp
-    use mdrcontact_layered_shared, only: layered_shared_t
+    use mdrcontact_line_shared, only: layered_shared_t
     implicit none (type, external)
     private
     public :: fit_residuals_t, new_fit_residuals, bent, bend_slope

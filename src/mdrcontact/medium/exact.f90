@@ -14,14 +14,14 @@ module mdrcontact_medium_exact
     use mdrcontact_medium_slip, only: slip_t
     use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_kinds, only: pi, wp
-    use mdrcontact_layered_combine, only: add_kernels
-    use mdrcontact_layered_fields, only: line_load_t, new_line_load
-    use mdrcontact_layered_kernel, only: kernel_t
-    use mdrcontact_layered_moments, only: is_smooth
-    use mdrcontact_layered_shared, only: layered_shared_t, shared_kernel
+    use mdrcontact_line_combine, only: add_kernels
+    use mdrcontact_line_fields, only: line_load_t, new_line_load
+    use mdrcontact_line_kernel, only: kernel_t
+    use mdrcontact_line_moments, only: is_smooth
+    use mdrcontact_line_shared, only: layered_shared_t, shared_kernel
     use mdrcontact_medium_exact_slip, only: layered_slip_t, new_layered_slip
-    use mdrcontact_layered_solve, only: solution_t, solve
-    use mdrcontact_layered_springs, only: springs_t
+    use mdrcontact_line_solve, only: solution_t, solve
+    use mdrcontact_line_springs, only: springs_t
     use mdrcontact_material, only: in_series, material_t
     use mdrcontact_medium_solver, only: depth_and_force, lower_body, of_displacement, of_line_load, of_pressure, &
                                          set_pair, solver_t, upper_body

@@ -6,8 +6,8 @@ module mdrcontact_medium_exact_slip
     use mdrcontact_error, only: check_memory, error_domain, error_t, raise
     use mdrcontact_medium_slip, only: slip_t, thin
     use mdrcontact_kinds, only: wp
-    use mdrcontact_layered_fields, only: line_load_t, new_line_load
-    use mdrcontact_layered_slip_profile, only: slip_profile_t
+    use mdrcontact_line_fields, only: line_load_t, new_line_load
+    use mdrcontact_line_slip_profile, only: slip_profile_t
     use mdrcontact_medium_solver, only: copy, of_line_load, solver_t
     use mdrcontact_medium_superposed_slip, only: traction_between
     use mdrcontact_numerics_quadrature, only: graded_edges, graded_rule, mark_breaks, smallest_panel_ratio

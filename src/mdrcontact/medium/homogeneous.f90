@@ -6,7 +6,7 @@ module mdrcontact_medium_homogeneous
     use mdrcontact_body_stack, only: new_stack, stack_t
     use mdrcontact_error, only: check_positive, error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
-    use mdrcontact_layered_moments, only: is_smooth, profile_moments
+    use mdrcontact_line_moments, only: is_smooth, profile_moments
     use mdrcontact_material, only: in_series, material_t
     use mdrcontact_medium_solver, only: set_pair, solver_t
     use mdrcontact_medium_effective, only: effective_medium_t

@@ -5,9 +5,9 @@ module mdrcontact_medium_profile_load
     use mdrcontact_medium_load, only: load_t
     use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: wp
-    use mdrcontact_layered_fields, only: line_load_t
-    use mdrcontact_layered_panels, only: panels_t
-    use mdrcontact_layered_series, only: even_slope
+    use mdrcontact_line_fields, only: line_load_t
+    use mdrcontact_line_panels, only: panels_t
+    use mdrcontact_line_series, only: even_slope
     use mdrcontact_numerics_quadrature, only: merge_breaks
     use mdrcontact_profile, only: copy, profile_t
     implicit none (type, external)

@@ -15,7 +15,7 @@ module mdrcontact_medium_solver
     use mdrcontact_medium_load, only: load_t
     use mdrcontact_medium_slip, only: slip_t
     use mdrcontact_kinds, only: wp
-    use mdrcontact_layered_springs, only: springs_t
+    use mdrcontact_line_springs, only: springs_t
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
     use mdrcontact_profile, only: profile_t
     use mdrcontact_tension_surface, only: is_bare, surface_t

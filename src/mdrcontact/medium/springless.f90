@@ -11,7 +11,7 @@ module mdrcontact_medium_springless
     use mdrcontact_error, only: error_invalid, error_t, raise, to_text
     use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_kinds, only: wp
-    use mdrcontact_layered_shared, only: layered_shared_t
+    use mdrcontact_line_shared, only: layered_shared_t
     use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous_from_modulus
     use mdrcontact_medium_solver, only: of_displacement, of_line_load, of_pressure, solver_t
     use mdrcontact_profile, only: profile_t

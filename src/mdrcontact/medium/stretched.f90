@@ -6,7 +6,7 @@ module mdrcontact_medium_stretched
     use mdrcontact_body_compliance, only: compliance_t, normal_load
     use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: wp
-    use mdrcontact_layered_shared, only: layered_shared_t
+    use mdrcontact_line_shared, only: layered_shared_t
     use mdrcontact_medium_exact, only: layered_exact_t, new_layered_exact
     use mdrcontact_medium_solver, only: solver_t
     use mdrcontact_profile, only: profile_t

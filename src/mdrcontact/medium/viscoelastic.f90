@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> A viscoelastic half-space, homogeneous or layered. It has no elastic states, and so no solver: histories
-!> (mdrcontact_history_relaxation) and oscillations (mdrcontact_history_relaxation_stiffness) start from its materials.
+!> (mdrcontact_time_history) and oscillations (mdrcontact_time_stiffness) start from its materials.
 module mdrcontact_medium_viscoelastic
     use, intrinsic :: iso_fortran_env, only: int64
     use mdrcontact_base_object, only: object_t
@@ -10,7 +10,7 @@ module mdrcontact_medium_viscoelastic
     use mdrcontact_body_stack, only: new_stack, stack_t
     use mdrcontact_error, only: check_positive, count_text, error_t
     use mdrcontact_kinds, only: wp
-    use mdrcontact_layered_shared, only: layered_shared_t
+    use mdrcontact_line_shared, only: layered_shared_t
     use mdrcontact_material, only: material_t, moduli_t, new_material
     use mdrcontact_material_prony, only: prony_t
     use mdrcontact_material_rheology, only: rheology_t, same_shape

@@ -6,9 +6,9 @@ module body_response
     use mdrcontact_body_compliance, only: compliance_t, normal_load
     use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: wp
-    use mdrcontact_layered_kernel, only: kernel_t
-    use mdrcontact_layered_tabulate, only: attempts, elastic_misfit, tabulate_kernel
-    use mdrcontact_layered_waves, only: wave_table_t
+    use mdrcontact_line_kernel, only: kernel_t
+    use mdrcontact_line_tabulate, only: attempts, elastic_misfit, tabulate_kernel
+    use mdrcontact_line_waves, only: wave_table_t
     implicit none (type, external)
     private
     public :: response, kernel_of

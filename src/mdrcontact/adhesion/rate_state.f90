@@ -1,0 +1,129 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> What is remembered of a contact whose work of adhesion depends on the speed of its edge, and what a step in time makes of it.
+module mdrcontact_adhesion_rate_state
+    use, intrinsic :: iso_c_binding, only: c_double
+    use mdrcontact_adhesion_rate_contact, only: edge_t, edge_equation_t, rate_contact_t
+    use mdrcontact_kinds, only: pi, wp
+    use mdrcontact_numerics_stiff_step, only: stages, stiff_step, weights
+    implicit none (type, external)
+    private
+    public :: rate_state_t, account, break_edge, force_rate, note_force, note_lowest
+
+    !> C's struct mdr_rate_state: a datum from which a history goes on. All zero: apart, and nothing has happened yet.
+    type, bind(C) :: rate_state_t
+        !> a, 0 where the bodies are apart; less than 0 at the beginning: in equilibrium with the first value [length]
+        real(c_double) :: radius = 0.0_c_double
+        !> d [length]
+        real(c_double) :: depth = 0.0_c_double
+        !> energy lost at the edge, beyond what the surfaces gain, int 2 pi a (G - work) v dt [modulus length^3]
+        real(c_double) :: dissipated = 0.0_c_double
+        !> int F dd [modulus length^3]
+        real(c_double) :: work = 0.0_c_double
+        !> the lowest force so far, <= 0, and time, depth, radius and speed of the edge there
+        real(c_double) :: lowest_force = 0.0_c_double, lowest_time = 0.0_c_double, lowest_depth = 0.0_c_double, &
+                          lowest_radius = 0.0_c_double, lowest_speed = 0.0_c_double
+        !> when the contact broke last, and the depth; 0 where it did not
+        real(c_double) :: rupture_time = 0.0_c_double, rupture_depth = 0.0_c_double
+        !> how often it broke
+        real(c_double) :: ruptures = 0.0_c_double
+    end type rate_state_t
+
+    integer, parameter :: most_steps = 60
+    real(wp), parameter :: last_step = 1.0e-13_wp
+
+contains
+
+    !> Adds work and loss of a step that begins at time t of the equation.
+    pure subroutine account(state, equation, t, h, reached, slopes, places)
+        type(rate_state_t), intent(inout) :: state
+        type(edge_equation_t), intent(in) :: equation
+        real(wp), intent(in) :: t, h
+        !> of stiff_step
+        real(wp), intent(in) :: reached(stages), slopes(stages), places(stages)
+        type(edge_t) :: here
+        real(wp) :: v
+        integer :: i
+
+        do i = 1, stages
+            here = equation%contact%edge(equation%control, equation%start + equation%speed*(t + places(i)*h), reached(i))
+            v = -slopes(i)*exp(reached(i))
+            state%work = state%work + h*weights(i)*here%force*(here%depth_by_x*slopes(i) + here%depth_by_s*equation%speed)
+            state%dissipated = state%dissipated + h*weights(i)*2.0_wp*pi*here%radius*(here%energy - equation%contact%law%work)*v
+        end do
+    end subroutine account
+
+    !> Remembers a force that is lower than any before.
+    pure subroutine note_force(state, here, time, speed)
+        type(rate_state_t), intent(inout) :: state
+        type(edge_t), intent(in) :: here
+        real(wp), intent(in) :: time, speed
+
+        if (.not. here%force < state%lowest_force) return
+        state%lowest_force = here%force
+        state%lowest_time = time
+        state%lowest_depth = here%depth
+        state%lowest_radius = here%radius
+        state%lowest_speed = speed
+    end subroutine note_force
+
+    !> The lowest force within a step, at whose beginning the force falls and at whose end it rises: the step is made shorter until
+    !> it ends there.
+    pure subroutine note_lowest(state, equation, origin, t, h, y, slope)
+        type(rate_state_t), intent(inout) :: state
+        type(edge_equation_t), intent(in) :: equation
+        !> time at t = 0 of the equation
+        real(wp), intent(in) :: origin
+        !> beginning and length of the step; coordinate and its rate at the beginning
+        real(wp), intent(in) :: t, h, y, slope
+        type(edge_t) :: here
+        real(wp) :: low, high, part, reached(stages), slopes(stages), unused, s
+        logical :: found
+        integer :: i
+
+        low = 0.0_wp
+        high = h
+        do i = 1, most_steps
+            part = 0.5_wp*(low + high)
+            call stiff_step(equation, t, part, y, slope, reached, slopes, unused, found)
+            if (.not. found) return
+            s = equation%start + equation%speed*(t + part)
+            here = equation%contact%edge(equation%control, s, reached(stages))
+            if (force_rate(equation, here, slopes(stages)) < 0.0_wp) then
+                low = part
+            else
+                high = part
+            end if
+            if (high - low <= last_step*h) exit
+        end do
+        call note_force(state, here, origin + t + part, -slopes(stages)*exp(reached(stages)))
+    end subroutine note_lowest
+
+    !> dF/dt.
+    pure function force_rate(equation, here, slope) result(rate)
+        type(edge_equation_t), intent(in) :: equation
+        type(edge_t), intent(in) :: here
+        !> dx/dt
+        real(wp), intent(in) :: slope
+        real(wp) :: rate
+
+        rate = here%force_by_x*slope + here%force_by_s*equation%speed
+    end function force_rate
+
+    !> The bodies come apart; what is left of the elastic energy at the smallest radius is lost.
+    pure subroutine break_edge(state, contact, here, x, time)
+        type(rate_state_t), intent(inout) :: state
+        type(rate_contact_t), intent(in) :: contact
+        type(edge_t), intent(in) :: here
+        real(wp), intent(in) :: x, time
+        real(wp) :: p(4), dp(4)
+
+        call contact%curve%parts(x, p, dp)
+        ! the edge was drawn out from the state without adhesion, whose energy is far less
+        state%dissipated = state%dissipated + (0.5_wp*p(3)*here%opening - p(2))*here%opening - contact%law%work*pi*here%radius**2
+        state%radius = 0.0_wp
+        state%rupture_time = time
+        state%rupture_depth = here%depth
+        state%ruptures = state%ruptures + 1.0_wp
+    end subroutine break_edge
+
+end module mdrcontact_adhesion_rate_state

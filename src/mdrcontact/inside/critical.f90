@@ -1,0 +1,149 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> What decides inside a body of layers: the largest stresses of a state in each layer, at each interface and on the free surface.
+module mdrcontact_inside_critical
+    use mdrcontact_cancel, only: report_progress
+    use mdrcontact_codes, only: free_surface_tension, interface_shear, interface_tension, tension, tresca, von_mises
+    use mdrcontact_contact_fields, only: fields_t
+    use mdrcontact_contact_state, only: contact_state_t
+    use mdrcontact_error, only: check_memory, error_no_convergence, error_t, raise, to_text
+    use mdrcontact_inside, only: check_friction, interior_error, layers_of, load_of
+    use mdrcontact_inside_largest, only: box_t, maximum_t, stressed_t
+    use mdrcontact_kinds, only: wp
+    implicit none (type, external)
+    private
+    public :: check_deviation, critical, largest_of, new_stressed
+
+    !> Maxima are looked for up to so many times a + z from the axis: the ring of tension on a coating need not lie at the edge.
+    real(wp), parameter :: farthest = 3.0_wp
+    !> Nothing is looked for nearer to a singular edge of the free surface [a].
+    real(wp), parameter :: off_edge = 1.0e-3_wp
+    !> Faces are looked at from this little inside their layer, relative to their depth: sums of thicknesses differ by as much.
+    real(wp), parameter :: inside = 8.0_wp*epsilon(1.0_wp)
+    !> By how much the field may deviate from the contact on the surface; beyond, no maxima are given [1].
+    real(wp), parameter :: largest_deviation = 1.0e-3_wp
+    integer, parameter :: of_layer(3) = [von_mises, tresca, tension]
+    integer, parameter :: of_interface(2) = [interface_shear, interface_tension]
+
+contains
+
+    !> The largest stresses of a state. With friction in the plane of sliding, where they are by symmetry for the most part.
+    subroutine critical(contact, state, upper, friction, maxima, error, threads, counted_only)
+        class(fields_t), intent(in) :: contact
+        !> with a radius > 0
+        type(contact_state_t), intent(in) :: state
+        !> whether the upper body is meant, not the lower one
+        logical, intent(in) :: upper
+        !> f >= 0: see interior
+        real(wp), intent(in) :: friction
+        !> of each layer from the surface down von_mises, tresca and tension, the half-space last; of each interface
+        !> interface_shear and interface_tension; free_surface_tension
+        type(maximum_t), allocatable, intent(out) :: maxima(:)
+        type(error_t), allocatable, intent(out) :: error
+        !> how many threads may share the work, 0: as many as OpenMP offers; default 1
+        integer, intent(in), optional :: threads
+        !> nothing is looked for: how many there are is all that is wanted
+        logical, intent(in), optional :: counted_only
+        type(stressed_t) :: body
+        integer :: i, n, stat
+
+        call new_stressed(body, contact, state, upper, friction, error, threads)
+        if (allocated(error)) return
+        allocate (maxima(size(of_layer)*body%layers%bodies() + size(of_interface)*size(body%layers%thickness) + 1), stat=stat)
+        call check_memory(error, stat)
+        if (present(counted_only)) then
+            if (counted_only) return
+        end if
+        call check_deviation(contact, state, upper, error)
+        n = 0
+        do i = 0, body%layers%bodies() - 1
+            call largest_of(body, of_layer, i, .false., maxima(n + 1:n + size(of_layer)), error)
+            n = n + size(of_layer)
+            call report_progress(real(n, wp)/real(size(maxima), wp))
+            if (allocated(error)) return
+        end do
+        do i = 0, size(body%layers%thickness) - 1
+            call largest_of(body, of_interface, i, .false., maxima(n + 1:n + size(of_interface)), error)
+            n = n + size(of_interface)
+            call report_progress(real(n, wp)/real(size(maxima), wp))
+            if (allocated(error)) return
+        end do
+        call largest_of(body, [free_surface_tension], 0, .false., maxima(n + 1:), error)
+        call report_progress(1.0_wp)
+    end subroutine critical
+
+    !> A body with what stresses inside it need.
+    subroutine new_stressed(self, contact, state, upper, friction, error, threads)
+        type(stressed_t), intent(out) :: self
+        class(fields_t), intent(in) :: contact
+        type(contact_state_t), intent(in) :: state
+        logical, intent(in) :: upper
+        real(wp), intent(in) :: friction
+        type(error_t), allocatable, intent(out) :: error
+        integer, intent(in), optional :: threads
+
+        call load_of(contact, state, upper, self%load, error)
+        if (.not. allocated(error)) call check_friction(self%load, friction, error)
+        if (.not. allocated(error)) call layers_of(contact, upper, self%layers, error)
+        if (allocated(error)) return
+        self%friction = merge(-friction, friction, upper)
+        if (present(threads)) self%threads = threads
+        call self%mark_singular()
+    end subroutine new_stressed
+
+    !> Raises where the field of a state is not that of its contact on the surface.
+    subroutine check_deviation(contact, state, upper, error)
+        class(fields_t), intent(in) :: contact
+        type(contact_state_t), intent(in) :: state
+        logical, intent(in) :: upper
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp) :: deviation
+
+        if (allocated(error)) return
+        call interior_error(contact, state, upper, deviation, error)
+        if (allocated(error) .or. deviation <= largest_deviation) return
+        call raise(error, error_no_convergence, "displacements and stresses inside are off by about "//to_text(deviation)// &
+                   " of the depth and of the largest pressure: by that they differ on the surface from the displacement "// &
+                   "and the pressure of the contact")
+    end subroutine check_deviation
+
+    !> The largest values of quantities that belong to one layer, one interface or the free surface.
+    subroutine largest_of(body, quantities, place, is_coarse, found, error)
+        type(stressed_t), intent(in) :: body
+        integer, intent(in) :: quantities(:)
+        !> which layer or interface, 0 is the first one
+        integer, intent(in) :: place
+        logical, intent(in) :: is_coarse
+        !> same size as quantities
+        type(maximum_t), intent(out) :: found(:)
+        type(error_t), allocatable, intent(inout) :: error
+
+        if (allocated(error)) return
+        call body%largest(box_of(body, quantities(1), place), quantities, is_coarse, found, error)
+        found%place = place
+        ! exactly, not from inside
+        if (any(quantities(1) == of_interface)) found%z = body%layers%top(place + 2)
+    end subroutine largest_of
+
+    !> Where the largest value of a quantity is looked for.
+    pure function box_of(body, quantity, place) result(box)
+        type(stressed_t), intent(in) :: body
+        integer, intent(in) :: quantity, place
+        type(box_t) :: box
+        real(wp) :: radius
+
+        radius = body%load%radius
+        if (quantity == free_surface_tension) then
+            box%r = radius*[1.0_wp, farthest]
+            if (body%has_singular_edge()) box%r(1) = radius*(1.0_wp + off_edge)
+        else if (any(quantity == of_interface)) then
+            box%z = body%layers%top(place + 2)*(1.0_wp - inside)
+            box%r = [0.0_wp, farthest*(radius + box%z(1))]
+        else
+            box%z(1) = body%layers%top(place + 1)*(1.0_wp + inside)
+            box%r = [0.0_wp, farthest*(radius + box%z(1))]
+            box%z(2) = box%z(1) + box%r(2)
+            if (place < size(body%layers%thickness)) box%z(2) = min(box%z(2), body%layers%top(place + 2)*(1.0_wp - inside))
+        end if
+    end function box_of
+
+end module mdrcontact_inside_critical
