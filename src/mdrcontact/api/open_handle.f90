@@ -3,21 +3,21 @@
 module mdrcontact_api_open_handle
     use, intrinsic :: iso_c_binding, only: c_ptr
     use mdrcontact_api_handles, only: look_inside, refuse_kind
+    use mdrcontact_adhesion_rate_contact, only: rate_contact_t
     use mdrcontact_api_any_body, only: any_body_t
     use mdrcontact_conduction_bodies, only: conduction_t
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_loop, only: loop_t
     use mdrcontact_error, only: error_invalid, error_t, raise
-    use mdrcontact_friction_partial_slip, only: first_shear_t, friction_t
     use mdrcontact_friction_history, only: friction_history_t
-    use mdrcontact_adhesion_rate_contact, only: rate_contact_t
-    use mdrcontact_time_relaxing_contact, only: relaxing_contact_t
+    use mdrcontact_friction_partial_slip, only: first_shear_t, friction_t
     use mdrcontact_lateral_structure, only: structure_t
     use mdrcontact_law, only: contact_law_t
     use mdrcontact_material_rheology, only: rheology_t
     use mdrcontact_medium, only: medium_t, refuse_states
     use mdrcontact_poroelastic_table, only: poroelastic_t
     use mdrcontact_profile, only: profile_t
+    use mdrcontact_time_relaxing_contact, only: relaxing_contact_t
     use mdrcontact_wear, only: wear_t
     use mdrcontact_wear_history, only: wear_history_t
     implicit none (type, external)
