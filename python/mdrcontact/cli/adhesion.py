@@ -7,6 +7,7 @@ import argparse
 
 import numpy as np
 
+from .._progress import waiting
 from .._text import aligned
 from .._units import ENERGY, FORCE, LENGTH, MODULUS, WORK_OF_ADHESION, practical, shown
 from ..adhesion import Loop, PullOff
@@ -47,9 +48,10 @@ def run(arguments: argparse.Namespace) -> None:
     """Computes, prints, writes."""
     files.check(arguments)
     problem, adhesion = load_with(arguments.problem, "adhesion")
-    contact = problem.contact()
-    pull_offs = [(f"pull-off, {control} prescribed", contact.pull_off(control)) for control in ("force", "depth")]
-    loop = cycle(contact, problem, adhesion)
+    with waiting("pull-off and cycle"):
+        contact = problem.contact()
+        pull_offs = [(f"pull-off, {control} prescribed", contact.pull_off(control)) for control in ("force", "depth")]
+        loop = cycle(contact, problem, adhesion)
     print(f"{problem.title}\n")
     gamma = shown(adhesion.work_of_adhesion, WORK_OF_ADHESION)
     print(f"work of adhesion: {gamma}, {_law(adhesion)}\n")

@@ -9,6 +9,7 @@ from typing import Any
 
 import numpy as np
 
+from .._progress import waiting
 from .._units import LENGTH, MODULUS, shown
 from ..contact import Contact
 from ..errors import InvalidArgumentError, MDRError
@@ -43,7 +44,8 @@ def run(arguments: argparse.Namespace) -> None:
     """Computes, prints, writes."""
     files.check(arguments)
     problem = load(arguments.problem)
-    contact = problem.contact()
+    with waiting("contact"):
+        contact = problem.contact()
     with progress(1, problem.control) as bar:
         curve = solve(contact, problem.control, bar)
     table = columns(curve, problem.medium)

@@ -7,6 +7,7 @@ import argparse
 from pathlib import Path
 
 from .._law_table import FORMATS
+from .._progress import waiting
 from .._units import AREA, FORCE, LENGTH, MODULUS, Dimension, UnitError, parse, shown
 from ..friction import Friction
 from ..law import ContactLaw
@@ -60,7 +61,8 @@ def run(arguments: argparse.Namespace) -> None:
     """Compiles, writes, and says what the law is."""
     files.check(arguments)
     problem = load(arguments.problem)
-    contact = problem.contact()
+    with waiting("contact"):
+        contact = problem.contact()
     if arguments.largest_depth is None:
         largest = float(problem.control.states(contact, slice(-1, None))[0].depth)
     else:
@@ -70,17 +72,18 @@ def run(arguments: argparse.Namespace) -> None:
     given = arguments.shear_strength
     strength = None if given is None else _number("--shear-strength", given, MODULUS)
     friction = Friction(contact, problem.friction.coefficient) if problem.friction else None
-    law = ContactLaw(
-        contact,
-        largest,
-        friction=friction,
-        sliders=arguments.sliders,
-        shear_strength=strength,
-        smallest_depth=smallest,
-        tolerance=arguments.tolerance,
-        description=f"{problem.title}; {friction or contact!r}; SI units",
-        continue_beyond=arguments.continue_beyond,
-    )
+    with waiting("law"):
+        law = ContactLaw(
+            contact,
+            largest,
+            friction=friction,
+            sliders=arguments.sliders,
+            shear_strength=strength,
+            smallest_depth=smallest,
+            tolerance=arguments.tolerance,
+            description=f"{problem.title}; {friction or contact!r}; SI units",
+            continue_beyond=arguments.continue_beyond,
+        )
     print(f"{problem.title}\n")
     for name, ends, dimension in (("depth", law.depth_range, LENGTH), ("force", law.force_range, FORCE)):
         print(f"{name:<16}{shown(ends[0], dimension)} to {shown(ends[1], dimension)}")

@@ -38,7 +38,7 @@ With a table [strength] in the problem file (lists from the surface down, the su
 the loads are found at which the strengths are first reached:
 
     [strength]
-    yield = ["14 GPa", "1.5 GPa"]       # von Mises stress of each layer
+    von_mises = ["14 GPa", "1.5 GPa"]   # von Mises stress of each layer
     tension = ["3 GPa", "none"]         # principal stress of each layer: cracks
     interface_shear = ["0.8 GPa"]       # of each interface
     interface_tension = ["0.5 GPa"]
@@ -68,7 +68,8 @@ def run(arguments: argparse.Namespace) -> None:
 def _inside(problem: Problem, contact: Contact, state: State, friction: float, with_maps: bool) -> Inside:
     thicknesses, rigid = layers_of(contact.medium)
     faces = [0.0, *np.cumsum(thicknesses).tolist()]
-    largest = state.critical(friction=friction)
+    with _progress.waiting("largest stresses"):
+        largest = state.critical(friction=friction)
     failures: tuple[Failure, ...] = ()
     unreached: list[str] = []
     if problem.strength is not None:

@@ -30,8 +30,9 @@ module mdrcontact_numerics_sampled_function
     real(wp), parameter :: margin = 10.0_wp
     !> A panel is not halved below this length relative to its distance from 0.
     real(wp), parameter :: shortest_panel = 1.0e-10_wp
-    !> A panel shorter than the first, relative likewise, is a straight line if its last coefficients have not fallen below the second
-    !> times the others: it holds a kink or noise, of which a polynomial has slopes that the function has nowhere.
+    !> Where f may have steps of noise, a panel shorter than the first, relative likewise, is a straight line if its last
+    !> coefficients have not fallen below the second times the others: it holds a kink or noise, of which a polynomial has slopes
+    !> that the function has nowhere.
     real(wp), parameter :: narrow_panel = 1.0e-6_wp, least_fall = 1.0e-3_wp
 
     !> The slope in x of a function of t = sqrt(x - left edge) is taken no closer to the edge than this t: 1/t amplifies rounding.
@@ -175,8 +176,11 @@ contains
                 call raise(error, error_no_convergence, "the function is not smooth enough to be sampled near x = "//to_text(left))
                 return
             end if
-            if (right - left < narrow_panel*x .and. unresolved > least_fall*maxval(abs(coefficients(3:)))) &
-                call straighten(coefficients, 0.5_wp*nodes*cosines(1, 2))
+            if (present(steps)) then
+                if (right - left < narrow_panel*x .and. unresolved > least_fall*maxval(abs(coefficients(3:)))) then
+                    call straighten(coefficients, 0.5_wp*nodes*cosines(1, 2))
+                end if
+            end if
             count = count + 1
             if (count > size(self%from_root)) call resize(self, count - 1, 2*count, error)
             if (allocated(error)) return
