@@ -87,8 +87,8 @@ contains
         if (.not. allocated(error)) call check_kinks(self, error)
     end subroutine new_curve
 
-    !> Where the slope of k jumps, so does dl: the edge of the contact rests there while depth and force change, and no radius tells
-    !> these states apart. That is harmless only where all states around are unstable under any control.
+    !> Where the slope of k jumps, so does dl: the edge of the contact rests there while depth and force change, and states of one
+    !> radius are many. That is harmless only where all states around are unstable under any control.
     subroutine check_kinks(self, error)
         type(curve_t), intent(in) :: self
         type(error_t), allocatable, intent(inout) :: error

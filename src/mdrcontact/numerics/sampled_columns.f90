@@ -32,8 +32,8 @@ module mdrcontact_numerics_sampled_columns
     real(wp), parameter :: between = cos(0.625_wp*pi)
     !> By how much more than its last terms a series may miss its functions.
     real(wp), parameter :: margin = 30.0_wp
-    !> A panel of the shortest length is kept though it misses its functions, near a kink that nobody named, but by no more than
-    !> this.
+    !> A panel of the shortest length is kept though it misses its functions, near a kink between its edges, but by no more
+    !> than this.
     real(wp), parameter :: largest_miss = 1.0e-4_wp
     !> Edges closer than this part of the shortest length were named, around a kink: halving leaves no such panel.
     real(wp), parameter :: negligible = 0.5_wp
