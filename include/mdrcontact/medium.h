@@ -119,7 +119,8 @@ int mdr_medium_pair(const mdr_medium *lower, const mdr_medium *upper, mdr_medium
 int mdr_medium_table(int n, const double a[], const double moduli[], mdr_medium **out);
 
 /** Medium whose effective modulus is a smooth function. It is sampled when the handle is made, and the samples compared with it
- *  between them: peaks narrower than 0.5 % of the radius may be missed.
+ *  between them: peaks narrower than 0.5 % of the radius may be missed, steps below 1e-10 of the modulus are taken for noise. Adhesion
+ *  by the energy balance is refused where the modulus has a kink at a radius of stable contacts: the edge rests there.
  *  @param modulus          E_eff(a) > 0 [modulus]
  *  @param context          passed on to modulus, may be NULL
  *  @param smallest_radius  > 0; below it the modulus is taken as constant when forces are integrated [length]

@@ -43,7 +43,8 @@ class CallableMedium(Medium):
 
     function : takes a contact radius and returns the effective contact modulus > 0 [modulus]. It is called while the object is
         made and never later; what it raises is raised to the caller. What is kept is compared with it between the samples too;
-        peaks narrower than 0.5 % of the radius may be missed
+        peaks narrower than 0.5 % of the radius may be missed, steps below 1e-10 of the modulus are taken for noise. Adhesion by the
+        energy balance is refused where the modulus has a kink at a radius of stable contacts: the edge rests there
     smallest_radius, largest_radius : the range of contact radii, 0 < smallest < largest [length]; as in `TabulatedMedium`
 
     Pickles if the function does (a function of a module does, a lambda does not).
