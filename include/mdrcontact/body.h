@@ -38,7 +38,7 @@ typedef struct mdr_layer {
                                        [length/modulus]. */
     double tangential_compliance; /**< 1/K_t >= 0 likewise; INFINITY: it slides without friction [length/modulus]. */
     const mdr_material *material; /**< A material that relaxes, in place of all constants and of the prestress, which are 0; NULL:
-                                       those. It may be freed once the medium is made. */
+                                       those. It may be freed once the body is made. */
 } mdr_layer;
 
 /** A layer of an isotropic material, bonded and free of stress.

@@ -21,7 +21,7 @@ module mdrcontact_api_body
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: by_engineering, by_stiffness, material_t, new_material, new_transverse
     use mdrcontact_material_rheology, only: new_elastic_rheology, rheology_t
-    use mdrcontact_medium_compliance, only: surface_compliance
+    use mdrcontact_medium_compliance, only: check_body_surface, surface_compliance
     use mdrcontact_medium_homogeneous, only: homogeneous_t, new_rigid
     use mdrcontact_medium_power_graded, only: new_power_graded, power_graded_t
     use mdrcontact_tension_surface, only: is_bare, surface_t
@@ -67,6 +67,7 @@ contains
         else
             if (.not. allocated(error)) call new_stack(stack, layered%materials(:n), layered%thickness, layered%materials(n + 1), &
                                                        error, layered%rigid_base, layered%bonds)
+            if (.not. allocated(error)) call check_body_surface(stack, body%surface, error)
             call move_alloc(stack, body%elastic)
         end if
         status = hand_over_body(body, out, error)

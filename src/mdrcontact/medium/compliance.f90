@@ -9,10 +9,11 @@ module mdrcontact_medium_compliance
     use mdrcontact_kinds, only: wp
     use mdrcontact_medium_viscoelastic, only: viscoelastic_t
     use mdrcontact_body_membrane, only: membrane_t, new_membrane
-    use mdrcontact_tension_surface, only: is_bare, surface_t
+    use mdrcontact_tension_stability, only: check_stability
+    use mdrcontact_tension_surface, only: check_surface, is_bare, surface_t
     implicit none (type, external)
     private
-    public :: surface_compliance
+    public :: check_body_surface, surface_compliance
 
     !> C(k) of an elastic body, or of one that relaxes.
     interface surface_compliance
@@ -20,6 +21,26 @@ module mdrcontact_medium_compliance
     end interface surface_compliance
 
 contains
+
+    !> Raises for what no surface has, and where the surface of the body wrinkles.
+    subroutine check_body_surface(body, surface, error)
+        class(body_t), intent(in) :: body
+        type(surface_t), intent(in) :: surface
+        type(error_t), allocatable, intent(inout) :: error
+        class(compliance_t), allocatable :: compliance
+        type(membrane_t) :: membrane
+
+        call check_surface(surface, error)
+        if (allocated(error) .or. .not. surface%tension < 0.0_wp) return
+        call body%compliance(normal_load, compliance, error)
+        if (allocated(error)) return
+        if (surface%stretching > 0.0_wp) then
+            call new_membrane(membrane, surface%stretching, compliance, error, has_springs=.false.)
+            call check_stability(surface, membrane, error)
+        else
+            call check_stability(surface, compliance, error)
+        end if
+    end subroutine check_body_surface
 
     !> C(k), whatever model contacts are solved by (theory 6): 2/(E* k) of a half-space under a
     !> pressure, (2 - nu)/(2 G k) under a load of one direction averaged over the directions of the wave, 1/(G k) under one across
