@@ -35,6 +35,7 @@ static void truth_comes_back(void)
     CHECK_INT(problem.parameter_count, NUMBERS);
     for (int i = 0; i < POINTS; i++) d[i] = 2.5e-9 * (i + 1), F[i] = 0.0;
     CHECK_INT(mdr_fit_predict(&problem, POINTS, d, d, NULL, F, a), MDR_SUCCESS);
+    CHECK_SUCCESS(mdr_fit_predict(&problem, 0, NULL, NULL, NULL, NULL, NULL));
 
     /* the same curve by way of a contact */
     CHECK_INT(mdr_contact_new(ball, film, NULL, &contact), MDR_SUCCESS);

@@ -138,6 +138,9 @@ contains
         if (allocated(error)) return
         call read_column(n, x, data%x, error)
         call read_column(n, y, data%y, error)
+        ! of no points they may be missing
+        if (.not. allocated(data%x)) allocate (data%x(0))
+        if (.not. allocated(data%y)) allocate (data%y(0))
         call read_column(n, given, data%given, error)
         call read_column(n, sd, data%sd, error)
         if (allocated(error) .or. .not. c_associated(branch)) return
