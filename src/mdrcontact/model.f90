@@ -34,7 +34,7 @@ module mdrcontact_model
     use mdrcontact_tension_surface, only: has_springs, is_bare, surface_t
     implicit none (type, external)
     private
-    public :: models, model_table, new_solver, model_position
+    public :: models, model_table, new_solver, model_position, model_text
     public :: constant_of, model_options_t, option_names, option_values, options_of, with_constant
 
     !> Codes of the models, enum mdr_model of the C header.
@@ -109,6 +109,15 @@ contains
 
         position = findloc(model_table%code, code, dim=1)
     end function model_position
+
+    !> A model's name; any other code as number and word.
+    pure function model_text(code) result(text)
+        integer, intent(in) :: code
+        character(len=48) :: text
+
+        text = code_text(code)
+        if (model_position(code) > 0) text = word_of(code)
+    end function model_text
 
     !> The options as numbers, in the order of their names.
     pure function option_values(options) result(values)
@@ -291,7 +300,7 @@ contains
         do i = 1, size(model_table)
             if (allowed(i)) names = trim(names)//", "//trim(word_of(model_table(i)%code))
         end do
-        call raise(error, error_invalid, "model = "//trim(code_text(model))//" is not allowed"//what//": choose from "// &
+        call raise(error, error_invalid, "model = "//trim(model_text(model))//" is not allowed"//what//": choose from "// &
                    trim(names(3:)))
     end subroutine refuse
 

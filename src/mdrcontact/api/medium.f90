@@ -11,13 +11,13 @@ module mdrcontact_api_medium
     use mdrcontact_body_compliance, only: shear_load, twist_load
     use mdrcontact_codes, only: of_modulus => modulus, of_stiffness => stiffness, of_tangential_modulus => tangential_modulus, &
                                 of_torsional_stiffness => torsional_stiffness, word_of
-    use mdrcontact_error, only: check_code, check_memory, code_text, error_invalid, error_t, raise
+    use mdrcontact_error, only: check_code, check_memory, error_invalid, error_t, raise
     use mdrcontact_medium, only: check_elastic, medium_t, new_medium, new_pair
     use mdrcontact_medium_solver, only: new_under, solver_t
     use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous_from_modulus
     use mdrcontact_medium_values, only: modulus_values
     use mdrcontact_medium_viscoelastic, only: new_viscoelastic_medium
-    use mdrcontact_model, only: model_options_t, models
+    use mdrcontact_model, only: model_options_t, model_text, models
     implicit none (type, external)
     private
     public :: mdr_medium_new, mdr_medium_pair
@@ -79,7 +79,7 @@ contains
         integer :: stat
 
         if (model /= models%exact) then
-            call raise(error, error_invalid, "model = "//trim(code_text(model))//" is not allowed for a rigid body, or one "// &
+            call raise(error, error_invalid, "model = "//trim(model_text(model))//" is not allowed for a rigid body, or one "// &
                        "of a power of the depth: choose from "//trim(word_of(models%exact)))
             return
         end if
