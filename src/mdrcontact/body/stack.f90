@@ -184,14 +184,17 @@ contains
         real(wp), intent(in) :: values(:)
         class(body_t), allocatable, intent(out) :: body
         type(error_t), allocatable, intent(inout) :: error
-        type(material_t) :: materials(size(self%layers) + 1)
-        type(bond_t) :: bonds(size(self%layers))
-        real(wp) :: thickness(size(self%layers))
+        type(material_t), allocatable :: materials(:)
+        type(bond_t), allocatable :: bonds(:)
+        real(wp), allocatable :: thickness(:)
         type(parameter_t), allocatable :: own(:)
         type(stack_t), allocatable :: stack
-        integer :: i, first, last
+        integer :: i, first, last, stat
         character(len=:), allocatable :: role
 
+        allocate (materials(size(self%layers) + 1), bonds(size(self%layers)), thickness(size(self%layers)), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
         first = 1
         do i = 1, size(self%layers)
             call self%layers(i)%parameters(own)

@@ -8,7 +8,7 @@ module mdrcontact_medium_viscoelastic
     use mdrcontact_body_chain, only: chain_t, new_chain
     use mdrcontact_body_elements_interface, only: bond_of, bond_t
     use mdrcontact_body_stack, only: new_stack, stack_t
-    use mdrcontact_error, only: check_positive, count_text, error_t
+    use mdrcontact_error, only: check_memory, check_positive, count_text, error_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_line_shared, only: layered_shared_t
     use mdrcontact_material, only: material_t, moduli_t, new_material
@@ -67,18 +67,22 @@ contains
         type(layered_shared_t), intent(inout), optional :: shared
         !> how each layer holds to what lies below it, by springs that do not relax; without it all are bonded
         type(bond_t), intent(in), optional :: bonds(:)
-        type(material_t) :: elastic(size(thickness) + 1)
+        type(material_t), allocatable :: elastic(:)
         type(homogeneous_t) :: homogeneous
         type(stack_t) :: body
-        integer :: i
+        integer :: i, stat
 
         do i = 1, size(thickness)
             call check_positive(error, "thickness", thickness(i), i)
         end do
-        self%materials = materials
-        self%thickness = thickness
-        allocate (self%bonds(size(thickness)))
-        if (present(bonds)) self%bonds = bonds
+        if (allocated(error)) return
+        allocate (elastic(size(thickness) + 1), self%materials(size(materials)), self%thickness(size(thickness)), &
+                  self%bonds(size(thickness)), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
+        self%materials(:) = materials
+        self%thickness(:) = thickness
+        if (present(bonds)) self%bonds(:) = bonds
         self%rigid_base = rigid_base
         self%model = model
         self%options = options
@@ -134,12 +138,15 @@ contains
         type(error_t), allocatable, intent(out) :: error
         !> what exact media have in common from one body to the next
         type(layered_shared_t), intent(inout) :: shared
-        type(rheology_t) :: materials(size(self%materials))
-        real(wp) :: thickness(size(self%thickness))
-        type(bond_t) :: bonds(size(self%thickness))
+        type(rheology_t), allocatable :: materials(:)
+        real(wp), allocatable :: thickness(:)
+        type(bond_t), allocatable :: bonds(:)
         type(parameter_t), allocatable :: own(:)
-        integer :: i, first
+        integer :: i, first, stat
 
+        allocate (materials(size(self%materials)), thickness(size(self%thickness)), bonds(size(self%thickness)), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
         first = 1
         do i = 1, size(materials)
             call self%materials(i)%parameters(own)
