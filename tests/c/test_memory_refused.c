@@ -69,7 +69,7 @@ static mdr_law *law;
 static mdr_structure *voxels;
 static mdr_contact *relaxing, *relaxing_zone, *scaled_gao;
 static mdr_material *springs;
-static mdr_friction *rubbed, *rubbed_coating, *rubbed_scaled;
+static mdr_friction *rubbed, *rubbed_coating, *rubbed_scaled, *rubbed_tip;
 static mdr_state pressed;
 
 static int profile(void) { mdr_profile *p = NULL; return mdr_profile_table(MDR_HEIGHT, POINTS, x, y, &p); }
@@ -183,6 +183,13 @@ static int friction_on_layers(void)
     int status = mdr_medium_values(multilayer, MDR_TANGENTIAL_MODULUS, 2, x + 100, out);
     if (status == MDR_SUCCESS) status = mdr_friction_new(on_layers, 0.3, &f);
     return status == MDR_SUCCESS ? mdr_friction_new(by_tip, 0.3, &f) : status;
+}
+/* Its past is small, its indenter is a table. */
+static int friction_history_of_table(void)
+{
+    mdr_friction_history *history = NULL, *copy = NULL;
+    const int status = mdr_friction_history_new(rubbed_tip, 0.0, 0, &history);
+    return status == MDR_SUCCESS ? mdr_friction_history_copy(history, &copy) : status;
 }
 static int graded_table(void)
 {
@@ -456,6 +463,7 @@ int main(void)
     CHECK_SUCCESS(mdr_contact_new(ball, half_space, NULL, &contact));
     CHECK_SUCCESS(mdr_contact_new(ball, film, NULL, &on_film));
     CHECK_SUCCESS(mdr_contact_new(tip, half_space, NULL, &by_tip));
+    CHECK_SUCCESS(mdr_friction_new(by_tip, 0.3, &rubbed_tip));
     CHECK_SUCCESS(mdr_structure_voxels(size, labels, 2, E, nu, spacing, 1.0, 0.3, NULL, &voxels));
     options = MDR_SIZED(mdr_law_options);
     options.tolerance = 1e-12;
@@ -534,6 +542,7 @@ int main(void)
     refuse_each("contact on layers", 0, contact_on_layers);
     refuse_each("pair of layers", 0, pair_of_layers);
     refuse_each("friction on layers and of a table", 0, friction_on_layers);
+    refuse_each("history of friction of a table", 0, friction_history_of_table);
     refuse_each("table of depths", 0, graded_table);
     refuse_each("table of depths, exact", 0, graded_table_exact);
     refuse_each("thousands of layers, exact", 0, layers_exact);

@@ -1,6 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> A contact with friction along any path of normal and tangential loading, with the memory of where it has slipped (theory 10).
 module mdrcontact_friction_history
+    use, intrinsic :: iso_fortran_env, only: int64
     use mdrcontact_base_object, only: real_bytes, room
     use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_codes, only: given_shift => shift, given_tangential_force => tangential_force
@@ -82,6 +83,8 @@ contains
             call raise(error, error_invalid, "rings = "//count_text(count)//" is not allowed: it must be from "// &
                        count_text(fewest_rings)//" to "//count_text(most_rings))
         end if
+        if (allocated(error)) return
+        call room(friction%bytes(), error)
         if (allocated(error)) return
         self%friction = friction
         allocate (self%past)
@@ -172,13 +175,16 @@ contains
         class(friction_history_t), intent(in) :: self
         type(friction_history_t), intent(out) :: other
         type(error_t), allocatable, intent(out) :: error
+        integer(int64) :: bytes
 
+        bytes = self%friction%bytes()
+        if (allocated(self%grid)) bytes = bytes + real_bytes*size(self%grid%products)
+        call room(bytes, error)
+        if (allocated(error)) return
         other%friction = self%friction
         other%modulus = self%modulus
         other%past = self%past
-        if (.not. allocated(self%grid)) return
-        call room(real_bytes*size(self%grid%products), error)
-        if (.not. allocated(error)) other%grid = self%grid
+        if (allocated(self%grid)) other%grid = self%grid
     end subroutine copy
 
     !> T, what is dissipated and the radius of stick of a step.

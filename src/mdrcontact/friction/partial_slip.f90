@@ -8,7 +8,8 @@
 !> radius give all. Nothing is neglected then: torsion moves neither the pressure nor anything that varies around the axis.
 module mdrcontact_friction_partial_slip
     use, intrinsic :: iso_c_binding, only: c_double
-    use mdrcontact_base_object, only: room
+    use, intrinsic :: iso_fortran_env, only: int64
+    use mdrcontact_base_object, only: object_t, room
     use mdrcontact_body_compliance, only: shear_load
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_state, only: contact_state_t
@@ -54,7 +55,7 @@ module mdrcontact_friction_partial_slip
     end type tangential_state_t
 
     !> A contact and its coefficient of friction. It never changes; any number of threads may share it.
-    type :: friction_t
+    type, extends(object_t) :: friction_t
         !> to be read only
         type(contact_t) :: contact
         !> of friction, > 0 [1]
@@ -65,6 +66,7 @@ module mdrcontact_friction_partial_slip
         procedure :: first_shear
         procedure :: first_twist
         procedure :: check_state
+        procedure :: bytes
     end type friction_t
 
     !> One normal state of it, sheared or twisted for the first time.
@@ -118,6 +120,13 @@ contains
         self%coefficient = coefficient
         call new_under(contact%equilibrium%medium, shear_load, self%tangential, error)
     end subroutine new_friction
+
+    pure recursive function bytes(self)
+        class(friction_t), intent(in) :: self
+        integer(int64) :: bytes
+
+        bytes = self%contact%equilibrium%bytes() + self%tangential%bytes()
+    end function bytes
 
     !> What happens to a normal state as its indenter is displaced along the surface.
     subroutine first_shear(self, state, shear, error)
