@@ -25,7 +25,8 @@ class Named:
         return self._name
 
 
-@dataclass(frozen=True)
+# without eq: one that holds arrays and says eq=False would take over an __eq__ that compares no fields at all
+@dataclass(frozen=True, eq=False)
 class Value:
     """A frozen dataclass: printed, compared and hashed by its fields; copied and pickled by being made anew."""
 

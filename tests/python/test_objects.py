@@ -12,6 +12,9 @@ import pytest
 from conftest import OXIDE, RUBBER, SILICON, every_medium, every_profile
 
 import mdrcontact as mdr
+from mdrcontact.fitting.conduction import ConductanceForce, Impedance
+from mdrcontact.fitting.rate_curves import RateCurve
+from mdrcontact.lateral import Voxels
 
 OBJECTS = [
     OXIDE,
@@ -51,6 +54,21 @@ def test_different_objects_differ():
             assert one != other
     assert mdr.Cone(0.2) != 0.2
     assert mdr.Cone(half_angle=70.0, degrees=True) == mdr.Cone(half_angle=70.0, degrees=True)
+
+
+def test_objects_of_arrays_are_equal_to_themselves_only():
+    contact = mdr.Contact(mdr.Paraboloid(1.0), mdr.Homogeneous(OXIDE))
+    time = np.arange(40.0)
+    pairs = [
+        [ConductanceForce([1.0, 2.0], values, contact) for values in ([1.0, 2.0], [3.0, 4.0])],
+        [Impedance([1.0, 2.0], values, 1.0) for values in ([1.0, 2.0j], [3.0, 4.0j])],
+        [RateCurve(time, time, force) for force in (time, 2.0 * time)],
+        [Voxels(np.full((1, 1, 1), i), [OXIDE, RUBBER], 1.0, below=SILICON) for i in (0, 1)],
+    ]
+    for one, other in pairs:
+        assert one == one
+        assert one != other
+        assert one not in [other]
 
 
 def test_objects_never_change():

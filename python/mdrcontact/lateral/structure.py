@@ -45,7 +45,7 @@ class PowerMean:
         return self._reference * np.exp(np.log1p(self._exponent * phi) / self._exponent if self._exponent else phi)
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Structure(Value):
     """A half-space z > 0 whose elastic moduli vary in all three directions. It never changes and may be shared between threads."""
 
