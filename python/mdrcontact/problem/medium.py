@@ -75,14 +75,20 @@ def _elastic(
     thermal_conductivity_along: float | None = None,
     electrical_conductivity: float | None = None,
     electrical_conductivity_along: float | None = None,
-    heat_capacity: float = 0.0,
+    heat_capacity: float | None = None,
 ) -> Elastic:
-    if thermal_conductivity is not None and electrical_conductivity is not None:
+    thermal = thermal_conductivity, thermal_conductivity_along
+    electrical = electrical_conductivity, electrical_conductivity_along
+    if None not in (thermal[0], electrical[0]):
         raise InvalidArgumentError("give thermal_conductivity or electrical_conductivity: one problem conducts one of them")
-    if electrical_conductivity is not None:
-        return Elastic(E, nu, Conductor(electrical_conductivity, electrical_conductivity_along, heat_capacity))
-    if thermal_conductivity is not None:
-        return Elastic(E, nu, Conductor(thermal_conductivity, thermal_conductivity_along, heat_capacity))
+    for name, (into, along) in (("thermal_conductivity", thermal), ("electrical_conductivity", electrical)):
+        if along is not None and into is None:
+            raise InvalidArgumentError(f"{name}_along is not allowed without {name}, that into the body")
+    sigma, along = thermal if electrical[0] is None else electrical
+    if sigma is not None:
+        return Elastic(E, nu, Conductor(sigma, along, heat_capacity or 0.0))
+    if heat_capacity is not None:
+        raise InvalidArgumentError("heat_capacity is not allowed without thermal_conductivity or electrical_conductivity")
     return Elastic(E, nu)
 
 
