@@ -116,7 +116,9 @@ def test_commands_say_which_one_takes_time(tmp_path, capsys):
     (tmp_path / "gel.toml").write_text(text, encoding="utf-8")
     for command, *more in ["curve"], ["compare"], ["stress"], ["law", str(tmp_path / "gel.law")]:
         assert main([command, str(tmp_path / "gel.toml"), *more]) == 2
-        assert "use mdrcontact history" in capsys.readouterr().err
+        words = capsys.readouterr().err
+        assert "gel.toml: [medium] is viscoelastic" in words
+        assert "use mdrcontact history" in words
     (tmp_path / "none.toml").write_text((ROOT / "examples/problems/sio2_on_si.toml").read_text(encoding="utf-8"), encoding="utf-8")
     assert main(["history", str(tmp_path / "none.toml")]) == 2
     assert "[history] is missing" in capsys.readouterr().err

@@ -23,7 +23,7 @@ from mdrcontact._units import (
     practical,
     to_si,
 )
-from mdrcontact.problem import ProblemError, load, read
+from mdrcontact.problem import _PARTS, ProblemError, load, read
 
 GOOD = """
 [indenter]
@@ -260,6 +260,11 @@ def test_faults_are_found_and_told(tmp_path, number):
         _load(tmp_path, GOOD.replace(old, new))
     assert str(caught.value).startswith(str(tmp_path / "problem.toml"))
     assert isinstance(caught.value, (mdr.MDRError, ValueError))
+
+
+def test_the_examples_of_missing_tables_are_read():
+    for part in _PARTS.values():
+        assert part.example.split()[0] in part.known
 
 
 def test_files_that_are_no_problem_files(tmp_path):

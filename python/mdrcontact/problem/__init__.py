@@ -39,7 +39,7 @@ class _Part(NamedTuple):
 
 _PARTS: Mapping[str, _Part] = {
     "adhesion": _Part(adhesion.read_adhesion, adhesion.KNOWN, 'work_of_adhesion = "50 mJ/m^2"'),
-    "strength": _Part(strength.read_strength, strength.KNOWN, 'yield = ["14 GPa", "1.5 GPa"]'),
+    "strength": _Part(strength.read_strength, strength.KNOWN, 'von_mises = ["14 GPa", "1.5 GPa"]'),
     "friction": _Part(friction.read_friction, friction.KNOWN, "coefficient = 0.3"),
     "history": _Part(history.read_history, history.KNOWN, 'path = "ramp", depth and rise_time'),
     "wear": _Part(wear.read_wear, wear.KNOWN, 'coefficient = "1e-6 mm^3/(N*m)", sliding = ["1 m"]'),
@@ -60,13 +60,15 @@ class Problem(NamedTuple):
     history: HistoryPath | None = None
     wear: Rubbing | None = None
     conduction: Conducting | None = None
+    path: Path | None = None
+    """the file; None: tables of a program"""
 
     def check_elastic(self) -> None:
         """Refuses a medium whose states depend on time, for a command that knows no time."""
         if is_poroelastic(self.medium):
-            raise ProblemError("[medium] is a poroelastic gel, and this command takes elastic bodies: use mdrcontact history")
+            raise self._refusal("[medium] is a poroelastic gel, and this command takes elastic bodies: use mdrcontact history")
         if is_viscoelastic(self.medium):
-            raise ProblemError("[medium] is viscoelastic, and this command takes elastic bodies: use mdrcontact history")
+            raise self._refusal("[medium] is viscoelastic, and this command takes elastic bodies: use mdrcontact history")
 
     def contact(self, in_time: bool = False) -> Contact:
         """The contact of the indenter with the medium, with adhesion if the file has it; viscoelastic only if led `in_time`."""
@@ -77,7 +79,7 @@ class Problem(NamedTuple):
         adhesion = self.adhesion
         if adhesion.rate is not None and in_time:
             if adhesion.cohesive_stress:
-                raise ProblemError("[adhesion]: cohesive_stress and speed exclude each other")
+                raise self._refusal("[adhesion]: cohesive_stress and speed exclude each other")
             return Contact(self.indenter, self.medium, adhesion_rule=adhesion.adhesion_rule, adhesion=adhesion.rate)
         return Contact(
             self.indenter,
@@ -86,6 +88,9 @@ class Problem(NamedTuple):
             adhesion.adhesion_rule,
             cohesive_stress=adhesion.cohesive_stress,
         )
+
+    def _refusal(self, words: str) -> ProblemError:
+        return ProblemError(f"{self.path}: {words}" if self.path else words)
 
 
 def load_with(path: str | Path, name: str) -> tuple[Problem, Any]:
@@ -101,7 +106,7 @@ def load(path: str | Path) -> Problem:
     """Reads a problem file; a fault in it is a `ProblemError` that names the file."""
     path = Path(path)
     try:
-        return read(with_calibration(parse_file(path), path.parent), title=path.stem, folder=path.parent)
+        return read(with_calibration(parse_file(path), path.parent), title=path.stem, folder=path.parent)._replace(path=path)
     except ProblemError as problem:
         raise ProblemError(f"{path}: {problem}") from problem
 
