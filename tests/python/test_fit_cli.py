@@ -72,6 +72,11 @@ def test_folder_reports_bad_curves_and_fits_the_rest(tmp_path, capsys):
         ('thickness = { prior = "500 nm", prior_sd = "10 nm" }', "thicknes = {}", "thickness"),
         ('prior_sd = "10 nm"', 'prior_sd = "10 mN"', "length"),
         (', prior_sd = "10 nm"', "", "prior_sd"),
+        (
+            "[fit.free]",
+            '[[fit.joint_prior]]\nnames = ["coating.nu", "coating.nu"]\nvalues = [0.2, 0.3]\nsds = [0.1, 0.1]\n[fit.free]',
+            "name each parameter once",
+        ),
         ("relative_sd = 0.01", 'force = "P"', "there is no column"),
         ("[data]", "[daten]", "data"),
         (

@@ -194,6 +194,8 @@ def _read_joint_prior(section: Section, names: list[str]) -> JointPrior:
             raise ProblemError(
                 f"[{section.path}]: {name!r} is not a parameter of this problem: {nearest(str(name), [n for n in names if n])}"
             )
+    if len(set(chosen)) < len(chosen):
+        raise ProblemError(f"[{section.path}]: names say the same thing twice: name each parameter once")
     columns = []
     for key in ("values", "sds"):
         given = section.plain(key)
