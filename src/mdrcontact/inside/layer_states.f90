@@ -141,6 +141,25 @@ contains
         matrix = exp(-0.5_wp*sheet%modes%total*x)*matrix
     end function fall
 
+    !> exp(-Q x) times a vector, without the matrix where both roots are one: most of the time of stresses is spent here.
+    pure subroutine carry(sheet, x, vector)
+        type(sheet_t), intent(in) :: sheet
+        real(wp), intent(in) :: x
+        real(wp), intent(inout) :: vector(2)
+        real(wp) :: fading, first
+
+        if (.not. sheet%has_one_root) then
+            vector = times(fall(sheet, x), vector)
+            return
+        end if
+        fading = exp(-0.5_wp*sheet%modes%total*x)
+        associate (turn => sheet%modes%turn)
+            first = vector(1) - x*(turn(1, 1)*vector(1) + turn(1, 2)*vector(2))
+            vector(2) = fading*(vector(2) - x*(turn(2, 1)*vector(1) + turn(2, 2)*vector(2)))
+            vector(1) = fading*first
+        end associate
+    end subroutine carry
+
     !> Refuses a load along the surface of what slides.
     subroutine turn(self, along_surface, depths, error)
         class(layer_states_t), intent(inout) :: self
@@ -264,29 +283,36 @@ contains
         type(depth_t), intent(in) :: depth
         integer, intent(in) :: first, last
         real(wp), intent(out) :: y(first:, :)
-        real(wp) :: a(2), b(2), v(2), w(2), s, t
+        real(wp) :: a(2), b(2), s, t, up, down
         integer :: i
+        logical :: is_layer
 
-        associate (sheet => self%sheets(depth%layer))
+        associate (sheet => self%sheets(depth%layer), z => self%sheets(depth%layer)%modes%z)
+            is_layer = sheet%thickness > 0.0_wp
             do i = first, last
                 s = self%k(i)*(depth%z - sheet%top)
                 t = self%k(i)*sheet%thickness - s
                 a = self%plane(1:2, depth%layer, i)
                 if (depth%less) a = self%plane_less(:, i)
-                a = times(fall(sheet, s), a)
+                call carry(sheet, s, a)
                 b = 0.0_wp
-                if (sheet%thickness > 0.0_wp) b = times(fall(sheet, t), self%plane(3:4, depth%layer, i))
-                v = a + b
-                w = times(sheet%modes%z, b - a)
-                y(i, 1:4) = [v(1), w(1), w(2), v(2)]
+                if (is_layer) then
+                    b = self%plane(3:4, depth%layer, i)
+                    call carry(sheet, t, b)
+                end if
+                y(i, 1) = a(1) + b(1)
+                y(i, 4) = a(2) + b(2)
+                b = b - a
+                y(i, 2) = z(1, 1)*b(1) + z(1, 2)*b(2)
+                y(i, 3) = z(2, 1)*b(1) + z(2, 2)*b(2)
                 if (size(y, 2) < shear_rows) cycle
-                a(1) = self%along(1, depth%layer, i)
-                if (depth%less) a(1) = self%along_less(i)
-                a(1) = exp(-sheet%modes%across*s)*a(1)
-                b(1) = 0.0_wp
-                if (sheet%thickness > 0.0_wp) b(1) = exp(-sheet%modes%across*t)*self%along(2, depth%layer, i)
-                y(i, 5) = (a(1) + b(1))/sheet%modes%shear
-                y(i, 6) = b(1) - a(1)
+                down = self%along(1, depth%layer, i)
+                if (depth%less) down = self%along_less(i)
+                down = exp(-sheet%modes%across*s)*down
+                up = 0.0_wp
+                if (is_layer) up = exp(-sheet%modes%across*t)*self%along(2, depth%layer, i)
+                y(i, 5) = (down + up)/sheet%modes%shear
+                y(i, 6) = up - down
             end do
         end associate
     end subroutine state
