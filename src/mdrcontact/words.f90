@@ -30,9 +30,10 @@ contains
         known = ""
         allocate (edits(size(codes)))
         do i = 1, size(codes)
-            if (word_of(codes(i)) == word) code = codes(i)
             known = known//", "//trim(word_of(codes(i)))
             edits(i) = edits_between(word, trim(word_of(codes(i))))
+            ! no letter more either, be it a blank
+            if (edits(i) == 0) code = codes(i)
         end do
         if (code == -1) call raise(error, error_invalid, " = "//word(:min(len(word), 40))//" is not allowed: did you mean "// &
                                    trim(word_of(codes(minloc(edits, dim=1))))//"? It must be one of "//known(3:), "name")

@@ -39,6 +39,7 @@ static void wrong_words_are_answered(void)
     CHECK_STATUS(mdr_code_of(MDR_MODEL_EXACT, "gauss", &code), MDR_EINVALID, "name = gauss is not allowed: did you mean gao?");
     CHECK_STATUS(mdr_code_of(MDR_MODEL_EXACT, "exakt", &code), MDR_EINVALID, "did you mean exact? It must be one of gao, gao-series");
     CHECK_STATUS(mdr_code_of(MDR_ON_LOADING, "depth", &code), MDR_EINVALID, "one of loading, unloading");
+    CHECK_STATUS(mdr_code_of(MDR_MODEL_EXACT, "exact ", &code), MDR_EINVALID, "did you mean exact?");
     CHECK_STATUS(mdr_code_of(MDR_ON_LOADING, "", &code), MDR_EINVALID, "did you mean loading?");
     CHECK_STATUS(mdr_code_of(MDR_DEPTH, "a word that is much longer than any word of the library, and of its messages", &code),
                  MDR_EINVALID, "name = a word that is much longer than any word");

@@ -345,3 +345,19 @@ def test_kinks_of_a_modulus(slope):
             continue
         assert contact.pull_off("force").force == pytest.approx(force.min(), rel=1e-6)
     assert refused < 12 if slope < 0.0 else refused == 12
+
+
+@pytest.mark.parametrize("gamma", [0.001, 0.03, 0.1, 0.3])
+@pytest.mark.parametrize("model", ["exact", "gao-power", "doerner-nix"])
+def test_spheres_up_to_their_equator(gamma, model):
+    """Where the slope is infinite, samples miss the contact: no jump. Pull-off is the lowest force of all radii."""
+    film = mdr.Coated(mdr.Elastic(0.0629, 0.0), 0.17, mdr.Elastic(0.879, 0.0), model)
+    contact = mdr.Contact(mdr.Sphere(6.375), film, work_of_adhesion=gamma)
+    radii = np.geomspace(0.02, 6.3, 400)
+    lowest = optimize.minimize_scalar(
+        lambda a: float(contact.at_radius(a).force),
+        bounds=(radii[(i := int(contact.at_radius(radii).force.argmin())) - 1], radii[i + 1]),
+        method="bounded",
+        options={"xatol": 1e-8},
+    )
+    assert contact.pull_off("force").force == pytest.approx(lowest.fun, rel=1e-8)
