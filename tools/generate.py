@@ -49,6 +49,7 @@ STATUS_WORDS = {"ENOCONVERGENCE": "no-convergence", "ENOMEMORY": "no-memory"}
 WORD_OF = """\
     !> What a code means in a word, as all languages and problem files write it; empty for a number that is no code.
     pure function word_of(code) result(word)
+        !> of any enumeration
         integer, intent(in) :: code
         character(len=len(words)) :: word
         integer :: place

@@ -88,7 +88,7 @@ def main() -> None:
         f"lateral force up to {np.abs(moved.lateral_force).max() * 1e3:.3f} mN, mean {moved.lateral_force.mean() * 1e3:.1e} mN"
     )
 
-    Path("brake_pad.png").write_bytes(map_figure("Grains and fibres in a resin", structure, RADII, maps, "png"))
+    map_figure("Grains and fibres in a resin", structure, RADII, maps).savefig("brake_pad.png")
     print("written: brake_pad.png")
 
 

@@ -64,6 +64,8 @@ def waiting(what: str) -> Iterator[None]:
         if done.wait(PATIENCE):
             return
         with tqdm(desc=what, bar_format="{desc}: {elapsed}", disable=None, leave=False) as clock:
+            if clock.disable:  # no terminal
+                return
             clock.start_t -= PATIENCE
             while not done.wait(LOOK):
                 clock.refresh()

@@ -48,6 +48,7 @@ module mdrcontact_body
         procedure :: with_parameters
     end type body_t
 
+    !> A copy of a body, after a trial of the memory that it takes.
     interface copy
         module procedure copy_body
     end interface copy

@@ -466,6 +466,7 @@ contains
 
     !> What a code means in a word, as all languages and problem files write it; empty for a number that is no code.
     pure function word_of(code) result(word)
+        !> of any enumeration
         integer, intent(in) :: code
         character(len=len(words)) :: word
         integer :: place

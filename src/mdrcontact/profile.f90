@@ -63,6 +63,7 @@ module mdrcontact_profile
         procedure :: set => nothing
     end type profile_t
 
+    !> A copy of an indenter, after a trial of the memory that it takes.
     interface copy
         module procedure copy_profile
     end interface copy

@@ -13,7 +13,9 @@ contains
     pure subroutine code_of(enumeration, word, code, error)
         !> any code of the enumeration, models%exact for a model
         integer, intent(in) :: enumeration
+        !> to the letter
         character(len=*), intent(in) :: word
+        !> -1 with an error
         integer, intent(out) :: code
         type(error_t), allocatable, intent(out) :: error
         character(len=:), allocatable :: known

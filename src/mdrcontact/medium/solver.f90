@@ -90,6 +90,7 @@ module mdrcontact_medium_solver
         procedure :: bytes
     end type solver_t
 
+    !> A copy of a solver, after a trial of the memory that it takes.
     interface copy
         module procedure copy_solver
     end interface copy
