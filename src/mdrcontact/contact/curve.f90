@@ -92,24 +92,25 @@ contains
     subroutine check_kinks(self, error)
         type(curve_t), intent(in) :: self
         type(error_t), allocatable, intent(inout) :: error
-        real(wp), dimension(rows, 2) :: v, dv
-        real(wp) :: s(2), ds(2), jump
+        real(wp), dimension(rows) :: left, right, dv
+        type(curve_point_t) :: below, above
+        real(wp) :: unused, slopes(2)
         integer :: i, before
 
         before = 1
         do i = 2, size(self%from_root)
             if (self%edges(i + 1) - self%edges(i) < enclosing) cycle
-            call self%in_panel(before, 1.0_wp, v(:, 1), dv(:, 1))
-            call self%in_panel(i, -1.0_wp, v(:, 2), dv(:, 2))
+            call self%in_panel(before, 1.0_wp, left, dv)
+            call self%control_of(depth_control, left, dv, unused, slopes(1))
+            call self%in_panel(i, -1.0_wp, right, dv)
             before = i
-            if (.not. abs(v(of_excess, 2) - v(of_excess, 1)) > largest_kink) cycle
-            call self%control_of(depth_control, v(:, 1), dv(:, 1), s(1), ds(1))
-            call self%control_of(depth_control, v(:, 2), dv(:, 2), s(2), ds(2))
-            jump = s(2) - s(1)
+            if (.not. abs(right(of_excess) - left(of_excess)) > largest_kink) cycle
+            below = self%point_of(self%edges(i), left)
+            above = self%point_of(self%edges(i), right)
             ! a panel from a break on has no slope there
-            call self%in_panel(i, beside, v(:, 2), dv(:, 2))
-            call self%control_of(depth_control, v(:, 2), dv(:, 2), s(2), ds(2))
-            if (all([ds, jump] < 0.0_wp)) cycle
+            call self%in_panel(i, beside, right, dv)
+            call self%control_of(depth_control, right, dv, unused, slopes(2))
+            if (above%depth < below%depth .and. all(slopes < 0.0_wp)) cycle
             call raise(error, error_no_convergence, "the contact modulus has a kink at radius = "// &
                        to_text(self%end_radius + exp(self%edges(i)))//": by the energy balance the contact's edge "// &
                        "rests there while depth and force change; smooth the modulus, or take the source's rule of adhesion")
