@@ -73,6 +73,7 @@ ctest --test-dir "$build" --parallel "$jobs" ${ctest_options[@]+"${ctest_options
 # the C tests and the kept inputs of the fuzzers under the sanitizers; all of docs/faults.md: tools/check_faults.sh
 if $all && ! on_macos; then
     check sanitizers with_progress "$log_dir/sanitizers.log" tools/check_faults.sh quick
+    check python_sanitizer with_progress "$log_dir/python_sanitizer.log" tools/check_faults.sh python
 fi
 
 say "5/6 Python tests (pytest)"

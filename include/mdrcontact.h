@@ -48,9 +48,19 @@
  *
  * @par Handles and their release
  * Functions with an argument `out` make handles; the calling program owns them and frees them by mdr_free(), or by the macro
- * MDR_FREE, which also sets the program's pointer to NULL. What a handle was made from may be freed at once: it holds copies
- * (but mdr_structure_function() keeps the user's function and context). A handle never changes after its creation, but for
+ * MDR_FREE, which also sets the program's pointer to NULL. A handle never changes after its creation, but for
  * mdr_friction_history and mdr_wear_history, which must not be used by two threads at a time.
+ *
+ * @par What is copied, what is kept
+ * Every call copies what it needs from its arguments: handles, arrays, texts and structures, with the handles and arrays to which a
+ * structure points. They must be valid until the call returns; the program may free or change them afterwards. User functions are
+ * called before the call that takes them returns, and never later. Three functions keep a pointer:
+ * - mdr_structure_function() keeps the function and its context until the structure is freed;
+ * - mdr_set_cancel() keeps the function and its context, and mdr_set_progress() keeps the pointer to the number, until the calling
+ *   thread sets others, or NULL, or ends.
+ *
+ * The library returns pointers to its own memory: texts of mdr_name_of() are valid for ever; the text of mdr_last_error() until the
+ * next failure of the thread; the texts in structures about a law, and views of it (mdr_law_view_of()), until the law is freed.
  *
  * @par Rounding
  * Every function that computes does so rounding to nearest, with denormal numbers and without traps of exceptions, and then sets

@@ -201,6 +201,7 @@ def main(root=REPOSITORY):
     header = INCLUDE / "mdrcontact.h"
     text = without_comments(header)
     found = structures(text)
+    functions = functions_of(text, described(found))
     constructors = profiles(prototypes(text))
     sources = "".join(path.read_text(encoding="utf-8") for path in sorted(API.glob("*.f90"))) + "\n".join(constructors)
     headers = "".join(path.read_text(encoding="utf-8") for path in sorted(INCLUDE.rglob("*.h")))
@@ -212,8 +213,8 @@ def main(root=REPOSITORY):
         "src/mdrcontact/api/open_handle.f90": open_handle(),
         "src/mdrcontact/api/profile.f90": constructors,
         "cmake/mdrcontact.map": symbols(versions()),
-        "python/mdrcontact/_native.pyi": type_hints(functions_of(text, described(found))),
-        "python/mdrcontact/_layout.py": layout(text, found),
+        "python/mdrcontact/_native.pyi": type_hints(functions),
+        "python/mdrcontact/_layout.py": layout(text, found, functions),
     }
     for name, lines in made.items():
         path = Path(root) / name

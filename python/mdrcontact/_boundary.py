@@ -5,8 +5,9 @@ from __future__ import annotations
 
 import ctypes
 import weakref
-from collections.abc import Callable
-from typing import Any
+from collections.abc import Callable, Mapping, Sequence
+from types import SimpleNamespace
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -28,7 +29,7 @@ class Refusal(Exception):
 
     def __init__(self, status: int) -> None:
         failure = record(_layout.failure)
-        _native.last_failure(address(failure))
+        native.last_failure(failure)
         self.status = status
         argument, text = (failure[0][name].decode("utf-8", "replace") for name in ("argument", "text"))
         self.entry, self.argument, self.text = int(failure[0]["entry"]), argument, text
@@ -156,40 +157,107 @@ def complex_values(name: str, values: ArrayLike, function: Callable[[NDArray[np.
     return both
 
 
-def record(layout: np.dtype[Any], **members: Any) -> NDArray[Any]:
-    """A structure of the header with its size, and members that are not 0; an array of one, whose address is `address(...)`."""
-    made = np.zeros(1, layout)
+class Record(np.ndarray):
+    """An array of structures of the header, which holds what its members point to."""
+
+    _held: dict[str, list[Any]]
+
+    def __array_finalize__(self, source: Any) -> None:
+        self._held = dict(getattr(source, "_held", ()))
+
+    def __setitem__(self, member: Any, value: Any) -> None:
+        if value is None or isinstance(value, (Handle, np.ndarray)):
+            self._held[member] = [value]
+            value = _address(value)
+        super().__setitem__(member, value)
+
+
+def record(layout: np.dtype[Any], **members: Any) -> Record:
+    """A structure of the header with its size, and members that are not 0: an array of one. A member that is a pointer takes the
+    handle or the array, which lives as long as the record."""
+    return records(layout, [members])
+
+
+def records(layout: np.dtype[Any], rows: Sequence[Mapping[str, Any]]) -> Record:
+    """Structures of the header, as `record` makes one; one of zeros where there are no rows."""
+    held: dict[str, list[Any]] = {}
+    made = np.zeros(max(len(rows), 1), layout)
     if "size" in (layout.names or ()):
         made["size"] = layout.itemsize
-    for name, value in members.items():
-        made[name] = value
-    return made
-
-
-def address(array: NDArray[Any] | None) -> int:
-    """Where an array lies, which must be contiguous and live as long as the address is used; 0 for None, a NULL pointer."""
-    return 0 if array is None else int(array.ctypes.data)
+    for i, row in enumerate(rows):
+        one = made[i]
+        for name, value in row.items():
+            if value is None or isinstance(value, (Handle, np.ndarray)):
+                held.setdefault(name, []).append(value)
+                one[name] = _address(value)
+            else:
+                one[name] = value
+    found = made.view(Record)
+    found._held = held
+    return found
 
 
 def words_of(*codes: int) -> dict[str, int]:
     """Codes of the library by their words, which all languages and problem files write."""
-    return {ctypes.string_at(_native.name_of(code)).decode(): code for code in codes}
+    return {ctypes.string_at(native.name_of(code)).decode(): code for code in codes}
 
 
 class Handle:
     """Owner of one object of the library: frees it when the last Python reference is gone, in any thread, once."""
 
-    __slots__ = ("address", "__weakref__")
+    __slots__ = ("_address", "__weakref__")
 
     def __init__(self, created: tuple[int, int]) -> None:
         """`created` is what a compiled constructor returns: status and address."""
         status, handle = created
         check(status)
-        self.address = int(handle)
-        weakref.finalize(self, _native.free, self.address)
+        self._address = int(handle)
+        weakref.finalize(self, _native.free, self._address)
 
     def __reduce__(self) -> Any:
         raise TypeError("a handle belongs to its object: it is neither copied nor pickled")
+
+
+def _address(value: Any) -> int:
+    """Where a handle, a contiguous array, a function of ctypes or None lies, for one call whose arguments hold it."""
+    if isinstance(value, Handle):
+        return value._address
+    if value is None:
+        return 0
+    if isinstance(value, np.ndarray):
+        if not value.flags.c_contiguous:
+            raise ValueError("an array that the library reads must be contiguous")
+        return int(value.ctypes.data)
+    if isinstance(value, ctypes._CFuncPtr):  # type: ignore[attr-defined]
+        return ctypes.cast(value, ctypes.c_void_p).value or 0
+    raise TypeError(f"{value!r} is no handle, array or function of ctypes")
+
+
+def _holding(function: Callable[..., Any], places: tuple[int, ...]) -> Callable[..., Any]:
+    """A compiled function whose arguments at some places are pointers. It takes their owners, which its frame holds until the
+    function returns: Python keeps no address of what it might free."""
+
+    def held(*arguments: Any) -> Any:
+        given = list(arguments)
+        for place in places:
+            value = given[place]
+            given[place] = [_address(one) for one in value] if isinstance(value, list) else _address(value)
+        return function(*given)
+
+    return held
+
+
+def _library() -> Any:
+    """The functions of the compiled library."""
+    functions = {name: function for name, function in vars(_native).items() if not name.startswith("_")}
+    held = {name: _holding(functions[name], places) for name, places in _layout.POINTERS.items()}
+    return SimpleNamespace(**functions | held)
+
+
+if TYPE_CHECKING:
+    native = _native
+else:
+    native = _library()
 
 
 def one_path(time: ArrayLike, **given: ArrayLike | None) -> tuple[str, NDArray[np.float64], NDArray[np.float64]]:

@@ -5,7 +5,6 @@ from __future__ import annotations
 
 from pathlib import Path
 
-from . import _native
 from .errors import FileError
 
 __all__ = ["get_cmake_dir", "get_include", "get_library", "get_pkgconfig_dir"]
@@ -35,7 +34,7 @@ def get_pkgconfig_dir() -> str:
 
 
 def _place(folder: str, file: str) -> str:
-    place = Path(_native.__file__).parent / folder
+    place = Path(__file__).parent / folder
     if not (place / file).exists():
         raise FileError(f"{place / file} does not exist: this package came without the C library; pip install mdrcontact brings it")
     return str(place)

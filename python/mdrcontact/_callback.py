@@ -14,7 +14,7 @@ MDR_FUNCTION = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_double, ctypes.POINTER(ct
 
 
 class Callback:
-    """A Python function as the address of a C function.
+    """A Python function as a C function.
 
     An exception must not travel through compiled code: it is kept here, the library gets the status of a failed function, and
     `reraise` raises it after the library has returned and tidied up.
@@ -26,12 +26,8 @@ class Callback:
         self._name = name
         self._function = function
         self._exception: BaseException | None = None
-        self._entry = MDR_FUNCTION(self._call)
-
-    @property
-    def address(self) -> int:
-        """Address of the C function, valid as long as this object lives."""
-        return ctypes.cast(self._entry, ctypes.c_void_p).value or 0
+        self.entry = MDR_FUNCTION(self._call)
+        """the C function"""
 
     def reraise(self) -> None:
         """Raises what the user's function raised, if it did."""

@@ -97,7 +97,7 @@ class Doubts:
         if deviation is None:
             so_far += points
             if so_far >= interior.ENOUGH_POINTS:
-                deviation = interior.deviation(contact._handle.address, row, body)
+                deviation = interior.deviation(contact._handle, row, body)
             self._compared = {key: (so_far, deviation)}
         if deviation is None or deviation <= max(interior.USUAL, interior.TOLERANCES * contact.medium._tolerance()):
             return

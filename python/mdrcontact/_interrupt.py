@@ -9,14 +9,13 @@ from collections.abc import Iterator
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 
-from . import _native
-from ._boundary import call
+from ._boundary import call, native
 
 _MDR_CANCEL = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_void_p)
 
 # Python answers signals in its main thread alone, which is the one that imports.
 if threading.current_thread() is threading.main_thread():
-    call(_native.set_cancel, _native.interrupted, 0)
+    call(native.set_cancel, _MDR_CANCEL(native.interrupted), None)
 
 
 @contextmanager
@@ -24,8 +23,7 @@ def workers(threads: int | None) -> Iterator[ThreadPoolExecutor]:
     """Threads whose calls into the library end soon where the one that waits for them is interrupted."""
     stop = threading.Event()
     cancel = _MDR_CANCEL(lambda _context: stop.is_set())
-    address = ctypes.cast(cancel, ctypes.c_void_p).value or 0
-    with ThreadPoolExecutor(threads, initializer=lambda: call(_native.set_cancel, address, 0)) as pool:
+    with ThreadPoolExecutor(threads, initializer=lambda: call(native.set_cancel, cancel, None)) as pool:
         try:
             yield pool
         except BaseException:

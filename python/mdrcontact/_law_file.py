@@ -10,10 +10,9 @@ from pathlib import Path
 from typing import Any, ClassVar, TypeVar
 
 import numpy as np
-from numpy.typing import NDArray
 
 from . import _layout
-from ._boundary import Handle, address, call, not_zero, number, record
+from ._boundary import Handle, Record, call, not_zero, number, record
 from ._files import replace
 from .errors import ArgumentTypeError, FileError, InvalidArgumentError
 
@@ -36,7 +35,7 @@ class LawFile:
         kind = type(self)
         self._handle = Handle(created)
         facts = record(kind._table)
-        call(kind._info, self._handle.address, address(facts))
+        call(kind._info, self._handle, facts)
         self._facts = facts[0]
 
     @property
@@ -51,16 +50,16 @@ class LawFile:
 
     def to_bytes(self) -> bytes:
         """The content of a law's file: version, description, numbers, checksum."""
-        length = call(type(self)._write, self._handle.address, 0, 0)
+        length = call(type(self)._write, self._handle, None, 0)
         buffer = np.zeros(length, np.uint8)
-        call(type(self)._write, self._handle.address, address(buffer), length)
+        call(type(self)._write, self._handle, buffer, length)
         return bytes(buffer)
 
     @classmethod
     def from_bytes(cls: type[Law], content: bytes) -> Law:
         """The law in a file's content. Damaged or foreign content is refused with its reason (FileError)."""
         law = cls.__new__(cls)
-        law._own(cls._read(address(np.frombuffer(content or b"\0", np.uint8)), len(content)))
+        law._own(cls._read(np.frombuffer(content or b"\0", np.uint8), len(content)))
         return law
 
     def save(self, path: str | os.PathLike[str]) -> None:
@@ -89,8 +88,8 @@ class LawFile:
 
 def law_options(
     description: str | None, otherwise: str, smallest_depth: float | None, tolerance: float, continue_beyond: bool
-) -> tuple[NDArray[Any], NDArray[np.uint8]]:
-    """Struct mdr_law_options and the text of the description in it, which must live as long."""
+) -> Record:
+    """Struct mdr_law_options."""
     words = otherwise if description is None else description
     if not isinstance(words, str) or "\0" in words:
         raise ArgumentTypeError(f"description = {description!r} is not allowed: it must be a text without null characters")
@@ -98,7 +97,6 @@ def law_options(
     if smallest_depth is not None and smallest == 0.0:
         raise InvalidArgumentError("smallest_depth = 0.0 is not allowed: it must be greater than 0")
     text = np.frombuffer(words.encode() + b"\0", np.uint8)
-    chosen = record(_layout.law_options, smallest_depth=smallest,
-                    tolerance=not_zero("tolerance", tolerance), description=address(text),
+    return record(_layout.law_options, smallest_depth=smallest,
+                    tolerance=not_zero("tolerance", tolerance), description=text,
                     continue_beyond=bool(continue_beyond))  # fmt: skip
-    return chosen, text

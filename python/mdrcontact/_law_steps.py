@@ -8,8 +8,7 @@ from typing import Any, Literal, overload
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _native
-from ._boundary import address, call, numbers, whole
+from ._boundary import call, native, numbers, whole
 from ._law_file import LawFile
 from .errors import ArgumentTypeError, InvalidArgumentError
 
@@ -124,8 +123,8 @@ class LawSteps(LawFile):
         in_space, slopes, total = np.zeros((n, 3)), np.zeros((n, 3, 4)), np.zeros((n, 3))
         in_space[:, axes] = shifts
         if n:
-            places = address(slopes) if tangent else 0, address(memory)
-            total = call(_native.law_advance, self._handle.address, forces, in_space, is_trial, *places)
+            places = slopes if tangent else None, memory
+            total = call(native.law_advance, self._handle, forces, in_space, is_trial, *places)
         total = np.array(total[:, axes])
         return (total, np.array(slopes[:, axes, axes]), np.array(slopes[:, axes, 3])) if tangent else total
 
@@ -136,7 +135,7 @@ class LawSteps(LawFile):
         n = self._count(memory)
         if not n:
             return np.zeros(0), np.zeros(0)
-        stored, dissipated = call(_native.law_energies, self._handle.address, n, address(memory))
+        stored, dissipated = call(native.law_energies, self._handle, n, memory)
         return stored, dissipated
 
     def turn(self, memory: Reals, normals: ArrayLike, spin: ArrayLike | None = None) -> None:
@@ -155,7 +154,7 @@ class LawSteps(LawFile):
                 f"({n},)"
             )
         if n:
-            call(_native.law_turn, self._handle.address, directions, address(angles), address(memory))
+            call(native.law_turn, self._handle, directions, angles, memory)
 
     def _count(self, memory: Reals) -> int:
         if not (self.sliders and isinstance(memory, np.ndarray) and memory.dtype == np.float64 and memory.ndim == 2

@@ -10,8 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from . import _native
-from ._boundary import call
+from ._boundary import call, native
 
 PATIENCE = 2.0
 """Seconds before a progress bar is shown."""
@@ -43,12 +42,12 @@ def marching(samples: int, shown: bool) -> Iterator[None]:
                 shown_bar.update(samples * (int(rounds) + share) - shown_bar.n)
 
     watcher = threading.Thread(target=follow, daemon=True)
-    call(_native.set_progress, part.ctypes.data)
+    call(native.set_progress, part)
     watcher.start()
     try:
         yield
     finally:
-        call(_native.set_progress, 0)
+        call(native.set_progress, None)
         done.set()
         watcher.join()
 

@@ -8,8 +8,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from . import _layout, _native
-from ._boundary import Handle, address, call, number, record, whole, words_of
+from . import _layout
+from ._boundary import Handle, call, native, number, record, whole, words_of
 from ._choices import nearest
 from .errors import ArgumentTypeError, InvalidArgumentError
 
@@ -99,7 +99,7 @@ def pull_offs(contact: Any, control: str) -> PullOff:
     """The pull-off of a contact and its other ends of stability."""
     chosen, room = code("control", control, CONTROLS, "force", "depth"), _FIRST_ROOM
     while True:
-        found, count = call(_native.contact_pull_off, contact._handle.address, chosen, room)
+        found, count = call(native.contact_pull_off, contact._handle, chosen, room)
         if count <= room:
             break
         room = count
@@ -120,11 +120,11 @@ def loop(contact: Any, control: str, largest: Any, points: Any, spring_stiffness
         raise ArgumentTypeError('spring_stiffness is needed under control "spring", and only there')
     stiffness = 0.0 if spring_stiffness is None else number("spring_stiffness", spring_stiffness)
     count = whole("points", points, 2, 1_000_000)
-    created = _native.loop_new(contact._handle.address, chosen, number("largest", largest), count, stiffness)
+    created = native.loop_new(contact._handle, chosen, number("largest", largest), count, stiffness)
     handle = Handle(created)
     facts = record(_layout.loop_facts)
-    call(_native.loop_about, handle.address, address(facts))
-    found, _ = call(_native.loop_points, handle.address, int(facts[0]["points"]))
+    call(native.loop_about, handle, facts)
+    found, _ = call(native.loop_points, handle, int(facts[0]["points"]))
     position, d, a, F, jumps = np.ascontiguousarray(found.T)
     contact._warn_at(float(d.max()))
     energy = float(facts[0]["dissipated_energy"])

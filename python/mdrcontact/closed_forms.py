@@ -11,8 +11,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from . import _layout, _native
-from ._boundary import FloatOrArray, address, evaluate, number
+from . import _layout
+from ._boundary import FloatOrArray, evaluate, native, number
 
 __all__ = [
     "coated_paraboloid_force",
@@ -110,4 +110,4 @@ def _scale(formula: int, radius: float, substrate_shear: float, work_of_adhesion
 
 def _values(formula: int, name: str, x: ArrayLike, constants: list[float]) -> FloatOrArray:
     numbers = np.array(constants)
-    return evaluate(name, x, lambda points: _native.closed_form(formula, points, address(numbers)))
+    return evaluate(name, x, lambda points: native.closed_form(formula, points, numbers))

@@ -10,17 +10,17 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _layout, _native
+from . import _layout
 from ._boundary import (
     ComplexOrArray,
     FloatOrArray,
     Handle,
-    address,
     call,
     check,
     complex_values,
     evaluate,
     evaluate_all,
+    native,
     not_zero,
     number,
     numbers,
@@ -110,8 +110,8 @@ class FrictionHeat:
         which, below = code("body", body, BODIES), code("side", side, SIDES)
 
         def values(flat_r: Any, flat_z: Any) -> Any:
-            handles = conduction._handle.address, contact._handle.address
-            return _native.conduction_heat_field(handles[0], handles[1], row, motion, strength, which, below, flat_r, flat_z)
+            handles = conduction._handle, contact._handle
+            return native.conduction_heat_field(handles[0], handles[1], row, motion, strength, which, below, flat_r, flat_z)
 
         return _at_points(r, z, values)
 
@@ -138,8 +138,8 @@ class Conduction(Value):
 
     def at_radius(self, radius: ArrayLike) -> Spot:
         """The steady spot of radius a > 0 [length], any shape: conductance and slope; its fields take one radius."""
-        handle = self._handle.address
-        conductance, slope = evaluate_all("radius", radius, lambda a: _native.conduction_spot(handle, a))
+        handle = self._handle
+        conductance, slope = evaluate_all("radius", radius, lambda a: native.conduction_spot(handle, a))
         given = numbers("radius", radius) if np.ndim(radius) else number("radius", radius)
         return Spot(self, given, conductance, slope)
 
@@ -162,7 +162,7 @@ class Conduction(Value):
     def along(self, states: State) -> ContactConductance:
         """Conductance of states of a contact, and how it grows with force and depth: G'(a)/F'(a), G'(a)/d'(a)."""
         rows, shape = _rows(states)
-        status, *values = _native.conduction_along(self._handle.address, states._owner._handle.address, rows)
+        status, *values = native.conduction_along(self._handle, states._owner._handle, rows)
         check(status, single=not shape)
         return ContactConductance(*(value.reshape(shape) if shape else float(value[0]) for value in values))
 
@@ -172,13 +172,13 @@ class Conduction(Value):
 
         kappa : > 0, area resistance times pressure [modulus length^2/conductance]
         """
-        contact = state._owner._handle.address
-        return float(call(_native.conduction_rough, self._handle.address, contact, state._row(), number("kappa", kappa)))
+        contact = state._owner._handle
+        return float(call(native.conduction_rough, self._handle, contact, state._row(), number("kappa", kappa)))
 
     def step_flux(self, r: ArrayLike, time: float, radius: float) -> FloatOrArray:
         """Flux density through a spot without a film at 0 <= r < a, a time after a step of its potential to 1."""
         given = _layout.FLUX, number("radius", radius), _layout.BODY_LOWER, 0, not_zero("time", time)
-        return evaluate("r", r, lambda points: _native.conduction_field(self._handle.address, *given, points, 0))
+        return evaluate("r", r, lambda points: native.conduction_field(self._handle, *given, points, None))
 
     def friction_heat(
         self, states: State, mu: float, speed: float, motion: str = "sliding", source_speed: float | None = None
@@ -196,8 +196,8 @@ class Conduction(Value):
         over = strength and (number("speed", speed) if source_speed is None else number("source_speed", source_speed))
         rows, shape = _rows(states)
         contact = states._owner
-        given = (self._handle.address, contact._handle.address, rows, kind, strength, over)
-        status, values = _native.conduction_heat(*given)
+        given = (self._handle, contact._handle, rows, kind, strength, over)
+        status, values = native.conduction_heat(*given)
         check(status, single=not shape)
         columns = [values[:, i].reshape(shape) if shape else float(values[0, i]) for i in range(values.shape[1])]
         total, share, centre, flux_mean, area_mean, largest, behind = columns
@@ -214,7 +214,7 @@ class Conduction(Value):
             radius = sqrt(w0^2 + w1^2)
         """
         wanted, a = code("answer", answer, ANSWERS), number("radius", radius)
-        return evaluate("time", time, lambda t: _native.conduction_follow(self._handle.address, wanted, a, t, 0))
+        return evaluate("time", time, lambda t: native.conduction_follow(self._handle, wanted, a, t, None))
 
     def follow(self, time: ArrayLike, given: ArrayLike, radius: float, answer: str = "conductance") -> NDArray[np.float64]:
         """What follows a history of potential, for the answer "conductance" (a flux), else of flux (a potential), that goes evenly
@@ -226,14 +226,14 @@ class Conduction(Value):
         """
         wanted, a = code("answer", answer, ANSWERS), number("radius", radius)
         _, t, values = one_path(time, given=given)
-        status, found = _native.conduction_follow(self._handle.address, wanted, a, t, address(values))
+        status, found = native.conduction_follow(self._handle, wanted, a, t, values)
         check(status)
         return np.asarray(found)
 
     def admittance(self, omega: ArrayLike, radius: float, answer: str = "conductance") -> ComplexOrArray:
         """The same answers to exp(i omega t), at angular frequencies omega >= 0 [1/time], 0: steady."""
         wanted, a = code("answer", answer, ANSWERS), number("radius", radius)
-        return complex_values("omega", omega, lambda w: _native.conduction_admittance(self._handle.address, wanted, a, w))
+        return complex_values("omega", omega, lambda w: native.conduction_admittance(self._handle, wanted, a, w))
 
     def impedance(self, omega: ArrayLike, radius: float) -> ComplexOrArray:
         """Potential over flux of an equipotential spot at angular frequencies omega >= 0 [1/time]."""
@@ -251,7 +251,7 @@ class TabulatedConduction(Conduction):
     def __post_init__(self) -> None:
         super().__post_init__()
         ends = [number(name, getattr(self, name)) for name in ("smallest", "largest", "tolerance")]
-        self._set(_handle=Handle(_native.conduction_tabulate(self._handle.address, *ends)))
+        self._set(_handle=Handle(native.conduction_tabulate(self._handle, *ends)))
 
 
 @dataclass(frozen=True)
@@ -288,9 +288,9 @@ class Spot:
     def _field(self, kind: int, r: ArrayLike, z: ArrayLike, body: str, side: str) -> FloatOrArray:
         radius = number("radius", self.radius)
         which, below = code("body", body, BODIES), code("side", side, SIDES)
-        handle = self.conduction._handle.address
+        handle = self.conduction._handle
 
         def values(flat_r: Any, flat_z: Any) -> Any:
-            return _native.conduction_field(handle, kind, radius, which, below, 0.0, flat_r, address(flat_z))
+            return native.conduction_field(handle, kind, radius, which, below, 0.0, flat_r, flat_z)
 
         return _at_points(r, z, values)

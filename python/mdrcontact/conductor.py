@@ -10,8 +10,8 @@ from typing import Any, Final
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _layout, _native
-from ._boundary import ComplexOrArray, FloatOrArray, Handle, address, complex_values, number
+from . import _layout
+from ._boundary import ComplexOrArray, FloatOrArray, Handle, complex_values, native, number
 from ._parameters import WithParameters
 from ._units import MODULUS_PER_LENGTH
 from ._value import Named, Value
@@ -37,7 +37,7 @@ INSULATING: Final = _Base("INSULATING", _layout.BASE_INSULATING)
 def _check(rows: NDArray[np.float64]) -> None:
     """Lets the library check layers: what lies on an insulating base without a sink costs nothing to make."""
     base = _layout.BASE_INSULATING
-    Handle(_native.conduction_new(rows, base, 0, 0, base, 0.0, 0.0))
+    Handle(native.conduction_new(rows, base, 0, None, base, 0.0, 0.0))
 
 
 @dataclass(frozen=True)
@@ -177,11 +177,11 @@ def conduction_of(body: Any, other: Any = None, film: float = 0.0, sink: float =
     lower, lower_base = first.rows()
     upper, upper_base = (None, 0) if second is None else second.rows()
     count = 0 if upper is None else len(upper)
-    return Handle(_native.conduction_new(lower, lower_base, count, address(upper), upper_base, film, sink))
+    return Handle(native.conduction_new(lower, lower_base, count, upper, upper_base, film, sink))
 
 
 def flux_compliance(conduction: Handle, k: ArrayLike, omega: float) -> FloatOrArray | ComplexOrArray:
     """See `Conduction.compliance`."""
     frequency = number("omega", omega)
-    both = complex_values("k", k, lambda q: _native.conduction_compliance(conduction.address, frequency, q))
+    both = complex_values("k", k, lambda q: native.conduction_compliance(conduction, frequency, q))
     return both if frequency else both.real

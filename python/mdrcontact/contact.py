@@ -12,8 +12,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from . import _layout, _native, failure, history, poroelastic, rate_adhesion
-from ._boundary import ComplexOrArray, FloatOrArray, Handle, address, evaluate_all, number, record, row
+from . import _layout, failure, history, poroelastic, rate_adhesion
+from ._boundary import ComplexOrArray, FloatOrArray, Handle, evaluate_all, native, number, record, row
 from ._doubts import Doubts
 from ._value import Value
 from .adhesion import BRANCHES, RULES, Loop, PullOff, code, loop, pull_offs
@@ -85,11 +85,11 @@ class Contact(Value):
         given: Any = zeta if zeta is None or is_exact else _table(zeta)
         columns = [np.array(column) for column in (((), ()) if is_exact or given is None else given)]
         options = record(_layout.contact_options, work_of_adhesion=gamma, adhesion_rule=rule,
-                         zeta_count=len(columns[0]), zeta_radius=address(columns[0]), zeta=address(columns[1]),
+                         zeta_count=len(columns[0]), zeta_radius=columns[0], zeta=columns[1],
                          zeta_is_exact=int(is_exact), cohesive_stress=sigma)  # fmt: skip
         handle: Any = poroelastic.NoHandle()
         if not poroelastic.is_poroelastic(medium):
-            created = _native.contact_new(indenter._handle.address, medium._handle.address, address(options))
+            created = native.contact_new(indenter._handle, medium._handle, options)
             handle = Handle(created)
         elif gamma != 0.0 or sigma != 0.0 or given is not None:
             raise InvalidArgumentError(
@@ -179,14 +179,14 @@ class Contact(Value):
             if radius is not None:
                 raise ArgumentTypeError("radius is not allowed with adhesion: it follows from position, depth or force")
             given = {"position": position, "depth": depth, "force": force}
-            return history.adhesive_history(self._handle.address, time, given, spring_stiffness, start, tolerance, progress)
+            return history.adhesive_history(self._handle, time, given, spring_stiffness, start, tolerance, progress)
         if position is not None or spring_stiffness is not None or start != "apart":
             raise ArgumentTypeError("position, spring_stiffness and start belong to contacts with adhesion= or a cohesive_stress")
         tolerance = 1e-5 if tolerance is None else tolerance
         if poroelastic.is_poroelastic(self.medium):
             return History(*poroelastic.history(self, time, depth, force, radius, drainage))
         history.refuse_drainage(drainage)
-        return history.history(self._handle.address, time, depth, force, radius, tolerance, progress)
+        return history.history(self._handle, time, depth, force, radius, tolerance, progress)
 
     def dynamic_stiffness(
         self,
@@ -304,7 +304,7 @@ class Contact(Value):
     def _solve(self, name: str, given: int, values: ArrayLike, branch: str = "unloading") -> State:
         """States without a warning of large strains, as a search needs them."""
         chosen = code("branch", branch, BRANCHES)
-        found = evaluate_all(name, values, lambda v: _native.contact_states(self._handle.address, given, chosen, v))
+        found = evaluate_all(name, values, lambda v: native.contact_states(self._handle, given, chosen, v))
         states = state_of(found, self)
         if self._doubts.may_open:
             self._doubts.look(states)

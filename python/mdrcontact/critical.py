@@ -7,8 +7,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from . import _layout, _native
-from ._boundary import address, call, number
+from . import _layout
+from ._boundary import call, native, number
 from .adhesion import code
 from .errors import InvalidArgumentError
 from .interior import BODIES, ENOUGH_POINTS, layer_energies
@@ -83,9 +83,9 @@ def layers_of(medium: Any, body: str = "lower") -> tuple[list[float], bool]:
 def critical(state: Any, body: str, friction: float) -> Critical:
     """What `State.critical` returns."""
     contact, row = state._owner, state._row()
-    arguments = contact._handle.address, code("body", body, BODIES), row, number("friction", friction)
-    found = np.zeros(call(_native.contact_critical, *arguments, 0, 0), _layout.maximum)
-    call(_native.contact_critical, *arguments, len(found), address(found))
+    arguments = contact._handle, code("body", body, BODIES), row, number("friction", friction)
+    found = np.zeros(call(native.contact_critical, *arguments, 0, None), _layout.maximum)
+    call(native.contact_critical, *arguments, len(found), found)
     contact._doubts.compare(contact, row, body, ENOUGH_POINTS)
     maxima = {(int(one["quantity"]), int(one["place"])): maximum(one) for one in found}
     layers = [i for kind, i in maxima if kind == _layout.VON_MISES]

@@ -8,8 +8,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from . import _layout, _native
-from ._boundary import Refusal, address, not_zero, number, outcome, words_of
+from . import _layout
+from ._boundary import Refusal, native, not_zero, number, outcome, words_of
 from .adhesion import code
 from .critical import Maximum, layers_of, maximum
 from .errors import ArgumentTypeError, InvalidArgumentError
@@ -51,8 +51,8 @@ def first_failure(
     found = np.zeros(len(given), _layout.failure_load)
     last = 0.0 if largest_radius is None else not_zero("largest_radius", largest_radius)
     status, count = outcome(
-        _native.contact_first_failure, contact._handle.address, side, number("friction", friction), last,
-        len(given), address(given), len(found), address(found),
+        native.contact_first_failure, contact._handle, side, number("friction", friction), last,
+        len(given), given, len(found), found,
     )  # fmt: skip
     if status:
         refusal = Refusal(status)

@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from . import _layout, _native
-from ._boundary import Handle, call, number, together, whole
+from . import _layout
+from ._boundary import Handle, call, native, number, together, whole
 from ._value import Value
 from .contact import Contact
 from .errors import ArgumentTypeError, InvalidArgumentError
@@ -45,7 +45,7 @@ class Friction(Value):
         if not isinstance(contact, Contact):
             raise ArgumentTypeError(f"contact = {contact!r} is not allowed: it must be a Contact")
         mu = number("coefficient", coefficient)
-        created = _native.friction_new(contact._handle.address, mu)
+        created = native.friction_new(contact._handle, mu)
         self._set(_handle=Handle(created), contact=contact, coefficient=mu, _looked_at=set())
 
     def shear(self, state: State) -> ShearedContact:
@@ -84,7 +84,7 @@ class FrictionHistory:
         count = 0 if rings is None else whole("rings", rings, 1)
         if deepest == 0.0 and (largest_depth is not None or count):
             raise InvalidArgumentError(f"largest_depth = {largest_depth!r} is not allowed: rings need a largest_depth > 0")
-        self._own(_native.friction_history_new(friction._handle.address, deepest, count))
+        self._own(native.friction_history_new(friction._handle, deepest, count))
         self._given = friction, largest_depth, rings
         self._steps = array("d")
         self.friction = friction
@@ -121,8 +121,8 @@ class FrictionHistory:
             raise ArgumentTypeError("steps are numbers or arrays of one dimension")
         if not steps.size:
             return ShearState._make([np.empty(0)] * 5 + [np.empty(0, bool)])
-        handle = self._handle.address
-        states, shears = call(_native.friction_history_advance, handle, given, along_given, steps.ravel(), along_steps.ravel())
+        handle = self._handle
+        states, shears = call(native.friction_history_advance, handle, given, along_given, steps.ravel(), along_steps.ravel())
         if steps.ndim:
             kinds = np.full(steps.size, given), np.full(steps.size, along_given)
             self._steps.frombytes(np.column_stack([*kinds, steps, along_steps]).tobytes())
@@ -138,7 +138,7 @@ class FrictionHistory:
         """The same past, which goes its own way from here."""
         other = object.__new__(type(self))
         other.__dict__.update(self.__dict__, _steps=self._steps[:])
-        other._own(_native.friction_history_copy(self._handle.address))
+        other._own(native.friction_history_copy(self._handle))
         return other
 
     __copy__ = copy

@@ -8,8 +8,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _layout, _native, poroelastic
-from ._boundary import ComplexOrArray, FloatOrArray, check, evaluate, number, one_path, together, words_of
+from . import _layout, poroelastic
+from ._boundary import ComplexOrArray, FloatOrArray, Handle, check, evaluate, native, number, one_path, together, words_of
 from ._progress import marching
 from .adhesion import CONTROLS
 from .errors import ArgumentTypeError, InvalidArgumentError
@@ -65,7 +65,7 @@ _GIVEN = words_of(_layout.DEPTH, _layout.FORCE, _layout.RADIUS)
 
 
 def history(
-    contact: int,
+    contact: Handle,
     time: ArrayLike,
     depth: ArrayLike | None,
     force: ArrayLike | None,
@@ -79,13 +79,13 @@ def history(
         return History(t, t.copy(), t.copy(), t.copy())
     accuracy = number("tolerance", tolerance)
     with marching(t.size, progress):
-        status, *columns = _native.contact_history(contact, _GIVEN[given], accuracy, t, values)
+        status, *columns = native.contact_history(contact, _GIVEN[given], accuracy, t, values)
     check(status)
     return History(t, *columns)
 
 
 def adhesive_history(
-    contact: int,
+    contact: Handle,
     time: ArrayLike,
     given: dict[str, ArrayLike | None],
     spring_stiffness: float | None,
@@ -100,7 +100,7 @@ def adhesive_history(
     row = np.zeros(len(STATE))
     row[0] = -1.0 if start == "rest" else 0.0
     with marching(t.size, progress):
-        status, d, a, c, F, end = _native.contact_adhesive_history(contact, control, stiffness, accuracy, row, t, s)
+        status, d, a, c, F, end = native.contact_adhesive_history(contact, control, stiffness, accuracy, row, t, s)
     check(status)
     happened = dict(zip(STATE, end.tolist(), strict=True))
     return AdhesiveHistory(t, d, a, c, F, {key: happened[key] for key in _HAPPENED})
@@ -134,7 +134,7 @@ def dynamic_stiffness(
         return np.empty(w.shape, np.complex128)
     # equal frequencies side by side
     order = np.argsort(w, axis=None, kind="stable")
-    status, storage, loss = _native.contact_dynamic_stiffness(contact._handle.address, w.ravel()[order], a.ravel()[order])
+    status, storage, loss = native.contact_dynamic_stiffness(contact._handle, w.ravel()[order], a.ravel()[order])
     check(status, single=not w.ndim)
     values = np.empty(w.size, np.complex128)
     values[order] = storage + 1j * loss
@@ -147,7 +147,7 @@ def step(contact: Any, kind: int, time: ArrayLike, radius: float | None, drainag
         return poroelastic.step(contact, kind, time, radius, drainage)
     refuse_drainage(drainage)
     a = number("radius", _radius(contact, {}) if radius is None else radius)
-    return evaluate("time", time, lambda t: _native.contact_step_response(contact._handle.address, kind, a, t))
+    return evaluate("time", time, lambda t: native.contact_step_response(contact._handle, kind, a, t))
 
 
 def refuse_drainage(drainage: str | None) -> None:

@@ -8,8 +8,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _layout, _native
-from ._boundary import FloatOrArray, call, check, number, together, words_of
+from . import _layout
+from ._boundary import FloatOrArray, Handle, call, check, native, number, together, words_of
 from .adhesion import code
 from .errors import NoConvergenceError
 
@@ -84,32 +84,32 @@ def _like(given: FloatOrArray, values: Any, is_infinite: Any) -> FloatOrArray:
 
 
 def interior(
-    handle: int, r: ArrayLike, z: ArrayLike, state: list[float], body: str, side: str, friction: float, angle: ArrayLike
+    handle: Handle, r: ArrayLike, z: ArrayLike, state: list[float], body: str, side: str, friction: float, angle: ArrayLike
 ) -> Interior:
     """What `State.interior` returns, from the numbers of a state."""
     radii, depths, angles = together(r=r, z=z, angle=angle)
     if not radii.size:
         return Interior(*(np.empty(radii.shape) for _ in Interior._fields))
     flat = [np.ascontiguousarray(values, dtype=np.float64).ravel() for values in (radii, depths, angles)]
-    status, field = _native.contact_interior(
+    status, field = native.contact_interior(
         handle, code("body", body, BODIES), state, code("side", side, SIDES), number("friction", friction), *flat
     )
     check(status, single=not radii.shape)
     return Interior(*(column.reshape(radii.shape) if radii.shape else float(column[0]) for column in field.T))
 
 
-def deviation(handle: int, state: list[float], body: str) -> float:
+def deviation(handle: Handle, state: list[float], body: str) -> float:
     """By how much the field of a state differs from its contact on the surface; 0 where it is not known there, as near the surface
     of a gradient that is too steep."""
     try:
-        return float(call(_native.contact_interior_error, handle, code("body", body, BODIES), state))
+        return float(call(native.contact_interior_error, handle, code("body", body, BODIES), state))
     except NoConvergenceError:
         return 0.0
 
 
 def layer_energies(state: Any, body: str, layers: int) -> NDArray[np.float64]:
     """Elastic energy of each of so many layers, of one state."""
-    handle = state._owner._handle.address
-    status, energies, count = _native.contact_layer_energies(handle, code("body", body, BODIES), state._row(), layers)
+    handle = state._owner._handle
+    status, energies, count = native.contact_layer_energies(handle, code("body", body, BODIES), state._row(), layers)
     check(status)
     return np.array(energies[:count])

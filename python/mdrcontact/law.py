@@ -8,8 +8,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _layout, _native, adhesion
-from ._boundary import FloatOrArray, address, call, evaluate, evaluate_all, not_zero, number, whole
+from . import _layout, adhesion
+from ._boundary import FloatOrArray, call, evaluate, evaluate_all, native, not_zero, number, whole
 from ._law_arrays import LawArrays, law_arrays
 from ._law_file import law_options
 from ._law_steps import LawSteps
@@ -76,9 +76,9 @@ class ContactLaw(LawSteps):
     fretting take `Friction`.
     """
 
-    __slots__ = ("_address", "_highest")
+    __slots__ = ("_highest",)
 
-    _write, _read, _info, _table = _native.law_write, _native.law_read, _native.law_about, _layout.law_facts
+    _write, _read, _info, _table = native.law_write, native.law_read, native.law_about, _layout.law_facts
 
     def __init__(
         self,
@@ -99,24 +99,22 @@ class ContactLaw(LawSteps):
             raise ArgumentTypeError(f"contact = {contact!r} is not allowed: it must be a Contact")
         if friction is not None and not isinstance(friction, Friction):
             raise ArgumentTypeError(f"friction = {friction!r} is not allowed: it must be a Friction")
-        options, text = law_options(description, repr(friction or contact), smallest_depth, tolerance, continue_beyond)
+        options = law_options(description, repr(friction or contact), smallest_depth, tolerance, continue_beyond)
         options["sliders"] = whole("sliders", sliders, 1)
         options["twist"] = bool(twist)
         if friction is not None:
-            options["friction"] = friction._handle.address
+            options["friction"] = friction._handle
         if conduction is not None:
             if not isinstance(conduction, Conduction):
                 raise ArgumentTypeError(f"conduction = {conduction!r} is not allowed: it must be a Conduction")
-            options["conduction"] = conduction._handle.address
+            options["conduction"] = conduction._handle
         if shear_strength is not None:
             options["shear_strength"] = not_zero("shear_strength", shear_strength)
-        self._own(_native.law_new(contact._handle.address, number("largest_depth", largest_depth), address(options)))
-        del text  # the options point to it
+        self._own(native.law_new(contact._handle, number("largest_depth", largest_depth), options))
         contact._warn_at(self._highest)
 
     def _own(self, created: tuple[int, int]) -> None:
         super()._own(created)
-        self._address = self._handle.address
         self._highest = float(self._facts["highest_depth"])
 
     def force(self, depth: ArrayLike, branch: str = "unloading") -> FloatOrArray:
@@ -125,7 +123,7 @@ class ContactLaw(LawSteps):
         branch : "loading" or "unloading", as in `Contact.at_depth`
         """
         if isinstance(depth, float) and branch == "unloading" and depth <= self._highest:
-            F = _native.law_force_scalar(self._address, _UNLOADING, depth)
+            F = native.law_force_scalar(self._handle, _UNLOADING, depth)
             if F is not None:
                 return F
         chosen = adhesion.code("branch", branch, BRANCHES)
@@ -134,7 +132,7 @@ class ContactLaw(LawSteps):
     def at_depth(self, depth: ArrayLike, branch: str = "unloading") -> LawState:
         """The states at depths d up to the largest one [length], any shape. Further arguments as in `force`."""
         if isinstance(depth, float) and branch == "unloading" and depth <= self._highest:
-            state = _native.law_state_scalar(self._address, _UNLOADING, depth)
+            state = native.law_state_scalar(self._handle, _UNLOADING, depth)
             if state is not None:
                 return _state(LawState, state)
         chosen = adhesion.code("branch", branch, BRANCHES)
@@ -144,8 +142,8 @@ class ContactLaw(LawSteps):
     def _from_depth(self, branch: int, depth: NDArray[np.float64], wanted: int) -> tuple[Any, ...]:
         """Status, and the first of F, slope, a and k: F alone is cheapest."""
         columns = [np.empty(depth.shape) for _ in range(wanted)]
-        F, slope, a, k = [address(column) for column in columns] + [0] * (4 - wanted)
-        status = _native.law_values(self._address, _layout.DEPTH, branch, depth, 0, a, F, k, slope, 0)
+        F, slope, a, k = columns + [None] * (4 - wanted)
+        status = native.law_values(self._handle, _layout.DEPTH, branch, depth, None, a, F, k, slope, None)
         return self._warn("depth", depth, (status, *columns))
 
     def energy(self, depth: ArrayLike, branch: str = "unloading") -> FloatOrArray:
@@ -157,13 +155,13 @@ class ContactLaw(LawSteps):
 
     def _energy(self, branch: int, depth: NDArray[np.float64]) -> tuple[int, NDArray[np.float64]]:
         U = np.empty(depth.shape)
-        return _native.law_values(self._address, _layout.DEPTH, branch, depth, 0, 0, 0, 0, 0, address(U)), U
+        return native.law_values(self._handle, _layout.DEPTH, branch, depth, None, None, None, None, None, U), U
 
     def conductance(self, depth: ArrayLike, branch: str = "unloading") -> tuple[FloatOrArray, FloatOrArray]:
         """G [conductance] and dG/dd along the branch [conductance/length] at depths d [length], any shape, of a law that was made
         with a conduction. Further arguments as in `force`."""
         chosen = adhesion.code("branch", branch, BRANCHES)
-        G, slope = evaluate_all("depth", depth, lambda d: self._warn("depth", d, _native.law_conductance(self._address, chosen, d)))
+        G, slope = evaluate_all("depth", depth, lambda d: self._warn("depth", d, native.law_conductance(self._handle, chosen, d)))
         return G, slope
 
     def _warn(self, name: str, values: NDArray[np.float64], answer: tuple[Any, ...]) -> tuple[Any, ...]:
@@ -187,16 +185,14 @@ class ContactLaw(LawSteps):
     def _from_force(self, branch: int, force: NDArray[np.float64]) -> tuple[Any, ...]:
         """Status, d, dd/dF, a and k."""
         d, compliance, a, k = (np.empty(force.shape) for _ in range(4))
-        at_d, at_compliance, at_a, at_k = map(address, (d, compliance, a, k))
-        given = _layout.FORCE
-        status = _native.law_values(self._address, given, branch, force, at_d, at_a, 0, at_k, at_compliance, 0)
+        status = native.law_values(self._handle, _layout.FORCE, branch, force, d, a, None, k, compliance, None)
         return status, d, compliance, a, k
 
     def buffer(self) -> NDArray[np.float64]:
         """The law as one array of numbers without addresses, which the inline functions of `mdrcontact_law.h` evaluate wherever it
         lies: on a device, in shared memory, in a file. Without friction; its layout: `mdr_law_head` in `mdrcontact.h`."""
         numbers = np.empty(int(self._facts["buffer_size"]))
-        call(_native.law_buffer, self._address, numbers.size, address(numbers))
+        call(native.law_buffer, self._handle, numbers.size, numbers)
         return numbers
 
     def arrays(self) -> LawArrays:
@@ -235,7 +231,7 @@ class ContactLaw(LawSteps):
         indenters other than paraboloids; and for laws of files that do not hold the radius.
         """
         law = type(self).__new__(type(self))
-        law._own(_native.law_with_radius(self._address, number("radius", radius)))
+        law._own(native.law_with_radius(self._handle, number("radius", radius)))
         return law
 
     @property

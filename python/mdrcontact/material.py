@@ -12,8 +12,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _layout, _native
-from ._boundary import ComplexOrArray, FloatOrArray, Handle, address, call, complex_values, evaluate, number, numbers, record
+from . import _layout
+from ._boundary import ComplexOrArray, FloatOrArray, Handle, call, complex_values, evaluate, native, number, numbers, record
 from ._parameters import WithParameters
 from ._units import MODULUS, RATIO, TIME, VISCOSITY
 from ._value import Named
@@ -50,7 +50,7 @@ class Elastic(WithParameters):
     @property
     def contact_modulus(self) -> float:
         """E* = E/(1 - nu^2), equation (2) [modulus]."""
-        return float(evaluate("a", 1.0, lambda radii: _native.medium_values(self._handle.address, _layout.MODULUS, radii)))
+        return float(evaluate("a", 1.0, lambda radii: native.medium_values(self._handle, _layout.MODULUS, radii)))
 
     def _layer(self) -> dict[str, float]:
         """Members of struct mdr_layer."""
@@ -117,13 +117,13 @@ class TransverselyIsotropic(WithParameters):
     def contact_modulus(self) -> float:
         """E* of a half-space of it [modulus]: 2 sqrt((C11 C33 - C13^2)/C11/(1/C44 + 2/(sqrt(C11 C33) + C13))); Delafargue, Ulm
         2004, Int. J. Solids Struct. 41, 7351."""
-        return float(evaluate("a", 1.0, lambda radii: _native.medium_values(self._handle.address, _layout.MODULUS, radii)))
+        return float(evaluate("a", 1.0, lambda radii: native.medium_values(self._handle, _layout.MODULUS, radii)))
 
     @property
     def tangential_modulus(self) -> float:
         """G0* of a half-space of it [modulus]: its contact, sticking all over, has the tangential stiffness 2 a G0*."""
         quantity = _layout.TANGENTIAL_MODULUS
-        return float(evaluate("a", 1.0, lambda radii: _native.medium_values(self._handle.address, quantity, radii)))
+        return float(evaluate("a", 1.0, lambda radii: native.medium_values(self._handle, quantity, radii)))
 
     def _layer(self) -> dict[str, float]:
         """Members of struct mdr_layer."""
@@ -134,8 +134,8 @@ class TransverselyIsotropic(WithParameters):
 
 def _half_space(material: Elastic | TransverselyIsotropic) -> Handle:
     """The medium of a half-space."""
-    body = Handle(_native.body_layered(0, 0, address(record(_layout.layer, **material._layer())), 0))
-    return Handle(_native.medium_new(body.address, 0))
+    body = Handle(native.body_layered(0, None, record(_layout.layer, **material._layer()), None))
+    return Handle(native.medium_new(body, None))
 
 
 _STIFFNESSES = ("C11", "C12", "C13", "C33", "C44")
@@ -169,25 +169,25 @@ class _Rheology(WithParameters):
         """The complex shear modulus [modulus] at angular frequencies omega > 0 [1/time], any shape: its real part stores, its
         imaginary part loses energy."""
         modulus = _layout.COMPLEX_MODULUS
-        return complex_values("omega", omega, lambda values: _native.material_values(self._handle.address, modulus, values))
+        return complex_values("omega", omega, lambda values: native.material_values(self._handle, modulus, values))
 
     def _values(self, quantity: int, t: NDArray[np.float64]) -> tuple[int, NDArray[np.float64]]:
-        status, values, _ = _native.material_values(self._handle.address, quantity, t)
+        status, values, _ = native.material_values(self._handle, quantity, t)
         return status, values
 
     @property
     def glassy(self) -> Elastic:
         """The elastic material of a sudden load; InvalidArgumentError for power laws and dashpots, which have none."""
-        return Elastic(*call(_native.material_limit, self._handle.address, _layout.LIMIT_GLASSY))
+        return Elastic(*call(native.material_limit, self._handle, _layout.LIMIT_GLASSY))
 
     @property
     def relaxed(self) -> Elastic:
         """The elastic material of a load that has lasted; InvalidArgumentError for what flows without end."""
-        return Elastic(*call(_native.material_limit, self._handle.address, _layout.LIMIT_RELAXED))
+        return Elastic(*call(native.material_limit, self._handle, _layout.LIMIT_RELAXED))
 
-    def _layer(self) -> dict[str, float]:
+    def _layer(self) -> dict[str, Handle]:
         """Members of struct mdr_layer."""
-        return {"material": self._handle.address}
+        return {"material": self._handle}
 
 
 @dataclass(frozen=True)
@@ -224,7 +224,7 @@ class Viscoelastic(_Rheology):
         pairs = _pairs("terms", terms)
         moduli, times = (np.ascontiguousarray(pairs[:, i]) for i in (0, 1))
         relaxed, dashpot = number("relaxed_shear_modulus", relaxed_shear_modulus), number("viscosity", viscosity)
-        created = _native.material_viscoelastic(relaxed, len(pairs), address(moduli), address(times), dashpot, ratio, bulk)
+        created = native.material_viscoelastic(relaxed, len(pairs), moduli, times, dashpot, ratio, bulk)
         self._set(_handle=Handle(created), relaxed_shear_modulus=relaxed, viscosity=dashpot)
         self._set(terms=tuple((g, tau) for g, tau in pairs.tolist()), nu=None if nu is None else ratio)
         self._set(bulk_modulus=None if bulk_modulus is None else bulk)
@@ -327,7 +327,7 @@ class PowerLawRheology(_Rheology):
     nu: float = field(metadata={"dimension": RATIO})
 
     def __post_init__(self) -> None:
-        self._set(_handle=Handle(_native.material_power_law(*self._numbers())))
+        self._set(_handle=Handle(native.material_power_law(*self._numbers())))
 
 
 Material = Elastic | TransverselyIsotropic | Viscoelastic | PowerLawRheology

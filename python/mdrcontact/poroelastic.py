@@ -11,8 +11,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _layout, _native
-from ._boundary import ComplexOrArray, FloatOrArray, Handle, check, complex_values, evaluate, number, one_path, words_of
+from . import _layout
+from ._boundary import ComplexOrArray, FloatOrArray, Handle, check, complex_values, evaluate, native, number, one_path, words_of
 from ._parameters import WithParameters
 from ._units import DIFFUSIVITY, MODULUS, RATIO
 from .adhesion import code
@@ -30,11 +30,14 @@ _NO_STATES = (
 )
 
 
-class NoHandle:
+class NoHandle(Handle):
     """In place of a handle: bodies that have no elastic states, and contacts with them."""
 
+    def __init__(self) -> None:
+        pass
+
     @property
-    def address(self) -> int:
+    def _address(self) -> int:  # type: ignore[override]
         """Refuses."""
         raise InvalidArgumentError(_NO_STATES)
 
@@ -120,7 +123,7 @@ def check_body(coating: object, substrate: object, model: str, options: object, 
 @lru_cache(maxsize=64)
 def table(nu: float, drainage: int, ratio: float) -> Handle:
     """The answers of a gel; those of a half-space, ratio = 0, serve all radii, times and diffusivities."""
-    status, _, created = _native.poroelastic_new(nu, drainage, ratio)
+    status, _, created = native.poroelastic_new(nu, drainage, ratio)
     return Handle((status, created))
 
 
@@ -155,34 +158,34 @@ def contact_radius(indenter: Profile, radius: float | None) -> float:
     raise ArgumentTypeError("radius is missing: only a flat punch has one of its own; for other indenters give the contact radius")
 
 
-def _answers(medium: Any, radius: float, drainage: str | None) -> tuple[int, float, float, float]:
+def _answers(medium: Any, radius: float, drainage: str | None) -> tuple[Handle, float, float, float]:
     """What the library's functions begin with: the table, G, D and a."""
     gel, code = gel_of(medium), drainage_code(drainage)
     thickness = getattr(medium, "thickness", None)
     if not 0.0 < radius < math.inf:
         raise InvalidArgumentError(f"radius = {radius!r} is not allowed: it must be finite and greater than 0")
     handle = table(gel.nu, code, radius / thickness if thickness else 0.0)
-    return handle.address, gel.shear_modulus, gel.diffusivity, radius
+    return handle, gel.shear_modulus, gel.diffusivity, radius
 
 
 def step(contact: Any, kind: int, time: ArrayLike, radius: float | None, drainage: str | None) -> FloatOrArray:
     """See `Contact.relaxation` and `Contact.creep`."""
     handle, modulus, diffusivity, a = _answers(contact.medium, contact_radius(contact.indenter, radius), drainage)
     answer = _layout.RELAXATION if kind == _layout.RELAXATION else _layout.CREEP
-    return evaluate("time", time, lambda t: _native.poroelastic_response(handle, answer, modulus, diffusivity, a, t))
+    return evaluate("time", time, lambda t: native.poroelastic_response(handle, answer, modulus, diffusivity, a, t))
 
 
 def dynamic_stiffness(contact: Any, omega: ArrayLike, radius: float | None, drainage: str | None) -> ComplexOrArray:
     """See `Contact.dynamic_stiffness`."""
     handle, modulus, diffusivity, a = _answers(contact.medium, contact_radius(contact.indenter, radius), drainage)
-    return complex_values("omega", omega, lambda w: _native.poroelastic_dynamic_stiffness(handle, modulus, diffusivity, a, w))
+    return complex_values("omega", omega, lambda w: native.poroelastic_dynamic_stiffness(handle, modulus, diffusivity, a, w))
 
 
 def compliance(medium: Any, k: ArrayLike, omega: float, drainage: str | None) -> ComplexOrArray:
     """See `Medium.compliance`."""
     gel, code, frequency = gel_of(medium), drainage_code(drainage), number("omega", omega)
     constants = gel.nu, code, getattr(medium, "thickness", 0.0), gel.shear_modulus, gel.diffusivity, frequency
-    return complex_values("k", k, lambda q: _native.poroelastic_compliance(*constants, q))
+    return complex_values("k", k, lambda q: native.poroelastic_compliance(*constants, q))
 
 
 def pressure(
@@ -201,7 +204,7 @@ def pressure(
     handle, modulus, diffusivity, a = _answers(contact.medium, held, drainage)
     at = number("time", time)
     return d * evaluate(
-        "r", r, lambda points: _native.poroelastic_pressure(handle, chosen, int(is_flat), modulus, diffusivity, a, at, points)
+        "r", r, lambda points: native.poroelastic_pressure(handle, chosen, int(is_flat), modulus, diffusivity, a, at, points)
     )
 
 
@@ -240,7 +243,7 @@ def history(
         return t, t.copy(), t.copy(), t.copy()
     handle, modulus, diffusivity, a = _answers(contact.medium, float(values[0]), drainage)
     d = a**2 / contact.indenter.radius
-    status, answer = _native.poroelastic_response(handle, _layout.PARABOLOID_RELAXATION, modulus, diffusivity, a, t - t[0])
+    status, answer = native.poroelastic_response(handle, _layout.PARABOLOID_RELAXATION, modulus, diffusivity, a, t - t[0])
     check(status)
     return t, np.full(t.shape, d), values.copy(), d * answer
 
@@ -253,7 +256,7 @@ def _punch_history(
     one, mean = (_layout.RELAXATION, _layout.MEAN_RELAXATION) if name == "depth" else (_layout.CREEP, _layout.MEAN_CREEP)
 
     def answer(kind: int, since: NDArray[np.float64]) -> NDArray[np.float64]:
-        status, out = _native.poroelastic_response(handle, kind, modulus, diffusivity, a, np.ascontiguousarray(since))
+        status, out = native.poroelastic_response(handle, kind, modulus, diffusivity, a, np.ascontiguousarray(since))
         check(status)
         found: NDArray[np.float64] = out
         return found

@@ -10,8 +10,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _layout, _native
-from ._boundary import FloatOrArray, Handle, address, call, evaluate, number, record
+from . import _layout
+from ._boundary import FloatOrArray, Handle, call, evaluate, native, number, record
 from ._progress import marching
 from ._units import RATIO, SPEED, WORK_OF_ADHESION
 from ._value import Value
@@ -60,7 +60,7 @@ class _Rate(Value):
     def at_speed(self, v: ArrayLike) -> FloatOrArray:
         """G [modulus length] of an edge of speed v [length/time], > 0 where it opens, any shape; `work` at v = 0."""
         options = self._options()
-        return evaluate("v", v, lambda values: _native.rate_work(address(options), values)[:2])
+        return evaluate("v", v, lambda values: native.rate_work(options, values)[:2])
 
     def _options(self, **more: float) -> NDArray[Any]:
         """The library's options."""
@@ -68,7 +68,7 @@ class _Rate(Value):
 
     def _scales(self) -> tuple[float, float]:
         """Longest time of creep and length of the cohesive zone; 0 where they are not known."""
-        _, time, zone = call(_native.rate_work, address(self._options()), [0.0])
+        _, time, zone = call(native.rate_work, self._options(), [0.0])
         return float(time), float(zone)
 
 
@@ -131,7 +131,7 @@ class RheologicalAdhesion(_Rate):
         self.at_speed(0.0)
 
     def _options(self, **more: float) -> NDArray[Any]:
-        return record(_layout.rate_options, material=self.material._handle.address, work=self.work,
+        return record(_layout.rate_options, material=self.material._handle, work=self.work,
                       cohesive_stress=self.cohesive_stress, **more)  # fmt: skip
 
 
@@ -148,7 +148,7 @@ def work(name: str, value: Any, adhesion: Any) -> float:
 
 def sampled(contact: Handle, adhesion: _Rate, largest: float) -> Handle:
     """The library's contact with a rate, up to a largest contact radius."""
-    return Handle(_native.rate_new(contact.address, address(adhesion._options(largest_radius=largest))))
+    return Handle(native.rate_new(contact, adhesion._options(largest_radius=largest)))
 
 
 def history(
@@ -165,7 +165,7 @@ def history(
     row = _start(start)
     handle = contact._rate_handle(contact.adhesion, max(row[0], _largest(contact, control, float(np.max(s)))) * _ROOM)
     with marching(t.size, progress):
-        d, a, F, v, lost, done, end = call(_native.rate_history, handle.address, control, stiffness, accuracy, row, t, s)
+        d, a, F, v, lost, done, end = call(native.rate_history, handle, control, stiffness, accuracy, row, t, s)
     found = RateHistory(t, d, a, F, v, lost, done, dict(zip(STATE, end.tolist(), strict=True)))
     _warn_of(contact.adhesion, found)
     return found

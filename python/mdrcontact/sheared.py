@@ -11,8 +11,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _layout, _native
-from ._boundary import FloatOrArray, Handle, address, call, evaluate, evaluate_all, number, numbers, record, whole
+from . import _layout
+from ._boundary import FloatOrArray, Handle, call, evaluate, evaluate_all, native, number, numbers, record, whole
 from ._warn import warn
 from .adhesion import code
 from .errors import ArgumentTypeError, MDRError, SlipInsideWarning
@@ -142,7 +142,7 @@ class ShearedContact:
         kind = code("control", control, _CONTROLS)
         self.state._row()  # one state
         size, count = number("amplitude", amplitude), whole("points", points, 3, _MOST_POINTS)
-        along, load, energy = call(_native.shear_loop, self._handle.address, _GIVEN[self.around][kind], size, count)
+        along, load, energy = call(native.shear_loop, self._handle, _GIVEN[self.around][kind], size, count)
         turn = self._looked(self._states(kind, size))
         return FrictionLoop(along, load, float(energy), turn, self.around)
 
@@ -170,7 +170,7 @@ class ShearedContact:
 
     def _sheared(self, row: ArrayLike) -> Handle:
         direction = _layout.AROUND if self.around else _layout.ALONG
-        return Handle(_native.shear_new(self.friction._handle.address, row, direction))
+        return Handle(native.shear_new(self.friction._handle, row, direction))
 
     def __reduce__(self) -> Any:
         return type(self), (self.friction, self.state, self.around)
@@ -182,14 +182,14 @@ class ShearedContact:
         found = np.empty((*rows.shape[:-1], 2))
         for place in np.ndindex(rows.shape[:-1]):
             facts, sheared = record(_layout.shear_facts), self._sheared(rows[place]) if place else self._handle
-            call(_native.shear_about, sheared.address, address(facts))
+            call(native.shear_about, sheared, facts)
             found[place] = facts[0]["sliding_shift"], facts[0]["sliding_force"]
         return (found[..., 0], found[..., 1]) if rows.ndim > 1 else (float(found[0]), float(found[1]))
 
     def _states(self, kind: int, values: ArrayLike) -> ShearState:
         name, given, rows = _NAMES[self.around][kind], _GIVEN[self.around][kind], self.state._rows()
         if rows.ndim == 1:
-            found = evaluate_all(name, values, lambda v: _native.shear_states(self._handle.address, given, v))
+            found = evaluate_all(name, values, lambda v: native.shear_states(self._handle, given, v))
         else:
             points = numbers(name, values)
             try:
@@ -200,7 +200,7 @@ class ShearedContact:
             table = np.empty((*shape, len(ShearState._fields)))
             for place in np.ndindex(shape):
                 sheared = self._sheared(normal[place])
-                table[place] = call(_native.shear_states, sheared.address, given, points[place])
+                table[place] = call(native.shear_states, sheared, given, points[place])
             found = list(np.moveaxis(table, -1, 0))
         flags = np.asarray(found[-1]) > 0.5
         return ShearState._make([*found[:-1], flags if flags.shape else bool(flags)])
@@ -211,7 +211,7 @@ class ShearedContact:
             raise ArgumentTypeError(f"at = {at!r} is not allowed: it must be a ShearState")
         members = [number(f"{member} of the state of shear", value) for member, value in list(at._asdict().items())[:-1]]
         members.append(float(at.sliding))
-        return evaluate(name, points, lambda x: _native.shear_field(self._handle.address, members, field, x))
+        return evaluate(name, points, lambda x: native.shear_field(self._handle, members, field, x))
 
     def _looked(self, found: ShearState) -> ShearState:
         """`found`, with a warning where the stuck disc would need more than coefficient times pressure: looks at the state with the

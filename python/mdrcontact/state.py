@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _layout, _native, critical, interior, sensitivity
-from ._boundary import FloatOrArray, address, call, evaluate, number, numbers, together
+from . import _layout, critical, interior, sensitivity
+from ._boundary import FloatOrArray, call, evaluate, native, number, numbers, together
 from .adhesion import code
 from .critical import Critical
 from .errors import ArgumentTypeError
@@ -128,14 +128,14 @@ class State(tuple[Any, ...]):
             code("body", body, BODIES)
         rows, found = self._rows(), []
         for row in rows.reshape(-1, _COUNT):
-            energies = call(_native.contact_energy, self._owner._handle.address, row)
+            energies = call(native.contact_energy, self._owner._handle, row)
             found.append(float(sum(energies) if body is None else energies[body == "upper"]))
         return found[0] if rows.ndim == 1 else np.reshape(found, rows.shape[:-1])
 
     def lowest_pressure(self) -> tuple[float, float]:
         """The smallest p(r) [modulus] of one state without adhesion, and its r [length]: 0, at the edge, where none is negative.
         Below 0 the contact is not one disc and its pressure not that of the true contact (see `NotOneDiscWarning`)."""
-        pressure, r = call(_native.contact_lowest_pressure, self._owner._handle.address, self._row())
+        pressure, r = call(native.contact_lowest_pressure, self._owner._handle, self._row())
         return float(pressure), float(r)
 
     def interior(
@@ -166,7 +166,7 @@ class State(tuple[Any, ...]):
         beyond 1e-3.
         """
         contact, row = self._owner, self._row()
-        found = interior.interior(contact._handle.address, r, z, row, body, side, friction, angle)
+        found = interior.interior(contact._handle, r, z, row, body, side, friction, angle)
         contact._doubts.compare(contact, row, body, np.size(found.s_zz))
         return found
 
@@ -211,10 +211,10 @@ class State(tuple[Any, ...]):
         return [number(f"{name} of the state", value) for name, value in self._asdict().items()]
 
     def _field(self, field: int, name: str, points: ArrayLike) -> FloatOrArray:
-        handle = self._owner._handle.address
+        handle = self._owner._handle
 
         def at(row: Any) -> Callable[[Any], Any]:
-            return lambda x: _native.contact_field(handle, field, row, x)
+            return lambda x: native.contact_field(handle, field, row, x)
 
         shape = np.shape(self.depth)
         if not shape:
@@ -230,7 +230,7 @@ class State(tuple[Any, ...]):
     def _cautions(self) -> tuple[int, list[str]]:
         """Sum of the codes, and texts, of the doubts about one state."""
         buffer = np.zeros(1000, np.uint8)
-        found = call(_native.contact_warnings, self._owner._handle.address, self._row(), address(buffer), buffer.size)
+        found = call(native.contact_warnings, self._owner._handle, self._row(), buffer, buffer.size)
         return found, bytes(buffer).rstrip(b"\0").decode().splitlines()
 
 

@@ -3,8 +3,7 @@
 
 from __future__ import annotations
 
-from . import _native
-from ._boundary import call, thread_count
+from ._boundary import call, native, thread_count
 
 __all__ = ["set_threads"]
 
@@ -17,4 +16,4 @@ def set_threads(threads: int) -> None:
     Arrays too small to gain stay on one, and so do structures that are Python functions. The numbers are the same to the last bit
     for any number of threads. Each thread of a program has its own setting.
     """
-    call(_native.set_threads, thread_count(threads))
+    call(native.set_threads, thread_count(threads))

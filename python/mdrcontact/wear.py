@@ -10,8 +10,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _layout, _native
-from ._boundary import FloatOrArray, Handle, address, call, evaluate, number, numbers, record, row, together, whole, words_of
+from . import _layout
+from ._boundary import FloatOrArray, Handle, call, evaluate, native, number, numbers, record, row, together, whole, words_of
 from ._choices import nearest
 from ._value import Value
 from .contact import Contact
@@ -122,7 +122,7 @@ class Wear(Value):
             words = f"thickness has {layers.size} and coefficient {len(k)} entries: give one coefficient more, of what lies below"
             raise InvalidArgumentError(words)
         other = number("body_coefficient", body_coefficient)
-        made = _native.wear_new(contact._handle.address, k, address(layers) if layers.size else 0, other)
+        made = native.wear_new(contact._handle, k, layers if layers.size else None, other)
         self._set(
             _handle=Handle(made),
             contact=contact,
@@ -143,7 +143,7 @@ class Wear(Value):
         """
         given = _given(constant)
         c, rows = number("stick_radius", stick_radius), _row(state)
-        reached, rim, volume, made = call(_native.wear_limit, self._handle.address, rows, c, given)
+        reached, rim, volume, made = call(native.wear_limit, self._handle, rows, c, given)
         profile = WornProfile(self, "limit", (*rows.tolist(), c, float(given)), _made=made)
         return WearLimit(state_of(np.ravel(reached).tolist(), self.contact), rim, volume, profile)
 
@@ -151,18 +151,18 @@ class Wear(Value):
         """Depth of the track that the sliding indenter leaves in the body after so many passes, k N q(y), at distances y >= 0 from
         its axis, any shape [length]; up to a tenth of the indentation depth, beyond which groove and indenter conform."""
         count, rows = number("passes", passes), _row(state)
-        return evaluate("y", y, lambda places: _native.wear_track(self._handle.address, rows, count, places))
+        return evaluate("y", y, lambda places: native.wear_track(self._handle, rows, count, places))
 
     def passes_through(self, state: State, depth: float) -> float:
         """Passes until the track is so deep, > 0 [length]: a coating of this thickness is then worn through on the axis."""
-        return float(call(_native.wear_passes, self._handle.address, _row(state), number("depth", depth)))
+        return float(call(native.wear_passes, self._handle, _row(state), number("depth", depth)))
 
     def running_in_length(self, constant: str = "force") -> float:
         """l [length]: under a flat punch what the pressure still differs by from that at the end falls as exp(-s/l) after a few l.
 
         constant : the "force", where the pressure tends to F/(pi a^2), or the "depth", where it tends to 0
         """
-        return float(call(_native.wear_running_in, self._handle.address, _given(constant)))
+        return float(call(native.wear_running_in, self._handle, _given(constant)))
 
     def history(
         self,
@@ -289,7 +289,7 @@ class WornProfile(Profile):
         made = _made
         if made is None and kind == "limit":
             *rows, c, given = numbers
-            made = call(_native.wear_limit, wear._handle.address, np.array(rows), c, int(given))[3]
+            made = call(native.wear_limit, wear._handle, np.array(rows), c, int(given))[3]
         elif made is None:
             made = _native_profile(_restored(wear, numbers))
         self._own((0, made), wear=wear, kind=kind, numbers=tuple(numbers))
@@ -302,7 +302,7 @@ class WornProfile(Profile):
         """Where nothing is worn the heights differ by it."""
         if self.kind == "limit":
             *rows, c, given = self.numbers
-            far = 2.0 * float(call(_native.wear_limit, self.wear._handle.address, np.array(rows), c, int(given))[1])
+            far = 2.0 * float(call(native.wear_limit, self.wear._handle, np.array(rows), c, int(given))[1])
         else:
             history = _restored(self.wear, self.numbers)
             if history.scheme == "rings":
@@ -319,7 +319,7 @@ def _restored(wear: Wear, past: Sequence[float]) -> WearHistory:
 
 
 def _native_profile(history: WearHistory) -> int:
-    return int(call(_native.wear_history_profile, history._handle.address))
+    return int(call(native.wear_history_profile, history._handle))
 
 
 class WearHistory:
@@ -342,7 +342,7 @@ class WearHistory:
         options = record(_layout.wear_options, intervals=count, places=_layout.WEAR_FRESH + _PLACES.index(places),
                          scheme=_layout.WEAR_DISC + SCHEMES.index(scheme))  # fmt: skip
         given = _given(constant), number(constant, value)
-        self._own(_native.wear_history_new(wear._handle.address, *given, address(options)))
+        self._own(native.wear_history_new(wear._handle, *given, options))
         self._made_from = constant, float(value), count, places, scheme
         self.wear, self.scheme = wear, scheme
 
@@ -364,17 +364,17 @@ class WearHistory:
             raise ArgumentTypeError("parts of a path are numbers or arrays of one dimension")
         if not distances.size:
             return WearState._make([np.empty(0)] * len(WearState._fields))
-        found = call(_native.wear_history_advance, self._handle.address, _given(name), distances.ravel(), targets.ravel())
+        found = call(native.wear_history_advance, self._handle, _given(name), distances.ravel(), targets.ravel())
         return WearState._make(float(values[0]) if not distances.ndim else values for values in found.T)
 
     @property
     def state(self) -> WearState:
         """What it has come to."""
-        return WearState._make(float(value) for value in np.ravel(call(_native.wear_history_state, self._handle.address, [0.0])[0]))
+        return WearState._make(float(value) for value in np.ravel(call(native.wear_history_state, self._handle, [0.0])[0]))
 
     def pressure(self, r: ArrayLike) -> FloatOrArray:
         """p(r) [modulus] at r >= 0 [length], any shape, with the resolution of the intervals; 0 outside the contact."""
-        return evaluate("r", r, lambda radii: _native.wear_history_state(self._handle.address, radii)[::2])
+        return evaluate("r", r, lambda radii: native.wear_history_state(self._handle, radii)[::2])
 
     @property
     def profile(self) -> WornProfile:
@@ -386,20 +386,20 @@ class WearHistory:
 
     def saved(self) -> NDArray[np.float64]:
         """The past as numbers, from which `restored` goes on with the same bits."""
-        values, count = call(_native.wear_history_save, self._handle.address, _LONGEST_PAST)
+        values, count = call(native.wear_history_save, self._handle, _LONGEST_PAST)
         return np.array(values[:count])
 
     def restored(self, past: ArrayLike) -> WearHistory:
         """A history of the same contact and intervals that goes on from a saved past."""
         other = self.copy()
-        call(_native.wear_history_restore, other._handle.address, numbers("past", past).ravel())
+        call(native.wear_history_restore, other._handle, numbers("past", past).ravel())
         return other
 
     def copy(self) -> WearHistory:
         """The same past, which goes its own way from here."""
         other = object.__new__(type(self))
         other.__dict__.update(self.__dict__)
-        other._own(_native.wear_history_copy(self._handle.address))
+        other._own(native.wear_history_copy(self._handle))
         return other
 
     __copy__ = copy

@@ -11,14 +11,26 @@
 PyObject *law_force_scalar(PyObject *self, PyObject *const *given, Py_ssize_t count);
 PyObject *law_state_scalar(PyObject *self, PyObject *const *given, Py_ssize_t count);
 
-/* law_force_scalar(address, branch, d): F. */
+/* The law of a `Handle` of _boundary.py, which the caller's arguments keep; NULL with an exception. */
+static const mdr_law *law_of(PyObject *handle)
+{
+    static PyObject *name = NULL; /* made once, under the interpreter's lock: twice as quick as from a C string */
+    const mdr_law *law = NULL;
+    PyObject *address;
+    if (!name) name = PyUnicode_InternFromString("_address");
+    address = name ? PyObject_GetAttr(handle, name) : NULL;
+    if (address) law = (const mdr_law *)PyLong_AsVoidPtr(address);
+    Py_XDECREF(address);
+    return law;
+}
 
+/* law_force_scalar(law, branch, d): F. */
 PyObject *law_force_scalar(PyObject *self, PyObject *const *given, Py_ssize_t count)
 {
     double F;
     (void)self;
-    if (count == 3 && PyLong_Check(given[0]) && PyLong_Check(given[1]) && PyFloat_Check(given[2])) {
-        const mdr_law *law = (const mdr_law *)PyLong_AsVoidPtr(given[0]);
+    if (count == 3 && PyLong_Check(given[1]) && PyFloat_Check(given[2])) {
+        const mdr_law *law = law_of(given[0]);
         if (mdr_law_force(law, (int)PyLong_AsLong(given[1]), PyFloat_AS_DOUBLE(given[2]), &F, NULL) == MDR_SUCCESS) {
             return PyFloat_FromDouble(F);
         }
@@ -27,14 +39,14 @@ PyObject *law_force_scalar(PyObject *self, PyObject *const *given, Py_ssize_t co
     Py_RETURN_NONE;
 }
 
-/* law_state_scalar(address, branch, d): d, a, F, k, slope. */
+/* law_state_scalar(law, branch, d): d, a, F, k, slope. */
 PyObject *law_state_scalar(PyObject *self, PyObject *const *given, Py_ssize_t count)
 {
     mdr_law_point p;
     mdr_law_view view;
     (void)self;
-    if (count == 3 && PyLong_Check(given[0]) && PyLong_Check(given[1]) && PyFloat_Check(given[2])) {
-        const mdr_law *law = (const mdr_law *)PyLong_AsVoidPtr(given[0]);
+    if (count == 3 && PyLong_Check(given[1]) && PyFloat_Check(given[2])) {
+        const mdr_law *law = law_of(given[0]);
         if (mdr_law_view_of(law, (int)PyLong_AsLong(given[1]), &view) == MDR_SUCCESS
             && mdr_law_view_state(&view, PyFloat_AS_DOUBLE(given[2]), &p) == MDR_SUCCESS) {
             const double values[] = {p.depth, p.radius, p.force, p.stiffness, p.slope};

@@ -2,12 +2,13 @@
 """The compiled module from the C header: wrap_header.py HEADER PYF.
 
 Reads include/mdrcontact.h with its parts and writes for f2py a signature file (PYF) of all functions, from which it makes the
-module `_native`. The module's types, and its structures and constants, lie in the repository: tools/generate.py. A file that is up
-to date is left alone.
+module `_native`. The module's types, its structures, constants and the places of its pointers lie in the repository:
+tools/generate.py. A file that is up to date is left alone.
 
 In Python a function has the name without mdr_, takes the inputs in the header's order, lengths of arrays excepted, and returns the
 status, or another result, followed by the outputs. What f2py does not know travels as an address, a Python int: handles, functions,
-texts, structures (which are NumPy records), and arrays that may be missing. A structure of doubles only is a row of doubles.
+texts, structures (which are NumPy records), and arrays that may be missing. `_boundary.native` takes the objects in their place. A
+structure of doubles only is a row of doubles.
 """
 
 import re
@@ -16,8 +17,8 @@ from pathlib import Path
 
 # Functions of law_force.c beside those of the header: name, and what they take and give.
 SCALARS = {
-    "law_force_scalar": "law: int, branch: int, d: float, /) -> float | None",
-    "law_state_scalar": "law: int, branch: int, d: float, /) -> tuple[float, float, float, float, float] | None",
+    "law_force_scalar": "law: Pointer, branch: int, d: float, /) -> float | None",
+    "law_state_scalar": "law: Pointer, branch: int, d: float, /) -> tuple[float, float, float, float, float] | None",
 }
 # Arrays whose size is not n; an empty text: as an address. In C order, as in the header.
 POINTS_OF_RULE = "6*order*order*order"
@@ -77,6 +78,7 @@ class Argument:
         constant, kind, stars, _, name, brackets, size = match.groups()
         self.name = RESERVED.get(name, name)
         self.kind, self.way, self.size = "address", "in", None
+        self.is_number = kind == "size_t"
         if kind in NUMBERS:
             self.kind = kind
         self.by_value = not (stars or brackets)
@@ -113,7 +115,7 @@ class Argument:
     def type(self):
         """Of the type checker."""
         if self.kind == "address":
-            return "ArrayLike" if self.size else "int"
+            return "int" if self.is_number or "out" in self.way else "Sequence[Pointer]" if self.size else "Pointer"
         if not self.size:
             return NUMBERS[self.kind][1]
         return {"int": "Integers", "double": "Reals"}[self.kind] if "out" in self.way else "ArrayLike"
@@ -144,9 +146,17 @@ class Function:
                 lines.append(f"  {argument.declaration()}")
         return [*lines, f"end {kind.split()[-1]}"]
 
+    def taken(self):
+        """The arguments that Python gives."""
+        return [argument for argument in self.arguments if "in" in argument.way and argument.name not in self.lengths]
+
+    def pointers(self):
+        """Places of pointers among the arguments that Python gives."""
+        return [i for i, argument in enumerate(self.taken()) if "Pointer" in argument.type()]
+
     def typed(self):
         """What the type checker reads."""
-        taken = [argument for argument in self.arguments if "in" in argument.way and argument.name not in self.lengths]
+        taken = self.taken()
         # f2py puts lengths of outputs where they stand
         given = [argument.type() for argument in self.arguments if "out" in argument.way]
         inputs = ", ".join([f"{argument.name}: {argument.type()}" for argument in taken] + ["/"] * bool(taken))
@@ -194,8 +204,8 @@ def structures(text):
     return found
 
 
-def layout(text, found):
-    """The dtypes of the structures and the constants of the enumerations."""
+def layout(text, found, functions):
+    """The dtypes of the structures, the constants of the enumerations, and where functions take pointers."""
     kinds = {"size_t": "np.uintp", "address": "np.uintp", "double": "np.float64", "int": "np.intc"}
     words = '"""Structures and constants of mdrcontact.h, written by tools/generate.py."""'
     lines = [SPDX, words, "", "import numpy as np", ""]
@@ -208,7 +218,10 @@ def layout(text, found):
         lines += [f"        {word}," for word in rows] + ["    ],", "    align=True,", ")"]
     for enumeration in enumerations(text):
         lines += [""] + [f"{name} = {value}" for name, value in enumeration]
-    return lines
+    places = {function.name: function.pointers() for function in functions}
+    lines += ["", "POINTERS = {"]
+    lines += [f'    "{name}": ({", ".join(map(str, found))}{"," * (len(found) == 1)}),' for name, found in places.items() if found]
+    return [*lines, "}", '"""Places of pointers among the arguments of a function."""']
 
 
 def write(path, lines):
@@ -232,10 +245,15 @@ def type_hints(functions):
     """The module's types."""
     return [
         SPDX,
-        "# The functions of mdrcontact.h as Python sees them, written by tools/generate.py.",
+        "# The functions of mdrcontact.h as `_boundary.native` has them, written by tools/generate.py.",
+        "from collections.abc import Sequence",
+        "from typing import Any",
+        "",
         "import numpy as np",
         "from numpy.typing import ArrayLike, NDArray",
         "",
+        "# a handle, a contiguous array or record, a function of ctypes, or None for NULL",
+        "Pointer = Any",
         "Integers = NDArray[np.intc]",
         "Reals = NDArray[np.float64]",
         "interrupted: int",

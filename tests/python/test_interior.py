@@ -9,8 +9,8 @@ import numpy as np
 import pytest
 
 import mdrcontact as mdr
-from mdrcontact import _native, interior
-from mdrcontact._boundary import call
+from mdrcontact import interior
+from mdrcontact._boundary import call, native
 
 DATA = Path(__file__).parents[1] / "data"
 STEEL, TIN = mdr.Elastic(210.0, 0.3), mdr.Elastic(450.0, 0.25)
@@ -288,7 +288,7 @@ MEDIA = [mdr.Homogeneous(STEEL), mdr.Coated(TIN, 0.7, STEEL), mdr.Coated(SOFT, 0
 
 
 def deviation(contact, state, body="lower"):
-    return call(_native.contact_interior_error, contact._handle.address, interior.BODIES[body], state._row())
+    return call(native.contact_interior_error, contact._handle, interior.BODIES[body], state._row())
 
 
 @pytest.mark.parametrize("medium", MEDIA, ids=str)

@@ -10,8 +10,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from .. import _native
-from .._boundary import call
+from .._boundary import call, native
 from ..errors import InvalidArgumentError
 from .result import FitResult, Interval
 
@@ -76,7 +75,7 @@ def mean_of_tests(results: Sequence[FitResult], name: str, level: float = 0.95) 
 
 
 def _quantile(level: float, freedom: float) -> float:
-    return float(call(_native.fit_quantile, level, freedom))
+    return float(call(native.fit_quantile, level, freedom))
 
 
 def _paule_mandel(values: Array, own: Array) -> float:

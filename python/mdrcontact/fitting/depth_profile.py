@@ -10,8 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from .. import _native
-from .._boundary import call
+from .._boundary import call, native
 from .._units import LENGTH, practical
 from ..errors import ArgumentTypeError, InvalidArgumentError
 from ..measurement.segments import effective_points
@@ -216,6 +215,6 @@ def _line(depth: Array, modulus: Array, error: Array, shifts: list[Array]) -> tu
     variance = float(covariance[0, 0]) + sum(float(inverse[0] @ shift[good]) ** 2 for shift in shifts)
     # common errors move the slope as well
     slope_variance = float(covariance[1, 1]) + sum(float(inverse[1] @ shift[good]) ** 2 for shift in shifts)
-    half = call(_native.fit_quantile, 0.95, freedom) * math.sqrt(variance)
+    half = call(native.fit_quantile, 0.95, freedom) * math.sqrt(variance)
     zero = float(coefficients[0])
     return zero, math.sqrt(variance), Interval(zero - half, zero + half), float(coefficients[1]), math.sqrt(slope_variance)

@@ -11,10 +11,10 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from .. import _layout, _native
+from .. import _layout
 from .. import medium as media
 from .. import profile as profiles
-from .._boundary import address, call, number, record
+from .._boundary import Handle, call, native, number, record
 from .._choices import nearest
 from .._units import COMPLIANCE, FORCE, LENGTH, MODULUS, RATIO, WORK_OF_ADHESION
 from .._value import Value
@@ -181,11 +181,10 @@ def pattern_of(indenter: Any, medium: Any, instrument: Instrument) -> Pattern:
     return Pattern(indenter, medium, with_indenter(instrument, medium), names, values)
 
 
-def handles_of(indenter: Any, medium: Any) -> dict[str, int]:
-    """The handles of a `mdr_fit_problem`; the objects must outlive it."""
+def handles_of(indenter: Any, medium: Any) -> dict[str, Handle | None]:
+    """The handles of a `mdr_fit_problem`."""
     lower, upper = _bodies(medium)
-    above = 0 if upper is None else upper._handle.address
-    return {"profile": indenter._handle.address, "medium": lower._handle.address, "counterbody": above}
+    return {"profile": indenter._handle, "medium": lower._handle, "counterbody": upper and upper._handle}
 
 
 def _bodies(medium: Any) -> tuple[Any, Any]:
@@ -198,7 +197,7 @@ def _bodies(medium: Any) -> tuple[Any, Any]:
 def _listed(problem: NDArray[Any], room: int = 100) -> list[tuple[str, float]]:
     """Names and values of the parameters as the library has them."""
     found = np.zeros(room, _layout.fit_parameter)
-    count = call(_native.fit_parameters, address(problem), room, address(found))
+    count = call(native.fit_parameters, problem, room, found)
     if count > room:
         return _listed(problem, count)
     return [(str(entry["name"], "ascii"), float(entry["value"])) for entry in found[:count]]

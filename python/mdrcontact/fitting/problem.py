@@ -10,8 +10,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from .. import _layout, _native
-from .._boundary import Refusal, address, not_zero, outcome, record, whole, words_of
+from .. import _layout
+from .._boundary import Refusal, native, not_zero, outcome, record, whole, words_of
 from ..adhesion import RULES, code
 from ..errors import ArgumentTypeError, InvalidArgumentError
 from ..medium.viscoelastic import is_viscoelastic
@@ -47,13 +47,13 @@ class Problem(NamedTuple):
         for member, values in zip((_layout.fit_parameter.names or ())[: len(self.table)], self.table, strict=True):
             parameters[member] = values
         record = self.record.copy()
-        record["parameter_count"], record["parameters"] = len(parameters), address(parameters)
+        record["parameter_count"], record["parameters"] = len(parameters), parameters
         weights = np.ascontiguousarray(self.weights)
-        record["prior_count"], record["prior_weights"] = len(weights), address(weights)
-        record["branch"] = address(self.data.branch)
+        record["prior_count"], record["prior_weights"] = len(weights), weights
+        record["branch"] = self.data.branch
         given, sd = (None if column is None else np.ascontiguousarray(column, float) for column in (self.data.given, self.data.sd))
-        errors = (address(sd),) if with_sd else ()
-        status, *results = outcome(function, address(record), self.data.x, self.data.y, address(given), *errors, *further)
+        errors = (sd,) if with_sd else ()
+        status, *results = outcome(function, record, self.data.x, self.data.y, given, *errors, *further)
         if status:
             raise _named(Refusal(status), self).error()
         return results
@@ -74,7 +74,7 @@ class Problem(NamedTuple):
     def predict(self, values: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         """What the instrument would read where the parameters are these, and the contact radii, 0 out of contact."""
         radius = np.zeros(len(self.data.x))
-        (fitted,) = self.changed(self.data, start=values).call(_native.fit_predict, address(radius), with_sd=False)
+        (fitted,) = self.changed(self.data, start=values).call(native.fit_predict, radius, with_sd=False)
         return np.asarray(fitted), radius
 
     def answer(self) -> Any:
@@ -83,7 +83,7 @@ class Problem(NamedTuple):
         numbers, points = [np.zeros(m) for _ in range(3)], [np.zeros(n) for _ in range(2)]
         found: list[NDArray[Any]] = [numbers[0], np.zeros((m, m)), numbers[1], np.zeros(m, np.intc), numbers[2], *points]
         summary = record(_layout.fit_summary)
-        self.call(_native.fit_solve, *map(address, found), address(summary))
+        self.call(native.fit_solve, *found, summary)
         return *found, summary[0]
 
 

@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from .. import _native
+from .._boundary import native
 from .._units import shown
 from .quantities import dimension_of, measured, unit_of, words_of
 
@@ -29,7 +29,7 @@ th { border-bottom: 1px solid #888; } tr:nth-child(even) td { background: #f6f6f
 
 def page(title: str, blocks: Iterable[str]) -> str:
     """A page from its blocks, with the versions of what made it at its end."""
-    number = int(_native.version())
+    number = int(native.version())
     versions = [
         f"mdrcontact {number // 10000}.{number // 100 % 100}.{number % 100}",
         f"NumPy {np.__version__}",

@@ -13,8 +13,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from .. import _native
-from .._boundary import call, number, whole
+from .._boundary import call, native, number, whole
 from .._choices import nearest
 from .._files import replace
 from .._interrupt import workers
@@ -155,13 +154,13 @@ class FitResult:
         if method == "normal":
             # correlated residuals are worth so many independent ones
             freedom = max(self.degrees_of_freedom / self.widening[name] ** 2, 1.0)
-            reach = call(_native.fit_quantile, level, math.inf if self.noise_is_known else freedom)
+            reach = call(native.fit_quantile, level, math.inf if self.noise_is_known else freedom)
             half = reach * self.standard_errors[name]
             return Interval(self.estimates[name] - half, self.estimates[name] + half)
         if method == "profile":
             problem = self.problem.changed(self.data, start=self._values)
             place = self.problem.names.index(name)
-            lower, upper = problem.call(_native.fit_interval, place, level)
+            lower, upper = problem.call(native.fit_interval, place, level)
             return Interval(float(lower), float(upper))
         if method == "monte-carlo":
             values = self.simulate(draws, seed)[:, self.names.index(name)]

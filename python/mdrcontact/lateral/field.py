@@ -10,8 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .. import _native
-from .._boundary import call, number, together
+from .._boundary import call, native, number, together
 from ..errors import CallbackError, InvalidArgumentError, NoConvergenceError
 from .structure import PowerMean, Structure, exponent_of_mean
 
@@ -62,7 +61,7 @@ class Field(Structure):
     def _value(self, x: float, y: float, a: float) -> float:
         before = None
         for order in _ORDERS:
-            points, weights = (rows.T for rows in call(_native.lateral_rule, order, self.reference_nu))
+            points, weights = (rows.T for rows in call(native.lateral_rule, order, self.reference_nu))
             E, nu = self.materials(x + a * points[0], y + a * points[1], a * points[2])
             G = 0.5 * E / (1.0 + nu)
             mean = PowerMean(self.exponent, G)

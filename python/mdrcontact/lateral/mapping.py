@@ -12,8 +12,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .. import _native, _scipy
-from .._boundary import call, row, thread_count
+from .. import _scipy
+from .._boundary import call, native, row, thread_count
 from .._interrupt import workers
 from ..errors import ArgumentTypeError, InvalidArgumentError, OutOfMemoryError
 from ..material import Elastic
@@ -115,7 +115,7 @@ def weight_beyond(a: float, distance: float, depth: float = np.inf, nu: float = 
     """Share of E_eff that comes from more than `distance` beside the contact's centre and less than `depth` under the surface; to
     about 1 %."""
     order = 24
-    points, weights = (rows.T for rows in call(_native.lateral_rule, order, nu))
+    points, weights = (rows.T for rows in call(native.lateral_rule, order, nu))
     counts = (np.hypot(points[0], points[1]) > distance / a) & (points[2] < depth / a)
     return float(weights[0, counts].sum())
 
@@ -144,7 +144,7 @@ def _convolve(job: _Job, radii: Array, threads: int, progress: bool) -> Array:
             return
         # threads begin at different radii, so that they do not wait for each other
         for r in np.roll(np.arange(len(radii)), -k):
-            weights = call(_native.lateral_cells, voxels.reference_nu, radii[r], k * dz, (k + 1) * dz, lines[1], lines[0])
+            weights = call(native.lateral_cells, voxels.reference_nu, radii[r], k * dz, (k + 1) * dz, lines[1], lines[0])
             for i in range(kernels):
                 product = scipy.fft.rfft2(_unfold(weights[i], job.shape, sizes, job.periodic))
                 product *= spectra[i]

@@ -7,8 +7,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from .. import _native
-from .._boundary import number, whole
+from .._boundary import native, number, whole
 from ..errors import ArgumentTypeError, InvalidArgumentError
 from ..medium import Medium
 from .structure import Structure
@@ -45,5 +44,5 @@ class LateralMedium(Medium):
                 f"smallest_radius = {first!r}, largest_radius = {last!r} are not allowed: 0 < smallest < largest is needed"
             )
         a = np.geomspace(first, last, whole("points", points, 3, 1_000_000))
-        created = _native.medium_table(a, np.asarray(structure.modulus(*place, a)))
+        created = native.medium_table(a, np.asarray(structure.modulus(*place, a)))
         self._own(created, x=place[0], y=place[1], smallest_radius=first, largest_radius=last)

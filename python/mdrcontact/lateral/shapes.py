@@ -11,8 +11,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .. import _layout, _native
-from .._boundary import address, not_zero, number, numbers, record, together
+from .. import _layout
+from .._boundary import native, not_zero, number, numbers, record, together
 from ..errors import ArgumentTypeError, InvalidArgumentError
 from ..material import Elastic
 from .structure import Structure, elastic, exponent_of_mean
@@ -180,7 +180,7 @@ class Shapes(Structure):
         options = record(_layout.structure_options, reference_nu_is_given=True, exponent_is_given=True, **chosen)
         kinds, moduli = [_layout.SHAPE_LAYER + _KINDS.index(type(b)) for b in known], [b.material.E for b in known]
         ratios = [b.material.nu for b in known]
-        created = _native.structure_shapes(base.E, base.nu, kinds, table, moduli, ratios, address(options))
+        created = native.structure_shapes(base.E, base.nu, kinds, table, moduli, ratios, options)
         self._own(created, shapes=bodies, tolerance=tolerance, exponent=exponent)
 
     def materials(self, x: ArrayLike, y: ArrayLike, z: ArrayLike) -> tuple[Any, Any]:

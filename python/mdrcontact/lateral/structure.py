@@ -9,8 +9,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .. import _native
-from .._boundary import FloatOrArray, Handle, call, number, together
+from .._boundary import FloatOrArray, Handle, call, native, number, together
 from .._value import Value
 from ..errors import ArgumentTypeError, InvalidArgumentError
 from ..material import Elastic
@@ -75,7 +74,7 @@ class Structure(Value):
         return Bounds(*(self.replace(exponent=p).modulus(x, y, a) for p in (-1.0, 1.0)))
 
     def _values(self, x: Any, y: Any, a: Any) -> Any:
-        return call(_native.structure_modulus, self._handle.address, x, y, a)
+        return call(native.structure_modulus, self._handle, x, y, a)
 
     def materials(self, x: ArrayLike, y: ArrayLike, z: ArrayLike) -> tuple[Any, Any]:
         """E and nu at points, which broadcast; z >= 0 [length]."""

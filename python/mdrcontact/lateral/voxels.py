@@ -10,8 +10,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .. import _layout, _native
-from .._boundary import address, number, numbers, record, row, whole
+from .. import _layout
+from .._boundary import native, number, numbers, record, row, whole
 from ..errors import ArgumentTypeError, InvalidArgumentError
 from ..material import Elastic
 from .shapes import Shapes
@@ -124,8 +124,8 @@ class Voxels(Structure):
                 beside_nu=beside.nu, origin=self.origin, exponent=self.exponent, reference_nu_is_given=True, exponent_is_given=True,
             )  # fmt: skip
             moduli, ratios = [m.E for m in self.phases], [m.nu for m in self.phases]
-            bodies = address(cells), moduli, ratios, self.spacing[::-1], self.below.E, self.below.nu
-            self._own(_native.structure_voxels(cells.shape[::-1], *bodies, address(options)))
+            bodies = cells, moduli, ratios, self.spacing[::-1], self.below.E, self.below.nu
+            self._own(native.structure_voxels(cells.shape[::-1], *bodies, options))
         return super()._values(x, y, a)
 
     def __eq__(self, other: object) -> bool:

@@ -8,8 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .. import _native
-from .._boundary import call, number, numbers, together
+from .._boundary import call, native, number, numbers, together
 from ..errors import InvalidArgumentError
 
 
@@ -22,7 +21,7 @@ def density(rho: ArrayLike, z: ArrayLike, nu: float = 0.5) -> tuple[Any, Any]:
     r, d = together(rho=rho, z=z)
     if not r.size:
         return np.empty(r.shape), np.empty(r.shape)
-    shear, poisson = call(_native.lateral_density, r.ravel(), d.ravel(), number("nu", nu))
+    shear, poisson = call(native.lateral_density, r.ravel(), d.ravel(), number("nu", nu))
     if not r.shape:
         return float(shear[0]), float(poisson[0])
     return shear.reshape(r.shape), poisson.reshape(r.shape)
@@ -39,5 +38,5 @@ def cell_weights(
     if lines_x.ndim != 1 or lines_y.ndim != 1 or lines_x.size < 2 or lines_y.size < 2:
         raise InvalidArgumentError("x and y must be arrays of one dimension with at least 2 lines")
     depths = number("z_top", z_top), number("z_bottom", z_bottom)
-    shear, poisson = call(_native.lateral_cells, number("nu", nu), number("a", a), *depths, lines_x, lines_y)
+    shear, poisson = call(native.lateral_cells, number("nu", nu), number("a", a), *depths, lines_x, lines_y)
     return shear, poisson

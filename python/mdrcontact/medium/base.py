@@ -9,8 +9,8 @@ from typing import Any
 
 from numpy.typing import ArrayLike
 
-from .. import _layout, _native
-from .._boundary import ComplexOrArray, FloatOrArray, Handle, complex_values, evaluate, number, numbers, words_of
+from .. import _layout
+from .._boundary import ComplexOrArray, FloatOrArray, Handle, complex_values, evaluate, native, number, numbers, words_of
 from .._choices import nearest
 from .._parameters import WithParameters
 from ..conductor import conduction_of, flux_compliance
@@ -56,11 +56,11 @@ class Medium(WithParameters):
 
     def modulus(self, a: ArrayLike) -> FloatOrArray:
         """E_eff(a) [modulus] at contact radii a > 0 [length], any shape."""
-        return evaluate("a", a, lambda radii: _native.medium_values(self._handle.address, _layout.MODULUS, radii))
+        return evaluate("a", a, lambda radii: native.medium_values(self._handle, _layout.MODULUS, radii))
 
     def stiffness(self, a: ArrayLike) -> FloatOrArray:
         """k(a) = dF/dd = 2 a E_eff(a) [modulus length] at contact radii a > 0 [length], any shape."""
-        return evaluate("a", a, lambda radii: _native.medium_values(self._handle.address, _layout.STIFFNESS, radii))
+        return evaluate("a", a, lambda radii: native.medium_values(self._handle, _layout.STIFFNESS, radii))
 
     def tangential_modulus(self, a: ArrayLike) -> FloatOrArray:
         """G_t(a) = k_t(a)/(2 a) [modulus] at contact radii a > 0 [length], any shape: what takes E_eff's place where a contact that
@@ -70,7 +70,7 @@ class Medium(WithParameters):
         axis: low by at most 0.35 %), Gao's weights with those of a tangential load, and pairs of these. The kernel of a layered
         body is tabulated in each call: give all radii at once.
         """
-        return evaluate("a", a, lambda radii: _native.medium_values(self._handle.address, _layout.TANGENTIAL_MODULUS, radii))
+        return evaluate("a", a, lambda radii: native.medium_values(self._handle, _layout.TANGENTIAL_MODULUS, radii))
 
     def compliance(
         self, k: ArrayLike, load: str = "normal", omega: float = 0.0, drainage: str | None = None
@@ -101,7 +101,7 @@ class Medium(WithParameters):
         if drainage is not None:
             raise InvalidArgumentError(f"drainage = {drainage!r} is not allowed: this medium has no pores")
         both = sum(
-            complex_values("k", k, partial(_native.body_compliance, body.address, _LOADS[load], number("omega", omega)))
+            complex_values("k", k, partial(native.body_compliance, body, _LOADS[load], number("omega", omega)))
             for body in self._bodies()
         )
         return both if is_viscoelastic(self) else both.real
@@ -110,7 +110,7 @@ class Medium(WithParameters):
         """M/phi [modulus length^3] at contact radii a > 0 [length], any shape, of a contact that sticks all over and is twisted
         about its axis: 16 G a^3/3 of a homogeneous body. Known, exactly, for homogeneous media with E and nu, the model "exact" and
         pairs of these."""
-        return evaluate("a", a, lambda radii: _native.medium_values(self._handle.address, _layout.TORSIONAL_STIFFNESS, radii))
+        return evaluate("a", a, lambda radii: native.medium_values(self._handle, _layout.TORSIONAL_STIFFNESS, radii))
 
     def tangential_stiffness(self, a: ArrayLike) -> FloatOrArray:
         """k_t(a) = dT/ds = 2 a G_t(a) [modulus length] at contact radii a > 0 [length], any shape; see `tangential_modulus`."""

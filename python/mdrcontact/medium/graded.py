@@ -10,8 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from .. import _native
-from .._boundary import Handle, number, row
+from .._boundary import Handle, native, number, row
 from .._callback import Callback
 from .._units import LENGTH, MODULUS, RATIO
 from ..errors import InvalidArgumentError
@@ -63,7 +62,7 @@ def _from_functions(z: Any, E: Any, nu: Any) -> tuple[Handle, dict[str, Any]]:
     depth = number("z", z)
     E, nu = (value if callable(value) else number(name, value) for name, value in (("E", E), ("nu", nu)))
     calls = [Callback(name, value if callable(value) else _Constant(value)) for name, value in (("E", E), ("nu", nu))]
-    created = _native.body_graded_function(calls[0].address, calls[1].address, 0, depth)
+    created = native.body_graded_function(calls[0].entry, calls[1].entry, None, depth)
     for call in calls:
         call.reraise()
     return Handle(created), {"z": depth, "E": E, "nu": nu}
@@ -74,7 +73,7 @@ def _from_tables(z: Any, E: Any, nu: Any) -> tuple[Handle, dict[str, Any]]:
     ratios = (number("nu", nu),) * len(depths) if np.ndim(nu) == 0 else row("nu", nu)
     if not len(depths) == len(moduli) == len(ratios):
         raise InvalidArgumentError(f"z, E and nu must have the same length; it is {len(depths)}, {len(moduli)} and {len(ratios)}")
-    return Handle(_native.body_graded(depths, moduli, ratios)), {"z": depths, "E": moduli, "nu": ratios}
+    return Handle(native.body_graded(depths, moduli, ratios)), {"z": depths, "E": moduli, "nu": ratios}
 
 
 class _Constant:
@@ -104,5 +103,5 @@ class PowerLawGraded(Medium):
     nu: float = field(metadata={"dimension": RATIO})
 
     def __post_init__(self) -> None:
-        body = Handle(_native.body_power_graded(*self._numbers()))
-        self._own(_native.medium_new(body.address, 0), body)
+        body = Handle(native.body_power_graded(*self._numbers()))
+        self._own(native.medium_new(body, None), body)

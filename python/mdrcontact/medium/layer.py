@@ -7,11 +7,8 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import Any, NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
-
-from .. import _layout, _native
-from .._boundary import Handle, address, number
+from .. import _layout
+from .._boundary import Handle, Record, native, number, record, records
 from .._parameters import WithParameters
 from .._units import LENGTH, MODULUS
 from ..conductor import SLIDING, Interface
@@ -66,27 +63,19 @@ class Wrinkling(NamedTuple):
 def stack(layers: Sequence[Layer], substrate: Any, surface: Surface | None = None) -> Handle:
     """The library's body of layers of any kind from the surface down."""
     rows, base = _structures(layers, substrate)
-    return Handle(_native.body_layered(len(layers), address(rows), address(base), address(structure_of(surface))))
+    return Handle(native.body_layered(len(layers), rows, base, structure_of(surface)))
 
 
-def _structures(layers: Sequence[Layer], substrate: Any) -> tuple[NDArray[Any], NDArray[Any] | None]:
+def _structures(layers: Sequence[Layer], substrate: Any) -> tuple[Record, Record | None]:
     """Structures mdr_layer of the layers, and of the half-space."""
-    rows = np.zeros(max(len(layers), 1), _layout.layer)
-    rows["size"] = _layout.layer.itemsize
-    for row, layer in zip(rows, layers, strict=False):
+    rows = []
+    for layer in layers:
         below = layer.interface
         if substrate is SMOOTH and layer is layers[-1]:
             if below is not None:
                 raise InvalidArgumentError("an interface above a SMOOTH base is not allowed: the base slides by itself")
             below = SLIDING
-        members = {**layer.material._layer(), "thickness": layer.thickness, "prestress": layer.prestress}
-        members.update({} if below is None else below._layer())
-        for name, value in members.items():
-            row[name] = value
-    base = None
-    if substrate is not RIGID and substrate is not SMOOTH:
-        base = np.zeros(1, _layout.layer)
-        base["size"] = _layout.layer.itemsize
-        for name, value in substrate._layer().items():
-            base[name] = value
-    return rows, base
+        springs = {} if below is None else below._layer()
+        rows.append({**layer.material._layer(), "thickness": layer.thickness, "prestress": layer.prestress, **springs})
+    base = None if substrate is RIGID or substrate is SMOOTH else record(_layout.layer, **substrate._layer())
+    return records(_layout.layer, rows), base

@@ -7,8 +7,7 @@ from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
-from .. import _native
-from .._boundary import call, number, whole
+from .._boundary import call, native, number, whole
 from ..errors import ArgumentTypeError, InvalidArgumentError
 from ..material import Material, _Rigid, material
 from .coated import substrate_material
@@ -71,7 +70,7 @@ class Layered(UnderModel):
         layer : number of the layer from the surface down, 0 the first
         """
         (body,) = self._bodies()
-        return Wrinkling(*call(_native.body_wrinkling, body.address, whole("layer", layer, 0, len(self.layers) - 1) + 1))
+        return Wrinkling(*call(native.body_wrinkling, body, whole("layer", layer, 0, len(self.layers) - 1) + 1))
 
 
 def _as_layer(part: Layer | tuple[Material, float]) -> Layer:

@@ -9,8 +9,8 @@ from typing import Any, NamedTuple, TypeVar
 
 from numpy.typing import NDArray
 
-from .. import _layout, _native
-from .._boundary import Handle, address, not_zero, number, record, words_of
+from .. import _layout
+from .._boundary import Handle, native, not_zero, number, record, words_of
 from .._choices import nearest
 from ..errors import InvalidArgumentError
 from .base import Medium
@@ -36,7 +36,7 @@ class Model(NamedTuple):
 def _models() -> Iterator[tuple[str, Model]]:
     for code in itertools.count(_layout.MODEL_GAO):
         facts = record(_layout.model_facts)
-        if _native.model_info(code, address(facts)):
+        if native.model_info(code, facts):
             return
         _, _, base, layers, graded, _, *options, default = facts[0].tolist()
         constant, option = (words.decode() for words in options)
@@ -63,7 +63,7 @@ class Settings(NamedTuple):
 
     def medium_of(self, body: Handle) -> tuple[int, int]:
         """What the library's constructor returns for a body under the model."""
-        created: tuple[int, int] = _native.medium_new(body.address, address(self.record))
+        created: tuple[int, int] = native.medium_new(body, self.record)
         return created
 
 

@@ -6,8 +6,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from .. import _native
-from .._boundary import Handle
+from .._boundary import Handle, native
 from ..errors import ArgumentTypeError
 from ..material import RIGID, Elastic, TransverselyIsotropic, _Rigid
 from .base import Medium
@@ -33,7 +32,7 @@ class Pair(Medium):
     def __init__(self, lower: Medium | Elastic | _Rigid, upper: Medium | Elastic | _Rigid) -> None:
         bodies = _body("lower", lower), _body("upper", upper)
         handles = [_rigid() if body is RIGID else body._handle for body in bodies]
-        created = _native.medium_pair(handles[0].address, handles[1].address)
+        created = native.medium_pair(handles[0], handles[1])
         self._own(created, lower=bodies[0], upper=bodies[1])
 
     def _bodies(self) -> list[Handle]:
@@ -59,8 +58,8 @@ class Pair(Medium):
 
 def _rigid() -> Handle:
     """The medium of a rigid body."""
-    body = Handle(_native.body_rigid())
-    return Handle(_native.medium_new(body.address, 0))
+    body = Handle(native.body_rigid())
+    return Handle(native.medium_new(body, None))
 
 
 def _body(name: str, body: Any) -> Any:

@@ -8,8 +8,7 @@ from dataclasses import dataclass, field
 
 from numpy.typing import ArrayLike
 
-from .. import _native
-from .._boundary import number, row
+from .._boundary import native, number, row
 from .._callback import Callback
 from .._units import LENGTH, MODULUS
 from ..errors import InvalidArgumentError
@@ -34,7 +33,7 @@ class TabulatedMedium(Medium):
         radii, values = row("a", a), row("moduli", moduli)
         if len(radii) != len(values):
             raise InvalidArgumentError(f"a and moduli must have the same length; it is {len(radii)} and {len(values)}")
-        self._own(_native.medium_table(radii, values), a=radii, moduli=values)
+        self._own(native.medium_table(radii, values), a=radii, moduli=values)
 
 
 @dataclass(frozen=True)
@@ -59,6 +58,6 @@ class CallableMedium(Medium):
     def __post_init__(self) -> None:
         callback = Callback("function", self.function)
         first, last = number("smallest_radius", self.smallest_radius), number("largest_radius", self.largest_radius)
-        created = _native.medium_function(callback.address, 0, first, last)
+        created = native.medium_function(callback.entry, None, first, last)
         callback.reraise()
         self._own(created, smallest_radius=first, largest_radius=last)

@@ -8,8 +8,8 @@ from typing import Any
 
 from numpy.typing import ArrayLike
 
-from .. import _layout, _native
-from .._boundary import FloatOrArray, Handle, evaluate
+from .. import _layout
+from .._boundary import FloatOrArray, Handle, evaluate, native
 from .._parameters import WithParameters
 from ..errors import ArgumentTypeError, InvalidArgumentError
 
@@ -28,19 +28,19 @@ class Profile(WithParameters):
 
     def height(self, r: ArrayLike) -> FloatOrArray:
         """f(r) [length] at radii r >= 0 [length], any shape."""
-        return evaluate("r", r, lambda radii: _native.profile_values(self._handle.address, _layout.HEIGHT, radii))
+        return evaluate("r", r, lambda radii: native.profile_values(self._handle, _layout.HEIGHT, radii))
 
     def slope(self, r: ArrayLike) -> FloatOrArray:
         """f'(r) [1] at radii r >= 0 [length], any shape."""
-        return evaluate("r", r, lambda radii: _native.profile_values(self._handle.address, _layout.HEIGHT_SLOPE, radii))
+        return evaluate("r", r, lambda radii: native.profile_values(self._handle, _layout.HEIGHT_SLOPE, radii))
 
     def mdr(self, x: ArrayLike) -> FloatOrArray:
         """g(x) [length], equation (3), at positions x >= 0 [length], any shape."""
-        return evaluate("x", x, lambda points: _native.profile_values(self._handle.address, _layout.G, points))
+        return evaluate("x", x, lambda points: native.profile_values(self._handle, _layout.G, points))
 
     def mdr_slope(self, x: ArrayLike) -> FloatOrArray:
         """g'(x) [1] at positions x >= 0 [length], any shape."""
-        return evaluate("x", x, lambda points: _native.profile_values(self._handle.address, _layout.G_SLOPE, points))
+        return evaluate("x", x, lambda points: native.profile_values(self._handle, _layout.G_SLOPE, points))
 
     def __add__(self, other: object) -> SumProfile:
         if not isinstance(other, Profile):
@@ -61,7 +61,7 @@ class SumProfile(Profile):
         for term in terms:
             if not isinstance(term, Profile):
                 raise ArgumentTypeError(f"terms is not allowed: {term!r} is not an indenter profile")
-        self._own(_native.profile_sum([term._handle.address for term in terms]), terms=terms)
+        self._own(native.profile_sum([term._handle for term in terms]), terms=terms)
 
 
 def _terms(profile: Profile) -> tuple[Profile, ...]:

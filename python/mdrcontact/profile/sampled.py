@@ -9,8 +9,8 @@ from dataclasses import dataclass, field
 
 from numpy.typing import ArrayLike
 
-from .. import _layout, _native
-from .._boundary import number, row
+from .. import _layout
+from .._boundary import native, number, row
 from .._callback import Callback
 from .._units import LENGTH
 from ..errors import InvalidArgumentError
@@ -39,7 +39,7 @@ class TabulatedProfile(Profile):
 
     def __init__(self, r: ArrayLike, f: ArrayLike) -> None:
         radii, heights = _pair("r", r, "f", f)
-        self._own(_native.profile_table(_layout.HEIGHT, radii, heights), r=radii, f=heights)
+        self._own(native.profile_table(_layout.HEIGHT, radii, heights), r=radii, f=heights)
 
 
 @dataclass(frozen=True)
@@ -57,7 +57,7 @@ class TabulatedMDRProfile(Profile):
 
     def __init__(self, x: ArrayLike, g: ArrayLike) -> None:
         positions, values = _pair("x", x, "g", g)
-        self._own(_native.profile_table(_layout.G, positions, values), x=positions, g=values)
+        self._own(native.profile_table(_layout.G, positions, values), x=positions, g=values)
 
 
 @dataclass(frozen=True)
@@ -84,6 +84,6 @@ class CallableProfile(Profile):
         # the library calls it largest_radius
         if not 0.0 < r_max < math.inf:
             raise InvalidArgumentError(f"r_max = {r_max:g} is not allowed: it must be finite and greater than 0")
-        created = _native.profile_function(callback.address, 0, r_max)
+        created = native.profile_function(callback.entry, None, r_max)
         callback.reraise()
         self._own(created, r_max=r_max)

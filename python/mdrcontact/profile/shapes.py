@@ -6,8 +6,7 @@ from __future__ import annotations
 import math
 from dataclasses import dataclass, field
 
-from .. import _native
-from .._boundary import number
+from .._boundary import native, number
 from .._units import ANGLE, LENGTH, RATIO
 from ..errors import ArgumentTypeError, InvalidArgumentError
 from .base import Profile
@@ -20,7 +19,7 @@ class Paraboloid(Profile):
     radius: float = field(metadata={"dimension": LENGTH})
 
     def __post_init__(self) -> None:
-        self._own(_native.profile_paraboloid(*self._numbers()))
+        self._own(native.profile_paraboloid(*self._numbers()))
 
     @classmethod
     def between(cls, upper_radius: float, lower_radius: float) -> Paraboloid:
@@ -50,7 +49,7 @@ class Sphere(Profile):
     radius: float = field(metadata={"dimension": LENGTH})
 
     def __post_init__(self) -> None:
-        self._own(_native.profile_sphere(*self._numbers()))
+        self._own(native.profile_sphere(*self._numbers()))
 
 
 @dataclass(frozen=True)
@@ -72,7 +71,7 @@ class Cone(Profile):
         else:
             angle = _acute("half_angle", number("half_angle", half_angle), degrees)
             phi = math.radians(90.0 - angle) if degrees else math.pi / 2 - angle
-        self._own(_native.profile_cone(phi), inclination=phi)
+        self._own(native.profile_cone(phi), inclination=phi)
 
 
 @dataclass(frozen=True)
@@ -83,7 +82,7 @@ class PowerLaw(Profile):
     coefficient: float
 
     def __post_init__(self) -> None:
-        self._own(_native.profile_power(*self._numbers()))
+        self._own(native.profile_power(*self._numbers()))
 
 
 @dataclass(frozen=True)
@@ -93,7 +92,7 @@ class FlatPunch(Profile):
     radius: float = field(metadata={"dimension": LENGTH})
 
     def __post_init__(self) -> None:
-        self._own(_native.profile_flat_punch(*self._numbers()))
+        self._own(native.profile_flat_punch(*self._numbers()))
 
 
 @dataclass(frozen=True)
@@ -109,7 +108,7 @@ class FlatEndedCone(Profile):
 
     def __init__(self, end_radius: float, inclination: float, *, degrees: bool = False) -> None:
         end_radius, phi = number("end_radius", end_radius), _radians("inclination", inclination, degrees)
-        self._own(_native.profile_flat_cone(end_radius, phi), end_radius=end_radius, inclination=phi)
+        self._own(native.profile_flat_cone(end_radius, phi), end_radius=end_radius, inclination=phi)
 
 
 @dataclass(frozen=True)
@@ -124,7 +123,7 @@ class FlatEndedParaboloid(Profile):
     radius: float = field(metadata={"dimension": LENGTH})
 
     def __post_init__(self) -> None:
-        self._own(_native.profile_flat_paraboloid(*self._numbers()))
+        self._own(native.profile_flat_paraboloid(*self._numbers()))
 
 
 @dataclass(frozen=True)
@@ -140,7 +139,7 @@ class RoundedCone(Profile):
 
     def __init__(self, blend_radius: float, inclination: float, *, degrees: bool = False) -> None:
         blend_radius, phi = number("blend_radius", blend_radius), _radians("inclination", inclination, degrees)
-        self._own(_native.profile_rounded_cone(blend_radius, phi), blend_radius=blend_radius, inclination=phi)
+        self._own(native.profile_rounded_cone(blend_radius, phi), blend_radius=blend_radius, inclination=phi)
 
 
 def _radians(name: str, angle: float, degrees: bool) -> float:

@@ -9,8 +9,7 @@ from typing import Any, ClassVar
 
 from numpy.typing import ArrayLike
 
-from .. import _native
-from .._boundary import number, row
+from .._boundary import native, number, row
 from .._units import LENGTH
 from .base import Profile
 
@@ -22,7 +21,7 @@ class _Pyramid(Profile):
     half_angle_degrees: ClassVar[float]
 
     def __post_init__(self) -> None:
-        self._own(_native.profile_cone(self.inclination))
+        self._own(native.profile_cone(self.inclination))
 
     @property
     def inclination(self) -> float:
@@ -69,7 +68,7 @@ class AreaFunction(Profile):
         terms = row("coefficients", coefficients)
         max_height, min_height = number("max_height", max_height), number("min_height", min_height)
         self._own(
-            _native.profile_area_function(terms, min_height, max_height),
+            native.profile_area_function(terms, min_height, max_height),
             coefficients=terms,
             max_height=max_height,
             min_height=min_height,
