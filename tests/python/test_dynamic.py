@@ -78,6 +78,16 @@ def test_a_joint_prior_is_a_common_error_too():
     assert two.at_zero_error == pytest.approx(one.at_zero_error, rel=1e-3)
 
 
+def test_a_point_without_a_common_error_is_told():
+    """One standard deviation of the frame's compliance takes all of the largest stiffness: that point has no common error."""
+    data = dynamic(0.0, points=12)
+    free = {"coating.E": None, "frame_compliance": mdr.Free(prior=(0.0, 1.05 / data.y.max()))}
+    found = mdr.modulus_at_depths(data, TIP, START, free, instrument=TOOL)
+    assert list(np.flatnonzero(np.isnan(found.common_error))) == [11] == list(found.failures)
+    assert np.all(np.isfinite(found.modulus))
+    assert any("1 of 12 points have no common error" in words for words in found.warnings)
+
+
 def test_a_modulus_that_changes_with_depth_is_told():
     found = mdr.modulus_at_depths(dynamic(0.005, drop=5e5), TIP, START, {"coating.E": None}, instrument=TOOL)
     assert any("changes with depth" in words for words in found.warnings)

@@ -51,16 +51,16 @@ class DepthProfile(NamedTuple):
     """of the line [modulus/length]; the exact model leaves none where the film is elastic and homogeneous"""
     slope_error: float
     failures: dict[int, str]
-    """position of a point -> why it has no modulus"""
+    """position of a point -> why it has no modulus, or no common error; the line to zero depth leaves it out"""
 
     @property
     def warnings(self) -> list[str]:
         """Doubts about the modulus at zero depth."""
-        words = (
-            [f"{len(self.failures)} points have no modulus; the first: {next(iter(self.failures.values()))}"]
-            if self.failures
-            else []
-        )
+        words = []
+        for what, values in (("modulus", self.modulus), ("common error", self.modulus + self.common_error)):
+            places = [i for i in self.failures if np.isnan(values[i]) and (what == "modulus" or np.isfinite(self.modulus[i]))]
+            if places:
+                words.append(f"{len(places)} of {len(values)} points have no {what}; the first: {self.failures[places[0]]}")
         if abs(self.slope) > 3.0 * self.slope_error:
             change = self.slope * float(np.nanmax(self.analysis.depth) - np.nanmin(self.analysis.depth))
             words.append(
@@ -160,14 +160,19 @@ def modulus_at_depths(
         for i in range(len(data))
     ]
 
+    failures: dict[int, str] = {}
+
     def moduli(at: Array, report: Callable[[int], Any] | None = None) -> list[Any]:
         tip, body, tool = problem.pattern.at(at)
-        return fit_many(points, tip, body, {name: problem.free[name]}, instrument=tool, check_units=False, progress=report)
+        found = fit_many(points, tip, body, {name: problem.free[name]}, instrument=tool, check_units=False, progress=report)
+        for i, result in enumerate(found):
+            if not isinstance(result, FitResult):
+                failures.setdefault(i, str(result.error))
+        return found
 
     found = moduli(values, progress)
     modulus = _modulus(found, name)
     error = np.array([r.standard_errors[name] if isinstance(r, FitResult) else math.nan for r in found])
-    failures = {i: str(r.error) for i, r in enumerate(found) if not isinstance(r, FitResult)}
     shifts = [_modulus(moduli(values + step), name) - modulus for step in _steps(problem, place)]
     common = np.sqrt(np.sum(np.square(shifts), axis=0)) if shifts else np.zeros_like(modulus)
     line = _line(data.x, modulus, error, shifts)
