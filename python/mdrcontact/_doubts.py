@@ -4,12 +4,14 @@
 from __future__ import annotations
 
 import math
+import threading
+from collections.abc import Collection, Iterable
 from typing import Any
 
 import numpy as np
 
 from . import _layout, interior
-from ._warn import warn
+from ._warn import Caution, is_collected, is_silent, warn
 from .errors import (
     InteriorAccuracyWarning,
     LargeStrainWarning,
@@ -39,80 +41,137 @@ _WARNINGS = {
     _layout.WARNING_WETTING: LargeStrainWarning,
 }
 """Doubts about a state, in the order of the library's sentences."""
+_DEVIATES = (
+    "displacements and stresses inside are off by about {:.1e} of the depth and of the largest pressure: by that they differ on "
+    "the surface from the displacement and the pressure of the contact"
+)
 
 
 class Doubts:
-    """The doubts that one contact has raised."""
+    """Finds the doubts about the states of one contact: what it finds follows from the state alone."""
 
     def __init__(self, contact: Any) -> None:
-        self.seen = -math.inf
-        """depth up to which no state needs to be looked at"""
-        self._given: set[type[Warning]] = set()
         may_bend = getattr(contact.medium, "model", None) == "exact" or _has_plate(contact.medium)
         self.may_open = contact.work_of_adhesion == 0.0 and may_bend and not isinstance(contact.indenter, Paraboloid)
-        """whether its states may not be one disc, which is not known yet"""
-        self._sizes: set[int] = set()
-        self._compared: dict[tuple[str | float, ...], tuple[int, float | None]] = {}
-        """of the last body and state looked into: points so far, and their deviation on the surface once it is known"""
+        """whether its states may not be one disc, which a look at each of them decides"""
 
-    def of(self, states: Any) -> None:
-        """Gives a warning of each kind that was not given yet, of the deepest of the states."""
+    def about(self, states: Any) -> list[Caution]:
+        """Doubts about the deepest of the states, one of each kind at most."""
         shape = np.shape(states.depth)
+        if shape and not np.size(states.depth):
+            return []
         deepest = states[np.unravel_index(np.argmax(states.depth), shape)] if shape else states
-        self.seen = max(_DEEPER * float(deepest.depth), 0.0)
         codes, texts = deepest._cautions()
-        for text, kind in zip(texts, (kind for code, kind in _WARNINGS.items() if codes & code), strict=True):
-            self._give(text, kind)
+        kinds = [kind for code, kind in _WARNINGS.items() if codes & code]
+        return [Caution(text, kind) for text, kind in zip(texts, kinds, strict=True)]
 
-    def look(self, states: Any) -> None:
-        """Warns where the contact is not one disc: looks at the largest of the states and at some smaller ones, at a radius of
-        about the same size only once."""
+    def one_disc(self, states: Any, skipped: Collection[int] = ()) -> tuple[list[Caution], set[int]]:
+        """Whether the contact is one disc: of the largest of the states and of some smaller ones, but for those of sizes that are
+        skipped. Also the sizes that were looked at."""
+        looked_at: set[int] = set()
         radii = np.ravel(states.radius)
+        if not self.may_open or not radii.size:
+            return [], looked_at
         order = np.argsort(radii)
-        for place in order[[-1, len(order) // 2, len(order) // 4]] if len(order) else ():
-            size = round(4.0 * math.log2(radii[place])) if radii[place] > 0.0 else None
-            if size is None or size in self._sizes:
+        for place in order[[-1, len(order) // 2, len(order) // 4]]:
+            size = _size(float(radii[place]))
+            if size is None or size in skipped or size in looked_at:
                 continue
-            self._sizes.add(size)
-            state = states[np.unravel_index(place, np.shape(states.radius))] if np.shape(states.radius) else states
-            fault = _fault(state)
+            looked_at.add(size)
+            shape = np.shape(states.radius)
+            fault = _fault(states[np.unravel_index(place, shape)] if shape else states)
             if fault:
-                self.may_open = False
                 off = (
                     "nor are depth and force: a plate does not follow a tip or a flank that no plate can take the shape of"
-                    if _has_plate(state._owner.medium)
+                    if _has_plate(states._owner.medium)
                     else "F(d) is off by at most a few per cent where the coating is up to 200 times stiffer than the body"
                 )
-                warn(
+                text = (
                     f"this contact is not one disc: {fault} (contact radius {radii[place]:.3g}). Its pressure is not that of the "
-                    f"true contact; {off}",
-                    NotOneDiscWarning,
+                    f"true contact; {off}"
                 )
-                return
+                return [Caution(text, NotOneDiscWarning)], looked_at
+        return [], looked_at
 
-    def compare(self, contact: Any, row: list[float], body: str, points: int) -> None:
-        """Warns of a field inside that deviates from the surface of its contact, or refuses it."""
-        key: tuple[str | float, ...] = (body, *row)
-        so_far, deviation = self._compared.get(key, (0, None))
-        if deviation is None:
-            so_far += points
-            if so_far >= interior.ENOUGH_POINTS:
-                deviation = interior.deviation(contact._handle, row, body)
-            self._compared = {key: (so_far, deviation)}
-        if deviation is None or deviation <= max(interior.USUAL, interior.TOLERANCES * contact.medium._tolerance()):
-            return
-        text = (
-            f"displacements and stresses inside are off by about {deviation:.1e} of the depth and of the largest pressure: by that "
-            "they differ on the surface from the displacement and the pressure of the contact"
-        )
+    def inside(self, contact: Any, row: list[float], body: str) -> tuple[list[Caution], float]:
+        """Whether a field inside deviates from the surface of its contact; and by how much."""
+        deviation = interior.deviation(contact._handle, row, body)
+        if deviation <= max(interior.USUAL, interior.TOLERANCES * contact.medium._tolerance()):
+            return [], deviation
+        return [Caution(_DEVIATES.format(deviation), InteriorAccuracyWarning)], deviation
+
+    def inside_or_refused(self, contact: Any, row: list[float], body: str) -> list[Caution]:
+        """The same; a field that is wrong is refused."""
+        found, deviation = self.inside(contact, row, body)
         if deviation > interior.WRONG:
-            raise NoConvergenceError(text)
-        self._give(text, InteriorAccuracyWarning)
+            raise NoConvergenceError(_DEVIATES.format(deviation))
+        return found
 
-    def _give(self, text: str, kind: type[Warning]) -> None:
-        if kind not in self._given:
-            self._given.add(kind)
-            warn(text, kind)
+
+class Told:
+    """What the user has been told about one contact already: a warning of each kind once. Nothing that a contact answers, nor the
+    warnings that its results carry, depends on it."""
+
+    def __init__(self) -> None:
+        self._lock = threading.Lock()
+        self._seen = -math.inf
+        """depth up to which no state needs to be looked at"""
+        self._kinds: set[type[Warning]] = set()
+        self._sizes: set[int] = set()
+        """of contacts that were looked at for whether they are one disc"""
+        self._points: tuple[tuple[str | float, ...], int] = ((), 0)
+        """of the last body and state looked into with few points: how many so far"""
+
+    def tell(self, cautions: Iterable[Caution]) -> None:
+        """Warns of what was not told yet; of all to a computation that collects."""
+        for caution in cautions:
+            with self._lock:
+                is_new = is_collected() or caution.kind not in self._kinds
+                if not is_collected():
+                    self._kinds.add(caution.kind)
+            if is_new:
+                warn(*caution)
+
+    def of(self, states: Any) -> None:
+        """Doubts about states that were just made, where they are deeper than those before."""
+        if is_collected():
+            if not is_silent():
+                self.tell(states.contact._doubts.about(states))
+            return
+        depth = states.depth
+        deepest = depth if isinstance(depth, float) else float(depth.max(initial=-math.inf))
+        if deepest > self._seen:
+            self.tell(states.contact._doubts.about(states))
+            with self._lock:
+                self._seen = max(self._seen, _DEEPER * deepest, 0.0)
+
+    def one_disc(self, states: Any) -> None:
+        """The same of contacts that are not one disc, at a radius of about the same size once."""
+        doubts = states.contact._doubts
+        if not doubts.may_open or is_silent():
+            return
+        if is_collected():
+            self.tell(doubts.one_disc(states)[0])
+        elif NotOneDiscWarning not in self._kinds:
+            found, sizes = doubts.one_disc(states, frozenset(self._sizes))
+            with self._lock:
+                self._sizes |= sizes
+            self.tell(found)
+
+    def inside(self, contact: Any, row: list[float], body: str, points: int) -> None:
+        """A field that was given at few points at a time: it is compared once they are many."""
+        key: tuple[str | float, ...] = (body, *row)
+        with self._lock:
+            before = self._points[1] if self._points[0] == key else 0
+            so_far = before + points
+            self._points = key, so_far
+        if before < interior.ENOUGH_POINTS <= so_far or (is_collected() and so_far >= interior.ENOUGH_POINTS):
+            self.tell(contact._doubts.inside(contact, row, body)[0])
+
+
+def _size(radius: float) -> int | None:
+    """Radii within a fifth of each other have one size, mostly."""
+    return round(4.0 * math.log2(radius)) if radius > 0.0 else None
 
 
 def _fault(state: Any) -> str:

@@ -10,6 +10,7 @@ from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 
 from ._boundary import call, native
+from ._warn import heir
 
 _MDR_CANCEL = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_void_p)
 
@@ -20,10 +21,18 @@ if threading.current_thread() is threading.main_thread():
 
 @contextmanager
 def workers(threads: int | None) -> Iterator[ThreadPoolExecutor]:
-    """Threads whose calls into the library end soon where the one that waits for them is interrupted."""
+    """Threads whose calls into the library end soon where the one that waits for them is interrupted. They warn whom that one
+    warns."""
     stop = threading.Event()
     cancel = _MDR_CANCEL(lambda _context: stop.is_set())
-    with ThreadPoolExecutor(threads, initializer=lambda: call(native.set_cancel, cancel, None)) as pool:
+    address = ctypes.cast(cancel, ctypes.c_void_p).value or 0
+    inherit = heir()
+
+    def begin() -> None:
+        inherit()
+        call(native.set_cancel, address, 0)
+
+    with ThreadPoolExecutor(threads, initializer=begin) as pool:
         try:
             yield pool
         except BaseException:

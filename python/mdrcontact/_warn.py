@@ -1,17 +1,137 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Warnings that point at the user's line, however deep in this package they arise."""
+"""Warnings: results carry them as values, and the user reads each once, at the line that called into this package.
+
+Who listens belongs to a context (`contextvars`), which threads do not share: `warnings.catch_warnings` changes the filters of the
+whole process, and one thread then takes, or loses, the warnings of another.
+"""
 
 from __future__ import annotations
 
 import sys
 import warnings
+from collections.abc import Callable, Iterable, Iterator
+from contextlib import contextmanager
+from contextvars import ContextVar
+from typing import Any, NamedTuple, TypeVar
 
 _PACKAGE = __name__.partition(".")[0]
 
+Channel = Callable[[str, type[Warning]], Any]
+"""Takes the text and the class of a warning that the user is to read."""
+Self = TypeVar("Self", bound="Warned")
+
+
+class Caution(NamedTuple):
+    """One warning as a value."""
+
+    text: str
+    kind: type[Warning]
+
+
+class Warned:
+    """What a result that carries its warnings has beside its numbers. It comes behind a named tuple among the bases: numbers are
+    unpacked as ever, and `warnings` is an attribute."""
+
+    warnings: tuple[str, ...] = ()
+    """reasons to doubt these numbers; empty where there are none"""
+
+    def _carrying(self: Self, found: Iterable[Caution]) -> Self:
+        """Itself, which has just been made, with its warnings."""
+        texts = texts_of(found)
+        if texts:
+            self.warnings = texts
+        return self
+
+
+_COLLECTOR: ContextVar[list[Caution] | None] = ContextVar("mdrcontact_collector", default=None)
+"""of the computation inside which the present one runs; None: the user asks"""
+_CHANNEL: ContextVar[Channel | None] = ContextVar("mdrcontact_channel", default=None)
+"""where the user reads; None: Python's `warnings`"""
+
+
+class _Silence(list[Caution]):
+    """A collector that keeps nothing, so that nothing need be looked for."""
+
+    def append(self, _caution: Caution) -> None:
+        """Forgets it."""
+
 
 def warn(text: str, kind: type[Warning]) -> None:
-    """Warns at the line outside this package that called into it."""
+    """Warns whoever listens: the computation around the present one, or the user, at the line outside this package."""
+    collector, channel = _COLLECTOR.get(), _CHANNEL.get()
+    if collector is not None:
+        collector.append(Caution(text, kind))
+        return
+    if channel is not None:
+        channel(text, kind)
+        return
     level, frame = 1, sys._getframe()
     while frame.f_back is not None and frame.f_globals.get("__name__", "").partition(".")[0] == _PACKAGE:
         level, frame = level + 1, frame.f_back
     warnings.warn(text, kind, stacklevel=level)
+
+
+def warn_all(cautions: Iterable[Caution]) -> None:
+    """Warns of each."""
+    for caution in cautions:
+        warn(*caution)
+
+
+def is_silent() -> bool:
+    """Whether nobody listens."""
+    return isinstance(_COLLECTOR.get(), _Silence)
+
+
+def is_collected() -> bool:
+    """Whether a computation listens, which takes the warnings of each result, whatever was said before."""
+    return _COLLECTOR.get() is not None
+
+
+def texts_of(cautions: Iterable[Caution]) -> tuple[str, ...]:
+    """The sentences, each once."""
+    return tuple(dict.fromkeys(caution.text for caution in cautions))
+
+
+@contextmanager
+def collected() -> Iterator[list[Caution]]:
+    """What is warned of in the block, in this thread, as a list; the user reads nothing of it."""
+    found: list[Caution] = []
+    with _kept_by(found):
+        yield found
+
+
+@contextmanager
+def silence() -> Iterator[None]:
+    """Trial evaluations, and contacts in units of their own that no user sees: nobody is warned. Decorates functions too."""
+    with _kept_by(_Silence()):
+        yield
+
+
+@contextmanager
+def _kept_by(collector: list[Caution]) -> Iterator[None]:
+    before = _COLLECTOR.set(collector)
+    try:
+        yield
+    finally:
+        _COLLECTOR.reset(before)
+
+
+@contextmanager
+def told_to(channel: Channel) -> Iterator[None]:
+    """The user reads by `channel` in place of Python's `warnings`."""
+    before = _CHANNEL.set(channel)
+    try:
+        yield
+    finally:
+        _CHANNEL.reset(before)
+
+
+def heir() -> Callable[[], None]:
+    """A function that lets another thread, which begins with a context of its own, warn whom the present one warns."""
+    collector, channel = _COLLECTOR.get(), _CHANNEL.get()
+
+    def inherit() -> None:
+        _COLLECTOR.set(collector)
+        _CHANNEL.set(channel)
+
+    return inherit

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ._boundary import number, row
 from ._choices import nearest
+from ._warn import silence
 from .contact import Contact
 from .errors import ArgumentTypeError, InvalidArgumentError
 from .material import Elastic
@@ -35,6 +36,7 @@ class AccuracyMap(NamedTuple):
     """F(model)/F(exact) - 1 at the same contact radius: the errors of E_eff and of zeta = 1 together"""
 
 
+@silence()
 def accuracy_map(
     modulus_ratio: ArrayLike,
     radius_ratio: ArrayLike,
@@ -67,9 +69,9 @@ def accuracy_map(
     force_error = np.empty_like(modulus_error)
     for i, ratio in enumerate(ratios):
         exact = Coated(Elastic(float(ratio), nu), 1.0, substrate, "exact")
-        modulus, force = exact.modulus(a), Contact(shape, exact)._silent().at_radius(a).force
+        modulus, force = exact.modulus(a), Contact(shape, exact).at_radius(a).force
         for j, name in enumerate(chosen):
             body = exact.with_model(name)
             modulus_error[j, i] = body.modulus(a) / modulus - 1.0
-            force_error[j, i] = Contact(shape, body)._silent().at_radius(a).force / force - 1.0
+            force_error[j, i] = Contact(shape, body).at_radius(a).force / force - 1.0
     return AccuracyMap(chosen, ratios, a, modulus_error, force_error)

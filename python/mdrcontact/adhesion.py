@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from . import _layout
 from ._boundary import Handle, call, native, number, record, whole, words_of
 from ._choices import nearest
+from ._warn import Warned
 from .errors import ArgumentTypeError, InvalidArgumentError
 
 __all__ = ["Loop", "PullOff"]
@@ -41,8 +42,8 @@ class PullOff(NamedTuple):
     """where the other stable segments of the branch end, by ascending radius: a coated body can have several"""
 
 
-class Loop(NamedTuple):
-    """A cycle: approach from afar, jump into contact, press, retract until the bodies are apart again. Arrays of one length."""
+class _LoopNumbers(NamedTuple):
+    """The numbers of a `Loop`."""
 
     position: NDArray[np.float64]
     """what the machine prescribes: the force, the depth d, or the far end of the spring, d + F/stiffness"""
@@ -61,6 +62,10 @@ class Loop(NamedTuple):
     apart under it is not known [modulus length^3]"""
     control: str
     """"force", "depth" or "spring"."""
+
+
+class Loop(_LoopNumbers, Warned):
+    """A cycle: approach from afar, jump into contact, press, retract until the bodies are apart again. Arrays of one length."""
 
     def plot(self, axes: Any = None, **look: Any) -> Any:
         """Draws force against position (against depth under force control) with matplotlib; jumps are dotted.
@@ -124,8 +129,9 @@ def loop(contact: Any, control: str, largest: Any, points: Any, spring_stiffness
     handle = Handle(created)
     facts = record(_layout.loop_facts)
     call(native.loop_about, handle, facts)
-    found, _ = call(native.loop_points, handle, int(facts[0]["points"]))
-    position, d, a, F, jumps = np.ascontiguousarray(found.T)
-    contact._warn_at(float(d.max()))
+    rows, _ = call(native.loop_points, handle, int(facts[0]["points"]))
+    position, d, a, F, jumps = np.ascontiguousarray(rows.T)
+    doubts = contact._warn_at(float(d.max()))
     energy = float(facts[0]["dissipated_energy"])
-    return Loop(position, d, a, F, int(facts[0]["turning_point"]), np.flatnonzero(jumps), energy, control)
+    found = Loop(position, d, a, F, int(facts[0]["turning_point"]), np.flatnonzero(jumps), energy, control)
+    return found._carrying(doubts)

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import contextlib
-import math
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
@@ -14,8 +13,9 @@ from numpy.typing import ArrayLike
 
 from . import _layout, failure, history, poroelastic, rate_adhesion
 from ._boundary import ComplexOrArray, FloatOrArray, Handle, evaluate_all, native, number, record, row
-from ._doubts import Doubts
+from ._doubts import Doubts, Told
 from ._value import Value
+from ._warn import Caution, collected
 from .adhesion import BRANCHES, RULES, Loop, PullOff, code, loop, pull_offs
 from .errors import ArgumentTypeError, InvalidArgumentError, MDRError
 from .failure import Failure
@@ -62,6 +62,8 @@ class Contact(Value):
     _rates: list[tuple[Handle, float]] = field(init=False, repr=False, compare=False)
     """the library's contact with a rate and its largest radius, once there was a history"""
     _doubts: Doubts = field(init=False, repr=False, compare=False)
+    _told: Told = field(init=False, repr=False, compare=False)
+    """what the user has read about it, which changes nothing that it answers"""
 
     def __init__(
         self,
@@ -98,7 +100,7 @@ class Contact(Value):
         self._set(_handle=handle, indenter=indenter, medium=medium)
         self._set(work_of_adhesion=gamma, adhesion_rule=adhesion_rule, zeta=given, cohesive_stress=sigma)
         self._set(adhesion=adhesion, _rates=[])
-        self._set(_doubts=Doubts(self))
+        self._set(_doubts=Doubts(self), _told=Told())
 
     def at_depth(self, depth: ArrayLike, branch: str = "unloading") -> State:
         """The stable states at indentation depths d >= 0 [length], any shape; with adhesion down to the pull-off depth.
@@ -288,17 +290,17 @@ class Contact(Value):
 
     def _rate_handle(self, law: RateAdhesion | RheologicalAdhesion, largest: float) -> Handle:
         """The library's contact with a rate, up to at least a contact radius."""
-        kept = self._rates
-        if not kept or kept[-1][1] < largest:
-            kept[:] = [(rate_adhesion.sampled(self._handle, law, largest), largest)]
-        return kept[0][0]
+        for handle, reach in self._rates:
+            if reach >= largest:
+                return handle
+        # another thread may keep one for a smaller radius meanwhile: this one is returned as it was made
+        made = rate_adhesion.sampled(self._handle, law, largest)
+        self._rates[:] = [(made, largest)]
+        return made
 
     def _states(self, name: str, given: int, values: ArrayLike, branch: str) -> State:
         states = self._solve(name, given, values, branch)
-        depth = states.depth
-        deepest = depth if isinstance(depth, float) else depth.max(initial=-math.inf)
-        if deepest > self._doubts.seen:
-            self._doubts.of(states)
+        self._told.of(states)
         return states
 
     def _solve(self, name: str, given: int, values: ArrayLike, branch: str = "unloading") -> State:
@@ -306,19 +308,15 @@ class Contact(Value):
         chosen = code("branch", branch, BRANCHES)
         found = evaluate_all(name, values, lambda v: native.contact_states(self._handle, given, chosen, v))
         states = state_of(found, self)
-        if self._doubts.may_open:
-            self._doubts.look(states)
+        self._told.one_disc(states)
         return states
 
-    def _silent(self) -> Contact:
-        """Itself, which gives no such warnings any more: a contact in units of its own, that no user sees."""
-        self._doubts.seen = math.inf
-        return self
-
-    def _warn_at(self, depth: float) -> None:
-        """Looks at the state of a depth that the library reached without a state of Python's."""
-        with contextlib.suppress(MDRError):
+    def _warn_at(self, depth: float) -> list[Caution]:
+        """Warns of the state of a depth that the library reached without a state of Python's, whose doubts it returns."""
+        with collected() as found, contextlib.suppress(MDRError):
             self._states("depth", _layout.DEPTH, depth, "unloading")
+        self._told.tell(found)
+        return found
 
 
 def _table(zeta: Any) -> Table:

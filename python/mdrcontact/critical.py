@@ -9,9 +9,10 @@ import numpy as np
 
 from . import _layout
 from ._boundary import call, native, number
+from ._warn import Warned
 from .adhesion import code
 from .errors import InvalidArgumentError
-from .interior import BODIES, ENOUGH_POINTS, layer_energies
+from .interior import BODIES, layer_energies
 from .material import RIGID, SMOOTH
 from .medium import Coated, Homogeneous, Layered, Pair
 
@@ -58,8 +59,8 @@ class InterfaceMaxima(NamedTuple):
     """largest normal stress s_zz"""
 
 
-class Critical(NamedTuple):
-    """What decides inside a body."""
+class _CriticalNumbers(NamedTuple):
+    """The numbers of a `Critical`."""
 
     layers: tuple[LayerMaxima, ...]
     """from the surface down, the half-space last"""
@@ -67,6 +68,10 @@ class Critical(NamedTuple):
     """from the surface down"""
     surface: Maximum
     """largest principal stress on the free surface a <= r <= 3 a: the tension that opens ring cracks"""
+
+
+class Critical(_CriticalNumbers, Warned):
+    """What decides inside a body."""
 
 
 def layers_of(medium: Any, body: str = "lower") -> tuple[list[float], bool]:
@@ -84,9 +89,10 @@ def critical(state: Any, body: str, friction: float) -> Critical:
     """What `State.critical` returns."""
     contact, row = state._owner, state._row()
     arguments = contact._handle, code("body", body, BODIES), row, number("friction", friction)
-    found = np.zeros(call(native.contact_critical, *arguments, 0, None), _layout.maximum)
+    found = np.zeros(call(native.contact_critical, *arguments, 0, 0), _layout.maximum)
     call(native.contact_critical, *arguments, len(found), found)
-    contact._doubts.compare(contact, row, body, ENOUGH_POINTS)
+    doubts = contact._doubts.inside_or_refused(contact, row, body)
+    contact._told.tell(doubts)
     maxima = {(int(one["quantity"]), int(one["place"])): maximum(one) for one in found}
     layers = [i for kind, i in maxima if kind == _layout.VON_MISES]
     interfaces = [(maxima[kind, i], i) for kind, i in maxima if kind == _layout.INTERFACE_SHEAR]
@@ -95,7 +101,7 @@ def critical(state: Any, body: str, friction: float) -> Critical:
         tuple(LayerMaxima._make([*(maxima[kind, i] for kind in _OF_LAYER), float(energies[i])]) for i in layers),
         tuple(InterfaceMaxima(shear.z, shear, maxima[_layout.INTERFACE_TENSION, i]) for shear, i in interfaces),
         maxima[_layout.FREE_SURFACE_TENSION, 0],
-    )
+    )._carrying(doubts)
 
 
 def maximum(found: Any) -> Maximum:

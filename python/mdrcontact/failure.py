@@ -10,10 +10,11 @@ import numpy as np
 
 from . import _layout
 from ._boundary import Refusal, native, not_zero, number, outcome, words_of
+from ._warn import Warned
 from .adhesion import code
 from .critical import Maximum, layers_of, maximum
 from .errors import ArgumentTypeError, InvalidArgumentError
-from .interior import BODIES, ENOUGH_POINTS
+from .interior import BODIES
 from .state import State, state_of
 
 __all__ = ["Failure"]
@@ -21,8 +22,8 @@ __all__ = ["Failure"]
 _MODES = words_of(_layout.VON_MISES, _layout.TENSION, _layout.INTERFACE_SHEAR, _layout.INTERFACE_TENSION)
 
 
-class Failure(NamedTuple):
-    """A strength that is reached."""
+class _FailureNumbers(NamedTuple):
+    """The numbers of a `Failure`."""
 
     mode: str
     """one of "von_mises", "tension", "interface_shear" and "interface_tension"; see `Contact.first_failure`"""
@@ -34,6 +35,10 @@ class Failure(NamedTuple):
     """the State at which it is reached; the smallest one looked at where it is reached at once, at any load"""
     at: Maximum
     """where in the body; its value is larger than the strength where that is reached at once"""
+
+
+class Failure(_FailureNumbers, Warned):
+    """A strength that is reached."""
 
     @property
     def at_once(self) -> bool:
@@ -63,9 +68,10 @@ def first_failure(
     failures = []
     for one in found[:count]:
         state = state_of([float(one[name]) for name in State._fields], contact)
-        contact._doubts.of(state)
-        contact._doubts.compare(contact, state._row(), body, ENOUGH_POINTS)
-        failures.append(Failure(names[int(one["quantity"])], int(one["place"]), float(one["strength"]), state, maximum(one)))
+        doubts = [*contact._doubts.about(state), *contact._doubts.inside_or_refused(contact, state._row(), body)]
+        contact._told.tell(doubts)
+        reached = Failure(names[int(one["quantity"])], int(one["place"]), float(one["strength"]), state, maximum(one))
+        failures.append(reached._carrying(doubts))
     return tuple(failures)
 
 

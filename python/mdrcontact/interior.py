@@ -3,13 +3,15 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _layout
-from ._boundary import FloatOrArray, Handle, call, check, native, number, together, words_of
+from ._boundary import FloatOrArray, call, check, native, number, together, words_of
+from ._warn import Caution, texts_of
 from .adhesion import code
 from .errors import NoConvergenceError
 
@@ -25,9 +27,8 @@ ENOUGH_POINTS = 1000
 """A state with fewer points is not compared with the surface, which costs as much as two to three single points."""
 
 
-class Interior(NamedTuple):
-    """Displacements [length] and stresses [modulus] at points inside a body, in cylinder coordinates; each entry has the shape of
-    the input, or is a float. z and u_z point into the body, tension is positive."""
+class _InteriorNumbers(NamedTuple):
+    """The numbers of an `Interior`."""
 
     u_r: FloatOrArray
     """radial displacement"""
@@ -46,6 +47,34 @@ class Interior(NamedTuple):
     """0 without friction"""
     s_tz: FloatOrArray
     """0 without friction"""
+
+
+class Interior(_InteriorNumbers):
+    """Displacements [length] and stresses [modulus] at points inside a body, in cylinder coordinates; each entry has the shape of
+    the input, or is a float. z and u_z point into the body, tension is positive."""
+
+    _doubts: tuple[str, ...] | None = None
+    """None: not looked for yet"""
+    _asked_of: tuple[Any, str] | None = None
+    """the state and the body, while they are not"""
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """Reasons to doubt these numbers; empty where there are none."""
+        if self._doubts is None and self._asked_of is not None:
+            (state, body), contact = self._asked_of, self._asked_of[0]._owner
+            self._compared(contact._doubts.inside(contact, state._row(), body)[0])
+        return self._doubts or ()
+
+    def _compared(self, found: Iterable[Caution]) -> Interior:
+        """Itself, whose doubts are known."""
+        self._doubts, self._asked_of = texts_of(found), None
+        return self
+
+    def _comparable(self, state: Any, body: str) -> Interior:
+        """Itself, whose doubts are looked for where they are asked for."""
+        self._asked_of = state, body
+        return self
 
     @property
     def von_mises(self) -> FloatOrArray:

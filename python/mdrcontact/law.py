@@ -14,7 +14,7 @@ from ._law_arrays import LawArrays, law_arrays
 from ._law_file import law_options
 from ._law_steps import LawSteps
 from ._law_table import table_text
-from ._warn import warn
+from ._warn import Caution, Warned, texts_of, warn_all
 from .adhesion import BRANCHES
 from .conduction import Conduction
 from .contact import Contact
@@ -27,9 +27,8 @@ _UNLOADING = BRANCHES["unloading"]
 _state: Any = tuple.__new__
 
 
-class LawState(NamedTuple):
-    """States of a compiled law; each entry has the shape of the input, or is a float. All but the depth is 0 where the bodies are
-    apart."""
+class _LawNumbers(NamedTuple):
+    """The numbers of a `LawState`."""
 
     depth: FloatOrArray
     """d, indentation depth [length]"""
@@ -41,6 +40,11 @@ class LawState(NamedTuple):
     """k = 2 a E_eff(a), stiffness at constant contact radius [modulus length]"""
     slope: FloatOrArray
     """dF/dd along the branch [modulus length], the derivative that implicit codes need; equal to k without adhesion"""
+
+
+class LawState(_LawNumbers, Warned):
+    """States of a compiled law; each entry has the shape of the input, or is a float. All but the depth is 0 where the bodies are
+    apart."""
 
 
 class ContactLaw(LawSteps):
@@ -76,7 +80,10 @@ class ContactLaw(LawSteps):
     fretting take `Friction`.
     """
 
-    __slots__ = ("_highest",)
+    __slots__ = ("_address", "_highest", "warnings")
+
+    warnings: tuple[str, ...]
+    """doubts about the contact at the largest depth, found when the law was made. A file does not hold them"""
 
     _write, _read, _info, _table = native.law_write, native.law_read, native.law_about, _layout.law_facts
 
@@ -111,11 +118,16 @@ class ContactLaw(LawSteps):
         if shear_strength is not None:
             options["shear_strength"] = not_zero("shear_strength", shear_strength)
         self._own(native.law_new(contact._handle, number("largest_depth", largest_depth), options))
-        contact._warn_at(self._highest)
+        del text  # the options point to it
+        self.warnings = texts_of(contact._warn_at(self._highest))
 
     def _own(self, created: tuple[int, int]) -> None:
         super()._own(created)
         self._highest = float(self._facts["highest_depth"])
+        self.warnings = ()
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        return _with_warnings, (self.to_bytes(), self.warnings)
 
     def force(self, depth: ArrayLike, branch: str = "unloading") -> FloatOrArray:
         """F [modulus length^2] at depths d up to the largest one [length], any shape.
@@ -127,7 +139,9 @@ class ContactLaw(LawSteps):
             if F is not None:
                 return F
         chosen = adhesion.code("branch", branch, BRANCHES)
-        return evaluate("depth", depth, lambda d: self._from_depth(chosen, d, 1))
+        F = evaluate("depth", depth, lambda d: self._from_depth(chosen, d, 1))
+        self._warn_beyond("depth", depth)
+        return F
 
     def at_depth(self, depth: ArrayLike, branch: str = "unloading") -> LawState:
         """The states at depths d up to the largest one [length], any shape. Further arguments as in `force`."""
@@ -137,21 +151,23 @@ class ContactLaw(LawSteps):
                 return _state(LawState, state)
         chosen = adhesion.code("branch", branch, BRANCHES)
         F, slope, a, k = evaluate_all("depth", depth, lambda d: self._from_depth(chosen, d, 4))
-        return LawState(_as_given(depth), a, F, k, slope)
+        return LawState(_as_given(depth), a, F, k, slope)._carrying(self._warn_beyond("depth", depth))
 
     def _from_depth(self, branch: int, depth: NDArray[np.float64], wanted: int) -> tuple[Any, ...]:
         """Status, and the first of F, slope, a and k: F alone is cheapest."""
         columns = [np.empty(depth.shape) for _ in range(wanted)]
-        F, slope, a, k = columns + [None] * (4 - wanted)
-        status = native.law_values(self._handle, _layout.DEPTH, branch, depth, None, a, F, k, slope, None)
-        return self._warn("depth", depth, (status, *columns))
+        F, slope, a, k = [column for column in columns] + [0] * (4 - wanted)
+        status = native.law_values(self._address, _layout.DEPTH, branch, depth, 0, a, F, k, slope, 0)
+        return status, *columns
 
     def energy(self, depth: ArrayLike, branch: str = "unloading") -> FloatOrArray:
         """U = int F dd along the branch [modulus length^3] at depths d [length], any shape: without adhesion the elastic energy,
         counted from first touch; with adhesion counted from pull-off, with a cohesive stress from bodies that are apart.
         Further arguments as in `force`."""
         chosen = adhesion.code("branch", branch, BRANCHES)
-        return evaluate("depth", depth, lambda d: self._warn("depth", d, self._energy(chosen, d)))
+        U = evaluate("depth", depth, lambda d: self._energy(chosen, d))
+        self._warn_beyond("depth", depth)
+        return U
 
     def _energy(self, branch: int, depth: NDArray[np.float64]) -> tuple[int, NDArray[np.float64]]:
         U = np.empty(depth.shape)
@@ -161,26 +177,30 @@ class ContactLaw(LawSteps):
         """G [conductance] and dG/dd along the branch [conductance/length] at depths d [length], any shape, of a law that was made
         with a conduction. Further arguments as in `force`."""
         chosen = adhesion.code("branch", branch, BRANCHES)
-        G, slope = evaluate_all("depth", depth, lambda d: self._warn("depth", d, native.law_conductance(self._handle, chosen, d)))
+        G, slope = evaluate_all("depth", depth, lambda d: native.law_conductance(self._address, chosen, d))
+        self._warn_beyond("depth", depth)
         return G, slope
 
-    def _warn(self, name: str, values: NDArray[np.float64], answer: tuple[Any, ...]) -> tuple[Any, ...]:
-        """`answer`, with a warning where values lie beyond the range of a law that is continued."""
-        largest = self._highest if name == "depth" else self.force_range[1]
-        if answer[0] == 0 and self._facts["continue_beyond"] and values.max() > largest:
-            beyond = np.count_nonzero(values > largest)
-            warn(
-                f"{beyond} of {values.size} values of {name} lie beyond {largest:.4g}: the law goes on along its tangent",
-                BeyondRangeWarning,
-            )
-        return answer
+    def _warn_beyond(self, name: str, given: ArrayLike) -> list[Caution]:
+        """Warns of values beyond the range of a law that is continued."""
+        if not self._facts["continue_beyond"]:
+            return []
+        values, largest = np.asarray(given), self._highest if name == "depth" else self.force_range[1]
+        beyond = np.count_nonzero(values > largest)
+        if not beyond:
+            return []
+        text = f"{beyond} of {values.size} values of {name} lie beyond {largest:.4g}: the law goes on along its tangent"
+        found = [Caution(text, BeyondRangeWarning)]
+        warn_all(found)
+        return found
 
     def at_force(self, force: ArrayLike, branch: str = "unloading") -> LawState:
         """The states under forces F of the compiled range [modulus length^2], any shape. Further arguments as in `force`."""
         chosen = adhesion.code("branch", branch, BRANCHES)
-        d, compliance, a, k = evaluate_all("force", force, lambda F: self._warn("force", F, self._from_force(chosen, F)))
+        d, compliance, a, k = evaluate_all("force", force, lambda F: self._from_force(chosen, F))
         slope = np.divide(1.0, compliance, out=np.zeros(np.shape(compliance)), where=np.asarray(compliance) > 0.0)
-        return LawState(d, a, _as_given(force), k, slope if np.ndim(slope) else float(slope))
+        found = LawState(d, a, _as_given(force), k, slope if np.ndim(slope) else float(slope))
+        return found._carrying(self._warn_beyond("force", force))
 
     def _from_force(self, branch: int, force: NDArray[np.float64]) -> tuple[Any, ...]:
         """Status, d, dd/dF, a and k."""
@@ -231,7 +251,8 @@ class ContactLaw(LawSteps):
         indenters other than paraboloids; and for laws of files that do not hold the radius.
         """
         law = type(self).__new__(type(self))
-        law._own(native.law_with_radius(self._handle, number("radius", radius)))
+        law._own(native.law_with_radius(self._address, number("radius", radius)))
+        law.warnings = self.warnings
         return law
 
     @property
@@ -262,3 +283,10 @@ class ContactLaw(LawSteps):
 def _as_given(values: Any) -> FloatOrArray:
     array = np.array(values, dtype=np.float64)
     return array if array.ndim else float(array)
+
+
+def _with_warnings(content: bytes, warnings: tuple[str, ...]) -> ContactLaw:
+    """A law that was pickled."""
+    law = ContactLaw.from_bytes(content)
+    law.warnings = warnings
+    return law

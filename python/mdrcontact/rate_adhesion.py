@@ -15,7 +15,7 @@ from ._boundary import FloatOrArray, Handle, call, evaluate, native, number, rec
 from ._progress import marching
 from ._units import RATIO, SPEED, WORK_OF_ADHESION
 from ._value import Value
-from ._warn import warn
+from ._warn import Caution, Warned, warn_all
 from .adhesion import CONTROLS
 from .errors import AdhesionRateWarning, ArgumentTypeError, InvalidArgumentError
 from .history import STATE, controlled_path
@@ -29,8 +29,8 @@ _ROOM = 1.02
 """Contacts are sampled this much beyond the largest equilibrium of a history."""
 
 
-class RateHistory(NamedTuple):
-    """The path of a contact whose edge moves at a finite speed: arrays of one length, then what happened once."""
+class _RateHistoryNumbers(NamedTuple):
+    """The numbers of a `RateHistory`."""
 
     time: NDArray[np.float64]
     """[time]"""
@@ -50,6 +50,10 @@ class RateHistory(NamedTuple):
     """at the last time, from which a history goes on (`start=`): "radius", "depth", "dissipated", "work"; of the lowest force,
     pull-off, "lowest_force", "lowest_time", "lowest_depth", "lowest_radius", "lowest_speed"; of the last time that the contact
     broke "rupture_time", "rupture_depth"; and how often it broke, "ruptures" """
+
+
+class RateHistory(_RateHistoryNumbers, Warned):
+    """The path of a contact whose edge moves at a finite speed: arrays of one length, then what happened once."""
 
 
 class _Rate(Value):
@@ -167,12 +171,13 @@ def history(
     with marching(t.size, progress):
         d, a, F, v, lost, done, end = call(native.rate_history, handle, control, stiffness, accuracy, row, t, s)
     found = RateHistory(t, d, a, F, v, lost, done, dict(zip(STATE, end.tolist(), strict=True)))
-    _warn_of(contact.adhesion, found)
-    return found
+    doubts = _doubts_of(contact.adhesion, found)
+    warn_all(doubts)
+    return found._carrying(doubts)
 
 
-def _warn_of(adhesion: _Rate, found: RateHistory) -> None:
-    """Warns where a law that follows from a material is beyond its range: at the lowest force, and while the contact is larger than
+def _doubts_of(adhesion: _Rate, found: RateHistory) -> list[Caution]:
+    """Whether a law that follows from a material is beyond its range: at the lowest force, and while the contact is larger than
     half of its largest radius."""
     time, zone = adhesion._scales()
     large = found.radius > 0.5 * np.max(found.radius)
@@ -180,15 +185,16 @@ def _warn_of(adhesion: _Rate, found: RateHistory) -> None:
     if found.end["lowest_radius"] > 0.0:
         speeds, radii = np.append(speeds, found.end["lowest_speed"]), np.append(radii, found.end["lowest_radius"])
     if not time or not radii.size:
-        return
+        return []
     fast, long = float(np.max(speeds / radii)) * time, zone / float(np.min(radii))
-    if fast > _FASTEST or long > _LONGEST:
-        warn(
-            f"the work of adhesion of a steady crack is beyond its range: v time/a = {fast:.2g} (at most {_FASTEST}: the solid "
-            f"around is relaxed), zone/a = {long:.2g} (at most {_LONGEST}: the cohesive zone is short). Pull-off may be more than "
-            "2 % off",
-            AdhesionRateWarning,
-        )
+    if not (fast > _FASTEST or long > _LONGEST):
+        return []
+    text = (
+        f"the work of adhesion of a steady crack is beyond its range: v time/a = {fast:.2g} (at most {_FASTEST}: the solid "
+        f"around is relaxed), zone/a = {long:.2g} (at most {_LONGEST}: the cohesive zone is short). Pull-off may be more than "
+        "2 % off"
+    )
+    return [Caution(text, AdhesionRateWarning)]
 
 
 def _start(start: Any) -> list[float]:

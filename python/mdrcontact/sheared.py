@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _layout
 from ._boundary import FloatOrArray, Handle, call, evaluate, evaluate_all, native, number, numbers, record, whole
-from ._warn import warn
+from ._warn import Caution, is_collected, is_silent, texts_of, warn_all
 from .adhesion import code
 from .errors import ArgumentTypeError, MDRError, SlipInsideWarning
 from .medium import Homogeneous
@@ -36,8 +36,8 @@ _NAMES = (("shift", "tangential_force"), ("twist", "torque"))
 _GIVEN = ((_layout.SHIFT, _layout.TANGENTIAL_FORCE), (_layout.TWIST, _layout.TORQUE))
 
 
-class ShearState(NamedTuple):
-    """States of shear; each entry has the shape of the input, or is a number. `states[3]` and `states[mask]` are some of them."""
+class _ShearNumbers(NamedTuple):
+    """The numbers of a `ShearState`."""
 
     shift: FloatOrArray
     """s, displacement of the indenter along the surface [length]; or phi, its angle about the axis [radian]"""
@@ -53,9 +53,25 @@ class ShearState(NamedTuple):
     """whether the whole contact slides; under a twist whether the disc of stick is smaller than 1e-6 a, which no torque
     distinguishes from 0"""
 
+
+class ShearState(_ShearNumbers):
+    """States of shear; each entry has the shape of the input, or is a number. `states[3]` and `states[mask]` are some of them."""
+
+    _asked_of: ShearedContact | None = None
+    """whose states they are, with the normal state of each; None: those of a history"""
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """Whether slip would begin inside: of several states of the one with the smallest disc of stick; empty where it does not.
+        By rings, in a `FrictionHistory`, it may."""
+        return () if self._asked_of is None else texts_of(self._asked_of._doubts(self))
+
     def __getitem__(self, index: Any) -> ShearState:  # type: ignore[override]
         chosen = [np.asarray(value)[index] for value in self]
-        return ShearState(*(value if value.ndim else value.item() for value in chosen))
+        found = ShearState(*(value if value.ndim else value.item() for value in chosen))
+        if self._asked_of is not None:
+            found._asked_of = self._asked_of._at(np.shape(self.shift), index)
+        return found
 
 
 class FrictionLoop(NamedTuple):
@@ -71,6 +87,11 @@ class FrictionLoop(NamedTuple):
     """the state at +amplitude when it is reached for the first time; slip is outside its stick radius"""
     around: bool = False
     """whether it is twisted about the axis"""
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """Reasons to doubt it; empty where there are none."""
+        return self.turn.warnings
 
     def plot(self, axes: Any = None, **look: Any) -> Any:
         """Draws T against s with matplotlib on `axes` (None makes a new figure); `look` is passed on. Returns the axes."""
@@ -214,26 +235,52 @@ class ShearedContact:
         return evaluate(name, points, lambda x: native.shear_field(self._handle, members, field, x))
 
     def _looked(self, found: ShearState) -> ShearState:
-        """`found`, with a warning where the stuck disc would need more than coefficient times pressure: looks at the state with the
-        smallest one, once for states of about the same size."""
-        contact, sizes = self.friction.contact, self.friction._looked_at
-        if self.around or isinstance(contact.medium, Homogeneous) or not np.size(found.shift):
+        """`found`, with a warning where the stuck disc would need more than coefficient times pressure: of states of about the same
+        size the user reads it once."""
+        found._asked_of = self
+        sizes, shear = self.friction._looked_at, self._doubtful(found)
+        if shear is None or is_silent():
             return found
-        shape = np.shape(found.shift)
-        place = np.unravel_index(np.argmin(found.stick_radius), shape) if shape else ()
-        shear: ShearState = found[place] if shape else found  # type: ignore[assignment]
-        size = tuple(round(2.0 * math.log2(abs(float(value)))) for value in tuple(shear)[:3] if value != 0.0)
-        if size and size not in sizes:
-            sizes.add(size)
-            normal = state_of((np.broadcast_to(value, shape) for value in self.state), contact)[place] if shape else self.state
-            fault = ShearedContact(self.friction, normal)._fault(shear)
-            if fault:
-                warn(
-                    f"slip would begin inside this contact: {fault}. Partial slip as an annulus at the edge is not that of the "
-                    "true contact; that by rings, friction.history(largest_depth), is",
-                    SlipInsideWarning,
-                )
+        size = tuple(round(2.0 * math.log2(abs(float(value)))) for value in tuple(shear[0])[:3] if value != 0.0)
+        if is_collected() or (size and size not in sizes):
+            if not is_collected():
+                sizes.add(size)
+            warn_all(self._doubts(found))
         return found
+
+    def _doubtful(self, found: ShearState) -> tuple[ShearState, State] | None:
+        """The state with the smallest stuck disc, and its normal state; None where there is no doubt."""
+        contact = self.friction.contact
+        if self.around or isinstance(contact.medium, Homogeneous) or not np.size(found.shift):
+            return None
+        shape = np.shape(found.shift)
+        if not shape:
+            return found, self.state
+        place = np.unravel_index(np.argmin(found.stick_radius), shape)
+        smallest: ShearState = found[place]  # type: ignore[assignment]
+        return smallest, self._at(shape, place).state
+
+    def _doubts(self, found: ShearState) -> list[Caution]:
+        """Whether slip would begin inside the contact."""
+        doubtful = self._doubtful(found)
+        if doubtful is None or not any(value != 0.0 for value in tuple(doubtful[0])[:3]):
+            return []
+        fault = ShearedContact(self.friction, doubtful[1])._fault(doubtful[0])
+        if not fault:
+            return []
+        text = (
+            f"slip would begin inside this contact: {fault}. Partial slip as an annulus at the edge is not that of the "
+            "true contact; that by rings, friction.history(largest_depth), is"
+        )
+        return [Caution(text, SlipInsideWarning)]
+
+    def _at(self, shape: tuple[int, ...], index: Any) -> ShearedContact:
+        """The same of some of the states of this shape."""
+        if not np.shape(self.state.depth):
+            return self
+        columns = [np.broadcast_to(value, shape)[index] for value in self.state]
+        normal = state_of([column if column.ndim else float(column) for column in columns], self.friction.contact)
+        return ShearedContact(self.friction, normal, self.around)
 
     def _fault(self, shear: ShearState) -> str:
         """Where the stuck disc of one state has more traction than coefficient times pressure; empty if nowhere, or if either is

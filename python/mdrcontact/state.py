@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _layout, critical, interior, sensitivity
 from ._boundary import FloatOrArray, call, evaluate, native, number, numbers, together
+from ._warn import texts_of
 from .adhesion import code
 from .critical import Critical
 from .errors import ArgumentTypeError
@@ -161,14 +162,18 @@ class State(tuple[Any, ...]):
         the edge of a flat end. Under an approximate model it is the field in the body under the model's own pressure, whose surface
         does not fit the indenter. Graded bodies take up to some seconds for each 64 depths.
 
-        The field of a state is compared with the contact's pressure and displacement on the surface, once it was given at 1000
-        points: an `InteriorAccuracyWarning` where it deviates by more than 1e-8 and 10 times the medium's tolerance, refused
-        beyond 1e-3.
+        A field of 1000 points or more is compared with the contact's pressure and displacement on the surface: an
+        `InteriorAccuracyWarning` where it deviates by more than 1e-8 and 10 times the medium's tolerance, refused beyond 1e-3.
+        Of fewer points at a time the warning comes once they are as many; `warnings` of the result compares at any number.
         """
         contact, row = self._owner, self._row()
         found = interior.interior(contact._handle, r, z, row, body, side, friction, angle)
-        contact._doubts.compare(contact, row, body, np.size(found.s_zz))
-        return found
+        if np.size(found.s_zz) >= interior.ENOUGH_POINTS:
+            doubts = contact._doubts.inside_or_refused(contact, row, body)
+            contact._told.tell(doubts)
+            return found._compared(doubts)
+        contact._told.inside(contact, row, body, np.size(found.s_zz))
+        return found._comparable(self, body)
 
     def critical(self, body: str = "lower", friction: float = 0.0) -> Critical:
         """What decides whether a coating cracks, yields or peels: the largest stresses in each layer, at the surface outside the
@@ -189,10 +194,14 @@ class State(tuple[Any, ...]):
         return sensitivity.gradient(self)
 
     def warnings(self) -> tuple[str, ...]:
-        """Doubts about the numbers of the state: slopes and strains that are not small, moduli in two units; empty where nothing
-        does. States are looked at as they are made, and a `LargeStrainWarning` and a `UnitsWarning` are given once for each
-        contact."""
-        return tuple(self._cautions()[1])
+        """Doubts about the numbers of the state: slopes and strains that are not small, moduli in two units, a contact that is not
+        one disc; empty where there are none. They follow from the state alone, whatever was computed before and in which thread,
+        while Python's `warnings` give each kind once for each contact, as states are made.
+
+        Of several states those of the deepest, and whether the largest and some smaller ones are one disc.
+        """
+        doubts = self._owner._doubts
+        return texts_of([*doubts.about(self), *doubts.one_disc(self)[0]])
 
     @property
     def _owner(self) -> Any:

@@ -6,12 +6,11 @@ from __future__ import annotations
 import argparse
 import os
 import sys
-import warnings
 from collections.abc import Sequence
-from typing import Any
 
 from .. import __version__
-from ..errors import MDRError, MDRWarning
+from .._warn import told_to
+from ..errors import MDRError
 from ..problem import ProblemError
 from . import (
     adhesion,
@@ -82,10 +81,10 @@ class _Warnings:
     def __init__(self) -> None:
         self._printed: set[str] = set()
 
-    def __call__(self, message: Warning | str, *_: Any) -> None:
-        if str(message) not in self._printed:
-            self._printed.add(str(message))
-            print(f"mdrcontact: warning: {message}", file=sys.stderr)
+    def __call__(self, text: str, _kind: type[Warning]) -> None:
+        if text not in self._printed:
+            self._printed.add(text)
+            print(f"mdrcontact: warning: {text}", file=sys.stderr)
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
@@ -100,9 +99,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         added.set_defaults(run=command.run)
     chosen = parser.parse_args(arguments)
     try:
-        with warnings.catch_warnings():
-            warnings.simplefilter("always", MDRWarning)
-            warnings.showwarning = _Warnings()  # type: ignore[assignment]
+        with told_to(_Warnings()):
             chosen.run(chosen)
         print(end="", flush=True)
     except ProblemError as problem:

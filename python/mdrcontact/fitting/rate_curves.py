@@ -14,6 +14,7 @@ from .. import _scipy
 from .._boundary import number, numbers
 from .._choices import nearest
 from .._value import Value
+from .._warn import collected, silence, texts_of, warn_all
 from ..contact import Contact
 from ..errors import ArgumentTypeError, InvalidArgumentError, MDRError, NoConvergenceError
 
@@ -86,6 +87,8 @@ class RateFit:
     """forces of the model, of each curve as far as it is fitted"""
     lag: float
     """correlation of the noise of neighbouring readings"""
+    warnings: tuple[str, ...] = ()
+    """doubts about the histories that were found"""
 
     def summary(self) -> str:
         """All of it in words."""
@@ -93,7 +96,7 @@ class RateFit:
         for name, value in self.values.items():
             low, high = self.intervals[name]
             lines.append(f"{name:16} {value:.6g}, 95 %: {low:.5g} to {high:.5g}")
-        return "\n".join(lines)
+        return "\n".join([*lines, *(f"warning: {words}" for words in self.warnings)])
 
     def pull_off(self, speed: float, spring_stiffness: float | None = None, index: int = 0) -> float:
         """The lowest force of the model at another speed of the machine, from the first reading of a curve on."""
@@ -143,13 +146,14 @@ def fit_rate(curves: Sequence[RateCurve], contact: Contact, free: Iterable[str] 
     problem = _Problem(tuple(curves), contact, tuple(free))
     u = problem.start()
     lag = 0.0
-    for _ in range(3):
-        found = least_squares(problem.residuals, u, jac=problem.slopes, args=(lag,), method="lm", xtol=1e-8, ftol=1e-10)
-        u, before = found.x, lag
-        lag = problem.lag(u)
-        if abs(lag - before) < 0.02:
-            break
-    residuals, slopes = problem.residuals(u, lag), problem.slopes(u, lag)
+    with silence():
+        for _ in range(3):
+            found = least_squares(problem.residuals, u, jac=problem.slopes, args=(lag,), method="lm", xtol=1e-8, ftol=1e-10)
+            u, before = found.x, lag
+            lag = problem.lag(u)
+            if abs(lag - before) < 0.02:
+                break
+        residuals, slopes = problem.residuals(u, lag), problem.slopes(u, lag)
     covariance = np.linalg.pinv(slopes.T @ slopes) * float(residuals @ residuals) / max(len(residuals) - len(u), 1)
     spread = np.sqrt(np.diag(covariance))
     # readings whose noise is correlated show its size as fewer free ones would
@@ -157,9 +161,11 @@ def fit_rate(curves: Sequence[RateCurve], contact: Contact, free: Iterable[str] 
     reach = student.ppf(0.975, max(freedom, 1.0)) * spread
     values = problem.values(u)
     intervals = {name: problem.interval(name, u[i], float(reach[i])) for i, name in enumerate(problem.names)}
-    fitted = tuple(problem.forces(u))
+    with collected() as doubts:
+        fitted = tuple(problem.forces(u))
+    warn_all(doubts)
     shares = covariance / np.outer(spread, spread)
-    return RateFit(problem.contact_at(values), problem.curves, values, intervals, shares, fitted, lag)
+    return RateFit(problem.contact_at(values), problem.curves, values, intervals, shares, fitted, lag, texts_of(doubts))
 
 
 class _Problem:

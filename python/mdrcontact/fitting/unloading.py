@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .._units import LENGTH, shown
+from .._warn import silence
 from ..contact import Contact
 from ..errors import InvalidArgumentError, MDRError
 from ..material import Elastic
@@ -86,6 +87,7 @@ class _Law(NamedTuple):
     exponent: float
 
 
+@silence()
 def _power_law(h: Array, p: Array, largest: float) -> _Law:
     """P = B (h - h_f)^m is the force of an indenter f = r^n, n = 1/(m - 1), on a homogeneous body (Pharr and Bolshakov 2002): the
     fit of that contact gives the covariance too."""
@@ -95,7 +97,7 @@ def _power_law(h: Array, p: Array, largest: float) -> _Law:
     steepness, height = np.polyfit(x, np.maximum(y, 0.0) ** (1.0 / 1.5), 1)
     begins = min(-height / steepness, -0.01)
     body = Homogeneous(Elastic(1.0, 0.0))
-    modulus = 1.0 / float(Contact(PowerLaw(2.0, 1.0), body)._silent().at_depth(1.0 - begins).force)
+    modulus = 1.0 / float(Contact(PowerLaw(2.0, 1.0), body).at_depth(1.0 - begins).force)
     found = fit(
         ForceDepth(x, y, branch="unloading"),
         PowerLaw(2.0, 1.0),
@@ -108,7 +110,7 @@ def _power_law(h: Array, p: Array, largest: float) -> _Law:
         """Depth and stiffness at the largest force."""
         by_name = dict(zip(found.names, values, strict=True))
         indenter = PowerLaw(by_name["indenter.exponent"], 1.0)
-        state = Contact(indenter, Homogeneous(Elastic(by_name["E"], 0.0)))._silent().at_force(1.0)
+        state = Contact(indenter, Homogeneous(Elastic(by_name["E"], 0.0))).at_force(1.0)
         return float(state.depth) + by_name["depth_offset"], float(state.stiffness)
 
     best = np.array([found.estimates[name] for name in found.names])

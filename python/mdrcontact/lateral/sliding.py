@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from .. import _scipy
 from .._boundary import number, numbers, whole
+from .._warn import Warned, collected, silence, warn_all
 from ..contact import Contact
 from ..errors import ArgumentTypeError, InvalidArgumentError
 from ..material import Elastic
@@ -24,8 +25,8 @@ _UNIT = Homogeneous(Elastic(0.75, 0.5))
 """A body with E* = 1."""
 
 
-class Sliding(NamedTuple):
-    """A contact that moves along a line without friction; arrays over x."""
+class _SlidingNumbers(NamedTuple):
+    """The numbers of a `Sliding`."""
 
     x: Array
     """places of the contact [length]"""
@@ -39,6 +40,10 @@ class Sliding(NamedTuple):
     """U, elastic energy [modulus length^3]"""
     lateral_force: Array
     """force of the medium on the indenter along x: -dU/dx at constant depth, -d(U - F d)/dx at constant load [modulus length^2]"""
+
+
+class Sliding(_SlidingNumbers, Warned):
+    """A contact that moves along a line without friction; arrays over x."""
 
 
 class IndentationMap(NamedTuple):
@@ -66,9 +71,10 @@ def indentation_map(
     d = number("depth", depth)
     if not 0.0 < d < np.inf:
         raise InvalidArgumentError(f"depth = {d!r} is not allowed: it must be finite and greater than 0")
-    ideal = Contact(indenter, _UNIT)._silent()
-    state = ideal.at_depth(d)
-    a, first = float(state.radius), float(ideal.at_depth(0.0).radius)
+    ideal = Contact(indenter, _UNIT)
+    with silence():
+        state = ideal.at_depth(d)
+        a, first = float(state.radius), float(ideal.at_depth(0.0).radius)
     u, w = np.polynomial.legendre.leggauss(whole("nodes", nodes, 1))
     u, w = 0.5 * (u + 1.0), 0.5 * w
     s = first + (a - first) * u**2
@@ -115,7 +121,11 @@ def slide(
     moduli = np.asarray(structure.modulus(places[:, None], y, radii))
     # contacts begin at radius 0: below the smallest sample E_eff is constant
     radii, moduli = np.append(1e-9 * largest, radii), np.hstack([moduli[:, :1], moduli])
-    states = np.array([_state(indenter, TabulatedMedium(radii, e), depth, force) for e in moduli])
+    with collected() as found:
+        states = np.array([_state(indenter, TabulatedMedium(radii, e), depth, force) for e in moduli])
+    # one of each kind: the first place that has it
+    doubts = list({caution.kind: caution for caution in reversed(found)}.values())
+    warn_all(doubts)
     d, F, a, U = states.T
     potential = U if force is None else U - F * d
     if periodic:
@@ -123,7 +133,7 @@ def slide(
         spline = CubicSpline(np.append(places, places[0] + period), np.append(potential, potential[0]), bc_type="periodic")
     else:
         spline = CubicSpline(places, potential)
-    return Sliding(places, d, F, a, U, -spline(places, 1))
+    return Sliding(places, d, F, a, U, -spline(places, 1))._carrying(doubts)
 
 
 def elastic_energy(contact: Contact, depth: float) -> float:
@@ -141,14 +151,15 @@ def _state(indenter: Profile, medium: TabulatedMedium, depth: float | None, forc
     return [d, float(state.force), float(state.radius), elastic_energy(contact, d)]
 
 
+@silence()
 def _largest_radius(structure: Structure, indenter: Profile, x: Array, y: float, depth: float | None, force: float | None) -> float:
     """A contact radius that no place on the line exceeds."""
     if depth is not None:
-        return 1.0001 * float(Contact(indenter, _UNIT)._silent().at_depth(depth).radius)
+        return 1.0001 * float(Contact(indenter, _UNIT).at_depth(depth).radius)
     assert force is not None
     # the softest material along the line, at the scale of the contact itself, and a margin: the radius follows
     modulus = float(np.min(_sampled_moduli(structure, x, y)))
-    widest = Contact(indenter, TabulatedMedium([1e-300, 1.0, 1e300], [modulus] * 3))._silent()
+    widest = Contact(indenter, TabulatedMedium([1e-300, 1.0, 1e300], [modulus] * 3))
     return 1.0001 * float(widest.at_force(force).radius)
 
 

@@ -3,13 +3,13 @@
 
 from __future__ import annotations
 
-import warnings
 from collections.abc import Callable
 from typing import Any, NamedTuple
 
 import numpy as np
 
 from .. import lateral
+from .._warn import collected
 from ..accuracy import accuracy_map
 from ..conduction import Conduction
 from ..conductor import INSULATING, SLIDING, Conductor, LayeredConductor
@@ -141,9 +141,8 @@ def refusals() -> list[list[str]]:
 
 def _answer(step: Callable[[], Any]) -> str:
     try:
-        with warnings.catch_warnings(record=True) as caught:
-            warnings.simplefilter("always")
+        with collected() as caught:
             step()
     except MDRError as refusal:
         return " ".join(str(refusal).split())
-    return f"a warning: {' '.join(str(caught[0].message).split())}" if caught else "it is computed"
+    return f"a warning: {' '.join(caught[0].text.split())}" if caught else "it is computed"
