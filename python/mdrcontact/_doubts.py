@@ -108,8 +108,8 @@ class Doubts:
         return found
 
 
-class Told:
-    """What the user has been told about one contact already: a warning of each kind once. Nothing that a contact answers, nor the
+class Reported:
+    """What the user has read about one contact already: a warning of each kind once. Nothing that a contact answers, nor the
     warnings that its results carry, depends on it."""
 
     def __init__(self) -> None:
@@ -122,8 +122,8 @@ class Told:
         self._points: tuple[tuple[str | float, ...], int] = ((), 0)
         """of the last body and state looked into with few points: how many so far"""
 
-    def tell(self, cautions: Iterable[Caution]) -> None:
-        """Warns of what was not told yet; of all to a computation that collects."""
+    def report(self, cautions: Iterable[Caution]) -> None:
+        """Warns of what is new; of all to a computation that collects."""
         for caution in cautions:
             with self._lock:
                 is_new = is_collected() or caution.kind not in self._kinds
@@ -136,12 +136,12 @@ class Told:
         """Doubts about states that were just made, where they are deeper than those before."""
         if is_collected():
             if not is_silent():
-                self.tell(states.contact._doubts.about(states))
+                self.report(states.contact._doubts.about(states))
             return
         depth = states.depth
         deepest = depth if isinstance(depth, float) else float(depth.max(initial=-math.inf))
         if deepest > self._seen:
-            self.tell(states.contact._doubts.about(states))
+            self.report(states.contact._doubts.about(states))
             with self._lock:
                 self._seen = max(self._seen, _DEEPER * deepest, 0.0)
 
@@ -151,12 +151,12 @@ class Told:
         if not doubts.may_open or is_silent():
             return
         if is_collected():
-            self.tell(doubts.one_disc(states)[0])
+            self.report(doubts.one_disc(states)[0])
         elif NotOneDiscWarning not in self._kinds:
             found, sizes = doubts.one_disc(states, frozenset(self._sizes))
             with self._lock:
                 self._sizes |= sizes
-            self.tell(found)
+            self.report(found)
 
     def inside(self, contact: Any, row: list[float], body: str, points: int) -> None:
         """A field that was given at few points at a time: it is compared once they are many."""
@@ -166,7 +166,7 @@ class Told:
             so_far = before + points
             self._points = key, so_far
         if before < interior.ENOUGH_POINTS <= so_far or (is_collected() and so_far >= interior.ENOUGH_POINTS):
-            self.tell(contact._doubts.inside(contact, row, body)[0])
+            self.report(contact._doubts.inside(contact, row, body)[0])
 
 
 def _size(radius: float) -> int | None:

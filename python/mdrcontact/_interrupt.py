@@ -25,12 +25,11 @@ def workers(threads: int | None) -> Iterator[ThreadPoolExecutor]:
     warns."""
     stop = threading.Event()
     cancel = _MDR_CANCEL(lambda _context: stop.is_set())
-    address = ctypes.cast(cancel, ctypes.c_void_p).value or 0
     inherit = heir()
 
     def begin() -> None:
         inherit()
-        call(native.set_cancel, address, 0)
+        call(native.set_cancel, cancel, None)
 
     with ThreadPoolExecutor(threads, initializer=begin) as pool:
         try:

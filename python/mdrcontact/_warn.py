@@ -44,7 +44,7 @@ class Warned:
 
 
 _COLLECTOR: ContextVar[list[Caution] | None] = ContextVar("mdrcontact_collector", default=None)
-"""of the computation inside which the present one runs; None: the user asks"""
+"""of the computation inside which the present one runs; None: the user runs it"""
 _CHANNEL: ContextVar[Channel | None] = ContextVar("mdrcontact_channel", default=None)
 """where the user reads; None: Python's `warnings`"""
 
@@ -57,7 +57,7 @@ class _Silence(list[Caution]):
 
 
 def warn(text: str, kind: type[Warning]) -> None:
-    """Warns whoever listens: the computation around the present one, or the user, at the line outside this package."""
+    """Warns the one that listens: the computation around the present one, or the user, at the line outside this package."""
     collector, channel = _COLLECTOR.get(), _CHANNEL.get()
     if collector is not None:
         collector.append(Caution(text, kind))
@@ -78,7 +78,7 @@ def warn_all(cautions: Iterable[Caution]) -> None:
 
 
 def is_silent() -> bool:
-    """Whether nobody listens."""
+    """Whether warnings are dropped."""
     return isinstance(_COLLECTOR.get(), _Silence)
 
 
@@ -102,7 +102,7 @@ def collected() -> Iterator[list[Caution]]:
 
 @contextmanager
 def silence() -> Iterator[None]:
-    """Trial evaluations, and contacts in units of their own that no user sees: nobody is warned. Decorates functions too."""
+    """Trial evaluations, and contacts in units of their own that no user sees: warnings are dropped. Decorates functions too."""
     with _kept_by(_Silence()):
         yield
 
@@ -117,7 +117,7 @@ def _kept_by(collector: list[Caution]) -> Iterator[None]:
 
 
 @contextmanager
-def told_to(channel: Channel) -> Iterator[None]:
+def reported_to(channel: Channel) -> Iterator[None]:
     """The user reads by `channel` in place of Python's `warnings`."""
     before = _CHANNEL.set(channel)
     try:

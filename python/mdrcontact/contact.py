@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 
 from . import _layout, failure, history, poroelastic, rate_adhesion
 from ._boundary import ComplexOrArray, FloatOrArray, Handle, evaluate_all, native, number, record, row
-from ._doubts import Doubts, Told
+from ._doubts import Doubts, Reported
 from ._value import Value
 from ._warn import Caution, collected
 from .adhesion import BRANCHES, RULES, Loop, PullOff, code, loop, pull_offs
@@ -62,7 +62,7 @@ class Contact(Value):
     _rates: list[tuple[Handle, float]] = field(init=False, repr=False, compare=False)
     """the library's contact with a rate and its largest radius, once there was a history"""
     _doubts: Doubts = field(init=False, repr=False, compare=False)
-    _told: Told = field(init=False, repr=False, compare=False)
+    _reported: Reported = field(init=False, repr=False, compare=False)
     """what the user has read about it, which changes nothing that it answers"""
 
     def __init__(
@@ -100,7 +100,7 @@ class Contact(Value):
         self._set(_handle=handle, indenter=indenter, medium=medium)
         self._set(work_of_adhesion=gamma, adhesion_rule=adhesion_rule, zeta=given, cohesive_stress=sigma)
         self._set(adhesion=adhesion, _rates=[])
-        self._set(_doubts=Doubts(self), _told=Told())
+        self._set(_doubts=Doubts(self), _reported=Reported())
 
     def at_depth(self, depth: ArrayLike, branch: str = "unloading") -> State:
         """The stable states at indentation depths d >= 0 [length], any shape; with adhesion down to the pull-off depth.
@@ -300,7 +300,7 @@ class Contact(Value):
 
     def _states(self, name: str, given: int, values: ArrayLike, branch: str) -> State:
         states = self._solve(name, given, values, branch)
-        self._told.of(states)
+        self._reported.of(states)
         return states
 
     def _solve(self, name: str, given: int, values: ArrayLike, branch: str = "unloading") -> State:
@@ -308,14 +308,14 @@ class Contact(Value):
         chosen = code("branch", branch, BRANCHES)
         found = evaluate_all(name, values, lambda v: native.contact_states(self._handle, given, chosen, v))
         states = state_of(found, self)
-        self._told.one_disc(states)
+        self._reported.one_disc(states)
         return states
 
     def _warn_at(self, depth: float) -> list[Caution]:
         """Warns of the state of a depth that the library reached without a state of Python's, whose doubts it returns."""
         with collected() as found, contextlib.suppress(MDRError):
             self._states("depth", _layout.DEPTH, depth, "unloading")
-        self._told.tell(found)
+        self._reported.report(found)
         return found
 
 

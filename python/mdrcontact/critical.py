@@ -89,10 +89,10 @@ def critical(state: Any, body: str, friction: float) -> Critical:
     """What `State.critical` returns."""
     contact, row = state._owner, state._row()
     arguments = contact._handle, code("body", body, BODIES), row, number("friction", friction)
-    found = np.zeros(call(native.contact_critical, *arguments, 0, 0), _layout.maximum)
+    found = np.zeros(call(native.contact_critical, *arguments, 0, None), _layout.maximum)
     call(native.contact_critical, *arguments, len(found), found)
     doubts = contact._doubts.inside_or_refused(contact, row, body)
-    contact._told.tell(doubts)
+    contact._reported.report(doubts)
     maxima = {(int(one["quantity"]), int(one["place"])): maximum(one) for one in found}
     layers = [i for kind, i in maxima if kind == _layout.VON_MISES]
     interfaces = [(maxima[kind, i], i) for kind, i in maxima if kind == _layout.INTERFACE_SHEAR]

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _layout
-from ._boundary import FloatOrArray, call, check, native, number, together, words_of
+from ._boundary import FloatOrArray, Handle, call, check, native, number, together, words_of
 from ._warn import Caution, texts_of
 from .adhesion import code
 from .errors import NoConvergenceError
@@ -72,7 +72,7 @@ class Interior(_InteriorNumbers):
         return self
 
     def _comparable(self, state: Any, body: str) -> Interior:
-        """Itself, whose doubts are looked for where they are asked for."""
+        """Itself, whose doubts are looked for where `warnings` is read."""
         self._asked_of = state, body
         return self
 

@@ -80,7 +80,7 @@ class ContactLaw(LawSteps):
     fretting take `Friction`.
     """
 
-    __slots__ = ("_address", "_highest", "warnings")
+    __slots__ = ("_highest", "warnings")
 
     warnings: tuple[str, ...]
     """doubts about the contact at the largest depth, found when the law was made. A file does not hold them"""
@@ -118,7 +118,6 @@ class ContactLaw(LawSteps):
         if shear_strength is not None:
             options["shear_strength"] = not_zero("shear_strength", shear_strength)
         self._own(native.law_new(contact._handle, number("largest_depth", largest_depth), options))
-        del text  # the options point to it
         self.warnings = texts_of(contact._warn_at(self._highest))
 
     def _own(self, created: tuple[int, int]) -> None:
@@ -156,8 +155,8 @@ class ContactLaw(LawSteps):
     def _from_depth(self, branch: int, depth: NDArray[np.float64], wanted: int) -> tuple[Any, ...]:
         """Status, and the first of F, slope, a and k: F alone is cheapest."""
         columns = [np.empty(depth.shape) for _ in range(wanted)]
-        F, slope, a, k = [column for column in columns] + [0] * (4 - wanted)
-        status = native.law_values(self._address, _layout.DEPTH, branch, depth, 0, a, F, k, slope, 0)
+        F, slope, a, k = columns + [None] * (4 - wanted)
+        status = native.law_values(self._handle, _layout.DEPTH, branch, depth, None, a, F, k, slope, None)
         return status, *columns
 
     def energy(self, depth: ArrayLike, branch: str = "unloading") -> FloatOrArray:
@@ -177,7 +176,7 @@ class ContactLaw(LawSteps):
         """G [conductance] and dG/dd along the branch [conductance/length] at depths d [length], any shape, of a law that was made
         with a conduction. Further arguments as in `force`."""
         chosen = adhesion.code("branch", branch, BRANCHES)
-        G, slope = evaluate_all("depth", depth, lambda d: native.law_conductance(self._address, chosen, d))
+        G, slope = evaluate_all("depth", depth, lambda d: native.law_conductance(self._handle, chosen, d))
         self._warn_beyond("depth", depth)
         return G, slope
 
@@ -251,7 +250,7 @@ class ContactLaw(LawSteps):
         indenters other than paraboloids; and for laws of files that do not hold the radius.
         """
         law = type(self).__new__(type(self))
-        law._own(native.law_with_radius(self._address, number("radius", radius)))
+        law._own(native.law_with_radius(self._handle, number("radius", radius)))
         law.warnings = self.warnings
         return law
 

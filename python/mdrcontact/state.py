@@ -170,9 +170,9 @@ class State(tuple[Any, ...]):
         found = interior.interior(contact._handle, r, z, row, body, side, friction, angle)
         if np.size(found.s_zz) >= interior.ENOUGH_POINTS:
             doubts = contact._doubts.inside_or_refused(contact, row, body)
-            contact._told.tell(doubts)
+            contact._reported.report(doubts)
             return found._compared(doubts)
-        contact._told.inside(contact, row, body, np.size(found.s_zz))
+        contact._reported.inside(contact, row, body, np.size(found.s_zz))
         return found._comparable(self, body)
 
     def critical(self, body: str = "lower", friction: float = 0.0) -> Critical:

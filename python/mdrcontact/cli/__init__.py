@@ -9,7 +9,7 @@ import sys
 from collections.abc import Sequence
 
 from .. import __version__
-from .._warn import told_to
+from .._warn import reported_to
 from ..errors import MDRError
 from ..problem import ProblemError
 from . import (
@@ -99,7 +99,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
         added.set_defaults(run=command.run)
     chosen = parser.parse_args(arguments)
     try:
-        with told_to(_Warnings()):
+        with reported_to(_Warnings()):
             chosen.run(chosen)
         print(end="", flush=True)
     except ProblemError as problem:

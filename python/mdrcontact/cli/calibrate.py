@@ -17,6 +17,7 @@ from ..fitting.calibration import as_prior, together, words_of_tests
 from ..fitting.quantities import dimension_of
 from ..problem import ProblemError
 from ..problem.fit_file import load_fit_file
+from ..problem.named import Folder
 from ..problem.tip_file import with_calibration
 from ..problem.toml import parse_file
 from ..profile import AreaFunction
@@ -140,7 +141,7 @@ def run(arguments: argparse.Namespace) -> None:
     data = together(curves)
     result = fit(data, **problem.arguments)
     print("\n".join(["", result.summary(), *(f"warning: {words}" for words in words_of_tests(result))]))
-    table = with_calibration(parse_file(arguments.problem), arguments.problem.parent)["indenter"]
+    table = with_calibration(parse_file(arguments.problem), Folder(arguments.problem.parent))["indenter"]
     notes = [f"curves {', '.join(names)}, problem file {arguments.problem}"]
     files.write(
         arguments,

@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import argparse
-import tempfile
 from collections import Counter
 from pathlib import Path
 
@@ -12,7 +11,7 @@ from .._text import aligned, listed
 from .._units import FORCE, LENGTH, Dimension, shown
 from ..errors import MDRError
 from ..fitting.causes import by_cause
-from ..problem.fit_file import load_fit_file
+from ..problem.fit_file import fit_file_of_text
 from ..problem.inspection import Array, Inspection, Test, inspect_file
 from . import files
 from .inspect_figure import inspect_figure
@@ -78,10 +77,7 @@ def _span(values: Array, dimension: Dimension) -> str:
 def _would_be_fitted(path: Path, found: Inspection) -> str:
     """What the problem file to begin with makes of the file."""
     lines = [f'would be fitted as kind = "{found.kind}":']
-    with tempfile.TemporaryDirectory() as folder:
-        start = Path(folder) / "start.toml"
-        start.write_text(found.problem, encoding="utf-8")
-        problem = load_fit_file(start)
+    problem = fit_file_of_text(found.problem)
     warned: list[tuple[str, str]] = []
     for one in problem.curves(path)[:_MOST]:
         try:

@@ -16,6 +16,7 @@ from .._text import aligned
 from .._units import LENGTH, MODULUS, practical
 from ..material import Elastic
 from ..problem import ProblemError
+from ..problem.named import IRREGULAR, Folder, reason_of
 from ..problem.section import Section
 from ..problem.toml import parse_file
 from . import files
@@ -143,7 +144,7 @@ def _problem(table: dict[str, Any], path: Path) -> MapProblem:
     for name in ("structure", "map"):
         if name not in whole:
             raise ProblemError(f"the table [{name}] is missing: a map has [structure] and [map]")
-    structure = Section(table["structure"], "structure", _STRUCTURE, path.parent)
+    structure = Section(table["structure"], "structure", _STRUCTURE, Folder(path.parent))
     phases = []
     for section in structure.children("phase", _PHASE):
         with section.words():
@@ -162,9 +163,15 @@ def _problem(table: dict[str, Any], path: Path) -> MapProblem:
 
 
 def _labels(structure: Section) -> Any:
-    place = structure.file("labels", "a file", "labels.npy")
+    file = structure.file("labels", "a file", "labels.npy")
+    words = f"[structure]: labels = {file.path.name!r} cannot be read as a NumPy array (.npy)"
+    assert file.place is not None
     try:
-        # mapped, not read: slices come from the file when they are needed
-        return np.lib.format.open_memmap(place, mode="r")
-    except (OSError, ValueError, EOFError) as problem:
-        raise ProblemError(f"[structure]: labels = {place.name!r} cannot be read as a NumPy array (.npy): {problem}") from problem
+        with file.open():
+            # mapped, not read: slices come from the file when they are needed
+            return np.lib.format.open_memmap(file.place, mode="r")
+    except OSError as problem:
+        raise ProblemError(f"{words}: {reason_of(problem)}") from None
+    except (ValueError, EOFError) as problem:
+        # NumPy repeats the begin of what is no array
+        raise ProblemError(f"{words}: {problem if str(problem).endswith(IRREGULAR) else 'write it with numpy.save'}") from None

@@ -19,13 +19,14 @@ from .compute import Control
 from .conduction import Conducting
 from .friction import Sliding
 from .history import HistoryPath
+from .named import Files, Folder, Given, GivenFiles
 from .section import ProblemError, Section
 from .strength import Strengths
 from .tip_file import with_calibration
-from .toml import parse_file
+from .toml import parse_file, parse_text
 from .wear import Rubbing
 
-__all__ = ["Problem", "ProblemError", "load", "load_with", "read"]
+__all__ = ["Problem", "ProblemError", "load", "load_with", "read", "read_text"]
 
 
 class _Part(NamedTuple):
@@ -106,15 +107,31 @@ def load(path: str | Path) -> Problem:
     """Reads a problem file; a fault in it is a `ProblemError` that names the file."""
     path = Path(path)
     try:
-        return read(with_calibration(parse_file(path), path.parent), title=path.stem, folder=path.parent)._replace(path=path)
+        return _read(parse_file(path), path.stem, Folder(path.parent))._replace(path=path)
     except ProblemError as problem:
         raise ProblemError(f"{path}: {problem}") from problem
 
 
-def read(table: dict[str, Any], title: str = "", folder: Path = Path()) -> Problem:
-    """The problem that the tables of a problem file describe; files that it names lie in `folder`."""
+def read_text(text: str, title: str = "", files: Given = ()) -> Problem:
+    """The problem that a text from elsewhere describes: it may name the files that are given with it, and no other.
+
+    files : a dict of their names and contents, or places; or a list of places, named as the files there are
+    """
+    return _read(parse_text(text), title, GivenFiles(files))
+
+
+def read(table: dict[str, Any], title: str = "", folder: Path | None = None, files: Given = ()) -> Problem:
+    """The problem that the tables of a problem file describe.
+
+    folder : where files that it names lie, any that it names; None: it may name those of `files` alone, as in `read_text`
+    """
+    return _read(table, title, GivenFiles(files) if folder is None else Folder(folder))
+
+
+def _read(table: dict[str, Any], title: str, files: Files) -> Problem:
+    table = with_calibration(table, files)
     whole = Section(table, "the file", dict.fromkeys(("title", "indenter", "medium", "compute", *_PARTS)))
-    parts = {name: part.read(Section(table[name], name, part.known, folder)) for name, part in _PARTS.items() if name in table}
+    parts = {name: part.read(Section(table[name], name, part.known, files)) for name, part in _PARTS.items() if name in table}
     path = parts.get("history") or getattr(parts.get("friction"), "path", None)
     sections = {}
     for name, known in (("indenter", indenter.KNOWN), ("medium", medium.KNOWN), ("compute", compute.KNOWN)):

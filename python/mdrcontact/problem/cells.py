@@ -21,8 +21,8 @@ from numpy.typing import NDArray
 from .. import _progress
 from .._choices import nearest
 from .block import Part, Stretch, find_block
+from .named import ContentError, ProblemError
 from .numerals import Exact
-from .section import ProblemError
 
 SHEETS = (".xlsx", ".xlsm", ".xls")
 _OLD_SPREADSHEET = (b"\xd0\xcf\x11\xe0", b"\x09\x00\x04\x00", b"\x09\x02\x06\x00", b"\x09\x04\x06\x00", b"\x09\x08")
@@ -171,7 +171,8 @@ def read_sheets(path: Path, content: bytes, skip: int, chosen: str) -> list[Shee
     except ImportError as problem:
         raise ProblemError(f'{path}: spreadsheets need {problem.name}: pip install "mdrcontact[instruments]"') from problem
     except Exception as problem:  # noqa: BLE001 - a damaged file raises almost anything
-        raise ProblemError(f"{path}: it cannot be read as a spreadsheet: {type(problem).__name__}: {problem}") from problem
+        words = f"{path}: it cannot be read as a spreadsheet: {type(problem).__name__}"
+        raise ContentError(f"{words}: {problem}", words) from problem
     return [Sheet(path, name, len(sheets), table, skip) for name, table in rows.items()]
 
 

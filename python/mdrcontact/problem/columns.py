@@ -19,14 +19,13 @@ from .block import Block, find_block
 from .cells import Cells, Sheet, Text, is_spreadsheet, read_sheets
 from .formats import Fact, Format, recognise, refuse_foreign
 from .marks import Mark, find_marks
+from .named import LARGEST_FILE, ContentError, NamedFile, ProblemError
 from .numerals import is_gap, is_number
 from .roles import ROLES
-from .section import ProblemError
 from .values import read_values
 
 _BRACKETS = re.compile(r"\s*(.*?)[\s_]*[\[(]\s*(.*?)\s*[\])]\s*")
 _COMMA = re.compile(r"\s*(.+?)\s*[,/]\s*(\S+)\s*")
-_LARGEST_FILE = 200_000_000
 _NO_NUMBER = 1e300
 _MANY_REPEATED, _MANY_OUTSIDE = 0.02, 0.05
 """Of the rows: more that stand twice, or outside of the table, are no accident."""
@@ -65,11 +64,14 @@ class MeasuredTable(NamedTuple):
     """of the instrument, in the order of the rows"""
     facts: tuple[Fact, ...] = ()
     """what the file says of the instrument"""
+    is_named: bool = False
+    """whether a problem names the file, of which errors then repeat nothing"""
 
     def column(self, title: str, dimension: Dimension) -> tuple[NDArray[np.float64], str]:
         """A column in SI units, and the unit it was in."""
         if title not in self.titles:
-            raise ProblemError(f"{self.path}: there is no column {title!r}: {nearest(title, self.titles)}")
+            best = self.those() if self.is_named else nearest(title, self.titles)
+            raise ProblemError(f"{self.path}: there is no column {title!r}: {best}")
         unit = self.unit_of(title, dimension)
         if unit is None:
             raise ProblemError(f"{self.path}: the column {title!r} does not say its unit: {self._remedy(title, dimension)}")
@@ -94,8 +96,15 @@ class MeasuredTable(NamedTuple):
         unit = dimension.example.split()[-1]
         raise ProblemError(
             f'{self.path}: no column is the {role}: name one so, with its unit, as in "{role} [{unit}]", or, for a fit, name it in '
-            f'the problem file: [data] {role} = "..."; there are {", ".join(map(repr, self.titles))}'
+            f'the problem file: [data] {role} = "..."; {self.those()}'
         )
+
+    def those(self) -> str:
+        """Which columns there are; of a file that a problem names those that are titles of measurements, and how many others."""
+        shown = [title for title in self.titles if not self.is_named or _is_of_measurements(title)]
+        others = len(self.titles) - len(shown)
+        words = [*map(repr, shown), *([f"{others} with other titles"] if others else [])]
+        return f"there are {', '.join(words)}"
 
     def named(self, aliases: Sequence[str], dimension: Dimension) -> list[str]:
         """The columns whose name, without unit, is one of the aliases."""
@@ -141,14 +150,30 @@ def read_tables(path: Path, options: TableOptions | None = None) -> list[Measure
         ) from None
 
 
+def read_named(file: NamedFile) -> MeasuredTable:
+    """Reads the only table, or the first, of a file that a problem names. Errors say where something is wrong and repeat nothing of
+    it: it need not be a table."""
+    content = file.content()
+    try:
+        return _parsed(file.path, content, TableOptions())[0]._replace(is_named=True)
+    except ContentError as problem:
+        raise ProblemError(problem.without) from None
+    except MemoryError:
+        raise ProblemError(f"{file.path}: there is not enough memory to read it: leave out rows or columns") from None
+
+
 def _read(path: Path, options: TableOptions) -> list[MeasuredTable]:
     try:
         with path.open("rb") as file:
-            content = file.read(_LARGEST_FILE + 1)  # of a device there is no end
+            content = file.read(LARGEST_FILE + 1)  # of a device there is no end
     except (OSError, ValueError) as problem:
         raise ProblemError(f"{path}: it cannot be read: {getattr(problem, 'strerror', None) or problem}") from problem
-    if len(content) > _LARGEST_FILE:
-        raise ProblemError(f"{path}: it has more than {_LARGEST_FILE // 1_000_000} MB: that is no measured curve")
+    if len(content) > LARGEST_FILE:
+        raise ProblemError(f"{path}: it has more than {LARGEST_FILE // 1_000_000} MB: that is no measured curve")
+    return _parsed(path, content, options)
+
+
+def _parsed(path: Path, content: bytes, options: TableOptions) -> list[MeasuredTable]:
     if is_spreadsheet(path, content):
         return _tables_of_sheets(path, read_sheets(path, content, options.skip, options.sheet), options)
     refuse_foreign(path, content)
@@ -178,7 +203,8 @@ def _tables_of_sheets(path: Path, sheets: Sequence[Sheet], options: TableOptions
         raise max(faults, key=lambda fault: fault[0])[1]
     if not tables:
         names = ", ".join(repr(sheet.name) for sheet in sheets)
-        raise ProblemError(f"{path}: no sheet holds a table of numbers; the sheets are {names}")
+        words = f"{path}: no sheet holds a table of numbers"
+        raise ContentError(f"{words}; the sheets are {names}", words)
     return tables
 
 
@@ -241,7 +267,11 @@ def _split(table: MeasuredTable) -> list[MeasuredTable]:
         return [table]
     count = len(titles) // period
     if period < 2 or titles != count * titles[:period]:
-        raise ProblemError(f"{table.path}: two columns have the same title, {doubled[0]!r}: name all in [data] columns = [...]")
+        place = titles.index(doubled[0]) + 1
+        raise ContentError(
+            f"{table.path}: two columns have the same title, {doubled[0]!r}: name all in [data] columns = [...]",
+            f"{table.path}: another column has the title of column {place}: give each its own",
+        )
     tests = []
     for i in range(count):
         values = table.values[:, i * period : (i + 1) * period]
@@ -283,9 +313,10 @@ def _named(cells: Cells, above: Sequence[Sequence[str]], width: int, options: Ta
             if not unit or own and own[2] == unit:
                 continue
             if own and is_unit(own[2]) and title not in options.units:
-                raise ProblemError(
+                raise ContentError(
                     f"{path}: the unit of the column {title!r} is {unit!r} in the row below the titles: say which it is in the "
-                    f'problem file: [data] units = {{ "{title}" = "{own[2]}" }}'
+                    f'problem file: [data] units = {{ "{title}" = "{own[2]}" }}',
+                    f"{path}: the title of column {titles.index(title) + 1} and the row below the titles have two units: keep one",
                 )
             units[title] = unit
     titles = [title or f"column {i}" for i, title in enumerate(titles, start=1)]
@@ -359,6 +390,13 @@ def _splits(title: str) -> list[tuple[str, str]]:
     parts = title.split("_")
     found = [("_".join(parts[:i]), "_".join(parts[i:]).replace("_per_", "/")) for i in range(1, len(parts))]
     return [*found, (title, "")]
+
+
+def _is_of_measurements(title: str) -> bool:
+    """Whether a title is the name of what instruments measure, or has a unit in brackets."""
+    match = _BRACKETS.fullmatch(title)
+    name, unit = (match[1], match[2]) if match else (title, "")
+    return bool(unit and is_unit(unit)) or any(name.lower() in names for _, names in ROLES.values())
 
 
 def _fault(unit: str, dimension: Dimension) -> str:

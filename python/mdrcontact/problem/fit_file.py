@@ -26,10 +26,11 @@ from . import data as measured
 from . import indenter as indenters
 from . import medium as mediums
 from .formats import Fact
+from .named import Folder, Given, GivenFiles
 from .record import Cantilever
 from .section import ProblemError, Section
 from .tip_file import with_calibration
-from .toml import parse_file
+from .toml import parse_file, parse_text
 
 _CANTILEVER: Mapping[str, Dimension] = {"spring_constant": STIFFNESS, "deflection_sensitivity": SENSITIVITY}
 _INSTRUMENT: Mapping[str, Dimension | None] = {**dimensions(Instrument), "indenter": None, **_CANTILEVER}
@@ -114,9 +115,14 @@ class FitFile(NamedTuple):
 def load_fit_file(path: Path) -> FitFile:
     """Reads a problem file; a fault in it is a `ProblemError` that names the file."""
     try:
-        return _read(with_calibration(parse_file(path), path.parent), path.stem)
+        return _read(with_calibration(parse_file(path), Folder(path.parent)), path.stem)
     except ProblemError as problem:
         raise ProblemError(f"{path}: {problem}") from problem
+
+
+def fit_file_of_text(text: str, title: str = "", files: Given = ()) -> FitFile:
+    """What the text of a problem file for a fit says; of `files`, as in `read_text`, it may name a tip."""
+    return _read(with_calibration(parse_text(text), GivenFiles(files)), title)
 
 
 def _read(table: dict[str, Any], title: str) -> FitFile:

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .._units import FORCE, LENGTH, Dimension, shown
-from .columns import MeasuredTable, read_table
+from .columns import MeasuredTable, read_named
 from .roles import ROLES
 from .section import ProblemError, Section
 
@@ -88,7 +88,7 @@ def _read_path(section: Section) -> SlidingPath:
             raise ProblemError(
                 f"[{section.path}]: rings = {rings} is not allowed: it must be a whole number from {_FEWEST_RINGS} to {_MOST_RINGS}"
             )
-    table = read_table(place)
+    table = read_named(place)
     normal, values = _column(section, table, "normal", _NORMAL)
     along, along_values = _column(section, table, "tangential", _TANGENTIAL)
     # spreadsheets leave empty rows at the end
@@ -125,7 +125,7 @@ def _column(
         wanted = kind if key in section else f"{first} or {second}"
         raise ProblemError(
             f'{table.path}: no column is the {wanted}: name one so, with its unit, as in "{kind} '
-            f'[{dimension.example.split()[-1]}]"; there are {", ".join(map(repr, table.titles))}'
+            f'[{dimension.example.split()[-1]}]"; {table.those()}'
         )
     values, _ = table.column(table.find(kind, aliases, dimension), dimension)
     return kind, values

@@ -7,14 +7,16 @@ import math
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from inspect import Parameter, signature
-from pathlib import Path
 from typing import Any, TypeVar
 
 from .._choices import nearest
 from .._units import RATIO, Dimension, UnitError, parse, to_si
-from ..errors import InvalidArgumentError, MDRError
+from ..errors import MDRError
+from .named import Files, GivenFiles, NamedFile, ProblemError
 
 Made = TypeVar("Made")
+
+__all__ = ["ProblemError", "Section"]
 
 
 def _real(number: float) -> float:
@@ -25,21 +27,17 @@ def _real(number: float) -> float:
         return math.inf if number > 0 else -math.inf
 
 
-class ProblemError(InvalidArgumentError):
-    """A problem file is wrong; the words say where and what is expected."""
-
-
 class Section:
     """One table of a problem file.
 
     `known` names its keys: a `Dimension` for quantities, None or `RATIO` for everything else. A quantity is written with its unit
-    in the value, radius = "500 nm", or in the key, radius_nm = 500. Files that it names lie in `folder`.
+    in the value, radius = "500 nm", or in the key, radius_nm = 500. Files that it names are among `files`; None: none are.
     """
 
-    def __init__(self, table: Any, path: str, known: Mapping[str, Dimension | None], folder: Path = Path()) -> None:
+    def __init__(self, table: Any, path: str, known: Mapping[str, Dimension | None], files: Files | None = None) -> None:
         if not isinstance(table, dict):
             raise ProblemError(f"{path} must be a table: write a line [{path}] and its keys below it")
-        self.path, self.folder = path, folder
+        self.path, self._files = path, files or GivenFiles()
         self._table = table
         self._known = {key: dimension if dimension != RATIO else None for key, dimension in known.items()}
         for key in table:
@@ -164,19 +162,19 @@ class Section:
         """A value as it stands in the file."""
         return default if default is not None and key not in self else self._found(key)[0]
 
-    def file(self, key: str, what: str, example: str) -> Path:
-        """The path of a file that a key names."""
+    def file(self, key: str, what: str, example: str) -> NamedFile:
+        """The file that a key names."""
         name = self.plain(key)
         if not isinstance(name, str):
             raise ProblemError(f'[{self.path}]: {key} = {name!r} is not the name of {what}: write it as in {key} = "{example}"')
-        return self.folder / name
+        return self._files.find(f"[{self.path}]: {key}", name)
 
     def child(self, key: str, known: Mapping[str, Dimension | None]) -> Section:
         """A table inside this one."""
         path = f"{self.path}.{key}"
         if key not in self:
             raise ProblemError(f"[{path}] is missing: write such a table, with the keys {', '.join(list(known)[:2])} or others")
-        return Section(self._table[key], path, known)
+        return Section(self._table[key], path, known, self._files)
 
     def children(self, key: str, known: Mapping[str, Dimension | None]) -> list[Section]:
         """The tables [[...]] inside this one."""
@@ -184,7 +182,7 @@ class Section:
         tables = self._table.get(key)
         if not isinstance(tables, list) or not tables:
             raise ProblemError(f"[[{path}]] is missing: write one such table for each layer, from the surface down")
-        return [Section(table, f"{path} {i}", known) for i, table in enumerate(tables, start=1)]
+        return [Section(table, f"{path} {i}", known, self._files) for i, table in enumerate(tables, start=1)]
 
     @contextmanager
     def words(self) -> Iterator[None]:

@@ -4,29 +4,29 @@
 from __future__ import annotations
 
 from contextlib import suppress
-from pathlib import Path
 from typing import Any
 
-from .section import ProblemError
-from .toml import parse_file
+from .named import Files
+from .section import ProblemError, Section
+from .toml import parse_named
 
 
-def with_calibration(table: dict[str, Any], folder: Path) -> dict[str, Any]:
+def with_calibration(table: dict[str, Any], files: Files) -> dict[str, Any]:
     """The tables of a problem file with [indenter] file = "tip.toml" replaced by what that file says: the indenter, the frame
     compliance unless [instrument] has one, and for a fit the joint prior."""
     indenter = table.get("indenter")
     if not isinstance(indenter, dict) or "file" not in indenter:
         return table
-    path = folder / str(indenter["file"])
+    file = Section(indenter, "indenter", dict.fromkeys(indenter), files).file("file", "a tip", "tip.toml")
     try:
-        found = parse_file(path)
+        found = parse_named(file)
     except ProblemError as problem:
-        raise ProblemError(f"[indenter]: file {path}: {problem}") from problem
+        raise ProblemError(f"[indenter]: file {problem}") from problem
     if not isinstance(found.get("indenter"), dict):
-        raise ProblemError(f"[indenter]: file {path}: it has no table [indenter]: write it with mdrcontact calibrate")
+        raise ProblemError(f"[indenter]: file {file.path}: it has no table [indenter]: write it with mdrcontact calibrate")
     twice = [key for key in indenter if key not in ("file", "material", "body")]
     if twice:
-        raise ProblemError(f"[indenter]: {twice[0]} stands in the file {path} already: keep one")
+        raise ProblemError(f"[indenter]: {twice[0]} stands in the file {file.path} already: keep one")
     changed = dict(table)
     changed["indenter"] = {**found["indenter"], **{key: value for key, value in indenter.items() if key != "file"}}
     prior = found.get("calibration")

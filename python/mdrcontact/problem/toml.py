@@ -8,29 +8,60 @@ import sys
 from pathlib import Path
 from typing import Any
 
-from .section import ProblemError
+from .named import ContentError, NamedFile, ProblemError
 
 if sys.version_info >= (3, 11):
     import tomllib
 else:
     import tomli as tomllib
 
+_LARGEST = 10_000_000
+"""Bytes of a problem file."""
+
 
 def parse_file(path: Path) -> dict[str, Any]:
-    """The tables of a file; the words of an error do not name it, the caller does."""
-    text = ""
+    """The tables of a file of the user's; the words of an error do not name it, the caller does."""
     try:
-        text = path.read_text(encoding="utf-8-sig")
-        return tomllib.loads(text)
+        with path.open("rb") as file:
+            content = file.read(_LARGEST + 1)  # of a device there is no end
     except OSError as problem:
         raise ProblemError(f"it cannot be read: {problem.strerror or problem}") from problem
+    return parse_bytes(content)
+
+
+def parse_named(file: NamedFile) -> dict[str, Any]:
+    """The tables of a file that a problem names, of which no error repeats anything."""
+    content = file.content()
+    try:
+        return parse_bytes(content)
+    except ContentError as problem:
+        raise ProblemError(f"{file.path}: {problem.without}") from None
+    except ProblemError as problem:
+        raise ProblemError(f"{file.path}: {problem}") from problem
+
+
+def parse_bytes(content: bytes) -> dict[str, Any]:
+    """The tables of what stands in a file."""
+    if len(content) > _LARGEST:
+        raise ProblemError(f"it has more than {_LARGEST // 1_000_000} MB: that is no problem file")
+    try:
+        text = content.decode("utf-8-sig")
     except UnicodeDecodeError as problem:
         raise ProblemError("it is not a text file in UTF-8: save it as one") from problem
+    return parse_text(text.replace("\r\n", "\n").replace("\r", "\n"))
+
+
+def parse_text(text: str) -> dict[str, Any]:
+    """The tables of a text."""
+    try:
+        return tomllib.loads(text)
     except RecursionError as problem:
         raise ProblemError("it is not a problem file: its brackets are nested too deeply") from problem
     except ValueError as problem:
         # TOMLDecodeError, or Python's own refusal of a whole number with thousands of digits
-        raise ProblemError(f"it is not valid TOML: {problem}{_line(text, str(problem))}") from problem
+        place = re.search(r"\(at [^()]*\)$", str(problem))
+        words = f"it is not valid TOML: {problem}{_line(text, str(problem))}"
+        raise ContentError(words, f"it is not valid TOML{f' {place[0]}' if place else ''}") from problem
 
 
 def _line(text: str, words: str) -> str:

@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 
 from .block import Block
 from .cells import Cells
+from .named import ContentError, ProblemError
 from .numerals import MARKS, is_mangled, mark_of, number, with_points
-from .section import ProblemError
 
 
 class _Cell(NamedTuple):
@@ -46,7 +46,10 @@ def read_values(cells: Cells, block: Block, titles: Sequence[str], decimal: str)
                         mangled.setdefault(j, _Cell(line, j, cell))
     # of a column of dates no cell is a number
     for lost in (lost for j, lost in mangled.items() if np.isfinite(table[:, j]).any()):
-        raise ProblemError(f"{_where(cells, titles, lost)}: {lost.text!r} is no number with a decimal {MARKS[mark]}: correct it")
+        raise ContentError(
+            f"{_where(cells, titles, lost)}: {lost.text!r} is no number with a decimal {MARKS[mark]}: correct it",
+            f"{_place(cells, lost)} is no number with a decimal {MARKS[mark]}: correct it",
+        )
     return table
 
 
@@ -70,19 +73,27 @@ def _evidence(cells: Cells, block: Block, titles: Sequence[str]) -> _Cell | None
         return None
     text = doubtful.text.strip()
     whole, rest = text.replace(",", ".").split(".")
-    raise ProblemError(
+    raise ContentError(
         f"{_where(cells, titles, doubtful)}: {text!r} may be {whole}{rest} or {whole}.{rest}0, and no other number of the table "
         f"shows which: write {whole}{rest}, or all with another number of decimals; or, for a fit, name the decimal mark in the "
-        'problem file: [data] decimal = "." or ","'
+        'problem file: [data] decimal = "." or ","',
+        f"{_place(cells, doubtful)} has one mark and three digits behind it, and no other number of the table shows which mark "
+        "is the decimal one: write all with another number of decimals",
     )
 
 
 def _two_marks(cells: Cells, titles: Sequence[str], cell: _Cell, shown: _Cell | None, mark: str) -> ProblemError:
     known = f"{shown.text.strip()!r} in {cells.place(shown.line)}" if shown else f'[data] decimal = "{mark}"'
-    return ProblemError(
+    return ContentError(
         f"{_where(cells, titles, cell)}: {cell.text.strip()!r} does not go with {known}, by which the decimal mark is a "
-        f"{MARKS[mark]}: write all numbers of the table with one mark"
+        f"{MARKS[mark]}: write all numbers of the table with one mark",
+        f"{_place(cells, cell)} does not go with the decimal mark of others, a {MARKS[mark]}: write all numbers with one mark",
     )
+
+
+def _place(cells: Cells, cell: _Cell) -> str:
+    """Where a cell stands, without a word of the file."""
+    return f"{cells.path}: {cells.place(cell.line)}, column {cell.column + 1}: it"
 
 
 def _where(cells: Cells, titles: Sequence[str], cell: _Cell) -> str:
