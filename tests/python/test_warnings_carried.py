@@ -4,6 +4,7 @@
 import copy
 import pickle
 import re
+import sys
 import threading
 import warnings
 from concurrent.futures import ThreadPoolExecutor
@@ -13,6 +14,8 @@ import numpy as np
 import pytest
 
 import mdrcontact as mdr
+from mdrcontact._interrupt import workers
+from mdrcontact._warn import collected, reported_to, silence, warn
 from mdrcontact.cli import main
 
 THREADS = 8
@@ -78,6 +81,28 @@ CASES = {
 """Of each class how a result is made, with what it warns, with what it does not, and words of the warning."""
 
 
+def looped(depth):
+    gel = mdr.Coated(mdr.Elastic(1e3, 0.49), 1e-6, mdr.RIGID)
+    return mdr.Contact(mdr.Sphere(10e-6), gel, work_of_adhesion=1e-5).loop("depth", depth, 10)
+
+
+def made_a_law(depth):
+    return mdr.ContactLaw(mdr.Contact(mdr.Paraboloid(1.0), HALF_SPACE), depth, tolerance=1e-3)
+
+
+THREADED = {**CASES, "loop": (looped, 1e-6, 1e-7, "compressed"), "law": (made_a_law, 3.0, 0.1, "slope of")}
+"""The same, and objects that collect the warnings of what they compute."""
+
+
+@pytest.fixture(autouse=True)
+def _often():
+    """Threads take turns after microseconds."""
+    before = sys.getswitchinterval()
+    sys.setswitchinterval(1e-6)
+    yield
+    sys.setswitchinterval(before)
+
+
 def carried(result):
     return result.warnings() if callable(result.warnings) else result.warnings
 
@@ -102,20 +127,20 @@ def test_each_class_is_raised_and_carried(kind):
 @pytest.mark.filterwarnings("ignore::mdrcontact.MDRWarning")
 def test_each_of_eight_threads_gets_its_own():
     """Sixty results of all kinds, every other one doubtful, made and read at a time."""
-    kinds = list(CASES)
+    kinds = list(THREADED)
     jobs = [(kinds[i // 2 % len(kinds)], i % 2 == 0) for i in range(60)]
-    expected = {(kind, doubtful): carried(CASES[kind][0](CASES[kind][1 if doubtful else 2])) for kind, doubtful in set(jobs)}
+    expected = {(kind, doubtful): carried(THREADED[kind][0](THREADED[kind][1 if doubtful else 2])) for kind, doubtful in set(jobs)}
     start = threading.Barrier(THREADS)
 
     def one(job):
         kind, doubtful = job
-        return carried(CASES[kind][0](CASES[kind][1 if doubtful else 2]))
+        return carried(THREADED[kind][0](THREADED[kind][1 if doubtful else 2]))
 
     with ThreadPoolExecutor(THREADS, initializer=start.wait) as pool:
         found = list(pool.map(one, jobs))
     assert found == [expected[job] for job in jobs]
     assert all(
-        any(CASES[kind][3] in text for text in texts) == doubtful for (kind, doubtful), texts in zip(jobs, found, strict=True)
+        any(THREADED[kind][3] in text for text in texts) == doubtful for (kind, doubtful), texts in zip(jobs, found, strict=True)
     )
 
 
@@ -182,6 +207,36 @@ def test_the_user_reads_each_kind_once_from_all_threads():
         with ThreadPoolExecutor(THREADS) as pool:
             list(pool.map(contact.at_radius, np.linspace(2.0, 9.0, 64)))
     assert [warning.category for warning in seen] == [mdr.LargeStrainWarning]
+
+
+def test_who_listens_belongs_to_a_thread():
+    """Each of eight collects its own while all of them are at it, and one is silent."""
+    meet = threading.Barrier(THREADS)
+
+    def one(i):
+        with collected() if i else silence() as found:
+            for _ in range(3):
+                meet.wait()
+                warn(f"{i}", mdr.MDRWarning)
+            meet.wait()
+        return found and [caution.text for caution in found]
+
+    with ThreadPoolExecutor(THREADS) as pool:
+        assert list(pool.map(one, range(THREADS))) == [None, *(3 * [f"{i}"] for i in range(1, THREADS))]
+
+
+def test_threads_of_a_computation_warn_whom_it_warns():
+    read = []
+    with warnings.catch_warnings(), reported_to(lambda text, kind: read.append((text, kind))):
+        warnings.simplefilter("error")
+        with workers(THREADS) as pool:
+            list(pool.map(lambda i: warn(f"{i}", mdr.MDRWarning), range(16)))
+        with silence(), workers(THREADS) as pool:
+            list(pool.map(lambda i: warn(f"{i}", mdr.MDRWarning), range(16)))
+        with collected() as found, workers(THREADS) as pool:
+            list(pool.map(lambda i: warn(f"{i}", mdr.UnitsWarning), range(16)))
+    assert {*read} == {(f"{i}", mdr.MDRWarning) for i in range(16)} and len(read) == 16
+    assert {*found} == {(f"{i}", mdr.UnitsWarning) for i in range(16)}
 
 
 def test_fits_in_threads_carry_theirs():
