@@ -99,7 +99,7 @@ class FrictionHeat:
         """Temperature rise in a body at r >= 0 and depth z >= 0 below its surface, of one state; not of a moving source. At the
         surface near kinks of the indenter it is within 2e-3 of the largest, `centre` is exact.
 
-        side : "below" or "above", of an interface with a resistance
+        side : "below" or "above", of an interface with a resistance; z lies at one to the rounding of a sum of thicknesses
         """
         if self._field is None:
             raise InvalidArgumentError("the temperature of a moving source is not axisymmetric: its centre and its mean are known")
@@ -120,8 +120,8 @@ class FrictionHeat:
 class Conduction(Value):
     """One conductor whose spot is held at a potential, or two that touch at a circular spot; no flux passes beside it.
 
-    body, other : Conductor, LayeredConductor, or Homogeneous, Coated, Layered of materials with a conductor; potentials of each
-        count from its own far field
+    body, other : Conductor, LayeredConductor, or Homogeneous, Coated, Layered of materials with a conductor, whose interfaces
+        have their resistances (a tension or sheet on it conducts nothing); potentials of each count from its own far field
     film : area resistance >= 0 in the spot itself [length^2/conductance]
     sink : radius at which the flux leaves a body on an INSULATING base, much larger than spots and layers; None: such a body
         answers in time alone [length]
@@ -168,9 +168,10 @@ class Conduction(Value):
 
     def rough(self, state: State, kappa: float) -> float:
         """Steady conductance of one state between rough surfaces: area resistance kappa/p(r) in the spot, by the pressure of the
-        state, in place of `film`.
+        state, in place of `film`. Right to 1e-9 under smooth indenters, else to 1e-6; refused with adhesion and where the edge
+        carries a line force.
 
-        kappa : > 0, area resistance times pressure [modulus length^2/conductance]
+        kappa : > 0, as small as it may be, area resistance times pressure [modulus length^2/conductance]
         """
         contact = state._owner._handle
         return float(call(native.conduction_rough, self._handle, contact, state._row(), number("kappa", kappa)))
@@ -183,7 +184,8 @@ class Conduction(Value):
     def friction_heat(
         self, states: State, mu: float, speed: float, motion: str = "sliding", source_speed: float | None = None
     ) -> FrictionHeat:
-        """The heat of friction of states, any shape, q = mu speed p(r), and its temperatures.
+        """The heat of friction of states, any shape, q = mu speed p(r), and its temperatures. Refused where p is a tension, as
+        with adhesion, and where the edge carries a line force, as under a plate: its temperature would be infinite.
 
         motion : "sliding", the source resting on both bodies, as in fretting or at low speeds; "spinning", q = mu speed r p(r),
             speed being the twist rate [1/time]: exact at any speed; "moving", the source moving over the lower body, at
@@ -272,14 +274,15 @@ class Spot:
     def potential(self, r: ArrayLike, z: ArrayLike, body: str = "lower", side: str = "below") -> FloatOrArray:
         """Potential of a body from its own far field, at total potential 1, r >= 0, depth z >= 0 below its surface [1].
 
-        side : "below" or "above", of an interface with a resistance
+        side : "below" or "above", of an interface with a resistance; z lies at one to the rounding of a sum of thicknesses
         """
         return self._field(_layout.POTENTIAL, r, z, body, side)
 
     def flux_inside(
         self, r: ArrayLike, z: ArrayLike, body: str = "lower", side: str = "below"
     ) -> tuple[FloatOrArray, FloatOrArray]:
-        """Flux density into the body and away from the axis at total potential 1 [conductance/length^2]."""
+        """Flux density into the body and away from the axis at total potential 1 [conductance/length^2]; of a PERFECT base what
+        goes into it, 0 along it."""
         return (
             self._field(_layout.FLUX_Z, r, z, body, side),
             self._field(_layout.FLUX_R, r, z, body, side),

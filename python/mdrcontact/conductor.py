@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import Any, Final
 
@@ -120,6 +121,14 @@ class LayeredConductor(Value):
             rows[-1, 0] = 1.0
         _check(rows)
 
+    def _with_resistances(self, resistances: Sequence[float]) -> LayeredConductor:
+        """The same with further area resistances below its layers, from the surface down."""
+        layers = [layer for layer in self.layers if not isinstance(layer, Interface)]
+        further = [*resistances, *[0.0] * (len(layers) - len(resistances))]
+        own = self.rows()[0][: len(layers), 4]
+        below = [Interface(float(first) + second) for first, second in zip(own, further, strict=True)]
+        return self.replace(layers=[part for pair in zip(layers, below, strict=True) for part in pair])
+
     def rows(self) -> tuple[NDArray[np.float64], int]:
         """Rows of struct mdr_conductor, and the base."""
         rows: list[list[float]] = []
@@ -148,7 +157,15 @@ def _conductor(material: Any) -> Conductor:
     return found
 
 
-def _body(body: Any) -> LayeredConductor:
+def _parts(layer: Any) -> Iterator[Any]:
+    """The conductor of a layer of an elastic body, and the interface below it."""
+    material, thickness = layer
+    yield _conductor(material), thickness
+    if layer.interface is not None:
+        yield layer.interface
+
+
+def conducting(body: Any) -> LayeredConductor:
     """A conductor, a stack of them, or the conductors of an elastic body."""
     if isinstance(body, LayeredConductor):
         return body
@@ -157,7 +174,7 @@ def _body(body: Any) -> LayeredConductor:
     if hasattr(body, "material"):
         return LayeredConductor((), _conductor(body.material))
     if hasattr(body, "substrate"):
-        return LayeredConductor(tuple((_conductor(m), h) for m, h in body._stack()), _conductor(body.substrate))
+        return LayeredConductor(tuple(part for layer in body._stack() for part in _parts(layer)), _conductor(body.substrate))
     raise ArgumentTypeError(f"{body!r} is not allowed: it must be a Conductor, a LayeredConductor or an elastic body of materials "
                             "with conductors")  # fmt: skip
 
@@ -167,8 +184,8 @@ def _bodies(body: Any, other: Any) -> tuple[LayeredConductor, LayeredConductor |
     if hasattr(body, "lower") and hasattr(body, "upper"):
         if other is not None:
             raise ArgumentTypeError("other is not allowed beside a Pair, which has two bodies")
-        return _body(body.lower), _body(body.upper)
-    return _body(body), None if other is None else _body(other)
+        return conducting(body.lower), conducting(body.upper)
+    return conducting(body), None if other is None else conducting(other)
 
 
 def conduction_of(body: Any, other: Any = None, film: float = 0.0, sink: float = 0.0) -> Handle:

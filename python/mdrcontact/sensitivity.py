@@ -93,7 +93,7 @@ def _surface_layer(medium: Any) -> Layer | None:
     bodies = [material for material, _ in layers] + ([] if below in (RIGID, SMOOTH) else [below])
     if not all(isinstance(material, (Elastic, TransverselyIsotropic)) for material in bodies):
         raise InvalidArgumentError("the materials must be elastic: Elastic or TransverselyIsotropic")
-    return Layer(*layers[0]) if layers else None
+    return layers[0] if layers else None
 
 
 def _decay(material: Any) -> float:

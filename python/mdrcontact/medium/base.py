@@ -46,8 +46,9 @@ class Medium(WithParameters):
         """Without a surface that adds nothing."""
         return {name: value for name, value in super()._given().items() if name != "surface" or value is not None}
 
-    def _stack(self) -> tuple[tuple[Any, float], ...]:
-        """Material and thickness of each layer from the surface down; of a pair those of the lower body."""
+    def _stack(self) -> tuple[Any, ...]:
+        """Each layer from the surface down as a `Layer`, whole: what unpacks it as (material, thickness) leaves out prestress and
+        interface. Of a pair those of the lower body; of a gel a pair (material, thickness)."""
         return ()
 
     def _tolerance(self) -> float:

@@ -85,8 +85,9 @@ class Coated(UnderModel):
         body = stack([Layer(film, thickness)], below, surface)
         self._own_with(body, chosen, coating=film, thickness=thickness, substrate=substrate, model=model, surface=surface)
 
-    def _stack(self) -> tuple[tuple[Any, float], ...]:
-        return ((self.coating, self.thickness),)
+    def _stack(self) -> tuple[Any, ...]:
+        film = self.coating
+        return ((film, self.thickness) if isinstance(film, Poroelastic) else Layer(film, self.thickness),)
 
     @staticmethod
     def models() -> tuple[str, ...]:

@@ -25,7 +25,8 @@ class Layer(WithParameters):
     thickness : > 0 [length]
     prestress : equibiaxial stress in its plane, tension > 0 [modulus]. The material's constants are the tangent moduli of the
         stressed state; with those of the free state the error is of the order prestress/modulus
-    interface : between it and what lies below, Interface(normal=K_n, tangential=K_t) or SLIDING; None: bonded
+    interface : between it and what lies below, Interface(normal=K_n, tangential=K_t) or SLIDING, and its resistance to flux;
+        None: bonded
 
     docs/coatings.md
     """
@@ -48,7 +49,7 @@ class Layer(WithParameters):
         return iter((self.material, self.thickness))
 
     def _is_plain(self) -> bool:
-        return not self.prestress and (self.interface is None or not any(self.interface._layer().values()))
+        return not self.prestress and self.interface in (None, Interface())
 
 
 class Wrinkling(NamedTuple):

@@ -52,8 +52,8 @@ class Layered(UnderModel):
         body = stack([_as_layer(layer) for layer in given], below, surface)
         self._own_with(body, chosen, layers=given, substrate=substrate, model=model, surface=surface)
 
-    def _stack(self) -> tuple[tuple[Any, float], ...]:
-        return tuple((material, thickness) for material, thickness in self.layers)
+    def _stack(self) -> tuple[Any, ...]:
+        return tuple(map(_as_layer, self.layers))
 
     def _constants(self) -> dict[str, Any]:
         return {**super()._constants(), "layers": tuple(map(_as_layer, self.layers))}

@@ -38,7 +38,7 @@ class Pair(Medium):
     def _bodies(self) -> list[Handle]:
         return [handle for body in (self.lower, self.upper) if isinstance(body, Medium) for handle in body._bodies()]
 
-    def _stack(self) -> tuple[tuple[Any, float], ...]:
+    def _stack(self) -> tuple[Any, ...]:
         return self.lower._stack() if isinstance(self.lower, Medium) else ()
 
     def _tolerance(self) -> float:

@@ -145,4 +145,7 @@ def _read(table: dict[str, Any], title: str, files: Files) -> Problem:
         control = Control(path.name, path.values.max(keepdims=True))
     tip = indenter.read_indenter(sections["indenter"])
     body = medium.read_medium(sections["medium"], sections["indenter"])
+    if "conduction" in parts:
+        for name in ("indenter", "medium"):
+            conduction.check_kind(parts["conduction"].kind, table[name], name)
     return Problem(str(whole.plain("title", title)), tip, body, control, **parts)

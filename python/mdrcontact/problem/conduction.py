@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 
 from .._units import AREA_RESISTANCE, SPEED, THERMAL_AREA_RESISTANCE, Dimension
 from ..conduction import Conduction
-from ..conductor import Interface, LayeredConductor
+from ..conductor import conducting
 from ..medium import Pair
 from .section import ProblemError, Section
 
@@ -42,23 +42,27 @@ class Conducting(NamedTuple):
         return Conduction(self._with_interfaces(lower), upper, self.film)
 
     def _with_interfaces(self, body: Any) -> Any:
-        if not any(self.interfaces):
-            return body
-        layers = body._stack()
-        if len(self.interfaces) > len(layers):
-            raise ProblemError(f"[conduction]: interfaces has {len(self.interfaces)} entries, and the medium {len(layers)} layers")
-        stack: list[Any] = []
-        for i, (material, thickness) in enumerate(layers):
-            stack.append((material.conductor, thickness))
-            if i < len(self.interfaces) and self.interfaces[i]:
-                stack.append(Interface(self.interfaces[i]))
-        return LayeredConductor(tuple(stack), body.substrate.conductor)
+        layers = len(body._stack())
+        if len(self.interfaces) > layers:
+            raise ProblemError(f"[conduction]: interfaces has {len(self.interfaces)} entries, and the medium {layers} layers")
+        return conducting(body)._with_resistances(self.interfaces) if self.interfaces else body
+
+
+def check_kind(kind: str, table: Any, path: str) -> None:
+    """Refuses materials that conduct the other kind."""
+    other = ELECTRICAL if kind == THERMAL else THERMAL
+    for key, value in table.items() if isinstance(table, dict) else ():
+        if key.startswith(f"{other}_conductivity"):
+            raise ProblemError(f'[{path}]: {key} does not belong to [conduction] kind = "{kind}": give {kind}_conductivity')
+        for one in value if isinstance(value, list) else [value]:
+            check_kind(kind, one, f"{path}.{key}")
 
 
 def read_conduction(section: Section) -> Conducting:
     """What [conduction] describes."""
     kind = section.choice("kind", (THERMAL, ELECTRICAL))
     prefix = "thermal_" if kind == THERMAL else ""
+    section.only(("kind", f"{prefix}film", f"{prefix}interfaces", "friction_coefficient", "speed"), f'kind = "{kind}"')
     film = section.quantity(f"{prefix}film", 0.0)
     interfaces = tuple(section.quantities(f"{prefix}interfaces")) if f"{prefix}interfaces" in section else ()
     heat = None
