@@ -5,6 +5,7 @@ module mdrcontact_body_layers
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t
     use mdrcontact_material_transverse, only: of_isotropic, transverse_t
+    use mdrcontact_numerics_layer_search, only: find_layer
     implicit none (type, external)
     private
     public :: layers_t
@@ -143,14 +144,10 @@ contains
         real(wp), intent(in) :: z
         logical, intent(in) :: below
         integer :: layer
-        real(wp) :: bottom
+        real(wp) :: distance
 
-        bottom = 0.0_wp
-        do layer = 1, size(self%thickness)
-            bottom = bottom + self%thickness(layer)
-            if (z < bottom .or. (z == bottom .and. .not. below)) return
-        end do
-        if (self%rigid_base) layer = 0
+        call find_layer(self%thickness, z, below, layer, distance)
+        if (layer > size(self%thickness) .and. self%rigid_base) layer = 0
     end function layer_at
 
 end module mdrcontact_body_layers

@@ -12,6 +12,7 @@ module mdrcontact_conduction_conductors
     use mdrcontact_error, only: check_code, check_finite, check_memory, check_not_negative, check_positive, error_invalid, &
                                 error_t, raise
     use mdrcontact_kinds, only: wp
+    use mdrcontact_numerics_layer_search, only: find_layer
     implicit none (type, external)
     private
     public :: conductor_t, conductors_t, new_conductors, half_space_base, perfect_base, insulating_base, layer_at
@@ -117,14 +118,8 @@ contains
         integer, intent(out) :: layer
         !> scaled as its thickness is
         real(wp), intent(out) :: distance
-        real(wp) :: h
 
-        distance = z
-        do layer = 1, self%layers
-            h = self%h(layer)/self%stretch(layer)
-            if (distance < h .or. (.not. lower .and. distance <= h)) exit
-            distance = distance - h
-        end do
+        call find_layer(self%h(:self%layers)/self%stretch(:self%layers), z, lower, layer, distance)
         if (layer <= size(self%s)) distance = distance*self%stretch(layer)
     end subroutine layer_at
 

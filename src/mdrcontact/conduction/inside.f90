@@ -37,6 +37,7 @@ contains
         real(wp), allocatable :: k(:), hat(:), amplitude(:, :)
         real(wp) :: distance
         integer :: i, layer, made
+        logical :: in_base
 
         call check_points(body, r, z, error)
         if (allocated(error)) return
@@ -49,13 +50,22 @@ contains
             potential(i) = 0.0_wp
             flux_z(i) = 0.0_wp
             flux_r(i) = 0.0_wp
+            in_base = layer > size(body%s)
+            if (in_base) then
+                layer = body%layers
+                distance = body%h(layer)
+            end if
             if (layer == 1) call add_half_space(body, a, q, r(i), distance, potential(i), flux_z(i), flux_r(i))
-            if (size(k) == 0 .or. layer > size(body%s)) cycle
+            if (size(k) == 0) cycle
             if (layer /= made) then
                 call find_amplitudes(body, layer, k, hat, amplitude)
                 made = layer
             end if
             call add_waves(body, layer, r(i), distance, k, amplitude, potential(i), flux_z(i), flux_r(i))
+            if (.not. in_base) cycle
+            ! a perfect conductor has the potential 0, takes the flux across its surface, and says nothing of that along it
+            potential(i) = 0.0_wp
+            flux_r(i) = 0.0_wp
         end do
     end subroutine fields_inside
 
@@ -87,8 +97,8 @@ contains
         type(conductors_t), intent(in) :: body
         real(wp), intent(in) :: r(:), z(:)
         type(error_t), allocatable, intent(inout) :: error
-        real(wp) :: bottom
-        integer :: i
+        real(wp) :: distance
+        integer :: i, layer
 
         if (allocated(error)) return
         if (body%base == insulating_base) then
@@ -96,14 +106,14 @@ contains
                        "from the sink")
             return
         end if
-        bottom = huge(bottom)
-        if (body%base == perfect_base) bottom = sum(body%h/body%stretch)*(1.0_wp + 1.0e-14_wp)
         do i = 1, size(r)
             call check_not_negative(error, "r", r(i), i)
             call check_not_negative(error, "z", z(i), i)
             if (allocated(error)) return
-            if (z(i) <= bottom) cycle
-            call raise(error, error_domain, " = "//to_text(z(i))//" is not allowed: the layers end at "//to_text(bottom), "z", i)
+            call layer_at(body, z(i), .false., layer, distance)
+            if (layer <= size(body%s)) cycle
+            call raise(error, error_domain, " = "//to_text(z(i))//" is not allowed: the layers end at "// &
+                       to_text(sum(body%h/body%stretch)), "z", i)
             return
         end do
     end subroutine check_points
