@@ -63,7 +63,9 @@ contains
         end if
         if (allocated(error)) return
         n = unknowns_for(conduction, state%radius)
-        is_kinked = motion == spinning .or. .not. is_smooth(contact%equilibrium%profile)
+        ! the pressure under a tension ends by a jump
+        is_kinked = motion == spinning .or. .not. is_smooth(contact%equilibrium%profile) .or. &
+                    contact%equilibrium%medium%sheet%tension > 0.0_wp
         ! coefficients that fall slowly
         if (is_kinked) n = 2*n
         terms = 4*n

@@ -15,7 +15,7 @@ module mdrcontact_conduction_source
     use mdrcontact_numerics_quadrature, only: gauss_legendre
     implicit none (type, external)
     private
-    public :: source_t, new_source, centre_and_arc, sliding, spinning
+    public :: source_t, new_source, centre_and_arc, has_line_force, sliding, spinning
 
     !> Panels towards the axis, each `shrinking` times as long as the next.
     integer, parameter :: panels = 24
@@ -63,15 +63,10 @@ contains
 
         call check_code(error, "motion", motion, [sliding, spinning])
         call check_not_negative(error, "strength", strength)
+        call check_rubbing(contact, state, error)
         if (allocated(error)) return
-        if (.not. state%radius > 0.0_wp) then
-            call raise(error, error_invalid, "friction heat needs a contact: the state has the radius 0")
-            return
-        end if
         self%radius = state%radius
-        call check_state(contact, state, error)
-        if (allocated(error)) return
-        if (motion == sliding .and. .not. at_points .and. .not. allocated(contact%equilibrium%cohesion)) then
+        if (motion == sliding .and. .not. at_points) then
             call contact%equilibrium%medium%line_load_series(contact%equilibrium%profile, state%radius, state%punch_depth, self%t, &
                                                              error)
             if (allocated(error)) return
@@ -82,6 +77,40 @@ contains
             call sample(self, contact, state, motion, strength, terms, error)
         end if
     end subroutine new_source
+
+    !> Raises unless the pressure of a state makes heat everywhere, and a temperature that is finite.
+    subroutine check_rubbing(contact, state, error)
+        type(contact_t), intent(in) :: contact
+        type(contact_state_t), intent(in) :: state
+        type(error_t), allocatable, intent(inout) :: error
+
+        if (allocated(error)) return
+        if (.not. state%radius > 0.0_wp) then
+            call raise(error, error_invalid, "friction heat needs a contact: the state has the radius 0")
+        else if (contact%is_adhesive()) then
+            call raise(error, error_invalid, "friction heat is not allowed with adhesion: Coulomb's law knows no tension, and "// &
+                       "the rim of an adhesive contact is under tension; set work_of_adhesion = 0")
+        else if (has_line_force(contact, state)) then
+            call raise(error, error_invalid, "friction heat is not offered where the edge of the contact carries a line force, "// &
+                       "under a plate or a flat end on a surface with tension: the temperature would be infinite there; leave "// &
+                       "the plate or the tension out")
+        end if
+        if (allocated(error)) return
+        call check_state(contact, state, error)
+        call check_not_negative(error, "punch_depth of the state", state%punch_depth)
+        if (.not. allocated(error)) call contact%check_one_disc(state, "friction", error)
+    end subroutine check_rubbing
+
+    !> Whether a state without adhesion has part of its force in a ring, at its edge.
+    pure function has_line_force(contact, state) result(answer)
+        type(contact_t), intent(in) :: contact
+        type(contact_state_t), intent(in) :: state
+        logical :: answer
+
+        associate (sheet => contact%equilibrium%medium%sheet)
+            answer = sheet%bending > 0.0_wp .or. (sheet%tension > 0.0_wp .and. state%punch_depth > 0.0_wp)
+        end associate
+    end function has_line_force
 
     !> Whether a series is known, and its last terms are nothing.
     pure function has_ended(t) result(answer)

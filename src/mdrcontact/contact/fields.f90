@@ -4,7 +4,7 @@ module mdrcontact_contact_fields
     use mdrcontact_contact_equilibrium, only: equilibrium_t
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: check_finite, check_not_negative, error_domain, error_invalid, error_t, raise, to_text
-    use mdrcontact_kinds, only: wp
+    use mdrcontact_kinds, only: pi, wp
     use mdrcontact_contact_zone_fields, only: zone_displacement, zone_energy, zone_line_load, zone_pressure
     use mdrcontact_medium_solver, only: of_displacement, of_line_load, of_pressure, refuse
     use mdrcontact_numerics_pick, only: pick
@@ -16,6 +16,8 @@ module mdrcontact_contact_fields
     real(wp), parameter :: smallest_ratio = 1.0e-9_wp
     !> Where the lowest pressure is looked for: so many radii, and again as many between the neighbours of the lowest.
     integer, parameter :: pressure_probes = 32, pressure_rounds = 3
+    !> A negative pressure of this part of the mean pressure is more than the solver's error.
+    real(wp), parameter :: noticeable = 1.0e-4_wp
 
     !> What gives the fields of its states; a contact is one.
     type :: fields_t
@@ -27,6 +29,7 @@ module mdrcontact_contact_fields
         procedure :: displacement
         procedure :: energy
         procedure :: lowest_pressure
+        procedure :: check_one_disc
     end type fields_t
 
 contains
@@ -179,6 +182,25 @@ contains
             to = min(r(i) + (r(2) - r(1)), state%radius)
         end do
     end subroutine lowest_pressure
+
+    !> Raises where an exact pressure would be negative.
+    subroutine check_one_disc(self, state, what, error)
+        class(fields_t), intent(in) :: self
+        !> a state of this contact, a > 0, without adhesion
+        type(contact_state_t), intent(in) :: state
+        !> that needs a pressure
+        character(len=*), intent(in) :: what
+        type(error_t), allocatable, intent(out) :: error
+        real(wp) :: pressure, radius
+
+        if (.not. self%equilibrium%medium%is_exact .or. self%equilibrium%profile%is_spherical()) return
+        call self%lowest_pressure(state, pressure, radius, error)
+        if (allocated(error)) return
+        if (pressure >= -noticeable*state%force/(pi*state%radius**2)) return
+        call raise(error, error_domain, "this contact is not one disc: without adhesion its pressure would be "// &
+                   to_text(pressure)//" at r = "//to_text(radius)//" (contact radius "//to_text(state%radius)// &
+                   "); "//what//" needs a pressure that is nowhere negative")
+    end subroutine check_one_disc
 
     !> Raises unless a state can be one of this contact.
     pure subroutine check_state(self, state, error)

@@ -13,11 +13,11 @@ module mdrcontact_friction_partial_slip
     use mdrcontact_body_compliance, only: shear_load
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_state, only: contact_state_t
-    use mdrcontact_error, only: check_finite, check_not_negative, check_positive, error_domain, error_invalid, error_t, &
+    use mdrcontact_error, only: check_finite, check_not_negative, check_positive, error_invalid, error_t, &
                                 error_unreachable, raise, to_text
     use mdrcontact_contact_fields, only: check_positions
     use mdrcontact_medium_slip, only: slip_t
-    use mdrcontact_kinds, only: pi, wp
+    use mdrcontact_kinds, only: wp
     use mdrcontact_medium_solver, only: new_under, solver_t
     use mdrcontact_medium_twisted_slip, only: new_twisted_slip, twisted_slip_t
     use mdrcontact_numerics_roots, only: solve_increasing
@@ -26,8 +26,6 @@ module mdrcontact_friction_partial_slip
     private
     public :: friction_t, new_friction, tangential_state_t, first_shear_t
 
-    !> A negative pressure of this part of the mean pressure is more than the solver's error.
-    real(wp), parameter :: noticeable = 1.0e-4_wp
     !> ln(a^2/c^2 - 1) at least, below which no double changes, and at most: c = 1e-10 a.
     real(wp), parameter :: least = -700.0_wp, most = 46.0_wp
 
@@ -177,7 +175,6 @@ contains
         !> see above
         type(contact_state_t), intent(in) :: state
         type(error_t), allocatable, intent(out) :: error
-        real(wp) :: pressure, radius
 
         associate (equilibrium => self%contact%equilibrium)
             call check_positive(error, "contact radius of the state", state%radius)
@@ -187,15 +184,8 @@ contains
                            "this contact: indenter and medium are defined up to "//to_text(equilibrium%last_radius))
             end if
             if (allocated(error)) return
-            if (.not. equilibrium%medium%is_exact .or. equilibrium%profile%is_spherical()) return
-            call self%contact%lowest_pressure(state, pressure, radius, error)
-            if (allocated(error)) return
-            if (pressure < -noticeable*state%force/(pi*state%radius**2)) then
-                call raise(error, error_domain, "this contact is not one disc: without adhesion its pressure would be "// &
-                           to_text(pressure)//" at r = "//to_text(radius)//" (contact radius "//to_text(state%radius)// &
-                           "); friction needs a pressure that is nowhere negative")
-            end if
         end associate
+        call self%contact%check_one_disc(state, "friction", error)
     end subroutine check_state
 
     !> First shear from what a medium knows of it.
