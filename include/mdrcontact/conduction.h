@@ -74,7 +74,8 @@ int mdr_conduction_tabulate(const mdr_conduction *p, double smallest, double lar
  *  @param field   MDR_FLUX, MDR_FLUX_Z, MDR_FLUX_R or MDR_POTENTIAL
  *  @param radius  a > 0 [length]
  *  @param body    one of enum mdr_which_body; not used by MDR_FLUX
- *  @param below   at an interface with a resistance: 1 the side below it, 0 the side above
+ *  @param below   at an interface with a resistance: 1 the side below it, 0 the side above; z is at one to the rounding of a sum of
+ *                 thicknesses
  *  @param time    0: steady; else of MDR_FLUX without a film: after a step of the potential, D t/a^2 >= 1e-4 with
  *                 D = along/capacity of the surface [time]
  *  @param n       number of points
@@ -122,11 +123,12 @@ int mdr_conduction_follow(const mdr_conduction *p, int answer, double radius, in
                           double out[]);
 
 /** The steady conductance of a state of contact between rough surfaces, whose area conductance goes with the pressure: a film of
- *  area resistance kappa/p(r) in the spot, by the pressure of the state. Right to 1e-9 under smooth indenters.
+ *  area resistance kappa/p(r) in the spot, by the pressure of the state. Right to 1e-9 under smooth indenters, else to 1e-6.
  *  @param p      conduction; its own film is left out
  *  @param c      contact
- *  @param state  of that contact, a > 0, whose pressure is nowhere a tension
- *  @param kappa  > 0: area resistance times pressure [modulus length^2/conductance]
+ *  @param state  of that contact, a > 0, whose pressure is nowhere a tension, and which carries no line force on its edge, as under
+ *                a plate
+ *  @param kappa  > 0, as small as it may be: area resistance times pressure [modulus length^2/conductance]
  *  @param out    receives the conductance
  *  @return also MDR_EINVALID, MDR_EDOMAIN, MDR_ENOCONVERGENCE */
 int mdr_conduction_rough(const mdr_conduction *p, const mdr_contact *c, const mdr_state *state, double kappa, double *out);
@@ -164,7 +166,8 @@ typedef struct mdr_friction_heat {
 } mdr_friction_heat;
 
 /** The heat of friction of states and its temperatures. Two bodies share it so that their temperatures are the same all over the
- *  contact; a film in the spot is not offered then.
+ *  contact; a film in the spot is not offered then. Refused with adhesion and where the pressure is a tension, which would cool, and
+ *  where the edge carries a line force, as under a plate.
  *  @param p         conduction of heat
  *  @param c         contact
  *  @param n         number of states

@@ -4,11 +4,14 @@
 !> With j = w sum c_n P_n(1 - 2 r^2/a^2), w = sqrt(1 - r^2/a^2), line loads are polynomials times 1 - u^2, and with their Legendre
 !> coefficients T_nj and the springs' matrix H
 !>     [(a/(4 pi S_0)) T (1 + H) T^t + int R_c j_m j_n r dr] c = f = (a sqrt(2)/(2 pi)) T_.0,  G = 2 pi (f, c)   (V = 1).
+!> Where R_c is small, or p not smooth, its terms do not fall: then by panels (rough_panels.f90).
 module mdrcontact_conduction_rough
     use mdrcontact_conduction_bodies, only: conduction_t, tolerance
+    use mdrcontact_conduction_rough_panels, only: conductance_by_panels
+    use mdrcontact_conduction_source, only: has_line_force
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_state, only: contact_state_t
-    use mdrcontact_error, only: check_positive, error_domain, error_no_convergence, error_t, raise, to_text
+    use mdrcontact_error, only: check_positive, error_domain, error_invalid, error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: half_pi, pi, wp
     use mdrcontact_line_legendre, only: interaction_matrix, normalisation
     use mdrcontact_line_rule, only: new_rule, rule_t
@@ -19,9 +22,10 @@ module mdrcontact_conduction_rough
     private
     public :: rough_conductance
 
-    !> Terms, fewer of them that must agree, nodes of the rules, and by how much both may differ.
+    !> Terms of the series, fewer of them that must agree, and nodes of the rules.
     integer, parameter :: terms = 28, fewer = 20, nodes = 96
-    real(wp), parameter :: allowed = 1.0e-6_wp
+    !> By how much two results may differ, relative: of the series, else panels are taken, and of these.
+    real(wp), parameter :: settled = 1.0e-9_wp, allowed = 1.0e-6_wp
 
 contains
 
@@ -36,16 +40,45 @@ contains
         !> [conductance]
         real(wp), intent(out) :: conductance
         type(error_t), allocatable, intent(inout) :: error
-        real(wp), allocatable :: matrix(:, :), spectrum(:, :)
-        real(wp) :: f(terms, 1), few
-        logical :: done
-        integer :: i, m
+        real(wp) :: by_panels, left, reached
 
         conductance = 0.0_wp
         call check_positive(error, "kappa", kappa)
         call conduction%check_steady(error)
         call conduction%check_radius(state%radius, error)
         if (allocated(error)) return
+        if (has_line_force(contact, state)) then
+            call raise(error, error_invalid, "a conductance that goes with the pressure is not offered where the edge of "// &
+                       "the contact carries a line force, under a plate or a flat end on a surface with tension: leave the "// &
+                       "plate or the tension out")
+            return
+        end if
+        call conductance_by_series(conduction, contact, state, kappa, conductance, reached, error)
+        if (allocated(error) .or. reached <= settled) return
+        call conductance_by_panels(conduction, contact, state, kappa, by_panels, left, error)
+        if (allocated(error)) return
+        if (left < reached) conductance = by_panels
+        reached = min(left, reached)
+        if (reached <= allowed) return
+        call raise(error, error_no_convergence, "the flux through this rough contact is off by about "//to_text(reached)// &
+                   ": its pressure is not smooth")
+    end subroutine rough_conductance
+
+    !> G by the series, and by how much fewer terms make it smaller, relative.
+    subroutine conductance_by_series(conduction, contact, state, kappa, conductance, reached, error)
+        type(conduction_t), intent(in) :: conduction
+        type(contact_t), intent(in) :: contact
+        type(contact_state_t), intent(in) :: state
+        real(wp), intent(in) :: kappa
+        real(wp), intent(out) :: conductance, reached
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp), allocatable :: matrix(:, :), spectrum(:, :)
+        real(wp) :: f(terms, 1), few
+        logical :: done
+        integer :: i, m
+
+        conductance = 0.0_wp
+        reached = 0.0_wp
         m = terms + 2 + ceiling(1.5_wp*first_unknowns(conduction%kernel, tolerance, state%radius/conduction%kernel%unit, &
                                                       .false., .true.))
         allocate (matrix(terms, terms), spectrum(terms, m))
@@ -62,11 +95,8 @@ contains
         call solve_lower(terms, terms, 1, matrix, f)
         conductance = 2.0_wp*pi*sum(f**2)
         few = 2.0_wp*pi*sum([(f(i, 1)**2, i=1, fewer)])
-        if (abs(conductance - few) > allowed*conductance) then
-            call raise(error, error_no_convergence, "the flux through this rough contact is off by about "// &
-                       to_text(abs(conductance - few)/conductance)//": its resistance is too small, or its pressure not smooth")
-        end if
-    end subroutine rough_conductance
+        reached = abs(conductance - few)/conductance
+    end subroutine conductance_by_series
 
     !> T_nj at a = 1: q_n(u) = 2 sqrt(1 - u^2) int_0^1 j_n dt at r^2 = u^2 + (1 - u^2) t^2, by Gauss in angles.
     subroutine fill_spectrum(spectrum, error)
