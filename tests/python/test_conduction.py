@@ -2,8 +2,10 @@
 """Conduction through spots: reference values, limits, laws, refusals."""
 
 import csv
+import math
 import pickle
 import re
+import warnings
 from pathlib import Path
 
 import numpy as np
@@ -578,6 +580,13 @@ def test_command_line(name, tmp_path, capsys):
         ),
         ('kind = "electrical"', 'kind = "electrical"\ninterfaces = ["0 ohm*m^2", "1 ohm*m^2"]', "interfaces has 2"),
         ('[conduction]\nkind = "electrical"\n', "", r"\[conduction\] is missing"),
+        ('kind = "electrical"', 'kind = "electrical"\nthermal_film = "1e-9 m^2*K/W"', "'thermal_film' does not belong to kind"),
+        ('kind = "electrical"', 'kind = "thermal"\ninterfaces = ["1 ohm*m^2"]', "'interfaces' does not belong to kind"),
+        (
+            'kind = "electrical"',
+            'kind = "thermal"',
+            r"electrical_conductivity does not belong to \[conduction\] kind = \"thermal\"",
+        ),
     ],
 )
 def test_command_line_refuses(old, new, words, tmp_path, capsys):
@@ -676,3 +685,210 @@ def test_fits_find_what_made_the_data():
         assert fit.errors[name] < 0.1 * value
     with pytest.raises(mdr.MDRError, match="did you mean 'layer1.sigma'"):
         mdr.fit_conduction(data, start, ["layer1.sigm"])
+
+
+def elastic(sigma, E=1.0):
+    return mdr.Elastic(E, 0.3, mdr.Conductor(sigma))
+
+
+FILMS = mdr.Layered(
+    [
+        mdr.Layer(elastic(0.2), 0.1, interface=mdr.Interface(0.5)),
+        mdr.Layer(elastic(0.7), 0.2, interface=mdr.Interface(0.5, tangential=2.0)),
+    ],
+    elastic(1.0),
+)
+LAYERS = mdr.LayeredConductor(
+    [(mdr.Conductor(0.2), 0.1), mdr.Interface(0.5), (mdr.Conductor(0.7), 0.2), mdr.Interface(0.5)], mdr.Conductor(1.0)
+)
+
+
+def test_an_elastic_body_conducts_with_its_interfaces():
+    """Against the stack given layer by layer; G from an independent solver."""
+    whole, stack = mdr.Conduction(FILMS), mdr.Conduction(LAYERS)
+    assert whole.at_radius(1.0).conductance == pytest.approx(1.6972, abs=5e-5)
+    k = np.array([0.1, 1.0, 10.0])
+    contact = mdr.Contact(mdr.Paraboloid(1.0), FILMS)
+    state = contact.at_radius(1.0)
+    for one, other in ((whole, stack), (mdr.Conduction(mdr.Pair(elastic(2.0), FILMS)), mdr.Conduction(mdr.Conductor(2.0), LAYERS))):
+        assert one.at_radius(1.0).conductance == pytest.approx(other.at_radius(1.0).conductance, rel=1e-12)
+        assert one.compliance(k) == pytest.approx(other.compliance(k), rel=1e-12)
+        assert one.along(state) == pytest.approx(other.along(state), rel=1e-12)
+        heats = [conduction.friction_heat(state, 0.3, 1.0) for conduction in (one, other)]
+        assert heats[0].flux_mean == pytest.approx(heats[1].flux_mean, rel=1e-12)
+        assert heats[0].temperature(0.3, 0.2) == pytest.approx(heats[1].temperature(0.3, 0.2), rel=1e-12)
+        assert one.rough(state, 0.1) == pytest.approx(other.rough(state, 0.1), rel=1e-12)
+        assert one.tabulated(0.9, 1.1).at_radius(1.0).conductance == pytest.approx(other.at_radius(1.0).conductance, rel=1e-7)
+    assert FILMS.compliance(k, "flux") == pytest.approx(stack.compliance(k), rel=1e-12)
+    law = mdr.ContactLaw(contact, state.depth, tolerance=1e-6, conduction=whole)
+    assert law.conductance(state.depth)[0] == pytest.approx(stack.at_radius(1.0).conductance, rel=1e-5)
+    for part in (mdr.Interface(0.7), None):
+        changed = FILMS.replace(layers=[FILMS.layers[0], FILMS.layers[1].replace(interface=part)])
+        layers = [*LAYERS.layers[:3], *([] if part is None else [part])]
+        expected = mdr.Conduction(LAYERS.replace(layers=layers)).at_radius(1.0).conductance
+        assert mdr.Conduction(changed).at_radius(1.0).conductance == pytest.approx(expected, rel=1e-12)
+
+
+def test_a_problem_files_resistances_lie_beside_springs(tmp_path):
+    text = (ROOT / "examples" / "problems" / "tin_on_copper.toml").read_text(encoding="utf-8")
+    old = 'electrical_conductivity = "9.17 MS/m"'
+    text = text.replace(old, f'{old}\ninterface = {{tangential = "1e15 Pa/m"}}', 1)
+    text = text.replace('kind = "electrical"', 'kind = "electrical"\ninterfaces = ["1e-14 ohm*m^2"]')
+    problem = tmp_path / "springs.toml"
+    problem.write_text(text, encoding="utf-8")
+    loaded = load(problem)
+    body = loaded.medium.lower if isinstance(loaded.medium, mdr.Pair) else loaded.medium
+    (layer,) = body.layers
+    assert layer.interface == mdr.Interface(tangential=1e15)
+    expected = mdr.LayeredConductor([(layer.material.conductor, layer.thickness), mdr.Interface(1e-14)], body.substrate.conductor)
+    given = loaded.conduction.conduction(body)
+    assert given.at_radius(1e-6).conductance == pytest.approx(mdr.Conduction(expected).at_radius(1e-6).conductance, rel=1e-12)
+    further = mdr.Conduction(LAYERS._with_resistances([0.2])).at_radius(1.0).conductance
+    layers = [LAYERS.layers[0], mdr.Interface(0.7), *LAYERS.layers[2:]]
+    assert further == pytest.approx(mdr.Conduction(LAYERS.replace(layers=layers)).at_radius(1.0).conductance, rel=1e-12)
+
+
+def depths(thickness):
+    """The depth below these layers, summed in several orders and units."""
+    units = 1e-6 * thickness
+    sums = (
+        np.cumsum(thickness)[-1],
+        sum(thickness),
+        sum(thickness[::-1]),
+        np.sum(thickness),
+        math.fsum(thickness),
+        sum(units) / 1e-6,
+    )
+    return {float(depth) for depth in sums}
+
+
+def test_interfaces_have_two_sides_in_any_order_of_summation():
+    """The potential jumps by R j, j does not; the heat of friction likewise."""
+    draws = np.random.default_rng(7)
+    contact = mdr.Contact(mdr.Paraboloid(1.0), mdr.Homogeneous(mdr.Elastic(1.0, 0.3)))
+    state, r = contact.at_radius(1.0), np.array([0.0, 0.7, 1.5])
+    for _ in range(3):
+        h, sigma = np.exp(draws.uniform(-3.0, 0.0, 4)), np.exp(draws.uniform(-2.0, 2.0, 5))
+        layers = [part for s, x in zip(sigma, h, strict=False) for part in ((mdr.Conductor(s, 1.0), x), mdr.Interface(0.3))]
+        conduction = mdr.Conduction(mdr.LayeredConductor(layers, mdr.Conductor(sigma[-1])))
+        spot, heat = conduction.at_radius(1.0), conduction.friction_heat(state, 0.3, 1.0)
+        for i in range(4):
+            for z in depths(h[: i + 1]):
+                above, below = (spot.potential(r, z, side=side) for side in ("above", "below"))
+                flux = [spot.flux_inside(r, z, side=side)[0] for side in ("above", "below")]
+                assert flux[0] == pytest.approx(flux[1], rel=1e-9)
+                assert above - below == pytest.approx(0.3 * flux[0], rel=1e-9)
+        jumps = [heat.temperature(0.5, z, side="above") - heat.temperature(0.5, z, side="below") for z in depths(h)]
+        assert jumps[0] > 0.0 and jumps == pytest.approx([jumps[0]] * len(jumps), rel=1e-9)
+
+
+def test_stresses_have_two_sides_in_any_order_of_summation():
+    h = np.array([0.1, 0.2, 0.3, 0.7])
+    films = [(mdr.Elastic(E, 0.3), x) for E, x in zip((5.0, 0.5, 5.0, 0.5), h, strict=True)]
+    state = mdr.Contact(mdr.Paraboloid(1.0), mdr.Layered(films, mdr.Elastic(2.0, 0.3))).at_radius(1.0)
+    for i in range(1, 5):
+        found = [[state.interior(0.3, z, side=side).s_rr for z in depths(h[:i])] for side in ("above", "below")]
+        for side in found:
+            assert side == pytest.approx([side[0]] * len(side), rel=1e-9)
+        assert abs(found[0][0] - found[1][0]) > 1e-3 * abs(found[0][0])
+
+
+def test_a_perfect_base_takes_what_reaches_it():
+    """Across its surface the flux goes on, at the potential 0."""
+    for resistance in (0.0, 0.4):
+        layers = [(mdr.Conductor(1.0), 0.5), mdr.Interface(0.2), (mdr.Conductor(3.0, 2.0), 0.3), mdr.Interface(resistance)]
+        spot, r = mdr.Conduction(mdr.LayeredConductor(layers, mdr.PERFECT)).at_radius(1.0), np.array([0.0, 0.6, 1.8])
+        above, below = (spot.flux_inside(r, 0.8, side=side) for side in ("above", "below"))
+        assert np.all(above[0] > 0.0) and np.all(below[0] == above[0]) and np.all(below[1] == 0.0)
+        assert np.all(spot.potential(r, 0.8) == 0.0)
+        assert spot.potential(r, 0.8, side="above") == pytest.approx(resistance * above[0], rel=1e-9, abs=1e-12)
+
+
+HALF = mdr.Conduction(mdr.Conductor(1.0))
+
+
+@pytest.mark.parametrize("motion", ["sliding", "spinning", "moving"])
+def test_heat_is_not_made_by_tension(motion):
+    """A rim that pulls would cool; a line force on the edge would make an infinite temperature."""
+    conduction, body = mdr.Conduction(mdr.Conductor(1.0, None, 1.0)), mdr.Elastic(1.0, 0.3)
+    sticky = {"work_of_adhesion": 0.01}
+    tense, plate = (mdr.Homogeneous(body, surface) for surface in (mdr.Surface(0.1), mdr.Surface(0.0, 0.1)))
+    for words, profile, medium, adhesion in (
+        ("friction heat is not allowed with adhesion", mdr.Paraboloid(1.0), mdr.Homogeneous(body), sticky),
+        (
+            "friction heat is not allowed with adhesion",
+            mdr.Paraboloid(1.0),
+            mdr.Homogeneous(body),
+            {**sticky, "cohesive_stress": 0.3},
+        ),
+        ("carries a line force", mdr.Paraboloid(10.0), plate, {}),
+        ("carries a line force", mdr.FlatPunch(0.5), tense, {}),
+        ("is not one disc", mdr.Cone(0.01), mdr.Coated(mdr.Elastic(1e3, 0.3), 0.3, body), {}),
+    ):
+        contact = mdr.Contact(profile, medium, **adhesion)
+        flat = isinstance(profile, mdr.FlatPunch)
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            state = contact.at_depth(0.01) if flat else contact.at_radius(0.5)
+        with pytest.raises(mdr.MDRError, match=words):
+            conduction.friction_heat(state, 0.3, 1.0, motion)
+        if words != "is not one disc":
+            with pytest.raises(mdr.MDRError, match="line force|not greater than 0 everywhere"):
+                conduction.rough(state, 1.0)
+    if motion == "sliding":
+        state = mdr.Contact(mdr.Paraboloid(10.0), tense).at_radius(0.5)
+        heat = conduction.friction_heat(state, 0.3, 1.0)
+        assert heat.total == pytest.approx(0.3 * state.force, rel=2e-7)
+        assert heat.temperature(0.0, 0.0) == pytest.approx(heat.centre, rel=1e-6)
+
+
+def test_the_command_makes_no_heat_by_tension(tmp_path, capsys):
+    text = (ROOT / "examples" / "problems" / "heat_through_silica.toml").read_text(encoding="utf-8")
+    problem = tmp_path / "sticky.toml"
+    text = re.sub(r"thermal_film.*", "", text)
+    text = re.sub(r'kind = "thermal"', 'kind = "thermal"\nfriction_coefficient = 0.2\nspeed = "1 mm/s"', text)
+    problem.write_text(text + '\n[adhesion]\nwork_of_adhesion = "0.05 J/m^2"\n', encoding="utf-8")
+    assert main(["conduction", str(problem)]) in (1, 2)
+    assert "friction heat is not allowed with adhesion" in capsys.readouterr().err
+
+
+def by_series(state, kappa, terms):
+    """G between rough half-spaces of conductivity 1, a = 1: j = w P_n(1 - 2 r^2), its line load by Gauss."""
+    u, weight = np.polynomial.legendre.leggauss(2 * terms + 40)
+    angle, weight = 0.25 * np.pi * (u + 1.0), 0.25 * np.pi * weight
+    x, root = np.sin(angle), np.cos(angle)
+    polynomials = np.polynomial.legendre.legvander(1.0 - 2.0 * (x[:, None] ** 2 + (root[:, None] * x) ** 2), terms - 1)
+    q = 2.0 * root[:, None] ** 2 * np.einsum("j,ijn->in", weight * root**2, polynomials)
+    p = np.polynomial.legendre.legvander(1.0 - 2.0 * x**2, terms - 1)
+    springs = np.einsum("i,im,in->mn", weight * root, q, q) / (2.0 * np.pi)
+    springs += np.einsum("i,im,in->mn", weight * root**3 * x * kappa / state.pressure(x), p, p)
+    f = weight * root @ q / np.pi
+    return 2.0 * np.pi * f @ np.linalg.solve(springs, f)
+
+
+def test_resistances_of_rough_surfaces_may_be_small():
+    """Against as many terms as it takes; towards the smooth spot the deficit of G falls as kappa^(2/3); between bounds: j as in the
+    smooth spot, j as the pressure."""
+    state = mdr.Contact(mdr.Paraboloid(1.0), mdr.Homogeneous(mdr.Elastic(1.0, 0.3))).at_radius(1.0)
+    uneven = mdr.Contact(mdr.PowerLaw(4.0, 10.0), mdr.Coated(mdr.Elastic(5.0, 0.3), 0.5, mdr.Elastic(1.0, 0.3))).at_radius(1.0)
+    for one, part, terms in ((state, 1e-2, 40), (state, 2e-3, 60), (state, 1e-4, 110), (uneven, 1e-3, 90)):
+        assert HALF.rough(one, part * one.force) == pytest.approx(by_series(one, part * one.force, terms), rel=1e-11)
+    kappa = state.force * np.array([1e-6, 1e-9, 1e-12, 1e-300])
+    deficit = 1.0 - np.array([HALF.rough(state, k) for k in kappa]) / 4.0
+    assert deficit[:3] * kappa[:3] ** (-2.0 / 3.0) == pytest.approx([deficit[2] * kappa[2] ** (-2.0 / 3.0)] * 3, rel=0.02)
+    assert abs(deficit[3]) < 1e-13
+    films = mdr.Conduction(LAYERS)
+    smooth, coated = films.at_radius(1.0).conductance, mdr.Contact(mdr.Cone(0.1), FILMS).at_radius(1.0)
+    heat = films.friction_heat(coated, 1.0, 1.0)
+    for part in (1.0, 1e-2, 1e-5, 1e-14):
+        found = 1.0 / films.rough(coated, part * coated.force)
+        assert 1.0 / smooth + part <= found * (1.0 + 1e-9)
+        assert found <= part + heat.flux_mean / heat.total
+    assert found == pytest.approx(1.0 / smooth, rel=1e-8)
+
+
+def test_a_rough_punch_is_two_resistances_in_series():
+    """Under a flat punch on a half-space the flux stays that of the smooth spot: 1/G = 1/(4 S a) + kappa/F."""
+    punch = mdr.Contact(mdr.FlatPunch(0.4), mdr.Homogeneous(mdr.Elastic(1.0, 0.3))).at_depth(0.01)
+    for part in (1e-8, 1e-3, 1.0, 100.0):
+        assert 1.0 / HALF.rough(punch, part * punch.force) == pytest.approx(1.0 / 1.6 + part, rel=1e-11)
