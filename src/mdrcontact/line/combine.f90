@@ -56,15 +56,17 @@ contains
         real(wp), intent(in) :: weights(2)
         type(kernel_t), intent(inout) :: kernel
         type(error_t), allocatable, intent(inout) :: error
-        ! a half octave's middle
-        real(wp), parameter :: half_octaves(2) = [1.25_wp, 1.75_wp]
-        real(wp) :: x(degree + 1), centred(degree + 1, 2), ratios(2), points(degree + 1)
-        integer :: octaves, octave, half, i
+        real(wp) :: x(degree + 1), ratios(2), points(degree + 1)
+        real(wp), allocatable :: centred(:, :)
+        integer :: octaves, octave, part, parts, i
         logical :: on_plateau
 
         points = node([(i, i=1, size(points))], size(points))
         kernel%unit = min(first%unit, second%unit)
         kernel%vanishes = .false.
+        kernel%halvings = max(first%halvings, second%halvings)
+        parts = kernel%parts()
+        allocate (centred(degree + 1, parts))
         kernel%resolved = min(first%resolved*(first%unit/kernel%unit), second%resolved*(second%unit/kernel%unit))
         kernel%origin = weights(1)*first%origin*(kernel%unit/first%unit) + weights(2)*second%origin*(kernel%unit/second%unit)
         kernel%sigma_zero = weights(1)*first%sigma_zero + weights(2)*second%sigma_zero
@@ -77,26 +79,34 @@ contains
                        to_text(second%unit)//", differ by too much: leave out the thinner one")
             return
         end if
-        allocate (kernel%coefficients(0:degree, 0:2*octaves))
+        allocate (kernel%coefficients(0:degree, 0:parts*octaves))
         kernel%coefficients(:, 0) = powers_from_values(sum_at(sqrt(0.5_wp*(1.0_wp + points)), .true.), near_degree)
         on_plateau = kernel%sigma_zero > stiff
         do octave = 0, octaves - 1
             if (on_plateau) then
-                do half = 1, 2
-                    centred(:, half) = sum_at(scale(half_octaves(half) + 0.25_wp*points, octave), .true.)
+                do part = 1, parts
+                    centred(:, part) = sum_at(positions(part), .true.)
                 end do
                 on_plateau = maxval(abs(centred)) <= 0.5_wp*kernel%origin
                 if (on_plateau) kernel%plateau = octave + 1
             end if
-            do half = 1, 2
-                x = sum_at(scale(half_octaves(half) + 0.25_wp*points, octave), on_plateau)
-                kernel%coefficients(:, 2*octave + half) = powers_from_values(x, degree)
+            do part = 1, parts
+                x = sum_at(positions(part), on_plateau)
+                kernel%coefficients(:, parts*octave + part) = powers_from_values(x, degree)
             end do
         end do
         kernel%tail = weights(1)*first%tail*[ratios(1), ratios(1)**3] + weights(2)*second%tail*[ratios(2), ratios(2)**3]
         call kernel%integrate()
 
     contains
+
+        !> The nodes of a part of this octave.
+        function positions(part) result(y)
+            integer, intent(in) :: part
+            real(wp) :: y(size(points))
+
+            y = scale((1.0_wp + real(2*part - 1, wp)/real(2*parts, wp)) + points/real(2*parts, wp), octave)
+        end function positions
 
         !> X, or X - X(0).
         function sum_at(y, is_centred) result(values)

@@ -2,8 +2,9 @@
 !> The kernel X(y) = int_0^inf chi(k) cos(ky) dk of the one-dimensional springs (theory 6), tabulated once per medium.
 !>
 !> X belongs to the body alone, not to contact radius or indenter. It is tabulated on [0, unit] as a polynomial in y^2 and on
-!> half octaves [unit 2^j, unit 2^(j+1)] up to where it has become its own tail, c/y^2 + d/y^4: any ratio of lengths takes the same
-!> few panels. Lengths in this module are in units of `unit`, X in units of 1/unit.
+!> parts of octaves [unit 2^j, unit 2^(j+1)] up to where it has become its own tail, c/y^2 + d/y^4: any ratio of lengths takes
+!> the same few panels, halves of octaves, or shorter ones in layers along whose normal waves oscillate as they decay. Lengths in
+!> this module are in units of `unit`, X in units of 1/unit.
 module mdrcontact_line_kernel
     use, intrinsic :: iso_fortran_env, only: int64
     use mdrcontact_kinds, only: pi, wp
@@ -12,12 +13,15 @@ module mdrcontact_line_kernel
     private
     public :: kernel_t, degree, near_degree
 
-    !> Degree of the polynomials: a panel's nearest singularity (y = 0, or 2 h i with h the first layer's thickness)
-    !> lies five half lengths from its centre or farther.
+    !> Degree of the polynomials: the nearest singularity of half an octave (y = 0, or 2 h i with h the first layer's thickness)
+    !> lies five half lengths from its centre or farther. Where waves exp(-lambda k z) oscillate it is 2 h i lambda, which
+    !> comes near the y axis as lambda nears the imaginary one: an octave then has more panels.
     integer, parameter :: degree = terms - 1
     !> Below the unit, in y^2, the same singularity lies nine half lengths from the centre.
     integer, parameter :: near_degree = 13
     integer(int64), parameter :: mantissa = int(z'000FFFFFFFFFFFFF', int64), exponent_of_one = int(z'3FF0000000000000', int64)
+    !> More bits than number the parts of an octave.
+    integer(int64), parameter :: all_parts = int(z'FF', int64)
     !> Points evaluated together, so that the compiler interleaves their Horner schemes.
     integer, parameter :: block_size = 32, at_once = 12
 
@@ -33,15 +37,18 @@ module mdrcontact_line_kernel
         real(wp) :: origin = 0.0_wp, sigma_zero = 1.0_wp
         !> Below 2^plateau the table holds X - X(0), which keeps its digits where X(0) is large: a stiff film on a soft base.
         integer :: plateau = 0
-        !> coefficients(:, 0): powers of 2 y^2 - 1 on [0, 1]; (:, 1 + 2 j + i): powers of the local variable in [-1, 1] on
-        !> half i of octave j
+        !> how often halves of octaves are halved
+        integer :: halvings = 0
+        !> coefficients(:, 0): powers of 2 y^2 - 1 on [0, 1]; (:, 1 + n j + i): powers of the local variable in [-1, 1] on
+        !> part i of the n of octave j
         real(wp), allocatable :: coefficients(:, :)
         !> y^2 X(y) = tail(1) + tail(2)/y^2 beyond the last octave
         real(wp) :: tail(2) = 0.0_wp
-        !> integral of X from the start of each half octave to infinity; the last one that of the tail
+        !> integral of X from the start of each part of an octave to infinity; the last one that of the tail
         real(wp), allocatable :: rest(:)
     contains
         procedure :: octaves
+        procedure :: parts
         procedure :: is_graded
         procedure :: evaluate
         procedure :: integral_beyond
@@ -58,8 +65,16 @@ contains
         integer :: count
 
         count = 0
-        if (allocated(self%coefficients)) count = ubound(self%coefficients, 2)/2
+        if (allocated(self%coefficients)) count = ubound(self%coefficients, 2)/self%parts()
     end function octaves
+
+    !> Number of panels in an octave.
+    elemental function parts(self) result(count)
+        class(kernel_t), intent(in) :: self
+        integer :: count
+
+        count = 2*2**self%halvings
+    end function parts
 
     !> Whether the body's constants vary from the surface down, and X at all lengths above `unit`.
     pure function is_graded(self) result(answer)
@@ -86,8 +101,8 @@ contains
         end if
         do first = 1, size(y), block_size
             count = min(block_size, size(y) - first + 1)
-            call evaluate_block(count, y(first:first + count - 1), self%coefficients, self%octaves(), self%tail, &
-                                self%plateau, self%origin - shift, -shift, x(first:first + count - 1))
+            call evaluate_block(count, y(first:first + count - 1), self%coefficients, self%octaves(), self%halvings, &
+                                self%tail, self%plateau, self%origin - shift, -shift, x(first:first + count - 1))
         end do
     end subroutine evaluate
 
@@ -96,18 +111,27 @@ contains
         class(kernel_t), intent(in) :: self
         real(wp), intent(in) :: y
         real(wp) :: total
-        integer :: panel, half
+        integer :: panel, part
 
         total = 0.0_wp
         if (self%vanishes) return
-        half = merge(1, 0, fraction(y) >= 0.75_wp)
-        panel = 2*exponent(y) - 1 + half
+        part = int((2.0_wp*fraction(y) - 1.0_wp)*real(self%parts(), wp))
+        panel = self%parts()*(exponent(y) - 1) + 1 + part
         if (panel >= size(self%rest)) then
             total = self%tail(1)/y + self%tail(2)/(3.0_wp*y**3)
         else
-            total = self%rest(panel + 1) + on_panel(self, panel, 4.0_wp*scale(y, 1 - exponent(y)) - real(5 + 2*half, wp))
+            total = self%rest(panel + 1) + on_panel(self, panel, local_variable(self%parts(), part, scale(y, 1 - exponent(y))))
         end if
     end function integral_beyond
+
+    !> From -1 to 1 on a part of the octave 1 <= y < 2.
+    elemental function local_variable(parts, part, y) result(u)
+        integer, intent(in) :: parts, part
+        real(wp), intent(in) :: y
+        real(wp) :: u
+
+        u = real(2*parts, wp)*y - real(2*parts + 1 + 2*part, wp)
+    end function local_variable
 
     !> Fills `rest`, once the table is complete.
     pure subroutine integrate(self)
@@ -122,7 +146,7 @@ contains
         end do
     end subroutine integrate
 
-    !> The integral from u to the end of a half octave.
+    !> The integral from u to the end of a part of an octave.
     pure function on_panel(self, panel, u) result(part)
         class(kernel_t), intent(in) :: self
         integer, intent(in) :: panel
@@ -139,8 +163,8 @@ contains
             here = (here + c)*u
         end do
         part = there - here
-        if ((panel - 1)/2 < self%plateau) part = part + self%origin*(1.0_wp - u)
-        part = part*scale(0.25_wp, (panel - 1)/2)
+        if ((panel - 1)/self%parts() < self%plateau) part = part + self%origin*(1.0_wp - u)
+        part = part*scale(0.25_wp, (panel - 1)/self%parts() - self%halvings)
     end function on_panel
 
     !> By how much y X(y) differs at most between two neighbouring panels where they meet, at no node of either: what that does to
@@ -161,7 +185,7 @@ contains
             else
                 next = self%tail(1)*scale(1.0_wp, -2*self%octaves()) + self%tail(2)*scale(1.0_wp, -4*self%octaves())
             end if
-            largest = max(largest, scale(abs(before - next), (panel + 1)/2))
+            largest = max(largest, scale(abs(before - next), (panel + self%parts() - 1)/self%parts()))
         end do
     end function misfit
 
@@ -171,7 +195,7 @@ contains
         integer, intent(in) :: panel
         real(wp) :: value
 
-        value = merge(self%origin, 0.0_wp, panel == 0 .or. (panel - 1)/2 < self%plateau)
+        value = merge(self%origin, 0.0_wp, panel == 0 .or. (panel - 1)/self%parts() < self%plateau)
     end function held_back
 
     !> chi(0) - (2/pi) int_0^inf X dy of the table as it stands, which would be 0.
@@ -213,10 +237,10 @@ contains
     end subroutine evaluate_near
 
     !> Sorts the points into those below 1 and those beyond.
-    pure subroutine evaluate_block(n, y, coefficients, octaves, tail, plateau, on_plateau, elsewhere, x)
-        integer, intent(in) :: n, octaves, plateau
+    pure subroutine evaluate_block(n, y, coefficients, octaves, halvings, tail, plateau, on_plateau, elsewhere, x)
+        integer, intent(in) :: n, octaves, halvings, plateau
         !> what is added below 2^plateau, and beyond
-        real(wp), intent(in) :: y(n), coefficients(0:degree, 0:2*octaves), tail(2), on_plateau, elsewhere
+        real(wp), intent(in) :: y(n), coefficients(0:degree, 0:2*2**halvings*octaves), tail(2), on_plateau, elsewhere
         real(wp), intent(out) :: x(n)
         integer :: i, near, far, place(block_size)
         real(wp) :: sorted(block_size), values(block_size), edge
@@ -235,29 +259,30 @@ contains
             sorted(place(i)) = y(i)
         end do
         call evaluate_near(near, sorted(:near), coefficients(:, 0), values(:near))
-        call evaluate_far(n - near, sorted(far:n), coefficients, octaves, tail, values(far:n))
+        call evaluate_far(n - near, sorted(far:n), coefficients, octaves, halvings, tail, values(far:n))
         do i = 1, n
             x(i) = values(place(i)) + merge(on_plateau, elsewhere, y(i) < edge)
         end do
     end subroutine evaluate_block
 
     !> y >= 1.
-    pure subroutine evaluate_far(n, y, coefficients, octaves, tail, x)
-        integer, intent(in) :: n, octaves
-        real(wp), intent(in) :: y(n), coefficients(0:degree, 0:2*octaves), tail(2)
+    pure subroutine evaluate_far(n, y, coefficients, octaves, halvings, tail, x)
+        integer, intent(in) :: n, octaves, halvings
+        real(wp), intent(in) :: y(n), coefficients(0:degree, 0:2*2**halvings*octaves), tail(2)
         real(wp), intent(out) :: x(n)
         integer(int64) :: bits
-        integer :: i, j, octave, half, panel(block_size)
+        integer :: i, j, octave, part, parts, panel(block_size)
         real(wp) :: u(block_size), pair(2), square
         logical :: has_tail
 
         has_tail = .false.
+        parts = 2*2**halvings
         do i = 1, n
             bits = transfer(y(i), bits)
             octave = int(shiftr(bits, 52)) - 1023
-            half = int(iand(shiftr(bits, 51), 1_int64))
-            u(i) = 4.0_wp*transfer(ior(iand(bits, mantissa), exponent_of_one), 1.0_wp) - real(5 + 2*half, wp)
-            panel(i) = 1 + 2*octave + half
+            part = iand(int(iand(shiftr(bits, 51 - halvings), all_parts)), parts - 1)
+            u(i) = local_variable(parts, part, transfer(ior(iand(bits, mantissa), exponent_of_one), 1.0_wp))
+            panel(i) = 1 + parts*octave + part
             if (octave >= octaves) then
                 panel(i) = 0
                 u(i) = 0.0_wp

@@ -121,7 +121,7 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         real(wp), dimension(nodes*count) :: x, dx
         real(wp), dimension(nodes*count, 2) :: known, v
-        real(wp) :: shift(1), excess, level, tail, length
+        real(wp) :: even_row(nodes), odd_row(nodes), shift(1), excess, level, tail, length
         integer :: pivots(nodes*count)
         integer :: i, j, n, info
 
@@ -133,7 +133,9 @@ contains
             call check_cancelled(error)
             if (allocated(error)) return
             do i = 1, n
-                call rows(self, kernel, shift(1), j, x(i), matrix(i, (j - 1)*nodes + 1:j*nodes), odd(i, (j - 1)*nodes + 1:j*nodes))
+                call rows(self, kernel, shift(1), j, x(i), even_row, odd_row)
+                matrix(i, (j - 1)*nodes + 1:j*nodes) = even_row
+                odd(i, (j - 1)*nodes + 1:j*nodes) = odd_row
             end do
         end do
         known(:, 1) = 1.0_wp

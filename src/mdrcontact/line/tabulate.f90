@@ -30,8 +30,11 @@ module mdrcontact_line_tabulate
     real(wp), parameter :: elastic_misfit = 1.0e-10_wp
     !> A body no deeper than so many thicknesses of its first layer is one of layers, not a grading.
     real(wp), parameter :: coarse = 100.0_wp
-    !> Rays tried in turn, pi/denominator, and panels in an octave of wavenumbers on each.
-    integer, parameter :: ray_denominator(*) = [6, 6, 12, 24], ray_panels(*) = [1, 2, 3, 6]
+    !> Rays tried in turn, pi/denominator, panels in an octave of wavenumbers on each, and how often halves of octaves are halved.
+    !> The last ones are for layers, much stiffer in shear than along their normal, whose waves exp(-lambda k z) oscillate more
+    !> than they decay.
+    integer, parameter :: ray_denominator(*) = [6, 6, 12, 24, 12, 24, 24, 48], ray_panels(*) = [1, 2, 3, 6, 3, 6, 6, 12], &
+                          ray_halvings(*) = [0, 0, 0, 0, 1, 1, 2, 2]
     !> How many rays there are.
     integer, parameter :: attempts = size(ray_panels)
 
@@ -59,7 +62,8 @@ contains
             call check_cancelled(error)
             if (allocated(error)) return
             if (.not. tables(attempt)%is_made()) then
-                call new_wave_table(tables(attempt), pi/real(ray_denominator(attempt), wp), ray_panels(attempt), error)
+                call new_wave_table(tables(attempt), pi/real(ray_denominator(attempt), wp), ray_panels(attempt), &
+                                    ray_halvings(attempt), error)
                 if (allocated(error)) return
             end if
             call start_ray(ray, surface, kernel%unit, tables(attempt), most_octaves)
@@ -77,13 +81,15 @@ contains
         class(compliance_t), intent(in) :: surface
         type(wave_table_t), intent(in) :: table
         integer, parameter :: n = degree + 1
-        real(wp) :: x(2*n)
+        real(wp), dimension(size(table%far_y)) :: x, inverse
         real(wp), allocatable :: coefficients(:, :)
-        integer :: octave
+        integer :: octave, part, parts
         logical :: on_plateau
-        real(wp) :: level, slope, spread, middle, inverse(2*n)
+        real(wp) :: level, slope, spread, middle
 
-        allocate (coefficients(0:degree, 0:2*most_octaves))
+        kernel%halvings = table%halvings
+        parts = kernel%parts()
+        allocate (coefficients(0:degree, 0:parts*most_octaves))
         kernel%origin = ray%origin
         call near_values(ray, table, table%near_y, x(:n))
         coefficients(:, 0) = powers_from_values(x(:n), near_degree)
@@ -107,8 +113,9 @@ contains
             else
                 call far_values(ray, table, octave, x)
             end if
-            coefficients(:, 1 + 2*octave) = powers_from_values(x(:n), degree)
-            coefficients(:, 2 + 2*octave) = powers_from_values(x(n + 1:), degree)
+            do part = 1, parts
+                coefficients(:, parts*octave + part) = powers_from_values(x((part - 1)*n + 1:part*n), degree)
+            end do
             if (on_plateau) cycle
             ! the straight line in 1/y^2 that y^2 X becomes, chi being a power series at long waves
             x = x*table%far_y**2
@@ -123,8 +130,8 @@ contains
         end do
         octave = min(octave, most_octaves - 1)
         if (allocated(kernel%coefficients)) deallocate (kernel%coefficients)
-        allocate (kernel%coefficients(0:degree, 0:2*octave + 2))
-        kernel%coefficients = coefficients(:, :2*octave + 2)
+        allocate (kernel%coefficients(0:degree, 0:parts*(octave + 1)))
+        kernel%coefficients(:, :) = coefficients(:, :parts*(octave + 1))
         call kernel%integrate()
     end subroutine fill_table
 
@@ -183,7 +190,7 @@ contains
         do m = first_wave, ray%top + octave
             parts(1, :) = real(ray%weighted_chi(:, m - octave), wp)
             parts(2, :) = -aimag(ray%weighted_chi(:, m - octave))
-            if (m <= ubound(table%far, 4)) call add_waves(table%far(:, :, :, m), parts, x)
+            if (m <= ubound(table%far, 4)) call add_waves(table, m, parts, x)
             if (m >= 0) x = x - sum(parts(1, :))
         end do
     end subroutine plateau_values
@@ -219,16 +226,19 @@ contains
         moments(0) = moments(0) + sum(parts(1, :, :-1))
         x = power_series(moments, table%far_y)
         do m = first_wave, ubound(parts, 3)
-            call add_waves(table%far(:, :, :, m), parts(:, :, m), x)
+            call add_waves(table, m, parts(:, :, m), x)
         end do
     end subroutine far_values
 
-    !> One octave at a time: products so small that no BLAS starts threads for them.
-    subroutine add_waves(waves, parts, x)
-        real(wp), intent(in), contiguous :: waves(:, :, :), parts(:, :)
-        real(wp), intent(inout), contiguous :: x(:)
+    !> One octave at a time: products so small that no BLAS starts threads for them. From the first element on: gfortran copies an
+    !> octave of the table that is handed over as a section.
+    subroutine add_waves(table, octave, parts, x)
+        type(wave_table_t), intent(in) :: table
+        integer, intent(in) :: octave
+        real(wp), intent(in) :: parts(2, size(table%nodes))
+        real(wp), intent(inout) :: x(size(table%far_y))
 
-        call dgemv("N", size(x), size(parts), 1.0_wp, waves, size(x), parts, 1, 1.0_wp, x, 1)
+        call dgemv("N", size(x), size(parts), 1.0_wp, table%far(1, 1, 1, octave), size(x), parts, 1, 1.0_wp, x, 1)
     end subroutine add_waves
 
     !> Re sum_n moments(n) y^n.

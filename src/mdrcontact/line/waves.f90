@@ -30,8 +30,11 @@ module mdrcontact_line_waves
         real(wp) :: last(panel_nodes, 2) = 0.0_wp
         !> (node, n): (i k)^n/n! on the base octave
         complex(wp), allocatable :: powers(:, :)
-        !> Chebyshev positions of the kernel's panels: in [0, 1], and in [1, 2) for both halves of an octave
-        real(wp) :: near_y(degree + 1) = 0.0_wp, far_y(2*degree + 2) = 0.0_wp
+        !> how often halves of octaves of the kernel are halved
+        integer :: halvings = 0
+        !> Chebyshev positions of the kernel's panels: in [0, 1], and in [1, 2) for all parts of an octave
+        real(wp) :: near_y(degree + 1) = 0.0_wp
+        real(wp), allocatable :: far_y(:)
         !> cos(ky) - 1 on the real axis: (position, node, octave of k from first_wave)
         real(wp), allocatable :: near(:, :, :)
         !> exp(iky) on the ray, less 1 below octave 0: (position, real and imaginary part, node, octave of k y from first_wave)
@@ -49,24 +52,28 @@ contains
         answer = allocated(self%far)
     end function is_made
 
-    !> The table for a ray at `angle`, with so many panels in an octave of wavenumbers.
-    subroutine new_wave_table(self, angle, panels, error)
+    !> The table for a ray at `angle`, with so many panels in an octave of wavenumbers, for kernels whose halves of octaves are
+    !> halved so often.
+    subroutine new_wave_table(self, angle, panels, halvings, error)
         type(wave_table_t), intent(out) :: self
         real(wp), intent(in) :: angle
-        integer, intent(in) :: panels
+        integer, intent(in) :: panels, halvings
         type(error_t), allocatable, intent(inout) :: error
-        real(wp) :: x(panel_nodes), w(panel_nodes), chebyshev(degree + 1)
+        real(wp) :: x(panel_nodes), w(panel_nodes), chebyshev(degree + 1), middle
         real(wp), allocatable :: near(:, :, :)
-        integer :: i, n, highest, octave, stat
+        integer :: i, n, highest, octave, parts, stat
 
         self%direction = cmplx(cos(angle), sin(angle), wp)
         call gauss_legendre(x, w, error)
         if (allocated(error)) return
         call last_coefficients(x, w, self%last)
         n = panels*panel_nodes
+        parts = 2*2**halvings
+        self%halvings = halvings
         highest = ceiling(log(faded/sin(angle))/log(2.0_wp)) - 1
         allocate (self%nodes(n), self%weights(n), self%powers(n, 0:order), near(degree + 1, 2, n), &
-                  self%near(degree + 1, n, first_wave:last_near), self%far(2*degree + 2, 2, n, first_wave:highest), stat=stat)
+                  self%near(degree + 1, n, first_wave:last_near), self%far_y(parts*(degree + 1)), &
+                  self%far(parts*(degree + 1), 2, n, first_wave:highest), stat=stat)
         call check_memory(error, stat)
         if (stat /= 0) return
         do i = 1, panels
@@ -79,7 +86,10 @@ contains
         end do
         chebyshev = node([(i, i=1, size(chebyshev))], size(chebyshev))
         self%near_y = sqrt(0.5_wp*(1.0_wp + chebyshev))
-        self%far_y = [1.25_wp + 0.25_wp*chebyshev, 1.75_wp + 0.25_wp*chebyshev]
+        do i = 1, parts
+            middle = 1.0_wp + real(2*i - 1, wp)/real(2*parts, wp)
+            self%far_y((i - 1)*size(chebyshev) + 1:i*size(chebyshev)) = middle + chebyshev/real(2*parts, wp)
+        end do
         do i = 1, n
             near(:, :, i) = less_one(scale(self%nodes(i), first_wave)*self%near_y*(0.0_wp, 1.0_wp))
             self%far(:, :, i, first_wave) = less_one(scale(self%nodes(i), first_wave)*self%far_y*(0.0_wp, 1.0_wp)*self%direction)

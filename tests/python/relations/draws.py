@@ -100,6 +100,20 @@ extreme = st.builds(mdr.Elastic, between(1e-3, 1e3), usual_ratios)
 """Of two the contrast reaches 1e6."""
 bases = st.one_of(materials, st.just(mdr.RIGID))
 
+
+def _crystal(E_t: float, along: float, nu_t: float, share: float, shear: float) -> mdr.TransverselyIsotropic:
+    """nu_tz as a part of the largest one at which no strain is free."""
+    nu_tz = share * math.sqrt(0.5 * (1.0 - nu_t) / along)
+    return mdr.TransverselyIsotropic.from_engineering(E_t, along * E_t, nu_t, nu_tz, shear * E_t)
+
+
+crystals = st.builds(_crystal, between(0.1, 10.0), between(0.03, 30.0), st.floats(-0.5, 0.95), st.floats(-0.999, 0.999),
+                     between(0.03, 10.0))  # fmt: skip
+"""Transversely isotropic, as far from isotropic as fibres, foils and mica are."""
+bonds = st.one_of(
+    st.none(), st.just(mdr.SLIDING), st.builds(mdr.Interface, normal=between(0.1, 100.0), tangential=between(0.1, 100.0))
+)
+
 thicknesses = between(0.05, 20.0)
 extreme_thicknesses = between(1e-3, 1e4)
 """At a contact radius near 1: a/h from 1e-4 to 1e3."""

@@ -145,6 +145,12 @@ contains
             ! sinh(y)/y
             odd = x*other*(1.0_wp + y/6.0_wp*(1.0_wp + y/20.0_wp*(1.0_wp + y/42.0_wp*(1.0_wp + y/72.0_wp*(1.0_wp + y/110.0_wp &
                   *(1.0_wp + y/156.0_wp))))))
+        else if (real(y, wp) < 0.0_wp) then
+            ! the first decays less where x is complex; its part, not its inverse, which overflows
+            other = exp(2.0_wp*y)
+            even = exp(-lambda(1)*x)
+            odd = 0.5_wp*even*(other - 1.0_wp)/self%apart
+            even = 0.5_wp*even*(1.0_wp + other)
         else
             other = exp(-2.0_wp*y)
             even = exp(-lambda(2)*x)
