@@ -195,9 +195,8 @@ def test_biot_and_wrinkling():
         return mdr.Layered([mdr.Layer(moduli, 1.0, prestress=stretch**2 - p)], mdr.Elastic(1e3, 0.5))
 
     assert rubber(0.68).compliance(1.0) > 0.0
-    # stable, and so soft that its kernel is refused
-    with pytest.raises(mdr.NoConvergenceError):
-        rubber(0.66615)
+    # stable, and softer than any base
+    assert rubber(0.66615).compliance(20.0) > 100.0 * rubber(0.68).compliance(20.0)
     with pytest.raises(mdr.InvalidArgumentError, match="unstable"):
         rubber(0.66613)
     plane = 1e4 / (1.0 - 0.3**2)
@@ -221,6 +220,45 @@ def test_biot_and_wrinkling():
         plane = ratio / (1.0 - 0.3**2)
         plate = plane / 4.0 * (3.0 * half_space / plane) ** (2.0 / 3.0)
         assert body.wrinkling().stress == pytest.approx(-true * plate, rel=2e-3), ratio
+
+
+@pytest.mark.parametrize(
+    ("constants", "base", "stress", "words"),
+    [
+        ((1.0, 1.0, 0.9, 0.1, 1.0), mdr.Elastic(10.0, 0.3), -0.5 / 1.9, r"C66 \+ prestress"),
+        ((1.0, 1.0, 0.9, 0.1, 1.0), mdr.RIGID, -0.5 / 1.9, r"C66 \+ prestress"),
+        ((10.0, 1.0, 0.2, 0.2, 0.05), mdr.Elastic(0.1, 0.3), -0.049988, "the stiffness of a surface of it"),
+        ((1.0, 1.0, 0.3, 0.3, 1.0 / 2.6), mdr.Elastic(1.0, 0.3), -0.3308055, "the stiffness of a surface of it"),
+    ],
+)
+def test_no_wrinkles_where_the_layer_itself_gives_way(constants, base, stress, words):
+    """All short waves lose their stiffness at once: there is no wavelength to answer with."""
+    film = mdr.TransverselyIsotropic.from_engineering(*constants)
+    body = mdr.Layered([mdr.Layer(film, 1.0)], base)
+    with pytest.raises(mdr.UnreachableError, match=f"layer 1 does not wrinkle at a wavelength: .* {words}") as refused:
+        body.wrinkling()
+    assert float(str(refused.value).split("stress of ")[1].split()[0]) == pytest.approx(stress, rel=1e-6)
+    mdr.Layered([mdr.Layer(film, 1.0, prestress=0.5 * stress)], base)
+
+
+def test_a_buried_film_wrinkles_between_two_half_spaces():
+    """A thin film far below the surface is a plate between two half-spaces, twice as stiff as one: (E_f*/4) (6 E*/E_f*)^(2/3), and
+    2 pi h (E_f*/(6 E*))^(1/3); the depth does not matter. Nearer to the surface less stress does, down to that of one at it."""
+    soft, stiff = mdr.Elastic(1.0, 0.5), mdr.Elastic(1e4, 0.3)
+    plane, half_space = 1e4 / (1.0 - 0.3**2), 1.0 / (1.0 - 0.5**2)
+
+    def body(depth, stress=0.0):
+        return mdr.Layered([mdr.Layer(soft, depth), mdr.Layer(stiff, 0.1, prestress=stress)], soft)
+
+    for depth in (20.0, 100.0, 1e4):
+        found = body(depth).wrinkling(1)
+        assert found.stress == pytest.approx(-plane / 4.0 * (6.0 * half_space / plane) ** (2.0 / 3.0), rel=5e-3)
+        assert found.wavelength == pytest.approx(0.2 * math.pi * (plane / (6.0 * half_space)) ** (1.0 / 3.0), rel=5e-3)
+    bare = mdr.Layered([(stiff, 0.1)], soft).wrinkling().stress
+    assert body(1e-4).wrinkling(1).stress == pytest.approx(bare, rel=1e-3)
+    assert found.stress < body(1.0).wrinkling(1).stress < bare
+    with pytest.raises(mdr.InvalidArgumentError, match="wrinkles, at the wavelength 7"):
+        body(100.0, 1.01 * found.stress)
 
 
 def neo_hookean(p):

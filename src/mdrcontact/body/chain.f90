@@ -49,6 +49,8 @@ module mdrcontact_body_chain
         procedure :: chi_in_plane
         procedure :: chi_across
         procedure :: matrices
+        procedure :: least_support
+        procedure :: thinnest
         procedure :: key
         procedure :: bytes
     end type chain_t
@@ -322,6 +324,73 @@ contains
             whole = half_space + change
         end if
     end subroutine matrices
+
+    !> How stiff the places between the elements are to a wave, the one that is least: 0 or less where the body is unstable
+    !> inside. From the bottom up what lies below an element holds its bottom together with the element itself, whose top is
+    !> held: the pivots of the body's stiffness matrix, all positive and with them that of the surface if the wave costs energy
+    !> (Sylvester). No single layer is unstable between held faces, as long as no constant of it vanishes (van Hove).
+    pure function least_support(self, k) result(least)
+        class(chain_t), intent(in) :: self
+        real(wp), intent(in) :: k
+        !> in parts of the stiffnesses that hold the place
+        real(wp) :: least
+        !> of what holds a place from above, beside a fixed place, so that it has an inverse
+        real(wp), parameter :: rigid = 1.0e-15_wp
+        complex(wp), parameter :: held(2, 2) = 0.0_wp
+        complex(wp) :: below(2, 2), above(2, 2), wave
+        integer :: i, j
+
+        least = huge(1.0_wp)
+        wave = k
+        below = self%base
+        do i = size(self%links), 1, -1
+            above = self%links(i)%element%above(wave, held)
+            do j = 1, 2
+                if (abs(above(j, j)) < rigid) above(j, j) = -rigid
+            end do
+            if (any(abs(below) > 0.0_wp)) least = min(least, support(real(below, wp), real(above, wp)))
+            below = self%links(i)%element%above(wave, below)
+        end do
+    end function least_support
+
+    !> The lowest stiffness of a place by its compliances to what lies below it and above, each negative definite where that is
+    !> stable.
+    pure function support(below, above) result(least)
+        real(wp), intent(in) :: below(2, 2), above(2, 2)
+        real(wp) :: least
+        real(wp) :: one(3), other(3), both(3), part(2)
+
+        one = stiffness(below)
+        other = stiffness(above)
+        ! seen from below the wave moves along the surface the other way
+        both = one + other*[1.0_wp, 1.0_wp, -1.0_wp]
+        ! each displacement in its own unit: a thin layer that keeps its volume is far stiffer along its normal
+        part = 1.0_wp/sqrt(abs(one(:2)) + abs(other(:2)))
+        both = both*[part**2, part(1)*part(2)]
+        least = 0.5_wp*(both(1) + both(2)) - hypot(0.5_wp*(both(1) - both(2)), both(3))
+    end function support
+
+    !> (1, 1), (2, 2) and (1, 2) of the stiffness.
+    pure function stiffness(compliance) result(numbers)
+        real(wp), intent(in) :: compliance(2, 2)
+        real(wp) :: numbers(3)
+
+        associate (c => compliance)
+            numbers = [-c(2, 2), -c(1, 1), 0.5_wp*(c(1, 2) + c(2, 1))]/(c(1, 1)*c(2, 2) - c(1, 2)*c(2, 1))
+        end associate
+    end function stiffness
+
+    !> The smallest thickness, of a body with a layer.
+    pure function thinnest(self) result(thickness)
+        class(chain_t), intent(in) :: self
+        real(wp) :: thickness
+        integer :: i
+
+        thickness = self%last_depth
+        do i = 1, size(self%links)
+            if (self%links(i)%element%thickness > 0.0_wp) thickness = min(thickness, self%links(i)%element%thickness)
+        end do
+    end function thinnest
 
     !> Across the plane of the wave.
     pure subroutine chi_across(self, k, sigma, chi)

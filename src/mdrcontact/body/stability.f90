@@ -1,9 +1,11 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Whether the surface of a body under stress stays flat, and the stress of a layer at which it wrinkles (theory of surfaces 7).
 !>
-!> Equilibrium is stable while the stiffness 1/(k C(k)) of every wave is positive.
+!> Equilibrium is stable while the stiffness 1/(k C(k)) of every wave is positive, and with it what holds every place inside: a
+!> layer that buckles many wavelengths below the surface hardly shows there.
 module mdrcontact_body_stability
     use mdrcontact_body, only: body_t
+    use mdrcontact_body_chain, only: chain_t
     use mdrcontact_body_compliance, only: compliance_t, normal_load
     use mdrcontact_error, only: error_invalid, error_t, raise, to_text
     use mdrcontact_kinds, only: pi, wp
@@ -13,7 +15,8 @@ module mdrcontact_body_stability
     private
     public :: check_stable, softest_wave
 
-    !> Octaves of k h below and above 1 that are looked at, and waves in each.
+    !> Octaves of k h below and above 1 that are looked at, further above it if a layer is thinner than that at the surface, and
+    !> waves in each.
     integer, parameter :: lowest = -30, highest = 5, in_octave = 8
 
     !> What waves meet, over the logarithm of their wavenumbers.
@@ -38,26 +41,32 @@ contains
                    "wavelength "//to_text(in_six_digits(2.0_wp*pi/k)))
     end subroutine check_stable
 
-    !> The wave that the surface opposes least, beside a half-space of the surface material: 1/sigma(k) is smallest there.
+    !> The wave that the body opposes least: at the surface beside a half-space of its material, 1/sigma(k), or inside.
     subroutine softest_wave(body, k, stiffness, error)
         class(body_t), intent(in) :: body
-        !> its wavenumber [1/length], and 1/sigma [1], 0 or less where the body is unstable
+        !> its wavenumber [1/length], and how stiff the body is to it [1], 0 or less where it is unstable
         real(wp), intent(out) :: k, stiffness
         type(error_t), allocatable, intent(inout) :: error
         type(stiffness_t) :: of_wave
-        real(wp) :: octaves((highest - lowest)*in_octave + 1), place
-        integer :: i
+        real(wp), allocatable :: octaves(:)
+        real(wp) :: place
+        integer :: i, more
 
         k = 1.0_wp
         stiffness = 1.0_wp
         call body%compliance(normal_load, of_wave%compliance, error)
         if (allocated(error)) return
-        octaves = [(log(2.0_wp)*(lowest + real(i, wp)/in_octave) - log(body%first_depth), i=0, size(octaves) - 1)]
+        more = 0
+        select type (chain => of_wave%compliance)
+        class is (chain_t)
+            more = max(0, ceiling(log(body%first_depth/chain%thinnest())/log(2.0_wp)))
+        end select
+        octaves = [(log(2.0_wp)*(lowest + real(i, wp)/in_octave) - log(body%first_depth), i=0, (highest + more - lowest)*in_octave)]
         call find_lowest(of_wave, octaves, place, stiffness)
         k = exp(place)
     end subroutine softest_wave
 
-    !> 1/sigma at ln k.
+    !> At ln k.
     function stiffness_at(self, x) result(y)
         class(stiffness_t), intent(inout) :: self
         real(wp), intent(in) :: x
@@ -66,6 +75,10 @@ contains
 
         call self%compliance%chi([cmplx(exp(x), kind=wp)], sigma, chi)
         y = 1.0_wp/real(sigma(1), wp)
+        select type (chain => self%compliance)
+        class is (chain_t)
+            y = min(y, chain%least_support(exp(x)))
+        end select
     end function stiffness_at
 
 end module mdrcontact_body_stability

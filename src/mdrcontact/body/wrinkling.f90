@@ -5,7 +5,7 @@ module mdrcontact_body_wrinkling
     use mdrcontact_body_elements_interface, only: bond_t
     use mdrcontact_body_stability, only: softest_wave
     use mdrcontact_body_stack, only: new_stack, stack_t
-    use mdrcontact_error, only: error_memory, error_t
+    use mdrcontact_error, only: count_text, error_memory, error_t, error_unreachable, raise, to_text
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_material, only: material_t
     use mdrcontact_material_transverse, only: transverse_t
@@ -19,6 +19,8 @@ module mdrcontact_body_wrinkling
 contains
 
     !> The stress of one layer, all else as it is, at which a wave has no stiffness. The stress of that layer itself is not used.
+    !> Where a constant of the layer or the stiffness of its surface vanishes first there is no such wave: all short ones lose
+    !> their stiffness at once.
     subroutine find_wrinkling(layers, thickness, substrate, rigid_base, bonds, which, stress, wavelength, error)
         !> from the surface down, each free of stress or under one that is stable
         type(material_t), intent(in) :: layers(:)
@@ -57,12 +59,30 @@ contains
                 low = middle
             end if
         end do
-        stress = high
-        call stretched_stack(stress, error)
+        call check_layer(low, error)
+        if (.not. allocated(error)) call stretched_stack(high, error)
         if (.not. allocated(error)) call softest_wave(body, k, stiffness, error)
-        if (.not. allocated(error)) wavelength = 2.0_wp*pi/k
+        if (allocated(error)) return
+        stress = high
+        wavelength = 2.0_wp*pi/k
 
     contains
+
+        !> Raises if what is unstable is the layer itself.
+        subroutine check_layer(trial, error)
+            real(wp), intent(in) :: trial
+            type(error_t), allocatable, intent(inout) :: error
+            type(transverse_t) :: constants, stressed
+            type(error_t), allocatable :: refused
+            character(len=:), allocatable :: words
+
+            constants = layers(which)%as_transverse()
+            call constants%stretched(trial, stressed, refused, "")
+            if (allocated(error) .or. .not. allocated(refused)) return
+            call stressed%vanishing(words)
+            call raise(error, error_unreachable, "layer "//count_text(which)//" does not wrinkle at a wavelength: at a stress "// &
+                       "of "//to_text(trial)//" "//words//" vanishes first, for all short waves at once")
+        end subroutine check_layer
 
         !> Raises where that cannot be known.
         function is_stable(trial, error) result(answer)

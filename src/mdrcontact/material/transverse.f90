@@ -23,6 +23,7 @@ module mdrcontact_material_transverse
         real(wp) :: h = 0.0_wp, c66 = 0.0_wp, prestress = 0.0_wp
     contains
         procedure :: stretched
+        procedure :: vanishing
         procedure :: root_product
         procedure :: root_square_sum
         procedure :: root_sum
@@ -139,6 +140,26 @@ contains
         if (.not. abs(prestress) <= huge(1.0_wp)) words = " is not allowed: it must be finite"
         call raise(error, error_invalid, prefix//"prestress = "//to_text(prestress)//words)
     end subroutine stretched
+
+    !> Of constants that are refused: what is 0 or less.
+    pure subroutine vanishing(self, words)
+        class(transverse_t), intent(in) :: self
+        character(len=:), allocatable, intent(out) :: words
+
+        if (.not. self%c66 + self%prestress > 0.0_wp) then
+            words = "C66 + prestress, its stiffness in shear in its plane,"
+        else if (.not. 1.0_wp + self%prestress*self%s44 > 0.0_wp) then
+            words = "C44 + prestress, its stiffness in shear along its normal,"
+        else if (.not. self%h + self%prestress > 0.0_wp) then
+            words = "C11 - C13^2/C33 + prestress, its stiffness in its plane,"
+        else if (.not. self%c**2 + (self%h + self%prestress)*self%s33 > 0.0_wp) then
+            words = "C11 + prestress, its stiffness in its plane,"
+        else if (.not. self%root_square_sum() + 2.0_wp*self%root_product() > 0.0_wp) then
+            words = "the stiffness of shear bands in it"
+        else
+            words = "the stiffness of a surface of it"
+        end if
+    end subroutine vanishing
 
     !> P, the product of the two roots lambda of the waves exp(-lambda k z): 1 of an isotropic medium.
     elemental function root_product(self) result(p)
