@@ -31,6 +31,51 @@ def test_values_are_the_contacts(law):
     np.testing.assert_allclose(law.at_force(exact.force[1:-1]).slope, exact.stiffness[1:-1], rtol=1e-7)
 
 
+@pytest.mark.parametrize(
+    ("contrast", "thickness", "model", "angle", "work", "largest"),
+    [(360.0, 0.2, "mencik-exponential", 0.6, 0.9, 0.2), (50.0, 2.5, "exact", 0.8, 4.0, 0.4)],
+    ids=["depth falls", "force falls"],
+)
+def test_states_beyond_a_jump_at_less_depth(contrast, thickness, model, angle, work, largest):
+    """Beyond the largest depth depth or force fall below it: a contact that unloads comes from there, and so does its law."""
+    body = mdr.Coated(mdr.Elastic(contrast, 0.3), thickness, mdr.Elastic(1.0, 0.3), model)
+    contact = mdr.Contact(mdr.Cone(angle), body, work_of_adhesion=work)
+    law = mdr.ContactLaw(contact, largest, tolerance=1e-7)
+    depth, force = (np.linspace(low, high, 41)[1:-1] for low, high in (law.depth_range, law.force_range))
+    exact, state = contact.at_depth(depth), law.at_depth(depth)
+    assert np.abs(exact.force - state.force) == pytest.approx(0.0, abs=1e-7 * np.abs(exact.force).max())
+    np.testing.assert_allclose(state.radius, exact.radius, rtol=1e-6)
+    exact, state = contact.at_force(force), law.at_force(force)
+    assert np.abs(exact.depth - state.depth) == pytest.approx(0.0, abs=1e-7 * np.abs(exact.depth).max())
+    np.testing.assert_allclose(state.radius, exact.radius, rtol=1e-6)
+
+
+def test_slope_where_depth_falls_under_a_growing_force():
+    body = mdr.Coated(mdr.Elastic(1000.0, 0.3), 1.0, mdr.Elastic(1.0, 0.3), "doerner-nix")
+    contact = mdr.Contact(mdr.RoundedCone(0.84, 0.93), body, work_of_adhesion=body.modulus(1.0))
+    law = mdr.ContactLaw(contact, 0.3, tolerance=1e-8)
+    force, step = 2.0, 1e-4
+    near = law.at_force(np.array([force - step, force + step]), "loading").depth
+    assert near[1] < near[0]
+    assert law.at_force(force, "loading").slope == pytest.approx(2.0 * step / (near[1] - near[0]), rel=1e-6)
+
+
+def test_a_medium_that_begins_late():
+    """Under a plate contacts begin at a radius of their own: there the law begins, unless a smaller depth is asked for."""
+    plate = mdr.Homogeneous(mdr.Elastic(0.42, 0.3), surface=mdr.Surface(0.7, 0.3))
+    contact = mdr.Contact(mdr.Paraboloid(1.0), plate)
+    law = mdr.ContactLaw(contact, 2.0, tolerance=1e-8)
+    first = law.depth_range[0]
+    assert 0.1 < first < 1.0
+    depth = np.linspace(first * 1.001, 2.0, 9)
+    np.testing.assert_allclose(law.force(depth), contact.at_depth(depth).force, rtol=1e-8)
+    assert 0.0 < law.force(0.5 * first) < law.force(first)
+    with pytest.raises(mdr.UnreachableError, match=r"smallest_depth = 0.1 cannot .* without a smallest depth .* begins there"):
+        mdr.ContactLaw(contact, 2.0, smallest_depth=0.1)
+    with pytest.raises(mdr.UnreachableError, match=r"largest_depth = .* the medium begins at depth .* at least twice that"):
+        mdr.ContactLaw(contact, 1.5 * first)
+
+
 def test_facts(law):
     assert law.solutions <= 200
     assert law.error <= law.tolerance == 1e-9

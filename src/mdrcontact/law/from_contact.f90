@@ -15,6 +15,7 @@ module mdrcontact_law_from_contact
     use mdrcontact_kinds, only: wp
     use mdrcontact_law, only: contact_law_t
     use mdrcontact_law_compile, only: close_table, compile_straight, open_table
+    use mdrcontact_law_reach, only: reach_unloading
     use mdrcontact_law_segments, only: compile_segments, fold_margin, move_to_folds
     use mdrcontact_law_verify, only: add_conductance_error, largest_error
     use mdrcontact_medium_solver, only: solver_t
@@ -28,6 +29,8 @@ module mdrcontact_law_from_contact
     real(wp), parameter :: smallest_tolerance = 1.0e-12_wp, largest_tolerance = 1.0e-2_wp
     !> Decades of depth below the largest, where none are given.
     real(wp), parameter :: default_decades = 1.0e-4_wp
+    !> A law begins at this part of its largest depth at most.
+    real(wp), parameter :: largest_part_below = 0.5_wp
     !> Shares of the tolerance: of the samples, and of the polynomials through them.
     real(wp), parameter :: sample_share = 0.1_wp, sample_share_of_zone = 1.0e-2_wp, fit_share = 0.3_wp
     !> Noise of the contact's states with which it is worth to go on to verification.
@@ -50,9 +53,11 @@ module mdrcontact_law_from_contact
 
     !> The options of a law.
     type :: law_options_t
-        !> Without adhesion: the depth down to which the tolerance holds [length]; 0: 1e-4 of the largest. Nearer to first touch
-        !> the law continues value and slope. With adhesion the law begins at pull-off.
+        !> Without adhesion: the depth down to which the tolerance holds [length]; 0: 1e-4 of the largest, or where the medium
+        !> begins. Nearer to first touch the law continues value and slope. With adhesion the law begins at pull-off.
         real(wp) :: smallest_depth = 0.0_wp
+        !> whether no smallest depth is given: the law's own one gives way to the medium's
+        logical, private :: begins_with_medium = .false.
         !> of F, a and k, relative; 1e-12 to 1e-2. With adhesion relative to |F| + |d dF/dd|: at pull-off the slope is infinite.
         real(wp) :: tolerance = default_law_tolerance
         !> whether the law answers beyond its largest depth and force too, along the tangent there, and says so in `beyond`: one
@@ -86,10 +91,11 @@ contains
         if (.not. allocated(chosen%description)) chosen%description = ""
         call check_positive(error, "largest_depth", largest_depth)
         call check_within(error, "tolerance", chosen%tolerance, smallest_tolerance, largest_tolerance)
-        if (chosen%smallest_depth == 0.0_wp) chosen%smallest_depth = default_decades*largest_depth
+        chosen%begins_with_medium = chosen%smallest_depth == 0.0_wp
+        if (chosen%begins_with_medium) chosen%smallest_depth = default_decades*largest_depth
         call check_positive(error, "smallest_depth", chosen%smallest_depth)
         if (allocated(error)) return
-        if (chosen%smallest_depth > 0.5_wp*largest_depth) then
+        if (chosen%smallest_depth > largest_part_below*largest_depth) then
             call raise(error, error_invalid, "smallest_depth = "//to_text(chosen%smallest_depth)//" is not allowed: it must be "// &
                        "at most half the largest depth, "//to_text(largest_depth))
             return
@@ -183,6 +189,7 @@ contains
         if (contact%is_adhesive()) then
             call contact%stable_segments(depth_control, of_depth, error)
             if (.not. allocated(error)) call contact%stable_segments(force_control, of_force, error)
+            call reach_unloading(contact, self%tolerance, last, self%solutions, error)
             if (allocated(error)) return
             of_depth = pack(of_depth, of_depth%first < last)
             of_force = pack(of_force, of_force%first < last)
@@ -198,11 +205,8 @@ contains
             found = smallest_depth
             if (.not. jumps) call coordinate_before(contact%equilibrium, smallest_depth, first, found, self%solutions, error)
             if (allocated(error)) return
-            if (found > smallest_depth) then
-                call raise(error, error_unreachable, "smallest_depth = "//to_text(smallest_depth)//" cannot be reached: the "// &
-                           "medium begins at depth "//to_text(found))
-                return
-            end if
+            if (found > smallest_depth) call check_beginning(options, smallest_depth, largest_depth, found, error)
+            if (allocated(error)) return
             of_depth%first = first
             of_depth%last = last
             of_force = of_depth
@@ -225,6 +229,23 @@ contains
         call compile_tables(self, contact%equilibrium, curve, branch, coordinates, options, present(tangential), error)
     end subroutine compile_branch
 
+    !> Raises unless a law may begin where the medium does.
+    pure subroutine check_beginning(options, smallest_depth, largest_depth, beginning, error)
+        type(law_options_t), intent(in) :: options
+        real(wp), intent(in) :: smallest_depth, largest_depth
+        !> depth of the smallest contact of the medium, > smallest_depth [length]
+        real(wp), intent(in) :: beginning
+        type(error_t), allocatable, intent(inout) :: error
+
+        if (.not. options%begins_with_medium) then
+            call raise(error, error_unreachable, "smallest_depth = "//to_text(smallest_depth)//" cannot be reached: the "// &
+                       "medium begins at depth "//to_text(beginning)//"; without a smallest depth the law begins there")
+        else if (beginning > largest_part_below*largest_depth) then
+            call raise(error, error_unreachable, "largest_depth = "//to_text(largest_depth)//" is not allowed: the medium "// &
+                       "begins at depth "//to_text(beginning)//"; compile up to at least twice that")
+        end if
+    end subroutine check_beginning
+
     !> A contact with a cohesive zone: the law begins where the bodies attract each other, with or without contact.
     subroutine compile_zone(self, contact, largest_depth, options, error)
         type(contact_law_t), intent(inout) :: self
@@ -245,6 +266,8 @@ contains
         associate (equilibrium => contact%equilibrium)
             last = min(coordinate_of(equilibrium, largest%radius, largest%zone_radius) + beyond, &
                        coordinate_of(equilibrium, equilibrium%last_radius, 0.0_wp))
+            call reach_unloading(contact, self%tolerance, last, self%solutions, error)
+            if (allocated(error)) return
             call new_zone_curve(curve, equilibrium, last, error, sample_share_of_zone*self%tolerance)
         end associate
         if (allocated(error)) return

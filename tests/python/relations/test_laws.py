@@ -5,6 +5,7 @@ import copy
 import pickle
 
 import numpy as np
+import pytest
 from hypothesis import strategies as st
 
 import mdrcontact as mdr
@@ -36,6 +37,50 @@ def test_a_law_keeps_its_tolerance(tip, medium, work, share, tolerance):
         if work == 0.0:
             near(found.radius, expected.radius, 2.0 * tolerance)
             near(found.stiffness, expected.stiffness, 2.0 * tolerance)
+
+
+stiff = d.between(10.0, 1000.0).map(lambda E: mdr.Elastic(E, 0.3))
+stiff_films = st.builds(mdr.Coated, stiff, d.between(0.05, 3.0), st.just(mdr.Elastic(1.0, 0.3)),
+                        st.sampled_from(["exact", "doerner-nix", "mencik-exponential", "gao"]))  # fmt: skip
+pointed = st.one_of(d.cones, d.rounded_cones, st.builds(lambda n, c: d.Tip(mdr.PowerLaw(n, c)), st.floats(1.0, 1.6), d.lengths))
+
+
+@relation(10, may_refuse=0.7, tip=pointed, medium=stiff_films, work=d.between(1e-3, 10.0), reach=d.between(0.03, 10.0),
+          shares=st.lists(st.floats(0.001, 0.999), min_size=9, max_size=9))  # fmt: skip
+def test_branches_of_contacts_that_jump(tip, medium, work, reach, shares):
+    """d(a) and F(a) of a point on a stiff film turn more than once: F and a of a law at random depths, and d and a under random
+    forces, on both branches against the contact, however far the law was asked to reach."""
+    contact = mdr.Contact(tip.profile, medium, work * medium.modulus(medium.thickness) * medium.thickness)
+    law = mdr.ContactLaw(contact, reach * abs(float(contact.pull_off("depth").depth)), tolerance=1e-7)
+    shares = np.array(shares)
+    for branch in ("loading", "unloading"):
+        low, high = law.depth_range
+        depth = (max(low, 0.0) if branch == "loading" else low) * (1.0 - shares) + high * shares
+        expected, found = contact.at_depth(depth, branch), law.at_depth(depth, branch)
+        near(found.force, expected.force, 3e-7, size=np.abs(expected.force) + np.abs(depth * found.slope))
+        low, high = law.force_range
+        if branch == "loading" and high <= 0.0:
+            continue
+        force = (max(low, 0.0) if branch == "loading" else low) * (1.0 - shares) + high * shares
+        expected, found = contact.at_force(force, branch), law.at_force(force, branch)
+        near(found.depth, expected.depth, 3e-7, size=np.abs(expected.depth) + np.abs(force / found.slope))
+
+
+@relation(8, tip=d.paraboloids, medium=d.plated, share=d.shares)
+def test_laws_under_plates(tip, medium, share):
+    """A law of bodies under plates, which begin at a radius of their own, against the contact from there on; and it begins at the
+    depth at which the contact does."""
+    contact = mdr.Contact(tip.profile, medium)
+    largest = float(contact.at_radius(float(tip.radii(share)[-1])).depth)
+    law = mdr.ContactLaw(contact, largest, tolerance=1e-7)
+    first = law.depth_range[0]
+    if first > 1.1e-4 * largest:
+        with pytest.raises(mdr.MDRError, match="cannot be reached"):
+            contact.at_depth(0.99 * first)
+    depth = np.geomspace(first * (1.0 + 1e-4), largest, 9)
+    expected, found = contact.at_depth(depth), law.at_depth(depth)
+    near(found.force, expected.force, 2e-7)
+    near(found.radius, expected.radius, 2e-7)
 
 
 @relation(30, may_refuse=0.2, tip=d.endless_tips, medium=media, work=works, share=d.shares)
