@@ -262,7 +262,7 @@ contains
         integer, intent(in) :: model
         type(error_t), allocatable, intent(inout) :: error
         type(layers_t) :: layers
-        integer :: i, n
+        integer :: i, j, n
 
         i = model_position(model)
         if (i == 0) then
@@ -271,13 +271,15 @@ contains
             call refuse(model, " for layers that are not isotropic, bonded and free of stress", model_table%code == models%exact, &
                         error)
         else if (body%is_graded) then
-            if (.not. model_table(i)%graded) call refuse(model, " for a graded body", model_table%graded, error)
+            if (.not. model_table(i)%graded) call refuse(model, " for a graded body", &
+                                                         [(model_table(j)%graded, j=1, size(model_table))], error)
         else
             call body%sublayers(layers, error)
             if (allocated(error)) return
             n = size(layers%thickness)
             if (n > 1 .and. .not. model_table(i)%layers) then
-                call refuse(model, " for "//count_text(n)//" layers", model_table%layers, error)
+                call refuse(model, " for "//count_text(n)//" layers", [(model_table(j)%layers, j=1, size(model_table))], &
+                            error)
             else if (layers%rigid_base .and. model_table(i)%base == base_elastic) then
                 call refuse(model, " on a rigid base (substrate E = infinity)", model_table%base /= base_elastic, error)
             else if (model_table(i)%base == base_rigid .and. .not. layers%rigid_base) then

@@ -11,7 +11,7 @@ module mdrcontact_api_fit
     use mdrcontact_fit, only: fit_result_t, solve_fit
     use mdrcontact_fit_interval, only: interval_quantile, profile_interval
     use mdrcontact_fit_predict, only: predict
-    use mdrcontact_fit_problem, only: check_points, fit_data_t, fit_problem_t
+    use mdrcontact_fit_problem, only: check_points, fit_data_t, fit_problem_t, values_of
     implicit none (type, external)
     private
     public :: mdr_fit_solve, mdr_fit_predict, mdr_fit_interval, mdr_fit_quantile
@@ -95,7 +95,7 @@ contains
         if (.not. allocated(error)) call check_points(data, chosen, error)
         call make_room(error, n, model)
         call make_room(error, n, radii)
-        if (.not. allocated(error)) call predict(chosen, chosen%parameters%value, data, model, error, radius=radii)
+        if (.not. allocated(error)) call predict(chosen, values_of(chosen%parameters), data, model, error, radius=radii)
         if (.not. allocated(error)) call check_results(error, model)
         if (.not. allocated(error)) call check_results(error, radii)
         status = status_of(error)

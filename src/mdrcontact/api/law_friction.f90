@@ -45,6 +45,7 @@ contains
         integer(c_int) :: status
         type(friction_law_t), pointer :: inside
         real(c_double), pointer :: records(:, :)
+        real(c_double), allocatable :: record(:)
         real(c_double) :: kept, lost
         type(error_t), allocatable :: error
         integer :: pass, i
@@ -54,7 +55,8 @@ contains
         do pass = 1, 2
             if (allocated(error)) exit
             do i = 1, n
-                call inside%energies(records(:, i), kept, lost, error)
+                record = records(:, i)
+                call inside%energies(record, kept, lost, error)
                 if (allocated(error)) then
                     call raise_at(error, i)
                     exit

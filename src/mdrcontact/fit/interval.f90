@@ -8,7 +8,7 @@ module mdrcontact_fit_interval
     use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_error, only: check_memory, count_text, error_invalid, error_memory, error_no_convergence, error_t, raise, to_text
     use mdrcontact_fit, only: fit_result_t, solve_fit
-    use mdrcontact_fit_problem, only: ascending_points, fit_data_t, fit_problem_t, joint_priors
+    use mdrcontact_fit_problem, only: ascending_points, fit_data_t, fit_problem_t, joint_priors, values_of
     use mdrcontact_fit_predict, only: predict
     use mdrcontact_fit_residuals, only: bent
     use mdrcontact_gsl, only: disable_gsl_abort
@@ -205,9 +205,9 @@ contains
             allocate (y(size(data%x)), stat=stat)
             call check_memory(failure, stat)
             call ascending_points(data, order, failure)
-            if (.not. allocated(failure)) call predict(held, held%parameters%value, data, y, failure, order=order)
+            if (.not. allocated(failure)) call predict(held, values_of(held%parameters), data, y, failure, order=order)
             if (.not. allocated(failure)) total = sum(bent(held%loss, held%loss_scale, (data%y - y)/data%sd)**2) &
-                                                  + sum(joint_priors(held, held%parameters%value)**2)
+                                                  + sum(joint_priors(held, values_of(held%parameters))**2)
         end if
         if (allocated(failure)) then
             if (failure%code == error_memory) call move_alloc(failure, error)

@@ -20,7 +20,7 @@ module mdrcontact_fit_problem
     implicit none (type, external)
     private
     public :: fit_problem_t, fit_parameter_t, fit_data_t, check_problem, check_data, check_points, problem_parameters, &
-              start_parameters, joint_priors, ascending_points
+              start_parameters, joint_priors, ascending_points, values_of
     public :: data_force_depth, data_stiffness_depth, data_modulus_radius, data_stiffness_radius, data_force_time, &
               data_depth_time, data_dynamic_stiffness, part_storage, part_loss
     public :: loss_linear, loss_huber, loss_cauchy
@@ -124,6 +124,14 @@ contains
         list = problem_parameters(body)
         parameters%value = list%value
     end function start_parameters
+
+    !> Their values, one after the other.
+    pure function values_of(parameters) result(values)
+        type(fit_parameter_t), intent(in) :: parameters(:)
+        real(wp) :: values(size(parameters))
+
+        values = parameters%value
+    end function values_of
 
     !> The residuals of what is known of several parameters together.
     pure function joint_priors(self, values) result(r)

@@ -5,7 +5,7 @@ module mdrcontact_fit_proportional
     use mdrcontact_fit_body, only: fit_body_t
     use mdrcontact_fit_predict, only: predict
     use mdrcontact_fit_problem, only: at_force_offset, at_frame_compliance, at_indenter_modulus, at_work_of_adhesion, &
-                                      data_force_depth, data_force_time, fit_data_t, fit_problem_t
+                                      data_force_depth, data_force_time, fit_data_t, fit_problem_t, values_of
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
@@ -73,7 +73,7 @@ contains
         allocate (y(size(data%x)), weight(size(data%x)), stat=stat)
         call check_memory(error, stat)
         if (stat /= 0) return
-        call predict(problem, problem%parameters%value, data, y, refusal)
+        call predict(problem, values_of(problem%parameters), data, y, refusal)
         if (allocated(refusal)) return
         weight(:) = 1.0_wp
         if (allocated(data%sd)) weight(:) = 1.0_wp/data%sd**2

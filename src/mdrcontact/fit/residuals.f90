@@ -8,7 +8,7 @@ module mdrcontact_fit_residuals
     use mdrcontact_fit_proportional, only: proportional_modulus
     use mdrcontact_fit_problem, only: ascending_points, at_force_offset, at_frame_compliance, data_stiffness_depth, &
                                       fit_data_t, fit_problem_t, joint_priors, loss_cauchy, loss_huber, &
-                                      loss_linear
+                                      loss_linear, values_of
     use mdrcontact_fit_variables, only: variables_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_line_shared, only: layered_shared_t
@@ -73,7 +73,7 @@ contains
         self%known = pack([(i, i=1, size(variables%free))], problem%parameters(variables%free)%prior_sd > 0.0_wp)
         self%p = size(variables%free)
         n = size(data%x)
-        self%n = n + size(self%known) + size(joint_priors(problem, problem%parameters%value))
+        self%n = n + size(self%known) + size(joint_priors(problem, values_of(problem%parameters)))
         call ascending_points(data, self%order, error)
         if (allocated(error)) return
         allocate (self%sd(n), stat=stat)

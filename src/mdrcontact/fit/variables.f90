@@ -51,7 +51,7 @@ contains
         integer :: i, j, instrument
 
         kinds = problem_parameters(problem%body)
-        self%free = pack([(i, i=1, size(kinds))], problem%parameters%is_free)
+        self%free = pack([(i, i=1, size(kinds))], [(problem%parameters(i)%is_free, i=1, size(kinds))])
         self%start = problem%parameters(self%free)%value
         self%lower = problem%parameters(self%free)%lower
         self%upper = problem%parameters(self%free)%upper

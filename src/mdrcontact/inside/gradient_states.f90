@@ -348,6 +348,8 @@ contains
         !> (row, depth)
         real(wp), intent(out) :: y(:, :)
         real(wp) :: m(2, 2, 0:size(self%faces)), down(2, 2, size(self%faces)), p(4, 4), d(2, 2), t(2, 2), top(4)
+        !> displacements and tractions at the top by the displacements below
+        real(wp), dimension(2, 2) :: by_moving, by_pulling
         real(wp) :: traction(2, 0:size(self%faces))
         integer :: i, seen, last
 
@@ -355,15 +357,19 @@ contains
         m(:, :, last) = self%compliance(:, :, last)
         do i = last, seen + 1, -1
             p = series_at(self%series(:, :, :, i), k)
-            d = times_matrix(p(1:2, 1:2), m(:, :, i)) + p(1:2, 3:4)
-            t = times_matrix(p(3:4, 1:2), m(:, :, i)) + p(3:4, 3:4)
+            by_moving = p(1:2, 1:2)
+            by_pulling = p(3:4, 1:2)
+            d = times_matrix(by_moving, m(:, :, i)) + p(1:2, 3:4)
+            t = times_matrix(by_pulling, m(:, :, i)) + p(3:4, 3:4)
             down(:, :, i) = inverse(t)
             m(:, :, i - 1) = times_matrix(d, down(:, :, i))
         end do
         if (seen > 0) then
             p = series_at(self%from_surface(:, :, :, seen), k)
-            d = times_matrix(p(1:2, 1:2), m(:, :, seen)) + p(1:2, 3:4)
-            t = inverse(times_matrix(p(3:4, 1:2), m(:, :, seen)) + p(3:4, 3:4))
+            by_moving = p(1:2, 1:2)
+            by_pulling = p(3:4, 1:2)
+            d = times_matrix(by_moving, m(:, :, seen)) + p(1:2, 3:4)
+            t = inverse(times_matrix(by_pulling, m(:, :, seen)) + p(3:4, 3:4))
             top = [matmul(times_matrix(d, t), load), load]
             traction(:, seen) = matmul(t, load)
         else

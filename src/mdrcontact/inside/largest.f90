@@ -206,6 +206,7 @@ contains
         real(wp), intent(out) :: values(:, :, :)
         type(error_t), allocatable, intent(inout) :: error
         real(wp), allocatable :: all_r(:), all_z(:), all_angles(:), field(:, :)
+        real(wp) :: components_at(components)
         integer :: i, j, k, n
 
         call check_cancelled(error)
@@ -222,7 +223,8 @@ contains
         do k = 1, size(parts)
             do j = 1, size(z)
                 do i = 1, size(r)
-                    values(i, j, k) = part_at(parts(k), field((i - 1)*size(z) + j, :))
+                    components_at = field((i - 1)*size(z) + j, :)
+                    values(i, j, k) = part_at(parts(k), components_at)
                     if (.not. is_finite(values(i, j, k))) values(i, j, k) = -infinity
                     if (.not. self%is_off_singular(r(i), z(j))) values(i, j, k) = -infinity
                 end do

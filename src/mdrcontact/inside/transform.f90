@@ -101,7 +101,7 @@ contains
         end associate
         call check_memory(error, stat)
         if (stat /= 0) return
-        call gsl_sort_index(order, panels%length, 1_c_size_t, int(self%panels, c_size_t))
+        call gsl_sort_index(order, [(panels(i)%length, i=1, size(panels))], 1_c_size_t, int(self%panels, c_size_t))
         polynomials = legendre(nodes, 2.0_wp*node - 1.0_wp)
         do i = 1, self%panels
             associate (panel => panels(order(i) + 1))

@@ -49,12 +49,13 @@ contains
         end do
         allocate (balls%centre(count(is_ball), 3))
         do j = 1, 3
-            balls%centre(:, j) = pack(shapes%parameters(j), is_ball)
+            balls%centre(:, j) = pack([(shapes(i)%parameters(j), i=1, size(shapes))], is_ball)
         end do
-        balls%radius = pack(shapes%parameters(4), is_ball)
+        balls%radius = pack([(shapes(i)%parameters(4), i=1, size(shapes))], is_ball)
         up = [0.0_wp, 0.0_wp, 1.0_wp]
         do i = 1, size(balls%radius)
-            call add(i, balls%centre(i, :), balls%radius(i)*up)
+            middle = balls%centre(i, :)
+            call add(i, middle, balls%radius(i)*up)
             do j = i + 1, size(balls%radius)
                 call cross(balls, i, j, towards, middle, half)
                 if (half < 0.0_wp) cycle
@@ -100,13 +101,14 @@ contains
         end do
         allocate (discs%centre(count(is_disc), 2))
         do j = 1, 2
-            discs%centre(:, j) = pack(sections%centre(j), is_disc)
+            discs%centre(:, j) = pack([(sections(i)%centre(j), i=1, size(sections))], is_disc)
         end do
-        discs%radius = pack(sections%extent(1), is_disc)
+        discs%radius = pack([(sections(i)%extent(1), i=1, size(sections))], is_disc)
         do i = 1, size(discs%radius)
             towards = [1.0_wp, 0.0_wp]
-            if (norm2(discs%centre(i, :)) > 0.0_wp) towards = discs%centre(i, :)/norm2(discs%centre(i, :))
-            call add(i, discs%centre(i, :), discs%radius(i)*towards)
+            middle = discs%centre(i, :)
+            if (norm2(middle) > 0.0_wp) towards = middle/norm2(middle)
+            call add(i, middle, discs%radius(i)*towards)
             do j = i + 1, size(discs%radius)
                 call cross(discs, i, j, towards, middle, half)
                 if (half >= 0.0_wp) call add(j, middle, half*[-towards(2), towards(1)])

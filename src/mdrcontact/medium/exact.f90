@@ -194,19 +194,21 @@ contains
         !> not pairs, not both rigid
         class(layered_exact_t), intent(in) :: lower, upper
         type(error_t), allocatable, intent(out) :: error
+        real(wp) :: shares(2)
 
         allocate (self%springs)
         self%springs%modulus = in_series(lower%springs%modulus, upper%springs%modulus)
         allocate (self%parts(2))
         self%parts(lower_body)%kernel = lower%springs%kernel
         self%parts(upper_body)%kernel = upper%springs%kernel
-        self%parts%share = self%springs%modulus/[lower%springs%modulus, upper%springs%modulus]
+        shares = self%springs%modulus/[lower%springs%modulus, upper%springs%modulus]
+        self%parts%share = shares
         self%largest_radius = min(lower%largest_radius, upper%largest_radius)
         self%springs%tolerance = min(lower%springs%tolerance, upper%springs%tolerance)
         call set_pair(self, lower, upper, error)
         if (allocated(error)) return
         call new_homogeneous_from_modulus(self%surface, self%springs%modulus, error)
-        if (.not. allocated(error)) call add_kernels(lower%springs%kernel, upper%springs%kernel, self%parts%share, &
+        if (.not. allocated(error)) call add_kernels(lower%springs%kernel, upper%springs%kernel, shares, &
                                                      self%springs%kernel, error)
         self%surface_contrast = contrast_of(self%springs%kernel)
         call mark_exact(self)
