@@ -108,11 +108,14 @@ int mdr_body_power_graded(double E0, double z0, double exponent, double nu, mdr_
 int mdr_body_rigid(mdr_body **out);
 
 /** The compression of one layer, all else as it is, at which the surface wrinkles: some wave then has no stiffness. The stress that
- *  the layer itself was given is not used. Exact; the limit of a thin stiff film is that of Chen and Hutchinson (2004).
+ *  the layer itself was given is not used. Exact; the limit of a thin stiff film is that of Chen and Hutchinson (2004). Where a
+ *  constant of the layer, as C66 + stress, or the stiffness of a surface of it vanishes first, all short waves lose their stiffness
+ *  at once, and there is no wavelength.
  *  @param body        elastic body of at least one layer, whose surface is bare
  *  @param layer       which layer, from 1 at the surface down
  *  @param stress      or NULL: receives the stress, < 0 [modulus]
- *  @param wavelength  or NULL: receives the wavelength of the wrinkles [length] */
+ *  @param wavelength  or NULL: receives the wavelength of the wrinkles [length]
+ *  @return also MDR_EUNREACHABLE if the layer itself gives way first */
 int mdr_body_wrinkling(const mdr_body *body, int layer, double *stress, double *wavelength);
 
 /** Loads of a surface. */

@@ -23,7 +23,8 @@ typedef struct mdr_law mdr_law;
 typedef struct mdr_law_options {
     size_t size;             /**< Of this structure; MDR_SIZED sets it. */
     double smallest_depth;   /**< Without adhesion: depth > 0 from which on the tolerance holds, at most half the largest; nearer
-                                  to first touch the law continues value and slope. Default 0: 1e-4 of the largest [length]. */
+                                  to first touch the law continues value and slope. Default 0: 1e-4 of the largest, or where
+                                  the medium begins [length]. */
     double tolerance;        /**< Of F, a and k, relative, 1e-12 to 1e-2; with adhesion relative to |F| + |d dF/dd|;
                                   default 1e-9. */
     const char *description; /**< The problem in words, kept in the file; default NULL: none. */
@@ -61,7 +62,8 @@ typedef struct mdr_law_point {
 
 /** Compiles the law of a contact.
  *  @param contact        contact, with or without adhesion
- *  @param largest_depth  > 0 [length]
+ *  @param largest_depth  > 0 [length]; the law of an adhesive contact that jumps goes on to where no state beyond is one from
+ *                        which the contact unloads to a depth or force that the law answers: mdr_law_about() says how far
  *  @param options        NULL for the defaults
  *  @param out            receives the handle
  *  @return also as mdr_contact_states() and mdr_contact_pull_off(); MDR_ENOCONVERGENCE if the tolerance is not met; with

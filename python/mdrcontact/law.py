@@ -52,7 +52,8 @@ class ContactLaw(LawSteps):
     shared between threads, and pickles with all it needs: processes on other machines do not solve the contact again.
 
     contact : the Contact to compile, with or without adhesion
-    largest_depth : > 0 [length]
+    largest_depth : > 0 [length]. With adhesion, where depth or force fall over some radii, the law goes on to the states from which
+        the contact unloads: `depth_range`
     conduction : the `Conduction` of the same bodies: the law has their conductance too, within the tolerance; None: it has none
     friction : the `Friction` of this contact, for tangential forces; None: the law has none
     sliders : with friction or a shear strength, 4 to 64 vector sliders for the springs of a contact; errors fall about as
@@ -64,7 +65,8 @@ class ContactLaw(LawSteps):
         and gives torques M. With friction, of paraboloids on homogeneous bodies. A contact that shifts and twists has two laws and
         two memories, which do not know of each other
     smallest_depth : without adhesion, where the tolerance begins to hold [length]; None: 1e-4 of the largest. Nearer to first
-        touch the law continues value and slope. With adhesion the law begins at pull-off
+        touch the law continues value and slope. With adhesion the law begins at pull-off. None gives way to a medium that begins
+        later, as under a plate
     tolerance : relative, of F, a and k; 1e-12 to 1e-2. With adhesion relative to |F| + |d dF/dd|
     description : the problem in words, kept in files; None: the contact's repr
     continue_beyond : whether the law answers beyond its largest depth and force too, along the tangent there, with a warning

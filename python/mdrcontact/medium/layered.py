@@ -65,7 +65,8 @@ class Layered(UnderModel):
 
     def wrinkling(self, layer: int = 0) -> Wrinkling:
         """The compression of one layer at which the surface wrinkles, and the wavelength: `.stress` < 0 [modulus] and `.wavelength`
-        [length]. All else stays as it is; the layer's own prestress is not used. docs/coatings.md
+        [length]. All else stays as it is; the layer's own prestress is not used. Refused (UnreachableError) where a constant of the
+        layer or the stiffness of its surface vanishes first: then there is no wavelength. docs/coatings.md
 
         layer : number of the layer from the surface down, 0 the first
         """
