@@ -61,7 +61,7 @@ def test_slope_where_depth_falls_under_a_growing_force():
 
 
 def test_a_medium_that_begins_late():
-    """Under a plate contacts begin at a radius of their own: there the law begins, unless a smaller depth is asked for."""
+    """Under a plate contacts begin at a radius of their own: there the law begins, unless a smaller depth is given."""
     plate = mdr.Homogeneous(mdr.Elastic(0.42, 0.3), surface=mdr.Surface(0.7, 0.3))
     contact = mdr.Contact(mdr.Paraboloid(1.0), plate)
     law = mdr.ContactLaw(contact, 2.0, tolerance=1e-8)

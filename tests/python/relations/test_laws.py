@@ -45,11 +45,11 @@ stiff_films = st.builds(mdr.Coated, stiff, d.between(0.05, 3.0), st.just(mdr.Ela
 pointed = st.one_of(d.cones, d.rounded_cones, st.builds(lambda n, c: d.Tip(mdr.PowerLaw(n, c)), st.floats(1.0, 1.6), d.lengths))
 
 
-@relation(10, may_refuse=0.7, tip=pointed, medium=stiff_films, work=d.between(1e-3, 10.0), reach=d.between(0.03, 10.0),
+@relation(5, may_refuse=0.8, tip=pointed, medium=stiff_films, work=d.between(1e-3, 10.0), reach=d.between(0.03, 10.0),
           shares=st.lists(st.floats(0.001, 0.999), min_size=9, max_size=9))  # fmt: skip
 def test_branches_of_contacts_that_jump(tip, medium, work, reach, shares):
     """d(a) and F(a) of a point on a stiff film turn more than once: F and a of a law at random depths, and d and a under random
-    forces, on both branches against the contact, however far the law was asked to reach."""
+    forces, on both branches against the contact, however far the law is to reach."""
     contact = mdr.Contact(tip.profile, medium, work * medium.modulus(medium.thickness) * medium.thickness)
     law = mdr.ContactLaw(contact, reach * abs(float(contact.pull_off("depth").depth)), tolerance=1e-7)
     shares = np.array(shares)
@@ -66,7 +66,7 @@ def test_branches_of_contacts_that_jump(tip, medium, work, reach, shares):
         near(found.depth, expected.depth, 3e-7, size=np.abs(expected.depth) + np.abs(force / found.slope))
 
 
-@relation(8, tip=d.paraboloids, medium=d.plated, share=d.shares)
+@relation(2, tip=d.paraboloids, medium=d.plated, share=d.shares)
 def test_laws_under_plates(tip, medium, share):
     """A law of bodies under plates, which begin at a radius of their own, against the contact from there on; and it begins at the
     depth at which the contact does."""
