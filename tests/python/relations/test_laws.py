@@ -45,7 +45,7 @@ stiff_films = st.builds(mdr.Coated, stiff, d.between(0.05, 3.0), st.just(mdr.Ela
 pointed = st.one_of(d.cones, d.rounded_cones, st.builds(lambda n, c: d.Tip(mdr.PowerLaw(n, c)), st.floats(1.0, 1.6), d.lengths))
 
 
-@relation(5, may_refuse=0.8, tip=pointed, medium=stiff_films, work=d.between(1e-3, 10.0), reach=d.between(0.03, 10.0),
+@relation(3, may_refuse=0.8, tip=pointed, medium=stiff_films, work=d.between(1e-3, 10.0), reach=d.between(0.03, 10.0),
           shares=st.lists(st.floats(0.001, 0.999), min_size=9, max_size=9))  # fmt: skip
 def test_branches_of_contacts_that_jump(tip, medium, work, reach, shares):
     """d(a) and F(a) of a point on a stiff film turn more than once: F and a of a law at random depths, and d and a under random

@@ -2,6 +2,7 @@
 """Layers of crystals, held by springs: in two ways each."""
 
 import numpy as np
+import pytest
 from hypothesis import strategies as st
 
 import mdrcontact as mdr
@@ -85,3 +86,23 @@ def test_crystals_against_their_waves(layers, base, a):
     """E_eff of layers of crystals, however their waves oscillate, against an integral equation made of the waves alone."""
     medium = mdr.Layered(layers, base)
     near(medium.modulus(a), springs(medium, a), 1e-7)
+
+
+def crystal(*constants):
+    """E_t, E_z, nu_t, nu_tz, G_z."""
+    return mdr.TransverselyIsotropic.from_engineering(*constants)
+
+
+@pytest.mark.parametrize(
+    ("layers", "base"),
+    [
+        ([(crystal(8.4, 1.65, 0.54, 1.01, 21.5), 2.6)], crystal(2.8, 23.0, -0.11, 0.066, 9.0)),
+        ([(crystal(0.77, 1.8, 0.035, 0.32, 1.02), 0.2), (crystal(0.85, 0.029, -0.45, -2.66, 1.78), 8.9)],
+         crystal(0.36, 1.82, -0.028, 0.073, 0.0287)),
+    ],
+    ids=["waves that oscillate 8 times as fast as they decay", "far longer than the first layer is thick"],
+)  # fmt: skip
+def test_crystals_that_are_hard_to_tabulate(layers, base):
+    """Two of the one in a hundred that were refused, as above."""
+    medium = mdr.Layered(layers, base)
+    near(medium.modulus(0.7), springs(medium, 0.7), 1e-8)
