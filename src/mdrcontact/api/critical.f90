@@ -31,14 +31,16 @@ contains
         type(contact_t), pointer :: contact
         type(maximum_t), allocatable :: maxima(:)
         type(error_t), allocatable :: error
-        integer :: i
+        integer :: i, n
 
+        n = 0
         call open_handle(c, "c", contact, error)
         call check_code(error, "body", int(body), [body_lower, body_upper])
         if (.not. allocated(error)) then
             call critical(contact, state, body == body_upper, friction, maxima, error, wanted_threads(), counted_only=capacity == 0)
         end if
-        do i = 1, merge(0, size(maxima), allocated(error))
+        if (.not. allocated(error)) n = size(maxima)
+        do i = 1, n
             call check_results(error, [maxima(i)%value, maxima(i)%r, maxima(i)%z])
         end do
         status = status_of(error)
