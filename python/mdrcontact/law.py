@@ -198,9 +198,10 @@ class ContactLaw(LawSteps):
     def at_force(self, force: ArrayLike, branch: str = "unloading") -> LawState:
         """The states under forces F of the compiled range [modulus length^2], any shape. Further arguments as in `force`."""
         chosen = adhesion.code("branch", branch, BRANCHES)
-        d, compliance, a, k = evaluate_all("force", force, lambda F: self._warn("force", F, self._from_force(chosen, F)))
+        d, compliance, a, k = evaluate_all("force", force, lambda F: self._from_force(chosen, F))
         slope = np.divide(1.0, compliance, out=np.zeros(np.shape(compliance)), where=np.asarray(compliance) != 0.0)
-        return LawState(d, a, _as_given(force), k, slope if np.ndim(slope) else float(slope))
+        found = LawState(d, a, _as_given(force), k, slope if np.ndim(slope) else float(slope))
+        return found._carrying(self._warn_beyond("force", force))
 
     def _from_force(self, branch: int, force: NDArray[np.float64]) -> tuple[Any, ...]:
         """Status, d, dd/dF, a and k."""
