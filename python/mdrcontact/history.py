@@ -12,9 +12,9 @@ from . import _layout, poroelastic
 from ._boundary import ComplexOrArray, FloatOrArray, Handle, check, evaluate, native, number, one_path, together, words_of
 from ._progress import marching
 from .adhesion import CONTROLS
+from .conductor import Interface
 from .errors import ArgumentTypeError, InvalidArgumentError
-from .material import RIGID, Elastic, PowerLawRheology, Viscoelastic
-from .medium import Coated, Homogeneous, Layered
+from .material import RIGID, SMOOTH, Elastic, PowerLawRheology, Viscoelastic
 from .profile import FlatPunch
 
 __all__ = ["AdhesiveHistory", "History"]
@@ -170,17 +170,18 @@ def _radius(contact: Any, given: dict[str, ArrayLike]) -> Any:
 
 def _at_rest(medium: Any, needs_modulus: bool) -> Any:
     """The relaxed body. A power law relaxes without end: under a force there is none; at a depth the radius follows from the
-    ratios of the moduli, in which what relaxes less is rigid at last."""
+    ratios of the moduli, in which what relaxes less is rigid at last, springs too."""
     below = getattr(medium, "material", getattr(medium, "substrate", None))
     materials = [*(material for material, _ in medium._stack()), below]
     exponent = max((m.exponent for m in materials if isinstance(m, PowerLawRheology)), default=0.0)
+    is_endless = exponent > 0.0 and not needs_modulus
 
     def relaxed(material: Any) -> Any:
-        if needs_modulus or exponent == 0.0:
+        if not is_endless:
             return material.relaxed if isinstance(material, (Viscoelastic, PowerLawRheology)) else material
         if isinstance(material, PowerLawRheology) and material.exponent == exponent:
             return Elastic(2.0 * material.modulus * material.time**exponent * (1.0 + material.nu), material.nu)
-        return RIGID
+        return material if material is SMOOTH else RIGID
 
     def layer(material: Any) -> Any:
         rest = relaxed(material)
@@ -191,10 +192,7 @@ def _at_rest(medium: Any, needs_modulus: bool) -> Any:
             )
         return rest
 
-    if isinstance(medium, Homogeneous):
-        return Homogeneous(relaxed(medium.material))
-    if isinstance(medium, Coated):
-        return medium.replace(coating=layer(medium.coating), substrate=relaxed(medium.substrate))
-    if isinstance(medium, Layered):
-        return medium.replace(layers=[(layer(m), h) for m, h in medium.layers], substrate=relaxed(medium.substrate))
-    return medium
+    def interface(below: Interface | None) -> Interface | None:
+        return None if below is None else below.replace(normal=None, tangential=None if below.tangential else 0.0)
+
+    return medium._with_materials(layer, relaxed, interface if is_endless else None)

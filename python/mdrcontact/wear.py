@@ -16,7 +16,6 @@ from ._choices import nearest
 from ._value import Value
 from .contact import Contact
 from .errors import ArgumentTypeError, InvalidArgumentError
-from .medium import Coated, Layered, Medium
 from .profile.base import Profile
 from .state import State, state_of
 
@@ -236,15 +235,8 @@ class Wear(Value):
 
 def _thinner(wear: Wear, lost: float) -> Wear:
     """The same with a first layer that is thinner."""
-    contact, medium = wear.contact, wear.contact.medium
-    if isinstance(medium, Coated):
-        body: Medium = medium.replace(thickness=medium.thickness - lost)
-    elif isinstance(medium, Layered):
-        (material, thickness), *below = medium.layers
-        body = medium.replace(layers=((material, thickness - lost), *below))
-    else:
-        raise InvalidArgumentError(f"medium = {medium!r} is not allowed: it must be Coated or Layered, with a coating to lose")
-    return wear.replace(contact=contact.replace(medium=body))
+    contact = wear.contact
+    return wear.replace(contact=contact.replace(medium=contact.medium._with_thinner_coating(lost)))
 
 
 def _shaped(values: FloatOrArray, shape: tuple[int, ...]) -> FloatOrArray:

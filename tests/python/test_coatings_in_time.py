@@ -142,3 +142,51 @@ def test_refusals():
     with pytest.raises(mdr.InvalidArgumentError, match="not isotropic, bonded"):
         mdr.Layered([mdr.Layer(FILM, 1.0, interface=mdr.SLIDING)], BASE, model="gao")
     assert math.isfinite(mdr.Layered([mdr.Layer(FILM, 1.0, interface=mdr.SLIDING)], BASE).compliance(1.0, omega=1.0).real)
+
+
+SOFT = mdr.Viscoelastic(0.6, [(0.4, 2.0)], bulk_modulus=9.0)
+RELAXING = [
+    ([(FILM, 0.4, mdr.Interface(normal=2.0, tangential=0.5)), (SOFT, 0.3, mdr.SLIDING)], SOFT),
+    ([(FILM, 0.5, mdr.SLIDING)], BASE),
+    ([(BASE, 0.2, mdr.SLIDING), (SOFT, 0.4, mdr.Interface(tangential=0.3))], mdr.RIGID),
+    ([(SOFT, 0.1, mdr.Interface(normal=1.0)), (FILM, 0.5, None)], mdr.SMOOTH),
+]
+
+
+def body_of(layers, substrate, limit=None):
+    """The body, or the elastic one with a limit of each material, given layer by layer."""
+
+    def of(material):
+        return getattr(material, limit) if limit and isinstance(material, mdr.Viscoelastic) else material
+
+    return mdr.Layered([mdr.Layer(of(m), h, interface=below) for m, h, below in layers], of(substrate))
+
+
+@pytest.mark.parametrize(("layers", "substrate"), RELAXING)
+def test_oscillations_about_a_depth_are_those_at_its_relaxed_radius(layers, substrate):
+    """Of the body as it is, interfaces too; slow ones have the relaxed stiffness, fast ones the glassy."""
+    contact = mdr.Contact(TIP, body_of(layers, substrate))
+    relaxed, glassy = (contact.replace(medium=body_of(layers, substrate, limit)) for limit in ("relaxed", "glassy"))
+    for control, value in (("depth", 0.1), ("force", 0.1)):
+        state = getattr(relaxed, f"at_{control}")(value)
+        wanted = contact.dynamic_stiffness([1e-6, 1.0, 1e9], radius=state.radius)
+        found = contact.dynamic_stiffness([1e-6, 1.0, 1e9], **{control: value})
+        assert np.abs(found / wanted - 1.0).max() < 1e-10
+        assert found.real[[0, 2]] == pytest.approx([state.stiffness, glassy.medium.stiffness(state.radius)], rel=1e-9)
+
+
+@pytest.mark.parametrize(
+    ("interface", "at_last", "base"),
+    [
+        (mdr.SLIDING, mdr.SLIDING, mdr.RIGID),
+        (mdr.Interface(normal=2.0, tangential=0.5), None, mdr.RIGID),
+        (mdr.Interface(normal=3.0, tangential=0.0), mdr.SLIDING, mdr.RIGID),
+        (None, None, mdr.SMOOTH),
+    ],
+)
+def test_beside_a_power_law_springs_are_rigid_at_last_and_what_slides_slides(interface, at_last, base):
+    """The radius at a depth is that of an elastic layer of any modulus that is held in the same way."""
+    contact = mdr.Contact(TIP, body_of([(mdr.PowerLawRheology(1.0, 1.0, 0.2, nu=0.45), 0.5, interface)], base))
+    held = mdr.Contact(TIP, body_of([(mdr.Elastic(7.0, 0.45), 0.5, at_last)], base)).at_depth(0.05)
+    wanted = contact.dynamic_stiffness(1.0, radius=held.radius)
+    assert abs(contact.dynamic_stiffness(1.0, depth=0.05) / wanted - 1.0) < 1e-10

@@ -106,6 +106,39 @@ def test_materials_without_limits_agree_with_ting(film, base, later, tolerance):
     assert largest(marched.radius, ting.radius) < 2.0 * tolerance and largest(marched.force, ting.force) < 2.0 * tolerance
 
 
+OF_ITSELF = {
+    "polymer": POLYMER,
+    "of a bulk modulus": mdr.Viscoelastic(1.0, [(2.0, 0.5)], bulk_modulus=5.0),
+    "liquid": LIQUID,
+}
+
+
+@pytest.mark.parametrize("name", OF_ITSELF)
+def test_a_layer_on_its_own_material_is_no_layer(name):
+    """Down, up and down again: what its memory holds is rounding. Layers of another modulus differ by a part of that."""
+    material = OF_ITSELF[name]
+    path = [0.0, 0.5, 1.0, 1.5, 2.0], [0.0, 0.3, 0.2, 0.1, 0.25]
+    for tip in (mdr.Cone(math.pi / 4), mdr.FlatPunch(0.3)):
+        contact = mdr.Contact(tip, mdr.Homogeneous(material))
+        wanted = contact.history(path[0], depth=path[1], tolerance=1e-3)
+        for part, allowed in ((0.0, 1e-13), (1e-9, 1e-9)):
+            terms = [(g * (1.0 + part), time) for g, time in material.terms]
+            bulk = None if material.bulk_modulus is None else material.bulk_modulus * (1.0 + part)
+            below = mdr.Viscoelastic(material.relaxed_shear_modulus * (1.0 + part), terms, nu=material.nu, bulk_modulus=bulk)
+            found = contact.replace(medium=mdr.Coated(material, 0.4, below)).history(path[0], depth=path[1], tolerance=1e-3)
+            assert largest(found.force, wanted.force) < allowed, part
+            assert largest(found.radius, wanted.radius) < allowed, part
+
+
+def test_a_layer_on_its_own_material_shrinks_by_ting():
+    """The closed form of a homogeneous body after its largest depth, by the march of a split one."""
+    contact = mdr.Contact(mdr.Paraboloid(1.0), mdr.Homogeneous(OF_ITSELF["of a bulk modulus"]))
+    split = contact.replace(medium=mdr.Layered([(OF_ITSELF["of a bulk modulus"], 0.3)] * 2, OF_ITSELF["of a bulk modulus"]))
+    wanted, found = (one.history(TIMES, depth=0.5 * DEPTHS, tolerance=1e-5) for one in (contact, split))
+    assert largest(found.force, wanted.force) < 1e-5
+    assert largest(found.radius, wanted.radius) < 1e-5
+
+
 def test_a_liquid_below_carries_the_film_as_long_as_it_is_asked():
     """An elastic film on a liquid sinks under a force without end, at the rate of the liquid at last."""
     contact = mdr.Contact(mdr.Paraboloid(1.0), mdr.Coated(HARD, 0.2, mdr.Viscoelastic(0.0, [(1.0, 0.5)], nu=0.5)))

@@ -3,9 +3,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import partial
-from typing import Any
+from typing import Any, TypeVar
 
 from numpy.typing import ArrayLike
 
@@ -18,6 +19,8 @@ from ..errors import InvalidArgumentError
 from ..poroelastic import compliance as gel_compliance
 from ..poroelastic import is_poroelastic
 from .viscoelastic import is_viscoelastic
+
+Self = TypeVar("Self", bound="Medium")
 
 _LOADS = words_of(_layout.LOAD_NORMAL, _layout.LOAD_SHEAR, _layout.LOAD_TWIST)
 
@@ -50,6 +53,17 @@ class Medium(WithParameters):
         """Each layer from the surface down as a `Layer`, whole: what unpacks it as (material, thickness) leaves out prestress and
         interface. Of a pair those of the lower body; of a gel a pair (material, thickness)."""
         return ()
+
+    def _with_materials(
+        self: Self, layer: Callable[[Any], Any], substrate: Callable[[Any], Any], interface: Callable[[Any], Any] | None = None
+    ) -> Self:
+        """The same body of other materials, by what makes them of that of a layer and of that below all layers; interfaces too,
+        where that is given. All else stays: thickness, prestress, surface, model and options."""
+        return self
+
+    def _with_thinner_coating(self: Self, lost: float) -> Self:
+        """The same body with a first layer that is thinner by so much [length]; all else stays."""
+        raise InvalidArgumentError(f"medium = {self!r} is not allowed: it must be Coated or Layered, with a coating to lose")
 
     def _tolerance(self) -> float:
         """The tolerance that was given for its solution, 0 where none was."""

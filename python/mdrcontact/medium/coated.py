@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import Any
 
@@ -88,6 +89,14 @@ class Coated(UnderModel):
     def _stack(self) -> tuple[Any, ...]:
         film = self.coating
         return ((film, self.thickness) if isinstance(film, Poroelastic) else Layer(film, self.thickness),)
+
+    def _with_materials(
+        self, layer: Callable[[Any], Any], substrate: Callable[[Any], Any], interface: Callable[[Any], Any] | None = None
+    ) -> Coated:
+        return self.replace(coating=layer(self.coating), substrate=substrate(self.substrate))
+
+    def _with_thinner_coating(self, lost: float) -> Coated:
+        return self.replace(thickness=self.thickness - lost)
 
     @staticmethod
     def models() -> tuple[str, ...]:

@@ -3,7 +3,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from typing import Any
 
 from ..errors import ArgumentTypeError
 from ..material import Elastic, Material, material
@@ -42,3 +44,8 @@ class Homogeneous(Medium):
         surface = given_surface(self.surface, elastic=is_elastic(body))
         half_space = stack([], body, surface)
         self._own(settings("exact", {}).medium_of(half_space), half_space, surface=surface)
+
+    def _with_materials(
+        self, layer: Callable[[Any], Any], substrate: Callable[[Any], Any], interface: Callable[[Any], Any] | None = None
+    ) -> Homogeneous:
+        return self.replace(material=substrate(self.material))

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from typing import Any
 
@@ -54,6 +54,18 @@ class Layered(UnderModel):
 
     def _stack(self) -> tuple[Any, ...]:
         return tuple(map(_as_layer, self.layers))
+
+    def _with_materials(
+        self, layer: Callable[[Any], Any], substrate: Callable[[Any], Any], interface: Callable[[Any], Any] | None = None
+    ) -> Layered:
+        layers = [part.replace(material=layer(part.material)) for part in map(_as_layer, self.layers)]
+        if interface is not None:
+            layers = [part.replace(interface=interface(part.interface)) for part in layers]
+        return self.replace(layers=layers, substrate=substrate(self.substrate))
+
+    def _with_thinner_coating(self, lost: float) -> Layered:
+        first, *below = map(_as_layer, self.layers)
+        return self.replace(layers=[first.replace(thickness=first.thickness - lost), *below])
 
     def _constants(self) -> dict[str, Any]:
         return {**super()._constants(), "layers": tuple(map(_as_layer, self.layers))}

@@ -35,6 +35,9 @@ module mdrcontact_time_memory
     real(wp), parameter :: slow = 1000.0_wp
     !> Relative error that rounding leaves of the transform.
     real(wp), parameter :: reachable = 1.0e-12_wp
+    !> Rounding of chi, which says what is added to 1: where layers hardly differ, chi is as small, and its misfit is seen against
+    !> what leaves `reachable` of rounding.
+    real(wp), parameter :: rounding = 1.0e-15_wp, smallest_chi = rounding/reachable
 
     !> Memory of one body for contacts up to one radius.
     type :: memory_t
@@ -183,7 +186,7 @@ contains
         real(wp), intent(in) :: longest, span
         !> of the misfit
         real(wp), intent(in) :: tolerance
-        !> largest error of c~ at any s, relative to its largest value there; between the samples too, where it is within tolerance
+        !> largest error of c~ at any s, relative to `size_at` there; between the samples too, where it is within tolerance
         real(wp), intent(out) :: misfit
         type(error_t), allocatable, intent(inout) :: error
         real(wp), allocatable :: matrix(:, :), factor(:, :), values(:, :), wanted(:, :), work(:)
@@ -212,7 +215,7 @@ contains
             s = lowest*(highest/lowest)**(real(i - 1, wp)/real(rows - 1, wp))
             call find_compliance(medium, s, self%k, values(i, :), error)
             if (allocated(error)) return
-            part = 1.0_wp/max(maxval(abs(self%instant)), maxval(abs(values(i, :))))
+            part = 1.0_wp/size_at(self, s, values(i, :))
             matrix(i, :) = part/(1.0_wp + s*self%time)
             values(i, :) = part*(values(i, :) - self%instant)
         end do
@@ -246,8 +249,20 @@ contains
             call find_compliance(medium, s, self%k, values, error)
             if (allocated(error)) return
             misfit = max(misfit, maxval(abs(self%instant + matmul(self%rest, 1.0_wp/(1.0_wp + s*self%time)) - values)) &
-                         /max(maxval(abs(self%instant)), maxval(abs(values))))
+                         /size_at(self, s, values))
         end do
     end function misfit_between
+
+    !> What an error of c~ at s counts against: its largest value there or at once, and no less than `smallest_chi` of 1/E0*.
+    pure function size_at(self, s, values) result(size_of)
+        type(memory_t), intent(in) :: self
+        real(wp), intent(in) :: s, values(:)
+        real(wp) :: size_of
+
+        associate (local => self%local)
+            size_of = max(maxval(abs(self%instant)), maxval(abs(values)), &
+                          smallest_chi*(local%instant + sum(local%weight/(1.0_wp + s/local%rate)) + local%fluidity/s))
+        end associate
+    end function size_at
 
 end module mdrcontact_time_memory
