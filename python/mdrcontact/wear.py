@@ -291,16 +291,14 @@ class WornProfile(Profile):
         return self.height(r) - self.wear.contact.indenter.height(r) + self._worn_on_axis()
 
     def _worn_on_axis(self) -> float:
-        """Where nothing is worn the heights differ by it."""
+        """Nothing within the disc that sticks; of a history where nothing is worn, from the edge on, the heights differ by it."""
         if self.kind == "limit":
-            *rows, c, given = self.numbers
-            far = 2.0 * float(call(native.wear_limit, self.wear._handle, np.array(rows), c, int(given))[1])
-        else:
-            history = _restored(self.wear, self.numbers)
-            if history.scheme == "rings":
-                return float(history.state.worn_depth + history.state.body_depth)
-            far = 2.0 * float(history.state.radius)
-        return float(self.wear.contact.indenter.height(far) - self.height(far))
+            return 0.0
+        history = _restored(self.wear, self.numbers)
+        if history.scheme == "rings":
+            return float(history.state.worn_depth + history.state.body_depth)
+        edge = float(history.state.radius)
+        return float(self.wear.contact.indenter.height(edge) - self.height(edge))
 
 
 def _restored(wear: Wear, past: Sequence[float]) -> WearHistory:

@@ -3,6 +3,7 @@
 
 import copy
 import csv
+import math
 import pickle
 
 import numpy as np
@@ -87,6 +88,112 @@ def test_limit(contact):
     np.testing.assert_allclose(worn[(r <= 0.5) | (r > end.outer_radius)], 0.0, atol=1e-12)
     held = mdr.Wear(contact, 0.1).limit(state, 0.5, constant="force")
     assert held.state.force == pytest.approx(state.force, rel=1e-13)
+
+
+R = np.r_[0.0, np.cumsum(0.03 + 0.02 * np.sin(np.arange(60.0)))]
+TIPS = {
+    "ball": mdr.Paraboloid(1.0),
+    "sphere": mdr.Sphere(1.0),
+    "cone": mdr.Cone(0.3),
+    "power": mdr.PowerLaw(3.0, 1.0),
+    "table": mdr.TabulatedProfile(R, R**2 * (0.5 + 0.1 * R)),
+    "corner": mdr.CallableProfile(lambda r: 0.5 * r**2 + 0.5 * max(0.0, r - 0.3), 1.5),
+    "flat": mdr.FlatEndedParaboloid(0.1, 1.0),
+    "rounded": mdr.RoundedCone(0.35, 0.3),
+}
+BODIES = {
+    "homogeneous": mdr.Homogeneous(HARD),
+    "coated": mdr.Coated(HARD, 0.5, SOFT),
+    "sliding": mdr.Layered([mdr.Layer(SOFT, 0.2, prestress=0.005, interface=mdr.SLIDING)], HARD),
+}
+
+
+KINKS = {"table": R[1:], "corner": [0.3], "flat": [0.1], "rounded": [0.35]}
+"""Radii at which the profiles are not analytic."""
+PARTS = np.r_[0.0, 0.2 ** np.arange(9.0, 0.0, -1.0)]
+
+
+def free_height(tip, d, c, r, breaks):
+    """d - (2/pi) int_0^c (d - g)/sqrt(r^2 - x^2) dx, x = r sin(t), by Gauss and Legendre between breaks of g."""
+    nodes, weights = np.polynomial.legendre.leggauss(30)
+    places = []
+    for radius in r:
+        ends = np.array([0.0, *np.arcsin(breaks / radius), math.atan2(c, math.sqrt((radius - c) * (radius + c)))])
+        # shorter towards the axis and kinks, from which g may rise as any power
+        ends = np.append(np.add.outer(ends[:-1], 0.0 * PARTS) + np.outer(np.diff(ends), PARTS), ends[-1])
+        t = 0.5 * np.add.outer(ends[1:] + ends[:-1], 0.0 * nodes) + 0.5 * np.outer(np.diff(ends), nodes)
+        inner = d - tip.mdr(np.minimum(radius * np.sin(t), c))
+        places.append(np.sum(0.5 * np.diff(ends)[:, None] * weights * inner))
+    return d - 2.0 / np.pi * np.array(places)
+
+
+def between(c, b):
+    """Radii from beside the disc that sticks to the rim, where no table has its nodes."""
+    r = np.r_[c * (1.0 + np.geomspace(1e-15, 1e-2, 40)), c + (b - c) * np.linspace(0.005, 0.9999, 60)]
+    return r[(r > c) & (r < b)]
+
+
+@pytest.mark.parametrize("name", TIPS)
+def test_the_worn_profile_is_the_free_surface_everywhere(name):
+    """1e-9 of the depth, within rounding of the disc that sticks too; its slope against differences, the worn volume against the
+    integral of the profile."""
+    tip = TIPS[name]
+    contact = mdr.Contact(tip, BODIES["homogeneous"])
+    state, kinks = contact.at_radius(0.42), np.array(KINKS.get(name, []))
+    nodes, weights = np.polynomial.legendre.leggauss(20)
+    for c in (0.15, 0.3):
+        end = mdr.Wear(contact, 1.0).limit(state, c)
+        b, worn = end.outer_radius, end.profile
+        r = between(c, b)
+        wanted = free_height(tip, end.state.depth, c, r, kinks[kinks < c])
+        assert np.abs(worn.height(r) - wanted).max() < 1e-9 * state.depth
+        assert worn.worn_depth(r) == pytest.approx(wanted - tip.height(r), abs=1e-9 * state.depth)
+        r, step = r[50:-1], 1e-6 * (b - c)
+        differences = (worn.height(r + step) - worn.height(r - step)) / (2.0 * step)
+        assert worn.slope(r) == pytest.approx(differences, rel=1e-7, abs=1e-8)
+        # the volume in the root of the distance from the disc
+        ends = np.sqrt(np.r_[0.0, kinks[(kinks > c) & (kinks < b)] - c, b - c] / (b - c))
+        t = 0.5 * np.add.outer(ends[1:] + ends[:-1], 0.0 * nodes) + 0.5 * np.outer(np.diff(ends), nodes)
+        r = c + (b - c) * t**2
+        each = 0.5 * np.diff(ends)[:, None] * weights * 4.0 * np.pi * t * r * worn.worn_depth(r)
+        assert end.worn_volume == pytest.approx((b - c) * np.sum(each), rel=1e-9)
+
+
+@pytest.mark.parametrize("name", TIPS)
+@pytest.mark.parametrize("body", ["coated", "sliding"])
+def test_the_worn_profile_on_layers_is_the_surface_beside_the_disc(name, body):
+    """Against the displacement of the limit state, which itself loses digits within 1e-13 of the disc."""
+    contact = mdr.Contact(TIPS[name], BODIES[body])
+    state = contact.at_radius(0.42)
+    end = mdr.Wear(contact, 1.0).limit(state, 0.3)
+    r = between(0.3, end.outer_radius)
+    r = r[r > 0.3 * (1.0 + 1e-13)]
+    surface = end.state.depth - end.state.displacement(r)
+    assert np.abs(end.profile.height(r) - surface).max() < 1e-9 * state.depth
+
+
+def test_the_worn_depth_of_an_indenter_that_ends_soon():
+    """Where nothing is worn lies at the edge, and need not be sought at twice its radius."""
+    wear = mdr.Wear(mdr.Contact(mdr.Sphere(1.0), BODIES["homogeneous"]), 1.0)
+    end = wear.limit(wear.contact.at_radius(0.6), 0.4)
+    assert 0.5 < end.outer_radius < 1.0
+    assert end.profile.worn_depth(0.3) == 0.0
+    assert end.profile.worn_depth(0.5) == pytest.approx(end.profile.height(0.5) - mdr.Sphere(1.0).height(0.5), abs=1e-16)
+    history = wear.history(depth=0.4, intervals=16)
+    history.advance(0.01, depth=0.4)
+    assert history.profile.worn_depth(0.0) == pytest.approx(history.state.worn_depth, rel=1e-12)
+
+
+def test_a_worn_profile_with_a_nearby_axis():
+    """A disc that hardly sticks: what is singular at the axis is near, the panels of the surface are short there."""
+    state = HERTZ.at_radius(0.4)
+    for c in (1e-2, 1e-4, 1e-6):
+        end = mdr.Wear(HERTZ, 1.0).limit(state, c)
+        r = np.r_[c * (1.0 + np.geomspace(1e-15, 1e3, 60)), between(c, end.outer_radius)]
+        r = r[(r > c) & (r < end.outer_radius)]
+        root = np.sqrt((r - c) * (r + c))
+        wanted = 2.0 / np.pi * (0.5 * r**2 * np.arctan2(c, root) - 0.5 * c * root + state.depth * np.arctan2(root, c))
+        assert np.abs(end.profile.height(r) - wanted).max() < 1e-11 * state.depth
 
 
 @pytest.mark.parametrize("contact", [HERTZ, COATED])

@@ -7,12 +7,14 @@ module mdrcontact_profile_worn
     use mdrcontact_kinds, only: wp
     use mdrcontact_numerics_quadrature, only: merge_breaks
     use mdrcontact_profile, only: copy, profile_t, root_beyond
+    use mdrcontact_profile_free_surface, only: free_surface_t
     implicit none (type, external)
     private
     public :: worn_profile_t, new_worn_profile
 
     !> f(r) = f_0(r) + W(r) - W(0), W with a continuous and piecewise linear slope. With f' = a + b r from radius c on,
-    !> g(x) = x [a arccos(c/x) + b sqrt(x^2 - c^2)], and a sum of such terms for the pieces.
+    !> g(x) = x [a arccos(c/x) + b sqrt(x^2 - c^2)], and a sum of such terms for the pieces. Where f is known as a free surface,
+    !> heights and slopes are those of it, and the pieces serve g alone.
     type, extends(profile_t) :: worn_profile_t
         !> the indenter before it wore
         class(profile_t), allocatable :: base
@@ -22,6 +24,8 @@ module mdrcontact_profile_worn
         real(wp), allocatable, private :: more_slope(:), more_curvature(:)
         !> W at the radii [length]
         real(wp), allocatable, private :: depths(:)
+        !> f between two radii
+        type(free_surface_t), allocatable, private :: surface
     contains
         procedure :: worn_depth
         procedure :: height
@@ -37,7 +41,7 @@ module mdrcontact_profile_worn
 contains
 
     !> The indenter `base` with W(r) through values and slopes at some radii, by two parabolas in each interval.
-    subroutine new_worn_profile(self, base, radii, depths, slopes, error)
+    subroutine new_worn_profile(self, base, radii, depths, slopes, error, surface)
         type(worn_profile_t), intent(out) :: self
         !> copied
         class(profile_t), intent(in) :: base
@@ -47,6 +51,8 @@ contains
         !> that of one parabola
         real(wp), intent(in) :: depths(:), slopes(:)
         type(error_t), allocatable, intent(inout) :: error
+        !> f itself between radii from the first on, below which nothing is worn
+        type(free_surface_t), intent(in), optional :: surface
         real(wp) :: step, rise, middle, from, to
         integer :: i, n, stat
 
@@ -75,6 +81,9 @@ contains
                            depths(i) + 0.25_wp*step*(from + middle))
         end do
         call set_piece(self, 2*n, radii(n), 0.0_wp, 0.0_wp, depths(n))
+        if (.not. present(surface)) return
+        allocate (self%surface, source=surface, stat=stat)
+        call check_memory(error, stat)
     end subroutine new_worn_profile
 
     !> The piece i from a radius on, where W, its slope and its curvature are given.
@@ -110,6 +119,7 @@ contains
         integer(int64) :: bytes
 
         bytes = self%base%bytes() + 6*real_bytes*size(self%radii)
+        if (allocated(self%surface)) bytes = bytes + self%surface%bytes()
     end function bytes
 
     !> W(r) [length].
@@ -120,6 +130,12 @@ contains
         real(wp) :: y
         integer :: i
 
+        if (allocated(self%surface)) then
+            if (self%surface%holds(x)) then
+                y = max(self%surface%height(x) - self%base%height(x), 0.0_wp)
+                return
+            end if
+        end if
         i = piece_of(self, x)
         y = self%depths(i) + (x - self%radii(i))*(self%slopes(i) + 0.5_wp*self%curvatures(i)*(x + self%radii(i)))
     end function worn_depth
@@ -148,6 +164,12 @@ contains
         real(wp), intent(in) :: x
         real(wp) :: y
 
+        if (allocated(self%surface)) then
+            if (self%surface%holds(x)) then
+                y = self%surface%height(x)
+                return
+            end if
+        end if
         y = self%base%height(x) + (self%worn_depth(x) - self%depths(1))
     end function height
 
@@ -157,6 +179,12 @@ contains
         real(wp) :: y
         integer :: i
 
+        if (allocated(self%surface)) then
+            if (self%surface%holds(x)) then
+                y = self%surface%slope(x)
+                return
+            end if
+        end if
         i = piece_of(self, x)
         y = self%base%slope(x) + self%slopes(i) + self%curvatures(i)*x
     end function slope

@@ -19,6 +19,7 @@ module mdrcontact_wear_limit
     use mdrcontact_numerics_quadrature, only: gauss_legendre
     use mdrcontact_numerics_roots, only: find_root
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
+    use mdrcontact_profile_free_surface, only: free_surface_t, new_free_surface, panel_points, panel_radii, series_of
     use mdrcontact_profile_worn, only: new_worn_profile, worn_profile_t
     implicit none (type, external)
     private
@@ -28,6 +29,10 @@ module mdrcontact_wear_limit
     integer, parameter :: nodes = 48, profile_points = 120, probes = 48
     !> Pressures below minus this part of the mean one are no rounding errors.
     real(wp), parameter :: noticeable = 1.0e-6_wp
+    !> The free surface: last terms of a series that need no shorter panels, relative to the depth, panels that are short enough in
+    !> any case, relative to where they end and to the radius of the disc that sticks, and how often panels are cut at most.
+    real(wp), parameter :: last_terms = 1.0e-12_wp, short = 0.02_wp, shortest = 1.0e-6_wp
+    integer, parameter :: most_cuts = 60
     !> How often the search for the rim of the scar is widened.
     integer, parameter :: most_doublings = 60
 
@@ -160,12 +165,25 @@ contains
         real(wp), intent(in) :: r(:)
         real(wp), intent(out) :: depths(:)
         type(error_t), allocatable, intent(inout) :: error
-        real(wp) :: displacement(size(r))
+        real(wp) :: heights(size(r))
 
         depths = 0.0_wp
-        call gap%contact%displacement(gap%state, r, displacement, error)
-        if (.not. allocated(error)) depths = gap%state%depth - displacement - gap%contact%equilibrium%profile%height(r)
+        call heights_at(gap, r, heights, error)
+        if (.not. allocated(error)) depths = heights - gap%contact%equilibrium%profile%height(r)
     end subroutine depths_at
+
+    !> d - u, the height of the surface above the apex.
+    subroutine heights_at(gap, r, heights, error)
+        class(gap_t), intent(in) :: gap
+        real(wp), intent(in) :: r(:)
+        real(wp), intent(out) :: heights(:)
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp) :: displacement(size(r))
+
+        heights = 0.0_wp
+        call gap%contact%displacement(gap%state, r, displacement, error)
+        if (.not. allocated(error)) heights = gap%state%depth - displacement
+    end subroutine heights_at
 
     !> b, where the limit meets the unworn profile: beyond the radius of the unworn contact, and there alone W changes its sign.
     subroutine find_rim(gap, radius, rim, error)
@@ -201,28 +219,38 @@ contains
         end if
     end subroutine find_rim
 
-    !> int W 2 pi r dr; W rises as the root of the distance from the disc that sticks.
+    !> int W 2 pi r dr; W rises as the root of the distance from the disc that sticks, and has kinks where the indenter has.
     subroutine find_volume(gap, limit, error)
         type(gap_t), intent(in) :: gap
         type(wear_limit_t), intent(inout) :: limit
         type(error_t), allocatable, intent(inout) :: error
+        real(wp), allocatable :: edges(:)
         real(wp) :: t(nodes), weights(nodes), r(nodes), depths(nodes), width
+        integer :: i
 
-        width = limit%outer_radius - limit%state%radius
-        if (.not. width > 0.0_wp) return
+        if (.not. limit%outer_radius > limit%state%radius) return
         call gauss_legendre(t, weights, error)
-        r = limit%state%radius + width*t**2
-        if (.not. allocated(error)) call depths_at(gap, r, depths, error)
-        limit%worn_volume = 4.0_wp*pi*width*sum(weights*t*r*depths)
+        if (.not. allocated(error)) call gap%contact%equilibrium%profile%add_breaks(edges, error)
+        if (allocated(error)) return
+        edges = [limit%state%radius, pack(edges, edges > limit%state%radius .and. edges < limit%outer_radius), limit%outer_radius]
+        limit%worn_volume = 0.0_wp
+        do i = 1, size(edges) - 1
+            width = edges(i + 1) - edges(i)
+            r = edges(i) + width*t**2
+            call depths_at(gap, r, depths, error)
+            if (allocated(error)) return
+            limit%worn_volume = limit%worn_volume + 4.0_wp*pi*width*sum(weights*t*r*depths)
+        end do
     end subroutine find_volume
 
-    !> The worn indenter, through W at radii that are dense where it rises steeply; slopes in the root of the distance by
-    !> differences of fourth order.
+    !> The worn indenter: its height as it is, and for g parabolas through W at radii that are dense where it rises steeply; slopes
+    !> in the root of the distance by differences of fourth order.
     subroutine make_profile(gap, limit, profile, error)
         type(gap_t), intent(in) :: gap
         type(wear_limit_t), intent(in) :: limit
         type(worn_profile_t), allocatable, intent(out) :: profile
         type(error_t), allocatable, intent(inout) :: error
+        type(free_surface_t) :: surface
         real(wp), dimension(0:profile_points) :: t, r, depths, slopes
         real(wp) :: width
         integer :: i
@@ -237,6 +265,7 @@ contains
         t = [(real(i, wp)/real(profile_points, wp), i=0, profile_points)]
         r = limit%state%radius + width*t**2
         call depths_at(gap, r, depths, error)
+        if (.not. allocated(error)) call find_surface(gap, limit, surface, error)
         call check_cancelled(error)
         if (allocated(error)) return
         depths(0) = 0.0_wp
@@ -244,8 +273,47 @@ contains
         call differentiate(depths, slopes)
         slopes(1:) = slopes(1:)*real(profile_points, wp)/(2.0_wp*width*t(1:))
         slopes(0) = infinity
-        call new_worn_profile(profile, gap%contact%equilibrium%profile, r, depths, slopes, error)
+        call new_worn_profile(profile, gap%contact%equilibrium%profile, r, depths, slopes, error, surface)
     end subroutine make_profile
+
+    !> The free surface from the disc that sticks to the rim, panels cut until their series end. Short ones are needed where
+    !> something singular is near, as the axis, or a radius within the disc at which the indenter has a kink.
+    subroutine find_surface(gap, limit, surface, error)
+        type(gap_t), intent(in) :: gap
+        type(wear_limit_t), intent(in) :: limit
+        type(free_surface_t), intent(out) :: surface
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp), allocatable :: ends(:), series(:, :)
+        real(wp) :: heights(panel_points), found(panel_points), middle, small
+        integer :: i, cuts
+
+        associate (c => limit%state%radius, b => limit%outer_radius)
+            ends = [0.0_wp, sqrt((b - c)*(b + c))]
+            allocate (series(panel_points, 0))
+            i = 1
+            cuts = 0
+            do while (i < size(ends) .and. .not. allocated(error))
+                call heights_at(gap, panel_radii(c, ends(i), ends(i + 1)), heights, error)
+                call check_cancelled(error)
+                found = series_of(heights)
+                ! near the disc the rounding of radii is one of s, and so of heights
+                small = last_terms
+                if (i > 1) small = max(small, 4.0_wp*epsilon(small)*c/ends(i))
+                if (maxval(abs(found(panel_points - 2:))) <= small*gap%state%depth .or. cuts >= most_cuts &
+                    .or. ends(i + 1) - ends(i) <= max(short*ends(i + 1), shortest*c)) then
+                    series = reshape([series, found], [panel_points, i])
+                    i = i + 1
+                else
+                    cuts = cuts + 1
+                    ! beside the disc the distance from what is singular there counts
+                    middle = 0.5_wp*(ends(i) + ends(i + 1))
+                    if (i == 1) middle = 0.25_wp*ends(2)
+                    ends = [ends(:i), middle, ends(i + 1:)]
+                end if
+            end do
+            if (.not. allocated(error)) call new_free_surface(surface, c, b, ends, series, error)
+        end associate
+    end subroutine find_surface
 
     !> Slopes per step of values at equal steps.
     pure subroutine differentiate(values, slopes)
