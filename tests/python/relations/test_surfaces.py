@@ -149,6 +149,38 @@ def test_compressed_plates(material, part, bending, a):
             mdr.Homogeneous(material, surface=refused)
 
 
+@relation(
+    8,
+    body=d.bare,
+    tension=st.one_of(st.just(0.0), d.between(0.05, 0.5)),
+    bending=d.between(0.01, 1.0),
+    nu=st.floats(0.0, 0.45),
+    a=radii,
+)
+def test_plates_are_thin_layers_that_slide(body, tension, bending, nu, a):
+    """A layer that slides, of a plate's stiffness E h^3/(12 (1 - nu^2)) and stressed by tension over h, against the plate: the
+    difference falls as the square of its thickness over the wavelength. A paraboloid's force and stiffness at a depth."""
+    rows = (
+        [(body.material, None)] if isinstance(body, mdr.Homogeneous) else [(body.coating, body.thickness), (body.substrate, None)]
+    )
+    scale = min(a, (bending / body.modulus(1e-3)) ** (1.0 / 3.0), *(h for _, h in rows if h))
+
+    def layered(h):
+        film = mdr.Elastic(12.0 * bending * (1.0 - nu**2) / h**3, nu)
+        layers = [mdr.Layer(film, h, prestress=tension / h, interface=mdr.SLIDING), *(mdr.Layer(m, t) for m, t in rows[:-1])]
+        return mdr.Layered(layers, rows[-1][0], tolerance=1e-6)
+
+    plate = body.replace(surface=mdr.Surface(tension, bending))
+    k = np.array([0.3, 1.0, 2.0]) / scale
+    thick, thin = (layered(part * scale).compliance(k) / plate.compliance(k) - 1.0 for part in (0.02, 0.01))
+    near(thin, 0.0, 2e-4, size=k * scale)
+    near(thin, 0.25 * thick, 0.05, size=np.abs(thick) + 1e-5)
+    state = mdr.Contact(mdr.Paraboloid(1.0), plate).at_radius(a)
+    found = mdr.Contact(mdr.Paraboloid(1.0), layered(0.05 * scale)).at_depth(state.depth)
+    near(found.force, state.force, 2e-3)
+    near(found.stiffness, state.stiffness, 2e-3)
+
+
 @relation(40, body=d.bare, tension=numbers, bending=numbers, stretching=numbers, a=d.between(1e-6, 1e6), may_refuse=1.0)
 def test_any_numbers(body, tension, bending, stretching, a):
     """Any numbers are refused with a sentence, or give a stiffness > 0 at any radius, or refuse that with a sentence."""

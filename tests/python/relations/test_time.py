@@ -199,6 +199,64 @@ def test_layers_of_one_relaxing_material(material, h, b, t, omega):
     near(one.dynamic_stiffness(omega), two.dynamic_stiffness(omega), 1e-8)
 
 
+@relation(
+    6, material=st.one_of(constant, polymers), h=d.between(0.1, 3.0), depth=paths, part=st.sampled_from([0.0, 1e-9]), may_refuse=0.2
+)
+def test_paths_on_layers_of_one_relaxing_material(material, h, depth, part):
+    """A path down and up on a layer of its substrate's material, or nearly, against the half-space."""
+    t = np.arange(len(depth)) * 0.5
+    g, terms = material.relaxed_shear_modulus * (1.0 + part), [(g * (1.0 + part), tau) for g, tau in material.terms]
+    bulk = None if material.bulk_modulus is None else material.bulk_modulus * (1.0 + part)
+    film = mdr.Coated(material, h, mdr.Viscoelastic(g, terms, nu=material.nu, bulk_modulus=bulk))
+    found, wanted = (
+        mdr.Contact(mdr.Paraboloid(1.0), body).history(t, depth=depth, tolerance=1e-4) for body in (film, mdr.Homogeneous(material))
+    )
+    near(found.force, wanted.force, 1e-4, size=float(np.max(np.abs(wanted.force))) + 1e-300)
+
+
+interfaces = st.one_of(
+    st.none(),
+    st.just(mdr.SLIDING),
+    st.builds(mdr.Interface, normal=st.one_of(st.none(), d.between(0.1, 100.0)), tangential=d.between(0.01, 100.0)),
+)
+held = st.lists(st.tuples(st.one_of(constant, polymers, d.usual), d.between(0.2, 2.0), interfaces), min_size=1, max_size=2)
+held_stacks = st.tuples(held, st.one_of(constant, polymers, d.usual, st.just(mdr.RIGID))).filter(
+    lambda v: any(isinstance(m, mdr.Viscoelastic) for m in (*(row[0] for row in v[0]), v[1]))
+)
+"""Layers that relax, held by springs or sliding, given layer by layer."""
+
+
+def stack(rows, base, limit=None):
+    """The body, or the elastic one with a limit of each material."""
+
+    def of(m):
+        return getattr(m, limit) if limit and isinstance(m, mdr.Viscoelastic) else m
+
+    return mdr.Layered([mdr.Layer(of(m), h, interface=below) for m, h, below in rows], of(base))
+
+
+@relation(12, body=held_stacks, omega=d.between(1e-2, 1e2), control=st.sampled_from(["depth", "force"]), value=d.between(0.01, 0.1))
+def test_oscillations_about_a_relaxed_state(body, omega, control, value):
+    """k* about a depth or force against that at the radius of the elastic contact, and against its stiffness and the glassy one
+    far from all relaxation."""
+    contact, relaxed, glassy = (mdr.Contact(mdr.Paraboloid(1.0), stack(*body, limit)) for limit in (None, "relaxed", "glassy"))
+    state = getattr(relaxed, f"at_{control}")(value)
+    found = contact.dynamic_stiffness([1e-7, omega, 1e9], **{control: value})
+    near(found[1], contact.dynamic_stiffness(omega, radius=state.radius), 1e-9)
+    near(found[0].real, state.stiffness, 1e-7)
+    near(found[2].real, glassy.medium.stiffness(state.radius), 1e-7)
+
+
+@relation(6, body=held_stacks, depth=paths, factor=st.sampled_from([1e-9, 1e9]), may_refuse=0.3)
+def test_fast_and_slow_paths_on_layers_are_elastic(body, depth, factor):
+    """A path far faster or slower than all relaxation against glassy or relaxed contacts with the same interfaces."""
+    t = np.arange(len(depth)) * factor
+    found = mdr.Contact(mdr.Paraboloid(1.0), stack(*body)).history(t, depth=depth, tolerance=1e-4)
+    limit = "glassy" if factor < 1.0 else "relaxed"
+    expected = mdr.Contact(mdr.Paraboloid(1.0), stack(*body, limit)).at_depth(np.maximum(depth, 0.0)).force
+    near(found.force, expected, 2e-4, size=float(np.max(expected)) + 1e-300)
+
+
 @relation(12, film=st.one_of(constant, polymers), h=d.between(0.3, 3.0), base=d.usual, a=d.between(0.1, 2.0))
 def test_dynamic_stiffness_between_its_limits(film, h, base, a):
     """k*(omega) of a relaxing film at both ends against the elastic media; storage and loss are positive."""
