@@ -130,6 +130,7 @@ def dynamic_stiffness(
     if radius is None:
         radius = _radius(contact, given)
     w, a = together(omega=omega, radius=radius)
+    poroelastic.check_radius(contact.indenter, radius)
     if not w.size:
         return np.empty(w.shape, np.complex128)
     # equal frequencies side by side
@@ -147,6 +148,7 @@ def step(contact: Any, kind: int, time: ArrayLike, radius: float | None, drainag
         return poroelastic.step(contact, kind, time, radius, drainage)
     refuse_drainage(drainage)
     a = number("radius", _radius(contact, {}) if radius is None else radius)
+    poroelastic.check_radius(contact.indenter, a)
     return evaluate("time", time, lambda t: native.contact_step_response(contact._handle, kind, a, t))
 
 

@@ -81,6 +81,9 @@ class TransverselyIsotropic(WithParameters):
         if self.engineering is None:
             self._set(**{name: number(name, getattr(self, name)) for name in _STIFFNESSES})
         else:
+            beside = [name for name in _STIFFNESSES if number(name, getattr(self, name)) != 0.0]
+            if beside:
+                raise InvalidArgumentError(f"{beside[0]} is not allowed beside engineering, which determines it: give one of both")
             given = tuple(number(name, value) for name, value in zip(_ENGINEERING, self.engineering, strict=True))
             self._set(engineering=given)
         # the library's half-space of this material checks the numbers, and knows E*

@@ -149,10 +149,19 @@ def body_of(medium: Any, gel: Poroelastic) -> Any:
     return medium.replace(material=gel) if hasattr(medium, "material") else medium.replace(coating=gel)
 
 
+def check_radius(indenter: Profile, radius: ArrayLike) -> None:
+    """Refuses a contact radius of a flat punch that is not its own."""
+    if isinstance(indenter, FlatPunch) and not np.allclose(radius, indenter.radius, rtol=1e-12, atol=0.0):
+        raise InvalidArgumentError(
+            f"radius = {radius!r} is not allowed: that of a flat punch is its own, {indenter.radius!r}. Leave it out"
+        )
+
+
 def contact_radius(indenter: Profile, radius: float | None) -> float:
     """That of a flat punch, or the one given."""
     if radius is not None:
-        return number("radius", radius)
+        check_radius(indenter, number("radius", radius))
+        return float(radius)
     if isinstance(indenter, FlatPunch):
         return float(indenter.radius)
     raise ArgumentTypeError("radius is missing: only a flat punch has one of its own; for other indenters give the contact radius")

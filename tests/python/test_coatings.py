@@ -17,6 +17,7 @@ from mdrcontact import problem
 WAVES = np.geomspace(1e-6, 20.0, 60)
 LOADS = ("normal", "shear", "twist")
 GAN = mdr.TransverselyIsotropic(C11=390.0, C12=145.0, C13=106.0, C33=398.0, C44=105.0)
+ENGINEERED = mdr.TransverselyIsotropic.from_engineering(1.0, 1.4, 0.3, 0.25, 0.5)
 GRAPHITE = mdr.TransverselyIsotropic(C11=1060.0, C12=180.0, C13=15.0, C33=36.5, C44=4.5)
 SHEET = mdr.Coated(GAN, 1.0, mdr.SMOOTH)
 CONTACT = mdr.Contact(mdr.Paraboloid(2.0), mdr.Coated(GAN, 1.0, mdr.Elastic(130.0, 0.28)))
@@ -289,6 +290,7 @@ def test_stiffnesses_and_engineering_constants_are_one_material():
         (lambda: mdr.TransverselyIsotropic(2.0, 1.0, 0.1, 1.0, 0.0), "C44 = 0"),
         (lambda: mdr.TransverselyIsotropic(2.0, 1.0, 0.1, -1.0, 1.0), "C33 = -1"),
         (lambda: mdr.TransverselyIsotropic(2.0, 1.0, math.nan, 1.0, 1.0), "C13 = NaN"),
+        (lambda: ENGINEERED.replace(C33=5.0), "C33 is not allowed beside engineering"),
         (lambda: mdr.TransverselyIsotropic.from_engineering(1.0, 1.0, 1.0, 0.1, 1.0), "nu_t = 1 .* -1 < nu_t < 1"),
         (
             lambda: mdr.TransverselyIsotropic.from_engineering(1.0, 4.0, 0.3, 0.5, 1.0),

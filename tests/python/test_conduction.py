@@ -518,6 +518,8 @@ def test_mechanical_bodies_conduct():
         (lambda: mdr.Conduction(mdr.Conductor(1.0), film=-1.0), "film = -1"),
         (lambda: mdr.Conduction(mdr.Homogeneous(mdr.Elastic(1.0, 0.3))), "no conductivity"),
         (lambda: mdr.Conduction(mdr.LayeredConductor([(mdr.Conductor(1.0), 1.0)], mdr.INSULATING)).at_radius(1.0), "sink"),
+        (lambda: mdr.Conduction(mdr.Conductor(1.0), sink=30.0), "sink = 30 .* insulating base alone"),
+        (lambda: mdr.Conduction(mdr.LayeredConductor([(mdr.Conductor(1.0), 1.0)], mdr.PERFECT), sink=30.0), "sink = 30"),
         (lambda: mdr.Conduction(mdr.Conductor(1.0)).at_radius(-1.0), "radius = -1"),
         (lambda: mdr.Conduction(mdr.Conductor(1.0, None, 1.0)).step(1e-6, 1.0), "time = 1e-06 is not allowed"),
         (lambda: mdr.Conduction(mdr.Conductor(1.0, None, 1.0)).admittance(1e6, 1.0), r"omega = 1e\+06"),

@@ -122,6 +122,17 @@ def test_dynamic_stiffness_between_its_limits():
         assert contact.creep(np.array([1e-12, 1e12])) == pytest.approx(1.0 / found[[-1, 0]].real, rel=1e-9)
 
 
+def test_a_flat_punch_has_one_radius():
+    """A radius that is not the punch's own is refused; its own is what it has without."""
+    contact = mdr.Contact(mdr.FlatPunch(0.5), mdr.Homogeneous(S))
+    assert contact.relaxation(1.0, 0.5) == contact.relaxation(1.0)
+    assert contact.dynamic_stiffness(1.0, radius=[0.5, 0.5])[1] == contact.dynamic_stiffness(1.0)
+    calls = (lambda: contact.relaxation(1.0, 2.0), lambda: contact.creep(1.0, 2.0))
+    for call in (*calls, lambda: contact.dynamic_stiffness(1.0, radius=[0.5, 2.0])):
+        with pytest.raises(mdr.InvalidArgumentError, match="that of a flat punch is its own, 0.5"):
+            call()
+
+
 def test_dynamic_stiffness_of_one_body_under_several_names():
     """Layers of one material, and a proportional body solved by its elastic one and by complex kernels."""
     omega = np.array([0.1, 1.0, 30.0])

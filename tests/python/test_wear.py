@@ -403,6 +403,10 @@ def test_bad_input_is_refused_with_the_reason():
         mdr.Wear(mdr.Contact(mdr.FlatPunch(1.0), mdr.Homogeneous(HARD)), 1.0).history(force=1.0)
     with pytest.raises(mdr.InvalidArgumentError, match="that of a flat punch"):
         wear.running_in_length()
+    corrected = mdr.Wear(mdr.Contact(BALL, HERTZ.medium, zeta=([0.1, 1.0, 3.0], [0.9, 0.85, 0.8])), 0.1)
+    for scheme in ("disc", "rings"):
+        with pytest.raises(mdr.InvalidArgumentError, match="zeta is not allowed with the wear of a sliding indenter"):
+            corrected.advance(0.1, depth=0.2, scheme=scheme)
     with pytest.raises(mdr.InvalidArgumentError, match="did you mean 'rings'"):
         wear.history(force=1.0, scheme="ring")
     sphere = mdr.Wear(mdr.Contact(mdr.Sphere(1.0), mdr.Homogeneous(HARD)), 1.0).history(force=0.1, intervals=16, scheme="rings")

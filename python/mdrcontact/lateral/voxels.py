@@ -77,8 +77,13 @@ class Voxels(Structure):
         nu = mean if reference_nu is None else number("reference_nu", reference_nu)
         if not -1.0 < nu <= 0.5:
             raise InvalidArgumentError(f"reference_nu = {nu!r} is not allowed: it must be greater than -1 and at most 0.5")
+        periods = whole("images", images, 1, 100)
+        if beside != "periodic" and periods != 1:
+            raise InvalidArgumentError(
+                f"images = {images!r} is not allowed: what lies beside is a material, no periods; leave it out"
+            )
         self._set(labels=cells, phases=materials, spacing=steps, beside=beside, below=base, origin=corner, reference_nu=nu,
-                  images=whole("images", images, 1, 100), exponent=exponent_of_mean(exponent), _counts=counts)  # fmt: skip
+                  images=periods, exponent=exponent_of_mean(exponent), _counts=counts)  # fmt: skip
 
     @classmethod
     def from_shapes(

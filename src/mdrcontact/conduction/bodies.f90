@@ -81,6 +81,11 @@ contains
             self%is_insulated = .true.
             if (sink > 0.0_wp) self%largest_radius = min(self%largest_radius, sink - nearest_sink*bodies(i)%depth())
         end do
+        if (sink > 0.0_wp .and. .not. self%is_insulated) then
+            call raise(error, error_invalid, " = "//to_text(sink)//" is not allowed: flux leaves at a sink from a body on an "// &
+                       "insulating base alone, and none is here. Leave it out", "sink")
+            return
+        end if
         if (self%is_insulated .and. .not. sink > 0.0_wp) return
         if (.not. self%largest_radius > 0.0_wp) then
             call raise(error, error_domain, " = "//to_text(sink)//" is not allowed: it must be more than "// &

@@ -10,6 +10,7 @@ module mdrcontact_wear_history
     use mdrcontact_base_nonfinite, only: infinity, is_finite
     use mdrcontact_cancel, only: check_cancelled, report_progress
     use mdrcontact_codes, only: fixed_rings => wear_rings, moving_disc => wear_disc
+    use mdrcontact_contact_scaled_profile, only: scaled_profile_t
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_contact_values, only: given_depth
     use mdrcontact_error, only: check_code, check_count_within, check_not_negative, check_positive, count_text, error_domain, &
@@ -123,7 +124,7 @@ contains
 
         call choose(self, intervals, scheme, n, error)
         call check_target(control, target, error)
-        if (.not. allocated(error) .and. .not. self%has_rings) call check_indenter(wear, error)
+        if (.not. allocated(error)) call check_indenter(wear, self%has_rings, error)
         if (allocated(error)) return
         self%wear = wear
         self%rate = wear%rate
@@ -199,11 +200,20 @@ contains
         end if
     end subroutine check_target
 
-    !> Raises for indenters whose pressure the hats cannot follow.
-    subroutine check_indenter(wear, error)
+    !> Raises for indenters whose pressure the hats cannot follow, and for those with a zeta: what wears is f(r), of which its depth
+    !> knows nothing.
+    subroutine check_indenter(wear, has_rings, error)
         type(wear_t), intent(in) :: wear
+        logical, intent(in) :: has_rings
         type(error_t), allocatable, intent(inout) :: error
 
+        select type (profile => wear%contact%equilibrium%profile)
+        class is (scaled_profile_t)
+            call raise(error, error_invalid, "zeta is not allowed with the wear of a sliding indenter, whose shape "// &
+                       "follows from the body itself: leave it out")
+            return
+        end select
+        if (has_rings) return
         associate (profile => wear%contact%equilibrium%profile)
             if (profile%has_wall .and. profile%end_radius >= profile%largest_radius) then
                 call raise(error, error_invalid, "a flat punch ends in a wall, where the pressure is infinite: the wear of a "// &
