@@ -47,6 +47,11 @@ def table_text(law: Any, form: str, error: float, branch: str, length: float, to
         )
     if not number("length", length) > 0.0:
         raise InvalidArgumentError(f"length = {length:g} is not allowed: it must be greater than 0")
+    for name, value, its_form in (("touch", touch, "lammps"), ("area", area, "overclosure")):
+        if value is not None and form != its_form:
+            raise InvalidArgumentError(
+                f"{name} = {value!r} is not allowed with form = {form!r}: it is of {its_form!r}. Leave it out"
+            )
     table = _table(law, error, branch, length)
     if form != "csv" and table.adhesive:
         raise InvalidArgumentError(

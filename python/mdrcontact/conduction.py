@@ -191,9 +191,13 @@ class Conduction(Value):
             speed being the twist rate [1/time]: exact at any speed; "moving", the source moving over the lower body, at
             v a c/sigma <= 1000, and resting on the upper one. Of two bodies the share is then that of equal
             flux_mean, an approximation
-        source_speed : speed of the source over the lower body; None: speed [length/time]
+        source_speed : speed of a moving source over the lower body; None: speed [length/time]
         """
         kind = code("motion", motion, MOTIONS)
+        if source_speed is not None and motion != "moving":
+            raise InvalidArgumentError(
+                f"source_speed = {source_speed!r} is not allowed with motion = {motion!r}: the source rests. Leave it out"
+            )
         strength = number("mu", mu) * number("speed", speed)
         over = strength and (number("speed", speed) if source_speed is None else number("source_speed", source_speed))
         rows, shape = _rows(states)
@@ -213,7 +217,7 @@ class Conduction(Value):
         answer : "conductance", flux per potential after a step of the potential of an equipotential spot; potential per flux
             after a step of flux: "resistance", of an equipotential spot; "mean_potential" or "centre_potential" under a uniform
             flux; "gaussian_potential", the mean over a Gaussian probe under a Gaussian pump with 1/e^2 radii w0 and w1,
-            radius = sqrt(w0^2 + w1^2)
+            radius = sqrt(w0^2 + w1^2); these three are of the bodies, without the film
         """
         wanted, a = code("answer", answer, ANSWERS), number("radius", radius)
         return evaluate("time", time, lambda t: native.conduction_follow(self._handle, wanted, a, t, None))

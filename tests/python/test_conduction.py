@@ -103,7 +103,7 @@ def heat_of(row):
         contact = contact_of(given, a)
     motion = row["group"].split()[0]
     kind = motion if motion in ("moving", "spinning") else "sliding"
-    heat = conduction.friction_heat(contact.at_radius(a), 1.0, 1.0, kind, given.get("v", 1.0))
+    heat = conduction.friction_heat(contact.at_radius(a), 1.0, 1.0, kind, given.get("v"))
     what = row["quantity"].split()[-1]
     return {"T0": heat.centre, "Tq": heat.flux_mean, "Ta": heat.area_mean, "F": heat.total, "fraction": heat.share}[what]
 
@@ -520,6 +520,7 @@ def test_mechanical_bodies_conduct():
         (lambda: mdr.Conduction(mdr.LayeredConductor([(mdr.Conductor(1.0), 1.0)], mdr.INSULATING)).at_radius(1.0), "sink"),
         (lambda: mdr.Conduction(mdr.Conductor(1.0), sink=30.0), "sink = 30 .* insulating base alone"),
         (lambda: mdr.Conduction(mdr.LayeredConductor([(mdr.Conductor(1.0), 1.0)], mdr.PERFECT), sink=30.0), "sink = 30"),
+        (lambda: mdr.Conduction(mdr.Conductor(1.0)).friction_heat(None, 0.1, 1.0, source_speed=2.0), "source_speed = 2.0 .* rests"),
         (lambda: mdr.Conduction(mdr.Conductor(1.0)).at_radius(-1.0), "radius = -1"),
         (lambda: mdr.Conduction(mdr.Conductor(1.0, None, 1.0)).step(1e-6, 1.0), "time = 1e-06 is not allowed"),
         (lambda: mdr.Conduction(mdr.Conductor(1.0, None, 1.0)).admittance(1e6, 1.0), r"omega = 1e\+06"),

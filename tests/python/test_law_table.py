@@ -101,6 +101,8 @@ def test_branches_of_adhesion(adhesive, branch):
         (lambda law, _: law.table(error=np.nan), "error = nan is not allowed"),
         (lambda law, _: law.table(length=0.0), "length = 0 is not allowed"),
         (lambda law, _: law.table("lammps"), "touch = None is not allowed"),
+        (lambda law, _: law.table(touch=1e-6), "touch = 1e-06 is not allowed with form = 'csv': it is of 'lammps'"),
+        (lambda law, _: law.table("lammps", touch=1e-6, area=1.0), "area = 1.0 is not allowed with form = 'lammps'"),
         (lambda law, _: law.table("lammps", touch=1e-8), "must exceed the largest depth"),
         (lambda law, _: law.table("overclosure", area=-1.0), "area = -1.0 is not allowed"),
         (lambda _, adhesive: adhesive.table("spring"), "is not allowed with adhesion"),

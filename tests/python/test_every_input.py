@@ -1,0 +1,184 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Every member of every object of physics changes each answer that it serves, or is refused, or is an exception with a reason."""
+
+from __future__ import annotations
+
+import dataclasses
+import inspect
+from collections.abc import Iterator
+
+import pytest
+from walk import run
+from walk.answers import ANSWERS
+from walk.exceptions import EXCEPTIONS
+from walk.run import walk
+from walk.scenes import Scene, all_scenes
+from walk.tree import ABSENT, Call, Change, changes, label, objects_in, options_of
+
+import mdrcontact as mdr
+from mdrcontact import lateral
+
+SCENES = all_scenes()
+
+BASES = {"Medium", "Profile", "lateral.Structure"}
+"""Classes that have no objects of their own."""
+
+OTHER_CLASSES = {
+    **dict.fromkeys(
+        ("Spot", "FrictionHeat", "ShearedContact", "FrictionHistory", "WearHistory", "WornProfile", "State"),
+        "made by an answer, from members that are walked",
+    ),
+    **dict.fromkeys(
+        ("RateCurve", "ConductanceForce", "Impedance", "Unloading", "ForceDepth", "StiffnessDepth", "ModulusRadius"), "data"
+    ),
+    **dict.fromkeys(("StiffnessRadius", "ForceTime", "DepthTime", "DynamicStiffness"), "data"),
+    **dict.fromkeys(("Free", "Instrument", "JointPrior"), "what a fit may do"),
+    **dict.fromkeys(("FitResult", "RateFit", "GelFit", "ConductionFit"), "results"),
+    **dict.fromkeys(("Berkovich", "Vickers", "CubeCorner"), "have no members"),
+}
+"""Public classes that are not walked, and why; named tuples are results, exceptions and warnings are neither."""
+
+OTHER_METHODS = {
+    "replace", "parameters", "contact", "with_parameters", "with_model", "models", "copy", "plot", "rows", "warnings", "save", "load", "turn",
+    "restored", "saved", "memory_size", "solutions", "error", "path_error", "first_shear_error", "twists", "sliders", "coefficient",
+    "shear_strength", "tolerance", "largest_sliding_shift", "from_fractions", "from_prony_text", "from_shapes", "from_engineering",
+    "from_rheology", "between", "model", "inclination", "half_angle_degrees",
+}  # fmt: skip
+"""Methods and properties that answer with what was given, or move it."""
+
+
+def _public() -> Iterator[tuple[str, type]]:
+    for module, prefix in ((mdr, ""), (lateral, "lateral.")):
+        for name in module.__all__:
+            value = getattr(module, name)
+            if inspect.isclass(value) and not issubclass(value, BaseException):
+                yield f"{prefix}{name}" if name in ("Structure", "Layer") else name, value
+
+
+def _walked() -> dict[str, type]:
+    """Public classes of objects of physics."""
+    shapes = {"Ball", "Box", "Fibre", "HalfSpace", "Pillar", "lateral.Layer"}
+    return {
+        name: value
+        for name, value in _public()
+        if name not in BASES and name not in OTHER_CLASSES and (not issubclass(value, tuple) or name in shapes)
+    }
+
+
+def _all_changes() -> Iterator[tuple[Scene, Change]]:
+    for scene in SCENES:
+        for change in changes(scene.object):
+            if not scene.only or any(change.place.startswith(place) for place in scene.only):
+                yield scene, change
+
+
+def test_every_class_and_every_member_is_walked():
+    found = {(change.owner, change.member.partition("[")[0]) for _, change in _all_changes()}
+    missing = []
+    for name, value in _walked().items():
+        parameters = inspect.signature(value).parameters.values()
+        named = [p.name for p in parameters if p.kind is not p.VAR_KEYWORD and not p.name.startswith("_")]
+        held = {owner_member[1] for owner_member in found if owner_member[0] == name} | _parts(name)
+        missing += [f"{name}.{member}" for member in named if member not in held]
+    assert not missing
+    options = {name for model in mdr.Coated.models() for name in options_of(model)}
+    assert options <= {member for owner, member in found if owner == "Coated"}
+
+
+def _parts(name: str) -> set[str]:
+    """Members of a class that are objects with members: those are walked."""
+    held = set()
+    for scene in SCENES:
+        for owner, member in objects_in(scene.object):
+            if owner == name:
+                held.add(member)
+    return held
+
+
+def test_every_method_is_an_answer():
+    covered = {method for answer in ANSWERS.values() for method in answer.covers}
+    inherited = {method.partition(".")[2] for method in covered if method.partition(".")[0] in ("Medium", "Profile", "Structure")}
+    missing = []
+    for name, value in _public():
+        results = issubclass(value, tuple) and name not in ("State", "Interior")
+        data = OTHER_CLASSES.get(name) in ("data", "results", "what a fit may do")
+        if results or data or name in ("Crystal",):
+            continue
+        fields = {field.name for field in dataclasses.fields(value)} if dataclasses.is_dataclass(value) else set()
+        fields |= set(getattr(value, "_fields", ()))
+        for method in vars(value):
+            known = method.startswith("_") or method in OTHER_METHODS or method in fields or method in inherited
+            if not known and f"{name.removeprefix('lateral.')}.{method}" not in covered:
+                missing.append(f"{name}.{method}")
+    assert not missing
+
+
+def test_every_answer_is_asked():
+    assert set(ANSWERS) == {answer for scene in SCENES for answer in scene.answers}
+    assert {line.answer for line in EXCEPTIONS} <= set(ANSWERS)
+    assert len({(line.member, line.answer, line.where) for line in EXCEPTIONS}) == len(EXCEPTIONS), "a line stands twice"
+    assert all(line.reason for line in EXCEPTIONS)
+
+
+def test_what_may_be_taken_away_is_once():
+    """Each member that may be absent is present in a scene, and absent in one."""
+    seen = {(change.key) for _, change in _all_changes()}
+    assert {f"{member}=None" for member in ABSENT} <= seen
+
+
+@pytest.mark.slow
+def test_members_that_never_matter_are_accuracies():
+    """A member that matters to no answer at all is dropped by all, whatever the exceptions say."""
+    walked = _report()
+    matters = {(case.change.owner, case.change.member) for case in walked.cases if case.outcome != "same"}
+    never = {f"{owner}.{member}" for owner, member in {case.triple[:2] for case in walked.cases} - matters}
+    assert never <= NEVER
+
+
+NEVER = {
+    "ContactLaw.tolerance",
+    "Field.tolerance",
+    "Shapes.tolerance",
+    "TabulatedConduction.largest",
+    "TabulatedConduction.smallest",
+    "TabulatedConduction.tolerance",
+}
+"""Accuracies, and ranges beyond which the answer is the same."""
+
+
+def _report() -> run.Report:
+    """Walks all scenes, once."""
+    if not _reports:
+        _reports.append(walk(SCENES))
+    return _reports[0]
+
+
+_reports: list[run.Report] = []
+
+
+@pytest.mark.parametrize("scene", [scene for scene in SCENES if scene.quick], ids=lambda scene: scene.name)
+def test_members_matter(scene):
+    report = walk([scene])
+    assert report.cases
+    assert not report.findings(), "\n".join(map(str, report.findings()))
+
+
+@pytest.mark.slow
+def test_all_members_matter_to_all_answers():
+    report = _report()
+    print(report.summary())
+    wrong = [*map(str, report.findings()), *report.wrong_exceptions()]
+    assert not wrong, "\n".join(wrong)
+
+
+def test_a_dropped_member_is_found():
+    """An object that forgets a member, as the walk would meet it."""
+
+    class Forgetful(mdr.Homogeneous):
+        def __post_init__(self):
+            object.__setattr__(self, "material", mdr.Elastic(self.material.E, 0.3))
+            super().__post_init__()
+
+    scene = Scene("forgetful", Call("made", lambda E, nu: Forgetful(mdr.Elastic(E, nu)), E=1.0, nu=0.3), ("modulus",))
+    assert [case.change.key for case in walk([scene]).findings()] == ["made.nu"]
+    assert label(scene.object) == "made"
