@@ -13,9 +13,9 @@ import numpy as np
 import mdrcontact as mdr
 
 from .answers import ANSWERS, Answer, Numbers
-from .exceptions import EXCEPTIONS, Exempt
+from .exceptions import CONDITIONS, EXCEPTIONS, Exempt
 from .scenes import Scene
-from .tree import Change, changes, made, put
+from .tree import Change, changes, get, made, put
 
 ENOUGH = 100.0
 """A change is larger than so many tolerances of the answer."""
@@ -30,6 +30,8 @@ class Case:
     answer: str
     outcome: str
     """matters, refused, same"""
+    owner: Any = None
+    """the object that has the member"""
     size: float = 0.0
     """relative change of the answer"""
     words: str = ""
@@ -78,8 +80,8 @@ class Report:
         )
 
 
-def walk(scenes: Iterable[Scene], *, seconds: bool = False) -> Report:
-    """Goes through scenes; an exception that is no refusal ends it."""
+def walk(scenes: Iterable[Scene]) -> Report:
+    """Goes through scenes; a scene that cannot answer as it stands, and an exception that is no refusal, end it."""
     report = Report()
     with warnings.catch_warnings():
         warnings.simplefilter("ignore")
@@ -89,16 +91,12 @@ def walk(scenes: Iterable[Scene], *, seconds: bool = False) -> Report:
 
 
 def _through(scene: Scene) -> Iterator[Case]:
-    before = {}
-    for name in scene.answers:
-        try:
-            before[name] = _numbers(ANSWERS[name], made(scene.object))
-        except Exception as problem:
-            print("BASE", scene.name, name, repr(problem)[:300])
+    before = {name: _numbers(ANSWERS[name], made(scene.object)) for name in scene.answers}
     for change in changes(scene.object):
         if scene.only and not any(change.place.startswith(place) for place in scene.only):
             continue
         changed, refusal = _changed(scene, change)
+        owner = get(scene.object, change.path[: change.depth])
         for name, numbers in before.items():
             known = ANSWERS[name]
             after: Any = refusal
@@ -107,14 +105,11 @@ def _through(scene: Scene) -> Iterator[Case]:
                     after = _numbers(known, changed)
                 except mdr.MDRError as problem:
                     after = problem
-            for part, value in numbers.items():
-                full = f"{name}.{part}" if part else name
-                if isinstance(after, mdr.MDRError):
-                    yield Case(scene.name, change, full, "refused", words=str(after))
-                    continue
-                size = _difference(value, after.get(part))
-                outcome = "matters" if size > ENOUGH * known.tolerance else "same"
-                yield Case(scene.name, change, full, outcome, size)
+            if isinstance(after, mdr.MDRError):
+                yield Case(scene.name, change, name, "refused", owner, words=str(after))
+                continue
+            size = max(_difference(value, after.get(part)) for part, value in numbers.items())
+            yield Case(scene.name, change, name, "matters" if size > ENOUGH * known.tolerance else "same", owner, size)
 
 
 def _changed(scene: Scene, change: Change) -> tuple[Any, mdr.MDRError | None]:
@@ -136,17 +131,21 @@ def _difference(before: Any, after: Any) -> float:
     """Relative change of an answer; infinite where its shape changes."""
     if after is None or before.shape != after.shape:
         return np.inf
-    assert not (np.isnan(before).any() or np.isnan(after).any()), "an answer is not a number"
     if before.dtype.kind not in "iufcb":
         return 0.0 if np.array_equal(before, after) else np.inf
+    assert not (np.isnan(before).any() or np.isnan(after).any()), "an answer is not a number"
     with np.errstate(invalid="ignore"):
         distance = np.where(before == after, 0.0, np.abs(after - before))
         scale = np.maximum(np.abs(before), np.abs(after))
         # entries of columns that are of one kind differ in size: each by itself, unless it is rounding beside the others
-        part = np.where(distance > 0.0, distance / np.maximum(scale, 1e-9 * scale.max(initial=0.0)), 0.0)
+        largest = scale[np.isfinite(scale)].max(initial=0.0)
+        part = np.where(distance > 0.0, distance / np.maximum(scale, 1e-9 * largest), 0.0)
     return float(np.where(np.isnan(part), np.inf, part).max(initial=0.0))
 
 
 def _matches(line: Exempt, case: Case) -> bool:
-    return line.answer == case.answer and line.member == case.change.key and (not line.where or line.where in (
-        case.scene, f"{case.scene}:{case.change.place}"))  # fmt: skip
+    if line.answer != case.answer or line.member != case.change.key:
+        return False
+    if line.where in CONDITIONS:
+        return CONDITIONS[line.where](case.owner)
+    return line.where in ("", case.scene, f"{case.scene}:{case.change.place}")

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import inspect
 from dataclasses import dataclass
 from typing import Any
 
@@ -11,7 +12,11 @@ import numpy as np
 import mdrcontact as mdr
 from mdrcontact import lateral
 
-from .tree import Call, Times
+from . import requests
+from .tree import Call, Times, know, only_arguments
+
+QUICK: set[str] = set()
+"""Scenes that take a tenth of a second at most, and together have most members."""
 
 
 @dataclass(frozen=True)
@@ -23,6 +28,11 @@ class Scene:
     answers: tuple[str, ...]
     only: tuple[str, ...] = ()
     """paths of the members that are changed here; none: all"""
+
+    @property
+    def quick(self) -> bool:
+        """Whether it is walked by ./runtests.sh without --all."""
+        return self.name in QUICK
 
 
 FILM, BASE, MIDDLE = mdr.Elastic(3.0, 0.25), mdr.Elastic(1.0, 0.35), mdr.Elastic(0.5, 0.2)
@@ -59,7 +69,7 @@ def _elastic() -> list[Scene]:
     scenes.append(Scene("stack medium", STACK, (*MEDIUM, "tangential_modulus", *WAVES, "wrinkling")))
     scenes.append(Scene("stack", mdr.Contact(SPHERE, STACK), (*STATES, "pressure", "displacement", "line_load")))
     scenes.append(Scene("springs", mdr.Contact(SPHERE, SPRUNG), (*FIELDS, *INSIDE)))
-    scenes.append(Scene("deciding springs", mdr.Contact(SPHERE, SPRUNG), ("critical",), only=("medium.layers[0]",)))
+    scenes.append(Scene("deciding springs", mdr.Contact(SPHERE, SPRUNG), ("critical",), only=("medium.layers[0].interface",)))
     pair = mdr.Pair(COATED, mdr.Homogeneous(AXIAL))
     scenes.append(Scene("pair medium", pair, (*MEDIUM, *ALONG, *WAVES)))
     of_both = "displacement_of_bodies", "energy_of_bodies", "interior_upper"
@@ -68,9 +78,11 @@ def _elastic() -> list[Scene]:
     for name, body in (("stretched", COATED.replace(surface=surface)), ("stretched half-space", SOLID.replace(surface=surface))):
         scenes.append(Scene(f"{name} medium", body, (*MEDIUM, "compliance_normal")))
         scenes.append(Scene(name, mdr.Contact(mdr.Paraboloid(4.0), body), (*STATES, "pressure", "displacement", "line_load")))
+    scenes.append(Scene("stretched layers", PAIRS.replace(surface=surface), ("modulus", "compliance_normal"), only=("surface",)))
     plain = mdr.Contact(SPHERE, mdr.Coated(FILM, 0.9, BASE))
-    scenes.append(Scene("deciding", plain, ("critical", "first_failure", "gradient")))
-    stiff = mdr.Contact(SPHERE, mdr.Coated(mdr.Elastic(100.0, 0.25), 0.1, BASE))
+    scenes.append(Scene("deciding", plain, ("critical", "first_failure", "gradient"), only=("indenter", "medium", "work")))
+    blunt = mdr.FlatEndedParaboloid(0.6, 4.0)
+    stiff = mdr.Contact(blunt, mdr.Coated(mdr.Elastic(100.0, 0.25), 0.3, BASE))
     scenes.append(Scene("not one disc", stiff, ("lowest_pressure",)))
     return scenes
 
@@ -126,18 +138,19 @@ def _graded() -> list[Scene]:
     weighted = mdr.Graded([0.0, 0.6, 1.5], [3.0, 2.0, 1.0], [0.2, 0.3, 0.35], "gao-power", exponent=-0.4, weight_nu="effective")
     power = mdr.PowerLawGraded(1.2, 0.7, 0.3, 0.3)
     tabulated = mdr.TabulatedMedium([0.2, 0.7, 1.2, 4.0], [3.0, 2.5, 2.2, 2.0])
-    called = mdr.CallableMedium(Times(_effective), 0.6, 0.9)
+    called = mdr.CallableMedium(Times(_effective), 0.3, 1.2)
     return [
         Scene("graded medium", table, (*MEDIUM, *ALONG, *WAVES)),
-        Scene("graded", mdr.Contact(SPHERE, table), (*STATES, "pressure", "displacement", "interior")),
+        Scene("graded", mdr.Contact(SPHERE, table), (*STATES, "pressure", "displacement")),
+        Scene("inside a graded body", mdr.Contact(SPHERE, table), ("interior",), only=("medium",)),
         Scene("graded function medium", function, MEDIUM),
         Scene("weighted graded medium", weighted, (*MEDIUM, "tangential_modulus")),
         Scene("weighted graded", mdr.Contact(SPHERE, weighted), (*STATES, "pressure")),
         Scene("power graded medium", power, MEDIUM),
-        Scene("power graded", mdr.Contact(SPHERE, power), (*STATES, *FIELDS)),
+        Scene("power graded", mdr.Contact(SPHERE, power), (*STATES, "pressure", "displacement", "line_load")),
         Scene("tabulated medium", tabulated, MEDIUM),
         Scene("tabulated", mdr.Contact(SPHERE, tabulated), (*STATES, "pressure", "line_load")),
-        Scene("called medium", called, MEDIUM),
+        Scene("called medium", called, (*MEDIUM, "modulus_at_ends")),
     ]
 
 
@@ -174,6 +187,8 @@ def _indenters() -> list[Scene]:
         else:
             scenes.append(Scene(name, indenter, ("profile_height", "profile_mdr")))
         contact = Call("Contact", mdr.Contact, indenter=indenter, medium=COATED)
+        if name in ("area function", "function"):
+            scenes.append(Scene(f"end of the {name}", indenter, ("profile_end",), only=("max_height", "r_max")))
         scenes.append(Scene(f"{name} contact", contact, (*states, "pressure", "line_load"), only=("indenter",)))
     scenes.append(Scene("between", Call("Paraboloid.between", mdr.Paraboloid.between, upper_radius=3.0, lower_radius=9.0),
                         ("profile_height",)))  # fmt: skip
@@ -195,6 +210,10 @@ def _adhesion() -> list[Scene]:
     law = mdr.RateAdhesion(0.02, 0.1, 0.6, 0.012, 0.2, 0.5)
     relaxing = mdr.Viscoelastic(0.4, [(1.5, 0.4)], nu=0.45)
     rheological = mdr.RheologicalAdhesion(relaxing, 0.02, 1.5)
+
+    def contact(**given: Any) -> Call:
+        return Call("Contact", mdr.Contact, indenter=SPHERE, **given)
+
     histories = ("rate_history", "rate_history_force", "rate_history_spring")
     return [
         Scene("adhesion", jkr, (*states, *ADHESIVE, "energy", "interior")),
@@ -205,9 +224,10 @@ def _adhesion() -> list[Scene]:
         Scene("law of speed", law, ("at_speed",)),
         Scene("opening edge alone", mdr.RateAdhesion(0.02, 0.1, 0.6), ("at_speed",)),
         Scene("law of rheology", rheological, ("at_speed",)),
-        Scene("speed", mdr.Contact(SPHERE, COATED, adhesion=law), (*histories, "at_depth", "pull_off_force")),
-        Scene("rheology", mdr.Contact(SPHERE, COATED, adhesion=rheological), (histories[0], "at_depth"), only=("adhesion",)),
-    ]
+        Scene("speed", contact(medium=COATED, adhesion=law), (*histories, "at_depth", "pull_off_force")),
+        Scene("rheology", contact(medium=mdr.Homogeneous(relaxing.relaxed), adhesion=rheological), (histories[0], "at_depth"),
+              only=("adhesion",)),
+    ]  # fmt: skip
 
 
 PRONY = mdr.Viscoelastic(0.5, [(1.0, 0.5), (0.6, 3.0)], nu=0.3)
@@ -234,12 +254,11 @@ def _time() -> list[Scene]:
     scenes = []
     for name, body in given.items():
         scenes.append(Scene(f"{name} medium", body, ("compliance_omega",)))
-        # the radius of dynamic_depth and dynamic_force
-        rest = ("dynamic_depth", "dynamic_force") if name != "relaxing stack" else ()
-        scenes.append(Scene(name, mdr.Contact(SPHERE, body), (*STEPS, *rest, *HISTORIES)))
+        scenes.append(Scene(name, mdr.Contact(SPHERE, body), (*STEPS, "dynamic_depth", "dynamic_force", *HISTORIES)))
     scenes += [
         Scene("power-law half-space", mdr.Contact(SPHERE, mdr.Homogeneous(POWER)), (*STEPS, "dynamic_depth", *HISTORIES)),
         Scene("power-law film", mdr.Contact(SPHERE, mdr.Coated(POWER, 0.9, BASE)), STEPS),
+        Scene("relaxing film under a punch", mdr.Contact(mdr.FlatPunch(0.8), mdr.Coated(PRONY, 0.9, BASE)), ("punch_in_time",)),
         Scene("dashpot", mdr.Contact(SPHERE, mdr.Homogeneous(DASHPOT)), (*STEPS, "dynamic_depth", "dynamic_force")),
         Scene("weighted relaxing film", mdr.Contact(SPHERE, mdr.Coated(PRONY, 0.9, mdr.Viscoelastic(1.0, [(2.0, 0.5), (1.2, 3.0)],
               nu=0.35), "gao", weight_nu=0.2)), STEPS),
@@ -283,7 +302,8 @@ def _friction() -> list[Scene]:
     scenes = []
     for name, body in contacts.items():
         turned = ("twisted",) if name == "half-space" else ()
-        scenes.append(Scene(f"friction on {name}", mdr.Friction(mdr.Contact(SPHERE, body), 0.4), (*SHEAR, *RUBBED, *turned)))
+        turned += () if name == "weights" else RUBBED
+        scenes.append(Scene(f"friction on {name}", mdr.Friction(mdr.Contact(SPHERE, body), 0.4), (*SHEAR, *turned)))
     return scenes
 
 
@@ -294,6 +314,9 @@ def _wear() -> list[Scene]:
         wear = mdr.Wear(mdr.Contact(SPHERE, body), 0.3, body_coefficient=0.1)
         scenes.append(Scene(f"wear on {name}", wear, (*worn, "wear_track")))
     bracket = mdr.Wear(mdr.Contact(SPHERE, COATED), 0.3, body_coefficient=0.1)
+    for name, body in (("springs", SPRUNG), ("stack", STACK)):
+        wear = mdr.Wear(mdr.Contact(SPHERE, body), 0.3, body_coefficient=0.1)
+        scenes.append(Scene(f"wear of a coating on {name}", wear, ("wear_bracket", "wear_bracket_force"), only=("contact.medium",)))
     scenes.append(Scene("wear of a coating", bracket, ("wear_bracket", "wear_bracket_force")))
     layers = mdr.Wear(mdr.Contact(SPHERE, COATED), (0.4, 0.15), (0.01,), 0.1)
     scenes.append(Scene("wear of a coated tip", layers, ("wear_at_depth", "wear_rings")))
@@ -302,8 +325,13 @@ def _wear() -> list[Scene]:
     return scenes
 
 
+def _rubbed_law(friction: mdr.Friction, **given: Any) -> mdr.ContactLaw:
+    """The law of a contact with friction, which is one argument here: both would have to change together."""
+    return mdr.ContactLaw(friction.contact, friction=friction, **given)
+
+
 def _laws() -> list[Scene]:
-    rows = ("law_at_depth", "law_at_force", "law_energy", "law_buffer")
+    rows = ("law_at_depth", "law_at_force", "law_energy", "law_buffer", "law_facts")
     rest = {"smallest_depth": 1e-4, "tolerance": 1e-7, "continue_beyond": False, "description": "a law"}
     contact, solid = mdr.Contact(SPHERE, COATED), mdr.Contact(mdr.Paraboloid(4.0), SOLID)
     adhesive = {"largest_depth": 0.3, "tolerance": 1e-7}
@@ -313,15 +341,17 @@ def _laws() -> list[Scene]:
 
     return [
         Scene("law", law(contact=contact, largest_depth=0.3, **rest), rows),
+        Scene("continued law", law(contact=mdr.Contact(mdr.Paraboloid(4.0), COATED), largest_depth=0.3, tolerance=1e-8,
+              continue_beyond=True), ("law_beyond", "law_with_radius")),
         Scene("law with adhesion", law(contact=mdr.Contact(SPHERE, COATED, 0.02), **adhesive), rows),
         Scene("law with a range", law(contact=mdr.Contact(SPHERE, COATED, 0.02, cohesive_stress=0.15), **adhesive), rows),
-        Scene("law with friction", law(contact=solid, largest_depth=0.3, friction=mdr.Friction(solid, 0.4), sliders=8, twist=False,
-              tolerance=1e-7), ("law_shear",)),
+        Scene("law with friction", Call("ContactLaw", _rubbed_law, friction=mdr.Friction(solid, 0.4), largest_depth=0.3, sliders=8,
+              twist=False, tolerance=1e-7), ("law_shear",)),
         Scene("law with a shear strength", law(contact=solid, largest_depth=0.3, shear_strength=0.1, sliders=8, tolerance=1e-7),
               ("law_shear",)),
         Scene("law with a conduction", law(contact=solid, largest_depth=0.3, conduction=mdr.Conduction(
               mdr.LayeredConductor([(mdr.Conductor(0.3, 0.4), 0.5), mdr.Interface(0.3)], mdr.Conductor(1.0, 0.8)),
-              mdr.Conductor(0.6, 0.5), 0.2), tolerance=1e-7), ("law_conductance",)),
+              mdr.Conductor(0.6, 0.5), 0.2), tolerance=1e-5), ("law_conductance",)),
     ]  # fmt: skip
 
 
@@ -337,55 +367,112 @@ def _conduction() -> list[Scene]:
     other = mdr.LayeredConductor([(mdr.Conductor(0.6, 0.8, 0.7), 0.6)], mdr.Conductor(2.0, 1.5, 1.1))
     film, base = (material.replace(conductor=one) for material, one in zip((FILM, BASE), conductors[::2], strict=True))
     elastic = mdr.Layered([(film, 0.4), (MIDDLE.replace(conductor=conductors[1]), 0.5)], base)
+    joined = mdr.Layered([mdr.Layer(film, 0.4, 0.0, GLUE), mdr.Layer(MIDDLE.replace(conductor=conductors[1]), 0.5)], base)
     sinking = mdr.LayeredConductor([(conductors[0], 0.4), mdr.Interface(0.4), (conductors[1], 0.9)], mdr.INSULATING)
     return [
-        Scene("one conductor", mdr.Conduction(stack), (*SPOTS, *LATE, "friction_heat_moving")),
+        Scene("one conductor", mdr.Conduction(stack), (*SPOTS, *LATE)),
+        Scene("a moving source", mdr.Conduction(mdr.LayeredConductor([(conductors[0], 0.4)], conductors[1])),
+              ("friction_heat_moving",)),
+        Scene("sources in time", mdr.Conduction(conductors[0]), ("conduction_step_flux_answers",)),
+        Scene("a spinning source", mdr.Conduction(conductors[0]), ("friction_heat_spinning",), only=("body",)),
         Scene("two conductors", mdr.Conduction(stack, other, 0.2), ("spot", "conduction_compliance", "spot_upper", "along")),
         Scene("two hot conductors", mdr.Conduction(stack, other), (*SPOTS, "spot_upper", "rough", "friction_heat_of_pair")),
-        Scene("a sink", mdr.Conduction(sinking, sink=30.0), ("spot", "spot_fields")),
-        Scene("a perfect base", mdr.Conduction(mdr.LayeredConductor([(conductors[0], 0.9)], mdr.PERFECT)), ("spot", "spot_fields")),
+        Scene("a sink", mdr.Conduction(sinking, sink=30.0), ("spot",)),
+        Scene("a perfect base", mdr.Conduction(mdr.LayeredConductor([(conductors[0], 1.5)], mdr.PERFECT)), ("spot", "spot_fields")),
         Scene("elastic conductors", mdr.Conduction(elastic), (*SPOTS, *LATE)),
         Scene("elastic conductor", mdr.Conduction(mdr.Homogeneous(base)), SPOTS),
         Scene("coated conductor", mdr.Conduction(mdr.Coated(film, 0.9, base)), SPOTS),
         Scene("pair of conductors", mdr.Conduction(mdr.Pair(mdr.Coated(film, 0.9, base), mdr.Homogeneous(film))), SPOTS),
+        Scene("elastic conductors with interfaces", mdr.Conduction(joined), ("spot", "conduction_compliance"),
+              only=("body.layers[0]",)),
+        Scene("conducting medium with interfaces", joined, ("compliance_flux",), only=("layers[0]",)),
         Scene("conducting medium", elastic, ("compliance_flux", "compliance_flux_omega")),
         Scene("conducting pair", mdr.Pair(mdr.Coated(film, 0.9, base), mdr.Homogeneous(film)), ("compliance_flux",)),
         Scene("tabulated conduction", mdr.TabulatedConduction(stack, other, 0.2, None, 0.3, 1.0, 1e-8), ("spot",)),
-    ]
+    ]  # fmt: skip
 
 
 def _fields(x: Any, y: Any, z: Any) -> Any:
-    return 1.0 + 0.3 * np.exp(-(z**2)) * np.cos(x) * np.cos(y), 0.3 + 0.0 * x
+    near = 1.0 / (1.0 + 0.25 * (x * x + y * y + z * z))
+    return 1.0 + 8.0 * near, 0.3 + 0.1 * near
 
 
 def _lateral() -> list[Scene]:
     soft, hard = mdr.Elastic(0.5, 0.4), mdr.Elastic(3.0, 0.2)
-    shapes = lateral.Shapes(
-        BASE,
-        (
-            lateral.Layer(1.4, 2.0, hard),
-            lateral.HalfSpace((1.2, 0.3, 0.2), (1.0, 0.3, 0.2), soft),
-            lateral.Fibre((-0.6, 0.2, 0.7), (0.2, 1.0, 0.3), 0.4, hard),
-            lateral.Pillar(0.2, -0.9, 0.35, 0.1, 1.2, soft),
-            lateral.Box((-1.1, -0.7), (-1.2, -0.5), (0.2, 0.9), hard),
-            lateral.Ball((0.3, 0.2, 0.6), 0.45, hard),
-        ),
-        reference_nu=0.3,
-        tolerance=1e-5,
-        exponent=0.4,
+    shapes = (
+        lateral.Layer(0.4, 1.0, hard),
+        lateral.HalfSpace((0.4, 0.5, 0.3), (1.0, 0.7, 0.5), soft),
+        lateral.Fibre((-0.7, 0.6, 0.6), (0.6, 1.0, -0.5), 0.45, mdr.Elastic(3.0, 0.45)),
+        lateral.Pillar(0.4, -0.4, 0.5, 0.2, 0.9, soft),
+        lateral.Box((-0.6, 0.5), (-0.5, 0.6), (0.3, 0.9), hard),
+        lateral.Ball((0.4, 0.5, 0.5), 0.45, hard),
     )
+    how = {"reference_nu": 0.3, "tolerance": 1e-6, "exponent": 0.4}
+    scenes = [
+        Scene(type(shape).__name__, lateral.Shapes(BASE, (shape,), **how), ("structure_modulus",), only=("shapes",))
+        for shape in shapes
+        if not isinstance(shape, lateral.Fibre)
+    ]
+    fibre = lateral.Shapes(BASE, (shapes[2],), **{**how, "tolerance": 1e-5})
+    scenes.append(Scene("Fibre", fibre, ("fibre_modulus",), only=("shapes",)))
+    ball = lateral.Shapes(BASE, (shapes[-1],), **how)
+    scenes.append(Scene("shapes", ball, ("structure_modulus", "structure_bounds")))
+    scenes.append(
+        Scene("shapes without a reference", ball.replace(reference_nu=None), ("structure_modulus",), only=("reference_nu",))
+    )
+    scenes.append(Scene("places of shapes", lateral.Shapes(BASE, shapes), ("structure_materials",), only=("background", "shapes")))
     labels = (np.arange(4 * 6 * 6).reshape(4, 6, 6) % 5 == 0).astype(np.int32)
     how = {"phases": (BASE, hard), "spacing": (0.4, 0.5, 0.6), "origin": (-1.2, -1.6), "reference_nu": 0.3, "exponent": 0.4}
     periodic = mdr.lateral.Voxels(labels, beside="periodic", below=soft, images=1, **how)
     beside = mdr.lateral.Voxels(labels, beside=soft, below=hard, **how)
-    place = lateral.LateralMedium(shapes, 0.1, 0.2, 0.4, 1.5, 9)
+    voxels = ("voxel_modulus", "voxel_map")
     return [
-        Scene("shapes", shapes, ("structure_modulus", "structure_bounds", "structure_materials")),
-        Scene("voxels", periodic, ("structure_modulus", "voxel_map", "voxel_centres", "voxel_shares")),
-        Scene("voxels beside", beside, ("structure_modulus", "voxel_map")),
-        Scene("field", lateral.Field(Times(_fields), 0.25, exponent=0.4), ("structure_modulus",)),
-        Scene("lateral medium", place, MEDIUM),
+        *scenes,
+        Scene("voxels", periodic, voxels),
+        Scene("voxels beside", beside, voxels),
+        Scene("places of voxels", periodic, ("voxel_centres",), only=("spacing[1]", "spacing[2]", "origin")),
+        Scene("shares of voxels", periodic, ("voxel_shares",), only=("labels",)),
+        Scene("field", lateral.Field(Times(_fields), 0.25, tolerance=1e-6, exponent=0.4), ("structure_modulus",)),
+        Scene("lateral medium", lateral.LateralMedium(periodic, 0.1, 0.2, 0.4, 1.5, 9), MEDIUM),
     ]
+
+
+def _functions() -> list[Scene]:
+    """Functions of numbers, whose arguments are members."""
+    a, coating = (0.5, 0.9), {"coating_shear": 1.2, "substrate_shear": 0.4, "thickness": 0.8}
+    alone = {"radius": 2.0, "substrate_shear": 0.4, "work_of_adhesion": 0.02}
+    contact = mdr.Contact(mdr.Paraboloid(4.0), SOLID)
+    calls = [
+        Call("coated_paraboloid_force", mdr.coated_paraboloid_force, a=a, radius=2.0, **coating),
+        Call("coated_cone_force", mdr.coated_cone_force, a=a, inclination=0.3, **coating),
+        Call(
+            "coated_paraboloid_adhesive_depth",
+            mdr.coated_paraboloid_adhesive_depth,
+            a=a,
+            radius=2.0,
+            work_of_adhesion=0.02,
+            **coating,
+        ),
+        Call("adhesive_radius_scale", mdr.adhesive_radius_scale, **alone),
+        Call("adhesive_depth_scale", mdr.adhesive_depth_scale, **alone),
+        Call("reduced_adhesive_depth", mdr.reduced_adhesive_depth, reduced_radius=a, shear_ratio=3.0, reduced_thickness=0.7),
+        *(
+            Call(name, getattr(mdr, name), **{next(iter(inspect.signature(getattr(mdr, name)).parameters)): a}, nu=0.3)
+            for name in ("weight_i0", "weight_i0_tangential", "weight_j0", "weight_j0_tangential", "weight_phi")
+        ),
+        Call("density", lateral.density, rho=0.6, z=0.5, nu=0.3),
+        Call("cell_weights", lateral.cell_weights, a=0.8, x=(-0.5, 0.1, 0.6), y=(-0.4, 0.3), z_top=0.2, z_bottom=0.9, nu=0.3),
+        Call("wear_coefficient_from_volume", mdr.wear_coefficient_from_volume, volume=(0.1, 0.25), sliding=(1.0, 2.0), force=2.0),
+        Call(
+            "wear_coefficient_from_scar", mdr.wear_coefficient_from_scar, contact=contact, radius=(1.0,), sliding=(2.0,), force=0.3
+        ),
+    ]
+    return [Scene(call.label, call, ("returned",)) for call in calls]
+
+
+def _requests() -> list[Scene]:
+    know(requests.CHOICES, requests.PRESENT)
+    return [Scene(call.label, call, ("returned",), only=only_arguments(call)) for call in requests.requests()]
 
 
 def all_scenes() -> list[Scene]:
@@ -395,5 +482,5 @@ def all_scenes() -> list[Scene]:
         Scene("engineered material", ENGINEERED, ("material_modulus", "material_tangential")),
         Scene("isotropic material", FILM, ("material_modulus",)),
         *_elastic(), *_models(), *_graded(), *_indenters(), *_adhesion(), *_time(), *_gels(), *_friction(), *_wear(), *_laws(),
-        *_conduction(), *_lateral(),
+        *_conduction(), *_lateral(), *_functions(), *_requests(),
     ]  # fmt: skip

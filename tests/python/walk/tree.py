@@ -12,6 +12,7 @@ import numpy as np
 
 import mdrcontact as mdr
 from mdrcontact import lateral
+from mdrcontact.medium.models import MODELS
 
 Step = str | int
 
@@ -59,6 +60,8 @@ class Change(NamedTuple):
     """"" for a number, else what it becomes"""
     values: tuple[Any, ...]
     """the first one that the object allows is taken"""
+    depth: int
+    """steps of the path that lead to the owner"""
 
     @property
     def key(self) -> str:
@@ -71,7 +74,7 @@ class Change(NamedTuple):
         return _written(self.path)
 
 
-_ADHESION = mdr.RateAdhesion(0.02, 0.1, 0.5)
+_ADHESION = mdr.RateAdhesion(0.03, 0.1, 0.5)
 _CONDUCTOR = mdr.Conductor(0.7, 0.5, 2.0)
 _SOFT = mdr.Elastic(0.6, 0.2)
 _ENGINEERING = (2.0, 3.0, 0.2, 0.25, 0.9)
@@ -100,6 +103,8 @@ PRESENT: dict[str, tuple[Any, ...]] = {
     "Surface.bending": (0.2,),
     "Surface.stretching": (1.5,),
     "Surface.tension": (0.3,),
+    "TabulatedConduction.other": (mdr.Conductor(0.5, 0.8, 0.6),),
+    "TabulatedConduction.sink": (30.0,),
     "TransverselyIsotropic.engineering": (_ENGINEERING,),
     "Viscoelastic.bulk_modulus": (4.0,),
     "Viscoelastic.nu": (0.2,),
@@ -130,6 +135,9 @@ ABSENT = {
 }
 """Members that may be taken away."""
 
+RANGES = {"AreaFunction.max_height", "CallableMedium.largest_radius", "CallableProfile.r_max"}
+"""Numbers that say how far an object is defined: they are made smaller."""
+
 _WEIGHT_NU = ("surface", "substrate", "effective")
 CHOICES: dict[str, tuple[Any, ...]] = {
     "Coated.model": mdr.Coated.models(),
@@ -137,6 +145,7 @@ CHOICES: dict[str, tuple[Any, ...]] = {
     "Coated.weight_nu": _WEIGHT_NU,
     "Contact.adhesion_rule": ("automatic", "paper", "energy"),
     "Contact.zeta": ("exact",),
+    "ContactLaw.description": ("another",),
     "Graded.model": ("exact", "gao", "gao-series", "gao-power"),
     "Graded.weight_nu": _WEIGHT_NU,
     "Layered.model": ("exact", "gao", "gao-series", "gao-power"),
@@ -148,6 +157,12 @@ CHOICES: dict[str, tuple[Any, ...]] = {
     "Voxels.beside": ("periodic", _SOFT),
 }
 """All values of members that are choices; of members that are objects, what may stand in their place."""
+
+
+def know(choices: dict[str, tuple[Any, ...]], present: dict[str, tuple[Any, ...]]) -> None:
+    """Takes over what arguments of calls may become."""
+    CHOICES.update(choices)
+    PRESENT.update(present)
 
 
 def made(value: Any) -> Any:
@@ -196,17 +211,53 @@ def put(value: Any, path: tuple[Step, ...], new: Any) -> Any:
     return value._replace(**{step: changed}) if is_named_tuple(value) else value.replace(**{step: changed})
 
 
+def get(value: Any, path: tuple[Step, ...]) -> Any:
+    """What stands at a path."""
+    for step in path:
+        value = value[step] if isinstance(step, int) else members(value)[step]
+    return value
+
+
 def changes(value: Any, path: tuple[Step, ...] = ()) -> Iterator[Change]:
     """Every change of every member, of objects inside as well."""
     for name, member in members(value).items():
-        yield from _of_member(label(value), name, member, (*path, name), name)
+        yield from _of_member(label(value), name, member, (*path, name), name, len(path))
 
 
-def _of_member(owner: str, name: str, value: Any, path: tuple[Step, ...], member: str) -> Iterator[Change]:
+def only_arguments(call: Call) -> tuple[str, ...]:
+    """Arguments that are no objects: those are walked elsewhere."""
+    return tuple(name for name, value in call.arguments.items() if not is_object(value))
+
+
+def objects_in(value: Any) -> Iterator[tuple[str, str]]:
+    """Classes and members that hold objects with members of their own, or places without any, such as RIGID."""
+    for name, member in members(value).items():
+        for item in _items(member):
+            if is_object(item):
+                yield label(value), name
+                yield from objects_in(item)
+            elif not isinstance(item, (int, float, str, type(None))):
+                yield label(value), name
+
+
+def _items(member: Any) -> Iterator[Any]:
+    if isinstance(member, tuple) and not is_named_tuple(member):
+        for item in member:
+            yield from _items(item)
+    else:
+        yield member
+
+
+def options_of(model: str) -> tuple[str, ...]:
+    """Options of a model that are no accuracy."""
+    return tuple(name for name in MODELS[model].options if name != "tolerance")
+
+
+def _of_member(owner: str, name: str, value: Any, path: tuple[Step, ...], member: str, depth: int) -> Iterator[Change]:
     key = f"{owner}.{member}"
 
     def change(words: str, *values: Any) -> Change:
-        return Change(path, owner, member, words, values)
+        return Change(path, owner, member, words, values, depth)
 
     if key in ABSENT and value is not None:
         yield change("=None", None)
@@ -224,7 +275,7 @@ def _of_member(owner: str, name: str, value: Any, path: tuple[Step, ...], member
     elif isinstance(value, int):
         yield change("", value + 1, value - 1)
     elif isinstance(value, float):
-        yield change("", 1.1 * value, 0.9 * value)
+        yield change("", *((0.9 * value,) if key in RANGES else (1.1 * value, 0.9 * value)))
     elif isinstance(value, Times):
         yield change("", Times(value.function, 1.1 * value.factor))
     elif isinstance(value, np.ndarray):
@@ -233,7 +284,7 @@ def _of_member(owner: str, name: str, value: Any, path: tuple[Step, ...], member
         yield from changes(value, path)
     elif isinstance(value, tuple):
         for i, item in enumerate(value):
-            yield from _of_member(owner, name, item, (*path, i), f"{member}[{i}]")
+            yield from _of_member(owner, name, item, (*path, i), f"{member}[{i}]", depth)
     elif key not in CHOICES and not isinstance(value, type(mdr.RIGID)):
         raise LookupError(f"what may {key} = {value!r} become? say it in CHOICES")
 
