@@ -38,45 +38,13 @@ OTHER_CLASSES = {
 }
 """Public classes that are not walked, and why; named tuples are results, exceptions and warnings are neither."""
 
-OTHER_METHODS = set(
-    [
-        "replace",
-        "parameters",
-        "contact",
-        "with_parameters",
-        "with_model",
-        "models",
-        "copy",
-        "plot",
-        "rows",
-        "warnings",
-        "save",
-        "load",
-        "turn",
-        "restored",
-        "saved",
-        "memory_size",
-        "solutions",
-        "error",
-        "path_error",
-        "first_shear_error",
-        "twists",
-        "sliders",
-        "coefficient",
-        "shear_strength",
-        "tolerance",
-        "largest_sliding_shift",
-        "from_fractions",
-        "from_prony_text",
-        "from_shapes",
-        "from_engineering",
-        "from_rheology",
-        "between",
-        "model",
-        "inclination",
-        "half_angle_degrees",
-    ]
-)
+OTHER_METHODS = {
+    "replace", "parameters", "contact", "with_parameters", "with_model", "models", "copy", "plot", "rows", "warnings",
+    "save", "load", "turn", "restored", "saved", "memory_size", "solutions", "error", "path_error", "first_shear_error",
+    "twists", "sliders", "coefficient", "shear_strength", "tolerance", "largest_sliding_shift", "from_fractions",
+    "from_prony_text", "from_shapes", "from_engineering", "from_rheology", "between", "model", "inclination",
+    "half_angle_degrees",
+}  # fmt: skip
 """Methods and properties that answer with what was given, or move it."""
 
 

@@ -80,7 +80,14 @@ def _elastic() -> list[Scene]:
         scenes.append(Scene(name, mdr.Contact(mdr.Paraboloid(4.0), body), (*STATES, "pressure", "displacement", "line_load")))
     scenes.append(Scene("stretched layers", PAIRS.replace(surface=surface), ("modulus", "compliance_normal"), only=("surface",)))
     plain = mdr.Contact(SPHERE, mdr.Coated(FILM, 0.9, BASE))
-    scenes.append(Scene("deciding", plain, ("critical", "first_failure", "gradient"), only=("indenter", "medium", "work")))
+    scenes.append(
+        Scene(
+            "deciding",
+            plain,
+            ("critical", "first_failure", "gradient"),
+            only=("indenter", "medium.coating", "medium.thickness", "medium.substrate"),
+        )
+    )
     blunt = mdr.FlatEndedParaboloid(0.6, 4.0)
     stiff = mdr.Contact(blunt, mdr.Coated(mdr.Elastic(100.0, 0.25), 0.3, BASE))
     scenes.append(Scene("not one disc", stiff, ("lowest_pressure",)))
@@ -350,8 +357,8 @@ def _laws() -> list[Scene]:
         Scene("law with a shear strength", law(contact=solid, largest_depth=0.3, shear_strength=0.1, sliders=8, tolerance=1e-7),
               ("law_shear",)),
         Scene("law with a conduction", law(contact=solid, largest_depth=0.3, conduction=mdr.Conduction(
-              mdr.LayeredConductor([(mdr.Conductor(0.3, 0.4), 0.5), mdr.Interface(0.3)], mdr.Conductor(1.0, 0.8)),
-              mdr.Conductor(0.6, 0.5), 0.2), tolerance=1e-5), ("law_conductance",)),
+              mdr.LayeredConductor([(mdr.Conductor(0.3, 0.4), 0.5), mdr.Interface(0.3)], mdr.Conductor(1.0, 0.8))),
+              tolerance=1e-5), ("law_conductance",)),
     ]  # fmt: skip
 
 
