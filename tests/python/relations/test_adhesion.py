@@ -171,3 +171,34 @@ def test_adhesive_pressure_carries_the_force(tip, medium, work, share):
         lambda x: state.line_load(state.radius * np.sin(x)) * state.radius * np.cos(x), sorted([0.0, *corner, *graded])
     )
     near(2.0 * carried, state.force, 1e-8, size=mdr.Contact(tip.profile, medium).at_radius(state.radius).force)
+
+
+held_films = st.builds(
+    lambda film, h, stress, slides, base: mdr.Layered(
+        [mdr.Layer(film, h, prestress=stress * film.E, interface=mdr.SLIDING if slides else mdr.Interface(tangential=1.0))], base
+    ),
+    d.usual,
+    d.between(0.3, 3.0),
+    st.floats(0.0, 0.1),
+    st.booleans(),
+    d.usual,
+)
+
+
+@relation(
+    4,
+    body=st.one_of(d.homogeneous, held_films),
+    work=d.between(1e-4, 1e-2),
+    exponent=st.sampled_from([0.5, 0.7, 1.0]),
+    may_refuse=0.3,
+)
+def test_slow_edges_are_in_equilibrium(body, work, exponent):
+    """A path far slower than the speed of the law against the states of the adhesive contact, down to half the pull-off depth."""
+    gamma = work * body.modulus(1.0)
+    rest = mdr.Contact(mdr.Paraboloid(1.0), body, work_of_adhesion=gamma)
+    depth = np.array([0.1, 0.15, 0.05, 0.5 * rest.pull_off("depth").depth])
+    contact = mdr.Contact(mdr.Paraboloid(1.0), body, adhesion=mdr.RateAdhesion(gamma, 1.0, exponent))
+    found = contact.history(np.arange(4) * 1e12, depth=depth, start="rest")
+    wanted = rest.at_depth(depth)
+    near(found.force, wanted.force, 1e-5, size=np.abs(wanted.force).max())
+    near(found.radius, wanted.radius, 1e-5)

@@ -106,6 +106,19 @@ def test_paths_are_superposed(nu, drainage, start, times):
         near(force[i], total, 1e-6, np.abs(force).max())
 
 
+@pytest.mark.slow
+@relation(8, nu=ratios, drainage=drainages, times=steps, factor=st.sampled_from([1e-18, 1e18]))
+def test_fast_and_slow_paths_are_elastic(nu, drainage, times, factor):
+    """A path far faster or slower than the fluid against the incompressible and the drained elastic contact."""
+    contact = punch(nu)
+    depth = 0.1 + 0.05 * np.sin(1.0 + 9.0 * np.arange(len(times) + 1))
+    t = np.concatenate([[0.0], np.cumsum(times)]) * factor
+    elastic = mdr.Elastic(3.0, 0.5) if factor < 1.0 else mdr.Elastic(2.0 * (1.0 + nu), nu)
+    wanted = mdr.Contact(mdr.FlatPunch(1.0), mdr.Homogeneous(elastic)).at_depth(depth).force
+    # of a jump nothing drains at first
+    near(contact.history(t, depth=depth, drainage=drainage).force[1:], wanted[1:], 1e-6, np.abs(wanted).max())
+
+
 @relation(20, nu=ratios, drainage=drainages, tau=d.between(1e-2, 1e2), flat=st.booleans())
 def test_pressure_bears_the_force(nu, drainage, tau, flat):
     """int p dA against the force; the pore pressure is none where all drains; else it is between 0 and that of the
