@@ -22,8 +22,9 @@ def cut(layers, share):
     the two are not taken for one."""
     parts = []
     for layer in layers:
-        names = "E" if isinstance(layer.material, mdr.Elastic) else "C44"
-        other = layer.material.replace(**{names: getattr(layer.material, names) * (1.0 + 1e-14)})
+        constants = layer.material.parameters()
+        name = "E" if "E" in constants else "G_z"
+        other = layer.material.with_parameters({name: constants[name] * (1.0 + 1e-14)})
         parts += [mdr.Layer(layer.material, share * layer.thickness),
                   mdr.Layer(other, (1.0 - share) * layer.thickness, interface=layer.interface)]  # fmt: skip
     return parts
