@@ -54,7 +54,7 @@ def candidates(medium: object) -> list[tuple[str, str, object]]:
     if isinstance(medium, Pair):
         same = all(candidates(body) for body in (medium.lower, medium.upper) if not isinstance(body, Homogeneous))
         return candidates(medium.lower) if same else []
-    if getattr(medium, "surface", None) is not None:
+    if getattr(medium, "surface", None) is not None and isinstance(medium, (Coated, Layered)):
         return [("exact", "exact", None)]
     if isinstance(medium, (Layered, Graded)):
         return [(name, name, None) for name, model in MODELS.items() if model.layers]

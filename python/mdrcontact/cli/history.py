@@ -10,8 +10,8 @@ import numpy as np
 
 from .._units import ENERGY, FORCE, LENGTH, SPEED, TIME, shown
 from ..contact import Contact
-from ..history import History
-from ..problem import load_with
+from ..history import AdhesiveHistory, History
+from ..problem import ProblemError, load_with
 from ..problem.history import HistoryPath
 from ..rate_adhesion import RateHistory
 from . import files, history_figure
@@ -92,11 +92,16 @@ def run(arguments: argparse.Namespace) -> None:
     files.check(arguments)
     problem, path = load_with(arguments.problem, "history")
     contact = problem.contact(in_time=True)
-    if contact.adhesion is not None:
-        spring = problem.adhesion and problem.adhesion.spring_stiffness
+    spring = problem.adhesion and problem.adhesion.spring_stiffness
+    if contact.adhesion is not None or contact.cohesive_stress > 0.0:
         found = follow_edge(contact, path, spring)
-        history, cuts = History(*found[:4]), 1
+        history, cuts = History(found.time, found.depth, found.radius, found.force), 1
         closing = said(found)
+    elif spring is not None:
+        raise ProblemError(
+            f"{problem.path}: [adhesion]: spring_stiffness needs a contact that is led by a spring in time: give speed and exponent, "
+            "or of a viscoelastic half-space its cohesive_stress"
+        )
     else:
         history, cuts = follow(contact, path)
         closing = summary(history)
@@ -122,24 +127,25 @@ def follow(contact: Contact, path: HistoryPath) -> tuple[History, int]:
     return found, cuts
 
 
-def follow_edge(contact: Contact, path: HistoryPath, spring: float | None) -> RateHistory:
-    """The history of a contact whose adhesion depends on speed, led by depth, force or the far end of a spring."""
+def follow_edge(contact: Contact, path: HistoryPath, spring: float | None) -> RateHistory | AdhesiveHistory:
+    """The history of a contact whose adhesion depends on speed, or has a range on a viscoelastic half-space, led by depth, force or the far end of a spring."""
     name = "position" if spring is not None and path.name == "depth" else path.name
     prescribed: dict[str, Any] = {name: path.values}
     found = contact.history(path.time, **prescribed, spring_stiffness=spring, drainage=path.drainage)
-    assert isinstance(found, RateHistory)
+    assert isinstance(found, (RateHistory, AdhesiveHistory))
     return found
 
 
-def said(history: RateHistory) -> str:
-    """Pull-off, the last rupture and the energy lost."""
+def said(history: RateHistory | AdhesiveHistory) -> str:
+    """Pull-off, the last rupture, and the energy lost at an edge."""
     end = history.end
     lines = [f"largest force: {shown(float(history.force.max()), FORCE)}"]
     lines.append(f"lowest force: {shown(end['lowest_force'], FORCE)} at {shown(end['lowest_time'], TIME)}, edge at "
                  f"{shown(end['lowest_speed'], SPEED)}")  # fmt: skip
     if end["ruptures"]:
         lines.append(f"the contact breaks at {shown(end['rupture_time'], TIME)}, depth {shown(end['rupture_depth'], LENGTH)}")
-    lines.append(f"energy lost at the edge: {shown(float(history.dissipated[-1]), ENERGY)}")
+    if isinstance(history, RateHistory):
+        lines.append(f"energy lost at the edge: {shown(float(history.dissipated[-1]), ENERGY)}")
     return "\n".join(lines)
 
 

@@ -78,7 +78,12 @@ class Problem(NamedTuple):
         if self.adhesion is None:
             return Contact(self.indenter, self.medium)
         adhesion = self.adhesion
-        if adhesion.rate is not None and in_time:
+        if adhesion.rate is not None and not in_time:
+            raise self._refusal(
+                "[adhesion]: speed makes the work of adhesion depend on the speed of the edge, and this command knows no time: use "
+                "mdrcontact history, or leave out speed, exponent and closing_..."
+            )
+        if adhesion.rate is not None:
             if adhesion.cohesive_stress:
                 raise self._refusal("[adhesion]: cohesive_stress and speed exclude each other")
             return Contact(self.indenter, self.medium, adhesion_rule=adhesion.adhesion_rule, adhesion=adhesion.rate)

@@ -61,8 +61,10 @@ def check_kind(kind: str, table: Any, path: str) -> None:
 def read_conduction(section: Section) -> Conducting:
     """What [conduction] describes."""
     kind = section.choice("kind", (THERMAL, ELECTRICAL))
-    prefix = "thermal_" if kind == THERMAL else ""
-    section.only(("kind", f"{prefix}film", f"{prefix}interfaces", "friction_coefficient", "speed"), f'kind = "{kind}"')
+    prefix, other = ("thermal_", "") if kind == THERMAL else ("", "thermal_")
+    for key in ("film", "interfaces"):
+        if f"{other}{key}" in section:
+            raise ProblemError(f"[{section.path}]: {other}{key} does not belong to kind = {kind!r}: write {prefix}{key}")
     film = section.quantity(f"{prefix}film", 0.0)
     interfaces = tuple(section.quantities(f"{prefix}interfaces")) if f"{prefix}interfaces" in section else ()
     heat = None
