@@ -87,7 +87,7 @@ typedef struct mdr_rate_options {
                                        modulus. G(v) is then that of a steady crack in it whose cohesion does not depend on speed, from
                                        1 to E_glassy/E_relaxed (closing: its inverse) times `work`, for a contact with the relaxed moduli
                                        that is large against the cohesive zone and slow against the material (Greenwood, Johnson 1981). */
-    double cohesive_stress;  /**< Of that crack, > 0 [modulus]. */
+    double cohesive_stress;  /**< Of that crack, > 0; 0 without a material [modulus]. */
     double largest_radius;   /**< Up to which contacts are followed, > 0 [length]. */
     double smallest_radius;  /**< At which a contact begins and ends; default 0: 1e-3 of the largest, or of that at which adhesion
                                   hands over to elasticity, where this is less [length]. */

@@ -27,7 +27,8 @@ typedef struct mdr_layer {
     double nu_tz;       /**< -strain along z over strain along t, under a stress along t in the plane; 2 nu_tz^2 E_z/E_t <= 1 - nu_t,
                              equal: incompressible [1]. */
     double G_z;         /**< Shear modulus of planes that hold z, > 0 [modulus]. */
-    double C11;         /**< Or the stiffness matrix in place of the six above, all 0: not given. C11 > |C12| [modulus]. */
+    double C11;         /**< Or the stiffness matrix in place of the five above, which are then 0; all 0: not given.
+                             C11 > |C12| [modulus]. */
     double C12;         /**< [modulus] */
     double C13;         /**< 2 C13^2 < C33 (C11 + C12) [modulus] */
     double C33;         /**< > 0 [modulus] */

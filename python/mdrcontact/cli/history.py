@@ -99,7 +99,7 @@ def run(arguments: argparse.Namespace) -> None:
         closing = said(found)
     elif spring is not None:
         raise ProblemError(
-            f"{problem.path}: [adhesion]: spring_stiffness needs a contact that is led by a spring in time: give speed and exponent, "
+            f"{problem.path}: [adhesion]: spring_stiffness is of a contact that it leads in time: give speed and exponent, "
             "or of a viscoelastic half-space its cohesive_stress"
         )
     else:
@@ -128,7 +128,7 @@ def follow(contact: Contact, path: HistoryPath) -> tuple[History, int]:
 
 
 def follow_edge(contact: Contact, path: HistoryPath, spring: float | None) -> RateHistory | AdhesiveHistory:
-    """The history of a contact whose adhesion depends on speed, or has a range on a viscoelastic half-space, led by depth, force or the far end of a spring."""
+    """The history where adhesion depends on speed, or has a range; led by depth, force or the far end of a spring."""
     name = "position" if spring is not None and path.name == "depth" else path.name
     prescribed: dict[str, Any] = {name: path.values}
     found = contact.history(path.time, **prescribed, spring_stiffness=spring, drainage=path.drainage)

@@ -224,6 +224,11 @@ contains
             return
         end if
         if (any(stiffness /= 0.0_c_double)) then
+            if (any([in_plane, axial] /= 0.0_c_double)) then
+                call raise(error, error_invalid, "E, nu, E_z, nu_tz and G_z beside the stiffness matrix of "//role//" are not "// &
+                           "allowed: they must be 0, or C11 to C44")
+                return
+            end if
             call new_transverse(material, by_stiffness, stiffness, error, role)
         else if (any(axial /= 0.0_c_double)) then
             call new_transverse(material, by_engineering, [layer%e, layer%e_z, layer%nu, layer%nu_tz, layer%g_z], error, role)

@@ -55,7 +55,10 @@ contains
         call read_options(error, "options", options, c_loc(given), c_sizeof(given))
         if (allocated(error)) return
         speeds = [given%speed, given%exponent, given%closing_work, given%closing_speed, given%closing_exponent]
-        if (.not. c_associated(given%material)) then
+        if (.not. c_associated(given%material) .and. given%cohesive_stress /= 0.0_c_double) then
+            call raise(error, error_invalid, " is not allowed without a material: it is of the crack that follows from one", &
+                       "cohesive_stress")
+        else if (.not. c_associated(given%material)) then
             call new_rate_law(law, given%work, given%speed, given%exponent, error, given%closing_work, given%closing_speed, &
                               given%closing_exponent)
         else if (any(speeds /= 0.0_c_double)) then

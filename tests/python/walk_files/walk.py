@@ -83,7 +83,7 @@ def walk(
     """The effects of all changes of all cases, or of those whose number is chosen."""
     number = 0
     file = folder / "problem.toml"
-    foreign = {(rule.command, rule.key) for rule in known if rule.table == "the file" and rule.how == "*"}
+    foreign = {(rule.command, rule.case, rule.key) for rule in known if rule.table == "the file" and rule.how == "*"}
     for case in cases:
         for name, text in case.files.items():
             (folder / name).write_text(text, encoding="utf-8")
@@ -92,7 +92,8 @@ def walk(
             with watched() as seen:
                 before = ask(command, file)
             for change in changes(case.tables, seen, SAMPLES, OTHERS):
-                if (command, change.table.partition(".")[0].partition(" ")[0]) in foreign:
+                table = change.table.partition(".")[0].partition(" ")[0]
+                if (command, "*", table) in foreign or (command, case.name, table) in foreign:
                     continue
                 if not fnmatch(f"{change.table}:{change.key}", case.only):
                     continue
