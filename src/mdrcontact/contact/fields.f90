@@ -196,7 +196,7 @@ contains
         if (.not. self%equilibrium%medium%is_exact .or. self%equilibrium%profile%is_spherical()) return
         call self%lowest_pressure(state, pressure, radius, error)
         if (allocated(error)) return
-        if (pressure >= -noticeable*state%force/(pi*state%radius**2)) return
+        if (.not. pressure*state%radius**2 < -noticeable*state%force/pi) return
         call raise(error, error_domain, "this contact is not one disc: without adhesion its pressure would be "// &
                    to_text(pressure)//" at r = "//to_text(radius)//" (contact radius "//to_text(state%radius)// &
                    "); "//what//" needs a pressure that is nowhere negative")

@@ -9,6 +9,7 @@ module mdrcontact_inside_critical
     use mdrcontact_inside, only: check_friction, interior_error, layers_of, load_of
     use mdrcontact_inside_largest, only: box_t, maximum_t, stressed_t
     use mdrcontact_kinds, only: wp
+    use mdrcontact_numerics_layer_search, only: rounding
     implicit none (type, external)
     private
     public :: check_deviation, critical, largest_of, new_stressed
@@ -17,8 +18,8 @@ module mdrcontact_inside_critical
     real(wp), parameter :: farthest = 3.0_wp
     !> Nothing is looked for nearer to a singular edge of the free surface [a].
     real(wp), parameter :: off_edge = 1.0e-3_wp
-    !> Faces are looked at from this little inside their layer, relative to their depth: sums of thicknesses differ by as much.
-    real(wp), parameter :: inside = 8.0_wp*epsilon(1.0_wp)
+    !> The face below n layers is looked at from n times this part of its depth inside a layer, where nothing takes it for the face.
+    real(wp), parameter :: inside = 2.0_wp*rounding
     !> By how much the field may deviate from the contact on the surface; beyond, no maxima are given [1].
     real(wp), parameter :: largest_deviation = 1.0e-3_wp
     integer, parameter :: of_layer(3) = [von_mises, tresca, tension]
@@ -136,13 +137,15 @@ contains
             box%r = radius*[1.0_wp, farthest]
             if (body%has_singular_edge()) box%r(1) = radius*(1.0_wp + off_edge)
         else if (any(quantity == of_interface)) then
-            box%z = body%layers%top(place + 2)*(1.0_wp - inside)
+            box%z = body%layers%top(place + 2)*(1.0_wp - (place + 1)*inside)
             box%r = [0.0_wp, farthest*(radius + box%z(1))]
         else
-            box%z(1) = body%layers%top(place + 1)*(1.0_wp + inside)
+            box%z(1) = body%layers%top(place + 1)*(1.0_wp + place*inside)
             box%r = [0.0_wp, farthest*(radius + box%z(1))]
             box%z(2) = box%z(1) + box%r(2)
-            if (place < size(body%layers%thickness)) box%z(2) = min(box%z(2), body%layers%top(place + 2)*(1.0_wp - inside))
+            if (place < size(body%layers%thickness)) then
+                box%z(2) = min(box%z(2), body%layers%top(place + 2)*(1.0_wp - (place + 1)*inside))
+            end if
         end if
     end function box_of
 

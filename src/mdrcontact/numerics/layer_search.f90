@@ -4,9 +4,9 @@ module mdrcontact_numerics_layer_search
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
-    public :: find_layer
+    public :: find_layer, rounding
 
-    !> A depth is at the bottom of the n-th layer within this many n units of its last place: it is a sum of n thicknesses in any
+    !> A depth is at the bottom of the n-th layer within n times this part of it: it is a sum of n thicknesses in any
     !> order, each with the rounding of a change of units.
     real(wp), parameter :: rounding = 4.0_wp*epsilon(1.0_wp)
 
