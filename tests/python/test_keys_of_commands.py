@@ -8,6 +8,8 @@ import pytest
 
 import mdrcontact as mdr
 from mdrcontact.cli import main
+from mdrcontact.problem import ProblemError
+from mdrcontact.problem.fit_file import load_fit_file
 
 BODY = '[indenter]\nshape = "paraboloid"\nradius = "51 um"\n[compute]\ndepths = ["83 nm"]\n'
 ELASTIC = '[medium]\ntype = "homogeneous"\nmaterial = { E = "3 GPa", nu = 0.34 }\n'
@@ -78,3 +80,35 @@ def test_history_follows_a_relaxing_body_that_attracts(spring, tmp_path, capsys)
 def test_a_spring_needs_a_contact_that_it_leads(tmp_path, capsys):
     text = RELAXING.replace('"-0.3 um"', '"0 um"') + '[adhesion]\nwork_of_adhesion = "0 J/m^2"\nspring_stiffness = "5.3 kN/m"\n'
     assert "spring_stiffness is of a contact" in _failed(tmp_path, capsys, "history", text)
+
+
+@pytest.mark.parametrize(
+    ("kind", "key"),
+    [
+        ("force-depth", 'stiffness = "S"'),
+        ("force-depth", 'area = "A"'),
+        ("force-depth", 'min_radius = "1 um"'),
+        ("force-time", "nu = 0.3"),
+        ("stiffness-depth", 'modulus = "E"'),
+        ("modulus-radius", 'depth = "h"'),
+        ("modulus-radius", 'max_depth = "100 nm"'),
+        ("stiffness-radius", "nu = 0.3"),
+        ("stiffness-radius", 'thickness = "1 um"'),
+    ],
+)
+def test_columns_belong_to_the_kind_of_data(kind, key, tmp_path):
+    """A limit of the radius of a curve of forces, say, left all points in."""
+    text = f'[indenter]\nshape = "paraboloid"\nradius = "51 um"\n{ELASTIC}[fit]\nfree = ["E"]\n[data]\nkind = "{kind}"\n{key}\n'
+    (tmp_path / "problem.toml").write_text(text, encoding="utf-8")
+    with pytest.raises(ProblemError, match=key.split()[0]):
+        load_fit_file(tmp_path / "problem.toml")
+
+
+@pytest.mark.parametrize("key", ['drainage = "indenter"', 'contact_weight_rule = "moving"'])
+def test_a_fit_refuses_what_it_would_pass_over(key, tmp_path):
+    text = (
+        f'[indenter]\nshape = "paraboloid"\nradius = "51 um"\n{ELASTIC}[fit]\nfree = ["E"]\n{key}\n[data]\nkind = "force-depth"\n'
+    )
+    (tmp_path / "problem.toml").write_text(text, encoding="utf-8")
+    with pytest.raises(ProblemError, match=key.split()[0]):
+        load_fit_file(tmp_path / "problem.toml")

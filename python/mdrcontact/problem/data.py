@@ -93,6 +93,7 @@ KNOWN: Mapping[str, Dimension | None] = {
     "oscillation": LENGTH,
     "elastic": None,
 }
+_LIMITS = {role: (f"min_{role}", f"max_{role}") for role in ("depth", "radius")}
 _OF_RECORDS = ("height", "deflection", "time", *KEYS)
 
 
@@ -111,7 +112,20 @@ def check(section: Section) -> None:
     if kind in _IN_TIME:
         foreign |= {"branch", "before_pop_in"}
     foreign |= {"unloading": {"branch", "before_pop_in", "sd", "relative_sd"}}.get(kind, {"upper_part"})
+    foreign |= _columns_of_others(kind)
     section.only([key for key in KNOWN if key not in foreign], f"kind = {kind!r}")
+    if "thickness" in section and "radius_over_thickness" not in section:
+        raise ProblemError("[data]: thickness goes with radius_over_thickness, the column that counts in thicknesses")
+
+
+def _columns_of_others(kind: str) -> set[str]:
+    """Columns of the other kinds, and what is said of those: limits, and how to make a radius or an effective modulus."""
+    roles = TABLES[kind][1] if kind in TABLES else ("depth", "force")
+    foreign = {"depth", "force", *(role for _, others in TABLES.values() for role in others)} - {*roles}
+    for role, limits in _LIMITS.items():
+        foreign |= {*limits} if role in foreign else set()
+    foreign |= {"area", "radius_over_thickness", "thickness"} if "radius" in foreign else set()
+    return foreign | ({"nu"} if "modulus" in foreign else set())
 
 
 def read_data(section: Section, cantilever: Cantilever, table: MeasuredTable, kind: str) -> tuple[Data, list[str]]:

@@ -141,6 +141,9 @@ def _read(table: dict[str, Any], title: str) -> FitFile:
     if is_poroelastic(body):
         free, drainage = _read_gel(fit, instrument)
     else:
+        fit.only([key for key in _FIT if key != "drainage"], "a body without a fluid")
+        if "contact_weight_rule" in fit and "contact_weight" not in fit:
+            raise ProblemError("[fit]: contact_weight_rule says how contact_weight counts: give that too, or leave it out")
         names = pattern_of(tip, body, instrument).names
         options = {key: read(fit, key) for key, read in _OPTIONS.items() if key in fit}
         if "joint_prior" in fit:
