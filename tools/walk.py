@@ -14,32 +14,29 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests" / "python"))
 
-from walk.run import walk  # noqa: E402
+from walk.run import Report, walk  # noqa: E402
 from walk.scenes import all_scenes  # noqa: E402
+
+LONG = 0.5
+"""Seconds of a scene that is named."""
 
 
 def main() -> int:
     """Runs it; the status."""
     word = sys.argv[1] if len(sys.argv) > 1 else ""
-    whole, cases = None, []
+    report = Report()
     for scene in all_scenes():
-        if word in scene.name:
-            start = time.process_time()
-            found = walk([scene])
-            cases += found.cases
-            whole = found
-            took = time.process_time() - start
-            if took > 0.5 or word:
-                print(f"{scene.name}: {len(found.cases)} cases in {took:.2f} s")
-    if whole is None:
-        print(f"no scene has {word!r} in its name")
-        return 1
-    whole.cases = cases
-    findings, wrong = whole.findings(), [] if word else whole.wrong_exceptions()
-    for line in [*map(str, findings), *wrong]:
-        print(line)
-    print(whole.summary())
-    return 1 if findings or wrong else 0
+        if word not in scene.name:
+            continue
+        start = time.process_time()
+        found = walk([scene]).cases
+        report.cases += found
+        took = time.process_time() - start
+        if took > LONG or word:
+            print(f"{scene.name}: {len(found)} cases in {took:.2f} s")
+    wrong = [*map(str, report.findings()), *([] if word else report.wrong_exceptions())]
+    print(*wrong, report.summary(), sep="\n")
+    return 1 if wrong or not report.cases else 0
 
 
 if __name__ == "__main__":

@@ -43,7 +43,7 @@ enum mdr_conduction_base {
  *  @param film        area resistance >= 0 in the spot itself [length^2/conductance]
  *  @param sink        radius of the circle at which the flux leaves a body on an insulating base, potential 0 there; more than 8.5
  *                     thicknesses of that body beyond every spot (exact but for exp(-pi distance/thickness)); 0: none, and such a
- *                     body answers in time alone [length]
+ *                     body answers in time alone; other bodies have none [length]
  *  @param out         receives the handle
  *  @return also MDR_EINVALID, MDR_EDOMAIN, MDR_ENOCONVERGENCE */
 int mdr_conduction_new(int n, const mdr_conductor lower[], int lower_base, int m, const mdr_conductor upper[], int upper_base,

@@ -124,7 +124,7 @@ class Conduction(Value):
         have their resistances (a tension or sheet on it conducts nothing); potentials of each count from its own far field
     film : area resistance >= 0 in the spot itself [length^2/conductance]
     sink : radius at which the flux leaves a body on an INSULATING base, much larger than spots and layers; None: such a body
-        answers in time alone [length]
+        answers in time alone; other bodies have none [length]
     """
 
     body: Any

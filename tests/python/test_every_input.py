@@ -8,7 +8,6 @@ import inspect
 from collections.abc import Iterator
 
 import pytest
-from walk import run
 from walk.answers import ANSWERS
 from walk.exceptions import EXCEPTIONS
 from walk.run import walk
@@ -119,15 +118,6 @@ def test_what_may_be_taken_away_is_once():
     assert {f"{member}=None" for member in ABSENT} <= seen
 
 
-@pytest.mark.slow
-def test_members_that_never_matter_are_accuracies():
-    """A member that matters to no answer at all is dropped by all, whatever the exceptions say."""
-    walked = _report()
-    matters = {(case.change.owner, case.change.member) for case in walked.cases if case.outcome != "same"}
-    never = {f"{owner}.{member}" for owner, member in {case.triple[:2] for case in walked.cases} - matters}
-    assert never <= NEVER
-
-
 NEVER = {
     "ContactLaw.tolerance",
     "Field.tolerance",
@@ -139,16 +129,6 @@ NEVER = {
 """Accuracies, and ranges beyond which the answer is the same."""
 
 
-def _report() -> run.Report:
-    """Walks all scenes, once."""
-    if not _reports:
-        _reports.append(walk(SCENES))
-    return _reports[0]
-
-
-_reports: list[run.Report] = []
-
-
 @pytest.mark.parametrize("scene", [scene for scene in SCENES if scene.quick], ids=lambda scene: scene.name)
 def test_members_matter(scene):
     report = walk([scene])
@@ -158,10 +138,12 @@ def test_members_matter(scene):
 
 @pytest.mark.slow
 def test_all_members_matter_to_all_answers():
-    report = _report()
+    """A member that matters to no answer at all is dropped by all, whatever the exceptions say."""
+    report = walk(SCENES)
     print(report.summary())
     wrong = [*map(str, report.findings()), *report.wrong_exceptions()]
     assert not wrong, "\n".join(wrong)
+    assert {f"{owner}.{member}" for owner, member in report.never()} == NEVER
 
 
 def test_a_dropped_member_is_found():

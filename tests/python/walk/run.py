@@ -73,10 +73,17 @@ class Report:
             wrong += [f"{line}: it matters in {case}" for case in held if case.outcome == "matters"]
         return wrong
 
+    def never(self) -> set[tuple[str, str]]:
+        """Classes and members that matter to no answer, and are refused by none."""
+        matter = {case.triple[:2] for case in self.cases if case.outcome != "same"}
+        return {case.triple[:2] for case in self.cases} - matter
+
     def summary(self) -> str:
+        exempt = {case.triple for case in self.cases if case.outcome == "same"}
         return (
             f"{len(self.triples)} triples of class, member and answer in {len(self.cases)} cases: {self.count('matters')} matter, "
-            f"{self.count('refused')} are refused, {self.count('same')} are exceptions in {len(EXCEPTIONS)} lines"
+            f"{self.count('refused')} are refused, {self.count('same')} do not matter, which are {len(exempt)} triples in "
+            f"{len(EXCEPTIONS)} lines of exceptions"
         )
 
 
