@@ -115,6 +115,7 @@ def requests() -> list[Call]:
         call("Spot.flux_inside", TWO.at_radius(0.8).flux_inside, body="lower", r=0.4, z=0.6),
         call("FrictionHeat.temperature", TWO.friction_heat(_state(SOLID), 0.3, 1.5).temperature, body="lower", **{**at, "z": 0.5}),
         call("ContactLaw.table", law.table, form="csv", error=1e-3, branch="unloading", length=1.0, touch=None, area=None),
+        call("sticky.table", sticky.table, form="csv", error=1e-3, branch="unloading", length=1.0, touch=None, area=None),
         call("lammps.table", law.table, form="lammps", error=1e-3, branch="unloading", length=1.0, touch=0.5, area=None),
         call("overclosure.table", law.table, form="overclosure", error=1e-3, branch="unloading", length=1.0, touch=None, area=0.7),
         call("ContactLaw.force", sticky.force, depth=-0.02, branch="unloading"),
@@ -164,8 +165,11 @@ CHOICES: dict[str, tuple[Any, ...]] = {
     "Spot.flux_inside.body": _BODIES,
     "FrictionHeat.temperature.body": _BODIES,
     "FrictionHeat.temperature.side": _SIDES,
-    **{f"{name}.table.form": ("csv", "lammps", "spring", "overclosure") for name in ("ContactLaw", "lammps", "overclosure")},
-    **{f"{name}.table.branch": _BRANCHES for name in ("ContactLaw", "lammps", "overclosure")},
+    **{
+        f"{name}.table.form": ("csv", "lammps", "spring", "overclosure")
+        for name in ("ContactLaw", "sticky", "lammps", "overclosure")
+    },
+    **{f"{name}.table.branch": _BRANCHES for name in ("ContactLaw", "sticky", "lammps", "overclosure")},
     "ContactLaw.force.branch": _BRANCHES,
     "ContactLaw.energy.branch": _BRANCHES,
 }
@@ -183,8 +187,8 @@ PRESENT: dict[str, tuple[Any, ...]] = {
     "Conduction.friction_heat.source_speed": (0.9,),
     "slide.force": (0.3,),
     **{f"{name}.drainage": ("surface",) for name in ("Contact.relaxation", "Medium.compliance", "relaxing.compliance")},
-    **{f"{name}.table.touch": (0.4,) for name in ("ContactLaw", "overclosure")},
-    **{f"{name}.table.area": (0.4,) for name in ("ContactLaw", "lammps")},
+    **{f"{name}.table.touch": (0.4,) for name in ("ContactLaw", "sticky", "overclosure")},
+    **{f"{name}.table.area": (0.4,) for name in ("ContactLaw", "sticky", "lammps")},
     "Medium.compliance.omega": (0.8,),
 }
 """What absent arguments become."""
