@@ -166,7 +166,7 @@ class Record(np.ndarray):
         self._held = dict(getattr(source, "_held", ()))
 
     def __setitem__(self, member: Any, value: Any) -> None:
-        if value is None or isinstance(value, (Handle, np.ndarray)):
+        if isinstance(member, str) and (value is None or isinstance(value, (Handle, np.ndarray))):
             self._held[member] = [value]
             value = _address(value)
         super().__setitem__(member, value)

@@ -117,7 +117,7 @@ def test_every_pointer_has_a_place():
 
 
 def temporary():
-    """An array that nothing but the call holds, and what tells whether it lives."""
+    """An array that nothing but the call holds, and a weak reference to it."""
     array = np.arange(5.0)
     return array, weakref.ref(array)
 

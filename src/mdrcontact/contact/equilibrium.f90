@@ -36,6 +36,7 @@ module mdrcontact_contact_equilibrium
     type, extends(object_t) :: equilibrium_t
         !> with zeta g for g where a zeta is given
         class(profile_t), allocatable :: profile
+        logical :: has_zeta = .false.
         class(solver_t), allocatable :: medium
         !> gamma >= 0 [modulus length]
         real(wp) :: work_of_adhesion = 0.0_wp
@@ -103,6 +104,7 @@ contains
                 call new_scaled_profile(scaled, profile, zeta, error)
                 if (allocated(error)) return
                 call move_alloc(scaled, self%profile)
+                self%has_zeta = .true.
                 self%last_radius = min(self%last_radius, zeta%largest_radius)
                 self%is_formula = .false.
                 self%roughness = max(self%roughness, interpolation_roughness)

@@ -10,7 +10,6 @@ module mdrcontact_wear_history
     use mdrcontact_base_nonfinite, only: infinity, is_finite
     use mdrcontact_cancel, only: check_cancelled, report_progress
     use mdrcontact_codes, only: fixed_rings => wear_rings, moving_disc => wear_disc
-    use mdrcontact_contact_scaled_profile, only: scaled_profile_t
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_contact_values, only: given_depth
     use mdrcontact_error, only: check_code, check_count_within, check_not_negative, check_positive, count_text, error_domain, &
@@ -207,12 +206,11 @@ contains
         logical, intent(in) :: has_rings
         type(error_t), allocatable, intent(inout) :: error
 
-        select type (profile => wear%contact%equilibrium%profile)
-        class is (scaled_profile_t)
+        if (wear%contact%equilibrium%has_zeta) then
             call raise(error, error_invalid, "zeta is not allowed with the wear of a sliding indenter, whose shape "// &
                        "follows from the body itself: leave it out")
             return
-        end select
+        end if
         if (has_rings) return
         associate (profile => wear%contact%equilibrium%profile)
             if (profile%has_wall .and. profile%end_radius >= profile%largest_radius) then

@@ -91,7 +91,7 @@ def test_an_elastic_body_conducts_as_its_layers(stack):
     near(heats[0].centre, heats[1].centre, 1e-12)
 
 
-@relation(6, stack=any_base, share=st.floats(0.02, 0.98), place=st.integers(0, 3))
+@relation(6, stack=any_base, share=st.floats(0.1, 0.9), place=st.integers(0, 3), may_refuse=0.2)
 def test_layers_cut_in_two_conduct_alike(stack, share, place):
     """A layer against two of its material, with the interface below the second."""
     place %= len(stack.layers)

@@ -18,7 +18,7 @@ _STEP = re.compile(r'"[^"]*"|[^."]+')
 
 
 class Seen(NamedTuple):
-    """What readers asked of the tables of a file."""
+    """What readers requested of the tables of a file."""
 
     known: dict[str, Mapping[str, units.Dimension | None]]
     """by the name of a table: its keys"""

@@ -5,7 +5,6 @@ Python fills the structures; between it and the library one member is changed in
 
 from __future__ import annotations
 
-import ctypes
 import math
 from collections.abc import Callable, Iterator
 from typing import Any, NamedTuple
@@ -14,7 +13,8 @@ import numpy as np
 import pytest
 
 import mdrcontact as mdr
-from mdrcontact import _layout, _native
+from mdrcontact import _layout
+from mdrcontact._boundary import native
 
 from .commands import difference, numbers_of
 
@@ -28,26 +28,26 @@ RADII = np.array([0.9e-6, 2.1e-6])
 
 
 class Scene(NamedTuple):
-    """A call that takes a structure, and what is asked of its object."""
+    """A call that takes a structure, and what is requested of its object."""
 
     structure: str
     """its name in _layout"""
     function: str
     """of the compiled module"""
     place: int
-    """of the structure's address, or array of rows, among the arguments"""
+    """of the structure, or array of rows, among the arguments"""
     name: str
-    ask: Callable[[], Any]
+    request: Callable[[], Any]
     values: dict[str, list[Any]]
     """by member: what else may stand there; others take 10 % more, or 1 where they are 0"""
 
 
 def _moduli(*layers: Any, base: Any = BASE, surface: Any = None) -> Callable[[], Any]:
-    def ask() -> Any:
+    def request() -> Any:
         body = mdr.Layered(list(layers), base, surface=surface)
         return [body.modulus(RADII), body.tangential_modulus(RADII) if surface is None else 0.0]
 
-    return ask
+    return request
 
 
 def _relaxing() -> Any:
@@ -197,10 +197,10 @@ EXCEPTIONS = {
     ("contact_options", "zeta", "adhesion_rule", _layout.ADHESION_PAPER): "what automatic takes for this model",
     ("contact_options", "cohesive", "zeta_radius", 0): "of a table without rows",
     ("contact_options", "cohesive", "zeta", 0): "of a table without rows",
-    ("rate_options", "speed", "largest_radius", 1.0): "G(v) asks for no radius; the history does",
-    ("rate_options", "speed", "smallest_radius", 1.0): "G(v) asks for no radius; the history does",
-    ("rate_options", "rheology", "largest_radius", 1.0): "G(v) asks for no radius; the history does",
-    ("rate_options", "rheology", "smallest_radius", 1.0): "G(v) asks for no radius; the history does",
+    ("rate_options", "speed", "largest_radius", 1.0): "G(v) takes no radius; the history does",
+    ("rate_options", "speed", "smallest_radius", 1.0): "G(v) takes no radius; the history does",
+    ("rate_options", "rheology", "largest_radius", 1.0): "G(v) takes no radius; the history does",
+    ("rate_options", "rheology", "smallest_radius", 1.0): "G(v) takes no radius; the history does",
     ("law_options", "friction", "twist", 1): "the normal states know of no twist; tests of laws that twist lead one",
     ("law_options", "strength", "tolerance", 1.1 * 1e-9): "the law is far better than that; the one with friction shows it",
     ("law_options", "strength", "description", 0): "words for the reader; the law with friction shows them",
@@ -273,15 +273,12 @@ def _members(scene: Scene, before: np.ndarray) -> Iterator[tuple[str, Any]]:
 def _asked(scene: Scene, member: str = "", value: Any = None) -> tuple[dict[str, Any], np.ndarray | None]:
     """What the scene says, with a member changed in each call; and the structure of the first call as it was."""
     seen: list[np.ndarray] = []
-    given = getattr(_native, scene.function)
-    layout = getattr(_layout, scene.structure)
+    given = getattr(native, scene.function)
 
     def between(*arguments: Any) -> Any:
-        address = arguments[scene.place]
-        if not address:
+        if arguments[scene.place] is None:
             return given(*arguments)
-        memory = (ctypes.c_char * layout.itemsize).from_address(address)
-        row = np.frombuffer(memory, layout)
+        row = arguments[scene.place].view(np.ndarray)[:1]
         kept = row.copy()
         seen.append(kept)
         if member:
@@ -291,11 +288,11 @@ def _asked(scene: Scene, member: str = "", value: Any = None) -> tuple[dict[str,
         finally:
             row[:] = kept
 
-    setattr(_native, scene.function, between)
+    setattr(native, scene.function, between)
     try:
-        return numbers_of(scene.ask()), seen[0][0] if seen else None
+        return numbers_of(scene.request()), seen[0][0] if seen else None
     finally:
-        setattr(_native, scene.function, given)
+        setattr(native, scene.function, given)
 
 
 def _effects(scene: Scene) -> Iterator[tuple[str, Any, float]]:

@@ -78,7 +78,7 @@ def walk(
     folder: Path,
     known: list[Rule],
     chosen: Callable[[int], bool] = lambda _: True,
-    ask: Callable[[str, Path], Answer] = answer,
+    request: Callable[[str, Path], Answer] = answer,
 ) -> Iterator[Effect]:
     """The effects of all changes of all cases, or of those whose number is chosen."""
     number = 0
@@ -90,7 +90,7 @@ def walk(
         for command in case.commands:
             file.write_text(as_toml(case.tables), encoding="utf-8")
             with watched() as seen:
-                before = ask(command, file)
+                before = request(command, file)
             for change in changes(case.tables, seen, SAMPLES, OTHERS):
                 table = change.table.partition(".")[0].partition(" ")[0]
                 if (command, "*", table) in foreign or (command, case.name, table) in foreign:
@@ -103,6 +103,6 @@ def walk(
                 file.write_text(as_toml(change.tables), encoding="utf-8")
                 triple = Triple(command, case.name, plain_name(change.table), change.key)
                 try:
-                    yield Effect(triple, change.how, difference(before, ask(command, file)), "")
+                    yield Effect(triple, change.how, difference(before, request(command, file)), "")
                 except REFUSALS as refusal:
                     yield Effect(triple, change.how, float("nan"), str(refusal))
