@@ -166,10 +166,15 @@ class Record(np.ndarray):
         self._held = dict(getattr(source, "_held", ()))
 
     def __setitem__(self, member: Any, value: Any) -> None:
-        if isinstance(member, str) and (value is None or isinstance(value, (Handle, np.ndarray))):
+        if isinstance(member, str) and _is_owner(value, self.dtype[member]):
             self._held[member] = [value]
             value = _address(value)
         super().__setitem__(member, value)
+
+
+def _is_owner(value: Any, kind: np.dtype[Any]) -> bool:
+    """Whether a member of a record points to the value."""
+    return (value is None or isinstance(value, (Handle, np.ndarray))) and kind == np.uintp
 
 
 def record(layout: np.dtype[Any], **members: Any) -> Record:
@@ -187,7 +192,7 @@ def records(layout: np.dtype[Any], rows: Sequence[Mapping[str, Any]]) -> Record:
     for i, row in enumerate(rows):
         one = made[i]
         for name, value in row.items():
-            if value is None or isinstance(value, (Handle, np.ndarray)):
+            if _is_owner(value, layout[name]):
                 held.setdefault(name, []).append(value)
                 one[name] = _address(value)
             else:

@@ -159,6 +159,7 @@ def test_a_record_holds_what_it_points_to():
     later["zeta"] = None
     gc.collect()
     assert alive() is None and int(later["zeta"][0]) == 0
+    assert list(_boundary.record(_layout.structure_options, origin=np.array([1.0, 2.0]))["origin"][0]) == [1.0, 2.0]
     assert many._held["material"][0]._address == many["material"][0] and many["material"][1] == 0
 
 
