@@ -136,6 +136,10 @@ class LayeredConductor(Value):
             if isinstance(layer, Interface):
                 if not rows or rows[-1][4]:
                     raise InvalidArgumentError("an Interface is not allowed there: it lies below a layer, one at most")
+                if layer.normal is not None or layer.tangential is not None:
+                    raise InvalidArgumentError(
+                        f"{layer!r} is not allowed: normal and tangential are springs of elastic layers; give a resistance alone"
+                    )
                 rows[-1][4] = layer.resistance
             elif len(layer) == 2 and isinstance(layer[0], Conductor):
                 rows.append(list(layer[0]._row(number("thickness", layer[1]))))
@@ -162,7 +166,7 @@ def _parts(layer: Any) -> Iterator[Any]:
     material, thickness = layer
     yield _conductor(material), thickness
     if layer.interface is not None:
-        yield layer.interface
+        yield Interface(layer.interface.resistance)
 
 
 def conducting(body: Any) -> LayeredConductor:

@@ -583,8 +583,8 @@ def test_command_line(name, tmp_path, capsys):
         ),
         ('kind = "electrical"', 'kind = "electrical"\ninterfaces = ["0 ohm*m^2", "1 ohm*m^2"]', "interfaces has 2"),
         ('[conduction]\nkind = "electrical"\n', "", r"\[conduction\] is missing"),
-        ('kind = "electrical"', 'kind = "electrical"\nthermal_film = "1e-9 m^2*K/W"', "'thermal_film' does not belong to kind"),
-        ('kind = "electrical"', 'kind = "thermal"\ninterfaces = ["1 ohm*m^2"]', "'interfaces' does not belong to kind"),
+        ('kind = "electrical"', 'kind = "electrical"\nthermal_film = "1e-9 m^2*K/W"', "thermal_film does not belong to kind"),
+        ('kind = "electrical"', 'kind = "thermal"\ninterfaces = ["1 ohm*m^2"]', "interfaces does not belong to kind"),
         (
             'kind = "electrical"',
             'kind = "thermal"',
@@ -895,3 +895,13 @@ def test_a_rough_punch_is_two_resistances_in_series():
     punch = mdr.Contact(mdr.FlatPunch(0.4), mdr.Homogeneous(mdr.Elastic(1.0, 0.3))).at_depth(0.01)
     for part in (1e-8, 1e-3, 1.0, 100.0):
         assert 1.0 / HALF.rough(punch, part * punch.force) == pytest.approx(1.0 / 1.6 + part, rel=1e-11)
+
+
+def test_conductors_have_no_springs():
+    """Of an elastic body the springs are left with its mechanics; conductors given layer by layer have none to leave."""
+    with pytest.raises(mdr.InvalidArgumentError, match="springs of elastic layers"):
+        mdr.LayeredConductor([(mdr.Conductor(1.0), 1.0), mdr.Interface(0.5, normal=2.0)], mdr.Conductor(2.0))
+    solid, base = mdr.Elastic(1.0, 0.3, mdr.Conductor(1.0)), mdr.Elastic(2.0, 0.3, mdr.Conductor(2.0))
+    glued = mdr.Layered([mdr.Layer(solid, 1.0, interface=mdr.Interface(0.5, normal=2.0))], base)
+    alone = mdr.LayeredConductor([(mdr.Conductor(1.0), 1.0), mdr.Interface(0.5)], mdr.Conductor(2.0))
+    assert mdr.Conduction(glued).at_radius(1.0).conductance == mdr.Conduction(alone).at_radius(1.0).conductance
