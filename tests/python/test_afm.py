@@ -91,6 +91,14 @@ def test_curves_of_a_file(tmp_path):
     assert soft.force == pytest.approx(curves[0].force, rel=1e-12), "half the spring constant, twice the sensitivity"
 
 
+def test_a_sensitivity_needs_one_to_correct(tmp_path):
+    """Of a file that has forces and no sensitivity it was passed over."""
+    write(tmp_path / "map.h5", sensitivity=np.nan)
+    assert len(read_afm(tmp_path / "map.h5")) == 6
+    with pytest.raises(mdr.MDRError, match="deflection_sensitivity is not allowed"):
+        read_afm(tmp_path / "map.h5", deflection_sensitivity=100e-9)
+
+
 @pytest.mark.parametrize("name", ["map.h5", "curve.jpk-force", "curve.ibw", "curve.tab", "map.jpk-force-map"])
 def test_damaged_files_are_refused(name, tmp_path, capsys):
     (tmp_path / name).write_bytes(b"\x89HDF\r\n\x1a\nand then nothing")

@@ -112,3 +112,54 @@ def test_a_fit_refuses_what_it_would_pass_over(key, tmp_path):
     (tmp_path / "problem.toml").write_text(text, encoding="utf-8")
     with pytest.raises(ProblemError, match=key.split()[0]):
         load_fit_file(tmp_path / "problem.toml")
+
+
+@pytest.mark.parametrize(
+    ("kind", "keys", "words"),
+    [
+        ("modulus-radius", 'radius = "a"\narea = "A"', "radius and area say the same thing twice"),
+        ("stiffness-radius", 'area = "A"\nradius_over_thickness = "x"\nthickness = "1 um"', "area and radius_over_thickness"),
+        ("dynamic-stiffness", 'radius = "a"\ncontact_radius = "1 um"', "radius and contact_radius"),
+        ("force-depth", 'depth = "h"\nheight = "z"', "depth and height"),
+        ("force-depth", 'height = "z"\nforce = "F"\ndeflection = "V"', "force and deflection"),
+        ("unloading", 'depth = "h"\ndeflection = "V"', "depth and deflection"),
+    ],
+)
+def test_columns_that_exclude_each_other(kind, keys, words, tmp_path):
+    """The second was passed over."""
+    text = f'[indenter]\nshape = "paraboloid"\nradius = "51 um"\n{ELASTIC}[fit]\nfree = ["E"]\n[data]\nkind = "{kind}"\n{keys}\n'
+    (tmp_path / "problem.toml").write_text(text, encoding="utf-8")
+    with pytest.raises(ProblemError, match=words):
+        load_fit_file(tmp_path / "problem.toml")
+
+
+@pytest.mark.parametrize("key", ['spring_constant = "30 N/m"', 'deflection_sensitivity = "50 nm/V"'])
+@pytest.mark.parametrize("kind", ["stiffness-depth", "modulus-radius", "stiffness-radius", "dynamic-stiffness"])
+def test_a_cantilever_belongs_to_records(kind, key, tmp_path):
+    text = f'[indenter]\nshape = "paraboloid"\nradius = "51 um"\n{ELASTIC}[fit]\nfree = ["E"]\n[data]\nkind = "{kind}"\n'
+    (tmp_path / "problem.toml").write_text(f"{text}[instrument]\n{key}\n", encoding="utf-8")
+    with pytest.raises(ProblemError, match=f"{key.split()[0]}.*no deflection"):
+        load_fit_file(tmp_path / "problem.toml")
+
+
+KNOWN = """
+[indenter]
+shape = "area-function"
+coefficients = [24.5, 190.0]
+length_unit = "nm"
+max_height = "1 um"
+[calibration]
+names = ["indenter.C0", "frame_compliance"]
+values = [24.5, "0.1 nm/mN"]
+sds = [0.2, "0.01 nm/mN"]
+"""
+
+
+@pytest.mark.parametrize(("kind", "is_taken"), [("modulus-radius", False), ("stiffness-radius", True), ("unloading", True)])
+def test_a_calibration_goes_into_fits_of_data_that_depend_on_it(kind, is_taken, tmp_path):
+    (tmp_path / "tip.toml").write_text(KNOWN, encoding="utf-8")
+    text = f'[indenter]\nfile = "tip.toml"\n{ELASTIC}[fit]\nfree = ["E"]\n[data]\nkind = "{kind}"\n'
+    (tmp_path / "problem.toml").write_text(text, encoding="utf-8")
+    found = load_fit_file(tmp_path / "problem.toml")
+    assert ("known" in found.options) == is_taken
+    assert (found.instrument.frame_compliance > 0.0) == is_taken

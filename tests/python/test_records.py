@@ -153,6 +153,8 @@ kind = "force-depth"
 "coating.E" = {}
 depth_offset = {}
 """
+PLAIN = PROBLEM.replace('[instrument]\nspring_constant = "30 N/m"\ndeflection_sensitivity = "50 nm/V"\n', "")
+"""Of tables that have depth and force already."""
 
 
 @pytest.fixture
@@ -190,7 +192,7 @@ def test_a_table_of_unloading_alone(raw, capsys):
     depth, force = depth[::-1], force[::-1]
     np.savetxt(raw / "fall.txt", np.column_stack([1e9 * depth, 1e9 * force]), header="depth [nm] load [nN]", comments="")
     for branch, words in (("unloading", f"{len(depth)} readings of unloading"), ("loading", "the curve has 0 readings of it")):
-        (raw / "problem.toml").write_text(PROBLEM.replace("[fit.free]", f'branch = "{branch}"\n[fit.free]'))
+        (raw / "problem.toml").write_text(PLAIN.replace("[fit.free]", f'branch = "{branch}"\n[fit.free]'))
         main(["fit", str(raw / "fall.txt"), "--problem", str(raw / "problem.toml")])
         assert words in "".join(capsys.readouterr())
 
@@ -200,7 +202,7 @@ def test_a_curve_in_contact_from_its_first_reading(raw, capsys):
     depth = np.linspace(20e-9, 100e-9, 4)
     force = np.asarray(mdr.Contact(BALL, SOFT).at_depth(depth).force)
     np.savetxt(raw / "short.txt", np.column_stack([1e9 * depth, 1e9 * force]), header="depth [nm] load [nN]", comments="")
-    problem = PROBLEM.replace("depth_offset = {}\n", "")
+    problem = PLAIN.replace("depth_offset = {}\n", "")
     for given, status in (('baseline = "tilt"', 2), ('contact_point = "given"\nbaseline = "none"', 0)):
         (raw / "problem.toml").write_text(problem.replace("[fit.free]", f"{given}\n[fit.free]"))
         assert main(["fit", str(raw / "short.txt"), "--problem", str(raw / "problem.toml")]) == status
@@ -227,11 +229,31 @@ def test_what_is_missing_is_named(raw, capsys, old, new, words):
     assert words in capsys.readouterr().err
 
 
+@pytest.mark.parametrize(
+    ("header", "old", "new", "words"),
+    [
+        ("Height [nm]\tDeflection [nm]", "", "", "deflection_sensitivity belongs to a deflection in volts"),
+        ("Height [nm]\tForce [nN]", "", "", "deflection_sensitivity belongs to a deflection in volts"),
+        ("Depth [nm]\tForce [nN]", 'deflection_sensitivity = "50 nm/V"\n', "", "spring_constant belongs to"),
+        ("Depth [nm]\tForce [nN]\tDeflection [V]", "[fit.free]", 'deflection = "Deflection [V]"\n[fit.free]', "is not read"),
+        ("Height [nm]\tDeflection [V]\tTime", "[fit.free]", 'units = { Time = "s" }\n[fit.free]', "'Time' is not read"),
+    ],
+)  # fmt: skip
+def test_settings_and_columns_that_are_not_read_are_refused(raw, capsys, header, old, new, words):
+    """They were passed over: the wrong column, or a raw record that is none, went unseen."""
+    heights, volts = np.loadtxt(raw / "raw.txt", skiprows=1, unpack=True)
+    columns = np.column_stack([heights, volts, np.arange(len(volts))][: header.count("\t") + 1])
+    np.savetxt(raw / "raw.txt", columns, header=header, comments="", delimiter="\t")
+    (raw / "problem.toml").write_text(PROBLEM.replace(old, new) if old else PROBLEM)
+    assert main(["fit", str(raw / "raw.txt"), "--problem", str(raw / "problem.toml")]) == 2
+    assert words in capsys.readouterr().err
+
+
 def test_a_column_of_area_stands_for_the_radius(tmp_path, capsys):
     a = np.linspace(0.5e-6, 4e-6, 20)
     table = np.column_stack([np.pi * a**2 * 1e12, np.asarray(SOFT.stiffness(a))])
     np.savetxt(tmp_path / "areas.csv", table, header="contact area [um^2],stiffness [N/m]", comments="", delimiter=",")
-    text = PROBLEM.replace("force-depth", "stiffness-radius").replace("depth_offset = {}\n", "")
+    text = PLAIN.replace("force-depth", "stiffness-radius").replace("depth_offset = {}\n", "")
     (tmp_path / "problem.toml").write_text(text)
     options = ["--problem", str(tmp_path / "problem.toml"), "--json", str(tmp_path / "fit.json")]
     assert main(["fit", str(tmp_path / "areas.csv"), *options]) == 0

@@ -93,22 +93,25 @@ class JointPrior(Value):
 
 @dataclass(frozen=True, kw_only=True)
 class Instrument(Value):
-    """What stands between the contact and the data.
+    """What stands between the contact and the data. A fit refuses what its data do not depend on.
 
     work_of_adhesion : gamma >= 0 [modulus length]; for ForceDepth
     cohesive_stress : sigma >= 0 [modulus], under which the surfaces pull on each other up to a gap of work_of_adhesion/sigma; 0: a
         range of nothing. Free, with work_of_adhesion, where data show the range: bodies that part slowly, or jump in from afar
-    depth_offset, force_offset : what the instrument reads at first contact [length], [modulus length^2]
-    frame_compliance : of frame and holder, beyond what the instrument has already taken off [1/(modulus length)]
+    depth_offset, force_offset : what the instrument reads at first contact [length], [modulus length^2]; for data with depths
+    frame_compliance : of frame and holder, beyond what the instrument has already taken off [1/(modulus length)]; for ForceDepth
+        and stiffnesses
     indenter : material of the indenter, an Elastic, or None for a rigid one: the contact is that of `Pair(medium, indenter)`. An
         indenter that is layered itself stands in the medium, a Pair; its parameters are then called "upper.coating.E" and the like
     contact_depth_factor : epsilon of the contact depth h_c = h - epsilon P/S on a half-space: 0.75, that of a paraboloid, as which
         an indent that has yielded unloads; 0.727 of a cone, 1 of a punch; 0 or less where the surface piles up. On any other body
         the surface sinks in as under the same indenter
-    stiffness_factor : beta of S = 2 beta a E_r
+        (for StiffnessDepth)
+    stiffness_factor : beta of S = 2 beta a E_r; for stiffnesses
     contact_depth_scale : factor of h_c; 1.2 with contact_depth_factor = 1: Loubet's contact depth, the same on all bodies
-    area_factor : true over assumed projected area of contact, as a prior on which the uncertainty of the tip enters; for all data
-        but ForceDepth
+        (for StiffnessDepth)
+    area_factor : true over assumed projected area of contact, as a prior on which the uncertainty of the tip enters; for
+        stiffnesses and moduli
     """
 
     work_of_adhesion: float = field(default=0.0, metadata={"dimension": WORK_OF_ADHESION})

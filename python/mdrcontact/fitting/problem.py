@@ -12,14 +12,29 @@ from numpy.typing import NDArray
 
 from .. import _layout
 from .._boundary import Refusal, native, not_zero, outcome, record, whole, words_of
+from .._units import dimensions
 from ..adhesion import RULES, code
 from ..errors import ArgumentTypeError, InvalidArgumentError
 from ..medium.viscoelastic import is_viscoelastic
-from .data import Data, StiffnessDepth
+from .data import Data, ForceDepth, ModulusRadius, StiffnessDepth, StiffnessRadius
 from .parameters import Free, Instrument, JointPrior, Pattern, handles_of, pattern_of, read_free, read_known
 from .time_data import DepthTime, DynamicStiffness, ForceTime
 
 _OF_CONTACT_DEPTH = ("contact_depth_factor", "contact_depth_scale")
+_IN_TIME = (ForceTime, DepthTime, DynamicStiffness)
+_OFFSETS, _CONTACT = ("depth_offset", "force_offset"), ("stiffness_factor", "area_factor")
+_SEEN: Mapping[type[Data], tuple[str, ...]] = {
+    ForceDepth: ("work_of_adhesion", "cohesive_stress", *_OFFSETS, "frame_compliance"),
+    StiffnessDepth: (*_OFFSETS, "frame_compliance", *_OF_CONTACT_DEPTH, *_CONTACT),
+    ModulusRadius: ("area_factor",),
+    StiffnessRadius: ("frame_compliance", *_CONTACT),
+    ForceTime: _OFFSETS,
+    DepthTime: _OFFSETS,
+    DynamicStiffness: ("frame_compliance", *_CONTACT),
+}
+"""The numbers of the instrument that each kind of data depends on; all of elastic bodies depend on its indenter."""
+_BY_THE_LIBRARY = ("work_of_adhesion", "frame_compliance")
+"""Numbers that the library itself refuses with viscoelastic bodies, and says why."""
 LOSSES = words_of(_layout.FIT_LINEAR, _layout.FIT_HUBER, _layout.FIT_CAUCHY)
 
 
@@ -89,7 +104,7 @@ class Problem(NamedTuple):
 
 def _check_time(data: Data, medium: Any) -> None:
     """Data in time belong to viscoelastic bodies, and to them alone."""
-    in_time = isinstance(data, ForceTime | DepthTime | DynamicStiffness)
+    in_time = isinstance(data, _IN_TIME)
     if is_viscoelastic(medium) and not in_time:
         raise InvalidArgumentError(
             f"data = {type(data).__name__}(...) is not allowed: the body is viscoelastic; its data are ForceTime, DepthTime or "
@@ -130,6 +145,8 @@ def make_problem(
     given = (indenter, medium, dict(chosen), instrument, loss, loss_scale, adhesion_rule, sd_is_absolute, max_iterations,
              check_units, known)  # fmt: skip
     weights = read_known(known, names, chosen)
+    _check_seen(data, pattern.instrument, chosen)
+    _check_adhesion(data, pattern.instrument, chosen, adhesion_rule)
     is_elastic = _is_elastic(data, pattern.instrument, chosen)
     table = np.zeros((6, len(names)))
     table[0], table[1], table[2] = values, -math.inf, math.inf
@@ -159,6 +176,46 @@ def make_problem(
     return Problem(data, pattern, chosen, problem, table, weights, given)
 
 
+def _set_or_free(name: str, instrument: Instrument, free: Mapping[str, Free]) -> bool:
+    """Whether a number of the instrument is free, or another than that of an instrument that reads what is."""
+    return name in free or getattr(instrument, name) != getattr(Instrument(), name)
+
+
+def _check_seen(data: Data, instrument: Instrument, free: Mapping[str, Free]) -> None:
+    """Refuses numbers of the instrument that these data say nothing of, and that would be passed over."""
+    seen = next(names for kind, names in _SEEN.items() if isinstance(data, kind))
+    in_time = isinstance(data, _IN_TIME)
+    for name in dimensions(Instrument):
+        if name in seen or not _set_or_free(name, instrument, free) or in_time and name in _BY_THE_LIBRARY and name not in free:
+            continue
+        given = f"free parameter {name!r}" if name in free else f"{name} = {getattr(instrument, name)!r}"
+        known = ", ".join(n for n in dimensions(Instrument) if n in seen)
+        raise InvalidArgumentError(
+            f"{given} is not allowed with {type(data).__name__} data, which do not depend on it: of the instrument they know "
+            f"{known}; leave it out"
+        )
+
+
+def _check_adhesion(data: Data, instrument: Instrument, free: Mapping[str, Free], rule: str) -> None:
+    """Refuses range and rule of an adhesion that is not there."""
+    adheres = isinstance(data, ForceDepth) and _set_or_free("work_of_adhesion", instrument, free)
+    has_range = _set_or_free("cohesive_stress", instrument, free)
+    if has_range and not adheres:
+        raise InvalidArgumentError(
+            "cohesive_stress is not allowed without a work_of_adhesion: the range of adhesion is work_of_adhesion/cohesive_stress; "
+            "give that too, or let it be free"
+        )
+    if has_range and rule == "paper":
+        raise InvalidArgumentError(
+            "cohesive_stress is not allowed with adhesion_rule = 'paper': the zone follows from the balance of energy"
+        )
+    if rule != "automatic" and not adheres:
+        raise InvalidArgumentError(
+            f"adhesion_rule = {rule!r} is not allowed where nothing adheres: leave it out, or fit ForceDepth data with a "
+            "work_of_adhesion"
+        )
+
+
 def _made_again(data: Data, given: tuple[Any, ...], table: NDArray[np.float64]) -> Problem:
     """A problem from another process: the handles in its record are those of objects that are made here."""
     return make_problem(data, *given)._replace(table=table)
@@ -168,8 +225,7 @@ def _is_elastic(data: Data, instrument: Instrument, free: Mapping[str, Free]) ->
     """Whether the surface sinks in as under the indenter itself: as the data say, or look where the contact depth is left alone."""
     if not isinstance(data, StiffnessDepth):
         return False
-    usual = Instrument()
-    changed = [name for name in _OF_CONTACT_DEPTH if name in free or getattr(instrument, name) != getattr(usual, name)]
+    changed = [name for name in _OF_CONTACT_DEPTH if _set_or_free(name, instrument, free)]
     if data.elastic is None:
         return data.seems_elastic and not changed
     if data.elastic and changed:

@@ -53,7 +53,8 @@ def fit(
         depth_offset, force_offset, frame_compliance, indenter_modulus, contact_depth_factor, area_factor
     instrument : Instrument(...): adhesion, offsets, frame compliance, the indenter's material
     loss : "linear"; "huber" or "cauchy" are robust against outliers beyond loss_scale standard deviations
-    adhesion_rule : "automatic" (energy balance for the exact medium, the source's rule else), "paper" or "energy"
+    adhesion_rule : "automatic" (energy balance for the exact medium, the source's rule else), "paper" or "energy", which are for
+        ForceDepth with adhesion
     sd_is_absolute : whether the standard deviations of the data are known, or their ratios only
     max_iterations : of one search, at least 1
     check_units : refuses data more than 300 times larger or smaller than the model at the start

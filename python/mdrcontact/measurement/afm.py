@@ -75,7 +75,8 @@ def read_afm(path: Path, spring_constant: float | None = None, deflection_sensit
             loaded = afmformats.load_data(path, meta_override=chosen)
         curves = [_curve(data, chosen) for data in loaded if data.modality in _MODALITIES]
     except MDRError as problem:
-        raise FileError(f"{path}: {problem}") from problem
+        fault = MissingSettings if isinstance(problem, MissingSettings) else FileError
+        raise fault(f"{path}: {problem}") from problem
     except afmformats.errors.MissingMetaDataError as problem:
         raise MissingSettings(f"{path}: {problem}: give [instrument] spring_constant and deflection_sensitivity") from problem
     except (Exception, afmformats.errors.AFMFileFormatError) as problem:  # noqa: BLE001 - damage makes readers raise anything
@@ -92,6 +93,11 @@ def _curve(data: Any, chosen: dict[str, float]) -> AfmCurve:
     if height is None or "force" not in columns:
         raise FileError(f"it has no height and force, but {', '.join(columns)}")
     meta = data.metadata
+    if "sensitivity" in chosen and not meta.get("sensitivity"):
+        raise MissingSettings(
+            "deflection_sensitivity is not allowed: the file has forces and does not say by which sensitivity; leave it out, and "
+            "correct the spring_constant"
+        )
     # forces are deflection [V] times sensitivity times spring constant
     factor = 1.0
     for name, value in chosen.items():

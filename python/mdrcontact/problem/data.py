@@ -95,6 +95,18 @@ KNOWN: Mapping[str, Dimension | None] = {
 }
 _LIMITS = {role: (f"min_{role}", f"max_{role}") for role in ("depth", "radius")}
 _OF_RECORDS = ("height", "deflection", "time", *KEYS)
+_RIVALS = (
+    ("depth", "height"),
+    ("depth", "deflection"),
+    ("force", "deflection"),
+    ("radius", "area"),
+    ("radius", "radius_over_thickness"),
+    ("area", "radius_over_thickness"),
+    ("radius", "contact_radius"),
+    ("area", "contact_radius"),
+    ("radius_over_thickness", "contact_radius"),
+)
+"""Keys of which a kind of data reads one."""
 
 
 def check(section: Section) -> None:
@@ -114,6 +126,9 @@ def check(section: Section) -> None:
     foreign |= {"unloading": {"branch", "before_pop_in", "sd", "relative_sd"}}.get(kind, {"upper_part"})
     foreign |= _columns_of_others(kind)
     section.only([key for key in KNOWN if key not in foreign], f"kind = {kind!r}")
+    for one, other in _RIVALS:
+        if one in section and other in section:
+            raise ProblemError(f"[data]: {one} and {other} say the same thing twice: keep one")
     if "thickness" in section and "radius_over_thickness" not in section:
         raise ProblemError("[data]: thickness goes with radius_over_thickness, the column that counts in thicknesses")
 
@@ -220,6 +235,7 @@ def _read_columns(section: Section, table: MeasuredTable, kind: str) -> tuple[Da
     options: dict[str, object] = {"missing": "drop"}
     last = roles[-1]
     sd = _sd(section, table, last, found)
+    _check_units(section, found)
     factor = 1.0 / (1.0 - section.number("nu") ** 2) if last == "modulus" and "nu" in section else 1.0
     found[last] = found[last]._replace(values=found[last].values * factor)
     keep = _between(section, {role: found[role].values for role in roles})
@@ -298,6 +314,14 @@ def record_of(section: Section, cantilever: Cantilever, table: MeasuredTable, ki
         found["time"] = column(section, table, "time")
         time = found["time"].values
     sd = _sd(section, table, "depth" if kind == "depth-time" else "force", found)
+    if "deflection" in section and "deflection" not in found:
+        read = ", ".join(f"{role} {one.title!r}" for role, one in found.items())
+        raise ProblemError(
+            f"[data]: deflection is not read, as the table has {read}: leave it out, or name the height of the piezo in place of a "
+            "depth"
+        )
+    _check_units(section, found)
+    _check_cantilever(cantilever, table, found)
     record = Record(
         depth,
         force,
@@ -311,6 +335,33 @@ def record_of(section: Section, cantilever: Cantilever, table: MeasuredTable, ki
     if table.marks and along is not None:
         record.segments = marked_segments(table.marks, along, force)
     return record
+
+
+def _check_units(section: Section, found: _Found) -> None:
+    """Refuses units of columns that are not read."""
+    used = [one.title for one in found.values()]
+    for title in section.plain("units", {}):
+        if title not in used:
+            raise ProblemError(
+                f"[data] units: the column {title!r} is not read: leave its unit out, or name its role, as in {next(iter(found))} "
+                f'= "{title}"'
+            )
+
+
+def _check_cantilever(cantilever: Cantilever, table: MeasuredTable, found: _Found) -> None:
+    """Refuses settings of the cantilever beside columns that need none of them; what the file says of it may be checked."""
+    deflection = found.get("deflection")
+    if cantilever.deflection_sensitivity is not None and (deflection is None or deflection.dimension is not VOLTAGE):
+        raise ProblemError(
+            "[instrument]: deflection_sensitivity belongs to a deflection in volts, and the table gives "
+            f"{', '.join(found)}: leave it out"
+        )
+    said = any(fact.name == "spring_constant" for fact in table.facts)
+    if cantilever.spring_constant is not None and not ("height" in found or deflection is not None or said):
+        raise ProblemError(
+            "[instrument]: spring_constant belongs to a deflection or the height of the piezo, and the table gives "
+            f"{', '.join(found)}: leave it out"
+        )
 
 
 def data_of(section: Section, cantilever: Cantilever, record: Record, kind: str) -> tuple[Data, list[str]]:

@@ -150,6 +150,9 @@ def _read(table: dict[str, Any], title: str) -> FitFile:
             options["known"] = [_read_joint_prior(section, names) for section in fit.children("joint_prior", _JOINT)]
         free = _read_free(fit, names)
     measured.check(data)
+    if data.plain("kind") not in measured.RECORDS:
+        because = f"kind = {data.plain('kind')!r}, which has no deflection"
+        of_instrument.only([key for key in _INSTRUMENT if key not in _CANTILEVER], because)
     return FitFile(str(whole.plain("title", title)), tip, body, instrument, cantilever, free, options, data, drainage)
 
 

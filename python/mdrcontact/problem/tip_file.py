@@ -13,7 +13,8 @@ from .toml import parse_named
 
 def with_calibration(table: dict[str, Any], files: Files) -> dict[str, Any]:
     """The tables of a problem file with [indenter] file = "tip.toml" replaced by what that file says: the indenter, the frame
-    compliance unless [instrument] has one, and for a fit the joint prior."""
+    compliance unless [instrument] has one, and for a fit the joint prior. Moduli against contact radii depend on neither tip nor
+    frame: what the calibration knows of these stays out of their fits."""
     indenter = table.get("indenter")
     if not isinstance(indenter, dict) or "file" not in indenter:
         return table
@@ -30,7 +31,8 @@ def with_calibration(table: dict[str, Any], files: Files) -> dict[str, Any]:
     changed = dict(table)
     changed["indenter"] = {**found["indenter"], **{key: value for key, value in indenter.items() if key != "file"}}
     prior = found.get("calibration")
-    if prior is None or "fit" not in table:
+    data = table.get("data")
+    if prior is None or "fit" not in table or isinstance(data, dict) and data.get("kind") == "modulus-radius":
         return changed
     instrument, fit = table.get("instrument", {}), table["fit"]
     # what is no table or list here is refused where it is read

@@ -12,8 +12,9 @@ import numpy as np
 import pytest
 
 import mdrcontact as mdr
+from mdrcontact._units import dimensions
 from mdrcontact.adhesion import RULES
-from mdrcontact.fitting.problem import LOSSES
+from mdrcontact.fitting.problem import LOSSES, make_problem
 from mdrcontact.fitting.weighted import RULES as WEIGHT_RULES
 
 from .commands import difference, numbers_of
@@ -81,11 +82,14 @@ INSTRUMENT = mdr.Instrument(depth_offset=1.3e-9, frame_compliance=2e-7, indenter
                             stiffness_factor=1.03, contact_depth_scale=1.05, area_factor=0.97)  # fmt: skip
 STICKY = mdr.Instrument(work_of_adhesion=0.9, depth_offset=1.3e-9, force_offset=1.1e-6, frame_compliance=2e-7,
                         indenter=mdr.Elastic(71e9, 0.21))  # fmt: skip
+OF_RADIUS = mdr.Instrument(frame_compliance=2e-7, indenter=mdr.Elastic(71e9, 0.21), stiffness_factor=1.03, area_factor=0.97)
+OF_PATH = mdr.Instrument(depth_offset=1.3e-9, force_offset=1.1e-7)
+OF_OSCILLATION = mdr.Instrument(frame_compliance=2e-6, stiffness_factor=1.03, area_factor=0.97)
 PRIOR = mdr.JointPrior(("coating.E", "substrate.E"), (8.7e9, 3.3e9), ((9e16, 1.1e16), (1.1e16, 4e16)))
 FIT = {"indenter": TIP, "medium": BODY, "free": FREE, "instrument": INSTRUMENT, "loss": "huber", "loss_scale": 0.7,
        "adhesion_rule": "automatic", "sd_is_absolute": False, "max_iterations": 100, "check_units": True, "known": (PRIOR,),
        "contact_weight": 0.0, "contact_weight_rule": "held"}  # fmt: skip
-OF_TIME = {**FIT, "medium": mdr.Homogeneous(SOFT), "free": ["relaxed_shear_modulus"], "instrument": None, "known": (),
+OF_TIME = {**FIT, "medium": mdr.Homogeneous(SOFT), "free": ["relaxed_shear_modulus"], "instrument": OF_PATH, "known": (),
            "loss": "cauchy"}  # fmt: skip
 WEIGHED = {**FIT, "instrument": STICKY, "loss": "linear", "contact_weight": 3.1e-8, "contact_weight_rule": "moving",
            "free": {**FREE, "depth_offset": mdr.Free(1e-9)}, "known": ()}  # fmt: skip
@@ -94,10 +98,10 @@ CASES = [
     Case("weighed", mdr.ForceDepth, _force_depth(), WEIGHED),
     Case("stiffness-depth", mdr.StiffnessDepth, _stiffness_depth(), FIT),
     Case("modulus-radius", mdr.ModulusRadius, _in_radius("modulus"), {**FIT, "instrument": mdr.Instrument(area_factor=0.97)}),
-    Case("stiffness-radius", mdr.StiffnessRadius, _in_radius("stiffness"), FIT),
+    Case("stiffness-radius", mdr.StiffnessRadius, _in_radius("stiffness"), {**FIT, "instrument": OF_RADIUS}),
     Case("force-time", mdr.ForceTime, _in_time("force"), OF_TIME),
     Case("depth-time", mdr.DepthTime, _in_time("depth"), OF_TIME),
-    Case("dynamic-stiffness", mdr.DynamicStiffness, _dynamic(), OF_TIME),
+    Case("dynamic-stiffness", mdr.DynamicStiffness, _dynamic(), {**OF_TIME, "instrument": OF_OSCILLATION}),
 ]
 WORDS: dict[str, tuple[str, ...]] = {
     "missing": ("raise", "drop"),
@@ -107,6 +111,7 @@ WORDS: dict[str, tuple[str, ...]] = {
     "branch": ("loading", "unloading"),
 }
 ABSENT = {"sd": 1.7e-6, "relative_sd": 0.02, "instrument": INSTRUMENT, "indenter": mdr.Elastic(71e9, 0.21)}
+FROM_ZERO = {"viscosity": 3e7, "cohesive_stress": 3e8}
 
 EXCEPTIONS = {
     ("*", "data.missing", "missing = 'drop'"): "there are no gaps",
@@ -126,16 +131,15 @@ EXCEPTIONS = {
     ("force-depth", "fit.contact_weight_rule", "contact_weight_rule = 'moving'"): "there are no weights",
     **{(kind, "fit.contact_weight_rule", "contact_weight_rule = 'moving'"): "there are no weights"
        for kind in ("stiffness-depth", "modulus-radius", "stiffness-radius", "force-time", "depth-time", "dynamic-stiffness")},
-    **{(kind, "fit.adhesion_rule", f"adhesion_rule = {rule!r}"): "nothing adheres"
-       for kind in ("stiffness-depth", "modulus-radius", "stiffness-radius", "force-time", "depth-time", "dynamic-stiffness")
-       for rule in ("paper", "energy")},
+    **{(kind, "fit.indenter", "indenter.radius 10 % more"): "data at known contact radii do not depend on the tip"
+       for kind in ("modulus-radius", "stiffness-radius", "dynamic-stiffness")},
 }  # fmt: skip
 """By case, "*" for any that has the change, argument and change: why nothing changes."""
 
 
 def _answer(case: Case) -> dict[str, Any]:
     found = mdr.fit(case.make(**case.data), **case.fit)
-    return numbers_of({"values": found.values, "covariance": found.covariance, "chi": found.chi_square, "noise": found.noise,
+    return numbers_of({"estimates": found.estimates, "covariance": found.covariance, "chi": found.chi_square, "noise": found.noise,
                        "likelihood": found.log_likelihood, "prior": found.prior_chi_square})  # fmt: skip
 
 
@@ -157,7 +161,7 @@ def _others(name: str, value: Any) -> Iterator[tuple[str, Any]]:
             yield f"{name} = {BINDING[value]}", BINDING[value]
     elif isinstance(value, float):
         if math.isfinite(value):
-            yield f"{name} 10 % more", 1.1 * value if value else 1e-8
+            yield f"{name} 10 % more", 1.1 * value if value else FROM_ZERO.get(name, 1e-8)
     elif isinstance(value, np.ndarray):
         for i in {0, len(value) // 2, len(value) - 1}:
             yield f"{name}[{i}] 10 % more", np.where(np.arange(len(value)) == i, 1.1 * value, value)
@@ -236,3 +240,69 @@ def test_each_argument_changes_a_fit():
 def test_some_arguments_change_a_fit():
     """Of the kind of data that is fitted fastest."""
     assert _check([case for case in CASES if case.name == "modulus-radius"]) > 40
+
+
+def _predicted(case: Case, name: str) -> tuple[float, float]:
+    """A value of a number of the instrument that is not its default, and how far it moves what the library predicts; 0 where that
+    refuses it. The fit's own checks are not in the way: the value comes after them."""
+    problem = make_problem(case.make(**case.data), case.fit["indenter"], case.fit["medium"], case.fit["free"], _bare(case))
+    values = problem.table[0].copy()
+    place = problem.names.index(name)
+    before = problem.predict(values)[0]
+    values[place] = OTHER[name]
+    try:
+        return OTHER[name], float(np.max(np.abs(problem.predict(values)[0] - before)) / np.max(np.abs(before)))
+    except mdr.MDRError:
+        return OTHER[name], 0.0
+
+
+def _bare(case: Case) -> mdr.Instrument:
+    return mdr.Instrument(work_of_adhesion=0.9) if case.name == "force-depth" else mdr.Instrument()
+
+
+OTHER = {"work_of_adhesion": 1.3, "depth_offset": -1e-9, "force_offset": -1e-7, "frame_compliance": 1e-7,
+         "contact_depth_factor": 0.71, "stiffness_factor": 1.03, "contact_depth_scale": 1.05, "area_factor": 0.97,
+         "cohesive_stress": 3e8}  # fmt: skip
+
+
+@pytest.mark.parametrize("case", [case for case in CASES if case.name != "weighed"], ids=lambda case: case.name)
+def test_a_fit_takes_the_numbers_of_the_instrument_that_its_data_depend_on(case):
+    """And refuses all others with words, as values, free and in a joint prior."""
+    data, free = case.make(**case.data), dict.fromkeys(case.fit["free"])
+    for name in dimensions(mdr.Instrument):
+        value, moves = _predicted(case, name)
+        known = [mdr.JointPrior((name,), (value,), ((1e-4 * value**2,),))]
+        other = _bare(case).replace(**{name: value})
+        for more in ({"instrument": other}, {"free": {**free, name: None}}, {"known": known}):
+            given = {"free": free, "instrument": _bare(case), **more}
+            words = ""
+            try:
+                problem = make_problem(data, case.fit["indenter"], case.fit["medium"], **given)
+                problem.predict(problem.table[0])
+            except mdr.MDRError as refusal:
+                words = str(refusal)
+            assert bool(words) == (moves == 0.0), f"{name}, {more} changes the prediction by {moves:.1g}; {words or 'not refused'}"
+            assert not words or name in words
+
+
+@pytest.mark.parametrize("rule", ["paper", "energy"])
+@pytest.mark.parametrize("case", [case for case in CASES if case.name != "weighed"], ids=lambda case: case.name)
+def test_a_rule_of_adhesion_needs_adhesion(case, rule):
+    data = case.make(**case.data)
+    with pytest.raises(mdr.InvalidArgumentError, match="nothing adheres"):
+        make_problem(data, case.fit["indenter"], case.fit["medium"], case.fit["free"], adhesion_rule=rule)
+    if case.name == "force-depth":
+        free = {**FREE, "work_of_adhesion": mdr.Free(0.9)}
+        make_problem(data, TIP, BODY, free, adhesion_rule=rule)
+        make_problem(data, TIP, BODY, FREE, STICKY, adhesion_rule=rule)
+
+
+def test_a_range_needs_adhesion_that_follows_the_balance_of_energy():
+    data = mdr.ForceDepth(**_force_depth())
+    ranged = mdr.Instrument(cohesive_stress=3e8)
+    for free, instrument in ((FREE, ranged), ({**FREE, "cohesive_stress": 3e8}, None)):
+        with pytest.raises(mdr.InvalidArgumentError, match="without a work_of_adhesion"):
+            make_problem(data, TIP, BODY, free, instrument)
+    make_problem(data, TIP, BODY, {**FREE, "work_of_adhesion": 0.9}, ranged)
+    with pytest.raises(mdr.InvalidArgumentError, match="balance of energy"):
+        make_problem(data, TIP, BODY, FREE, STICKY.replace(cohesive_stress=3e8), adhesion_rule="paper")
