@@ -99,6 +99,15 @@ def test_a_sensitivity_needs_one_to_correct(tmp_path):
         read_afm(tmp_path / "map.h5", deflection_sensitivity=100e-9)
 
 
+@pytest.mark.parametrize("key", ['force = "F"', 'sd = "F"', "skip = 3", 'leave_out = ["map.h5 2"]', 'units = { F = "nN" }'])
+def test_what_is_said_of_tables_is_no_word_about_an_afm_file(key, tmp_path):
+    """It was passed over."""
+    write(tmp_path / "map.h5")
+    (tmp_path / "problem.toml").write_text(PROBLEM.replace("[fit.free]", f"{key}\n[fit.free]"))
+    with pytest.raises(mdr.MDRError, match=f"{key.split()[0]}.*no table"):
+        load_fit_file(tmp_path / "problem.toml").curves(tmp_path / "map.h5")
+
+
 @pytest.mark.parametrize("name", ["map.h5", "curve.jpk-force", "curve.ibw", "curve.tab", "map.jpk-force-map"])
 def test_damaged_files_are_refused(name, tmp_path, capsys):
     (tmp_path / name).write_bytes(b"\x89HDF\r\n\x1a\nand then nothing")

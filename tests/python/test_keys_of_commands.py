@@ -123,10 +123,11 @@ def test_a_fit_refuses_what_it_would_pass_over(key, tmp_path):
         ("force-depth", 'depth = "h"\nheight = "z"', "depth and height"),
         ("force-depth", 'height = "z"\nforce = "F"\ndeflection = "V"', "force and deflection"),
         ("unloading", 'depth = "h"\ndeflection = "V"', "depth and deflection"),
+        ("force-depth", 'time = "t"', "for drift alone"),
     ],
 )
-def test_columns_that_exclude_each_other(kind, keys, words, tmp_path):
-    """The second was passed over."""
+def test_columns_that_would_not_be_read(kind, keys, words, tmp_path):
+    """Of two names of one thing the second was passed over."""
     text = f'[indenter]\nshape = "paraboloid"\nradius = "51 um"\n{ELASTIC}[fit]\nfree = ["E"]\n[data]\nkind = "{kind}"\n{keys}\n'
     (tmp_path / "problem.toml").write_text(text, encoding="utf-8")
     with pytest.raises(ProblemError, match=words):

@@ -16,7 +16,7 @@ from ..errors import FileError, MDRError
 from ..fitting.data import Data
 from ..measurement.afm import SUFFIXES, TEXT_SUFFIXES, AfmCurve, MissingSettings, read_afm
 from .columns import MeasuredTable, read_tables
-from .data import KINDS, RECORDS, TABLES, column, data_of, has, read_data, record_of, table_options
+from .data import KINDS, KNOWN, OF_A_TABLE, RECORDS, TABLES, column, data_of, has, read_data, record_of, table_options
 from .formats import Fact
 from .record import Cantilever, Record
 from .section import ProblemError, Section
@@ -137,6 +137,7 @@ def _may_be_of_afm(path: Path) -> bool:
 
 
 def _afm_curves(section: Section, cantilever: Cantilever, path: Path) -> list[Curve]:
+    section.only([key for key in KNOWN if key not in OF_A_TABLE], f"a file of an AFM, as {path.name} is, which is no table")
     found = read_afm(path, cantilever.spring_constant, cantilever.deflection_sensitivity)
     # files count the curves of a map in any order
     found.sort(key=lambda one: (0.0, 0.0) if one.place is None else one.place[::-1])

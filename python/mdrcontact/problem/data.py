@@ -95,6 +95,8 @@ KNOWN: Mapping[str, Dimension | None] = {
 }
 _LIMITS = {role: (f"min_{role}", f"max_{role}") for role in ("depth", "radius")}
 _OF_RECORDS = ("height", "deflection", "time", *KEYS)
+OF_A_TABLE = (*ROLES, "columns", "units", "skip", "sheet", "leave_out", "decimal", "sd")
+"""Keys that say how a table is to be read."""
 _RIVALS = (
     ("depth", "height"),
     ("depth", "deflection"),
@@ -129,6 +131,8 @@ def check(section: Section) -> None:
     for one, other in _RIVALS:
         if one in section and other in section:
             raise ProblemError(f"[data]: {one} and {other} say the same thing twice: keep one")
+    if "time" in section and kind in RECORDS and kind not in _IN_TIME and "drift" not in section:
+        raise ProblemError(f"[data]: kind = {kind!r} reads a time for drift alone: give drift, or leave time out")
     if "thickness" in section and "radius_over_thickness" not in section:
         raise ProblemError("[data]: thickness goes with radius_over_thickness, the column that counts in thicknesses")
 
