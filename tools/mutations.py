@@ -130,6 +130,8 @@ MUTATIONS = [
     ("python:_boundary.py", "held.setdefault(name, []).append(value)", "pass", "test_native.py"),
     ("python:_warn.py", "        _COLLECTOR.set(collector)\n", "        pass\n", "test_warnings_carried.py"),
     ("python:conductor.py", "if layer.interface is not None:", "if False:", "test_conduction.py"),
+    ("python:fitting/problem.py", 'ModulusRadius: ("area_factor",)', 'ModulusRadius: ("area_factor", "stiffness_factor")',
+     "walk_files/test_walk_fits.py"),
     ("python:medium/layered.py", "part.replace(material=layer(part.material))",
      "Layer(layer(part.material), part.thickness)", "test_coatings_in_time.py"),
     ("python:medium/layered.py", "first.replace(thickness=first.thickness - lost)",
