@@ -195,6 +195,6 @@ def _at_rest(medium: Any, needs_modulus: bool) -> Any:
         return rest
 
     def interface(below: Interface | None) -> Interface | None:
-        return None if below is None else below.replace(normal=None, tangential=None if below.tangential else 0.0)
+        return None if below is None else below.replace(normal=None, tangential=0.0 if below.tangential == 0.0 else None)
 
     return medium._with_materials(layer, relaxed, interface if is_endless else None)

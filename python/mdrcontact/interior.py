@@ -61,10 +61,16 @@ class Interior(_InteriorNumbers):
     @property
     def warnings(self) -> tuple[str, ...]:
         """Reasons to doubt these numbers; empty where there are none."""
-        if self._doubts is None and self._asked_of is not None:
-            (state, body), contact = self._asked_of, self._asked_of[0]._owner
-            self._compared(contact._doubts.inside(contact, state._row(), body)[0])
-        return self._doubts or ()
+        doubts, asked_of = self._doubts, self._asked_of  # another thread may look at the same time
+        if doubts is None and asked_of is not None:
+            state, body = asked_of
+            contact = state._owner
+            doubts = self._compared(contact._doubts.inside(contact, state._row(), body)[0])._doubts
+        return doubts or ()
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Numbers and warnings, without the contact."""
+        return _with_doubts, (tuple(self), self.warnings)
 
     def _compared(self, found: Iterable[Caution]) -> Interior:
         """Itself, whose doubts are known."""
@@ -110,6 +116,13 @@ def _like(given: FloatOrArray, values: Any, is_infinite: Any) -> FloatOrArray:
     """Infinite where the stresses are, and a float where they are floats."""
     result = np.where(is_infinite, np.inf, values)
     return result if np.ndim(given) else float(result)
+
+
+def _with_doubts(numbers: tuple[Any, ...], doubts: tuple[str, ...]) -> Interior:
+    """A field that was pickled."""
+    found = Interior(*numbers)
+    found._doubts = doubts
+    return found
 
 
 def interior(

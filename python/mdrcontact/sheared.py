@@ -58,20 +58,34 @@ class ShearState(_ShearNumbers):
     """States of shear; each entry has the shape of the input, or is a number. `states[3]` and `states[mask]` are some of them."""
 
     _asked_of: ShearedContact | None = None
-    """whose states they are, with the normal state of each; None: those of a history"""
+    """whose states they are, with the normal state of each; None: those of a history, or pickled ones"""
+    _texts: tuple[str, ...] = ()
+    """of pickled ones: the warnings of all of them"""
 
     @property
     def warnings(self) -> tuple[str, ...]:
         """Whether slip would begin inside: of several states of the one with the smallest disc of stick; empty where it does not.
         By rings, in a `FrictionHistory`, it may."""
-        return () if self._asked_of is None else texts_of(self._asked_of._doubts(self))
+        return self._texts if self._asked_of is None else texts_of(self._asked_of._doubts(self))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Numbers and warnings, without the contact."""
+        return _with_texts, (tuple(self), self.warnings)
 
     def __getitem__(self, index: Any) -> ShearState:  # type: ignore[override]
         chosen = [np.asarray(value)[index] for value in self]
         found = ShearState(*(value if value.ndim else value.item() for value in chosen))
         if self._asked_of is not None:
             found._asked_of = self._asked_of._at(np.shape(self.shift), index)
+        found._texts = self._texts
         return found
+
+
+def _with_texts(numbers: tuple[Any, ...], texts: tuple[str, ...]) -> ShearState:
+    """States that were pickled."""
+    found = ShearState(*numbers)
+    found._texts = texts
+    return found
 
 
 class FrictionLoop(NamedTuple):

@@ -190,3 +190,20 @@ def test_beside_a_power_law_springs_are_rigid_at_last_and_what_slides_slides(int
     held = mdr.Contact(TIP, body_of([(mdr.Elastic(7.0, 0.45), 0.5, at_last)], base)).at_depth(0.05)
     wanted = contact.dynamic_stiffness(1.0, radius=held.radius)
     assert abs(contact.dynamic_stiffness(1.0, depth=0.05) / wanted - 1.0) < 1e-10
+
+
+def test_bonds_beside_a_power_law_stay_bonds():
+    """What is bonded, or hinders no motion along the interface, slides no more for being an `Interface`: its springs are rigid at
+    last, and a resistance is none to forces."""
+    law, base = mdr.PowerLawRheology(1.0, 1.0, 0.3, 0.45), mdr.PowerLawRheology(2.0, 1.0, 0.3, 0.4)
+
+    def oscillating(interface):
+        body = mdr.Layered([mdr.Layer(law, 1.0, interface=interface)], base)
+        contact = mdr.Contact(mdr.Sphere(5.0), body)
+        return contact.dynamic_stiffness(1.0, depth=0.1)
+
+    bonded = oscillating(None)
+    assert oscillating(mdr.Interface()) == oscillating(mdr.Interface(resistance=0.3)) == bonded
+    assert oscillating(mdr.Interface(normal=1e9, tangential=1e9)) == pytest.approx(bonded, rel=1e-6)
+    assert oscillating(mdr.Interface(normal=1e9)) == pytest.approx(bonded, rel=1e-6)
+    assert abs(oscillating(mdr.SLIDING) - bonded) > 0.01 * abs(bonded)

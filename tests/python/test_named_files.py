@@ -49,6 +49,8 @@ SECRETS = {
     "toml": "hunter2 = 1\nhunter2 = 2\n",
     "no toml": "[hunter2\n",
     "other toml": '[login]\npassword = "hunter2"\n',
+    "other key": "[indenter]\nhunter2 = 1\n",
+    "other value": '[indenter]\nshape = "paraboloid"\nradius = "hunter2"\n',
     "quote": 'a,b\n1,"hunter2\n2,3\n4,5\n6,7\n8,9\n',
     "lines": "hunter2\n" * 30,
     "marks": "time [s];depth [nm];force [mN];shift [nm]\n1,5;2.5;hunter2;1\n2,5;3.5;hunter2;1\n",
@@ -213,10 +215,17 @@ def test_lists_of_files_that_cannot_be():
     for files in ("path.csv", ["a/x.csv", "b/x.csv"]):
         with pytest.raises(mdr.InvalidArgumentError, match="files"):
             read_text(BODY, files=files)
+    with pytest.raises(mdr.ArgumentTypeError, match="it must be bytes"):
+        read_text(BODY, files={"path.csv": 7})
+    assert (
+        read_text(KEYS["[history] file"][0].replace("NAME", '"p"'), files={"p": bytearray(SOUND["path.csv"])}).history is not None
+    )
+    with pytest.raises(ProblemError, match="cannot be read"):
+        load("a\0b")
 
 
 def test_a_tip_names_no_further_file(tmp_path):
     (tmp_path / "tip.toml").write_text('[indenter]\nfile = "other.toml"\n')
     (tmp_path / "other.toml").write_bytes(SOUND["tip.toml"])
-    with pytest.raises(ProblemError, match="unknown key 'file'"):
+    with pytest.raises(ProblemError, match="does not describe a tip"):
         load(written(tmp_path, "[indenter] file", "tip.toml"))

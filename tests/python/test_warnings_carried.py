@@ -297,3 +297,16 @@ def _uses(path, pattern):
     """Beyond its docstring."""
     text = path.read_text(encoding="utf-8")
     return pattern.search(text.split('"""', 2)[-1]) is not None
+
+
+def test_results_are_pickled_without_their_contact():
+    """Fields inside and states of shear of a contact with a function that no other process knows."""
+    contact = mdr.Contact(mdr.CallableProfile(lambda r: r * r / 2.0, 2.0), FILM)
+    state = contact.at_radius(0.4)
+    inside = state.interior(np.array([0.1, 0.2]), 0.3)
+    again = pickle.loads(pickle.dumps(inside))
+    assert all(np.array_equal(*pair) for pair in zip(again, inside, strict=True)) and again.warnings == inside.warnings
+    sheared = mdr.Friction(contact, 0.3).shear(state).at_force([0.1 * state.force, 0.2 * state.force])
+    again = pickle.loads(pickle.dumps(sheared))
+    assert all(np.array_equal(*pair) for pair in zip(again, sheared, strict=True)) and again.warnings == sheared.warnings
+    assert again[0].warnings == again.warnings

@@ -46,6 +46,7 @@ def curves(section: Section, cantilever: Cantilever, path: Path) -> list[Curve]:
     if not path.exists():
         raise FileError(f"{path}: it cannot be read: there is no such file")
     if path.suffix.lower() in SUFFIXES:
+        _check_keys_of_afm(section, path)
         return _afm_curves(section, cantilever, path)
     kind = section.choice("kind", KINDS)
     try:
@@ -55,6 +56,7 @@ def curves(section: Section, cantilever: Cantilever, path: Path) -> list[Curve]:
         if len(known) != 1:
             # the words about the table are the better ones
             raise
+        _check_keys_of_afm(section, path)
         return known
     several = len(tables) > 1
     tables = _without(section, path, tables)
@@ -136,8 +138,11 @@ def _may_be_of_afm(path: Path) -> bool:
     return not bare or len(steps) > 1 and bool(np.ptp(steps) < _EQUAL * abs(steps.mean()))
 
 
-def _afm_curves(section: Section, cantilever: Cantilever, path: Path) -> list[Curve]:
+def _check_keys_of_afm(section: Section, path: Path) -> None:
     section.only([key for key in KNOWN if key not in OF_A_TABLE], f"a file of an AFM, as {path.name} is, which is no table")
+
+
+def _afm_curves(section: Section, cantilever: Cantilever, path: Path) -> list[Curve]:
     found = read_afm(path, cantilever.spring_constant, cantilever.deflection_sensitivity)
     # files count the curves of a map in any order
     found.sort(key=lambda one: (0.0, 0.0) if one.place is None else one.place[::-1])

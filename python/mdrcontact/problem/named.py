@@ -14,7 +14,7 @@ from collections.abc import Iterable, Mapping
 from pathlib import Path
 from typing import Any, BinaryIO, NamedTuple
 
-from ..errors import InvalidArgumentError
+from ..errors import ArgumentTypeError, InvalidArgumentError
 
 LARGEST_FILE = 200_000_000
 """Bytes that are read of a file at most."""
@@ -109,6 +109,15 @@ class Folder(Files):
         return NamedFile(place, place)
 
 
+def _content_or_place(name: str, given: Any) -> bytes | Path:
+    """What stands in a file that is given, or where it lies."""
+    if isinstance(given, (bytes, bytearray, memoryview)):
+        return bytes(given)
+    if isinstance(given, (str, os.PathLike)):
+        return Path(given)
+    raise ArgumentTypeError(f"files: {name!r} is given as {type(given).__name__}: it must be bytes, or the path of a file")
+
+
 class GivenFiles(Files):
     """Those that come with the problem, and no other."""
 
@@ -119,7 +128,7 @@ class GivenFiles(Files):
             raise InvalidArgumentError(f"files = {given!r} is not allowed: it must be a list of paths, or a dict of names")
         else:
             pairs = [(Path(path).name, path) for path in given]
-        self._files = dict(pairs)
+        self._files = {name: _content_or_place(name, value) for name, value in pairs}
         if len(self._files) < len(pairs):
             twice = next(name for name in self._files if [name for name, _ in pairs].count(name) > 1)
             raise InvalidArgumentError(f"files: two are called {twice!r}: give a dict with a name for each")
@@ -129,4 +138,4 @@ class GivenFiles(Files):
             those = f"the files given: {', '.join(self._files)}" if self._files else "the files given, which are none"
             raise ProblemError(f"{where} = {name!r} is not allowed: it is not among {those}")
         found = self._files[name]
-        return NamedFile(Path(name), None, found) if isinstance(found, bytes) else NamedFile(Path(name), Path(found))
+        return NamedFile(Path(name), None, found) if isinstance(found, bytes) else NamedFile(Path(name), found)

@@ -6,6 +6,8 @@ from __future__ import annotations
 from contextlib import suppress
 from typing import Any
 
+from ..errors import MDRError
+from .indenter import KNOWN, read_indenter
 from .named import Files
 from .section import ProblemError, Section
 from .toml import parse_named
@@ -28,6 +30,13 @@ def with_calibration(table: dict[str, Any], files: Files) -> dict[str, Any]:
     twice = [key for key in indenter if key not in ("file", "material", "body")]
     if twice:
         raise ProblemError(f"[indenter]: {twice[0]} stands in the file {file.path} already: keep one")
+    try:
+        read_indenter(Section(found["indenter"], "indenter", KNOWN))
+    except MDRError:
+        # its words would repeat what stands in the file, which need not be one of a tip
+        raise ProblemError(
+            f"[indenter]: file {file.path}: its table [indenter] does not describe a tip: copy it into the problem file to read why"
+        ) from None
     changed = dict(table)
     changed["indenter"] = {**found["indenter"], **{key: value for key, value in indenter.items() if key != "file"}}
     prior = found.get("calibration")

@@ -8,7 +8,7 @@ import sys
 from pathlib import Path
 from typing import Any
 
-from .named import ContentError, NamedFile, ProblemError
+from .named import ContentError, NamedFile, ProblemError, reason_of
 
 if sys.version_info >= (3, 11):
     import tomllib
@@ -24,8 +24,8 @@ def parse_file(path: Path) -> dict[str, Any]:
     try:
         with path.open("rb") as file:
             content = file.read(_LARGEST + 1)  # of a device there is no end
-    except OSError as problem:
-        raise ProblemError(f"it cannot be read: {problem.strerror or problem}") from problem
+    except (OSError, ValueError) as problem:
+        raise ProblemError(f"it cannot be read: {reason_of(problem)}") from problem
     return parse_bytes(content)
 
 
