@@ -207,3 +207,14 @@ def test_bonds_beside_a_power_law_stay_bonds():
     assert oscillating(mdr.Interface(normal=1e9, tangential=1e9)) == pytest.approx(bonded, rel=1e-6)
     assert oscillating(mdr.Interface(normal=1e9)) == pytest.approx(bonded, rel=1e-6)
     assert abs(oscillating(mdr.SLIDING) - bonded) > 0.01 * abs(bonded)
+
+
+def test_a_rigid_partner_changes_no_relaxing_body():
+    """Compliance at a frequency and oscillations about a depth: of a pair with a rigid body those of the other alone."""
+    body = mdr.Homogeneous(mdr.Viscoelastic(1.0, [(3.0, 1.0)], nu=0.3))
+    pair = mdr.Pair(body, mdr.RIGID)
+    assert pair.compliance([0.5, 2.0], omega=1.0) == pytest.approx(body.compliance([0.5, 2.0], omega=1.0), rel=1e-14)
+    assert np.imag(pair.compliance(1.0, omega=1.0)) < -0.1
+    alone, together = (mdr.Contact(mdr.Sphere(5.0), medium) for medium in (body, pair))
+    assert together.dynamic_stiffness(1.0, depth=0.1) == pytest.approx(alone.dynamic_stiffness(1.0, depth=0.1), rel=1e-14)
+    assert together.dynamic_stiffness(1.0, force=0.1) == pytest.approx(alone.dynamic_stiffness(1.0, force=0.1), rel=1e-14)

@@ -191,3 +191,9 @@ def test_refused_answers():
     ):
         with pytest.raises(mdr.MDRError):
             request()
+
+
+def test_numbers_too_far_apart_end():
+    """The product of bending and stretching is below all numbers: LAPACK balanced the matrix of the poles for ever."""
+    with pytest.raises(mdr.NoConvergenceError, match="poles"):
+        mdr.Homogeneous(mdr.Elastic(2.8, -0.05), surface=mdr.Surface(2e-313, 1e-207, 5e-192))

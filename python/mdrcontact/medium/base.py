@@ -61,6 +61,10 @@ class Medium(WithParameters):
         where that is given. All else stays: thickness, prestress, surface, model and options."""
         return self
 
+    def _relaxes(self) -> bool:
+        """Whether a material of it is viscoelastic."""
+        return is_viscoelastic(self)
+
     def _with_thinner_coating(self: Self, lost: float) -> Self:
         """The same body with a first layer that is thinner by so much [length]; all else stays."""
         raise InvalidArgumentError(f"medium = {self!r} is not allowed: it must be Coated or Layered, with a coating to lose")
@@ -119,7 +123,7 @@ class Medium(WithParameters):
             complex_values("k", k, partial(native.body_compliance, body, _LOADS[load], number("omega", omega)))
             for body in self._bodies()
         )
-        return both if is_viscoelastic(self) else both.real
+        return both if self._relaxes() else both.real
 
     def torsional_stiffness(self, a: ArrayLike) -> FloatOrArray:
         """M/phi [modulus length^3] at contact radii a > 0 [length], any shape, of a contact that sticks all over and is twisted

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -40,6 +41,15 @@ class Pair(Medium):
 
     def _stack(self) -> tuple[Any, ...]:
         return self.lower._stack() if isinstance(self.lower, Medium) else ()
+
+    def _relaxes(self) -> bool:
+        return any(body._relaxes() for body in (self.lower, self.upper) if isinstance(body, Medium))
+
+    def _with_materials(
+        self, layer: Callable[[Any], Any], substrate: Callable[[Any], Any], interface: Callable[[Any], Any] | None = None
+    ) -> Pair:
+        bodies: list[Any] = [self.lower, self.upper]
+        return Pair(*(body if body is RIGID else body._with_materials(layer, substrate, interface) for body in bodies))
 
     def _tolerance(self) -> float:
         return max(body._tolerance() for body in (self.lower, self.upper) if isinstance(body, Medium))

@@ -7,6 +7,7 @@
 !> Phi = sum R g(-k_r y), g of sine and cosine integrals. Beside y = 0 it is P(y) + Q(y) ln y with analytic P and Q; elsewhere it is
 !> tabulated. One pole without a plate, a real one and a pair with it; one more where the surface is stiff in its plane.
 module mdrcontact_tension_green
+    use mdrcontact_base_nonfinite, only: is_finite
     use mdrcontact_error, only: error_no_convergence, error_t, raise
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_lapack, only: dgeev
@@ -127,7 +128,10 @@ contains
                 if (i < n) companion(i + 1, i) = 1.0_wp
                 companion(i, n) = -powers(i - 1)*unit**(i - 1)
             end do
-            call dgeev("N", "N", n, companion, most_poles, real_parts, imaginary_parts, left, 1, right, 1, work, size(work), info)
+            ! LAPACK balances for ever what is not finite
+            info = merge(0, 1, all(is_finite(companion)))
+            if (info == 0) call dgeev("N", "N", n, companion, most_poles, real_parts, imaginary_parts, left, 1, right, 1, work, &
+                                      size(work), info)
             if (info /= 0) then
                 call raise(error, error_no_convergence, "the poles of a surface that is stiff in its plane were not found")
                 return

@@ -141,7 +141,7 @@ def test_heat_comes_out_as_it_went_in(lower, upper, tip):
     for name, body in (("lower", lower), ("upper", upper)):
         if body is None:
             continue
-        size = max(state.radius, sum(h for _, _, h, _ in body.layers)) * 10.0
+        size = max(state.radius, sum(h * max(1.0, (along / s) ** 0.5) for s, along, h, _ in body.layers)) * 10.0
         sigma, along = body.base
         # beside the axis of a conductor that is not isotropic distances into it count sqrt(along/sigma) times
         far = [2.0 * np.pi * along * x * heat.temperature(0.0, x, name) for x in (100.0 * size, 200.0 * size)]
