@@ -140,7 +140,7 @@ class Reader:
             load(path)
         else:
             whole = tomllib.loads((ROOT / "examples" / "problems" / "sio2_on_si.toml").read_text(encoding="utf-8"))
-            read({**whole, **table})
+            read({**whole, **table}, folder=self.folder)
         return ""
 
     def cmake(self, block: Block) -> str:

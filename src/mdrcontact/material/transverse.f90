@@ -144,6 +144,7 @@ contains
     !> Of constants that are refused: what is 0 or less.
     pure subroutine vanishing(self, words)
         class(transverse_t), intent(in) :: self
+        !> which stiffness, as it stands in a sentence
         character(len=:), allocatable, intent(out) :: words
 
         if (.not. self%c66 + self%prestress > 0.0_wp) then

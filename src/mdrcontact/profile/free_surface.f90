@@ -15,6 +15,7 @@ module mdrcontact_profile_free_surface
     !> Points of a panel, and terms of its series.
     integer, parameter :: panel_points = 24
 
+    !> Heights between c and b [length] at radii r [length].
     type :: free_surface_t
         !> c and b [length]
         real(wp) :: inner = 0.0_wp, outer = 0.0_wp
