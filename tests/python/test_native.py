@@ -128,9 +128,10 @@ def test_what_a_call_reads_lives_until_it_returns():
 
     def function(number, first, second):
         gc.collect()
+        others = [np.full(5, -1.0) for _ in range(50)]  # they take the memory of what was freed
         seen.append([alive() is not None for alive in (array, handle)])
         seen.append(list((ctypes.c_double * 5).from_address(first)))
-        return number, second
+        return number, second, others
 
     def given():
         nonlocal array, handle
