@@ -7,7 +7,7 @@
 !> Where R_c is small, or p not smooth, its terms do not fall: then by panels (rough_panels.f90).
 module mdrcontact_conduction_rough
     use mdrcontact_conduction_bodies, only: conduction_t, tolerance
-    use mdrcontact_conduction_rough_panels, only: conductance_by_panels
+    use mdrcontact_conduction_rough_panels, only: conductance_by_panels, solve_flux
     use mdrcontact_conduction_source, only: has_line_force
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_state, only: contact_state_t
@@ -16,7 +16,7 @@ module mdrcontact_conduction_rough
     use mdrcontact_line_legendre, only: interaction_matrix, normalisation
     use mdrcontact_line_rule, only: new_rule, rule_t
     use mdrcontact_line_series, only: add_projections
-    use mdrcontact_line_solve, only: factorize, first_unknowns, solve_lower
+    use mdrcontact_line_solve, only: first_unknowns
     use mdrcontact_numerics_quadrature, only: legendre
     implicit none (type, external)
     private
@@ -74,7 +74,6 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         real(wp), allocatable :: matrix(:, :), spectrum(:, :)
         real(wp) :: f(terms, 1), few
-        logical :: done
         integer :: i, m
 
         conductance = 0.0_wp
@@ -87,12 +86,8 @@ contains
         call add_resistance(contact, state, kappa, matrix, error)
         if (allocated(error)) return
         f(:, 1) = state%radius**2*sqrt(2.0_wp)/(2.0_wp*pi)*spectrum(:, 1)
-        call factorize(terms, terms, matrix, done)
-        if (.not. done) then
-            call raise(error, error_no_convergence, "the flux through a rough contact could not be solved for")
-            return
-        end if
-        call solve_lower(terms, terms, 1, matrix, f)
+        call solve_flux(matrix, f, error)
+        if (allocated(error)) return
         conductance = 2.0_wp*pi*sum(f**2)
         few = 2.0_wp*pi*sum([(f(i, 1)**2, i=1, fewer)])
         reached = abs(conductance - few)/conductance

@@ -22,7 +22,7 @@ module mdrcontact_conduction_rough_panels
     use mdrcontact_numerics_quadrature, only: legendre
     implicit none (type, external)
     private
-    public :: conductance_by_panels
+    public :: conductance_by_panels, solve_flux
 
     !> Degree of the polynomials, and a smaller one that must agree.
     integer, parameter :: degree = 12, lower_degree = 9
@@ -67,7 +67,6 @@ contains
         type(panels_t) :: panels
         real(wp), allocatable :: t(:), weight(:), resistance(:), matrix(:, :), f(:, :), scaling(:)
         integer :: i, n
-        logical :: done
 
         conductance = 0.0_wp
         reached = 0.0_wp
@@ -90,15 +89,28 @@ contains
         do i = 1, n
             matrix(:, i) = scaling*matrix(:, i)*scaling(i)
         end do
-        call factorize(n, n, matrix, done)
+        call solve_flux(matrix, f, error)
+        if (allocated(error)) return
+        conductance = 2.0_wp*pi*sum(f**2)
+        reached = sum(f(panels%size_with(lower_degree) + 1:, 1)**2)/sum(f**2)
+    end subroutine conductance_by_panels
+
+    !> L^-1 f of A = L L^t: the sum of its squares is the flux at potential 1, over 2 pi.
+    subroutine solve_flux(matrix, f, error)
+        !> A, symmetric, both sizes those of f
+        real(wp), intent(inout) :: matrix(:, :)
+        !> one column
+        real(wp), intent(inout) :: f(:, :)
+        type(error_t), allocatable, intent(inout) :: error
+        logical :: done
+
+        call factorize(size(f, 1), size(f, 1), matrix, done)
         if (.not. done) then
             call raise(error, error_no_convergence, "the flux through a rough contact could not be solved for")
             return
         end if
-        call solve_lower(n, n, 1, matrix, f)
-        conductance = 2.0_wp*pi*sum(f**2)
-        reached = sum(f(panels%size_with(lower_degree) + 1:, 1)**2)/sum(f**2)
-    end subroutine conductance_by_panels
+        call solve_lower(size(f, 1), size(f, 1), 1, matrix, f)
+    end subroutine solve_flux
 
     !> How many panels.
     pure integer function number(self)
