@@ -9,7 +9,7 @@
 
 /* for the batches of two points at a time, which a processor without AVX2 gets */
 #define mdrcontact_law_points law_points
-#include "../src/mdrcontact/law/kernel.c"
+#include "../src/mdrcontact/contact/law/kernel.c"
 #include "measure.h"
 
 enum { POINTS = 4096, ROUNDS = 20, REPEATS = 200, LAWS = 1000, MANY = 1000000, BIG = 400000, TRIES = 300, DIRECT = 1000 };

@@ -7,7 +7,7 @@
 !>
 !> The procedures compute in the caller's arithmetic, which must be the default: rounding to nearest.
 module mdrcontact
-    use mdrcontact_base_parameter, only: nature_fraction, nature_not_negative, nature_poisson, nature_positive, nature_signed, &
+    use mdrcontact_parameter, only: nature_fraction, nature_not_negative, nature_poisson, nature_positive, nature_signed, &
                                          nature_term, parameter_t
     use mdrcontact_body, only: body_t
     use mdrcontact_body_compliance, only: compliance_t, normal_load, shear_load, twist_load

@@ -206,7 +206,7 @@ def main(root=REPOSITORY):
     sources = "".join(path.read_text(encoding="utf-8") for path in sorted(API.glob("*.f90"))) + "\n".join(constructors)
     headers = "".join(path.read_text(encoding="utf-8") for path in sorted(INCLUDE.rglob("*.h")))
     made = {
-        "src/mdrcontact/codes.f90": codes(headers),
+        "src/mdrcontact/base/codes.f90": codes(headers),
         "src/mdrcontact/api/names.c": names(headers),
         "src/mdrcontact/api/records.f90": records(found),
         "src/mdrcontact/api/entries.c": entries(with_parts(header), sources),

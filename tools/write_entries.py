@@ -14,7 +14,7 @@ from wrap_header import PROTOTYPE
 LONGEST_LINE = 132
 TOP = """/* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The functions of mdrcontact.h that compute: each in the library's arithmetic. Written by tools/generate.py. */
-#include "../arithmetic.h"
+#include "../base/arithmetic.h"
 #include "mdrcontact.h"
 #include "refuse.h"
 """

@@ -6,7 +6,7 @@
 #define mdrcontact_sliders_steps steps_of_test
 #define mdrcontact_sliders_sound sound_of_test
 #define mdrcontact_record_begun begun_of_test
-#include "../../src/mdrcontact/law/sliders/step.c"
+#include "../../src/mdrcontact/contact/law/sliders/step.c"
 
 enum { LEVELS = 40, SLIDERS = 8, SIZE = HEAD + 4 * SLIDERS, CONTACTS = 300 };
 

@@ -3,7 +3,7 @@
 #include "check.h"
 
 #define mdrcontact_law_points points_of_test
-#include "../../src/mdrcontact/law/kernel.c"
+#include "../../src/mdrcontact/contact/law/kernel.c"
 
 enum { N = 4003 };
 

@@ -14,7 +14,7 @@ run(${CMAKE_COMMAND} -S "${source_dir}" -B "${work_dir}/build" -G "${generator}"
   "-DCMAKE_C_COMPILER=${c_compiler}" "-DCMAKE_Fortran_COMPILER=${fortran_compiler}" -DCMAKE_EXPORT_COMPILE_COMMANDS=ON
   -DCMAKE_INSTALL_LIBDIR=lib)
 file(READ "${work_dir}/build/compile_commands.json" commands)
-if(NOT commands MATCHES "-O3 [^\n]*src/mdrcontact/law/interval.f90" OR NOT commands MATCHES "-O3 [^\n]*src/mdrcontact/law/kernel.c")
+if(NOT commands MATCHES "-O3 [^\n]*src/mdrcontact/contact/law/interval.f90" OR NOT commands MATCHES "-O3 [^\n]*src/mdrcontact/contact/law/kernel.c")
   message(FATAL_ERROR "the library is not optimised in a host project without a build type")
 endif()
 run(${CMAKE_COMMAND} --build "${work_dir}/build" --parallel 2)

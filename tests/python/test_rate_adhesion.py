@@ -87,7 +87,8 @@ def test_cycle_rows(row):
     assert area(fine, path.force) == pytest.approx(found.work[-1], rel=1e-4)
 
 
-# tests/unit/adhesion/test_rate_adhesion.pf has 27 rows of the steady crack, to 1e-12: they give the compliance, not the modulus.
+# tests/unit/extensions/adhesion/test_rate_adhesion.pf has 27 rows of the steady crack, to 1e-12: they give the compliance, not the
+# modulus.
 @pytest.mark.parametrize("medium", [*BODIES.values(), mdr.Coated(mdr.Elastic(5.0, 0.4), 1.0, mdr.Elastic(1.0, 0.3), model="gao")])
 def test_slow_edges_are_in_equilibrium(medium):
     """V -> 0: both pull-offs of the contact at rest, and the states on the way."""

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The functions of mdrcontact.h that compute: each in the library's arithmetic. Written by tools/generate.py. */
-#include "../arithmetic.h"
+#include "../base/arithmetic.h"
 #include "mdrcontact.h"
 #include "refuse.h"
 

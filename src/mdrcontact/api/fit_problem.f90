@@ -8,8 +8,8 @@ module mdrcontact_api_fit_problem
     use mdrcontact_api_records, only: c_fit_parameter_t, c_fit_problem_t
     use mdrcontact_api_status, only: check_given, status_of
     use mdrcontact_api_text, only: write_text
-    use mdrcontact_base_nonfinite, only: infinity
-    use mdrcontact_base_parameter, only: parameter_t
+    use mdrcontact_nonfinite, only: infinity
+    use mdrcontact_parameter, only: parameter_t
     use mdrcontact_error, only: check_count_from, check_memory, error_t
     use mdrcontact_fit_body, only: fit_body_t, new_fit_body
     use mdrcontact_fit_problem, only: check_problem, fit_data_t, fit_problem_t, problem_parameters

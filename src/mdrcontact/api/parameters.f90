@@ -7,7 +7,7 @@ module mdrcontact_api_parameters
     use mdrcontact_api_records, only: c_parameter_t
     use mdrcontact_api_status, only: status_of
     use mdrcontact_api_text, only: write_text
-    use mdrcontact_base_parameter, only: parameter_t
+    use mdrcontact_parameter, only: parameter_t
     use mdrcontact_error, only: error_t
     use mdrcontact_material_rheology, only: rheology_t
     use mdrcontact_medium, only: medium_t

@@ -3,7 +3,7 @@
 !>
 !> Not by ieee_arithmetic: gfortran saves and restores the floating-point environment in every external procedure that uses a module
 !> which itself uses that one, 0.3 us a call. Nothing here raises a flag.
-module mdrcontact_base_nonfinite
+module mdrcontact_nonfinite
     use, intrinsic :: iso_fortran_env, only: int64
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
@@ -35,4 +35,4 @@ contains
         nan = iand(transfer(x, 0_int64), unsigned_bits) > exponent_bits
     end function is_nan
 
-end module mdrcontact_base_nonfinite
+end module mdrcontact_nonfinite

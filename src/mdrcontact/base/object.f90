@@ -3,7 +3,7 @@
 !>
 !> gfortran copies the components of an object without a status: where there is no memory for one, the program ends. So the memory
 !> is tried before.
-module mdrcontact_base_object
+module mdrcontact_object
     use, intrinsic :: iso_fortran_env, only: int8, int64
     use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_kinds, only: wp
@@ -45,4 +45,4 @@ contains
         call check_memory(error, stat)
     end subroutine room
 
-end module mdrcontact_base_object
+end module mdrcontact_object

@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> A number of an object that a fit may vary: what it is called, its value, and which values it may take.
-module mdrcontact_base_parameter
+module mdrcontact_parameter
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
@@ -52,4 +52,4 @@ contains
         part%name = prefix//parameter%name
     end function prefixed
 
-end module mdrcontact_base_parameter
+end module mdrcontact_parameter

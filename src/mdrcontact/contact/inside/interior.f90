@@ -1,0 +1,463 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> Displacements and stresses inside a homogeneous, layered or graded body under a load on its surface.
+!>
+!> In the surface layer: the closed field of a half-space of its material, and the Hankel integral of what the layers below
+!> add; deeper: the Hankel integral of the whole state. z >= 0 points into the body, tension is positive.
+module mdrcontact_inside_interior
+    use mdrcontact_nonfinite, only: infinity
+    use mdrcontact_batch, only: batch_t, run_batch
+    use mdrcontact_error, only: check_memory, check_not_negative, error_domain, error_t, raise, to_text
+    use mdrcontact_inside_half_space, only: half_space_rule_t, new_half_space_rule, normal_sums, shear_sums
+    use mdrcontact_inside_hankel, only: add_grid, add_point, hankel_t, new_hankel
+    use mdrcontact_inside_layer_states, only: layer_states_t, new_layer_states
+    use mdrcontact_inside_lattice, only: distinct_among, lattice_t, new_lattice
+    use mdrcontact_medium_load, only: load_t
+    use mdrcontact_body_layers, only: layers_t
+    use mdrcontact_inside_states, only: depth_t, states_t
+    use mdrcontact_inside_waves, only: faded
+    use mdrcontact_kinds, only: wp
+    implicit none (type, external)
+    private
+    public :: interior_field, state_field, check_distances, depth_of, infinite_pressure, components
+    public :: u_r, u_t, u_z, s_rr, s_tt, s_zz, s_rz, s_rt, s_tz
+
+    !> The components by their place in a result.
+    integer, parameter :: u_r = 1, u_t = 2, u_z = 3, s_rr = 4, s_tt = 5, s_zz = 6, s_rz = 7, s_rt = 8, s_tz = 9, components = 9
+
+    !> Points farther away than this are refused [a].
+    real(wp), parameter :: farthest_point = 1.0e12_wp
+    !> On a grid the whole state is integrated from this part of the surface layer on: the waves are shared there.
+    real(wp), parameter :: shared_from = 0.5_wp
+    !> Where the pressure is infinite, what is finite is taken this far below the surface: halfway if it jumps there [a].
+    real(wp), parameter :: just_below = 1.0e-15_wp
+
+    !> Points whose sums are to be found; `order` lists those of one prepared integral.
+    type, extends(batch_t) :: points_t
+        class(load_t), pointer :: load => null()
+        type(half_space_rule_t) :: rule
+        type(hankel_t), pointer :: hankel => null()
+        class(states_t), pointer :: states => null()
+        type(depth_t), pointer :: depths(:) => null()
+        !> distances from the axis [length] and [a]
+        real(wp), pointer :: position(:) => null(), r(:) => null()
+        real(wp), pointer :: sums(:, :) => null()
+        !> allocated for all points
+        integer, allocatable :: order(:)
+        logical :: is_closed = .false.
+    contains
+        procedure :: work => points_work
+    end type points_t
+
+contains
+
+    !> The field at points (r, z, angle); a grid of few distinct r and z costs far less than as many scattered points.
+    !>
+    !> Stresses are infinite where the load is singular on the surface: edge of a flat punch or of an adhesive contact, apex of
+    !> a cone, edge of a flat end. With friction so are the shear tractions. Signs are those inside the contact. What jumps there
+    !> has the value just below the surface, halfway: s_rt at the edge of a flat end.
+    subroutine interior_field(load, layers, r, z, below, field, error, friction, angle, threads)
+        class(load_t), intent(in), target :: load
+        type(layers_t), intent(in) :: layers
+        !> distance from the axis r >= 0 and depth z >= 0 [length]
+        real(wp), intent(in), target :: r(:)
+        real(wp), intent(in) :: z(:)
+        !> which side of an interface is meant
+        logical, intent(in) :: below
+        !> (size(r), components) [length] and [modulus]
+        real(wp), intent(out) :: field(:, :)
+        type(error_t), allocatable, intent(out) :: error
+        !> traction friction*p(r) in +x on the surface, and azimuth of the points from +x [radian]
+        real(wp), intent(in) :: friction, angle(:)
+        !> how many threads
+        integer, intent(in) :: threads
+        type(depth_t), allocatable :: depths(:)
+        type(layer_states_t), target :: states
+        type(lattice_t) :: lattice
+        integer :: stat
+
+        call check_points(load, layers, r, z, below, error)
+        if (allocated(error) .or. size(r) == 0) return
+        call new_layer_states(states, layers, load%radius, error)
+        if (allocated(error)) return
+        allocate (depths(size(r)), stat=stat)
+        call check_memory(error, stat)
+        call new_lattice(lattice, r, z, error)
+        if (allocated(error)) return
+        call set_depths(load, layers, r, z, below, lattice%is_grid, depths, error)
+        if (allocated(error)) return
+        call state_field(load, states, lattice, r, z, depths, field, error, friction, angle, threads)
+    end subroutine interior_field
+
+    !> The field of a body whose states are known, at points with what is known of their depths; see interior_field.
+    subroutine state_field(load, states, lattice, r, z, depths, field, error, friction, angle, threads)
+        class(load_t), intent(in), target :: load
+        class(states_t), intent(inout), target :: states
+        type(lattice_t), intent(in) :: lattice
+        real(wp), intent(in), target :: r(:)
+        real(wp), intent(in) :: z(:)
+        type(depth_t), intent(inout), target :: depths(:)
+        real(wp), intent(out) :: field(:, :)
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp), intent(in) :: friction, angle(:)
+        integer, intent(in) :: threads
+        real(wp), allocatable :: radii(:), sums(:, :)
+        integer :: stat
+
+        allocate (radii(size(r)), sums(normal_sums, size(r)), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
+        radii(:) = r/load%radius
+        call states%turn(.false., depths, error)
+        if (.not. allocated(error)) call find_sums(load, states, lattice, r, radii, depths, sums, threads, error)
+        if (allocated(error)) return
+        call normal_components(depths, radii, load%radius, sums, field)
+        if (friction /= 0.0_wp) then
+            deallocate (sums)
+            allocate (sums(shear_sums, size(r)), stat=stat)
+            call check_memory(error, stat)
+            if (stat /= 0) return
+            call states%turn(.true., depths, error)
+            if (.not. allocated(error)) call find_sums(load, states, lattice, r, radii, depths, sums, threads, error)
+            if (allocated(error)) return
+            call add_shear_components(depths, radii, load%radius, sums, friction, angle, field)
+        end if
+        call mark_singular(load, states%half_space%singular, r, z, friction, angle, field)
+    end subroutine state_field
+
+    !> Refuses points outside the body or too far away.
+    subroutine check_distances(load, r, z, error)
+        class(load_t), intent(in) :: load
+        real(wp), intent(in) :: r(:), z(:)
+        type(error_t), allocatable, intent(inout) :: error
+        integer :: i
+
+        do i = 1, size(r)
+            call check_not_negative(error, "r", r(i), i)
+            call check_not_negative(error, "z", z(i), i)
+            if (allocated(error)) return
+            if (max(r(i), z(i)) > farthest_point*load%radius) then
+                call raise(error, error_domain, " = "//to_text(r(i))//", "//to_text(z(i))//" is too far away: "// &
+                           "stresses are offered within 1e12 contact radii, a = "//to_text(load%radius), "r, z", i)
+                return
+            end if
+        end do
+    end subroutine check_distances
+
+    subroutine check_points(load, layers, r, z, below, error)
+        class(load_t), intent(in) :: load
+        type(layers_t), intent(in) :: layers
+        real(wp), intent(in) :: r(:), z(:)
+        logical, intent(in) :: below
+        type(error_t), allocatable, intent(inout) :: error
+        integer :: i
+
+        call check_distances(load, r, z, error)
+        do i = 1, size(r)
+            if (allocated(error)) return
+            if (layers%layer_at(z(i), below) == 0) then
+                call raise(error, error_domain, " = "//to_text(z(i))//" lies in the rigid base, which begins at z = "// &
+                           to_text(sum(layers%thickness))//" (its surface belongs to the side above)", "z", i)
+            end if
+        end do
+    end subroutine check_points
+
+    subroutine set_depths(load, layers, r, z, below, is_grid, depths, error)
+        class(load_t), intent(in) :: load
+        type(layers_t), intent(in) :: layers
+        real(wp), intent(in) :: r(:), z(:)
+        logical, intent(in) :: below, is_grid
+        !> same size as z
+        type(depth_t), intent(inout) :: depths(:)
+        type(error_t), allocatable, intent(inout) :: error
+        type(depth_t), allocatable :: in_layer(:)
+        integer :: i, stat
+
+        allocate (in_layer(size(layers%thickness) + merge(0, 1, layers%rigid_base)), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
+        do i = 1, size(in_layer)
+            in_layer(i)%layer = i
+            in_layer(i)%shear = layers%shear(1)
+            in_layer(i)%constants = layers%constants(i, in_layer(i)%shear)
+        end do
+        do i = 1, size(z)
+            depths(i) = in_layer(layers%layer_at(z(i), below))
+            depths(i)%z = depth_of(load, r(i), z(i))
+            depths(i)%less = depths(i)%layer == 1
+            if (size(layers%thickness) == 0) cycle
+            if (is_grid) depths(i)%less = depths(i)%less .and. depths(i)%z < shared_from*layers%thickness(1)/load%radius
+            depths(i)%last = faded*load%radius/layers%decays_to(depths(i)%z*load%radius, depths(i)%less)
+        end do
+    end subroutine set_depths
+
+    !> The depth where what is finite at a point is taken [a].
+    pure function depth_of(load, r, z) result(depth)
+        class(load_t), intent(in) :: load
+        !> [length]
+        real(wp), intent(in) :: r, z
+        real(wp) :: depth
+
+        depth = z/load%radius
+        if (abs(infinite_pressure(load, r, z)) > 0.0_wp) depth = just_below
+    end function depth_of
+
+    !> The sums of all points, for a load across or along the surface.
+    subroutine find_sums(load, states, lattice, position, r, depths, sums, threads, error)
+        class(load_t), intent(in), target :: load
+        class(states_t), intent(inout), target :: states
+        type(lattice_t), intent(in) :: lattice
+        !> distances from the axis [length] and [a]
+        real(wp), intent(in), target :: position(:), r(:)
+        type(depth_t), intent(in), target :: depths(:)
+        real(wp), intent(out), target :: sums(:, :)
+        integer, intent(in) :: threads
+        type(error_t), allocatable, intent(out) :: error
+        type(points_t) :: points
+        type(hankel_t), target :: hankel
+        logical, allocatable :: waiting(:), chosen(:)
+        real(wp) :: reach
+        integer :: n, stat
+
+        allocate (waiting(size(r)), chosen(size(r)), points%order(size(r)), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
+        sums = 0.0_wp
+        points%load => load
+        points%depths => depths
+        points%position => position
+        points%r => r
+        points%sums => sums
+        points%states => states
+        call new_half_space_rule(points%rule, load, error)
+        if (allocated(error)) return
+        points%is_closed = .true.
+        chosen(:) = depths%less
+        call list_chosen(chosen, points%order, n)
+        call run_batch(points, n, 32, 64, threads, error)
+        if (allocated(error)) return
+        if (.not. states%structure > 0.0_wp) return
+        points%is_closed = .false.
+        waiting(:) = .true.
+        ! far points need more waves than near ones: each doubling of a + r has its own rule
+        do while (any(waiting))
+            reach = max(3.0_wp, 2.0_wp*(1.0_wp + minval(r, mask=waiting)))
+            chosen(:) = waiting .and. 1.0_wp + r <= reach
+            waiting(:) = waiting .and. .not. chosen
+            call new_hankel(hankel, load, states, 1.0_wp + maxval(r, mask=chosen), maxval(depths%last, mask=chosen), error)
+            if (allocated(error)) return
+            points%hankel => hankel
+            call list_chosen(chosen, points%order, n)
+            do while (hankel%next_part(error))
+                if (lattice%is_grid) then
+                    call add_on_grid(hankel, lattice, depths, r, points%order(:n), sums, threads, error)
+                else
+                    call run_batch(points, n, 16, 32, threads, error)
+                end if
+            end do
+            if (allocated(error)) return
+        end do
+    end subroutine find_sums
+
+    !> The places of the n chosen points come first in `order`.
+    pure subroutine list_chosen(chosen, order, n)
+        logical, intent(in) :: chosen(:)
+        integer, intent(inout) :: order(:)
+        integer, intent(out) :: n
+        integer :: i
+
+        n = 0
+        do i = 1, size(chosen)
+            if (.not. chosen(i)) cycle
+            n = n + 1
+            order(n) = i
+        end do
+    end subroutine list_chosen
+
+    !> The Hankel integrals of chosen points by products of matrices over their distinct radii and depths.
+    subroutine add_on_grid(hankel, lattice, depths, r, order, sums, threads, error)
+        type(hankel_t), intent(in) :: hankel
+        type(lattice_t), intent(in) :: lattice
+        type(depth_t), intent(in) :: depths(:)
+        real(wp), intent(in) :: r(:)
+        !> the points meant
+        integer, intent(in) :: order(:)
+        real(wp), intent(inout) :: sums(:, :)
+        integer, intent(in) :: threads
+        type(error_t), allocatable, intent(inout) :: error
+        integer, allocatable :: first_r(:), first_z(:), row(:), column(:)
+        type(depth_t), allocatable :: levels(:)
+        real(wp), allocatable :: radii(:), table(:, :, :)
+        integer :: i, stat
+
+        call distinct_among(lattice%row, order, first_r, row, error)
+        call distinct_among(lattice%column, order, first_z, column, error)
+        if (allocated(error)) return
+        allocate (levels(size(first_z)), radii(size(first_r)), table(size(first_r), size(sums, 1), size(first_z)), stat=stat)
+        call check_memory(error, stat)
+        if (stat /= 0) return
+        table(:, :, :) = 0.0_wp
+        do i = 1, size(first_z)
+            levels(i) = depths(first_z(i))
+        end do
+        do i = 1, size(first_r)
+            radii(i) = r(first_r(i))
+        end do
+        call add_grid(hankel, levels, radii, table, threads, error)
+        if (allocated(error)) return
+        do i = 1, size(order)
+            sums(:, order(i)) = sums(:, order(i)) + table(row(i), :, column(i))
+        end do
+    end subroutine add_on_grid
+
+    subroutine points_work(self, first, last, error)
+        class(points_t), intent(inout) :: self
+        integer, intent(in) :: first, last
+        type(error_t), allocatable, intent(out) :: error
+        integer :: i, j
+
+        do j = first, last
+            i = self%order(j)
+            if (self%is_closed) then
+                call add_closed(self, i)
+            else
+                call add_point(self%hankel, self%depths(i), self%r(i), self%sums(:, i))
+            end if
+        end do
+    end subroutine points_work
+
+    !> The half-space of the surface material, and its images.
+    pure subroutine add_closed(self, i)
+        class(points_t), intent(inout) :: self
+        integer, intent(in) :: i
+
+        associate (states => self%states, depth => self%depths(i), r => self%position(i))
+            if (states%along_surface) then
+                call states%half_space%add_shear(self%rule, self%load, r, depth%z, self%sums(:, i))
+            else
+                call states%half_space%add_normal(self%rule, self%load, r, depth%z, self%sums(:, i))
+            end if
+            call states%add_images(self%rule, self%load, depth, r, self%sums(:, i))
+        end associate
+    end subroutine add_closed
+
+    pure subroutine normal_components(depths, r, unit, sums, field)
+        type(depth_t), intent(in) :: depths(:)
+        real(wp), intent(in) :: r(:), unit, sums(:, :)
+        real(wp), intent(out) :: field(:, :)
+        integer :: i
+
+        field(:, [u_t, s_rt, s_tz]) = 0.0_wp
+        do i = 1, size(r)
+            associate (s => sums(:, i), mu => depths(i)%shear, h => depths(i)%constants%h, c => depths(i)%constants%c, &
+                       c66 => depths(i)%constants%c66)
+                field(i, u_z) = unit*s(1)/(2.0_wp*mu)
+                field(i, u_r) = unit*r(i)*s(4)/(2.0_wp*mu)
+                field(i, s_zz) = s(2)
+                field(i, s_rr) = h*s(3) + c*s(2) - 2.0_wp*c66*s(4)
+                field(i, s_tt) = (h - 2.0_wp*c66)*s(3) + c*s(2) + 2.0_wp*c66*s(4)
+                field(i, s_rz) = r(i)*s(5)
+            end associate
+        end do
+    end subroutine normal_components
+
+    pure subroutine add_shear_components(depths, r, unit, sums, friction, angle, field)
+        type(depth_t), intent(in) :: depths(:)
+        real(wp), intent(in) :: r(:), unit, sums(:, :), friction, angle(:)
+        real(wp), intent(inout) :: field(:, :)
+        real(wp) :: along, across
+        integer :: i
+
+        do i = 1, size(r)
+            along = friction*cos(angle(i))
+            across = friction*sin(angle(i))
+            associate (s => sums(:, i), mu => depths(i)%shear, h => depths(i)%constants%h, c => depths(i)%constants%c, &
+                       c66 => depths(i)%constants%c66)
+                field(i, u_r) = field(i, u_r) + along*unit*(s(1) + r(i)**2*s(7))/(4.0_wp*mu)
+                field(i, u_t) = field(i, u_t) - across*unit*(s(1) - r(i)**2*s(7))/(4.0_wp*mu)
+                field(i, u_z) = field(i, u_z) + along*unit*r(i)*s(3)/(2.0_wp*mu)
+                field(i, s_rr) = field(i, s_rr) + along*r(i)*(h*s(5) + c*s(4) - 2.0_wp*c66*s(7))
+                field(i, s_tt) = field(i, s_tt) + along*r(i)*((h - 2.0_wp*c66)*s(5) + c*s(4) + 2.0_wp*c66*s(7))
+                field(i, s_zz) = field(i, s_zz) + along*r(i)*s(4)
+                field(i, s_rz) = field(i, s_rz) + along*0.5_wp*(s(2) + s(8))
+                field(i, s_rt) = field(i, s_rt) + across*r(i)*c66*(s(6) - 2.0_wp*s(7))
+                field(i, s_tz) = field(i, s_tz) - across*0.5_wp*(s(2) - s(8))
+            end associate
+        end do
+    end subroutine add_shear_components
+
+    !> +-infinity where the pressure is infinite: on the surface at an edge with q(a), at the edge of a flat end, at an apex that is
+    !> no sharper than a cone's; 0 elsewhere.
+    pure function infinite_pressure(load, r, z) result(pressure)
+        class(load_t), intent(in) :: load
+        !> [length]
+        real(wp), intent(in) :: r, z
+        real(wp) :: pressure
+        real(wp) :: slope(1)
+
+        pressure = 0.0_wp
+        if (z > 0.0_wp .or. r > load%radius) return
+        if (r == load%radius) then
+            slope = -load%edge
+        else if (r <= 0.0_wp) then
+            ! where q' does not vanish on the axis
+            slope = 0.0_wp
+            if (load%order_on_axis() < 1.0e-6_wp) slope = load%slope(0.0_wp, load%radius*[1.0e-11_wp])
+        else
+            if (.not. any(load%kinks == r)) return
+            slope = load%slope(r, [0.0_wp])
+            if (abs(slope(1)) <= huge(1.0_wp)) return
+        end if
+        if (abs(slope(1)) > 0.0_wp) pressure = -sign(infinity, slope(1))
+    end function infinite_pressure
+
+    !> Infinities where the pressure is infinite: the quadratures do not see them.
+    pure subroutine mark_singular(load, ratio, r, z, friction, angle, field)
+        class(load_t), intent(in) :: load
+        !> see half_space_t
+        real(wp), intent(in) :: ratio(3), r(:), z(:), friction, angle(:)
+        real(wp), intent(inout) :: field(:, :)
+        real(wp) :: pressure, part
+        integer :: i, j
+
+        do i = 1, size(r)
+            pressure = infinite_pressure(load, r(i), z(i))
+            if (.not. abs(pressure) > 0.0_wp) cycle
+            field(i, s_zz) = -pressure
+            do j = s_rr, s_tt
+                part = ratio(merge(j - s_rr + 1, 3, r(i) > 0.0_wp))
+                if (abs(part) > 0.0_wp) field(i, j) = -sign(1.0_wp, part)*pressure
+            end do
+            call mark_sliding(friction, angle(i), pressure, r(i) == load%radius, field(i, :))
+        end do
+    end subroutine mark_singular
+
+    !> What friction adds where p is infinite: the traction -f p and, at the edge of the contact, s_rt, which is infinite outside.
+    !> Across a logarithm of p it jumps, and keeps its value halfway.
+    pure subroutine mark_sliding(friction, angle, pressure, at_edge, field)
+        real(wp), intent(in) :: friction, angle
+        !> +-infinity
+        real(wp), intent(in) :: pressure
+        logical, intent(in) :: at_edge
+        real(wp), intent(inout) :: field(:)
+        real(wp) :: along, across
+
+        along = friction*nonzero(cos(angle))
+        across = friction*nonzero(sin(angle))
+        if (abs(along) > 0.0_wp) field(s_rz) = -along*pressure
+        if (.not. abs(across) > 0.0_wp) return
+        field(s_tz) = across*pressure
+        if (at_edge) field(s_rt) = across*pressure
+
+    contains
+
+        !> 0 where a cosine or sine is nothing but the rounding error of the angle.
+        pure function nonzero(value) result(answer)
+            real(wp), intent(in) :: value
+            real(wp) :: answer
+
+            answer = merge(0.0_wp, value, abs(value) <= 4.0_wp*epsilon(1.0_wp)*max(1.0_wp, abs(angle)))
+        end function nonzero
+
+    end subroutine mark_sliding
+
+end module mdrcontact_inside_interior

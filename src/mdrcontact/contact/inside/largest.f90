@@ -1,0 +1,413 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> The largest value of a stress in a part of a loaded body, in the plane of symmetry: of all azimuths without friction, of sliding
+!> with it. It is looked for on a grid, and from its highest peaks on ever smaller ones.
+module mdrcontact_inside_largest
+    use, intrinsic :: iso_c_binding, only: c_size_t
+    use mdrcontact_nonfinite, only: infinity, is_finite
+    use mdrcontact_body_layers, only: layers_t
+    use mdrcontact_cancel, only: check_cancelled
+    use mdrcontact_codes, only: free_surface_tension, interface_shear, interface_tension, tension, tresca, von_mises
+    use mdrcontact_error, only: error_t
+    use mdrcontact_inside_interior, only: components, infinite_pressure, interior_field, s_rr, s_rz, s_tt, s_zz
+    use mdrcontact_gsl, only: gsl_sort
+    use mdrcontact_kinds, only: pi, wp
+    use mdrcontact_medium_load, only: load_t
+    use mdrcontact_numerics_quadrature, only: merge_breaks
+    implicit none (type, external)
+    private
+    public :: box_t, maximum_t, stressed_t
+
+    !> A largest stress and where it is.
+    type :: maximum_t
+        !> von_mises, tresca, tension of a layer; interface_shear, interface_tension; or free_surface_tension
+        integer :: quantity = 0
+        !> which layer or interface, 0 is the first one from the surface; 0 of the free surface
+        integer :: place = 0
+        !> [modulus]; negative where all of it is compression
+        real(wp) :: value = -huge(1.0_wp)
+        !> distance from the axis and depth [length]
+        real(wp) :: r = 0.0_wp, z = 0.0_wp
+        !> azimuth from the direction of sliding [radian], 0 or pi; 0 without friction
+        real(wp) :: angle = 0.0_wp
+    end type maximum_t
+
+    !> Where a largest value is looked for; at an interface the side above is meant.
+    type :: box_t
+        !> distances from the axis and depths, from and to [length]
+        real(wp) :: r(2) = 0.0_wp, z(2) = 0.0_wp
+    end type box_t
+
+    !> A body of layers under a load and its friction.
+    type :: stressed_t
+        class(load_t), allocatable :: load
+        type(layers_t) :: layers
+        !> traction friction*p(r) in +x; either sign
+        real(wp) :: friction = 0.0_wp
+        !> radii on the surface where stresses are infinite [length]
+        real(wp), allocatable :: singular(:)
+        integer :: threads = 1
+    contains
+        procedure :: mark_singular
+        procedure :: largest
+        procedure :: has_singular_edge
+        procedure :: is_off_singular
+    end type stressed_t
+
+    !> What the quantities are the largest of: functions without the kinks that a largest one has.
+    integer, parameter :: by_mises = 1, in_plane = 2, down_from_hoop = 3, up_from_hoop = 4, along_plane = 5, hoop = 6, &
+                          shear_outward = 7, shear_inward = 8, across = 9, size_of_parts = 9
+    !> Radii of a grid over its length, as many beside the edge of the contact, and depths.
+    integer, parameter :: grid_r = 20, grid_z = 25
+    !> How far from the edge the former lie [a].
+    real(wp), parameter :: beside_edge = 0.3_wp
+    !> Points in each direction of a smaller grid, a quarter as long as the one before; the last one is shorter by `smallest`.
+    integer, parameter :: points = 9
+    real(wp), parameter :: smallest = 4.0_wp**(-7)
+    !> Grids at most: some are shifted to where values rise.
+    integer, parameter :: most_grids = 24
+    !> So many peaks of the grid are followed, which fall short of the highest one by no more than this part of the range of values.
+    integer, parameter :: most_peaks = 4
+    real(wp), parameter :: noticed = 0.2_wp
+    !> Nothing is looked for nearer than this to where stresses are infinite [a].
+    real(wp), parameter :: off_singular = 1.0e-3_wp, rounding = 1.0e-9_wp
+    !> Distances from there at which a grid has points, too [a].
+    real(wp), parameter :: close_by(6) = off_singular*[1.0_wp, 2.0_wp, 4.0_wp, 8.0_wp, 16.0_wp, 32.0_wp]
+
+contains
+
+    !> Finds the radii where stresses are infinite; load and layers are known.
+    subroutine mark_singular(self)
+        class(stressed_t), intent(inout) :: self
+        real(wp) :: places(size(self%load%kinks) + 2)
+        logical :: chosen(size(places))
+        integer :: i
+
+        associate (load => self%load)
+            places = load%radius
+            places(1) = 0.0_wp
+            places(2:size(load%kinks) + 1) = load%kinks
+            do i = 1, size(places)
+                chosen(i) = abs(infinite_pressure(load, places(i), 0.0_wp)) > 0.0_wp
+            end do
+        end associate
+        allocate (self%singular(count(chosen)))
+        self%singular(:) = pack(places, chosen)
+    end subroutine mark_singular
+
+    !> Whether stresses are infinite at the edge of the contact, no matter how weak the load is.
+    pure function has_singular_edge(self) result(answer)
+        class(stressed_t), intent(in) :: self
+        logical :: answer
+
+        answer = any(self%singular >= self%load%radius)
+    end function has_singular_edge
+
+    !> Whether a point is so far from where stresses are infinite that maxima are looked for there.
+    pure function is_off_singular(self, r, z) result(answer)
+        class(stressed_t), intent(in) :: self
+        !> [length]
+        real(wp), intent(in) :: r, z
+        logical :: answer
+
+        answer = all(hypot(r - self%singular, z) >= (1.0_wp - rounding)*off_singular*self%load%radius)
+    end function is_off_singular
+
+    !> The largest values of some quantities in a box. What a coarse search gives is the largest on its grid.
+    subroutine largest(self, box, quantities, is_coarse, found, error)
+        class(stressed_t), intent(in) :: self
+        type(box_t), intent(in) :: box
+        integer, intent(in) :: quantities(:)
+        logical, intent(in) :: is_coarse
+        !> same size; their `place` is left to the caller
+        type(maximum_t), intent(out) :: found(:)
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp), allocatable :: r(:), z(:), values(:, :, :, :)
+        integer, allocatable :: peaks(:, :), parts(:)
+        type(maximum_t) :: peak
+        integer :: azimuths, i, k
+        integer, parameter :: all_parts(*) = [(i, i=1, size_of_parts)]
+        real(wp), parameter :: angle(2) = [0.0_wp, pi]
+
+        if (allocated(error)) return
+        r = radii_in(box%r, self%load%radius, self%singular)
+        z = depths_in(box%z, self%load%radius, self%singular)
+        azimuths = merge(2, 1, self%friction /= 0.0_wp)
+        allocate (values(size(r), size(z), azimuths, size(all_parts)))
+        do k = 1, azimuths
+            call find_values(self, r, z, angle(k), all_parts, values(:, :, k, :), error)
+        end do
+        if (allocated(error)) return
+        do i = 1, size(quantities)
+            parts = parts_of(quantities(i))
+            peaks = peaks_of(values(:, :, :, parts), merge(1, most_peaks, is_coarse))
+            do k = 1, size(peaks, 2)
+                associate (at => peaks(:, k))
+                    peak = maximum_t(quantities(i), 0, values(at(1), at(2), at(3), parts(at(4))), r(at(1)), z(at(2)), angle(at(3)))
+                    if (.not. is_coarse) then
+                        call climb(self, box, around(r, at(1)), around(z, at(2)), parts(at(4)), peak, error)
+                    end if
+                end associate
+                if (allocated(error)) return
+                if (peak%value > found(i)%value) found(i) = peak
+            end do
+        end do
+    end subroutine largest
+
+    !> Follows a peak on ever smaller grids around the largest value.
+    subroutine climb(self, box, first_r, first_z, part, peak, error)
+        class(stressed_t), intent(in) :: self
+        type(box_t), intent(in) :: box
+        !> the part of the box around the peak [length]
+        real(wp), intent(in) :: first_r(2), first_z(2)
+        !> what has the peak
+        integer, intent(in) :: part
+        type(maximum_t), intent(inout) :: peak
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp) :: ends_r(2), ends_z(2)
+        real(wp), allocatable :: r(:), z(:), values(:, :, :)
+        integer :: grid, at(2)
+
+        ends_r = first_r
+        ends_z = first_z
+        do grid = 1, most_grids
+            r = evenly(ends_r)
+            z = evenly(ends_z)
+            if (allocated(values)) deallocate (values)
+            allocate (values(size(r), size(z), 1))
+            call find_values(self, r, z, peak%angle, [part], values, error)
+            if (allocated(error)) return
+            at = maxloc(values(:, :, 1))
+            if (values(at(1), at(2), 1) >= peak%value) then
+                peak%value = values(at(1), at(2), 1)
+                peak%r = r(at(1))
+                peak%z = z(at(2))
+            end if
+            ends_r = closer(r, at(1), box%r)
+            ends_z = closer(z, at(2), box%z)
+            if (length(ends_r) <= smallest*length(first_r) .and. length(ends_z) <= smallest*length(first_z)) return
+        end do
+    end subroutine climb
+
+    pure function length(ends)
+        real(wp), intent(in) :: ends(2)
+        real(wp) :: length
+
+        length = ends(2) - ends(1)
+    end function length
+
+    !> The values of some parts on a grid; -infinity beside what is singular.
+    subroutine find_values(self, r, z, angle, parts, values, error)
+        class(stressed_t), intent(in) :: self
+        !> [length]
+        real(wp), intent(in) :: r(:), z(:)
+        real(wp), intent(in) :: angle
+        integer, intent(in) :: parts(:)
+        !> (size(r), size(z), size(parts)) [modulus]
+        real(wp), intent(out) :: values(:, :, :)
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp), allocatable :: all_r(:), all_z(:), all_angles(:), field(:, :)
+        real(wp) :: components_at(components)
+        integer :: i, j, k, n
+
+        call check_cancelled(error)
+        if (allocated(error)) return
+        n = size(r)*size(z)
+        allocate (all_r(n), all_z(n), all_angles(n), field(n, components))
+        do i = 1, size(r)
+            all_r((i - 1)*size(z) + 1:i*size(z)) = r(i)
+            all_z((i - 1)*size(z) + 1:i*size(z)) = z
+        end do
+        all_angles = angle
+        call interior_field(self%load, self%layers, all_r, all_z, .false., field, error, self%friction, all_angles, self%threads)
+        if (allocated(error)) return
+        do k = 1, size(parts)
+            do j = 1, size(z)
+                do i = 1, size(r)
+                    components_at = field((i - 1)*size(z) + j, :)
+                    values(i, j, k) = part_at(parts(k), components_at)
+                    if (.not. is_finite(values(i, j, k))) values(i, j, k) = -infinity
+                    if (.not. self%is_off_singular(r(i), z(j))) values(i, j, k) = -infinity
+                end do
+            end do
+        end do
+    end subroutine find_values
+
+    !> Of which parts a quantity is the largest one.
+    pure function parts_of(quantity) result(parts)
+        !> one of those of maximum_t
+        integer, intent(in) :: quantity
+        integer, allocatable :: parts(:)
+
+        select case (quantity)
+        case (von_mises)
+            parts = [by_mises]
+        case (tresca)
+            parts = [in_plane, down_from_hoop, up_from_hoop]
+        case (tension, free_surface_tension)
+            parts = [along_plane, hoop]
+        case (interface_shear)
+            parts = [shear_outward, shear_inward]
+        case default ! interface_tension
+            parts = [across]
+        end select
+    end function parts_of
+
+    !> A part at a point in the plane of symmetry, where s_rt = s_tz = 0 and the hoop stress is a principal one [modulus].
+    pure function part_at(part, field) result(value)
+        integer, intent(in) :: part
+        !> the components of mdrcontact_inside_interior
+        real(wp), intent(in) :: field(components)
+        real(wp) :: value
+        real(wp) :: mean, circle
+
+        mean = 0.5_wp*(field(s_rr) + field(s_zz))
+        circle = hypot(0.5_wp*(field(s_rr) - field(s_zz)), field(s_rz))
+        select case (part)
+        case (by_mises)
+            value = sqrt(0.5_wp*((field(s_rr) - field(s_tt))**2 + (field(s_tt) - field(s_zz))**2 + (field(s_zz) - field(s_rr))**2) &
+                         + 3.0_wp*field(s_rz)**2)
+        case (in_plane)
+            value = circle
+        case (down_from_hoop)
+            value = 0.5_wp*(field(s_tt) - (mean - circle))
+        case (up_from_hoop)
+            value = 0.5_wp*(mean + circle - field(s_tt))
+        case (along_plane)
+            value = mean + circle
+        case (hoop)
+            value = field(s_tt)
+        case (shear_outward)
+            value = field(s_rz)
+        case (shear_inward)
+            value = -field(s_rz)
+        case default ! across
+            value = field(s_zz)
+        end select
+    end function part_at
+
+    !> The places (i, j, k, l) of the highest peaks among values on grids, the highest one first; none where no value is finite.
+    pure function peaks_of(values, most) result(peaks)
+        real(wp), intent(in) :: values(:, :, :, :)
+        integer, intent(in) :: most
+        !> (4, as many as there are)
+        integer, allocatable :: peaks(:, :)
+        real(wp), allocatable :: left(:, :, :, :)
+        real(wp) :: highest, least
+        integer :: i, j, k, l, n, at(4), found(4, most)
+
+        allocate (left, source=values)
+        do l = 1, size(values, 4)
+            do k = 1, size(values, 3)
+                do j = 1, size(values, 2)
+                    do i = 1, size(values, 1)
+                        associate (beside => values(max(i - 1, 1):min(i + 1, size(values, 1)), &
+                                                    max(j - 1, 1):min(j + 1, size(values, 2)), k, l))
+                            if (values(i, j, k, l) < maxval(beside)) left(i, j, k, l) = -infinity
+                        end associate
+                    end do
+                end do
+            end do
+        end do
+        highest = maxval(values)
+        least = highest - noticed*(highest - minval(values, mask=is_finite(values)))
+        n = 0
+        do while (n < most)
+            at = maxloc(left)
+            if (.not. left(at(1), at(2), at(3), at(4)) >= least) exit
+            n = n + 1
+            found(:, n) = at
+            left(at(1), at(2), at(3), at(4)) = -infinity
+        end do
+        allocate (peaks(4, n))
+        peaks(:, :) = found(:, :n)
+    end function peaks_of
+
+    !> Radii of a box, as many beside the edge of the contact, and some beside places where stresses are infinite.
+    pure function radii_in(ends, radius, singular) result(r)
+        !> a, and radii of those places [length]
+        real(wp), intent(in) :: ends(2), radius, singular(:)
+        real(wp), allocatable :: r(:)
+        real(wp) :: all_r(2*grid_r + 2 + 2*size(close_by)*size(singular))
+        integer :: i, n
+
+        do i = 0, grid_r
+            all_r(i + 1) = ends(1) + (ends(2) - ends(1))*real(i, wp)/real(grid_r, wp)
+        end do
+        do i = 1, grid_r
+            all_r(grid_r + 1 + i) = radius*(1.0_wp + beside_edge*(real(2*i - 1 - grid_r, wp)/real(grid_r - 1, wp))**3)
+        end do
+        all_r(2*grid_r + 2) = radius
+        n = 2*grid_r + 2
+        do i = 1, size(singular)
+            all_r(n + 1:n + size(close_by)) = singular(i) - close_by*radius
+            all_r(n + size(close_by) + 1:n + 2*size(close_by)) = singular(i) + close_by*radius
+            n = n + 2*size(close_by)
+        end do
+        r = ascending_within(ends, all_r)
+    end function radii_in
+
+    !> Depths of a box, denser towards the surface, and some beside places where stresses are infinite.
+    pure function depths_in(ends, radius, singular) result(z)
+        real(wp), intent(in) :: ends(2), radius, singular(:)
+        real(wp), allocatable :: z(:)
+        real(wp) :: all_z(grid_z + size(close_by))
+        integer :: i
+
+        all_z = ends(2)
+        do i = 0, grid_z - 1
+            all_z(i + 1) = ends(1) + (ends(2) - ends(1))*(real(i, wp)/real(grid_z - 1, wp))**2
+        end do
+        if (size(singular) > 0) all_z(grid_z + 1:) = close_by*radius
+        z = ascending_within(ends, all_z)
+    end function depths_in
+
+    !> The distinct ones of some values from one end to the other, both included.
+    pure function ascending_within(ends, values) result(x)
+        real(wp), intent(in) :: ends(2), values(:)
+        real(wp), allocatable :: x(:)
+        real(wp), allocatable :: inside(:)
+        type(error_t), allocatable :: unused
+
+        inside = pack(values, values > ends(1) .and. values < ends(2))
+        call gsl_sort(inside, 1_c_size_t, size(inside, kind=c_size_t))
+        x = ends(:1)
+        call merge_breaks(x, [inside, ends(2)], unused)
+    end function ascending_within
+
+    pure function evenly(ends) result(x)
+        real(wp), intent(in) :: ends(2)
+        real(wp), allocatable :: x(:)
+        integer :: i
+
+        if (ends(2) > ends(1)) then
+            x = [(ends(1) + (ends(2) - ends(1))*real(i, wp)/real(points - 1, wp), i=0, points - 1)]
+        else
+            x = ends(:1)
+        end if
+    end function evenly
+
+    !> From the value before to the one after.
+    pure function around(x, i) result(ends)
+        real(wp), intent(in) :: x(:)
+        integer, intent(in) :: i
+        real(wp) :: ends(2)
+
+        ends = [x(max(i - 1, 1)), x(min(i + 1, size(x)))]
+    end function around
+
+    !> The next ends of a smaller grid, around its largest value; as far apart as before where that lies at an end, but in the box.
+    pure function closer(x, i, box) result(ends)
+        real(wp), intent(in) :: x(:), box(2)
+        integer, intent(in) :: i
+        real(wp) :: ends(2)
+        real(wp) :: half
+
+        ends = around(x, i)
+        if (size(x) == 1) return
+        half = 0.5_wp*(x(size(x)) - x(1))
+        if ((i == 1 .and. x(1) > box(1)) .or. (i == size(x) .and. x(i) < box(2))) then
+            ends = [max(x(i) - half, box(1)), min(x(i) + half, box(2))]
+        end if
+    end function closer
+
+end module mdrcontact_inside_largest

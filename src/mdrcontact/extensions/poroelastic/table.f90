@@ -1,0 +1,208 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> One table of a gel's answers: of a half-space it serves all contact radii, times and diffusivities of one drained Poisson's ratio
+!> and drainage; of a film those of one ratio of contact radius to thickness.
+!>
+!> Chebyshev series in log tau, one a decade. Construction ends with a look between their nodes, at finer waves and more
+!> polynomials. Shorter times follow from the terms with which the answers begin, longer ones are solved one by one.
+module mdrcontact_poroelastic_table
+    use mdrcontact_nonfinite, only: is_finite
+    use mdrcontact_error, only: error_no_convergence, error_t, raise, to_text
+    use mdrcontact_kinds, only: wp
+    use mdrcontact_numerics_chebyshev, only: chebyshev_sum, node, series_of_values, terms
+    use mdrcontact_poroelastic_answers, only: at_end, at_frequency, basis_for, columns, first_time, in_time, storage
+    use mdrcontact_poroelastic_early, only: early_part, early_terms, fit_early
+    use mdrcontact_poroelastic_basis, only: basis_t
+    use mdrcontact_poroelastic_gel, only: gel_t, new_gel
+    implicit none (type, external)
+    private
+    public :: poroelastic_t, new_poroelastic
+
+    !> Up to where series go.
+    real(wp), parameter :: last_time = 1.0e8_wp
+    !> A table that is off by more than this part of the force is none.
+    real(wp), parameter :: allowed = 2.0e-5_wp
+    !> Where the early answers are fitted, and compared, in units of where the series begin.
+    real(wp), parameter :: early(*) = [0.1_wp, 0.2_wp, 0.45_wp], joined(*) = [1.0_wp, 1.6_wp, 2.5_wp, 4.0_wp], &
+                           between(*) = [0.06_wp, 0.15_wp, 0.65_wp]
+    !> From this tau on what is left to relax, which falls as tau^-1/2, is rounding.
+    real(wp), parameter :: at_rest = 1.0e28_wp
+
+    !> A gel's answers, in units of those of an incompressible half-space.
+    type :: poroelastic_t
+        !> nu, drainage and the film's thickness
+        type(gel_t) :: gel
+        !> of the incompressible and of the drained body
+        real(wp) :: undrained(columns) = 0.0_wp, drained(columns) = 0.0_wp
+        !> where the series begin
+        real(wp) :: first = 0.0_wp
+        !> of Chebyshev polynomials of log10 tau in each decade (terms, columns, decades)
+        real(wp), allocatable :: series(:, :, :)
+        !> what follows below the first decade
+        real(wp) :: early(early_terms, columns) = 0.0_wp
+        !> by how much the table is off between its nodes
+        real(wp) :: error = 0.0_wp
+    contains
+        procedure :: value
+    end type poroelastic_t
+
+contains
+
+    !> Computes the table.
+    subroutine new_poroelastic(self, poisson, drainage, ratio, error)
+        type(poroelastic_t), intent(out) :: self
+        !> drained Poisson's ratio, -1 < nu < 1/2
+        real(wp), intent(in) :: poisson
+        !> drains_by_surface, sealed or sealed_by_indenter
+        integer, intent(in) :: drainage
+        !> contact radius over the thickness of a film on a rigid base, 0 to 4; 0: half-space
+        real(wp), intent(in) :: ratio
+        type(error_t), allocatable, intent(out) :: error
+        type(basis_t) :: basis
+        integer :: i
+
+        call new_gel(self%gel, poisson, drainage, ratio, error)
+        if (allocated(error)) return
+        call basis_for(self%gel, 1.0_wp, 1.0_wp, basis, error)
+        call at_end(self%gel, basis, .false., self%undrained, error)
+        call at_end(self%gel, basis, .true., self%drained, error)
+        if (allocated(error)) return
+        self%first = first_time(self%gel)
+        allocate (self%series(terms, columns, nint(log10(last_time/self%first))))
+        do i = 1, size(self%series, 3)
+            call fill(self, i, error)
+            if (allocated(error)) return
+        end do
+        call fill_early(self, error)
+        if (.not. self%error <= allowed) call raise(error, error_no_convergence, "the table of this gel is off by "// &
+                                                    to_text(self%error)//": more than is allowed, "//to_text(allowed))
+    end subroutine new_poroelastic
+
+    !> What comes before the first decade: fitted to a few answers there and to the beginning of the decade, compared between them.
+    subroutine fill_early(self, error)
+        type(poroelastic_t), intent(inout) :: self
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp) :: tau(size(early) + size(joined)), values(size(tau), columns), exact(columns)
+        integer :: i, j
+
+        tau = self%first*[early, joined]
+        do i = 1, size(early)
+            call early_answers(self%gel, tau(i), exact, error)
+            if (allocated(error)) return
+            values(i, :) = exact - self%undrained
+        end do
+        do i = size(early) + 1, size(tau)
+            do j = 1, columns
+                values(i, j) = chebyshev_sum(self%series(:, j, 1), 2.0_wp*log10(tau(i)/self%first) - 1.0_wp) - self%undrained(j)
+            end do
+        end do
+        call fit_early(tau, values, self%early, error)
+        do i = 1, size(between)
+            call early_answers(self%gel, between(i)*self%first, exact, error)
+            if (allocated(error)) return
+            call compare(self, self%undrained + early_part(self%early, between(i)*self%first), exact)
+        end do
+    end subroutine fill_early
+
+    !> All columns at one tau before the first decade.
+    subroutine early_answers(gel, tau, values, error)
+        type(gel_t), intent(in) :: gel
+        real(wp), intent(in) :: tau
+        real(wp), intent(out) :: values(columns)
+        type(error_t), allocatable, intent(inout) :: error
+        type(basis_t) :: basis
+
+        call basis_for(gel, tau, tau, basis, error, finer=.true.)
+        call answers(gel, basis, tau, values, error)
+    end subroutine early_answers
+
+    !> Keeps the largest misfit.
+    pure subroutine compare(self, values, exact)
+        type(poroelastic_t), intent(inout) :: self
+        real(wp), intent(in) :: values(columns), exact(columns)
+        real(wp) :: misfit
+        integer :: j
+
+        do j = 1, columns
+            misfit = abs(values(j) - exact(j))/max(abs(exact(j)), self%drained(1))
+            ! NaN is none
+            if (.not. misfit <= self%error) self%error = misfit
+        end do
+    end subroutine compare
+
+    !> One decade, and what lies between its nodes.
+    subroutine fill(self, decade, error)
+        type(poroelastic_t), intent(inout) :: self
+        integer, intent(in) :: decade
+        type(error_t), allocatable, intent(inout) :: error
+        type(basis_t) :: basis
+        real(wp) :: values(columns, terms), exact(columns), shortest
+        integer :: i, j
+
+        shortest = self%first*10.0_wp**(decade - 1)
+        call basis_for(self%gel, shortest, 10.0_wp*shortest, basis, error)
+        do i = 1, terms
+            call answers(self%gel, basis, shortest*10.0_wp**(0.5_wp + 0.5_wp*node(i, terms)), values(:, i), error)
+            if (allocated(error)) return
+        end do
+        self%series(:, :, decade) = transpose(series_of_values(values))
+        call basis_for(self%gel, shortest, 10.0_wp*shortest, basis, error, finer=.true.)
+        do i = 1, 2
+            call answers(self%gel, basis, shortest*10.0_wp**(0.4_wp*i - 0.1_wp), exact, error)
+            if (allocated(error)) return
+            call compare(self, [(chebyshev_sum(self%series(:, j, decade), 0.8_wp*i - 1.2_wp), j=1, columns)], exact)
+        end do
+    end subroutine fill
+
+    !> All columns at tau and at the frequency 1/tau.
+    subroutine answers(gel, basis, tau, values, error)
+        type(gel_t), intent(in) :: gel
+        type(basis_t), intent(in) :: basis
+        real(wp), intent(in) :: tau
+        real(wp), intent(out) :: values(columns)
+        type(error_t), allocatable, intent(inout) :: error
+
+        call in_time(gel, basis, tau, values(:storage - 1), error)
+        call at_frequency(gel, basis, 1.0_wp/tau, values(storage:), error)
+    end subroutine answers
+
+    !> One column at tau, or at the frequency 1/tau, >= 0; at the ends those of the elastic bodies.
+    subroutine value(self, column, tau, y, error)
+        class(poroelastic_t), intent(in) :: self
+        !> relaxation, creep, ..., storage or loss (mdrcontact_poroelastic_answers)
+        integer, intent(in) :: column
+        !> D t/a^2, or D/(omega a^2) [1]
+        real(wp), intent(in) :: tau
+        !> in units of that of an incompressible half-space
+        real(wp), intent(out) :: y
+        type(error_t), allocatable, intent(inout) :: error
+        type(basis_t) :: basis
+        real(wp) :: x, all_values(columns)
+        integer :: decade
+
+        y = self%undrained(column)
+        if (.not. is_finite(tau)) then
+            call raise(error, error_no_convergence, "D t/a^2 leaves the number range: the numbers given are too large or too small")
+            return
+        end if
+        if (tau <= 0.0_wp) return
+        if (tau > at_rest) then
+            y = self%drained(column)
+            return
+        end if
+        if (tau < self%first) then
+            all_values = early_part(self%early, tau)
+            y = y + all_values(column)
+            return
+        end if
+        x = log10(tau/self%first)
+        decade = int(x) + 1
+        if (decade <= size(self%series, 3)) then
+            y = chebyshev_sum(self%series(:, column, decade), 2.0_wp*(x - (decade - 1)) - 1.0_wp)
+        else
+            call basis_for(self%gel, tau, tau, basis, error)
+            call answers(self%gel, basis, tau, all_values, error)
+            y = all_values(column)
+        end if
+    end subroutine value
+
+end module mdrcontact_poroelastic_table
