@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Do the intervals of `mdr.fit` hold what they promise?
+"""Do the intervals of `mdi.fit` hold what they promise?
 
 Synthetic force-depth curves of the exact layered medium with 1 % noise, 30 film/substrate systems, 200 repetitions of each:
 how often lies the true value inside the 95 % interval? Free are the film's modulus and its thickness, the latter known
@@ -27,6 +27,7 @@ from recovery import autoregression
 from tqdm import tqdm
 
 import mdrcontact as mdr
+import mdrcontact.instruments as mdi
 
 THICKNESS = 500e-9
 PRIOR = 0.05 * THICKNESS
@@ -64,13 +65,13 @@ def study(
     failed = 0
     for _ in range(repetitions):
         factor = 1.0 + NOISE * autoregression(random, lag, POINTS)
-        free = {"coating.E": None, "thickness": mdr.Free(prior=(THICKNESS + PRIOR * random.standard_normal(), PRIOR))}
-        data: mdr.ForceDepth | mdr.StiffnessRadius = mdr.ForceDepth(depth, force * factor, relative_sd=NOISE)
+        free = {"coating.E": None, "thickness": mdi.Free(prior=(THICKNESS + PRIOR * random.standard_normal(), PRIOR))}
+        data: mdi.ForceDepth | mdi.StiffnessRadius = mdi.ForceDepth(depth, force * factor, relative_sd=NOISE)
         if area_sd > 0.0:
             true_area = 1.0 + area_sd * random.standard_normal()
-            data = mdr.StiffnessRadius(radius / np.sqrt(true_area), stiffness * factor, relative_sd=NOISE)
-            free["area_factor"] = mdr.Free(prior=(1.0, area_sd))
-        result = mdr.fit(data, indenter, start, free)
+            data = mdi.StiffnessRadius(radius / np.sqrt(true_area), stiffness * factor, relative_sd=NOISE)
+            free["area_factor"] = mdi.Free(prior=(1.0, area_sd))
+        result = mdi.fit(data, indenter, start, free)
         failed += not result.converged
         for parameter, true in truth.items():
             lower, upper = result.interval(parameter, 0.95)
@@ -130,7 +131,7 @@ def main() -> None:
     print(f"{len(rows) * arguments.repetitions / seconds:.0f} fits a second")
     if arguments.table:
         arguments.table.write_text(
-            "# Coverage of the intervals of `mdr.fit`\n\n"
+            "# Coverage of the intervals of `mdi.fit`\n\n"
             f"Made by `python benchmarks/fit_recovery.py {shlex.join(sys.argv[1:])}`.\n\n{text}\n",
             encoding="utf-8",
         )

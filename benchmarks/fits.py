@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What a fit costs.
 
-A force-depth curve of 500 points, two free parameters: `mdr.fit` with the exact layered medium against a straightforward
+A force-depth curve of 500 points, two free parameters: `mdi.fit` with the exact layered medium against a straightforward
 `scipy.optimize.least_squares` whose forward model is the approximate medium, written with `scipy.integrate.quad`. Both fit the
 film's modulus and thickness from the same start; under a paraboloid, where the contact radius follows from the depth in closed
 form, and under a sphere, where it is the root of g(a) = d. Budget: 2 % of SciPy's time.
@@ -30,6 +30,7 @@ from scipy.integrate import quad
 from scipy.optimize import brentq, least_squares
 
 import mdrcontact as mdr
+import mdrcontact.instruments as mdi
 
 R, POINTS, CURVES = 10e-6, 500, 256
 FILM, SUBSTRATE = mdr.Elastic(72e9, 0.17), mdr.Elastic(163e9, 0.22)
@@ -105,11 +106,11 @@ def race(name: str, indenter: mdr.Profile, radius: Function, slope: Function) ->
     began = time.process_time()
     theirs = least_squares(residuals, [1.0, 1.0])
     seconds = time.process_time() - began
-    data = mdr.ForceDepth(depth, measured, relative_sd=0.01)
+    data = mdi.ForceDepth(depth, measured, relative_sd=0.01)
     times = []
     for _ in range(9):
         began = time.process_time()
-        ours = mdr.fit(data, indenter, start, ["coating.E", "thickness"])
+        ours = mdi.fit(data, indenter, start, ["coating.E", "thickness"])
         times.append(time.process_time() - began)
     took, ratio = float(np.median(times)), float(np.median(times)) / seconds
     found, modulus = theirs.x[0] * START[0], ours.estimates["coating.E"]
@@ -143,7 +144,7 @@ def folder() -> float:
 def main() -> int:
     """Both indenters, then the folder."""
     print("\n## Fits\n\nMade by `benchmarks/fits.py`: one curve of 500 points, modulus and thickness free, processor time.\n")
-    print("| indenter | SciPy, approximate medium | mdr.fit, exact medium | ratio, budget 2 % |\n|---|---|---|---|")
+    print("| indenter | SciPy, approximate medium | mdi.fit, exact medium | ratio, budget 2 % |\n|---|---|---|---|")
     ratios = [
         race("paraboloid", mdr.Paraboloid(R), paraboloid_radius, paraboloid_slope),
         race("sphere", mdr.Sphere(R), sphere_radius, sphere_slope),

@@ -24,6 +24,7 @@ from scipy import integrate, optimize
 from stresses import fastest
 
 import mdrcontact as mdr
+import mdrcontact.instruments as mdi
 from mdrcontact import poroelastic
 
 TERMS = [(0.1 * (i + 1), 1e-3 * 10.0 ** (0.5 * i)) for i in range(10)]
@@ -86,18 +87,18 @@ def main():
     gel = mdr.Coated(mdr.PowerLawRheology(1e3, 1.0, 0.2, 0.5), 3e-6, mdr.RIGID)
     tip = mdr.Sphere(5e-6)
     force = mdr.Contact(tip, gel).history(time, depth=depth).force + 2e-11 * np.random.default_rng(1).standard_normal(time.size)
-    data = mdr.ForceTime(time, depth + 0.1e-6, force)
+    data = mdi.ForceTime(time, depth + 0.1e-6, force)
     start = gel.replace(coating=mdr.PowerLawRheology(500.0, 1.0, 0.3, 0.5))
-    given = {"instrument": mdr.Instrument(depth_offset=0.095e-6)}
+    given = {"instrument": mdi.Instrument(depth_offset=0.095e-6)}
     free = ["coating.modulus", "coating.exponent", "depth_offset"]
-    result = mdr.fit(data, tip, start, free, **given)
-    fitted = fastest(lambda: mdr.fit(data, tip, start, free, **given), rounds=3)
+    result = mdi.fit(data, tip, start, free, **given)
+    fitted = fastest(lambda: mdi.fit(data, tip, start, free, **given), rounds=3)
     rows.append((f"fit of 2000 readings, power law on a rigid base, {result.evaluations} evaluations", fitted, 0.3))
     start = gel.replace(coating=mdr.PowerLawRheology(1200.0, 1.0, 0.24, 0.5), thickness=3.6e-6)
-    given = {"instrument": mdr.Instrument(depth_offset=0.12e-6)}
-    wide = {**dict.fromkeys(free), "thickness": mdr.Free(prior=(3e-6, 0.1e-6))}
-    result = mdr.fit(data, tip, start, wide, **given)
-    fitted = fastest(lambda: mdr.fit(data, tip, start, wide, **given), rounds=3)
+    given = {"instrument": mdi.Instrument(depth_offset=0.12e-6)}
+    wide = {**dict.fromkeys(free), "thickness": mdi.Free(prior=(3e-6, 0.1e-6))}
+    result = mdi.fit(data, tip, start, wide, **given)
+    fitted = fastest(lambda: mdi.fit(data, tip, start, wide, **given), rounds=3)
     rows.append((f"the same with the thickness, a prior on it, {result.evaluations} evaluations", fitted, 0.3))
 
     creeping = mdr.Homogeneous(mdr.Viscoelastic(0.5, [(4.5, 0.1)], nu=0.0))
@@ -136,13 +137,13 @@ def gels():
     rows += [
         (f'gel, a new table, "{name}"', fastest(lambda name=name: new(name), rounds=2), 2.0) for name in ("surface", "indenter")
     ]
-    data = mdr.ForceTime(
+    data = mdi.ForceTime(
         time, np.full(time.shape, 5e-5), force + 1e-5 * np.random.default_rng(1).standard_normal(time.size), sd=1e-5
     )
     names, start = ("shear_modulus", "diffusivity"), mdr.Homogeneous(gel.replace(shear_modulus=1e3, diffusivity=1e-9))
     for free in (names, (*names, "nu")):
-        mdr.fit_gel(data, tip, start, free, drainage="indenter")  # makes the tables
-        seconds = fastest(lambda free=free: mdr.fit_gel(data, tip, start, free, drainage="indenter"), rounds=2)
+        mdi.fit_gel(data, tip, start, free, drainage="indenter")  # makes the tables
+        seconds = fastest(lambda free=free: mdi.fit_gel(data, tip, start, free, drainage="indenter"), rounds=2)
         rows.append((f"gel, fit of 2000 readings, {', '.join(free)}", seconds, 0.5))
     return rows
 

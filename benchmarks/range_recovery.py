@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Do the intervals of `mdr.fit` hold what they promise where adhesion has a range?
+"""Do the intervals of `mdi.fit` hold what they promise where adhesion has a range?
 
 Synthetic retractions of a ball from a soft half-space whose adhesion is between JKR's and DMT's, with noise of 2 % of the pull-off
 force whose neighbouring readings have the correlation 0.9; free are modulus, work of adhesion and cohesive stress. How often lies
@@ -15,6 +15,7 @@ import numpy as np
 from recovery import Count, autoregression, options
 
 import mdrcontact as mdr
+import mdrcontact.instruments as mdi
 
 TRUTH = {"E": 2e6, "work_of_adhesion": 0.05, "cohesive_stress": 0.3e6}
 BEGIN = {"E": 0.75, "work_of_adhesion": 1.2, "cohesive_stress": 1.3}
@@ -39,10 +40,10 @@ def main() -> None:
     depth, force = clean_curve()
     random, size = np.random.default_rng(36), chosen.noise * abs(force.min())
     begin = {name: BEGIN[name] * value for name, value in TRUTH.items()}
-    start = mdr.Instrument(work_of_adhesion=begin["work_of_adhesion"], cohesive_stress=begin["cohesive_stress"])
+    start = mdi.Instrument(work_of_adhesion=begin["work_of_adhesion"], cohesive_stress=begin["cohesive_stress"])
     for _ in range(chosen.sets):
-        data = mdr.ForceDepth(depth, force + size * autoregression(random, chosen.lag, POINTS), branch="unloading")
-        found = mdr.fit(data, TIP, mdr.Homogeneous(mdr.Elastic(begin["E"], 0.5)), list(TRUTH), instrument=start)
+        data = mdi.ForceDepth(depth, force + size * autoregression(random, chosen.lag, POINTS), branch="unloading")
+        found = mdi.fit(data, TIP, mdr.Homogeneous(mdr.Elastic(begin["E"], 0.5)), list(TRUTH), instrument=start)
         count.add(found.values, {name: found.interval(name) for name in TRUTH})
     count.report("work_of_adhesion")
 

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Do the intervals of `mdr.fit_rate` hold what they promise?
+"""Do the intervals of `mdi.fit_rate` hold what they promise?
 
 Synthetic retractions of a soft cantilever from a homogeneous body at three speeds, with noise of 2 % of the pull-off force whose
 neighbouring readings have the correlation 0.9; free are modulus, work of adhesion, v0 and n. How often lies the true value inside
@@ -14,6 +14,7 @@ import numpy as np
 from recovery import Count, autoregression, options
 
 import mdrcontact as mdr
+import mdrcontact.instruments as mdi
 
 TRUTH = {"E": 1e6, "work": 0.05, "speed": 1e-6, "exponent": 0.4}
 SPEEDS = (1e-7, 1e-6, 1e-5)
@@ -25,7 +26,7 @@ def contact_of(E: float, **law: float) -> mdr.Contact:
     return mdr.Contact(TIP, mdr.Homogeneous(mdr.Elastic(E, 0.5)), adhesion=mdr.RateAdhesion(**law))
 
 
-def clean_curves() -> list[mdr.RateCurve]:
+def clean_curves() -> list[mdi.RateCurve]:
     """Without noise."""
     contact, start = contact_of(**TRUTH), 2e-6
     curves = []
@@ -34,7 +35,7 @@ def clean_curves() -> list[mdr.RateCurve]:
         time = np.linspace(0.0, 1.05 * end["lowest_time"], POINTS)
         position = start - speed * time
         force = contact.history(time, position=position, spring_stiffness=SPRING, start="rest").force
-        curves.append(mdr.RateCurve(time, position, force, SPRING))
+        curves.append(mdi.RateCurve(time, position, force, SPRING))
     return curves
 
 
@@ -47,8 +48,8 @@ def main() -> None:
         noisy = []
         for c in clean:
             noise = chosen.noise * abs(c.force.min()) * autoregression(random, chosen.lag, POINTS)
-            noisy.append(mdr.RateCurve(c.time, c.position, c.force + noise, SPRING))
-        found = mdr.fit_rate(noisy, guess, list(TRUTH))
+            noisy.append(mdi.RateCurve(c.time, c.position, c.force + noise, SPRING))
+        found = mdi.fit_rate(noisy, guess, list(TRUTH))
         count.add(found.values, found.intervals)
     count.report("work")
 

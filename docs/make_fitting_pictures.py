@@ -12,8 +12,8 @@ from pathlib import Path
 
 from make_pictures import save
 
-from mdrcontact.fitting import compare_models, fit, modulus_at_depths
-from mdrcontact.problem.fit_file import load_fit_file
+from mdrcontact.instruments.files.fit_file import load_fit_file
+from mdrcontact.instruments.fitting import compare_models, fit, modulus_at_depths
 
 DOCS = Path(__file__).resolve().parent
 CURVES = DOCS.parent / "examples" / "fit"

@@ -322,8 +322,8 @@ def rate(quick: bool) -> Any:
         time = np.linspace(0.0, 4.6e-6 / speed, 120)
         position = 2e-6 - speed * time
         force = contact.history(time, position=position, spring_stiffness=20.0, start="rest").force
-        curves.append(mdr.RateCurve(time, position, force + 3e-7 * random.standard_normal(120), 20.0))
-    fit = mdr.fit_rate(curves, contact, ["E", "work", "speed", "exponent"])
+        curves.append(mdr.instruments.RateCurve(time, position, force + 3e-7 * random.standard_normal(120), 20.0))
+    fit = mdr.instruments.fit_rate(curves, contact, ["E", "work", "speed", "exponent"])
     figure, axes = plt.subplots(1, 2, figsize=(9.0, 3.6), layout="constrained")
     for curve, model, colour in zip(curves, fit.fitted, (BLUE, RED, GREEN), strict=True):
         axes[0].plot(1e6 * curve.position, 1e6 * curve.force, ".", color=colour, markersize=3.0)

@@ -29,6 +29,7 @@ sys.path.insert(0, str(ROOT / "tests" / "python"))
 from conftest import OXIDE, RUBBER, SILICON, every_medium, every_profile  # noqa: E402
 
 import mdrcontact as mdr  # noqa: E402
+import mdrcontact.instruments as mdi  # noqa: E402
 from mdrcontact import lateral  # noqa: E402
 
 Row = tuple[str, Callable[[], Any]]
@@ -198,8 +199,8 @@ def fits() -> Iterator[Row]:
 
 def fitted(medium: mdr.Medium, free: list[str], instrument: dict[str, float], depth: Any, wave: Any) -> Any:
     truth = mdr.Contact(BALL, medium, work_of_adhesion=instrument.get("work_of_adhesion", 0.0)).at_depth(depth).force
-    found = mdr.fit(
-        mdr.ForceDepth(depth, truth * wave, relative_sd=0.01), BALL, medium, free, instrument=mdr.Instrument(**instrument)
+    found = mdi.fit(
+        mdi.ForceDepth(depth, truth * wave, relative_sd=0.01), BALL, medium, free, instrument=mdi.Instrument(**instrument)
     )
     return [found.estimates[name] for name in free], [found.standard_errors[name] for name in free], found.fitted[::7]
 

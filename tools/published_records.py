@@ -17,11 +17,12 @@ from typing import NamedTuple
 
 import numpy as np
 
-from mdrcontact import Elastic, FitResult, Homogeneous, MDRError, Unloading, fit, mean_of_tests, oliver_pharr
-from mdrcontact.fitting.calibration import as_prior, together, words_of_tests
-from mdrcontact.fitting.data import Data
-from mdrcontact.problem.curves import Curve
-from mdrcontact.problem.fit_file import FitFile, load_fit_file
+from mdrcontact import Elastic, Homogeneous, MDRError
+from mdrcontact.instruments import FitResult, Unloading, as_prior, fit, mean_of_tests, oliver_pharr
+from mdrcontact.instruments.files.curves import Curve
+from mdrcontact.instruments.files.fit_file import FitFile, load_fit_file
+from mdrcontact.instruments.fitting.calibration import together, words_of_tests
+from mdrcontact.instruments.fitting.data import Data
 
 PROBLEM = """
 [indenter]

@@ -7,6 +7,7 @@ import warnings
 import numpy as np
 
 import mdrcontact as mdr
+import mdrcontact.instruments as mdi
 
 ROUNDS = 7
 OXIDE, SILICON = mdr.Elastic(72e9, 0.17), mdr.Elastic(163e9, 0.22)
@@ -55,8 +56,8 @@ report("new film", new_film)
 pair = mdr.Contact(BALL, mdr.Pair(FILM, mdr.Layered([(SILICON, 2e-7)], OXIDE)))
 report("states of a pair", lambda: pair.at_depth(deep[::20]))
 depth = np.linspace(1e-9, 1e-7, 500)
-curve = mdr.ForceDepth(depth, CONTACT.at_depth(depth).force)
-report("fit of 500 points", lambda: mdr.fit(curve, BALL, FILM.replace(coating=mdr.Elastic(5e10, 0.17)), ["coating.E", "thickness"]))
+curve = mdi.ForceDepth(depth, CONTACT.at_depth(depth).force)
+report("fit of 500 points", lambda: mdi.fit(curve, BALL, FILM.replace(coating=mdr.Elastic(5e10, 0.17)), ["coating.E", "thickness"]))
 state = CONTACT.at_depth(5e-8)
 r, z = np.linspace(0.0, 2e-6, 30)[:, None], np.linspace(1e-8, 2e-6, 30)
 report("grid inside", lambda: state.interior(r, z))

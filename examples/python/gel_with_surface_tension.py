@@ -26,9 +26,9 @@ for radius in radii:
     depth = np.linspace(0.005, 0.1, 40) * radius
     force = np.asarray(mdr.Contact(tip, gel).at_depth(depth).force)
     noise = 0.01 * force
-    data = mdr.ForceDepth(depth, force + noise * random.standard_normal(depth.size), sd=noise)
-    both = mdr.fit(data, tip, start, free=["E", "surface.tension"])
-    bare = mdr.fit(data, tip, mdr.Homogeneous(mdr.Elastic(2e3, 0.5)), free=["E"])
+    data = mdr.instruments.ForceDepth(depth, force + noise * random.standard_normal(depth.size), sd=noise)
+    both = mdr.instruments.fit(data, tip, start, free=["E", "surface.tension"])
+    bare = mdr.instruments.fit(data, tip, mdr.Homogeneous(mdr.Elastic(2e3, 0.5)), free=["E"])
     names = ("E", "surface.tension")
     found, spread = [both.estimates[name] for name in names], [both.standard_errors[name] for name in names]
     rows.append((*found, *spread, bare.estimates["E"]))

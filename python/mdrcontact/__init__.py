@@ -15,6 +15,9 @@ docs/theory.md, which states the equations. Numbers give floats, arrays give arr
 compare and pickle by their constructor arguments, and may be shared between threads. Errors are `MDRError` and its subclasses.
 """
 
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
 from . import (
     _c_library,
     accuracy,
@@ -27,7 +30,6 @@ from . import (
     crystals,
     errors,
     failure,
-    fitting,
     friction,
     history,
     interior,
@@ -54,7 +56,6 @@ from .critical import *  # noqa: F403
 from .crystals import *  # noqa: F403
 from .errors import *  # noqa: F403
 from .failure import *  # noqa: F403
-from .fitting import *  # noqa: F403
 from .friction import *  # noqa: F403
 from .history import *  # noqa: F403
 from .interior import *  # noqa: F403
@@ -69,6 +70,9 @@ from .threads import *  # noqa: F403
 from .wear import *  # noqa: F403
 from .weights import *  # noqa: F403
 
+if TYPE_CHECKING:
+    from . import instruments as instruments
+
 __all__ = [
     *_c_library.__all__,
     *accuracy.__all__,
@@ -81,7 +85,6 @@ __all__ = [
     *crystals.__all__,
     *errors.__all__,
     *failure.__all__,
-    *fitting.__all__,
     *friction.__all__,
     *history.__all__,
     *interior.__all__,
@@ -98,3 +101,14 @@ __all__ = [
 ]
 
 __version__ = f"{_version() // 10000}.{_version() // 100 % 100}.{_version() % 100}"
+
+
+def __getattr__(name: str) -> Any:
+    """`instruments` is loaded when it is first asked for."""
+    if name != "instruments":
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return import_module("." + name, __name__)
+
+
+def __dir__() -> list[str]:
+    return [*globals(), "instruments"]

@@ -18,6 +18,7 @@ from pathlib import Path
 import numpy as np
 
 import mdrcontact as mdr
+import mdrcontact.instruments as mdi
 
 NUMERICAL = re.compile(r"/lib(gslcblas|gsl|openblas|blas|lapack|gfortran|quadmath|gomp)[^/]*\.so[^/]*$")
 """Libraries that a self-contained package must bring along."""
@@ -52,9 +53,9 @@ def adhesive():
 def fitted():
     """The modulus under which a curve of Hertz was made."""
     d = np.linspace(1e-8, 1e-7, 20)
-    data = mdr.ForceDepth(d, 4 / 3 * (2e9 / 0.91) * math.sqrt(1e-5) * d**1.5)
+    data = mdi.ForceDepth(d, 4 / 3 * (2e9 / 0.91) * math.sqrt(1e-5) * d**1.5)
     start = mdr.Homogeneous(mdr.Elastic(1e9, 0.3))
-    check("fitted modulus [Pa]", mdr.fit(data, mdr.Paraboloid(1e-5), start, ["E"]).estimates["E"], 2e9, 1e-8)
+    check("fitted modulus [Pa]", mdi.fit(data, mdr.Paraboloid(1e-5), start, ["E"]).estimates["E"], 2e9, 1e-8)
 
 
 def on_threads():

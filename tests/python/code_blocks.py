@@ -21,8 +21,8 @@ from conftest import ROOT
 from markdown_it import MarkdownIt
 
 from mdrcontact.cli import map as map_files
+from mdrcontact.instruments.files.fit_file import load_fit_file
 from mdrcontact.problem import load, read
-from mdrcontact.problem.fit_file import load_fit_file
 
 if sys.version_info >= (3, 11):
     import tomllib

@@ -9,10 +9,11 @@ import numpy as np
 import pytest
 
 import mdrcontact as mdr
+import mdrcontact.instruments as mdi
 from mdrcontact.cli import main
 from mdrcontact.cli.many_figure import overview
-from mdrcontact.measurement.afm import read_afm
-from mdrcontact.problem.fit_file import load_fit_file
+from mdrcontact.instruments.files.fit_file import load_fit_file
+from mdrcontact.instruments.reading.afm import read_afm
 
 afmformats = pytest.importorskip("afmformats")
 h5py = pytest.importorskip("h5py")
@@ -131,7 +132,7 @@ def test_a_line_of_places_is_drawn_curve_by_curve_and_a_map_as_one(tmp_path):
         curves = problem.curves(tmp_path / f"{columns}.h5")
         assert [curve.place for curve in curves] == [(i % columns, i // columns) for i in range(columns * rows)]
         data = (curve.read()[0] for curve in curves)
-        fitted = [(c, mdr.fit(d, problem.indenter, problem.medium, problem.free)) for c, d in zip(curves, data, strict=True)]
+        fitted = [(c, mdi.fit(d, problem.indenter, problem.medium, problem.free)) for c, d in zip(curves, data, strict=True)]
         figure = overview(fitted, ("coating.E", "depth_offset"), {id(r) for _, r in fitted})
         drawn = [image.get_array() for axis in figure.axes for image in axis.images if axis.get_xlabel() == "column"]
         assert len(drawn) == images

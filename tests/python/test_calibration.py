@@ -11,17 +11,18 @@ from conftest import ROOT
 from records import REDUCED, indentation
 
 import mdrcontact as mdr
+import mdrcontact.instruments as mdi
 from mdrcontact.cli import main
-from mdrcontact.fitting.calibration import together, words_of_tests
-from mdrcontact.fitting.quantities import dimension_of
-from mdrcontact.problem.fit_file import load_fit_file
+from mdrcontact.instruments.files.fit_file import load_fit_file
+from mdrcontact.instruments.fitting.calibration import together, words_of_tests
+from mdrcontact.instruments.fitting.quantities import dimension_of
 
 DIAMOND = mdr.Elastic(1141e9, 0.07)
 NU = 0.17
 SILICA = (1.0 - NU**2) / (1.0 / REDUCED - 1.0 / DIAMOND.contact_modulus)
 C1, FRAME = 1500e-9, 2e-7
 TIP = mdr.AreaFunction([24.5, 0.0], max_height=1e-6)
-TOOL = mdr.Instrument(indenter=DIAMOND)
+TOOL = mdi.Instrument(indenter=DIAMOND)
 KNOWN = mdr.Homogeneous(mdr.Elastic(SILICA, NU))
 
 CALIBRATE = f"""
@@ -144,12 +145,12 @@ def test_the_radius_of_a_ball(folder, capsys):
 
 
 def test_python_takes_a_calibration_as_a_prior():
-    columns = [mdr.Unloading(*indentation(f, c1=C1, seed=i)[1:3]) for i, f in enumerate((1e-3, 3e-3, 9e-3))]
-    free = {"indenter.C0": mdr.Free(prior=(24.5, 0.5)), "indenter.C1": None}
-    tip = mdr.fit(together(columns), TIP, KNOWN, free, instrument=TOOL)
-    prior = mdr.as_prior(tip)
+    columns = [mdi.Unloading(*indentation(f, c1=C1, seed=i)[1:3]) for i, f in enumerate((1e-3, 3e-3, 9e-3))]
+    free = {"indenter.C0": mdi.Free(prior=(24.5, 0.5)), "indenter.C1": None}
+    tip = mdi.fit(together(columns), TIP, KNOWN, free, instrument=TOOL)
+    prior = mdi.as_prior(tip)
     assert prior.names == ("indenter.C0", "indenter.C1")
-    film = mdr.fit(columns[1], tip.indenter, mdr.Homogeneous(mdr.Elastic(60e9, NU)), ["E"], instrument=TOOL, known=[prior])
+    film = mdi.fit(columns[1], tip.indenter, mdr.Homogeneous(mdr.Elastic(60e9, NU)), ["E"], instrument=TOOL, known=[prior])
     assert abs(film.estimates["E"] - SILICA) < 3.0 * film.standard_errors["E"]
 
 
@@ -159,7 +160,7 @@ def cycles(random, apart):
     area = 24.5 * contact_depth**2
     stiffness, force = 2.0 * REDUCED * np.sqrt(area / np.pi), 9e9 * area
     depth = (contact_depth + 0.75 * force / stiffness) * (1.0 + apart * random.standard_normal())
-    data = mdr.StiffnessDepth(
+    data = mdi.StiffnessDepth(
         depth, force, stiffness * (1.0 + 3e-3 * random.standard_normal(8)), sd=3e-3 * stiffness, elastic=False
     )
     data.unloadings = ("as of a record",)
@@ -173,8 +174,8 @@ def test_tests_that_differ_as_wholes(apart):
     random, tip = np.random.default_rng(5), mdr.AreaFunction([24.0], max_height=5e-6)
     off, words = [], []
     for _ in range(60):
-        found = mdr.fit(together([cycles(random, apart) for _ in range(6)]), tip, KNOWN, ["indenter.C0"], instrument=TOOL)
-        prior = mdr.as_prior(found)
+        found = mdi.fit(together([cycles(random, apart) for _ in range(6)]), tip, KNOWN, ["indenter.C0"], instrument=TOOL)
+        prior = mdi.as_prior(found)
         off.append((prior.values[0] - 24.5) / np.sqrt(prior.covariance[0][0]))
         words += words_of_tests(found)
     assert 0.6 < np.sqrt(np.mean(np.square(off))) < 1.5
@@ -186,13 +187,13 @@ def test_mean_of_dynamic_curves():
     depth = np.linspace(50e-9, 200e-9, 40)
     random = np.random.default_rng(3)
     curves = [
-        mdr.StiffnessDepth(depth, 1e-3 * depth / 1e-7, 5e4 * depth / 1e-7 * (1.0 + 0.03 * random.standard_normal(40)))
+        mdi.StiffnessDepth(depth, 1e-3 * depth / 1e-7, 5e4 * depth / 1e-7 * (1.0 + 0.03 * random.standard_normal(40)))
         for _ in range(9)
     ]
     mean = together(curves)
     assert mean.sd is not None and mean.sd / mean.y == pytest.approx(np.full(40, 0.01), rel=0.15)
     with pytest.raises(mdr.MDRError, match="in common"):
-        together([curves[0], mdr.StiffnessDepth(depth + 1e-6, depth, depth)])
+        together([curves[0], mdi.StiffnessDepth(depth + 1e-6, depth, depth)])
 
 
 @pytest.mark.parametrize(
@@ -252,7 +253,7 @@ def test_terms_of_an_area_function_may_begin_at_zero():
     """A term has the size of the whole area: differences of that size once gave it twice its standard error."""
     problem = load_fit_file(ROOT / "examples" / "fit" / "csm_on_silica.toml")
     data, _ = problem.read_data(ROOT / "examples" / "fit" / "csm_on_silica.csv")
-    found = mdr.fit(data, problem.indenter, problem.medium, problem.free, instrument=problem.instrument)
+    found = mdi.fit(data, problem.indenter, problem.medium, problem.free, instrument=problem.instrument)
     assert found.iterations < 20
     assert found.interval("indenter.C1", method="profile") == pytest.approx(found.interval("indenter.C1"), rel=1e-3)
     assert found.standard_errors["indenter.C1"] == pytest.approx(3.7e-9, rel=0.1)
@@ -264,18 +265,18 @@ def test_the_last_term_of_an_area_function_is_an_area():
     for seed in range(6):
         force = 1e-3 * 2.0 ** np.arange(6)
         points = [
-            mdr.Unloading(*indentation(f, c1=C1, frame=FRAME, noise=2e-6, seed=10 * seed + i)[1:3]) for i, f in enumerate(force)
+            mdi.Unloading(*indentation(f, c1=C1, frame=FRAME, noise=2e-6, seed=10 * seed + i)[1:3]) for i, f in enumerate(force)
         ]
         curves.append(together(points))
     data = together(curves)
     assert np.all(np.diff(data.x) >= 0.0), "by depth"
     names = ["indenter.C0", "indenter.C1", "frame_compliance"]
     tip = mdr.AreaFunction([24.5, 0.0, 0.0], max_height=1e-6)
-    few = mdr.fit(data, tip, KNOWN, names, instrument=TOOL)
-    more = mdr.fit(data, tip, KNOWN, [*names, "indenter.C2"], instrument=TOOL)
+    few = mdi.fit(data, tip, KNOWN, names, instrument=TOOL)
+    more = mdi.fit(data, tip, KNOWN, [*names, "indenter.C2"], instrument=TOOL)
     assert more.converged and more.chi_square <= few.chi_square * (1.0 + 1e-6)
     assert more.estimates["indenter.C2"] == 0.0 and "leave this term out" in more.summary()
     # a least height leaves room for any sign
     tip = mdr.AreaFunction([24.5, 0.0, 0.0], max_height=1e-6, min_height=20e-9)
-    free = mdr.fit(data, tip, KNOWN, [*names, "indenter.C2"], instrument=TOOL)
+    free = mdi.fit(data, tip, KNOWN, [*names, "indenter.C2"], instrument=TOOL)
     assert free.converged and not free.at_bound["indenter.C2"]

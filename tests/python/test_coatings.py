@@ -12,6 +12,7 @@ import pytest
 from conftest import ROOT
 
 import mdrcontact as mdr
+import mdrcontact.instruments as mdi
 from mdrcontact import problem
 
 WAVES = np.geomspace(1e-6, 20.0, 60)
@@ -21,7 +22,7 @@ ENGINEERED = mdr.TransverselyIsotropic.from_engineering(1.0, 1.4, 0.3, 0.25, 0.5
 GRAPHITE = mdr.TransverselyIsotropic(C11=1060.0, C12=180.0, C13=15.0, C33=36.5, C44=4.5)
 SHEET = mdr.Coated(GAN, 1.0, mdr.SMOOTH)
 CONTACT = mdr.Contact(mdr.Paraboloid(2.0), mdr.Coated(GAN, 1.0, mdr.Elastic(130.0, 0.28)))
-RECORD = mdr.ForceDepth([0.01, 0.02, 0.03], np.asarray(CONTACT.at_depth([0.01, 0.02, 0.03]).force), relative_sd=0.01)
+RECORD = mdi.ForceDepth([0.01, 0.02, 0.03], np.asarray(CONTACT.at_depth([0.01, 0.02, 0.03]).force), relative_sd=0.01)
 
 
 def rows(name):
@@ -312,7 +313,7 @@ def test_stiffnesses_and_engineering_constants_are_one_material():
             lambda: mdr.Friction(mdr.Contact(mdr.Paraboloid(1.0), mdr.Coated(GAN, 1.0, mdr.SMOOTH)), 0.3),
             "no stiffness along the surface",
         ),
-        (lambda: mdr.fit(RECORD, mdr.Paraboloid(2.0), CONTACT.medium, ["coating.E"]), "coating.E"),
+        (lambda: mdi.fit(RECORD, mdr.Paraboloid(2.0), CONTACT.medium, ["coating.E"]), "coating.E"),
     ],
 )
 def test_refusals_say_why(make, words):

@@ -9,6 +9,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 import mdrcontact as mdr
+import mdrcontact.instruments as mdi
 
 TIP = mdr.Paraboloid(1.0)
 FILM = mdr.Viscoelastic(1.0, [(1.0, 1.0), (0.5, 0.1)], nu=0.3)
@@ -123,9 +124,9 @@ def test_a_fit_finds_the_springs():
     time = np.linspace(0.0, 5.0, 100)
     depth = 0.3 * np.minimum(time, 1.0)
     force = mdr.Contact(TIP, body(0.8)).history(time, depth=depth).force
-    data = mdr.ForceTime(time, depth, force + 1e-4 * rng.standard_normal(time.size), sd=1e-4)
+    data = mdi.ForceTime(time, depth, force + 1e-4 * rng.standard_normal(time.size), sd=1e-4)
     free = ["layers[0].interface.normal", "layers[0].terms[0].modulus"]
-    result = mdr.fit(data, TIP, body(1.2), free)
+    result = mdi.fit(data, TIP, body(1.2), free)
     low, high = result.interval(free[0])
     assert low < 0.8 < high
     assert high - low < 0.1

@@ -14,6 +14,7 @@ from numpy.polynomial.legendre import leggauss
 from scipy.integrate import quad
 
 import mdrcontact as mdr
+import mdrcontact.instruments as mdi
 
 NODES, WEIGHTS = leggauss(40)
 PARABOLOID, CONE = mdr.Paraboloid(1.0), mdr.Cone(math.pi / 4)
@@ -257,10 +258,10 @@ def test_fits_find_the_stress():
         depth = np.linspace(-250e-9, 200e-9, 80)
         end = contact.pull_off("depth").depth
         force = np.array([contact.at_depth(d).force if d > end else 0.0 for d in depth])
-        instrument = mdr.Instrument(work_of_adhesion=0.045, cohesive_stress=0.25e6)
+        instrument = mdi.Instrument(work_of_adhesion=0.045, cohesive_stress=0.25e6)
         for noise, accuracy in ((0.0, 1e-6), (0.005, 0.15)):
-            data = mdr.ForceDepth(depth, force + rng.normal(0.0, noise * force.max(), depth.size), branch="unloading")
-            result = mdr.fit(data, tip, body, [modulus, "work_of_adhesion", "cohesive_stress"], instrument=instrument)
+            data = mdi.ForceDepth(depth, force + rng.normal(0.0, noise * force.max(), depth.size), branch="unloading")
+            result = mdi.fit(data, tip, body, [modulus, "work_of_adhesion", "cohesive_stress"], instrument=instrument)
             assert result.values[modulus] == pytest.approx(2e6, rel=accuracy)
             assert result.values["work_of_adhesion"] == pytest.approx(0.05, rel=accuracy)
             assert result.values["cohesive_stress"] == pytest.approx(0.3e6, rel=2 * accuracy)
@@ -273,15 +274,15 @@ def test_fits_end_at_one_minimum(seed):
     tip, size = mdr.Paraboloid(2e-6), 2e-9
     contact = mdr.Contact(tip, mdr.Homogeneous(mdr.Elastic(2e6, 0.5)), work_of_adhesion=0.05, cohesive_stress=0.3e6)
     depth = np.linspace(contact.pull_off("depth").depth + 2e-9, 200e-9, 160)
-    data = mdr.ForceDepth(depth, contact.at_depth(depth).force + rng.normal(0.0, size, depth.size), branch="unloading")
+    data = mdi.ForceDepth(depth, contact.at_depth(depth).force + rng.normal(0.0, size, depth.size), branch="unloading")
     found = [
-        mdr.fit(data, tip, mdr.Homogeneous(mdr.Elastic(E, 0.5)), ["E", "work_of_adhesion", "cohesive_stress"], instrument=start)
+        mdi.fit(data, tip, mdr.Homogeneous(mdr.Elastic(E, 0.5)), ["E", "work_of_adhesion", "cohesive_stress"], instrument=start)
         for E, start in (
-            (2e6, mdr.Instrument(work_of_adhesion=0.05, cohesive_stress=0.3e6)),
-            (1.5e6, mdr.Instrument(work_of_adhesion=0.04, cohesive_stress=0.2e6)),
-            (1.5e6, mdr.Instrument(work_of_adhesion=0.06, cohesive_stress=0.39e6)),
-            (2.6e6, mdr.Instrument(work_of_adhesion=0.035, cohesive_stress=0.6e6)),
-            (2e6, mdr.Instrument(work_of_adhesion=0.05, cohesive_stress=1.5e6)),
+            (2e6, mdi.Instrument(work_of_adhesion=0.05, cohesive_stress=0.3e6)),
+            (1.5e6, mdi.Instrument(work_of_adhesion=0.04, cohesive_stress=0.2e6)),
+            (1.5e6, mdi.Instrument(work_of_adhesion=0.06, cohesive_stress=0.39e6)),
+            (2.6e6, mdi.Instrument(work_of_adhesion=0.035, cohesive_stress=0.6e6)),
+            (2e6, mdi.Instrument(work_of_adhesion=0.05, cohesive_stress=1.5e6)),
         )
     ]
     for other in found[1:]:

@@ -13,6 +13,7 @@ import pytest
 from conftest import ROOT
 
 import mdrcontact as mdr
+import mdrcontact.instruments as mdi
 from mdrcontact.cli import main
 from mdrcontact.problem import load
 
@@ -668,8 +669,8 @@ def test_fits_find_what_made_the_data():
     conductance = np.asarray(true.along(contact.at_force(force)).conductance)
     measured = conductance * (1.0 + 1e-3 * noise.standard_normal(40))
     start = true.replace(body=mdr.LayeredConductor([(mdr.Conductor(3e6), 1e-6), mdr.Interface(1e-14)], mdr.Conductor(30e6)))
-    data = mdr.ConductanceForce(force, measured, contact, 1e-3 * conductance)
-    fit = mdr.fit_conduction(data, start, ["layer1.sigma", "layer1.resistance", "substrate.sigma"])
+    data = mdi.ConductanceForce(force, measured, contact, 1e-3 * conductance)
+    fit = mdi.fit_conduction(data, start, ["layer1.sigma", "layer1.resistance", "substrate.sigma"])
     for name, value in (("layer1.sigma", 9.17e6), ("layer1.resistance", 2e-14), ("substrate.sigma", 59.6e6)):
         assert abs(fit.values[name] - value) < 4.0 * fit.errors[name], fit
     assert fit.errors["layer1.sigma"] < 0.02 * 9.17e6 and 0.4 < fit.chi_square / 40 < 1.8
@@ -680,14 +681,14 @@ def test_fits_find_what_made_the_data():
     sd = 1e-3 * abs(z).max()
     z = z + sd * (noise.standard_normal(30) + 1j * noise.standard_normal(30))
     start = true.replace(body=mdr.LayeredConductor([(silica, 1e-7), mdr.Interface(5e-9)], silicon.replace(sigma=60.0)))
-    fit = mdr.fit_conduction(
-        mdr.Impedance(omega, z, 3e-6, "gaussian_potential", sd), start, ["layer1.resistance", "substrate.sigma"]
+    fit = mdi.fit_conduction(
+        mdi.Impedance(omega, z, 3e-6, "gaussian_potential", sd), start, ["layer1.resistance", "substrate.sigma"]
     )
     for name, value in (("layer1.resistance", 2e-8), ("substrate.sigma", 148.0)):
         assert abs(fit.values[name] - value) < 4.0 * fit.errors[name], fit
         assert fit.errors[name] < 0.1 * value
     with pytest.raises(mdr.MDRError, match="did you mean 'layer1.sigma'"):
-        mdr.fit_conduction(data, start, ["layer1.sigm"])
+        mdi.fit_conduction(data, start, ["layer1.sigm"])
 
 
 def elastic(sigma, E=1.0):

@@ -10,7 +10,8 @@ import numpy as np
 import pytest
 
 import mdrcontact as mdr
-from mdrcontact.problem.fit_file import load_fit_file
+import mdrcontact.instruments as mdi
+from mdrcontact.instruments.files.fit_file import load_fit_file
 
 TIP = mdr.Paraboloid(5e-6)
 GEL = mdr.PowerLawRheology(1e3, 1.0, 0.15, 0.5)
@@ -28,7 +29,7 @@ def record(count, noise, seed, sd=0.5e-9):
     random = np.random.default_rng(seed)
     time = np.linspace(0.0, 10.0, count)
     depth = mdr.Contact(TIP, mdr.Homogeneous(GEL)).history(time, force=held(time)).depth
-    return mdr.DepthTime(time, held(time) + noise * random.standard_normal(count), depth + sd * random.standard_normal(count))
+    return mdi.DepthTime(time, held(time) + noise * random.standard_normal(count), depth + sd * random.standard_normal(count))
 
 
 @pytest.mark.parametrize(("count", "noise"), [(300, 1e-12), (6300, 5e-12), (6300, 2e-11)])
@@ -39,7 +40,7 @@ def test_a_noisy_force_takes_no_longer(count, noise):
     time = np.linspace(0.0, 10.0, count)
     assert np.sqrt(np.mean((data.given - held(time)) ** 2)) < noise
     begun = process_time()
-    result = mdr.fit(data, TIP, mdr.Homogeneous(GEL.replace(modulus=300.0, exponent=0.3)), FREE)
+    result = mdi.fit(data, TIP, mdr.Homogeneous(GEL.replace(modulus=300.0, exponent=0.3)), FREE)
     assert process_time() - begun < 5.0
     assert result.converged
     assert result.estimates["modulus"] == pytest.approx(1e3, rel=0.01)
@@ -51,7 +52,7 @@ def test_coverage():
     start = mdr.Homogeneous(GEL.replace(modulus=1.2e3, exponent=0.2))
     held_by = []
     for seed in range(60):
-        result = mdr.fit(record(400, 2e-12, seed, sd=2e-9), TIP, start, FREE)
+        result = mdi.fit(record(400, 2e-12, seed, sd=2e-9), TIP, start, FREE)
         for name, truth in (("modulus", 1e3), ("exponent", 0.15)):
             lower, upper = result.interval(name)
             held_by.append(lower < truth < upper)
@@ -90,7 +91,7 @@ def test_another_path_stays_as_it_is():
     """Steps up and down are no noise."""
     time = np.linspace(0.0, 4.0, 41)
     force = np.where((time // 1.0) % 2 == 0, 1e-9, 2e-10)
-    data = mdr.DepthTime(time, force, 1e-7 * np.ones_like(time))
+    data = mdi.DepthTime(time, force, 1e-7 * np.ones_like(time))
     np.testing.assert_array_equal(data.given, force)
     assert not any("back and forth" in words for words in data.warnings)
 
@@ -132,6 +133,6 @@ def test_a_whole_record(tmp_path):
     assert any("readings of approach and hold are used" in note for note in notes)
     assert data.x[0] == pytest.approx(1.0, abs=0.15)
     assert data.x[-1] == pytest.approx(6.0, abs=0.05)
-    result = mdr.fit(data, TIP, problem.medium, problem.free, instrument=problem.instrument)
+    result = mdi.fit(data, TIP, problem.medium, problem.free, instrument=problem.instrument)
     assert result.estimates["modulus"] == pytest.approx(1e3, rel=0.03)
     assert result.estimates["exponent"] == pytest.approx(0.15, abs=0.01)

@@ -11,12 +11,13 @@ from conftest import OXIDE, ROOT, SILICON
 from records import sink_in
 
 import mdrcontact as mdr
+import mdrcontact.instruments as mdi
 from mdrcontact.cli import main
-from mdrcontact.measurement import without_oscillation
+from mdrcontact.instruments.records import without_oscillation
 
 DIAMOND = mdr.Elastic(1141e9, 0.07)
 TIP = mdr.AreaFunction([24.5], max_height=1e-6)
-TOOL = mdr.Instrument(indenter=DIAMOND)
+TOOL = mdi.Instrument(indenter=DIAMOND)
 START = mdr.Coated(mdr.Elastic(50e9, OXIDE.nu), 500e-9, SILICON)
 
 
@@ -29,11 +30,11 @@ def dynamic(noise, seed=0, points=30, area=1.0, drop=0.0):
     sigma = np.array([float(sink_in(mdr.Pair(f, DIAMOND), r)) for r, f in zip(a, films, strict=True)])
     depth = np.sqrt(np.pi * a**2 / area / 24.5) + sigma * force / stiffness
     noisy = stiffness * (1.0 + noise * np.random.default_rng(seed).standard_normal(points))
-    return mdr.StiffnessDepth(depth, force, noisy, relative_sd=noise or 1e-3)
+    return mdi.StiffnessDepth(depth, force, noisy, relative_sd=noise or 1e-3)
 
 
 def test_each_point_gives_the_modulus_of_the_film():
-    found = mdr.modulus_at_depths(dynamic(0.0), TIP, START, {"coating.E": None}, instrument=TOOL)
+    found = mdi.modulus_at_depths(dynamic(0.0), TIP, START, {"coating.E": None}, instrument=TOOL)
     assert found.modulus == pytest.approx(np.full(30, OXIDE.E), rel=1e-5)
     assert found.at_zero == pytest.approx(OXIDE.E, rel=1e-5)
     assert not found.warnings and not found.failures
@@ -48,8 +49,8 @@ def test_intervals_at_zero_depth_hold_the_truth():
     inside = 0
     for seed in range(20):
         data = dynamic(0.01, seed, points=16, area=1.0 + 0.02 * random.standard_normal())
-        free = {"coating.E": None, "area_factor": mdr.Free(prior=(1.0, 0.02))}
-        found = mdr.modulus_at_depths(data, TIP, START, free, instrument=TOOL)
+        free = {"coating.E": None, "area_factor": mdi.Free(prior=(1.0, 0.02))}
+        found = mdi.modulus_at_depths(data, TIP, START, free, instrument=TOOL)
         inside += found.interval.lower <= OXIDE.E <= found.interval.upper
     assert inside >= 16
 
@@ -60,9 +61,9 @@ def test_the_error_of_the_tip_is_in_the_modulus_at_zero_depth():
     a = np.linspace(60e-9, 400e-9, 12)
     stiffness = 2.0 * a * float(stiff.modulus(1.0))
     force = 9e9 * np.pi * a**2
-    data = mdr.StiffnessDepth(a * np.sqrt(np.pi / 24.5) + 0.75 * force / stiffness, force, stiffness, relative_sd=1e-6)
-    free = {"E": None, "area_factor": mdr.Free(prior=(1.0, 0.02))}
-    found = mdr.modulus_at_depths(data, TIP, stiff, free)
+    data = mdi.StiffnessDepth(a * np.sqrt(np.pi / 24.5) + 0.75 * force / stiffness, force, stiffness, relative_sd=1e-6)
+    free = {"E": None, "area_factor": mdi.Free(prior=(1.0, 0.02))}
+    found = mdi.modulus_at_depths(data, TIP, stiff, free)
     moved = OXIDE.E * (1.0 - 1.02**-0.5)
     assert found.common_error == pytest.approx(np.full(12, moved), rel=1e-5)
     assert found.at_zero_error == pytest.approx(moved, rel=1e-5)
@@ -70,10 +71,10 @@ def test_the_error_of_the_tip_is_in_the_modulus_at_zero_depth():
 
 def test_a_joint_prior_is_a_common_error_too():
     data = dynamic(0.01, points=12)
-    alone = {"coating.E": None, "area_factor": mdr.Free(prior=(1.0, 0.02)), "thickness": mdr.Free(prior=(500e-9, 1e-8))}
-    one = mdr.modulus_at_depths(data, TIP, START, alone, instrument=TOOL)
-    joint = mdr.JointPrior(("area_factor", "thickness"), (1.0, 500e-9), ((4e-4, 0.0), (0.0, 1e-16)))
-    two = mdr.modulus_at_depths(data, TIP, START, {"coating.E": None}, instrument=TOOL, known=[joint])
+    alone = {"coating.E": None, "area_factor": mdi.Free(prior=(1.0, 0.02)), "thickness": mdi.Free(prior=(500e-9, 1e-8))}
+    one = mdi.modulus_at_depths(data, TIP, START, alone, instrument=TOOL)
+    joint = mdi.JointPrior(("area_factor", "thickness"), (1.0, 500e-9), ((4e-4, 0.0), (0.0, 1e-16)))
+    two = mdi.modulus_at_depths(data, TIP, START, {"coating.E": None}, instrument=TOOL, known=[joint])
     assert two.common_error == pytest.approx(one.common_error, rel=1e-3)
     assert two.at_zero_error == pytest.approx(one.at_zero_error, rel=1e-3)
 
@@ -81,15 +82,15 @@ def test_a_joint_prior_is_a_common_error_too():
 def test_a_point_without_a_common_error_is_told():
     """One standard deviation of the frame's compliance takes all of the largest stiffness: that point has no common error."""
     data = dynamic(0.0, points=12)
-    free = {"coating.E": None, "frame_compliance": mdr.Free(prior=(0.0, 1.05 / data.y.max()))}
-    found = mdr.modulus_at_depths(data, TIP, START, free, instrument=TOOL)
+    free = {"coating.E": None, "frame_compliance": mdi.Free(prior=(0.0, 1.05 / data.y.max()))}
+    found = mdi.modulus_at_depths(data, TIP, START, free, instrument=TOOL)
     assert list(np.flatnonzero(np.isnan(found.common_error))) == [11] == list(found.failures)
     assert np.all(np.isfinite(found.modulus))
     assert any("1 of 12 points have no common error" in words for words in found.warnings)
 
 
 def test_a_modulus_that_changes_with_depth_is_told():
-    found = mdr.modulus_at_depths(dynamic(0.005, drop=5e5), TIP, START, {"coating.E": None}, instrument=TOOL)
+    found = mdi.modulus_at_depths(dynamic(0.005, drop=5e5), TIP, START, {"coating.E": None}, instrument=TOOL)
     assert any("changes with depth" in words for words in found.warnings)
     assert found.slope < 0.0
 
@@ -113,15 +114,15 @@ def test_secant_becomes_slope():
 @pytest.mark.parametrize(
     ("data", "free", "words"),
     [
-        (mdr.StiffnessDepth(*np.ones((3, 8))), {"coating.E": None}, "standard deviations"),
+        (mdi.StiffnessDepth(*np.ones((3, 8))), {"coating.E": None}, "standard deviations"),
         (dynamic(0.01), {"coating.E": None, "thickness": None}, "here are coating.E, thickness"),
-        (dynamic(0.01), {"thickness": mdr.Free(prior=(5e-7, 1e-8))}, "here are none"),
+        (dynamic(0.01), {"thickness": mdi.Free(prior=(5e-7, 1e-8))}, "here are none"),
         (dynamic(0.01, points=3), {"coating.E": None}, "too few points"),
     ],
 )
 def test_refusals(data, free, words):
     with pytest.raises(mdr.MDRError, match=words):
-        mdr.modulus_at_depths(data, TIP, START, free, instrument=TOOL)
+        mdi.modulus_at_depths(data, TIP, START, free, instrument=TOOL)
 
 
 def test_command_line(tmp_path, capsys):

@@ -12,6 +12,7 @@ import threading
 import pytest
 
 import mdrcontact as mdr
+import mdrcontact.instruments as mdi
 from mdrcontact._files import replace
 from mdrcontact.cli import main
 
@@ -27,8 +28,8 @@ def law():
 def fitted():
     contact = mdr.Contact(mdr.Paraboloid(1.0), mdr.Homogeneous(mdr.Elastic(1.0, 0.3)))
     depth = [0.01, 0.02, 0.03, 0.04, 0.05, 0.06]
-    data = mdr.ForceDepth(depth, contact.at_depth(depth).force)
-    return mdr.fit(data, contact.indenter, contact.medium, ["E"])
+    data = mdi.ForceDepth(depth, contact.at_depth(depth).force)
+    return mdi.fit(data, contact.indenter, contact.medium, ["E"])
 
 
 @pytest.fixture(params=["law", "json", "plot"])

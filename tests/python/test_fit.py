@@ -12,6 +12,7 @@ from conftest import OXIDE, ROOT, SILICON
 from records import sink_in
 
 import mdrcontact as mdr
+import mdrcontact.instruments as mdi
 
 FILM = mdr.Coated(OXIDE, 500e-9, SILICON, "exact")
 BALL = mdr.Paraboloid(10e-6)
@@ -21,10 +22,10 @@ START = FILM.replace(coating=mdr.Elastic(50e9, 0.17))
 SHARED = ROOT.parent / "shared" / "data"
 
 
-def noisy(seed: int, noise: float = 0.01) -> mdr.ForceDepth:
+def noisy(seed: int, noise: float = 0.01) -> mdi.ForceDepth:
     """A curve with 1 % noise."""
     random = np.random.default_rng(seed)
-    return mdr.ForceDepth(DEPTH, FORCE * (1.0 + noise * random.standard_normal(DEPTH.size)), relative_sd=noise)
+    return mdi.ForceDepth(DEPTH, FORCE * (1.0 + noise * random.standard_normal(DEPTH.size)), relative_sd=noise)
 
 
 EVERY = [
@@ -48,13 +49,13 @@ EVERY = [
 
 def test_information_criteria_are_those_of_akaike_and_schwarz():
     """Of 60 points with known noise and two parameters; of ten with unknown noise one parameter more."""
-    found = mdr.fit(noisy(1), BALL, START, ["coating.E", "substrate.E"], sd_is_absolute=True)
+    found = mdi.fit(noisy(1), BALL, START, ["coating.E", "substrate.E"], sd_is_absolute=True)
     sd = 0.01 * FORCE
     likelihood = -0.5 * np.sum(((found.data.y - found.fitted) / sd) ** 2 + np.log(2.0 * math.pi * sd**2))
     assert found.log_likelihood == pytest.approx(likelihood, rel=1e-3)
     assert found.aic == pytest.approx(-2.0 * found.log_likelihood + 4.0 + 12.0 / 57.0, rel=1e-12)
     assert found.bic == pytest.approx(-2.0 * found.log_likelihood + 2.0 * math.log(60.0), rel=1e-12)
-    few = mdr.fit(mdr.ForceDepth(DEPTH[::6], noisy(1).y[::6]), BALL, START, ["coating.E", "substrate.E"])
+    few = mdi.fit(mdi.ForceDepth(DEPTH[::6], noisy(1).y[::6]), BALL, START, ["coating.E", "substrate.E"])
     assert few.aic == pytest.approx(-2.0 * few.log_likelihood + 6.0 + 24.0 / 6.0, rel=1e-12)
 
 
@@ -62,11 +63,11 @@ def test_information_criteria_are_those_of_akaike_and_schwarz():
 def test_the_forward_model_is_that_of_contact_and_exact_data_give_the_truth(indenter, medium, free):
     """Every indenter and medium: the curve of Contact, an independent inversion, is met to 1e-8 and its parameters are found."""
     force = np.asarray(mdr.Contact(indenter, medium).at_depth(DEPTH).force)
-    truth = mdr.fit(mdr.ForceDepth(DEPTH, force), indenter, medium, free)
+    truth = mdi.fit(mdi.ForceDepth(DEPTH, force), indenter, medium, free)
     assert np.allclose(truth.fitted, force, rtol=1e-8, atol=1e-9 * force.max())
     scale = {"depth_offset": 3e-9, "force_offset": 1e-3 * force.max(), "frame_compliance": 0.05 * DEPTH[-1] / force.max()}
     start = {name: scale.get(name, 1.2 * truth.values[name]) for name in free}
-    found = mdr.fit(mdr.ForceDepth(DEPTH, force), indenter, medium, start)
+    found = mdi.fit(mdi.ForceDepth(DEPTH, force), indenter, medium, start)
     assert found.converged
     for name in free:
         assert found.estimates[name] == pytest.approx(truth.values[name], rel=2e-5, abs=1e-4 * scale.get(name, 0.0))
@@ -77,14 +78,14 @@ def test_intervals_hold_the_truth_as_often_as_they_say():
     the long run."""
     inside = 0
     for seed in range(30):
-        lower, upper = mdr.fit(noisy(seed), BALL, START, ["coating.E", "substrate.E"]).interval("coating.E")
+        lower, upper = mdi.fit(noisy(seed), BALL, START, ["coating.E", "substrate.E"]).interval("coating.E")
         inside += lower <= OXIDE.E <= upper
     assert inside >= 24
 
 
 def test_three_ways_to_an_interval_agree():
     """Where the model is nearly linear, normal, profile-likelihood and Monte Carlo intervals are the same."""
-    result = mdr.fit(noisy(1), BALL, START, {"coating.E": None, "thickness": mdr.Free(prior=(500e-9, 10e-9))})
+    result = mdi.fit(noisy(1), BALL, START, {"coating.E": None, "thickness": mdi.Free(prior=(500e-9, 10e-9))})
     normal, profile = result.interval("coating.E"), result.interval("coating.E", method="profile")
     simulated = result.interval("coating.E", method="monte-carlo", draws=100, seed=1)
     width = normal.upper - normal.lower
@@ -94,9 +95,9 @@ def test_three_ways_to_an_interval_agree():
 
 def test_a_prior_widens_the_interval_of_what_depends_on_it():
     """The uncertainty of the thickness enters that of the modulus: between a known and an unknown thickness."""
-    fixed = mdr.fit(noisy(2), BALL, START, ["coating.E"])
-    prior = mdr.fit(noisy(2), BALL, START, {"coating.E": None, "thickness": mdr.Free(prior=(500e-9, 5e-9))})
-    unknown = mdr.fit(noisy(2), BALL, START, ["coating.E", "thickness"])
+    fixed = mdi.fit(noisy(2), BALL, START, ["coating.E"])
+    prior = mdi.fit(noisy(2), BALL, START, {"coating.E": None, "thickness": mdi.Free(prior=(500e-9, 5e-9))})
+    unknown = mdi.fit(noisy(2), BALL, START, ["coating.E", "thickness"])
     errors = [result.standard_errors["coating.E"] for result in (fixed, prior, unknown)]
     assert errors[0] < errors[1] < errors[2]
     assert prior.standard_errors["thickness"] < 5e-9
@@ -111,12 +112,12 @@ def test_adhesion():
     first = int(np.argmin(d)) + 20
     depth = np.linspace(d[first], d[-1], 80)
     force = np.interp(depth, d[first:], F[first:])
-    result = mdr.fit(
-        mdr.ForceDepth(depth, force),
+    result = mdi.fit(
+        mdi.ForceDepth(depth, force),
         mdr.Paraboloid(R),
         mdr.Homogeneous(mdr.Elastic(OXIDE.E / 2000.0, OXIDE.nu)),
         ["E", "work_of_adhesion"],
-        instrument=mdr.Instrument(work_of_adhesion=0.03),
+        instrument=mdi.Instrument(work_of_adhesion=0.03),
     )
     assert result.estimates["E"] == pytest.approx(OXIDE.E / 1000.0, rel=1e-4)
     assert result.estimates["work_of_adhesion"] == pytest.approx(gamma, rel=1e-4)
@@ -127,16 +128,16 @@ def test_force_depth_data_of_a_deformable_indenter(said):
     """A diamond on a film: force-depth data take its compliance exactly, however it is said."""
     diamond, tip = mdr.Elastic(1141e9, 0.07), mdr.Paraboloid(5e-6)
     depth = np.linspace(1e-9, 60e-9, 40)
-    data = mdr.ForceDepth(depth, mdr.Contact(tip, mdr.Pair(FILM, diamond)).at_depth(depth).force)
+    data = mdi.ForceDepth(depth, mdr.Contact(tip, mdr.Pair(FILM, diamond)).at_depth(depth).force)
     if said == "pair":
-        result = mdr.fit(data, tip, mdr.Pair(START, diamond), ["coating.E", "substrate.E"])
+        result = mdi.fit(data, tip, mdr.Pair(START, diamond), ["coating.E", "substrate.E"])
         assert result.medium.upper == mdr.Homogeneous(diamond)
     else:
-        result = mdr.fit(data, tip, START, ["coating.E", "substrate.E"], instrument=mdr.Instrument(indenter=diamond))
+        result = mdi.fit(data, tip, START, ["coating.E", "substrate.E"], instrument=mdi.Instrument(indenter=diamond))
     assert result.estimates["coating.E"] == pytest.approx(OXIDE.E, rel=1e-6)
     assert result.estimates["substrate.E"] == pytest.approx(SILICON.E, rel=1e-6)
     with pytest.raises(mdr.InvalidArgumentError, match="its upper body is the indenter"):
-        mdr.fit(data, tip, mdr.Pair(START, diamond), ["coating.E"], instrument=mdr.Instrument(indenter=diamond))
+        mdi.fit(data, tip, mdr.Pair(START, diamond), ["coating.E"], instrument=mdi.Instrument(indenter=diamond))
 
 
 @pytest.mark.parametrize("kind", ["modulus", "stiffness", "depth"])
@@ -150,11 +151,11 @@ def test_stiffness_data(kind):
     stiffness = 2.0 * a * reduced
     load = 9e9 * math.pi * a**2
     data = {
-        "modulus": mdr.ModulusRadius(a, reduced),
-        "stiffness": mdr.StiffnessRadius(a, stiffness),
-        "depth": mdr.StiffnessDepth(h_c + sink_in(mdr.Pair(FILM, diamond), a) * load / stiffness, load, stiffness),
+        "modulus": mdi.ModulusRadius(a, reduced),
+        "stiffness": mdi.StiffnessRadius(a, stiffness),
+        "depth": mdi.StiffnessDepth(h_c + sink_in(mdr.Pair(FILM, diamond), a) * load / stiffness, load, stiffness),
     }[kind]
-    result = mdr.fit(data, tip, START, ["coating.E", "substrate.E"], instrument=mdr.Instrument(indenter=diamond))
+    result = mdi.fit(data, tip, START, ["coating.E", "substrate.E"], instrument=mdi.Instrument(indenter=diamond))
     assert result.converged
     assert result.estimates["coating.E"] == pytest.approx(OXIDE.E, rel=1e-6)
     assert result.estimates["substrate.E"] == pytest.approx(SILICON.E, rel=1e-6)
@@ -168,8 +169,8 @@ def test_noise_of_stiffness_enters_the_contact_depth_too():
     load = 9e9 * math.pi * a**2
     random = np.random.default_rng(5)
     noisy_stiffness = stiffness * (1.0 + 0.01 * random.standard_normal(a.size))
-    data = mdr.StiffnessDepth(h_c + sink_in(FILM, a) * load / stiffness, load, noisy_stiffness, relative_sd=0.01)
-    result = mdr.fit(data, mdr.Berkovich(), START, ["coating.E"])
+    data = mdi.StiffnessDepth(h_c + sink_in(FILM, a) * load / stiffness, load, noisy_stiffness, relative_sd=0.01)
+    result = mdi.fit(data, mdr.Berkovich(), START, ["coating.E"])
     assert result.chi_square / result.degrees_of_freedom == pytest.approx(1.0, abs=4.0 * math.sqrt(2.0 / 400))
 
 
@@ -180,21 +181,21 @@ def test_robust_loss_resists_outliers():
     y[10:60:10] *= 1.3
     spoiled = data.with_y(y)
     truth = OXIDE.E
-    plain = mdr.fit(spoiled, BALL, START, ["coating.E"])
+    plain = mdi.fit(spoiled, BALL, START, ["coating.E"])
     for loss in ("huber", "cauchy"):
-        robust = mdr.fit(spoiled, BALL, START, ["coating.E"], loss=loss)
+        robust = mdi.fit(spoiled, BALL, START, ["coating.E"], loss=loss)
         assert abs(robust.estimates["coating.E"] - truth) < 0.2 * abs(plain.estimates["coating.E"] - truth)
         assert robust.converged
 
 
 def test_bounds():
     """An estimate stops at its bound, says so, and the others follow."""
-    result = mdr.fit(noisy(4), BALL, START, {"coating.E": mdr.Free(50e9, upper=60e9), "substrate.E": None})
+    result = mdi.fit(noisy(4), BALL, START, {"coating.E": mdi.Free(50e9, upper=60e9), "substrate.E": None})
     assert result.estimates["coating.E"] == pytest.approx(60e9, rel=1e-12)
     assert result.at_bound["coating.E"] == 1
     assert any("upper bound" in words for words in result.warnings)
-    inside = mdr.fit(noisy(4), BALL, START, {"coating.E": mdr.Free(50e9, lower=40e9, upper=90e9)})
-    free = mdr.fit(noisy(4), BALL, START, ["coating.E"])
+    inside = mdi.fit(noisy(4), BALL, START, {"coating.E": mdi.Free(50e9, lower=40e9, upper=90e9)})
+    free = mdi.fit(noisy(4), BALL, START, ["coating.E"])
     assert inside.estimates["coating.E"] == pytest.approx(free.estimates["coating.E"], rel=1e-6)
 
 
@@ -203,7 +204,7 @@ def test_what_the_data_do_not_determine_is_said_with_its_reason():
     contact = mdr.Contact(BALL, FILM)
     depth = np.linspace(0.02, 0.1, 40) * float(contact.at_radius(20 * 500e-9 * 0.9).depth)
     force = np.asarray(contact.at_depth(depth).force) * (1.0 + 0.01 * np.random.default_rng(6).standard_normal(40))
-    result = mdr.fit(mdr.ForceDepth(depth, force, relative_sd=0.01), BALL, FILM, ["coating.E", "thickness", "substrate.E"])
+    result = mdi.fit(mdi.ForceDepth(depth, force, relative_sd=0.01), BALL, FILM, ["coating.E", "thickness", "substrate.E"])
     words = " ".join(result.warnings)
     assert "a/h runs from" in words
     assert "hardly determined" in words or "trade off" in words
@@ -211,7 +212,7 @@ def test_what_the_data_do_not_determine_is_said_with_its_reason():
 
 def test_wrong_models_are_found_out():
     """The exact model explains its own data, the others do not; the ranking says how far each puts the film's modulus off."""
-    ranking = mdr.compare_models(noisy(7), BALL, START, ["coating.E"])
+    ranking = mdi.compare_models(noisy(7), BALL, START, ["coating.E"])
     assert ranking.models[0].model == "exact"
     bias = {entry.model: entry.bias["coating.E"] for entry in ranking.models}
     assert bias["exact"] == 0.0
@@ -225,62 +226,62 @@ def test_wrong_models_are_found_out():
 
 def test_a_search_that_does_not_converge_says_so_and_gives_its_best_point():
     data = noisy(8)
-    result = mdr.fit(data, BALL, START, ["coating.E", "thickness"], max_iterations=1)
+    result = mdi.fit(data, BALL, START, ["coating.E", "thickness"], max_iterations=1)
     assert not result.converged
     assert "did not converge" in result.warnings[0]
-    begin = mdr.fit(data, BALL, FILM, ["coating.E"]).chi_square
+    begin = mdi.fit(data, BALL, FILM, ["coating.E"]).chi_square
     assert result.chi_square < 100 * begin
 
 
 BAD = [
-    (lambda: mdr.ForceDepth(DEPTH, np.where(DEPTH > 9e-8, np.nan, FORCE)), "rows are not finite"),
-    (lambda: mdr.ForceDepth(DEPTH[:2], FORCE[:2]), "too few points: 2"),
-    (lambda: mdr.ForceDepth([], []), "too few points"),
-    (lambda: mdr.ForceDepth(DEPTH, 1e3 * FORCE), "check the units"),
-    (lambda: mdr.ForceDepth(1e-3 * DEPTH, FORCE), "check the units"),
-    (lambda: mdr.ForceDepth(DEPTH, np.full_like(FORCE, 1e-3)), "force is the same"),
-    (lambda: mdr.ForceDepth(np.full_like(DEPTH, 1e-8), FORCE), "depth is the same"),
-    (lambda: mdr.ForceDepth(DEPTH, FORCE[:-1]), "same length"),
-    (lambda: mdr.ForceDepth(DEPTH, FORCE, sd=0.0), "sd"),
-    (lambda: mdr.ForceDepth(DEPTH, FORCE, relative_sd=2.0), "relative_sd"),
+    (lambda: mdi.ForceDepth(DEPTH, np.where(DEPTH > 9e-8, np.nan, FORCE)), "rows are not finite"),
+    (lambda: mdi.ForceDepth(DEPTH[:2], FORCE[:2]), "too few points: 2"),
+    (lambda: mdi.ForceDepth([], []), "too few points"),
+    (lambda: mdi.ForceDepth(DEPTH, 1e3 * FORCE), "check the units"),
+    (lambda: mdi.ForceDepth(1e-3 * DEPTH, FORCE), "check the units"),
+    (lambda: mdi.ForceDepth(DEPTH, np.full_like(FORCE, 1e-3)), "force is the same"),
+    (lambda: mdi.ForceDepth(np.full_like(DEPTH, 1e-8), FORCE), "depth is the same"),
+    (lambda: mdi.ForceDepth(DEPTH, FORCE[:-1]), "same length"),
+    (lambda: mdi.ForceDepth(DEPTH, FORCE, sd=0.0), "sd"),
+    (lambda: mdi.ForceDepth(DEPTH, FORCE, relative_sd=2.0), "relative_sd"),
 ]
 
 
 @pytest.mark.parametrize(("make", "words"), BAD, ids=[words for _, words in BAD])
 def test_bad_data_are_refused_in_words(make, words):
     with pytest.raises(mdr.InvalidArgumentError, match=words):
-        mdr.fit(make(), BALL, FILM, ["coating.E", "substrate.E"])
+        mdi.fit(make(), BALL, FILM, ["coating.E", "substrate.E"])
 
 
 def test_bad_arguments_are_refused_in_words():
-    data = mdr.ForceDepth(DEPTH, FORCE)
+    data = mdi.ForceDepth(DEPTH, FORCE)
     with pytest.raises(mdr.InvalidArgumentError, match="did you mean 'coating.E'"):
-        mdr.fit(data, BALL, FILM, ["coatin.E"])
+        mdi.fit(data, BALL, FILM, ["coatin.E"])
     with pytest.raises(mdr.InvalidArgumentError, match="coating.E"):
-        mdr.fit(data, BALL, FILM, {"coating.E": mdr.Free(lower=80e9)})
+        mdi.fit(data, BALL, FILM, {"coating.E": mdi.Free(lower=80e9)})
     with pytest.raises(mdr.InvalidArgumentError, match="no parameter is free"):
-        mdr.fit(data, BALL, FILM, [])
+        mdi.fit(data, BALL, FILM, [])
     with pytest.raises(mdr.InvalidArgumentError, match="loss"):
-        mdr.fit(data, BALL, FILM, ["coating.E"], loss="square")
+        mdi.fit(data, BALL, FILM, ["coating.E"], loss="square")
 
 
 def test_disorder_changes_nothing_and_is_no_warning():
     data = noisy(9)
     order = np.arange(len(DEPTH))
     order[20], order[21] = 21, 20
-    mixed = mdr.ForceDepth(DEPTH[order], data.y[order], relative_sd=0.01)
-    result, sorted_result = (mdr.fit(d, BALL, START, ["coating.E"]) for d in (mixed, data))
+    mixed = mdi.ForceDepth(DEPTH[order], data.y[order], relative_sd=0.01)
+    result, sorted_result = (mdi.fit(d, BALL, START, ["coating.E"]) for d in (mixed, data))
     assert result.warnings == sorted_result.warnings
     assert result.estimates["coating.E"] == pytest.approx(sorted_result.estimates["coating.E"], rel=1e-9)
 
 
 def test_one_bad_curve_does_not_stop_the_others():
-    def bad() -> mdr.ForceDepth:
-        return mdr.ForceDepth(DEPTH, np.full_like(FORCE, np.nan))
+    def bad() -> mdi.ForceDepth:
+        return mdi.ForceDepth(DEPTH, np.full_like(FORCE, np.nan))
 
     counted: list[int] = []
-    results = mdr.fit_many([noisy(10), bad, noisy(11)], BALL, START, ["coating.E"], progress=counted.append)
-    assert isinstance(results[1], mdr.FailedFit)
+    results = mdi.fit_many([noisy(10), bad, noisy(11)], BALL, START, ["coating.E"], progress=counted.append)
+    assert isinstance(results[1], mdi.FailedFit)
     assert "not finite" in str(results[1].error)
     for good in (results[0], results[2]):
         assert good.estimates["coating.E"] == pytest.approx(OXIDE.E, rel=0.02)
@@ -288,7 +289,7 @@ def test_one_bad_curve_does_not_stop_the_others():
 
 
 def test_summary_and_json(tmp_path):
-    result = mdr.fit(noisy(12), BALL, START, ["coating.E", "thickness"])
+    result = mdi.fit(noisy(12), BALL, START, ["coating.E", "thickness"])
     text = result.summary()
     assert "coating.E" in text and "chi-square" in text and "correlation" in text
     written = tmp_path / "fit.json"
@@ -316,10 +317,10 @@ def test_measured_films(file, modulus, film, nu, literature, error):
     tip = mdr.Elastic(1070e9, 0.07).contact_modulus
     star = rows[modulus] * 1e9 / (1.0 - nu**2)
     radius = 0.5 * rows["S_N_per_m"] * (1.0 / star + 1.0 / tip)
-    data = mdr.ModulusRadius(radius, star, sd=rows["sd_" + modulus] * 1e9 / (1.0 - nu**2))
+    data = mdi.ModulusRadius(radius, star, sd=rows["sd_" + modulus] * 1e9 / (1.0 - nu**2))
     layers = [(film, 500e-9)] if film is OXIDE else [(film, 500e-9), (OXIDE, 500e-9)]
-    free = {"layers[0].E": None, "layers[0].thickness": mdr.Free(prior=(500e-9, 25e-9))}
-    result = mdr.fit(data, mdr.Berkovich(), mdr.Layered(layers, SILICON, "exact"), free)
+    free = {"layers[0].E": None, "layers[0].thickness": mdi.Free(prior=(500e-9, 25e-9))}
+    result = mdi.fit(data, mdr.Berkovich(), mdr.Layered(layers, SILICON, "exact"), free)
     assert result.converged
     assert literature[0] < result.estimates["layers[0].E"] < literature[1]
     assert result.standard_errors["layers[0].E"] == pytest.approx(error, rel=0.05)

@@ -8,6 +8,7 @@ import pytest
 from scipy.optimize import brentq
 
 import mdrcontact as mdr
+import mdrcontact.instruments as mdi
 
 R, GAMMA, MODULUS = 5e-6, 0.05, mdr.Elastic(2e6, 0.49)
 STAR = MODULUS.contact_modulus
@@ -45,12 +46,12 @@ def loading(points=400):
 @pytest.mark.parametrize("start", [0.005, 0.03, 0.5])
 @pytest.mark.parametrize("baseline", [0, 20, 100, 600])
 def test_a_baseline_does_not_change_the_work_of_adhesion(baseline, start):
-    result = mdr.fit(
-        mdr.ForceDepth(*unloading(baseline)),
+    result = mdi.fit(
+        mdi.ForceDepth(*unloading(baseline)),
         mdr.Paraboloid(R),
         BODY,
         ["E", "work_of_adhesion"],
-        instrument=mdr.Instrument(work_of_adhesion=start),
+        instrument=mdi.Instrument(work_of_adhesion=start),
     )
     assert result.converged
     assert result.estimates["work_of_adhesion"] == pytest.approx(GAMMA, rel=1e-6)
@@ -67,14 +68,14 @@ def test_a_whole_curve_is_taken_as_it_is():
     force = np.r_[pressed, [force_at(300e-9 + x) for x in over], f] + 5e-9
     for seed in range(5):
         noise = 20e-9 * np.random.default_rng(seed).standard_normal(depth.size)
-        data = mdr.ForceDepth(depth, force + noise)
+        data = mdi.ForceDepth(depth, force + noise)
         assert data.branch is not None and not data.warnings
-        result = mdr.fit(
+        result = mdi.fit(
             data,
             mdr.Paraboloid(R),
             BODY,
             ["E", "work_of_adhesion", "depth_offset", "force_offset"],
-            instrument=mdr.Instrument(work_of_adhesion=0.03),
+            instrument=mdi.Instrument(work_of_adhesion=0.03),
         )
         assert result.converged
         truth = {"E": MODULUS.E, "work_of_adhesion": GAMMA, "depth_offset": 30e-9, "force_offset": 5e-9}
@@ -88,20 +89,20 @@ def test_a_whole_curve_is_taken_as_it_is():
 def test_one_branch_of_a_curve(branch):
     approach, pressed = loading()
     d, f = unloading(100)
-    data = mdr.ForceDepth(np.r_[approach, d], np.r_[pressed, f]).on(branch)
-    result = mdr.fit(data, mdr.Paraboloid(R), BODY, ["E", "work_of_adhesion"], instrument=mdr.Instrument(work_of_adhesion=0.03))
+    data = mdi.ForceDepth(np.r_[approach, d], np.r_[pressed, f]).on(branch)
+    result = mdi.fit(data, mdr.Paraboloid(R), BODY, ["E", "work_of_adhesion"], instrument=mdi.Instrument(work_of_adhesion=0.03))
     assert result.estimates["work_of_adhesion"] == pytest.approx(GAMMA, rel=1e-6)
-    again = mdr.ForceDepth(data.x, data.y, branch=branch)
+    again = mdi.ForceDepth(data.x, data.y, branch=branch)
     assert len(again) == len(data)
 
 
 def test_the_model_is_apart_beyond_pull_off_and_before_first_touch():
     """The prediction alone, without data that would say what is in contact."""
     d = np.array([1.5 * PULL_OFF, 0.9 * PULL_OFF, 100e-9])
-    instrument = mdr.Instrument(work_of_adhesion=GAMMA, force_offset=1e-9)
+    instrument = mdi.Instrument(work_of_adhesion=GAMMA, force_offset=1e-9)
     for branch, expected in (("unloading", [0.0, force_at(d[1]), force_at(d[2])]), ("loading", [0.0, 0.0, force_at(d[2])])):
-        data = mdr.ForceDepth(d, [0.0, 1e-9, 2e-9], branch=branch)
-        result = mdr.fit(
+        data = mdi.ForceDepth(d, [0.0, 1e-9, 2e-9], branch=branch)
+        result = mdi.fit(
             data, mdr.Paraboloid(R), mdr.Homogeneous(MODULUS), ["force_offset"], instrument=instrument, check_units=False
         )
         values = np.array(list(result.values.values()))
@@ -114,12 +115,12 @@ def test_no_adhesion_is_found_as_none():
     d = np.linspace(1e-9, 300e-9, 200)
     force = 4.0 / 3.0 * STAR * np.sqrt(R) * d**1.5
     noisy = force + 0.002 * force.max() * np.random.default_rng(1).standard_normal(d.size)
-    result = mdr.fit(
-        mdr.ForceDepth(d, noisy - 0.001 * force.max() * (d > 100e-9)),
+    result = mdi.fit(
+        mdi.ForceDepth(d, noisy - 0.001 * force.max() * (d > 100e-9)),
         mdr.Paraboloid(R),
         BODY,
         ["E", "work_of_adhesion"],
-        instrument=mdr.Instrument(work_of_adhesion=0.03),
+        instrument=mdi.Instrument(work_of_adhesion=0.03),
     )
     value, error = result.estimates["work_of_adhesion"], result.standard_errors["work_of_adhesion"]
     assert result.at_bound["work_of_adhesion"] == -1 or abs(value) < 4.0 * error
@@ -130,4 +131,4 @@ def test_no_adhesion_is_found_as_none():
 @pytest.mark.parametrize(("branch", "words"), [("up", "'loading'"), (["loading"], "as many")])
 def test_wrong_branches_are_refused(branch, words):
     with pytest.raises(mdr.InvalidArgumentError, match=words):
-        mdr.ForceDepth([1e-9, 2e-9], [1e-9, 2e-9], branch=branch)
+        mdi.ForceDepth([1e-9, 2e-9], [1e-9, 2e-9], branch=branch)

@@ -12,7 +12,7 @@ from conftest import ROOT
 
 import mdrcontact as mdr
 from mdrcontact.cli import main
-from mdrcontact.problem.fit_file import load_fit_file
+from mdrcontact.instruments.files.fit_file import load_fit_file
 
 FOLDER = ROOT / "examples" / "fit"
 TRUTH = {

@@ -10,6 +10,7 @@ import pytest
 from conftest import OXIDE, SILICON
 
 import mdrcontact as mdr
+import mdrcontact.instruments as mdi
 from mdrcontact.cli import main
 
 TIP = mdr.Sphere(5e-6)
@@ -22,7 +23,7 @@ FILM = mdr.Layered([mdr.Layer(GAN, 1e-6, 0.0, GLUE)], SILICON)
 def curve(medium, rng, sd=0.003, largest=4e-7):
     depth = np.linspace(largest / 30.0, largest, 30)
     force = np.asarray(mdr.Contact(TIP, medium).at_depth(depth).force)
-    return mdr.ForceDepth(depth, force * (1.0 + sd * rng.standard_normal(30)), sd=sd * force)
+    return mdi.ForceDepth(depth, force * (1.0 + sd * rng.standard_normal(30)), sd=sd * force)
 
 
 CASES = [
@@ -44,9 +45,9 @@ CASES = [
 def test_a_constant_is_found_where_it_was(medium, name):
     """From a start 20 % off, without noise: the value itself."""
     depth = np.linspace(1e-8, 4e-7, 25)
-    data = mdr.ForceDepth(depth, np.asarray(mdr.Contact(TIP, medium).at_depth(depth).force), relative_sd=1e-3)
+    data = mdi.ForceDepth(depth, np.asarray(mdr.Contact(TIP, medium).at_depth(depth).force), relative_sd=1e-3)
     truth = medium.parameters()[name]
-    result = mdr.fit(data, TIP, medium, {name: 0.8 * truth})
+    result = mdi.fit(data, TIP, medium, {name: 0.8 * truth})
     assert result.converged
     assert abs(result.estimates[name] - truth) < 1e-3 * result.standard_errors[name] + 1e-6 * abs(truth)
     assert result.medium.parameters()[name] == pytest.approx(truth, rel=1e-6, abs=1e-3 * result.standard_errors[name])
@@ -66,7 +67,7 @@ def test_errors_cover_the_truth_as_often_as_they_say(medium, names):
     rng = np.random.default_rng(20261)
     z = []
     for _ in range(60):
-        result = mdr.fit(curve(medium, rng), TIP, medium, names)
+        result = mdi.fit(curve(medium, rng), TIP, medium, names)
         truth = medium.parameters()
         z.append([(result.estimates[name] - truth[name]) / result.standard_errors[name] for name in names])
     inside = np.mean(np.abs(z) < 1.96)
@@ -83,7 +84,7 @@ def test_random_bodies_give_their_constants_back():
         springs = mdr.Interface(normal=10 ** rng.uniform(16.5, 18.0), tangential=10 ** rng.uniform(16.5, 18.0))
         medium = mdr.Layered([mdr.Layer(layer, rng.uniform(3e-7, 1e-6), 0.0, springs), (OXIDE, 3e-7)], SILICON)
         name = ["layers[0].G_z", "layers[0].E_z", "layers[0].interface.normal", "layers[0].prestress"][rng.integers(4)]
-        result = mdr.fit(curve(medium, rng), TIP, medium, [name])
+        result = mdi.fit(curve(medium, rng), TIP, medium, [name])
         truth = medium.parameters()[name]
         assert abs(result.estimates[name] - truth) < 4.5 * result.standard_errors[name]
 
@@ -98,30 +99,30 @@ DEPTH, RADIUS = np.linspace(1e-8, 4e-7, 30), np.geomspace(1e-7, 3e-6, 25)
 
 def moduli(rng):
     y, sd = with_noise(FILM.modulus(RADIUS), rng)
-    return mdr.ModulusRadius(RADIUS, y, sd=sd), TIP, FILM, {}, {}
+    return mdi.ModulusRadius(RADIUS, y, sd=sd), TIP, FILM, {}, {}
 
 
 def stiffnesses(rng):
     y, sd = with_noise(FILM.stiffness(RADIUS), rng)
-    return mdr.StiffnessRadius(RADIUS, y, sd=sd), TIP, FILM, {}, {}
+    return mdi.StiffnessRadius(RADIUS, y, sd=sd), TIP, FILM, {}, {}
 
 
 def dynamic(rng):
     states = mdr.Contact(TIP, FILM).at_depth(DEPTH)
     y, sd = with_noise(states.stiffness, rng)
-    return mdr.StiffnessDepth(DEPTH, np.asarray(states.force), y, sd=sd, elastic=True), TIP, FILM, {}, {}
+    return mdi.StiffnessDepth(DEPTH, np.asarray(states.force), y, sd=sd, elastic=True), TIP, FILM, {}, {}
 
 
 def calibrated_tip(rng):
     tip = mdr.AreaFunction([24.5, 2e-6], max_height=1e-6)
     y, sd = with_noise(mdr.Contact(tip, FILM).at_depth(DEPTH).force, rng)
-    return mdr.ForceDepth(DEPTH, y, sd=sd), tip, FILM, {"indenter.C1": mdr.Free(prior=(2e-6, 1e-8))}, {}
+    return mdi.ForceDepth(DEPTH, y, sd=sd), tip, FILM, {"indenter.C1": mdi.Free(prior=(2e-6, 1e-8))}, {}
 
 
 def pair(rng):
     medium = mdr.Pair(FILM, mdr.Elastic(1141e9, 0.07))
     y, sd = with_noise(mdr.Contact(TIP, medium).at_depth(DEPTH).force, rng)
-    return mdr.ForceDepth(DEPTH, y, sd=sd), TIP, medium, {}, {"loss": "huber"}
+    return mdi.ForceDepth(DEPTH, y, sd=sd), TIP, medium, {}, {"loss": "huber"}
 
 
 def adhesion(rng):
@@ -130,7 +131,7 @@ def adhesion(rng):
     depth = np.linspace(-2e-8, 3e-7, 40)
     force = np.asarray(mdr.Contact(TIP, medium, work_of_adhesion=0.05).at_depth(depth).force)
     sd = 0.003 * np.max(force)
-    data = mdr.ForceDepth(depth, force + sd * rng.standard_normal(40), sd=sd)
+    data = mdi.ForceDepth(depth, force + sd * rng.standard_normal(40), sd=sd)
     return data, TIP, medium, {"work_of_adhesion": 0.04, "layers[0].G_z": 2.5e6}, {}
 
 
@@ -140,7 +141,7 @@ def test_all_data_tips_pairs_and_adhesion(make):
     """Springs from every kind of data, and with what else may be free or known beforehand."""
     data, tip, medium, also, options = make(np.random.default_rng(3))
     truth = {**medium.parameters(), "work_of_adhesion": 0.05, "indenter.C1": 2e-6}
-    result = mdr.fit(data, tip, medium, {SPRINGS: 0.75 * truth[SPRINGS], **also}, **options)
+    result = mdi.fit(data, tip, medium, {SPRINGS: 0.75 * truth[SPRINGS], **also}, **options)
     assert result.converged
     for name in (SPRINGS, *also):
         assert abs(result.estimates[name] - truth[name]) < 3.5 * result.standard_errors[name] < 0.5 * abs(truth[name])
@@ -150,10 +151,10 @@ def test_what_the_readings_do_not_depend_on_is_refused():
     rng = np.random.default_rng(3)
     for medium, name in [(FILM, "layers[0].C12"), (mdr.Homogeneous(GAN), "C12")]:
         with pytest.raises(mdr.InvalidArgumentError, match=r"C12 must not be free: the readings do not depend on it"):
-            mdr.fit(curve(medium, rng), TIP, medium, [name])
-        known = mdr.Free(prior=(145e9, 5e9))
-        assert mdr.fit(curve(medium, rng), TIP, medium, {name: known}).standard_errors[name] == pytest.approx(5e9, rel=1e-3)
-    both = mdr.fit(curve(mdr.Homogeneous(GAN), rng), TIP, mdr.Homogeneous(GAN), ["C44", "C11"])
+            mdi.fit(curve(medium, rng), TIP, medium, [name])
+        known = mdi.Free(prior=(145e9, 5e9))
+        assert mdi.fit(curve(medium, rng), TIP, medium, {name: known}).standard_errors[name] == pytest.approx(5e9, rel=1e-3)
+    both = mdi.fit(curve(mdr.Homogeneous(GAN), rng), TIP, mdr.Homogeneous(GAN), ["C44", "C11"])
     assert any("do not determine C11 and C44 together" in words for words in both.warnings)
 
 
@@ -166,7 +167,7 @@ def test_what_the_readings_do_not_depend_on_is_refused():
 def test_refusals_say_why(medium, free, words):
     data = curve(FILM, np.random.default_rng(1))
     with pytest.raises(mdr.MDRError, match=words):
-        mdr.fit(data, TIP, medium, free)
+        mdi.fit(data, TIP, medium, free)
 
 
 def test_problem_files_and_the_command_line(tmp_path, capsys):

@@ -11,7 +11,8 @@ from conftest import OXIDE, SILICON
 from scipy import stats
 
 import mdrcontact as mdr
-from mdrcontact.fitting.scatter import compare_scatter
+import mdrcontact.instruments as mdi
+from mdrcontact.instruments.fitting.scatter import compare_scatter
 
 FILM = mdr.Coated(OXIDE, 500e-9, SILICON)
 RADIUS = np.geomspace(50e-9, 2e-6, 40)
@@ -23,8 +24,8 @@ def fit(noise, said, points=40, seed=0, bend=0.0, medium=FILM):
     a = RADIUS[:: len(RADIUS) // points]
     random = np.random.default_rng(seed)
     y = np.asarray(FILM.modulus(a)) * (1.0 + noise * random.standard_normal(len(a)) + bend * np.linspace(-1.0, 1.0, len(a)) ** 2)
-    data = mdr.ModulusRadius(a, y, relative_sd=said)
-    return mdr.fit(data, mdr.Paraboloid(1e-5), medium, ["coating.E"] if medium is FILM else ["E"])
+    data = mdi.ModulusRadius(a, y, relative_sd=said)
+    return mdi.fit(data, mdr.Paraboloid(1e-5), medium, ["coating.E"] if medium is FILM else ["E"])
 
 
 @pytest.mark.parametrize("said", [1e-6, 0.01, 0.5])
@@ -80,8 +81,8 @@ def test_few_points_say_nothing(points):
 
 def test_one_degree_of_freedom_can_miss():
     """Two moduli of one body, fifty standard deviations apart: chi-square 1250 for one degree of freedom."""
-    data = mdr.ModulusRadius([1e-7, 2e-7], [1e10, 1.5e10], sd=1e8)
-    result = mdr.fit(data, mdr.Paraboloid(1e-5), mdr.Homogeneous(OXIDE), ["E"])
+    data = mdi.ModulusRadius([1e-7, 2e-7], [1e10, 1.5e10], sd=1e8)
+    result = mdi.fit(data, mdr.Paraboloid(1e-5), mdr.Homogeneous(OXIDE), ["E"])
     assert result.scatter == 1 and result.describes_data is False
 
 

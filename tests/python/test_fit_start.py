@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 import mdrcontact as mdr
+import mdrcontact.instruments as mdi
 
 BALL, GEL = mdr.Paraboloid(5e-6), mdr.Homogeneous(mdr.Elastic(1.2e3, 0.5))
 FREE = ("E", "depth_offset", "force_offset")
@@ -18,14 +19,14 @@ def approach(seed=0, tail=0.0, begin=-3e-6, end=2e-6):
     force = np.zeros_like(depth)
     force[depth > 0.0] = np.asarray(mdr.Contact(BALL, GEL).at_depth(depth[depth > 0.0]).force)
     force += tail * np.exp(np.minimum(depth, 0.0) / 6e-7) * (depth < 2e-8) + 2e-9
-    return mdr.ForceDepth(depth, force + 2e-12 * np.random.default_rng(seed).standard_normal(len(depth)))
+    return mdi.ForceDepth(depth, force + 2e-12 * np.random.default_rng(seed).standard_normal(len(depth)))
 
 
 @pytest.mark.parametrize("factor", [1e-9, 1e3, 1e7])
 def test_the_modulus_of_a_homogeneous_body_begins_by_division(factor):
     """Wherever the guess lies: it was refused from a factor of 300 on."""
-    found = mdr.fit(approach(), BALL, mdr.Homogeneous(mdr.Elastic(1.2e3 * factor, 0.5)), FREE)
-    near = mdr.fit(approach(), BALL, GEL, FREE)
+    found = mdi.fit(approach(), BALL, mdr.Homogeneous(mdr.Elastic(1.2e3 * factor, 0.5)), FREE)
+    near = mdi.fit(approach(), BALL, GEL, FREE)
     assert found.converged
     assert found.estimates["E"] == pytest.approx(near.estimates["E"], rel=1e-4)
     assert found.estimates["E"] == pytest.approx(1.2e3, rel=0.01)
@@ -33,7 +34,7 @@ def test_the_modulus_of_a_homogeneous_body_begins_by_division(factor):
 
 def test_bounds_hold_where_a_search_begins():
     guess = mdr.Homogeneous(mdr.Elastic(1.0, 0.5))
-    found = mdr.fit(approach(), BALL, guess, {"E": mdr.Free(1.0, upper=500.0), "depth_offset": None}, check_units=False)
+    found = mdi.fit(approach(), BALL, guess, {"E": mdi.Free(1.0, upper=500.0), "depth_offset": None}, check_units=False)
     assert found.estimates["E"] <= 500.0
 
 
@@ -42,7 +43,7 @@ def test_a_search_that_is_at_the_minimum_has_converged(seed):
     """A force of long range before contact and a baseline two hundred times longer than the contact is deep: differences to one
     side hold half of their step times a large curvature."""
     data = approach(seed, 4e-11, -5e-5, 2.5e-7)
-    found = mdr.fit(data, BALL, GEL, FREE)
+    found = mdi.fit(data, BALL, GEL, FREE)
 
     def scatter(offset):
         """Least squares over the two parameters in which the model is linear."""
@@ -59,20 +60,20 @@ def test_the_scale_of_forces_alone_is_a_division():
     """One parameter: the estimate is the quotient of sums, to rounding of the model."""
     depth = np.linspace(1e-8, 1e-6, 200)
     force = np.asarray(mdr.Contact(BALL, GEL).at_depth(depth).force) * (1.0 + 0.05 * np.sin(40.0 * depth / depth[-1]))
-    found = mdr.fit(mdr.ForceDepth(depth, force), BALL, mdr.Homogeneous(mdr.Elastic(1.0, 0.5)), ["E"])
+    found = mdi.fit(mdi.ForceDepth(depth, force), BALL, mdr.Homogeneous(mdr.Elastic(1.0, 0.5)), ["E"])
     unit = np.asarray(mdr.Contact(BALL, mdr.Homogeneous(mdr.Elastic(1.0, 0.5))).at_depth(depth).force)
     assert found.estimates["E"] == pytest.approx(float(unit @ force / (unit @ unit)), rel=1e-6)
 
 
 def test_weights_next_to_contact_leave_other_forces_out():
     """A repulsion before contact moves the modulus by a third of what it does without weights, or less."""
-    clean = mdr.fit(approach(), BALL, GEL, FREE).estimates["E"]
+    clean = mdi.fit(approach(), BALL, GEL, FREE).estimates["E"]
     data = approach(tail=2e-10, begin=-4e-6)
-    plain = mdr.fit(data, BALL, GEL, FREE)
-    weighted = mdr.fit(data, BALL, GEL, FREE, contact_weight=1e-6)
+    plain = mdi.fit(data, BALL, GEL, FREE)
+    weighted = mdi.fit(data, BALL, GEL, FREE, contact_weight=1e-6)
     assert abs(plain.estimates["E"] / clean - 1.0) > 0.003
     assert abs(weighted.estimates["E"] / clean - 1.0) < abs(plain.estimates["E"] / clean - 1.0) / 2.0
-    nothing = mdr.fit(approach(), BALL, GEL, FREE, contact_weight=1e-7)
+    nothing = mdi.fit(approach(), BALL, GEL, FREE, contact_weight=1e-7)
     assert nothing.estimates["E"] == pytest.approx(clean, rel=0.01)
 
 
@@ -81,7 +82,7 @@ def test_weights_that_follow_the_contact_point(distance):
     """The sum of squares whose weights move with the contact point is at a minimum, which those that are held miss; its errors say
     how far the estimates scatter."""
     data = approach(tail=2e-10, begin=-4e-6)
-    found = mdr.fit(data, BALL, GEL, FREE, contact_weight=distance, contact_weight_rule="moving")
+    found = mdi.fit(data, BALL, GEL, FREE, contact_weight=distance, contact_weight_rule="moving")
 
     def square(values):
         at, modulus, offset = values
@@ -98,7 +99,7 @@ def test_weights_that_follow_the_contact_point(distance):
             away = best.copy()
             away[i] += 0.3 * sign * errors[i]
             assert square(away) > square(best)
-    held = mdr.fit(data, BALL, GEL, FREE, contact_weight=distance)
+    held = mdi.fit(data, BALL, GEL, FREE, contact_weight=distance)
     assert square([held.estimates[name] for name in ("depth_offset", "E", "force_offset")]) > square(best)
 
 
@@ -107,16 +108,16 @@ def test_moving_weights_cover():
     """Curves of noise alone: the modulus scatters as its standard error says."""
     off = []
     for seed in range(30):
-        found = mdr.fit(approach(seed=seed), BALL, GEL, FREE, contact_weight=5e-7, contact_weight_rule="moving")
+        found = mdi.fit(approach(seed=seed), BALL, GEL, FREE, contact_weight=5e-7, contact_weight_rule="moving")
         off.append((found.estimates["E"] - 1.2e3) / found.standard_errors["E"])
     assert 0.6 < np.sqrt(np.mean(np.square(off))) < 1.6
     with pytest.raises(mdr.MDRError, match="contact_weight_rule"):
-        mdr.fit(approach(), BALL, GEL, FREE, contact_weight=5e-7, contact_weight_rule="none")
+        mdi.fit(approach(), BALL, GEL, FREE, contact_weight=5e-7, contact_weight_rule="none")
 
 
 @pytest.mark.parametrize("distance", [-1e-9, float("nan"), float("inf")])
 def test_wrong_weights_are_refused(distance):
     with pytest.raises(mdr.InvalidArgumentError, match="contact_weight"):
-        mdr.fit(approach(), BALL, GEL, FREE, contact_weight=distance)
+        mdi.fit(approach(), BALL, GEL, FREE, contact_weight=distance)
     with pytest.raises(mdr.InvalidArgumentError, match="forces against depth"):
-        mdr.fit(mdr.ModulusRadius([1e-7, 2e-7, 3e-7], [1e9, 2e9, 1e9]), BALL, GEL, ["E"], contact_weight=1e-9)
+        mdi.fit(mdi.ModulusRadius([1e-7, 2e-7, 3e-7], [1e9, 2e9, 1e9]), BALL, GEL, ["E"], contact_weight=1e-9)

@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from mdrcontact._units import FORCE, LENGTH
+from mdrcontact.instruments.reading.columns import TableOptions, read_table
 from mdrcontact.problem import ProblemError
-from mdrcontact.problem.columns import TableOptions, read_table
 
 DEPTH = np.linspace(1.0, 20.0, 20)
 LOAD = 0.01 * DEPTH**1.5

@@ -12,8 +12,9 @@ import numpy as np
 import pytest
 
 import mdrcontact as mdr
+import mdrcontact.instruments as mdi
 from mdrcontact.__main__ import main
-from mdrcontact.problem.fit_file import load_fit_file
+from mdrcontact.instruments.files.fit_file import load_fit_file
 
 TIP = mdr.Paraboloid(5e-6)
 TIME = np.linspace(0.0, 2.0, 300)
@@ -25,7 +26,7 @@ POLYMER = mdr.Viscoelastic(300.0, [(500.0, 0.1), (200.0, 1.0)], bulk_modulus=5e3
 def force_time(medium, noise=1e-11, seed=0, offset=0.1e-6):
     """A curve of the path, with noise of the force."""
     force = mdr.Contact(TIP, medium).history(TIME, depth=PATH).force
-    return mdr.ForceTime(TIME, PATH + offset, force + noise * np.random.default_rng(seed).standard_normal(TIME.size), sd=noise)
+    return mdi.ForceTime(TIME, PATH + offset, force + noise * np.random.default_rng(seed).standard_normal(TIME.size), sd=noise)
 
 
 def within(result, truth, errors=4.0):
@@ -37,9 +38,9 @@ def within(result, truth, errors=4.0):
 
 def test_power_law_from_approach_and_retraction():
     start = mdr.Homogeneous(mdr.PowerLawRheology(400.0, 1.0, 0.35, 0.5))
-    instrument = mdr.Instrument(depth_offset=0.09e-6)
+    instrument = mdi.Instrument(depth_offset=0.09e-6)
     free = ["modulus", "exponent", "depth_offset"]
-    result = mdr.fit(force_time(mdr.Homogeneous(GEL)), TIP, start, free, instrument=instrument)
+    result = mdi.fit(force_time(mdr.Homogeneous(GEL)), TIP, start, free, instrument=instrument)
     assert result.converged and result.describes_data
     within(result, {"modulus": 1e3, "exponent": 0.2, "depth_offset": 0.1e-6})
     assert isinstance(result.medium.material, mdr.PowerLawRheology)
@@ -50,7 +51,7 @@ def test_power_law_from_approach_and_retraction():
 def test_prony_terms_and_offsets_of_a_polymer():
     start = mdr.Homogeneous(mdr.Viscoelastic(500.0, [(300.0, 0.05), (300.0, 0.5)], bulk_modulus=5e3))
     truth = {"relaxed_shear_modulus": 300.0, "terms[0].modulus": 500.0, "terms[1].modulus": 200.0, "terms[0].time": 0.1}
-    result = mdr.fit(force_time(mdr.Homogeneous(POLYMER), 1e-13, offset=0.0), TIP, start, [*truth, "terms[1].time"])
+    result = mdi.fit(force_time(mdr.Homogeneous(POLYMER), 1e-13, offset=0.0), TIP, start, [*truth, "terms[1].time"])
     within(result, truth)
     assert result.medium.material.bulk_modulus == 5e3
 
@@ -59,11 +60,11 @@ def test_film_with_a_prior_on_its_thickness():
     """The prior's error is in that of the modulus: without it the modulus is several times better known."""
     medium = mdr.Coated(GEL, 3e-6, mdr.RIGID)
     start = medium.replace(coating=GEL.replace(modulus=700.0, exponent=0.25), thickness=2.9e-6)
-    free = {"coating.modulus": None, "coating.exponent": None, "thickness": mdr.Free(prior=(3.05e-6, 0.1e-6))}
+    free = {"coating.modulus": None, "coating.exponent": None, "thickness": mdi.Free(prior=(3.05e-6, 0.1e-6))}
     data = force_time(medium, 3e-10, offset=0.0)
-    result = mdr.fit(data, TIP, start, free)
+    result = mdi.fit(data, TIP, start, free)
     within(result, {"coating.modulus": 1e3, "coating.exponent": 0.2, "thickness": 3e-6})
-    known = mdr.fit(data, TIP, start.replace(thickness=3e-6), list(free)[:2])
+    known = mdi.fit(data, TIP, start.replace(thickness=3e-6), list(free)[:2])
     assert result.standard_errors["coating.modulus"] > 2.0 * known.standard_errors["coating.modulus"]
 
 
@@ -72,7 +73,7 @@ def test_coverage():
     start = mdr.Homogeneous(GEL.replace(modulus=1.1e3, exponent=0.22))
     held = []
     for seed in range(60):
-        result = mdr.fit(force_time(mdr.Homogeneous(GEL), seed=seed, offset=0.0), TIP, start, ["modulus", "exponent"])
+        result = mdi.fit(force_time(mdr.Homogeneous(GEL), seed=seed, offset=0.0), TIP, start, ["modulus", "exponent"])
         for name, truth in (("modulus", 1e3), ("exponent", 0.2)):
             lower, upper = result.interval(name)
             held.append(lower < truth < upper)
@@ -83,11 +84,11 @@ def test_noise_of_the_depth():
     """Depth readings that go back and forth: the path is found, and said so; the estimates stay."""
     rough = PATH + 0.3e-9 * np.random.default_rng(3).standard_normal(TIME.size)
     clean = force_time(mdr.Homogeneous(GEL), offset=0.0)
-    data = mdr.ForceTime(TIME, rough, clean.y)
+    data = mdi.ForceTime(TIME, rough, clean.y)
     assert any("back and forth" in words for words in data.warnings)
     assert np.sqrt(np.mean((data.given - PATH) ** 2)) < 0.3e-9
     start = mdr.Homogeneous(GEL.replace(modulus=500.0, exponent=0.3))
-    result = mdr.fit(data, TIP, start, ["modulus", "exponent", "depth_offset"])
+    result = mdi.fit(data, TIP, start, ["modulus", "exponent", "depth_offset"])
     assert result.estimates["modulus"] == pytest.approx(1e3, rel=0.02)
     assert result.estimates["exponent"] == pytest.approx(0.2, abs=0.005)
 
@@ -102,9 +103,9 @@ def test_depths_with_noise_take_no_longer(count, noise, seed):
     force = np.interp(time, TIME, np.asarray(mdr.Contact(TIP, mdr.Homogeneous(GEL)).history(TIME, depth=PATH).force))
     random = np.random.default_rng(seed)
     begun = process_time()
-    data = mdr.ForceTime(time, path + noise * random.standard_normal(count), force + 1e-11 * random.standard_normal(count))
+    data = mdi.ForceTime(time, path + noise * random.standard_normal(count), force + 1e-11 * random.standard_normal(count))
     start = mdr.Homogeneous(GEL.replace(modulus=500.0, exponent=0.3))
-    result = mdr.fit(data, TIP, start, ["modulus", "exponent", "depth_offset"])
+    result = mdi.fit(data, TIP, start, ["modulus", "exponent", "depth_offset"])
     assert process_time() - begun < 5.0
     assert np.sqrt(np.mean((data.given - path) ** 2)) < 4.0 * noise / math.sqrt(count / 6)
     assert result.estimates["modulus"] == pytest.approx(1e3, rel=0.01)
@@ -117,11 +118,11 @@ def test_creep():
     force = np.minimum(time / 0.2, 1.0) * 1e-9
     depth = mdr.Contact(TIP, medium).history(time, force=force).depth
     noisy = depth + 1e-10 * np.random.default_rng(5).standard_normal(time.size) + 20e-9
-    data = mdr.DepthTime(time, force + 0.1e-9, noisy, sd=1e-10)
+    data = mdi.DepthTime(time, force + 0.1e-9, noisy, sd=1e-10)
     free = ["relaxed_shear_modulus", "terms[0].modulus", "terms[1].modulus", "terms[1].time", "depth_offset"]
     start = mdr.Homogeneous(mdr.Viscoelastic(400.0, [(400.0, 0.1), (300.0, 2.0)], bulk_modulus=5e3))
-    instrument = mdr.Instrument(depth_offset=15e-9, force_offset=0.1e-9)
-    result = mdr.fit(data, TIP, start, free, instrument=instrument)
+    instrument = mdi.Instrument(depth_offset=15e-9, force_offset=0.1e-9)
+    result = mdi.fit(data, TIP, start, free, instrument=instrument)
     within(result, {"relaxed_shear_modulus": 300.0, "terms[1].time": 1.0, "depth_offset": 20e-9})
 
 
@@ -134,11 +135,11 @@ def test_dynamic_stiffness_of_a_layered_body():
     k = 1.0 / (1.0 / k + 0.02)
     random = np.random.default_rng(7)
     noisy = k + 0.005 * np.abs(k) * (random.standard_normal(15) + 1j * random.standard_normal(15))
-    data = mdr.DynamicStiffness(omega, noisy, radius, relative_sd=0.005)
+    data = mdi.DynamicStiffness(omega, noisy, radius, relative_sd=0.005)
     assert len(data) == 30
     start = medium.replace(coating=mdr.Viscoelastic(2e6, [(1e6, 0.1)], nu=0.45))
     truth = {"coating.relaxed_shear_modulus": 1e6, "coating.terms[0].modulus": 2e6, "coating.terms[0].time": 0.01}
-    result = mdr.fit(data, TIP, start, list(truth), instrument=mdr.Instrument(frame_compliance=0.02))
+    result = mdi.fit(data, TIP, start, list(truth), instrument=mdi.Instrument(frame_compliance=0.02))
     within(result, truth)
     assert result.describes_data
     figure = result.plot()
@@ -152,35 +153,35 @@ def test_bad_input():
 
     def refused(words, data=good, medium=start, free=("modulus",), **options):
         with pytest.raises(mdr.MDRError, match=words):
-            mdr.fit(data, TIP, medium, free, **options)
+            mdi.fit(data, TIP, medium, free, **options)
 
-    refused("viscoelastic", medium=start, instrument=mdr.Instrument(work_of_adhesion=0.05))
-    refused("frame_compliance", instrument=mdr.Instrument(frame_compliance=1e-3))
-    refused("rigid", instrument=mdr.Instrument(indenter=mdr.Elastic(1e9, 0.3)))
+    refused("viscoelastic", medium=start, instrument=mdi.Instrument(work_of_adhesion=0.05))
+    refused("frame_compliance", instrument=mdi.Instrument(frame_compliance=1e-3))
+    refused("rigid", instrument=mdi.Instrument(indenter=mdr.Elastic(1e9, 0.3)))
     refused("body is elastic", medium=mdr.Homogeneous(mdr.Elastic(1e3, 0.5)), free=("E",))
     refused(
-        "ForceTime, DepthTime or DynamicStiffness", data=mdr.ForceDepth(np.linspace(1e-8, 6e-7, 50), np.linspace(0.0, 1e-9, 50))
+        "ForceTime, DepthTime or DynamicStiffness", data=mdi.ForceDepth(np.linspace(1e-8, 6e-7, 50), np.linspace(0.0, 1e-9, 50))
     )
     refused("exponent", free=("exponnt",))
-    refused("touches at none", instrument=mdr.Instrument(depth_offset=1e-3))
+    refused("touches at none", instrument=mdi.Instrument(depth_offset=1e-3))
     refused("equal time", medium=mdr.Homogeneous(mdr.Viscoelastic(1.0, [(1.0, 2.0), (1.0, 2.0)], nu=0.5)))
     refused("above 0", medium=mdr.Homogeneous(mdr.Viscoelastic(0.0, [(1.0, 2.0)], nu=0.5)), free=("relaxed_shear_modulus",))
-    refused("bounds", free={"exponent": mdr.Free(0.2, lower=0.3)})
+    refused("bounds", free={"exponent": mdi.Free(0.2, lower=0.3)})
     with pytest.raises(mdr.InvalidArgumentError, match="entry 3 of time = 1 is not allowed: times must ascend"):
-        mdr.ForceTime([0.0, 1.0, 1.0], [0.0, 1.0, 2.0], [0.0, 1.0, 2.0])
+        mdi.ForceTime([0.0, 1.0, 1.0], [0.0, 1.0, 2.0], [0.0, 1.0, 2.0])
     with pytest.raises(mdr.InvalidArgumentError, match="same length"):
-        mdr.ForceTime([0.0, 1.0], [0.0, 1.0, 2.0], [0.0, 1.0])
+        mdi.ForceTime([0.0, 1.0], [0.0, 1.0, 2.0], [0.0, 1.0])
     with pytest.raises(mdr.InvalidArgumentError, match="one largest value"):
-        mdr.ForceTime(TIME, np.sin(10.0 * TIME), TIME)
+        mdi.ForceTime(TIME, np.sin(10.0 * TIME), TIME)
     with pytest.raises(mdr.InvalidArgumentError, match="same length"):
-        mdr.DynamicStiffness([1.0, 2.0], [1.0 + 1j], 1.0)
+        mdi.DynamicStiffness([1.0, 2.0], [1.0 + 1j], 1.0)
     with pytest.raises(mdr.InvalidArgumentError, match="same length"):
-        mdr.DynamicStiffness([1.0, 2.0], [1.0 + 1j, 2.0 + 1j], 1.0, sd=[0.1, 0.1, 0.1])
-    assert len(mdr.ForceTime([float("nan")], [1.0], [1.0], missing="drop")) == 0  # which fits refuse
-    data = mdr.DynamicStiffness([1.0, 2.0], [1.0 + 1j, 2.0 + 1j], [1.0, -1.0])
+        mdi.DynamicStiffness([1.0, 2.0], [1.0 + 1j, 2.0 + 1j], 1.0, sd=[0.1, 0.1, 0.1])
+    assert len(mdi.ForceTime([float("nan")], [1.0], [1.0], missing="drop")) == 0  # which fits refuse
+    data = mdi.DynamicStiffness([1.0, 2.0], [1.0 + 1j, 2.0 + 1j], [1.0, -1.0])
     refused("radius", data=data)
     with pytest.raises(mdr.InvalidArgumentError, match="not finite"):
-        mdr.DepthTime([0.0, math.nan], [0.0, 1.0], [0.0, 1.0])
+        mdi.DepthTime([0.0, math.nan], [0.0, 1.0], [0.0, 1.0])
 
 
 def test_command_line(tmp_path):
@@ -238,8 +239,8 @@ def test_the_unit_of_a_frequency_decides_not_its_spelling(unit, per_unit, where,
 def test_one_reading_does_not_determine_two_moduli(force, loss):
     """The others are 0 whatever the moduli are: the matrix of the fit is singular, and noise of rounding gives no variances."""
     body = mdr.Homogeneous(mdr.Viscoelastic(1e6, [(2e6, 1.0)], nu=0.49))
-    data = mdr.ForceTime([0.0, 1.5, 3.0], [0.0, 1.5e-7, 0.3e-7], [0.0, force, 0.0])
-    found = mdr.fit(data, mdr.Paraboloid(5e-6), body, ["terms[0].modulus", "relaxed_shear_modulus"], loss=loss)
+    data = mdi.ForceTime([0.0, 1.5, 3.0], [0.0, 1.5e-7, 0.3e-7], [0.0, force, 0.0])
+    found = mdi.fit(data, mdr.Paraboloid(5e-6), body, ["terms[0].modulus", "relaxed_shear_modulus"], loss=loss)
     assert found.warnings[0].startswith("the data do not determine relaxed_shear_modulus and terms[0].modulus together")
     assert all(found.standard_errors[name] > 100.0 * found.estimates[name] for name in found.names)
     assert found.as_text("terms[0].modulus") == "not determined"

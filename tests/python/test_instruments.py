@@ -11,11 +11,12 @@ import numpy as np
 import pytest
 
 import mdrcontact as mdr
+import mdrcontact.instruments as mdi
 from mdrcontact.cli import main
+from mdrcontact.instruments.files.fit_file import load_fit_file
+from mdrcontact.instruments.reading.columns import TableOptions, read_table, read_tables
+from mdrcontact.instruments.reading.marks import segments_of_marks
 from mdrcontact.problem import ProblemError
-from mdrcontact.problem.columns import TableOptions, read_table, read_tables
-from mdrcontact.problem.fit_file import load_fit_file
-from mdrcontact.problem.marks import segments_of_marks
 
 PROBLEM = """
 [indenter]
@@ -64,7 +65,7 @@ def test_readings_that_are_not_used_are_kept_for_the_picture(tmp_path):
     data, notes = one.read()
     depth, force = data.unused
     assert len(depth) == len(force) == 479 - len(data) and f"{len(data)} of 479 readings are used" in notes
-    figure = mdr.fit(data, mdr.Paraboloid(27.5e-6), mdr.Homogeneous(mdr.Elastic(100.0, 0.5)), ["E", "depth_offset"]).plot()
+    figure = mdi.fit(data, mdr.Paraboloid(27.5e-6), mdr.Homogeneous(mdr.Elastic(100.0, 0.5)), ["E", "depth_offset"]).plot()
     assert "not used" in figure.axes[0].get_legend_handles_labels()[1]
 
 
@@ -143,7 +144,7 @@ def test_what_optics11_says_is_held_against_the_problem(tmp_path):
     assert any("indenter.radius is 10 um in the problem file and 27.5 um" in words for words in data.warnings)
     assert "E_eff 156.01 Pa" in notes[-1]
     # with the file's radius the modulus of the file comes out
-    fitted = mdr.fit(data, mdr.Paraboloid(27.5e-6), mdr.Homogeneous(mdr.Elastic(100.0, 0.5)), ["E", "depth_offset"])
+    fitted = mdi.fit(data, mdr.Paraboloid(27.5e-6), mdr.Homogeneous(mdr.Elastic(100.0, 0.5)), ["E", "depth_offset"])
     assert fitted.estimates["E"] / 0.75 == pytest.approx(156.0, rel=5e-3)
 
 
@@ -200,6 +201,6 @@ def test_cycles_between_two_marks_are_found():
 
 
 def read_marks(words, rows):
-    from mdrcontact.problem.marks import Mark
+    from mdrcontact.instruments.reading.marks import Mark
 
     return [Mark(row, word) for row, word in zip(rows, words, strict=True)]

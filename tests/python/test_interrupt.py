@@ -11,6 +11,7 @@ SCRIPT = """
 import os, signal, threading, time
 import numpy as np
 import mdrcontact as mdr
+import mdrcontact.instruments as mdi
 from mdrcontact import lateral
 
 signal.signal(signal.SIGINT, signal.default_int_handler)  # Python leaves a signal alone that its parent ignores
@@ -21,7 +22,7 @@ many = np.linspace(0.01, 1.0, 3_000_000)
 balls = [lateral.Ball((np.sin(3 * i), np.cos(5 * i), 0.6), 0.5, mdr.Elastic(1.0 + i, 0.3)) for i in range(40)]
 structure = lateral.Shapes(mdr.Elastic(1.0, 0.3), balls)
 depth = np.linspace(0.01, 1.0, 300)
-curve = mdr.ForceDepth(depth, depth**2 * (1 + np.sin(9 * depth)))
+curve = mdi.ForceDepth(depth, depth**2 * (1 + np.sin(9 * depth)))
 relaxing = mdr.Viscoelastic(1.0, [(2.0, 0.5)], nu=0.5)
 film = mdr.Contact(mdr.Paraboloid(1.0), mdr.Coated(relaxing, 1.0, mdr.Viscoelastic(0.6, [(0.4, 2.0)], nu=0.3)))
 soft, hard = mdr.Elastic(0.091, 0.3), mdr.Elastic(0.91, 0.3)
@@ -50,10 +51,10 @@ assert worn.state.sliding == 0.0 and worn.advance(0.001, force=0.5).sliding == 0
 CALLS = {
     "states": "lambda: contact.at_force(many)",
     "map": "lambda: structure.modulus(many, many, 0.5)",
-    "fit": "lambda: mdr.fit(curve, mdr.FlatEndedCone(0.1, 0.3), graded, names, check_units=False)",
+    "fit": "lambda: mdi.fit(curve, mdr.FlatEndedCone(0.1, 0.3), graded, names, check_units=False)",
     "history": "lambda: film.history(time_of_path, depth=np.sin(time_of_path) ** 2, tolerance=1e-9)",
     "wear": "lambda: worn.advance(np.full(100_000, 1.0), force=0.5)",
-    "fits": "lambda: mdr.fit_many([curve] * 1000, mdr.Cone(0.3), graded, names, check_units=False)",
+    "fits": "lambda: mdi.fit_many([curve] * 1000, mdr.Cone(0.3), graded, names, check_units=False)",
 }
 
 

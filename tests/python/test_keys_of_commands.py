@@ -8,8 +8,8 @@ import pytest
 
 import mdrcontact as mdr
 from mdrcontact.cli import main
+from mdrcontact.instruments.files.fit_file import load_fit_file
 from mdrcontact.problem import ProblemError
-from mdrcontact.problem.fit_file import load_fit_file
 
 BODY = '[indenter]\nshape = "paraboloid"\nradius = "51 um"\n[compute]\ndepths = ["83 nm"]\n'
 ELASTIC = '[medium]\ntype = "homogeneous"\nmaterial = { E = "3 GPa", nu = 0.34 }\n'

@@ -13,7 +13,8 @@ import pytest
 from conftest import ROOT
 
 import mdrcontact as mdr
-from mdrcontact.problem.fit_file import load_fit_file
+import mdrcontact.instruments as mdi
+from mdrcontact.instruments.files.fit_file import load_fit_file
 
 FOLDER = ROOT / "examples" / "fit"
 FILES = {
@@ -296,7 +297,7 @@ def fitted(folder, name, change=None):
     path.write_text(text)
     problem = load_fit_file((FOLDER / name).with_suffix(".toml"))
     data, _ = problem.read_data(path)
-    result = mdr.fit(data, problem.indenter, problem.medium, problem.free, instrument=problem.instrument, **problem.options)
+    result = mdi.fit(data, problem.indenter, problem.medium, problem.free, instrument=problem.instrument, **problem.options)
     return result.estimates["coating.E"], result.standard_errors["coating.E"], result.warnings
 
 

@@ -10,7 +10,8 @@ import pytest
 from conftest import OXIDE, SILICON
 
 import mdrcontact as mdr
-from mdrcontact.fitting.misfit import measure_misfit
+import mdrcontact.instruments as mdi
+from mdrcontact.instruments.fitting.misfit import measure_misfit
 
 BALL, BODY = mdr.Paraboloid(5e-6), mdr.Homogeneous(mdr.Elastic(1e4, 0.5))
 DEPTH = np.linspace(0.0, 1e-6, 2000)
@@ -27,7 +28,7 @@ def test_wave_and_noise_are_told_apart(noise, wave, before):
     model = np.concatenate([np.zeros(before), FORCE])
     random = np.random.default_rng(1).standard_normal(len(depth))
     bend = wave * LARGEST * np.where(depth > 0.0, np.sin(4.0 * np.pi * model / LARGEST), 0.0)
-    found = measure_misfit(mdr.ForceDepth(depth, model + bend + noise * LARGEST * random), model)
+    found = measure_misfit(mdi.ForceDepth(depth, model + bend + noise * LARGEST * random), model)
     share = 1.0 if before == 0 else 1.0 / math.sqrt(2.0)
     assert found.noise == pytest.approx(noise, rel=0.05, abs=0.02 * wave)
     assert found.rms == pytest.approx(wave / math.sqrt(2.0) * share, rel=0.15, abs=0.1 * noise)
@@ -35,18 +36,18 @@ def test_wave_and_noise_are_told_apart(noise, wave, before):
 
 def test_the_largest_is_where_it_is():
     bump = 0.1 * LARGEST * np.exp(-(((DEPTH - 6e-7) / 5e-8) ** 2))
-    found = measure_misfit(mdr.ForceDepth(DEPTH, FORCE + bump), FORCE)
+    found = measure_misfit(mdi.ForceDepth(DEPTH, FORCE + bump), FORCE)
     assert found.at == pytest.approx(6e-7, abs=3e-8) and found.largest == pytest.approx(0.1, rel=0.1)
 
 
 def test_an_offset_is_no_force():
-    data = mdr.ForceDepth(DEPTH, 1.01 * FORCE + 1.0)
+    data = mdi.ForceDepth(DEPTH, 1.01 * FORCE + 1.0)
     assert measure_misfit(data, FORCE + 1.0, 1.0).largest == pytest.approx(0.01, rel=0.1)
 
 
 def test_stiffnesses_count_each_by_itself():
     a = np.geomspace(1e-8, 1e-6, 50)
-    data = mdr.StiffnessRadius(a, 1.03 * a)
+    data = mdi.StiffnessRadius(a, 1.03 * a)
     assert measure_misfit(data, a).rms == pytest.approx(0.03, rel=1e-6)
 
 
@@ -54,8 +55,8 @@ def test_stiffnesses_count_each_by_itself():
 def test_verdicts_by_size(bend, verdict):
     """Capitals for the last alone."""
     noise = 1e-3 * LARGEST * np.random.default_rng(0).standard_normal(len(DEPTH))
-    data = mdr.ForceDepth(DEPTH, FORCE + bend * LARGEST * np.sin(9.0 * DEPTH / DEPTH[-1]) + noise)
-    result = mdr.fit(data, BALL, BODY, ["E"])
+    data = mdi.ForceDepth(DEPTH, FORCE + bend * LARGEST * np.sin(9.0 * DEPTH / DEPTH[-1]) + noise)
+    result = mdi.fit(data, BALL, BODY, ["E"])
     assert result.verdict.startswith(verdict)
     assert result.describes_data is (bend < 0.05)
     assert ("MISSES" in result.summary()) == (bend > 0.05)
@@ -71,7 +72,7 @@ def test_noise_whose_neighbours_share_errors_is_sized_and_not_shouted_at():
     noise = np.zeros_like(random)
     for i in range(1, len(noise)):
         noise[i] = 0.97 * noise[i - 1] + math.sqrt(1.0 - 0.97**2) * random[i]
-    result = mdr.fit(mdr.ForceDepth(DEPTH, FORCE + 3e-3 * LARGEST * noise), BALL, BODY, ["E"])
+    result = mdi.fit(mdi.ForceDepth(DEPTH, FORCE + 3e-3 * LARGEST * noise), BALL, BODY, ["E"])
     assert result.describes_data and result.departure < 0.005 and result.widening["E"] > 2.0
     assert result.warnings == [] and "MISSES" not in result.summary()
 
@@ -80,5 +81,5 @@ def test_a_wrong_body_is_missed():
     film = mdr.Coated(mdr.Elastic(1e9, 0.4), 500e-9, SILICON)
     depth = np.linspace(1e-9, 3e-7, 300)
     force = np.asarray(mdr.Contact(mdr.Paraboloid(1e-5), film).at_depth(depth).force)
-    result = mdr.fit(mdr.ForceDepth(depth, force), mdr.Paraboloid(1e-5), mdr.Homogeneous(OXIDE), ["E"])
+    result = mdi.fit(mdi.ForceDepth(depth, force), mdr.Paraboloid(1e-5), mdr.Homogeneous(OXIDE), ["E"])
     assert result.describes_data is False and result.verdict.startswith("misses by")

@@ -7,6 +7,7 @@ import numpy as np
 import pytest
 
 import mdrcontact as mdr
+import mdrcontact.instruments as mdi
 from mdrcontact.cli import main
 
 BALL, GEL = mdr.Paraboloid(5e-6), mdr.Homogeneous(mdr.Elastic(1e4, 0.5))
@@ -20,7 +21,7 @@ def force(depth, modulus=1e4):
 
 def test_a_model_that_is_right_stays():
     noise = 1e-3 * force(DEPTH).max() * np.random.default_rng(0).standard_normal(len(DEPTH))
-    found = mdr.find_moves(mdr.fit(mdr.ForceDepth(DEPTH, force(DEPTH) + noise), BALL, GEL, ["E", "depth_offset"]))
+    found = mdi.find_moves(mdi.fit(mdi.ForceDepth(DEPTH, force(DEPTH) + noise), BALL, GEL, ["E", "depth_offset"]))
     assert found.name == "E" and len(found.ranges) == 8
     for move in found.ranges:
         assert abs(move.value - 1e4) < 4.0 * move.standard_error
@@ -32,8 +33,8 @@ def test_a_film_taken_for_a_half_space_moves():
     """Deeper contacts feel more of the base: the modulus grows along the range."""
     film = mdr.Coated(mdr.Elastic(1e4, 0.5), 3e-6, mdr.RIGID)
     depth = np.linspace(1e-8, 1e-6, 200)
-    data = mdr.ForceDepth(depth, np.asarray(mdr.Contact(BALL, film).at_depth(depth).force))
-    found = mdr.find_moves(mdr.fit(data, BALL, GEL, ["E"]))
+    data = mdi.ForceDepth(depth, np.asarray(mdr.Contact(BALL, film).at_depth(depth).force))
+    found = mdi.find_moves(mdi.fit(data, BALL, GEL, ["E"]))
     values = [move.value for move in found.ranges]
     assert values == sorted(values) and values[0] < 0.8 * values[-1]
     (line,) = found.summary()
@@ -43,15 +44,15 @@ def test_a_film_taken_for_a_half_space_moves():
 
 
 def test_branches_are_fitted_alone():
-    data = mdr.ForceDepth(np.r_[DEPTH, DEPTH[::-1]], np.r_[force(DEPTH), force(DEPTH[::-1], 2e4)])
-    found = mdr.find_moves(mdr.fit(data, BALL, GEL, ["E"]))
+    data = mdi.ForceDepth(np.r_[DEPTH, DEPTH[::-1]], np.r_[force(DEPTH), force(DEPTH[::-1], 2e4)])
+    found = mdi.find_moves(mdi.fit(data, BALL, GEL, ["E"]))
     assert [move.value for move in found.branches] == pytest.approx([1e4, 2e4], rel=1e-6)
 
 
 def test_contact_points_of_estimators_are_held():
-    data = mdr.ForceDepth(DEPTH, force(DEPTH))
+    data = mdi.ForceDepth(DEPTH, force(DEPTH))
     data.contact_points = {"piecewise": 0.0, "ratio-of-variances": -1e-7}
-    found = mdr.find_moves(mdr.fit(data, BALL, GEL, ["E", "depth_offset"]))
+    found = mdi.find_moves(mdi.fit(data, BALL, GEL, ["E", "depth_offset"]))
     assert found.contact_points[0].value == pytest.approx(1e4, rel=1e-6)
     assert found.contact_points[1].value < 9e3
 

@@ -15,8 +15,8 @@ import pytest
 import mdrcontact as mdr
 from mdrcontact.cli import main
 from mdrcontact.cli import map as map_command
+from mdrcontact.instruments.files.fit_file import fit_file_of_text, load_fit_file
 from mdrcontact.problem import ProblemError, load, read, read_text
-from mdrcontact.problem.fit_file import fit_file_of_text, load_fit_file
 
 BODY = '[indenter]\nshape = "paraboloid"\nradius = "1 um"\n[medium]\ntype = "homogeneous"\nmaterial = { E = "1 GPa", nu = 0.3 }\n'
 TIP = "[indenter]\nfile = NAME\n"
@@ -88,15 +88,15 @@ def prepared(folder):
 def test_the_walk_has_every_key_that_names_a_file():
     """Each goes through `Section.file`, and nothing of a problem is opened elsewhere."""
     root = Path(mdr.__file__).parent
-    paths = [*root.glob("problem/*.py"), *root.glob("cli/*.py")]
+    paths = [path for room in ("problem", "instruments", "cli") for path in root.glob(f"{room}/**/*.py")]
     sources = {str(path.relative_to(root)): path.read_text(encoding="utf-8") for path in paths}
-    keys = {found for text in sources.values() for found in re.findall(r'\.file\(\s*"(\w+)"', text)}
+    keys = {found for text in sources.values() for found in re.findall(r'\.(?:file|table)\(\s*"(\w+)"', text)}
     assert keys == {re.search(r"\] (\w+)", key)[1] for key in KEYS} == {"path", "file", "labels"}
     opening = re.compile(r"(?<!os)\.open\(|(?<![\w.])open\(|read_text\(\)|read_bytes\(|read_text\(enc|np\.load\(|fromfile|memmap\(")
     openers = {name for name, text in sources.items() if opening.search(text)}
     # the command line's own files: the problem, the data, the examples of the package; and the array that is mapped
     assert openers == {
-        *("problem/named.py", "problem/toml.py", "problem/columns.py", "problem/curves.py"),
+        *("problem/named.py", "problem/toml.py", "instruments/reading/columns.py", "instruments/files/curves.py"),
         *("cli/example.py", "cli/map.py"),
     }
 

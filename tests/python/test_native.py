@@ -17,6 +17,7 @@ import numpy as np
 import pytest
 
 import mdrcontact as mdr
+import mdrcontact.instruments as mdi
 from mdrcontact import _boundary, _layout, _native
 
 ROOT = Path(__file__).parents[2]
@@ -198,10 +199,10 @@ def test_folders_of_curves_lose_none(threads):
     def curve(seed):
         noise = np.random.default_rng(seed).standard_normal((2, 300))
         u = np.linspace(1.0, 0.0, 300)
-        return mdr.Unloading((300 + 92 * u + 0.05 * noise[0]) * 1e-9, (11.0 * u**1.5 + 5e-6 * noise[1]) * 1e-3)
+        return mdi.Unloading((300 + 92 * u + 0.05 * noise[0]) * 1e-9, (11.0 * u**1.5 + 5e-6 * noise[1]) * 1e-3)
 
-    tip, tool = mdr.AreaFunction([24.5], max_height=1e-6), mdr.Instrument(indenter=mdr.Elastic(1141e9, 0.07))
+    tip, tool = mdr.AreaFunction([24.5], max_height=1e-6), mdi.Instrument(indenter=mdr.Elastic(1141e9, 0.07))
     curves, body = [curve(seed) for seed in range(100)], mdr.Homogeneous(mdr.Elastic(100e9, 0.3))
-    alone, many = (mdr.fit_many(curves, tip, body, ["E"], instrument=tool, threads=n) for n in (1, threads))
+    alone, many = (mdi.fit_many(curves, tip, body, ["E"], instrument=tool, threads=n) for n in (1, threads))
     assert [type(result).__name__ for result in many] == ["FitResult"] * 100
     assert [result.estimates["E"] for result in many] == [result.estimates["E"] for result in alone]

@@ -12,8 +12,9 @@ import pytest
 from conftest import OXIDE, RUBBER, SILICON, every_medium, every_profile
 
 import mdrcontact as mdr
-from mdrcontact.fitting.conduction import ConductanceForce, Impedance
-from mdrcontact.fitting.rate_curves import RateCurve
+import mdrcontact.instruments as mdi
+from mdrcontact.instruments.fitting.conduction import ConductanceForce, Impedance
+from mdrcontact.instruments.fitting.rate_curves import RateCurve
 from mdrcontact.lateral import Voxels
 
 OBJECTS = [
@@ -166,8 +167,7 @@ def test_the_version_has_one_source():
 
 
 def test_everything_public_says_what_it_is():
-    for name in mdr.__all__:
-        thing = getattr(mdr, name)
+    for name, thing in ((name, getattr(package, name)) for package in (mdr, mdi) for name in package.__all__):
         assert name in ("RIGID", "CRYSTALS") or thing.__doc__, name
         for member in vars(thing) if isinstance(thing, type) else ():
             if not member.startswith("_") and callable(getattr(thing, member)):

@@ -8,8 +8,9 @@ import pytest
 from conftest import OXIDE, RUBBER, SILICON, every_medium, every_profile
 
 import mdrcontact as mdr
+import mdrcontact.instruments as mdi
 from mdrcontact._units import dimensions
-from mdrcontact.fitting.quantities import dimension_of
+from mdrcontact.instruments.fitting.quantities import dimension_of
 
 GAN = mdr.TransverselyIsotropic(390e9, 145e9, 106e9, 398e9, 105e9)
 FIBRES = mdr.TransverselyIsotropic.from_engineering(10e9, 25e9, 0.2, 0.15, 3e9)
@@ -110,7 +111,7 @@ def test_a_graded_body_under_a_model_with_a_constant_is_fitted():
     body = mdr.Graded([0.0, 1e-6], [1e9, 4e9], [0.3, 0.2], model="gao-power")
     depth = np.linspace(1e-8, 3e-7, 20)
     force = mdr.Contact(tip, body).at_depth(depth).force
-    found = mdr.fit(mdr.ForceDepth(depth, force, sd=0.01 * force), tip, body, {"E[1]": 3e9})
+    found = mdi.fit(mdi.ForceDepth(depth, force, sd=0.01 * force), tip, body, {"E[1]": 3e9})
     assert found.estimates["E[1]"] == pytest.approx(4e9, rel=1e-6)
     assert found.medium.model == "gao-power"
 
@@ -120,6 +121,6 @@ def test_an_area_function_of_many_terms_is_fitted():
     body = mdr.Homogeneous(mdr.Elastic(72e9, 0.17))
     depth = np.linspace(1e-8, 1e-7, 20)
     force = mdr.Contact(tip, body).at_depth(depth).force
-    found = mdr.fit(mdr.ForceDepth(depth, force, sd=0.01 * force), tip, body, {"indenter.C1": 3e-7})
+    found = mdi.fit(mdi.ForceDepth(depth, force, sd=0.01 * force), tip, body, {"indenter.C1": 3e-7})
     assert found.estimates["indenter.C1"] == pytest.approx(2e-7, rel=1e-6)
     assert found.indenter.coefficients[2:] == tip.coefficients[2:]

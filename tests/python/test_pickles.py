@@ -15,8 +15,9 @@ import pytest
 from conftest import OXIDE, ROOT, RUBBER, SILICON, every_medium, every_profile
 
 import mdrcontact as mdr
-from mdrcontact import fitting, lateral, measurement, problem
-from mdrcontact.problem.fit_file import load_fit_file
+import mdrcontact.instruments as mdi
+from mdrcontact import lateral, problem
+from mdrcontact.instruments.files.fit_file import load_fit_file
 
 FILM, BALL = mdr.Coated(OXIDE, 500e-9, SILICON), mdr.Sphere(10e-6)
 CONTACT = mdr.Contact(BALL, FILM)
@@ -45,10 +46,10 @@ def rates():
     contact = mdr.Contact(mdr.Paraboloid(5e-6), mdr.Homogeneous(RUBBER), adhesion=rate)
     time = np.linspace(0.0, 1.0, 30)
     force = contact.history(time, depth=1e-7 - 1e-6 * time, start="rest").force
-    curve = mdr.RateCurve(time, 1e-7 - 1e-6 * time, force)
+    curve = mdi.RateCurve(time, 1e-7 - 1e-6 * time, force)
     return [
         curve,
-        mdr.fit_rate([curve], contact, ["work"]),
+        mdi.fit_rate([curve], contact, ["work"]),
         rate,
         mdr.RateAdhesion.from_rheology(rubber, 0.05, 1e6),
         contact,
@@ -60,46 +61,46 @@ def fits():
     """Data, results and what is made of results."""
     states = CONTACT.at_depth(DEPTH)
     force, stiffness = np.asarray(states.force), np.asarray(states.stiffness)
-    curve = mdr.ForceDepth(DEPTH, force, relative_sd=0.01)
-    csm = mdr.StiffnessDepth(DEPTH, force, stiffness, relative_sd=0.01)
-    free = {"coating.E": None, "thickness": mdr.Free(prior=(5e-7, 1e-8))}
-    result = mdr.fit(curve, BALL, FILM, free)
-    joint = mdr.JointPrior(("indenter.C0", "indenter.C1"), (24.5, 1e-7), ((0.01, 0.0), (0.0, 1e-18)))
+    curve = mdi.ForceDepth(DEPTH, force, relative_sd=0.01)
+    csm = mdi.StiffnessDepth(DEPTH, force, stiffness, relative_sd=0.01)
+    free = {"coating.E": None, "thickness": mdi.Free(prior=(5e-7, 1e-8))}
+    result = mdi.fit(curve, BALL, FILM, free)
+    joint = mdi.JointPrior(("indenter.C0", "indenter.C1"), (24.5, 1e-7), ((0.01, 0.0), (0.0, 1e-18)))
     tip = mdr.AreaFunction([24.5, 1e-7], max_height=1e-6)
-    paired = mdr.fit(csm, tip, mdr.Pair(FILM, mdr.Elastic(1141e9, 0.07)), ["coating.E"], known=[joint])
+    paired = mdi.fit(csm, tip, mdr.Pair(FILM, mdr.Elastic(1141e9, 0.07)), ["coating.E"], known=[joint])
     layers = mdr.Pair(FILM, mdr.Coated(SILICON, 2e-7, OXIDE))
-    two = mdr.fit(curve, BALL, layers, ["upper.coating.E"], instrument=mdr.Instrument(depth_offset=1e-10), max_iterations=2)
-    ranking = mdr.compare_models(curve, BALL, FILM, ["coating.E"], models=["exact", "gao"])
-    failed = mdr.fit_many([lambda: mdr.ForceDepth(DEPTH, force * np.nan)], BALL, FILM, ["coating.E"])[0]
+    two = mdi.fit(curve, BALL, layers, ["upper.coating.E"], instrument=mdi.Instrument(depth_offset=1e-10), max_iterations=2)
+    ranking = mdi.compare_models(curve, BALL, FILM, ["coating.E"], models=["exact", "gao"])
+    failed = mdi.fit_many([lambda: mdi.ForceDepth(DEPTH, force * np.nan)], BALL, FILM, ["coating.E"])[0]
     h = np.concatenate([DEPTH, DEPTH[::-1]])
-    unloading = mdr.Unloading(
+    unloading = mdi.Unloading(
         np.interp(np.arange(0, 24, 0.1), np.arange(24), h), np.interp(np.arange(0, 24, 0.1), np.arange(24), h**1.5)
     )
-    profile = mdr.modulus_at_depths(csm, BALL, FILM, ["coating.E"])
+    profile = mdi.modulus_at_depths(csm, BALL, FILM, ["coating.E"])
     time = np.linspace(0.0, 1.0, 9)
     omega = np.geomspace(1.0, 10.0, 5)
-    end = mdr.Move("up to depth 5 nm", 5e-9, 7e10, 1e9)
+    end = mdi.Move("up to depth 5 nm", 5e-9, 7e10, 1e9)
     gel = mdr.Homogeneous(mdr.Poroelastic(2e3, 0.2, 1e-9))
-    held = mdr.ForceTime(time, np.full(time.shape, 1e-6), 1e-9 / (1.0 + time), sd=1e-11)
+    held = mdi.ForceTime(time, np.full(time.shape, 1e-6), 1e-9 / (1.0 + time), sd=1e-11)
     return [
-        mdr.fit_gel(held, mdr.FlatPunch(1e-6), gel, drainage="surface"),
-        mdr.Moves(result, "coating.E", (end,), (), ()),
+        mdi.fit_gel(held, mdr.FlatPunch(1e-6), gel, drainage="surface"),
+        mdi.Moves(result, "coating.E", (end,), (), ()),
         end,
         result.misfit,
-        mdr.rate(result),
-        mdr.mean_of_tests([result, result], "coating.E"),
+        mdi.rate(result),
+        mdi.mean_of_tests([result, result], "coating.E"),
         curve,
         csm,
         unloading,
         unloading.unloadings[0],
-        mdr.ModulusRadius([1e-7, 2e-7], [1e11, 1.1e11]),
-        mdr.StiffnessRadius([1e-7, 2e-7], [1e4, 2e4], sd=1.0),
-        mdr.ForceTime(time, 1e-8 * time, 1e-9 * time),
-        mdr.DepthTime(time, 1e-9 * time, 1e-8 * time),
-        mdr.DynamicStiffness(omega, omega * (1.0 + 1.0j), 1e-6),
+        mdi.ModulusRadius([1e-7, 2e-7], [1e11, 1.1e11]),
+        mdi.StiffnessRadius([1e-7, 2e-7], [1e4, 2e4], sd=1.0),
+        mdi.ForceTime(time, 1e-8 * time, 1e-9 * time),
+        mdi.DepthTime(time, 1e-9 * time, 1e-8 * time),
+        mdi.DynamicStiffness(omega, omega * (1.0 + 1.0j), 1e-6),
         free["thickness"],
         joint,
-        mdr.Instrument(indenter=OXIDE),
+        mdi.Instrument(indenter=OXIDE),
         result,
         paired,
         two,
@@ -107,8 +108,8 @@ def fits():
         ranking.models[0],
         failed,
         profile,
-        mdr.oliver_pharr(csm, BALL),
-        mdr.as_prior(result),
+        mdi.oliver_pharr(csm, BALL),
+        mdi.as_prior(result),
     ]
 
 
@@ -195,9 +196,9 @@ def conductors():
         conduction.replace(film=0.0).friction_heat(CONTACT.at_depth(1e-8), 0.1, 1.0),
         conduction.along(CONTACT.at_depth(1e-8)),
         conduction.replace(film=0.0).tabulated(1e-7, 1e-6, 1e-4),
-        mdr.ConductanceForce([1e-6, 2e-6], [1.0, 1.2], CONTACT),
-        mdr.Impedance([1.0, 10.0], [1.0 + 0.1j, 0.9], 1e-6),
-        mdr.fit_conduction(mdr.ConductanceForce([1e-6, 2e-6], [1.0, 1.2], CONTACT), conduction.replace(film=0.0), ["layer1.sigma"]),
+        mdi.ConductanceForce([1e-6, 2e-6], [1.0, 1.2], CONTACT),
+        mdi.Impedance([1.0, 10.0], [1.0 + 0.1j, 0.9], 1e-6),
+        mdi.fit_conduction(mdi.ConductanceForce([1e-6, 2e-6], [1.0, 1.2], CONTACT), conduction.replace(film=0.0), ["layer1.sigma"]),
     ]
 
 
@@ -251,13 +252,13 @@ def records():
     h, p = np.linspace(-1e-7, 1e-7, 60), np.maximum(np.linspace(-1e-7, 1e-7, 60), 0.0)
     h, p = np.concatenate([h, h[::-1]]), np.concatenate([p, p[::-1]])
     return [
-        measurement.find_segments(h, p)[0],
-        measurement.segmentation(h, p),
-        measurement.find_baseline(h[:60], p[:60], 30),
-        measurement.PopIn(3, 1e-8, 1e-5, 1e-9),
-        measurement.Drift(1e-11, 1e-12),
-        measurement.Pull(1e-9, -1e-8, 1e-11),
-        measurement.Parting(-1e-8, 1e-17),
+        mdi.find_segments(h, p)[0],
+        mdi.segmentation(h, p),
+        mdi.find_baseline(h[:60], p[:60], 30),
+        mdi.PopIn(3, 1e-8, 1e-5, 1e-9),
+        mdi.Drift(1e-11, 1e-12),
+        mdi.Pull(1e-9, -1e-8, 1e-11),
+        mdi.Parting(-1e-8, 1e-17),
     ]
 
 
@@ -308,7 +309,7 @@ def state_of(thing):
 
 
 def test_nothing_public_is_missing(things):
-    packages = (mdr, lateral, measurement, fitting, problem)
+    packages = (mdr, lateral, mdi, problem)
     public = (vars(package)[name] for package in packages for name in package.__all__)
     classes = set(filter(inspect.isclass, public)) - BASES
     shown = {type(thing) for thing in things}
@@ -324,7 +325,7 @@ def test_pickles_and_copies(things):
 
 def test_results_go_on_in_another_process(things, tmp_path):
     """What was unpickled computes: it holds no addresses of the process that pickled it."""
-    chosen = [thing for thing in things if isinstance(thing, (mdr.FitResult, mdr.Contact, mdr.ContactLaw))]
+    chosen = [thing for thing in things if isinstance(thing, (mdi.FitResult, mdr.Contact, mdr.ContactLaw))]
     (tmp_path / "things").write_bytes(pickle.dumps(chosen))
     text = """
 import pickle, sys
@@ -338,7 +339,7 @@ for thing in pickle.load(open(sys.argv[1], "rb")):
     assert done.returncode == 0, done.stderr
     expected = []
     for thing in chosen:
-        if isinstance(thing, mdr.FitResult):
+        if isinstance(thing, mdi.FitResult):
             found = [*thing.problem.predict(thing._values)[0], *thing.problem.answer()[0], thing.summary()]
             expected.append(" ".join(map(str, found)))
         else:

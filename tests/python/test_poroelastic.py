@@ -11,8 +11,9 @@ from conftest import ROOT
 from scipy import special
 
 import mdrcontact as mdr
+import mdrcontact.instruments as mdi
 from mdrcontact.cli import main
-from mdrcontact.fitting import gel
+from mdrcontact.instruments.fitting import gel
 
 TABLE = Path(__file__).parents[1] / "data" / "poroelastic.csv"
 DRAINAGES = {"drained": "surface", "impermeable": "sealed", "mixed": "indenter"}
@@ -194,7 +195,7 @@ def on_film(a, drainage):
         (lambda: mdr.Contact(mdr.FlatPunch(1.0), punch().medium, 1.0), "work_of_adhesion"),
         (lambda: ramp(mdr.Cone(0.1)), "Paraboloid"),
         (lambda: ramp(mdr.Paraboloid(1.0)), "not solved"),
-        (lambda: mdr.fit(mdr.ForceTime([0.0, 1.0], [1.0, 1.0], [2.0, 1.0]), mdr.FlatPunch(1.0), FILM, ["coating.nu"]), "fit_gel"),
+        (lambda: mdi.fit(mdi.ForceTime([0.0, 1.0], [1.0, 1.0], [2.0, 1.0]), mdr.FlatPunch(1.0), FILM, ["coating.nu"]), "fit_gel"),
         (lambda: mdr.Pair(FILM, mdr.Homogeneous(mdr.Elastic(1.0, 0.2))), "poroelastic"),
         (lambda: mdr.Friction(punch(), 0.1), "poroelastic"),
         (lambda: punch().relaxation(1.0, 0.3, "surface"), "radius = 0.3 .* flat punch is its own"),
@@ -231,21 +232,21 @@ def test_fits_find_what_made_the_data():
     k = contact.dynamic_stiffness(omega, drainage="indenter")
     off = noise.standard_normal((2, omega.size)) @ np.eye(omega.size) * 1e-3 * abs(k).max()
     tests = [
-        (tip, mdr.ForceTime(time, held, force + sd * noise.standard_normal(time.size), sd=sd)),
-        (tip, mdr.DynamicStiffness(omega, k + off[0] + 1j * off[1], 1e-3, sd=1e-3 * abs(k).max())),
+        (tip, mdi.ForceTime(time, held, force + sd * noise.standard_normal(time.size), sd=sd)),
+        (tip, mdi.DynamicStiffness(omega, k + off[0] + 1j * off[1], 1e-3, sd=1e-3 * abs(k).max())),
     ]
     depth = contact.history(time, force=np.full(time.shape, 1.0), drainage="indenter").depth
     sd = 1e-3 * depth.max()
-    tests.append((tip, mdr.DepthTime(time, np.full(time.shape, 1.0), depth + sd * noise.standard_normal(time.size), sd=sd)))
+    tests.append((tip, mdi.DepthTime(time, np.full(time.shape, 1.0), depth + sd * noise.standard_normal(time.size), sd=sd)))
     for indenter, data in tests:
-        fit = mdr.fit_gel(data, indenter, start, names, drainage="indenter")
+        fit = mdi.fit_gel(data, indenter, start, names, drainage="indenter")
         for name in names:
             assert abs(fit.values[name] - getattr(true, name)) < 4.0 * fit.errors[name], (name, fit.summary())
             assert fit.errors[name] < 0.05 * getattr(true, name), (name, fit.summary())
         assert 0.7 < fit.chi_square / fit.points < 1.3
     ramp = np.interp(time, [0.0, 2.0, 3000.0], [0.0, 5e-5, 5e-5])
     force = contact.history(time, depth=ramp, drainage="surface").force
-    fit = mdr.fit_gel(mdr.ForceTime(time, ramp, force, sd=1e-6), tip, body.replace(material=true.replace(diffusivity=1.0)),
+    fit = mdi.fit_gel(mdi.ForceTime(time, ramp, force, sd=1e-6), tip, body.replace(material=true.replace(diffusivity=1.0)),
                       ["diffusivity"], drainage="surface")  # fmt: skip
     assert fit.values["diffusivity"] == pytest.approx(3e-8, rel=1e-5)
 
@@ -257,9 +258,9 @@ def test_ratios_between_the_tables_of_a_fit():
     time = np.append(0.0, np.geomspace(1e-4, 1e3, 60))
     held = np.full(time.shape, 1e-3)
     force = mdr.Contact(tip, film).history(time, depth=held, drainage="sealed").force
-    data = mdr.ForceTime(time, held, force, sd=1e-5 * force.max())
+    data = mdi.ForceTime(time, held, force, sd=1e-5 * force.max())
     start = mdr.Coated(mdr.Poroelastic(1.0, 0.2, 1.0), 1.0, mdr.RIGID)
-    fit = mdr.fit_gel(data, tip, start, gel.NAMES, drainage="sealed")
+    fit = mdi.fit_gel(data, tip, start, gel.NAMES, drainage="sealed")
     assert np.abs(fit.fitted / force - 1.0).max() < 5e-6
     assert fit.values["nu"] == pytest.approx(0.435, abs=1e-5)
 
@@ -271,9 +272,9 @@ def test_a_fit_compares_its_tables_with_their_source(monkeypatch):
     tip, body = mdr.FlatPunch(1.0), mdr.Homogeneous(mdr.Poroelastic(3.0, 0.3, 0.2))
     time = np.append(0.0, np.geomspace(1e-4, 1e3, 30))
     held = np.full(time.shape, 1e-3)
-    data = mdr.ForceTime(time, held, mdr.Contact(tip, body).history(time, depth=held, drainage="sealed").force, sd=1e-6)
+    data = mdi.ForceTime(time, held, mdr.Contact(tip, body).history(time, depth=held, drainage="sealed").force, sd=1e-6)
     with pytest.raises(mdr.MDRError, match="fix nu"):
-        mdr.fit_gel(data, tip, body, gel.NAMES, drainage="sealed")
+        mdi.fit_gel(data, tip, body, gel.NAMES, drainage="sealed")
 
 
 @pytest.mark.slow
@@ -281,8 +282,8 @@ def test_fits_say_what_the_data_do_not_tell():
     true = mdr.Homogeneous(mdr.Poroelastic(28e3, 0.2, 3e-8))
     time = np.append(0.0, np.geomspace(1.0, 10.0, 50))
     force = mdr.Contact(mdr.FlatPunch(1e-2), true).history(time, depth=np.full(time.shape, 1e-4), drainage="indenter").force
-    data = mdr.ForceTime(time, np.full(time.shape, 1e-4), force, sd=0.01 * force.max())
-    fit = mdr.fit_gel(data, mdr.FlatPunch(1e-2), true, ("shear_modulus", "nu", "diffusivity"), drainage="indenter")
+    data = mdi.ForceTime(time, np.full(time.shape, 1e-4), force, sd=0.01 * force.max())
+    fit = mdi.fit_gel(data, mdr.FlatPunch(1e-2), true, ("shear_modulus", "nu", "diffusivity"), drainage="indenter")
     assert any("does not follow" in note for note in fit.notes)
     assert "drainage" in fit.notes[-1]
 
@@ -292,7 +293,7 @@ def test_drainages_are_compared():
     time = np.append(0.0, np.geomspace(0.1, 3000.0, 100))
     held = np.full(time.shape, 1e-4)
     force = mdr.Contact(mdr.FlatPunch(1e-3), true).history(time, depth=held, drainage="surface").force
-    fits = mdr.compare_drainages(mdr.ForceTime(time, held, force, sd=1e-3 * force.max()), mdr.FlatPunch(1e-3), true)
+    fits = mdi.compare_drainages(mdi.ForceTime(time, held, force, sd=1e-3 * force.max()), mdr.FlatPunch(1e-3), true)
     assert fits[0].drainage == "surface" and {fit.drainage for fit in fits} == {"surface", "indenter", "sealed"}
     assert fits[0].chi_square < 0.01 * fits[1].chi_square
     # a gel that drains everywhere, taken for one that the indenter seals: D wrong by about 3

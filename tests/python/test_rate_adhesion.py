@@ -12,6 +12,7 @@ import pytest
 from conftest import ROOT
 
 import mdrcontact as mdr
+import mdrcontact.instruments as mdi
 from mdrcontact.cli import main
 
 TIP = mdr.Paraboloid(1.0)
@@ -223,7 +224,7 @@ def noisy_curves(noise, seed=1):
         time = np.linspace(0.0, 3.2e-6 / speed, 150)
         position = 2e-6 - speed * time + 1e-8
         force = contact.history(time, position=position - 1e-8, spring_stiffness=20.0, start="rest").force
-        curves.append(mdr.RateCurve(time, position, force + noise * random.standard_normal(150) * 1e-5, 20.0))
+        curves.append(mdi.RateCurve(time, position, force + noise * random.standard_normal(150) * 1e-5, 20.0))
     return curves
 
 
@@ -234,7 +235,7 @@ def test_fits_of_several_speeds():
     """Without noise the truth comes back, with the contact point; pull-off at another speed follows."""
     guess = mdr.Contact(mdr.Paraboloid(20e-6), RUBBERY, adhesion=mdr.RateAdhesion(0.07, 3e-6, 0.5))
     curves = noisy_curves(0.0)
-    found = mdr.fit_rate(curves, guess, ["E", "work", "speed", "exponent", "position_offset"])
+    found = mdi.fit_rate(curves, guess, ["E", "work", "speed", "exponent", "position_offset"])
     truth = {"E": 1e6, "work": 0.05, "speed": 1e-6, "exponent": 0.4, "position_offset": 1e-8}
     assert found.values == pytest.approx(truth, rel=1e-3)
     assert found.contact.adhesion.work == found.values["work"]
@@ -242,7 +243,7 @@ def test_fits_of_several_speeds():
     true = mdr.Contact(mdr.Paraboloid(20e-6), RUBBERY, adhesion=mdr.RateAdhesion(0.05, 1e-6, 0.4))
     end = true.history([0.0, 4.0], position=[2e-6, -10e-6], spring_stiffness=20.0, start="rest").end
     assert found.pull_off(3e-6) == pytest.approx(end["lowest_force"], rel=1e-4)
-    noisy = mdr.fit_rate(noisy_curves(0.02), guess, ["work", "speed", "exponent", "position_offset"])
+    noisy = mdi.fit_rate(noisy_curves(0.02), guess, ["work", "speed", "exponent", "position_offset"])
     low, high = noisy.intervals["work"]
     assert low < 0.05 < high and high / low < 1.5
     assert abs(noisy.lag) < 0.2
@@ -252,7 +253,7 @@ def test_fits_of_several_speeds():
 def test_a_fit_is_drawn():
     pytest.importorskip("matplotlib").use("Agg")
     guess = mdr.Contact(mdr.Paraboloid(20e-6), RUBBERY, adhesion=mdr.RateAdhesion(0.05, 1e-6, 0.4))
-    axes = mdr.fit_rate(noisy_curves(0.01), guess, ["work"]).plot(points=4)
+    axes = mdi.fit_rate(noisy_curves(0.01), guess, ["work"]).plot(points=4)
     assert [len(line.get_xdata()) for line in axes.lines] == [3, 4]
     axes.figure.clear()
 
@@ -261,18 +262,18 @@ def test_fits_that_cannot_be():
     curves = noisy_curves(0.0)
     guess = mdr.Contact(mdr.Paraboloid(20e-6), RUBBERY, adhesion=mdr.RateAdhesion(0.05, 1e-6, 0.4))
     with pytest.raises(mdr.InvalidArgumentError, match="free = 'gamma'"):
-        mdr.fit_rate(curves, guess, ["gamma"])
+        mdi.fit_rate(curves, guess, ["gamma"])
     layered = guess.replace(medium=mdr.Layered([(mdr.Elastic(1e6, 0.5), 1e-4)], mdr.Elastic(2e6, 0.5)))
     with pytest.raises(mdr.InvalidArgumentError, match=r"free = 'layers\[0\].e' .*layers\[0\]\.E"):
-        mdr.fit_rate(curves, layered, ["layers[0].e"])
+        mdi.fit_rate(curves, layered, ["layers[0].e"])
     with pytest.raises(mdr.ArgumentTypeError, match="adhesion="):
-        mdr.fit_rate(curves, mdr.Contact(mdr.Paraboloid(20e-6), RUBBERY), ["work"])
+        mdi.fit_rate(curves, mdr.Contact(mdr.Paraboloid(20e-6), RUBBERY), ["work"])
     with pytest.raises(mdr.ArgumentTypeError, match="RateCurve"):
-        mdr.fit_rate([1.0], guess)
+        mdi.fit_rate([1.0], guess)
     with pytest.raises(mdr.InvalidArgumentError, match="ascending"):
-        mdr.RateCurve(np.ones(9), np.ones(9), np.ones(9))
+        mdi.RateCurve(np.ones(9), np.ones(9), np.ones(9))
     with pytest.raises(mdr.InvalidArgumentError, match="same length"):
-        mdr.RateCurve(np.arange(9.0), np.ones(8), np.ones(9))
+        mdi.RateCurve(np.arange(9.0), np.ones(8), np.ones(9))
 
 
 PROBLEM = """

@@ -7,8 +7,9 @@ import numpy as np
 import pytest
 
 import mdrcontact as mdr
+import mdrcontact.instruments as mdi
 from mdrcontact.cli import main
-from mdrcontact.fitting.causes import by_cause
+from mdrcontact.instruments.fitting.causes import by_cause
 
 BALL, GEL = mdr.Paraboloid(5e-6), mdr.Homogeneous(mdr.Elastic(1e4, 0.5))
 DEPTH = np.linspace(-1e-6, 1e-6, 400)
@@ -34,7 +35,7 @@ def curve(noise=0.005, bend=0.0, modulus=1.0, seed=0):
 
 
 def rate(force):
-    return mdr.rate(mdr.fit(mdr.ForceDepth(DEPTH, force), BALL, GEL, ["E", "depth_offset"]))
+    return mdi.rate(mdi.fit(mdi.ForceDepth(DEPTH, force), BALL, GEL, ["E", "depth_offset"]))
 
 
 def test_ratings_fall_with_noise_and_misfit():
@@ -105,8 +106,8 @@ def test_readings_softer_than_the_bare_base_are_no_film(scale):
     film = mdr.Layered([(mdr.Elastic(150e9, 0.24), 40e-9), (mdr.Elastic(70e9, 0.35), 500e-9)], mdr.Elastic(165e9, 0.22))
     depth = np.linspace(1e-10, 8e-9, 150)
     force = scale * np.asarray(mdr.Contact(BALL, film).at_depth(depth).force)
-    result = mdr.fit(mdr.ForceDepth(depth, force), BALL, film, ["layers[0].E"])
+    result = mdi.fit(mdi.ForceDepth(depth, force), BALL, film, ["layers[0].E"])
     words = [words for words in result.warnings if "says nothing of the film" in words]
     assert len(words) == (scale < 1.0)
     assert ("refused" in result.summary() and " GPa  " not in result.summary()) == (scale < 1.0), "no modulus and no interval"
-    assert any("softer than its base" in reason for reason in mdr.rate(result).reasons) == (scale < 1.0)
+    assert any("softer than its base" in reason for reason in mdi.rate(result).reasons) == (scale < 1.0)

@@ -11,7 +11,7 @@ from records import indentation
 
 import mdrcontact as mdr
 from mdrcontact.cli import main
-from mdrcontact.measurement import (
+from mdrcontact.instruments.records import (
     depth_from_height,
     drift_rate,
     find_baseline,
@@ -24,7 +24,7 @@ from mdrcontact.measurement import (
     segments,
     without_drift,
 )
-from mdrcontact.measurement.segments import effective_points
+from mdrcontact.instruments.records.segments import effective_points
 
 GLASS, RUBBER = mdr.Elastic(70e9, 0.23), mdr.Elastic(2e6, 0.49)
 SOFT = mdr.Coated(RUBBER, 2e-6, GLASS)

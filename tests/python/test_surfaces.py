@@ -10,6 +10,7 @@ import pytest
 from scipy.special import j0, j1
 
 import mdrcontact as mdr
+import mdrcontact.instruments as mdi
 from mdrcontact.problem import load
 
 GEL = mdr.Elastic(0.75, 0.5)
@@ -327,9 +328,9 @@ def test_a_plate_under_tension_ends_by_its_own_length():
 
 def test_fit_of_tension_and_modulus_together(half_space):
     depth = np.linspace(0.01, 0.5, 20)
-    data = mdr.ForceDepth(depth, mdr.Contact(BALL, half_space).at_depth(depth).force)
+    data = mdi.ForceDepth(depth, mdr.Contact(BALL, half_space).at_depth(depth).force)
     start = mdr.Homogeneous(mdr.Elastic(0.5, 0.5), surface=mdr.Surface(0.2))
-    found = mdr.fit(data, BALL, start, free=["E", "surface.tension"])
+    found = mdi.fit(data, BALL, start, free=["E", "surface.tension"])
     assert found.estimates["E"] == pytest.approx(0.75, rel=1e-6)
     assert found.estimates["surface.tension"] == pytest.approx(0.5, rel=1e-6)
 
@@ -348,11 +349,11 @@ def test_fit_of_tension_and_modulus_together(half_space):
 )
 def test_fit_of_a_surface_with_any_constant_of_the_body(body, free):
     depth = np.geomspace(1e-2, 0.1, 6)
-    data = mdr.ForceDepth(depth, mdr.Contact(BALL, body).at_depth(depth).force)
+    data = mdi.ForceDepth(depth, mdr.Contact(BALL, body).at_depth(depth).force)
     values = body.parameters()
     start = body.with_parameters({name: 1.1 * values[name] for name in free})
     assert start.parameters() == values | {name: 1.1 * values[name] for name in free}
-    found = mdr.fit(data, BALL, start, free=list(free))
+    found = mdi.fit(data, BALL, start, free=list(free))
     for name in free:
         assert found.estimates[name] == pytest.approx(values[name], rel=1e-5)
 

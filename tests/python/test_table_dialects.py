@@ -13,8 +13,8 @@ import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
 
+from mdrcontact.instruments.reading.columns import TableOptions, read_table
 from mdrcontact.problem import ProblemError
-from mdrcontact.problem.columns import TableOptions, read_table
 
 GROUPS = {".": ("", "", ",", "'", " ", "\N{NO-BREAK SPACE}"), ",": ("", "", ".", "'", " ", "\N{NARROW NO-BREAK SPACE}")}
 

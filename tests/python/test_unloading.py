@@ -11,9 +11,10 @@ from conftest import OXIDE, SILICON
 from records import HARDNESS, REDUCED, indentation, sink_in
 
 import mdrcontact as mdr
+import mdrcontact.instruments as mdi
 from mdrcontact.cli import main
-from mdrcontact.measurement import Segment
-from mdrcontact.problem.fit_file import load_fit_file
+from mdrcontact.instruments.files.fit_file import load_fit_file
+from mdrcontact.instruments.records import Segment
 
 TIP = mdr.AreaFunction([24.5], max_height=1e-6)
 DIAMOND = mdr.Elastic(1141e9, 0.07)
@@ -22,12 +23,12 @@ DIAMOND = mdr.Elastic(1141e9, 0.07)
 def test_stiffness_area_modulus_and_hardness_of_a_known_curve():
     """Without noise the numbers are those the curve was made of."""
     _, h, p, truth = indentation(noise=0.0, points=(600, 100, 2000, 80, 20))
-    data = mdr.Unloading(h, p)
+    data = mdi.Unloading(h, p)
     (point,) = data.unloadings
     assert point.stiffness == pytest.approx(truth["stiffness"], rel=2e-3)
     assert point.exponent == pytest.approx(1.4, rel=0.02)
     assert point.depth == pytest.approx(truth["depth"], rel=1e-3)
-    found = mdr.oliver_pharr(data, TIP)
+    found = mdi.oliver_pharr(data, TIP)
     assert found.contact_depth[0] == pytest.approx(truth["contact_depth"], rel=2e-3)
     assert found.area[0] == pytest.approx(truth["area"], rel=4e-3)
     assert found.reduced_modulus[0] == pytest.approx(REDUCED, rel=2e-3)
@@ -40,15 +41,15 @@ def test_standard_errors_are_the_scatter():
     scores = []
     for seed in range(40):
         _, h, p, truth = indentation(seed=seed, noise=5e-6)
-        (point,) = mdr.Unloading(h, p).unloadings
+        (point,) = mdi.Unloading(h, p).unloadings
         scores.append((point.stiffness - truth["stiffness"]) / point.stiffness_error)
     assert 0.6 < np.std(scores) < 1.4 and abs(np.mean(scores)) < 0.6
 
 
 def test_the_error_of_the_tip_is_half_in_the_modulus_and_all_in_the_hardness():
     _, h, p, _ = indentation()
-    data = mdr.Unloading(h, p)
-    sharp, vague = mdr.oliver_pharr(data, TIP), mdr.oliver_pharr(data, TIP, area_sd=0.02)
+    data = mdi.Unloading(h, p)
+    sharp, vague = mdi.oliver_pharr(data, TIP), mdi.oliver_pharr(data, TIP, area_sd=0.02)
     added = np.sqrt(vague.reduced_modulus_error**2 - sharp.reduced_modulus_error**2) / sharp.reduced_modulus
     assert added == pytest.approx(0.01, rel=1e-6)
     added = np.sqrt(vague.hardness_error**2 - sharp.hardness_error**2) / sharp.hardness
@@ -57,19 +58,19 @@ def test_the_error_of_the_tip_is_half_in_the_modulus_and_all_in_the_hardness():
 
 def test_loubet_and_pile_up():
     """Loubet: h_c = 1.2 (h - P/S); epsilon < 0: the contact is deeper than the depth."""
-    data = mdr.StiffnessDepth([300e-9], [10e-3], [86e3], relative_sd=0.01)
+    data = mdi.StiffnessDepth([300e-9], [10e-3], [86e3], relative_sd=0.01)
     elastic = 10e-3 / 86e3
     for scale, epsilon in ((1.2, 1.0), (1.0, 0.0), (1.0, -0.3)):
-        chosen = mdr.Instrument(contact_depth_scale=scale, contact_depth_factor=epsilon)
-        found = mdr.oliver_pharr(data, TIP, chosen)
+        chosen = mdi.Instrument(contact_depth_scale=scale, contact_depth_factor=epsilon)
+        found = mdi.oliver_pharr(data, TIP, chosen)
         assert found.contact_depth[0] == pytest.approx(scale * (300e-9 - epsilon * elastic), rel=1e-12)
         assert found.area[0] == pytest.approx(24.5 * found.contact_depth[0] ** 2, rel=1e-9)
 
 
 def test_the_stiffness_factor_divides_the_modulus():
     """E_r = S/(2 beta a) at the same contact radius."""
-    data = mdr.StiffnessDepth([300e-9], [10e-3], [86e3], relative_sd=0.01)
-    one, two = mdr.oliver_pharr(data, TIP), mdr.oliver_pharr(data, TIP, mdr.Instrument(stiffness_factor=1.05))
+    data = mdi.StiffnessDepth([300e-9], [10e-3], [86e3], relative_sd=0.01)
+    one, two = mdi.oliver_pharr(data, TIP), mdi.oliver_pharr(data, TIP, mdi.Instrument(stiffness_factor=1.05))
     assert two.area[0] == pytest.approx(one.area[0], rel=1e-12)
     assert one.reduced_modulus[0] == pytest.approx(86e3 / (2.0 * np.sqrt(one.area[0] / np.pi)), rel=1e-12)
     assert two.reduced_modulus[0] == pytest.approx(one.reduced_modulus[0] / 1.05, rel=1e-12)
@@ -77,9 +78,9 @@ def test_the_stiffness_factor_divides_the_modulus():
 
 def test_frame_compliance_is_taken_off():
     frame = 1e-7
-    bare = mdr.StiffnessDepth([300e-9], [10e-3], [86e3], relative_sd=0.01)
-    read = mdr.StiffnessDepth([300e-9 + frame * 10e-3], [10e-3], [1.0 / (1.0 / 86e3 + frame)], relative_sd=0.01)
-    one, two = mdr.oliver_pharr(bare, TIP), mdr.oliver_pharr(read, TIP, mdr.Instrument(frame_compliance=frame))
+    bare = mdi.StiffnessDepth([300e-9], [10e-3], [86e3], relative_sd=0.01)
+    read = mdi.StiffnessDepth([300e-9 + frame * 10e-3], [10e-3], [1.0 / (1.0 / 86e3 + frame)], relative_sd=0.01)
+    one, two = mdi.oliver_pharr(bare, TIP), mdi.oliver_pharr(read, TIP, mdi.Instrument(frame_compliance=frame))
     for name in ("stiffness", "contact_depth", "area", "reduced_modulus", "hardness"):
         assert getattr(two, name) == pytest.approx(getattr(one, name), rel=1e-10)
 
@@ -92,11 +93,11 @@ def test_film_modulus_by_the_exact_pair():
     force = 9e9 * np.pi * a**2
     depth = np.sqrt(np.pi * a**2 / 24.5) + sink_in(mdr.Pair(film, DIAMOND), a) * force / stiffness
     start = film.replace(coating=mdr.Elastic(60e9, OXIDE.nu))
-    tool = mdr.Instrument(indenter=DIAMOND)
+    tool = mdi.Instrument(indenter=DIAMOND)
     for part in (slice(0, 1), slice(0, 3)):
-        data = mdr.StiffnessDepth(depth[part], force[part], stiffness[part], relative_sd=0.01)
-        known = {"coating.E": None, "area_factor": mdr.Free(prior=(1.0, 0.02))}
-        result = mdr.fit(data, TIP, start, known, instrument=tool)
+        data = mdi.StiffnessDepth(depth[part], force[part], stiffness[part], relative_sd=0.01)
+        known = {"coating.E": None, "area_factor": mdi.Free(prior=(1.0, 0.02))}
+        result = mdi.fit(data, TIP, start, known, instrument=tool)
         assert result.estimates["coating.E"] == pytest.approx(OXIDE.E, rel=1e-5)
         assert result.standard_errors["coating.E"] > 0.01 * OXIDE.E, "2 % of area are more than 1 % of the modulus"
         assert not any("trade off" in words for words in result.warnings), "a prior is no fault of the data"
@@ -116,13 +117,13 @@ def test_film_modulus_by_the_exact_pair():
 def test_what_is_no_unloading_is_refused(change, words):
     _, h, p, _ = indentation()
     with pytest.raises(mdr.MDRError, match=words):
-        mdr.Unloading(*change(h, p))
+        mdi.Unloading(*change(h, p))
 
 
 def test_creep_that_is_stronger_than_the_unloading_is_told():
     _, h, p, _ = indentation(drift=12e-9)
     with pytest.raises(mdr.MDRError, match="creep or drift|no unloading"):
-        mdr.Unloading(h[:600], p[:600])
+        mdi.Unloading(h[:600], p[:600])
 
 
 PROBLEM = """
@@ -169,12 +170,12 @@ def test_command_line_with_drift_picture_and_report(tmp_path, capsys):
 
 def test_a_record_says_where_its_depths_begin_and_in_which_order_it_was_measured():
     _, h, p, _ = indentation(5e-3, noise=1e-6)
-    assert not mdr.Unloading(h, p).warnings
+    assert not mdi.Unloading(h, p).warnings
     for shift in (-0.15, 0.15):
-        assert any("not at 0" in words for words in mdr.Unloading(h + shift * h.max(), p).warnings)
-    assert any("reverse order" in words for words in mdr.Unloading(h[::-1], p[::-1]).warnings)
+        assert any("not at 0" in words for words in mdi.Unloading(h + shift * h.max(), p).warnings)
+    assert any("reverse order" in words for words in mdi.Unloading(h[::-1], p[::-1]).warnings)
     top = int(np.argmax(h))
-    assert mdr.Unloading(h[top:], p[top:]).warnings[0].startswith("the record begins with unloading")
+    assert mdi.Unloading(h[top:], p[top:]).warnings[0].startswith("the record begins with unloading")
 
 
 PARTS = [Segment("loading", 0, 60), Segment("unloading", 60, 110)]
@@ -219,7 +220,7 @@ def cycles(loads, hold, noise, points=60):
 @pytest.mark.parametrize("hold", [0, 30])
 def test_every_cycle_of_a_record_counts(hold):
     loads = 2.0 ** np.arange(10)
-    data = mdr.Unloading(*cycles(loads, hold, 5e-5))
+    data = mdi.Unloading(*cycles(loads, hold, 5e-5))
     assert data.found_and_used() == ["10 unloadings, 10 used"]
     forces = [q.force for q in data.unloadings]
     assert forces == pytest.approx(50e-3 * loads / loads[-1], rel=5e-3, abs=20e-6)
@@ -232,7 +233,7 @@ def test_a_hold_in_which_the_depth_goes_up_and_down_is_no_unloading():
     wave = np.sin(np.linspace(0.0, 2.0 * np.pi, len(held)))
     h[held] += 0.4e-9 * wave
     p[held] += 8e-6 * wave
-    assert mdr.Unloading(h, p).found_and_used() == ["10 unloadings, 10 used"]
+    assert mdi.Unloading(h, p).found_and_used() == ["10 unloadings, 10 used"]
 
 
 def test_depths_of_cycles_begin_where_the_first_loading_does(tmp_path):
@@ -249,7 +250,7 @@ def test_depths_of_cycles_begin_where_the_first_loading_does(tmp_path):
     (tmp_path / "p.toml").write_text(CYCLES)
     ((_, data, notes),) = [(one.name, *one.read()) for one in load_fit_file(tmp_path / "p.toml").curves(tmp_path / "cycles.txt")]
     assert "8 unloadings, 8 used" in notes
-    assert data.x == pytest.approx([q.depth for q in mdr.Unloading(h, p).unloadings], abs=0.02 * h[60])
+    assert data.x == pytest.approx([q.depth for q in mdi.Unloading(h, p).unloadings], abs=0.02 * h[60])
 
 
 def test_an_unloading_that_says_nothing_is_counted_with_its_reason():
@@ -257,7 +258,7 @@ def test_an_unloading_that_says_nothing_is_counted_with_its_reason():
     # of the second unloading three readings are left
     second = np.flatnonzero((p < 0.2499 * 50e-3) & (p > 0.126 * 50e-3) & (h < h.max() / 1.99))
     second = second[second > 120][:-3]
-    data = mdr.Unloading(np.delete(h, second), np.delete(p, second))
+    data = mdi.Unloading(np.delete(h, second), np.delete(p, second))
     assert data.found_and_used()[0] == "3 unloadings, 2 used"
     assert "too few points" in data.found_and_used()[1]
 
@@ -270,7 +271,7 @@ def test_an_unloading_that_determines_nothing_is_refused_as_such():
         force = np.linspace(2.8e-3, 1.1e-3, 50)
         depth = 200e-9 + 5e-9 * (force / 2.8e-3) ** (1.0 / 3.0) + 3e-9 * random.standard_normal(50)
         try:
-            mdr.Unloading(np.r_[np.linspace(0.0, 205e-9, 60), depth], np.r_[np.linspace(0.0, 2.8e-3, 60), force], segments=PARTS)
+            mdi.Unloading(np.r_[np.linspace(0.0, 205e-9, 60), depth], np.r_[np.linspace(0.0, 2.8e-3, 60), force], segments=PARTS)
         except mdr.InvalidArgumentError as problem:
             words.append(str(problem))
     assert any("do not determine a stiffness" in refusal for refusal in words)

@@ -14,6 +14,7 @@ import numpy as np
 import pytest
 
 import mdrcontact as mdr
+import mdrcontact.instruments as mdi
 from mdrcontact._interrupt import workers
 from mdrcontact._warn import collected, reported_to, silence, warn
 from mdrcontact.cli import main
@@ -247,13 +248,13 @@ def test_fits_in_threads_carry_theirs():
     curves = []
     for i in range(60):
         force = sound * (1.0 + 0.3 * (i % 2) * (depth > 5e-8)) * (1.0 + 1e-3 * random.standard_normal(20))
-        curves.append(mdr.ForceDepth(depth, force))
+        curves.append(mdi.ForceDepth(depth, force))
     arguments = mdr.Paraboloid(1e-5), mdr.Homogeneous(mdr.Elastic(1e9, 0.3)), ["E"]
-    alone = [mdr.fit(curve, *arguments).warnings for curve in curves]
+    alone = [mdi.fit(curve, *arguments).warnings for curve in curves]
     assert [bool(words) for words in alone] == [i % 2 == 1 for i in range(60)]
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        assert [result.warnings for result in mdr.fit_many(curves, *arguments, threads=THREADS)] == alone
+        assert [result.warnings for result in mdi.fit_many(curves, *arguments, threads=THREADS)] == alone
 
 
 @pytest.mark.slow
@@ -265,9 +266,9 @@ def test_trials_of_a_fit_do_not_warn_and_its_result_does():
         for speed in (2e-3, 5e-3):
             time = np.linspace(0.0, 0.6 / speed, 40)
             path = ADHESIVE.history(time, depth=start - speed * time, start="rest")
-            curves.append(mdr.RateCurve(time, start - speed * time, path.force))
+            curves.append(mdi.RateCurve(time, start - speed * time, path.force))
     with pytest.warns(mdr.AdhesionRateWarning) as seen:
-        found = mdr.fit_rate(curves, ADHESIVE.replace(adhesion=RATE.replace(work=0.011), work_of_adhesion=0.0), ["work"])
+        found = mdi.fit_rate(curves, ADHESIVE.replace(adhesion=RATE.replace(work=0.011), work_of_adhesion=0.0), ["work"])
     assert tuple(str(warning.message) for warning in seen) == found.warnings
     assert len(found.warnings) <= len(curves)
 

@@ -12,11 +12,11 @@ from typing import Any
 import numpy as np
 
 from .._text import listed
-from ..fitting import FitResult, StiffnessDepth, fit
-from ..fitting.calibration import as_prior, together, words_of_tests
-from ..fitting.quantities import dimension_of
+from ..instruments.files.fit_file import load_fit_file
+from ..instruments.fitting import FitResult, StiffnessDepth, fit
+from ..instruments.fitting.calibration import as_prior, together, words_of_tests
+from ..instruments.fitting.quantities import dimension_of
 from ..problem import ProblemError
-from ..problem.fit_file import load_fit_file
 from ..problem.named import Folder
 from ..problem.tip_file import with_calibration
 from ..problem.toml import parse_file

@@ -13,9 +13,9 @@ from pathlib import Path
 from typing import Any
 
 from .._files import check_place, replace
-from ..measurement import afm
+from ..instruments.reading import afm
+from ..instruments.reading.cells import SHEETS
 from ..problem import ProblemError
-from ..problem.cells import SHEETS
 from ..problem.toml import parse_file
 
 DATA_SUFFIXES = (".csv", ".tsv", ".txt", ".dat", ".hld", *SHEETS, *afm.SUFFIXES)

@@ -12,7 +12,9 @@ import numpy as np
 from .. import _progress
 from .._text import aligned, listed
 from .._units import AREA, FORCE, LENGTH, MODULUS, QUANTITIES, RATIO, STIFFNESS, practical
-from ..fitting import (
+from ..instruments.files.curves import Curve
+from ..instruments.files.fit_file import FitFile, load_fit_file
+from ..instruments.fitting import (
     FitResult,
     OliverPharr,
     StiffnessDepth,
@@ -24,10 +26,8 @@ from ..fitting import (
     oliver_pharr,
     report,
 )
-from ..fitting.quantities import digits
+from ..instruments.fitting.quantities import digits
 from ..problem import ProblemError
-from ..problem.curves import Curve
-from ..problem.fit_file import FitFile, load_fit_file
 from . import files, fit_many
 from .table import Column, as_csv, column, number
 

@@ -16,12 +16,12 @@ from .. import _progress
 from .._text import aligned, listed
 from .._units import ENERGY, FORCE, LENGTH, practical
 from ..errors import MDRError
-from ..fitting import FailedFit, FitResult, Rating, fit_many, mean_of_tests, rate, report
-from ..fitting.causes import by_cause
-from ..fitting.misfit import percent
-from ..fitting.quantities import digits, dimension_of, words_of
-from ..problem.curves import Curve
-from ..problem.fit_file import FitFile
+from ..instruments.files.curves import Curve
+from ..instruments.files.fit_file import FitFile
+from ..instruments.fitting import FailedFit, FitResult, Rating, fit_many, mean_of_tests, rate, report
+from ..instruments.fitting.causes import by_cause
+from ..instruments.fitting.misfit import percent
+from ..instruments.fitting.quantities import digits, dimension_of, words_of
 from . import files, many_figure
 from .table import number
 

@@ -10,9 +10,9 @@ from pathlib import Path
 from .._text import aligned, listed
 from .._units import FORCE, LENGTH, Dimension, shown
 from ..errors import MDRError
-from ..fitting.causes import by_cause
-from ..problem.fit_file import fit_file_of_text
-from ..problem.inspection import Array, Inspection, Test, inspect_file
+from ..instruments.files.fit_file import fit_file_of_text
+from ..instruments.files.inspection import Array, Inspection, Test, inspect_file
+from ..instruments.fitting.causes import by_cause
 from . import files
 from .inspect_figure import inspect_figure
 

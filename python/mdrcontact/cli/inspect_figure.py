@@ -6,7 +6,7 @@ from __future__ import annotations
 from typing import Any
 
 from .._units import FORCE, LENGTH, practical
-from ..problem.inspection import Inspection
+from ..instruments.files.inspection import Inspection
 
 _COLOURS = {"loading": "#0072B2", "unloading": "#D55E00", "hold": "#E69F00"}
 """What is drawn later lies above: cycles on their loading."""

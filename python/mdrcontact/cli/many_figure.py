@@ -10,9 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .._units import practical
-from ..fitting import FitResult
-from ..fitting.quantities import dimension_of, words_of
-from ..problem.curves import Curve
+from ..instruments.files.curves import Curve
+from ..instruments.fitting import FitResult
+from ..instruments.fitting.quantities import dimension_of, words_of
 
 _MOST_NAMES = 40
 """Under the picture."""

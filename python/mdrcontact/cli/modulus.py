@@ -12,10 +12,10 @@ import numpy as np
 from .. import _progress
 from .._text import listed
 from .._units import LENGTH, MODULUS, RATIO, practical
-from ..fitting import DepthProfile, StiffnessDepth, modulus_at_depths, report
-from ..fitting.quantities import dimension_of, measured, words_of
+from ..instruments.files.fit_file import FitFile, load_fit_file
+from ..instruments.fitting import DepthProfile, StiffnessDepth, modulus_at_depths, report
+from ..instruments.fitting.quantities import dimension_of, measured, words_of
 from ..problem import ProblemError
-from ..problem.fit_file import FitFile, load_fit_file
 from . import files
 from .table import Column, as_csv, as_text, column
 

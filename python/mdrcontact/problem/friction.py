@@ -6,15 +6,17 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from .._units import FORCE, LENGTH, Dimension, shown
-from .columns import MeasuredTable, read_named
 from .roles import ROLES
 from .section import ProblemError, Section
+
+if TYPE_CHECKING:
+    from ..instruments.reading.columns import MeasuredTable
 
 KNOWN: Mapping[str, Dimension | None] = {
     "coefficient": None,
@@ -80,7 +82,6 @@ def read_friction(section: Section) -> Sliding:
 
 
 def _read_path(section: Section) -> SlidingPath:
-    place = section.file("path", "a table", "path.csv")
     rings = None
     if "rings" in section:
         rings = section.count("rings", default=_FEWEST_RINGS, largest=_MOST_RINGS)
@@ -88,7 +89,7 @@ def _read_path(section: Section) -> SlidingPath:
             raise ProblemError(
                 f"[{section.path}]: rings = {rings} is not allowed: it must be a whole number from {_FEWEST_RINGS} to {_MOST_RINGS}"
             )
-    table = read_named(place)
+    table = section.table("path", "path.csv")
     normal, values = _column(section, table, "normal", _NORMAL)
     along, along_values = _column(section, table, "tangential", _TANGENTIAL)
     # spreadsheets leave empty rows at the end

@@ -12,7 +12,6 @@ from numpy.typing import NDArray
 
 from .._units import LENGTH, TIME, Dimension
 from ..poroelastic import DRAINAGES
-from .columns import read_named
 from .compute import DIMENSIONS, MOST_POINTS
 from .roles import ROLES
 from .section import ProblemError, Section
@@ -99,7 +98,7 @@ def _pieces(times: list[float], values: list[float], points: int) -> tuple[NDArr
 
 
 def _from_file(section: Section) -> HistoryPath:
-    table = read_named(section.file("file", "a table", "path.csv"))
+    table = section.table("file", "path.csv")
     control = section.choice("control", DIMENSIONS, default="depth")
     title = str(section.plain("time")) if "time" in section else table.find("time", ROLES["time"][1], TIME)
     time, _ = table.column(title, TIME)

@@ -7,12 +7,15 @@ import math
 from collections.abc import Callable, Iterable, Iterator, Mapping
 from contextlib import contextmanager
 from inspect import Parameter, signature
-from typing import Any, TypeVar
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from .._choices import nearest
 from .._units import RATIO, Dimension, UnitError, parse, to_si
 from ..errors import MDRError
 from .named import Files, GivenFiles, NamedFile, ProblemError
+
+if TYPE_CHECKING:
+    from ..instruments.reading.columns import MeasuredTable
 
 Made = TypeVar("Made")
 
@@ -168,6 +171,12 @@ class Section:
         if not isinstance(name, str):
             raise ProblemError(f'[{self.path}]: {key} = {name!r} is not the name of {what}: write it as in {key} = "{example}"')
         return self._files.find(f"[{self.path}]: {key}", name)
+
+    def table(self, key: str, example: str) -> MeasuredTable:
+        """The table in the file that a key names. Its reader belongs to `instruments`, which a problem loads for this alone."""
+        from ..instruments.reading.columns import read_named
+
+        return read_named(self.file(key, "a table", example))
 
     def child(self, key: str, known: Mapping[str, Dimension | None]) -> Section:
         """A table inside this one."""

@@ -9,9 +9,9 @@ from typing import Any
 
 import numpy as np
 
-from .. import fitting
 from ..contact import Contact, State
 from ..friction import Friction
+from ..instruments import fitting
 from ..material import RIGID, Elastic, TransverselyIsotropic
 from ..medium import Coated, Graded, Homogeneous
 from ..profile import FlatPunch, Paraboloid

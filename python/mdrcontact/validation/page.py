@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from ..fitting import report
+from ..instruments.fitting import report
 from . import GROUPS, limits
 from .check import Check, Comparison, Group
 

@@ -7,7 +7,8 @@ import math
 
 import numpy as np
 
-from .. import fitting, lateral
+from .. import lateral
+from ..instruments import fitting
 from ..law import ContactLaw
 from ..material import Elastic
 from ..medium import Homogeneous

@@ -13,9 +13,9 @@ import numpy as np
 
 from mdrcontact._units import FORCE, LENGTH, MODULUS, RATIO, STIFFNESS
 from mdrcontact.errors import MDRError
+from mdrcontact.instruments.files.fit_file import load_fit_file
+from mdrcontact.instruments.reading.columns import MeasuredTable, read_table
 from mdrcontact.problem import ProblemError, load
-from mdrcontact.problem.columns import MeasuredTable, read_table
-from mdrcontact.problem.fit_file import load_fit_file
 
 SEPARATOR = b"\n=====\n"
 """Between the problem file and the table of a fit or a path."""

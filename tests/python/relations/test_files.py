@@ -15,9 +15,9 @@ from hypothesis import strategies as st
 import mdrcontact as mdr
 from mdrcontact import _units as units
 from mdrcontact.cli import main
+from mdrcontact.instruments.files.fit_file import load_fit_file
+from mdrcontact.instruments.reading.columns import read_table
 from mdrcontact.problem import read
-from mdrcontact.problem.columns import read_table
-from mdrcontact.problem.fit_file import load_fit_file
 
 from . import draws as d
 from .harness import near, relation

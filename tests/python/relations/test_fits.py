@@ -8,6 +8,7 @@ from hypothesis import assume
 from hypothesis import strategies as st
 
 import mdrcontact as mdr
+import mdrcontact.instruments as mdi
 
 from . import draws as d
 from .harness import near, relation, same
@@ -21,7 +22,7 @@ DEPTHS = np.linspace(0.01, 0.2, 15)
 
 
 def found(data, indenter, start, name="coating.E", **options):
-    result = mdr.fit(data, indenter, start, [name], check_units=False, **options)
+    result = mdi.fit(data, indenter, start, [name], check_units=False, **options)
     return float(result.estimates[name]), result
 
 
@@ -31,7 +32,7 @@ def test_force_and_depth(film, h, model, guess):
     medium = mdr.Coated(film, h, BASE, model)
     force = mdr.Contact(mdr.Paraboloid(h), medium).at_depth(DEPTHS * h).force
     start = medium.replace(coating=film.replace(E=film.E * guess))
-    value, _ = found(mdr.ForceDepth(DEPTHS * h, force, relative_sd=0.01), mdr.Paraboloid(h), start)
+    value, _ = found(mdi.ForceDepth(DEPTHS * h, force, relative_sd=0.01), mdr.Paraboloid(h), start)
     near(value, film.E, 1e-6)
 
 
@@ -39,7 +40,7 @@ def test_force_and_depth(film, h, model, guess):
 def test_radius(film, h, model, guess, kind):
     """The modulus of the film from E_eff(a) or k(a), against the one that made it."""
     medium, a = mdr.Coated(film, h, BASE, model), np.linspace(0.05, 0.8, 12) * h
-    data = {"modulus": mdr.ModulusRadius, "stiffness": mdr.StiffnessRadius}[kind](a, getattr(medium, kind)(a), relative_sd=0.01)
+    data = {"modulus": mdi.ModulusRadius, "stiffness": mdi.StiffnessRadius}[kind](a, getattr(medium, kind)(a), relative_sd=0.01)
     value, _ = found(data, mdr.Paraboloid(h), medium.replace(coating=film.replace(E=film.E * guess)))
     near(value, film.E, 1e-6)
 
@@ -48,7 +49,7 @@ def test_radius(film, h, model, guess, kind):
 def test_stiffness_and_depth_of_a_half_space(material, guess, R):
     """The modulus of a half-space from P and S at depths, epsilon being that of a paraboloid, against the one that made them."""
     state = mdr.Contact(mdr.Paraboloid(R), mdr.Homogeneous(material)).at_depth(DEPTHS * R)
-    data = mdr.StiffnessDepth(state.depth, state.force, state.stiffness, relative_sd=0.01)
+    data = mdi.StiffnessDepth(state.depth, state.force, state.stiffness, relative_sd=0.01)
     value, _ = found(data, mdr.Paraboloid(R), mdr.Homogeneous(material.replace(E=material.E * guess)), "E")
     near(value, material.E, 1e-6)
 
@@ -61,7 +62,7 @@ def test_order_of_the_data(film, h, guess, order):
     start = medium.replace(coating=film.replace(E=film.E * guess))
     values, errors = [], []
     for rows in (np.arange(15), np.array(order)):
-        data = mdr.ForceDepth(DEPTHS[rows] * h, force[rows], relative_sd=0.01, branch="loading")
+        data = mdi.ForceDepth(DEPTHS[rows] * h, force[rows], relative_sd=0.01, branch="loading")
         value, result = found(data, mdr.Paraboloid(h), start)
         values.append(value)
         errors.append(float(np.sqrt(np.diag(np.atleast_2d(result.covariance))[0])))
@@ -79,7 +80,7 @@ def test_units_of_fits(film, h, guess, unit):
         force = mdr.Contact(mdr.Paraboloid(h * m), medium).at_depth(DEPTHS * h * m).force
         force = force * (1.0 + 0.01 * np.sin(37.0 * np.arange(15)))
         start = medium.replace(coating=film.replace(E=film.E * n * guess))
-        value, result = found(mdr.ForceDepth(DEPTHS * h * m, force, relative_sd=0.01), mdr.Paraboloid(h * m), start)
+        value, result = found(mdi.ForceDepth(DEPTHS * h * m, force, relative_sd=0.01), mdr.Paraboloid(h * m), start)
         answers.append((value / n, float(np.sqrt(np.diag(np.atleast_2d(result.covariance))[0])) / n))
     near(answers[1], answers[0], 1e-5)
 
@@ -89,9 +90,9 @@ def test_two_parameters(film, h, R, offset):
     """Modulus and depth offset together against those that made the data."""
     medium = mdr.Coated(film, h, BASE)
     force = mdr.Contact(mdr.Paraboloid(h), medium).at_depth(DEPTHS * h).force
-    data = mdr.ForceDepth((DEPTHS + offset) * h, force, sd=0.01 * float(force[-1]))
+    data = mdi.ForceDepth((DEPTHS + offset) * h, force, sd=0.01 * float(force[-1]))
     start = medium.replace(coating=film.replace(E=film.E * R))
-    result = mdr.fit(data, mdr.Paraboloid(h), start, ["coating.E", "depth_offset"], check_units=False)
+    result = mdi.fit(data, mdr.Paraboloid(h), start, ["coating.E", "depth_offset"], check_units=False)
     assume(result.converged)
     near(result.estimates["coating.E"], film.E, 1e-5)
     near(result.estimates["depth_offset"], offset * h, 1e-5, size=0.2 * h)
@@ -103,11 +104,11 @@ def test_adhesion(film, h, work):
     medium = mdr.Coated(film, h, BASE, "gao-series")
     contact = mdr.Contact(mdr.Paraboloid(h), medium, work * h)
     depth = DEPTHS[3:] * h
-    data = mdr.ForceDepth(
+    data = mdi.ForceDepth(
         depth, contact.at_depth(depth).force, sd=0.01 * float(contact.at_depth(depth[-1]).force), branch="unloading"
     )
     value, _ = found(
-        data, mdr.Paraboloid(h), medium, "work_of_adhesion", instrument=mdr.Instrument(work_of_adhesion=1.3 * work * h)
+        data, mdr.Paraboloid(h), medium, "work_of_adhesion", instrument=mdi.Instrument(work_of_adhesion=1.3 * work * h)
     )
     near(value, work * h, 1e-4)
 
@@ -120,7 +121,7 @@ def test_relaxation(G, g, tau, guess, R):
     material = mdr.Viscoelastic(G, [(g, tau)], nu=0.4)
     force = mdr.Contact(mdr.Paraboloid(R), mdr.Homogeneous(material)).history(t, depth=depth).force
     start = mdr.Homogeneous(mdr.Viscoelastic(G, [(g, tau * guess)], nu=0.4))
-    value, _ = found(mdr.ForceTime(t, depth, force, sd=0.01 * float(force.max())), mdr.Paraboloid(R), start, "terms[0].time")
+    value, _ = found(mdi.ForceTime(t, depth, force, sd=0.01 * float(force.max())), mdr.Paraboloid(R), start, "terms[0].time")
     near(value, tau, 1e-3)
 
 
@@ -129,7 +130,7 @@ def test_copies_of_models_predict_the_same(film, h):
     """Predictions of a fit against the contact with the estimates."""
     medium = mdr.Coated(film, h, BASE)
     contact = mdr.Contact(mdr.Paraboloid(h), medium)
-    _, result = found(mdr.ForceDepth(DEPTHS * h, contact.at_depth(DEPTHS * h).force, relative_sd=0.01), mdr.Paraboloid(h), medium)
+    _, result = found(mdi.ForceDepth(DEPTHS * h, contact.at_depth(DEPTHS * h).force, relative_sd=0.01), mdr.Paraboloid(h), medium)
     fitted = mdr.Contact(result.indenter, result.medium).at_depth(DEPTHS * h).force
     near(fitted, contact.at_depth(DEPTHS * h).force, 1e-7)
     same(len(result.estimates), 1)
@@ -151,9 +152,9 @@ def test_stiffness_and_depth_of_films(name, tip, h, guess):
     film, base = FILMS[name]
     depth = np.linspace(0.04, 0.3, 12) * h
     state = mdr.Contact(tip, mdr.Coated(film, h, base)).at_depth(depth)
-    data = mdr.StiffnessDepth(state.depth, state.force, state.stiffness, relative_sd=0.01)
+    data = mdi.StiffnessDepth(state.depth, state.force, state.stiffness, relative_sd=0.01)
     start = mdr.Coated(film.replace(E=film.E * guess), h, base)
-    near(mdr.fit(data, tip, start, ["coating.E"]).estimates["coating.E"], film.E, 1e-2)
+    near(mdi.fit(data, tip, start, ["coating.E"]).estimates["coating.E"], film.E, 1e-2)
 
 
 @relation(10, film=films, h=d.lengths)
@@ -161,7 +162,7 @@ def test_fits_pickle(film, h):
     """A fit, pickled and loaded, against itself; with errors given for data without noise it has no doubt about the model."""
     medium = mdr.Coated(film, h, BASE)
     force = mdr.Contact(mdr.Paraboloid(h), medium).at_depth(DEPTHS * h).force
-    _, result = found(mdr.ForceDepth(DEPTHS * h, force, relative_sd=0.01), mdr.Paraboloid(h), medium)
+    _, result = found(mdi.ForceDepth(DEPTHS * h, force, relative_sd=0.01), mdr.Paraboloid(h), medium)
     assert "MISSES" not in result.summary()
     again = pickle.loads(pickle.dumps(result))
     same([*again.estimates.values()], [*result.estimates.values()])

@@ -12,10 +12,11 @@ import numpy as np
 import pytest
 
 import mdrcontact as mdr
+import mdrcontact.instruments as mdi
 from mdrcontact._units import dimensions
 from mdrcontact.adhesion import RULES
-from mdrcontact.fitting.problem import LOSSES, make_problem
-from mdrcontact.fitting.weighted import RULES as WEIGHT_RULES
+from mdrcontact.instruments.fitting.problem import LOSSES, make_problem
+from mdrcontact.instruments.fitting.weighted import RULES as WEIGHT_RULES
 
 from .commands import difference, numbers_of
 
@@ -74,34 +75,34 @@ def _dynamic() -> dict[str, Any]:
             "missing": "raise"}  # fmt: skip
 
 
-FREE = {"coating.E": mdr.Free(8e9, lower=1e9, upper=1e11),
-        "thickness": mdr.Free(2.3e-6, lower=1e-7, upper=1e-5, prior=(2.0e-6, 3e-7))}  # fmt: skip
+FREE = {"coating.E": mdi.Free(8e9, lower=1e9, upper=1e11),
+        "thickness": mdi.Free(2.3e-6, lower=1e-7, upper=1e-5, prior=(2.0e-6, 3e-7))}  # fmt: skip
 BINDING = {1e11: 8.05e9, 1e-7: 2.25e-6, 1e9: 1.1e9, 1e-5: 1.1e-5}
 """By the bounds above: others, two of which lie before the estimate."""
-INSTRUMENT = mdr.Instrument(depth_offset=1.3e-9, frame_compliance=2e-7, indenter=mdr.Elastic(71e9, 0.21), contact_depth_factor=0.71,
+INSTRUMENT = mdi.Instrument(depth_offset=1.3e-9, frame_compliance=2e-7, indenter=mdr.Elastic(71e9, 0.21), contact_depth_factor=0.71,
                             stiffness_factor=1.03, contact_depth_scale=1.05, area_factor=0.97)  # fmt: skip
-STICKY = mdr.Instrument(work_of_adhesion=0.9, depth_offset=1.3e-9, force_offset=1.1e-6, frame_compliance=2e-7,
+STICKY = mdi.Instrument(work_of_adhesion=0.9, depth_offset=1.3e-9, force_offset=1.1e-6, frame_compliance=2e-7,
                         indenter=mdr.Elastic(71e9, 0.21))  # fmt: skip
-OF_RADIUS = mdr.Instrument(frame_compliance=2e-7, indenter=mdr.Elastic(71e9, 0.21), stiffness_factor=1.03, area_factor=0.97)
-OF_PATH = mdr.Instrument(depth_offset=1.3e-9, force_offset=1.1e-7)
-OF_OSCILLATION = mdr.Instrument(frame_compliance=2e-6, stiffness_factor=1.03, area_factor=0.97)
-PRIOR = mdr.JointPrior(("coating.E", "substrate.E"), (8.7e9, 3.3e9), ((9e16, 1.1e16), (1.1e16, 4e16)))
+OF_RADIUS = mdi.Instrument(frame_compliance=2e-7, indenter=mdr.Elastic(71e9, 0.21), stiffness_factor=1.03, area_factor=0.97)
+OF_PATH = mdi.Instrument(depth_offset=1.3e-9, force_offset=1.1e-7)
+OF_OSCILLATION = mdi.Instrument(frame_compliance=2e-6, stiffness_factor=1.03, area_factor=0.97)
+PRIOR = mdi.JointPrior(("coating.E", "substrate.E"), (8.7e9, 3.3e9), ((9e16, 1.1e16), (1.1e16, 4e16)))
 FIT = {"indenter": TIP, "medium": BODY, "free": FREE, "instrument": INSTRUMENT, "loss": "huber", "loss_scale": 0.7,
        "adhesion_rule": "automatic", "sd_is_absolute": False, "max_iterations": 100, "check_units": True, "known": (PRIOR,),
        "contact_weight": 0.0, "contact_weight_rule": "held"}  # fmt: skip
 OF_TIME = {**FIT, "medium": mdr.Homogeneous(SOFT), "free": ["relaxed_shear_modulus"], "instrument": OF_PATH, "known": (),
            "loss": "cauchy"}  # fmt: skip
 WEIGHED = {**FIT, "instrument": STICKY, "loss": "linear", "contact_weight": 3.1e-8, "contact_weight_rule": "moving",
-           "free": {**FREE, "depth_offset": mdr.Free(1e-9)}, "known": ()}  # fmt: skip
+           "free": {**FREE, "depth_offset": mdi.Free(1e-9)}, "known": ()}  # fmt: skip
 CASES = [
-    Case("force-depth", mdr.ForceDepth, _force_depth(), {**FIT, "instrument": STICKY, "adhesion_rule": "energy"}),
-    Case("weighed", mdr.ForceDepth, _force_depth(), WEIGHED),
-    Case("stiffness-depth", mdr.StiffnessDepth, _stiffness_depth(), FIT),
-    Case("modulus-radius", mdr.ModulusRadius, _in_radius("modulus"), {**FIT, "instrument": mdr.Instrument(area_factor=0.97)}),
-    Case("stiffness-radius", mdr.StiffnessRadius, _in_radius("stiffness"), {**FIT, "instrument": OF_RADIUS}),
-    Case("force-time", mdr.ForceTime, _in_time("force"), OF_TIME),
-    Case("depth-time", mdr.DepthTime, _in_time("depth"), OF_TIME),
-    Case("dynamic-stiffness", mdr.DynamicStiffness, _dynamic(), {**OF_TIME, "instrument": OF_OSCILLATION}),
+    Case("force-depth", mdi.ForceDepth, _force_depth(), {**FIT, "instrument": STICKY, "adhesion_rule": "energy"}),
+    Case("weighed", mdi.ForceDepth, _force_depth(), WEIGHED),
+    Case("stiffness-depth", mdi.StiffnessDepth, _stiffness_depth(), FIT),
+    Case("modulus-radius", mdi.ModulusRadius, _in_radius("modulus"), {**FIT, "instrument": mdi.Instrument(area_factor=0.97)}),
+    Case("stiffness-radius", mdi.StiffnessRadius, _in_radius("stiffness"), {**FIT, "instrument": OF_RADIUS}),
+    Case("force-time", mdi.ForceTime, _in_time("force"), OF_TIME),
+    Case("depth-time", mdi.DepthTime, _in_time("depth"), OF_TIME),
+    Case("dynamic-stiffness", mdi.DynamicStiffness, _dynamic(), {**OF_TIME, "instrument": OF_OSCILLATION}),
 ]
 WORDS: dict[str, tuple[str, ...]] = {
     "missing": ("raise", "drop"),
@@ -138,7 +139,7 @@ EXCEPTIONS = {
 
 
 def _answer(case: Case) -> dict[str, Any]:
-    found = mdr.fit(case.make(**case.data), **case.fit)
+    found = mdi.fit(case.make(**case.data), **case.fit)
     return numbers_of({"estimates": found.estimates, "covariance": found.covariance, "chi": found.chi_square, "noise": found.noise,
                        "likelihood": found.log_likelihood, "prior": found.prior_chi_square})  # fmt: skip
 
@@ -165,7 +166,7 @@ def _others(name: str, value: Any) -> Iterator[tuple[str, Any]]:
     elif isinstance(value, np.ndarray):
         for i in {0, len(value) // 2, len(value) - 1}:
             yield f"{name}[{i}] 10 % more", np.where(np.arange(len(value)) == i, 1.1 * value, value)
-    elif isinstance(value, (mdr.Instrument, mdr.Free, mdr.Elastic, mdr.Paraboloid)):
+    elif isinstance(value, (mdi.Instrument, mdi.Free, mdr.Elastic, mdr.Paraboloid)):
         for member in inspect.signature(type(value)).parameters:
             for how, other in _others(member, getattr(value, member)):
                 if not (isinstance(value, mdr.Elastic) and member == "conductor"):
@@ -173,17 +174,17 @@ def _others(name: str, value: Any) -> Iterator[tuple[str, Any]]:
                         f"{name}.{how}",
                         type(value)(**{m: getattr(value, m) for m in inspect.signature(type(value)).parameters} | {member: other}),
                     )
-    elif isinstance(value, mdr.JointPrior):
+    elif isinstance(value, mdi.JointPrior):
         for i in range(2):
             yield (
                 f"{name}.values[{i}]",
-                mdr.JointPrior(value.names, tuple(1.1 * v if j == i else v for j, v in enumerate(value.values)), value.covariance),
+                mdi.JointPrior(value.names, tuple(1.1 * v if j == i else v for j, v in enumerate(value.values)), value.covariance),
             )
         for i, j in ((0, 0), (0, 1), (1, 1)):
             table = np.array(value.covariance)
             table[[i, j], [j, i]] *= 1.1
-            yield f"{name}.covariance[{i}, {j}]", mdr.JointPrior(value.names, value.values, table)
-        yield f"{name}.names", mdr.JointPrior(("coating.E", "coating.nu"), value.values, value.covariance)
+            yield f"{name}.covariance[{i}, {j}]", mdi.JointPrior(value.names, value.values, table)
+        yield f"{name}.names", mdi.JointPrior(("coating.E", "coating.nu"), value.values, value.covariance)
     elif isinstance(value, dict):
         for key, part in value.items():
             yield from ((f"{name}[{how}]", {**value, key: other}) for how, other in _others(key, part))
@@ -202,7 +203,7 @@ def _with(body: Any, key: str, value: float) -> Any:
 
 def _effects(case: Case) -> Iterator[tuple[str, str, float]]:
     before = _answer(case)
-    for group, call in (("data", case.make), ("fit", mdr.fit)):
+    for group, call in (("data", case.make), ("fit", mdi.fit)):
         given = getattr(case, group)
         for name in inspect.signature(call).parameters:
             if (group, name) == ("fit", "data"):
@@ -256,8 +257,8 @@ def _predicted(case: Case, name: str) -> tuple[float, float]:
         return OTHER[name], 0.0
 
 
-def _bare(case: Case) -> mdr.Instrument:
-    return mdr.Instrument(work_of_adhesion=0.9) if case.name == "force-depth" else mdr.Instrument()
+def _bare(case: Case) -> mdi.Instrument:
+    return mdi.Instrument(work_of_adhesion=0.9) if case.name == "force-depth" else mdi.Instrument()
 
 
 OTHER = {"work_of_adhesion": 1.3, "depth_offset": -1e-9, "force_offset": -1e-7, "frame_compliance": 1e-7,
@@ -269,9 +270,9 @@ OTHER = {"work_of_adhesion": 1.3, "depth_offset": -1e-9, "force_offset": -1e-7, 
 def test_a_fit_takes_the_numbers_of_the_instrument_that_its_data_depend_on(case):
     """And refuses all others with words, as values, free and in a joint prior."""
     data, free = case.make(**case.data), dict.fromkeys(case.fit["free"])
-    for name in dimensions(mdr.Instrument):
+    for name in dimensions(mdi.Instrument):
         value, moves = _predicted(case, name)
-        known = [mdr.JointPrior((name,), (value,), ((1e-4 * value**2,),))]
+        known = [mdi.JointPrior((name,), (value,), ((1e-4 * value**2,),))]
         other = _bare(case).replace(**{name: value})
         for more in ({"instrument": other}, {"free": {**free, name: None}}, {"known": known}):
             given = {"free": free, "instrument": _bare(case), **more}
@@ -292,14 +293,14 @@ def test_a_rule_of_adhesion_needs_adhesion(case, rule):
     with pytest.raises(mdr.InvalidArgumentError, match="nothing adheres"):
         make_problem(data, case.fit["indenter"], case.fit["medium"], case.fit["free"], adhesion_rule=rule)
     if case.name == "force-depth":
-        free = {**FREE, "work_of_adhesion": mdr.Free(0.9)}
+        free = {**FREE, "work_of_adhesion": mdi.Free(0.9)}
         make_problem(data, TIP, BODY, free, adhesion_rule=rule)
         make_problem(data, TIP, BODY, FREE, STICKY, adhesion_rule=rule)
 
 
 def test_a_range_needs_adhesion_that_follows_the_balance_of_energy():
-    data = mdr.ForceDepth(**_force_depth())
-    ranged = mdr.Instrument(cohesive_stress=3e8)
+    data = mdi.ForceDepth(**_force_depth())
+    ranged = mdi.Instrument(cohesive_stress=3e8)
     for free, instrument in ((FREE, ranged), ({**FREE, "cohesive_stress": 3e8}, None)):
         with pytest.raises(mdr.InvalidArgumentError, match="without a work_of_adhesion"):
             make_problem(data, TIP, BODY, free, instrument)

@@ -1,0 +1,449 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The table [data] of a problem file: from a file of measurements to data of a fit."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..._units import LENGTH, RATIO, SPEED, VOLTAGE, Dimension, UnitError, is_cyclic, shown
+from ...problem.roles import ROLES
+from ...problem.section import ProblemError, Section
+from ..fitting import (
+    DepthTime,
+    DynamicStiffness,
+    ForceDepth,
+    ForceTime,
+    ModulusRadius,
+    StiffnessDepth,
+    StiffnessRadius,
+    Unloading,
+)
+from ..fitting.data import Data
+from ..reading.columns import MeasuredTable, TableOptions
+from ..reading.formats import Fact
+from ..reading.marks import segments_of_marks as marked_segments
+from ..reading.numerals import MARKS
+from ..records import without_oscillation
+from .record import KEYS, Cantilever, Record, prepare
+
+Array = NDArray[np.float64]
+
+
+class _Column(NamedTuple):
+    """A column of a table: its title, the unit it is in, and its numbers in SI units."""
+
+    title: str
+    unit: str
+    values: Array
+    dimension: Dimension
+
+    def described(self, role: str) -> str:
+        """What was understood: role, title, unit and range."""
+        finite = self.values[np.isfinite(self.values)]
+        span = " to ".join(shown(float(v), self.dimension) for v in (finite.min(), finite.max())) if finite.size else "no numbers"
+        return f"{role} from column {self.title!r}" + (f" in {self.unit}" if self.unit else "") + f": {span}"
+
+
+_Found = dict[str, _Column]
+"""By role."""
+
+
+def _dynamic_stiffness(omega: Array, radius: Array, loss: Array, storage: Array, **options: Any) -> DynamicStiffness:
+    return DynamicStiffness(omega, storage + 1j * loss, radius, **options)
+
+
+TABLES: Mapping[str, tuple[Callable[..., Data], tuple[str, ...]]] = {
+    "stiffness-depth": (StiffnessDepth, ("depth", "force", "stiffness")),
+    "modulus-radius": (ModulusRadius, ("radius", "modulus")),
+    "stiffness-radius": (StiffnessRadius, ("radius", "stiffness")),
+    "dynamic-stiffness": (_dynamic_stiffness, ("omega", "radius", "loss", "storage")),
+}
+"""Kinds whose columns are the data; the others are records of an instrument."""
+_IN_TIME = ("force-time", "depth-time")
+RECORDS = ("force-depth", "unloading", *_IN_TIME)
+KINDS = (*RECORDS, *TABLES)
+
+KNOWN: Mapping[str, Dimension | None] = {
+    "kind": None,
+    **dict.fromkeys(ROLES),
+    "radius_over_thickness": None,
+    "thickness": LENGTH,
+    "contact_radius": LENGTH,
+    "nu": None,
+    "columns": None,
+    "units": None,
+    "skip": None,
+    "sheet": None,
+    "leave_out": None,
+    "decimal": None,
+    "sd": None,
+    "relative_sd": None,
+    "min_depth": LENGTH,
+    "max_depth": LENGTH,
+    "min_radius": LENGTH,
+    "max_radius": LENGTH,
+    **dict.fromkeys(KEYS),
+    "drift": SPEED,
+    "upper_part": None,
+    "oscillation": LENGTH,
+    "elastic": None,
+}
+_LIMITS = {role: (f"min_{role}", f"max_{role}") for role in ("depth", "radius")}
+_OF_RECORDS = ("height", "deflection", "time", *KEYS)
+OF_A_TABLE = (*ROLES, "columns", "units", "skip", "sheet", "leave_out", "decimal", "sd")
+"""Keys that say how a table is to be read."""
+_RIVALS = (
+    ("depth", "height"),
+    ("depth", "deflection"),
+    ("force", "deflection"),
+    ("radius", "area"),
+    ("radius", "radius_over_thickness"),
+    ("area", "radius_over_thickness"),
+    ("radius", "contact_radius"),
+    ("area", "contact_radius"),
+    ("radius_over_thickness", "contact_radius"),
+)
+"""Keys of which a kind of data reads one."""
+
+
+def check(section: Section) -> None:
+    """Refuses keys that do not belong to the kind of data."""
+    kind = section.choice("kind", KINDS)
+    foreign = set() if kind in RECORDS else {*_OF_RECORDS}
+    if kind == "stiffness-depth":
+        foreign.discard("branch")
+    else:
+        foreign.add("oscillation")
+    if kind not in ("stiffness-depth", "unloading"):
+        foreign.add("elastic")
+    if kind != "dynamic-stiffness":
+        foreign |= {"omega", "storage", "loss", "contact_radius"}
+    if kind in _IN_TIME:
+        foreign |= {"branch", "before_pop_in"}
+    foreign |= {"unloading": {"branch", "before_pop_in", "sd", "relative_sd"}}.get(kind, {"upper_part"})
+    foreign |= _columns_of_others(kind)
+    section.only([key for key in KNOWN if key not in foreign], f"kind = {kind!r}")
+    for one, other in _RIVALS:
+        if one in section and other in section:
+            raise ProblemError(f"[data]: {one} and {other} say the same thing twice: keep one")
+    if "time" in section and kind in RECORDS and kind not in _IN_TIME and "drift" not in section:
+        raise ProblemError(f"[data]: kind = {kind!r} reads a time for drift alone: give drift, or leave time out")
+    if "thickness" in section and "radius_over_thickness" not in section:
+        raise ProblemError("[data]: thickness goes with radius_over_thickness, the column that counts in thicknesses")
+
+
+def _columns_of_others(kind: str) -> set[str]:
+    """Columns of the other kinds, and what is said of those: limits, and how to make a radius or an effective modulus."""
+    roles = TABLES[kind][1] if kind in TABLES else ("depth", "force")
+    foreign = {"depth", "force", *(role for _, others in TABLES.values() for role in others)} - {*roles}
+    for role, limits in _LIMITS.items():
+        foreign |= {*limits} if role in foreign else set()
+    foreign |= {"area", "radius_over_thickness", "thickness"} if "radius" in foreign else set()
+    return foreign | ({"nu"} if "modulus" in foreign else set())
+
+
+def read_data(section: Section, cantilever: Cantilever, table: MeasuredTable, kind: str) -> tuple[Data, list[str]]:
+    """The data of one table, and what was understood and done."""
+    if kind not in RECORDS:
+        return _read_columns(section, table, kind)
+    try:
+        record = record_of(section, cantilever, table, kind)
+        return data_of(section, _with_facts(cantilever, table.facts), record, kind)
+    except ProblemError as problem:
+        words = str(problem)
+        raise problem if words.startswith((str(table.path), "[")) else ProblemError(f"{table.path}: {words}") from problem
+
+
+def table_options(section: Section) -> TableOptions:
+    """What [data] says of a table that does not say it itself."""
+    columns = section.plain("columns", [])
+    if not isinstance(columns, list) or not all(isinstance(title, str) and title for title in columns):
+        raise ProblemError('[data]: columns must be a list of titles, as in columns = ["depth [nm]", "load [mN]"]')
+    units = section.plain("units", {})
+    if not isinstance(units, dict) or not all(isinstance(unit, str) for unit in units.values()):
+        raise ProblemError('[data]: units must be a table of units by title, as in units = { Depth = "nm" }')
+    skip = section.plain("skip", 0)
+    if isinstance(skip, bool) or not isinstance(skip, int) or skip < 0:
+        raise ProblemError(f"[data]: skip = {skip!r} is not allowed: it must be a number of lines, at least 0")
+    sheet = str(section.plain("sheet", ""))
+    decimal = section.choice("decimal", MARKS) if "decimal" in section else ""
+    return TableOptions(tuple(columns), units, skip, sheet, decimal)
+
+
+def column(section: Section, table: MeasuredTable, role: str) -> _Column:
+    dimension, aliases = ROLES[role]
+    title = str(section.plain(role)) if role in section else table.find(role, aliases, dimension)
+    values, unit = table.column(title, dimension)
+    return _Column(title, unit, values, dimension)
+
+
+def has(section: Section, table: MeasuredTable, role: str) -> bool:
+    """Whether a column is named, or can be found, for a role."""
+    if role in section:
+        return True
+    try:
+        table.find(role, ROLES[role][1], ROLES[role][0])
+    except ProblemError:
+        return False
+    return True
+
+
+def _sd(section: Section, table: MeasuredTable, role: str, found: _Found) -> Array | None:
+    if "sd" not in section:
+        return None
+    title = str(section.plain("sd"))
+    values, unit = table.column(title, ROLES[role][0])
+    found["standard deviation"] = _Column(title, unit, values, ROLES[role][0])
+    return values
+
+
+def _between(section: Section, values: Mapping[str, Array]) -> NDArray[np.bool_]:
+    """Which points lie between the limits of [data]; at least one."""
+    keep = np.ones(len(next(iter(values.values()))), dtype=bool)
+    for role in ("depth", "radius"):
+        if role in values:
+            low = section.quantity(f"min_{role}", -math.inf)
+            high = section.quantity(f"max_{role}", math.inf)
+            keep &= ~((values[role] < low) | (values[role] > high))
+            if not keep.any():
+                ends = " to ".join(shown(float(v), LENGTH) for v in (np.nanmin(values[role]), np.nanmax(values[role])))
+                raise ProblemError(
+                    f"[data]: no reading lies between min_{role} and max_{role}: the {role} runs from {ends}: check the units"
+                )
+    return keep
+
+
+def _read_columns(section: Section, table: MeasuredTable, kind: str) -> tuple[Data, list[str]]:
+    cls, roles = TABLES[kind]
+    found: _Found = {}
+    for role in roles:
+        if role == "radius" and "radius_over_thickness" in section:
+            title = str(section.plain("radius_over_thickness"))
+            ratio, _ = table.column(title, RATIO)
+            found[role] = _Column(title, "thicknesses", ratio * section.quantity("thickness"), LENGTH)
+        elif role == "radius" and "contact_radius" in section:
+            radius = np.full(len(found["omega"].values), section.quantity("contact_radius"))
+            found[role] = _Column("contact_radius", "m, of [data]", radius, LENGTH)
+        elif role == "radius" and ("area" in section or not has(section, table, role) and has(section, table, "area")):
+            title, unit, area, _ = column(section, table, "area")
+            found[role] = _Column(title, f"{unit}, as sqrt(area/pi)", np.sqrt(np.maximum(area, 0.0) / math.pi), LENGTH)
+        else:
+            found[role] = column(section, table, role)
+        if role == "omega" and is_cyclic(found[role].unit):
+            found[role] = found[role]._replace(unit=f"{found[role].unit}, times 2 pi")
+    options: dict[str, object] = {"missing": "drop"}
+    last = roles[-1]
+    sd = _sd(section, table, last, found)
+    _check_units(section, found)
+    factor = 1.0 / (1.0 - section.number("nu") ** 2) if last == "modulus" and "nu" in section else 1.0
+    found[last] = found[last]._replace(values=found[last].values * factor)
+    keep = _between(section, {role: found[role].values for role in roles})
+    notes = [*table.notes, *(column.described(role) for role, column in found.items())]
+    if kind == "stiffness-depth":
+        keep &= _loading(section, table, found["depth"].values, found["force"].values, found["stiffness"].values, notes)
+    if sd is not None:
+        options["sd"] = sd[keep] * factor
+    options |= section.given(("relative_sd",))
+    if "elastic" in section:
+        options["elastic"] = section.truth("elastic")
+    if not keep.all():
+        notes.append(f"{int(keep.sum())} of {len(keep)} rows are fitted")
+    columns = [found[role].values[keep] for role in roles]
+    if "oscillation" in section:
+        with section.words():
+            depth, force, stiffness, keeps = without_oscillation(
+                columns[0], columns[1], columns[2], section.quantity("oscillation")
+            )
+        notes.append("depth, force and stiffness are those at the top of the oscillation (Pharr, Strader, Oliver 2009)")
+        if not keeps.all():
+            notes.append(f"{int((~keeps).sum())} points are left out: the oscillation is so large that contact is lost")
+            if sd is not None:
+                options["sd"] = sd[keep][keeps]
+        columns = [values[keeps] for values in (depth, force, stiffness)]
+    data = cls(*columns, **options)
+    data.warnings += table.warnings
+    return data, notes
+
+
+def _loading(
+    section: Section, table: MeasuredTable, depth: Array, force: Array, stiffness: Array, notes: list[str]
+) -> NDArray[np.bool_]:
+    """Which readings of a record with stiffnesses load the contact, where the file or [data] branch separates them."""
+    branch = section.choice("branch", ("loading",), default="")
+    if not branch and not table.marks:
+        return np.ones(len(depth), dtype=bool)
+    finite = np.isfinite(depth) & np.isfinite(force)
+    record = Record(depth, force, None, None, [])
+    record.segments = marked_segments(table.marks, depth, force)
+    record.keep(finite)
+    segments, words = record.parts()
+    loads = np.zeros(int(finite.sum()), dtype=bool)
+    for part in segments:
+        loads[part.points] = part.kind == "loading"
+    keep = np.zeros(len(depth), dtype=bool)
+    keep[np.flatnonzero(finite)[loads]] = True
+    # in contact the tangent meets force 0 at a depth of at least 0
+    contact = keep & (depth > 0.0) & (force > 0.0) & (stiffness * depth > force)
+    notes.append(f"{words}; of {len(depth)} readings {int(keep.sum())} load, {int(contact.sum())} of these in contact")
+    return contact
+
+
+def _with_facts(cantilever: Cantilever, facts: Sequence[Fact]) -> Cantilever:
+    """The spring constant of the file where the problem says none."""
+    said = next((fact.value for fact in facts if fact.name == "spring_constant"), None)
+    return cantilever if cantilever.spring_constant is not None else cantilever._replace(spring_constant=said)
+
+
+def record_of(section: Section, cantilever: Cantilever, table: MeasuredTable, kind: str) -> Record:
+    """What a table holds, as it stands there, with the segments that it marks."""
+    found: _Found = {}
+    depth = height = time = None
+    if "height" not in section and has(section, table, "depth") or not has(section, table, "height"):
+        found["depth"] = column(section, table, "depth")
+        depth = found["depth"].values
+    else:
+        found["height"] = column(section, table, "height")
+        height = found["height"].values
+    if depth is None and "force" not in section and _has_deflection(section, table):
+        force = _force_of_deflection(section, cantilever, table, found)
+    else:
+        found["force"] = column(section, table, "force")
+        force = found["force"].values
+    if "time" in section or "drift" in section or kind in _IN_TIME:
+        found["time"] = column(section, table, "time")
+        time = found["time"].values
+    sd = _sd(section, table, "depth" if kind == "depth-time" else "force", found)
+    if "deflection" in section and "deflection" not in found:
+        read = ", ".join(f"{role} {one.title!r}" for role, one in found.items())
+        raise ProblemError(
+            f"[data]: deflection is not read, as the table has {read}: leave it out, or name the height of the piezo in place of a "
+            "depth"
+        )
+    _check_units(section, found)
+    _check_cantilever(cantilever, table, found)
+    record = Record(
+        depth,
+        force,
+        height,
+        time,
+        [*table.notes, *(column.described(role) for role, column in found.items())],
+        list(table.warnings),
+        sd=sd,
+    )
+    along = height if depth is None else depth
+    if table.marks and along is not None:
+        record.segments = marked_segments(table.marks, along, force)
+    return record
+
+
+def _check_units(section: Section, found: _Found) -> None:
+    """Refuses units of columns that are not read."""
+    used = [one.title for one in found.values()]
+    for title in section.plain("units", {}):
+        if title not in used:
+            raise ProblemError(
+                f"[data] units: the column {title!r} is not read: leave its unit out, or name its role, as in {next(iter(found))} "
+                f'= "{title}"'
+            )
+
+
+def _check_cantilever(cantilever: Cantilever, table: MeasuredTable, found: _Found) -> None:
+    """Refuses settings of the cantilever beside columns that need none of them; what the file says of it may be checked."""
+    deflection = found.get("deflection")
+    if cantilever.deflection_sensitivity is not None and (deflection is None or deflection.dimension is not VOLTAGE):
+        raise ProblemError(
+            "[instrument]: deflection_sensitivity belongs to a deflection in volts, and the table gives "
+            f"{', '.join(found)}: leave it out"
+        )
+    said = any(fact.name == "spring_constant" for fact in table.facts)
+    if cantilever.spring_constant is not None and not ("height" in found or deflection is not None or said):
+        raise ProblemError(
+            "[instrument]: spring_constant belongs to a deflection or the height of the piezo, and the table gives "
+            f"{', '.join(found)}: leave it out"
+        )
+
+
+def data_of(section: Section, cantilever: Cantilever, record: Record, kind: str) -> tuple[Data, list[str]]:
+    """Data of a fit from a record, and what was understood and done."""
+    prepare(section, cantilever, record, kind)
+    assert record.depth is not None
+    keep = _between(section, {"depth": record.depth})
+    if not keep.all():
+        record.keep(keep)
+        record.notes.append(f"{int(keep.sum())} rows lie between the limits of [data] and are fitted")
+    data = _record_data(section, record, kind)
+    data.warnings += record.warnings
+    data.contact_points, data.also_free = record.contact_points, record.also_free
+    data.pulls = {name: pull.force for name, pull in record.pulls.items()}
+    if record.parting is not None:
+        data.pulls |= {"last rupture": record.parting.rupture_depth, "energy lost": record.parting.energy}
+    if isinstance(data, Unloading):
+        record.notes += data.found_and_used()
+    else:
+        record.notes.append(record.counts())
+        if record.unused and isinstance(data, ForceDepth):
+            data.unused = tuple(np.concatenate(columns) for columns in zip(*record.unused, strict=True))
+    return data, record.notes
+
+
+def _record_data(section: Section, record: Record, kind: str) -> Data:
+    assert record.depth is not None
+    if kind == "unloading":
+        options: dict[str, Any] = {}
+        if "elastic" in section:
+            options["elastic"] = section.truth("elastic")
+        if "upper_part" in section:
+            part = section.numbers("upper_part")
+            if len(part) != 2:
+                raise ProblemError("[data]: upper_part must be two numbers, as in upper_part = [0.4, 0.98]")
+            options["upper_part"] = (part[0], part[1])
+        with section.words():
+            return Unloading(record.depth, record.force, segments=record.segments, **options)
+    relative = section.number("relative_sd") if "relative_sd" in section else None
+    if kind in _IN_TIME:
+        if record.time is None:
+            raise ProblemError(f"kind = {kind!r} needs the time of each reading, which this file does not have")
+        with section.words():
+            if kind == "force-time":
+                return ForceTime(record.time, record.depth, record.force, sd=record.sd, relative_sd=relative)
+            return DepthTime(record.time, record.force, record.depth, sd=record.sd, relative_sd=relative)
+    branch = section.plain("branch", "both")
+    return ForceDepth(record.depth, record.force, sd=record.sd, relative_sd=relative, branch=None if branch == "both" else branch)
+
+
+def _has_deflection(section: Section, table: MeasuredTable) -> bool:
+    if "deflection" in section:
+        return True
+    aliases = ROLES["deflection"][1]
+    for dimension in (LENGTH, VOLTAGE):
+        try:
+            table.find("deflection", aliases, dimension)
+        except ProblemError:
+            continue
+        return True
+    return False
+
+
+def _force_of_deflection(section: Section, cantilever: Cantilever, table: MeasuredTable, found: _Found) -> Array:
+    """Spring constant times deflection, which stands in the file as a length or a voltage."""
+    if cantilever.spring_constant is None:
+        raise ProblemError('a deflection becomes a force by the spring constant: give [instrument] spring_constant = "0.2 N/m"')
+    try:
+        found["deflection"] = column(section, table, "deflection")
+        return found["deflection"].values * cantilever.spring_constant
+    except (ProblemError, UnitError) as of_length:
+        title = str(section.plain("deflection")) if "deflection" in section else None
+        try:
+            title = title or table.find("deflection", ROLES["deflection"][1], VOLTAGE)
+            values, unit = table.column(title, VOLTAGE)
+        except (ProblemError, UnitError):
+            raise of_length from None
+    if cantilever.deflection_sensitivity is None:
+        raise ProblemError(f'the deflection {title!r} is a voltage: give [instrument] deflection_sensitivity = "50 nm/V"')
+    found["deflection"] = _Column(title, unit, values, VOLTAGE)
+    return values * cantilever.deflection_sensitivity * cantilever.spring_constant

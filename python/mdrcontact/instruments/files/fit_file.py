@@ -1,0 +1,225 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The tables [data], [instrument] and [fit] of a problem file for `mdrcontact fit`."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from ..._choices import nearest
+from ..._units import LENGTH, SENSITIVITY, STIFFNESS, Dimension, dimensions, shown
+from ...adhesion import RULES
+from ...poroelastic import DRAINAGES, is_poroelastic
+from ...problem import indenter as indenters
+from ...problem import medium as mediums
+from ...problem.named import Folder, Given, GivenFiles
+from ...problem.section import ProblemError, Section
+from ...problem.tip_file import with_calibration
+from ...problem.toml import parse_file, parse_text
+from ..fitting import Free, Instrument, JointPrior
+from ..fitting.data import Data
+from ..fitting.gel import NAMES as GEL_NAMES
+from ..fitting.parameters import pattern_of
+from ..fitting.problem import LOSSES
+from ..fitting.quantities import dimension_of
+from ..fitting.weighted import RULES as WEIGHT_RULES
+from ..reading.formats import Fact
+from . import curves as files
+from . import data as measured
+from .record import Cantilever
+
+_CANTILEVER: Mapping[str, Dimension] = {"spring_constant": STIFFNESS, "deflection_sensitivity": SENSITIVITY}
+_INSTRUMENT: Mapping[str, Dimension | None] = {**dimensions(Instrument), "indenter": None, **_CANTILEVER}
+_FIT: Mapping[str, Dimension | None] = {
+    "free": None,
+    "loss": None,
+    "loss_scale": None,
+    "adhesion_rule": None,
+    "max_iterations": None,
+    "sd_is_absolute": None,
+    "contact_weight": LENGTH,
+    "contact_weight_rule": None,
+    "joint_prior": None,
+    "drainage": None,
+}
+
+_OPTIONS: Mapping[str, Callable[[Section, str], Any]] = {
+    "loss": partial(Section.choice, choices=LOSSES),
+    "loss_scale": Section.number,
+    "adhesion_rule": partial(Section.choice, choices=RULES),
+    "max_iterations": partial(Section.count, default=100, largest=100_000),
+    "contact_weight": Section.quantity,
+    "contact_weight_rule": partial(Section.choice, choices=WEIGHT_RULES),
+    "sd_is_absolute": Section.truth,
+}
+"""What a fit takes besides."""
+_APART = 0.01
+"""Of a number: more between two files is no rounding."""
+_JOINT: Mapping[str, Dimension | None] = {"names": None, "values": None, "sds": None, "correlation": None}
+
+
+class FitFile(NamedTuple):
+    """What a problem file for a fit says."""
+
+    title: str
+    indenter: Any
+    medium: Any
+    instrument: Instrument
+    cantilever: Cantilever
+    free: dict[str, Free]
+    options: dict[str, Any]
+    data: Section
+    drainage: str | None = None
+    """of a gel"""
+
+    @property
+    def arguments(self) -> dict[str, Any]:
+        """What `fit` takes besides the data."""
+        known = {"indenter": self.indenter, "medium": self.medium, "free": self.free, "instrument": self.instrument}
+        return {**known, **self.options}
+
+    def curves(self, path: Path) -> list[files.Curve]:
+        """The curves of one file, with a warning where it says another instrument than the problem."""
+        found = files.curves(self.data, self.cantilever, path)
+        return [one._replace(read=partial(self._read, one)) for one in found]
+
+    def _read(self, curve: files.Curve) -> tuple[Data, list[str]]:
+        data, notes = curve.read()
+        if curve.facts:
+            notes = [*notes, f"the file says: {', '.join(map(str, curve.facts))}"]
+        data.warnings += self._contradictions(curve.facts)
+        return data, notes
+
+    def _contradictions(self, facts: Sequence[Fact]) -> list[str]:
+        """What the file and the problem say of one number, where they differ."""
+        said = {"indenter.radius": getattr(self.indenter, "radius", None), "spring_constant": self.cantilever.spring_constant}
+        words = []
+        for fact in facts:
+            own = said.get(fact.name)
+            if own is not None and abs(own - fact.value) > _APART * abs(fact.value):
+                words.append(
+                    f"{fact.name} is {shown(own, fact.dimension)} in the problem file and {shown(fact.value, fact.dimension)} in "
+                    "the file of the instrument: one of them is wrong"
+                )
+        return words
+
+    def read_data(self, path: Path) -> tuple[Data, list[str]]:
+        """The data of a file with one curve, or of its first, and what was understood."""
+        return self.curves(path)[0].read()
+
+
+def load_fit_file(path: Path) -> FitFile:
+    """Reads a problem file; a fault in it is a `ProblemError` that names the file."""
+    try:
+        return _read(with_calibration(parse_file(path), Folder(path.parent)), path.stem)
+    except ProblemError as problem:
+        raise ProblemError(f"{path}: {problem}") from problem
+
+
+def fit_file_of_text(text: str, title: str = "", files: Given = ()) -> FitFile:
+    """What the text of a problem file for a fit says; of `files`, as in `read_text`, it may name a tip."""
+    return _read(with_calibration(parse_text(text), GivenFiles(files)), title)
+
+
+def _read(table: dict[str, Any], title: str) -> FitFile:
+    tables = ("title", "indenter", "medium", "instrument", "data", "fit", "compute")
+    whole = Section(table, "the file", dict.fromkeys(tables))
+    for name in ("indenter", "medium", "data", "fit"):
+        if name not in table:
+            raise ProblemError(f"the table [{name}] is missing: a fit has [indenter], [medium], [data] and [fit]")
+    shape = Section(table["indenter"], "indenter", indenters.KNOWN)
+    body = mediums.read_medium(Section(table["medium"], "medium", mediums.KNOWN), shape)
+    of_instrument = Section(table.get("instrument", {}), "instrument", _INSTRUMENT)
+    instrument, cantilever = _read_instrument(of_instrument), Cantilever(**of_instrument.given(_CANTILEVER))
+    tip = indenters.read_indenter(shape)
+    fit, data = Section(table["fit"], "fit", _FIT), Section(table["data"], "data", measured.KNOWN)
+    drainage, options = None, dict[str, Any]()
+    if is_poroelastic(body):
+        free, drainage = _read_gel(fit, instrument)
+    else:
+        fit.only([key for key in _FIT if key != "drainage"], "a body without a fluid")
+        if "contact_weight_rule" in fit and "contact_weight" not in fit:
+            raise ProblemError("[fit]: contact_weight_rule says how contact_weight counts: give that too, or leave it out")
+        names = pattern_of(tip, body, instrument).names
+        options = {key: read(fit, key) for key, read in _OPTIONS.items() if key in fit}
+        if "joint_prior" in fit:
+            options["known"] = [_read_joint_prior(section, names) for section in fit.children("joint_prior", _JOINT)]
+        free = _read_free(fit, names)
+    measured.check(data)
+    if data.plain("kind") not in measured.RECORDS:
+        because = f"kind = {data.plain('kind')!r}, which has no deflection"
+        of_instrument.only([key for key in _INSTRUMENT if key not in _CANTILEVER], because)
+    return FitFile(str(whole.plain("title", title)), tip, body, instrument, cantilever, free, options, data, drainage)
+
+
+def _read_gel(fit: Section, instrument: Instrument) -> tuple[dict[str, Free], str]:
+    """Of a gel: its free numbers, and the drainage."""
+    fit.only(("free", "drainage"), "a poroelastic gel")
+    if instrument != Instrument():
+        raise ProblemError("[instrument]: fits of gels take data without offsets and compliances: leave the table out")
+    free = fit.plain("free") if "free" in fit else None
+    if not isinstance(free, list) or not free or any(name not in GEL_NAMES for name in free):
+        raise ProblemError(f'[fit]: free must name numbers of the gel, of {", ".join(GEL_NAMES)}, as in free = ["diffusivity"]')
+    return {name: Free() for name in free}, fit.choice("drainage", DRAINAGES)
+
+
+def _read_instrument(section: Section) -> Instrument:
+    given = section.given(dimensions(Instrument))
+    material = mediums.read_material(section.child("indenter", mediums.MATERIAL)) if "indenter" in section else None
+    return Instrument(indenter=material, **given)
+
+
+def _read_free(fit: Section, names: list[str]) -> dict[str, Free]:
+    """[fit] free = ["coating.E", ...], or a table [fit.free] with start, lower, upper, prior, prior_sd for each name."""
+    given = fit.plain("free") if "free" in fit else None
+    if isinstance(given, list) and given and all(isinstance(name, str) for name in given):
+        given = {name: {} for name in given}
+    if not isinstance(given, dict) or not given:
+        raise ProblemError('[fit]: free must name parameters, as in free = ["coating.E"], or be a table [fit.free]')
+    free = {}
+    for name, entry in given.items():
+        known = [n for n in names if n]
+        if name not in known:
+            raise ProblemError(f"[fit.free]: {name!r} is not a parameter of this problem: {nearest(name, known)}")
+        keys = ("start", "lower", "upper", "prior", "prior_sd")
+        section = Section(entry, f'fit.free."{name}"', dict.fromkeys(keys, dimension_of(name)))
+        value = section.given(keys)
+        if ("prior" in value) != ("prior_sd" in value):
+            raise ProblemError(f"[{section.path}]: prior and prior_sd belong together: give both or none")
+        prior = (value.pop("prior"), value.pop("prior_sd")) if "prior" in value else None
+        with section.words():
+            free[name] = Free(**value, prior=prior)
+    return free
+
+
+def _read_joint_prior(section: Section, names: list[str]) -> JointPrior:
+    """What is known of several parameters together: values and standard deviations with units, and their correlation."""
+    chosen = section.plain("names")
+    if not isinstance(chosen, list) or not chosen:
+        raise ProblemError(f'[{section.path}]: names must be a list of parameters, as in names = ["indenter.C0", "indenter.C1"]')
+    for name in chosen:
+        if not name or name not in names:
+            raise ProblemError(
+                f"[{section.path}]: {name!r} is not a parameter of this problem: {nearest(str(name), [n for n in names if n])}"
+            )
+    if len(set(chosen)) < len(chosen):
+        raise ProblemError(f"[{section.path}]: names say the same thing twice: name each parameter once")
+    columns = []
+    for key in ("values", "sds"):
+        given = section.plain(key)
+        if not isinstance(given, list) or len(given) != len(chosen):
+            raise ProblemError(f"[{section.path}]: {key} must be a list of {len(chosen)} entries, one for each name")
+        entries = Section(dict(zip(chosen, given, strict=True)), f"{section.path} {key}", {n: dimension_of(n) for n in chosen})
+        columns.append([*entries.given(chosen).values()])
+    values, sds = columns
+    rows = section.plain("correlation", np.eye(len(chosen)))
+    try:
+        covariance = tuple(tuple(float(c) * a * b for c, b in zip(row, sds, strict=True)) for row, a in zip(rows, sds, strict=True))
+    except (TypeError, ValueError) as problem:
+        raise ProblemError(f"[{section.path}]: correlation must be {len(chosen)} rows of {len(chosen)} numbers") from problem
+    with section.words():
+        return JointPrior(tuple(chosen), tuple(values), covariance)

@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The mean of several tests and its interval: errors of each test, scatter between tests, and what all tests share."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..._boundary import call, native
+from ...errors import InvalidArgumentError
+from .result import FitResult, Interval
+
+Array = NDArray[np.float64]
+
+_ROUNDS = 100
+_LEAST = 1e-9
+"""Of the mean: a standard error that is smaller is rounding."""
+
+
+class MeanOfTests(NamedTuple):
+    """A parameter over several tests, in its own unit."""
+
+    name: str
+    value: float
+    standard_error: float
+    interval: Interval
+    """95 %, or the level that was given"""
+    between: float
+    """standard deviation of the true values of the tests"""
+    common: float
+    """standard error from what has a prior, which all tests share: tip, thickness, ..."""
+    tests: int
+
+
+def mean_of_tests(results: Sequence[FitResult], name: str, level: float = 0.95) -> MeanOfTests:
+    """The mean of a fitted parameter over tests that differ by more than their errors, as a random effect.
+
+    The variance between tests is that of Paule and Mandel (J. Res. NBS 87 (1982) 377); the interval has Student's quantile and the
+    variance of Hartung and Knapp (Stat. Med. 20 (2001) 3875), and is never narrower than the errors of the tests alone. What has a
+    prior is the same in all tests: its error is not averaged, and added.
+
+    results : at least two fits with the parameter free and a standard error
+    name : of the parameter, "E"
+    level : of the interval, between 0 and 1
+    """
+    sound = [r for r in results if name in r.names and r.standard_errors[name] > 0.0 and math.isfinite(r.standard_errors[name])]
+    if len(sound) < 2:
+        raise InvalidArgumentError(f"only {len(sound)} tests have a standard error of {name!r}: the mean of tests needs two")
+    values = np.array([r.estimates[name] for r in sound])
+    responses = [_response(r, name) for r in sound]
+    precision = _prior_precision(sound[0])
+    spread = np.linalg.pinv(precision)
+    shared = np.array([max(float(g @ spread @ g), 0.0) for g in responses])
+    least = (_LEAST * float(np.abs(values).max())) ** 2
+    own = np.maximum(np.array([r.standard_errors[name] ** 2 for r in sound]) - shared, least)
+    between = _paule_mandel(values, own)
+    weight = 1.0 / (own + between)
+    weight /= weight.sum()
+    mean = float(weight @ values)
+    freedom = len(values) - 1.0
+    variance = float(weight @ (values - mean) ** 2) / freedom
+    together = np.tensordot(weight, np.array(responses), 1)
+    common = max(float(together @ spread @ together), 0.0)
+    # errors of the tests that happen to agree are no smaller than they are
+    half = max(
+        _quantile(level, freedom) * math.sqrt(variance), _quantile(level, math.inf) * math.sqrt(1.0 / float(np.sum(1.0 / own)))
+    )
+    half = math.hypot(half, _quantile(level, math.inf) * math.sqrt(common))
+    error = math.sqrt(max(variance, 1.0 / float(np.sum(1.0 / own))) + common)
+    return MeanOfTests(name, mean, error, Interval(mean - half, mean + half), math.sqrt(between), math.sqrt(common), len(values))
+
+
+def _quantile(level: float, freedom: float) -> float:
+    return float(call(native.fit_quantile, level, freedom))
+
+
+def _paule_mandel(values: Array, own: Array) -> float:
+    """The variance between tests under which their scatter is what it should be; 0 where their errors explain it."""
+
+    def excess(between: float) -> float:
+        weight = 1.0 / (own + between)
+        mean = weight @ values / weight.sum()
+        return float(weight @ (values - mean) ** 2) - (len(values) - 1.0)
+
+    if excess(0.0) <= 0.0:
+        return 0.0
+    low, high = 0.0, float(np.var(values, ddof=1))
+    while excess(high) > 0.0:
+        low, high = high, 2.0 * high
+    for _ in range(_ROUNDS):
+        middle = 0.5 * (low + high)
+        low, high = (middle, high) if excess(middle) > 0.0 else (low, middle)
+    return 0.5 * (low + high)
+
+
+def _prior_precision(result: FitResult) -> Array:
+    """Inverse covariance of what was known beforehand, over the free parameters; rows of 0 for what was not."""
+    problem = result.problem
+    places = [problem.names.index(name) for name in result.names]
+    sds = problem.table[4, places]
+    alone = np.array([1.0 / sd**2 if sd > 0.0 else 0.0 for sd in sds])
+    weights = problem.weights[:, places]
+    return np.asarray(np.diag(alone) + weights.T @ weights)
+
+
+def _response(result: FitResult, name: str) -> Array:
+    """How far the estimate follows each prior."""
+    return np.asarray((result.covariance @ _prior_precision(result))[result.names.index(name)])

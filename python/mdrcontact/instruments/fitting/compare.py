@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Every medium model on the same data, ranked by an information criterion, with the bias each puts on the parameters."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from ... import medium as media
+from ..._text import aligned
+from ...errors import ArgumentTypeError, MDRError
+from ...material import RIGID
+from ...medium.models import MODELS
+from .data import Data
+from .result import FitResult
+from .solve import fit
+
+
+class RankedModel(NamedTuple):
+    """One model's fit."""
+
+    model: str
+    result: FitResult
+    delta_aic: float
+    """AIC above the lowest one; over 10 the model has no support from the data"""
+    weight: float
+    """Akaike weight: the model's share of the evidence"""
+    bias: dict[str, float]
+    """relative deviation of each free parameter from that of the exact model; empty without it"""
+    error: float | None
+    """of the model's E_eff against the exact one of the same body, the largest at the contact radii of the data; None without it"""
+
+    @property
+    def is_wrong(self) -> bool:
+        """Whether the model's E_eff is off by more than 5 % at the contact radii of the data."""
+        return self.error is not None and abs(self.error) > _WRONG
+
+
+_WRONG = 0.05
+"""A model whose E_eff is off by more is wrong at these contacts, however well it fits."""
+_CAUTION = (
+    "A low AIC says whose curve lies closest to the data, not which model is right: with its other numbers free a formula may "
+    "mimic a "
+    "blunt tip, a wrong contact point or pile-up. The error of E_eff is that of each model against the exact solution of the "
+    "same body."
+)
+
+
+class ModelRanking(NamedTuple):
+    """The models, best first, and those that refused."""
+
+    models: list[RankedModel]
+    refused: dict[str, str]
+
+    def summary(self) -> str:
+        """The ranking as a table."""
+        names = list(self.models[0].result.names) if self.models else []
+        rows = [["model", "AIC - best", "BIC", "weight", "error of E_eff", *(f"{n} (bias)" for n in names)]]
+        for entry in self.models:
+            cells = []
+            for name in names:
+                bias = f" ({100.0 * entry.bias[name]:+.1f} %)" if name in entry.bias else ""
+                cells.append(entry.result.as_text(name) + bias)
+            note = "" if entry.result.converged else " (not converged)"
+            error = "" if entry.error is None else f"{100.0 * entry.error:+.1f} %" + (" WRONG HERE" if entry.is_wrong else "")
+            numbers = [f"{entry.delta_aic:.1f}", f"{entry.result.bic:.5g}", f"{entry.weight:.2g}"]
+            rows.append([entry.model + note, *numbers, error, *cells])
+        return "\n".join([aligned(rows), *(f"refused: {model}: {words}" for model, words in self.refused.items()), _CAUTION])
+
+
+def compare_models(
+    data: Data, indenter: Any, medium: Any, free: Any, *, models: Iterable[str] | None = None, **options: Any
+) -> ModelRanking:
+    """Fits the same data under every model of a coated or layered medium; takes the arguments of `fit`.
+
+    models : their names; default: all that know this medium
+    """
+    if not isinstance(medium, (media.Coated, media.Layered)):
+        raise ArgumentTypeError(f"medium = {medium!r} is not allowed: only coated and layered media have several models")
+    chosen = list(models) if models is not None else _candidates(medium)
+    found: dict[str, FitResult] = {}
+    refused: dict[str, str] = {}
+    for model in chosen:
+        try:
+            same = medium if model == medium.model else medium.with_model(model)
+            found[model] = fit(data, indenter, same, free, **options)
+        except MDRError as problem:
+            refused[model] = str(problem)
+    if not found:
+        raise MDRError("no model could be fitted: " + "; ".join(f"{model}: {words}" for model, words in refused.items()))
+    lowest = min(result.aic for result in found.values())
+    shares = {model: math.exp(-0.5 * (result.aic - lowest)) for model, result in found.items()}
+    exact = found.get("exact")
+    errors = {} if exact is None else _errors(exact, found)
+    total = sum(shares.values())
+    ranked = [
+        RankedModel(model, result, result.aic - lowest, shares[model] / total, _bias(result, exact), errors.get(model))
+        for model, result in found.items()
+    ]
+    return ModelRanking(sorted(ranked, key=lambda entry: entry.delta_aic), refused)
+
+
+def _candidates(medium: Any) -> list[str]:
+    if isinstance(medium, media.Layered):
+        return [name for name, model in MODELS.items() if model.layers]
+    if medium.substrate is RIGID:
+        return [name for name, model in MODELS.items() if model.allows_rigid_base]
+    return [name for name, model in MODELS.items() if not model.needs_rigid_base]
+
+
+def _bias(result: FitResult, exact: FitResult | None) -> dict[str, float]:
+    if exact is None:
+        return {}
+    return {n: result.estimates[n] / v - 1.0 for n, v in exact.estimates.items() if v and n in result.estimates}
+
+
+def _errors(exact: FitResult, models: Iterable[str]) -> dict[str, float]:
+    """The largest relative error of each model's E_eff for the body of the exact fit, at its contact radii."""
+    try:
+        radius = exact.problem.predict(exact._values)[1]
+        radius = radius[radius > 0.0]
+        if not len(radius):
+            return {}
+        a = np.geomspace(radius.min(), radius.max(), 20) if radius.max() > radius.min() else radius[:1]
+        true = np.asarray(exact.medium.modulus(a))
+    except MDRError:
+        return {}
+    errors = {}
+    for model in models:
+        try:
+            deviation = np.asarray(exact.medium.with_model(model).modulus(a)) / true - 1.0
+        except MDRError:
+            continue
+        errors[model] = float(deviation[np.argmax(np.abs(deviation))])
+    return errors

@@ -1,0 +1,236 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Fits of conductors: a layer's conductivity, or an interface's resistance, from G along a load or from impedances (SciPy)."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ... import _scipy
+from ..._boundary import number, numbers
+from ..._choices import nearest
+from ..._value import Value
+from ...conduction import ANSWERS, Conduction
+from ...conductor import Conductor, Interface, LayeredConductor
+from ...contact import Contact
+from ...errors import ArgumentTypeError, InvalidArgumentError, NoConvergenceError
+
+__all__ = ["ConductanceForce", "Impedance", "ConductionFit", "fit_conduction"]
+
+_INTERVAL = 1.96
+"""Standard errors of an interval of 95 %."""
+_LOOSE = 0.5
+"""A parameter whose standard error is larger than this part of it does not follow from the data."""
+
+
+@dataclass(frozen=True, eq=False)
+class ConductanceForce(Value):
+    """Conductances of a contact under normal forces.
+
+    force : > 0 [modulus length^2]
+    conductance : > 0, as many
+    contact : the contact, whose elastic constants are known: it gives the contact radii
+    sd : standard deviation of the conductances, one or as many; None: all alike and not known, relative
+    """
+
+    force: NDArray[np.float64]
+    conductance: NDArray[np.float64]
+    contact: Contact
+    sd: Any = None
+
+    def __post_init__(self) -> None:
+        self._set(force=numbers("force", self.force), conductance=numbers("conductance", self.conductance))
+        if self.force.shape != self.conductance.shape or self.force.ndim != 1:
+            raise InvalidArgumentError("conductance is not allowed: it must have one dimension and as many entries as force")
+
+    def _readings(self) -> NDArray[np.float64]:
+        return self.conductance
+
+    def _model(self, conduction: Conduction) -> NDArray[np.float64]:
+        states = self.contact.at_force(self.force)
+        return np.asarray(conduction.at_radius(np.asarray(states.radius)).conductance)
+
+
+@dataclass(frozen=True, eq=False)
+class Impedance(Value):
+    """Answers of a spot to oscillations.
+
+    omega : angular frequencies > 0 [1/time]
+    values : complex, as many
+    radius : of the spot, or sqrt(w0^2 + w1^2) of Gaussian pump and probe [length]
+    answer : "resistance" (default: the impedance), "conductance", "mean_potential", "centre_potential" or
+        "gaussian_potential", as of `Conduction.admittance`
+    sd : standard deviation of real and imaginary part, one or as many; None: all alike and not known, relative
+    """
+
+    omega: NDArray[np.float64]
+    values: NDArray[np.complex128]
+    radius: float
+    answer: str = "resistance"
+    sd: Any = None
+
+    def __post_init__(self) -> None:
+        self._set(omega=numbers("omega", self.omega), values=np.asarray(self.values, complex), radius=number("radius", self.radius))
+        if self.omega.shape != self.values.shape or self.omega.ndim != 1:
+            raise InvalidArgumentError("values is not allowed: it must have one dimension and as many entries as omega")
+        if self.answer not in ANSWERS:
+            raise InvalidArgumentError(f"answer = {self.answer!r} is not allowed: {nearest(self.answer, ANSWERS)}")
+
+    def _readings(self) -> NDArray[np.float64]:
+        return np.concatenate([self.values.real, self.values.imag])
+
+    def _model(self, conduction: Conduction) -> NDArray[np.float64]:
+        found = np.asarray(conduction.admittance(self.omega, self.radius, self.answer))
+        return np.concatenate([found.real, found.imag])
+
+
+@dataclass(frozen=True, eq=False)
+class ConductionFit:
+    """What was found, in logarithms of the parameters."""
+
+    conduction: Conduction
+    """with the parameters found"""
+    values: Mapping[str, float]
+    """the free parameters"""
+    errors: Mapping[str, float]
+    """their standard errors"""
+    intervals: Mapping[str, tuple[float, float]]
+    """of 95 %"""
+    correlation: NDArray[np.float64]
+    """of the free parameters, in the order of `values`"""
+    chi_square: float
+    """sum of the squared residuals, in standard deviations where those are known, else relative"""
+    points: int
+    """readings"""
+    notes: tuple[str, ...]
+    """what the data do not determine"""
+
+
+def fit_conduction(data: Any, conduction: Conduction, free: Iterable[str]) -> ConductionFit:
+    """Finds numbers of conductors by least squares (SciPy's `least_squares`).
+
+    data : ConductanceForce, Impedance, or several of them
+    conduction : the bodies, with a start for the free numbers: positive
+    free : of the lower body "layer1.sigma", "layer1.along", "layer1.capacity", "layer1.thickness", "layer1.resistance" (of the
+        interface below it), ..., "substrate.sigma", ...; "film" of the spot
+    """
+    _scipy.require()
+    from scipy.optimize import least_squares
+
+    sets = [data] if isinstance(data, (ConductanceForce, Impedance)) else list(data)
+    names = tuple(free)
+    if isinstance(free, str) or not names or len(set(names)) != len(names):
+        raise InvalidArgumentError(f"free = {free!r} is not allowed: give names, each once")
+    start = np.array([_number_of(conduction, name) for name in names])
+    if not np.all(start > 0.0):
+        raise InvalidArgumentError("a free number must start greater than 0: " + ", ".join(names))
+    y = np.concatenate([part._readings() for part in sets])
+    weight = np.concatenate([_weights(part) for part in sets])
+
+    def residuals(u: NDArray[np.float64]) -> NDArray[np.float64]:
+        tried = _with_numbers(conduction, names, np.exp(u))
+        return np.asarray(weight * (np.concatenate([part._model(tried) for part in sets]) - y))
+
+    found = least_squares(residuals, np.log(start), method="lm" if len(y) >= len(names) else "trf", diff_step=1e-6, xtol=1e-12)
+    if not found.success:
+        raise NoConvergenceError("the fit did not come to rest: leave fewer parameters free, or start closer")
+    covariance = np.linalg.pinv(found.jac.T @ found.jac, rcond=1e-14)
+    square = float(found.fun @ found.fun)
+    if any(part.sd is None for part in sets):
+        covariance = covariance * square / max(len(y) - len(names), 1)
+    spread = np.sqrt(np.diag(covariance))
+    values = {name: float(v) for name, v in zip(names, np.exp(found.x), strict=True)}
+    reach = {name: min(_INTERVAL * float(sd), 700.0) for name, sd in zip(names, spread, strict=True)}
+    return ConductionFit(
+        _with_numbers(conduction, names, np.exp(found.x)),
+        values,
+        {name: values[name] * float(sd) for name, sd in zip(names, spread, strict=True)},
+        {name: (values[name] * math.exp(-reach[name]), values[name] * math.exp(reach[name])) for name in names},
+        covariance / np.maximum(np.outer(spread, spread), 1e-300),
+        square,
+        len(y),
+        tuple(
+            f"{name} does not follow from these data: fix it, or measure where it matters"
+            for name, sd in zip(names, spread, strict=True)
+            if not sd <= _LOOSE
+        ),
+    )
+
+
+def _weights(part: Any) -> NDArray[np.float64]:
+    y = part._readings()
+    if part.sd is None:
+        return np.full(y.shape, 1.0 / float(np.sqrt(np.mean(y**2)))) if isinstance(part, Impedance) else 1.0 / y
+    sd = np.broadcast_to(np.asarray(part.sd, float), (len(y),) if not np.ndim(part.sd) else np.shape(part.sd))
+    return 1.0 / (np.concatenate([sd, sd]) if len(sd) != len(y) else sd)
+
+
+def _body(conduction: Conduction) -> LayeredConductor:
+    body = LayeredConductor((), conduction.body) if isinstance(conduction.body, Conductor) else conduction.body
+    if not isinstance(body, LayeredConductor):
+        raise ArgumentTypeError("body of the conduction is not allowed in a fit: it must be a Conductor or a LayeredConductor")
+    return body
+
+
+def _place(body: LayeredConductor, name: str) -> tuple[int | None, str]:
+    """Which layer, None for the substrate, and which of its numbers."""
+    part, _, key = name.partition(".")
+    count = sum(not isinstance(layer, Interface) for layer in body.layers)
+    layers = {f"layer{i + 1}": i for i in range(count)}
+    keys = ("sigma", "along", "capacity")
+    if part == "substrate" and key in keys and isinstance(body.substrate, Conductor):
+        return None, key
+    if part in layers and key in (*keys, "thickness", "resistance"):
+        return layers[part], key
+    known = [f"{p}.{k}" for p in (*layers, "substrate") for k in keys] + [
+        f"{p}.{k}" for p in layers for k in ("thickness", "resistance")
+    ]
+    raise InvalidArgumentError(f"free = {name!r} is not allowed: {nearest(name, [*known, 'film'])}")
+
+
+def _parts(body: LayeredConductor) -> list[list[Any]]:
+    """Conductor, thickness and the resistance below, of each layer."""
+    parts: list[list[Any]] = []
+    for layer in body.layers:
+        if isinstance(layer, Interface):
+            parts[-1][2] = layer.resistance
+        else:
+            parts.append([layer[0], layer[1], 0.0])
+    return parts
+
+
+def _number_of(conduction: Conduction, name: str) -> float:
+    if name == "film":
+        return float(conduction.film)
+    body = _body(conduction)
+    layer, key = _place(body, name)
+    if layer is not None and key in ("thickness", "resistance"):
+        return float(_parts(body)[layer][1 if key == "thickness" else 2])
+    conductor: Any = body.substrate if layer is None else _parts(body)[layer][0]
+    value = getattr(conductor, key)
+    return float(conductor.sigma if value is None else value)
+
+
+def _with_numbers(conduction: Conduction, names: tuple[str, ...], values: NDArray[np.float64]) -> Conduction:
+    body = _body(conduction)
+    parts, substrate, film = _parts(body), body.substrate, conduction.film
+    for name, value in zip(names, map(float, values), strict=True):
+        if name == "film":
+            film = value
+            continue
+        layer, key = _place(body, name)
+        if layer is None:
+            substrate = substrate.replace(**{key: value})  # type: ignore[union-attr]
+        elif key in ("thickness", "resistance"):
+            parts[layer][1 if key == "thickness" else 2] = value
+        else:
+            parts[layer][0] = parts[layer][0].replace(**{key: value})
+    stack: list[Any] = []
+    for conductor, thickness, resistance in parts:
+        stack += [(conductor, thickness)] + ([Interface(resistance)] if resistance else [])
+    return conduction.replace(body=LayeredConductor(tuple(stack), substrate), film=film)

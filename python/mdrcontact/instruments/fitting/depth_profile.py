@@ -1,0 +1,225 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The film's modulus from every point of a dynamic measurement, and its extrapolation to zero depth."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Callable, Iterable, Mapping
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..._boundary import call, native
+from ..._units import LENGTH, practical
+from ...errors import ArgumentTypeError, InvalidArgumentError
+from ..records.segments import effective_points
+from .data import StiffnessDepth
+from .many import fit_many
+from .oliver_pharr import OliverPharr, oliver_pharr
+from .parameters import Free, Instrument, JointPrior
+from .problem import make_problem
+from .quantities import dimension_of, measured, words_of
+from .result import FitResult, Interval
+
+Array = NDArray[np.float64]
+
+_FEWEST = 5
+_BLUE, _RED, _GREY = "#0072B2", "#D55E00", "#707070"
+
+
+class DepthProfile(NamedTuple):
+    """A modulus at every depth, and at zero depth."""
+
+    name: str
+    """of the parameter, "coating.E\""""
+    analysis: OliverPharr
+    """depths, contact radii, reduced moduli and hardness, on the body with the modulus at zero depth"""
+    modulus: Array
+    """one for each point; NaN where there is none"""
+    standard_error: Array
+    """of the stiffness alone"""
+    common_error: Array
+    """what tip, thickness and all else that has a prior adds, the same way at neighbouring points"""
+    at_zero: float
+    """of a straight line through the moduli against depth"""
+    at_zero_error: float
+    """its standard error: scatter, correlated points counted for less, and common errors"""
+    interval: Interval
+    """of the modulus at zero depth, 95 %"""
+    slope: float
+    """of the line [modulus/length]; the exact model leaves none where the film is elastic and homogeneous"""
+    slope_error: float
+    failures: dict[int, str]
+    """position of a point -> why it has no modulus, or no common error; the line to zero depth leaves it out"""
+
+    @property
+    def warnings(self) -> list[str]:
+        """Doubts about the modulus at zero depth."""
+        words = []
+        for what, values in (("modulus", self.modulus), ("common error", self.modulus + self.common_error)):
+            places = [i for i in self.failures if np.isnan(values[i]) and (what == "modulus" or np.isfinite(self.modulus[i]))]
+            if places:
+                words.append(f"{len(places)} of {len(values)} points have no {what}; the first: {self.failures[places[0]]}")
+        if abs(self.slope) > 3.0 * self.slope_error:
+            change = self.slope * float(np.nanmax(self.analysis.depth) - np.nanmin(self.analysis.depth))
+            words.append(
+                f"the modulus changes with depth, by {100.0 * change / self.at_zero:+.0f} % from the first to the last point: "
+                "the film "
+                "yields, piles up or cracks, or the tip, the contact point or the substrate are not as given. Fit the shallow "
+                "part alone"
+            )
+        return words
+
+    def summary(self) -> str:
+        """The modulus at zero depth in one line, numbers taken as SI."""
+        unit = practical(dimension_of(self.name), [self.at_zero])
+        low, high = (end / unit.factor for end in self.interval)
+        return (
+            f"{words_of(self.name)} at zero depth: {measured(self.name, self.at_zero, self.at_zero_error)}, "
+            f"95 % interval {low:.4g} to {high:.4g} {unit.name}"
+        )
+
+    def plot(self) -> Any:
+        """The modulus at each depth, what a homogeneous body would be taken for, and the line to zero depth, as a figure."""
+        from matplotlib.figure import Figure
+
+        figure = Figure(figsize=(6.4, 4.4), layout="constrained")
+        axis = figure.subplots()
+        length = practical(LENGTH, self.analysis.depth)
+        unit = practical(dimension_of(self.name), self.modulus[np.isfinite(self.modulus)])
+        x, y = length.of(self.analysis.depth), unit.of(self.modulus)
+        common = unit.of(self.common_error)
+        order = np.argsort(x)
+        axis.fill_between(
+            x[order], (y - 1.96 * common)[order], (y + 1.96 * common)[order], color=_BLUE, alpha=0.15, label="common error"
+        )
+        axis.errorbar(x, y, 1.96 * unit.of(self.standard_error), fmt=".", color=_BLUE, elinewidth=0.8, label=words_of(self.name))
+        axis.plot(
+            x,
+            unit.of(self.analysis.reduced_modulus),
+            "x",
+            color=_GREY,
+            markersize=3,
+            label="reduced modulus E_r, film not separated",
+        )
+        ends = np.array([0.0, float(np.nanmax(self.analysis.depth))])
+        axis.plot(length.of(ends), unit.of(self.at_zero + self.slope * ends), color=_RED, linewidth=1.2)
+        half = unit.of(self.interval.upper - self.at_zero)
+        axis.errorbar([0.0], [unit.of(self.at_zero)], [half], fmt="o", color=_RED, capsize=3, label="at zero depth, 95 %")
+        axis.set(xlabel=f"indentation depth [{length.symbol}]", ylabel=f"modulus [{unit.symbol}]")
+        axis.set_title(self.summary(), fontsize=9, loc="left")
+        axis.legend(frameon=False, fontsize=8)
+        axis.spines[["top", "right"]].set_visible(False)
+        return figure
+
+
+def modulus_at_depths(
+    data: StiffnessDepth,
+    indenter: Any,
+    medium: Any,
+    free: Mapping[str, Free | float | None] | Iterable[str],
+    *,
+    instrument: Instrument | None = None,
+    known: Iterable[JointPrior] = (),
+    progress: Callable[[int], Any] | None = None,
+) -> DepthProfile:
+    """At each point of dynamic (CSM) data alone the modulus under which the exact contact has the measured stiffness, and a
+    straight line through them to zero depth.
+
+    data : StiffnessDepth with standard deviations
+    indenter, medium, free, instrument, known : as in `fit`; one parameter of `free` has no prior: it is found at each point. The
+        others stay at their priors, and what moving each by its standard deviation does is the common error
+    progress : called with the number of points done
+    """
+    if not isinstance(data, StiffnessDepth) or data.force is None:
+        raise ArgumentTypeError(f"data = {data!r} is not allowed: it must be StiffnessDepth(...)")
+    if data.sd is None:
+        raise InvalidArgumentError(
+            "the data have no standard deviations, which one point alone cannot show: give sd or relative_sd"
+        )
+    if len(data) < _FEWEST:
+        raise InvalidArgumentError(f"too few points: {len(data)}; at least {_FEWEST} are needed")
+    joint = tuple(known)
+    problem = make_problem(data, indenter, medium, free, instrument, known=joint)
+    joined = {name for prior in joint for name in prior.names}
+    wanted = [name for name, entry in problem.free.items() if entry.prior is None and name not in joined]
+    if len(wanted) != 1:
+        raise InvalidArgumentError(
+            f"free is not allowed: one parameter without a prior is found at each point; here are {', '.join(wanted) or 'none'}"
+        )
+    (name,) = wanted
+    place = problem.names.index(name)
+    values = problem.table[0].copy()
+    for i, other in enumerate(problem.names):
+        if other in problem.free and other != name and (problem.table[4, i] > 0.0 or other in joined):
+            values[i] = problem.table[3, i]
+    is_elastic = bool(problem.record["is_elastic"][0])
+    points = [
+        StiffnessDepth(*(v[i : i + 1] for v in (data.x, data.force, data.y)), sd=data.sd[i : i + 1], elastic=is_elastic)
+        for i in range(len(data))
+    ]
+
+    failures: dict[int, str] = {}
+
+    def moduli(at: Array, report: Callable[[int], Any] | None = None) -> list[Any]:
+        tip, body, tool = problem.pattern.at(at)
+        found = fit_many(points, tip, body, {name: problem.free[name]}, instrument=tool, check_units=False, progress=report)
+        for i, result in enumerate(found):
+            if not isinstance(result, FitResult):
+                failures.setdefault(i, str(result.error))
+        return found
+
+    found = moduli(values, progress)
+    modulus = _modulus(found, name)
+    error = np.array([r.standard_errors[name] if isinstance(r, FitResult) else math.nan for r in found])
+    shifts = [_modulus(moduli(values + step), name) - modulus for step in _steps(problem, place)]
+    common = np.sqrt(np.sum(np.square(shifts), axis=0)) if shifts else np.zeros_like(modulus)
+    line = _line(data.x, modulus, error, shifts)
+    values[place] = line[0]
+    tip, body, tool = problem.pattern.at(values)
+    return DepthProfile(name, oliver_pharr(data, tip, tool, medium=body), modulus, error, common, *line, failures)
+
+
+def _modulus(found: list[Any], name: str) -> Array:
+    return np.array([r.estimates[name] if isinstance(r, FitResult) else math.nan for r in found])
+
+
+def _steps(problem: Any, place: int) -> list[Array]:
+    """Changes of the parameters, one standard deviation each, whose effects add up in squares."""
+    steps = []
+    for i in np.flatnonzero(problem.table[4] > 0.0):
+        step = np.zeros(problem.table.shape[1])
+        step[i] = problem.table[4, i]
+        steps.append(step)
+    if len(problem.weights):
+        steps += list(np.linalg.pinv(problem.weights).T)
+    for step in steps:
+        step[place] = 0.0
+    return steps
+
+
+def _line(depth: Array, modulus: Array, error: Array, shifts: list[Array]) -> tuple[float, float, Interval, float, float]:
+    """Modulus at zero depth with its standard error and interval, slope with its standard error."""
+    good = np.isfinite(modulus) & (error > 0.0)
+    for shift in shifts:
+        good &= np.isfinite(shift)
+    if good.sum() < _FEWEST:
+        raise InvalidArgumentError(f"only {int(good.sum())} points have a modulus; at least {_FEWEST} are needed for a line")
+    x, y, weight = depth[good], modulus[good], 1.0 / error[good]
+    design = np.column_stack([np.ones_like(x), x])
+    inverse = np.linalg.pinv(design * weight[:, None]) * weight
+    coefficients = inverse @ y
+    left = (y - design @ coefficients) * weight
+    order = np.argsort(x)
+    worth = effective_points(left[order])
+    freedom = max(worth - 2.0, 1.0)
+    # scatter larger than the standard deviations is believed, smaller is not
+    noise = max(float(left @ left) / max(len(x) - 2.0, 1.0), 1.0) * len(x) / worth
+    covariance = (inverse / weight) @ (inverse / weight).T * noise
+    variance = float(covariance[0, 0]) + sum(float(inverse[0] @ shift[good]) ** 2 for shift in shifts)
+    # common errors move the slope as well
+    slope_variance = float(covariance[1, 1]) + sum(float(inverse[1] @ shift[good]) ** 2 for shift in shifts)
+    half = call(native.fit_quantile, 0.95, freedom) * math.sqrt(variance)
+    zero = float(coefficients[0])
+    return zero, math.sqrt(variance), Interval(zero - half, zero + half), float(coefficients[1]), math.sqrt(slope_variance)

@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""How far a fitted model departs from its data, as a part of what is measured."""
+
+from __future__ import annotations
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ... import _layout
+from .data import Data
+
+Array = NDArray[np.float64]
+
+_STRETCHES = 40
+"""Equal parts of the way along the curve, so that a long baseline counts no more than the contact behind it."""
+LARGE = 0.05
+"""Of the force: a model that departs further misses its data."""
+SMALL = 0.01
+"""Less is not worth a warning."""
+
+
+class Misfit(NamedTuple):
+    """Parts of the largest force; of stiffnesses and moduli, parts of each reading."""
+
+    rms: float
+    """root mean square of what neighbouring readings share, along the curve: what is left of the residuals beside their noise"""
+    largest: float
+    """of the means over a fortieth of the curve"""
+    at: float
+    """its depth, radius, time or frequency"""
+    noise: float
+    """root mean square of what changes from reading to reading"""
+
+    @property
+    def whole(self) -> float:
+        """Of noise and the rest together."""
+        return math.hypot(self.rms, self.noise)
+
+
+def measure_misfit(data: Data, fitted: Array, offset: float = 0.0) -> Misfit:
+    """offset : that of the readings y, which is no part of them."""
+    order = data.order()
+    x, y, model = data.x[order], data.y[order] - offset, fitted[order] - offset
+    branch = np.zeros(len(x), np.int32) if data.branch is None else data.branch[order]
+    ends = _stretches(x, model, branch)
+    sizes = np.diff(ends)
+    # not the largest reading, which noise makes larger
+    means = np.abs(np.add.reduceat(y, ends[:-1]) / sizes)
+    largest = float(np.maximum(means.max(), np.abs(model).max()))
+    if not largest > 0.0:
+        return Misfit(math.nan, math.nan, math.nan, math.nan)
+    each = data.y_name in ("stiffness", "modulus") and data.code != _layout.FIT_DYNAMIC_STIFFNESS and bool((model > 0.0).all())
+    left = (y - model) / (model if each else largest)
+    same = np.diff(branch) == 0
+    # von Neumann: successive differences do not see what neighbours share
+    noise = math.sqrt(0.5 * float(np.mean(np.diff(left)[same] ** 2))) if same.any() else 0.0
+    noise = min(noise, math.sqrt(float(np.mean(left**2))))
+    means = np.add.reduceat(left, ends[:-1]) / sizes
+    rms = math.sqrt(max(float(np.mean(means**2 - noise**2 / sizes)), 0.0))
+    worst = int(np.argmax(np.abs(means)))
+    return Misfit(rms, float(abs(means[worst])), float(x[ends[worst] : ends[worst + 1]].mean()), noise)
+
+
+def _stretches(x: Array, y: Array, branch: NDArray[np.int32]) -> NDArray[np.intp]:
+    """Where equal parts of the way along the curve begin, and the end; each within one branch."""
+    steps = np.hypot(np.diff(x) / max(float(np.ptp(x)), 1e-300), np.diff(y) / max(float(np.ptp(y)), 1e-300))
+    way = np.concatenate([[0.0], np.cumsum(steps)])
+    part = np.minimum(_STRETCHES * way / max(way[-1], 1e-300), _STRETCHES - 1).astype(int)
+    begins = np.flatnonzero((np.diff(part) != 0) | (np.diff(branch) != 0)) + 1
+    return np.concatenate([[0], begins, [len(x)]]).astype(np.intp)
+
+
+def percent(share: float) -> str:
+    """A part of one in words, two digits."""
+    return f"{100.0 * share:.2g} %"

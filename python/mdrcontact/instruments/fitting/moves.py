@@ -1,0 +1,182 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""How far an estimate moves with what was chosen before the fit: the range, the branch, the contact point."""
+
+from __future__ import annotations
+
+import copy
+from collections.abc import Iterator
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ... import _layout
+from ..._choices import nearest
+from ..._units import MODULUS, QUANTITIES, practical, shown
+from ...errors import InvalidArgumentError, MDRError
+from .data import Data, ForceDepth
+from .parameters import Free
+from .quantities import dimension_of, words_of
+from .result import FitResult
+from .solve import fit
+
+_PARTS = (0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0)
+"""Of the depth in contact, to which a fit goes."""
+_FEWEST, _OF_BRANCH = 20, 0.2
+_OPTIONS = ("loss", "loss_scale", "adhesion_rule", "sd_is_absolute", "max_iterations")
+_BLUE, _RED, _GREY = "#0072B2", "#D55E00", "#707070"
+
+
+class Move(NamedTuple):
+    """An estimate after another choice."""
+
+    choice: str
+    """ "up to 50 nm", "unused readings", "contact point by piecewise", ..."""
+    end: float
+    """of the range [unit of x]"""
+    value: float
+    standard_error: float
+
+
+class Moves(NamedTuple):
+    """An estimate under other choices than those of its fit."""
+
+    result: FitResult
+    name: str
+    ranges: tuple[Move, ...]
+    """fits up to 30, 40, ... 100 % of the largest depth or radius"""
+    branches: tuple[Move, ...]
+    """each branch alone, or the readings that were not used"""
+    contact_points: tuple[Move, ...]
+    """contact held where each estimator puts it"""
+
+    def summary(self) -> list[str]:
+        """One line for each choice, empty where there is none."""
+        value = self.result.estimates[self.name]
+        words = {
+            "the range that is fitted": self.ranges,
+            "the branch": self.branches,
+            "the contact point": self.contact_points,
+        }
+        lines = []
+        for what, moves in words.items():
+            changes = [100.0 * (move.value / value - 1.0) for move in moves]
+            if changes:
+                ends = " to ".join(f"{end:+g} %" for end in sorted({_rounded(min(changes)), _rounded(max(changes))}))
+                lines.append(f"{words_of(self.name)} moves by {ends} with {what} ({', '.join(_named(moves))})")
+        return lines
+
+    def plot(self) -> Any:
+        """The estimate against the end of the range that is fitted, and under the other choices, as a figure."""
+        from matplotlib.figure import Figure
+
+        figure = Figure(figsize=(6.4, 4.2), layout="constrained")
+        axis = figure.subplots()
+        data = self.result.data
+        along, unit = practical(QUANTITIES[data.x_name], data.x), practical(dimension_of(self.name), self._values())
+        error = [1.96 * move.standard_error / unit.factor for move in self.ranges]
+        ends, values = ([v / f for v in column] for column, f in zip(self._ranges(), (along.factor, unit.factor), strict=True))
+        axis.errorbar(ends, values, error, fmt="o-", color=_BLUE, markersize=4, elinewidth=0.8, label="fitted up to there")
+        for i, move in enumerate((*self.branches, *self.contact_points)):
+            style, colour = ("--", ":", "-.")[i % 3], _RED if move in self.branches else _GREY
+            axis.axhline(move.value / unit.factor, color=colour, linewidth=1.0, linestyle=style, label=move.choice)
+        axis.set(xlabel=f"end of the range: {data.x_name} [{along.symbol}]", ylabel=f"{words_of(self.name)} [{unit.symbol}]")
+        axis.set_title("\n".join(line.partition(" (")[0] for line in self.summary()), fontsize=9, loc="left")
+        axis.legend(frameon=False, fontsize=8)
+        axis.spines[["top", "right"]].set_visible(False)
+        return figure
+
+    def _values(self) -> list[float]:
+        return [move.value for move in (*self.ranges, *self.branches, *self.contact_points)] or [self.result.estimates[self.name]]
+
+    def _ranges(self) -> tuple[list[float], list[float]]:
+        return [move.end for move in self.ranges], [move.value for move in self.ranges]
+
+
+def _rounded(change: float) -> float:
+    """Two figures, no more than one behind the point; never -0."""
+    return float(f"{round(change, 1):.2g}") + 0.0
+
+
+def _named(moves: tuple[Move, ...]) -> list[str]:
+    return [moves[0].choice, moves[-1].choice] if len(moves) > 2 else [move.choice for move in moves]
+
+
+def find_moves(result: FitResult, name: str | None = None) -> Moves:
+    """Fits again with other choices, everything else as it was.
+
+    result : of elastic data; in time there is no range to choose
+    name : of the parameter; None: the first modulus without a prior
+    """
+    if name is not None and name not in result.names:
+        raise InvalidArgumentError(f"{name!r} is not a free parameter: {nearest(str(name), result.names)}")
+    chosen = name or next(
+        (n for n in result.names if dimension_of(n) is MODULUS and not result.problem.free[n].prior), result.names[0]
+    )
+    if result.data.code > _layout.FIT_STIFFNESS_RADIUS or len(result.data) < _FEWEST:
+        return Moves(result, chosen, (), (), ())
+    parts = (_moved(result, chosen, *choice) for choice in _ranges(result))
+    branches = (_moved(result, chosen, *choice) for choice in _branches(result))
+    points = (_moved(result, chosen, *choice) for choice in _contact_points(result))
+    return Moves(result, chosen, *(tuple(move for move in moves if move is not None) for moves in (parts, branches, points)))
+
+
+_Choice = tuple[str, float, Data, dict[str, float]]
+"""In words, end of the range, data, parameters that are held."""
+
+
+def _moved(result: FitResult, name: str, words: str, end: float, data: Data, held: dict[str, float]) -> Move | None:
+    """None where there is no such fit."""
+    problem = result.problem
+    values = [held.get(n, float(v)) for n, v in zip(problem.names, result._values, strict=True)]
+    tip, body, tool = problem.pattern.at(np.array(values))
+    free = {n: Free(None, lower=e.lower, upper=e.upper, prior=e.prior) for n, e in problem.free.items() if n not in held}
+    options = dict(zip(_OPTIONS, problem.given[4:9], strict=True))
+    data.also_free = ()
+    try:
+        found = fit(data, tip, body, free, instrument=tool, check_units=False, known=problem.given[10], **options)
+    except MDRError:
+        return None
+    return Move(words, end, found.estimates[name], found.standard_errors[name]) if found.converged else None
+
+
+def _part(data: Data, keep: NDArray[np.bool_]) -> Data:
+    """Some of the points."""
+    part = copy.copy(data)
+    for column in ("x", "y", "given", "sd", "branch"):
+        values = getattr(data, column)
+        setattr(part, column, None if values is None else values[keep])
+    part.warnings = []
+    return part
+
+
+def _ranges(result: FitResult) -> Iterator[_Choice]:
+    data = result.data
+    begin = result.values["depth_offset"] if data.x_name == "depth" else 0.0
+    deepest, dimension = float(data.x.max()), QUANTITIES[data.x_name]
+    for part in _PARTS:
+        end = begin + part * (deepest - begin)
+        keep = data.x <= end
+        if np.sum(keep & (data.x > begin)) >= _FEWEST // 2:
+            yield f"up to {data.x_name} {shown(end, dimension, 3)}", end, _part(data, keep), {}
+
+
+def _branches(result: FitResult) -> Iterator[_Choice]:
+    data = result.data
+    if not isinstance(data, ForceDepth):
+        return
+    end = float(data.x.max())
+    if data.branch is not None and len(np.unique(data.branch)) > 1:
+        for words in ("loading", "unloading"):
+            yield f"{words} alone", end, data.on(words), {}
+    elif data.unused is not None:
+        depth, force = data.unused[0], data.unused[1]
+        if len(depth) > max(_FEWEST, _OF_BRANCH * len(data)):
+            yield "the readings that are not used", end, ForceDepth(depth, force, branch="unloading"), {}
+
+
+def _contact_points(result: FitResult) -> Iterator[_Choice]:
+    if "depth_offset" not in result.names:
+        return
+    for estimator, at in result.data.contact_points.items():
+        yield f"contact point by {estimator}", float(result.data.x.max()), copy.copy(result.data), {"depth_offset": at}

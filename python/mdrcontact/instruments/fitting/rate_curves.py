@@ -1,0 +1,288 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Fits of retract curves at several speeds together: modulus, work of adhesion, and how it depends on the speed of the edge."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ... import _scipy
+from ..._boundary import number, numbers
+from ..._choices import nearest
+from ..._value import Value
+from ..._warn import collected, silence, texts_of, warn_all
+from ...contact import Contact
+from ...errors import ArgumentTypeError, InvalidArgumentError, MDRError, NoConvergenceError
+
+__all__ = ["RateCurve", "RateFit", "fit_rate"]
+
+_TOLERANCE = 1e-8
+"""Of the histories in a fit."""
+_STEP = 1e-4
+"""Of the logarithms of the parameters, for slopes."""
+_OFFSETS = ("position_offset", "force_offset")
+_FEWEST = 5
+_RISEN = 0.85
+"""Of the lowest force: from where it has risen to this on, readings are not fitted."""
+_LAGS = np.concatenate([np.linspace(0.0, 0.9, 91), np.linspace(0.9025, 0.99, 36)])
+"""Among which that of the noise is sought."""
+
+
+@dataclass(frozen=True, eq=False)
+class RateCurve(Value):
+    """One retraction: readings from rest in contact to a little beyond the lowest force; a rupture is a jump: those behind it are
+    not fitted.
+
+    time, position, force : readings in the order of time [time, length, modulus length^2]
+    spring_stiffness : of the cantilever or frame, > 0, `position` being its far end; None: `position` is the indentation depth
+    """
+
+    time: NDArray[np.float64]
+    position: NDArray[np.float64]
+    force: NDArray[np.float64]
+    spring_stiffness: float | None = None
+
+    def __init__(self, time: ArrayLike, position: ArrayLike, force: ArrayLike, spring_stiffness: float | None = None) -> None:
+        columns = {"time": numbers("time", time), "position": numbers("position", position), "force": numbers("force", force)}
+        sizes = {values.shape for values in columns.values()}
+        if len(sizes) != 1 or columns["time"].ndim != 1 or columns["time"].size < _FEWEST:
+            raise InvalidArgumentError(f"time, position and force must have the same length, at least {_FEWEST}, and one dimension")
+        if not all(np.all(np.isfinite(values)) for values in columns.values()) or np.any(np.diff(columns["time"]) <= 0.0):
+            raise InvalidArgumentError("time must be strictly ascending, and time, position and force finite")
+        stiffness = None if spring_stiffness is None else number("spring_stiffness", spring_stiffness)
+        self._set(**columns, spring_stiffness=stiffness)
+
+    @property
+    def count(self) -> int:
+        """Readings that are fitted: a little beyond the lowest force. To end with the reading that is the lowest by chance would
+        make the pull-off too large."""
+        at = int(np.argmin(self.force))
+        risen = np.flatnonzero(self.force[at:] > _RISEN * self.force[at])
+        return max(at + (int(risen[0]) if risen.size else len(self.force) - at), _FEWEST)
+
+    @property
+    def speed(self) -> float:
+        """Of the machine, from the first to the last reading; > 0 where it pulls [length/time]."""
+        return float((self.position[0] - self.position[-1]) / (self.time[-1] - self.time[0]))
+
+
+@dataclass(frozen=True, eq=False)
+class RateFit:
+    """What was found. Intervals are of 95 %, of positive parameters in their logarithms, with the correlation of the noise."""
+
+    contact: Contact
+    """with the parameters found"""
+    curves: tuple[RateCurve, ...]
+    values: Mapping[str, float]
+    """the free parameters"""
+    intervals: Mapping[str, tuple[float, float]]
+    """of 95 %"""
+    correlation: NDArray[np.float64]
+    """of the free parameters, in the order of `values`"""
+    fitted: tuple[NDArray[np.float64], ...]
+    """forces of the model, of each curve as far as it is fitted"""
+    lag: float
+    """correlation of the noise of neighbouring readings"""
+    warnings: tuple[str, ...] = ()
+    """doubts about the histories that were found"""
+
+    def summary(self) -> str:
+        """All of it in words."""
+        lines = [f"{len(self.curves)} curves, correlation of neighbouring readings {self.lag:.2f}"]
+        for name, value in self.values.items():
+            low, high = self.intervals[name]
+            lines.append(f"{name:16} {value:.6g}, 95 %: {low:.5g} to {high:.5g}")
+        return "\n".join([*lines, *(f"warning: {words}" for words in self.warnings)])
+
+    def pull_off(self, speed: float, spring_stiffness: float | None = None, index: int = 0) -> float:
+        """The lowest force of the model at another speed of the machine, from the first reading of a curve on."""
+        curve, offset = self.curves[index], self.values.get("position_offset", 0.0)
+        start = float(curve.position[0]) - offset
+        reach = abs(start)
+        for _ in range(30):
+            path = [start, start - reach]
+            end = _follow(self.contact, [0.0, reach / number("speed", speed)], path, spring_stiffness or curve.spring_stiffness).end
+            if end["ruptures"]:
+                return float(end["lowest_force"])
+            reach *= 2.0
+        raise NoConvergenceError(f"the contact does not break within {reach:.3g} of retraction")
+
+    def plot(self, axes: Any = None, points: int = 25) -> Any:
+        """Draws pull-off against the speed of the machine: readings, and the fit. Returns the axes."""
+        if axes is None:
+            import matplotlib.pyplot as plt
+
+            axes = plt.figure(layout="constrained").add_subplot()
+            axes.set(xlabel="speed of the machine", ylabel="pull-off force")
+        speeds = np.array([curve.speed for curve in self.curves])
+        offset = self.values.get("force_offset", 0.0)
+        axes.loglog(speeds, [offset - np.min(curve.force) for curve in self.curves], "o", label="readings")
+        line = np.geomspace(0.3 * speeds.min(), 3.0 * speeds.max(), points)
+        axes.loglog(line, [-self.pull_off(float(v)) for v in line], label="fit")
+        axes.legend(frameon=False)
+        return axes
+
+
+def fit_rate(curves: Sequence[RateCurve], contact: Contact, free: Iterable[str] = ("work", "speed", "exponent")) -> RateFit:
+    """Finds modulus, work of adhesion and its dependence on speed from retract curves at several speeds together, by least squares.
+
+    curves : RateCurve(...) from rest in contact; one speed alone does not determine both `speed` and `work`
+    contact : Contact(tip, medium, adhesion=...), whose numbers are the start, and stay where they are not free
+    free : fields of the adhesion ("work", "speed", "exponent"; "work", "cohesive_stress" of a rheology), "E" of a homogeneous body,
+        "coating.E", "substrate.E" of a coated one, and the offsets "position_offset", "force_offset", which are subtracted from the
+        readings
+
+    Noise of neighbouring readings may be correlated: its lag is estimated and taken out (a generalised fit of first order). Needs
+    SciPy.
+    """
+    _scipy.require()
+    from scipy.optimize import least_squares
+    from scipy.stats import t as student
+
+    problem = _Problem(tuple(curves), contact, tuple(free))
+    u = problem.start()
+    lag = 0.0
+    with silence():
+        for _ in range(3):
+            found = least_squares(problem.residuals, u, jac=problem.slopes, args=(lag,), method="lm", xtol=1e-8, ftol=1e-10)
+            u, before = found.x, lag
+            lag = problem.lag(u)
+            if abs(lag - before) < 0.02:
+                break
+        residuals, slopes = problem.residuals(u, lag), problem.slopes(u, lag)
+    covariance = np.linalg.pinv(slopes.T @ slopes) * float(residuals @ residuals) / max(len(residuals) - len(u), 1)
+    spread = np.sqrt(np.diag(covariance))
+    # readings whose noise is correlated show its size as fewer free ones would
+    freedom = len(residuals) * (1.0 - lag) / (1.0 + lag) - len(u)
+    reach = student.ppf(0.975, max(freedom, 1.0)) * spread
+    values = problem.values(u)
+    intervals = {name: problem.interval(name, u[i], float(reach[i])) for i, name in enumerate(problem.names)}
+    with collected() as doubts:
+        fitted = tuple(problem.forces(u))
+    warn_all(doubts)
+    shares = covariance / np.outer(spread, spread)
+    return RateFit(problem.contact_at(values), problem.curves, values, intervals, shares, fitted, lag, texts_of(doubts))
+
+
+class _Problem:
+    """Residuals over the parameters: logarithms of what is positive, offsets in parts of the readings' size."""
+
+    def __init__(self, curves: tuple[RateCurve, ...], contact: Contact, names: tuple[str, ...]) -> None:
+        if not curves or not all(isinstance(curve, RateCurve) for curve in curves):
+            raise ArgumentTypeError("curves is not allowed: it must be a list of RateCurve")
+        if contact.adhesion is None:
+            raise ArgumentTypeError("contact is not allowed: it must have adhesion=, the start of the fit")
+        self.curves, self.contact, self.names = curves, contact, names
+        self.sizes = {"position_offset": float(max(np.ptp(c.position) for c in curves)),
+                      "force_offset": float(max(np.ptp(c.force) for c in curves))}  # fmt: skip
+        known = (*_numbers(contact), *_OFFSETS)
+        for name in names:
+            if name not in known:
+                raise InvalidArgumentError(f"free = {name!r} is not allowed: {nearest(name, known)}")
+
+    def start(self) -> NDArray[np.float64]:
+        """The parameters of the contact."""
+        given = _numbers(self.contact)
+        return np.array([0.0 if name in _OFFSETS else np.log(given[name]) for name in self.names])
+
+    def values(self, u: NDArray[np.float64]) -> dict[str, float]:
+        """The parameters."""
+        pairs = zip(self.names, u, strict=True)
+        return {name: float(self.sizes[name] * x if name in _OFFSETS else np.exp(x)) for name, x in pairs}
+
+    def interval(self, name: str, u: float, reach: float) -> tuple[float, float]:
+        """Of one parameter."""
+        if name in _OFFSETS:
+            return self.sizes[name] * (u - reach), self.sizes[name] * (u + reach)
+        return float(np.exp(u - reach)), float(np.exp(min(u + reach, 700.0)))
+
+    def contact_at(self, values: Mapping[str, float]) -> Contact:
+        """The contact with other numbers."""
+        return _with_numbers(self.contact, {name: value for name, value in values.items() if name not in _OFFSETS})
+
+    def forces(self, u: NDArray[np.float64]) -> list[NDArray[np.float64]]:
+        """Of the model, with the force's offset."""
+        values = self.values(u)
+        contact, offset = self.contact_at(values), values.get("position_offset", 0.0)
+        found = []
+        for curve in self.curves:
+            part = slice(0, curve.count)
+            path = _follow(contact, curve.time[part], curve.position[part] - offset, curve.spring_stiffness)
+            found.append(path.force + values.get("force_offset", 0.0))
+        return found
+
+    def misfits(self, u: NDArray[np.float64]) -> list[NDArray[np.float64]]:
+        """Readings less model, in parts of the lowest force of each curve."""
+        pairs = zip(self.curves, self.forces(u), strict=True)
+        return [(curve.force[: curve.count] - force) / abs(np.min(curve.force)) for curve, force in pairs]
+
+    def residuals(self, u: NDArray[np.float64], lag: float) -> NDArray[np.float64]:
+        """Misfits without what they have from their neighbours; far off where the model has no such contact."""
+        try:
+            misfits = self.misfits(u)
+        except MDRError:
+            return np.full(sum(curve.count for curve in self.curves), 10.0)
+        return np.concatenate([_whitened(misfit, lag) for misfit in misfits])
+
+    def slopes(self, u: NDArray[np.float64], lag: float) -> NDArray[np.float64]:
+        """By central differences."""
+        columns = []
+        for i in range(len(u)):
+            step = np.zeros(len(u))
+            step[i] = _STEP
+            columns.append((self.residuals(u + step, lag) - self.residuals(u - step, lag)) / (2.0 * _STEP))
+        return np.array(columns).T
+
+    def lag(self, u: NDArray[np.float64]) -> float:
+        """Correlation of neighbouring misfits, by restricted likelihood: what the parameters take out of the misfits is allowed
+        for (Patterson and Thompson, Biometrika 58 (1971) 545)."""
+        misfits = self.misfits(u)
+        ends = np.cumsum([len(m) for m in misfits])[:-1]
+        slopes = np.split(self.slopes(u, 0.0), ends)
+        return float(min(_LAGS, key=lambda lag: _unlikelihood(misfits, slopes, lag)))
+
+
+def _unlikelihood(misfits: list[NDArray[np.float64]], slopes: list[NDArray[np.float64]], lag: float) -> float:
+    """Minus twice the logarithm of the restricted likelihood of a lag."""
+    r = np.concatenate([_whitened(misfit, lag) for misfit in misfits])
+    X = np.concatenate([_whitened(slope, lag) for slope in slopes])
+    q, triangle = np.linalg.qr(X)
+    left = float(r @ r) - float(np.sum((q.T @ r) ** 2))
+    spread = (len(r) - len(misfits)) * np.log(1.0 - lag**2)
+    size = 2.0 * np.sum(np.log(np.abs(np.diag(triangle)) + 1e-300))
+    return float(spread + size + (len(r) - X.shape[1]) * np.log(max(left, 1e-300)))
+
+
+def _whitened(misfit: NDArray[np.float64], lag: float) -> NDArray[np.float64]:
+    return np.concatenate([misfit[:1], (misfit[1:] - lag * misfit[:-1]) / np.sqrt(1.0 - lag**2)])
+
+
+def _follow(contact: Contact, time: ArrayLike, position: ArrayLike, stiffness: float | None) -> Any:
+    """From rest in contact."""
+    if stiffness is None:
+        return contact.history(time, depth=position, start="rest", tolerance=_TOLERANCE)
+    return contact.history(time, position=position, spring_stiffness=stiffness, start="rest", tolerance=_TOLERANCE)
+
+
+def _moduli(contact: Contact) -> dict[str, float]:
+    """The moduli of the medium, by the names of its parameters."""
+    return {name: value for name, value in contact.medium.parameters().items() if name.split(".")[-1] == "E"}
+
+
+def _numbers(contact: Contact) -> dict[str, float]:
+    """What can be free, and its value."""
+    law = contact.adhesion
+    given = {} if law is None else law._given()
+    return {**{name: value for name, value in given.items() if isinstance(value, float)}, **_moduli(contact)}
+
+
+def _with_numbers(contact: Contact, values: Mapping[str, float]) -> Contact:
+    """The contact with some of them changed."""
+    moduli = {name: values[name] for name in _moduli(contact) if name in values}
+    law: Any = contact.adhesion
+    law = law.replace(**{name: value for name, value in values.items() if name not in moduli})
+    return contact.replace(medium=contact.medium.with_parameters(moduli), adhesion=law, work_of_adhesion=0.0)

@@ -1,0 +1,160 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Results as one HTML file that needs nothing else: no network, no further files."""
+
+from __future__ import annotations
+
+import base64
+import io
+import platform
+from collections.abc import Iterable, Sequence
+from datetime import datetime, timezone
+from html import escape
+from typing import Any
+
+import numpy as np
+
+from ..._boundary import native
+from ..._units import shown
+from .quantities import dimension_of, measured, unit_of, words_of
+
+_STYLE = """
+body { font: 15px/1.5 system-ui, sans-serif; color: #1a1a1a; max-width: 62em; margin: 2em auto; padding: 0 1em; }
+h1 { font-size: 1.5em; } h2 { font-size: 1.1em; margin-top: 2em; border-bottom: 1px solid #ccc; }
+table { border-collapse: collapse; } th, td { text-align: left; padding: 0.25em 1.2em 0.25em 0; vertical-align: top; }
+td:not(:last-child) { white-space: nowrap; }
+th { border-bottom: 1px solid #888; } tr:nth-child(even) td { background: #f6f6f6; }
+.doubt { color: #a33c00; font-weight: bold; } img { max-width: 100%; } footer { margin-top: 3em; color: #666; font-size: 0.85em; }
+"""
+
+
+def page(title: str, blocks: Iterable[str]) -> str:
+    """A page from its blocks, with the versions of what made it at its end."""
+    number = int(native.version())
+    versions = [
+        f"mdrcontact {number // 10000}.{number // 100 % 100}.{number % 100}",
+        f"NumPy {np.__version__}",
+        f"Python {platform.python_version()}",
+        f"{platform.system()} {platform.machine()}",
+    ]
+    now = datetime.now(timezone.utc).strftime("%Y-%m-%d %H:%M UTC")
+    return (
+        f'<!DOCTYPE html>\n<html lang="en">\n<head>\n<meta '
+        f'charset="utf-8">\n<title>{escape(title)}</title>\n<style>{_STYLE}</style>\n'
+        f"</head>\n<body>\n<h1>{escape(title)}</h1>\n" + "\n".join(blocks) + f"\n<footer>{escape(', '.join(versions))}; "
+        f"{now}</footer>\n"
+        "</body>\n</html>\n"
+    )
+
+
+def heading(words: str) -> str:
+    """The title of a section."""
+    return f"<h2>{escape(words)}</h2>"
+
+
+def paragraph(words: str, doubt: bool = False) -> str:
+    """A paragraph; a doubt stands out."""
+    return f'<p class="doubt">{escape(words)}</p>' if doubt else f"<p>{escape(words)}</p>"
+
+
+def items(lines: Iterable[str], doubt: bool = False) -> str:
+    """A list."""
+    kind = ' class="doubt"' if doubt else ""
+    return "<ul>" + "".join(f"<li{kind}>{escape(line)}</li>" for line in lines) + "</ul>"
+
+
+def table(rows: Sequence[Sequence[str]]) -> str:
+    """A table; its first row holds the titles."""
+    lines = ["".join(f"<th>{escape(cell)}</th>" for cell in rows[0])]
+    lines += ["".join(f"<td>{escape(cell)}</td>" for cell in row) for row in rows[1:]]
+    return "<table>" + "".join(f"<tr>{line}</tr>" for line in lines) + "</table>"
+
+
+def preformatted(words: str) -> str:
+    """Text as it is."""
+    return f"<pre>{escape(words)}</pre>"
+
+
+def picture(figure: Any, words: str) -> str:
+    """A matplotlib figure inside the page."""
+    drawn = io.BytesIO()
+    figure.savefig(drawn, format="png", dpi=130)
+    return f'<img alt="{escape(words)}" src="data:image/png;base64,{base64.b64encode(drawn.getvalue()).decode()}">'
+
+
+def blocks_of(result: Any, notes: Sequence[str] = (), level: float = 0.95) -> list[str]:
+    """Everything about one fit: estimates, picture, warnings, what was read and what was assumed."""
+    blocks = []
+    if result.describes_data is False:
+        blocks.append(paragraph(f"The model {result.misfit_words()}: read the warnings before the numbers.", doubt=True))
+    if not result.converged:
+        blocks.append(paragraph("The search did not converge: these are the best values found.", doubt=True))
+    blocks += [table(_estimates(result, level)), picture(result.plot(), "data, fit and residuals")]
+    blocks += [heading("Warnings"), items(result.warnings, doubt=True) if result.warnings else paragraph("None.")]
+    if notes:
+        blocks += [heading("What was read"), items(notes)]
+    blocks += [heading("What was assumed"), assumptions(result)]
+    blocks += [heading("Quality of the fit"), items(_quality(result))]
+    return blocks
+
+
+def _estimates(result: Any, level: float) -> list[list[str]]:
+    rows = [["", "estimate", f"{100.0 * level:g} % interval", "known beforehand", "doubts"]]
+    for name in result.names:
+        value, error = result.estimates[name], result.standard_errors[name]
+        unit = unit_of(name, max(abs(value), error))
+        ends = result.interval_as_text(name, level)
+        prior = result.problem.free[name].prior
+        known = "in a joint prior" if _in_joint_prior(result, name) else measured(name, *prior) if prior else ""
+        doubts = "; ".join(result.doubts(name))
+        rows.append([f"{words_of(name)} ({name})", result.as_text(name), f"{ends} {unit.symbol}".rstrip(), known, doubts])
+    return rows
+
+
+def _in_joint_prior(result: Any, name: str) -> bool:
+    return bool(np.any(result.problem.weights[:, result.problem.names.index(name)] != 0.0))
+
+
+def assumptions(result: Any) -> str:
+    """What the fit took for granted: bodies, noise, and every number that it held fixed."""
+    if result.data.sd is None:
+        noise = "the noise is the same for all readings and estimated from the residuals"
+    elif result.noise_is_known:
+        noise = "the standard deviations of the readings are those given"
+    else:
+        noise = "of the standard deviations of the readings the ratios are known, their size is estimated"
+    lines = [
+        f"indenter: {result.indenter!r}",
+        f"medium: {result.medium!r}",
+        f"instrument: {result.instrument!r}",
+        noise,
+        *result.contact_depth_words(),
+        "standard errors allow for correlated residuals by the restricted likelihood of a first-order autoregression",
+    ]
+    return items(lines) + table(_fixed(result))
+
+
+def _fixed(result: Any) -> list[list[str]]:
+    rows = [["held fixed", "value"]]
+    for name, value in result.values.items():
+        if name not in result.names and np.isfinite(value):
+            rows.append([f"{words_of(name)} ({name})", shown(value, dimension_of(name), 6)])
+    return rows
+
+
+def _quality(result: Any) -> list[str]:
+    dof = result.degrees_of_freedom
+    lines = [f"{len(result.data)} points, {result.iterations} iterations, {result.evaluations} evaluations of the model"]
+    lines.append(f"the model {result.misfit_words()}")
+    if result.noise_is_known and dof >= 1.0:
+        lines.append(f"chi-square {result.chi_square:.4g} for {dof:.4g} degrees of freedom")
+    if len(result.data) > 2:
+        lines.append(
+            f"residuals in order along the curve: correlation of neighbours {result.lag_correlation:.2f}, random with p = "
+            f"{result.pattern_probability:.2g} (Bartels' test)"
+        )
+        lines.append(f"AIC {result.aic:.5g}, BIC {result.bic:.5g}")
+    names = result.names
+    correlation = result.correlation
+    for i, one in enumerate(names):
+        lines += [f"correlation of {words_of(one)} and {words_of(names[j])}: {correlation[i, j]:+.3f}" for j in range(i)]
+    return lines

@@ -1,0 +1,474 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""What a fit says: estimates, their uncertainty, and whether to believe them."""
+
+from __future__ import annotations
+
+import functools
+import json
+import math
+import os
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ..._boundary import call, native, number, whole
+from ..._choices import nearest
+from ..._files import replace
+from ..._interrupt import workers
+from ..._text import aligned
+from ..._units import QUANTITIES, practical
+from ...errors import InvalidArgumentError, MDRError
+from .contradictions import contradictions
+from .data import StiffnessDepth
+from .misfit import LARGE, Misfit, measure_misfit, percent
+from .picture import draw
+from .problem import Problem
+from .quantities import digits, dimension_of, measured, unit_of, words_of
+from .report import blocks_of, page
+from .scatter import compare_scatter
+
+Array = NDArray[np.float64]
+
+UNLIKELY = 1e-3
+"""Random residuals with a smaller probability of their pattern are not believed to be random."""
+
+
+_NUMBERS = (
+    *("chi_square", "prior_chi_square", "degrees_of_freedom", "noise", "noise_is_known", "log_likelihood", "aic", "bic"),
+    *("pattern_probability", "lag_correlation", "converged", "iterations", "evaluations", "warnings"),
+)
+"""What a dictionary of a result holds by the names of its attributes."""
+_ROUNDING = 1e-8
+"""Of the largest reading: the model itself is no more accurate."""
+
+
+class Interval(NamedTuple):
+    """A confidence interval; an end is infinite where the data set none."""
+
+    lower: float
+    upper: float
+
+
+class FitResult:
+    """The result of `fit`.
+
+    estimates : best values of the free parameters by name; values: of all parameters
+    standard_errors : by name, from the covariance
+    covariance, correlation : arrays, in the order of `names`
+    indenter, medium, instrument : the objects with the best values, for further computing
+    fitted, residuals : the model at the data, and (data - model) in its standard deviations; the error of a reading counts once
+        where the model is computed from it too (contact depths, frame compliance)
+    noise : factor of the standard deviations of the data: 1 if they are known, else estimated; without `sd` the standard deviation
+    chi_square, degrees_of_freedom, log_likelihood, aic, bic
+    pattern_probability : that random residuals follow each other as smoothly (Bartels 1982)
+    lag_correlation, widening : correlation of neighbouring residuals, and by how much it has made each standard error larger;
+        covariance and intervals hold it already (restricted likelihood of a first-order autoregression, Cheang, Reinsel 2000)
+    misfit : how far the model departs from the data, as parts of the largest force: `Misfit`
+    converged, iterations, evaluations, warnings
+    """
+
+    def __init__(
+        self,
+        problem: Problem,
+        values: Array,
+        covariance: Array,
+        widening: Array,
+        at_bound: NDArray[np.int32],
+        weakest_direction: Array,
+        fitted: Array,
+        residuals: Array,
+        summary: Any,
+    ) -> None:
+        self.problem = problem
+        self.data = problem.data
+        places = [i for i, name in enumerate(problem.names) if name in problem.free]
+        self.names = tuple(problem.names[i] for i in places)
+        self.values = {name: float(value) for name, value in zip(problem.names, values, strict=True) if name}
+        self.estimates = {name: self.values[name] for name in self.names}
+        self.covariance: Array = np.asarray(covariance)[np.ix_(places, places)]
+        errors = np.sqrt(np.diag(self.covariance))
+        self.standard_errors: dict[str, float] = dict(zip(self.names, errors.tolist(), strict=True))
+        self.widening = {name: float(widening[i]) for name, i in zip(self.names, places, strict=True)}
+        self.at_bound = {name: int(at_bound[i]) for name, i in zip(self.names, places, strict=True)}
+        self.weakest_direction = {name: float(weakest_direction[i]) for name, i in zip(self.names, places, strict=True)}
+        self.indenter, self.medium, self.instrument = problem.pattern.at(values)
+        self.fitted: Array = np.asarray(fitted)
+        self.converged = bool(summary["converged"])
+        self.iterations, self.evaluations = int(summary["iterations"]), int(summary["evaluations"])
+        self.chi_square, self.prior_chi_square = float(summary["chi_square"]), float(summary["prior_chi_square"])
+        self.degrees_of_freedom, self.noise = float(summary["degrees_of_freedom"]), float(summary["noise"])
+        self.log_likelihood, self.pattern_probability = float(summary["log_likelihood"]), float(summary["pattern_probability"])
+        self.weakest, self.lag_correlation = float(summary["weakest"]), float(summary["lag_correlation"])
+        self.residuals: Array = np.asarray(residuals)
+        self.warnings: list[str] = []
+        self._values = np.asarray(values)
+
+    @functools.cached_property
+    def misfit(self) -> Misfit:
+        """How far the model departs from the data."""
+        offset = {"force": "force_offset", "depth": "depth_offset"}.get(self.data.y_name, "")
+        return measure_misfit(self.data, self.fitted, self.values.get(offset, 0.0))
+
+    @property
+    def noise_is_known(self) -> bool:
+        """Whether the standard deviations of the data were given as absolute ones."""
+        return self.data.sd is not None and not self.problem.record["sd_is_relative"][0]
+
+    @property
+    def correlation(self) -> Array:
+        """Correlation of the free parameters; 0 for one at its bound."""
+        errors = np.array([self.standard_errors[name] for name in self.names])
+        scale = np.where(errors > 0.0, errors, 1.0)
+        return np.asarray(self.covariance / np.outer(scale, scale))
+
+    @property
+    def aic(self) -> float:
+        """Akaike's information criterion, corrected for few points."""
+        n, k = self._counts()
+        return -2.0 * self.log_likelihood + 2.0 * k + 2.0 * k * (k + 1) / max(n - k - 1, 1)
+
+    @property
+    def bic(self) -> float:
+        """Bayesian (Schwarz) information criterion."""
+        n, k = self._counts()
+        return -2.0 * self.log_likelihood + k * math.log(n)
+
+    def _counts(self) -> tuple[int, int]:
+        return len(self.data), len(self.names) + (0 if self.noise_is_known else 1)
+
+    def interval(
+        self, name: str, level: float = 0.95, method: str = "normal", *, draws: int = 200, seed: int | None = None
+    ) -> Interval:
+        """The confidence interval of one free parameter.
+
+        method : "normal" from the standard error; "profile": as far as the parameter can be moved, all others following, before
+            chi-square rises by its quantile; "monte-carlo": quantiles of fits of `draws` simulated data sets (`seed`)
+        """
+        if name not in self.names:
+            raise InvalidArgumentError(f"{name!r} is not a free parameter: {nearest(str(name), self.names)}")
+        level = number("level", level)
+        if not 0.0 < level < 1.0:
+            raise InvalidArgumentError(f"level = {level!r} is not allowed: it must be between 0 and 1")
+        if method == "normal":
+            # correlated residuals are worth so many independent ones
+            freedom = max(self.degrees_of_freedom / self.widening[name] ** 2, 1.0)
+            reach = call(native.fit_quantile, level, math.inf if self.noise_is_known else freedom)
+            half = reach * self.standard_errors[name]
+            return Interval(self.estimates[name] - half, self.estimates[name] + half)
+        if method == "profile":
+            problem = self.problem.changed(self.data, start=self._values)
+            place = self.problem.names.index(name)
+            lower, upper = problem.call(native.fit_interval, place, level)
+            return Interval(float(lower), float(upper))
+        if method == "monte-carlo":
+            values = self.simulate(draws, seed)[:, self.names.index(name)]
+            lower, upper = np.quantile(values, [0.5 * (1.0 - level), 0.5 * (1.0 + level)])
+            return Interval(float(lower), float(upper))
+        known = ("normal", "profile", "monte-carlo")
+        raise InvalidArgumentError(f"method = {method!r} is not allowed: {nearest(str(method), known)}")
+
+    def simulate(self, draws: int = 200, seed: int | None = None) -> Array:
+        """Estimates from simulated data: the fitted curve plus noise, and priors drawn about their estimates; (draws, parameters).
+        Simulations that fail are left out."""
+        random = np.random.default_rng(seed)
+        sd = self.noise * (np.ones_like(self.fitted) if self.data.sd is None else self.data.sd)
+        errors = self.problem.table[4]
+        # joint priors: W (p - value) is drawn with variance 1
+        weights = self.problem.weights
+        back = np.linalg.pinv(weights) if len(weights) else np.zeros((len(errors), 0))
+        joint = np.abs(weights).sum(axis=0) > 0.0
+        trials = [
+            self.problem.changed(
+                self.data.with_y(self.fitted + sd * self._noise(random)),
+                priors=self._values
+                + np.where(joint, back @ random.standard_normal(len(weights)), errors * random.standard_normal(errors.shape)),
+                start=self._values,
+            )
+            for _ in range(whole("draws", draws, 2))
+        ]
+
+        def one(problem: Problem) -> list[float] | None:
+            try:
+                values = problem.answer()[0]
+            except MDRError:
+                return None
+            return [float(values[problem.names.index(name)]) for name in self.names]
+
+        with workers(os.cpu_count()) as pool:
+            rows = [row for row in pool.map(one, trials) if row is not None]
+        if len(rows) < 0.9 * draws:
+            raise MDRError(f"only {len(rows)} of {draws} simulated data sets could be fitted: there is no interval from them")
+        return np.array(rows)
+
+    def _noise(self, random: np.random.Generator) -> Array:
+        """Noise of variance 1 with the correlation that the residuals have along the curve."""
+        white = random.standard_normal(len(self.data))
+        rho = self.lag_correlation
+        noise = np.empty_like(white)
+        before = white[0]
+        for i, one in enumerate(white):
+            before = one if i == 0 else rho * before + math.sqrt(1.0 - rho**2) * one
+            noise[i] = before
+        along = np.empty_like(noise)
+        along[self.data.order()] = noise
+        return along
+
+    def summary(self, level: float = 0.95) -> str:
+        """Estimates with units, doubts about each beside it, quality of the fit, correlations, warnings. The numbers of the
+        problem are taken as SI."""
+        rows = [["", "estimate", f"{100.0 * level:g} % interval", ""]]
+        for name in self.names:
+            ends = self.interval_as_text(name, level)
+            rows.append([f"{words_of(name)} ({name})", self.as_text(name), ends, "; ".join(self.doubts(name))])
+        lines = [f"Fit of {len(self.data)} points: " + ("converged" if self.converged else "NOT CONVERGED, best point found")]
+        lines[0] += f" after {self.iterations} iterations"
+        lines.append(aligned(rows))
+        if len(self.data) > 2:
+            lines.append(f"the model {self.misfit_words()}")
+        dof = self.degrees_of_freedom
+        if self.noise_is_known and dof >= 1.0:
+            lines.append(f"chi-square {self.chi_square:.4g} for {dof:.4g} degrees of freedom: ratio {self.reduced_chi_square:.3g}")
+        elif self.data.sd is None and not self.noise_is_known:
+            unit = practical(QUANTITIES[self.data.y_name], [self.noise])
+            lines.append(f"noise, estimated from the residuals: {self.noise / unit.factor:.3g} {unit.symbol}")
+        elif not self.noise_is_known:
+            lines.append(f"standard deviations of the data, estimated: {self.noise:.3g} times the given ones")
+        lines += self.contact_depth_words()
+        if self.prior_chi_square > 0.0:
+            lines.append(f"chi-square of the priors {self.prior_chi_square:.3g}")
+        if len(self.data) > 2:
+            lines.append(
+                f"residuals in order along the curve: correlation of neighbours {self.lag_correlation:.2f}, random with p = "
+                f"{self.pattern_probability:.2g}; AIC {self.aic:.5g}, BIC {self.bic:.5g}"
+            )
+        correlation = self.correlation
+        for i, one in enumerate(self.names):
+            for j in range(i):
+                lines.append(f"correlation of {one} and {self.names[j]}: {correlation[i, j]:+.4f}")
+        return "\n".join(lines + [f"warning: {words}" for words in self.warnings])
+
+    def contact_depth_words(self) -> list[str]:
+        """How far the surface sinks in, where contact depths are found from depth, force and stiffness."""
+        data, tool = self.data, self.instrument
+        if not isinstance(data, StiffnessDepth) or data.force is None:
+            return []
+        try:
+            radius = self.problem.predict(self._values)[1]
+        except MDRError:
+            return []
+        load = data.force - tool.force_offset
+        depth = data.x - tool.depth_offset - tool.frame_compliance * load
+        height = np.asarray(self.indenter.height(radius / math.sqrt(tool.area_factor))) / tool.contact_depth_scale
+        sigma = (depth - height) / (load * (1.0 / data.y - tool.frame_compliance))
+        is_elastic = bool(self.problem.record["is_elastic"][0])
+        under = (
+            "the indenter itself, an elastic contact"
+            if is_elastic
+            else f"the indent, {tool.contact_depth_factor:.3g} on a half-space"
+        )
+        low, high = f"{sigma.min():.3g}", f"{sigma.max():.3g}"
+        return [f"the surface sinks in by {low if low == high else f'{low} to {high}'} P/S under {under}"]
+
+    def as_text(self, name: str) -> str:
+        """An estimate with its standard error and unit, or what else there is to say of it."""
+        value, error = self.estimates[name], self.standard_errors[name]
+        if name in contradictions(self):
+            return "refused"
+        if self.at_bound[name]:
+            unit = unit_of(name, value)
+            return f"{value / unit.factor:.4g} {unit.symbol}".rstrip() + ", no standard error"
+        # an offset may well be 0, but not be vaguer than the whole curve is long
+        reach = {"depth_offset": self.data.x, "force_offset": self.data.y}.get(name)
+        largest = abs(value) if reach is None else float(np.ptp(reach))
+        if error > largest and name != "frame_compliance":
+            return "not determined"
+        return measured(name, value, error)
+
+    def interval_as_text(self, name: str, level: float = 0.95) -> str:
+        """The interval in the unit of the estimate; "-" where the estimate is refused."""
+        if name in contradictions(self):
+            return "-"
+        error = self.standard_errors[name]
+        unit = unit_of(name, max(abs(self.estimates[name]), error))
+        return " to ".join(digits(end / unit.factor, error / unit.factor) for end in self.interval(name, level))
+
+    def doubts(self, name: str) -> list[str]:
+        """Doubts about an estimate, in a few words for each."""
+        words = [f"it would be {measured(name, self.estimates[name], self.standard_errors[name])}, softer than its base"]
+        words = words if name in contradictions(self) else []
+        if not self.converged:
+            words.append("not converged")
+        if self.at_bound[name]:
+            return [*words, self.bound_words(name)]
+        if self.widening[name] > 1.3:
+            words.append(f"error widened {self.widening[name]:.2g} times for correlated residuals")
+        if self.describes_data is False:
+            words.append(f"THE MODEL MISSES THE DATA BY {percent(self.departure)}")
+        if self.scatter < 0:
+            words.append(f"errors given are {self.excess_words()} the scatter")
+        return words
+
+    def bound_words(self, name: str) -> str:
+        """Which bound an estimate lies at: one that was given, or the end of the range that the search covers."""
+        side, entry = self.at_bound[name], self.problem.free[name]
+        end = "upper" if side > 0 else "lower"
+        if math.isfinite(entry.upper if side > 0 else entry.lower):
+            return f"at its {end} bound"
+        if entry.prior is not None:
+            return "20 standard deviations from its prior: the data contradict it"
+        if name.startswith("indenter.C"):
+            return "at 0, below which there is no tip next to its apex: leave this term out"
+        return f"at the {end} end of what is allowed or searched: the data do not limit it, or it began too far away"
+
+    @property
+    def is_random(self) -> bool | None:
+        """Whether the residuals are random, and no larger than they should be; None where neither can be said. Residuals that lie
+        well within the standard deviations given, or are of rounding, speak for the model, whatever their pattern."""
+        if self.scatter != 0:
+            return self.scatter < 0
+        if self.pattern_probability < UNLIKELY:
+            return self.is_without_noise
+        return True if len(self.data) >= 8 or (self.noise_is_known and self.degrees_of_freedom >= 2.0) else None
+
+    @property
+    def departure(self) -> float:
+        """How far the model departs from the data where that is no chance, root mean square, as a part of the largest force; else
+        0."""
+        if self.is_random is not False:
+            return 0.0
+        # a scatter beyond the standard deviations is a departure, too
+        return self.misfit.whole if self.scatter > 0 else self.misfit.rms
+
+    @property
+    def describes_data(self) -> bool | None:
+        """Whether the model lies within 5 % of the data, or its departures may be chance; None with too few points to say."""
+        return None if self.is_random is None else self.departure <= LARGE
+
+    @property
+    def verdict(self) -> str:
+        """In a few words: "describes", "describes to 2 %", "misses by 12 %", "too few points"."""
+        if self.is_random is None:
+            return "too few points"
+        if self.departure == 0.0:
+            return "describes"
+        return f"describes to {percent(self.departure)}" if self.departure <= LARGE else f"misses by {percent(self.departure)}"
+
+    def misfit_words(self) -> str:
+        """The verdict with its numbers."""
+        data, found = self.data, self.misfit
+        unit = practical(QUANTITIES[data.x_name], data.x)
+        place = f"{data.x_name} {found.at / unit.factor:.3g} {unit.symbol}"
+        rest = f"largest {percent(found.largest)} at {place}, noise {percent(found.noise)}"
+        size = f"{percent(self.departure or found.rms)} of the {data.y_name} ({rest})"
+        if self.describes_data is False:
+            return f"misses the data by {size}"
+        return f"describes the data to {size}" if self.departure else f"describes the data: misfit {size}"
+
+    @property
+    def scatter(self) -> int:
+        """1 where the data scatter more than their standard deviations say, -1 where they scatter less; 0: as they say, or the
+        standard deviations are not known, or the points too few to say."""
+        return compare_scatter(self.chi_square, self.degrees_of_freedom) if self.noise_is_known else 0
+
+    @property
+    def excess_of_errors(self) -> float:
+        """How many times larger the standard deviations given are than those of the data about the fit; infinite for a fit through
+        all points, NaN with less than one degree of freedom."""
+        ratio = self.reduced_chi_square
+        return math.sqrt(1.0 / ratio) if ratio > 0.0 else math.inf if ratio == 0.0 else math.nan
+
+    def excess_words(self) -> str:
+        """`excess_of_errors` in words."""
+        return f"{self.excess_of_errors:.3g} times" if math.isfinite(self.excess_of_errors) else "infinitely many times"
+
+    @property
+    def reduced_chi_square(self) -> float:
+        """Chi-square over the degrees of freedom; NaN with less than one of them."""
+        return self.chi_square / self.degrees_of_freedom if self.degrees_of_freedom >= 1.0 else math.nan
+
+    @property
+    def is_without_noise(self) -> bool:
+        """Whether the residuals are no larger than the rounding of data and model."""
+        rest = float(np.sqrt(np.mean((self.data.y - self.fitted) ** 2)))
+        return rest <= _ROUNDING * float(np.max(np.abs(self.data.y)))
+
+    def plot(self, path: str | os.PathLike[str] | None = None) -> Any:
+        """Data, fit and residuals as a matplotlib figure with units (the numbers of the problem are taken as SI); written to `path`
+        (.png, .pdf, .svg) if one is given."""
+        title = [f"{words_of(name)} = {self.as_text(name)}" for name in self.names]
+        if len(self.data) > 2:
+            title.append(self.misfit_words())
+        # what widens an error is in the error
+        doubts = sorted({words for name in self.names for words in self.doubts(name) if "widened" not in words})
+        model = getattr(self.medium, "model", None)
+        label = f"fit ({model})" if model else "fit"
+        is_found = "depth_offset" in self.names and self.data.x_name == "depth"
+        contact = self.values["depth_offset"] if is_found or self.data.contact_points else None
+        return draw(self.data, self.noise, self.fitted, self.residuals, label, title, doubts, path, contact)
+
+    def to_dict(self, level: float = 0.95) -> dict[str, Any]:
+        """Everything but the objects, as plain Python values; numbers that are not finite become None."""
+        parameters = {
+            name: {
+                "words": words_of(name),
+                "unit": dimension_of(name).si,
+                "value": self.estimates[name],
+                "standard_error": self.standard_errors[name],
+                "interval": list(self.interval(name, level)),
+                "at_bound": self.at_bound[name],
+                "widening": self.widening[name],
+                "doubts": self.doubts(name),
+            }
+            for name in self.names
+        }
+        found = {
+            "parameters": parameters,
+            "level": level,
+            "fixed": {
+                name: {"value": value, "unit": dimension_of(name).si}
+                for name, value in self.values.items()
+                if name not in self.names
+            },
+            "covariance": self.covariance.tolist(),
+            "correlation": self.correlation.tolist(),
+            "points": len(self.data),
+            "describes_data": self.describes_data,
+            "verdict": self.verdict,
+            "misfit": self.misfit._asdict(),
+            **{name: getattr(self, name) for name in _NUMBERS},
+            "indenter": repr(self.indenter),
+            "medium": repr(self.medium),
+            "instrument": repr(self.instrument),
+        }
+        return _plain(found)  # type: ignore[no-any-return]
+
+    def report(self, path: str | os.PathLike[str] | None = None, notes: Sequence[str] = (), title: str = "Fit") -> str:
+        """One HTML file with estimates, picture, warnings, what was assumed and the versions, readable without a network; written
+        to `path` if one is given. notes : what else to say of the data, one line each."""
+        text = page(title, blocks_of(self, notes))
+        if path is not None:
+            replace(path, text.encode())
+        return text
+
+    def to_json(self, path: str | os.PathLike[str] | None = None, level: float = 0.95) -> str:
+        """`to_dict` as JSON text; written to `path` if one is given."""
+        text = json.dumps(self.to_dict(level), indent=2, allow_nan=False) + "\n"
+        if path is not None:
+            replace(path, text.encode())
+        return text
+
+    def __repr__(self) -> str:
+        inside = ", ".join(f"{name}={self.estimates[name]:.6g}+-{self.standard_errors[name]:.2g}" for name in self.names)
+        return f"<FitResult: {inside}{'' if self.converged else ', not converged'}>"
+
+
+def _plain(value: Any) -> Any:
+    if isinstance(value, dict):
+        return {key: _plain(entry) for key, entry in value.items()}
+    if isinstance(value, list):
+        return [_plain(entry) for entry in value]
+    if isinstance(value, float) and not math.isfinite(value):
+        return None
+    return value

@@ -1,0 +1,132 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Binary files of atomic force microscopes, read with afmformats."""
+
+from __future__ import annotations
+
+import importlib
+import logging
+from pathlib import Path
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from ...errors import FileError, MDRError
+from ..records.segments import Segment, segments_of_numbers
+
+Array = NDArray[np.float64]
+
+SUFFIXES = (".jpk-force", ".jpk-force-map", ".jpk-qi-data", ".jpk-qi-series", ".h5", ".ibw", ".tab", ".zip")
+"""Endings of files that are left to afmformats."""
+TEXT_SUFFIXES = (".csv", ".txt")
+"""Endings of files that it may know where they are no plain tables."""
+_HINTS = {
+    ".zip": "; unpack it, and give the folder of its files",
+    ".h5": "; of HDF5 only force curves that it wrote are read: export depth, force and time as text",
+}
+"""What to do with a file whose format is not that of its ending."""
+_MODALITIES = ("force-distance", "creep-compliance", "stress-relaxation")
+_HEIGHTS = ("height (measured)", "height (piezo)")
+
+
+class MissingSettings(FileError):
+    """The file does not say what a cantilever's deflection means."""
+
+
+class AfmCurve(NamedTuple):
+    """One force curve, SI units."""
+
+    height: Array
+    """of the piezo, growing into the sample"""
+    force: Array
+    time: Array | None
+    spring_constant: float | None
+    place: tuple[float, float] | None
+    """column and row in a map, or None"""
+    segments: tuple[Segment, ...] | None
+    """as the file has them; None where it does not separate them"""
+    notes: tuple[str, ...]
+    position: tuple[float, float] | None = None
+    """x and y in a map [m]"""
+    is_in_time: bool = False
+    """whether it is a creep or relaxation test"""
+
+
+def read_afm(path: Path, spring_constant: float | None = None, deflection_sensitivity: float | None = None) -> list[AfmCurve]:
+    """All force curves of a file; `FileError` where it holds none or cannot be read.
+
+    spring_constant, deflection_sensitivity : [N/m], [m/V]; None: those of the file
+    """
+    try:
+        afmformats: Any = importlib.import_module("afmformats")
+    except ImportError as problem:
+        raise MDRError(f'{path}: files of this kind need afmformats: pip install "mdrcontact[afm]"') from problem
+    if not path.is_file():
+        raise FileError(f"{path}: it cannot be read: there is no such file")
+    # they log what they raise, one of them with all of the file
+    for name in ("afmformats", "igor2"):
+        logging.getLogger(name).setLevel(logging.CRITICAL + 1)
+    given = {"spring constant": spring_constant, "sensitivity": deflection_sensitivity}
+    chosen = {name: value for name, value in given.items() if value is not None}
+    try:
+        try:
+            loaded = afmformats.load_data(path)
+        except afmformats.errors.MissingMetaDataError:
+            loaded = afmformats.load_data(path, meta_override=chosen)
+        curves = [_curve(data, chosen) for data in loaded if data.modality in _MODALITIES]
+    except MDRError as problem:
+        fault = MissingSettings if isinstance(problem, MissingSettings) else FileError
+        raise fault(f"{path}: {problem}") from problem
+    except afmformats.errors.MissingMetaDataError as problem:
+        raise MissingSettings(f"{path}: {problem}: give [instrument] spring_constant and deflection_sensitivity") from problem
+    except (Exception, afmformats.errors.AFMFileFormatError) as problem:  # noqa: BLE001 - damage makes readers raise anything
+        hint = _HINTS.get(path.suffix.lower(), "")
+        raise FileError(f"{path}: afmformats cannot read it{hint}: {type(problem).__name__}: {problem}") from problem
+    if not curves:
+        raise FileError(f"{path}: it holds no curves of force against distance, of creep or of relaxation")
+    return curves
+
+
+def _curve(data: Any, chosen: dict[str, float]) -> AfmCurve:
+    columns = list(data.columns)
+    height = next((name for name in _HEIGHTS if name in columns), None)
+    if height is None or "force" not in columns:
+        raise FileError(f"it has no height and force, but {', '.join(columns)}")
+    meta = data.metadata
+    if "sensitivity" in chosen and not meta.get("sensitivity"):
+        raise MissingSettings(
+            "deflection_sensitivity is not allowed: the file has forces and does not say by which sensitivity; leave it out, and "
+            "correct the spring_constant"
+        )
+    # forces are deflection [V] times sensitivity times spring constant
+    factor = 1.0
+    for name, value in chosen.items():
+        factor *= value / (meta.get(name) or value)
+    constant = chosen.get("spring constant") or meta.get("spring constant")
+    is_in_time = data.modality != "force-distance"
+    what = [f"{meta.get('format', 'AFM file')}: {height} and force, {len(data)} points"]
+    if is_in_time:
+        what.append(f"a test of {data.modality.replace('-', ' ')}: kind depth-time or force-time")
+    if constant:
+        what.append(f"spring constant {constant:.4g} N/m")
+    if factor != 1.0:
+        what.append(f"forces times {factor:.4g}, for spring constant and deflection sensitivity of [instrument]")
+    # heights fall on the way into the sample
+    depth = -np.asarray(data[height], dtype=float)
+    return AfmCurve(
+        depth,
+        factor * np.asarray(data["force"], dtype=float),
+        np.asarray(data["time"], dtype=float) if "time" in columns else None,
+        float(constant) if constant else None,
+        _pair(meta, "grid index x", "grid index y"),
+        segments_of_numbers(np.asarray(data["segment"]), depth) if "segment" in columns else None,
+        tuple(what),
+        _pair(meta, "position x", "position y"),
+        is_in_time,
+    )
+
+
+def _pair(meta: Any, *names: str) -> tuple[float, float] | None:
+    """Two numbers of the file; None where one is missing."""
+    x, y = (meta.get(name) for name in names)
+    return None if x is None or y is None or not np.isfinite([x, y]).all() else (float(x), float(y))

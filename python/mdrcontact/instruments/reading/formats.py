@@ -1,0 +1,124 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Formats of instruments: what their headers say, and files that are refused by name with the way to export them."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Mapping, Sequence
+from pathlib import Path
+from typing import NamedTuple
+
+from ..._units import COMPLIANCE, LENGTH, MODULUS, SPEED, STIFFNESS, Dimension, shown
+from ...problem.named import ProblemError
+
+
+class Fact(NamedTuple):
+    """A number that a file says of its instrument, SI units."""
+
+    name: str
+    """"indenter.radius", "spring_constant", or what it is in words"""
+    value: float
+    dimension: Dimension
+
+    def __str__(self) -> str:
+        return f"{self.name} {shown(self.value, self.dimension)}"
+
+
+_NUMBER = r"\s*:?\s*([-+]?[0-9]+(?:[.,][0-9]+)?(?:[eE][-+]?[0-9]+)?)"
+MODULUS_OF_MAKER = "modulus by the maker's program"
+
+
+class Format(NamedTuple):
+    """A format of text files, recognised by a line of its header."""
+
+    name: str
+    sign: str
+    """pattern of such a line"""
+    units: Mapping[str, str] = {}
+    """of columns whose titles do not say them"""
+    numbers: tuple[tuple[str, str, float, Dimension], ...] = ()
+    """name, pattern before the number, its unit in SI, dimension"""
+
+    def facts(self, header: Sequence[Sequence[str]]) -> tuple[Fact, ...]:
+        """What the header says."""
+        lines = [" ".join(row) for row in header]
+        found = []
+        for name, pattern, unit, dimension in self.numbers:
+            match = next((m for line in lines if (m := re.search(pattern + _NUMBER, line))), None)
+            value = float(match[1].replace(",", ".")) if match else 0.0
+            if value:
+                found.append(Fact(name, value * unit, dimension))
+        return tuple(found)
+
+
+FORMATS = (
+    Format(
+        "Optics11",
+        r"Tip radius \(um\)",
+        numbers=(
+            ("indenter.radius", r"Tip radius \(um\)", 1e-6, LENGTH),
+            ("spring_constant", r"^k \(N/m\)", 1.0, STIFFNESS),
+            (MODULUS_OF_MAKER + ", E_eff", r"E\[eff\] \(Pa\)", 1.0, MODULUS),
+        ),
+    ),
+    Format(
+        "Fischer WIN-HCU",
+        r"\.hap\b",
+        units={"F": "mN", "h": "um", "t": "s"},
+        numbers=((MODULUS_OF_MAKER + ", EIT/(1-vs^2)", r"EIT/\(1-vs\^2\) \[GPa\]", 1e9, MODULUS),),
+    ),
+    Format(
+        "Hysitron .hld",
+        r"File Version: Hysitron",
+        numbers=(
+            ("frame compliance", r"Machine Comp:", 1e-3, COMPLIANCE),
+            ("drift rate", r"Drift Rate:", 1e-9, SPEED),
+        ),
+    ),
+    Format("Hysitron text", r"Number of Points ="),
+)
+
+
+def recognise(header: Sequence[Sequence[str]]) -> Format | None:
+    """The format of a table, by the lines above it."""
+    lines = [" ".join(row) for row in header]
+    return next((one for one in FORMATS if any(re.search(one.sign, line) for line in lines)), None)
+
+
+class _Foreign(NamedTuple):
+    """Files that are not read: endings or first bytes, what they are, and what to do."""
+
+    name: str
+    suffixes: str
+    begins: tuple[bytes, ...]
+    remedy: str
+
+
+_FOREIGN = (
+    _Foreign(
+        "a NanoScope file of Bruker",
+        r"\.(spm|pfc|[0-9]{3})",
+        (b"\\*File list", b"\\*Force file list", b"\\*EC File list"),
+        "export the force curve as text in NanoScope Analysis, File > Export > ASCII, with Z or separation and force in units",
+    ),
+    _Foreign(
+        "a binary file of Hysitron", r"\.(hys|hdt)", (), "export it as text in TriboScan or TriboAnalysis, File > Export, as .txt"
+    ),
+    _Foreign("a binary file of Fischer", r"\.hap", (), "export it as text in WIN-HCU, all blocks with F, h and t"),
+    _Foreign("a binary file of NanoSuite", r"\.(nmd|mss|mst)", (), "export the sample to Excel in NanoSuite, with all tests"),
+    _Foreign(
+        "an HDF5 file",
+        r"\.(hdf5|hdf|nxs)",
+        (b"\x89HDF\r\n",),
+        "of HDF5 only force curves that afmformats wrote are read, under the name .h5; export depth, force and time as text",
+    ),
+    _Foreign("an archive", r"\.(zip|gz|7z|rar)", (b"PK\x03\x04", b"\x1f\x8b"), "unpack it, and give the folder of its files"),
+)
+
+
+def refuse_foreign(path: Path, content: bytes) -> None:
+    """Raises for a file of a format that is not read, and says how to export it."""
+    for one in _FOREIGN:
+        is_named = re.fullmatch(one.suffixes, path.suffix.lower()) and (not one.begins or b"\0" in content[:4096])
+        if is_named or one.begins and content.startswith(one.begins):
+            raise ProblemError(f"{path}: {one.name} is not read: {one.remedy}")

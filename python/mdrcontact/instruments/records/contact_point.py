@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Contact point and baseline of an approach, found before a fit, and depth from what a cantilever reads."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..._boundary import number, numbers
+from ..._choices import nearest
+from ...errors import InvalidArgumentError
+from .segments import curve
+
+Array = NDArray[np.float64]
+
+METHODS = ("piecewise", "ratio-of-variances")
+SOURCES = {"piecewise": "Lin, Dimitriadis, Horkay 2007", "ratio-of-variances": "Gavara 2016"}
+FEWEST = 20
+"""Readings in which a contact point is looked for."""
+_WINDOW = 0.05
+"""Of the points: those to either side whose variances are compared."""
+_CANDIDATES = 200
+_LOW = 0.1
+"""Of the force: so far a contact is taken as a power law."""
+_CLEAR = 0.8
+"""The baseline ends before this part of the way to the contact point."""
+
+
+class Baseline(NamedTuple):
+    """Force without contact: force = offset + tilt depth."""
+
+    offset: float
+    tilt: float
+    noise: float
+    """standard deviation of the readings about it"""
+
+    def at(self, depth: Array) -> Array:
+        """Its force at these depths."""
+        return self.offset + self.tilt * depth
+
+
+def find_contact_point(depth: ArrayLike, force: ArrayLike, method: str = "piecewise", *, power: float = 1.5) -> int:
+    """Position of the first point in contact, on an approach whose points stand in the order of measurement.
+
+    method : "piecewise": a straight baseline and force = c (depth - d0)^power, least squares over d0 (Lin, Dimitriadis, Horkay
+        2007, J. Biomech. Eng. 129, 430); "ratio-of-variances": where the forces behind a point vary most against those before it
+        (Gavara 2016, Sci. Rep. 6, 21267)
+    power : of the contact for "piecewise": 1.5 for spheres and paraboloids, 2 for cones and pyramids
+    """
+    d, f = curve(depth, force, fewest=FEWEST)
+    if method not in METHODS:
+        raise InvalidArgumentError(f"method = {method!r} is not allowed: {nearest(str(method), METHODS)}")
+    return _piecewise(d, f, number("power", power)) if method == "piecewise" else _ratio_of_variances(f)
+
+
+def _ratio_of_variances(f: Array) -> int:
+    n = len(f)
+    window = max(5, round(_WINDOW * n))
+    one, two = (np.concatenate([[0.0], np.cumsum(v)]) for v in (f - f.mean(), (f - f.mean()) ** 2))
+    mean, square = (one[window:] - one[:-window]) / window, (two[window:] - two[:-window]) / window
+    variance = np.maximum(square - mean**2, 1e-12 * np.var(f))
+    # of the points i+1 ... i+window over i-window ... i-1
+    ratio = variance[window + 1 :] / variance[: -window - 1]
+    return int(np.argmax(ratio)) + window
+
+
+def _piecewise(d: Array, f: Array, power: float) -> int:
+    # far beyond the contact point a layer on a substrate is no power law; so high that the noise does not matter
+    first = f[: max(len(f) // 10, 5)]
+    level = first.mean() + max(_LOW * np.ptp(f), 20.0 * float(np.std(first)))
+    above = np.flatnonzero(f > level)
+    last = max(int(above[0]) if len(above) else len(f) - 1, FEWEST - 1)
+    d, f = d[: last + 1], f[: last + 1]
+    places = np.arange(3, max(len(d) - 3, 4))
+    step = max(1, len(places) // _CANDIDATES)
+    coarse = places[::step]
+    best = coarse[np.argmin(_misfits(d, f, coarse, power))]
+    near = places[np.abs(places - best) <= step]
+    return int(near[np.argmin(_misfits(d, f, near, power))])
+
+
+def _misfits(d: Array, f: Array, places: NDArray[np.int64], power: float) -> Array:
+    """Sums of squares about a line to which a power law is added behind each place."""
+    line, _ = np.linalg.qr(np.column_stack([np.ones_like(d), d - d.mean()]))
+    left = f - line @ (line.T @ f)
+    into = np.maximum(d - d[places, None], 0.0) ** power
+    into -= (into @ line) @ line.T
+    share, size = into @ left, np.maximum((into**2).sum(axis=1), 1e-300)
+    # a contact that pulls is none
+    return np.asarray(left @ left - np.where(share > 0.0, share**2 / size, 0.0))
+
+
+def find_baseline(depth: ArrayLike, force: ArrayLike, contact: int, *, tilt: bool = True) -> Baseline:
+    """The baseline before the contact point; its last 20 % are left out, where forces of longer range may act.
+
+    contact : position of the first point in contact, see `find_contact_point`
+    tilt : whether it has a slope, or an offset only
+    """
+    d, f = curve(depth, force)
+    last = int(_CLEAR * contact)
+    if last < 5:
+        raise InvalidArgumentError(f"too few points before contact for a baseline: {last}; at least 5 are needed")
+    d, f = d[:last], f[:last]
+    slope = float(np.polyfit(d - d.mean(), f, 1)[0]) if tilt and np.ptp(d) > 0.0 else 0.0
+    offset = float(f.mean() - slope * d.mean())
+    return Baseline(offset, slope, float(np.std(f - offset - slope * d)))
+
+
+def depth_from_height(height: ArrayLike, deflection: ArrayLike, sign: int | None = None) -> Array:
+    """Indentation depth from the height of the piezo and the deflection of the cantilever, both lengths: the way that the piezo
+    goes into the sample less the deflection.
+
+    sign : 1 if the height grows into the sample, -1 if it falls; None: as the deflection grows with it
+    """
+    z, x = numbers("height", height), numbers("deflection", deflection)
+    z, x = curve(z, x)
+    if sign is None:
+        # step by step, so that a reading far away counts once up and once down
+        sign = 1 if float(np.diff(z) @ np.diff(x)) > 0.0 else -1
+    return np.asarray(sign * z - x)

@@ -1,0 +1,325 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The parts of a measured curve: loading, holds and unloading, thermal drift, pop-ins."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterable
+from itertools import pairwise
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from ..._boundary import number, numbers
+from ...errors import InvalidArgumentError
+
+Array = NDArray[np.float64]
+
+_SHORTEST, _LONGEST = 200, 25
+"""Rates are those over these parts of the points to either side: the longer, the more noise there is."""
+_STILL = 0.15
+"""A curve that moves slower than this part of its usual rate is held."""
+_TURN, _TOGETHER = 10.0, 3.0
+"""Standard deviations of the noise: a curve that goes back by more turns, and depth and force each by so much."""
+_MOVES = 0.3
+"""Of the whole depth or height: a segment of a file that moves by less is a hold."""
+_LEVEL, _SAME, _CREEP = 0.02, 0.05, 0.3
+"""Of the rise of the force: what is above the noise of zero; of that level, or of the depth: what is held; of the depth: what a
+hold of the force may creep."""
+_JUMP = 5.0
+"""A pop-in is a step this much larger than its neighbours ..."""
+_LARGE_JUMP = 0.01
+"""... and at least this part of the depth."""
+_NEIGHBOURS, _STAYS = 10, 0.5
+_FAR, _FAR_STEPS, _FAR_NOISE = 0.02, 5.0, 10.0
+"""A stray reading is this part of the range away from both neighbours, as many of their steps, and of the noise."""
+
+
+class Segment(NamedTuple):
+    """A part of a curve: "loading" (approach), "hold" or "unloading" (retract), and its points start ... stop - 1."""
+
+    kind: str
+    start: int
+    stop: int
+
+    @property
+    def points(self) -> slice:
+        """Its place in the arrays."""
+        return slice(self.start, self.stop)
+
+
+class PopIn(NamedTuple):
+    """A jump in depth at constant load, or in load at constant depth: the last point before it, and what stands there."""
+
+    position: int
+    depth: float
+    force: float
+    jump: float
+    """of the depth"""
+
+
+class Drift(NamedTuple):
+    """Thermal drift: slope of the depth against time during a hold, and its standard error."""
+
+    rate: float
+    standard_error: float
+
+
+def curve(depth: ArrayLike, force: ArrayLike, fewest: int = 2) -> tuple[Array, Array]:
+    """Depth and force of one curve, checked."""
+    d, f = numbers("depth", depth), numbers("force", force)
+    if d.ndim != 1 or d.shape != f.shape:
+        raise InvalidArgumentError(
+            f"depth and force have the shapes {d.shape} and {f.shape}: they must be two columns of one length"
+        )
+    if not (np.isfinite(d).all() and np.isfinite(f).all()):
+        raise InvalidArgumentError("depth and force are not allowed: they must be finite")
+    if len(d) < fewest:
+        raise InvalidArgumentError(f"too few points: {len(d)}; at least {fewest} are needed")
+    if np.ptp(d) == 0.0 or np.ptp(f) == 0.0:
+        raise InvalidArgumentError("depth or force is the same at all points: that is no curve")
+    return d, f
+
+
+class Segmentation(NamedTuple):
+    """Segments found from readings, and how far they can be trusted."""
+
+    segments: list[Segment]
+    noise: tuple[float, float]
+    """standard deviations of depth and force from reading to reading"""
+    unsure: list[int]
+    """segments whose way is less than twice what counts as a turn, by their places in `segments`"""
+
+
+def find_segments(depth: ArrayLike, force: ArrayLike) -> list[Segment]:
+    """Loading, holds and unloading in the order in which they were measured; see `segmentation`."""
+    return segmentation(depth, force).segments
+
+
+def segmentation(depth: ArrayLike, force: ArrayLike) -> Segmentation:
+    """Loading, holds and unloading in the order in which they were measured, cycles of any size.
+
+    Noise is taken as independent from reading to reading, its standard deviation from second differences. The curve turns where
+    depth and force, as parts of their ranges, together go back by 10 standard deviations of their sum; both must go the same way,
+    and for more points than a jump has. Between turns a point belongs to a hold where depth and force each change by less than 15 %
+    of the rate at which they usually change in that part, at an almost constant force or depth.
+    """
+    d, f = curve(depth, force, fewest=3)
+    noise = _noise(d), _noise(f)
+    turns = _turns(d, f)
+    parts: list[Segment] = []
+    for start, stop in pairwise(turns):
+        parts += _moves_and_holds(d, f, start, stop)
+    limit = 2.0 * _TURN * _noise(d / np.ptp(d) + f / np.ptp(f))
+
+    def is_small(part: Segment) -> bool:
+        """Whether a part of the curve goes hardly further than noise does."""
+        way = float(np.ptp(d[part.points]) / np.ptp(d) + np.ptp(f[part.points]) / np.ptp(f))
+        return part.kind != "hold" and way < limit
+
+    found = joined(parts)
+    # between two holds it is a ripple of one; beside one, of a few points or at one force, a part of it
+    kinds, few = ["", *(s.kind for s in found), ""], max(2, len(d) // _SHORTEST) + 1
+    holds = [(kinds[i] == "hold") + (kinds[i + 2] == "hold") for i in range(len(found))]
+    inside = [
+        is_small(s) and (beside == 2 or beside == 1 and (s.stop - s.start <= few or _is_at_one_force(f, s)))
+        for s, beside in zip(found, holds, strict=True)
+    ]
+    found = joined([s._replace(kind="hold") if still else s for s, still in zip(found, inside, strict=True)])
+    return Segmentation(found, noise, [i for i, s in enumerate(found) if is_small(s)])
+
+
+def kind_of_way(way: float, whole: float) -> str:
+    """What a segment is whose depth or height goes by `way`, in a record where it goes by `whole`."""
+    return "hold" if abs(way) < _MOVES * whole else "loading" if way > 0.0 else "unloading"
+
+
+def segments_of_numbers(numbers: NDArray[Any], depth: Array) -> tuple[Segment, ...] | None:
+    """Segments that a file counts, one number for each reading; None where it counts one."""
+    ends = [0, *(np.flatnonzero(np.diff(numbers)) + 1).tolist(), len(numbers)]
+    whole = float(np.ptp(depth)) if len(depth) else 0.0
+    kinds = [kind_of_way(float(depth[b - 1] - depth[a]), whole) for a, b in pairwise(ends) if b > a]
+    return tuple(Segment(kind, a, b) for kind, (a, b) in zip(kinds, pairwise(ends), strict=True)) if len(kinds) > 1 else None
+
+
+def _turns(d: Array, f: Array) -> list[int]:
+    """First point, the points where the curve turns, and the one past the last."""
+    s = d / np.ptp(d) + f / np.ptp(f)
+    n = len(s)
+    ends = _zigzag(s, _TURN * _noise(s))
+    shortest = max(2, n // _SHORTEST) + 1
+    least = _TOGETHER * _noise(d), _TOGETHER * _noise(f)
+    while len(ends) > 2:
+        legs = list(pairwise(ends))
+        ways = np.array([abs(s[b] - s[a]) for a, b in legs])
+        false = [i for i, (a, b) in enumerate(legs) if b - a < shortest or not _is_together(d, f, a, b, least)]
+        if not false:
+            break
+        worst = min(false, key=lambda i: float(ways[i]))
+        # without a leg its neighbours are one; the first and the last have one neighbour
+        drop = {worst, worst + 1} - {0, len(ends) - 1} if 0 < worst < len(legs) - 1 else {1 if worst == 0 else len(ends) - 2}
+        ends = [e for i, e in enumerate(ends) if i not in drop]
+    return [0, *(e + 1 for e in ends[1:-1]), n]
+
+
+def _is_together(d: Array, f: Array, a: int, b: int, least: tuple[float, float]) -> bool:
+    """Whether depth and force go the same way between two readings, both by more than their noise."""
+    ways = float(d[b] - d[a]), float(f[b] - f[a])
+    return ways[0] * ways[1] > 0.0 and abs(ways[0]) > least[0] and abs(ways[1]) > least[1]
+
+
+def _zigzag(s: Array, least: float) -> list[int]:
+    """First reading, the highest and lowest readings between which `s` goes by more than `least`, and the last one."""
+    ends = [0]
+    high = low = 0
+    direction = 0
+    for i in range(1, len(s)):
+        high, low = (i if s[i] >= s[high] else high), (i if s[i] <= s[low] else low)
+        if direction >= 0 and s[high] - s[i] > least:
+            if high > ends[-1]:
+                ends.append(high)
+            direction, low, high = -1, i, i
+        elif direction <= 0 and s[i] - s[low] > least:
+            if low > ends[-1]:
+                ends.append(low)
+            direction, low, high = 1, i, i
+    return [*ends, len(s) - 1]
+
+
+def _moves_and_holds(d: Array, f: Array, start: int, stop: int) -> list[Segment]:
+    """One way between two turns: the holds in it, and the rest as loading or unloading."""
+    h, p = d[start:stop], f[start:stop]
+    n, ranges = len(h), [float(np.ptp(v)) for v in (d[start:stop], f[start:stop])]
+    if n < 2 or not all(ranges):
+        return [Segment("hold", start, stop)]
+    kind = "loading" if (h[-1] - h[0]) / ranges[0] + (p[-1] - p[0]) / ranges[1] > 0.0 else "unloading"
+    # the noise of a rate is to be a tenth of what counts as still
+    noise = max(_noise(v) / r for v, r in zip((h, p), ranges, strict=True))
+    reach = max(2, n // _SHORTEST, min(n // _LONGEST, round(7.0 * noise * n)))
+    i = np.arange(n)
+    first, last = np.maximum(i - reach, 0), np.minimum(i + reach, n - 1)
+    still_both = np.ones(n, dtype=bool)
+    for v in (h, p):
+        speed = np.abs(v[last] - v[first]) / (last - first)
+        # the speed at which half of the way is passed: long holds do not count
+        order = np.argsort(speed)
+        way = np.cumsum(speed[order])
+        still_both &= speed < _STILL * speed[order][np.searchsorted(way, 0.5 * way[-1])]
+    held = np.zeros(n, dtype=bool)
+    for still, a, b in _runs(still_both.astype(np.int64)):
+        if still and b - a >= 3 * reach and _is_held(h, p, a, b, f):
+            held[a:b] = True
+    return [Segment("hold" if still else kind, start + a, start + b) for still, a, b in _runs(held.astype(np.int64))]
+
+
+def _is_held(h: Array, p: Array, a: int, b: int, force: Array) -> bool:
+    """Whether force or depth stay the same between two readings: a loading that begins slowly is no hold."""
+    rise = float(np.ptp(force))
+    level = abs(float(np.median(p[a:b])) - float(force.min()))
+    if level > _LEVEL * rise:
+        is_steady = np.ptp(p[a:b]) < _SAME * level + 6.0 * _noise(p) and np.ptp(h[a:b]) < _CREEP * np.ptp(h)
+        return bool(is_steady or np.ptp(h[a:b]) < _SAME * np.ptp(h))
+    return bool(np.ptp(h[a:b]) < 1e-3 * np.ptp(h) + 10.0 * _noise(h))
+
+
+def _is_at_one_force(f: Array, part: Segment) -> bool:
+    level = abs(float(np.median(f[part.points]) - f.min()))
+    return float(np.ptp(f[part.points])) < _LEVEL * level + 6.0 * _noise(f)
+
+
+def joined(parts: Iterable[Segment]) -> list[Segment]:
+    """Neighbours of one kind as one segment."""
+    found: list[Segment] = []
+    for part in parts:
+        if found and found[-1].kind == part.kind:
+            found[-1] = found[-1]._replace(stop=part.stop)
+        else:
+            found.append(part)
+    return found
+
+
+def _noise(values: Array) -> float:
+    """Standard deviation of the readings, from second differences, which slopes do not enter."""
+    return float(np.median(np.abs(np.diff(values, 2)))) / (0.6745 * math.sqrt(6.0)) if len(values) > 4 else 0.0
+
+
+def find_strays(values: ArrayLike) -> NDArray[np.intp]:
+    """Positions of single readings that lie far from both of their neighbours: where a curve jumps away and back at once."""
+    v = numbers("values", values)
+    if len(v) < 5:
+        return np.zeros(0, dtype=np.intp)
+    away = v[2:-2] - np.median([v[1:-3], v[2:-2], v[3:-1]], axis=0)
+    step = np.abs(np.diff(v))
+    usual = np.maximum(step[:-3], step[3:])
+    least = np.maximum(max(_FAR * float(np.ptp(v)), _FAR_NOISE * _noise(v)), _FAR_STEPS * usual)
+    return np.flatnonzero(np.abs(away) > least) + 2
+
+
+def _runs(state: NDArray[np.int64]) -> list[tuple[int, int, int]]:
+    ends = [0, *(np.flatnonzero(np.diff(state)) + 1).tolist(), len(state)]
+    return [(int(state[a]), a, b) for a, b in pairwise(ends)]
+
+
+def drift_rate(time: ArrayLike, depth: ArrayLike) -> Drift:
+    """The thermal drift during a hold at small load: slope of the depth against time over its last 80 % (Oliver and Pharr 1992).
+    The standard error allows for neighbouring readings that share their errors (effective number of points, see
+    `effective_points`)."""
+    t, d = curve(time, depth, fewest=5)
+    t, d = t[len(t) // 5 :], d[len(d) // 5 :]
+    if np.ptp(t) == 0.0:
+        raise InvalidArgumentError("time is the same at all points of the hold: it says no rate")
+    design = np.column_stack([np.ones_like(t), t - t.mean()])
+    (_, rate), *_ = np.linalg.lstsq(design, d, rcond=None)
+    left = d - d.mean() - rate * design[:, 1]
+    n = effective_points(left)
+    sd = math.sqrt(float(left @ left) / max(n - 2.0, 1.0) / len(left) * n)
+    error = sd / math.sqrt(float(design[:, 1] @ design[:, 1])) * math.sqrt(len(left) / n)
+    return Drift(float(rate), error)
+
+
+def effective_points(residuals: ArrayLike) -> float:
+    """How many independent readings residuals with the lag-1 correlation rho are worth: n (1 - rho)/(1 + rho) (Bartlett 1935), rho
+    freed of the bias that few points give it, (1 + 4 rho)/n; at least 3."""
+    r = np.asarray(residuals, dtype=float)
+    total = float(r @ r)
+    if len(r) < 4 or total == 0.0:
+        return float(len(r))
+    rho = float(r[1:] @ r[:-1]) / total
+    rho = min(max(rho + (1.0 + 4.0 * rho) / len(r), 0.0), 0.99)
+    return max(len(r) * (1.0 - rho) / (1.0 + rho), 3.0)
+
+
+def without_drift(time: ArrayLike, depth: ArrayLike, rate: float) -> Array:
+    """The depths freed of a drift that began with the first reading."""
+    t, d = numbers("time", time), numbers("depth", depth)
+    return np.asarray(d - number("rate", rate) * (t - t[0]))
+
+
+def find_pop_in(depth: ArrayLike, force: ArrayLike) -> PopIn | None:
+    """The first pop-in of a loading curve, None without one; up to there the contact was elastic.
+
+    It is a step of the depth 5 times larger than those about it and at least 1 % of the largest depth, at a force that does not
+    grow faster than before, and it stays: the ten readings behind it are deeper than the ten before it by half of the step at
+    least. A reading that strays and comes back is none.
+    """
+    d, f = curve(depth, force)
+    if len(d) < 2 * _NEIGHBOURS:
+        return None
+    step, rise = np.diff(d), np.diff(f)
+    # a fast jump is a few points wide
+    wide = d[3:] - d[:-3]
+    for i in range(_NEIGHBOURS, len(wide) - 1):
+        before = slice(max(0, i - _NEIGHBOURS), i)
+        usual = float(np.median(wide[before]))
+        noise = float(np.median(np.abs(step[before] - np.median(step[before])))) * 1.4826
+        if wide[i] < max(_LARGE_JUMP * np.ptp(d), _JUMP * abs(usual), 6.0 * noise):
+            continue
+        onset = i + int(np.argmax(step[i : i + 3]))
+        behind = d[i + 3 : i + 3 + _NEIGHBOURS]
+        if behind.min() - d[max(0, onset + 1 - _NEIGHBOURS) : onset + 1].max() < _STAYS * wide[i]:
+            continue
+        if np.sum(rise[i : i + 3]) > 3.0 * max(3.0 * float(np.median(rise[before])), 0.0) + 0.01 * np.ptp(f):
+            continue
+        return PopIn(onset, float(d[onset]), float(f[onset]), float(wide[i]))
+    return None

@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Which room of python/mdrcontact may import which."""
+
+import ast
+from collections.abc import Iterator
+from pathlib import Path
+
+from conftest import ROOT
+
+PACKAGE = ROOT / "python" / "mdrcontact"
+ORDER = ("contact", "problem", "instruments", "studies", "cli")
+"""A room imports its own files and the rooms before it. What has none of these names is of the room "contact"."""
+BESIDE = ("validation", "interop")
+"""These import any room; only `ENTRIES` and themselves import them."""
+ENTRIES = {
+    "__init__.py": ("instruments",),
+    "__main__.py": ("cli",),
+    "cli/validate.py": ("validation",),
+}
+"""Files that name a room beyond their own, for its users."""
+LATE = {
+    ("problem/section.py", "instruments"),
+    ("problem/friction.py", "instruments"),
+}
+"""A path in [history] or [friction] stands in a table, which the reader of instruments reads."""
+
+
+def room(parts: tuple[str, ...]) -> str:
+    return parts[0] if parts and parts[0] in (*ORDER, *BESIDE) else "contact"
+
+
+def imports(package: Path) -> Iterator[tuple[str, str, bool]]:
+    """File, imported room, and whether it is imported when the file is."""
+    for path in package.rglob("*.py"):
+        file = path.relative_to(package)
+        tree = ast.parse(path.read_text(encoding="utf-8"))
+        late = {
+            id(inner)
+            for node in ast.walk(tree)
+            if isinstance(node, ast.FunctionDef) or isinstance(node, ast.If) and ast.unparse(node.test) == "TYPE_CHECKING"
+            for inner in ast.walk(node)
+        }
+        for node in ast.walk(tree):
+            for parts in _imported(node, (package.name, *file.parts[:-1])):
+                if parts[0] == package.name:
+                    yield file.as_posix(), room(parts[1:]), id(node) not in late
+
+
+def _imported(node: ast.AST, folder: tuple[str, ...]) -> Iterator[tuple[str, ...]]:
+    if isinstance(node, ast.Import):
+        yield from (tuple(alias.name.split(".")) for alias in node.names)
+    elif isinstance(node, ast.ImportFrom):
+        origin = folder[: len(folder) - node.level + 1] if node.level else ()
+        origin += tuple(node.module.split(".")) if node.module else ()
+        yield from ((*origin, alias.name) for alias in node.names)
+
+
+def is_allowed(file: str, used: str, at_once: bool) -> bool:
+    own = room(tuple(file.split("/")[:-1]))
+    if used == own or used in ENTRIES.get(file, ()) or (file, used) in LATE and not at_once:
+        return True
+    if own in BESIDE:
+        return used not in BESIDE
+    return used in ORDER and ORDER.index(used) < ORDER.index(own)
+
+
+def test_rooms_import_only_those_before_them():
+    found = set(imports(PACKAGE))
+    assert {(own, used) for own, used, _ in found if own == "instruments/files/fit_file.py"} >= {
+        ("instruments/files/fit_file.py", "problem"),
+        ("instruments/files/fit_file.py", "contact"),
+    }
+    assert not {one for one in found if not is_allowed(*one)}
+
+
+def test_every_exception_is_needed():
+    found = set(imports(PACKAGE))
+    assert {(file, used, False) for file, used in LATE} <= found
+    assert {(file, used) for file, rooms in ENTRIES.items() for used in rooms} <= {(file, used) for file, used, _ in found}
+
+
+def test_a_wrong_import_is_found(tmp_path):
+    package = tmp_path / "mdrcontact"
+    (package / "problem").mkdir(parents=True)
+    (package / "problem" / "table.py").write_text("def f():\n    from ..cli import main\nfrom .. import studies, law\n")
+    (package / "law.py").write_text("import mdrcontact.problem.table\n")
+    wrong = {one for one in imports(package) if not is_allowed(*one)}
+    assert wrong == {("problem/table.py", "cli", False), ("problem/table.py", "studies", True), ("law.py", "problem", True)}
