@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Do the intervals of `mdi.fit` hold what they promise?
+"""Do the intervals of `mdrcontact.instruments.fit` hold what they promise?
 
 Synthetic force-depth curves of the exact layered medium with 1 % noise, 30 film/substrate systems, 200 repetitions of each:
 how often lies the true value inside the 95 % interval? Free are the film's modulus and its thickness, the latter known
@@ -131,7 +131,7 @@ def main() -> None:
     print(f"{len(rows) * arguments.repetitions / seconds:.0f} fits a second")
     if arguments.table:
         arguments.table.write_text(
-            "# Coverage of the intervals of `mdi.fit`\n\n"
+            "# Coverage of the intervals of `mdrcontact.instruments.fit`\n\n"
             f"Made by `python benchmarks/fit_recovery.py {shlex.join(sys.argv[1:])}`.\n\n{text}\n",
             encoding="utf-8",
         )

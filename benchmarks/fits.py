@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What a fit costs.
 
-A force-depth curve of 500 points, two free parameters: `mdi.fit` with the exact layered medium against a straightforward
+A force-depth curve of 500 points, two free parameters: `fit` with the exact layered medium against a straightforward
 `scipy.optimize.least_squares` whose forward model is the approximate medium, written with `scipy.integrate.quad`. Both fit the
 film's modulus and thickness from the same start; under a paraboloid, where the contact radius follows from the depth in closed
 form, and under a sphere, where it is the root of g(a) = d. Budget: 2 % of SciPy's time.
@@ -144,7 +144,7 @@ def folder() -> float:
 def main() -> int:
     """Both indenters, then the folder."""
     print("\n## Fits\n\nMade by `benchmarks/fits.py`: one curve of 500 points, modulus and thickness free, processor time.\n")
-    print("| indenter | SciPy, approximate medium | mdi.fit, exact medium | ratio, budget 2 % |\n|---|---|---|---|")
+    print("| indenter | SciPy, approximate medium | `fit`, exact medium | ratio, budget 2 % |\n|---|---|---|---|")
     ratios = [
         race("paraboloid", mdr.Paraboloid(R), paraboloid_radius, paraboloid_slope),
         race("sphere", mdr.Sphere(R), sphere_radius, sphere_slope),

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Do the intervals of `mdi.fit` hold what they promise where adhesion has a range?
+"""Do the intervals of `mdrcontact.instruments.fit` hold what they promise where adhesion has a range?
 
 Synthetic retractions of a ball from a soft half-space whose adhesion is between JKR's and DMT's, with noise of 2 % of the pull-off
 force whose neighbouring readings have the correlation 0.9; free are modulus, work of adhesion and cohesive stress. How often lies

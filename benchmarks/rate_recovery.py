@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Do the intervals of `mdi.fit_rate` hold what they promise?
+"""Do the intervals of `mdrcontact.instruments.fit_rate` hold what they promise?
 
 Synthetic retractions of a soft cantilever from a homogeneous body at three speeds, with noise of 2 % of the pull-off force whose
 neighbouring readings have the correlation 0.9; free are modulus, work of adhesion, v0 and n. How often lies the true value inside

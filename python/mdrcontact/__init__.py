@@ -104,7 +104,7 @@ __version__ = f"{_version() // 10000}.{_version() // 100 % 100}.{_version() % 10
 
 
 def __getattr__(name: str) -> Any:
-    """`instruments` is loaded when it is first asked for."""
+    """Loads `instruments` on first use."""
     if name != "instruments":
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
     return import_module("." + name, __name__)
