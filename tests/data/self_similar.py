@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The self-similar rows of wear.csv (delta, phi, f(0)) by their series in 40 digits; needs mpmath.
+"""The self-similar rows of wear.csv (delta, phi, f(0)) by their series in 40 digits, theory/wear.md (3.1)-(3.4); needs mpmath.
 
 f = r^n, a = V s, d = delta s^n, F = phi s^(n + 1) on a homogeneous body, E* = 1: the load Q(u) = sum c_j (1 - u^2)^(mu + j),
 mu = 1/2 + arctan(2 V)/pi, solves n Q - u Q' + |D| Q/(2 V) = n delta at points of |u| < 1. It converges as the fourth power of

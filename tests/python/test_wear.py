@@ -67,7 +67,7 @@ def late_radius(body, force, sliding):
 @pytest.mark.slow
 @pytest.mark.parametrize(("substrate", "force"), [(SOFT, 0.792316748517), (mdr.Elastic(9.1, 0.3), 1.62583672745)])
 def test_the_late_law_on_films(substrate, force):
-    """0.3 and 0.07 % at sigma = 10 h by the theory."""
+    """0.3 and 0.07 % at k E0* s = 10 h, the error of theory/wear.md (4.2)."""
     body = mdr.Coated(HARD, 1.0, substrate)
     states, _ = mdr.Wear(mdr.Contact(BALL, body), 1.0).advance(10.0, force=force)
     assert late_radius(body, force, 10.0) == pytest.approx(states.radius, rel=4e-3)

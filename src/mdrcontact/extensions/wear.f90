@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> A contact that wears by Archard's law, dh = k p ds (theory 11). The body keeps its shape and its layers unless said: everything
-!> here is exact on layered bodies.
+!> A contact that wears by Archard's law, dh = k p ds (theory/wear.md (1.1), (8.1), (8.2)). The body keeps its shape and its layers
+!> unless said: everything here is exact on layered bodies.
 module mdrcontact_wear
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_state, only: contact_state_t

@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> One step of gross sliding on a disc that moves with the edge of the contact (theory 11): of second order in the step and in the
-!> intervals, the contact radius included.
+!> One step of gross sliding on a disc that moves with the edge of the contact (theory/wear.md (5.1)-(5.6)): of second order in
+!> the step and in the intervals, the contact radius included.
 !>
 !> With hats phi_i in the disc of the new radius the contact is int phi_i (S p + f - d) 2 pi r dr = 0, i = 0 ... n, of which the
 !> last is the half hat inside the edge; unknowns are p at n radii and d. Each place of the indenter keeps int p ds, and

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Pressures on a disc of radius 1 as sums of hats, and what follows from them on the line (theory 11).
+!> Pressures on a disc of radius 1 as sums of hats, and what follows from them on the line (theory/wear.md (5.2), (5.3)).
 !>
 !> The hats phi_i are linear between the radii u_i = sin(pi/2 (i/n)^m), dense at the edge, and with m = 2 also at the axis,
 !> where the pressure under an apex is infinite at first; with m = 0 they are u_i = i/n. Their line loads

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> A contact that slides and wears as a whole, with the memory of what each place of its indenter has lost (theory 11).
+!> A contact that slides and wears as a whole, with the memory of what each place of its indenter has lost (theory/wear.md (1.1)).
 !>
 !> Two discs of n/2 and n intervals march side by side, the first with steps twice as long. Both are of second order: results are
 !> their extrapolation, and their difference states the error; it holds at the apex of a cone too, which wears off with errors of

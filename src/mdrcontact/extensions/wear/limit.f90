@@ -1,5 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Where fretting ends: a disc of radius c sticks for good, all outside slips and wears until it carries nothing (theory 11).
+!> Where fretting ends: a disc of radius c sticks for good, all outside slips and wears until it carries nothing:
+!> theory/wear.md (7.1)-(7.3).
 !>
 !> Inside c the profile is unworn, and the load that of the unworn disc of radius c pressed on as a flat punch,
 !>

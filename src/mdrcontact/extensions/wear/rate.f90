@@ -1,5 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Archard's law with a coefficient that changes with the worn depth, as under a coated tip that wears through.
+!> Archard's law with a coefficient that changes with the worn depth, as under a coated tip that wears through:
+!> theory/wear.md (8.3).
 !>
 !> dW = k(W) p ds at each place of the indenter: the worn depth W is a function of int p ds alone, piecewise linear where k is
 !> piecewise constant, and no step has to end where the coating does.

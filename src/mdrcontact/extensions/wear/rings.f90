@@ -1,5 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> One step of gross sliding on rings that are fixed on the indenter (theory 11): of first order, for any path of load and depth.
+!> One step of gross sliding on rings that are fixed on the indenter (theory/wear.md (6.1)): of first order, for any path of load
+!> and depth.
 !>
 !> With hats phi_i between fixed radii, areas A_i = int phi_i 2 pi r dr, and the pressure at the end of the step,
 !>

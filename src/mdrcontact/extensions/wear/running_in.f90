@@ -1,5 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> How a flat punch runs in (theory 11): what its pressure still differs by from that at the end falls as exp(-s/l) at last.
+!> How a flat punch runs in (theory/wear.md (4.4)-(4.6)): what its pressure still differs by from that at the end falls as
+!> exp(-s/l) at last.
 !>
 !> With the radius fixed the equation of wear on the line is linear, (L q)' = E0* d' - k E0*/(2 a) |D| q, L = 1 + K, x in units of
 !> a. In phi_j = sin((2 j + 1) t), x = cos t, |D| is diagonal, int phi_i |D| phi_j dx = (2 j + 1) (pi/2) delta_ij, and
