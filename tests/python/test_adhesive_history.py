@@ -64,7 +64,7 @@ def test_rows(row):
 
 @pytest.mark.slow
 def test_halved_steps():
-    """theory_adhesion_time 5: -1.404011, its limit -1.404014; and where the contact comes off like a flat punch."""
+    """-1.404014, the limit of halved steps of theory/adhesion.md (5.1)-(5.4); and where the contact comes off like a flat punch."""
     assert pulled(0.01, tolerance=2e-6).end["lowest_force"] / UNIT == pytest.approx(-1.404014, abs=5e-6)
     fine, coarse = (pulled(1.0, tolerance=t).end["lowest_force"] for t in (1e-5, 1e-3))
     assert coarse == pytest.approx(fine, rel=2e-4)

@@ -123,7 +123,7 @@ def test_fast_edges_scale(p, n):
 
 
 def test_soft_springs_lower_the_pull_off():
-    """theory_adhesion_time 3: beta = 100, n = 0.33, K/(E* a_J) = 10, 1, 0.1: 3.914, 3.414, 2.519; the preload is forgotten."""
+    """theory/adhesion.md (3.3): beta = 100, n = 0.33, K/(E* a_J) = 10, 1, 0.1: 3.914, 3.414, 2.519; the preload is forgotten."""
     unit = 1e-3 ** (1.0 / 3.0)
     contact = mdr.Contact(TIP, HALF_SPACE, adhesion=mdr.RateAdhesion(1e-3, 1e-3, 0.33))
     state = contact.at_radius(5.0 * unit)
@@ -166,7 +166,7 @@ def test_energy_under_a_spring():
     (0.25, 0.01, 1.2803, True), (0.25, 0.1, 2.1935, True), (0.25, 1.0, 4.2814, True),
 ])  # fmt: skip
 def test_pull_off_of_a_viscoelastic_surface(stress, speed, expected, warns):
-    """theory_adhesion_time 6, column B + C, and that the law's range is watched."""
+    """theory/adhesion.md (4.2) in (3.3), its section 6, and that the law's range is watched."""
     contact = mdr.Contact(TIP, mdr.Homogeneous(RUBBER.relaxed), adhesion=mdr.RateAdhesion.from_rheology(RUBBER, 0.01, stress))
     start = contact.at_radius(0.6).depth
     with warnings.catch_warnings(record=True) as caught:

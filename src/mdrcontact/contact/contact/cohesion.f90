@@ -1,6 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Adhesion with a range: bodies whose surfaces pull on each other with a constant cohesive stress sigma up to a gap of gamma/sigma
-!> (Dugdale; Maugis, J. Colloid Interface Sci. 150 (1992) 243), at one contact radius or, without contact, one radius of the zone.
+!> (Dugdale; Maugis, J. Colloid Interface Sci. 150 (1992) 243), at one contact radius or, without contact, one radius of the zone:
+!> theory/adhesion.md (2.5), (2.7), (2.10).
 module mdrcontact_contact_cohesion
     use mdrcontact_nonfinite, only: is_finite
     use mdrcontact_contact_state, only: contact_state_t

@@ -3,7 +3,7 @@
 !>
 !> Inside, p and u are those of d - g and of what the kernel adds, without a singular edge; the zone's load adds
 !>     p(r) = -(2 sigma/pi) atan sqrt((c^2 - a^2)/(a^2 - r^2)), r < a,     u(r) = (2/pi) int_a^r w(x)/sqrt(r^2 - x^2) dx, r > a,
-!> w = q/E0* + K q/E0* on the zone and beyond it (theory 6).
+!> w = q/E0* + K q/E0* on the zone and beyond it: theory/adhesion.md (2.8), (2.9).
 module mdrcontact_contact_zone_fields
     use mdrcontact_contact_cohesion, only: cohesion_t
     use mdrcontact_contact_state, only: contact_state_t

@@ -1,6 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Approach, dwell, retraction and pull-off of an indenter on a viscoelastic half-space whose surface it attracts: the march of
-!> extensions/adhesion/cohesive_march.f90 with steps that are halved until nothing changes any more; second order, extrapolated.
+!> Approach, dwell, retraction and pull-off of an indenter on a viscoelastic half-space whose surface it attracts
+!> (theory/adhesion.md (5.1)-(5.4)): the march of adhesion/cohesive_march.f90 with steps that are halved until nothing changes any
+!> more; second order, extrapolated.
 module mdrcontact_adhesion_cohesive_history
     use mdrcontact_cancel, only: check_cancelled, report_progress
     use mdrcontact_contact_control, only: control_t

@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> An indenter on a viscoelastic half-space whose surface it attracts (cohesive zone of Dugdale), step by step. Of the springs of
-!> extensions/adhesion/cohesive_spring.f90
+!> An indenter on a viscoelastic half-space whose surface it attracts (cohesive zone of Dugdale), step by step:
+!> theory/adhesion.md (5.3), (5.4). Of the springs of adhesion/cohesive_spring.f90
 !>     x < a: w = d - g;      w(a) = d - g(a) with q(a) = -2 sigma sqrt(c^2 - a^2);
 !>     h(c) = (2/pi) int_a^c [w - (d - g)]/sqrt(c^2 - x^2) dx = gamma/sigma
 !> determine c and d for each a, and what a machine controls determines a. Without contact, a = 0, d follows from c. Memories live

@@ -2,7 +2,8 @@
 !> A contact whose work of adhesion depends on the speed of its edge: all that a step in time reads, sampled once over the radius.
 !>
 !> At one contact radius all states differ by the flat punch's: d = d0(a) - e, F = F0(a) - k(a) e, and the energy release rate is
-!> G = (e/D(a))^2, D the opening dl(a) at a work of adhesion of 1. What a machine controls, s = w_d d + w_F F, determines e.
+!> G = (e/D(a))^2, D the opening dl(a) at a work of adhesion of 1. What a machine controls, s = w_d d + w_F F, determines e:
+!> theory/adhesion.md (1.1)-(1.4).
 module mdrcontact_adhesion_rate_contact
     use mdrcontact_object, only: room
     use mdrcontact_contact, only: contact_t

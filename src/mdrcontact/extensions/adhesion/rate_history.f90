@@ -1,5 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The path of a contact whose work of adhesion depends on the speed of its edge: approach, dwell, retraction, pull-off.
+!> The path of a contact whose work of adhesion depends on the speed of its edge: approach, dwell, retraction, pull-off
+!> (theory/adhesion.md (3.3)).
 module mdrcontact_adhesion_rate_history
     use mdrcontact_cancel, only: check_cancelled, report_progress
     use mdrcontact_contact_control, only: control_t

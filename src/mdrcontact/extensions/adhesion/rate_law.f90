@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> A work of adhesion that depends on the speed v of the contact's edge: opening (v > 0) and closing (v < 0) each by a law of
-!> their own (Gent, Schultz, J. Adhesion 3 (1972) 281; Maugis, Barquins, J. Phys. D 11 (1978) 1989):
+!> their own, theory/adhesion.md (3.1), (3.2); Gent, Schultz, J. Adhesion 3 (1972) 281; Maugis, Barquins, J. Phys. D 11 (1978) 1989:
 !>     v > 0:  G = work (1 + (v/speed)^exponent)
 !>     v < 0:  G = closing_work/(1 + (|v|/closing_speed)^closing_exponent)
 !> Between closing_work and work the edge stands still. Or both follow from how the surface relaxes, see

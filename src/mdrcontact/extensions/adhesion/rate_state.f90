@@ -1,5 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> What is remembered of a contact whose work of adhesion depends on the speed of its edge, and what a step in time makes of it.
+!> What is remembered of a contact whose work of adhesion depends on the speed of its edge, and what a step in time makes of it
+!> (theory/adhesion.md (3.4)).
 module mdrcontact_adhesion_rate_state
     use, intrinsic :: iso_c_binding, only: c_double
     use mdrcontact_adhesion_rate_contact, only: edge_t, edge_equation_t, rate_contact_t

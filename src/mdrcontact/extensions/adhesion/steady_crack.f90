@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> A crack along a viscoelastic surface that moves at a constant speed under a constant cohesive stress sigma: what its work of
 !> adhesion seems to be to the relaxed body around (Greenwood, Johnson, Phil. Mag. A 43 (1981) 697; Schapery, Int. J. Fracture 11
-!> (1975) 141). J(t) is the creep compliance of 1/E*, l the length of the cohesive zone, x = l/v:
+!> (1975) 141): theory/adhesion.md (4.1)-(4.3). J(t) is the creep compliance of 1/E*, l the length of the cohesive zone, x = l/v:
 !>     opening:  m = int_0^1 J(x u) A(u) du,        G/gamma0 = J(inf)/m,                               l = pi gamma0/(4 sigma^2 m)
 !>     closing:  m = int_0^1 J(x u) [B - A](u) du,  G/gamma0 = [int_0^1 J(x u) B(u) du]^2/(4 J(inf) m),     l as before
 !> with A(u) = arcosh(u^(-1/2)), B(u) = (1 - u)^(-1/2), whose integrals are 1 and 2.

@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> A contact of radius a with a cohesive zone a < r < c, in which the bodies pull on each other with a constant stress sigma
-!> (Dugdale 1960, Maugis 1992), on any layered body. The zone's line load is known, q = -2 sigma sqrt(c^2 - x^2), and the pressure
-!> is finite at a if q is continuous there:
+!> (Dugdale 1960, Maugis 1992), on any layered body: theory/adhesion.md (2.1)-(2.6). The zone's line load is known,
+!> q = -2 sigma sqrt(c^2 - x^2), and the pressure is finite at a if q is continuous there:
 !>     x < a:  q + K_a q = E0* (d - g) - K q_zone,     q(a) = -2 sigma sqrt(c^2 - a^2)
 !>     gap at c:  h(c) = (2/pi) int_a^c [w - (d - g)]/sqrt(c^2 - x^2) dx,     E0* w = q + K q on the zone.
 !> The matrix of the left-hand side belongs to a alone: it is factorized once, and each length of the zone costs products with the

@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> What the load of a cohesive zone, q = -2 sigma sqrt(c^2 - x^2) on a < |x| < c, adds to the displacement in the zone where the
-!> kernel X varies at all lengths: (K q)(x) by panels that grow with the distance from x (theory 6).
+!> kernel X varies at all lengths: (K q)(x) by panels that grow with the distance from x: theory/adhesion.md (2.4).
 module mdrcontact_line_zone_effect
     use mdrcontact_error, only: error_no_convergence, error_t, raise
     use mdrcontact_kinds, only: pi, wp
