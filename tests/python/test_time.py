@@ -407,6 +407,7 @@ def test_ting_against_direct_integration(exponent):
 
 
 def test_power_law_closed_form():
+    """theory/time.md (2.5)."""
     alpha, rate = 0.4, 0.5
     contact = mdr.Contact(mdr.Paraboloid(2.0), mdr.Homogeneous(mdr.PowerLawRheology(1.0, 1.0, alpha, nu=0.5)))
     time = np.linspace(0.0, 1.6, 17)

@@ -3,7 +3,7 @@
 !> compliances that belong to them, J(t) = instant + sum weight_j (1 - exp(-rate_j t)) + fluidity t.
 !>
 !> Q(s) = s times the Laplace transform of f(t). Its zeros lie at s = -p, p > 0, one between neighbouring rates: they are the rates
-!> of the compliance, whose transform is 1/Q.
+!> of the compliance, whose transform is 1/Q: theory/time.md (1.1)-(1.4).
 module mdrcontact_material_prony
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_lapack, only: dsyev

@@ -2,7 +2,7 @@
 !> An isotropic linear viscoelastic material: how its shear modulus relaxes, and what its Poisson's ratio or bulk modulus is.
 !>
 !> Laplace transforms of moduli are multiplied by s, so that s = i omega gives the complex modulus and an elastic formula holds
-!> between them as it stands.
+!> between them as it stands: theory/time.md (1.5)-(1.7).
 module mdrcontact_material_rheology
     use mdrcontact_parameter, only: nature_fraction, nature_not_negative, nature_poisson, parameter_t
     use mdrcontact_error, only: check_not_negative, check_poisson, check_positive, count_text, error_invalid, error_t, raise, &

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Histories of a body whose materials relax in proportion, from its elastic curve (theory of time 2 and 3): while the contact
+!> Histories of a body whose materials relax in proportion, from its elastic curve (theory/time.md (3.1), (3.2)): while the contact
 !> grows, F(t) = int phi(t - u) dF_el(d(u)) (Lee, Radok, J. Appl. Mech. 27 (1960) 438); after the one maximum of d the contact is as
 !> large as it was at the time t1 at which int_t1^t phi(t - u) d'(u) du = 0, and F(t) = int_0^t1 (Ting, J. Appl. Mech. 33 (1966)
 !> 845).

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Any history of any viscoelastic stack, step by step (theory of time 6):
+!> Any history of any viscoelastic stack, step by step (theory/time.md (6.1)-(6.5)):
 !>     J_g q + sum J_l z_l(x) + (2/pi) int cos(kx) [X_g q^ + sum R_m y_m] dk = d(t) - g(x),   x < a(t)
 !>     th_l dz_l/dt = q - z_l,    th_m dy_m/dt = q^ - y_m
 !> with q linear in time over a step. The memory y of the smooth part lives in k-space and never needs to know a(t); that of the

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The memory of a viscoelastic body (theory of time 5): w^(k, t) = c(k, .) * dq^(k, .), with
+!> The memory of a viscoelastic body (theory/time.md (5.1), (5.2)): w^(k, t) = c(k, .) * dq^(k, .), with
 !>     c(k; s) = 1/E0*(s) + c~(k; s),    1/E0* = J_g + sum J_l/(1 + s th_l),    c~ = X_g(k) + sum R_m(k)/(1 + s th_m).
 !>
 !> The first part is local in x. The times of the second are common to all k, spread over those of the materials, and R_m(k) are

@@ -2,7 +2,7 @@
 !> Histories under a prescribed force of a body whose materials relax in proportion, from its elastic curve: whenever the contact is
 !> as large as it ever was, F_el(t) = int j(t - u) dF(u), j the creep function (Lee, Radok, J. Appl. Mech. 27 (1960) 438), whatever
 !> it did before: the springs outside carried nothing then, so that the sum of their displacements over the contact is F_el
-!> (theory of time 2).
+!> (theory/time.md (3.3), (3.4)).
 !>
 !> In between, where a force that wavers lets the contact shrink, F_el misses what the springs between a and the largest radius A
 !> still remember. They lie above the line of the indenter by at most d(A) - d(a), and of that by what creep adds; a glassy spring

@@ -35,7 +35,7 @@ module mdrcontact_medium_viscoelastic
         integer :: model = models%exact
         !> the model's options
         type(model_options_t) :: options
-        !> whether all materials relax in proportion: every state then follows from the elastic ones (theory of time 3)
+        !> whether all materials relax in proportion: every state then follows from the elastic ones (theory/time.md (3.1))
         logical :: is_proportional = .false.
         !> the elastic body whose contact modulus is multiplied by `relaxation_shape`, where they do: the glassy one without
         !> dashpots, with power laws at their unit of time
