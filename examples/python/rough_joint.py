@@ -42,7 +42,8 @@ def gauss(count, start, end):
 
 
 def joint(law, separation, points=200, reach=9.0):
-    """Of a unit of asperities whose summits are N(0, DEVIATION): pressure, area, stiffness, sum of radii."""
+    """Of a unit of asperities whose summits are N(0, DEVIATION): pressure, area, stiffness, sum of radii
+    (theory/rough.md (2.1)-(2.3))."""
     top = max(separation, 0.0) + reach * DEVIATION
     t, weights = gauss(points, 0.0, 1.0)
     z = separation + (top - separation) * t**2
@@ -83,7 +84,8 @@ def factors(ratio, thickness, separations=(1.0, 3.0)):
 
 
 def lattice_constant(medium, surface_modulus, side):
-    """c of D = d + c F, to first order in (a/L)^2: what the other asperities of a square array lift the one in the middle by."""
+    """c of D = d + c F, to first order in (a/L)^2: what the other asperities of a square array lift the one in the middle by
+    (theory/rough.md (3.2))."""
 
     def excess(k):
         return medium.compliance(k) - 2.0 / (surface_modulus * k)
@@ -103,7 +105,8 @@ def lattice_constant(medium, surface_modulus, side):
 
 
 def persson(compliance: Callable, pressure, hurst=0.8, first=4.0, last=32.0, points=400):
-    """Variance of the pressure of full contact, contact area and mean gap of a self-affine surface of mean square slope 1."""
+    """Variance of the pressure of full contact, contact area and mean gap of a self-affine surface of mean square slope 1
+    (theory/rough.md (4.1), (4.4))."""
     x, weights = gauss(points, math.log(first), math.log(last))
     q = np.exp(x)
     spectrum = q ** (-2.0 * (1.0 + hurst))

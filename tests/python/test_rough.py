@@ -31,7 +31,7 @@ def ratio_of(case):
 
 
 def test_lattice(rough):
-    """d + c F to the digits of the table; against the solver in the plane the errors that section 3 of the theory states."""
+    """theory/rough.md (3.1) to the digits of the table; against the solver in the plane the errors that the page states."""
     errors = {}
     for row in rows("lattice"):
         medium = rough["coated"](ratio_of(row["case"]), 0.5, 1.0)
