@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Makes conduction_contrast.csv: conductance of a spot on one film, to 20 digits, at contrasts from 1e-6 to 1e6 (needs mpmath).
 
-Nothing is shared with the library but the theory: the equation on the line in even Legendre polynomials is assembled in k space
-from spherical Bessel functions and the closed compliance of a film, in 32 digits. Film of thickness 1 and conductivity 1 on a
-half-space of conductivity 1/contrast.
+Nothing is shared with the library but theory/conduction.md (1.4), (2.1), (2.2): the equation on the line in even Legendre
+polynomials is assembled in k space from spherical Bessel functions and the closed compliance of a film, in 32 digits.
+Film of thickness 1 and conductivity 1 on a half-space of conductivity 1/contrast.
 """
 
 import mpmath as mp

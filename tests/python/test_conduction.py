@@ -272,7 +272,7 @@ def conductance_of(sigma):
 
 
 def test_asymptotes():
-    """Dryden's thick film, and a thin one on a perfect base."""
+    """Dryden's thick film, a thin one on a perfect base, an insulated one: theory/conduction.md (2.5), (2.6), (6.3)."""
     film = mdr.Conduction(mdr.LayeredConductor([(mdr.Conductor(5.0), 1.0)], mdr.Conductor(1.0)))
     a = 0.02
     expected = 1.0 / (4.0 * 5.0 * a) + np.log(3.0) / (2.0 * np.pi * 5.0)
@@ -286,6 +286,7 @@ def test_asymptotes():
 
 
 def test_short_and_long_times():
+    """theory/conduction.md (9.7), (9.8)."""
     body = mdr.LayeredConductor([(mdr.Conductor(2.0, None, 1.0), 1.0), mdr.Interface(0.2)], mdr.Conductor(1.0, None, 3.0))
     spot = mdr.Conduction(body)
     t = 1e-4
@@ -354,6 +355,7 @@ def test_conductance_along_a_load(gamma):
 
 
 def test_homogeneous_bodies_obey_barber():
+    """theory/conduction.md (8.2)."""
     for profile in (mdr.Cone(0.2), mdr.Paraboloid(3.0), mdr.FlatPunch(0.4)):
         material = mdr.Elastic(3.0, 0.25, mdr.Conductor(2.0))
         body = mdr.Homogeneous(material)
@@ -364,7 +366,7 @@ def test_homogeneous_bodies_obey_barber():
 
 
 def test_heat_of_homogeneous_bodies():
-    """Closed forms: of a paraboloid; of a cone T(0) = int p dr/S; shares of half-spaces."""
+    """Closed forms, theory/conduction.md (10.1): of a paraboloid; of a cone T(0) = int p dr/S; shares of half-spaces."""
     body = mdr.Homogeneous(mdr.Elastic(2.0, 0.3))
     contact = mdr.Contact(mdr.Paraboloid(5.0), body)
     state = contact.at_radius(0.4)
@@ -892,7 +894,8 @@ def test_resistances_of_rough_surfaces_may_be_small():
 
 
 def test_a_rough_punch_is_two_resistances_in_series():
-    """Under a flat punch on a half-space the flux stays that of the smooth spot: 1/G = 1/(4 S a) + kappa/F."""
+    """Under a flat punch on a half-space the flux stays that of the smooth spot: 1/G = 1/(4 S a) + kappa/F,
+    theory/conduction.md (4.13)."""
     punch = mdr.Contact(mdr.FlatPunch(0.4), mdr.Homogeneous(mdr.Elastic(1.0, 0.3))).at_depth(0.01)
     for part in (1e-8, 1e-3, 1.0, 100.0):
         assert 1.0 / HALF.rough(punch, part * punch.force) == pytest.approx(1.0 / 1.6 + part, rel=1e-11)

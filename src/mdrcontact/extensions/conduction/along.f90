@@ -1,5 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Conductance along the loading of a contact: G at the radius of each state, dG/dd = G'(a)/d'(a) and dG/dF = G'(a)/F'(a).
+!> Conductance along the loading of a contact: G at the radius of each state, dG/dd = G'(a)/d'(a) and dG/dF = G'(a)/F'(a)
+!> (theory/conduction.md (8.1)).
 !>
 !> Without adhesion d' is the solver's own and F' = k d'. With it the opening of the edge is differentiated, of which a central
 !> difference of fourth order takes some 1e-9.

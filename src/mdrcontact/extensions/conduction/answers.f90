@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> What a spot answers in time: at a frequency, and after a step.
+!> What a spot answers in time: at a frequency, and after a step (theory/conduction.md (9.3)-(9.5)).
 !>
 !> Steps come from an inverse Laplace transform on parabolas (Weideman, Trefethen, Math. Comp. 76 (2007) 1341), one for all times up
 !> to a factor apart: singularities lie on the negative axis.

@@ -1,6 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Even Legendre polynomials in Fourier space for kernels in time, whose chi falls as k^-2 alone:
-!>     A_ij = delta_ij + (2/pi) int_0^inf chi b_i b_j dk,  b_j = sqrt(4j + 1) (-1)^j j_2j(k),  k in units of 1/a.
+!>     A_ij = delta_ij + (2/pi) int_0^inf chi b_i b_j dk,  b_j = sqrt(4j + 1) (-1)^j j_2j(k),  k in units of 1/a
+!> (theory/conduction.md (9.1)).
 !>
 !> Beyond the last node j_l = (h_l + conj h_l)/2 splits products into their mean, which is smooth, and waves exp(+-2 i k), which
 !> fall along the imaginary direction: nothing is cut off.

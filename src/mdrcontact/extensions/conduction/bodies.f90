@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> One or two conductors that exchange a flux through a circular spot, and the kernels of their springs: compliances of both sides
-!> add, 1/S_0 = 1/S_1 + 1/S_2 of the surface layers and X = S_0 (X_1/S_1 + X_2/S_2).
+!> add, 1/S_0 = 1/S_1 + 1/S_2 of the surface layers and X = S_0 (X_1/S_1 + X_2/S_2): theory/conduction.md (3.1).
 module mdrcontact_conduction_bodies
     use mdrcontact_conduction_compliance, only: flux_compliance_t, new_flux_compliance
     use mdrcontact_conduction_conductors, only: conductors_t, insulating_base

@@ -1,5 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The steady surface compliance of a conductor as the solver of the springs takes it: E_0* stands for 2 S_0.
+!> The steady surface compliance of a conductor as the solver of the springs takes it: E_0* stands for 2 S_0
+!> (theory/conduction.md (1.4), (2.1)).
 !>
 !> Unbounded layers on an insulating base have no finite conductance, chi grows as 1/(H_s k). What they are less one sheet of the
 !> same conductance along the surface, coth(k H_s), is tabulated instead (mdrcontact_conduction_sink has the rest).

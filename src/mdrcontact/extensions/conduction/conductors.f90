@@ -5,7 +5,7 @@
 !> and thickness h sqrt(sigma_r/sigma_z). With heat capacity c and Laplace variable s its waves fall as exp(-kappa z),
 !> kappa = sqrt(k^2 + s c/sigma_r). Potential over flux density C(k) goes from the bottom of a layer to its top as
 !>     C = (y C_b + t)/(y (1 + y C_b t)),  y = S kappa,  t = tanh(kappa H),
-!> and S_0 k C = sigma = 1 + chi at the surface.
+!> and S_0 k C = sigma = 1 + chi at the surface: theory/conduction.md (1.1)-(1.5).
 module mdrcontact_conduction_conductors
     use mdrcontact_codes, only: half_space_base => base_half_space, insulating_base => base_insulating, &
                                 perfect_base => base_perfect

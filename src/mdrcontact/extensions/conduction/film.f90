@@ -3,7 +3,8 @@
 !>
 !>     j(r) = sum c_n P_n(1 - 2 r^2/a^2),  j_hat = a^2 sum c_n J_(2n+1)(ka)/(ka),  A c = V (a^2/2) e_0,  G = pi a^2 c_0/V
 !>     A_mn = (a^3/S_0) [N_mn + int_0^inf chi(z/a) J_(2m+1)(z) J_(2n+1)(z) z^-2 dz] + R_c (a^2/2) delta_mn/(2n + 1)
-!> The flux is finite at the edge with (a - r) ln(a - r), so that G by n terms is off by n^-6, which one extrapolation removes.
+!> The flux is finite at the edge with (a - r) ln(a - r), so that G by n terms is off by n^-6, which one extrapolation removes:
+!> theory/conduction.md (4.1)-(4.8).
 module mdrcontact_conduction_film
     use, intrinsic :: iso_c_binding, only: c_int
     use mdrcontact_conduction_bodies, only: conduction_t, tolerance

@@ -1,5 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> A spot with a film in it at one Laplace variable: the equation of mdrcontact_conduction_film with chi(k, s), which falls as k^-2.
+!> A spot with a film in it at one Laplace variable: the equation of mdrcontact_conduction_film with chi(k, s), which falls as k^-2
+!> (theory/conduction.md (4.3)-(4.5)).
 module mdrcontact_conduction_film_in_time
     use mdrcontact_conduction_bodies, only: conduction_t
     use mdrcontact_conduction_film, only: of_half_space, odd_waves

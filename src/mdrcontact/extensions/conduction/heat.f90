@@ -2,7 +2,8 @@
 !> Temperatures under the heat of friction: w = (1 + K_1) q_1/(2 S_1) on the line, whatever heat q_1 enters the lower body.
 !>
 !> Of two bodies on both of which the source rests (small amplitudes or speeds), each takes what makes the temperatures equal all
-!> over the contact: (C_1 + C_2) q_1 = C_2 q. One body takes it all.
+!> over the contact: (C_1 + C_2) q_1 = C_2 q. One body takes it all
+!> (theory/conduction.md (5.3), (10.2), (10.3)).
 module mdrcontact_conduction_heat
     use mdrcontact_conduction_bodies, only: conduction_t, tolerance
     use mdrcontact_conduction_inside, only: fields_inside

@@ -1,6 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Potential and flux density in a conductor under a steady flux through a spot, whose line load is a Legendre series:
-!> the closed ones of a half-space of the surface material, and as an integral over wavenumbers what the layers below it add.
+!> the closed ones of a half-space of the surface material, and as an integral over wavenumbers what the layers below it add
+!> (theory/conduction.md (7.1)-(7.5)).
 module mdrcontact_conduction_inside
     use mdrcontact_conduction_conductors, only: conductors_t, half_space_base, insulating_base, layer_at, perfect_base
     use mdrcontact_conduction_oblate, only: oblate_sum

@@ -2,7 +2,8 @@
 !> The heat of friction of a source that moves over the lower body at any speed: what it adds to the source at rest,
 !>     T(x) - T_static(x) = (1/S_0) int j_hat(k) (2/pi) int_0^(pi/2) Re[dchi exp(i k x cos phi)] dphi dk,
 !>     dchi = chi(k, i v k cos phi) - chi(k, 0)
-!> at a distance x behind the centre; with J_0 in the place of the last factor, means.
+!> at a distance x behind the centre; with J_0 in the place of the last factor, means
+!> (theory/conduction.md (10.5), (10.6), (10.8)).
 module mdrcontact_conduction_moving
     use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_conduction_bodies, only: conduction_t

@@ -2,7 +2,7 @@
 !> Potentials of line loads P_2j(x/a) on a homogeneous half-space, in closed form. With oblate coordinates
 !> r = a sqrt((1 + zeta^2)(1 - mu^2)), z = a zeta mu,
 !>     int_0^a P_2j(x/a) Re[1/sqrt(r^2 + (z + i x)^2)] dx = (-1)^j P_2j(mu) q_2j(zeta),  Q_n(i zeta) = (-i)^(n+1) q_n(zeta)
-!> (Neumann's integral on the focal disc; Hobson, Spherical and Ellipsoidal Harmonics, 1931).
+!> (theory/conduction.md (7.4); Neumann's integral on the focal disc; Hobson, Spherical and Ellipsoidal Harmonics, 1931).
 module mdrcontact_conduction_oblate
     use mdrcontact_kinds, only: half_pi, wp
     implicit none (type, external)

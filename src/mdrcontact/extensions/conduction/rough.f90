@@ -3,7 +3,8 @@
 !>
 !> With j = w sum c_n P_n(1 - 2 r^2/a^2), w = sqrt(1 - r^2/a^2), line loads are polynomials times 1 - u^2, and with their Legendre
 !> coefficients T_nj and the springs' matrix H
-!>     [(a/(4 pi S_0)) T (1 + H) T^t + int R_c j_m j_n r dr] c = f = (a sqrt(2)/(2 pi)) T_.0,  G = 2 pi (f, c)   (V = 1).
+!>     [(a/(4 pi S_0)) T (1 + H) T^t + int R_c j_m j_n r dr] c = f = (a sqrt(2)/(2 pi)) T_.0,  G = 2 pi (f, c)   (V = 1)
+!> (theory/conduction.md (4.9), (4.10)).
 !> Where R_c is small, or p not smooth, its terms do not fall: then by panels (rough_panels.f90).
 module mdrcontact_conduction_rough
     use mdrcontact_conduction_bodies, only: conduction_t, tolerance

@@ -2,7 +2,7 @@
 !> Layers on an insulating base, whose flux leaves at a sink r = b: the part of the kernel that a sheet of the same conductance
 !> along the surface makes,
 !>     X_b(y) = [ln(b/(4 H_s)) - Re psi(1 + i y/(2 H_s))]/H_s,
-!> exact but for exp(-pi (b - a)/H). Potentials count from the sink.
+!> exact but for exp(-pi (b - a)/H). Potentials count from the sink: theory/conduction.md (6.1), (6.2).
 module mdrcontact_conduction_sink
     use mdrcontact_gsl, only: gsl_sf_psi_1piy
     use mdrcontact_kinds, only: wp

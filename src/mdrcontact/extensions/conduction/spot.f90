@@ -1,6 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The steady equipotential spot: a flat punch whose depth is the potential and whose force is the flux, with E_0* = 2 S_0:
-!>     G = 4 S_0 int_0^a q_1 dx,  dG/da = 4 S_0 q_1(a)^2.
+!>     G = 4 S_0 int_0^a q_1 dx,  dG/da = 4 S_0 q_1(a)^2
+!> (theory/conduction.md (2.1)-(2.3)).
 module mdrcontact_conduction_spot
     use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_conduction_bodies, only: conduction_t, tolerance

@@ -1,5 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> A spot at one Laplace variable s, or at i omega: conductance of an equipotential spot, and potentials under a given flux.
+!> A spot at one Laplace variable s, or at i omega: conductance of an equipotential spot, and potentials under a given flux
+!> (theory/conduction.md (5.1), (5.2), (9.1), (9.2), (9.6)).
 module mdrcontact_conduction_transient
     use mdrcontact_codes, only: gaussian => gaussian_potential, uniform_centre => centre_potential, &
                                 uniform_mean => mean_potential
