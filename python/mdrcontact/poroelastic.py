@@ -260,7 +260,7 @@ def history(
 def _punch_history(
     contact: Any, t: NDArray[np.float64], name: str, values: NDArray[np.float64], drainage: str | None
 ) -> tuple[NDArray[np.float64], ...]:
-    """By superposition: a jump at the first time, and a ramp from each kink of the path on."""
+    """By superposition, theory/poroelastic.md (5.4): a jump at the first time, and a ramp from each kink of the path on."""
     handle, modulus, diffusivity, a = _answers(contact.medium, float(contact.indenter.radius), drainage)
     one, mean = (_layout.RELAXATION, _layout.MEAN_RELAXATION) if name == "depth" else (_layout.CREEP, _layout.MEAN_CREEP)
 

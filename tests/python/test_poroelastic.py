@@ -91,6 +91,7 @@ def test_limits_of_films_are_elastic(drainage, ratio):
 
 
 def test_curve_of_lai_and_hu():
+    """theory/poroelastic.md (7.1)."""
     tau = np.geomspace(1e-3, 10.0, 60)
     root = np.sqrt(tau)
     published = 0.242 * np.exp(-3.13 * tau) + 0.536 * np.exp(-1.71 * root)
@@ -134,7 +135,8 @@ def test_early_pressure_is_that_of_the_incompressible_body():
 
 
 def test_pore_pressure_of_a_sealed_surface():
-    """By SciPy: a dense rule in k, waves summed up to k = 4000, another inverse transform (16 points)."""
+    """By SciPy, theory/poroelastic.md (3.2), (5.6): a dense rule in k, waves summed up to k = 4000, another inverse transform
+    (16 points)."""
     nu, tau, r = 0.2, 0.1, np.array([0.0, 0.5, 0.9])
     eta, order = (1.0 - 2.0 * nu) / (2.0 * (1.0 - nu)), np.arange(14)
     edges = np.concatenate([[0.0], 2.0 ** np.arange(-10.0, 2.0), np.arange(8.0, 4000.0, 6.0)])

@@ -2,7 +2,7 @@
 !> What a gel answers at one time or frequency, solved there: relaxation, creep and oscillation.
 !>
 !> The inverse Laplace transform takes nodes on a parabola: Weideman, Trefethen, Math. Comp. 76 (2007) 1341. The singularities of a
-!> gel lie on the negative axis, 12 nodes give 2e-11 at any time.
+!> gel lie on the negative axis, 12 nodes give 2e-11 at any time: theory/poroelastic.md (5.1), (5.3), (6.2).
 module mdrcontact_poroelastic_answers
     use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: pi, wp

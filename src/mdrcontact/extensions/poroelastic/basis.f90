@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Even Legendre polynomials p_j(x) = sqrt(4j + 1) P_2j(x), orthonormal on [0, 1], in Fourier space:
 !> b_j(k) = int_0^1 p_j cos(kx) dx = (-1)^j sqrt(4j + 1) j_2j(k), at the nodes of a rule in k, and the integrals of functions of k
-!> that fall as k^-2 with products of them.
+!> that fall as k^-2 with products of them: theory/poroelastic.md (6.1).
 !>
 !> Beyond the last node, an odd multiple of pi, cos^2 and sin^2 of the products are replaced by their mean.
 module mdrcontact_poroelastic_basis

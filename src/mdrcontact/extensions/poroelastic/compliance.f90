@@ -1,5 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> C(k) of a gel's surface under a pressure that oscillates, for codes that solve contacts by Fourier transforms.
+!> C(k) of a gel's surface under a pressure that oscillates, for codes that solve contacts by Fourier transforms
+!> (theory/poroelastic.md (2.1), (2.2)).
 module mdrcontact_poroelastic_compliance
     use mdrcontact_error, only: check_not_negative, check_positive, error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp

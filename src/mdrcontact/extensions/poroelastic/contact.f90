@@ -4,7 +4,7 @@
 !>
 !> With q the line load of the total pressure, m that of the pore pressure where the indenter seals, w = q - m, R and P the cosine
 !> integrals with r and Phi/k:  q + R w = 1,  m = P w - (P w)(1). A surface that drains, or is sealed, everywhere has no m in the
-!> first and no second. Hence w + R w + P w - (P w)(1) = 1 and q = 1 - R w.
+!> first and no second. Hence w + R w + P w - (P w)(1) = 1 and q = 1 - R w: theory/poroelastic.md (3.2)-(3.6).
 module mdrcontact_poroelastic_contact
     use mdrcontact_body_compliance, only: normal_to
     use mdrcontact_body_film, only: film_t, new_film

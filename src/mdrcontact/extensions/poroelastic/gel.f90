@@ -33,7 +33,7 @@ contains
     !> Checks what a gel is made of.
     subroutine new_gel(self, poisson, drainage, ratio, error)
         type(gel_t), intent(out) :: self
-        !> 0 <= nu < 1/2
+        !> -1 < nu < 1/2
         real(wp), intent(in) :: poisson
         integer, intent(in) :: drainage
         !> a/h, 0 <= a/h <= 4

@@ -1,5 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Total pressure and pore pressure under an indenter that was pressed into a gel at time 0, its contact radius being held.
+!> Total pressure and pore pressure under an indenter that was pressed into a gel at time 0, its contact radius being held
+!> (theory/poroelastic.md (5.5), (5.6)).
 module mdrcontact_poroelastic_pressure
     use mdrcontact_error, only: error_invalid, error_no_convergence, error_t, raise, to_text
     use mdrcontact_gsl, only: gsl_sf_bessel_j0

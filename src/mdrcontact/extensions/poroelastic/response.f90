@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> What a gel answers, in the caller's units.
+!> What a gel answers, in the caller's units: theory/poroelastic.md (5.1)-(5.6).
 module mdrcontact_poroelastic_response
     use mdrcontact_codes, only: creep, mean_creep, mean_relaxation, paraboloid => paraboloid_relaxation, pore_pressure, &
                                 relaxation, total_pressure
