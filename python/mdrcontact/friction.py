@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A contact under Coulomb's law of friction: partial slip, tractions and fretting loops at constant normal force (theory 10)."""
+"""A contact under Coulomb's law of friction: partial slip, tractions and fretting loops (theory/friction.md (3.1)-(3.7))."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""States of a contact with friction that are sheared or twisted under constant normal force (theory 10)."""
+"""States of a contact with friction that are sheared or twisted under constant normal force (theory/friction.md (3.5))."""
 
 from __future__ import annotations
 

@@ -49,7 +49,8 @@ static int new_half_space_under(const mdr_surface *surface, double E, double nu,
     return medium_of(status, body, model, NULL, out);
 }
 
-/* A flat punch on a surface with tension, l = 2 tau/E* = 10 a (theory_surfaces 6); what such a surface does not take. */
+/* A flat punch on a surface with tension, l = 2 tau/E* = 10 a (theory/surfaces.md (6.2)); what such a surface does not
+ * take. */
 static void surface_with_tension(void)
 {
     const double a = 1.0, bad[4] = {-1.0, NAN, INFINITY, -INFINITY};

@@ -216,7 +216,7 @@ def test_biot_and_wrinkling():
     mdr.Layered([mdr.Layer(film, 1e-3, prestress=0.7 * found.stress)], mdr.Elastic(1.0, 0.5))
     with pytest.raises(mdr.InvalidArgumentError, match="wrinkles, at the wavelength 0.08"):
         mdr.Layered([mdr.Layer(film, 1e-3, prestress=1.0001 * found.stress)], mdr.Elastic(1.0, 0.5))
-    # layer over plate theory, from the page of the theory
+    # layer over plate theory, the figures of theory/surfaces.md (7.4)
     for ratio, true in ((1e2, 0.9931), (1e3, 0.99867), (1e4, 0.99972), (1e5, 0.99994)):
         body = mdr.Layered([(mdr.Elastic(ratio, 0.3), 1.0)], mdr.Elastic(1.0, 0.5))
         plane = ratio / (1.0 - 0.3**2)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The surface of a body: tension, plate and membrane (theory_surfaces 5)."""
+"""The surface of a body: tension, plate and membrane (theory/surfaces.md (5.1), (5.2))."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Displacements, stresses and energies inside the bodies of a contact.
+!> Displacements, stresses and energies inside the bodies of a contact (theory/stress.md (1.2)-(1.4), (5.3)).
 module mdrcontact_inside
     use mdrcontact_nonfinite, only: is_finite
     use mdrcontact_body_layers, only: layers_t

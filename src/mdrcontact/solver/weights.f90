@@ -121,7 +121,8 @@ contains
     end subroutine all_weights
 
     !> I0 of a load along the surface, the weight of the shear modulus in the tangential stiffness:
-    !> I1 + [xi L - xi/(1 + xi^2)]/(2 pi (2 - nu)), L = ln(1 + 1/xi^2). Poisson's ratio has the weight I1 there too.
+    !> I1 + [xi L - xi/(1 + xi^2)]/(2 pi (2 - nu)), L = ln(1 + 1/xi^2) (theory/friction.md (4.1)). Poisson's ratio has
+    !> the weight I1 there too.
     elemental function weight_i0_tangential(xi, nu) result(weight)
         !> as in weight_i0
         real(wp), intent(in) :: xi, nu

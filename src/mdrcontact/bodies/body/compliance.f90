@@ -5,7 +5,7 @@
 !> E0* = 2 G0/(1 - nu0) of a normal load; G0* = 4 G0/(2 - nu0) of a load of one direction along the surface, as far as its
 !> displacement along itself is axisymmetric; 4 G0 of one around the axis. The second and the third are made of the compliances
 !> of plane waves in their plane and across it,
-!>     chi_t = [(1 - nu0) chi_L + chi_T]/(2 - nu0)   and   chi_T.
+!>     chi_t = [(1 - nu0) chi_L + chi_T]/(2 - nu0)   and   chi_T   (theory/friction.md (2.2), (2.3)).
 !> sigma and chi are analytic in a sector around the positive k axis.
 module mdrcontact_body_compliance
     use mdrcontact_object, only: object_t

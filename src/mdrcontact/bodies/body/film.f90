@@ -3,7 +3,7 @@
 !>
 !> k C = (1 + 4 b t e - c b e^2)/(1 - (c + b + 4 b t^2) e + c b e^2) times that of a half-space of the film, t = kh, e = exp(-2 t),
 !> is a quotient of differences that cancel for long waves and high contrasts. Here each is a sum of terms that do not. Shear in the
-!> plane of the wave changes the sign of 4 b t alone.
+!> plane of the wave changes the sign of 4 b t alone (theory/friction.md (2.4)).
 module mdrcontact_body_film
     use mdrcontact_body_compliance, only: along
     use mdrcontact_kinds, only: wp

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The compliance of a body whose surface carries a sheet that is stiff in its plane (theory_surfaces 5).
+!> The compliance of a body whose surface carries a sheet that is stiff in its plane (theory/surfaces.md (5.2)-(5.4)).
 !>
 !> With the compliance S(k) of the body in the plane of a wave, displacements (u, w) over tractions along and across the surface,
 !> and q = K_m k/(2 G) of the sheet,

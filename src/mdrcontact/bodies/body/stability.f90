@@ -1,5 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Whether the surface of a body under stress stays flat, and the stress of a layer at which it wrinkles (theory of surfaces 7).
+!> Whether the surface of a body under stress stays flat, and the stress of a layer at which it wrinkles
+!> (theory/surfaces.md (4.3), (7.1)).
 !>
 !> Equilibrium is stable while the stiffness 1/(k C(k)) of every wave is positive, and with it what holds every place inside: a
 !> layer that buckles many wavelengths below the surface hardly shows there.

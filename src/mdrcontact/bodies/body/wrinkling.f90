@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The compression of a layer at which the surface of a body wrinkles (theory of surfaces 7): Chen, Hutchinson, J. Appl. Mech. 71
-!> (2004) 597 in the limit of a thin stiff film, exact for any layers.
+!> The compression of a layer at which the surface of a body wrinkles (theory/surfaces.md (7.1), (7.4)): Chen, Hutchinson,
+!> J. Appl. Mech. 71 (2004) 597 in the limit of a thin stiff film, exact for any layers.
 module mdrcontact_body_wrinkling
     use mdrcontact_body_elements_interface, only: bond_t
     use mdrcontact_body_stability, only: softest_wave

@@ -7,7 +7,8 @@
 !> s33 = (1 - 2 nu)/(2 G (1 - nu)), s44 = 1/G and C66 = G. With z into the body, derivatives with respect to kz and the amplitudes
 !> v = (k U, S), w = (k W, T) of displacements U, W and stresses T = sigma_rz, S = sigma_zz: v' = A w, w' = B v,
 !>     A = (1, s44; sigma_0, -1),   B = (-c, s33; H + sigma_0, c).
-!> Elliott 1948, Proc. Camb. Phil. Soc. 44, 522; of a prestressed layer Biot 1965, Mechanics of Incremental Deformations.
+!> theory/surfaces.md (1.1)-(1.7); Elliott 1948, Proc. Camb. Phil. Soc. 44, 522; of a prestressed layer Biot 1965, Mechanics of
+!> Incremental Deformations.
 module mdrcontact_material_transverse
     use mdrcontact_error, only: check_positive, error_invalid, error_t, raise, to_text
     use mdrcontact_kinds, only: wp

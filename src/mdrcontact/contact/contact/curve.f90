@@ -216,7 +216,8 @@ contains
     end subroutine state_at
 
     !> Puts in place of depth and stiffness the shift S = int dF/k_t under which the contact would begin to slide if its coefficient
-    !> of friction were 1, and the tangential stiffness k_t = dF/dS: those of superposed punches (theory 10).
+    !> of friction were 1, and the tangential stiffness k_t = dF/dS: those of superposed punches
+    !> (theory/friction.md (4.4)).
     subroutine shear(self, tangential, error)
         class(curve_t), intent(inout) :: self
         !> its modulus is G_t(a)

@@ -55,8 +55,9 @@ contains
         call look_at_wetting(equilibrium, found)
     end subroutine find_warnings
 
-    !> The slope of the surface jumps by sqrt(2 gamma/tau) at an adhesive edge (theory_surfaces 5). Under a plate its curvature
-    !> does, by sqrt(2 gamma/B), and the slope changes by about that over the plate's length, B/length^2 standing for the tension.
+    !> The slope of the surface jumps by sqrt(2 gamma/tau) at an adhesive edge (theory/surfaces.md (5.7)). Under a plate its
+    !> curvature does, by sqrt(2 gamma/B), and the slope changes by about that over the plate's length, B/length^2 standing for the
+    !> tension.
     pure subroutine look_at_wetting(equilibrium, found)
         type(equilibrium_t), intent(in) :: equilibrium
         type(contact_warning_t), allocatable, intent(inout) :: found(:)

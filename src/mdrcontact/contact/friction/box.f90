@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> A convex quadratic program with bounds: t.C t/2 - t.b under |t| <= limit.
+!> A convex quadratic program with bounds: t.C t/2 - t.b under |t| <= limit (theory/friction.md (6.2)).
 !>
 !> Newton's method on what is free, projected into the box, with a line search (D. P. Bertsekas, SIAM J. Control Optim. 20 (1982)
 !> 221): each step lowers the objective, and once it is known which bounds hold, it is exact.

@@ -1,5 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> A contact with friction along any path of normal and tangential loading, with the memory of where it has slipped (theory 10).
+!> A contact with friction along any path of normal and tangential loading, with the memory of where it has slipped
+!> (theory/friction.md (6.1), (6.2)).
 module mdrcontact_friction_history
     use, intrinsic :: iso_fortran_env, only: int64
     use mdrcontact_object, only: real_bytes, room

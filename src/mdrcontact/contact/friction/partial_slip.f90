@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> A contact under Coulomb's law of friction: partial slip at constant normal force (theory 10).
+!> A contact under Coulomb's law of friction: partial slip at constant normal force (theory/friction.md (3.4), (3.5), (3.7)).
 !>
 !> The indenter is displaced by the shift s along the surface. A disc of stick shrinks from the contact radius to 0, where sliding
 !> begins. Neglected are the displacement that varies as cos 2 phi around the axis and the effect of the shear on the pressure.

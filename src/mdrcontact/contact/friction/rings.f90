@@ -1,9 +1,10 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Friction along any path where springs interact: rings of constant traction in the plane, each under Coulomb's law (theory 10).
+!> Friction along any path where springs interact: rings of constant traction in the plane, each under Coulomb's law
+!> (theory/friction.md (6.2)-(6.6)).
 !>
 !> A step to a new contact and a shift s needs the forces t of the rings that minimise
-!>     t.C t/2 - t.(s + sigma),    |t_j| <= mu P_j,
-!> C_jk the mean displacement of ring j by a force of 1 on ring k, P_j the normal force on ring j, sigma_j the mean of u - s where
+!>     t.C t/2 - t.(s + v),    |t_j| <= mu N_j,
+!> C_jk the mean displacement of ring j by a force of 1 on ring k, N_j the normal force on ring j, v_j the mean of u - s where
 !> the ring came to stick. C is positive definite: there is one answer, whatever mu. Slip need not be an annulus.
 module mdrcontact_friction_rings
     use mdrcontact_cancel, only: check_cancelled
@@ -47,7 +48,7 @@ module mdrcontact_friction_rings
     type :: rings_t
         !> of the contact: its radius, depth and shift [length]
         real(wp) :: radius = 0.0_wp, depth = 0.0_wp, shift = 0.0_wp
-        !> on the rings of the contact: outer radii, t, P [modulus length^2] and sigma [length]. Beyond the base, where the contact
+        !> on the rings of the contact: outer radii, t, N [modulus length^2] and v [length]. Beyond the base, where the contact
         !> last stopped shrinking or filled a ring, there is one ring more, in which the contact grows
         real(wp), allocatable :: edges(:), load(:), normal(:), offset(:)
         !> at the base: the same as above

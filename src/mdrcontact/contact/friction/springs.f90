@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Friction of springs that do not interact, along any path of depth d and shift s, exactly (theory 10).
+!> Friction of springs that do not interact, along any path of depth d and shift s, exactly (theory/friction.md (6.1)).
 !>
 !> Every spring obeys Coulomb's law by itself: w <- clip(w + ds, +-m (d - y)), w = q_t/G*, m = mu E*/G*, y = g(x) the depth at
 !> which it comes into contact. As long as d and s change in proportion, spring and limit are straight lines in time, so that a step

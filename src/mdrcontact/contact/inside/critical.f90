@@ -1,5 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> What decides inside a body of layers: the largest stresses of a state in each layer, at each interface and on the free surface.
+!> What decides inside a body of layers: the largest stresses of a state in each layer, at each interface and on the free surface
+!> (theory/stress.md (5.1), (5.2), (5.4)).
 module mdrcontact_inside_critical
     use mdrcontact_cancel, only: report_progress
     use mdrcontact_codes, only: free_surface_tension, interface_shear, interface_tension, tension, tresca, von_mises

@@ -1,10 +1,10 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The states of a body whose constants vary with depth, and the images that stand for its short waves near the surface.
 !>
-!> The equation of the state is integrated, by the power series in k of mdrcontact_body_elements_gradient: compliances go up,
-!> tractions down. Near the surface what remains beside the homogeneous half-space falls only as 1/k. It is a Laplace transform,
-!> and from a wavenumber on a sum of (alpha + beta k z) e^(-k (z + s)) over few s follows it: fields of half-spaces again,
-!> s deeper. They are found by least squares and compared with the states between the wavenumbers of the fit.
+!> The equation of the state is integrated (theory/stress.md (2.5)), by the power series in k of mdrcontact_body_elements_gradient:
+!> compliances go up, tractions down. Near the surface what remains beside the homogeneous half-space falls only as 1/k. It is a
+!> Laplace transform, and from a wavenumber on a sum of (alpha + beta k z) e^(-k (z + s)) over few s follows it: fields of
+!> half-spaces again, s deeper. They are found by least squares and compared with the states between the wavenumbers of the fit.
 module mdrcontact_inside_gradient_states
     use mdrcontact_body, only: body_t
     use mdrcontact_body_elements_gradient, only: anti_plane_rate, gradient_series, in_plane_rate, multiply_series, order

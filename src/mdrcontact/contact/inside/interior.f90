@@ -1,5 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Displacements and stresses inside a homogeneous, layered or graded body under a load on its surface.
+!> Displacements and stresses inside a homogeneous, layered or graded body under a load on its surface
+!> (theory/stress.md (1.2)-(1.5), (6.4)-(6.6)).
 !>
 !> In the surface layer: the closed field of a half-space of its material, and the Hankel integral of what the layers below
 !> add; deeper: the Hankel integral of the whole state. z >= 0 points into the body, tension is positive.

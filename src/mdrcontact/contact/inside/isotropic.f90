@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The field of an isotropic half-space under a line load, in closed form.
+!> The field of an isotropic half-space under a line load, in closed form (theory/stress.md (4.2)-(4.10), (6.7)-(6.10)).
 !>
 !> With zeta = z + i x and rho = sqrt(r^2 + zeta^2), Re rho >= 0, each field is a sum of integrals (mdrcontact_inside_half_space) of
 !>     A0 = 1/rho   A1 = zeta/rho^3   A2 = (2 zeta^2 - r^2)/rho^5                                   (Hankel integrals with J0)
@@ -39,7 +39,7 @@ contains
     end subroutine new_isotropic_half_space
 
     !> Adds the homogeneous body's part to the five sums of a normal load at one point:
-    !>     2 mu u_z, sigma_zz, int p_hat y1 k J0 dk, 2 mu u_r/r, sigma_rz/r                               (lengths in units of a)
+    !>     2 G u_z, sigma_zz, int p_hat y1 k J0 dk, 2 G u_r/r, sigma_rz/r                                 (lengths in units of a)
     pure subroutine add_normal(self, rule, load, r, z, sums)
         class(isotropic_half_space_t), intent(in) :: self
         type(half_space_rule_t), intent(in) :: rule

@@ -1,6 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The states of layers that are isotropic in their planes, and of interfaces that give, in Hankel space under a traction on their
-!> surface, carried up and down without a positive exponent (theory of surfaces 2, 3).
+!> surface, carried up and down without a positive exponent (theory/stress.md (2.2)-(2.4), (6.2);
+!> theory/surfaces.md (1.8), (3.1)).
 !>
 !> Per unit p_hat the state is (y1, y2, T, S) = (k U, k W, T, S) for displacements U, W and stresses T = sigma_rz, S = sigma_zz;
 !> a load normal to the surface has T = 0, S = -1 there. A load along it adds y5 = k V and N. With Q and Z of a layer

@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The states of a body in Hankel space under a traction on its surface, as the integrals of stresses need them: see
-!> mdrcontact_inside_layer_states for what a state is.
+!> mdrcontact_inside_layer_states for what a state is, and theory/stress.md (1.2)-(1.5).
 module mdrcontact_inside_states
     use mdrcontact_error, only: error_t
     use mdrcontact_inside_half_space, only: half_space_rule_t, half_space_t

@@ -1,5 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The Hankel transform of a pressure, p_hat(k) = int_0^a p J0(kr) r dr = (1/pi) int_0^a q cos kx dx, at many wavenumbers.
+!> The Hankel transform of a pressure, p_hat(k) = int_0^a p J0(kr) r dr = (1/pi) int_0^a q cos kx dx, at many wavenumbers
+!> (theory/stress.md (1.1), (1.6)).
 !>
 !> By parts it is (1/(pi k)) [q(a) sin ka - int_0^a q' sin kx dx]. A Gauss rule integrates q' sin kx on a panel of few waves; on one
 !> of many waves q' is a sum of Legendre polynomials, and int_-1^1 P_n(t) exp(i w t) dt = 2 i^n j_n(w): a wavenumber costs what the

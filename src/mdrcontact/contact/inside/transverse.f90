@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The field of a half-space that is isotropic in its plane under a line load, in closed form: any roots, double and complex ones
-!> included (theory of surfaces 8; Elliott 1948, Hanson 1992).
+!> included (theory/surfaces.md (8.3)-(8.6); Elliott 1948, Hanson 1992).
 !>
 !> The waves exp(-Q k z) v0 take the mean of a function at zeta_i = lambda_i z + i x times v0, and z times its divided difference
 !> (f_1 - f_2)/(zeta_1 - zeta_2), which has closed forms without cancellation, times (Q - (trace Q)/2) v0. The antiderivatives P,

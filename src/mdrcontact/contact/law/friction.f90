@@ -1,5 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Friction of compiled laws: the tangential force of many contacts step by step, along any path of the shift in the plane and of F.
+!> Friction of compiled laws: the tangential force of many contacts step by step, along any path of the shift in the plane and of F
+!> (theory/friction.md (7.1)-(7.8)).
 !>
 !> The springs of a contact are divided among a few vector sliders, mdrcontact_law_sliders_motion. That is stick, partial slip,
 !> sliding and what earlier slip left behind, with an error of some 1.5 % (8 sliders) or 0.5 % (16) of mu F against as many springs

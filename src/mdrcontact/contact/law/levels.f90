@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Material levels of a law with friction: where the springs of a contact may be divided among sliders.
+!> Material levels of a law with friction: where the springs of a contact may be divided among sliders (theory/friction.md (7.4)).
 !>
 !> Springs are labelled by the S at which they touch. With F = int k dS, k the stiffness of all springs in contact:
 !>     Coulomb's law:            F the normal force, S = int dF/k_t,

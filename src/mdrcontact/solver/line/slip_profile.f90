@@ -1,6 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The profile against which first shear is a contact without adhesion: [R(0) - R(x)]/G0* with R = q_n + K_t q_n, q_n the normal
-!> line load and K_t the springs' interaction under shear (theory 10). On a homogeneous body it is (E*/G*) g(x).
+!> line load and K_t the springs' interaction under shear (theory/friction.md (3.1), (3.2)). On a homogeneous body it is (E*/G*)
+!> g(x).
 module mdrcontact_line_slip_profile
     use mdrcontact_nonfinite, only: quiet_nan
     use mdrcontact_error, only: error_t

@@ -83,7 +83,8 @@ contains
         call check_values(error, values)
     end subroutine of_relaxing
 
-    !> Of the body as it is under the sheet's stiffness in its plane, 1/C + tau k^2 + B k^4 in place of 1/C (theory_surfaces 5).
+    !> Of the body as it is under the sheet's stiffness in its plane, 1/C + tau k^2 + B k^4 in place of 1/C
+    !> (theory/surfaces.md (5.1)).
     pure subroutine add_sheet(sheet, load, k, values, error)
         type(surface_t), intent(in) :: sheet
         integer, intent(in) :: load

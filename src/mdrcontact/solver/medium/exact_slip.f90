@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> First shear of a layered body, exactly in the axisymmetric part (theory 10): with a disc of stick of radius c the load
-!> q* = q_n - q_t is that of a contact of radius c without adhesion, with the kernel of shear and the profile
+!> First shear of a layered body, exactly in the axisymmetric part (theory/friction.md (3.1)-(3.6)): with a disc of stick of
+!> radius c the load q* = q_n - q_t is that of a contact of radius c without adhesion, with the kernel of shear and the profile
 !> [R(0) - R(x)]/G0*. Its depth is R(0)/G0* - s, its force F - T.
 module mdrcontact_medium_exact_slip
     use mdrcontact_error, only: check_memory, error_domain, error_t, raise

@@ -2,11 +2,11 @@
 !> First shear of a contact under constant normal force, for a coefficient of friction of 1: the disc of stick shrinks from the
 !> contact radius a while the indenter is displaced by s along the surface, and the tangential force T rises.
 !>
-!> In terms of the stick radius c everything follows from two functions, sigma(c) = -ds/dc and the stiffness of a full contact of
+!> In terms of the stick radius c everything follows from two functions, eta(c) = -ds/dc and the stiffness of a full contact of
 !> that radius, k_t(c), because dT/ds = k_t(c):
-!>     s = int_c^a sigma db,    T = int_c^a k_t sigma db,    D = int_c^a (s - s(b)) s(b) k_t'(b) db,
-!> D the energy dissipated. All integrands are positive: nothing cancels, however little slips. With a coefficient of friction mu,
-!> s and T are mu times, D is mu^2 times as large at the same stick radius.
+!>     s = int_c^a eta db,    T = int_c^a k_t eta db,    D = int_c^a (s - s(b)) s(b) k_t'(b) db,
+!> D the energy dissipated (theory/friction.md (3.4), (3.5)). All integrands are positive: nothing cancels, however little slips.
+!> With a coefficient of friction mu, s and T are mu times, D is mu^2 times as large at the same stick radius.
 module mdrcontact_medium_slip
     use mdrcontact_error, only: error_domain, error_t, raise, to_text
     use mdrcontact_kinds, only: wp
@@ -43,7 +43,7 @@ module mdrcontact_medium_slip
         !> length in which everything varies but for powers of c [length]; 0 where that is not known
         real(wp) :: scale = 0.0_wp
     contains
-        !> s where the medium knows it directly, sigma, k_t and k_t' at stick radii
+        !> s where the medium knows it directly, eta, k_t and k_t' at stick radii
         procedure(rates_at), deferred :: rates
         !> radii between which these are integrated, and whether a square root starts at the lower end of each interval
         procedure(panels_from), deferred :: panels

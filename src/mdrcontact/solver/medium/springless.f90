@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> A body whose surface has a tension or carries a plate (theory_surfaces 5, 6): k C(k) vanishes for short waves, so there are no
-!> springs, and a Galerkin solver of its own finds the states.
+!> A body whose surface has a tension or carries a plate (theory/surfaces.md (5.1), (6.1)-(6.3)): k C(k) vanishes for short waves,
+!> so there are no springs, and a Galerkin solver of its own finds the states.
 !>
 !> Depth, force and stiffness meet 1e-9, of a cone 1e-8 (measured: docs/surfaces.md).
 module mdrcontact_medium_springless

@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> A body whose surface carries a sheet that is stiff in its plane (theory_surfaces 5): short waves still meet springs, those of a
-!> surface that cannot move sideways, and its states are those of a body with that compliance.
+!> A body whose surface carries a sheet that is stiff in its plane (theory/surfaces.md (5.3), (5.4)): short waves still meet
+!> springs, those of a surface that cannot move sideways, and its states are those of a body with that compliance.
 module mdrcontact_medium_stretched
     use mdrcontact_body, only: body_t, copy
     use mdrcontact_body_compliance, only: compliance_t, normal_load

@@ -1,8 +1,8 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> First shear of media with effective moduli: each increment of depth adds a flat punch's pressure, each increment of the shift a
-!> flat punch's shear, both with the modulus that belongs to their radius.
+!> flat punch's shear, both with the modulus that belongs to their radius (theory/friction.md (4.3)).
 !>
-!>     sigma(c) = (E_eff/G_t)(c) d'(c),    T(c) = F(a) - F(c),    q_t(x) = q(max(x, c)),    tau(r) = p(r; a) - p(r; c)
+!>     eta(c) = (E_eff/G_t)(c) d'(c),    T(c) = F(a) - F(c),    q_t(x) = q(max(x, c)),    tau(r) = p(r; a) - p(r; c)
 !> (mu = 1). On a homogeneous body these are exact: s = (E*/G*) [d - g(c)] (Ciavarella, Int. J. Solids Struct. 35 (1998) 2349;
 !> Jaeger, Arch. Appl. Mech. 65 (1995) 478).
 module mdrcontact_medium_superposed_slip

@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> First twist of a contact of homogeneous half-spaces about its axis (theory 10): the twist phi stands for the shift, the torque
-!> for the tangential force, the torsional stiffness (16/3) G c^3 for k_t.
+!> First twist of a contact of homogeneous half-spaces about its axis (theory/friction.md (5.1)-(5.6)): the twist phi stands
+!> for the shift, the torque for the tangential force, the torsional stiffness (16/3) G c^3 for k_t.
 !>
 !> The load of a spring is q(x) = 2 x int_x^a tau dr/sqrt(r^2 - x^2): 4 G phi x where it sticks, mu B(x) where tau = mu p. Each
 !> increment of depth adds a flat punch's pressure, so that with K and B = [E - kappa^2 K]/(1 - kappa^2) of the complementary

@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The auxiliary functions of sine and cosine integrals at complex arguments w, |arg w| < pi:
-!>     f(w) = int_0^inf sin t/(t + w) dt,   g(w) = int_0^inf cos t/(t + w) dt        (DLMF 6.2.17, 6.2.18)
+!>     f(w) = int_0^inf sin t/(t + w) dt,   g(w) = int_0^inf cos t/(t + w) dt        (DLMF 6.2.17, 6.2.18; theory/surfaces.md (6.9))
 !>
 !> GSL has sine, cosine and exponential integrals of real arguments only; a plate's poles are complex. With E1,
 !>     g - i f = e^{iw} E1(iw),   g + i f = e^{-iw} E1(-iw),

@@ -1,5 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> What layers below the surface add to the Galerkin matrices: products of Bessel functions over wavenumbers (theory_surfaces 6).
+!> What layers below the surface add to the Galerkin matrices: products of Bessel functions over wavenumbers
+!> (theory/surfaces.md (6.5)).
 !>
 !> kappa - kappa_0 falls as what the layers change of sigma, so that a plain rule over k serves all entries: with sigma_0 of the
 !> surface's half-space it is change (kappa_0/sigma_0)^2/(1 + (1 - kappa_0/sigma_0) change/sigma_0).

@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Line load, pressure and displacement of a contact on a surface with tension or a plate, from the coefficients of its load
-!> (theory_surfaces 6), q dx = psi d theta, psi = E0* sum c_j cos 2 j theta, x = a cos theta.
+!> (theory/surfaces.md (6.4), (6.11), (6.12)), q dx = psi d theta, psi = E0* sum c_j cos 2 j theta, x = a cos theta.
 module mdrcontact_tension_fields
     use mdrcontact_body_compliance, only: compliance_t
     use mdrcontact_error, only: error_t

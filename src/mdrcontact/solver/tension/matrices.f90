@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The Galerkin matrices of a contact on a half-space under tension or a plate (theory_surfaces 6).
+!> The Galerkin matrices of a contact on a half-space under tension or a plate (theory/surfaces.md (6.5), (6.7)).
 !>
 !> Basis: q dx = cos(2 j theta) d theta, j = 0, 1, ..., x = a cos theta, with transforms pi (-1)^j J_2j(ka); with a plate the ring
 !> couple, pi ka J_1(ka), before them. A_ij = (1/pi) int kappa_0 q_i q_j dk and its slope over a, from Phi(2a sin alpha sin beta):

@@ -1,5 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The profile in the basis of the Galerkin system: b_j = int_0^pi g(a cos theta) cos 2 j theta d theta, and its slope over a.
+!> The profile in the basis of the Galerkin system: g_j = int_0^pi g(a cos theta) cos 2 j theta d theta, and its slope over a
+!> (theory/surfaces.md (6.5), (6.10)).
 module mdrcontact_tension_moments
     use mdrcontact_error, only: error_invalid, error_t, raise
     use mdrcontact_kinds, only: half_pi, pi, wp
@@ -17,7 +18,7 @@ module mdrcontact_tension_moments
 
 contains
 
-    !> b and b'; before them, with a plate, those of the ring couple, -a b_0'.
+    !> g_j and g_j'; before them, with a plate, those of the ring couple, -a g_0'.
     subroutine profile_moments(profile, a, couple, moments, slopes, error)
         class(profile_t), intent(in) :: profile
         !> contact radius [length]

@@ -1,9 +1,9 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The flat punch on a surface with tension or a plate, and all indenters by it (theory_surfaces 6).
+!> The flat punch on a surface with tension or a plate, and all indenters by it (theory/surfaces.md (6.2), (6.6)).
 !>
 !> With A c = pi e (e the constant load) and A v = A' c, A' = dA/da, every contact at radius a is
-!>     k = E0* pi c_0,   k' = -E0* pi v_0,   F_g = E0* b.c,   F_g' = E0* (b'.c - b.v),   d0 = F_g'/k',   F0 = k d0 - F_g,
-!> b the moments of the profile: the rule dF/da = 0 at fixed depth replaces every condition at the edge.
+!>     k = E0* pi c_0,   k' = -E0* pi v_0,   F_g = E0* g.c,   F_g' = E0* (g'.c - g.v),   d0 = F_g'/k',   F0 = k d0 - F_g,
+!> g the moments of the profile: the rule dF/da = 0 at fixed depth replaces every condition at the edge.
 module mdrcontact_tension_solution
     use mdrcontact_body_compliance, only: compliance_t
     use mdrcontact_error, only: error_no_convergence, error_t, raise, to_text

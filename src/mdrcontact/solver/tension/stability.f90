@@ -1,6 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The compression under which the surface of a body wrinkles: tau_c = -min over k of [1/(k C~) + B k^2], C~ = k C the body's own
-!> compliance (theory_surfaces 7). Of a half-space k_c = (E*/(4B))^(1/3), tau_c = -3 B k_c^2 (Chen and Hutchinson 2004).
+!> compliance (theory/surfaces.md (7.2), (7.3)). Of a half-space k_c = (E*/(4B))^(1/3), tau_c = -3 B k_c^2 (Chen and Hutchinson
+!> 2004).
 module mdrcontact_tension_stability
     use mdrcontact_body_compliance, only: compliance_t
     use mdrcontact_error, only: error_invalid, error_t, raise, to_text

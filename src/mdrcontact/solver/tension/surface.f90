@@ -1,5 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The surface of a body: a tension of its own, and a sheet on it that bends, or that is stiff in its plane (theory_surfaces 5).
+!> The surface of a body: a tension of its own, and a sheet on it that bends, or that is stiff in its plane
+!> (theory/surfaces.md (5.1), (5.2)).
 module mdrcontact_tension_surface
     use, intrinsic :: iso_c_binding, only: c_double
     use mdrcontact_error, only: check_finite, check_not_negative, error_invalid, error_t, raise

@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> What lies between two layers: springs per area, normal and along the surface. Tractions pass unchanged, displacements jump by
-!> traction over stiffness (theory of surfaces 3).
+!> traction over stiffness (theory/surfaces.md (3.1), (3.2)).
 module mdrcontact_body_elements_interface
     use mdrcontact_nonfinite, only: infinity
     use mdrcontact_parameter, only: parameter_t

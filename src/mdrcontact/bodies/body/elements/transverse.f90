@@ -2,10 +2,10 @@
 !> One layer that is isotropic in its plane, perhaps under a stress there, at wavenumber k: how it carries the 2x2 compliance of
 !> what lies below it to its top.
 !>
-!> The state is v = (k U, S), w = (k W, T) (mdrcontact_material_transverse). Waves that decay downward are v = exp(-Q k z) v0,
-!> w = -Z v, with Q = sqrt(A B) and Z = A^-1 Q, growing ones have +Q and +Z: no eigenvectors, so that a double root (an isotropic
-!> medium) and complex roots are ordinary points. A layer thin against the wavelength is carried by its transfer matrix, whose
-!> entries are small where they should be and not by cancellation.
+!> The state is v = (k U, S), w = (k W, T) (mdrcontact_material_transverse; theory/surfaces.md (1.4)-(1.13), (2.2)). Waves that
+!> decay downward are v = exp(-Q k z) v0, w = -Z v, with Q = sqrt(A B) and Z = A^-1 Q, growing ones have +Q and +Z: no eigenvectors,
+!> so that a double root (an isotropic medium) and complex roots are ordinary points. A layer thin against the wavelength is carried
+!> by its transfer matrix, whose entries are small where they should be and not by cancellation.
 module mdrcontact_body_elements_transverse
     use mdrcontact_body_elements_element, only: element_t
     use mdrcontact_body_elements_layer, only: times, transferred

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Sliders of a contact that grows: levels that it passes bring more than its record has room for.
+!> Sliders of a contact that grows: levels that it passes bring more than its record has room for (theory/friction.md (7.9)).
 !>
 !> Two sliders become one by adding their loads: T stays and the stored energy falls. Of two neighbours with K1, B1 (the lower) and
 !> K2, B2 the one lacks of first shear at most e = (B1 K2 - K1 B2)/(K1 + K2), at the shift u = (B1 + B2)/(K1 + K2). Under

@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> One contact under Coulomb's law, at constant shear strength, or twisted, as a few vector sliders, each of them the springs
-!> between two material levels.
+!> between two material levels (theory/friction.md (7.5)-(7.8)).
 !>
 !> A slider bears a vector t, has a stiffness K and a strength mu B, |t| <= mu B. A step to F, S with the shift ds brings
 !>     y = t + K ds + A g,    t = y min(1, mu B/|y|),    T = sum of t,
