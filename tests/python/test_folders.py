@@ -3,6 +3,7 @@
 
 import re
 
+import pytest
 from conftest import ROOT
 
 SOURCE = ROOT / "src" / "mdrcontact"
@@ -90,3 +91,17 @@ def test_unit_tests_lie_as_their_sources_do():
     tests = [path.relative_to(ROOT / "tests" / "unit").parent for path in (ROOT / "tests" / "unit").rglob("test_*.pf")]
     assert tests
     assert not [folder for folder in tests if not (SOURCE / folder).is_dir()]
+
+
+@pytest.mark.parametrize("name", [*ROOMS, *(f"extensions/{place}" for group in FOLDERS["extensions"] for place in sorted(group))])
+def test_a_room_has_its_page(name):
+    """At most 30 lines, on the room alone: what it answers, its files, its theory. Every file that it names exists."""
+    lines = (SOURCE / name / "README.md").read_text().splitlines()
+    assert 5 < len(lines) <= 30
+    named = re.findall(r"`([\w/.]+\.(?:f90|c|h|md)|[\w/]+/)`", "\n".join(lines))
+    assert named
+    there = [path for place in (SOURCE, ROOT / "include", ROOT / "python", ROOT / "tests") for path in place.rglob("*")]
+    known = {f"/{path.relative_to(ROOT).as_posix()}" + "/" * path.is_dir() for path in there}
+    assert not [path for path in named if not ((ROOT / path).exists() or any(other.endswith(f"/{path}") for other in known))]
+    links = re.findall(r"\]\(([^)#:]+)", "\n".join(lines))
+    assert not [link for link in links if not (SOURCE / name / link).exists()]
