@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <time.h>
 
-#include "mdrcontact.h"
+#include "mdrcontact/fit.h"
 #include "measure.h"
 
 enum { ROUNDS = 9, POINTS = 4096, ARRAY = 200, FIT_POINTS = 500, PROFILES = 4, SHEARED = 5, RADII = 3, FILMS = 3, FEW = 16,

@@ -1,15 +1,27 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /**
  * @file mdrcontact.h
- * Contact of real, coated, layered and graded bodies, computed in one dimension: the C interface and its manual.
+ * Contact of real, coated, layered and graded bodies, computed in one dimension: the core of the C interface and its manual.
  *
  * A rigid axisymmetric indenter (mdr_profile) is pressed into an elastic half-space (mdr_medium); the two make a contact
  * (mdr_contact), which gives indentation depth d, contact radius a, normal force F and stiffness k from any one of
- * the first three, and the pressure, line load and surface displacement. A structure (mdr_structure) whose moduli vary in
- * all directions gives a medium for each place on it; a compiled law (mdr_law) is a contact for programs that call it
- * millions of times; a fit goes from measured curves back to the moduli. Equation numbers are those of V. L. Popov,
+ * the first three, and the pressure, line load and surface displacement. A compiled law (mdr_law) is a contact for programs that
+ * call it millions of times. Equation numbers are those of V. L. Popov,
  * "Method of dimensionality reduction in contact mechanics and tribology. Heterogeneous media", Physical
  * Mesomechanics 17 (2014) 50-57; docs/theory.md states the equations and says where they are misprinted.
+ *
+ * @par Extensions
+ * Further physics have headers of their own, which a program includes beside this one. All hold to what is said here:
+ * - mdrcontact/time.h: contacts with viscoelastic bodies in time;
+ * - mdrcontact/adhesion.h: adhesion that depends on speed, adhesion of viscoelastic bodies;
+ * - mdrcontact/wear.h: wear by Archard's law;
+ * - mdrcontact/conduction.h: conduction of heat or current, heat of friction;
+ * - mdrcontact/poroelastic.h: gels, whose liquid moves through them;
+ * - mdrcontact/lateral.h: structures whose moduli vary in all directions, which give a medium for each place on them;
+ * - mdrcontact/fit.h: from measured curves back to the moduli.
+ *
+ * mdrcontact/all.h includes them all. A library can be built without any of them, by the CMake options that the headers name: it
+ * has neither the functions nor the header then.
  *
  * @par Versions
  * Each part says since which version there are its functions, `since`, and each function that came later. The shared library's
@@ -48,16 +60,15 @@
  *
  * @par Handles and their release
  * Functions with an argument `out` make handles; the calling program owns them and frees them by mdr_free(), or by the macro
- * MDR_FREE, which also sets the program's pointer to NULL. A handle never changes after its creation, but for
- * mdr_friction_history and mdr_wear_history, which must not be used by two threads at a time.
+ * MDR_FREE, which also sets the program's pointer to NULL. A handle never changes after its creation, but for histories,
+ * mdr_friction_history and that of wear, which must not be used by two threads at a time.
  *
  * @par What is copied, what is kept
  * Every call copies what it needs from its arguments: handles, arrays, texts and structures, with the handles and arrays to which a
  * structure points. They must be valid until the call returns; the program may free or change them afterwards. User functions are
- * called before the call that takes them returns, and never later. Three functions keep a pointer:
- * - mdr_structure_function() keeps the function and its context until the structure is freed;
- * - mdr_set_cancel() keeps the function and its context, and mdr_set_progress() keeps the pointer to the number, until the calling
- *   thread sets others, or NULL, or ends.
+ * called before the call that takes them returns, and never later. Two functions of the core keep a pointer: mdr_set_cancel() keeps
+ * the function and its context, and mdr_set_progress() keeps the pointer to the number, until the calling thread sets others, or
+ * NULL, or ends. One of lateral.h keeps a function until the structure is freed.
  *
  * The library returns pointers to its own memory: texts of mdr_name_of() are valid for ever; the text of mdr_last_error() until the
  * next failure of the thread; the texts in structures about a law, and views of it (mdr_law_view_of()), until the law is freed.
@@ -66,8 +77,8 @@
  * Every function that computes does so rounding to nearest, with denormal numbers and without traps of exceptions, and then sets
  * the calling thread's own arithmetic again; flags of exceptions stay set, as after any computation. User functions are called in
  * this arithmetic and leave it as it is. States of laws, which take nanoseconds - mdr_law_force(), mdr_law_values(),
- * mdr_law_follow(), mdr_law_conductance() and mdrcontact_law.h -, compute in the caller's: under another rounding mode they differ
- * in the last digits, by 1e-14.
+ * mdr_law_follow(), mdrcontact_law.h, and the conductance of a law -, compute in the caller's: under another rounding mode they
+ * differ in the last digits, by 1e-14.
  *
  * @par Threads
  * Any number of threads may use the same handle at the same time; the error text belongs to the thread that failed.
@@ -88,14 +99,8 @@
 #include "mdrcontact/medium.h"
 #include "mdrcontact/weights.h"
 #include "mdrcontact/contact.h"
-#include "mdrcontact/adhesion.h"
 #include "mdrcontact/friction.h"
-#include "mdrcontact/wear.h"
-#include "mdrcontact/poroelastic.h"
-#include "mdrcontact/conduction.h"
 #include "mdrcontact/law.h"
-#include "mdrcontact/lateral.h"
-#include "mdrcontact/fit.h"
 #include "mdrcontact/closed_forms.h"
 
 #endif

@@ -54,7 +54,8 @@ inline void check(int status)
     throw Error(status, mdr_last_error(), failure.argument, failure.entry);
 }
 
-/** An object of the library, freed with its owner; it moves and does not copy. As an argument it is what it holds. */
+/** An object of the library, freed with its owner; it moves and does not copy. As an argument it is what it holds. Those of an
+ *  extension's header are Handle<mdr_wear> and so on. */
 template <class Object> class Handle {
 public:
     Handle() = default;
@@ -87,13 +88,9 @@ using Body = Handle<mdr_body>;
 using Medium = Handle<mdr_medium>;
 using Contact = Handle<mdr_contact>;
 using Loop = Handle<mdr_loop>;
-using Rate = Handle<mdr_rate>;
 using Friction = Handle<mdr_friction>;
 using Shear = Handle<mdr_shear>;
 using FrictionHistory = Handle<mdr_friction_history>;
-using Wear = Handle<mdr_wear>;
-using WearHistory = Handle<mdr_wear_history>;
-using Structure = Handle<mdr_structure>;
 using LawHandle = Handle<mdr_law>;
 
 /** The object that a function of the library makes into its last argument, from all others. Throws Error. */

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """All that follows from the C headers and lies in the repository: generate.py [ROOT].
 
-From include/mdrcontact.h and its parts: the codes and the structures for Fortran, the functions that set the library's arithmetic,
-the symbols of the shared library with their versions, and for Python the module's types and layout. ROOT, the repository if none is
-given, is where they go. Building the library needs none of this; a file that is up to date is left alone.
+From include/mdrcontact.h and the headers of extensions: the codes and the structures for Fortran; the functions that set the
+library's arithmetic, and the procedures that open handles, in a file of the core and one of each extension; the symbols of the
+shared library with their versions; and for Python the module's types and layout. ROOT, the repository if none is given, is where
+they go. Building the library needs none of this; a file that is up to date is left alone.
 """
 
 import os
@@ -19,6 +20,7 @@ from wrap_header import (  # noqa: E402
     described,
     functions_of,
     layout,
+    parts_of,
     prototypes,
     structures,
     type_hints,
@@ -27,7 +29,7 @@ from wrap_header import (  # noqa: E402
     write,
 )
 from write_entries import entries  # noqa: E402
-from write_open_handle import open_handle  # noqa: E402
+from write_open_handle import open_handles  # noqa: E402
 from write_profiles import profiles  # noqa: E402
 
 INCLUDE = REPOSITORY / "include"
@@ -198,19 +200,23 @@ def symbols(since):
 
 def main(root=REPOSITORY):
     """See the top of this file."""
-    header = INCLUDE / "mdrcontact.h"
-    text = without_comments(header)
+    core, everything = INCLUDE / "mdrcontact.h", INCLUDE / "mdrcontact" / "all.h"
+    text = without_comments(everything)
     found = structures(text)
     functions = functions_of(text, described(found))
     constructors = profiles(prototypes(text))
     sources = "".join(path.read_text(encoding="utf-8") for path in sorted(API.glob("*.f90"))) + "\n".join(constructors)
     headers = "".join(path.read_text(encoding="utf-8") for path in sorted(INCLUDE.rglob("*.h")))
+    of_core = parts_of(core)
+    texts = {"mdrcontact.h": with_parts(core)} | {
+        f"mdrcontact/{part.name}": part.read_text(encoding="utf-8") for part in parts_of(everything, of_core)[:-1]
+    }
+    in_api = entries(texts, sources) | open_handles()
     made = {
         "src/mdrcontact/base/codes.f90": codes(headers),
         "src/mdrcontact/api/names.c": names(headers),
         "src/mdrcontact/api/records.f90": records(found),
-        "src/mdrcontact/api/entries.c": entries(with_parts(header), sources),
-        "src/mdrcontact/api/open_handle.f90": open_handle(),
+        **{f"src/mdrcontact/api/{name}": lines for name, lines in in_api.items()},
         "src/mdrcontact/api/profile.f90": constructors,
         "cmake/mdrcontact.map": symbols(versions()),
         "python/mdrcontact/_native.pyi": type_hints(functions),

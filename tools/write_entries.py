@@ -13,9 +13,9 @@ from wrap_header import PROTOTYPE
 
 LONGEST_LINE = 132
 TOP = """/* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The functions of mdrcontact.h that compute: each in the library's arithmetic. Written by tools/generate.py. */
+/* The functions of {header} that compute: each in the library's arithmetic. Written by tools/generate.py. */
 #include "../base/arithmetic.h"
-#include "mdrcontact.h"
+#include "{header}"
 #include "refuse.h"
 """
 COUNTS = ("n", "m", "capacity")
@@ -67,12 +67,26 @@ def entry(result, name, arguments, checks):
 
 
 def entries(headers, sources):
-    """The lines of api/entries.c, from the headers with their comments and the Fortran of api/."""
+    """The lines of each file by its name, api/entries.c of the core and one of each extension, from the headers' texts by their
+    names and the Fortran of api/."""
+    everything = "".join(headers.values())
     defined = set(re.findall(r'name="mdrcontact_entry_(\w+)"', sources))
-    opened = set(re.findall(r"typedef struct (\w+) \1;", headers))
-    opened |= set(re.findall(r"typedef struct (\w+) \{\s*size_t size;", headers))
-    lines = TOP.split("\n")
-    parts = re.split(r"/\*\*(.*?)\*/", headers, flags=re.DOTALL)
+    opened = set(re.findall(r"typedef struct (\w+) \1;", everything))
+    opened |= set(re.findall(r"typedef struct (\w+) \{\s*size_t size;", everything))
+    files = {}
+    for header, text in headers.items():
+        extension = re.fullmatch(r"mdrcontact/(\w+)\.h", header)
+        name = f"{extension[1]}_entries.c" if extension else "entries.c"
+        files[name] = entries_of(header, text, defined, opened)
+    if defined:
+        raise SystemExit(f"the headers have no {', '.join(sorted(defined))}")
+    return files
+
+
+def entries_of(header, text, defined, opened):
+    """The lines of one file; takes its functions out of those that are defined."""
+    lines = TOP.format(header=header).split("\n")
+    parts = re.split(r"/\*\*(.*?)\*/", text, flags=re.DOTALL)
     for words, code in zip(parts[1::2], parts[2::2], strict=True):
         for result, name, taken in PROTOTYPE.findall(code):
             if name.removeprefix("mdr_") not in defined:
@@ -81,6 +95,4 @@ def entries(headers, sources):
             arguments = [" ".join(word.split()) for word in taken.split(",")]
             said = dict(re.findall(r"@param (\w+)\s+(.*?)(?=\n \*  @|\Z)", words, flags=re.DOTALL))
             lines += entry(result.strip(), name, arguments, refusals(arguments, said, opened))
-    if defined:
-        raise SystemExit(f"the header has no {', '.join(sorted(defined))}")
     return lines[:-1]

@@ -1,26 +1,31 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The Fortran procedures that turn a handle into its object, for generate.py: one for each type of the core behind a handle."""
+"""The Fortran procedures that turn a handle into its object, for generate.py: one for each type behind a handle."""
 
-# The kind of handle in C, the type behind it, the type's module, and where a type extends it, "class".
-KINDS = [
+# The core and the extensions that have handles: the kind of handle in C, the type behind it, the type's module, and where a type
+# extends it, "class".
+CORE = [
     ("mdr_profile", "profile_t", "mdrcontact_profile", "class"),
     ("mdr_body", "any_body_t", "mdrcontact_api_any_body", "type"),
     ("mdr_medium", "medium_t", "mdrcontact_medium", "type"),
     ("mdr_contact", "contact_t", "mdrcontact_contact", "type"),
     ("mdr_contact", "relaxing_contact_t", "mdrcontact_time_relaxing_contact", "type"),
     ("mdr_loop", "loop_t", "mdrcontact_contact_loop", "type"),
-    ("mdr_structure", "structure_t", "mdrcontact_lateral_structure", "class"),
     ("mdr_law", "contact_law_t", "mdrcontact_law", "type"),
     ("mdr_friction", "friction_t", "mdrcontact_friction_partial_slip", "type"),
     ("mdr_shear", "first_shear_t", "mdrcontact_friction_partial_slip", "type"),
     ("mdr_friction_history", "friction_history_t", "mdrcontact_friction_history", "type"),
     ("mdr_material", "rheology_t", "mdrcontact_material_rheology", "type"),
-    ("mdr_poroelastic", "poroelastic_t", "mdrcontact_poroelastic_table", "type"),
-    ("mdr_conduction", "conduction_t", "mdrcontact_conduction_bodies", "type"),
-    ("mdr_rate", "rate_contact_t", "mdrcontact_adhesion_rate_contact", "type"),
-    ("mdr_wear", "wear_t", "mdrcontact_wear", "type"),
-    ("mdr_wear_history", "wear_history_t", "mdrcontact_wear_history", "type"),
 ]
+EXTENSIONS = {
+    "adhesion": [("mdr_rate", "rate_contact_t", "mdrcontact_adhesion_rate_contact", "type")],
+    "wear": [
+        ("mdr_wear", "wear_t", "mdrcontact_wear", "type"),
+        ("mdr_wear_history", "wear_history_t", "mdrcontact_wear_history", "type"),
+    ],
+    "conduction": [("mdr_conduction", "conduction_t", "mdrcontact_conduction_bodies", "type")],
+    "poroelastic": [("mdr_poroelastic", "poroelastic_t", "mdrcontact_poroelastic_table", "type")],
+    "lateral": [("mdr_structure", "structure_t", "mdrcontact_lateral_structure", "class")],
+}
 # A handle of the right kind whose object is of the other of two types: what is said then.
 OTHERWISE = {
     "contact_t": ("relaxing_contact_t", "call refuse_states(error)"),
@@ -29,13 +34,14 @@ OTHERWISE = {
         'call raise(error, error_invalid, "the body is elastic: its states do not depend on time")',
     ),
 }
-OTHER_NAMES = {"mdrcontact_medium": ["refuse_states"], "mdrcontact_error": ["error_invalid", "error_t", "raise"]}
+OTHER_NAMES = {"mdrcontact_medium": ["refuse_states"], "mdrcontact_error": ["error_invalid", "raise"]}
 TOP = """\
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The object behind a handle, by the type of the pointer that is to hold it. Written by tools/generate.py.
-module mdrcontact_api_open_handle
+module {module}
     use, intrinsic :: iso_c_binding, only: c_ptr
     use mdrcontact_api_handles, only: look_inside, refuse_kind"""
+ALL_OF_CORE = "    use mdrcontact_api_open_handle, only: open_handle"
 REST = """\
     implicit none (type, external)
     private
@@ -62,18 +68,26 @@ def accessor(word, of_type, clause):
     return ["", *(f"    {line}" if line else "" for line in lines)]
 
 
-def open_handle():
-    """The lines of api/open_handle.f90."""
-    wanted = {module: list(names) for module, names in OTHER_NAMES.items()}
-    for _, of_type, module, _ in KINDS:
+def open_handles():
+    """The lines of each file by its name: api/open_handle.f90, and that of each extension, which opens those of the core too."""
+    files = {"open_handle": CORE} | {f"{extension}_open_handle": kinds for extension, kinds in EXTENSIONS.items()}
+    return {f"{name}.f90": module_of(f"mdrcontact_api_{name}", kinds) for name, kinds in files.items()}
+
+
+def module_of(name, kinds):
+    """The lines of one file."""
+    wanted = {"mdrcontact_error": ["error_t"]}
+    for module, names in OTHER_NAMES.items() if kinds is CORE else ():
+        wanted.setdefault(module, []).extend(names)
+    for _, of_type, module, _ in kinds:
         wanted.setdefault(module, []).append(of_type)
-    lines = TOP.split("\n")
+    lines = TOP.format(module=name).split("\n") + [ALL_OF_CORE] * (kinds is not CORE)
     lines += [f"    use {module}, only: {', '.join(sorted(names))}" for module, names in sorted(wanted.items())]
     lines += REST.split("\n")
     lines[-1] += " &"
-    names = [f"open_{of_type.removesuffix('_t')}" for _, of_type, *_ in KINDS]
+    names = [f"open_{of_type.removesuffix('_t')}" for _, of_type, *_ in kinds]
     lines += [f"            {name}{', &' if i + 1 < len(names) else ''}" for i, name in enumerate(names)]
     lines += ["    end interface open_handle", "", "contains"]
-    for word, of_type, _, clause in KINDS:
+    for word, of_type, _, clause in kinds:
         lines += accessor(word, of_type, clause)
-    return [*lines, "", "end module mdrcontact_api_open_handle"]
+    return [*lines, "", f"end module {name}"]

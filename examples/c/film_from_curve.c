@@ -6,7 +6,7 @@
  * Usage: film_from_curve examples/fit/sphere_on_oxide.csv   (two columns: depth in nm, load in mN, one header line)
  * Units of this program: nm, GPa and nN (1 GPa nm^2 = 1 nN).
  */
-#include <mdrcontact.h>
+#include <mdrcontact/fit.h>
 
 #include <math.h>
 #include <stdio.h>

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /**
  * @file adhesion.h
- * Adhesion: pull-off and loops, (28)-(32); speed of the edge.
+ * Adhesion that depends on the speed of the edge, adhesion of viscoelastic bodies. Option MDRCONTACT_ADHESION.
  * @since 0.1
  */
 #ifndef MDRCONTACT_ADHESION_H
@@ -13,64 +13,8 @@
 extern "C" {
 #endif
 
-/** A cycle of approach and retraction. Made by mdr_loop_new(). */
-typedef struct mdr_loop mdr_loop;
-
 /** A contact whose work of adhesion depends on the speed of its edge. Made by mdr_rate_new(). */
 typedef struct mdr_rate mdr_rate;
-
-/** Where an adhesive contact breaks: first the lowest force, or depth, of all its stable states, then, by radius, where each other
- *  stable segment ends: a coated body can have several. The first is 0 without adhesion.
- *  @param c         contact
- *  @param control   MDR_FORCE or MDR_DEPTH
- *  @param capacity  room in `out` >= 0; 1 for the pull-off alone
- *  @param out       [capacity] receives the first of them; NULL where capacity is 0
- *  @param count     or NULL: how many there are, 0 without adhesion
- *  @return also MDR_EUNREACHABLE if no state is stable under this control, MDR_EDOMAIN if the contact is still stable at the
- *          smallest radius for which the medium is defined, MDR_ENOCONVERGENCE */
-int mdr_contact_pull_off(const mdr_contact *c, int control, int capacity, mdr_state out[], int *count);
-
-/** A cycle: approach from afar, jump into contact, press to `largest`, retract until the bodies are apart again.
- *  @param c                 contact
- *  @param control           MDR_FORCE, MDR_DEPTH or MDR_SPRING: what the positions of the loop are
- *  @param largest           position where the motion turns back, > 0 [length, or modulus length^2 under force control]
- *  @param points            points on each way, 2 to 1000000; jumps and their ends come on top
- *  @param spring_stiffness  > 0 for MDR_SPRING [modulus length], not looked at otherwise
- *  @param out               receives the handle
- *  @return also MDR_EUNREACHABLE if `largest` cannot be reached or the bodies do not stick when they touch,
- *          MDR_ENOCONVERGENCE */
-int mdr_loop_new(const mdr_contact *c, int control, double largest, int points, double spring_stiffness, mdr_loop **out);
-
-/** A point of a loop. */
-typedef struct mdr_loop_point {
-    double position; /**< What is prescribed, see mdr_loop_new(). */
-    double depth;    /**< d, negative where the bodies are apart [length]. */
-    double radius;   /**< a, 0 where they are apart [length]. */
-    double force;    /**< F [modulus length^2]. */
-    double jumps;    /**< 1 where the path jumps to the next point, else 0. */
-} mdr_loop_point;
-
-/** The points of a loop.
- *  @param l         loop
- *  @param capacity  room in `out` >= 0
- *  @param out       [capacity] receives the first of them; NULL where capacity is 0
- *  @param count     or NULL: receives how many there are */
-int mdr_loop_points(const mdr_loop *l, int capacity, mdr_loop_point out[], int *count);
-
-/** What a loop is. */
-typedef struct mdr_loop_facts {
-    size_t size;              /**< Of this structure; MDR_SIZED sets it. */
-    double dissipated_energy; /**< Energy lost in the cycle, the area of the loop; under a prescribed force up to pull-off, for how
-                                   far the bodies then fly apart under it is not known [modulus length^3]. */
-    int points;               /**< How many points it has. */
-    int turning_point;        /**< Index, from 0, of the last point of the approach. */
-    int jumps;                /**< How often it jumps. */
-} mdr_loop_facts;
-
-/** What a loop is.
- *  @param l      loop
- *  @param facts  begun by MDR_SIZED; receives it */
-int mdr_loop_about(const mdr_loop *l, mdr_loop_facts *facts);
 
 /** A work of adhesion that depends on the speed v of the contact's edge. Opening, v > 0: G = work (1 + (v/speed)^exponent); closing:
  *  G = closing_work/(1 + (|v|/closing_speed)^closing_exponent); the edge stands still while closing_work < G < work (Gent and Schultz

@@ -178,7 +178,7 @@ int mdr_last_failure(mdr_failure *failure);
  * number.
  *
  * Arrays too small to gain stay on the calling thread: some ten thousand points of a closed form, two states that are solved for;
- * so do structures made by mdr_structure_function(). Within a parallel region of the caller's all stays on the calling thread. The
+ * so do structures made of functions. Within a parallel region of the caller's all stays on the calling thread. The
  * results are the same to the last bit for every number of threads; where entries fail, the error is that of the first of them. A
  * library built without OpenMP uses one thread.
  * @param threads  at least 1, or 0 for as many as OpenMP offers

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /**
  * @file conduction.h
- * Conduction of heat or current through a circular spot, heat of friction.
+ * Conduction of heat or current through a circular spot, heat of friction. Option MDRCONTACT_CONDUCTION.
  * @since 0.1
  */
 #ifndef MDRCONTACT_CONDUCTION_H
 #define MDRCONTACT_CONDUCTION_H
 
-#include "contact.h"
+#include "law.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -195,6 +195,17 @@ int mdr_conduction_heat(const mdr_conduction *p, const mdr_contact *c, int n, co
  *  @return also MDR_EINVALID, MDR_EDOMAIN, MDR_ENOCONVERGENCE */
 int mdr_conduction_heat_field(const mdr_conduction *p, const mdr_contact *c, const mdr_state *state, int motion, double strength,
                               int body, int below, int n, const double r[], const double z[], double out[]);
+
+/** Conductances G of a law that was made with a conduction, and dG/dd along the branch. Outputs that are NULL are skipped. Beyond
+ *  the largest depth of a law that goes on there G is that at its end, as a and k are.
+ *  @param law          law with options.conduction
+ *  @param branch       one of enum mdr_branch
+ *  @param n            number of states
+ *  @param d            [n] depths up to the largest one; G is 0 where the bodies are apart [length]
+ *  @param conductance  [n] or NULL: G [conductance]
+ *  @param slope        [n] or NULL: dG/dd [conductance/length]
+ *  @return also MDR_EDOMAIN beyond the largest depth, MDR_EINVALID for other laws */
+int mdr_law_conductance(const mdr_law *law, int branch, int n, const double d[], double conductance[], double slope[]);
 
 #ifdef __cplusplus
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /**
  * @file contact.h
- * Contacts (2)-(10), (21)-(32): states, fields, the field inside, histories.
+ * Contacts (2)-(10), (21)-(32): states, pull-off and loops, fields, the field inside.
  * @since 0.1
  */
 #ifndef MDRCONTACT_CONTACT_H
@@ -16,6 +16,9 @@ extern "C" {
 
 /** An indenter on a medium. Made by mdr_contact_new(). */
 typedef struct mdr_contact mdr_contact;
+
+/** A cycle of approach and retraction. Made by mdr_loop_new(). */
+typedef struct mdr_loop mdr_loop;
 
 /** The edge opening dl of an adhesive contact: the distance of the springs at the edge from the indenter when they let go. */
 enum mdr_adhesion_rule {
@@ -82,50 +85,58 @@ typedef struct mdr_state {
  *          MDR_ENOCONVERGENCE */
 int mdr_contact_states(const mdr_contact *c, int given, int branch, int n, const double in[], mdr_state out[]);
 
-/** The history of a contact with a viscoelastic body: depth, radius and force along a path in time, of which one is prescribed.
- *
- *  Before the first time the bodies are apart and at rest; what is prescribed then is reached in a jump, and is linear in time in
- *  between. Materials that all relax in proportion, each at a constant Poisson's ratio (layers on a rigid base), and homogeneous
- *  bodies follow from elastic curves to rounding: Lee and Radok (1960) while the contact grows, Ting (1966) after the maximum.
- *  Any other body or path, as a contact that shrinks and grows again, is marched through time with the memory of all layers, under
- *  the model exact and unless a dashpot is in parallel at the surface; power laws are sums of exponentials there.
- *  @param c          contact
- *  @param given      MDR_DEPTH, MDR_FORCE or MDR_RADIUS: what `in` holds
- *  @param tolerance  of marching, relative to the largest depth, radius and force; 1e-9 to 1e-2, 1e-5 is a good choice
- *  @param n          number of times
- *  @param time       [n] strictly ascending [time]
- *  @param in         [n] depths, < 0 where the bodies are apart [length], forces >= 0 [modulus length^2] or radii >= 0 [length]
- *  @param d          [n] or NULL: depths [length]
- *  @param a          [n] or NULL: contact radii, 0 where the bodies are apart [length]
- *  @param F          [n] or NULL: forces [modulus length^2]
- *  @return MDR_EINVALID also for elastic bodies, for what can be marched only and is not offered, and where a contact that grows
- *          again would not be one disc; MDR_EUNREACHABLE, MDR_EDOMAIN, MDR_ENOCONVERGENCE */
-int mdr_contact_history(const mdr_contact *c, int given, double tolerance, int n, const double time[], const double in[],
-                        double d[], double a[], double F[]);
+/** Where an adhesive contact breaks: first the lowest force, or depth, of all its stable states, then, by radius, where each other
+ *  stable segment ends: a coated body can have several. The first is 0 without adhesion.
+ *  @param c         contact
+ *  @param control   MDR_FORCE or MDR_DEPTH
+ *  @param capacity  room in `out` >= 0; 1 for the pull-off alone
+ *  @param out       [capacity] receives the first of them; NULL where capacity is 0
+ *  @param count     or NULL: how many there are, 0 without adhesion
+ *  @return also MDR_EUNREACHABLE if no state is stable under this control, MDR_EDOMAIN if the contact is still stable at the
+ *          smallest radius for which the medium is defined, MDR_ENOCONVERGENCE */
+int mdr_contact_pull_off(const mdr_contact *c, int control, int capacity, mdr_state out[], int *count);
 
-/** The dynamic stiffness k* = k' + i k'' of a contact with a viscoelastic body that oscillates by little about a contact radius;
- *  the energy lost in a cycle is pi k'' times the amplitude squared. Exact for any materials, power laws included, under the model
- *  exact; under other models for materials that relax in proportion.
- *  @param c        contact; the indenter does not matter
- *  @param n        number of frequencies
- *  @param omega    [n] angular frequencies > 0; equal neighbours cost less [1/time]
- *  @param radius   [n] contact radii > 0 [length]
- *  @param storage  [n] k' [modulus length]
- *  @param loss     [n] k'' [modulus length]
- *  @return MDR_EINVALID also for elastic bodies; MDR_EDOMAIN, MDR_ENOCONVERGENCE */
-int mdr_contact_dynamic_stiffness(const mdr_contact *c, int n, const double omega[], const double radius[], double storage[],
-                                  double loss[]);
+/** A cycle: approach from afar, jump into contact, press to `largest`, retract until the bodies are apart again.
+ *  @param c                 contact
+ *  @param control           MDR_FORCE, MDR_DEPTH or MDR_SPRING: what the positions of the loop are
+ *  @param largest           position where the motion turns back, > 0 [length, or modulus length^2 under force control]
+ *  @param points            points on each way, 2 to 1000000; jumps and their ends come on top
+ *  @param spring_stiffness  > 0 for MDR_SPRING [modulus length], not looked at otherwise
+ *  @param out               receives the handle
+ *  @return also MDR_EUNREACHABLE if `largest` cannot be reached or the bodies do not stick when they touch,
+ *          MDR_ENOCONVERGENCE */
+int mdr_loop_new(const mdr_contact *c, int control, double largest, int points, double spring_stiffness, mdr_loop **out);
 
-/** The answer of a viscoelastic body to a step at time 0, the contact radius being held. Bodies as for
- *  mdr_contact_dynamic_stiffness().
- *  @param c       contact; the indenter does not matter
- *  @param step    MDR_RELAXATION or MDR_CREEP: which step
- *  @param radius  contact radius > 0 [length]
- *  @param n       number of times
- *  @param time    [n] > 0 [time]
- *  @param out     [n] see enum mdr_quantity
- *  @return as mdr_contact_dynamic_stiffness() */
-int mdr_contact_step_response(const mdr_contact *c, int step, double radius, int n, const double time[], double out[]);
+/** A point of a loop. */
+typedef struct mdr_loop_point {
+    double position; /**< What is prescribed, see mdr_loop_new(). */
+    double depth;    /**< d, negative where the bodies are apart [length]. */
+    double radius;   /**< a, 0 where they are apart [length]. */
+    double force;    /**< F [modulus length^2]. */
+    double jumps;    /**< 1 where the path jumps to the next point, else 0. */
+} mdr_loop_point;
+
+/** The points of a loop.
+ *  @param l         loop
+ *  @param capacity  room in `out` >= 0
+ *  @param out       [capacity] receives the first of them; NULL where capacity is 0
+ *  @param count     or NULL: receives how many there are */
+int mdr_loop_points(const mdr_loop *l, int capacity, mdr_loop_point out[], int *count);
+
+/** What a loop is. */
+typedef struct mdr_loop_facts {
+    size_t size;              /**< Of this structure; MDR_SIZED sets it. */
+    double dissipated_energy; /**< Energy lost in the cycle, the area of the loop; under a prescribed force up to pull-off, for how
+                                   far the bodies then fly apart under it is not known [modulus length^3]. */
+    int points;               /**< How many points it has. */
+    int turning_point;        /**< Index, from 0, of the last point of the approach. */
+    int jumps;                /**< How often it jumps. */
+} mdr_loop_facts;
+
+/** What a loop is.
+ *  @param l      loop
+ *  @param facts  begun by MDR_SIZED; receives it */
+int mdr_loop_about(const mdr_loop *l, mdr_loop_facts *facts);
 
 /** Elastic energy of either body: together int F dd from first touch, with adhesion int F dd + pi a^2 work_of_adhesion along the
  *  branch [modulus length^3].

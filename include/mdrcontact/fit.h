@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /**
  * @file fit.h
- * Fit: from measured data to the parameters of indenter, medium and instrument; docs/fitting.md.
+ * Fit: from measured data to the parameters of indenter, medium and instrument; docs/fitting.md. Option
+ * MDRCONTACT_FIT.
  * @since 0.1
  */
 #ifndef MDRCONTACT_FIT_H

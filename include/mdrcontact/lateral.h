@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /**
  * @file lateral.h
- * Laterally heterogeneous structures: E_eff(a, x, y), equation (33); docs/lateral.md.
+ * Laterally heterogeneous structures: E_eff(a, x, y), equation (33); docs/lateral.md. Option MDRCONTACT_LATERAL.
  * @since 0.1
  */
 #ifndef MDRCONTACT_LATERAL_H

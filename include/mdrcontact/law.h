@@ -7,7 +7,6 @@
 #ifndef MDRCONTACT_LAW_H
 #define MDRCONTACT_LAW_H
 
-#include "conduction.h"
 #include "friction.h"
 
 #ifdef __cplusplus
@@ -38,8 +37,8 @@ typedef struct mdr_law_options {
                                   smooth dry contacts with adhesion do; on homogeneous bodies, with or without adhesion. What
                                   mdr_law_advance() takes is then the contact radius in place of the normal force. Default 0: none
                                   [modulus]. */
-    const mdr_conduction *conduction; /**< Of the same bodies: the law has their conductance too, mdr_law_conductance(), within the
-                                           tolerance. Default NULL: none. */
+    const struct mdr_conduction *conduction; /**< Of mdr_conduction_new() in conduction.h, of the same bodies: the law has their
+                                                  conductance too, within the tolerance. Default NULL: none. */
     int twist;               /**< With friction, not 0: the sliders bear the twist of the contact about its normal in place of the
                                   shift. What mdr_law_advance() takes and gives is then the twist phi [1] and the torque M
                                   [modulus length^3], in the first of three components; the others are 0. For paraboloids on
@@ -114,17 +113,6 @@ int mdr_law_follow(const mdr_law *law, double d, int *segment, mdr_law_point *po
  *  @return also MDR_EUNREACHABLE below the lowest force, MDR_EDOMAIN beyond the largest depth or force */
 int mdr_law_values(const mdr_law *law, int given, int branch, int n, const double in[], double d[], double a[], double F[],
                    double k[], double slope[], double energy[]);
-
-/** Conductances G of a law that was made with a conduction, and dG/dd along the branch. Outputs that are NULL are skipped. Beyond
- *  the largest depth of a law that goes on there G is that at its end, as a and k are.
- *  @param law          law with options.conduction
- *  @param branch       one of enum mdr_branch
- *  @param n            number of states
- *  @param d            [n] depths up to the largest one; G is 0 where the bodies are apart [length]
- *  @param conductance  [n] or NULL: G [conductance]
- *  @param slope        [n] or NULL: dG/dd [conductance/length]
- *  @return also MDR_EDOMAIN beyond the largest depth, MDR_EINVALID for other laws */
-int mdr_law_conductance(const mdr_law *law, int branch, int n, const double d[], double conductance[], double slope[]);
 
 /** What a law is. */
 typedef struct mdr_law_facts {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /**
  * @file poroelastic.h
- * Poroelastic gels.
+ * Poroelastic gels. Option MDRCONTACT_POROELASTIC.
  * @since 0.1
  */
 #ifndef MDRCONTACT_POROELASTIC_H

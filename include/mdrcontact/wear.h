@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /**
  * @file wear.h
- * Wear by Archard's law.
+ * Wear by Archard's law. Option MDRCONTACT_WEAR.
  * @since 0.1
  */
 #ifndef MDRCONTACT_WEAR_H
@@ -71,7 +71,7 @@ int mdr_wear_passes(const mdr_wear *w, const mdr_state *state, double depth, dou
  *  @return also MDR_EINVALID for other indenters and media */
 int mdr_wear_running_in(const mdr_wear *w, int given, double *length);
 
-/** A sliding contact and what it has lost so far; not for two threads at a time. Made by mdr_wear_history_new() or
+/** A sliding contact and what it has lost so far, which changes; not for two threads at a time. Made by mdr_wear_history_new() or
  *  mdr_wear_history_copy(). */
 typedef struct mdr_wear_history mdr_wear_history;
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Structures and constants of mdrcontact.h, written by tools/generate.py."""
+"""Structures and constants of the C headers, written by tools/generate.py."""
 
 import numpy as np
 
@@ -102,6 +102,26 @@ state = np.dtype(
     ],
     align=True,
 )
+loop_point = np.dtype(
+    [
+        ("position", np.float64),
+        ("depth", np.float64),
+        ("radius", np.float64),
+        ("force", np.float64),
+        ("jumps", np.float64),
+    ],
+    align=True,
+)
+loop_facts = np.dtype(
+    [
+        ("size", np.uintp),
+        ("dissipated_energy", np.float64),
+        ("points", np.intc),
+        ("turning_point", np.intc),
+        ("jumps", np.intc),
+    ],
+    align=True,
+)
 interior = np.dtype(
     [
         ("u_r", np.float64),
@@ -153,59 +173,6 @@ failure_load = np.dtype(
     ],
     align=True,
 )
-loop_point = np.dtype(
-    [
-        ("position", np.float64),
-        ("depth", np.float64),
-        ("radius", np.float64),
-        ("force", np.float64),
-        ("jumps", np.float64),
-    ],
-    align=True,
-)
-loop_facts = np.dtype(
-    [
-        ("size", np.uintp),
-        ("dissipated_energy", np.float64),
-        ("points", np.intc),
-        ("turning_point", np.intc),
-        ("jumps", np.intc),
-    ],
-    align=True,
-)
-rate_options = np.dtype(
-    [
-        ("size", np.uintp),
-        ("work", np.float64),
-        ("speed", np.float64),
-        ("exponent", np.float64),
-        ("closing_work", np.float64),
-        ("closing_speed", np.float64),
-        ("closing_exponent", np.float64),
-        ("material", np.uintp),
-        ("cohesive_stress", np.float64),
-        ("largest_radius", np.float64),
-        ("smallest_radius", np.float64),
-    ],
-    align=True,
-)
-rate_state = np.dtype(
-    [
-        ("radius", np.float64),
-        ("depth", np.float64),
-        ("dissipated", np.float64),
-        ("work", np.float64),
-        ("lowest_force", np.float64),
-        ("lowest_time", np.float64),
-        ("lowest_depth", np.float64),
-        ("lowest_radius", np.float64),
-        ("lowest_speed", np.float64),
-        ("rupture_time", np.float64),
-        ("rupture_depth", np.float64),
-        ("ruptures", np.float64),
-    ],
-    align=True,
-)
 shear_state = np.dtype(
     [
         ("shift", np.float64),
@@ -223,53 +190,6 @@ shear_facts = np.dtype(
         ("sliding_shift", np.float64),
         ("sliding_force", np.float64),
         ("direction", np.intc),
-    ],
-    align=True,
-)
-wear_state = np.dtype(
-    [
-        ("sliding", np.float64),
-        ("depth", np.float64),
-        ("radius", np.float64),
-        ("force", np.float64),
-        ("pressure", np.float64),
-        ("worn_depth", np.float64),
-        ("worn_volume", np.float64),
-        ("body_depth", np.float64),
-        ("body_volume", np.float64),
-        ("work", np.float64),
-        ("error", np.float64),
-    ],
-    align=True,
-)
-wear_options = np.dtype(
-    [
-        ("size", np.uintp),
-        ("intervals", np.intc),
-        ("places", np.intc),
-        ("scheme", np.intc),
-    ],
-    align=True,
-)
-conductor = np.dtype(
-    [
-        ("thickness", np.float64),
-        ("sigma", np.float64),
-        ("along", np.float64),
-        ("capacity", np.float64),
-        ("resistance", np.float64),
-    ],
-    align=True,
-)
-friction_heat = np.dtype(
-    [
-        ("total", np.float64),
-        ("share", np.float64),
-        ("centre", np.float64),
-        ("flux_mean", np.float64),
-        ("area_mean", np.float64),
-        ("largest", np.float64),
-        ("behind", np.float64),
     ],
     align=True,
 )
@@ -377,6 +297,86 @@ law_interval = np.dtype(
         ("smallest_root", np.float64),
         ("bits", np.float64),
         ("first_panel", np.float64),
+    ],
+    align=True,
+)
+rate_options = np.dtype(
+    [
+        ("size", np.uintp),
+        ("work", np.float64),
+        ("speed", np.float64),
+        ("exponent", np.float64),
+        ("closing_work", np.float64),
+        ("closing_speed", np.float64),
+        ("closing_exponent", np.float64),
+        ("material", np.uintp),
+        ("cohesive_stress", np.float64),
+        ("largest_radius", np.float64),
+        ("smallest_radius", np.float64),
+    ],
+    align=True,
+)
+rate_state = np.dtype(
+    [
+        ("radius", np.float64),
+        ("depth", np.float64),
+        ("dissipated", np.float64),
+        ("work", np.float64),
+        ("lowest_force", np.float64),
+        ("lowest_time", np.float64),
+        ("lowest_depth", np.float64),
+        ("lowest_radius", np.float64),
+        ("lowest_speed", np.float64),
+        ("rupture_time", np.float64),
+        ("rupture_depth", np.float64),
+        ("ruptures", np.float64),
+    ],
+    align=True,
+)
+wear_state = np.dtype(
+    [
+        ("sliding", np.float64),
+        ("depth", np.float64),
+        ("radius", np.float64),
+        ("force", np.float64),
+        ("pressure", np.float64),
+        ("worn_depth", np.float64),
+        ("worn_volume", np.float64),
+        ("body_depth", np.float64),
+        ("body_volume", np.float64),
+        ("work", np.float64),
+        ("error", np.float64),
+    ],
+    align=True,
+)
+wear_options = np.dtype(
+    [
+        ("size", np.uintp),
+        ("intervals", np.intc),
+        ("places", np.intc),
+        ("scheme", np.intc),
+    ],
+    align=True,
+)
+conductor = np.dtype(
+    [
+        ("thickness", np.float64),
+        ("sigma", np.float64),
+        ("along", np.float64),
+        ("capacity", np.float64),
+        ("resistance", np.float64),
+    ],
+    align=True,
+)
+friction_heat = np.dtype(
+    [
+        ("total", np.float64),
+        ("share", np.float64),
+        ("centre", np.float64),
+        ("flux_mean", np.float64),
+        ("area_mean", np.float64),
+        ("largest", np.float64),
+        ("behind", np.float64),
     ],
     align=True,
 )
@@ -569,15 +569,20 @@ SIDE_ABOVE = 502
 ALONG = 601
 AROUND = 602
 
+LAW_FORMAT = 1296843314
+
+FORM_PARABOLOID_FORCE = 1101
+FORM_CONE_FORCE = 1102
+FORM_ADHESIVE_DEPTH = 1103
+FORM_REDUCED_DEPTH = 1104
+FORM_RADIUS_SCALE = 1105
+FORM_DEPTH_SCALE = 1106
+
 WEAR_FRESH = 2001
 WEAR_SAME = 2002
 
 WEAR_DISC = 2101
 WEAR_RINGS = 2102
-
-DRAINAGE_SURFACE = 1701
-DRAINAGE_SEALED = 1702
-DRAINAGE_INDENTER = 1703
 
 BASE_HALF_SPACE = 1801
 BASE_PERFECT = 1802
@@ -587,7 +592,9 @@ HEAT_SLIDING = 1901
 HEAT_SPINNING = 1902
 HEAT_MOVING = 1903
 
-LAW_FORMAT = 1296843314
+DRAINAGE_SURFACE = 1701
+DRAINAGE_SEALED = 1702
+DRAINAGE_INDENTER = 1703
 
 SHAPE_LAYER = 1401
 SHAPE_HALF_SPACE = 1402
@@ -620,13 +627,6 @@ FIT_LINEAR = 1601
 FIT_HUBER = 1602
 FIT_CAUCHY = 1603
 
-FORM_PARABOLOID_FORCE = 1101
-FORM_CONE_FORCE = 1102
-FORM_ADHESIVE_DEPTH = 1103
-FORM_REDUCED_DEPTH = 1104
-FORM_RADIUS_SCALE = 1105
-FORM_DEPTH_SCALE = 1106
-
 POINTERS = {
     "code_of": (1,),
     "last_failure": (0,),
@@ -651,9 +651,10 @@ POINTERS = {
     "medium_values": (0,),
     "contact_new": (0, 1, 2),
     "contact_states": (0,),
-    "contact_history": (0,),
-    "contact_dynamic_stiffness": (0,),
-    "contact_step_response": (0,),
+    "contact_pull_off": (0,),
+    "loop_new": (0,),
+    "loop_points": (0,),
+    "loop_about": (0, 1),
     "contact_energy": (0,),
     "contact_field": (0,),
     "contact_lowest_pressure": (0,),
@@ -663,14 +664,6 @@ POINTERS = {
     "contact_layer_energies": (0,),
     "contact_critical": (0, 5),
     "contact_first_failure": (0, 5, 7),
-    "contact_pull_off": (0,),
-    "loop_new": (0,),
-    "loop_points": (0,),
-    "loop_about": (0, 1),
-    "rate_new": (0, 1),
-    "rate_work": (0,),
-    "rate_history": (0,),
-    "contact_adhesive_history": (0,),
     "friction_new": (0,),
     "shear_new": (0,),
     "shear_states": (0,),
@@ -680,6 +673,28 @@ POINTERS = {
     "friction_history_new": (0,),
     "friction_history_copy": (0,),
     "friction_history_advance": (0,),
+    "law_new": (0, 2),
+    "law_with_radius": (0,),
+    "law_force": (0,),
+    "law_follow": (0,),
+    "law_values": (0, 4, 5, 6, 7, 8, 9),
+    "law_about": (0, 1),
+    "law_buffer": (0, 2),
+    "law_save": (0, 1),
+    "law_load": (0,),
+    "law_write": (0, 1),
+    "law_read": (0,),
+    "law_advance": (0, 4, 5),
+    "law_energies": (0, 2),
+    "law_turn": (0, 2, 3),
+    "closed_form": (2,),
+    "contact_history": (0,),
+    "contact_dynamic_stiffness": (0,),
+    "contact_step_response": (0,),
+    "rate_new": (0, 1),
+    "rate_work": (0,),
+    "rate_history": (0,),
+    "contact_adhesive_history": (0,),
     "wear_new": (0, 2),
     "wear_limit": (0,),
     "wear_track": (0,),
@@ -692,9 +707,6 @@ POINTERS = {
     "wear_history_profile": (0,),
     "wear_history_save": (0,),
     "wear_history_restore": (0,),
-    "poroelastic_response": (0,),
-    "poroelastic_dynamic_stiffness": (0,),
-    "poroelastic_pressure": (0,),
     "conduction_new": (3,),
     "conduction_spot": (0,),
     "conduction_tabulate": (0,),
@@ -706,21 +718,10 @@ POINTERS = {
     "conduction_along": (0, 1),
     "conduction_heat": (0, 1),
     "conduction_heat_field": (0, 1),
-    "law_new": (0, 2),
-    "law_with_radius": (0,),
-    "law_force": (0,),
-    "law_follow": (0,),
-    "law_values": (0, 4, 5, 6, 7, 8, 9),
     "law_conductance": (0,),
-    "law_about": (0, 1),
-    "law_buffer": (0, 2),
-    "law_save": (0, 1),
-    "law_load": (0,),
-    "law_write": (0, 1),
-    "law_read": (0,),
-    "law_advance": (0, 4, 5),
-    "law_energies": (0, 2),
-    "law_turn": (0, 2, 3),
+    "poroelastic_response": (0,),
+    "poroelastic_dynamic_stiffness": (0,),
+    "poroelastic_pressure": (0,),
     "structure_shapes": (6,),
     "structure_voxels": (1, 7),
     "structure_function": (0, 1, 3),
@@ -730,6 +731,5 @@ POINTERS = {
     "fit_solve": (0, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12),
     "fit_predict": (0, 3, 4),
     "fit_interval": (0, 3, 4),
-    "closed_form": (2,),
 }
 """Places of pointers among the arguments of a function."""

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The compiled module from the C header: wrap_header.py HEADER PYF.
+"""The compiled module from the C headers: wrap_header.py HEADER PYF.
 
-Reads include/mdrcontact.h with its parts and writes for f2py a signature file (PYF) of all functions, from which it makes the
+Reads include/mdrcontact/all.h with its parts and writes for f2py a signature file (PYF) of all functions, from which it makes the
 module `_native`. The module's types, its structures, constants and the places of its pointers lie in the repository:
 tools/generate.py. A file that is up to date is left alone.
 
@@ -169,12 +169,17 @@ class Function:
         return f"def {self.name}(\n    {inputs}\n) -> {result}: ..."
 
 
-def with_parts(header):
-    """The header and its parts, which lie in the folder of its name."""
-    header = Path(header)
-    text = header.read_text(encoding="utf-8")
-    parts = re.findall(rf'#include "({header.stem}/.*)"', text)
-    return text + "".join((header.parent / part).read_text(encoding="utf-8") for part in parts)
+def parts_of(header, before=()):
+    """The files that a compiler reads for a header, each once and after those that it includes, without those read before."""
+    header, found = Path(header).resolve(), []
+    for part in re.findall(r'#include "(.*)"', header.read_text(encoding="utf-8")):
+        found += parts_of(header.parent / part, [*before, *found])
+    return [*found, *([header] if header not in (*before, *found) else [])]
+
+
+def with_parts(header, before=()):
+    """The text of a header and its parts."""
+    return "".join(part.read_text(encoding="utf-8") for part in parts_of(header, before))
 
 
 def without_comments(header):
@@ -199,7 +204,7 @@ def structures(text):
     """Name and members (type, name, length) of each structure."""
     found = {}
     for body, name in re.findall(r"typedef struct \w+ \{(.*?)\} (\w+);", text, flags=re.DOTALL):
-        members = re.findall(r"(?:const )?(\w+) (\*?)(\w+)(?:\[(\d+)\])?;", body)
+        members = re.findall(r"(?:const )?(?:struct )?(\w+) (\*?)(\w+)(?:\[(\d+)\])?;", body)
         found[name] = [("address" if star else kind, member, length) for kind, star, member, length in members]
     return found
 
@@ -207,7 +212,7 @@ def structures(text):
 def layout(text, found, functions):
     """The dtypes of the structures, the constants of the enumerations, and where functions take pointers."""
     kinds = {"size_t": "np.uintp", "address": "np.uintp", "double": "np.float64", "int": "np.intc"}
-    words = '"""Structures and constants of mdrcontact.h, written by tools/generate.py."""'
+    words = '"""Structures and constants of the C headers, written by tools/generate.py."""'
     lines = [SPDX, words, "", "import numpy as np", ""]
     for name, members in found.items():
         rows = (
@@ -245,7 +250,7 @@ def type_hints(functions):
     """The module's types."""
     return [
         SPDX,
-        "# The functions of mdrcontact.h as `_boundary.native` has them, written by tools/generate.py.",
+        "# The functions of the C headers as `_boundary.native` has them, written by tools/generate.py.",
         "from collections.abc import Sequence",
         "from typing import Any",
         "",

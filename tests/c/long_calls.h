@@ -7,6 +7,7 @@
 #define LONG_CALLS_H
 
 #include "check.h"
+#include "mdrcontact/all.h"
 
 enum { MOST_NUMBERS = 96 };
 

@@ -2,6 +2,7 @@
 /* Arrays on several threads: the same numbers to the last bit and the same error for every number of threads, also where the
  * caller has threads of its own. */
 #include "check.h"
+#include "mdrcontact/all.h"
 
 #include <pthread.h>
 #ifdef _OPENMP

@@ -5,6 +5,7 @@
  * time.
  */
 #include "check.h"
+#include "mdrcontact/all.h"
 
 #include <time.h>
 

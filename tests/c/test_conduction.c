@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Conduction: closed forms, in place, refusals. */
 #include "check.h"
+#include "mdrcontact/conduction.h"
 
 static const double PI = 3.14159265358979323846;
 static const mdr_conductor HALF_SPACE = {0.0, 2.0, 8.0, 3.0, 0.0};

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Fits through the C API: noise-free data give the truth back, bad input is refused. */
 #include "check.h"
+#include "mdrcontact/fit.h"
 
 enum { POINTS = 40, NUMBERS = 19 };
 

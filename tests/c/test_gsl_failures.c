@@ -5,6 +5,7 @@
  */
 #define _GNU_SOURCE
 #include "check.h"
+#include "mdrcontact/all.h"
 
 #include <dlfcn.h>
 

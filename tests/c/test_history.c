@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Viscoelastic materials, media and histories: closed forms, limits, refusals. */
 #include "check.h"
+#include "mdrcontact/time.h"
 
 enum { N = 4 };
 

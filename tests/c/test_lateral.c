@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Laterally heterogeneous structures: refusals, layers against the layered medium, points, lines, voxels, weights. */
 #include "check.h"
+#include "mdrcontact/lateral.h"
 
 #include <float.h>
 #include <limits.h>

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* The ways through a law give the same bits: inline, library, and batches of one, two and four points at a time. */
 #include "check.h"
+#include "mdrcontact/all.h"
 
 #define mdrcontact_law_points points_of_test
 #include "../../src/mdrcontact/contact/law/kernel.c"

@@ -4,6 +4,7 @@
  * refuses large requests while a switch is set; everything else goes on to the C library's.
  */
 #include "check.h"
+#include "mdrcontact/all.h"
 
 void *__libc_malloc(size_t size);
 

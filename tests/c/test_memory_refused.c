@@ -9,6 +9,7 @@
  */
 #define _GNU_SOURCE
 #include "check.h"
+#include "mdrcontact/all.h"
 
 #include <sys/wait.h>
 #include <unistd.h>

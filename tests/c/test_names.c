@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A program may have global functions of any name that does not begin with mdr_: the library never calls them. */
 #include "check.h"
+#include "mdrcontact/fit.h"
 
 /* Functions that the library has inside, under the names they have there. */
 static int calls;

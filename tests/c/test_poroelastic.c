@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Poroelastic gels: elastic limits, units, refusals. */
 #include "check.h"
+#include "mdrcontact/poroelastic.h"
 
 enum { N = 5 };
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* A work of adhesion that depends on speed: a row of tests/data/adhesion_time.csv, a history in pieces, refusals. */
 #include "check.h"
+#include "mdrcontact/adhesion.h"
 
 enum { N = 2 };
 

@@ -4,6 +4,7 @@
  * library reads and writes what both know and nothing beside it, whatever stands there.
  */
 #include "check.h"
+#include "mdrcontact/all.h"
 
 enum { GUARD = 64, CANARY = 0x5a, LONGER = 24 };
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Threads that share every object: the same numbers as one thread alone, and each thread its own error text. */
 #include "check.h"
+#include "mdrcontact/all.h"
 
 #include <pthread.h>
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* One object of every kind, evaluated by several threads at once: the same numbers as one thread alone. */
 #include "check.h"
+#include "mdrcontact/all.h"
 
 #include <pthread.h>
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Wear: the end of fretting, the track, histories that go on from where they were, refusals. */
 #include "check.h"
+#include "mdrcontact/wear.h"
 
 static const double k = 0.5;
 

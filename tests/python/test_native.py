@@ -21,6 +21,9 @@ import mdrcontact.instruments as mdi
 from mdrcontact import _boundary, _layout, _native
 
 ROOT = Path(__file__).parents[2]
+sys.path.insert(0, str(ROOT / "python" / "src"))
+from wrap_header import parts_of, prototypes, without_comments  # noqa: E402
+
 PACKAGE = ROOT / "python" / "mdrcontact"
 
 
@@ -33,6 +36,24 @@ def test_what_follows_from_the_headers_is_up_to_date(tmp_path):
     for path in made:
         kept = ROOT / path.relative_to(tmp_path)
         assert path.read_text(encoding="utf-8") == kept.read_text(encoding="utf-8"), f"{kept} is out of date: run {program}"
+
+
+def test_the_umbrella_header_is_the_core():
+    """An extension's functions, structures and enumerations need its own header, which all.h includes."""
+    include = ROOT / "include"
+    core, everything = (parts_of(include / name) for name in ("mdrcontact.h", "mdrcontact/all.h"))
+    extensions = [path.stem for path in everything if path not in core][:-1]
+    assert extensions == ["time", "adhesion", "wear", "conduction", "poroelastic", "lateral", "fit"]
+    assert {path.stem for path in (include / "mdrcontact").glob("*.h")} == {path.stem for path in everything} - {"mdrcontact"}
+    functions = prototypes(without_comments(include / "mdrcontact.h"))
+    assert 75 < len(functions) <= 95
+    for name in extensions:
+        path = include / "mdrcontact" / f"{name}.h"
+        assert f"Option MDRCONTACT_{name.upper()}." in " ".join(path.read_text(encoding="utf-8").replace("\n *", "").split())
+        own = {word for _, word, _ in prototypes(re.sub(r"/\*.*?\*/", "", path.read_text(encoding="utf-8"), flags=re.DOTALL))}
+        assert own
+        assert not own & {word for _, word, _ in functions}
+        assert not [word for word in own if re.search(rf"\b{word}\b", (include / "mdrcontact.h").read_text(encoding="utf-8"))]
 
 
 def test_every_structure_that_grows_is_used_at_every_size():

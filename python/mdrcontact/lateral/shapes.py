@@ -29,7 +29,7 @@ class Layer(NamedTuple):
 
     @property
     def parameters(self) -> tuple[float, ...]:
-        """As in mdrcontact.h, enum mdr_shape."""
+        """As in mdrcontact/lateral.h, enum mdr_shape."""
         return self.top, self.bottom
 
     def holds(self, x: Any, y: Any, z: Any) -> Any:
@@ -47,7 +47,7 @@ class HalfSpace(NamedTuple):
 
     @property
     def parameters(self) -> tuple[float, ...]:
-        """As in mdrcontact.h, enum mdr_shape."""
+        """As in mdrcontact/lateral.h, enum mdr_shape."""
         return *self.point, *self.normal
 
     def holds(self, x: Any, y: Any, z: Any) -> Any:
@@ -65,7 +65,7 @@ class Ball(NamedTuple):
 
     @property
     def parameters(self) -> tuple[float, ...]:
-        """As in mdrcontact.h, enum mdr_shape."""
+        """As in mdrcontact/lateral.h, enum mdr_shape."""
         return *self.centre, self.radius
 
     def holds(self, x: Any, y: Any, z: Any) -> Any:
@@ -84,7 +84,7 @@ class Fibre(NamedTuple):
 
     @property
     def parameters(self) -> tuple[float, ...]:
-        """As in mdrcontact.h, enum mdr_shape."""
+        """As in mdrcontact/lateral.h, enum mdr_shape."""
         return *self.point, *self.direction, self.radius
 
     def holds(self, x: Any, y: Any, z: Any) -> Any:
@@ -109,7 +109,7 @@ class Pillar(NamedTuple):
 
     @property
     def parameters(self) -> tuple[float, ...]:
-        """As in mdrcontact.h, enum mdr_shape."""
+        """As in mdrcontact/lateral.h, enum mdr_shape."""
         return self.x, self.y, self.radius, self.top, self.bottom
 
     def holds(self, x: Any, y: Any, z: Any) -> Any:
@@ -127,7 +127,7 @@ class Box(NamedTuple):
 
     @property
     def parameters(self) -> tuple[float, ...]:
-        """As in mdrcontact.h, enum mdr_shape."""
+        """As in mdrcontact/lateral.h, enum mdr_shape."""
         return *self.x, *self.y, *self.z
 
     def holds(self, x: Any, y: Any, z: Any) -> Any:
@@ -198,4 +198,4 @@ _LENGTHS: dict[type[Any], range] = {
 }  # fmt: skip
 """How many parameters a shape has."""
 _KINDS = list(_LENGTHS)
-"""In the order of enum mdr_shape in mdrcontact.h."""
+"""In the order of enum mdr_shape in mdrcontact/lateral.h."""

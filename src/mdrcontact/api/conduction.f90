@@ -5,7 +5,7 @@ module mdrcontact_api_conduction
     use mdrcontact_api_arrays, only: check_array, check_each_not_negative, check_each_positive, check_results, deliver_parts, &
                                      make_room
     use mdrcontact_api_handles, only: deliver
-    use mdrcontact_api_open_handle, only: open_handle
+    use mdrcontact_api_conduction_open_handle, only: open_handle
     use mdrcontact_api_status, only: status_of
     use mdrcontact_codes, only: body_lower, body_upper, flux_r, flux_z, potential, spot_flux => flux
     use mdrcontact_conduction_answers, only: admittance_of, flux_after_step, follow_history, step_of

@@ -3,7 +3,7 @@
 module mdrcontact_api_conduction_heat
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
     use mdrcontact_api_arrays, only: check_results, make_room
-    use mdrcontact_api_open_handle, only: open_handle
+    use mdrcontact_api_conduction_open_handle, only: open_handle
     use mdrcontact_api_status, only: status_of
     use mdrcontact_api_conduction, only: check_body
     use mdrcontact_codes, only: body_upper, moving => heat_moving, sliding => heat_sliding, spinning => heat_spinning

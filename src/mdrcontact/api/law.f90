@@ -3,7 +3,7 @@
 module mdrcontact_api_law
     use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_int, c_loc, c_ptr, c_size_t, c_sizeof
     use mdrcontact_api_handles, only: description_of, hand_over
-    use mdrcontact_api_open_handle, only: open_handle
+    use mdrcontact_api_conduction_open_handle, only: open_handle
     use mdrcontact_api_options, only: check_size, read_options, write_facts
     use mdrcontact_api_records, only: c_law_facts_t, c_law_options_t
     use mdrcontact_api_status, only: check_given, status_of

@@ -3,23 +3,17 @@
 module mdrcontact_api_open_handle
     use, intrinsic :: iso_c_binding, only: c_ptr
     use mdrcontact_api_handles, only: look_inside, refuse_kind
-    use mdrcontact_adhesion_rate_contact, only: rate_contact_t
     use mdrcontact_api_any_body, only: any_body_t
-    use mdrcontact_conduction_bodies, only: conduction_t
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_loop, only: loop_t
     use mdrcontact_error, only: error_invalid, error_t, raise
     use mdrcontact_friction_history, only: friction_history_t
     use mdrcontact_friction_partial_slip, only: first_shear_t, friction_t
-    use mdrcontact_lateral_structure, only: structure_t
     use mdrcontact_law, only: contact_law_t
     use mdrcontact_material_rheology, only: rheology_t
     use mdrcontact_medium, only: medium_t, refuse_states
-    use mdrcontact_poroelastic_table, only: poroelastic_t
     use mdrcontact_profile, only: profile_t
     use mdrcontact_time_relaxing_contact, only: relaxing_contact_t
-    use mdrcontact_wear, only: wear_t
-    use mdrcontact_wear_history, only: wear_history_t
     implicit none (type, external)
     private
     public :: open_handle
@@ -33,17 +27,11 @@ module mdrcontact_api_open_handle
             open_contact, &
             open_relaxing_contact, &
             open_loop, &
-            open_structure, &
             open_contact_law, &
             open_friction, &
             open_first_shear, &
             open_friction_history, &
-            open_rheology, &
-            open_poroelastic, &
-            open_conduction, &
-            open_rate_contact, &
-            open_wear, &
-            open_wear_history
+            open_rheology
     end interface open_handle
 
 contains
@@ -160,24 +148,6 @@ contains
         end select
     end subroutine open_loop
 
-    subroutine open_structure(handle, name, object, error)
-        type(c_ptr), intent(in) :: handle
-        character(len=*), intent(in) :: name
-        class(structure_t), pointer, intent(out) :: object
-        type(error_t), allocatable, intent(inout) :: error
-        class(*), pointer :: inside
-
-        nullify (object)
-        call look_inside(handle, name, "mdr_structure", inside, error)
-        if (allocated(error)) return
-        select type (inside)
-        class is (structure_t)
-            object => inside
-        class default
-            call refuse_kind(name, "mdr_structure", error)
-        end select
-    end subroutine open_structure
-
     subroutine open_contact_law(handle, name, object, error)
         type(c_ptr), intent(in) :: handle
         character(len=*), intent(in) :: name
@@ -267,95 +237,5 @@ contains
             call refuse_kind(name, "mdr_material", error)
         end select
     end subroutine open_rheology
-
-    subroutine open_poroelastic(handle, name, object, error)
-        type(c_ptr), intent(in) :: handle
-        character(len=*), intent(in) :: name
-        type(poroelastic_t), pointer, intent(out) :: object
-        type(error_t), allocatable, intent(inout) :: error
-        class(*), pointer :: inside
-
-        nullify (object)
-        call look_inside(handle, name, "mdr_poroelastic", inside, error)
-        if (allocated(error)) return
-        select type (inside)
-        type is (poroelastic_t)
-            object => inside
-        class default
-            call refuse_kind(name, "mdr_poroelastic", error)
-        end select
-    end subroutine open_poroelastic
-
-    subroutine open_conduction(handle, name, object, error)
-        type(c_ptr), intent(in) :: handle
-        character(len=*), intent(in) :: name
-        type(conduction_t), pointer, intent(out) :: object
-        type(error_t), allocatable, intent(inout) :: error
-        class(*), pointer :: inside
-
-        nullify (object)
-        call look_inside(handle, name, "mdr_conduction", inside, error)
-        if (allocated(error)) return
-        select type (inside)
-        type is (conduction_t)
-            object => inside
-        class default
-            call refuse_kind(name, "mdr_conduction", error)
-        end select
-    end subroutine open_conduction
-
-    subroutine open_rate_contact(handle, name, object, error)
-        type(c_ptr), intent(in) :: handle
-        character(len=*), intent(in) :: name
-        type(rate_contact_t), pointer, intent(out) :: object
-        type(error_t), allocatable, intent(inout) :: error
-        class(*), pointer :: inside
-
-        nullify (object)
-        call look_inside(handle, name, "mdr_rate", inside, error)
-        if (allocated(error)) return
-        select type (inside)
-        type is (rate_contact_t)
-            object => inside
-        class default
-            call refuse_kind(name, "mdr_rate", error)
-        end select
-    end subroutine open_rate_contact
-
-    subroutine open_wear(handle, name, object, error)
-        type(c_ptr), intent(in) :: handle
-        character(len=*), intent(in) :: name
-        type(wear_t), pointer, intent(out) :: object
-        type(error_t), allocatable, intent(inout) :: error
-        class(*), pointer :: inside
-
-        nullify (object)
-        call look_inside(handle, name, "mdr_wear", inside, error)
-        if (allocated(error)) return
-        select type (inside)
-        type is (wear_t)
-            object => inside
-        class default
-            call refuse_kind(name, "mdr_wear", error)
-        end select
-    end subroutine open_wear
-
-    subroutine open_wear_history(handle, name, object, error)
-        type(c_ptr), intent(in) :: handle
-        character(len=*), intent(in) :: name
-        type(wear_history_t), pointer, intent(out) :: object
-        type(error_t), allocatable, intent(inout) :: error
-        class(*), pointer :: inside
-
-        nullify (object)
-        call look_inside(handle, name, "mdr_wear_history", inside, error)
-        if (allocated(error)) return
-        select type (inside)
-        type is (wear_history_t)
-            object => inside
-        class default
-            call refuse_kind(name, "mdr_wear_history", error)
-        end select
-    end subroutine open_wear_history
 
 end module mdrcontact_api_open_handle

@@ -4,7 +4,7 @@ module mdrcontact_api_poroelastic
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
     use mdrcontact_api_arrays, only: check_each_positive, check_results, deliver_parts, make_room
     use mdrcontact_api_handles, only: deliver
-    use mdrcontact_api_open_handle, only: open_handle
+    use mdrcontact_api_poroelastic_open_handle, only: open_handle
     use mdrcontact_api_status, only: status_of
     use mdrcontact_error, only: check_choice, error_t
     use mdrcontact_kinds, only: wp

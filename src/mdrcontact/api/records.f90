@@ -5,8 +5,8 @@ module mdrcontact_api_records
     implicit none (type, external)
     private
     public :: c_failure_t, c_parameter_t, c_layer_t, c_surface_t, c_model_facts_t, c_medium_options_t, c_contact_options_t, &
-              c_maximum_t, c_strength_t, c_failure_load_t, c_loop_facts_t, c_rate_options_t, c_shear_facts_t, c_wear_options_t, &
-              c_law_options_t, c_law_facts_t, c_structure_options_t, c_fit_parameter_t, c_fit_problem_t, c_fit_summary_t
+              c_loop_facts_t, c_maximum_t, c_strength_t, c_failure_load_t, c_shear_facts_t, c_law_options_t, c_law_facts_t, &
+              c_rate_options_t, c_wear_options_t, c_structure_options_t, c_fit_parameter_t, c_fit_problem_t, c_fit_summary_t
 
     !> struct mdr_failure
     type, bind(C) :: c_failure_t
@@ -89,6 +89,15 @@ module mdrcontact_api_records
         real(c_double) :: cohesive_stress = 0.0_c_double
     end type c_contact_options_t
 
+    !> struct mdr_loop_facts
+    type, bind(C) :: c_loop_facts_t
+        integer(c_size_t) :: size = 0_c_size_t
+        real(c_double) :: dissipated_energy = 0.0_c_double
+        integer(c_int) :: points = 0_c_int
+        integer(c_int) :: turning_point = 0_c_int
+        integer(c_int) :: jumps = 0_c_int
+    end type c_loop_facts_t
+
     !> struct mdr_maximum
     type, bind(C) :: c_maximum_t
         integer(c_int) :: quantity = 0_c_int
@@ -123,30 +132,6 @@ module mdrcontact_api_records
         real(c_double) :: angle = 0.0_c_double
     end type c_failure_load_t
 
-    !> struct mdr_loop_facts
-    type, bind(C) :: c_loop_facts_t
-        integer(c_size_t) :: size = 0_c_size_t
-        real(c_double) :: dissipated_energy = 0.0_c_double
-        integer(c_int) :: points = 0_c_int
-        integer(c_int) :: turning_point = 0_c_int
-        integer(c_int) :: jumps = 0_c_int
-    end type c_loop_facts_t
-
-    !> struct mdr_rate_options
-    type, bind(C) :: c_rate_options_t
-        integer(c_size_t) :: size = 0_c_size_t
-        real(c_double) :: work = 0.0_c_double
-        real(c_double) :: speed = 0.0_c_double
-        real(c_double) :: exponent = 0.0_c_double
-        real(c_double) :: closing_work = 0.0_c_double
-        real(c_double) :: closing_speed = 0.0_c_double
-        real(c_double) :: closing_exponent = 0.0_c_double
-        type(c_ptr) :: material = c_null_ptr
-        real(c_double) :: cohesive_stress = 0.0_c_double
-        real(c_double) :: largest_radius = 0.0_c_double
-        real(c_double) :: smallest_radius = 0.0_c_double
-    end type c_rate_options_t
-
     !> struct mdr_shear_facts
     type, bind(C) :: c_shear_facts_t
         integer(c_size_t) :: size = 0_c_size_t
@@ -154,14 +139,6 @@ module mdrcontact_api_records
         real(c_double) :: sliding_force = 0.0_c_double
         integer(c_int) :: direction = 0_c_int
     end type c_shear_facts_t
-
-    !> struct mdr_wear_options
-    type, bind(C) :: c_wear_options_t
-        integer(c_size_t) :: size = 0_c_size_t
-        integer(c_int) :: intervals = 0_c_int
-        integer(c_int) :: places = 0_c_int
-        integer(c_int) :: scheme = 0_c_int
-    end type c_wear_options_t
 
     !> struct mdr_law_options
     type, bind(C) :: c_law_options_t
@@ -202,6 +179,29 @@ module mdrcontact_api_records
         integer(c_int) :: conducts = 0_c_int
         integer(c_int) :: twists = 0_c_int
     end type c_law_facts_t
+
+    !> struct mdr_rate_options
+    type, bind(C) :: c_rate_options_t
+        integer(c_size_t) :: size = 0_c_size_t
+        real(c_double) :: work = 0.0_c_double
+        real(c_double) :: speed = 0.0_c_double
+        real(c_double) :: exponent = 0.0_c_double
+        real(c_double) :: closing_work = 0.0_c_double
+        real(c_double) :: closing_speed = 0.0_c_double
+        real(c_double) :: closing_exponent = 0.0_c_double
+        type(c_ptr) :: material = c_null_ptr
+        real(c_double) :: cohesive_stress = 0.0_c_double
+        real(c_double) :: largest_radius = 0.0_c_double
+        real(c_double) :: smallest_radius = 0.0_c_double
+    end type c_rate_options_t
+
+    !> struct mdr_wear_options
+    type, bind(C) :: c_wear_options_t
+        integer(c_size_t) :: size = 0_c_size_t
+        integer(c_int) :: intervals = 0_c_int
+        integer(c_int) :: places = 0_c_int
+        integer(c_int) :: scheme = 0_c_int
+    end type c_wear_options_t
 
     !> struct mdr_structure_options
     type, bind(C) :: c_structure_options_t

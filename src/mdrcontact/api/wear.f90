@@ -4,7 +4,7 @@ module mdrcontact_api_wear
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_loc, c_ptr, c_sizeof
     use mdrcontact_api_arrays, only: check_array, check_results, make_room
     use mdrcontact_api_handles, only: hand_over
-    use mdrcontact_api_open_handle, only: open_handle
+    use mdrcontact_api_wear_open_handle, only: open_handle
     use mdrcontact_api_options, only: read_options
     use mdrcontact_api_records, only: c_wear_options_t
     use mdrcontact_api_status, only: status_of

@@ -5,7 +5,7 @@
 
 #include "../../c/calls.h"
 #include "input.h"
-#include "mdrcontact.h"
+#include "mdrcontact/all.h"
 
 enum { SLOTS = 3 };
 

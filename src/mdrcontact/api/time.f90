@@ -1,22 +1,18 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Histories of contacts with viscoelastic bodies, for C.
-module mdrcontact_api_history
+!> Contacts with viscoelastic bodies in time, for C.
+module mdrcontact_api_time
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
-    use mdrcontact_api_adhesion, only: choose_control
     use mdrcontact_api_arrays, only: check_results, deliver_parts, make_room
     use mdrcontact_api_open_handle, only: open_handle
     use mdrcontact_api_status, only: status_of
-    use mdrcontact_contact_control, only: control_t
-    use mdrcontact_error, only: check_memory, error_invalid, error_t, raise, to_text
-    use mdrcontact_adhesion_cohesive_history, only: cohesive_columns, cohesive_history
-    use mdrcontact_adhesion_rate_state, only: rate_state_t
+    use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_time_history, only: contact_history
     use mdrcontact_time_stiffness, only: dynamic_stiffness, step_response
     use mdrcontact_time_relaxing_contact, only: relaxing_contact_t
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
-    public :: mdr_contact_history, mdr_contact_adhesive_history, mdr_contact_dynamic_stiffness, mdr_contact_step_response
+    public :: mdr_contact_history, mdr_contact_dynamic_stiffness, mdr_contact_step_response
 
 contains
 
@@ -50,48 +46,6 @@ contains
         if (present(a)) a(:n) = values(:, 2)
         if (present(f)) f(:n) = values(:, 3)
     end function mdr_contact_history
-
-    function mdr_contact_adhesive_history(c, control, spring_stiffness, tolerance, start, n, time, in, d, a, zone_radius, f, end) &
-        result(status) bind(C, name="mdrcontact_entry_contact_adhesive_history")
-        type(c_ptr), value :: c
-        integer(c_int), value :: control, n
-        real(c_double), value :: spring_stiffness, tolerance
-        type(rate_state_t), intent(in), optional :: start
-        real(c_double), intent(in), optional :: time(*), in(*)
-        real(c_double), intent(inout), optional :: d(*), a(*), zone_radius(*), f(*)
-        type(rate_state_t), intent(inout), optional :: end
-        integer(c_int) :: status
-        type(relaxing_contact_t), pointer :: contact
-        type(control_t) :: chosen
-        type(rate_state_t) :: state
-        real(c_double), allocatable :: path(:, :)
-        type(error_t), allocatable :: error
-        integer :: i, stat
-
-        call open_handle(c, "c", contact, error)
-        call choose_control(chosen, control, spring_stiffness, .true., error)
-        if (.not. allocated(error)) then
-            if (start%radius > 0.0_c_double) call raise(error, error_invalid, " = "//to_text(real(start%radius, wp))// &
-                                                        " is not allowed: it must be 0 (apart) or less (at rest)", "start")
-        end if
-        status = status_of(error)
-        if (allocated(error)) return
-        allocate (path(cohesive_columns, n), stat=stat)
-        call check_memory(error, stat)
-        if (.not. allocated(error) .and. n > 0) then
-            call cohesive_history(contact, chosen, start%radius < 0.0_c_double, time(:n), in(:n), path, state, error, tolerance)
-        end if
-        do i = 1, cohesive_columns
-            if (.not. allocated(error)) call check_results(error, path(i, :))
-        end do
-        status = status_of(error)
-        if (allocated(error)) return
-        if (present(d)) d(:n) = path(1, :)
-        if (present(a)) a(:n) = path(2, :)
-        if (present(zone_radius)) zone_radius(:n) = path(3, :)
-        if (present(f)) f(:n) = path(4, :)
-        end = state
-    end function mdr_contact_adhesive_history
 
     function mdr_contact_dynamic_stiffness(c, n, omega, radius, storage, loss) result(status) &
         bind(C, name="mdrcontact_entry_contact_dynamic_stiffness")
@@ -133,4 +87,4 @@ contains
         status = status_of(error)
     end function mdr_contact_step_response
 
-end module mdrcontact_api_history
+end module mdrcontact_api_time

@@ -1,11 +1,11 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Laterally heterogeneous structures, for C (theory 7).
-module mdrcontact_api_structure
+module mdrcontact_api_lateral_structure
     use, intrinsic :: iso_c_binding, only: c_double, c_f_procpointer, c_funptr, c_int, c_loc, c_null_ptr, c_ptr, c_associated, &
                                            c_sizeof
     use mdrcontact_api_arrays, only: make_room
     use mdrcontact_api_handles, only: deliver, hand_over, hand_over_solver
-    use mdrcontact_api_open_handle, only: open_handle
+    use mdrcontact_api_lateral_open_handle, only: open_handle
     use mdrcontact_api_options, only: read_options
     use mdrcontact_api_records, only: c_structure_options_t
     use mdrcontact_api_status, only: check_given, status_of, wanted_threads
@@ -264,4 +264,4 @@ contains
         end if
     end subroutine c_field_material
 
-end module mdrcontact_api_structure
+end module mdrcontact_api_lateral_structure

@@ -1,11 +1,11 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Contacts whose work of adhesion depends on the speed of their edge, for C.
-module mdrcontact_api_rate
+module mdrcontact_api_adhesion_rate
     use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_int, c_loc, c_ptr, c_sizeof
-    use mdrcontact_api_adhesion, only: choose_control
     use mdrcontact_api_arrays, only: check_each_finite, check_results, make_room
     use mdrcontact_api_handles, only: hand_over
-    use mdrcontact_api_open_handle, only: open_handle
+    use mdrcontact_api_adhesion_open_handle, only: open_handle
+    use mdrcontact_api_loop, only: choose_control
     use mdrcontact_api_options, only: read_options
     use mdrcontact_api_records, only: c_rate_options_t
     use mdrcontact_api_status, only: check_given, status_of
@@ -139,4 +139,4 @@ contains
         end = state
     end function mdr_rate_history
 
-end module mdrcontact_api_rate
+end module mdrcontact_api_adhesion_rate

@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Pull-off and loops of adhesive contacts, for C.
-module mdrcontact_api_adhesion
+module mdrcontact_api_loop
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_loc, c_ptr, c_size_t, c_sizeof
     use mdrcontact_api_arrays, only: check_array, check_results
     use mdrcontact_api_handles, only: hand_over
@@ -143,4 +143,4 @@ contains
         end select
     end subroutine choose_control
 
-end module mdrcontact_api_adhesion
+end module mdrcontact_api_loop
