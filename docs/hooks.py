@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What MkDocs does not do by itself: formulas as MathML, which needs no network, and links to the repository's files.
 
-A formula stands between single dollar signs, or between double ones when it is displayed. A block of code that is a file,
+A formula stands between single dollar signs, or between double ones when it is displayed. `\\tag{2.1}` at the end of a displayed
+formula is its number: it appears at the right, and `#eq-2.1` leads to it. A block of code that is a file,
 ```` ```c file=main.c ````, gets the file's name as its title.
 """
 
@@ -21,42 +22,62 @@ ROOT = DOCS.parent
 _BLOCK = re.compile(r"^```.*?^```$", re.DOTALL | re.MULTILINE)
 _CODE = re.compile(r"(^```.*?^```$|`[^`\n]+`)", re.DOTALL | re.MULTILINE)
 _TITLE = re.compile(r"^```(\w+) file=(\S+)$", re.MULTILINE)
-_FORMULA = re.compile(r"\$\$(?P<displayed>.+?)\$\$|(?<![\w$\\])\$(?=\S)(?P<inline>[^$]+?)(?<=\S)\$(?!\w)")
+_FORMULA = re.compile(r"\$\$(?P<displayed>(?:[^$\n]|\n(?!\s*\n))+?)\$\$|(?<![\w$\\])\$(?=\S)(?P<inline>[^$]+?)(?<=\S)\$(?!\w)")
+_NUMBER = re.compile(r"\\tag\{([^{}]+)\}\s*$")
 _LINK = re.compile(r"\]\((\.\./[^)\s#]+)\)")
 
 
 def on_files(files: Any, config: Any) -> Any:
     """Adds the files of the repository that pages link to."""
-    linked = {link for page in DOCS.glob("*.md") for link in _LINK.findall(_BLOCK.sub("", page.read_text(encoding="utf-8")))}
-    for link in sorted(linked):
-        path = (DOCS / link).resolve()
-        if not path.is_file():
-            raise PluginError(f"the link {link!r} leads nowhere")
-        files.append(File.generated(config, _copy(link), abs_src_path=str(path)))
+    linked = set()
+    for page in DOCS.rglob("*.md"):
+        for link in _LINK.findall(_BLOCK.sub("", page.read_text(encoding="utf-8"))):
+            path = (page.parent / link).resolve()
+            if not path.is_file():
+                raise PluginError(f"{page.relative_to(DOCS)}: the link {link!r} leads nowhere")
+            if not path.is_relative_to(DOCS):
+                linked.add(path)
+    for path in sorted(linked):
+        files.append(File.generated(config, str(_copy(path)), abs_src_path=str(path)))
     return files
 
 
 def on_page_markdown(markdown: str, page: Any, **_: Any) -> str:
     """Formulas, titles of code blocks and links of one page."""
+    name = page.file.src_uri
     pieces = _CODE.split(markdown)
     for i in range(0, len(pieces), 2):
         pieces[i] = _FORMULA.sub(_mathml, pieces[i])
         if "$" in pieces[i]:
-            raise PluginError(f"{page.file.src_uri}: a dollar sign that closes no formula: {pieces[i].strip()!r}")
-    text = _LINK.sub(lambda found: f"]({_copy(found[1])})", "".join(pieces))
+            raise PluginError(f"{name}: a dollar sign that closes no formula: {pieces[i].strip()!r}")
+        if "\\tag" in pieces[i]:
+            raise PluginError(f"{name}: a number that is not at the end of a displayed formula: {pieces[i].strip()!r}")
+    text = _LINK.sub(lambda found: f"]({_in_site(found[1], DOCS / name)})", "".join(pieces))
     return _TITLE.sub(r'```\1 title="\2"', text)
 
 
-def _copy(link: str) -> str:
+def _in_site(link: str, page: Path) -> str:
+    """A link of a page that leads upwards: to another page as it is, to a file of the repository to its copy."""
+    path = (page.parent / link).resolve()
+    if path.is_relative_to(DOCS):
+        return link
+    return "../" * len(page.parent.relative_to(DOCS).parts) + str(_copy(path))
+
+
+def _copy(path: Path) -> Path:
     """Where a file of the repository lies in the site: as text, for browsers save what they do not know."""
-    name = (DOCS / link).resolve().relative_to(ROOT)
-    return str(Path("files") / (name if name.suffix in (".png", ".svg") else name.with_name(name.name + ".txt")))
+    name = path.relative_to(ROOT)
+    return Path("files") / (name if name.suffix in (".png", ".svg") else name.with_name(name.name + ".txt"))
 
 
 def _mathml(found: re.Match[str]) -> str:
     displayed = found["displayed"]
+    number = _NUMBER.search(displayed or "")
+    latex = _NUMBER.sub("", displayed) if displayed else found["inline"]
+    if "\\tag" in latex:
+        return latex
+    formula = convert(latex, display="block" if displayed else "inline")
     # signs that Markdown would read as emphasis or as the border of a table's cell
-    formula = convert(displayed or found["inline"], display="block" if displayed else "inline")
     for sign in "*_|":
         formula = formula.replace(sign, f"&#{ord(sign)};")
     formula = re.sub(r"(<m([io])>(?:arc)?(?:cos|sin|tan|ln)</m\2>)(?!<mo)", r'\1<mspace width="0.167em"></mspace>', formula)
@@ -65,4 +86,6 @@ def _mathml(found: re.Match[str]) -> str:
     formula = re.sub(r"<msup>(<mi>\w</mi>)<mi>&#x02032;</mi></msup>", rf"\1{prime}", formula)
     formula = re.sub(r"<msubsup>(.*?)<mi>&#x02032;</mi></msubsup>", rf"<msub>\1</msub>{prime}", formula)
     # at the beginning of a line <math> alone would be a paragraph of its own
+    if number:
+        return f'\n\n<p class="equation" id="eq-{number[1]}">{formula}<span>({number[1]})</span></p>\n\n'
     return f"\n\n<p>{formula}</p>\n\n" if displayed else f"<span>{formula}</span>"

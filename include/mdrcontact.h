@@ -8,7 +8,7 @@
  * the first three, and the pressure, line load and surface displacement. A compiled law (mdr_law) is a contact for programs that
  * call it millions of times. Equation numbers are those of V. L. Popov,
  * "Method of dimensionality reduction in contact mechanics and tribology. Heterogeneous media", Physical
- * Mesomechanics 17 (2014) 50-57; docs/theory.md states the equations and says where they are misprinted.
+ * Mesomechanics 17 (2014) 50-57; the pages in docs/theory/ state the equations and list where they are misprinted.
  *
  * @par Extensions
  * Further physics have headers of their own, which a program includes beside this one. All hold to what is said here:

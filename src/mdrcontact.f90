@@ -2,8 +2,8 @@
 !> The public Fortran surface of the library: `use mdrcontact, only: ...`.
 !>
 !> In comments the unit of each number stands in brackets: [length], [modulus] (that of pressure), [1] for none; any consistent
-!> set does. Angles are in radian. Equation numbers are those of the source; `theory 5` is section 5 of docs/theory.md, which
-!> states the equations.
+!> set does. Angles are in radian. Equation numbers such as (10) are those of the source, Popov (2014). The pages in docs/theory/
+!> state the equations, under numbers such as (3.1).
 !>
 !> The procedures compute in the caller's arithmetic, which must be the default: rounding to nearest.
 module mdrcontact

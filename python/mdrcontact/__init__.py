@@ -9,10 +9,11 @@
     contact = mdr.Contact(mdr.Sphere(10e-6), medium)
     state = contact.at_depth([20e-9, 50e-9, 100e-9])    # State(depth, radius, force, ...)
 
-Any consistent units: in the descriptions the unit of each number stands in brackets, [length], [modulus] (that of pressure), and
-forces are in [modulus length^2]; [1] has none. Equation numbers are those of the source; "theory 5" is section 5 of
-docs/theory.md, which states the equations. Numbers give floats, arrays give arrays of the same shape. All objects are immutable,
-compare and pickle by their constructor arguments, and may be shared between threads. Errors are `MDRError` and its subclasses.
+Any consistent units: in the descriptions the unit of each number stands in brackets, [length], [modulus] (that of pressure),
+and forces are in [modulus length^2]; [1] has none. Equation numbers such as (10) are those of Popov (2014); the pages in
+docs/theory/ state the equations under numbers such as (3.1). Numbers give floats, arrays give arrays of the same shape. All
+objects are immutable, compare and pickle by their constructor arguments, and may be shared between threads. Errors are
+`MDRError` and its subclasses.
 """
 
 from importlib import import_module

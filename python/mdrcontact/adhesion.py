@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What adhesive contacts have beyond their states: where they break, and the whole cycle of approach and retraction (theory 5)."""
+"""What adhesive contacts have beyond their states: where they break, and the whole cycle of approach and retraction.
+
+See theory/paper.md (5.1).
+"""
 
 from __future__ import annotations
 

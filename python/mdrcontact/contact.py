@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""An indenter on a medium: its states from depth, force or radius, its cycles and histories (theory 4)."""
+"""An indenter on a medium: its states from depth, force or radius, its cycles and histories (theory/paper.md (4.1), (4.2))."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""States of a contact and their fields, on the surface and inside (theory 4)."""
+"""States of a contact and their fields, on the surface and inside (theory/paper.md (4.1), (4.2))."""
 
 from __future__ import annotations
 

@@ -158,7 +158,7 @@ def test_flat_ends_on_films_in_any_unit(shape, model):
         def force(a):
             if model == "exact":
                 return float(contact.at_radius(a).force)
-            # theory 4 and 5: F = 2 int E x g' dx - 2 a E dl, x^2 = b^2 + y^2
+            # theory/paper.md (4.2), (5.1): F = 2 int E x g' dx - 2 a E dl, x^2 = b^2 + y^2
             y = np.sqrt(a**2 - b**2) * 0.5 * (1 + nodes)
             x = np.sqrt(b**2 + y**2)
             load = np.sqrt(a**2 - b**2) * (weights @ (film.modulus(x) * slope(x)))

@@ -80,6 +80,24 @@ def test_formulas_that_do_not_close(text):
         on_page_markdown(f"# T\n\n{text}", page=PAGE)
 
 
+@pytest.mark.parametrize("formula", ["$a \\tag{1.1}$", "$$a \\tag{1.1} b$$"])
+def test_numbers_that_are_not_at_the_end_of_a_displayed_formula(formula):
+    with pytest.raises(PluginError, match="page.md: a number"):
+        on_page_markdown(f"# T\n\n{formula}\n", page=PAGE)
+
+
+def test_numbered_equations():
+    made = on_page_markdown("# T\n\n$$g(x)\n= x \\tag{2.1}$$\n", page=PAGE)
+    assert made.count("<math") == 1 and "tag" not in made
+    assert '<p class="equation" id="eq-2.1"><math' in made and "</math><span>(2.1)</span></p>" in made
+
+
+def test_links_of_a_page_in_a_folder():
+    page = SimpleNamespace(file=SimpleNamespace(src_uri="folder/page.md"))
+    made = on_page_markdown("[a](../media.md#b) ![c](../pictures/stress.png) [d](../../README.md) [e](paper.md)", page=page)
+    assert made == "[a](../media.md#b) ![c](../pictures/stress.png) [d](../files/README.md.txt) [e](paper.md)"
+
+
 def test_formulas_titles_and_links():
     text = "# T\n\n$a'$, [o](../README.md), `$HOME`\n\n```sh file=run.sh\necho $HOME\n```\n"
     made = on_page_markdown(text, page=PAGE)

@@ -10,8 +10,9 @@ from conftest import ROOT
 
 DOCS = ROOT / "docs"
 PAGES = sorted(DOCS.glob("*.md"))
+THEORY = sorted((DOCS / "theory").glob("*.md"))
 INDEX = (DOCS / "index.md").read_text()
-TABLES = {"glossary"}
+TABLES = {"bibliography", "glossary"}
 """Pages that are a table to look up."""
 NOT_IN_THE_SOURCE_PACKAGE = {"benchmarks"}
 """Folders that it leaves out (pyproject.toml): links to them are looked at where they are."""
@@ -20,9 +21,11 @@ CODE = re.compile(r"^```.*?^```$|`[^`\n]*`", re.DOTALL | re.MULTILINE)
 
 
 def anchors(text):
-    """Of the headings of a page, as GitHub and MkDocs name them."""
-    headings = re.findall(r"^#+ (.*)$", re.sub(r"^```.*?^```$", "", text, flags=re.DOTALL | re.MULTILINE), re.MULTILINE)
-    return {re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in headings}
+    """Of the headings of a page, as GitHub and MkDocs name them, and those that it sets itself."""
+    text = re.sub(r"^```.*?^```$", "", text, flags=re.DOTALL | re.MULTILINE)
+    headings = re.findall(r"^#+ (.*)$", text, re.MULTILINE)
+    named = {re.sub(r"[^\w\- ]", "", heading.lower()).replace(" ", "-") for heading in headings}
+    return named | set(re.findall(r'<a id="([\w-]+)">', text))
 
 
 def dead(path):
@@ -46,20 +49,22 @@ def test_a_page_begins_with_the_picture_or_number_that_it_leads_to(path):
     assert path.stem in TABLES or first.startswith("![") or re.match(r"\*\*[^*]*\d", first), first
 
 
-@pytest.mark.parametrize("path", [*PAGES, *sorted(set(ROOT.glob("*.md")) - {ROOT / "ford.md"})], ids=lambda path: path.name)
+@pytest.mark.parametrize(
+    "path", [*PAGES, *THEORY, *sorted(set(ROOT.glob("*.md")) - {ROOT / "ford.md"})], ids=lambda path: str(path.relative_to(ROOT))
+)
 def test_no_dead_links(path):
     assert not dead(path)
 
 
 def test_dead_links_are_found(tmp_path):
     page = tmp_path / "page.md"
-    page.write_text("# A title\n\n[a](#a-title) [b](other.md) [c](#no) `[d](x)`\n")
+    page.write_text('# A title\n\n<a id="key"></a> [a](#a-title) [b](other.md) [c](#no) `[d](x)` [e](#key)\n')
     assert dead(page) == ["other.md", "#no"]
 
 
 def test_every_page_is_in_the_index():
     linked = {link.partition("#")[0] for link in LINK.findall(INDEX)}
-    assert {path.name for path in PAGES} - {"index.md"} <= linked
+    assert {path.relative_to(DOCS).as_posix() for path in [*PAGES, *THEORY]} - {"index.md"} <= linked
 
 
 def test_three_paths_of_five_pages_that_end_with_the_reader():
@@ -70,10 +75,3 @@ def test_three_paths_of_five_pages_that_end_with_the_reader():
         name, _, anchor = LINK.findall(steps[-1])[0].partition("#")
         last = (DOCS / name).read_text().rpartition("\n## ")[2]
         assert anchor in anchors(f"## {last}") and anchor.startswith("your-own-")
-
-
-def test_theory_names_files_that_exist():
-    _, _, table = (DOCS / "theory.md").read_text().partition("## Where each section is computed")
-    names = re.findall(r"`([\w/]+(?:\.f90|/))`", table.partition("## Literature")[0])
-    assert len(names) > 25
-    assert not [name for name in names if not (ROOT / "src" / "mdrcontact" / name).exists()]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Laterally heterogeneous media: inclusions, fibres, grains, and the map a virtual indenter sees (theory 7).
+"""Laterally heterogeneous media: inclusions, fibres, grains, and the map a virtual indenter sees (theory/lateral.md (1.1)).
 
     from mdrcontact import Elastic, lateral
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Maps E_eff(a, x, y) of voxel structures: the convolution of theory 7, slice by slice, by FFT."""
+"""Maps E_eff(a, x, y) of voxel structures: the convolution of theory/lateral.md (1.2), slice by slice, by FFT."""
 
 from __future__ import annotations
 

@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A virtual indenter: maps of force and apparent modulus, and sliding along a line (theory 7, section 6 of the source)."""
+"""A virtual indenter: maps of force and apparent modulus, and sliding along a line.
+
+See theory/lateral.md (4.1) and Popov (2014), section 6.
+"""
 
 from __future__ import annotations
 

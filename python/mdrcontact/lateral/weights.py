@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How much each point and each cell of a structure counts (theory 7)."""
+"""How much each point and each cell of a structure counts (theory/lateral.md (2.4), (2.5))."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ def density(rho: ArrayLike, z: ArrayLike, nu: float = 0.5) -> tuple[Any, Any]:
     """Weights of G (at constant nu) and of nu at distance rho from the axis and depth z, both >= 0 in units of a; they broadcast.
 
     nu : Poisson's ratio of the reference medium. Each weight has the integral 1 over the half-space; over a plane z it is
-    dI0/dz and dI1/dz of theory 3. Infinite at the edge of the contact, rho = 1, z = 0.
+    dI0/dz and dI1/dz of theory/paper.md (3.3), (3.4). Infinite at the edge of the contact, rho = 1, z = 0.
     """
     r, d = together(rho=rho, z=z)
     if not r.size:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""One coating on a half-space or on a rigid base (theory 3 and 6)."""
+"""One coating on a half-space or on a rigid base (theory/paper.md (3.1), theory/exact.md (1.2))."""
 
 from __future__ import annotations
 

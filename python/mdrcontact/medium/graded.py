@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Bodies whose moduli change with depth (theory 3)."""
+"""Bodies whose moduli change with depth (theory/paper.md (3.6), (3.15))."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The homogeneous half-space (theory 2)."""
+"""The homogeneous half-space (theory/paper.md (2.1))."""
 
 from __future__ import annotations
 

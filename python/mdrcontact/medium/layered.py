@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Stacks of layers (theory 3 and 6)."""
+"""Stacks of layers (theory/paper.md (3.6), theory/exact.md (1.2))."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Names, codes and options of the models of a coated, layered or graded medium (theory 3)."""
+"""Names, codes and options of the models of a coated, layered or graded medium (theory/paper.md (3.1))."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Two deformable bodies as one medium (theory 9)."""
+"""Two deformable bodies as one medium (theory/exact.md (5.1))."""
 
 from __future__ import annotations
 

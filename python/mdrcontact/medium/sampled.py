@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The user's own effective modulus (theory 3)."""
+"""The user's own effective modulus (theory/paper.md (3.1))."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Indenters with closed forms (theory 1)."""
+"""Indenters with closed forms (theory/paper.md (1.1))."""
 
 from __future__ import annotations
 

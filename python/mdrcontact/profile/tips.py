@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Tips of nanoindentation: pyramids as their equivalent cones, and calibrated tips by their area function (theory 1)."""
+"""Tips of nanoindentation: pyramids as their equivalent cones, and calibrated tips by their area function.
+
+See theory/paper.md (1.4).
+"""
 
 from __future__ import annotations
 

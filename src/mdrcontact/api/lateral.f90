@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Weights of laterally heterogeneous structures, for C (theory 7).
+!> Weights of laterally heterogeneous structures, for C (theory/lateral.md (2.4), (2.5)).
 module mdrcontact_api_lateral
     use, intrinsic :: iso_c_binding, only: c_double, c_int
     use mdrcontact_api_arrays, only: check_each_finite, check_each_not_negative

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Laterally heterogeneous structures, for C (theory 7).
+!> Laterally heterogeneous structures, for C (theory/lateral.md (1.1)).
 module mdrcontact_api_lateral_structure
     use, intrinsic :: iso_c_binding, only: c_double, c_f_procpointer, c_funptr, c_int, c_loc, c_null_ptr, c_ptr, c_associated, &
                                            c_sizeof

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The indenter (theory 1): a profile f(r), f(0) = 0, and its one-dimensional MDR profile g(x).
+!> The indenter (theory/paper.md (1.1), (1.2)): a profile f(r), f(0) = 0, and its one-dimensional MDR profile g(x).
 !>
 !> A rigid axisymmetric indenter enters every contact problem through four functions of one radius and one
 !> integral, which each shape provides in closed form where there is one.

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The contact of an indenter with a medium: states from depth, force or radius (theory 2, 4, 5).
+!> The contact of an indenter with a medium: states from depth, force or radius (theory/paper.md (2.1), (4.1), (5.1)).
 module mdrcontact_contact
     use mdrcontact_codes, only: on_loading, on_unloading
     use mdrcontact_contact_adhesive_branch, only: adhesive_branch_t, stable_segment_t

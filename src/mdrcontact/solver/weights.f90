@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Weights of a depth z = a xi in the effective modulus of a layered medium (theory 3).
+!> Weights of a depth z = a xi in the effective modulus of a layered medium (theory/paper.md (3.3), (3.4), (3.7)).
 !>
 !> I0 weighs the shear modulus, I1 Poisson's ratio; both rise from 0 at the surface to 1 at infinite depth. Each comes with its
 !> complement J = 1 - I and its slope dI/dxi, computed directly and not by subtraction, so that all keep full relative

@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The surface compliance of layers, and of what lies between them, on a half-space or a rigid base (theory 6), for real elastic
-!> constants and for the complex ones of an oscillation or of a Laplace transform.
+!> The surface compliance of layers, and of what lies between them, on a half-space or a rigid base (theory/exact.md (2.2)), for
+!> real elastic constants and for the complex ones of an oscillation or of a Laplace transform.
 module mdrcontact_body_chain
     use, intrinsic :: iso_fortran_env, only: int64
     use mdrcontact_object, only: real_bytes

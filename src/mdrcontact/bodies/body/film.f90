@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> One film on a half-space or a rigid base, in closed form. Perriot, Barthel, J. Mater. Res. 19 (2004) 600.
+!> One film on a half-space or a rigid base, in closed form (theory/exact.md (2.3)). Perriot, Barthel, J. Mater. Res. 19 (2004) 600.
 !>
 !> k C = (1 + 4 b t e - c b e^2)/(1 - (c + b + 4 b t^2) e + c b e^2) times that of a half-space of the film, t = kh, e = exp(-2 t),
 !> is a quotient of differences that cancel for long waves and high contrasts. Here each is a sum of terms that do not. Shear in the

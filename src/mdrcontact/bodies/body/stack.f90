@@ -1,5 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> A stack of layers on an elastic half-space or a rigid base, bonded or held by springs, as a surface compliance (theory 6).
+!> A stack of layers on an elastic half-space or a rigid base, bonded or held by springs, as a surface compliance (theory/exact.md
+!> (2.2)).
 module mdrcontact_body_stack
     use, intrinsic :: iso_fortran_env, only: int64
     use mdrcontact_parameter, only: append, nature_signed, parameter_t, prefixed

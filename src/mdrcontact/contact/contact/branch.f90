@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The whole branch of adhesive equilibria d(a), F(a), its extrema, and the stable states on it (theory 5).
+!> The whole branch of adhesive equilibria d(a), F(a), its extrema, and the stable states on it (theory/paper.md (5.1)).
 !>
 !> Equilibria are stable where what the machine controls grows with the contact radius; a coated body can have several such
 !> segments.

@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The source's closed forms for an incompressible coating on an incompressible half-space (theory 4 and 5), nu = 1/2:
-!> Popov 2014, equations (24), (27) without and (29), (31), (32) with adhesion.
+!> The source's closed forms for an incompressible coating on an incompressible half-space (theory/paper.md (4.5), (4.6), (5.5),
+!> (5.6)), nu = 1/2: Popov 2014, equations (24), (27) without and (29), (31), (32) with adhesion.
 module mdrcontact_contact_closed_forms
     use mdrcontact_kinds, only: half_pi, pi, wp
     use mdrcontact_weights, only: weight_i0, weight_j0

@@ -4,7 +4,7 @@
 !>
 !> The radius is the natural parameter: one solution gives depth, force and stiffness, none of them by iteration. What is
 !> interpolated are the logarithms of d0, F0, k and, with adhesion, dl over x = ln(a - end radius), where every shape and medium is
-!> close to a straight line (theory 4 and 5): d = d0 - dl, F = F0 - k dl.
+!> close to a straight line (theory/paper.md (4.1), (5.1)): d = d0 - dl, F = F0 - k dl.
 module mdrcontact_contact_curve
     use mdrcontact_contact_control, only: control_t, depth_control
     use mdrcontact_contact_equilibrium, only: equilibrium_t

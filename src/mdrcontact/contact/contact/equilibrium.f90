@@ -1,5 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The equilibrium of an indenter on a medium at a given contact radius, with or without adhesion (theory 2, 4 and 5).
+!> The equilibrium of an indenter on a medium at a given contact radius, with or without adhesion (theory/paper.md (2.1), (4.1),
+!> (5.1)).
 !>
 !> With adhesion the edge springs are drawn by dl(a): d = d0(a) - dl(a), F = F0(a) - k(a) dl(a), d0 and F0 those of the non-adhesive
 !> state. With a zeta(a) the depth is zeta(a) g(a), equation (9).
@@ -194,7 +195,7 @@ contains
         if (allocated(error)) return
         state%stiffness = 2.0_wp*radius*modulus
         if (present(slopes)) then
-            ! property B (theory 4, 6): dF = k dd
+            ! property B (theory/exact.md (1.7)): dF = k dd
             slopes = [depth_slope/state%depth, state%stiffness*depth_slope/state%force, stiffness_slope/state%stiffness] &
                      *(radius - self%profile%end_radius)
             if (.not. (depth_slope > 0.0_wp .and. all(is_finite(slopes)))) slopes = 0.0_wp

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The exact zeta(a) = d/g(a), equation (9), for an approximate medium: that of the same body solved exactly.
+!> The exact zeta(a) = d/g(a), theory/paper.md (4.1), for an approximate medium: that of the same body solved exactly.
 module mdrcontact_contact_exact_zeta
     use mdrcontact_contact_equilibrium, only: equilibrium_t, new_equilibrium
     use mdrcontact_error, only: error_invalid, error_t, raise

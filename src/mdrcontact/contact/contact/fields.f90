@@ -149,7 +149,8 @@ contains
     end subroutine energy
 
     !> The lowest pressure in a contact without adhesion. Below 0 the bodies would have to pull on each other: the contact is then
-    !> not one disc, its pressure is not that of the true contact, and F(d) is a little off (theory 6). On stiff coatings only.
+    !> not one disc, its pressure is not that of the true contact, and F(d) is a little off (theory/exact.md (1.4)). On stiff
+    !> coatings only.
     subroutine lowest_pressure(self, state, pressure, radius, error)
         class(fields_t), intent(in) :: self
         !> a state of this contact, a > 0, without adhesion

@@ -153,7 +153,8 @@ contains
         end associate
     end function is_close
 
-    !> The state at `radius` from the last one looked at: dk = k' da, and by property B (theory 4, 6) dF = k dd, k halfway.
+    !> The state at `radius` from the last one looked at: dk = k' da, and by property B (theory/exact.md (1.7)) dF = k dd, k
+    !> halfway.
     pure subroutine shift(mismatch, radius, state)
         type(mismatch_t), intent(in) :: mismatch
         real(wp), intent(in) :: radius

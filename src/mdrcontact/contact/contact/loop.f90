@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> A full cycle of approach and retraction under depth control, force control, or through a spring such as an AFM cantilever:
-!> jump-in, adhesive contact, pull-off, and the energy that is lost (theory 5).
+!> jump-in, adhesive contact, pull-off, and the energy that is lost (theory/paper.md (5.1)).
 module mdrcontact_contact_loop
     use mdrcontact_contact_adhesive_branch, only: stable_segment_t
     use mdrcontact_contact_control, only: control_t

@@ -2,8 +2,9 @@
 !> Where depth and force of a contact without adhesion fall while its radius grows.
 !>
 !> A surface layer much stiffer than what lies below it bends as a plate, and a plate does not follow a tip, a corner or a
-!> flat flank. p(r) is the sum of flat punches' pressures d'(s) p_1(r; s) ds over s > r (theory 6), negative near the edge where
-!> d' is: of the states of one depth the contact, as it grows, comes to the one with the smallest radius, and larger ones pull.
+!> flat flank. p(r) is the sum of flat punches' pressures d'(s) p_1(r; s) ds over s > r (theory/exact.md (1.7)), negative near the
+!> edge where d' is: of the states of one depth the contact, as it grows, comes to the one with the smallest radius, and larger ones
+!> pull.
 module mdrcontact_contact_unstable_ranges
     use mdrcontact_contact_control, only: depth_control
     use mdrcontact_contact_curve, only: curve_point_t, curve_t, new_curve

@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Depths and radii between which the integrands of a structure of bodies are analytic (theory 7): those at which an outline begins
-!> or ends, and those at which the outlines of two balls, or of two discs in a plane, cross.
+!> Depths and radii between which the integrands of a structure of bodies are analytic (theory/lateral.md (1.2)): those at which an
+!> outline begins or ends, and those at which the outlines of two balls, or of two discs in a plane, cross.
 !>
 !> What a later ball or disc covers has no part in it: however many overlap, only what is seen costs panels.
 module mdrcontact_lateral_breaks

@@ -1,5 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Weights of boxes: rectangular cells of a slab (theory 7). Lengths in units of the contact radius, the contact at the origin.
+!> Weights of boxes: rectangular cells of a slab (theory/lateral.md (2.9)). Lengths in units of the contact radius, the contact at
+!> the origin.
 !>
 !> With D(rho) = int_rho^inf W rho drho the integral of W over a rectangle is -(closed integral of D dtheta along its
 !> boundary), plus the whole for the rectangle that holds the axis. So the singular edge of the contact is integrated once,

@@ -1,5 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> How much each point of a half-space counts in the effective modulus at contact radius a (theory 7), lengths in units of a.
+!> How much each point of a half-space counts in the effective modulus at contact radius a (theory/lateral.md (2.4), (2.5)), lengths
+!> in units of a.
 !>
 !> First-order perturbation of the frictionless flat punch: the relative change of the stiffness is the strain energy that a
 !> change of the moduli adds, divided by the whole. The field for any Poisson's ratio follows from one harmonic function psi
@@ -24,7 +25,8 @@ contains
     !> The pair of weights at (rho, z), z >= 0, each with integral 1 over the half-space: `shear` for G at constant nu,
     !> `poisson` for nu.
     !>     delta E*/E* = int shear delta G/G dV + int poisson delta nu dV/(1 - nu)
-    !> Integrated over planes z they are dI0/dz and dI1/dz of theory 3. Both grow as 1/distance at the edge rho = 1, z = 0.
+    !> Integrated over planes z they are dI0/dz and dI1/dz of theory/paper.md (3.3), (3.4). Both grow as 1/distance at the edge
+    !> rho = 1, z = 0.
     elemental subroutine lateral_density(rho, z, nu, shear, poisson)
         !> distance from the axis >= 0 and depth >= 0, in units of a
         real(wp), intent(in) :: rho, z

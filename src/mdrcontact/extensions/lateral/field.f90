@@ -1,5 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> A structure given by functions G(x, y, z) and nu(x, y, z): E_eff by a product rule in oblate spheroidal coordinates (theory 7).
+!> A structure given by functions G(x, y, z) and nu(x, y, z): E_eff by a product rule in oblate spheroidal coordinates
+!> (theory/lateral.md (2.8)).
 !>
 !> There the weights are smooth up to the edge of the contact. The rule converges exponentially for smooth functions; for those with
 !> jumps it is slow, and shapes or voxels are the better description.

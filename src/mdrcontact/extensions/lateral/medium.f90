@@ -1,5 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The medium that an indenter meets at one place of a laterally heterogeneous structure: E_eff(a, x, y) at fixed (x, y) (theory 7).
+!> The medium that an indenter meets at one place of a laterally heterogeneous structure: E_eff(a, x, y) at fixed (x, y)
+!> (theory/lateral.md (1.1)).
 module mdrcontact_lateral_medium
     use mdrcontact_error, only: check_count_within, check_memory, check_positive, error_invalid, error_t, raise, to_text
     use mdrcontact_kinds, only: wp

@@ -1,5 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Quadrature panels over depth and radius for the weights of theory 7. Lengths in units of the contact radius.
+!> Quadrature panels over depth and radius for the weights of theory/lateral.md (2.4), (2.5). Lengths in units of the contact
+!> radius.
 !>
 !> Between breaks (interfaces, touching circles) the integrands are analytic but for square roots at the breaks and the
 !> singular ring at rho = 1, z = 0. Panels no longer than their distance from the ring, each with nodes that crowd at both

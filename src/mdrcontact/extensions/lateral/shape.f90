@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Bodies embedded in a half-space z > 0: layers, half-spaces, balls, fibres, pillars, boxes (theory 7).
+!> Bodies embedded in a half-space z > 0: layers, half-spaces, balls, fibres, pillars, boxes (theory/lateral.md (1.2)).
 module mdrcontact_lateral_shape
     use mdrcontact_nonfinite, only: infinity, is_finite, is_nan
     use mdrcontact_codes, only: shape_ball, shape_box, shape_fibre, shape_half_space, shape_layer, shape_pillar

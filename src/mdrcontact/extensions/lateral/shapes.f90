@@ -1,5 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> A structure made of bodies in a background material: E_eff by quadrature over depths, radii and exact arcs (theory 7).
+!> A structure made of bodies in a background material: E_eff by quadrature over depths, radii and exact arcs (theory/lateral.md
+!> (1.2)).
 module mdrcontact_lateral_shapes
     use, intrinsic :: iso_c_binding, only: c_size_t
     use mdrcontact_cancel, only: check_cancelled

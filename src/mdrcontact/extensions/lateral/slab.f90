@@ -1,5 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The weights of theory 7 between two depths: how much of them lies outside each radius. Lengths in units of the contact radius.
+!> The weights of theory/lateral.md (2.9) between two depths: how much of them lies outside each radius. Lengths in units of the
+!> contact radius.
 module mdrcontact_lateral_slab
     use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_error, only: error_memory, error_t, raise

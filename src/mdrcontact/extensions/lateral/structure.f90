@@ -1,5 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> What a laterally heterogeneous structure must answer: its effective moduli for a contact of radius a at (x, y) (theory 7).
+!> What a laterally heterogeneous structure must answer: its effective moduli for a contact of radius a at (x, y) (theory/lateral.md
+!> (1.2)).
 module mdrcontact_lateral_structure
     use mdrcontact_error, only: check_finite, check_positive, error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: wp
@@ -98,7 +99,7 @@ contains
     end subroutine modulus
 
     !> The bracket of E_eff(a, x, y) [modulus]: with the mean of G in series below, in parallel above. At one Poisson's ratio the
-    !> exact E_eff lies between them, whatever the contrast (theory 7).
+    !> exact E_eff lies between them, whatever the contrast (theory/lateral.md (3.1)).
     subroutine bounds(self, x, y, a, lower, upper, error)
         class(structure_t), intent(in) :: self
         !> all of the same size [length]

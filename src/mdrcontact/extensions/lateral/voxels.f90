@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> A structure given by voxels: the phase of every cell of a regular array, a micrograph or a tomogram (theory 7).
+!> A structure given by voxels: the phase of every cell of a regular array, a micrograph or a tomogram (theory/lateral.md (2.9)).
 module mdrcontact_lateral_voxels
     use mdrcontact_error, only: check_count_within, check_finite, check_memory, check_not_negative, check_poisson, &
                                 check_positive, count_text, error_invalid, error_t, raise

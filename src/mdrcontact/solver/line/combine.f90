@@ -1,5 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The kernel of two deformable bodies that touch: k C = k C_1 + k C_2, so that X = E0* (X_1/E_1* + X_2/E_2*).
+!> The kernel of two deformable bodies that touch (theory/exact.md (5.1)): k C = k C_1 + k C_2, so that
+!> X = E0* (X_1/E_1* + X_2/E_2*).
 !>
 !> Each body's kernel belongs to its layers alone: where the moduli of one body change, that body alone is tabulated anew.
 module mdrcontact_line_combine

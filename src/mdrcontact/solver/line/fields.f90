@@ -1,5 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The line load of a state as a Legendre series, and what follows from it in closed sums (theory 6): q = E0* (d - g - v).
+!> The line load of a state as a Legendre series, and what follows from it in closed sums (theory/exact.md (3.10), (3.11)):
+!> q = E0* (d - g - v).
 !>
 !> The part d - g belongs to a half-space of the surface material and is left to it; v(x) = (K q)(x)/E0* is smooth at the
 !> kernel's width whatever g is. P_2j(x/a) as a line load is the pressure P_2j(sigma)/(P_2j(0) pi sqrt(a^2 - r^2)),

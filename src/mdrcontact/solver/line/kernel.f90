@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The kernel X(y) = int_0^inf chi(k) cos(ky) dk of the one-dimensional springs (theory 6), tabulated once per medium.
+!> The kernel X(y) = int_0^inf chi(k) cos(ky) dk of the one-dimensional springs (theory/exact.md (1.3)), tabulated once per medium.
 !>
 !> X belongs to the body alone, not to contact radius or indenter. It is tabulated on [0, unit] as a polynomial in y^2 and on
 !> parts of octaves [unit 2^j, unit 2^(j+1)] up to where it has become its own tail, c/y^2 + d/y^4: any ratio of lengths takes

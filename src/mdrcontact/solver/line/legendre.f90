@@ -1,5 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The springs' interaction in even Legendre polynomials over a contact, (K p)(x) = (1/pi) int_-a^a X(x - t) p(t) dt.
+!> The springs' interaction in even Legendre polynomials over a contact (theory/exact.md (3.1)-(3.5)),
+!> (K p)(x) = (1/pi) int_-a^a X(x - t) p(t) dt.
 !>
 !> With p_j(u) = s_j P_2j(u), s_j = sqrt((4j + 1)/2), u = x/a, everything follows from the kernel's moments
 !> T_k = int_-1^1 P_k(u) [X(a (1 + u)) - shift] du: the matrix H_ij = <p_i, K p_j> by a recurrence, K p_j at the edge of the

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The springs' equation at one contact radius (theory 6): (1 + K) q = E0* (d - g) in even Legendre polynomials.
+!> The springs' equation at one contact radius (theory/exact.md (1.2), (3.2)): (1 + K) q = E0* (d - g) in even Legendre polynomials.
 !>
 !> n unknowns are solved for, and as many coefficients more come from one iteration of the equation (`remainder`). Under a fine
 !> surface layer X is nearly singular at the edge, and its series falls slowly there: its product with g is taken whole, as an

@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The springs on a line to which a body comes exactly, E0* w = q + K q with K by the kernel X (theory 6), and what follows from
-!> them without an indenter.
+!> The springs on a line to which a body comes exactly, E0* w = q + K q with K by the kernel X (theory/exact.md (1.2)), and what
+!> follows from them without an indenter.
 module mdrcontact_line_springs
     use, intrinsic :: iso_c_binding, only: c_int
     use mdrcontact_error, only: error_invalid, error_t, raise, to_text

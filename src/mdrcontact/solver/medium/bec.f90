@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Coating after Bec et al. (theory 3): the coating as an elastic column above a substrate that is loaded over
+!> Coating after Bec et al. (theory/paper.md (3.11)): the coating as an elastic column above a substrate that is loaded over
 !> a wider disc, springs in series.
 !> Bec, Tonck, Loubet, Philos. Mag. 86 (2006) 5347.
 module mdrcontact_medium_bec

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The AFM "bottom effect" (theory 3): an incompressible layer bonded to a rigid base, pressed by a paraboloid.
+!> The AFM "bottom effect" (theory/paper.md (3.14)): an incompressible layer bonded to a rigid base, pressed by a paraboloid.
 !>
 !> The published series are for the force, F/F_Hertz = S(chi) = 1 + c1 chi + c2 chi^2 + c3 chi^3 + c4 chi^4
 !> with chi = sqrt(R d)/h. With a = sqrt(R d), as for a homogeneous body, they are the effective modulus

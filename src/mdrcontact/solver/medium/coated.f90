@@ -1,5 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> One coating of thickness h on an elastic half-space: what all the effective-modulus models of a coating share (theory 3).
+!> One coating of thickness h on an elastic half-space: what all the effective-modulus models of a coating share (theory/paper.md
+!> (3.1)).
 module mdrcontact_medium_coated
     use mdrcontact_error, only: check_positive, error_t
     use mdrcontact_kinds, only: wp

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Coating after Doerner and Nix (theory 3): the compliances of coating and substrate with an exponential weight.
+!> Coating after Doerner and Nix (theory/paper.md (3.8)): the compliances of coating and substrate with an exponential weight.
 !> Doerner, Nix, J. Mater. Res. 1 (1986) 601; Popov 2014, equation (11).
 module mdrcontact_medium_doerner_nix
     use mdrcontact_error, only: check_positive, error_t

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The exact layered medium (theory 6): no approximation in contact radius, depth or stiffness.
+!> The exact layered medium (theory/exact.md (1.4), (1.5)): no approximation in contact radius, depth or stiffness.
 !>
 !> Once made, the medium holds its body and the kernel; a contact radius then costs a small symmetric positive definite system.
 !> Results meet the stated relative tolerance, or an error says that they do not.
@@ -188,7 +188,8 @@ contains
         call mark_exact(self)
     end subroutine new_exact_from_homogeneous
 
-    !> Two bodies pressed together (theory 9): 1/E0* = 1/E1* + 1/E2*, X = E0* (X_1/E1* + X_2/E2*), and nothing else changes.
+    !> Two bodies pressed together (theory/exact.md (5.1)): 1/E0* = 1/E1* + 1/E2*, X = E0* (X_1/E1* + X_2/E2*), and nothing else
+    !> changes.
     subroutine new_exact_pair(self, lower, upper, error)
         type(layered_exact_t), intent(out) :: self
         !> not pairs, not both rigid

@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Coatings and layers by Gao's weights (theory 3): the shear moduli of all depths averaged with the weight dI0 - in parallel, their
-!> compliances in series, or by any power mean between -, Poisson's ratios with dI1. Exact to first order in the contrast.
-!> Gao, Chiu, Lee, Int. J. Solids Struct. 29 (1992) 2471; Popov 2014, equations (12)-(16).
+!> Coatings and layers by Gao's weights (theory/paper.md (3.2)-(3.5)): the shear moduli of all depths averaged with the weight dI0 -
+!> in parallel, their compliances in series, or by any power mean between -, Poisson's ratios with dI1. Exact to first order in the
+!> contrast. Gao, Chiu, Lee, Int. J. Solids Struct. 29 (1992) 2471; Popov 2014, equations (12)-(16).
 module mdrcontact_medium_gao
     use, intrinsic :: iso_fortran_env, only: int64
     use mdrcontact_object, only: real_bytes, room

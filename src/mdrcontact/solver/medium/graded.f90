@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Any depth dependence of the elastic constants by Gao's weights (theory 3; Popov 2014, equations (16)-(18)):
+!> Any depth dependence of the elastic constants by Gao's weights (theory/paper.md (3.6), (3.7); Popov 2014, equations (16)-(18)):
 !>     nu_eff = int (dI1(z/a)/dz) nu(z) dz,    G_eff = int (dI0(z/a)/dz) G(z) dz   (or another power mean of G).
 !>
 !> The integrals are done once, when the medium is made, over a range of contact radii; afterwards E_eff(a) is an interpolation.

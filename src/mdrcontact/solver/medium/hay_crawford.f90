@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Coating after Hay and Crawford (theory 3): Gao's weights with a film that can also act in parallel with the substrate.
-!> Hay, Crawford, J. Mater. Res. 26 (2011) 727.
+!> Coating after Hay and Crawford (theory/paper.md (3.13)): Gao's weights with a film that can also act in parallel with the
+!> substrate. Hay, Crawford, J. Mater. Res. 26 (2011) 727.
 module mdrcontact_medium_hay_crawford
     use mdrcontact_error, only: error_t
     use mdrcontact_weights, only: weight_i0, weight_i0_slope, weight_i1, weight_i1_slope, weight_j0, weight_j1

@@ -1,5 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The homogeneous half-space (theory 2): the same modulus at every contact radius, and closed forms for every indenter.
+!> The homogeneous half-space (theory/paper.md (2.1)): the same modulus at every contact radius, and closed forms for every
+!> indenter.
 module mdrcontact_medium_homogeneous
     use mdrcontact_nonfinite, only: infinity
     use mdrcontact_body_compliance, only: twist_load

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Coating after Mencik (theory 3): moduli, or compliances, with a weight that decays with a/h.
+!> Coating after Mencik (theory/paper.md (3.10)): moduli, or compliances, with a weight that decays with a/h.
 !> Mencik, Munz, Quandt, Weppelmann, Swain, J. Mater. Res. 12 (1997) 2475.
 module mdrcontact_medium_mencik
     use mdrcontact_error, only: check_positive, error_t

@@ -1,5 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Two deformable bodies as one medium (theory 9): the same pressure acts on both, so that their compliances add.
+!> Two deformable bodies as one medium (theory/exact.md (5.1), (5.4)): the same pressure acts on both, so that their compliances
+!> add.
 !>
 !> Homogeneous bodies and bodies solved exactly add exactly. Where one of them is known by an effective modulus only, the moduli add
 !> in series. The springs of power-law graded bodies add only if they have the same exponent.

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Coating after Perriot and Barthel (theory 3): a fit to their own exact solution.
+!> Coating after Perriot and Barthel (theory/paper.md (3.12)): a fit to their own exact solution.
 !> Perriot, Barthel, J. Mater. Res. 19 (2004) 600.
 module mdrcontact_medium_perriot_barthel
     use mdrcontact_error, only: error_t

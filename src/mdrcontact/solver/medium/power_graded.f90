@@ -1,5 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The power-law graded half-space E(z) = E0 (z/z0)^m, -1 < m < 1, exactly (theory 3; Hess, Int. J. Eng. Sci. 104 (2016) 20).
+!> The power-law graded half-space E(z) = E0 (z/z0)^m, -1 < m < 1, exactly (theory/paper.md (3.15)-(3.19); Hess,
+!> Int. J. Eng. Sci. 104 (2016) 20).
 !>
 !> The springs c(x) = c1 x^m stiffen or soften with their distance from the axis and the MDR profile has a kernel of its own:
 !>     g(x) = x^{1-m} int_0^x f'(r) (x^2 - r^2)^{(m-1)/2} dr,      d = g(a),      F = 2 int_0^a c(x) (d - g(x)) dx.

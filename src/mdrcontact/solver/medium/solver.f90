@@ -4,8 +4,8 @@
 !> Every frictionless contact state at radius a is the non-adhesive state plus a flat punch of radius a:
 !>     q(x; a) = q_nonadhesive(x; a) + punch_depth * q_punch(x; a),    punch_depth = d - d0(a),
 !> q_punch per unit of depth, d0 the depth of the non-adhesive state.
-!> `punch_depth` is 0 without adhesion, negative at an adhesive edge (theory 5) and positive at a vertical wall (flat punch).
-!> Contact, adhesion and fitting are written in these terms, for any solver.
+!> `punch_depth` is 0 without adhesion, negative at an adhesive edge (theory/paper.md (5.1)) and positive at a vertical wall (flat
+!> punch). Contact, adhesion and fitting are written in these terms, for any solver.
 module mdrcontact_medium_solver
     use, intrinsic :: iso_fortran_env, only: int64
     use mdrcontact_object, only: object_t, room
@@ -56,7 +56,8 @@ module mdrcontact_medium_solver
         !> what follows a message that a contact would be larger: why, and what to do; blank where the end was given by the caller
         character(len=reason_length) :: why_it_ends = ""
         !> whether its states are the exact ones of a body: depths need no zeta (9), and an adhesive edge meets the energy balance.
-        !> Of a medium with an effective modulus both are choices (theory 4 and 5), and the depth is g(a) of the profile
+        !> Of a medium with an effective modulus both are choices (theory/paper.md (4.1), (5.2), (5.3)), and the depth is g(a) of
+        !> the profile
         logical :: is_exact = .false.
         !> whether a state is a formula, so that it costs less than to start a thread for it
         logical :: is_formula = .false.

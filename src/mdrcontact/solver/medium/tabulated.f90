@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The user's own effective modulus E_eff(a): a table or a function (theory 3, last item).
+!> The user's own effective modulus E_eff(a): a table or a function (theory/paper.md (3.1)).
 module mdrcontact_medium_tabulated
     use, intrinsic :: iso_fortran_env, only: int64
     use mdrcontact_error, only: error_t

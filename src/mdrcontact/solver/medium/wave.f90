@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Coating by wave interpolation (theory 3): the surface stiffness of a coated body under a shear wave of wavenumber q ~ 1/a.
-!> Popov 2014, equations (19) and (20).
+!> Coating by wave interpolation (theory/paper.md (3.9)): the surface stiffness of a coated body under a shear wave of wavenumber
+!> q ~ 1/a. Popov 2014, equations (19) and (20).
 module mdrcontact_medium_wave
     use mdrcontact_error, only: check_positive, error_t
     use mdrcontact_numerics_exponential, only: one_minus_exp

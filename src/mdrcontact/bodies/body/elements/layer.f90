@@ -1,5 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> One homogeneous isotropic layer at wavenumber k: how it carries the 2x2 compliance of what lies below it to its top (theory 6).
+!> One homogeneous isotropic layer at wavenumber k: how it carries the 2x2 compliance of what lies below it to its top
+!> (theory/exact.md (2.1), (2.2)).
 !>
 !> State at a depth: displacement (u, w) and traction (tau, sigma)/(2 G k) of the Hankel components, z down. Modes decaying
 !> downward are (1, 1) e^{-kz} and (kz, kz + 3 - 4 nu) e^{-kz}, growing ones their mirror images. Decaying modes are referred
