@@ -17,7 +17,8 @@ TABLES = {"bibliography", "glossary"}
 NOT_IN_THE_SOURCE_PACKAGE = {"benchmarks"}
 """Folders that it leaves out (pyproject.toml): links to them are looked at where they are."""
 LINK = re.compile(r"\]\(([^)\s]+)\)")
-CODE = re.compile(r"^```.*?^```$|`[^`\n]*`", re.DOTALL | re.MULTILINE)
+CODE = re.compile(r"^```.*?^```$|`[^`\n]*`|\$\$.*?\$\$|\$[^$\n]*\$", re.DOTALL | re.MULTILINE)
+"""What holds no links: code and formulas."""
 
 
 def anchors(text):
@@ -58,7 +59,7 @@ def test_no_dead_links(path):
 
 def test_dead_links_are_found(tmp_path):
     page = tmp_path / "page.md"
-    page.write_text('# A title\n\n<a id="key"></a> [a](#a-title) [b](other.md) [c](#no) `[d](x)` [e](#key)\n')
+    page.write_text('# A title\n\n<a id="key"></a> [a](#a-title) [b](other.md) [c](#no) `[d](x)` [e](#key) $[f](y)$\n')
     assert dead(page) == ["other.md", "#no"]
 
 
