@@ -26,11 +26,11 @@ def text_of(path):
 
 
 def sources():
-    """The texts of all files that may cite the theory, this one excepted."""
+    """The texts of all files that may cite the theory: not this one, nor a room's page, which links to whole pages."""
     for folder in FOLDERS:
         for path in sorted((ROOT / folder).rglob("*")):
             built = {"__pycache__", "problems", "build", "site"} & set(path.relative_to(ROOT).parts)
-            if path.suffix in KINDS and path.is_file() and not built and path.name != "test_theory.py":
+            if path.suffix in KINDS and path.is_file() and not built and path.name not in ("test_theory.py", "README.md"):
                 yield path, text_of(path)
 
 
