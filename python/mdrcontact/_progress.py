@@ -5,12 +5,13 @@ from __future__ import annotations
 
 import threading
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager, nullcontext
 from typing import Any
 
 import numpy as np
 
 from ._boundary import call, native
+from .progress import Progress
 
 PATIENCE = 2.0
 """Seconds before a progress bar is shown."""
@@ -26,22 +27,44 @@ def bar(total: int, unit: str) -> Any:
 
 
 @contextmanager
-def marching(samples: int, shown: bool) -> Iterator[None]:
-    """While the calling thread marches through so many samples, in rounds of ever shorter steps: a bar of the present round."""
-    if not shown:
+def on_terminal() -> Iterator[Progress]:
+    """Progress of work as bars and clocks on a terminal, each phase that takes long in a line of its own."""
+    phase, line = "", ExitStack()
+    shown: Any = None
+
+    def step(done: float, total: float | None, what: str) -> None:
+        nonlocal phase, shown
+        if what != phase:
+            line.close()
+            phase = what
+            shown = line.enter_context(waiting(what) if total is None else bar(int(total), what))
+        if total is not None:
+            shown.total = total
+            shown.update(done - shown.n)
+
+    with line:
+        yield Progress(step)
+
+
+@contextmanager
+def marching(samples: int, progress: bool | Progress) -> Iterator[None]:
+    """While the calling thread marches through so many samples, in rounds of ever shorter steps: the progress of each round, True
+    on a terminal."""
+    if not progress:
         yield
         return
     part, done = np.zeros(1), threading.Event()
 
-    def follow() -> None:
-        with bar(samples, "samples") as shown_bar:
-            while not done.wait(LOOK):
-                rounds, share = divmod(float(part[0]), 1.0)
-                shown_bar.total = samples * (int(rounds) + 1)
-                shown_bar.set_description(f"round {int(rounds) + 1}", refresh=False)
-                shown_bar.update(samples * (int(rounds) + share) - shown_bar.n)
+    def follow(reported: Progress) -> None:
+        while not done.wait(LOOK):
+            rounds, share = divmod(float(part[0]), 1.0)
+            reported.report(samples * share, samples, f"samples in round {int(rounds) + 1}")
 
-    watcher = threading.Thread(target=follow, daemon=True)
+    def watch() -> None:
+        with on_terminal() if progress is True else nullcontext(progress) as reported:
+            follow(reported)
+
+    watcher = threading.Thread(target=watch, daemon=True)
     call(native.set_progress, part)
     watcher.start()
     try:

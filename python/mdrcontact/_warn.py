@@ -101,6 +101,14 @@ def collected() -> Iterator[list[Caution]]:
 
 
 @contextmanager
+def kept() -> Iterator[list[Caution]]:
+    """What is warned of in the block, in this thread, as a list; `warn_all` of it lets the one that listens read it afterwards."""
+    found: list[Caution] = []
+    with _kept_by(found) if is_collected() else reported_to(lambda text, kind: found.append(Caution(text, kind))):
+        yield found
+
+
+@contextmanager
 def silence() -> Iterator[None]:
     """Trial evaluations, and contacts in units of their own that no user sees: warnings are dropped. Decorates functions too."""
     with _kept_by(_Silence()):

@@ -22,6 +22,7 @@ from .failure import Failure
 from .history import AdhesiveHistory, History
 from .medium import Medium
 from .profile import Profile
+from .progress import Progress
 from .rate_adhesion import RateAdhesion, RateHistory, RheologicalAdhesion
 from .state import State, state_of
 
@@ -135,7 +136,7 @@ class Contact(Value):
         spring_stiffness: float | None = None,
         start: str | Mapping[str, float] = "apart",
         tolerance: float | None = None,
-        progress: bool = False,
+        progress: bool | Progress = False,
         drainage: str | None = None,
     ) -> History | RateHistory | AdhesiveHistory:
         """The path in time of a contact with a viscoelastic or poroelastic body, or of one whose `adhesion` depends on speed: one
@@ -147,7 +148,7 @@ class Contact(Value):
 
         tolerance : where steps in time are taken, relative to the largest depth, radius and force, 1e-9 to 1e-2, default 1e-5; with
             `adhesion` of ln(radius) in each step, 1e-12 to 1e-3, default 1e-9
-        progress : show a bar on a terminal where the march takes more than two seconds
+        progress : True shows a bar on a terminal where the march takes more than two seconds; a `Progress` follows each round
 
         Bodies whose materials relax in proportion, each at a constant Poisson's ratio (a layer on a rigid base), and homogeneous
         ones follow from elastic curves to rounding: Lee and Radok (1960) while the contact grows, Ting (1966) after the largest

@@ -63,7 +63,8 @@ class FileError(MDRError, OSError):
 
 
 class CancelledError(MDRError):
-    """A call in another thread was ended because the one that waits for it was interrupted."""
+    """Work was ended before it was done: by the `stop` of its `Progress`, or in another thread because the one that waits for it
+    was interrupted."""
 
 
 class MDRWarning(UserWarning):

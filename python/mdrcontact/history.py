@@ -16,6 +16,7 @@ from .conductor import Interface
 from .errors import ArgumentTypeError, InvalidArgumentError
 from .material import RIGID, SMOOTH, Elastic, PowerLawRheology, Viscoelastic
 from .profile import FlatPunch
+from .progress import Progress
 
 __all__ = ["AdhesiveHistory", "History"]
 
@@ -71,7 +72,7 @@ def history(
     force: ArrayLike | None,
     radius: ArrayLike | None,
     tolerance: float,
-    progress: bool,
+    progress: bool | Progress,
 ) -> History:
     """The history of a contact's handle."""
     given, t, values = one_path(time, depth=depth, force=force, radius=radius)
@@ -91,7 +92,7 @@ def adhesive_history(
     spring_stiffness: float | None,
     start: Any,
     tolerance: float | None,
-    progress: bool,
+    progress: bool | Progress,
 ) -> AdhesiveHistory:
     """The history of a contact's handle whose body attracts the indenter over a range."""
     control, stiffness, accuracy, t, s = controlled_path(time, given, spring_stiffness, tolerance)

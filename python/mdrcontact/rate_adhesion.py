@@ -20,6 +20,7 @@ from .adhesion import CONTROLS
 from .errors import AdhesionRateWarning, ArgumentTypeError, InvalidArgumentError
 from .history import STATE, controlled_path
 from .material import Viscoelastic
+from .progress import Progress
 
 __all__ = ["RateAdhesion", "RateHistory", "RheologicalAdhesion"]
 
@@ -162,7 +163,7 @@ def history(
     spring_stiffness: float | None,
     start: Any,
     tolerance: float | None,
-    progress: bool,
+    progress: bool | Progress,
 ) -> RateHistory:
     """See `Contact.history`."""
     control, stiffness, accuracy, t, s = controlled_path(time, given, spring_stiffness, tolerance)

@@ -1,0 +1,95 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Follow long work, and stop it."""
+
+from __future__ import annotations
+
+import ctypes
+import threading
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
+from typing import Any
+
+from ._boundary import call, native
+from .errors import CancelledError
+
+__all__ = ["Progress"]
+
+Step = Callable[[float, "float | None", str], object]
+_CANCEL = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_void_p)
+_NOW = threading.local()
+"""the function that the library calls in this thread, which another one may replace for a time"""
+
+
+def _nothing(done: float, total: float | None, what: str) -> None:
+    """The step of work that is not followed."""
+
+
+def _never() -> bool:
+    """The stop of work that runs to its end."""
+    return False
+
+
+class Progress:
+    """The state of long work, for the program that waits for it.
+
+    Parameters
+    ----------
+    step : callable(done, total, what), optional
+        Called when a phase of the work begins and after each of its parts: `done` of `total` parts, named `what`, as
+        "states". `total` is None for a phase whose length is not known. A viscoelastic history calls it from a thread of its own.
+    stop : callable() -> bool, optional
+        Called between two parts and, about 20 times a second, within calls into the library, in the thread that works. If it
+        returns True, the work ends with `CancelledError`.
+
+    Examples
+    --------
+    >>> from mdrcontact.progress import Progress
+    >>> progress = Progress(step=lambda done, total, what: print(f"{done} of {total} {what}"))
+    >>> progress.step(1, 3, "files")
+    1 of 3 files
+    """
+
+    def __init__(self, step: Step = _nothing, stop: Callable[[], bool] = _never) -> None:
+        self._step, self._stop = step, stop
+
+    def step(self, done: float, total: float | None, what: str) -> None:
+        """Report `done` of `total` parts named `what`; raise `CancelledError` if the work must stop."""
+        if self._stop():
+            raise CancelledError("the work was stopped by its caller")
+        self.report(done, total, what)
+
+    def report(self, done: float, total: float | None, what: str) -> None:
+        """Report as `step` does, from a thread that only watches the work."""
+        self._step(done, total, what)
+
+    @contextmanager
+    def listened(self) -> Iterator[None]:
+        """Let `stop` end calls into the library that this thread makes within the block."""
+        if self._stop is _never:
+            yield
+            return
+        raised: list[BaseException] = []
+
+        def is_over(_context: object) -> int:
+            try:
+                return int(self._stop())
+            except BaseException as problem:  # noqa: BLE001 - Ctrl-C too: it goes on where the call returns
+                raised.append(problem)
+                return 1
+
+        before, _NOW.cancel = getattr(_NOW, "cancel", None), _CANCEL(is_over)
+        call(native.set_cancel, _NOW.cancel, None)
+        try:
+            yield
+        except CancelledError:
+            if raised:
+                raise raised[0] from None
+            raise
+        finally:
+            _NOW.cancel = before
+            call(native.set_cancel, before or _usual(), None)
+
+
+def _usual() -> Any:
+    """What ends calls of this thread otherwise: Ctrl-C in the main one."""
+    return _CANCEL(native.interrupted) if threading.current_thread() is threading.main_thread() else None
