@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterable, Sequence
 
 
@@ -20,3 +21,10 @@ def aligned(rows: Sequence[Sequence[str]], left: int | None = None) -> str:
 def listed(title: object, lines: Iterable[str]) -> str:
     """Lines below their title."""
     return "\n".join([str(title), *(f"  {line}" for line in lines)])
+
+
+def number(value: float) -> str:
+    """A number for the screen: five digits."""
+    if not math.isfinite(value):
+        return "-"
+    return f"{value:.5g}" if value == 0.0 or 1e-3 <= abs(value) < 1e6 else f"{value:.4e}"

@@ -18,8 +18,8 @@ from test_problem_files import FAULTS, GOOD
 import mdrcontact as mdr
 from mdrcontact.cli import main
 from mdrcontact.cli.example import examples
-from mdrcontact.cli.figures import homogeneous_forces
 from mdrcontact.problem import load
+from mdrcontact.studies.curve import homogeneous_forces
 
 PROBLEMS = sorted((ROOT / "examples" / "problems").glob("*.toml"))
 ELASTIC = [path for path in PROBLEMS if "[history]" not in path.read_text(encoding="utf-8")]
@@ -390,8 +390,7 @@ def test_compare_takes_the_indenter_into_every_model(capsys, tmp_path, monkeypat
 
 def test_progress_appears_when_it_takes_long(monkeypatch):
     from mdrcontact import _progress
-    from mdrcontact.cli import solve
-    from mdrcontact.problem import load
+    from mdrcontact.studies import curve
 
     class Terminal(io.StringIO):
         def isatty(self):
@@ -402,9 +401,8 @@ def test_progress_appears_when_it_takes_long(monkeypatch):
         terminal = Terminal()
         monkeypatch.setattr(sys, "stderr", terminal)
         monkeypatch.setattr(_progress, "PATIENCE", patience)
-        with solve.progress(1, problem.control) as bar:
-            solve.solve(problem.contact(), problem.control, bar)
-            bar.refresh() if shown else None
+        with _progress.on_terminal() as progress:
+            curve(problem, progress=progress)
         assert ("states" in terminal.getvalue()) == shown
 
 

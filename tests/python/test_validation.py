@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import dataclasses
+import sys
 
 import numpy as np
 import pytest
@@ -38,7 +39,9 @@ def test_a_wrong_number_is_seen(monkeypatch, capsys):
         found = first.run()
         return comparison(found.x_name, found.x, found.here * 1.00001, found.there)
 
-    monkeypatch.setattr("mdrcontact.cli.validate.CHECKS", (dataclasses.replace(first, run=spoiled),))
+    # the name of the module is that of its function
+    module = sys.modules["mdrcontact.studies.validate"]
+    monkeypatch.setattr(module, "CHECKS", (dataclasses.replace(first, run=spoiled),))
     assert main(["validate"]) == 1
     shown = capsys.readouterr()
     assert "BEYOND" in shown.out and "explains: hertz" in shown.err

@@ -7,6 +7,7 @@ import argparse
 import os
 import sys
 from collections.abc import Sequence
+from importlib import resources
 
 from .. import __version__
 from .._warn import reported_to
@@ -52,7 +53,7 @@ COMMANDS = (
     map_,
     validate,
 )
-"""Each command is a module of its name with HELP, DESCRIPTION, `add_arguments(parser)` and `run(arguments)`."""
+"""Each command is a module of its name with HELP, `add_arguments(parser)` and `run(arguments)`, and a text help/<name>.txt."""
 _FORMAT = argparse.RawDescriptionHelpFormatter
 
 _DESCRIPTION = """\
@@ -94,7 +95,7 @@ def main(arguments: Sequence[str] | None = None) -> int:
     subparsers = parser.add_subparsers(metavar="COMMAND", required=True)
     for command in COMMANDS:
         name = command.__name__.rpartition(".")[2]
-        added = subparsers.add_parser(name, help=command.HELP, description=command.DESCRIPTION, formatter_class=_FORMAT)
+        added = subparsers.add_parser(name, help=command.HELP, description=_description(name), formatter_class=_FORMAT)
         command.add_arguments(added)
         added.set_defaults(run=command.run)
     chosen = parser.parse_args(arguments)
@@ -117,6 +118,11 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except KeyboardInterrupt:
         return _fail("interrupted; nothing was written", 130)
     return 0
+
+
+def _description(command: str) -> str:
+    """What `--help` says of a command."""
+    return (resources.files(__name__) / "help" / f"{command}.txt").read_text(encoding="utf-8")
 
 
 def _fail(problem: object, status: int) -> int:

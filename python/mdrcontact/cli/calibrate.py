@@ -24,33 +24,6 @@ from ..profile import AreaFunction
 from . import files
 
 HELP = "area function, tip radius and frame compliance from indents into a known body"
-DESCRIPTION = """\
-Calibrates tip and frame: indents into a body whose moduli are known, such as fused silica, give the area function or the radius of
-the tip and the compliance of the frame, with their covariance, as a file:
-
-    mdrcontact calibrate silica/*.txt --problem silica.toml --output tip.toml --plot tip.png
-
-The problem file is that of `mdrcontact fit` with kind = "unloading" or "stiffness-depth"; [medium] is the known body and stays
-fixed, [fit.free] has numbers of the tip and frame_compliance:
-
-    [indenter]
-    shape = "area-function"
-    coefficients = [24.5, 0, 0]         # where the search begins, and how many there are
-    length_unit = "nm"
-    max_height = "1 um"
-
-    [fit.free]
-    "indenter.C0" = { prior = 24.5, prior_sd = 0.5 }
-    "indenter.C1" = {}
-    frame_compliance = {}
-
-In other problem files the tip is then
-
-    [indenter]
-    file = "tip.toml"                   # beside the problem file
-
-and in fits its covariance is a joint prior: the uncertainty of the tip is in the intervals.
-"""
 
 _UNIT = 1e-9
 """of the coefficients of area functions: nm"""

@@ -7,27 +7,17 @@ import argparse
 
 import numpy as np
 
-from .._text import aligned
-from .._units import FORCE, LENGTH, MODULUS, Dimension, practical
-from ..problem import Problem, load
+from .._progress import on_terminal
+from .._text import aligned, number
+from .._units import MODULUS, Dimension, practical
+from ..problem import load
+from ..studies import compare
+from ..studies.compare import CompareResult
+from ..studies.result import Array, spread_over
 from . import figures, files
-from .answers import Answer, answers_of, reference, response_of, spread_text
-from .solve import Array, columns
-from .table import Column, as_csv, number, spread_over
+from .table import as_csv, spread_text
 
 HELP = "one problem under every medium model, and the spread between them"
-DESCRIPTION = """\
-Computes one problem under every model of the effective modulus that applies to its medium, side by side, and how far the models
-are apart. That is the uncertainty of the result as far as the choice of the model goes.
-
-    mdrcontact example tin_on_steel > problem.toml
-    mdrcontact compare problem.toml
-    mdrcontact compare problem.toml --csv compare.csv --plot compare.png
-
-The spread is largest/smallest over the models: "14 %" means that the largest is 14 % above the smallest. Models that refuse the
-problem are listed with their reason. The models are measured by the exact one or, where it refuses, by the median of all.
-"""
-
 _SHOWN = 5
 
 
@@ -40,60 +30,46 @@ def run(arguments: argparse.Namespace) -> None:
     """Computes, prints, writes."""
     files.check(arguments)
     problem = load(arguments.problem)
-    answers, refusals = answers_of(problem)
-    print(f"{problem.title}\n")
-    if problem.adhesion:
-        print("The models are compared without adhesion.\n")
-    name, response, dimension = response_of(problem)
-    print(_side_by_side(problem, answers, name, [response(a.curve) for a in answers], dimension))
-    print()
-    print(_side_by_side(problem, answers, "effective modulus", [a.curve.modulus for a in answers], MODULUS))
-    print()
-    print(_measured(problem, answers, name, np.array([response(a.curve) for a in answers])))
-    for model, words in refusals:
+    with on_terminal() as progress:
+        found = compare(problem, progress=progress)
+    print(f"{found.title}\n")
+    if "adhesion" in found.notes:
+        print(f"{found.notes['adhesion']}\n")
+    print(_side_by_side(found, found.response, found.values, found.dimension) + "\n")
+    print(_side_by_side(found, "effective modulus", np.array([a.curve.modulus for a in found.answers]), MODULUS) + "\n")
+    print(_measured(found))
+    for model, words in found.refusals:
         print(f"\nleft out: {model}: {words}", end="")
-    print(end="\n" if refusals else "")
-    files.write(arguments, csv=lambda: _long_csv(answers), plot=lambda: figures.compare_figure(problem, answers))
+    print(end="\n" if found.refusals else "")
+    files.write(arguments, csv=lambda: as_csv(found.tables["states"]), plot=lambda: figures.compare_figure(found))
 
 
-def _side_by_side(problem: Problem, answers: list[Answer], name: str, values: list[Array], dimension: Dimension) -> str:
+def _picked(found: CompareResult) -> tuple[list[int], list[str]]:
+    """A few prescribed values: their places, and how they are written."""
+    control = found.problem.control
+    picked, unit = spread_over(len(control.values), _SHOWN), practical(control.dimension, control.values)
+    return picked, [f"{number(float(unit.of(control.values[i])))} {unit.name}" for i in picked]
+
+
+def _side_by_side(found: CompareResult, name: str, values: Array, dimension: Dimension) -> str:
     """A row for each model and one for the spread, a column for each of a few prescribed values."""
-    control = problem.control
-    picked = spread_over(len(control.values), _SHOWN)
-    unit, given = practical(dimension, np.concatenate(values)), practical(control.dimension, control.values)
-    at = [f"{number(float(given.of(control.values[i])))} {given.name}" for i in picked]
-    head = [f"{name} [{unit.name}] at {control.name}", *at]
-    rows = [[a.model, *(number(float(unit.of(v[i]))) for i in picked)] for a, v in zip(answers, values, strict=True)]
-    last = ["spread", *(spread_text(np.array([v[i] for v in values])) for i in picked)]
+    (picked, at), unit = _picked(found), practical(dimension, values.ravel())
+    head = [f"{name} [{unit.name}] at {found.problem.control.name}", *at]
+    rows = [[a.model, *(number(float(unit.of(v[i]))) for i in picked)] for a, v in zip(found.answers, values, strict=True)]
+    last = ["spread", *(spread_text(float(values[:, i].max() / values[:, i].min())) for i in picked)]
     return aligned([head, *rows, last], left=1)
 
 
-def _measured(problem: Problem, answers: list[Answer], name: str, values: Array) -> str:
+def _measured(found: CompareResult) -> str:
     """How far every model is from the exact one or, without it, from the median."""
-    basis, base = reference(answers, values)
-    picked = spread_over(len(problem.control.values), _SHOWN)
-    given = practical(problem.control.dimension, problem.control.values)
-    at = [f"{number(float(given.of(problem.control.values[i])))} {given.name}" for i in picked]
-    rows = [[f"{name} against {basis}, at {problem.control.name}", *at]]
-    for answer, row in zip(answers, values, strict=True):
-        if answer.model != basis:
-            rows.append([answer.model, *(deviation_text(float(row[i] / base[i])) for i in picked)])
+    picked, at = _picked(found)
+    rows = [[f"{found.response} against {found.basis}, at {found.problem.control.name}", *at]]
+    for answer, row in zip(found.answers, found.values / found.base, strict=True):
+        if answer.model != found.basis:
+            rows.append([answer.model, *(_deviation_text(float(row[i])) for i in picked)])
     return aligned(rows, left=1)
 
 
-def deviation_text(ratio: float) -> str:
+def _deviation_text(ratio: float) -> str:
     """A ratio as a deviation in percent, or as a factor where percents say little."""
     return f"{100.0 * (ratio - 1.0):+.1f} %" if 0.1 < ratio < 3.0 else f"factor {ratio:.3g}"
-
-
-def _long_csv(answers: list[Answer]) -> bytes:
-    """All models below each other, in common units."""
-    tables = [columns(a.curve, a.medium) for a in answers]
-    labels = [a.model for a in answers for _ in a.curve.depth]
-    dimensions = {"depth": LENGTH, "radius": LENGTH, "force": FORCE}
-    stacked = []
-    for parts in zip(*tables, strict=True):
-        values = np.concatenate([part.values for part in parts])
-        unit = practical(dimensions[parts[0].name], values) if parts[0].name in dimensions else parts[0].unit
-        stacked.append(Column(parts[0].name, values, unit))
-    return as_csv(stacked, ("model", labels))

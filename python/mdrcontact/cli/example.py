@@ -10,12 +10,6 @@ from .._choices import nearest
 from ..problem import ProblemError
 
 HELP = "print a commented problem file to begin with"
-DESCRIPTION = """\
-Prints a ready-made problem file, commented, with its material constants and their sources:
-
-    mdrcontact example                                  the list of names
-    mdrcontact example sio2_on_si > problem.toml        one of them, to be edited
-"""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

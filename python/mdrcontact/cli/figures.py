@@ -4,19 +4,20 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager, suppress
+from contextlib import contextmanager
 from typing import Any
 
 import numpy as np
 
 from .._units import FORCE, LENGTH, MODULUS, STIFFNESS, Dimension, Unit, practical
-from ..adhesion import Loop, PullOff
-from ..errors import MDRError
-from ..material import Elastic
-from ..medium import Coated, Homogeneous
+from ..adhesion import Loop
 from ..problem import Problem
-from .answers import Answer, reference, response_of, spread_text
-from .solve import Array, Curve, crossing, thickness
+from ..studies.adhesion import AdhesionResult
+from ..studies.compare import CompareResult
+from ..studies.curve import CurveResult, Pressure
+from ..studies.result import Array
+from ..studies.states import Curve, crossing, thickness
+from .table import spread_text
 
 # Okabe and Ito's colours: distinct to all eyes. Dashes distinguish what colours no longer do.
 COLOURS = ("#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9")
@@ -47,8 +48,9 @@ def _marks(values: Array, marker: str = "o") -> dict[str, Any]:
     return {"marker": marker, "markersize": 3.5} if len(values) <= _FEW else {}
 
 
-def curve_figure(problem: Problem, curve: Curve, pressures: Sequence[tuple[float, Any, Any]]) -> Any:
+def curve_figure(found: CurveResult) -> Any:
     """Force, radius and stiffness against depth, and pressure distributions."""
+    problem, curve = found.problem, found.states
     with sheet(problem.title, 2, 2, (8.4, 6.4)) as (figure, axes):
         depth = practical(LENGTH, curve.depth)
         panels: Sequence[tuple[str, Array, Dimension]] = (
@@ -60,7 +62,7 @@ def curve_figure(problem: Problem, curve: Curve, pressures: Sequence[tuple[float
             unit = practical(dimension, values)
             axis.plot(depth.of(curve.depth), unit.of(values), color=COLOURS[0], label=_model_name(problem), **_marks(values))
             if name.startswith("force"):
-                _draw_references(axis, problem, curve, depth, unit)
+                _draw_references(axis, found, depth, unit)
             _mark_thickness(axis, problem, curve, depth, unit, values)
             axis.set(xlabel=f"indentation depth d [{depth.symbol}]", ylabel=f"{name} [{unit.symbol}]")
             # an adhesive contact has negative depths and forces too
@@ -68,25 +70,23 @@ def curve_figure(problem: Problem, curve: Curve, pressures: Sequence[tuple[float
             axis.set_xlim(0.0 if 0.0 <= curve.depth[0] < 0.5 * curve.depth[-1] else None, None)
             axis.set_ylim(0.0 if 0.0 <= axis.dataLim.y0 < 0.5 * values.max() else None, None)
         axes.flat[0].legend()
-        if pressures:
-            _draw_pressures(axes.flat[3], pressures, curve)
+        if found.pressures:
+            _draw_pressures(axes.flat[3], found.pressures, curve)
         else:
             axes.flat[3].set_axis_off()
     return figure
 
 
-def compare_figure(problem: Problem, answers: Sequence[Answer]) -> Any:
+def compare_figure(found: CompareResult) -> Any:
     """Response of every model, its effective modulus against a/h, and the deviation from the reference."""
+    problem, answers, values, name = found.problem, found.answers, found.values, found.response
     with sheet(problem.title, 1, 3, (12.0, 4.4)) as (figure, axes):
-        name, response, dimension = response_of(problem)
         given = practical(problem.control.dimension, problem.control.values)
-        values = np.array([response(answer.curve) for answer in answers])
         moduli = np.concatenate([a.curve.modulus for a in answers])
-        unit, modulus = practical(dimension, values.ravel()), practical(MODULUS, moduli)
+        unit, modulus = practical(found.dimension, values.ravel()), practical(MODULUS, moduli)
         h = thickness(problem.medium)
         radius = practical(LENGTH, np.concatenate([a.curve.radius for a in answers]))
         x = given.of(problem.control.values)
-        basis, base = reference(answers, values)
         lines = []
         for i, (answer, value) in enumerate(zip(answers, values, strict=True)):
             look: dict[str, Any] = {"color": COLOURS[i % len(COLOURS)], "linestyle": DASHES[i // len(COLOURS) % len(DASHES)]}
@@ -95,27 +95,28 @@ def compare_figure(problem: Problem, answers: Sequence[Answer]) -> Any:
             look = {**look, **_marks(value, "os^"[i // len(COLOURS) % 3])}
             lines += axes[0].plot(x, unit.of(value), **look)
             axes[1].plot(answer.curve.radius / h if h else radius.of(answer.curve.radius), modulus.of(answer.curve.modulus), **look)
-            axes[2].plot(x, value / base, **look)
+            axes[2].plot(x, value / found.base, **look)
         along = f"{problem.control.name} [{given.symbol}]"
         axes[0].set(xlabel=along, ylabel=f"{name} [{unit.symbol}]")
         axes[1].set_xlabel("a/h" if h else f"contact radius a [{radius.symbol}]")
         axes[1].set_ylabel(rf"effective modulus $E_\mathrm{{eff}}$ [{modulus.symbol}]")
         _set_log_x(axes[1])
-        axes[2].set(xlabel=along, ylabel=f"{name} / {basis}")
-        axes[2].set_title(f"spread at the end: {spread_text(values[:, -1])}")
+        axes[2].set(xlabel=along, ylabel=f"{name} / {found.basis}")
+        axes[2].set_title(f"spread at the end: {spread_text(found.numbers['spread'].value)}")
         if h:
             axes[1].axvline(1.0, color=_GREY, linewidth=0.8, linestyle=":")
             axes[1].annotate("a = h", (1.0, 0.02), xycoords=("data", "axes fraction"), ha="right", color=_GREY)
-        for axis, panel in ((axes[0], values[:, -1]), (axes[1], moduli), (axes[2], values / base)):
+        for axis, panel in ((axes[0], values[:, -1]), (axes[1], moduli), (axes[2], values / found.base)):
             if panel.max() > _LINEAR * panel.min():
                 axis.set_yscale("log")
         figure.legend(lines, [a.model for a in answers], loc="outside lower center", ncols=min(5, len(answers)))
     return figure
 
 
-def loop_figure(problem: Problem, loop: Loop, pull_offs: Sequence[tuple[str, PullOff]]) -> Any:
+def loop_figure(found: AdhesionResult) -> Any:
     """Force and contact radius along a cycle of approach and retraction."""
-    with sheet(problem.title, 1, 2, (9.6, 4.2)) as (figure, axes):
+    loop = found.loop
+    with sheet(found.title, 1, 2, (9.6, 4.2)) as (figure, axes):
         spring = loop.control == "spring"
         x = loop.position if spring else loop.depth
         length, force = practical(LENGTH, x), practical(FORCE, loop.force)
@@ -128,7 +129,7 @@ def loop_figure(problem: Problem, loop: Loop, pull_offs: Sequence[tuple[str, Pul
             part.plot(axes[0], color=colour, label=name, linewidth=width)
             part._replace(force=radius.of(part.radius)).plot(axes[1], color=colour, linewidth=width)
         if not spring:
-            for (name, state), marker in zip(pull_offs, "os", strict=False):
+            for (name, state), marker in zip(found.pull_offs, "os", strict=False):
                 axes[0].plot(length.of(state.depth), force.of(state.force), marker, color="#000000", markersize=5, label=name)
         along = "end of the spring d + F/K" if spring else "indentation depth d"
         axes[0].set(xlabel=f"{along} [{length.symbol}]", ylabel=f"force F [{force.symbol}]")
@@ -150,24 +151,14 @@ def _model_name(problem: Problem) -> str:
     return f"{kind}, model “{model}”" if model else kind
 
 
-def _draw_references(axis: Any, problem: Problem, curve: Curve, depth: Unit, force: Unit) -> None:
+def _draw_references(axis: Any, found: CurveResult, depth: Unit, force: Unit) -> None:
+    curve = found.states
     dashes = {"coating": (0, (1, 1.5), "^"), "substrate": (0, (5, 2), "s")}
-    for name, values in homogeneous_forces(problem, curve.depth):
+    for name, values in found.references:
         if 1.0 / _COMPARABLE < abs(values[-1] / curve.force[-1]) < _COMPARABLE:
             start, lengths, marker = dashes[name]
             look: dict[str, Any] = {"color": _GREY, "linewidth": 1.0, "linestyle": (start, lengths), **_marks(values, marker)}
             axis.plot(depth.of(curve.depth), force.of(values), label=f"{name} alone", **look)
-
-
-def homogeneous_forces(problem: Problem, depth: Array) -> Iterator[tuple[str, Array]]:
-    """Forces [N] at depths [m], with the problem's adhesion, on the homogeneous bodies between which a coated one lies."""
-    body = problem.medium
-    if not isinstance(body, Coated):
-        return
-    for name, material in (("coating", body.coating), ("substrate", body.substrate)):
-        if isinstance(material, Elastic):
-            with suppress(MDRError):  # depths beyond the pull-off of the homogeneous body
-                yield name, np.asarray(problem._replace(medium=Homogeneous(material)).contact().at_depth(depth).force)
 
 
 def _mark_thickness(axis: Any, problem: Problem, curve: Curve, depth: Unit, unit: Unit, values: Array) -> None:
@@ -181,7 +172,7 @@ def _mark_thickness(axis: Any, problem: Problem, curve: Curve, depth: Unit, unit
     axis.annotate("a = h", point, xytext=beside, textcoords="offset points", color=COLOURS[1])
 
 
-def _draw_pressures(axis: Any, pressures: Sequence[tuple[float, Any, Any]], curve: Curve) -> None:
+def _draw_pressures(axis: Any, pressures: Sequence[Pressure], curve: Curve) -> None:
     length = practical(LENGTH, curve.radius)
     depth = practical(LENGTH, curve.depth)
     # the pressure half way to the edge is finite under every tip, and with adhesion says more than the mean one

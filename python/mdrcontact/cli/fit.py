@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from .. import _progress
-from .._text import aligned, listed
+from .._text import aligned, listed, number
 from .._units import AREA, FORCE, LENGTH, MODULUS, QUANTITIES, RATIO, STIFFNESS, practical
 from ..instruments.files.curves import Curve
 from ..instruments.files.fit_file import FitFile, load_fit_file
@@ -28,49 +28,11 @@ from ..instruments.fitting import (
 )
 from ..instruments.fitting.quantities import digits
 from ..problem import ProblemError
+from ..studies.result import Column, column
 from . import files, fit_many
-from .table import Column, as_csv, column, number
+from .table import as_csv
 
 HELP = "film properties from measured curves, with intervals"
-DESCRIPTION = """\
-Fits indenter, film, substrate and instrument to a measured curve, or to every curve of a folder, and gives intervals.
-
-    mdrcontact fit curve.csv --problem problem.toml
-    mdrcontact fit curve.csv --problem problem.toml --json fit.json --plot fit.png --csv points.csv
-    mdrcontact fit curves/ --problem problem.toml --csv estimates.csv
-
-The data are tables as instruments write them: text (UTF-8, UTF-16, Latin-1; tabs, semicolons, commas or spaces; decimal point or
-comma) or .xlsx. A line names the columns and their units, as in "depth [nm]", "load (mN)", "h_nm", "S_N_per_m", or a row of units
-follows it; lines before it are passed over. What a table does not say, [data] does: columns = ["depth [nm]", "load [mN]"] without a
-header, units = { Depth = "nm" }, skip = 3 lines, sheet = "Test 1", decimal = ",". What was understood is printed.
-
-The problem file is that of `mdrcontact curve` with two more tables in place of [compute], and if needed [instrument]:
-
-    [data]
-    kind = "force-depth"            # stiffness-depth, modulus-radius, stiffness-radius; of a viscoelastic medium
-                                    # force-time (approach, hold, retract), depth-time (creep), dynamic-stiffness
-    force = "P_mN"                  # columns, where their names do not say it already
-    relative_sd = 0.01              # or sd = "column"; without either it is estimated
-    max_depth = "100 nm"            # fit a part of the curve
-    elastic = true                  # of stiffness-depth and unloading: nothing has yielded; false: it has; else seen from the data
-
-    [instrument]                    # all optional
-    work_of_adhesion = "50 mJ/m^2"
-    frame_compliance = "0.2 nm/mN"
-    indenter = { E = "1070 GPa", nu = 0.07 }        # its own compliance, for stiffness and modulus data
-
-    [fit.free]                      # or free = ["coating.E"] in [fit]
-    "coating.E" = { lower = "1 GPa" }
-    thickness = { prior = "500 nm", prior_sd = "10 nm" }
-    depth_offset = {}
-
-A poroelastic gel has [fit] free = ["shear_modulus", "nu", "diffusivity"], or some of them, and drainage = "indenter", "surface" or
-"sealed"; --compare shows all three.
-
-Binary files of AFMs go in as they are (pip install "mdrcontact[afm]"): .jpk-force, .jpk-force-map, .h5, .ibw, ...
-
-In a folder each file is a curve, in a map each place; one that cannot be fitted is a row with its reason.
-"""
 
 _ANALYSIS = "Oliver and Pharr on the fitted body, standard errors of the stiffness alone"
 

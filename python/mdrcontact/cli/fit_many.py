@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 
 from .. import _progress
-from .._text import aligned, listed
+from .._text import aligned, listed, number
 from .._units import ENERGY, FORCE, LENGTH, practical
 from ..errors import MDRError
 from ..instruments.files.curves import Curve
@@ -23,7 +23,6 @@ from ..instruments.fitting.causes import by_cause
 from ..instruments.fitting.misfit import percent
 from ..instruments.fitting.quantities import digits, dimension_of, words_of
 from . import files, many_figure
-from .table import number
 
 _WITHOUT_MODEL = {"jump-in": FORCE, "pull-off": FORCE, "last rupture": LENGTH, "energy lost": ENERGY}
 """What records say without a model, in columns of the table."""

@@ -8,15 +8,21 @@ from typing import Any
 import numpy as np
 
 from .._units import ENERGY, FORCE, LENGTH, practical
-from ..problem import Problem
-from .cycles import Cycles
+from ..studies.friction import CyclesResult, FrictionResult, PathResult
 from .figures import COLOURS, sheet
-from .friction_path import LedPath
 
 
-def friction_figure(problem: Problem, found: Cycles) -> Any:
+def friction_figure(found: FrictionResult) -> Any:
+    """The figure of cycles, or that of a path."""
+    if isinstance(found, PathResult):
+        return _path_figure(found)
+    assert isinstance(found, CyclesResult)
+    return _cycles_figure(found)
+
+
+def _cycles_figure(found: CyclesResult) -> Any:
     """Tangential force along some cycles, and the energy that each dissipates."""
-    with sheet(problem.title, 1, 2, (9.6, 4.2)) as (figure, axes):
+    with sheet(found.title, 1, 2, (9.6, 4.2)) as (figure, axes):
         length = practical(LENGTH, found.loops[-1].shift)
         force = practical(FORCE, found.loops[-1].tangential_force)
         for i, loop in enumerate(reversed(found.loops)):
@@ -26,7 +32,7 @@ def friction_figure(problem: Problem, found: Cycles) -> Any:
         for sign in (-1.0, 1.0):
             axes[0].axhline(sign * limit, color="#707070", linewidth=0.8, linestyle=":")
         axes[0].set(xlabel=f"shift s [{length.symbol}]", ylabel=f"tangential force T [{force.symbol}]")
-        shifts, energies = np.asarray(found.turns.shift), found.energies
+        shifts, energies = np.asarray(found.shear.shift), found.energies
         positive = energies > 0.0
         energy, along = practical(ENERGY, energies), practical(LENGTH, shifts)
         if positive.any():
@@ -39,17 +45,17 @@ def friction_figure(problem: Problem, found: Cycles) -> Any:
     return figure
 
 
-def path_figure(problem: Problem, led: LedPath) -> Any:
+def _path_figure(found: PathResult) -> Any:
     """Tangential force against shift along a path, and against the steps T between -mu F and mu F, and the energy dissipated."""
-    with sheet(problem.title, 1, 3, (12.0, 4.0)) as (figure, axes):
+    with sheet(found.title, 1, 3, (12.0, 4.0)) as (figure, axes):
         shift, force, lost = (
             np.concatenate([[0.0], np.asarray(values, dtype=float)])
-            for values in (led.shear.shift, led.shear.tangential_force, led.shear.dissipated_energy)
+            for values in (found.shear.shift, found.shear.tangential_force, found.shear.dissipated_energy)
         )
-        limit = led.friction.coefficient * np.concatenate([[0.0], np.asarray(led.state.force)])
+        limit = found.friction.coefficient * np.concatenate([[0.0], np.asarray(found.state.force)])
         steps = np.arange(len(shift))
         length, newton, energy = practical(LENGTH, shift), practical(FORCE, np.concatenate([force, limit])), practical(ENERGY, lost)
-        slides = np.concatenate([[False], np.asarray(led.shear.sliding)])
+        slides = np.concatenate([[False], np.asarray(found.shear.sliding)])
         axes[0].plot(length.of(shift), newton.of(force), color=COLOURS[0])
         axes[0].plot(length.of(shift[slides]), newton.of(force[slides]), "o", color=COLOURS[1], markersize=3, label="sliding")
         axes[0].plot(length.of(shift[-1]), newton.of(force[-1]), "s", color="#000000", markersize=4, label="end")

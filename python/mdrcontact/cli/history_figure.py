@@ -6,14 +6,14 @@ from __future__ import annotations
 from typing import Any
 
 from .._units import FORCE, LENGTH, TIME, practical
-from ..history import History
-from ..problem import Problem
+from ..studies.history import HistoryResult
 from .figures import COLOURS, sheet
 
 
-def draw(problem: Problem, history: History) -> Any:
+def draw(found: HistoryResult) -> Any:
     """Depth, contact radius and force against time, and the loop of force against depth."""
-    with sheet(problem.title, 2, 2, (8.4, 6.4)) as (figure, axes):
+    history = found.history
+    with sheet(found.title, 2, 2, (8.4, 6.4)) as (figure, axes):
         time = practical(TIME, history.time)
         panels = (
             ("indentation depth d", history.depth, LENGTH),

@@ -17,14 +17,6 @@ from . import files
 from .inspect_figure import inspect_figure
 
 HELP = "say what a file of measurements is, and write a problem file to begin with"
-DESCRIPTION = """\
-Says what a file of measurements is: its tests, segments, units and what it says of the instrument, what would be fitted, and what
-is missing. The picture shows the segments; the problem file is one to begin with.
-
-    mdrcontact inspect FILE
-    mdrcontact inspect FILE --plot file.png --problem start.toml
-    mdrcontact fit FILE --problem start.toml
-"""
 
 _MOST = 60
 """Tests that are printed."""

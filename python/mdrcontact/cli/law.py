@@ -7,30 +7,14 @@ import argparse
 from pathlib import Path
 
 from .._law_table import FORMATS
-from .._progress import waiting
-from .._units import AREA, FORCE, LENGTH, MODULUS, Dimension, UnitError, parse, shown
-from ..friction import Friction
+from .._progress import on_terminal
+from .._units import AREA, LENGTH, MODULUS, Dimension, UnitError, parse
 from ..law import ContactLaw
 from ..problem import ProblemError, load
+from ..studies import law
 from . import files
 
 HELP = "compile the contact into a file that other codes read"
-DESCRIPTION = """\
-Compiles the contact of a problem file into a law, F(d) and all that belongs to it, and writes it to a file that a code in C,
-Fortran or Python reads by its name. The code needs to know nothing else of the problem; docs/laws.md.
-
-    mdrcontact example tin_on_steel > problem.toml
-    mdrcontact law problem.toml film.law
-    mdrcontact law problem.toml film.law --largest-depth "200 nm" --continue-beyond
-    mdrcontact law problem.toml film.inp --table spring --millimetres
-
-With --table it writes a table for a program that interpolates linearly: csv, lammps (pair_style table), spring (a nonlinear spring
-of Abaqus and CalculiX) or overclosure (their pressure-overclosure), without adhesion but for csv, and states its error.
-
-With [friction] the law has tangential forces, too, and the code leads each contact along its path.
-Numbers in the file are in SI units: depths in m, forces in N. Without --largest-depth the law goes to the last depth, force or
-radius of [compute].
-"""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -61,51 +45,37 @@ def run(arguments: argparse.Namespace) -> None:
     """Compiles, writes, and says what the law is."""
     files.check(arguments)
     problem = load(arguments.problem)
-    with waiting("contact"):
-        contact = problem.contact()
-    if arguments.largest_depth is None:
-        largest = float(problem.control.states(contact, slice(-1, None))[0].depth)
-    else:
-        largest = _number("--largest-depth", arguments.largest_depth, LENGTH)
-    given = arguments.smallest_depth
-    smallest = None if given is None else _number("--smallest-depth", given, LENGTH)
-    given = arguments.shear_strength
-    strength = None if given is None else _number("--shear-strength", given, MODULUS)
-    friction = Friction(contact, problem.friction.coefficient) if problem.friction else None
-    with waiting("law"):
-        law = ContactLaw(
-            contact,
-            largest,
-            friction=friction,
-            sliders=arguments.sliders,
-            shear_strength=strength,
+    largest, smallest = (_given(arguments, name, LENGTH) for name in ("largest_depth", "smallest_depth"))
+    with on_terminal() as progress:
+        found = law(
+            problem,
+            largest_depth=largest,
             smallest_depth=smallest,
             tolerance=arguments.tolerance,
-            description=f"{problem.title}; {friction or contact!r}; SI units",
             continue_beyond=arguments.continue_beyond,
+            sliders=arguments.sliders,
+            shear_strength=_given(arguments, "shear_strength", MODULUS),
+            progress=progress,
         )
-    print(f"{problem.title}\n")
-    for name, ends, dimension in (("depth", law.depth_range, LENGTH), ("force", law.force_range, FORCE)):
-        print(f"{name:<16}{shown(ends[0], dimension)} to {shown(ends[1], dimension)}")
-    print(f"{'error':<16}{law.error:.0e} relative, tolerance {law.tolerance:.0e}; {law.solutions} contact states")
-    if law.sliders:
-        off = f"T off by {law.first_shear_error:.1%} of sliding in first shear"
-        print(f"{'sliders':<16}{law.sliders}, {law.memory_size} numbers a contact; {off}")
-    files.write(arguments, law=lambda: law.to_bytes() if arguments.table is None else _table(law, arguments))
+    print(f"{found.title}\n")
+    for name, words in found.notes.items():
+        print(f"{name:<16}{words}")
+    files.write(arguments, law=lambda: found.law.to_bytes() if arguments.table is None else _table(found.law, arguments))
 
 
-def _table(law: ContactLaw, arguments: argparse.Namespace) -> str:
+def _table(compiled: ContactLaw, arguments: argparse.Namespace) -> str:
     """The table in place of the law."""
     length = 1e-3 if arguments.millimetres else 1.0
-    touch = None if arguments.touch is None else _number("--touch", arguments.touch, LENGTH) / length
-    area = None if arguments.area is None else _number("--area", arguments.area, AREA) / length**2
-    text = law.table(arguments.table, error=arguments.table_error, length=length, touch=touch, area=area)
+    touch, area = _given(arguments, "touch", LENGTH, length), _given(arguments, "area", AREA, length**2)
+    text = compiled.table(arguments.table, error=arguments.table_error, length=length, touch=touch, area=area)
     print(f"{'table':<16}{text.splitlines()[0].strip('#* ')}")
     return text
 
 
-def _number(option: str, text: str, dimension: Dimension) -> float:
+def _given(arguments: argparse.Namespace, name: str, dimension: Dimension, unit: float = 1.0) -> float | None:
+    """The quantity of an option in a unit, None where it is not given."""
+    text = getattr(arguments, name)
     try:
-        return parse(text, dimension)
+        return None if text is None else parse(text, dimension) / unit
     except UnitError as problem:
-        raise ProblemError(f"{option}: {problem}") from problem
+        raise ProblemError(f"--{name.replace('_', '-')}: {problem}") from problem

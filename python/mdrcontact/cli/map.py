@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from .. import lateral
-from .._text import aligned
+from .._text import aligned, number
 from .._units import LENGTH, MODULUS, practical
 from ..material import Elastic
 from ..problem import ProblemError
@@ -21,40 +21,8 @@ from ..problem.section import Section
 from ..problem.toml import parse_file
 from . import files
 from .map_figure import map_figure
-from .table import number
 
 HELP = "effective modulus at every place of a heterogeneous structure"
-DESCRIPTION = """\
-Computes E_eff(a, x, y), the effective contact modulus that a contact of radius a meets at each place of a structure of voxels.
-
-The map file:
-
-    title = "Glass in a polymer"
-
-    [structure]
-    labels = "labels.npy"               # NumPy array (nz, ny, nx) of phase numbers, surface first; relative to this file
-    spacing = ["1 um", "1 um", "1 um"]  # edge lengths of a cell: z, y, x
-    beside = "periodic"                 # or "padded": the first phase lies beside the array
-    exponent = 1                        # of the mean of the moduli: 1 in parallel (default), -1 in series
-
-    [[structure.phase]]                 # phase 0; it also lies below the array
-    E = "3 GPa"
-    nu = 0.35
-
-    [[structure.phase]]                 # phase 1
-    E = "70 GPa"
-    nu = 0.22
-
-    [map]
-    radii = ["1 um", "5 um", "20 um"]
-
-    mdrcontact map map.toml --plot map.png --npy maps.npy
-
-A mean of the moduli is right to first order in their contrast. Beyond, the table brackets E_eff: the moduli in series below, in
-parallel above; for phases as unlike as these the two are a factor apart, and the maps rank places, but measure nothing.
-
-The array that --npy writes holds the maps [Pa], (radii, ny, nx). Memory is stated before the work begins.
-"""
 
 _TABLES = {"title": None, "structure": None, "map": None}
 _STRUCTURE = {"labels": None, "spacing": LENGTH, "beside": None, "exponent": None, "phase": None}

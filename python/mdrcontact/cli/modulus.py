@@ -16,20 +16,11 @@ from ..instruments.files.fit_file import FitFile, load_fit_file
 from ..instruments.fitting import DepthProfile, StiffnessDepth, modulus_at_depths, report
 from ..instruments.fitting.quantities import dimension_of, measured, words_of
 from ..problem import ProblemError
+from ..studies.result import Column, column
 from . import files
-from .table import Column, as_csv, as_text, column
+from .table import as_csv, as_text
 
 HELP = "film modulus against depth from dynamic (CSM) data, and at zero depth"
-DESCRIPTION = """\
-Takes every point of a dynamic (CSM) measurement alone: the film's modulus under which the exact contact has the measured stiffness,
-and a straight line through these moduli to zero depth, with its interval.
-
-    mdrcontact modulus csm.csv --problem problem.toml --plot modulus.png --csv modulus.csv --report modulus.html
-
-The problem file is that of `mdrcontact fit` with kind = "stiffness-depth" and sd or relative_sd. One parameter of [fit.free] has no
-prior and is found at each point; the others have priors, and what moving each by its standard deviation does is the common error.
-[data] min_depth and max_depth choose the points; oscillation = "2 nm", the rms amplitude, takes its effect off.
-"""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:

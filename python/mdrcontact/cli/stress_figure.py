@@ -3,46 +3,43 @@
 
 from __future__ import annotations
 
-import math
 from typing import Any
 
 import numpy as np
 
 from .._units import FORCE, LENGTH, MODULUS, Unit, practical
-from ..contact import Contact
 from ..critical import Maximum
-from ..problem import Problem
+from ..studies.stress import StressResult, interface_name, layer_name
 from .figures import _GREY, COLOURS, sheet
-from .inside import Inside, interface_name, layer_name
 
 _LEVELS = 24
 
 
-def stress_figure(problem: Problem, contact: Contact, found: Inside) -> Any:
+def stress_figure(found: StressResult) -> Any:
     """Maps of von Mises stress and largest tension, stresses along the axis, along the interfaces and the surface."""
     # maps of equal scales: their width fixes their height
     first, last = found.maps[0], found.maps[-1]
     height = 4.2 * float((last.z[-1] - first.z[0]) / (first.x[-1] - first.x[0])) + 0.7
-    with sheet(_title(problem, found), 2, 2, (11.0, 5.0 + height)) as (figure, axes):
+    with sheet(_title(found), 2, 2, (11.0, 5.0 + height)) as (figure, axes):
         axes[0, 0].get_gridspec().set_height_ratios([height, 4.2])
         length = practical(LENGTH, [found.maps[-1].z[-1]])
         _draw_map(figure, axes[0, 0], found, length, "von_mises")
         _draw_map(figure, axes[0, 1], found, length, "tension")
         _draw_axis(axes[1, 0], found, length)
-        _draw_faces(axes[1, 1], contact, found, length)
+        _draw_faces(axes[1, 1], found, length)
     return figure
 
 
-def _title(problem: Problem, found: Inside) -> str:
+def _title(found: StressResult) -> str:
     force, radius = (practical(d, [float(v)]) for d, v in ((FORCE, found.state.force), (LENGTH, found.state.radius)))
-    text = f"{problem.title}\nF = {float(force.of(found.state.force)):.4g} {force.symbol}"
+    text = f"{found.title}\nF = {float(force.of(found.state.force)):.4g} {force.symbol}"
     text += f", a = {float(radius.of(found.state.radius)):.4g} {radius.symbol}"
     if found.friction:
         text += f", sliding to the right with friction {found.friction:g}"
     return text
 
 
-def _draw_map(figure: Any, axis: Any, found: Inside, length: Unit, what: str) -> None:
+def _draw_map(figure: Any, axis: Any, found: StressResult, length: Unit, what: str) -> None:
     from matplotlib.ticker import MaxNLocator
 
     values = [np.asarray(layer.field.von_mises if what == "von_mises" else layer.field.principal[..., 0]) for layer in found.maps]
@@ -80,7 +77,7 @@ def _draw_map(figure: Any, axis: Any, found: Inside, length: Unit, what: str) ->
     axis.grid(False)
 
 
-def _mark(axis: Any, maximum: Maximum, found: Inside, length: Unit, unit: Unit, name: str, colour: str, below: bool) -> None:
+def _mark(axis: Any, maximum: Maximum, found: StressResult, length: Unit, unit: Unit, name: str, colour: str, below: bool) -> None:
     place = -maximum.r if maximum.angle else maximum.r
     if abs(place) > found.maps[0].x[-1] or maximum.z > found.maps[-1].z[-1]:
         return
@@ -92,7 +89,7 @@ def _mark(axis: Any, maximum: Maximum, found: Inside, length: Unit, unit: Unit, 
     axis.annotate(label, point, xytext=offset, textcoords="offset points", color=colour, ha="left" if right else "right")
 
 
-def _draw_axis(axis: Any, found: Inside, length: Unit) -> None:
+def _draw_axis(axis: Any, found: StressResult, length: Unit) -> None:
     middle = len(found.maps[0].x) // 2
     names = (("von_mises", "von Mises"), ("s_rr", r"$\sigma_{rr}$"), ("s_zz", r"$\sigma_{zz}$"))
     columns = {name: [np.asarray(getattr(layer.field, name))[middle] for layer in found.maps] for name, _ in names}
@@ -109,18 +106,16 @@ def _draw_axis(axis: Any, found: Inside, length: Unit) -> None:
     axis.legend()
 
 
-def _draw_faces(axis: Any, contact: Contact, found: Inside, length: Unit) -> None:
+def _draw_faces(axis: Any, found: StressResult, length: Unit) -> None:
     a = float(found.state.radius)
-    x = np.linspace(-3.0 * a, 3.0 * a, 301) if found.friction else np.linspace(0.0, 3.0 * a, 301)
-    angle = np.where(x < 0.0, math.pi, 0.0)
+    x = found.lines[0].x
     lines = []
     outside = np.abs(x) > a * (1.0 + 1e-6)
-    for z in found.faces:
-        field = found.state.interior(np.abs(x), z, side="above", friction=found.friction, angle=angle)
+    for i, (z, _, field) in enumerate(found.lines):
         if z == 0.0:
             lines.append((r"$\sigma_{rr}$, free surface", np.where(outside, np.asarray(field.s_rr), np.nan)))
             continue
-        name = interface_name(found.faces, found.faces.index(z) - 1)
+        name = interface_name(found.faces, i - 1)
         lines += [
             (rf"$\tau$, {name}", np.hypot(field.s_rz, field.s_tz)),
             (rf"$\sigma_{{zz}}$, {name}", np.asarray(field.s_zz)),

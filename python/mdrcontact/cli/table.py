@@ -1,69 +1,44 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Columns of numbers with units, as text for the screen and as CSV."""
+"""Tables of results as text for the screen and as CSV."""
 
 from __future__ import annotations
 
 import csv
 import io
-from collections.abc import Sequence
-from typing import Any, NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
-
-from .._text import aligned
-from .._units import QUANTITIES, Dimension, Unit, practical
+from .._text import aligned, number
+from .._units import shown
+from ..studies.result import Column, Mixed, Table, Words, spread_over
 
 
-class Column(NamedTuple):
-    """A named quantity, SI values, and the unit it is printed in."""
-
-    name: str
-    values: NDArray[np.float64]
-    unit: Unit
-
-    @property
-    def title(self) -> str:
-        """Name and unit."""
-        return f"{self.name} [{self.unit.name}]" if self.unit.name else self.name
+def spread_text(ratio: float) -> str:
+    """How far the largest of some values is above the smallest, by their ratio."""
+    if ratio < 3.0:
+        return f"{100.0 * (ratio - 1.0):.1f} %"
+    return f"factor {ratio:.1f}" if ratio < 100.0 else f"factor {ratio:.0f}"
 
 
-def column(name: str, values: NDArray[np.float64], dimension: Dimension) -> Column:
-    """A column in the practical unit that suits its largest value."""
-    return Column(name, values, practical(dimension, values))
+def as_text(table: Table, rows: int | None = None) -> str:
+    """A table for the screen with at most `rows` rows; columns of words that come first begin flush left."""
+    count = len(table[0].values)
+    picked = range(count) if rows is None else spread_over(count, rows)
+    left = next((i for i, c in enumerate(table) if not isinstance(c, Words)), len(table))
+    return aligned([[c.title for c in table], *([_cell(c, i) for c in table] for i in picked)], left=left)
 
 
-def columns_of(states: Any, *names: str) -> list[Column]:
-    """What states hold, by the names of their fields."""
-    return [column(name.replace("_", " "), np.asarray(getattr(states, name), dtype=float), QUANTITIES[name]) for name in names]
+def _cell(column: Column | Mixed | Words, row: int) -> str:
+    if isinstance(column, Words):
+        return column.values[row]
+    if isinstance(column, Mixed):
+        return column.instead[row] if row in column.instead else shown(column.values[row], column.dimension)
+    return number(float(column.unit.of(column.values[row])))
 
 
-def number(value: float) -> str:
-    """A number for the screen: five digits."""
-    if not np.isfinite(value):
-        return "-"
-    return f"{value:.5g}" if value == 0.0 or 1e-3 <= abs(value) < 1e6 else f"{value:.4e}"
-
-
-def spread_over(count: int, most: int) -> list[int]:
-    """At most `most` of the indices 0 ... count-1, evenly spread, the last one among them."""
-    if count <= most:
-        return list(range(count))
-    return [round((i + 1) * count / most) - 1 for i in range(most)]
-
-
-def as_text(columns: Sequence[Column], rows: int) -> str:
-    """A table for the screen with at most `rows` rows."""
-    picked = spread_over(len(columns[0].values), rows)
-    body = [[number(float(c.unit.of(c.values[i]))) for c in columns] for i in picked]
-    return aligned([[c.title for c in columns], *body], left=0)
-
-
-def as_csv(columns: Sequence[Column], labels: tuple[str, Sequence[str]] | None = None) -> bytes:
-    """All rows as CSV with full precision; `labels` is a column of words that goes first."""
+def as_csv(table: Table) -> bytes:
+    """All rows as CSV with full precision."""
     text = io.StringIO(newline="")
     writer = csv.writer(text, lineterminator="\n")
-    writer.writerow([*([labels[0]] if labels else []), *(c.title for c in columns)])
-    for i in range(len(columns[0].values)):
-        writer.writerow([*([labels[1][i]] if labels else []), *(repr(float(c.unit.of(c.values[i]))) for c in columns)])
+    writer.writerow([c.title for c in table])
+    for i in range(len(table[0].values)):
+        writer.writerow([repr(float(c.unit.of(c.values[i]))) if isinstance(c, Column) else _cell(c, i) for c in table])
     return text.getvalue().encode()

@@ -6,27 +6,17 @@ from __future__ import annotations
 import argparse
 from pathlib import Path
 
-from .. import _progress
 from .._choices import nearest
-from .._text import aligned
+from .._progress import on_terminal
 from ..errors import MDRError
 from ..problem import ProblemError
+from ..studies import validate
 from ..validation import CHECKS
-from ..validation.page import TITLES, Row, html, markdown, pictures, programs
-from ..validation.page import run as run_checks
+from ..validation.page import html, markdown, pictures
 from . import files
+from .table import as_text
 
 HELP = "compare the library with formulas, tables and programs of others"
-DESCRIPTION = """\
-Compares what the library computes with closed forms, printed tables and programs that share nothing with it, and says how far it is
-off, whose error that is, and by which command a row is repeated:
-
-    mdrcontact validate                            # some seconds
-    mdrcontact validate --full --html validation.html
-
-The programs come with pip install "mdrcontact[validate]"; one that is missing is named. Status 1 if a deviation is
-larger than the source's own error explains.
-"""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -41,25 +31,20 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 def run(arguments: argparse.Namespace) -> None:
     """Runs, prints, writes."""
     files.check_results([path for path in (arguments.html, arguments.markdown) if path], [], arguments.overwrite)
-    chosen = [check for check in CHECKS if arguments.only in (None, check.name)]
-    if not chosen:
-        raise ProblemError(f"--only {arguments.only}: {nearest(arguments.only, [check.name for check in CHECKS])}")
-    with _progress.bar(len(chosen), "comparisons") as bar:
-        rows: list[Row] = []
-        for check in chosen:
-            rows += run_checks([check], arguments.full)
-            bar.update()
-    print(aligned([TITLES[:5], *(row.cells()[:5] for row in rows)], left=5))
-    print(f"\nprograms: {', '.join(programs())}")
+    names = [check.name for check in CHECKS]
+    if arguments.only is not None and arguments.only not in names:
+        raise ProblemError(f"--only {arguments.only}: {nearest(arguments.only, names)}")
+    with on_terminal() as progress:
+        found = validate(full=arguments.full, only=arguments.only, progress=progress)
+    print(f"{as_text(found.tables['comparisons'])}\n\n{found.notes['programs']}")
     contents = {}
     if arguments.html:
-        contents[arguments.html] = html(rows).encode()
+        contents[arguments.html] = html(found.rows).encode()
     if arguments.markdown:
-        contents[arguments.markdown] = markdown(rows).encode()
+        contents[arguments.markdown] = markdown(found.rows).encode()
         folder = arguments.markdown.parent / "pictures"
         folder.mkdir(exist_ok=True)
-        contents.update({folder / name: drawn for name, drawn in pictures(rows).items()})
+        contents.update({folder / name: drawn for name, drawn in pictures(found.rows).items()})
     files.save(contents, arguments.overwrite)
-    beyond = [row.check.name for row in rows if not row.holds]
-    if beyond:
-        raise MDRError(f"beyond what the source's own error explains: {', '.join(beyond)}")
+    if found.beyond:
+        raise MDRError(f"beyond what the source's own error explains: {', '.join(found.beyond)}")

@@ -26,7 +26,7 @@ from .tip_file import with_calibration
 from .toml import parse_file, parse_text
 from .wear import Rubbing
 
-__all__ = ["Problem", "ProblemError", "load", "load_with", "read", "read_text"]
+__all__ = ["Problem", "ProblemError", "load", "read", "read_text"]
 
 
 class _Part(NamedTuple):
@@ -95,17 +95,15 @@ class Problem(NamedTuple):
             cohesive_stress=adhesion.cohesive_stress,
         )
 
+    def part(self, name: str) -> Any:
+        """What the table of this name says; refuses a problem without it."""
+        part = getattr(self, name)
+        if part is None:
+            raise self._refusal(f"the table [{name}] is missing: write it with {_PARTS[name].example}")
+        return part
+
     def _refusal(self, words: str) -> ProblemError:
         return ProblemError(f"{self.path}: {words}" if self.path else words)
-
-
-def load_with(path: str | Path, name: str) -> tuple[Problem, Any]:
-    """Reads a problem file that must have a table of this name, and what that says."""
-    problem = load(path)
-    part = getattr(problem, name)
-    if part is None:
-        raise ProblemError(f"{path}: the table [{name}] is missing: write it with {_PARTS[name].example}")
-    return problem, part
 
 
 def load(path: str | Path) -> Problem:

@@ -1,24 +1,19 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The states of a problem, with a progress bar where that takes long."""
+"""The states of a problem, which several studies show."""
 
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
-from contextlib import contextmanager
-from typing import Any, NamedTuple
+from collections.abc import Callable
+from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import NDArray
 
-from .. import _progress
 from .._units import MODULUS, RATIO
 from ..contact import Contact
 from ..medium import Medium
 from ..problem.compute import Control
-from .table import Column, column, columns_of
-
-Array = NDArray[np.float64]
+from .result import Array, Column, column, columns_of
 
 _CHUNKS = 50
 
@@ -42,28 +37,20 @@ class Curve(NamedTuple):
         return self.force / (math.pi * self.radius**2)
 
 
-@contextmanager
-def progress(curves: int, control: Control) -> Iterator[Any]:
-    """A bar on the terminal for that many curves, shown once the work has taken long enough to wonder about."""
-    total = curves * len(control.values)
-    with _progress.bar(total, "states") as bar:
-        yield bar
-
-
-def solve(contact: Contact, control: Control, bar: Any) -> Curve:
-    """The states at all prescribed values."""
+def solve(contact: Contact, control: Control, done: Callable[[int], None]) -> Curve:
+    """The states at all prescribed values. done : called with the number of states after each part of them"""
     count = len(control.values)
     step = max(1, -(-count // _CHUNKS))
     parts = []
     for start in range(0, count, step):
         part = slice(start, min(start + step, count))
         parts.append(control.states(contact, part))
-        bar.update(part.stop - part.start)
-    return Curve(*(np.concatenate([np.atleast_1d(getattr(part, name)) for part in parts]) for name in Curve._fields[:4]))
+        done(part.stop)
+    return Curve(*(np.concatenate([np.atleast_1d(getattr(part, name)) for part in parts]) for name in Curve._fields))
 
 
 def thickness(medium: Medium) -> float | None:
-    """Thickness h of the coating or of all layers together; None for a medium without layers."""
+    """Thickness h of the coating or of all layers together [m]; None for a medium without layers."""
     return math.fsum(h for _, h in medium._stack()) or None
 
 
@@ -80,7 +67,7 @@ def columns(curve: Curve, medium: Medium) -> list[Column]:
 
 
 def crossing(curve: Curve, value: float) -> float | None:
-    """Depth at which the contact radius passes `value`, None if it does not within the curve."""
+    """Depth at which the contact radius passes `value` [m], None if it does not within the curve."""
     if not curve.radius[0] < value < curve.radius[-1]:
         return None
     return float(np.interp(value, curve.radius, curve.depth))

@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Studies of a contact: one function for each command, by its name. They print nothing and write nothing.
+
+A study takes a problem, as `mdrcontact.problem.read` and `load` return it, and options. Its `Result` has numbers, notes, warnings,
+tables, and what a figure draws. What it does not support is an exception of `mdrcontact.errors`.
+"""
+
+from .adhesion import adhesion
+from .compare import compare
+from .conduction import conduction
+from .curve import curve
+from .friction import friction
+from .history import history
+from .law import law
+from .result import Column, Mixed, Number, Result, Table, Words
+from .stress import stress
+from .validate import validate
+from .wear import wear
+
+__all__ = [
+    "Column",
+    "Mixed",
+    "Number",
+    "Result",
+    "Table",
+    "Words",
+    "adhesion",
+    "compare",
+    "conduction",
+    "curve",
+    "friction",
+    "history",
+    "law",
+    "stress",
+    "validate",
+    "wear",
+]

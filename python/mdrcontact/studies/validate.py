@@ -1,0 +1,72 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The study `validate`: the library against formulas, tables and programs of others."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from .._choices import nearest
+from .._units import RATIO
+from ..errors import InvalidArgumentError
+from ..progress import Progress
+from ..validation import CHECKS
+from ..validation.page import TITLES, Row, programs, run
+from .result import Number, Result, Words, in_turn, study
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class ValidateResult(Result):
+    """Comparisons with others. Table: "comparisons"."""
+
+    rows: tuple[Row, ...]
+    """each comparison and what came out"""
+    beyond: tuple[str, ...]
+    """names of those that deviate by more than the source's own error explains"""
+
+
+@study
+def validate(*, full: bool = False, only: str | None = None, progress: Progress | None = None) -> ValidateResult:
+    """Compare the library with closed forms, printed tables and programs that share nothing with it.
+
+    Parameters
+    ----------
+    full : bool, optional
+        Run what takes minutes as well.
+    only : str, optional
+        Name of the comparison to run; by default all run.
+    progress : Progress, optional
+        Follows the comparisons, and stops them.
+
+    Returns
+    -------
+    ValidateResult
+        `rows`, `beyond`; numbers "comparisons" and "comparisons beyond".
+
+    Raises
+    ------
+    InvalidArgumentError
+        There is no comparison of this name.
+
+    Examples
+    --------
+    >>> from mdrcontact import studies
+    >>> found = studies.validate(only="hertz")
+    >>> found.beyond
+    ()
+    """
+    chosen = [check for check in CHECKS if only in (None, check.name)]
+    if not chosen:
+        raise InvalidArgumentError(f"only = {only!r}: {nearest(str(only), [check.name for check in CHECKS])}")
+    rows: list[Row] = []
+    for check in in_turn(progress or Progress(), chosen, len(chosen), "comparisons"):
+        rows += run([check], full)
+    beyond = tuple(row.check.name for row in rows if not row.holds)
+    cells = zip(*(row.cells()[:5] for row in rows), strict=True)
+    return ValidateResult(
+        title="Validation",
+        numbers={"comparisons": Number(len(rows), RATIO), "comparisons beyond": Number(len(beyond), RATIO)},
+        notes={"programs": f"programs: {', '.join(programs())}"},
+        tables={"comparisons": [Words(title, column) for title, column in zip(TITLES[:5], cells, strict=True)]},
+        rows=tuple(rows),
+        beyond=beyond,
+    )
