@@ -83,6 +83,7 @@ def compare(problem: Problem, *, progress: Progress | None = None) -> CompareRes
     >>> ball = {"shape": "sphere", "radius": "10 um"}
     >>> found = studies.compare(problem.read({"indenter": ball, "medium": film, "compute": {"depths": ["50 nm"]}}))
     >>> print(found.response, found.basis, found.numbers["spread"])
+    force exact 1.73
     """
     progress = progress or Progress()
     problem.check_elastic()

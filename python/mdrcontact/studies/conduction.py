@@ -78,6 +78,7 @@ def conduction(problem: Problem, *, section: bool = False, progress: Progress | 
     >>> tables = {"indenter": ball, "medium": {"type": "homogeneous", "material": silica}, "compute": {"max_force": "1 mN"}}
     >>> found = studies.conduction(problem.read({**tables, "conduction": {"kind": "thermal"}}))
     >>> print(found.numbers["conductance"])
+    2.6093 uW/K
     """
     given: Conducting = problem.part("conduction")
     (progress or Progress()).step(0, None, "conduction")

@@ -78,7 +78,7 @@ def curve(problem: Problem, *, pressures: bool = False, references: bool = False
     >>> tables = {"indenter": ball, "medium": glass, "compute": {"depths": ["50 nm", "100 nm"]}}
     >>> found = studies.curve(problem.read(tables))
     >>> print(found.numbers["force"])
-    9.8554 mN
+    9.8758 mN
     """
     progress = progress or Progress()
     progress.step(0, None, "contact")

@@ -94,6 +94,7 @@ def friction(problem: Problem, *, loops: bool = False, progress: Progress | None
     >>> tables = {"indenter": ball, "medium": glass, "compute": {"max_force": "1 mN"}}
     >>> found = studies.friction(problem.read({**tables, "friction": {"coefficient": 0.3, "shifts": ["1 nm"]}}))
     >>> print(found.numbers["sliding shift"])
+    7.5734 nm
     """
     given: Sliding = problem.part("friction")
     progress = progress or Progress()

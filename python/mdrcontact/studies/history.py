@@ -64,9 +64,11 @@ def history(problem: Problem, *, progress: Progress | None = None) -> HistoryRes
     >>> tables = {"indenter": ball, "medium": {"type": "homogeneous", "material": soft}, "history": ramp}
     >>> found = studies.history(problem.read(tables))
     >>> print(found.numbers["largest force"])
+    14.226 uN
     """
     path: HistoryPath = problem.part("history")
     progress = progress or Progress()
+    progress.step(0, None, "history")
     contact = problem.contact(in_time=True)
     spring = problem.adhesion and problem.adhesion.spring_stiffness
     edge: RateHistory | AdhesiveHistory | None = None

@@ -70,8 +70,8 @@ def law(
     >>> ball = {"shape": "paraboloid", "radius": "10 um"}
     >>> glass = {"type": "homogeneous", "material": {"E": "72 GPa", "nu": 0.3}}
     >>> found = studies.law(problem.read({"indenter": ball, "medium": glass, "compute": {"max_depth": "300 nm"}}))
-    >>> print(found.numbers["largest depth"])
-    300 nm
+    >>> print(found.numbers["largest force"], found.notes["depth"])
+    56.045 mN 29.56 pm to 304.47 nm
     """
     progress = progress or Progress()
     progress.step(0, None, "contact")

@@ -99,6 +99,7 @@ def stress(
     >>> tables = {"indenter": ball, "medium": glass, "compute": {"max_force": "1 mN"}}
     >>> found = studies.stress(problem.read(tables))
     >>> print(found.tables["maxima"][0].values[0], found.numbers["von Mises stress, body"])
+    von Mises stress 1.424 GPa
     """
     progress = progress or Progress()
     contact = problem.contact()

@@ -1,0 +1,333 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Studies give from Python what their commands print and write, print and write nothing, and commands hold nothing else."""
+
+import ast
+import csv
+import doctest
+import inspect
+import io
+import sys
+import threading
+import time
+import warnings
+
+import numpy as np
+import pytest
+from conftest import ROOT
+
+import mdrcontact as mdr
+from mdrcontact import problem, studies
+from mdrcontact.cli import COMMANDS, main
+from mdrcontact.problem import ProblemError
+from mdrcontact.progress import Progress
+from mdrcontact.studies.result import Column, Mixed, Words
+
+PACKAGE = ROOT / "python" / "mdrcontact"
+EXAMPLES = ROOT / "examples" / "problems"
+STUDIES = {name: value for name in studies.__all__ if inspect.isfunction(value := getattr(studies, name))}
+MOST_LINES = 60
+COMPUTING = {"calibrate", "fit", "inspect", "map", "modulus"}
+"""Commands on measurements and structures, which are longer."""
+
+CASES = {
+    "curve": ("sio2_on_si", "states", {}),
+    "compare": ("tin_on_steel", "states", {}),
+    "adhesion": ("afm_on_pdms", "loop", {}),
+    "stress": ("diamond_on_tin", "grid", {"maps": True}),
+    "friction": ("tin_on_steel", "states", {}),
+    "wear": ("tin_on_steel", "states", {}),
+    "conduction": ("tin_on_copper", "states", {}),
+    "history": ("afm_on_gel", "path", {}),
+}
+"""By command: an example, the table that --csv writes, and options that make it."""
+BODY = {
+    "indenter": {"shape": "paraboloid", "radius": "10 um"},
+    "medium": {"type": "homogeneous", "material": {"E": "72 GPa", "nu": 0.3}},
+    "compute": {"max_depth": "50 nm"},
+}
+
+
+def computed(name, tmp_path, monkeypatch, capfd, **options):
+    """A study's result for its example; nothing is printed, nothing written."""
+    monkeypatch.chdir(tmp_path)
+    given = problem.load(EXAMPLES / f"{CASES[name][0]}.toml")
+    capfd.readouterr()
+    found = STUDIES[name](given, **options)
+    assert capfd.readouterr() == ("", "") and not [*tmp_path.iterdir()]
+    return found
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_a_study_gives_the_numbers_that_its_command_writes_and_prints(name, tmp_path, monkeypatch, capfd):
+    example, table, options = CASES[name]
+    found = computed(name, tmp_path, monkeypatch, capfd, **options)
+    assert main([name, str(EXAMPLES / f"{example}.toml"), "--csv", "found.csv"]) == 0
+    printed = capfd.readouterr().out
+    with open("found.csv", newline="", encoding="utf-8") as file:
+        head, *rows = csv.reader(file)
+    columns = found.tables[table]
+    assert head == [column.title for column in columns] and len(rows) > 1
+    for column, cells in zip(columns, zip(*rows, strict=True), strict=True):
+        if isinstance(column, Words):
+            assert [*column.values] == [*cells]
+        else:
+            assert np.array_equal(np.array(cells, dtype=float), column.unit.of(column.values), equal_nan=True)
+    assert printed.startswith(f"{found.title}\n\n")
+    for about, note in found.notes.items():
+        assert (f"{about}: {note}" if about.startswith("left out") else note) in printed
+    assert found.numbers and all(np.isfinite(number.value) for number in found.numbers.values())
+
+
+def test_a_law_is_the_file_that_its_command_writes(tmp_path, monkeypatch, capfd):
+    given = problem.load(EXAMPLES / "tin_on_steel.toml")
+    monkeypatch.chdir(tmp_path)
+    capfd.readouterr()
+    found = studies.law(given, largest_depth=200e-9, tolerance=1e-6, continue_beyond=True)
+    assert capfd.readouterr() == ("", "") and not [*tmp_path.iterdir()]
+    options = ["--largest-depth", "200 nm", "--tolerance", "1e-6", "--continue-beyond"]
+    assert main(["law", str(EXAMPLES / "tin_on_steel.toml"), "found.law", *options]) == 0
+    printed = capfd.readouterr().out
+    assert (tmp_path / "found.law").read_bytes() == found.law.to_bytes()
+    assert all(f"{name:<16}{note}\n" in printed for name, note in found.notes.items())
+    assert set(found.notes) == {"depth", "force", "error", "sliders"}
+
+
+def test_comparisons_are_those_that_the_command_prints(tmp_path, monkeypatch, capfd):
+    monkeypatch.chdir(tmp_path)
+    found = studies.validate(only="hertz")
+    assert capfd.readouterr() == ("", "") and not [*tmp_path.iterdir()] and found.beyond == ()
+    assert main(["validate", "--only", "hertz"]) == 0
+    printed = capfd.readouterr().out
+    assert all(cell in printed for column in found.tables["comparisons"] for cell in (column.title, *column.values))
+    with pytest.raises(mdr.InvalidArgumentError, match="did you mean 'hertz'"):
+        studies.validate(only="herz")
+
+
+@pytest.mark.parametrize("name", ["stress", "adhesion"])
+def test_tables_on_the_screen(name, tmp_path, monkeypatch, capfd):
+    """Numbers of which each has its own unit, and words in place of numbers."""
+    found = computed(name, tmp_path, monkeypatch, capfd)
+    assert main([name, str(EXAMPLES / f"{CASES[name][0]}.toml")]) == 0
+    printed = capfd.readouterr().out
+    for table in (table for about, table in found.tables.items() if about != "loop"):
+        kinds = {type(column) for column in table}
+        assert kinds <= {Column, Mixed, Words} and Words in kinds
+        lines = [line.split("  ") for line in printed.splitlines()]
+        for row in range(len(table[0].values)):
+            words = [column.values[row] for column in table if isinstance(column, Words)]
+            assert any(all(word in "  ".join(line) for word in words) for line in lines)
+    assert ("maxima" if name == "stress" else "jumps") in found.tables
+
+
+@pytest.mark.parametrize(
+    ("name", "option"),
+    [("stress", "lines"), ("friction", "loops"), pytest.param("conduction", "section", marks=pytest.mark.slow)],
+)
+def test_what_a_figure_needs_is_computed_on_demand(name, option, tmp_path, monkeypatch, capfd):
+    assert not getattr(computed(name, tmp_path, monkeypatch, capfd), option)
+    assert getattr(computed(name, tmp_path, monkeypatch, capfd, **{option: True}), option)
+
+
+def test_pressures_and_references_of_a_curve(tmp_path, monkeypatch, capfd):
+    found = computed("curve", tmp_path, monkeypatch, capfd, pressures=True, references=True)
+    assert main(["curve", str(EXAMPLES / "sio2_on_si.toml"), "--pressure-csv", "pressures.csv"]) == 0
+    written = np.loadtxt("pressures.csv", delimiter=",", skiprows=1)
+    columns = found.tables["pressures"]
+    assert np.array_equal(written.T, [column.unit.of(column.values) for column in columns])
+    assert [name for name, _ in found.references] == ["coating", "substrate"]
+    assert sum(len(one.r) for one in found.pressures) == len(written)
+
+
+@pytest.mark.parametrize("name", ["adhesion", "friction", "wear", "conduction", "history"])
+def test_a_table_that_is_missing_is_named(name):
+    with pytest.raises(ProblemError, match=rf"^the table \[{name}\] is missing: write it with"):
+        STUDIES[name](problem.read(BODY))
+
+
+@pytest.mark.parametrize("name", STUDIES)
+def test_examples_of_docstrings(name):
+    """And the sections that each has."""
+    text = inspect.getdoc(STUDIES[name])
+    assert all(f"{part}\n{'-' * len(part)}\n" in text for part in ("Parameters", "Returns", "Raises", "Examples"))
+    parsed = doctest.DocTestParser().get_doctest(text, {}, name, None, 0)
+    out = io.StringIO()
+    assert parsed.examples and doctest.DocTestRunner().run(parsed, out=out.write).failed == 0, out.getvalue()
+
+
+def test_each_study_is_a_module_of_its_name():
+    commands = {command.__name__.rpartition(".")[2] for command in COMMANDS}
+    assert set(STUDIES) == commands - COMPUTING - {"example"}
+    for name, study in STUDIES.items():
+        assert study.__module__ == f"mdrcontact.studies.{name}"
+        # what may be followed may be stopped
+        assert inspect.signature(study).parameters["progress"].kind is inspect.Parameter.KEYWORD_ONLY
+
+
+def test_the_example_of_progress():
+    parsed = doctest.DocTestParser().get_doctest(inspect.getdoc(Progress), {}, "Progress", None, 0)
+    assert parsed.examples and doctest.DocTestRunner().run(parsed).failed == 0
+
+
+@pytest.mark.parametrize("name", [*CASES, "law"])
+def test_progress_of_each_study(name):
+    steps = []
+    given = problem.load(EXAMPLES / f"{CASES.get(name, ('tin_on_steel',))[0]}.toml")
+    STUDIES[name](given, progress=Progress(lambda *step: steps.append(step)))
+    phases = {}
+    for done, total, what in steps:
+        assert total is None or 0 <= done <= total
+        phases.setdefault(what, []).append(done)
+    assert all(values == sorted(values) for what, values in phases.items())
+    assert phases
+
+
+@pytest.mark.parametrize("name", ["curve", "compare", "stress", "law"])
+def test_a_study_stops_between_two_parts(name):
+    """Compare lists models that refuse a problem; a stop is no refusal."""
+    given = problem.load(EXAMPLES / "tin_on_steel.toml")
+    calls = []
+    with pytest.raises(mdr.CancelledError):
+        STUDIES[name](given, progress=Progress(stop=lambda: calls.append(0) or len(calls) > 2))
+    assert len(STUDIES[name](given).title) > 0
+
+
+LONG = {
+    **BODY,
+    "medium": {
+        "type": "coated",
+        "model": "exact",
+        "coating": {
+            "relaxed_shear_modulus": "1 MPa", "moduli": ["2 MPa"], "times": ["0.5 s"], "nu": 0.5, "thickness": "1 um",
+        },
+        "substrate": {"relaxed_shear_modulus": "3 MPa", "moduli": ["2 MPa"], "times": ["2 s"], "nu": 0.3},
+    },
+    "history": {"path": "sine", "depth": "300 nm", "duration": "10 s", "points": 2000},
+}  # fmt: skip
+
+
+@pytest.mark.parametrize("in_main_thread", [True, False])
+def test_a_study_stops_within_a_call_into_the_library(in_main_thread):
+    """And the history that is marched in one call reports its rounds."""
+    steps, ended = [], []
+    begun = time.monotonic()
+    late = threading.Event()
+
+    def stop():
+        if time.monotonic() - begun > 0.6:
+            late.set()
+        return late.is_set()
+
+    def run():
+        try:
+            studies.history(problem.read(LONG), progress=Progress(lambda *step: steps.append(step), stop))
+        except mdr.CancelledError:
+            ended.append(time.monotonic() - begun)
+
+    if in_main_thread:
+        run()
+    else:
+        thread = threading.Thread(target=run)
+        thread.start()
+        thread.join()
+    assert ended and ended[0] < 10.0
+    rounds = [total for _, total, what in steps if what.startswith("samples in round ")]
+    assert rounds and set(rounds) == {2001}
+    # the next call is not stopped
+    assert mdr.Contact(mdr.Paraboloid(1.0), mdr.Homogeneous(mdr.Elastic(1.0, 0.3))).at_depth(0.1).force > 0.0
+
+
+def test_what_stop_raises_is_raised_by_the_study():
+    def stop():
+        if sys._getframe(1).f_code.co_name == "is_over":
+            raise KeyboardInterrupt
+        return False
+
+    with pytest.raises(KeyboardInterrupt):
+        studies.history(problem.read(LONG), progress=Progress(stop=stop))
+
+
+def test_warnings_belong_to_the_result():
+    deep = problem.read({**BODY, "compute": {"depths": ["20 um"]}})
+    with warnings.catch_warnings(record=True) as shown:
+        warnings.simplefilter("always")
+        found = studies.curve(deep)
+    assert len(found.warnings) >= 1 and "slope of" in found.warnings[0]
+    assert [str(one.message) for one in shown] == [*found.warnings]
+    assert {one.filename for one in shown} == {__file__}
+    assert studies.curve(problem.read(BODY)).warnings == ()
+
+
+def test_a_refused_study_has_warned_as_well():
+    deep = problem.read({**BODY, "compute": {"depths": ["20 um"]}, "strength": {"von_mises": ["none"]}})
+    with warnings.catch_warnings(record=True) as shown, pytest.raises(ProblemError, match="all strengths"):
+        warnings.simplefilter("always")
+        studies.stress(deep)
+    assert any("slope of" in str(one.message) for one in shown)
+
+
+FORBIDDEN = {"print", "open", "input", "exit", "quit"}
+
+
+def faults(source):
+    """What a study must not do: print, open files, end the program, parse or know a command line."""
+    found = set()
+    for node in ast.walk(ast.parse(source)):
+        if isinstance(node, ast.Call):
+            name = getattr(node.func, "id", getattr(node.func, "attr", ""))
+            if name in FORBIDDEN | {"write_text", "write_bytes", "read_text", "read_bytes", "replace_file"}:
+                found.add(name)
+        elif isinstance(node, ast.Import):
+            found |= {alias.name for alias in node.names} & {"argparse", "sys", "tqdm", "matplotlib"}
+        elif isinstance(node, ast.ImportFrom):
+            words = {*(node.module or "").split("."), *(alias.name for alias in node.names)}
+            found |= words & {"argparse", "sys", "tqdm", "matplotlib", "cli", "_progress", "_files"}
+    return found
+
+
+def test_studies_neither_print_nor_open_files():
+    sources = {path.name: path.read_text() for path in (PACKAGE / "studies").glob("*.py")}
+    assert len(sources) > len(STUDIES)
+    assert not {name: found for name, source in sources.items() if (found := faults(source))}
+    assert faults("print(1)\nfrom ..cli import files\nimport sys\nopen('x')") == {"print", "cli", "sys", "open"}
+
+
+def counted(source):
+    """Lines of a command but for blank ones, its line of help, its arguments and the functions that read one of these."""
+    tree = ast.parse(source)
+    arguments = [node for node in tree.body if isinstance(node, ast.FunctionDef) and node.name == "add_arguments"]
+    types = {
+        keyword.value.id
+        for function in arguments
+        for node in ast.walk(function)
+        if isinstance(node, ast.Call)
+        for keyword in node.keywords
+        if keyword.arg == "type" and isinstance(keyword.value, ast.Name)
+    }
+    help_texts = [
+        node
+        for node in tree.body
+        if (isinstance(node, ast.FunctionDef) and node.name in types)
+        or (isinstance(node, ast.Assign) and [getattr(target, "id", "") for target in node.targets] == ["HELP"])
+    ]
+    left_out = {line for node in (*arguments, *help_texts) for line in range(node.lineno, node.end_lineno + 1)}
+    return sum(bool(line.strip()) and number not in left_out for number, line in enumerate(source.splitlines(), start=1))
+
+
+@pytest.mark.parametrize("command", COMMANDS, ids=lambda command: command.__name__)
+def test_commands_parse_call_print_and_write(command):
+    lines = counted(inspect.getsource(command))
+    assert (lines > MOST_LINES) == (command.__name__.rpartition(".")[2] in COMPUTING), lines
+
+
+def test_lines_are_counted():
+    source = (
+        'HELP = "x"\n\n\ndef add_arguments(parser):\n    parser.add_argument("a", type=_a)\n\n\ndef run(a):\n    print(a)\n\n\n'
+    )
+    assert counted(source + "def _a(text):\n    return text\n") == 2
+    assert counted(source + "def _b(text):\n    return text\n") == 4
+
+
+def test_each_command_has_a_text_of_help():
+    texts = {path.stem: path.read_text(encoding="utf-8") for path in (PACKAGE / "cli" / "help").glob("*.txt")}
+    assert set(texts) == {command.__name__.rpartition(".")[2] for command in COMMANDS}
+    assert all(len(text) > 200 and text.endswith("\n") for text in texts.values())
