@@ -16,6 +16,7 @@ ENTRIES = {
     "__init__.py": ("instruments",),
     "__main__.py": ("cli",),
     "cli/validate.py": ("validation",),
+    "studies/validate.py": ("validation",),
 }
 """Files that name a room beyond their own, for its users."""
 LATE = {
