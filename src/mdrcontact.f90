@@ -52,7 +52,7 @@ module mdrcontact
     use mdrcontact_adhesion_rate_law, only: new_rate_law, new_surface_law, rate_law_t
     use mdrcontact_adhesion_rate_state, only: rate_state_t
     use mdrcontact_time_history, only: contact_history
-    use mdrcontact_time_relaxing_contact, only: new_relaxing_contact, relaxing_contact_t
+    use mdrcontact_contact_relaxing_contact, only: new_relaxing_contact, relaxing_contact_t
     use mdrcontact_time_stiffness, only: dynamic_stiffness, step_creep, step_relaxation, step_response
     use mdrcontact_kinds, only: wp
     use mdrcontact_lateral_density, only: deviatoric_weight, lateral_density, volumetric_weight

@@ -8,7 +8,7 @@ CORE = [
     ("mdr_body", "any_body_t", "mdrcontact_api_any_body", "type"),
     ("mdr_medium", "medium_t", "mdrcontact_medium", "type"),
     ("mdr_contact", "contact_t", "mdrcontact_contact", "type"),
-    ("mdr_contact", "relaxing_contact_t", "mdrcontact_time_relaxing_contact", "type"),
+    ("mdr_contact", "relaxing_contact_t", "mdrcontact_contact_relaxing_contact", "type"),
     ("mdr_loop", "loop_t", "mdrcontact_contact_loop", "type"),
     ("mdr_law", "contact_law_t", "mdrcontact_law", "type"),
     ("mdr_friction", "friction_t", "mdrcontact_friction_partial_slip", "type"),

@@ -17,7 +17,7 @@ FOLDERS = {
 }
 """Inside a room, folders and files without a folder: one may use its own group and those before it."""
 USE = re.compile(r"^\s*use\s+(mdrcontact_\w+)", re.MULTILINE)
-MODULE = re.compile(r"^\s*module\s+(mdrcontact\w*)\s*$", re.MULTILINE)
+MODULE = re.compile(r"^\s*(?:module|submodule\s*\(\w+\))\s+(mdrcontact\w*)\s*$", re.MULTILINE)
 DEFINED = re.compile(r"^\s*type\b[^:(]*(?:\([^)]*\))?[^:(]*::\s*(\w+_t)\s*$", re.MULTILINE)
 CASE = re.compile(r"^\s*(?:class|type) is \((\w+)\)", re.MULTILINE)
 FILES = {path.relative_to(SOURCE).as_posix(): path.read_text() for path in SOURCE.rglob("*.f90")}

@@ -11,7 +11,7 @@ module mdrcontact_api_adhesion_history
     use mdrcontact_contact_control, only: control_t
     use mdrcontact_error, only: check_memory, error_invalid, error_t, raise, to_text
     use mdrcontact_kinds, only: wp
-    use mdrcontact_time_relaxing_contact, only: relaxing_contact_t
+    use mdrcontact_contact_relaxing_contact, only: relaxing_contact_t
     implicit none (type, external)
     private
     public :: mdr_contact_adhesive_history

@@ -14,7 +14,7 @@ module mdrcontact_api_contact
     use mdrcontact_contact_warnings, only: contact_warning_t
     use mdrcontact_contact_values, only: contact_field, contact_states
     use mdrcontact_error, only: check_count_from, check_memory, check_table, count_text, error_invalid, error_t, raise
-    use mdrcontact_time_relaxing_contact, only: new_relaxing_contact, relaxing_contact_t
+    use mdrcontact_contact_relaxing_contact, only: new_relaxing_contact, relaxing_contact_t
     use mdrcontact_medium, only: medium_t
     use mdrcontact_profile, only: profile_t
     use mdrcontact_numerics_radius_law, only: new_radius_law_from_table, radius_law_t

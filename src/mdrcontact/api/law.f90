@@ -2,17 +2,17 @@
 !> Compiled contact laws for C: making them, one point, and what they are.
 module mdrcontact_api_law
     use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_int, c_loc, c_ptr, c_size_t, c_sizeof
-    use mdrcontact_api_handles, only: description_of, hand_over
-    use mdrcontact_api_conduction_open_handle, only: open_handle
+    use mdrcontact_api_handles, only: description_of, hand_over, look_inside, refuse_kind
+    use mdrcontact_api_open_handle, only: open_handle
     use mdrcontact_api_options, only: check_size, read_options, write_facts
     use mdrcontact_api_records, only: c_law_facts_t, c_law_options_t
     use mdrcontact_api_status, only: check_given, status_of
     use mdrcontact_api_text, only: read_text
-    use mdrcontact_conduction_table, only: conductance_function_t
     use mdrcontact_contact, only: check_branch, contact_t, on_unloading
     use mdrcontact_error, only: count_text, error_invalid, error_t, raise
     use mdrcontact_friction_partial_slip, only: friction_t
     use mdrcontact_law, only: contact_law_t, law_point_t
+    use mdrcontact_law_conducting, only: conductance_function_t, conducting_t
     use mdrcontact_law_evaluate, only: law_view_t
     use mdrcontact_law_friction, only: default_sliders, friction_law_t
     use mdrcontact_friction_law, only: new_contact_law
@@ -54,7 +54,7 @@ contains
         call open_handle(contact, "contact", inside, error)
         call read_law_options(options, given, chosen, error)
         if (c_associated(given%conduction)) then
-            call open_handle(given%conduction, "options.conduction", conductance%conduction, error)
+            call open_conductors(given%conduction, conductance%conductors, error)
             chosen%conductance => conductance
         end if
         sliders = merge(default_sliders, int(given%sliders), given%sliders == 0_c_int)
@@ -78,6 +78,24 @@ contains
         call move_alloc(law, object)
         status = hand_over(object, out, error)
     end function mdr_law_new
+
+    !> What stands behind options.conduction, of whatever extension.
+    subroutine open_conductors(handle, conductors, error)
+        type(c_ptr), intent(in) :: handle
+        class(conducting_t), pointer, intent(out) :: conductors
+        type(error_t), allocatable, intent(inout) :: error
+        class(*), pointer :: inside
+
+        nullify (conductors)
+        call look_inside(handle, "options.conduction", "mdr_conduction", inside, error)
+        if (allocated(error)) return
+        select type (inside)
+        class is (conducting_t)
+            conductors => inside
+        class default
+            call refuse_kind("options.conduction", "mdr_conduction", error)
+        end select
+    end subroutine open_conductors
 
     !> struct mdr_law_options, or NULL: as it is, and in the core's words.
     subroutine read_law_options(options, given, chosen, error)

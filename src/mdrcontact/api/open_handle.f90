@@ -6,6 +6,7 @@ module mdrcontact_api_open_handle
     use mdrcontact_api_any_body, only: any_body_t
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_loop, only: loop_t
+    use mdrcontact_contact_relaxing_contact, only: relaxing_contact_t
     use mdrcontact_error, only: error_invalid, error_t, raise
     use mdrcontact_friction_history, only: friction_history_t
     use mdrcontact_friction_partial_slip, only: first_shear_t, friction_t
@@ -13,7 +14,6 @@ module mdrcontact_api_open_handle
     use mdrcontact_material_rheology, only: rheology_t
     use mdrcontact_medium, only: medium_t, refuse_states
     use mdrcontact_profile, only: profile_t
-    use mdrcontact_time_relaxing_contact, only: relaxing_contact_t
     implicit none (type, external)
     private
     public :: open_handle

@@ -8,7 +8,7 @@ module mdrcontact_api_time
     use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_time_history, only: contact_history
     use mdrcontact_time_stiffness, only: dynamic_stiffness, step_response
-    use mdrcontact_time_relaxing_contact, only: relaxing_contact_t
+    use mdrcontact_contact_relaxing_contact, only: relaxing_contact_t
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private

@@ -10,7 +10,7 @@ module mdrcontact_adhesion_cohesive_history
     use mdrcontact_adhesion_cohesive_march, only: cohesive_march_t, first_attraction, jump_march, mark_edges, rest_march, &
                                                  start_march, step_apart, step_march
     use mdrcontact_adhesion_rate_state, only: rate_state_t
-    use mdrcontact_time_relaxing_contact, only: relaxing_contact_t
+    use mdrcontact_contact_relaxing_contact, only: relaxing_contact_t
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_material_prony, only: creep_of, creep_t
     implicit none (type, external)

@@ -7,6 +7,7 @@ module mdrcontact_conduction_bodies
     use mdrcontact_conduction_sink, only: add_sink
     use mdrcontact_error, only: check_not_negative, check_positive, error_domain, error_invalid, error_t, raise, to_text
     use mdrcontact_kinds, only: wp
+    use mdrcontact_law_conducting, only: conducting_t
     use mdrcontact_line_combine, only: add_kernels
     use mdrcontact_line_kernel, only: kernel_t
     use mdrcontact_line_shared, only: layered_shared_t, shared_kernel
@@ -23,7 +24,7 @@ module mdrcontact_conduction_bodies
     real(wp), parameter :: nearest_sink = 8.5_wp
 
     !> To be read only.
-    type :: conduction_t
+    type, extends(conducting_t) :: conduction_t
         !> the lower one and, of two, the upper one
         type(conductors_t), allocatable :: bodies(:)
         !> the steady kernels of the bodies,
@@ -45,6 +46,7 @@ module mdrcontact_conduction_bodies
         !> whether one of them lies on an insulating base
         logical :: is_insulated = .false.
     contains
+        procedure :: conductance => conductance_for_law
         procedure :: check_radius
         procedure :: chi
         procedure :: compliance
@@ -52,6 +54,18 @@ module mdrcontact_conduction_bodies
         procedure :: waves_in
         procedure :: check_steady
     end type conduction_t
+
+    interface
+        !> G and dG/da.
+        module subroutine conductance_for_law(self, a, conductance, slope, error)
+            class(conduction_t), intent(in) :: self
+            !> > 0 [length]
+            real(wp), intent(in) :: a
+            !> [conductance], [conductance/length]
+            real(wp), intent(out) :: conductance, slope
+            type(error_t), allocatable, intent(inout) :: error
+        end subroutine conductance_for_law
+    end interface
 
 contains
 

@@ -10,17 +10,10 @@ module mdrcontact_conduction_table
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
     implicit none (type, external)
     private
-    public :: tabulate_conductance, conductance_function_t
+    public :: tabulate_conductance
 
     !> Of a table's values, relative.
     real(wp), parameter :: smallest_tolerance = 1.0e-10_wp, largest_tolerance = 1.0e-2_wp
-
-    !> G(a), for a law that conducts.
-    type, extends(scalar_function_t) :: conductance_function_t
-        type(conduction_t), pointer :: conduction => null()
-    contains
-        procedure :: value => conductance_value
-    end type conductance_function_t
 
     !> G(a)/a.
     type, extends(scalar_function_t) :: per_radius_t
@@ -53,14 +46,6 @@ contains
         call new_radius_law_from_function(tabulated%table, function, "the conductance", smallest, largest, tolerance, error, &
                                           everywhere=.false.)
     end subroutine tabulate_conductance
-
-    function conductance_value(self, x) result(y)
-        class(conductance_function_t), intent(inout) :: self
-        real(wp), intent(in) :: x
-        real(wp) :: y
-
-        call conductance_at(self%conduction, x, y, self%known_slope, self%error)
-    end function conductance_value
 
     function value(self, x) result(y)
         class(per_radius_t), intent(inout) :: self

@@ -8,7 +8,7 @@ module mdrcontact_fit_predict_time
                                       data_dynamic_stiffness, data_force_time, fit_data_t, part_loss
     use mdrcontact_time_history, only: contact_history
     use mdrcontact_time_stiffness, only: dynamic_stiffness
-    use mdrcontact_time_relaxing_contact, only: new_relaxing_contact, relaxing_contact_t
+    use mdrcontact_contact_relaxing_contact, only: new_relaxing_contact, relaxing_contact_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_medium, only: medium_t
     use mdrcontact_profile, only: profile_t

@@ -8,7 +8,7 @@ module mdrcontact_time_history
     use mdrcontact_time_follow, only: follow_depth
     use mdrcontact_time_steps, only: march_through
     use mdrcontact_time_under_force, only: follow_force
-    use mdrcontact_time_relaxing_contact, only: refuse_attraction, relaxing_contact_t
+    use mdrcontact_contact_relaxing_contact, only: refuse_attraction, relaxing_contact_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_material_prony, only: prony_t
     use mdrcontact_medium_viscoelastic, only: viscoelastic_t

@@ -10,7 +10,7 @@ module mdrcontact_time_steps
     use mdrcontact_error, only: error_domain, error_invalid, error_no_convergence, error_t, raise, to_text
     use mdrcontact_time_march, only: march_t, mark_kink, start_march, step_march
     use mdrcontact_time_memory, only: memory_t, new_memory
-    use mdrcontact_time_relaxing_contact, only: relaxing_contact_t
+    use mdrcontact_contact_relaxing_contact, only: relaxing_contact_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t
     use mdrcontact_medium_solver, only: solver_t

@@ -7,7 +7,7 @@ module mdrcontact_time_stiffness
     use mdrcontact_codes, only: step_creep => creep, step_relaxation => relaxation
     use mdrcontact_error, only: check_code, check_positive, error_domain, error_invalid, error_no_convergence, error_t, raise, &
                                 raise_at, to_text
-    use mdrcontact_time_relaxing_contact, only: refuse_attraction, relaxing_contact_t
+    use mdrcontact_contact_relaxing_contact, only: refuse_attraction, relaxing_contact_t
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_line_kernel, only: kernel_t
     use mdrcontact_line_part, only: new_part, part_memory_t, part_t

@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The contact of a rigid indenter with a body that relaxes. Its states depend on time.
-module mdrcontact_time_relaxing_contact
+module mdrcontact_contact_relaxing_contact
     use mdrcontact_object, only: room
     use mdrcontact_contact, only: check_adhesion, check_cohesion, contact_options_t
     use mdrcontact_contact_equilibrium, only: equilibrium_t, new_equilibrium
@@ -91,4 +91,4 @@ contains
         end if
     end subroutine check_attraction
 
-end module mdrcontact_time_relaxing_contact
+end module mdrcontact_contact_relaxing_contact

@@ -1,0 +1,13 @@
+! SPDX-License-Identifier: GPL-3.0-or-later
+!> The conductance that a law asks for: in a file of its own, since the fields that answer use the conductors.
+submodule(mdrcontact_conduction_bodies) mdrcontact_conduction_for_law
+    use mdrcontact_conduction_fields, only: conductance_at
+    implicit none (type, external)
+
+contains
+
+    module procedure conductance_for_law
+        call conductance_at(self, a, conductance, slope, error)
+    end procedure conductance_for_law
+
+end submodule mdrcontact_conduction_for_law
