@@ -12,7 +12,7 @@ foreach(kind IN ITEMS static shared)
     RUNTIME DESTINATION "${CMAKE_INSTALL_BINDIR}")
   install(EXPORT mdrcontact_${kind} NAMESPACE mdrcontact:: DESTINATION "${package_dir}")
 endforeach()
-install(DIRECTORY "${PROJECT_SOURCE_DIR}/include/" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" FILES_MATCHING PATTERN "*.h*")
+install(DIRECTORY "${mdrcontact_include_dir}/" DESTINATION "${CMAKE_INSTALL_INCLUDEDIR}" FILES_MATCHING PATTERN "*.h*")
 install(FILES "${PROJECT_SOURCE_DIR}/LICENSE" DESTINATION "${CMAKE_INSTALL_DOCDIR}")
 # gfortran's module file holds all that it re-exports; others read the modules behind it too, of which
 # those of the C layer are internal.

@@ -54,6 +54,7 @@ static int constant_nu(double z, double *y, void *context)
     return 0;
 }
 
+#ifdef MDRCONTACT_LATERAL_H
 static int inclusion(double x, double y, double z, double *E, double *nu, void *context)
 {
     (void)context;
@@ -61,6 +62,7 @@ static int inclusion(double x, double y, double z, double *E, double *nu, void *
     *nu = 0.3;
     return 0;
 }
+#endif
 
 static mdr_medium *coating(double stiffness)
 {
@@ -162,6 +164,7 @@ static void interior(numbers *out)
     }
 }
 
+#ifdef MDRCONTACT_TIME_H
 static const double moduli[2] = {2.0, 0.5}, times[2] = {0.3, 3.0};
 
 static mdr_contact *ball_on_polymer(int i)
@@ -202,6 +205,7 @@ static void responses(numbers *out)
         MDR_FREE(c);
     }
 }
+#endif
 
 static void loops(numbers *out)
 {
@@ -306,6 +310,7 @@ static void friction_laws(numbers *out)
     MDR_FREE(c);
 }
 
+#ifdef MDRCONTACT_FIT_H
 /* E of a film, from what it was predicted with. Nothing is computed here: the caller may round otherwise. */
 static void fits(numbers *out)
 {
@@ -337,7 +342,9 @@ static void fits(numbers *out)
     MDR_FREE(ball);
     MDR_FREE(film);
 }
+#endif
 
+#ifdef MDRCONTACT_LATERAL_H
 static void lateral(numbers *out)
 {
     static const double ball[7] = {0.0, 0.0, 1.0, 0.5}, spacing[3] = {0.5, 0.5, 0.5}, E[2] = {1.0, 2.0}, nu[2] = {0.3, 0.2};
@@ -358,6 +365,7 @@ static void lateral(numbers *out)
     CHECK_SUCCESS(mdr_lateral_cells(0.3, 1.0, 0.1, 0.6, 2, x, 2, x, more(out, 4), more(out, 4)));
     CHECK_SUCCESS(mdr_lateral_rule(1, 0.3, more(out, 18), more(out, 12)));
 }
+#endif
 
 static void closed_forms(numbers *out)
 {
@@ -373,10 +381,26 @@ static void closed_forms(numbers *out)
 }
 
 static const long_call long_calls[] = {
-    {"profiles", profiles},         {"media", media},     {"states", states},           {"interior", interior},
-    {"histories", histories},       {"responses", responses}, {"loops", loops},         {"friction", friction},
-    {"torsion", torsion},           {"laws", laws},       {"friction laws", friction_laws}, {"fits", fits},
-    {"lateral", lateral},           {"closed forms", closed_forms},
+    {"profiles", profiles},
+    {"media", media},
+    {"states", states},
+    {"interior", interior},
+    {"loops", loops},
+    {"friction", friction},
+    {"torsion", torsion},
+    {"laws", laws},
+    {"friction laws", friction_laws},
+    {"closed forms", closed_forms},
+#ifdef MDRCONTACT_TIME_H
+    {"histories", histories},
+    {"responses", responses},
+#endif
+#ifdef MDRCONTACT_LATERAL_H
+    {"lateral", lateral},
+#endif
+#ifdef MDRCONTACT_FIT_H
+    {"fits", fits},
+#endif
 };
 
 enum { LONG_CALLS = sizeof long_calls / sizeof *long_calls };

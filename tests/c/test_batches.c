@@ -15,15 +15,15 @@ typedef struct objects {
     mdr_profile *profile;
     mdr_medium *medium, *exact_medium, *homogeneous;
     mdr_contact *contact, *exact, *quick;
+#ifdef MDRCONTACT_LATERAL_H
     mdr_structure *structure;
+#endif
 } objects;
 
 static double place[QUICK], small_place[STATES];
 
 static void make(objects *o)
 {
-    const int kind = MDR_SHAPE_BALL;
-    const double sphere[7] = {0.5, 0.0, 1.0, 0.4}, E = 9.0, nu = 0.2;
     mdr_contact_options options;
 
     options = MDR_SIZED(mdr_contact_options);
@@ -35,14 +35,20 @@ static void make(objects *o)
     CHECK_SUCCESS(mdr_contact_new(o->profile, o->medium, &options, &o->contact));
     CHECK_SUCCESS(mdr_contact_new(o->profile, o->exact_medium, NULL, &o->exact));
     CHECK_SUCCESS(mdr_contact_new(o->profile, o->homogeneous, NULL, &o->quick));
+#ifdef MDRCONTACT_LATERAL_H
+    const int kind = MDR_SHAPE_BALL;
+    const double sphere[7] = {0.5, 0.0, 1.0, 0.4}, E = 9.0, nu = 0.2;
     CHECK_SUCCESS(mdr_structure_shapes(3.0, 0.4, 1, &kind, sphere, &E, &nu, NULL, &o->structure));
+#endif
     for (int i = 0; i < QUICK; i++) place[i] = pow(10.0, -3.0 + 5.0 * i / QUICK);
     for (int i = 0; i < STATES; i++) small_place[i] = 0.999 * i / STATES;
 }
 
 static void end(objects *o)
 {
+#ifdef MDRCONTACT_LATERAL_H
     CHECK_FREE(o->structure);
+#endif
     CHECK_FREE(o->quick);
     CHECK_FREE(o->exact);
     CHECK_FREE(o->contact);
@@ -97,8 +103,10 @@ static int evaluate(const objects *o, int threads, double *out)
     CALL(mdr_closed_form(MDR_FORM_CONE_FORCE, QUICK, place, (const double[]){0.3, 3.0, 1.0, 0.5}, NEXT));
     CALL(mdr_closed_form(MDR_FORM_ADHESIVE_DEPTH, QUICK, place, (const double[]){1.0, 3.0, 1.0, 0.5, 0.1}, NEXT));
     CALL(mdr_closed_form(MDR_FORM_REDUCED_DEPTH, QUICK, place, (const double[]){3.0, 0.5}, NEXT));
+#ifdef MDRCONTACT_LATERAL_H
     CALL(mdr_structure_modulus(o->structure, EXACT, small_place, small_place, place, NEXT));
     CALL(mdr_lateral_density(QUICK, place, place, 0.3, v, v + QUICK));
+#endif
     return failed + (mdr_set_threads(1) != MDR_SUCCESS);
 }
 
@@ -174,7 +182,9 @@ static void test_errors(const objects *o)
                      "entry 4 of force = -4 ");
         CHECK_STATUS(field_at(o->exact, MDR_PRESSURE, MDR_RADIUS, 1.0, STATES, x, out), MDR_EDOMAIN, "r = 3 ");
         CHECK_STATUS(mdr_weight(MDR_WEIGHT_I0, 0.3, STATES, bad, out), MDR_EINVALID, "entry 4 of xi");
+#ifdef MDRCONTACT_LATERAL_H
         CHECK_STATUS(mdr_structure_modulus(o->structure, EXACT, x, x, bad, out), MDR_EINVALID, "a = -4 ");
+#endif
         CHECK_STATUS(mdr_set_threads(-1), MDR_EINVALID, "threads = -1 is not allowed");
     }
     CHECK_SUCCESS(mdr_set_threads(1));
@@ -212,6 +222,7 @@ static void test_callers_with_threads(const objects *o, const double *alone, int
 }
 
 #ifdef _OPENMP
+#ifdef MDRCONTACT_LATERAL_H
 /* A structure's function records on which thread and at which level it is called. */
 static int material(double x, double y, double z, double *E, double *nu, void *context)
 {
@@ -221,13 +232,12 @@ static int material(double x, double y, double z, double *E, double *nu, void *c
     *nu = 0.3;
     return 0;
 }
+#endif
 
 /* Within a parallel region nothing is shared out again, whatever is set and even where the runtime would allow it. */
 static void test_callers_with_openmp(const objects *o, const double *alone)
 {
-    int failed = 0, different = 0, one = 0;
-    double E[4], a[4] = {1.0, 2.0, 3.0, 4.0};
-    mdr_structure *field = NULL;
+    int failed = 0, different = 0;
 
     omp_set_max_active_levels(3);
 #pragma omp parallel num_threads(CALLERS) reduction(+ : failed, different)
@@ -240,13 +250,18 @@ static void test_callers_with_openmp(const objects *o, const double *alone)
     omp_set_max_active_levels(1);
     CHECK_INT(failed, 0);
     CHECK_INT(different, 0);
+#ifdef MDRCONTACT_LATERAL_H
     /* a user's function is called on the caller's thread */
+    int one = 0;
+    double E[4], a[4] = {1.0, 2.0, 3.0, 4.0};
+    mdr_structure *field = NULL;
     CHECK_SUCCESS(mdr_structure_function(material, &one, 0.3, NULL, &field));
     CHECK_SUCCESS(mdr_set_threads(4));
     CHECK_SUCCESS(mdr_structure_modulus(field, 4, a, a, a, E));
     CHECK_SUCCESS(mdr_set_threads(1));
     CHECK_CLOSE(E[3], 3.0 / (1.0 - 0.09), 1e-9);
     CHECK_FREE(field);
+#endif
 }
 #endif
 

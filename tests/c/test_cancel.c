@@ -34,13 +34,14 @@ static int stop(void *context)
 }
 
 static double in[MANY], out[MANY], radii[MANY];
-static int labels[ROWS * ROWS];
 static mdr_profile *cone;
 static mdr_medium *deeply_graded;
 static mdr_contact *exact, *plain, *rough, *sharp, *relaxing, *sticky, *on_film;
 static mdr_friction *rubbed, *rubbed_film;
 static mdr_friction_history *history, *rings;
+#ifdef MDRCONTACT_LATERAL_H
 static mdr_structure *balls, *voxels;
+#endif
 static mdr_medium *medium, *film;
 static mdr_state pressed, normal[MANY / 10];
 static mdr_shear_state sheared[MANY / 10];
@@ -51,14 +52,19 @@ static int states(void) { return columns_of(exact, MDR_FORCE, MANY, in, NULL, NU
 static int formula_states(void) { return columns_of(plain, MDR_FORCE, MANY, in, NULL, NULL, out, NULL); }
 static int pressures(void) { return field_at(rough, MDR_PRESSURE, MDR_RADIUS, 1.0, MANY, radii, out); }
 static int compiled(void) { return mdr_law_new(sharp, 1.0, NULL, &law); }
+#ifdef MDRCONTACT_LATERAL_H
 static int place(void) { return mdr_structure_modulus(balls, MANY, in, in, in + 1, out); }
 static int cells(void) { return mdr_structure_modulus(voxels, MANY, in, in, in + 1, out); }
 static int table(void) { return mdr_structure_medium(balls, 0.0, 0.0, 0.01, 10.0, 100000, &medium); }
+#endif
 static int torsion(void) { return mdr_medium_values(film, MDR_TORSIONAL_STIFFNESS, MANY, in, out); }
+#ifdef MDRCONTACT_TIME_H
 static int path(void)
 {
     return mdr_contact_history(relaxing, MDR_DEPTH, 1e-9, MANY / 500, in + POINTS, sway, out, NULL, NULL);
 }
+#endif
+#ifdef MDRCONTACT_ADHESION_H
 static int sticky_path(void)
 {
     const mdr_rate_state apart = {0};
@@ -66,7 +72,10 @@ static int sticky_path(void)
     return mdr_contact_adhesive_history(sticky, MDR_DEPTH, 0.0, 1e-7, &apart, POINTS, in, deep, out, NULL, NULL, NULL,
                                         &end);
 }
+#endif
+#ifdef MDRCONTACT_TIME_H
 static int oscillation(void) { return mdr_contact_dynamic_stiffness(relaxing, MANY, in, in, out, other); }
+#endif
 static int rub(void) { return shear_states(rubbed_film, &pressed, MDR_ALONG, MDR_SHIFT, MANY / 10, sway, sheared); }
 static int rub_in_turn(void) { return shear_loop(rubbed_film, &pressed, MDR_ALONG, MDR_SHIFT, 1e-3, MANY, out, other,
                                                  other); }
@@ -90,6 +99,7 @@ static int failure(void)
     return mdr_contact_first_failure(on_film, MDR_BODY_LOWER, 0.2, 50.0, 2, strengths, 2, found, &count);
 }
 
+#ifdef MDRCONTACT_FIT_H
 /* Force against depth of a cone on a graded body, E at three depths free. */
 static int fit(void)
 {
@@ -109,6 +119,26 @@ static int fit(void)
     for (int i = 0; i < POINTS; i++) y[i] = in[i] * in[i] * (3.0 + sin(7.0 * in[i]));
     return mdr_fit_solve(&problem, POINTS, in, y, NULL, NULL, NULL, NULL, NULL, NULL, NULL, out, NULL, NULL);
 }
+#endif
+
+#ifdef MDRCONTACT_LATERAL_H
+/* Many balls, and voxels of three phases. */
+static void make_structures(const double E[3], const double nu[3])
+{
+    static const int size[3] = {ROWS, ROWS, 1};
+    static const double spacing[3] = {0.05, 0.05, 0.1};
+    static double shapes[7 * BALLS], shape_E[BALLS], shape_nu[BALLS];
+    static int labels[ROWS * ROWS], kinds[BALLS];
+    for (int i = 0; i < ROWS * ROWS; i++) labels[i] = (i * 7 + i / ROWS) % 3;
+    for (int i = 0; i < BALLS; i++) {
+        kinds[i] = MDR_SHAPE_BALL;
+        shapes[7 * i] = sin(3.0 * i), shapes[7 * i + 1] = cos(5.0 * i), shapes[7 * i + 2] = 0.6 + 0.02 * i, shapes[7 * i + 3] = 0.5;
+        shape_E[i] = 1.0 + 0.1 * i, shape_nu[i] = 0.3;
+    }
+    CHECK_SUCCESS(mdr_structure_shapes(1.0, 0.3, BALLS, kinds, shapes, shape_E, shape_nu, NULL, &balls));
+    CHECK_SUCCESS(mdr_structure_voxels(size, labels, 3, E, nu, spacing, 1.0, 0.3, NULL, &voxels));
+}
+#endif
 
 static void check_cancelled(const char *name, int (*call)(void))
 {
@@ -127,10 +157,7 @@ static void check_cancelled(const char *name, int (*call)(void))
 
 int main(void)
 {
-    const double z[3] = {0.0, 0.5, 2.0}, E[3] = {1.0, 2.0, 5.0}, nu[3] = {0.3, 0.25, 0.2}, spacing[3] = {0.05, 0.05, 0.1};
-    const int size[3] = {ROWS, ROWS, 1};
-    static double shapes[7 * BALLS], shape_E[BALLS], shape_nu[BALLS];
-    int kinds[BALLS];
+    const double z[3] = {0.0, 0.5, 2.0}, E[3] = {1.0, 2.0, 5.0}, nu[3] = {0.3, 0.25, 0.2};
     double once;
     mdr_profile *p = NULL;
     double depths[DEPTHS], rising_E[DEPTHS], same_nu[DEPTHS];
@@ -142,12 +169,6 @@ int main(void)
     for (int i = 0; i < MANY; i++) in[i] = 0.001 + 2.0 * i / MANY;
     for (int i = 0; i < POINTS; i++) in[i] = 0.01 * (i + 1);
     for (int i = 0; i < MANY; i++) radii[i] = (double)i / MANY;
-    for (int i = 0; i < ROWS * ROWS; i++) labels[i] = (i * 7 + i / ROWS) % 3;
-    for (int i = 0; i < BALLS; i++) {
-        kinds[i] = MDR_SHAPE_BALL;
-        shapes[7 * i] = sin(3.0 * i), shapes[7 * i + 1] = cos(5.0 * i), shapes[7 * i + 2] = 0.6 + 0.02 * i, shapes[7 * i + 3] = 0.5;
-        shape_E[i] = 1.0 + 0.1 * i, shape_nu[i] = 0.3;
-    }
     CHECK_SUCCESS(mdr_profile_paraboloid(1.0, &p));
     CHECK_SUCCESS(mdr_profile_cone(0.3, &cone));
     CHECK_SUCCESS(medium_of_grades(3, z, E, nu, MDR_MODEL_EXACT, NULL, &graded));
@@ -159,8 +180,9 @@ int main(void)
     CHECK_SUCCESS(mdr_contact_new(p, half_space, NULL, &plain));
     CHECK_SUCCESS(mdr_contact_new(cone, weighted, NULL, &rough));
     CHECK_SUCCESS(mdr_contact_new(cone, graded, NULL, &sharp));
-    CHECK_SUCCESS(mdr_structure_shapes(1.0, 0.3, BALLS, kinds, shapes, shape_E, shape_nu, NULL, &balls));
-    CHECK_SUCCESS(mdr_structure_voxels(size, labels, 3, E, nu, spacing, 1.0, 0.3, NULL, &voxels));
+#ifdef MDRCONTACT_LATERAL_H
+    make_structures(E, nu);
+#endif
 
     for (int i = 0; i < MANY; i++) sway[i] = 1e-3 * sin(7.0 * i) * sin(7.0 * i);
     CHECK_SUCCESS(mdr_material_viscoelastic(1.0, 1, (double[]){2.0}, (double[]){0.5}, 0.0, 0.5, 0.0, &fast));
@@ -184,15 +206,25 @@ int main(void)
     check_cancelled("states by formula", formula_states);
     check_cancelled("pressures", pressures);
     check_cancelled("law", compiled);
+#ifdef MDRCONTACT_LATERAL_H
     check_cancelled("shapes", place);
     check_cancelled("voxels", cells);
     check_cancelled("table", table);
+#endif
     check_cancelled("stresses", inside);
+#ifdef MDRCONTACT_FIT_H
     check_cancelled("fit", fit);
+#endif
     check_cancelled("torsion", torsion);
+#ifdef MDRCONTACT_TIME_H
     check_cancelled("path in time", path);
+#endif
+#ifdef MDRCONTACT_ADHESION_H
     check_cancelled("path in time with a cohesive zone", sticky_path);
+#endif
+#ifdef MDRCONTACT_TIME_H
     check_cancelled("oscillations", oscillation);
+#endif
     check_cancelled("first failure", failure);
     check_cancelled("tangential states", rub);
     check_cancelled("tangential loop", rub_in_turn);
@@ -203,7 +235,9 @@ int main(void)
     /* on two threads too; the handles are sound */
     CHECK_SUCCESS(mdr_set_threads(2));
     check_cancelled("states, two threads", states);
+#ifdef MDRCONTACT_LATERAL_H
     check_cancelled("shapes, two threads", place);
+#endif
     CHECK_SUCCESS(mdr_set_threads(1));
     answers_no = 1;
     CHECK_SUCCESS(columns_of(exact, MDR_DEPTH, 1, in, NULL, NULL, out, NULL));
@@ -233,8 +267,10 @@ int main(void)
     CHECK_FREE(soft);
     CHECK_FREE(slow);
     CHECK_FREE(fast);
+#ifdef MDRCONTACT_LATERAL_H
     CHECK_FREE(voxels);
     CHECK_FREE(balls);
+#endif
     CHECK_FREE(sharp);
     CHECK_FREE(rough);
     CHECK_FREE(plain);

@@ -151,6 +151,7 @@ static int power_graded(void)
     return field_at(broken_power, MDR_DISPLACEMENT, MDR_RADIUS, 0.5, 1, x + 2, out);
 }
 static int fields(void) { return field_at(contact, MDR_PRESSURE, MDR_RADIUS, 1.0, 3, x, out); }
+#ifdef MDRCONTACT_FIT_H
 static int fit(void)
 {
     static const double depth[3] = {0.1, 0.2, 0.3}, load[3] = {0.05, 0.15, 0.3};
@@ -170,6 +171,7 @@ static int fit(void)
     /* the best point found is a result, marked by its flag */
     return status == MDR_SUCCESS && !summary.converged ? MDR_ENOCONVERGENCE : status;
 }
+#endif
 
 /* Sound before, refused with that status and nothing written, sound again afterwards. */
 static void check_refusal(const char *name, enum refused which, int (*call)(void), int expected)
@@ -184,7 +186,8 @@ static void check_refusal(const char *name, enum refused which, int (*call)(void
     if (status != expected || refusals == 0) printf("%s: %s, %d refusals\n", name, mdr_name_of(status), refusals);
     CHECK_INT(status, expected);
     CHECK_TRUE(refusals > 0);
-    if (call != fit) CHECK_UNTOUCHED(3, out);
+    /* a fit gives the best point that it found */
+    if (which != FIT_STEP) CHECK_UNTOUCHED(3, out);
     CHECK_SUCCESS(call());
 }
 
@@ -216,7 +219,9 @@ int main(void)
     check_refusal("adhesive, no step", ROOT_STEP, adhesive, MDR_ENOCONVERGENCE);
     check_refusal("adhesive, no end", ROOT_TEST, adhesive, MDR_ENOCONVERGENCE);
     check_refusal("exact, no factors", FACTORS, exact_states, MDR_ENOCONVERGENCE);
+#ifdef MDRCONTACT_FIT_H
     check_refusal("fit, no step", FIT_STEP, fit, MDR_ENOCONVERGENCE);
+#endif
 
     CHECK_FREE(broken_power);
     CHECK_FREE(rising);

@@ -159,6 +159,7 @@ static void test_copy(double work_of_adhesion, double cohesive_stress, double fl
     }
 }
 
+#ifdef MDRCONTACT_CONDUCTION_H
 /* A law that conducts: inline, from a copy of its buffer, and from its file, with the bits of the library; near the solution. */
 static void test_conductance(double work_of_adhesion)
 {
@@ -230,6 +231,7 @@ static void test_conductance(double work_of_adhesion)
     CHECK_FREE(ball);
     CHECK_FREE(conduction);
 }
+#endif
 
 static void test_power(void)
 {
@@ -343,8 +345,10 @@ int main(void)
     test_copy(0.05, 0.0, 0.0, 1);
     test_copy(0.05, 0.02, 0.0, 0);
     test_copy(0.05, 0.5, 0.0, 1);
+#ifdef MDRCONTACT_CONDUCTION_H
     test_conductance(0.0);
     test_conductance(0.05);
+#endif
     test_power();
     test_beyond();
     test_refusals();

@@ -67,7 +67,9 @@ static mdr_medium *half_space, *film;
 static mdr_medium *coating, *soft_film, *multilayer, *exact_layers, *exact_grades;
 static mdr_contact *contact, *on_film, *by_tip, *coated, *adhesive, *scaled, *on_pair, *relaxing_film, *on_layers;
 static mdr_law *law;
+#ifdef MDRCONTACT_LATERAL_H
 static mdr_structure *voxels;
+#endif
 static mdr_contact *relaxing, *relaxing_zone, *scaled_gao;
 static mdr_material *springs;
 static mdr_friction *rubbed, *rubbed_coating, *rubbed_scaled, *rubbed_tip;
@@ -98,14 +100,16 @@ static int stresses(void) { return stress_at(contact, 0.0, 0); }
 static int stresses_sliding(void) { return stress_at(contact, 0.3, 0); }
 static int stresses_of_grid(void) { return stress_at(coated, 0.3, 1); }
 static int loop(void) { mdr_loop *l = NULL; return mdr_loop_new(contact, MDR_DEPTH, 0.5, POINTS, 0.0, &l); }
-static int make_voxels(void)
+#ifdef MDRCONTACT_LATERAL_H
+static int new_voxels(mdr_structure **s)
 {
     const int size[3] = {ROWS, ROWS, 10};
     const double E[2] = {1.0, 2.0}, nu[2] = {0.3, 0.3}, spacing[3] = {0.1, 0.1, 0.1};
-    mdr_structure *s = NULL;
-    return mdr_structure_voxels(size, labels, 2, E, nu, spacing, 1.0, 0.3, NULL, &s);
+    return mdr_structure_voxels(size, labels, 2, E, nu, spacing, 1.0, 0.3, NULL, s);
 }
+static int make_voxels(void) { mdr_structure *s = NULL; return new_voxels(&s); }
 static int place(void) { return mdr_structure_modulus(voxels, 1, x + 9, x + 9, x + 99, out); }
+#endif
 static int write_law(void)
 {
     static char text[3000000];
@@ -114,12 +118,14 @@ static int write_law(void)
     return status == MDR_SUCCESS ? mdr_law_read(text, length, &again) : status;
 }
 
+#ifdef MDRCONTACT_TIME_H
 static int path(void) { return mdr_contact_history(relaxing, MDR_DEPTH, 1e-2, POINTS - 1, x + 1, y + 1, out, NULL, NULL); }
 static int path_of_forces(void)
 {
     return mdr_contact_history(relaxing, MDR_FORCE, 1e-2, POINTS - 1, x + 1, small + 1, out, NULL, NULL);
 }
 static int oscillations(void) { return mdr_contact_dynamic_stiffness(relaxing, POINTS - 1, x + 1, x + 1, out, other); }
+#endif
 static int tangential_states(void)
 {
     static mdr_shear_state found[POINTS];
@@ -271,8 +277,11 @@ static int loop_path(void)
     return status == MDR_SUCCESS ? mdr_loop_points(l, POINTS, points, NULL) : status;
 }
 static int creep(void) { return mdr_material_values(springs, MDR_CREEP, POINTS - 1, x + 1, out, NULL); }
+#ifdef MDRCONTACT_TIME_H
 static int new_frequencies(void) { return mdr_contact_dynamic_stiffness(relaxing_film, 3, x + 1, one, out, other); }
 static int steps(void) { return mdr_contact_step_response(relaxing_film, MDR_CREEP, 0.5, 3, x + 1, out); }
+#endif
+#ifdef MDRCONTACT_ADHESION_H
 /* bodies that stay apart */
 static int march_of_zone(void)
 {
@@ -281,12 +290,15 @@ static int march_of_zone(void)
     return mdr_contact_adhesive_history(relaxing_zone, MDR_DEPTH, 0.0, 0.0, &apart, POINTS - 1, x + 1, low + 1, out, NULL,
                                         NULL, NULL, &end);
 }
+#endif
 
+#ifdef MDRCONTACT_TIME_H
 static int march(void)
 {
     const double t[4] = {0.0, 0.1, 0.2, 0.3}, d[4] = {0.0, 0.1, 0.05, 0.1};
     return mdr_contact_history(relaxing_film, MDR_DEPTH, 1e-3, 4, t, d, out, NULL, NULL);
 }
+#endif
 
 static int torsional_states(void)
 {
@@ -341,6 +353,7 @@ static int law_of_friction_on_coating(void)
     return mdr_law_new(coated, 0.1, &options, &made);
 }
 
+#ifdef MDRCONTACT_LATERAL_H
 static int map_of(const mdr_structure *s, int n) { return mdr_structure_modulus(s, n, x, x, one, out); }
 static int smooth(double at_x, double at_y, double z, double *E, double *nu, void *context)
 {
@@ -356,7 +369,9 @@ static int map_of_function(void)
     return status == MDR_SUCCESS ? map_of(s, 2) : status;
 }
 static int cells(void) { return mdr_lateral_cells(0.3, 0.1, 0.0, 0.1, 90, x, 90, x, out, other); }
+#endif
 
+#ifdef MDRCONTACT_FIT_H
 /* What differs from a paraboloid's forces over depths, by least squares of its modulus. */
 typedef struct {
     int data_kind, loss, free, use_branch;
@@ -402,6 +417,7 @@ static int solve(void) { return fit((trial){MDR_FIT_FORCE_DEPTH, MDR_FIT_LINEAR,
 static int solve_adhesive(void) { return fit((trial){MDR_FIT_FORCE_DEPTH, MDR_FIT_HUBER, 1, 1, 1e-3, 1e-3, solved}, NULL); }
 static int solve_stiffness(void) { return fit((trial){MDR_FIT_STIFFNESS_DEPTH, MDR_FIT_LINEAR, 1, 0, 0.0, 0.0, solved}, small); }
 static int interval(void) { return fit((trial){MDR_FIT_MODULUS_RADIUS, MDR_FIT_LINEAR, 1, 0, 0.0, 0.0, bounded}, NULL); }
+#endif
 
 /* In a process of its own. 0 if it came to its end with a status that may be. */
 static int dies(int (*call)(void), int number, int *count)
@@ -446,8 +462,6 @@ static void refuse_each(const char *name, int known, int (*call)(void))
 
 int main(void)
 {
-    const int size[3] = {ROWS, ROWS, 10};
-    const double E[2] = {1.0, 2.0}, nu[2] = {0.3, 0.3}, spacing[3] = {0.1, 0.1, 0.1};
     mdr_law_options options;
     mdr_material *layer[1] = {NULL};
     mdr_contact_options chosen;
@@ -465,7 +479,9 @@ int main(void)
     CHECK_SUCCESS(mdr_contact_new(ball, film, NULL, &on_film));
     CHECK_SUCCESS(mdr_contact_new(tip, half_space, NULL, &by_tip));
     CHECK_SUCCESS(mdr_friction_new(by_tip, 0.3, &rubbed_tip));
-    CHECK_SUCCESS(mdr_structure_voxels(size, labels, 2, E, nu, spacing, 1.0, 0.3, NULL, &voxels));
+#ifdef MDRCONTACT_LATERAL_H
+    CHECK_SUCCESS(new_voxels(&voxels));
+#endif
     options = MDR_SIZED(mdr_law_options);
     options.tolerance = 1e-12;
     CHECK_SUCCESS(mdr_law_new(contact, 0.5, &options, &law));
@@ -522,20 +538,9 @@ int main(void)
     refuse_each("stresses of a grid in a coated body", 0, stresses_of_grid);
     refuse_each("loop", 0, loop);
     refuse_each("law written and read", 0, write_law);
-    refuse_each("voxels", 0, make_voxels);
-    refuse_each("place among voxels", 0, place);
-    refuse_each("path in time", 0, path);
-    refuse_each("path in time of forces", 0, path_of_forces);
-    refuse_each("oscillations", 0, oscillations);
     refuse_each("tangential states", 0, tangential_states);
     refuse_each("tangential loop", 0, tangential_loop);
     refuse_each("friction by rings", 0, rings);
-    refuse_each("prediction", 0, predict);
-    refuse_each("prediction at radii", 0, predict_radii);
-    refuse_each("fit", 0, solve);
-    refuse_each("fit of an adhesive curve under a robust loss", 0, solve_adhesive);
-    refuse_each("fit of stiffnesses", 0, solve_stiffness);
-    refuse_each("interval", 0, interval);
     refuse_each("fields under zeta", 0, fields_of_scaled);
     refuse_each("fields on a coating", 0, fields_on_coating);
     refuse_each("fields of an adhesive contact", 0, fields_of_adhesive);
@@ -564,10 +569,6 @@ int main(void)
     refuse_each("closed form", 0, closed_form);
     refuse_each("adhesive loop", 0, loop_path);
     refuse_each("creep", 0, creep);
-    refuse_each("frequencies of a film", 0, new_frequencies);
-    refuse_each("step of a film", 0, steps);
-    refuse_each("path in time on a film", 0, march);
-    refuse_each("path in time of a zone", 0, march_of_zone);
     refuse_each("torsional states", 0, torsional_states);
     refuse_each("tractions", 0, tractions);
     refuse_each("tractions on a coating", 0, tractions_on_coating);
@@ -578,7 +579,30 @@ int main(void)
     refuse_each("energies of a law", 0, law_energies);
     refuse_each("law of friction", 0, law_of_friction);
     refuse_each("law of friction on a coating", 0, law_of_friction_on_coating);
+#ifdef MDRCONTACT_TIME_H
+    refuse_each("path in time", 0, path);
+    refuse_each("path in time of forces", 0, path_of_forces);
+    refuse_each("oscillations", 0, oscillations);
+    refuse_each("frequencies of a film", 0, new_frequencies);
+    refuse_each("step of a film", 0, steps);
+    refuse_each("path in time on a film", 0, march);
+#endif
+#ifdef MDRCONTACT_ADHESION_H
+    refuse_each("path in time of a zone", 0, march_of_zone);
+#endif
+#ifdef MDRCONTACT_LATERAL_H
+    refuse_each("voxels", 0, make_voxels);
+    refuse_each("place among voxels", 0, place);
     refuse_each("map of a function", 0, map_of_function);
     refuse_each("cells", 0, cells);
+#endif
+#ifdef MDRCONTACT_FIT_H
+    refuse_each("prediction", 0, predict);
+    refuse_each("prediction at radii", 0, predict_radii);
+    refuse_each("fit", 0, solve);
+    refuse_each("fit of an adhesive curve under a robust loss", 0, solve_adhesive);
+    refuse_each("fit of stiffnesses", 0, solve_stiffness);
+    refuse_each("interval", 0, interval);
+#endif
     return check_report("refused memory");
 }

@@ -46,7 +46,9 @@ typedef struct objects {
     mdr_law *law;
     mdr_loop *loop;
     mdr_shear *shear;
+#ifdef MDRCONTACT_WEAR_H
     mdr_wear *wear;
+#endif
 } objects;
 
 /* Each use gives a structure of another version to the library. */
@@ -81,6 +83,7 @@ static int use_law(const objects *o, void *structure)
     return status;
 }
 
+#ifdef MDRCONTACT_LATERAL_H
 static int use_structure(const objects *o, void *structure)
 {
     mdr_structure *s = NULL;
@@ -89,7 +92,9 @@ static int use_structure(const objects *o, void *structure)
     MDR_FREE(s);
     return status;
 }
+#endif
 
+#ifdef MDRCONTACT_FIT_H
 static int use_problem(const objects *o, void *structure)
 {
     int count, status;
@@ -98,6 +103,7 @@ static int use_problem(const objects *o, void *structure)
     /* it was read, and names no indenter */
     return status == MDR_ENULL ? MDR_SUCCESS : status;
 }
+#endif
 
 static int use_model_facts(const objects *o, void *structure)
 {
@@ -113,6 +119,7 @@ static int use_failure(const objects *o, void *structure)
     return mdr_last_failure(structure);
 }
 
+#ifdef MDRCONTACT_FIT_H
 static int use_summary(const objects *o, void *structure)
 {
     static const double d[4] = {0.1, 0.2, 0.3, 0.4}, F[4] = {1.0, 3.0, 5.0, 8.0};
@@ -125,11 +132,13 @@ static int use_summary(const objects *o, void *structure)
     parameters[0].lower = 0.1, parameters[0].upper = 100.0, parameters[0].is_free = 1;
     return mdr_fit_solve(&problem, 4, d, F, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL, structure);
 }
+#endif
 
 static int use_loop_facts(const objects *o, void *structure) { return mdr_loop_about(o->loop, structure); }
 
 static int use_shear_facts(const objects *o, void *structure) { return mdr_shear_about(o->shear, structure); }
 
+#ifdef MDRCONTACT_WEAR_H
 static int use_wear_options(const objects *o, void *structure)
 {
     mdr_wear_history *h = NULL;
@@ -137,6 +146,7 @@ static int use_wear_options(const objects *o, void *structure)
     MDR_FREE(h);
     return status;
 }
+#endif
 
 /* Success where a structure was read and refused for this member of it alone, which is required and 0. */
 static int lacks_only(int status, const char *member)
@@ -144,11 +154,13 @@ static int lacks_only(int status, const char *member)
     return status == MDR_EINVALID && strstr(mdr_last_error(), member) ? MDR_SUCCESS : status;
 }
 
+#ifdef MDRCONTACT_ADHESION_H
 static int use_rate_options(const objects *o, void *structure)
 {
     (void)o;
     return lacks_only(mdr_rate_work(structure, 0, NULL, NULL, NULL, NULL), "work = 0");
 }
+#endif
 
 static int use_layer(const objects *o, void *structure)
 {
@@ -263,8 +275,8 @@ static void defaults(void)
 
 int main(void)
 {
-    static const double depth = 0.1, wear_coefficient = 1e-3;
-    objects o = {NULL, NULL, NULL, NULL, NULL, NULL, NULL, NULL};
+    static const double depth = 0.1;
+    objects o = {0};
     mdr_state state;
     mdr_medium *base = NULL;
     CHECK_SUCCESS(mdr_profile_paraboloid(1.0, &o.ball));
@@ -277,7 +289,9 @@ int main(void)
     CHECK_SUCCESS(mdr_law_new(o.contact, 0.1, &options, &o.law));
     CHECK_SUCCESS(mdr_contact_states(o.contact, MDR_DEPTH, MDR_ON_LOADING, 1, &depth, &state));
     CHECK_SUCCESS(mdr_shear_new(o.friction, &state, MDR_ALONG, &o.shear));
-    CHECK_SUCCESS(mdr_wear_new(o.contact, 1, &wear_coefficient, NULL, 0.0, &o.wear));
+#ifdef MDRCONTACT_WEAR_H
+    CHECK_SUCCESS(mdr_wear_new(o.contact, 1, (const double[]){1e-3}, NULL, 0.0, &o.wear));
+#endif
     mdr_contact_options adhesive = MDR_SIZED(mdr_contact_options);
     mdr_contact *sticky = NULL;
     adhesive.work_of_adhesion = 0.01;
@@ -287,24 +301,32 @@ int main(void)
     EVERY_SIZE(use_medium, mdr_medium_options, 0);
     EVERY_SIZE(use_contact, mdr_contact_options, 0);
     EVERY_SIZE(use_law, mdr_law_options, 0);
-    EVERY_SIZE(use_structure, mdr_structure_options, 0);
-    EVERY_SIZE(use_problem, mdr_fit_problem, 0);
     EVERY_SIZE(use_model_facts, mdr_model_facts, 1);
     EVERY_SIZE(use_law_facts, mdr_law_facts, 1);
-    EVERY_SIZE(use_summary, mdr_fit_summary, 1);
     EVERY_SIZE(use_failure, mdr_failure, 1);
     EVERY_SIZE(use_loop_facts, mdr_loop_facts, 1);
     EVERY_SIZE(use_shear_facts, mdr_shear_facts, 1);
-    EVERY_SIZE(use_wear_options, mdr_wear_options, 0);
-    EVERY_SIZE(use_rate_options, mdr_rate_options, 0);
     EVERY_SIZE(use_layer, mdr_layer, 0);
     EVERY_SIZE(use_surface, mdr_surface, 0);
+#ifdef MDRCONTACT_ADHESION_H
+    EVERY_SIZE(use_rate_options, mdr_rate_options, 0);
+#endif
+#ifdef MDRCONTACT_WEAR_H
+    EVERY_SIZE(use_wear_options, mdr_wear_options, 0);
+    MDR_FREE(o.wear);
+#endif
+#ifdef MDRCONTACT_LATERAL_H
+    EVERY_SIZE(use_structure, mdr_structure_options, 0);
+#endif
+#ifdef MDRCONTACT_FIT_H
+    EVERY_SIZE(use_problem, mdr_fit_problem, 0);
+    EVERY_SIZE(use_summary, mdr_fit_summary, 1);
+#endif
     layers_have_a_stride();
     what_is_known_is_written(&o);
     defaults();
     MDR_FREE(o.loop);
     MDR_FREE(o.shear);
-    MDR_FREE(o.wear);
     MDR_FREE(o.friction);
     MDR_FREE(o.law);
     MDR_FREE(o.contact);

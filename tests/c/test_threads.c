@@ -14,8 +14,12 @@ typedef struct task {
     const mdr_material *material;
     const mdr_contact *relaxing;
     const mdr_friction *friction;
+#ifdef MDRCONTACT_POROELASTIC_H
     const mdr_poroelastic *pores;
+#endif
+#ifdef MDRCONTACT_CONDUCTION_H
     const mdr_conduction *conduction;
+#endif
     int number;
     int failed_calls;
     int wrong_texts;
@@ -64,13 +68,19 @@ static void evaluate(task *t)
     failed += field_at(t->contact, MDR_PRESSURE, MDR_RADIUS, 3.0, POINTS, a, v + 6 * POINTS) != MDR_SUCCESS;
     failed += field_at(t->contact, MDR_DISPLACEMENT, MDR_RADIUS, 0.3, POINTS, a, v + 7 * POINTS) != MDR_SUCCESS;
     failed += mdr_material_values(t->material, MDR_RELAXATION, POINTS, a, v + 8 * POINTS, NULL) != MDR_SUCCESS;
+#ifdef MDRCONTACT_TIME_H
     failed += mdr_contact_history(t->relaxing, MDR_DEPTH, 1e-5, POINTS, a, d, NULL, NULL, v + 9 * POINTS) != MDR_SUCCESS;
     failed += mdr_contact_dynamic_stiffness(t->relaxing, 1, a, a, v + 10 * POINTS, v + 10 * POINTS + 1) != MDR_SUCCESS;
+#endif
     failed += lead(t->friction, v + 11 * POINTS);
+#ifdef MDRCONTACT_POROELASTIC_H
     failed += mdr_poroelastic_response(t->pores, MDR_RELAXATION, 1.0, 1.0, 1.0, POINTS, a, v + 15 * POINTS)
               != MDR_SUCCESS;
+#endif
+#ifdef MDRCONTACT_CONDUCTION_H
     failed += mdr_conduction_spot(t->conduction, POINTS, a, v + 16 * POINTS, NULL) != MDR_SUCCESS;
     failed += mdr_conduction_follow(t->conduction, MDR_CONDUCTANCE, 0.3, 1, a, NULL, v + 17 * POINTS) != MDR_SUCCESS;
+#endif
     t->failed_calls += failed;
 }
 
@@ -105,9 +115,13 @@ int main(int argc, char **argv)
     mdr_friction *friction = NULL;
     mdr_material *material = NULL;
     mdr_medium *gel = NULL;
+#ifdef MDRCONTACT_POROELASTIC_H
     mdr_poroelastic *pores = NULL;
+#endif
+#ifdef MDRCONTACT_CONDUCTION_H
     mdr_conduction *conduction = NULL;
     const mdr_conductor layers[2] = {{0.5, 2.0, 2.0, 1.0, 0.1}, {0.0, 1.0, 1.0, 3.0, 0.0}};
+#endif
     const double modulus = 2.0, relaxation_time = 0.5, thickness = 0.5;
     task alone = {0}, tasks[THREADS] = {{0}};
     pthread_t threads[THREADS];
@@ -122,11 +136,19 @@ int main(int argc, char **argv)
     CHECK_SUCCESS(new_coated(72.0, 0.17, 0.5, 165.0, 0.22, MDR_MODEL_EXACT, NULL, &film));
     CHECK_SUCCESS(mdr_contact_new(profile, film, NULL, &sheared));
     CHECK_SUCCESS(mdr_friction_new(sheared, 0.3, &friction));
+#ifdef MDRCONTACT_POROELASTIC_H
     CHECK_SUCCESS(mdr_poroelastic_new(0.2, MDR_DRAINAGE_SURFACE, 0.0, NULL, &pores));
+#endif
+#ifdef MDRCONTACT_CONDUCTION_H
     CHECK_SUCCESS(mdr_conduction_new(2, layers, MDR_BASE_HALF_SPACE, 0, NULL, 0, 0.0, 0.0, &conduction));
+#endif
+#ifdef MDRCONTACT_CONDUCTION_H
     alone.conduction = conduction;
+#endif
     alone.friction = friction;
+#ifdef MDRCONTACT_POROELASTIC_H
     alone.pores = pores;
+#endif
     alone.material = material;
     alone.relaxing = relaxing;
     alone.profile = profile;
@@ -150,8 +172,12 @@ int main(int argc, char **argv)
     }
     CHECK_FREE(contact);
     CHECK_FREE(relaxing);
+#ifdef MDRCONTACT_POROELASTIC_H
     CHECK_FREE(pores);
+#endif
+#ifdef MDRCONTACT_CONDUCTION_H
     CHECK_FREE(conduction);
+#endif
     CHECK_FREE(friction);
     CHECK_FREE(sheared);
     CHECK_FREE(film);

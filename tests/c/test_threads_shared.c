@@ -14,9 +14,13 @@ typedef struct shared {
     mdr_contact *contacts[CONTACTS], *adhesive;
     mdr_loop *loop;
     mdr_law *law;
+#ifdef MDRCONTACT_LATERAL_H
     mdr_structure *shapes, *voxels;
+#endif
+#ifdef MDRCONTACT_FIT_H
     mdr_fit_problem fit;
     mdr_fit_parameter parameters[NUMBERS];
+#endif
 } shared;
 
 typedef struct task {
@@ -52,6 +56,7 @@ static void evaluate_contact(task *t, const mdr_contact *contact)
     record(t, field_at(contact, MDR_DISPLACEMENT, MDR_RADIUS, 0.31, 1, &radii[2], next(t, 1)));
 }
 
+#ifdef MDRCONTACT_FIT_H
 static void evaluate_fit(task *t, const mdr_fit_problem *problem)
 {
     static const double depth[FIT_POINTS] = {0.1, 0.2, 0.3, 0.4};
@@ -61,11 +66,11 @@ static void evaluate_fit(task *t, const mdr_fit_problem *problem)
                             NULL,
                           NULL));
 }
+#endif
 
 /* Every evaluation of every object, into t->values. */
 static void *evaluate(void *argument)
 {
-    static const double zero[POINTS] = {0.0};
     task *t = argument;
     const shared *s = t->objects;
     int segment = 0;
@@ -82,9 +87,14 @@ static void *evaluate(void *argument)
     record(t, mdr_law_follow(s->law, 0.1, &segment, (mdr_law_point *)next(t, sizeof(mdr_law_point) / sizeof(double))));
     record(t, mdr_law_values(s->law, MDR_DEPTH, MDR_ON_UNLOADING, POINTS, radii, NULL, NULL, next(t, POINTS), NULL, NULL,
                              NULL));
+#ifdef MDRCONTACT_LATERAL_H
+    static const double zero[POINTS] = {0.0};
     record(t, mdr_structure_modulus(s->shapes, 1, zero, zero, radii, next(t, 1)));
     record(t, mdr_structure_modulus(s->voxels, 1, zero, zero, radii, next(t, 1)));
+#endif
+#ifdef MDRCONTACT_FIT_H
     evaluate_fit(t, &s->fit);
+#endif
     return NULL;
 }
 
@@ -106,6 +116,7 @@ static void make_media(shared *s)
     CHECK_SUCCESS(mdr_medium_pair(s->media[2], s->media[4], &s->media[7])); /* both exact: fields too */
 }
 
+#ifdef MDRCONTACT_LATERAL_H
 static void make_structures(shared *s)
 {
     static const double sphere[7] = {0.0, 0.0, 1.0, 0.5}, spacing[3] = {0.5, 0.5, 0.5};
@@ -118,7 +129,9 @@ static void make_structures(shared *s)
     CHECK_SUCCESS(mdr_structure_shapes(1.0, 0.3, 1, kind, sphere, E + 1, nu + 1, &loose, &s->shapes));
     CHECK_SUCCESS(mdr_structure_voxels(size, labels, PHASES, E, nu, spacing, 1.0, 0.3, NULL, &s->voxels));
 }
+#endif
 
+#ifdef MDRCONTACT_FIT_H
 /* A stack under a paraboloid of free radius, on a rigid and exact instrument. */
 static void make_fit(shared *s)
 {
@@ -134,6 +147,7 @@ static void make_fit(shared *s)
     s->fit.parameters = s->parameters;
     s->fit.parameter_count = count;
 }
+#endif
 
 static void make(shared *s)
 {
@@ -157,8 +171,12 @@ static void make(shared *s)
     loose = MDR_SIZED(mdr_law_options);
     loose.tolerance = 1e-4;
     CHECK_SUCCESS(mdr_law_new(s->adhesive, 1.0, &loose, &s->law));
+#ifdef MDRCONTACT_LATERAL_H
     make_structures(s);
+#endif
+#ifdef MDRCONTACT_FIT_H
     make_fit(s);
+#endif
 }
 
 static void free_all(shared *s)
@@ -172,8 +190,10 @@ static void free_all(shared *s)
     MDR_FREE(s->adhesive);
     MDR_FREE(s->loop);
     MDR_FREE(s->law);
+#ifdef MDRCONTACT_LATERAL_H
     MDR_FREE(s->shapes);
     MDR_FREE(s->voxels);
+#endif
 }
 
 int main(void)

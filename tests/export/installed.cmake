@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Installs, moves the installed folder, builds tests/export/project on it by CMake and by pkg-config, and runs the programs.
+cmake_minimum_required(VERSION 3.22)
 set(ENV{DESTDIR}) # a packager's: the tests install where they say
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
@@ -43,7 +44,11 @@ endforeach()
 run(${CMAKE_COMMAND} -S "${source_dir}" -B "${work_dir}/cmake" -G "${generator}" "-DCMAKE_PREFIX_PATH=${prefix}"
   "-DCMAKE_C_COMPILER=${c_compiler}" "-DCMAKE_Fortran_COMPILER=${fortran_compiler}")
 run(${CMAKE_COMMAND} --build "${work_dir}/cmake")
-foreach(program IN ITEMS c_shared c_static fortran_static)
+set(programs c_shared c_static fortran_static)
+if("wear" IN_LIST extensions)
+  list(APPEND programs c_wear)
+endif()
+foreach(program IN LISTS programs)
   run_checked("${work_dir}/cmake/${program}")
 endforeach()
 
@@ -62,17 +67,38 @@ foreach(language IN ITEMS C CXX)
   endforeach()
 endforeach()
 
-# What is no component is named.
-file(WRITE "${work_dir}/unknown/CMakeLists.txt" "cmake_minimum_required(VERSION 3.22)
-project(unknown LANGUAGES NONE)
-find_package(mdrcontact REQUIRED COMPONENTS shared statik)
+# Components of a name each; words: what is said of one that there is not, empty for one that there is.
+function(expect_component name words)
+  file(WRITE "${work_dir}/component_${name}/CMakeLists.txt" "cmake_minimum_required(VERSION 3.22)
+project(component LANGUAGES NONE)
+find_package(mdrcontact REQUIRED COMPONENTS shared ${name})
 ")
-execute_process(COMMAND ${CMAKE_COMMAND} -S "${work_dir}/unknown" -B "${work_dir}/unknown/build" "-DCMAKE_PREFIX_PATH=${prefix}"
-  RESULT_VARIABLE result ERROR_VARIABLE output OUTPUT_QUIET)
-string(REGEX REPLACE "[ \n]+" " " output "${output}")
-if(result EQUAL 0 OR NOT output MATCHES "mdrcontact has no component statik, but shared and static")
-  message(FATAL_ERROR "an unknown component gives: ${output}")
-endif()
+  set(dir "${work_dir}/component_${name}")
+  execute_process(COMMAND ${CMAKE_COMMAND} -S "${dir}" -B "${dir}/build" "-DCMAKE_PREFIX_PATH=${prefix}"
+    RESULT_VARIABLE result ERROR_VARIABLE output OUTPUT_QUIET)
+  string(REGEX REPLACE "[ \n]+" " " output "${output}")
+  if(words STREQUAL "" AND NOT result EQUAL 0)
+    message(FATAL_ERROR "the component ${name} gives: ${output}")
+  elseif(NOT words STREQUAL "" AND (result EQUAL 0 OR NOT output MATCHES "${words}"))
+    message(FATAL_ERROR "the component ${name}, of which \"${words}\" was expected, gives: ${output}")
+  endif()
+endfunction()
+expect_component(statik "mdrcontact has no component statik, but shared, static")
+
+# An extension is a component with a header; one that is left out has neither.
+foreach(name IN LISTS extensions)
+  expect_component(${name} "")
+  if(NOT EXISTS "${prefix}/include/mdrcontact/${name}.h")
+    message(FATAL_ERROR "include/mdrcontact/${name}.h is not installed")
+  endif()
+endforeach()
+foreach(name IN LISTS left_out)
+  string(TOUPPER "MDRCONTACT_${name}" option)
+  expect_component(${name} "this library was built without ${name}, with ${option}=OFF")
+  if(EXISTS "${prefix}/include/mdrcontact/${name}.h")
+    message(FATAL_ERROR "include/mdrcontact/${name}.h is installed")
+  endif()
+endforeach()
 
 # What is there, and nothing of the inside.
 foreach(file IN ITEMS include/mdrcontact.h include/mdrcontact/law.h include/mdrcontact_law.h include/mdrcontact.hpp ${doc_dir}/LICENSE)
@@ -87,6 +113,12 @@ endif()
 
 if(pkg_config)
   set(ENV{PKG_CONFIG_PATH} "${prefix}/${pc_dir}")
+  run(${pkg_config} --variable=extensions mdrcontact)
+  string(STRIP "${output}" output)
+  string(REPLACE ";" " " names "${extensions}")
+  if(NOT output STREQUAL names)
+    message(FATAL_ERROR "pkg-config names the extensions \"${output}\", not \"${names}\"")
+  endif()
   foreach(package IN ITEMS mdrcontact mdrcontact-static)
     run(${pkg_config} --cflags --libs ${package})
     separate_arguments(${package} UNIX_COMMAND "${output}")

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* Hertz's force through the installed library. */
 #include <mdrcontact.h>
+#include <mdrcontact/all.h>
 
 #include <math.h>
 #include <stdio.h>
