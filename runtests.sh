@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The tests in every language: ./runtests.sh [--all]
-# --all adds what takes longer: valgrind, sanitizers, installed copies, packages, and the tests that pytest knows as slow, among
-# them the code of the guide and the examples in Python.
+# --all adds what takes longer: valgrind, sanitizers, installed copies, the library without extensions, packages, and the tests that
+# pytest knows as slow, among them the code of the guide and the examples in Python.
 # Same set-up as quickstart.sh, plus the tools of the tests. Status 0 only if all passed and every suite ran tests.
 set -uo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")" || exit 1
@@ -69,6 +69,16 @@ wait "$linters_job"
 cat "$log_dir/linters.log"
 ctest --test-dir "$build" --parallel "$jobs" ${ctest_options[@]+"${ctest_options[@]}"} --output-on-failure --no-tests=error \
     --test-output-size-passed 1000000 --test-output-size-failed 1000000 --output-junit "$PWD/$results/ctest.xml"
+
+# the library without any extension: it is built, passes its tests, and is used as installed
+core() {
+    cmake --preset core -DPython3_EXECUTABLE="$PWD/.venv/bin/python" && cmake --build build/core --parallel "$jobs" &&
+        ctest --test-dir build/core --parallel "$jobs" -LE long --output-on-failure --no-tests=error &&
+        ctest --test-dir build/core -R "^export_installed$" --output-on-failure --no-tests=error
+}
+if $all; then
+    check core with_progress "$log_dir/core.log" core
+fi
 
 # the C tests and the kept inputs of the fuzzers under the sanitizers; all of docs/faults.md: tools/check_faults.sh
 if $all && ! on_macos; then

@@ -79,6 +79,16 @@ def test_extensions_are_leaves():
         ("extensions/adhesion", "extensions/time"), ("extensions/fit", "extensions/time")}  # fmt: skip
 
 
+def test_an_option_leaves_out_all_that_uses_an_extension():
+    """In the room api the files whose names begin with that of the extension, as cmake/mdrcontact_extensions.cmake has it."""
+    names = {place for group in FOLDERS["extensions"] for place in group}
+    options = (ROOT / "cmake" / "mdrcontact_extensions.cmake").read_text()
+    assert set(re.findall(r"^option\(MDRCONTACT_(\w+)", options, re.MULTILINE)) == {name.upper() for name in names}
+    users = [(path, folder(used).split("/")[1]) for path, used in USES if room(used) == "extensions" != room(path)]
+    assert users
+    assert not [(path, name) for path, name in users if not re.match(rf"api/{name}[_.]", path)]
+
+
 def test_types_are_distinguished_in_their_own_folder():
     """A `select type` elsewhere is a question that a procedure of the type should answer; handles of the C layer are its own."""
     home = {name: folder(path) for path, text in FILES.items() for name in DEFINED.findall(text)}

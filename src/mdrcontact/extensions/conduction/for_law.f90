@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The conductance that a law asks for: in a file of its own, since the fields that answer use the conductors.
+!> The conductance for a law: in a file of its own, since the fields that give it use the conductors.
 submodule(mdrcontact_conduction_bodies) mdrcontact_conduction_for_law
     use mdrcontact_conduction_fields, only: conductance_at
     implicit none (type, external)
