@@ -21,7 +21,6 @@ from wrap_header import (  # noqa: E402
     functions_of,
     layout,
     parts_of,
-    prototypes,
     structures,
     type_hints,
     with_parts,
@@ -29,8 +28,8 @@ from wrap_header import (  # noqa: E402
     write,
 )
 from write_entries import entries  # noqa: E402
+from write_fortran_entries import fortran_entries  # noqa: E402
 from write_open_handle import open_handles  # noqa: E402
-from write_profiles import profiles  # noqa: E402
 
 INCLUDE = REPOSITORY / "include"
 API = REPOSITORY / "src" / "mdrcontact" / "api"
@@ -204,20 +203,20 @@ def main(root=REPOSITORY):
     text = without_comments(everything)
     found = structures(text)
     functions = functions_of(text, described(found))
-    constructors = profiles(prototypes(text))
-    sources = "".join(path.read_text(encoding="utf-8") for path in sorted(API.glob("*.f90"))) + "\n".join(constructors)
     headers = "".join(path.read_text(encoding="utf-8") for path in sorted(INCLUDE.rglob("*.h")))
     of_core = parts_of(core)
     texts = {"mdrcontact.h": with_parts(core)} | {
         f"mdrcontact/{part.name}": part.read_text(encoding="utf-8") for part in parts_of(everything, of_core)[:-1]
     }
-    in_api = entries(texts, sources) | open_handles()
+    fortran = fortran_entries(texts, described(found))
+    by_hand = [path.read_text(encoding="utf-8") for path in sorted(API.glob("*.f90")) if not path.name.endswith("entries.f90")]
+    sources = "\n".join([*by_hand, *(line for lines in fortran.values() for line in lines)])
+    in_api = entries(texts, sources) | fortran | open_handles()
     made = {
         "src/mdrcontact/base/codes.f90": codes(headers),
         "src/mdrcontact/api/names.c": names(headers),
         "src/mdrcontact/api/records.f90": records(found),
         **{f"src/mdrcontact/api/{name}": lines for name, lines in in_api.items()},
-        "src/mdrcontact/api/profile.f90": constructors,
         "cmake/mdrcontact.map": symbols(versions()),
         "python/mdrcontact/_native.pyi": type_hints(functions),
         "python/mdrcontact/_layout.py": layout(text, found, functions),

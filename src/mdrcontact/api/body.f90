@@ -1,34 +1,26 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Bodies, for C: layers, graded half-spaces, and what their surfaces answer to waves.
+!> Layered bodies, for C.
 module mdrcontact_api_body
-    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_funptr, c_int, c_int8_t, c_loc, c_ptr, c_size_t, &
+    use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_int, c_int8_t, c_loc, c_ptr, c_size_t, &
                                            c_sizeof
-    use mdrcontact_api_any_body, only: any_body_t
-    use mdrcontact_api_arrays, only: check_each_not_negative, check_each_positive, check_not_empty, deliver_parts, make_room
-    use mdrcontact_api_callback, only: c_function_t, new_c_function
-    use mdrcontact_api_handles, only: hand_over
+    use mdrcontact_api_any_body, only: any_body_t, hand_over_body
     use mdrcontact_api_open_handle, only: open_handle
     use mdrcontact_api_options, only: read_options
     use mdrcontact_api_records, only: c_layer_t, c_surface_t
     use mdrcontact_api_status, only: check_given, status_of
-    use mdrcontact_body_compliance, only: normal_load, shear_load, twist_load
     use mdrcontact_body_elements_interface, only: bond_t
-    use mdrcontact_body_graded, only: graded_body_t, new_graded_body, new_graded_body_from_functions
     use mdrcontact_body_layers, only: layers_t
     use mdrcontact_body_stack, only: new_stack, stack_t
     use mdrcontact_body_wrinkling, only: find_wrinkling
-    use mdrcontact_error, only: check_choice, check_code, check_memory, count_text, error_invalid, error_t, raise
+    use mdrcontact_error, only: check_choice, check_memory, count_text, error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: by_engineering, by_stiffness, material_t, new_material, new_transverse
     use mdrcontact_material_rheology, only: new_elastic_rheology, rheology_t
-    use mdrcontact_medium_compliance, only: check_body_surface, surface_compliance
-    use mdrcontact_medium_homogeneous, only: homogeneous_t, new_rigid
-    use mdrcontact_medium_power_graded, only: new_power_graded, power_graded_t
+    use mdrcontact_medium_compliance, only: check_body_surface
     use mdrcontact_tension_surface, only: is_bare, surface_t
     implicit none (type, external)
     private
-    public :: mdr_body_layered, mdr_body_graded, mdr_body_graded_function, mdr_body_power_graded, mdr_body_rigid, &
-              mdr_body_compliance, mdr_body_wrinkling
+    public :: mdr_body_layered, mdr_body_wrinkling
 
 contains
 
@@ -72,18 +64,6 @@ contains
         end if
         status = hand_over_body(body, out, error)
     end function mdr_body_layered
-
-    !> Puts a body behind a new handle, unless there is an error.
-    function hand_over_body(body, out, error) result(status)
-        type(any_body_t), allocatable, intent(inout) :: body
-        type(c_ptr), intent(inout), optional :: out
-        type(error_t), allocatable, intent(inout) :: error
-        integer(c_int) :: status
-        class(*), allocatable :: object
-
-        call move_alloc(body, object)
-        status = hand_over(object, out, error)
-    end function hand_over_body
 
     !> Tension and sheets of a surface; bare for a null pointer.
     subroutine read_surface(error, structure, surface)
@@ -243,103 +223,5 @@ contains
         call material%stretch(layer%prestress, error, role)
         rheology = new_elastic_rheology(material)
     end subroutine read_layer
-
-    function mdr_body_graded(n, z, e, nu, out) result(status) bind(C, name="mdrcontact_entry_body_graded")
-        integer(c_int), value :: n
-        real(c_double), intent(in), optional :: z(*), e(*), nu(*)
-        type(c_ptr), intent(inout), optional :: out
-        integer(c_int) :: status
-        type(graded_body_t), allocatable :: graded
-        type(any_body_t), allocatable :: body
-        type(error_t), allocatable :: error
-
-        allocate (body, graded)
-        call check_not_empty(error, "z", n, 2)
-        if (.not. allocated(error)) call new_graded_body(graded, z(:n), e(:n), nu(:n), error)
-        call move_alloc(graded, body%elastic)
-        status = hand_over_body(body, out, error)
-    end function mdr_body_graded
-
-    function mdr_body_graded_function(e, nu, context, depth, out) result(status) &
-        bind(C, name="mdrcontact_entry_body_graded_function")
-        type(c_funptr), value :: e, nu
-        type(c_ptr), value :: context
-        real(c_double), value :: depth
-        type(c_ptr), intent(inout), optional :: out
-        integer(c_int) :: status
-        type(c_function_t) :: young, poisson
-        type(graded_body_t), allocatable :: graded
-        type(any_body_t), allocatable :: body
-        type(error_t), allocatable :: error
-
-        allocate (body, graded)
-        call new_c_function(young, "E", e, context, error)
-        call new_c_function(poisson, "nu", nu, context, error)
-        if (.not. allocated(error)) call new_graded_body_from_functions(graded, young, poisson, depth, error)
-        call move_alloc(graded, body%elastic)
-        status = hand_over_body(body, out, error)
-    end function mdr_body_graded_function
-
-    function mdr_body_power_graded(e0, z0, exponent, nu, out) result(status) bind(C, name="mdrcontact_entry_body_power_graded")
-        real(c_double), value :: e0, z0, exponent, nu
-        type(c_ptr), intent(inout), optional :: out
-        integer(c_int) :: status
-        type(power_graded_t), allocatable :: solved
-        type(any_body_t), allocatable :: body
-        type(error_t), allocatable :: error
-
-        allocate (body, solved)
-        call new_power_graded(solved, e0, z0, exponent, nu, error)
-        call move_alloc(solved, body%solved)
-        status = hand_over_body(body, out, error)
-    end function mdr_body_power_graded
-
-    function mdr_body_rigid(out) result(status) bind(C, name="mdrcontact_entry_body_rigid")
-        type(c_ptr), intent(inout), optional :: out
-        integer(c_int) :: status
-        type(homogeneous_t), allocatable :: solved
-        type(any_body_t), allocatable :: body
-        type(error_t), allocatable :: error
-
-        allocate (body, solved)
-        call new_rigid(solved)
-        call move_alloc(solved, body%solved)
-        status = hand_over_body(body, out, error)
-    end function mdr_body_rigid
-
-    function mdr_body_compliance(body, load, omega, n, k, out, imaginary) result(status) &
-        bind(C, name="mdrcontact_entry_body_compliance")
-        type(c_ptr), value :: body
-        integer(c_int), value :: load, n
-        real(c_double), value :: omega
-        real(c_double), intent(in), optional :: k(*)
-        real(c_double), intent(inout), optional :: out(*), imaginary(*)
-        integer(c_int) :: status
-        type(any_body_t), pointer :: given
-        complex(wp), allocatable :: values(:)
-        real(c_double), allocatable :: wavenumbers(:)
-        type(error_t), allocatable :: error
-
-        call open_handle(body, "body", given, error)
-        call check_code(error, "load", int(load), [normal_load, shear_load, twist_load])
-        if (.not. allocated(error)) call check_each_not_negative(error, "omega", [omega])
-        if (.not. allocated(error) .and. n > 0) call check_each_positive(error, "k", k(:n))
-        call make_room(error, n, values)
-        call make_room(error, n, wavenumbers)
-        if (.not. allocated(error)) then
-            ! without points k may be NULL
-            if (n > 0) wavenumbers(:) = k(:n)
-            if (allocated(given%relaxing)) then
-                call surface_compliance(given%relaxing, load, omega, wavenumbers, values, error)
-            else if (allocated(given%elastic)) then
-                call surface_compliance(given%elastic, given%surface, load, wavenumbers, values, error)
-            else
-                call raise(error, error_invalid, " is not allowed: the compliance of a rigid body, or of one of a power of the "// &
-                           "depth, is not known", "body")
-            end if
-        end if
-        call deliver_parts(error, values, out, imaginary)
-        status = status_of(error)
-    end function mdr_body_compliance
 
 end module mdrcontact_api_body

@@ -1,15 +1,13 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The closed forms for an incompressible coating, for C.
+!> The constants of the closed forms for an incompressible coating, for C.
 module mdrcontact_api_closed_forms
-    use, intrinsic :: iso_c_binding, only: c_double, c_int
-    use mdrcontact_api_arrays, only: check_each_positive, check_results, make_room
-    use mdrcontact_api_status, only: status_of, wanted_threads
-    use mdrcontact_contact_closed_form_values, only: closed_form_values, of_adhesive_depth, of_cone_force, of_depth_scale, &
-                                                     of_paraboloid_force, of_radius_scale, of_reduced_depth
-    use mdrcontact_error, only: check_code, check_inclination, check_not_negative, check_positive, error_t
+    use, intrinsic :: iso_c_binding, only: c_double
+    use mdrcontact_contact_closed_form_values, only: of_adhesive_depth, of_cone_force, of_depth_scale, of_paraboloid_force, &
+                                                     of_radius_scale, of_reduced_depth
+    use mdrcontact_error, only: check_inclination, check_not_negative, check_positive, error_t
     implicit none (type, external)
     private
-    public :: mdr_closed_form
+    public :: check_constants, constant_count, formulas, variable_name
 
     !> The formulas, and how many constants each has.
     integer, parameter :: formulas(*) = [of_paraboloid_force, of_cone_force, of_adhesive_depth, of_reduced_depth, &
@@ -18,33 +16,16 @@ module mdrcontact_api_closed_forms
 
 contains
 
-    function mdr_closed_form(formula, n, x, constants, out) result(status) bind(C, name="mdrcontact_entry_closed_form")
-        integer(c_int), value :: formula, n
-        real(c_double), intent(in), optional :: x(*), constants(*)
-        real(c_double), intent(inout), optional :: out(*)
-        integer(c_int) :: status
-        character(len=14) :: name
-        real(c_double), allocatable :: values(:)
-        type(error_t), allocatable :: error
+    !> How many constants a formula has.
+    pure function constant_count(formula) result(count)
+        integer, intent(in) :: formula
         integer :: count
 
-        call check_code(error, "formula", int(formula), formulas)
-        count = 0
-        if (.not. allocated(error)) count = counts(findloc(formulas, int(formula), dim=1))
-        name = name_of(int(formula))
-        if (.not. allocated(error)) call check_constants(error, int(formula), constants(:count))
-        if (.not. allocated(error) .and. n > 0) call check_each_positive(error, trim(name), x(:n))
-        call make_room(error, n, values)
-        if (.not. allocated(error) .and. n > 0) then
-            call closed_form_values(int(formula), x(:n), constants(:count), values, wanted_threads())
-            call check_results(error, values)
-            if (.not. allocated(error)) out(:n) = values
-        end if
-        status = status_of(error)
-    end function mdr_closed_form
+        count = counts(findloc(formulas, formula, dim=1))
+    end function constant_count
 
     !> What x is.
-    pure function name_of(formula) result(name)
+    pure function variable_name(formula) result(name)
         integer, intent(in) :: formula
         character(len=14) :: name
 
@@ -56,7 +37,7 @@ contains
         case default
             name = "a"
         end select
-    end function name_of
+    end function variable_name
 
     pure subroutine check_constants(error, formula, c)
         type(error_t), allocatable, intent(inout) :: error

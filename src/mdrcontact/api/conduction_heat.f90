@@ -7,9 +7,7 @@ module mdrcontact_api_conduction_heat
     use mdrcontact_api_status, only: status_of
     use mdrcontact_api_conduction, only: check_body
     use mdrcontact_codes, only: body_upper, moving => heat_moving, sliding => heat_sliding, spinning => heat_spinning
-    use mdrcontact_conduction_along, only: conductance_along
     use mdrcontact_conduction_bodies, only: conduction_t
-    use mdrcontact_conduction_rough, only: rough_conductance
     use mdrcontact_conduction_heat, only: friction_heat, heat_field, heat_t
     use mdrcontact_conduction_moving, only: moving_heat
     use mdrcontact_contact, only: contact_t
@@ -17,7 +15,7 @@ module mdrcontact_api_conduction_heat
     use mdrcontact_error, only: check_choice, check_code, check_memory, error_t, raise_at
     implicit none (type, external)
     private
-    public :: mdr_conduction_along, mdr_conduction_rough, mdr_conduction_heat, mdr_conduction_heat_field
+    public :: mdr_conduction_heat, mdr_conduction_heat_field
 
     !> Struct mdr_friction_heat.
     type, bind(C) :: record_t
@@ -25,59 +23,6 @@ module mdrcontact_api_conduction_heat
     end type record_t
 
 contains
-
-    function mdr_conduction_along(p, c, n, states, conductance, by_force, by_depth) result(status) &
-        bind(C, name="mdrcontact_entry_conduction_along")
-        type(c_ptr), value :: p, c
-        integer(c_int), value :: n
-        type(contact_state_t), intent(in), optional :: states(*)
-        real(c_double), intent(inout), optional :: conductance(*), by_force(*), by_depth(*)
-        integer(c_int) :: status
-        type(conduction_t), pointer :: conduction
-        type(contact_t), pointer :: contact
-        real(c_double), allocatable :: values(:, :)
-        type(error_t), allocatable :: error
-        integer :: i, stat
-
-        call open_handle(p, "p", conduction, error)
-        call open_handle(c, "c", contact, error)
-        if (.not. allocated(error)) then
-            allocate (values(n, 3), stat=stat)
-            call check_memory(error, stat)
-        end if
-        if (.not. allocated(error)) then
-            do i = 1, n
-                call conductance_along(conduction, contact, states(i), values(i, 1), values(i, 2), values(i, 3), error)
-                if (.not. allocated(error)) call check_results(error, values(i, :))
-                if (allocated(error)) call raise_at(error, i)
-                if (allocated(error)) exit
-            end do
-        end if
-        status = status_of(error)
-        if (allocated(error)) return
-        if (present(conductance)) conductance(:n) = values(:, 1)
-        if (present(by_force)) by_force(:n) = values(:, 2)
-        if (present(by_depth)) by_depth(:n) = values(:, 3)
-    end function mdr_conduction_along
-
-    function mdr_conduction_rough(p, c, state, kappa, out) result(status) bind(C, name="mdrcontact_entry_conduction_rough")
-        type(c_ptr), value :: p, c
-        type(contact_state_t), intent(in), optional :: state
-        real(c_double), value :: kappa
-        real(c_double), intent(inout), optional :: out
-        integer(c_int) :: status
-        type(conduction_t), pointer :: conduction
-        type(contact_t), pointer :: contact
-        real(c_double) :: value
-        type(error_t), allocatable :: error
-
-        call open_handle(p, "p", conduction, error)
-        call open_handle(c, "c", contact, error)
-        if (.not. allocated(error)) call rough_conductance(conduction, contact, state, kappa, value, error)
-        if (.not. allocated(error)) call check_results(error, [value])
-        status = status_of(error)
-        if (.not. allocated(error)) out = value
-    end function mdr_conduction_rough
 
     function mdr_conduction_heat(p, c, n, states, motion, strength, speed, out) result(status) &
         bind(C, name="mdrcontact_entry_conduction_heat")

@@ -12,8 +12,8 @@ module mdrcontact_api_contact
     use mdrcontact_contact, only: contact_options_t, contact_t, new_contact
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_contact_warnings, only: contact_warning_t
-    use mdrcontact_contact_values, only: contact_field, contact_states
-    use mdrcontact_error, only: check_count_from, check_memory, check_table, count_text, error_invalid, error_t, raise
+    use mdrcontact_contact_values, only: contact_field
+    use mdrcontact_error, only: check_count_from, check_table, count_text, error_invalid, error_t, raise
     use mdrcontact_contact_relaxing_contact, only: new_relaxing_contact, relaxing_contact_t
     use mdrcontact_medium, only: medium_t
     use mdrcontact_profile, only: profile_t
@@ -21,7 +21,7 @@ module mdrcontact_api_contact
     implicit none (type, external)
     private
     public :: mdr_contact_new
-    public :: mdr_contact_states, mdr_contact_field, mdr_contact_lowest_pressure, mdr_contact_energy, mdr_contact_warnings
+    public :: mdr_contact_field, mdr_contact_lowest_pressure, mdr_contact_energy, mdr_contact_warnings
 
 contains
 
@@ -93,30 +93,6 @@ contains
         allocate (zeta)
         call new_radius_law_from_table(zeta, radius, "zeta", values, error)
     end subroutine read_zeta
-
-    function mdr_contact_states(c, given, branch, n, in, out) result(status) bind(C, name="mdrcontact_entry_contact_states")
-        type(c_ptr), value :: c
-        integer(c_int), value :: given, branch, n
-        real(c_double), intent(in), optional :: in(*)
-        type(contact_state_t), intent(inout), optional :: out(*)
-        integer(c_int) :: status
-        type(contact_t), pointer :: contact
-        type(contact_state_t), allocatable :: states(:)
-        type(error_t), allocatable :: error
-        integer :: stat
-
-        call open_handle(c, "c", contact, error)
-        if (.not. allocated(error)) then
-            allocate (states(n), stat=stat)
-            call check_memory(error, stat)
-        end if
-        if (.not. allocated(error) .and. n > 0) then
-            call contact_states(contact, int(given), in(:n), states, error, int(branch), wanted_threads())
-        end if
-        status = status_of(error)
-        if (allocated(error) .or. n == 0) return
-        out(:n) = states
-    end function mdr_contact_states
 
     function mdr_contact_field(c, field, state, n, r, out) result(status) bind(C, name="mdrcontact_entry_contact_field")
         type(c_ptr), value :: c

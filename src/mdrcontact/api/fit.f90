@@ -2,19 +2,17 @@
 !> The inversion of measured data, for C.
 module mdrcontact_api_fit
     use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_int, c_loc, c_ptr, c_size_t, c_sizeof
-    use mdrcontact_api_arrays, only: check_results, make_room
+    use mdrcontact_api_arrays, only: check_results
     use mdrcontact_api_fit_problem, only: read_data, read_problem
     use mdrcontact_api_options, only: check_size, write_facts
     use mdrcontact_api_records, only: c_fit_summary_t
     use mdrcontact_api_status, only: status_of
-    use mdrcontact_error, only: count_text, error_invalid, error_t, raise
+    use mdrcontact_error, only: error_t
     use mdrcontact_fit, only: fit_result_t, solve_fit
-    use mdrcontact_fit_interval, only: interval_quantile, profile_interval
-    use mdrcontact_fit_predict, only: predict
-    use mdrcontact_fit_problem, only: check_points, fit_data_t, fit_problem_t, values_of
+    use mdrcontact_fit_problem, only: fit_data_t, fit_problem_t
     implicit none (type, external)
     private
-    public :: mdr_fit_solve, mdr_fit_predict, mdr_fit_interval, mdr_fit_quantile
+    public :: mdr_fit_solve
 
 contains
 
@@ -77,77 +75,5 @@ contains
             call write_facts(summary, c_loc(made), used)
         end if
     end function mdr_fit_solve
-
-    function mdr_fit_predict(problem, n, x, y, given, fitted, radius) result(status) bind(C, name="mdrcontact_entry_fit_predict")
-        type(c_ptr), value :: problem
-        integer(c_int), value :: n
-        real(c_double), intent(in), optional :: x(*), y(*), given(*)
-        real(c_double), intent(inout), optional :: fitted(*), radius(*)
-        integer(c_int) :: status
-        type(fit_problem_t) :: chosen
-        type(c_ptr) :: branch
-        type(fit_data_t) :: data
-        type(error_t), allocatable :: error
-        real(c_double), allocatable :: model(:), radii(:)
-
-        if (.not. allocated(error)) call read_problem(problem, chosen, branch, error)
-        if (.not. allocated(error)) call read_data(branch, n, x, y, given, data=data, error=error)
-        if (.not. allocated(error)) call check_points(data, chosen, error)
-        call make_room(error, n, model)
-        call make_room(error, n, radii)
-        if (.not. allocated(error)) call predict(chosen, values_of(chosen%parameters), data, model, error, radius=radii)
-        if (.not. allocated(error)) call check_results(error, model)
-        if (.not. allocated(error)) call check_results(error, radii)
-        status = status_of(error)
-        if (allocated(error)) return
-        fitted(:n) = model
-        if (present(radius)) radius(:n) = radii
-    end function mdr_fit_predict
-
-    function mdr_fit_interval(problem, n, x, y, given, sd, position, level, lower, upper) result(status) &
-        bind(C, name="mdrcontact_entry_fit_interval")
-        type(c_ptr), value :: problem
-        integer(c_int), value :: n, position
-        real(c_double), intent(in), optional :: x(*), y(*), given(*), sd(*)
-        real(c_double), value :: level
-        real(c_double), intent(inout), optional :: lower, upper
-        integer(c_int) :: status
-        type(fit_problem_t) :: chosen
-        type(c_ptr) :: branch
-        type(fit_data_t) :: data
-        type(fit_result_t) :: fit
-        type(error_t), allocatable :: error
-        real(c_double) :: ends(2)
-
-        if (.not. allocated(error)) call read_problem(problem, chosen, branch, error)
-        if (.not. allocated(error)) call read_data(branch, n, x, y, given, sd, data, error)
-        if (.not. allocated(error)) then
-            if (position < 0 .or. position >= size(chosen%parameters)) then
-                call raise(error, error_invalid, "position = "//count_text(int(position))//" is not allowed: it must be at "// &
-                           "least 0 and less than "//count_text(size(chosen%parameters)))
-            end if
-        end if
-        if (.not. allocated(error)) call solve_fit(chosen, data, fit, error)
-        if (.not. allocated(error)) then
-            call profile_interval(chosen, data, fit, int(position) + 1, level, ends(1), ends(2), error)
-        end if
-        if (.not. allocated(error)) then
-            lower = ends(1)
-            upper = ends(2)
-        end if
-        status = status_of(error)
-    end function mdr_fit_interval
-
-    function mdr_fit_quantile(level, degrees_of_freedom, factor) result(status) bind(C, name="mdrcontact_entry_fit_quantile")
-        real(c_double), value :: level, degrees_of_freedom
-        real(c_double), intent(inout), optional :: factor
-        integer(c_int) :: status
-        type(error_t), allocatable :: error
-        real(c_double) :: found
-
-        call interval_quantile(level, degrees_of_freedom, found, error)
-        status = status_of(error)
-        if (.not. allocated(error)) factor = found
-    end function mdr_fit_quantile
 
 end module mdrcontact_api_fit

@@ -15,7 +15,7 @@ module mdrcontact_api_handles
     use mdrcontact_medium_solver, only: solver_t
     implicit none (type, external)
     private
-    public :: deliver, description_of, hand_over, hand_over_solver, look_inside, refuse_kind
+    public :: description_of, hand_over, hand_over_solver, look_inside, refuse_kind
     public :: mdr_free
 
     integer(c_int64_t), parameter :: no_tag = 0_c_int64_t, live_tag = 7239381865347100001_c_int64_t
@@ -45,24 +45,8 @@ module mdrcontact_api_handles
 
 contains
 
-    !> Puts a copy of a finished object of few numbers behind a new handle, and the handle into `out`, unless there was an error.
-    function deliver(object, out, error) result(status)
-        class(*), intent(in) :: object
-        type(c_ptr), intent(inout) :: out
-        type(error_t), allocatable, intent(inout) :: error
-        integer(c_int) :: status
-        class(*), allocatable :: copy
-        integer :: stat
-
-        if (.not. allocated(error)) then
-            allocate (copy, source=object, stat=stat)
-            call check_memory(error, stat)
-        end if
-        status = hand_over(copy, out, error)
-    end function deliver
-
-    !> The same with the object itself, whose arrays may be large: they are not copied, since gfortran ends the process where there
-    !> is no memory for the copy of a component.
+    !> Puts a finished object behind a new handle, and the handle into `out`, unless there was an error. Its arrays, which may be
+    !> large, are not copied: gfortran ends the process where there is no memory for the copy of a component.
     function hand_over(object, out, error) result(status)
         class(*), allocatable, intent(inout) :: object
         type(c_ptr), intent(inout) :: out

@@ -2,37 +2,19 @@
 !> Weights of laterally heterogeneous structures, for C (theory/lateral.md (2.4), (2.5)).
 module mdrcontact_api_lateral
     use, intrinsic :: iso_c_binding, only: c_double, c_int
-    use mdrcontact_api_arrays, only: check_each_finite, check_each_not_negative
-    use mdrcontact_api_status, only: status_of, wanted_threads
+    use mdrcontact_api_arrays, only: check_each_finite
+    use mdrcontact_api_status, only: status_of
     use mdrcontact_error, only: check_count_within, check_memory, check_not_negative, check_poisson, check_positive, &
                                 error_invalid, error_t, raise, to_text
     use mdrcontact_kinds, only: wp
     use mdrcontact_lateral_cells, only: cell_weights
     use mdrcontact_lateral_field, only: space_rule, space_rule_size
     use mdrcontact_lateral_slab, only: in_radii, new_slab, slab_t
-    use mdrcontact_lateral_values, only: density_values
     implicit none (type, external)
     private
-    public :: mdr_lateral_density, mdr_lateral_cells, mdr_lateral_rule
+    public :: mdr_lateral_cells, mdr_lateral_rule
 
 contains
-
-    function mdr_lateral_density(n, rho, z, nu, shear, poisson) result(status) bind(C, name="mdrcontact_entry_lateral_density")
-        integer(c_int), value :: n
-        real(c_double), intent(in), optional :: rho(*), z(*)
-        real(c_double), value :: nu
-        real(c_double), intent(inout), optional :: shear(*), poisson(*)
-        integer(c_int) :: status
-        type(error_t), allocatable :: error
-
-        call check_poisson(error, "nu", nu)
-        if (.not. allocated(error) .and. n > 0) then
-            call check_each_not_negative(error, "rho", rho(:n))
-            call check_each_not_negative(error, "z", z(:n))
-            if (.not. allocated(error)) call density_values(rho(:n), z(:n), nu, shear(:n), poisson(:n), wanted_threads())
-        end if
-        status = status_of(error)
-    end function mdr_lateral_density
 
     function mdr_lateral_cells(nu, a, z_top, z_bottom, nx, x, ny, y, shear, poisson) result(status) &
         bind(C, name="mdrcontact_entry_lateral_cells")

@@ -1,30 +1,20 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Laterally heterogeneous structures, for C (theory/lateral.md (1.1)).
 module mdrcontact_api_lateral_structure
-    use, intrinsic :: iso_c_binding, only: c_double, c_f_procpointer, c_funptr, c_int, c_loc, c_null_ptr, c_ptr, c_associated, &
-                                           c_sizeof
-    use mdrcontact_api_arrays, only: make_room
-    use mdrcontact_api_handles, only: deliver, hand_over, hand_over_solver
-    use mdrcontact_api_lateral_open_handle, only: open_handle
+    use, intrinsic :: iso_c_binding, only: c_double, c_f_procpointer, c_funptr, c_int, c_loc, c_null_ptr, c_ptr, c_sizeof
+    use mdrcontact_api_handles, only: hand_over
     use mdrcontact_api_options, only: read_options
     use mdrcontact_api_records, only: c_structure_options_t
-    use mdrcontact_api_status, only: check_given, status_of, wanted_threads
     use mdrcontact_error, only: check_count_from, check_memory, count_text, error_callback, error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
-    use mdrcontact_lateral_field, only: field_structure_t, field_t, new_field_structure
-    use mdrcontact_lateral_medium, only: new_lateral_medium
+    use mdrcontact_lateral_field, only: field_t
     use mdrcontact_lateral_shape, only: new_shape, shape_t
     use mdrcontact_lateral_shapes, only: new_shapes, shapes_t
-    use mdrcontact_lateral_structure, only: structure_t
-    use mdrcontact_lateral_values, only: structure_values
     use mdrcontact_lateral_voxels, only: new_voxels, voxels_t
     use mdrcontact_material, only: material_t, new_material
-    use mdrcontact_medium_solver, only: solver_t
-    use mdrcontact_medium_tabulated, only: tabulated_medium_t
     implicit none (type, external)
     private
-    public :: mdr_structure_shapes, mdr_structure_voxels, mdr_structure_function, &
-              mdr_structure_modulus, mdr_structure_medium
+    public :: c_field_t, mdr_structure_shapes, mdr_structure_voxels, read_structure_options
 
     !> A C function E(x, y, z), nu(x, y, z).
     type, extends(field_t) :: c_field_t
@@ -134,69 +124,6 @@ contains
         call move_alloc(structure, object)
         status = hand_over(object, out, error)
     end function mdr_structure_voxels
-
-    function mdr_structure_function(field, context, reference_nu, options, out) result(status) &
-        bind(C, name="mdrcontact_entry_structure_function")
-        type(c_funptr), value :: field
-        type(c_ptr), value :: context
-        real(c_double), value :: reference_nu
-        type(c_ptr), value :: options
-        type(c_ptr), intent(inout), optional :: out
-        integer(c_int) :: status
-        type(c_field_t) :: wrapped
-        type(field_structure_t) :: structure
-        type(c_structure_options_t), target :: chosen
-        type(error_t), allocatable :: error
-
-        call read_structure_options(error, options, chosen)
-        call check_given(error, "field", c_associated(field))
-        wrapped%function = field
-        wrapped%context = context
-        if (.not. allocated(error)) then
-            call new_field_structure(structure, wrapped, reference_nu, error, chosen%tolerance, chosen%exponent)
-        end if
-        status = deliver(structure, out, error)
-    end function mdr_structure_function
-
-    function mdr_structure_modulus(s, n, x, y, a, out) result(status) bind(C, name="mdrcontact_entry_structure_modulus")
-        type(c_ptr), value :: s
-        integer(c_int), value :: n
-        real(c_double), intent(in), optional :: x(*), y(*), a(*)
-        real(c_double), intent(inout), optional :: out(*)
-        integer(c_int) :: status
-        class(structure_t), pointer :: structure
-        real(c_double), allocatable :: values(:)
-        type(error_t), allocatable :: error
-
-        call open_handle(s, "s", structure, error)
-        call make_room(error, n, values)
-        if (.not. allocated(error) .and. n > 0) then
-            call structure_values(structure, x(:n), y(:n), a(:n), values, wanted_threads(), error)
-        end if
-        if (.not. allocated(error) .and. n > 0) out(:n) = values
-        status = status_of(error)
-    end function mdr_structure_modulus
-
-    function mdr_structure_medium(s, x, y, smallest_radius, largest_radius, points, out) result(status) &
-        bind(C, name="mdrcontact_entry_structure_medium")
-        type(c_ptr), value :: s
-        real(c_double), value :: x, y, smallest_radius, largest_radius
-        integer(c_int), value :: points
-        type(c_ptr), intent(inout), optional :: out
-        integer(c_int) :: status
-        class(structure_t), pointer :: structure
-        type(tabulated_medium_t), allocatable :: medium
-        class(solver_t), allocatable :: solver
-        type(error_t), allocatable :: error
-
-        allocate (medium)
-        call open_handle(s, "s", structure, error)
-        if (.not. allocated(error)) then
-            call new_lateral_medium(medium, structure, x, y, smallest_radius, largest_radius, error, int(points))
-        end if
-        call move_alloc(medium, solver)
-        status = hand_over_solver(solver, out, error)
-    end function mdr_structure_medium
 
     !> What the caller gave, with the defaults of the rest.
     subroutine read_structure_options(error, structure, options)

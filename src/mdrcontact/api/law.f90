@@ -20,8 +20,7 @@ module mdrcontact_api_law
     use mdrcontact_law_pack, only: packed_size
     implicit none (type, external)
     private
-    public :: mdr_law_new, mdr_law_with_radius, mdrcontact_law_at_depth, &
-              mdr_law_view_of, mdr_law_buffer, mdr_law_follow, mdr_law_about
+    public :: mdr_law_new, mdrcontact_law_at_depth, mdr_law_view_of, mdr_law_buffer, mdr_law_follow, mdr_law_about
 
     interface
         !> The view of an open handle's law, of law_force.c.
@@ -110,23 +109,6 @@ contains
         chosen%continue_beyond = given%continue_beyond /= 0_c_int
         if (.not. allocated(error)) call read_text(given%description, chosen%description, error)
     end subroutine read_law_options
-
-    function mdr_law_with_radius(law, radius, out) result(status) bind(C, name="mdrcontact_entry_law_with_radius")
-        type(c_ptr), value :: law
-        real(c_double), value :: radius
-        type(c_ptr), intent(inout), optional :: out
-        integer(c_int) :: status
-        type(contact_law_t), pointer :: inside
-        type(contact_law_t), allocatable :: other
-        class(*), allocatable :: object
-        type(error_t), allocatable :: error
-
-        allocate (other)
-        call open_handle(law, "law", inside, error)
-        if (.not. allocated(error)) call inside%with_radius(radius, other, error)
-        call move_alloc(other, object)
-        status = hand_over(object, out, error)
-    end function mdr_law_with_radius
 
     !> What law_force.c does not do by itself.
     function mdrcontact_law_at_depth(law, branch, d, point) result(status) bind(C)

@@ -2,47 +2,17 @@
 !> Compiled laws for C: files, and the same content in memory.
 module mdrcontact_api_law_file
     use, intrinsic :: iso_c_binding, only: c_associated, c_int, c_null_char, c_ptr
-    use mdrcontact_api_handles, only: hand_over
     use mdrcontact_api_open_handle, only: open_handle
     use mdrcontact_api_status, only: check_given, status_of
     use mdrcontact_api_text, only: read_characters, read_text, write_characters
     use mdrcontact_error, only: check_count_from, error_t
     use mdrcontact_law, only: contact_law_t
-    use mdrcontact_law_file, only: law_from_text, law_to_text, load_law, save_law
+    use mdrcontact_law_file, only: law_to_text
     implicit none (type, external)
     private
-    public :: mdr_law_save, mdr_law_load, mdr_law_write, mdr_law_read
+    public :: mdr_law_write, read_content, read_name
 
 contains
-
-    function mdr_law_save(law, path) result(status) bind(C, name="mdrcontact_entry_law_save")
-        type(c_ptr), value :: law, path
-        integer(c_int) :: status
-        type(contact_law_t), pointer :: inside
-        character(len=:), allocatable :: name
-        type(error_t), allocatable :: error
-
-        call open_handle(law, "law", inside, error)
-        call read_name(path, name, error)
-        if (.not. allocated(error)) call save_law(inside, name, error)
-        status = status_of(error)
-    end function mdr_law_save
-
-    function mdr_law_load(path, out) result(status) bind(C, name="mdrcontact_entry_law_load")
-        type(c_ptr), value :: path
-        type(c_ptr), intent(inout), optional :: out
-        integer(c_int) :: status
-        type(contact_law_t), allocatable :: law
-        class(*), allocatable :: object
-        character(len=:), allocatable :: name
-        type(error_t), allocatable :: error
-
-        allocate (law)
-        call read_name(path, name, error)
-        if (.not. allocated(error)) call load_law(law, name, error)
-        call move_alloc(law, object)
-        status = hand_over(object, out, error)
-    end function mdr_law_load
 
     function mdr_law_write(law, buffer, length, full_length) result(status) bind(C, name="mdrcontact_entry_law_write")
         type(c_ptr), value :: law, buffer
@@ -58,23 +28,6 @@ contains
         if (.not. allocated(error)) call law_to_text(inside, text, error)
         status = write_content(text, buffer, length, full_length, error)
     end function mdr_law_write
-
-    function mdr_law_read(buffer, length, out) result(status) bind(C, name="mdrcontact_entry_law_read")
-        type(c_ptr), value :: buffer
-        integer(c_int), value :: length
-        type(c_ptr), intent(inout), optional :: out
-        integer(c_int) :: status
-        type(contact_law_t), allocatable :: law
-        class(*), allocatable :: object
-        character(len=:), allocatable :: text
-        type(error_t), allocatable :: error
-
-        allocate (law)
-        call read_content(buffer, length, text, error)
-        if (.not. allocated(error)) call law_from_text(law, text, error)
-        call move_alloc(law, object)
-        status = hand_over(object, out, error)
-    end function mdr_law_read
 
     !> A file's name, blanks at its end included.
     subroutine read_name(path, name, error)

@@ -3,7 +3,6 @@
 module mdrcontact_api_loop
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_loc, c_ptr, c_size_t, c_sizeof
     use mdrcontact_api_arrays, only: check_array, check_results
-    use mdrcontact_api_handles, only: hand_over
     use mdrcontact_api_open_handle, only: open_handle
     use mdrcontact_api_options, only: check_size, write_facts
     use mdrcontact_api_records, only: c_loop_facts_t
@@ -13,11 +12,11 @@ module mdrcontact_api_loop
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: check_code, check_count_from, error_t
-    use mdrcontact_contact_loop, only: loop_t, new_loop, spring_control
+    use mdrcontact_contact_loop, only: loop_t, spring_control
     implicit none (type, external)
     private
     public :: mdr_contact_pull_off, choose_control
-    public :: mdr_loop_new, mdr_loop_points, mdr_loop_about
+    public :: mdr_loop_points, mdr_loop_about
 
     !> struct mdr_loop_point
     type, bind(C) :: point_t
@@ -52,27 +51,6 @@ contains
         n = min(size(all_states), int(capacity))
         if (n > 0) out(:n) = all_states(:n)
     end function mdr_contact_pull_off
-
-    function mdr_loop_new(c, control, largest, points, spring_stiffness, out) result(status) &
-        bind(C, name="mdrcontact_entry_loop_new")
-        type(c_ptr), value :: c
-        integer(c_int), value :: control, points
-        real(c_double), value :: spring_stiffness, largest
-        type(c_ptr), intent(inout), optional :: out
-        integer(c_int) :: status
-        type(contact_t), pointer :: contact
-        type(control_t) :: chosen
-        type(loop_t), allocatable :: loop
-        class(*), allocatable :: object
-        type(error_t), allocatable :: error
-
-        allocate (loop)
-        call open_handle(c, "c", contact, error)
-        call choose_control(chosen, control, spring_stiffness, .true., error)
-        if (.not. allocated(error)) call new_loop(loop, contact, chosen, largest, int(points), error)
-        call move_alloc(loop, object)
-        status = hand_over(object, out, error)
-    end function mdr_loop_new
 
     function mdr_loop_points(l, capacity, out, count) result(status) bind(C)
         type(c_ptr), value :: l

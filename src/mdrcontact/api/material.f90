@@ -3,54 +3,17 @@
 module mdrcontact_api_material
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
     use mdrcontact_api_arrays, only: check_results, deliver_parts, make_room
-    use mdrcontact_api_handles, only: deliver
     use mdrcontact_api_open_handle, only: open_handle
     use mdrcontact_api_status, only: status_of
-    use mdrcontact_codes, only: limit_glassy, limit_relaxed, of_complex_modulus => complex_modulus, of_creep => creep, &
-                                of_relaxation => relaxation
+    use mdrcontact_codes, only: of_complex_modulus => complex_modulus, of_creep => creep, of_relaxation => relaxation
     use mdrcontact_error, only: check_code, check_not_negative, check_positive, error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
-    use mdrcontact_material, only: material_t
-    use mdrcontact_material_rheology, only: new_power_law_rheology, new_viscoelastic, rheology_t
+    use mdrcontact_material_rheology, only: rheology_t
     implicit none (type, external)
     private
-    public :: mdr_material_viscoelastic, mdr_material_power_law
-    public :: mdr_material_values, mdr_material_limit
+    public :: mdr_material_values
 
 contains
-
-    function mdr_material_viscoelastic(relaxed_shear_modulus, n, moduli, times, viscosity, nu, bulk_modulus, out) &
-        result(status) bind(C, name="mdrcontact_entry_material_viscoelastic")
-        real(c_double), value :: relaxed_shear_modulus, viscosity, nu, bulk_modulus
-        integer(c_int), value :: n
-        real(c_double), intent(in), optional :: moduli(*), times(*)
-        type(c_ptr), intent(inout), optional :: out
-        integer(c_int) :: status
-        type(rheology_t) :: rheology
-        real(c_double) :: none(0)
-        type(error_t), allocatable :: error
-
-        if (.not. allocated(error)) then
-            if (n == 0) then
-                call new_viscoelastic(rheology, relaxed_shear_modulus, none, none, viscosity, nu, bulk_modulus, error)
-            else
-                call new_viscoelastic(rheology, relaxed_shear_modulus, moduli(:n), times(:n), viscosity, nu, bulk_modulus, error)
-            end if
-        end if
-        status = deliver(rheology, out, error)
-    end function mdr_material_viscoelastic
-
-    function mdr_material_power_law(modulus, time, exponent, nu, out) result(status) &
-        bind(C, name="mdrcontact_entry_material_power_law")
-        real(c_double), value :: modulus, time, exponent, nu
-        type(c_ptr), intent(inout), optional :: out
-        integer(c_int) :: status
-        type(rheology_t) :: rheology
-        type(error_t), allocatable :: error
-
-        call new_power_law_rheology(rheology, modulus, time, exponent, nu, error)
-        status = deliver(rheology, out, error)
-    end function mdr_material_power_law
 
     function mdr_material_values(m, quantity, n, x, out, imaginary) result(status) &
         bind(C, name="mdrcontact_entry_material_values")
@@ -99,29 +62,5 @@ contains
         end if
         status = status_of(error)
     end function mdr_material_values
-
-    function mdr_material_limit(m, limit, e, nu) result(status) bind(C, name="mdrcontact_entry_material_limit")
-        type(c_ptr), value :: m
-        integer(c_int), value :: limit
-        real(c_double), intent(inout), optional :: e, nu
-        integer(c_int) :: status
-        type(rheology_t), pointer :: rheology
-        type(material_t) :: material
-        type(error_t), allocatable :: error
-
-        call open_handle(m, "m", rheology, error)
-        call check_code(error, "limit", int(limit), [limit_glassy, limit_relaxed])
-        if (.not. allocated(error)) then
-            if (limit == limit_glassy) then
-                call rheology%glassy(material, error)
-            else
-                call rheology%relaxed(material, error)
-            end if
-        end if
-        status = status_of(error)
-        if (allocated(error)) return
-        if (present(e)) e = material%young
-        if (present(nu)) nu = material%poisson
-    end function mdr_material_limit
 
 end module mdrcontact_api_material

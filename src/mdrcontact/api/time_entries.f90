@@ -1,18 +1,19 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Contacts with viscoelastic bodies in time, for C.
-module mdrcontact_api_time
+!> Functions of time that convert, call and deliver, for C. Written by tools/generate.py.
+module mdrcontact_api_time_entries
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
     use mdrcontact_api_arrays, only: check_results, deliver_parts, make_room
     use mdrcontact_api_open_handle, only: open_handle
     use mdrcontact_api_status, only: status_of
-    use mdrcontact_error, only: check_memory, error_t
+    use mdrcontact_contact_relaxing_contact, only: relaxing_contact_t
+    use mdrcontact_error, only: error_t
     use mdrcontact_time_history, only: contact_history
     use mdrcontact_time_stiffness, only: dynamic_stiffness, step_response
-    use mdrcontact_contact_relaxing_contact, only: relaxing_contact_t
-    use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
-    public :: mdr_contact_history, mdr_contact_dynamic_stiffness, mdr_contact_step_response
+    public :: mdr_contact_history
+    public :: mdr_contact_dynamic_stiffness
+    public :: mdr_contact_step_response
 
 contains
 
@@ -24,27 +25,25 @@ contains
         real(c_double), intent(in), optional :: time(*), in(*)
         real(c_double), intent(inout), optional :: d(*), a(*), f(*)
         integer(c_int) :: status
-        type(relaxing_contact_t), pointer :: contact
-        real(c_double), allocatable :: values(:, :)
+        type(relaxing_contact_t), pointer :: c_inside
+        real(c_double), allocatable :: d_values(:), a_values(:), f_values(:)
         type(error_t), allocatable :: error
-        integer :: i, stat
 
-        call open_handle(c, "c", contact, error)
-        status = status_of(error)
-        if (allocated(error) .or. n == 0) return
-        allocate (values(n, 3), stat=stat)
-        call check_memory(error, stat)
-        if (.not. allocated(error)) then
-            call contact_history(contact, int(given), time(:n), in(:n), values(:, 1), values(:, 2), values(:, 3), error, tolerance)
+        call open_handle(c, "c", c_inside, error)
+        call make_room(error, n, d_values)
+        call make_room(error, n, a_values)
+        call make_room(error, n, f_values)
+        if (.not. allocated(error) .and. n > 0) then
+            call contact_history(c_inside, given, time(:n), in(:n), d_values, a_values, f_values, error, tolerance)
         end if
-        do i = 1, 3
-            if (.not. allocated(error)) call check_results(error, values(:, i))
-        end do
+        if (.not. allocated(error)) call check_results(error, d_values)
+        if (.not. allocated(error)) call check_results(error, a_values)
+        if (.not. allocated(error)) call check_results(error, f_values)
         status = status_of(error)
         if (allocated(error)) return
-        if (present(d)) d(:n) = values(:, 1)
-        if (present(a)) a(:n) = values(:, 2)
-        if (present(f)) f(:n) = values(:, 3)
+        if (present(d)) d(:n) = d_values
+        if (present(a)) a(:n) = a_values
+        if (present(f)) f(:n) = f_values
     end function mdr_contact_history
 
     function mdr_contact_dynamic_stiffness(c, n, omega, radius, storage, loss) result(status) &
@@ -54,14 +53,14 @@ contains
         real(c_double), intent(in), optional :: omega(*), radius(*)
         real(c_double), intent(inout), optional :: storage(*), loss(*)
         integer(c_int) :: status
-        type(relaxing_contact_t), pointer :: contact
-        complex(wp), allocatable :: values(:)
+        type(relaxing_contact_t), pointer :: c_inside
+        complex(c_double), allocatable :: storage_values(:)
         type(error_t), allocatable :: error
 
-        call open_handle(c, "c", contact, error)
-        call make_room(error, n, values)
-        if (.not. allocated(error) .and. n > 0) call dynamic_stiffness(contact, omega(:n), radius(:n), values, error)
-        call deliver_parts(error, values, storage, loss)
+        call open_handle(c, "c", c_inside, error)
+        call make_room(error, n, storage_values)
+        if (.not. allocated(error) .and. n > 0) call dynamic_stiffness(c_inside, omega(:n), radius(:n), storage_values, error)
+        call deliver_parts(error, storage_values, storage, loss)
         status = status_of(error)
     end function mdr_contact_dynamic_stiffness
 
@@ -73,18 +72,17 @@ contains
         real(c_double), intent(in), optional :: time(*)
         real(c_double), intent(inout), optional :: out(*)
         integer(c_int) :: status
-        type(relaxing_contact_t), pointer :: contact
-        real(c_double), allocatable :: values(:)
+        type(relaxing_contact_t), pointer :: c_inside
+        real(c_double), allocatable :: out_values(:)
         type(error_t), allocatable :: error
 
-        call open_handle(c, "c", contact, error)
-        call make_room(error, n, values)
-        if (.not. allocated(error) .and. n > 0) then
-            call step_response(contact, int(step), time(:n), radius, values, error)
-            if (.not. allocated(error)) call check_results(error, values)
-            if (.not. allocated(error)) out(:n) = values
-        end if
+        call open_handle(c, "c", c_inside, error)
+        call make_room(error, n, out_values)
+        if (.not. allocated(error) .and. n > 0) call step_response(c_inside, step, time(:n), radius, out_values, error)
+        if (.not. allocated(error)) call check_results(error, out_values)
         status = status_of(error)
+        if (allocated(error)) return
+        if (present(out)) out(:n) = out_values
     end function mdr_contact_step_response
 
-end module mdrcontact_api_time
+end module mdrcontact_api_time_entries

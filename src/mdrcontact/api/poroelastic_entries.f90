@@ -1,20 +1,22 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Poroelastic gels, for C.
-module mdrcontact_api_poroelastic
+!> Functions of poroelastic that convert, call and deliver, for C. Written by tools/generate.py.
+module mdrcontact_api_poroelastic_entries
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
     use mdrcontact_api_arrays, only: check_each_positive, check_results, deliver_parts, make_room
-    use mdrcontact_api_handles, only: deliver
+    use mdrcontact_api_handles, only: hand_over
     use mdrcontact_api_poroelastic_open_handle, only: open_handle
     use mdrcontact_api_status, only: status_of
     use mdrcontact_error, only: check_choice, error_t
-    use mdrcontact_kinds, only: wp
     use mdrcontact_poroelastic_compliance, only: poroelastic_compliance
     use mdrcontact_poroelastic_response, only: poroelastic_dynamic_stiffness, poroelastic_pressure, poroelastic_response
     use mdrcontact_poroelastic_table, only: new_poroelastic, poroelastic_t
     implicit none (type, external)
     private
-    public :: mdr_poroelastic_new, mdr_poroelastic_response, mdr_poroelastic_dynamic_stiffness, &
-              mdr_poroelastic_pressure, mdr_poroelastic_compliance
+    public :: mdr_poroelastic_new
+    public :: mdr_poroelastic_response
+    public :: mdr_poroelastic_dynamic_stiffness
+    public :: mdr_poroelastic_pressure
+    public :: mdr_poroelastic_compliance
 
 contains
 
@@ -25,12 +27,19 @@ contains
         real(c_double), intent(inout), optional :: deviation
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
-        type(poroelastic_t) :: table
+        type(poroelastic_t), allocatable :: made
+        class(*), allocatable :: object
+        real(c_double) :: deviation_value
         type(error_t), allocatable :: error
 
-        if (.not. allocated(error)) call new_poroelastic(table, nu, int(drainage), ratio, error)
-        status = deliver(table, out, error)
-        if (present(deviation) .and. .not. allocated(error)) deviation = table%error
+        allocate (made)
+        call new_poroelastic(made, nu, drainage, ratio, error)
+        deviation_value = 0.0_c_double
+        if (.not. allocated(error)) deviation_value = made%error
+        call move_alloc(made, object)
+        status = hand_over(object, out, error)
+        if (allocated(error)) return
+        if (present(deviation)) deviation = deviation_value
     end function mdr_poroelastic_new
 
     function mdr_poroelastic_response(p, answer, shear_modulus, diffusivity, radius, n, time, out) result(status) &
@@ -41,38 +50,39 @@ contains
         real(c_double), intent(in), optional :: time(*)
         real(c_double), intent(inout), optional :: out(*)
         integer(c_int) :: status
-        type(poroelastic_t), pointer :: table
-        real(c_double), allocatable :: values(:)
+        type(poroelastic_t), pointer :: p_inside
+        real(c_double), allocatable :: out_values(:)
         type(error_t), allocatable :: error
 
-        call open_handle(p, "p", table, error)
-        call make_room(error, n, values)
+        call open_handle(p, "p", p_inside, error)
+        call make_room(error, n, out_values)
         if (.not. allocated(error) .and. n > 0) then
-            call poroelastic_response(table, int(answer), shear_modulus, diffusivity, radius, time(:n), values, error)
-            if (.not. allocated(error)) call check_results(error, values)
-            if (.not. allocated(error)) out(:n) = values
+            call poroelastic_response(p_inside, answer, shear_modulus, diffusivity, radius, time(:n), out_values, error)
         end if
+        if (.not. allocated(error)) call check_results(error, out_values)
         status = status_of(error)
+        if (allocated(error)) return
+        if (present(out)) out(:n) = out_values
     end function mdr_poroelastic_response
 
     function mdr_poroelastic_dynamic_stiffness(p, shear_modulus, diffusivity, radius, n, omega, storage, loss) result(status) &
         bind(C, name="mdrcontact_entry_poroelastic_dynamic_stiffness")
         type(c_ptr), value :: p
-        integer(c_int), value :: n
         real(c_double), value :: shear_modulus, diffusivity, radius
+        integer(c_int), value :: n
         real(c_double), intent(in), optional :: omega(*)
         real(c_double), intent(inout), optional :: storage(*), loss(*)
         integer(c_int) :: status
-        type(poroelastic_t), pointer :: table
-        complex(wp), allocatable :: values(:)
+        type(poroelastic_t), pointer :: p_inside
+        complex(c_double), allocatable :: storage_values(:)
         type(error_t), allocatable :: error
 
-        call open_handle(p, "p", table, error)
-        call make_room(error, n, values)
+        call open_handle(p, "p", p_inside, error)
+        call make_room(error, n, storage_values)
         if (.not. allocated(error) .and. n > 0) then
-            call poroelastic_dynamic_stiffness(table, shear_modulus, diffusivity, radius, omega(:n), values, error)
+            call poroelastic_dynamic_stiffness(p_inside, shear_modulus, diffusivity, radius, omega(:n), storage_values, error)
         end if
-        call deliver_parts(error, values, storage, loss)
+        call deliver_parts(error, storage_values, storage, loss)
         status = status_of(error)
     end function mdr_poroelastic_dynamic_stiffness
 
@@ -84,42 +94,45 @@ contains
         real(c_double), intent(in), optional :: r(*)
         real(c_double), intent(inout), optional :: out(*)
         integer(c_int) :: status
-        type(poroelastic_t), pointer :: table
-        real(c_double), allocatable :: values(:)
+        type(poroelastic_t), pointer :: p_inside
+        real(c_double), allocatable :: out_values(:)
         type(error_t), allocatable :: error
 
-        call open_handle(p, "p", table, error)
-        call check_choice(error, "is_flat", int(is_flat), 0, 1, "0 (a paraboloid) or 1 (a flat punch)")
-        call make_room(error, n, values)
+        call open_handle(p, "p", p_inside, error)
+        if (.not. allocated(error)) call check_choice(error, "is_flat", is_flat, 0, 1, "0 (a paraboloid) or 1 (a flat punch)")
+        call make_room(error, n, out_values)
         if (.not. allocated(error) .and. n > 0) then
-            call poroelastic_pressure(table, int(kind), is_flat == 1, shear_modulus, diffusivity, radius, time, r(:n), values, &
-                                      error)
-            if (.not. allocated(error)) call check_results(error, values)
-            if (.not. allocated(error)) out(:n) = values
+            call poroelastic_pressure(p_inside, kind, is_flat == 1, shear_modulus, diffusivity, radius, time, r(:n), out_values, &
+                error)
         end if
+        if (.not. allocated(error)) call check_results(error, out_values)
         status = status_of(error)
+        if (allocated(error)) return
+        if (present(out)) out(:n) = out_values
     end function mdr_poroelastic_pressure
 
-    function mdr_poroelastic_compliance(nu, drainage, thickness, shear_modulus, diffusivity, omega, n, k, out, imaginary) &
-        result(status) bind(C, name="mdrcontact_entry_poroelastic_compliance")
+    function mdr_poroelastic_compliance(nu, drainage, thickness, shear_modulus, diffusivity, omega, n, k, out, imaginary) result( &
+        status) &
+        bind(C, name="mdrcontact_entry_poroelastic_compliance")
         real(c_double), value :: nu, thickness, shear_modulus, diffusivity, omega
         integer(c_int), value :: drainage, n
         real(c_double), intent(in), optional :: k(*)
         real(c_double), intent(inout), optional :: out(*), imaginary(*)
         integer(c_int) :: status
-        complex(wp), allocatable :: values(:)
         real(c_double), allocatable :: wavenumbers(:)
+        complex(c_double), allocatable :: out_values(:)
         type(error_t), allocatable :: error
 
         if (.not. allocated(error) .and. n > 0) call check_each_positive(error, "k", k(:n))
-        call make_room(error, n, values)
-        call make_room(error, n, wavenumbers)
+        if (.not. allocated(error)) call make_room(error, n, wavenumbers)
+        if (.not. allocated(error) .and. n > 0) wavenumbers(:) = k(:n)
+        call make_room(error, n, out_values)
         if (.not. allocated(error)) then
-            if (n > 0) wavenumbers(:) = k(:n)
-            call poroelastic_compliance(nu, int(drainage), thickness, shear_modulus, diffusivity, omega, wavenumbers, values, error)
+            call poroelastic_compliance(nu, drainage, thickness, shear_modulus, diffusivity, omega, wavenumbers, out_values, &
+                error)
         end if
-        call deliver_parts(error, values, out, imaginary)
+        call deliver_parts(error, out_values, out, imaginary)
         status = status_of(error)
     end function mdr_poroelastic_compliance
 
-end module mdrcontact_api_poroelastic
+end module mdrcontact_api_poroelastic_entries
