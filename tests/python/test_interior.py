@@ -513,7 +513,7 @@ def test_points_too_far_away_for_layers_are_refused():
     near, far = (float(state.interior(r, 2.0).u_z) for r in (1e3, 1e4))
     assert near / far == pytest.approx(10.0, rel=0.01)
     for r in (1e6, 1e9, 1e12):
-        with pytest.raises(mdr.MDRError, match=r"contact radii away are sums of .* waves, 1e\+06 are allowed"):
+        with pytest.raises(mdr.MDRError, match=r"points so far away are sums of .* waves, 1e\+06 are allowed"):
             state.interior(r, 2.0)
 
 

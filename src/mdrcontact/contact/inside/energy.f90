@@ -12,8 +12,9 @@ module mdrcontact_inside_energy
     use mdrcontact_inside_layer_states, only: layer_states_t, new_layer_states
     use mdrcontact_inside_states, only: depth_t, normal_rows
     use mdrcontact_inside_transform, only: hankel_transform
-    use mdrcontact_inside_waves, only: faded, part_of_waves, wave_rule
+    use mdrcontact_inside_waves, only: faded, first_panel, part_of_waves
     use mdrcontact_kinds, only: pi, wp
+    use mdrcontact_numerics_waves, only: wave_rule
     implicit none (type, external)
     private
     public :: layer_energies
@@ -39,8 +40,8 @@ contains
             call new_layer_states(states, layers, load%radius, error)
             if (allocated(error)) return
             ! p_hat^2 holds waves up to 2 a, and the states e^(-2 k z)
-            call wave_rule(2.0_wp, states%structure, 0.5_wp*faded*load%radius/layers%decays_to(layers%top(2), .false.), k, &
-                           weight, error)
+            call wave_rule(first_panel/max(2.0_wp, states%structure), &
+                           0.5_wp*faded*load%radius/layers%decays_to(layers%top(2), .false.), 2.0_wp, k, weight, error)
             if (allocated(error)) return
             allocate (transform(size(k)))
             call hankel_transform(load, k/load%radius, transform, error)

@@ -11,11 +11,12 @@ module mdrcontact_inside_hankel
     use mdrcontact_medium_load, only: load_t
     use mdrcontact_inside_states, only: depth_t, normal_rows, shear_rows, states_t
     use mdrcontact_inside_transform, only: hankel_transform
-    use mdrcontact_inside_waves, only: bessel_012, faded, part_of_waves, wave_rule
+    use mdrcontact_inside_waves, only: bessel_012, faded, first_panel, part_of_waves
     use mdrcontact_gsl, only: gsl_sort_index
     use mdrcontact_kinds, only: wp
     use mdrcontact_lapack, only: dgemm
     use mdrcontact_numerics_search, only: interval_of
+    use mdrcontact_numerics_waves, only: wave_rule
     implicit none (type, external)
     private
     public :: hankel_t, new_hankel, add_point, add_grid
@@ -63,7 +64,7 @@ contains
         real(wp), allocatable :: weight(:)
 
         self%states => states
-        call wave_rule(farthest, states%structure, last, self%all_k, weight, error)
+        call wave_rule(first_panel/max(farthest, states%structure), last, farthest, self%all_k, weight, error)
         if (allocated(error)) return
         allocate (self%all_load(size(self%all_k)))
         call hankel_transform(load, self%all_k/load%radius, self%all_load, error)

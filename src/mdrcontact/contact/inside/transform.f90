@@ -10,7 +10,7 @@ module mdrcontact_inside_transform
     use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_medium_load, only: load_t, panel_t
-    use mdrcontact_inside_waves, only: block => panel_nodes
+    use mdrcontact_numerics_waves, only: block => panel_nodes
     use mdrcontact_gsl, only: gsl_sort_index
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_lapack, only: dgemv

@@ -1,11 +1,8 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> What a spot answers in time: at a frequency, and after a step (theory/conduction.md (9.3)-(9.5)).
-!>
-!> Steps come from an inverse Laplace transform on parabolas (Weideman, Trefethen, Math. Comp. 76 (2007) 1341), one for all times up
-!> to a factor apart: singularities lie on the negative axis.
+!> What a spot answers in time: at a frequency, and after a step, by an inverse Laplace transform for all times up to a factor apart
+!> (theory/conduction.md (9.3)-(9.5)).
 module mdrcontact_conduction_answers
     use mdrcontact_codes, only: spot_conductance_answer => conductance, spot_resistance_answer => resistance
-    use mdrcontact_conduction_basis, only: basis_t
     use mdrcontact_conduction_bodies, only: conduction_t
     use mdrcontact_conduction_film_in_time, only: film_basis_t, film_spot_at, new_film_basis
     use mdrcontact_conduction_fields, only: check_inside, conductance_at
@@ -14,12 +11,14 @@ module mdrcontact_conduction_answers
     use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_error, only: check_code, check_finite, check_memory, check_not_negative, check_positive, error_domain, &
                                 error_invalid, error_t, raise, to_text
-    use mdrcontact_kinds, only: pi, wp
+    use mdrcontact_kinds, only: wp
+    use mdrcontact_numerics_laplace, only: inverse_laplace
+    use mdrcontact_numerics_waves, only: basis_t
     implicit none (type, external)
     private
     public :: spot_conductance_answer, spot_resistance_answer, admittance_of, step_of, follow_history, flux_after_step
 
-    !> Times up to this factor apart share a parabola, of so many nodes: exp(-2 pi nodes/sqrt(8 span + 1)) = 1e-13; one time takes
+    !> Times up to this factor apart share so many nodes: exp(-2 pi nodes/sqrt(8 span + 1)) = 1e-13; one time takes
     !> fewer.
     real(wp), parameter :: span = 4.0_wp
     integer, parameter :: shared_nodes = 28, own_nodes = 16
@@ -268,7 +267,7 @@ contains
         end do
     end subroutine check_history
 
-    !> At times after a step, or after the beginning of a ramp of slope 1, those near to each other by one parabola.
+    !> At times after a step, or after the beginning of a ramp of slope 1, those near to each other by the same nodes.
     subroutine respond(conduction, answer, a, time, is_ramp, values, error)
         type(conduction_t), intent(in) :: conduction
         integer, intent(in) :: answer
@@ -294,7 +293,7 @@ contains
             from = minval(time, mask=.not. done)
             chosen = .not. done .and. time <= span*from
             call check_cancelled(error)
-            call on_parabola(conduction, answer, a, pack(time, chosen), is_ramp, values, chosen, error)
+            call by_shared_nodes(conduction, answer, a, pack(time, chosen), is_ramp, values, chosen, error)
             if (allocated(error)) return
             done = done .or. chosen
         end do
@@ -312,11 +311,11 @@ contains
         !> same size as r [conductance/length^2]
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(inout) :: error
-        complex(wp) :: s(shared_nodes), weight(shared_nodes), conductance
+        complex(wp) :: s(own_nodes), weight(own_nodes, 1), conductance
         complex(wp), allocatable :: series(:), total(:)
         type(basis_t) :: basis
         type(spot_t) :: spot
-        integer :: i, n
+        integer :: i
 
         values = 0.0_wp
         call check_answer(spot_conductance_answer, a, error)
@@ -326,15 +325,15 @@ contains
         end if
         call check_inside(r, a, error)
         if (allocated(error)) return
-        call parabola(time, time, n, s, weight)
-        call basis_for(conduction, a, abs(s(1)), abs(s(n)), basis, error)
+        call inverse_laplace([time], s, weight)
+        call basis_for(conduction, a, abs(s(1)), abs(s(own_nodes)), basis, error)
         if (allocated(error)) return
         allocate (series(basis%order), total(basis%order))
         total = 0.0_wp
-        do i = 1, n
+        do i = 1, own_nodes
             call spot_at(conduction, a, s(i), basis, conductance, error, series)
             if (allocated(error)) return
-            total = total + weight(i)*exp(s(i)*time)*series
+            total = total + weight(i, 1)*series
         end do
         spot%radius = a
         spot%q = aimag(total)
@@ -342,8 +341,8 @@ contains
         values = [(spot%flux(r(i)), i=1, size(r))]
     end subroutine flux_after_step
 
-    !> Times within a span by one parabola.
-    subroutine on_parabola(conduction, answer, a, time, is_ramp, values, chosen, error)
+    !> Times within a span by the same nodes.
+    subroutine by_shared_nodes(conduction, answer, a, time, is_ramp, values, chosen, error)
         type(conduction_t), intent(in) :: conduction
         integer, intent(in) :: answer
         real(wp), intent(in) :: a, time(:)
@@ -353,42 +352,24 @@ contains
         !> where they belong in `values`
         logical, intent(in) :: chosen(:)
         type(error_t), allocatable, intent(inout) :: error
-        complex(wp) :: s(shared_nodes), weight(shared_nodes), answered(shared_nodes)
+        complex(wp), allocatable :: s(:), weight(:, :), answered(:)
         real(wp) :: totals(size(time)), largest
         type(waves_t) :: waves
         integer :: i, n
 
-        call parabola(minval(time), maxval(time), n, s, weight)
+        n = merge(shared_nodes, own_nodes, maxval(time) > minval(time))
+        allocate (s(n), weight(n, size(time)), answered(n))
+        call inverse_laplace(time, s, weight)
         ! beyond, exp(s t) leaves nothing of the last digits
-        largest = maxval(abs(s(:n)), mask=real(s(:n), wp)*minval(time) > -20.0_wp)
+        largest = maxval(abs(s), mask=real(s, wp)*minval(time) > -20.0_wp)
         call find_waves(conduction, answer, a, abs(s(1)), largest, waves, error)
         do i = 1, n
             call answer_at(conduction, answer, a, s(i), waves, answered(i), error)
             if (allocated(error)) return
             if (is_ramp) answered(i) = answered(i)/s(i)
         end do
-        totals = [(sum(aimag(weight(:n)*exp(s(:n)*time(i))*answered(:n))), i=1, size(time))]
+        totals = [(sum(aimag(weight(:, i)*answered)), i=1, size(time))]
         values = unpack(totals, chosen, values)
-    end subroutine on_parabola
-
-    !> Nodes s and weights: the inverse transform of F(s)/s is Im sum w exp(st) F(s).
-    pure subroutine parabola(from, to, n, s, weight)
-        real(wp), intent(in) :: from, to
-        integer, intent(out) :: n
-        complex(wp), intent(out) :: s(:), weight(:)
-        real(wp) :: width, opening, root
-        complex(wp) :: turn
-        integer :: j
-
-        root = sqrt(8.0_wp*to/from + 1.0_wp)
-        n = merge(shared_nodes, own_nodes, to > from)
-        width = root/real(n, wp)
-        opening = pi*real(n, wp)/(4.0_wp*root*to)
-        do j = 1, n
-            turn = cmplx(1.0_wp, (real(j, wp) - 0.5_wp)*width, wp)
-            s(j) = opening*turn**2
-            weight(j) = (0.0_wp, 2.0_wp)/turn*width/pi
-        end do
-    end subroutine parabola
+    end subroutine by_shared_nodes
 
 end module mdrcontact_conduction_answers

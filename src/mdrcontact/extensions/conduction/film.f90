@@ -8,7 +8,6 @@
 module mdrcontact_conduction_film
     use, intrinsic :: iso_c_binding, only: c_int
     use mdrcontact_conduction_bodies, only: conduction_t, tolerance
-    use mdrcontact_conduction_waves, only: wave_rule
     use mdrcontact_error, only: error_no_convergence, error_t, raise, to_text
     use mdrcontact_gsl, only: disable_gsl_abort, gsl_sf_bessel_j0, gsl_sf_bessel_jn_array
     use mdrcontact_kinds, only: half_pi, pi, wp
@@ -17,6 +16,7 @@ module mdrcontact_conduction_film
     use mdrcontact_line_series, only: add_projections
     use mdrcontact_line_solve, only: factorize, solve_lower
     use mdrcontact_numerics_even_waves, only: highest_order
+    use mdrcontact_numerics_waves, only: wave_rule
     implicit none (type, external)
     private
     public :: film_spot_t, new_film_spot, of_half_space, odd_waves
@@ -151,7 +151,7 @@ contains
         matrix = 0.0_wp
         slope = 0.0_wp
         if (.not. conduction%kernel%vanishes) then
-            call rule_of(conduction, a, 1.0_wp, z, weight, error)
+            call rule_of(conduction, a, z, weight, error)
             if (allocated(error)) return
             allocate (waves(n, size(z)), scaled(n, size(z)))
             do i = 1, size(z)
@@ -256,7 +256,7 @@ contains
                                                                                      *sin(0.5_wp*half_pi*rule%distance), 1.0_wp))))
         end do
         if (.not. conduction%kernel%vanishes) then
-            call rule_of(conduction, self%radius, 2.0_wp, z, weight, error)
+            call rule_of(conduction, self%radius, z, weight, error)
             if (allocated(error)) return
             allocate (waves(size(self%c)))
             do j = 1, size(z)
@@ -270,10 +270,10 @@ contains
     end subroutine flux
 
     !> For integrals of chi over z = ka.
-    subroutine rule_of(conduction, a, length, z, weight, error)
+    subroutine rule_of(conduction, a, z, weight, error)
         type(conduction_t), intent(in) :: conduction
-        !> [length]; what the integrand oscillates with [a]
-        real(wp), intent(in) :: a, length
+        !> [length]
+        real(wp), intent(in) :: a
         real(wp), allocatable, intent(out) :: z(:), weight(:)
         type(error_t), allocatable, intent(inout) :: error
         real(wp) :: thinnest
@@ -283,7 +283,7 @@ contains
         do i = 1, size(conduction%bodies)
             if (conduction%bodies(i)%layers > 0) thinnest = min(thinnest, conduction%bodies(i)%h(1))
         end do
-        call wave_rule(scale(1.0_wp, -octaves)*min(1.0_wp, a/thinnest), faded*a/thinnest, length, z, weight, error)
+        call wave_rule(scale(1.0_wp, -octaves)*min(1.0_wp, a/thinnest), faded*a/thinnest, 2.0_wp, z, weight, error)
     end subroutine rule_of
 
 end module mdrcontact_conduction_film

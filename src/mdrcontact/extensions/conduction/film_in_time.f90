@@ -4,10 +4,10 @@
 module mdrcontact_conduction_film_in_time
     use mdrcontact_conduction_bodies, only: conduction_t
     use mdrcontact_conduction_film, only: of_half_space, odd_waves
-    use mdrcontact_conduction_waves, only: wave_rule
-    use mdrcontact_error, only: error_no_convergence, error_t, raise, to_text
+        use mdrcontact_error, only: error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_lapack, only: dgemm
+    use mdrcontact_numerics_waves, only: wave_rule
     implicit none (type, external)
     private
     public :: film_basis_t, new_film_basis, film_spot_at
@@ -34,7 +34,7 @@ contains
         integer :: i
 
         last = max(20.0_wp*conduction%radius_in_layers(a), 4.0_wp*terms, 1200.0_wp*sqrt(conduction%waves_in(a, largest)))
-        call wave_rule(1.0e-9_wp, last, 1.0_wp, self%z, self%weight, error)
+        call wave_rule(1.0e-9_wp, last, 2.0_wp, self%z, self%weight, error)
         if (allocated(error)) return
         allocate (self%waves(terms, size(self%z)))
         do i = 1, size(self%z)

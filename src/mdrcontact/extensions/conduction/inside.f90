@@ -5,11 +5,11 @@
 module mdrcontact_conduction_inside
     use mdrcontact_conduction_conductors, only: conductors_t, half_space_base, insulating_base, layer_at, perfect_base
     use mdrcontact_conduction_oblate, only: oblate_sum
-    use mdrcontact_conduction_waves, only: wave_rule
     use mdrcontact_error, only: check_not_negative, error_domain, error_invalid, error_t, raise, raise_at, to_text
     use mdrcontact_gsl, only: gsl_sf_bessel_j0, gsl_sf_bessel_j1
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_numerics_even_waves, only: even_waves
+    use mdrcontact_numerics_waves, only: wave_rule
     implicit none (type, external)
     private
     public :: fields_inside

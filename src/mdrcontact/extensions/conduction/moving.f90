@@ -11,7 +11,6 @@ module mdrcontact_conduction_moving
     use mdrcontact_conduction_heat, only: friction_heat, heat_t
     use mdrcontact_conduction_inside, only: fields_inside
     use mdrcontact_conduction_source, only: sliding
-    use mdrcontact_conduction_waves, only: wave_rule
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: check_positive, error_domain, error_t, raise, to_text
@@ -19,6 +18,7 @@ module mdrcontact_conduction_moving
     use mdrcontact_numerics_chebyshev, only: node, series_of_values, series_value, terms
     use mdrcontact_numerics_even_waves, only: even_waves
     use mdrcontact_numerics_quadrature, only: gauss_legendre
+    use mdrcontact_numerics_waves, only: wave_rule
     implicit none (type, external)
     private
     public :: moving_heat
@@ -166,7 +166,7 @@ contains
         last = max(fewest_waves, waves_of_means*sqrt(max(peclet, 1.0e-4_wp)))
         if (body%layers > 0) last = max(last, 20.0_wp*a/body%h(1))
         call gauss_legendre(waves%node, waves%share, error)
-        call wave_rule(1.0e-8_wp, last, 1.0_wp, waves%z, waves%weight, error)
+        call wave_rule(1.0e-8_wp, last, 2.0_wp, waves%z, waves%weight, error)
         if (allocated(error)) return
         allocate (waves%hat, mold=waves%z)
         do i = 1, size(waves%z)

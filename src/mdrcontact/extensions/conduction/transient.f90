@@ -4,13 +4,12 @@
 module mdrcontact_conduction_transient
     use mdrcontact_codes, only: gaussian => gaussian_potential, uniform_centre => centre_potential, &
                                 uniform_mean => mean_potential
-    use mdrcontact_conduction_basis, only: basis_t, new_basis
     use mdrcontact_conduction_bodies, only: conduction_t
-    use mdrcontact_conduction_waves, only: wave_rule
     use mdrcontact_error, only: error_no_convergence, error_t, raise
     use mdrcontact_gsl, only: gsl_sf_bessel_j1
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_lapack, only: zgesv
+    use mdrcontact_numerics_waves, only: basis_t, new_basis, wave_rule
     implicit none (type, external)
     private
     public :: basis_for, given_flux, spot_at, uniform_mean, uniform_centre, gaussian
@@ -60,7 +59,10 @@ contains
         if (allocated(error)) return
         n = basis%order
         allocate (matrix(n, n))
-        call basis%project(conduction%chi(cmplx(basis%k/a, 0.0_wp, wp), s), conduction%chi(basis%far/a, s), matrix)
+        call basis%project(conduction%chi(basis%k/a, s), .false., matrix)
+        do i = 1, n
+            matrix(i, i) = matrix(i, i) + 1.0_wp
+        end do
         c = 0.0_wp
         c(1, 1) = 1.0_wp
         call zgesv(n, 1, matrix, n, pivots, c, n, info)
@@ -100,7 +102,7 @@ contains
         if (what == gaussian) last = 18.0_wp
         if (what /= gaussian) value = merge(8.0_wp/(3.0_wp*pi), 1.0_wp, what == uniform_mean)
         if (last > 0.0_wp) then
-            call wave_rule(1.0e-9_wp*min(first, last), last, 1.0_wp, z, weight, error)
+            call wave_rule(1.0e-9_wp*min(first, last), last, 2.0_wp, z, weight, error)
             if (allocated(error)) return
             do i = 1, size(z)
                 chi = conduction%chi(cmplx(z(i)/a, 0.0_wp, wp), s)

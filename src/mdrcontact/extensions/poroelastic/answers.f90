@@ -1,17 +1,17 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> What a gel answers at one time or frequency, solved there: relaxation, creep and oscillation.
 !>
-!> The inverse Laplace transform takes nodes on a parabola: Weideman, Trefethen, Math. Comp. 76 (2007) 1341. The singularities of a
-!> gel lie on the negative axis, 12 nodes give 2e-11 at any time: theory/poroelastic.md (5.1), (5.3), (6.2).
+!> 12 nodes of the inverse Laplace transform give 2e-11 at any time: theory/poroelastic.md (5.1), (5.3), (6.2).
 module mdrcontact_poroelastic_answers
     use mdrcontact_error, only: error_t
-    use mdrcontact_kinds, only: pi, wp
-    use mdrcontact_poroelastic_basis, only: basis_t, new_basis
+    use mdrcontact_kinds, only: wp
+    use mdrcontact_numerics_laplace, only: inverse_laplace
+    use mdrcontact_numerics_waves, only: basis_t, new_basis
     use mdrcontact_poroelastic_contact, only: flat, solve_contact, solve_elastic
     use mdrcontact_poroelastic_gel, only: gel_t
     implicit none (type, external)
     private
-    public :: first_time, basis_for, in_time, at_frequency, at_end, laplace_nodes, nodes
+    public :: first_time, basis_for, in_time, at_frequency, at_end, nodes
     public :: columns, relaxation, creep, paraboloid, mean_relaxation, mean_creep, storage, loss
 
     !> What is tabulated. In time tau, per its value on an incompressible half-space: the force after a step of a flat punch's
@@ -48,29 +48,14 @@ contains
         if (shortest < 0.9e-2_wp) order = order + 4
         if (shortest < 0.9e-3_wp) order = order + 8
         if (shortest < 0.9e-4_wp) order = order + 6
-        last = max(200.0_wp, 2.0_wp*sqrt(12.0_wp/shortest), 20.0_wp*gel%ratio)
-        first = 1.0e-3_wp*min(1.0_wp, sqrt(1.0_wp/longest))
-        if (gel%ratio > 0.0_wp) first = min(first, 1.0e-2_wp*gel%ratio)
-        if (present(finer)) then
-            order = order + 6
-            last = 1.5_wp*last
-        end if
+        if (present(finer)) order = order + 6
+        ! |s| is at most 25/tau where the weights of the inverse transform show
+        last = max(4.0_wp*order, 6.0_wp/sqrt(shortest), 20.0_wp*gel%ratio)
+        if (present(finer)) last = 1.5_wp*last
+        first = 0.02_wp*min(1.0_wp, sqrt(1.0_wp/longest))
+        if (gel%ratio > 0.0_wp) first = min(first, 0.02_wp*gel%ratio)
         call new_basis(basis, order, first, last, error)
     end subroutine basis_for
-
-    !> Nodes z = s t of the inverse transform of F(s)/s and their weights: f(t) = Im sum w F(z/t).
-    pure subroutine laplace_nodes(z, weight)
-        complex(wp), intent(out) :: z(nodes), weight(nodes)
-        real(wp), parameter :: width = 3.0_wp/real(nodes, wp), opening = pi*real(nodes, wp)/12.0_wp
-        complex(wp) :: turn
-        integer :: j
-
-        do j = 1, nodes
-            turn = cmplx(1.0_wp, (real(j, wp) - 0.5_wp)*width, wp)
-            z(j) = opening*turn**2
-            weight(j) = exp(z(j))/z(j)*(0.0_wp, 2.0_wp)*opening*turn*(width/pi)
-        end do
-    end subroutine laplace_nodes
 
     !> The columns before `storage` at tau.
     subroutine in_time(gel, basis, tau, values, error)
@@ -79,15 +64,16 @@ contains
         real(wp), intent(in) :: tau
         real(wp), intent(out) :: values(mean_creep)
         type(error_t), allocatable, intent(inout) :: error
-        complex(wp) :: z(nodes), weight(nodes), q(basis%order), w(basis%order)
+        complex(wp) :: s(nodes), weight(nodes, 1), q(basis%order), w(basis%order), mean
         integer :: j
 
         values = 0.0_wp
-        call laplace_nodes(z, weight)
+        call inverse_laplace([tau], s, weight)
         do j = 1, nodes
-            call solve_contact(gel, basis, flat, z(j)/tau, q, w, error)
+            call solve_contact(gel, basis, flat, s(j), q, w, error)
             if (allocated(error)) return
-            values = values + aimag(weight(j)*[q(1), 1.0_wp/q(1), of_paraboloid(q), q(1)/z(j), 1.0_wp/(q(1)*z(j))])
+            mean = 1.0_wp/(s(j)*tau)
+            values = values + aimag(weight(j, 1)*[q(1), 1.0_wp/q(1), of_paraboloid(q), q(1)*mean, mean/q(1)])
         end do
     end subroutine in_time
 

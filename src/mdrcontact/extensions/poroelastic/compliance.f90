@@ -55,7 +55,7 @@ contains
             unit = thickness
         end if
         frequency = cmplx(0.0_wp, max(omega*unit**2/diffusivity, lowest_frequency), wp)
-        values = (1.0_wp + yield(gel, k*unit, frequency))/(2.0_wp*shear_modulus*k)
+        values = (1.0_wp + yield(gel, cmplx(k*unit, kind=wp), frequency))/(2.0_wp*shear_modulus*k)
     end subroutine poroelastic_compliance
 
 end module mdrcontact_poroelastic_compliance

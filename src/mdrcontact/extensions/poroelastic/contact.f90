@@ -11,7 +11,7 @@ module mdrcontact_poroelastic_contact
     use mdrcontact_error, only: error_no_convergence, error_t, raise
     use mdrcontact_kinds, only: wp
     use mdrcontact_lapack, only: zgesv
-    use mdrcontact_poroelastic_basis, only: basis_t
+    use mdrcontact_numerics_waves, only: basis_t
     use mdrcontact_poroelastic_gel, only: gel_t, sealed_by_indenter
     use mdrcontact_poroelastic_kernel, only: exchange, yield
     implicit none (type, external)
@@ -40,11 +40,9 @@ contains
         if (allocated(error)) return
         allocate (r(basis%order, basis%order), p(basis%order, basis%order))
         p = 0.0_wp
-        call basis%project(yield(gel, basis%k, s) - gel%local(), yield(gel, basis%far, s) - gel%local(), .false., r, error)
+        call basis%project(yield(gel, basis%k, s) - gel%local(), .false., r)
         call add_to_diagonal(r, gel%local())
-        if (gel%drainage == sealed_by_indenter) then
-            call basis%project(exchange(gel, basis%k, s), exchange(gel, basis%far, s), .true., p, error)
-        end if
+        if (gel%drainage == sealed_by_indenter) call basis%project(exchange(gel, basis%k, s), .true., p)
         call solve_shape(r + p, shape, w, error)
         q = w
         if (gel%drainage == sealed_by_indenter) then
@@ -61,7 +59,7 @@ contains
         complex(wp), intent(out) :: q(:)
         type(error_t), allocatable, intent(inout) :: error
         complex(wp), allocatable :: r(:, :)
-        complex(wp) :: sigma, chi(basis%count), none(size(basis%far))
+        complex(wp) :: sigma, chi(size(basis%k))
         type(film_t) :: film
         real(wp) :: poisson
         integer :: i
@@ -72,13 +70,12 @@ contains
         poisson = merge(gel%poisson, 0.5_wp, is_drained)
         film = new_film(cmplx(poisson, 0.0_wp, wp), cmplx(poisson, 0.0_wp, wp), (0.0_wp, 0.0_wp))
         chi = 0.0_wp
-        none = 0.0_wp
         if (gel%ratio > 0.0_wp) then
-            do i = 1, basis%count
-                call film%response(cmplx(basis%k(i)/gel%ratio, 0.0_wp, wp), normal_to, sigma, chi(i))
+            do i = 1, size(chi)
+                call film%response(basis%k(i)/gel%ratio, normal_to, sigma, chi(i))
             end do
         end if
-        call basis%project(2.0_wp*(1.0_wp - poisson)*chi, none, .false., r, error)
+        call basis%project(2.0_wp*(1.0_wp - poisson)*chi, .false., r)
         call add_to_diagonal(r, 1.0_wp - 2.0_wp*poisson)
         call solve_shape(r, flat, q, error)
     end subroutine solve_elastic

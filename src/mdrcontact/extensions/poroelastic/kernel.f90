@@ -17,15 +17,15 @@ contains
     !> surface which drains everywhere.
     elemental function yield(gel, k, s) result(r)
         type(gel_t), intent(in) :: gel
-        !> > 0 [1/a]
-        real(wp), intent(in) :: k
+        !> real and > 0, or beyond the reach of a film's base [1/a]
+        complex(wp), intent(in) :: k
         !> not on the negative axis [D/a^2]
         complex(wp), intent(in) :: s
         complex(wp) :: r
 
         ! beyond, the base changes it by less than rounding
-        if (gel%ratio > 0.0_wp .and. k < 20.0_wp*gel%ratio) then
-            r = film_yield(gel%poisson, gel%drainage == sealed, k/gel%ratio, s/gel%ratio**2)
+        if (gel%ratio > 0.0_wp .and. real(k, wp) < 20.0_wp*gel%ratio) then
+            r = film_yield(gel%poisson, gel%drainage == sealed, real(k, wp)/gel%ratio, s/gel%ratio**2)
         else
             r = half_space_yield(gel, k, s)
         end if
@@ -33,8 +33,7 @@ contains
 
     elemental function half_space_yield(gel, k, s) result(r)
         type(gel_t), intent(in) :: gel
-        real(wp), intent(in) :: k
-        complex(wp), intent(in) :: s
+        complex(wp), intent(in) :: k, s
         complex(wp) :: r
         complex(wp) :: q, y
 
@@ -47,8 +46,7 @@ contains
     !> Phi/k: the flux through the surface of a half-space per k and total less pore pressure.
     elemental function exchange(gel, k, s) result(ratio)
         type(gel_t), intent(in) :: gel
-        real(wp), intent(in) :: k
-        complex(wp), intent(in) :: s
+        complex(wp), intent(in) :: k, s
         complex(wp) :: ratio
 
         ratio = (1.0_wp + half_space_yield(gel_t(gel%poisson), k, s))*s/(k*(sqrt(k*k + s) + k))
@@ -57,8 +55,7 @@ contains
     !> Pore pressure per total pressure at the surface of a half-space that is sealed everywhere.
     elemental function pore_part(gel, k, s) result(part)
         type(gel_t), intent(in) :: gel
-        real(wp), intent(in) :: k
-        complex(wp), intent(in) :: s
+        complex(wp), intent(in) :: k, s
         complex(wp) :: part
 
         part = exchange(gel, k, s)

@@ -5,9 +5,10 @@ module mdrcontact_poroelastic_pressure
     use mdrcontact_error, only: error_invalid, error_no_convergence, error_t, raise, to_text
     use mdrcontact_gsl, only: gsl_sf_bessel_j0
     use mdrcontact_kinds, only: pi, wp
+    use mdrcontact_numerics_laplace, only: inverse_laplace
     use mdrcontact_numerics_quadrature, only: gauss_legendre, legendre
-    use mdrcontact_poroelastic_answers, only: basis_for, laplace_nodes, nodes
-    use mdrcontact_poroelastic_basis, only: basis_t, new_basis
+    use mdrcontact_numerics_waves, only: basis_t, legendre_waves, wave_rule
+    use mdrcontact_poroelastic_answers, only: basis_for, nodes
     use mdrcontact_poroelastic_contact, only: solve_contact
     use mdrcontact_poroelastic_gel, only: drains_by_surface, gel_t, sealed
     use mdrcontact_poroelastic_kernel, only: pore_part
@@ -59,15 +60,15 @@ contains
         logical, intent(in) :: is_pore
         real(wp), intent(out) :: load(:)
         type(error_t), allocatable, intent(inout) :: error
-        complex(wp) :: z(nodes), weight(nodes), q(basis%order), w(basis%order)
+        complex(wp) :: s(nodes), weight(nodes, 1), q(basis%order), w(basis%order)
         integer :: j
 
         load = 0.0_wp
-        call laplace_nodes(z, weight)
+        call inverse_laplace([tau], s, weight)
         do j = 1, nodes
-            call solve_contact(gel, basis, shape, z(j)/tau, q, w, error)
+            call solve_contact(gel, basis, shape, s(j), q, w, error)
             if (is_pore) q = q - w
-            load = load + aimag(weight(j)*q)
+            load = load + aimag(weight(j, 1)*q)
         end do
     end subroutine load_in_time
 
@@ -120,27 +121,27 @@ contains
         real(wp), intent(in) :: shape(2), tau, r(:)
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(inout) :: error
-        type(basis_t) :: waves
-        complex(wp) :: z(nodes), weight(nodes), q(basis%order), w(basis%order)
-        real(wp), allocatable :: part(:), terms(:)
+        complex(wp) :: s(nodes), weight(nodes, 1), q(basis%order), w(basis%order)
+        real(wp), allocatable :: k(:), dk(:), b(:, :), part(:), terms(:)
         logical, allocatable :: shorter(:)
         real(wp) :: off
         integer :: i, j
 
-        call new_basis(waves, basis%order, min(1.0e-3_wp, 1.0e-3_wp/sqrt(tau)), max(last_wave, last_ratio/sqrt(tau)), error)
+        call wave_rule(min(1.0e-3_wp, 1.0e-3_wp/sqrt(tau)), max(last_wave, last_ratio/sqrt(tau)), 2.0_wp, k, dk, error)
         if (allocated(error)) return
-        allocate (part(waves%count))
+        allocate (b(basis%order, size(k)), part(size(k)))
+        call legendre_waves(k, b, error)
         part = 0.0_wp
-        call laplace_nodes(z, weight)
+        call inverse_laplace([tau], s, weight)
         do j = 1, nodes
-            call solve_contact(gel, basis, shape, z(j)/tau, q, w, error)
-            part = part + aimag(weight(j)*pore_part(gel, waves%k, z(j)/tau)*matmul(q, waves%b))
+            call solve_contact(gel, basis, shape, s(j), q, w, error)
+            part = part + aimag(weight(j, 1)*pore_part(gel, cmplx(k, kind=wp), s(j))*matmul(q, b))
         end do
-        part = 0.5_wp*pi*waves%weight*waves%k*part
-        shorter = waves%k > waves%k(waves%count)/3.0_wp
+        part = dk*k*part
+        shorter = k > k(size(k))/3.0_wp
         off = 0.0_wp
         do i = 1, size(r)
-            terms = part*bessel(waves%k*r(i))
+            terms = part*bessel(k*r(i))
             values(i) = sum(terms)
             off = max(off, abs(sum(terms, mask=shorter)))
         end do

@@ -11,7 +11,7 @@ module mdrcontact_poroelastic_table
     use mdrcontact_numerics_chebyshev, only: chebyshev_sum, node, series_of_values, terms
     use mdrcontact_poroelastic_answers, only: at_end, at_frequency, basis_for, columns, first_time, in_time, storage
     use mdrcontact_poroelastic_early, only: early_part, early_terms, fit_early
-    use mdrcontact_poroelastic_basis, only: basis_t
+    use mdrcontact_numerics_waves, only: basis_t
     use mdrcontact_poroelastic_gel, only: gel_t, new_gel
     implicit none (type, external)
     private

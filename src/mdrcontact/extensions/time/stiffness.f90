@@ -8,7 +8,7 @@ module mdrcontact_time_stiffness
     use mdrcontact_error, only: check_code, check_positive, error_domain, error_invalid, error_no_convergence, error_t, raise, &
                                 raise_at, to_text
     use mdrcontact_contact_relaxing_contact, only: refuse_attraction, relaxing_contact_t
-    use mdrcontact_kinds, only: pi, wp
+    use mdrcontact_kinds, only: wp
     use mdrcontact_line_kernel, only: kernel_t
     use mdrcontact_line_part, only: new_part, part_memory_t, part_t
     use mdrcontact_line_shared, only: layered_shared_t, shared_kernel
@@ -16,11 +16,12 @@ module mdrcontact_time_stiffness
     use mdrcontact_material, only: moduli_t
     use mdrcontact_medium_viscoelastic, only: viscoelastic_t
     use mdrcontact_model, only: models
+    use mdrcontact_numerics_laplace, only: inverse_laplace
     implicit none (type, external)
     private
     public :: dynamic_stiffness, step_response, step_relaxation, step_creep
 
-    !> Nodes of the inverse Laplace transform on a parabola: Weideman, Trefethen, Math. Comp. 76 (2007) 1341.
+    !> Nodes of the inverse Laplace transform.
     integer, parameter :: nodes = 16
     real(wp), parameter :: tolerance = 1.0e-13_wp
     !> By how much the table of chi may miss it. Beside a dashpot, at times far below its own, layers are millions of times stiffer
@@ -79,9 +80,7 @@ contains
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
         type(stiffness_t) :: at
-        complex(wp) :: z, k, before, weight
-        real(wp) :: theta
-        real(wp), parameter :: width = 3.0_wp/real(nodes, wp), opening = pi*real(nodes, wp)/12.0_wp
+        complex(wp) :: s(nodes), weight(nodes, 1), k, before
         integer :: i, j
 
         values = 0.0_wp
@@ -93,20 +92,18 @@ contains
         if (allocated(error)) return
         do i = 1, size(time)
             before = 0.0_wp
-            do j = 0, nodes - 1
-                theta = (real(j, wp) + 0.5_wp)*width
-                z = opening*cmplx(1.0_wp, theta, wp)**2
-                weight = exp(z)/z*(0.0_wp, 2.0_wp)*opening*cmplx(1.0_wp, theta, wp)*(width/pi)
-                call stiffness_at(contact%medium, at, z/time(i), radius, k, error)
+            call inverse_laplace(time(i:i), s, weight)
+            do j = 1, nodes
+                call stiffness_at(contact%medium, at, s(j), radius, k, error)
                 if (allocated(error)) then
                     ! the stiffness hardly changes from node to node
                     if (error%code /= error_no_convergence) return
-                    if (.not. abs(weight*before) < dispensable*abs(values(i))) return
+                    if (.not. abs(weight(j, 1)*before) < dispensable*abs(values(i))) return
                     deallocate (error)
                     exit
                 end if
                 if (step == step_creep) k = 1.0_wp/k
-                values(i) = values(i) + aimag(weight*k)
+                values(i) = values(i) + aimag(weight(j, 1)*k)
                 before = k
             end do
         end do

@@ -11,17 +11,16 @@ module mdrcontact_tension_body_part
     use mdrcontact_gsl, only: gsl_sf_bessel_jn_array, gsl_success
     use mdrcontact_kinds, only: pi, wp
     use mdrcontact_lapack, only: dgemm
-    use mdrcontact_numerics_quadrature, only: gauss_legendre
+    use mdrcontact_numerics_waves, only: wave_rule
     use mdrcontact_tension_green, only: green_t
     implicit none (type, external)
     private
-    public :: add_body_part, wave_basis, wave_rule
+    public :: add_body_part, wave_basis, body_waves
 
-    !> Nodes of a panel of wavenumbers, and how many radians of a wave it may hold.
-    integer, parameter :: nodes = 16
-    real(wp), parameter :: radians = 8.0_wp
-    !> First and last wavenumber [1/depth of all layers], [1/depth of the first]; growth of the panels.
-    real(wp), parameter :: first_wave = 1.0e-13_wp, last_wave = 22.0_wp, growth = 3.0_wp
+    !> First and last wavenumber [1/depth of all layers], [1/depth of the first].
+    real(wp), parameter :: first_wave = 1.0e-13_wp, last_wave = 22.0_wp
+    !> The waves by which what the layers change falls, as a distance [depth of the first].
+    real(wp), parameter :: fall = 7.5_wp
     !> Bessel functions below this are nothing.
     real(wp), parameter :: smallest_bessel = 1.0e-60_wp
 
@@ -38,7 +37,7 @@ contains
         integer :: i, n
 
         if (.not. compliance%first_depth > 0.0_wp) return
-        call wave_rule(green, compliance, 2.0_wp*a, k, weight, error)
+        call body_waves(green, compliance, 2.0_wp*a, k, weight, error)
         if (allocated(error)) return
         n = size(matrix, 1)
         allocate (basis(n, size(k)), rates(n, size(k)), weighted(n, size(k)), half(n, n))
@@ -53,33 +52,24 @@ contains
     end subroutine add_body_part
 
     !> Wavenumbers, and weights times kappa - kappa_0, for integrals with waves over a distance.
-    subroutine wave_rule(green, compliance, distance, k, weight, error)
+    subroutine body_waves(green, compliance, distance, k, weight, error)
         type(green_t), intent(in) :: green
         class(compliance_t), intent(in) :: compliance
         !> [length]
         real(wp), intent(in) :: distance
         real(wp), allocatable, intent(out) :: k(:), weight(:)
         type(error_t), allocatable, intent(inout) :: error
-        real(wp), allocatable :: edges(:), ratio(:)
+        real(wp), allocatable :: ratio(:)
         complex(wp), allocatable :: bare(:), change(:)
-        real(wp) :: t(nodes), w(nodes), longest, edge
-        integer :: i
 
-        call gauss_legendre(t, w, error)
+        call wave_rule(first_wave/compliance%last_depth, last_wave/compliance%first_depth, &
+                       max(distance, fall*compliance%first_depth), k, weight, error)
         if (allocated(error)) return
-        longest = min(radians/distance, 2.0_wp/compliance%first_depth)
-        edges = [0.0_wp, first_wave/compliance%last_depth]
-        do while (edges(size(edges)) < last_wave/compliance%first_depth)
-            edge = edges(size(edges))
-            edges = [edges, edge + min((growth - 1.0_wp)*edge, longest)]
-        end do
-        k = [(edges(i) + (edges(i + 1) - edges(i))*t, i=1, size(edges) - 1)]
-        weight = [((edges(i + 1) - edges(i))*w, i=1, size(edges) - 1)]
         allocate (bare(size(k)), change(size(k)))
         call compliance%split(cmplx(k, 0.0_wp, wp), bare, change)
         ratio = green%spectrum(k)/real(bare, wp)
         weight = weight*real(change, wp)*ratio**2/(1.0_wp + (1.0_wp - ratio)*real(change/bare, wp))
-    end subroutine wave_rule
+    end subroutine body_waves
 
     !> The basis alone.
     subroutine wave_basis(k, a, n, couple, basis, error)

@@ -7,7 +7,7 @@ module mdrcontact_tension_fields
     use mdrcontact_kinds, only: half_pi, pi, wp
     use mdrcontact_numerics_chebyshev, only: chebyshev_sum, chebyshev_sums
     use mdrcontact_numerics_quadrature, only: gauss_legendre, legendre
-    use mdrcontact_tension_body_part, only: wave_basis, wave_rule
+    use mdrcontact_tension_body_part, only: body_waves, wave_basis
     use mdrcontact_tension_green, only: green_t, of_couple, of_load
     implicit none (type, external)
     private
@@ -168,7 +168,7 @@ contains
         integer :: i, couple
 
         couple = merge(1, 0, green%columns > 2)
-        call wave_rule(green, compliance, self%radius + maxval(x), k, weight, error)
+        call body_waves(green, compliance, self%radius + maxval(x), k, weight, error)
         if (allocated(error)) return
         call wave_basis(k, self%radius, size(self%cosines), couple, basis, error)
         if (allocated(error)) return
