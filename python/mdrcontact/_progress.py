@@ -37,7 +37,10 @@ def on_terminal() -> Iterator[Progress]:
         if what != phase:
             line.close()
             phase = what
-            shown = line.enter_context(waiting(what) if total is None else bar(int(total), what))
+            unit, _, where = what.partition(" in ")
+            shown = line.enter_context(waiting(what) if total is None else bar(int(total), unit))
+            if total is not None and where:
+                shown.set_description(where, refresh=False)
         if total is not None:
             shown.total = total
             shown.update(done - shown.n)
@@ -58,7 +61,7 @@ def marching(samples: int, progress: bool | Progress) -> Iterator[None]:
     def follow(reported: Progress) -> None:
         while not done.wait(LOOK):
             rounds, share = divmod(float(part[0]), 1.0)
-            reported.report(samples * share, samples, f"samples in round {int(rounds) + 1}")
+            reported.report(round(samples * share), samples, f"samples in round {int(rounds) + 1}")
 
     def watch() -> None:
         with on_terminal() if progress is True else nullcontext(progress) as reported:

@@ -15,6 +15,7 @@ from .errors import CancelledError
 __all__ = ["Progress"]
 
 Step = Callable[[float, "float | None", str], object]
+_STOPPED = "the work was stopped by its caller"
 _CANCEL = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_void_p)
 _NOW = threading.local()
 """the function that the library calls in this thread, which another one may replace for a time"""
@@ -55,7 +56,7 @@ class Progress:
     def step(self, done: float, total: float | None, what: str) -> None:
         """Report `done` of `total` parts named `what`; raise `CancelledError` if the work must stop."""
         if self._stop():
-            raise CancelledError("the work was stopped by its caller")
+            raise CancelledError(_STOPPED)
         self.report(done, total, what)
 
     def report(self, done: float, total: float | None, what: str) -> None:
@@ -72,22 +73,24 @@ class Progress:
 
         def is_over(_context: object) -> int:
             try:
-                return int(self._stop())
+                if self._stop():
+                    raised.append(CancelledError(_STOPPED))
             except BaseException as problem:  # noqa: BLE001 - Ctrl-C too: it goes on where the call returns
                 raised.append(problem)
-                return 1
+            return int(bool(raised))
 
         before, _NOW.cancel = getattr(_NOW, "cancel", None), _CANCEL(is_over)
         call(native.set_cancel, _NOW.cancel, None)
         try:
             yield
         except CancelledError:
-            if raised:
-                raise raised[0] from None
-            raise
+            if not raised:
+                raise
         finally:
             _NOW.cancel = before
             call(native.set_cancel, before or _usual(), None)
+        if raised:  # also where the work took the end of a call for a refusal, and went on
+            raise raised[0]
 
 
 def _usual() -> Any:

@@ -2,6 +2,7 @@
 """Studies give from Python what their commands print and write, print and write nothing, and commands hold nothing else."""
 
 import ast
+import contextlib
 import csv
 import doctest
 import inspect
@@ -331,3 +332,14 @@ def test_each_command_has_a_text_of_help():
     texts = {path.stem: path.read_text(encoding="utf-8") for path in (PACKAGE / "cli" / "help").glob("*.txt")}
     assert set(texts) == {command.__name__.rpartition(".")[2] for command in COMMANDS}
     assert all(len(text) > 200 and text.endswith("\n") for text in texts.values())
+
+
+def test_a_stop_is_not_taken_for_a_refusal():
+    """Work that goes on after an error of one of its calls ends, too."""
+    contact = mdr.Contact(mdr.Paraboloid(1.0), mdr.Graded([0.0, 0.5, 2.0], [1.0, 2.0, 5.0], 0.3))
+    went_on = []
+    with pytest.raises(mdr.CancelledError, match="stopped by its caller"), Progress(stop=lambda: True).listened():
+        with contextlib.suppress(mdr.MDRError):
+            contact.at_force(np.linspace(0.01, 1.0, 1_000_000))
+        went_on.append(True)
+    assert went_on and contact.at_depth(0.5).force > 0.0
