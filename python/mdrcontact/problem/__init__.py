@@ -7,13 +7,12 @@ from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from .._units import Dimension
 from ..contact import Contact
 from ..medium import Medium
 from ..medium.viscoelastic import is_viscoelastic
 from ..poroelastic import is_poroelastic
 from ..profile import Profile
-from . import adhesion, compute, conduction, friction, history, indenter, medium, strength, wear
+from . import adhesion, compute, conduction, friction, history, indenter, medium, schema, strength, wear
 from .adhesion import Adhesion
 from .compute import Control
 from .conduction import Conducting
@@ -26,14 +25,14 @@ from .tip_file import with_calibration
 from .toml import parse_file, parse_text
 from .wear import Rubbing
 
-__all__ = ["Problem", "ProblemError", "load", "read", "read_text"]
+__all__ = ["Problem", "ProblemError", "load", "read", "read_text", "schema"]
 
 
 class _Part(NamedTuple):
     """A table that not every problem has."""
 
     read: Callable[[Section], Any]
-    known: Mapping[str, Dimension | None]
+    known: schema.Table
     example: str
     """how it begins"""
 
@@ -133,7 +132,7 @@ def read(table: dict[str, Any], title: str = "", folder: Path | None = None, fil
 
 def _read(table: dict[str, Any], title: str, files: Files) -> Problem:
     table = with_calibration(table, files)
-    whole = Section(table, "the file", dict.fromkeys(("title", "indenter", "medium", "compute", *_PARTS)))
+    whole = Section(table, "the file", schema.PROBLEM)
     parts = {name: part.read(Section(table[name], name, part.known, files)) for name, part in _PARTS.items() if name in table}
     path = parts.get("history") or getattr(parts.get("friction"), "path", None)
     sections = {}

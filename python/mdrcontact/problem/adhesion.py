@@ -3,24 +3,39 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import NamedTuple
 
-from .._units import MODULUS, STIFFNESS, WORK_OF_ADHESION, Dimension, dimensions
+from .._units import MODULUS, STIFFNESS, WORK_OF_ADHESION, dimensions
 from ..adhesion import CONTROLS, RULES
 from ..rate_adhesion import RateAdhesion
+from .field import NOT_NEGATIVE, Field, Table
 from .section import ProblemError, Section
 
-_RATE = {name: dimension for name, dimension in dimensions(RateAdhesion).items() if name != "work"}
+_RATE = tuple(
+    Field(name, meaning, dimensions(RateAdhesion)[name], optional=name != "exponent", when={} if name == "speed" else {"speed": ()})
+    for name, meaning in {
+        "speed": "speed of the edge at which its work is twice the work at rest; for mdrcontact history",
+        "exponent": "n of the work of an opening edge, work_of_adhesion (1 + (v/speed)^n)",
+        "closing_work": "work of a closing edge at rest; without it work_of_adhesion",
+        "closing_speed": "speed of a closing edge; without it speed",
+        "closing_exponent": "exponent of a closing edge; without it exponent",
+    }.items()
+)
 
-KNOWN: Mapping[str, Dimension | None] = {
-    "work_of_adhesion": WORK_OF_ADHESION,
-    "cohesive_stress": MODULUS,
-    "adhesion_rule": None,
-    "control": None,
-    "spring_stiffness": STIFFNESS,
-    **_RATE,
-}
+KNOWN = Table(
+    "adhesion",
+    (
+        Field("work_of_adhesion", "work of adhesion", WORK_OF_ADHESION, range=NOT_NEGATIVE),
+        Field("cohesive_stress", "cohesive stress of finite-range adhesion; 0: JKR limit", MODULUS, 0.0, range=NOT_NEGATIVE),
+        Field("adhesion_rule", "critical elongation at the edge", default="automatic", choices=tuple(RULES)),
+        Field(
+            "control", "prescribed quantity of a loop; spring if spring_stiffness is given", None, "depth", choices=tuple(CONTROLS)
+        ),
+        Field("spring_stiffness", "stiffness of a spring such as a cantilever", STIFFNESS, when={"control": ("spring",)}),
+        *_RATE,
+    ),
+    "docs/adhesion.md",
+)
 
 
 class Adhesion(NamedTuple):
@@ -38,19 +53,17 @@ class Adhesion(NamedTuple):
 def read_adhesion(section: Section) -> Adhesion:
     """What [adhesion] says; without a control a given spring means "spring", none means "depth"."""
     has_spring = "spring_stiffness" in section
-    control = section.choice("control", CONTROLS, default="spring" if has_spring else "depth")
+    control = "spring" if has_spring and "control" not in section else section.value("control")
     if has_spring and control != "spring":
         raise ProblemError(f'[{section.path}]: spring_stiffness belongs to control = "spring", not to {control!r}')
-    spring = section.quantity("spring_stiffness") if control == "spring" else None
-    rule = section.choice("adhesion_rule", RULES, default="automatic")
-    stress = section.positive("cohesive_stress", zero=True) if "cohesive_stress" in section else 0.0
-    work = section.positive("work_of_adhesion", zero=True)
+    spring = section.value("spring_stiffness") if control == "spring" else None
+    rule, stress, work = (section.value(key) for key in ("adhesion_rule", "cohesive_stress", "work_of_adhesion"))
     return Adhesion(work, stress, rule, control, spring, _read_rate(section, work))
 
 
 def _read_rate(section: Section, work: float) -> RateAdhesion | None:
     """The work of adhesion over the speed of the edge, if the file has a speed."""
-    given = section.given(_RATE)
+    given = section.given(one.name for one in _RATE)
     if not given:
         return None
     for key in ("speed", "exponent"):

@@ -4,29 +4,34 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from .._units import QUANTITIES, Dimension
+from .._units import QUANTITIES, RATIO, Dimension
 from ..contact import Contact, State
 from ..errors import MDRError
+from .field import POSITIVE, Field, Range, Table
 from .section import ProblemError, Section
 
 _LISTS = {"depth": "depths", "force": "forces", "radius": "radii"}
 DIMENSIONS = {name: QUANTITIES[name] for name in _LISTS}
-
-KNOWN: Mapping[str, Dimension | None] = {
-    **{f"max_{name}": dimension for name, dimension in DIMENSIONS.items()},
-    **{f"min_{name}": dimension for name, dimension in DIMENSIONS.items()},
-    **{_LISTS[name]: dimension for name, dimension in DIMENSIONS.items()},
-    "points": None,
-    "spacing": None,
-}
-
 MOST_POINTS = 100_000
+_LARGEST: dict[str, tuple[str, ...]] = {f"max_{name}": () for name in DIMENSIONS}
+_EACH = DIMENSIONS.items()
+
+KNOWN = Table(
+    "where to compute; without min_... the first value is the largest/points, or the largest/1000 if spacing is log",
+    (
+        *(Field(f"max_{name}", f"largest {name}", one, range=POSITIVE) for name, one in _EACH),
+        *(Field(f"min_{name}", f"smallest {name}", one, None, True, (), POSITIVE, {f"max_{name}": ()}) for name, one in _EACH),
+        *(Field(_LISTS[name], f"{_LISTS[name]}, ascending", one, many=True) for name, one in _EACH),
+        Field("points", "number of points", RATIO, 100, range=Range(1, MOST_POINTS, True, True), step=1, when=_LARGEST),
+        Field("spacing", "spacing of the points", default="linear", choices=("linear", "log"), when=_LARGEST),
+    ),
+    one_of=(tuple(key for name in DIMENSIONS for key in (f"max_{name}", _LISTS[name])),),
+)
 
 
 class Control(NamedTuple):
@@ -54,7 +59,7 @@ class Control(NamedTuple):
 
 def read_control(section: Section) -> Control:
     """The values that [compute] prescribes."""
-    starts = [key for name in DIMENSIONS for key in (f"max_{name}", _LISTS[name]) if key in section]
+    starts = [key for key in KNOWN.one_of[0] if key in section]
     if len(starts) != 1:
         said = " and ".join(starts) if starts else "none of them is there"
         raise ProblemError(
@@ -65,7 +70,7 @@ def read_control(section: Section) -> Control:
     if not key.startswith("max_"):
         section.only((key,), f"a list of {key}")
         name = next(name for name, many in _LISTS.items() if many == key)
-        return Control(name, np.array(section.ascending(key)))
+        return Control(name, np.array(section.value(key)))
     name = key.removeprefix("max_")
     section.only((key, f"min_{name}", "points", "spacing"), key)
     return Control(name, _range(section, name))
@@ -73,8 +78,7 @@ def read_control(section: Section) -> Control:
 
 def _range(section: Section, name: str) -> NDArray[np.float64]:
     largest = section.quantity(f"max_{name}")
-    points = section.count("points", default=100, largest=MOST_POINTS)
-    logarithmic = section.choice("spacing", ["linear", "log"], default="linear") == "log"
+    points, logarithmic = section.value("points"), section.value("spacing") == "log"
     smallest = largest / 1000.0 if logarithmic else largest / points
     if f"min_{name}" in section:
         smallest = section.quantity(f"min_{name}")

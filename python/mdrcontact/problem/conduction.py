@@ -3,26 +3,38 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import Any, NamedTuple
 
-from .._units import AREA_RESISTANCE, SPEED, THERMAL_AREA_RESISTANCE, Dimension
+from .._units import AREA_RESISTANCE, RATIO, SPEED, THERMAL_AREA_RESISTANCE
 from ..conduction import Conduction
 from ..conductor import conducting
 from ..medium import Pair
+from .field import NOT_NEGATIVE, Field, Table
 from .section import ProblemError, Section
 
 THERMAL, ELECTRICAL = "thermal", "electrical"
 
-KNOWN: Mapping[str, Dimension | None] = {
-    "kind": None,
-    "film": AREA_RESISTANCE,
-    "interfaces": AREA_RESISTANCE,
-    "thermal_film": THERMAL_AREA_RESISTANCE,
-    "thermal_interfaces": THERMAL_AREA_RESISTANCE,
-    "friction_coefficient": None,
-    "speed": SPEED,
-}
+_FILM, _INTERFACES = "resistance in the contact area", "resistance below each layer, from the surface down"
+_CURRENT, _HEAT = {"kind": (ELECTRICAL,)}, {"kind": (THERMAL,)}
+KNOWN = Table(
+    "conduction of heat or current; the materials have conductivities",
+    (
+        Field("kind", "what is conducted", choices=(THERMAL, ELECTRICAL)),
+        Field("film", _FILM, AREA_RESISTANCE, 0.0, range=NOT_NEGATIVE, when=_CURRENT),
+        Field("interfaces", _INTERFACES, AREA_RESISTANCE, optional=True, range=NOT_NEGATIVE, when=_CURRENT, many=True),
+        Field("thermal_film", _FILM, THERMAL_AREA_RESISTANCE, 0.0, range=NOT_NEGATIVE, when=_HEAT),
+        Field("thermal_interfaces", _INTERFACES, THERMAL_AREA_RESISTANCE, optional=True, range=NOT_NEGATIVE, when=_HEAT, many=True),
+        Field(
+            "friction_coefficient",
+            "coefficient of friction, for the heat of friction; goes with speed",
+            RATIO,
+            optional=True,
+            when=_HEAT,
+        ),
+        Field("speed", "sliding speed; goes with friction_coefficient", SPEED, optional=True, when=_HEAT),
+    ),
+    "docs/conduction.md",
+)
 
 
 class Conducting(NamedTuple):
@@ -60,7 +72,7 @@ def check_kind(kind: str, table: Any, path: str) -> None:
 
 def read_conduction(section: Section) -> Conducting:
     """What [conduction] describes."""
-    kind = section.choice("kind", (THERMAL, ELECTRICAL))
+    kind = section.value("kind")
     prefix, other = ("thermal_", "") if kind == THERMAL else ("", "thermal_")
     for key in ("film", "interfaces"):
         if f"{other}{key}" in section:

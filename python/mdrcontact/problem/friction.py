@@ -3,7 +3,6 @@
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Mapping, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
@@ -11,22 +10,13 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from .._units import FORCE, LENGTH, Dimension, shown
+from .._units import FORCE, LENGTH, RATIO, Dimension, shown
+from .field import POSITIVE, Field, Range, Table
 from .roles import ROLES
 from .section import ProblemError, Section
 
 if TYPE_CHECKING:
     from ..instruments.reading.columns import MeasuredTable
-
-KNOWN: Mapping[str, Dimension | None] = {
-    "coefficient": None,
-    "shifts": LENGTH,
-    "tangential_forces": FORCE,
-    "path": None,
-    "normal": None,
-    "tangential": None,
-    "rings": None,
-}
 
 _NORMAL = {name: ROLES[name] for name in ("depth", "force")}
 _TANGENTIAL = {
@@ -34,7 +24,22 @@ _TANGENTIAL = {
     "tangential_force": (FORCE, ("tangential force", "lateral force", "t", "ft")),
 }
 """What columns hold, and their names."""
-_FEWEST_RINGS, _MOST_RINGS = 20, 1000
+_RINGS, _PATH = Range(20, 1000, True, True), {"path": ()}
+
+KNOWN = Table(
+    "friction, in cycles without a path; without amplitudes these are 1 % to 150 % of the shift of sliding",
+    (
+        Field("coefficient", "coefficient of friction", RATIO, range=POSITIVE),
+        Field("shifts", "amplitudes, ascending", LENGTH, optional=True, range=POSITIVE, many=True),
+        Field("tangential_forces", "amplitudes, ascending", FORCE, optional=True, range=POSITIVE, many=True),
+        Field("path", "table of a path", optional=True, is_file=True, example='"path.csv"'),
+        Field("normal", "what a table with both prescribes", optional=True, choices=tuple(_NORMAL), when=_PATH),
+        Field("tangential", "what a table with both prescribes", optional=True, choices=tuple(_TANGENTIAL), when=_PATH),
+        Field("rings", "rings of interacting springs, without it 100", RATIO, None, True, (), _RINGS, _PATH, step=1),
+    ),
+    "docs/friction.md",
+    at_most_one_of=(("shifts", "tangential_forces", "path"),),
+)
 
 
 class SlidingPath(NamedTuple):
@@ -64,31 +69,22 @@ class Sliding(NamedTuple):
 
 def read_friction(section: Section) -> Sliding:
     """What [friction] says."""
-    coefficient = section.number("coefficient")
-    given = [key for key in ("shifts", "tangential_forces", "path") if key in section]
+    coefficient = section.value("coefficient")
+    given = [key for key in KNOWN.at_most_one_of[0] if key in section]
     if len(given) > 1:
         raise ProblemError(
             f"[{section.path}]: give amplitudes as shifts or as tangential_forces, or a path, not as both {given[0]} and {given[1]}"
         )
-    if not 0.0 < coefficient < math.inf:
-        raise ProblemError(f"[{section.path}]: coefficient = {coefficient!r} is not allowed: it must be greater than 0 and finite")
     if given == ["path"]:
         return Sliding(coefficient, "shift", (), _read_path(section))
     section.only(("coefficient", "shifts", "tangential_forces"), "amplitudes of cycles, it goes with path")
     if not given:
         return Sliding(coefficient, "shift", ())
-    amplitudes = section.ascending(given[0], positive=True)
-    return Sliding(coefficient, "shift" if given[0] == "shifts" else "force", tuple(amplitudes))
+    return Sliding(coefficient, "shift" if given[0] == "shifts" else "force", tuple(section.value(given[0])))
 
 
 def _read_path(section: Section) -> SlidingPath:
-    rings = None
-    if "rings" in section:
-        rings = section.count("rings", default=_FEWEST_RINGS, largest=_MOST_RINGS)
-        if rings < _FEWEST_RINGS:
-            raise ProblemError(
-                f"[{section.path}]: rings = {rings} is not allowed: it must be a whole number from {_FEWEST_RINGS} to {_MOST_RINGS}"
-            )
+    rings = section.value("rings")
     table = section.table("path", "path.csv")
     normal, values = _column(section, table, "normal", _NORMAL)
     along, along_values = _column(section, table, "tangential", _TANGENTIAL)

@@ -3,39 +3,49 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from itertools import pairwise
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from .._units import LENGTH, TIME, Dimension
+from .._units import LENGTH, RATIO, TIME
 from ..poroelastic import DRAINAGES
 from .compute import DIMENSIONS, MOST_POINTS
+from .field import POSITIVE, Field, Range, Table
 from .roles import ROLES
 from .section import ProblemError, Section
 
-_PATHS: Mapping[str, tuple[str, ...]] = {
-    "step": ("hold_time",),
-    "ramp": ("rise_time", "hold_time", "fall_time", "retract_to"),
-    "triangle": ("duration",),
-    "sine": ("duration",),
-    "file": ("file", "time", "control"),
-}
-_TIMES = ("rise_time", "hold_time", "fall_time", "duration")
+_STEP, _RAMP, _FILE = {"path": ("step",)}, {"path": ("ramp",)}, {"path": ("file",)}
+_GIVEN = {"path": ("step", "ramp", "triangle", "sine")}
 
-KNOWN: Mapping[str, Dimension | None] = {
-    **DIMENSIONS,
-    "path": None,
-    **dict.fromkeys(_TIMES, TIME),
-    "points": None,
-    "file": None,
-    "time": None,
-    "control": None,
-    "drainage": None,
-    "retract_to": LENGTH,
-}
+KNOWN = Table(
+    "a path in time",
+    (
+        *(Field(name, f"largest {name}", one, range=POSITIVE, when=_GIVEN) for name, one in DIMENSIONS.items()),
+        Field("path", "form of the path", choices=(*_GIVEN["path"], "file")),
+        Field("rise_time", "time of the rise", TIME, range=POSITIVE, when=_RAMP),
+        Field("hold_time", "time at the largest value", TIME, range=POSITIVE, when=_STEP),
+        Field("hold_time", "time at the largest value", TIME, None, True, range=POSITIVE, when=_RAMP),
+        Field("fall_time", "time of the fall", TIME, None, True, range=POSITIVE, when=_RAMP),
+        Field("duration", "time of the path", TIME, range=POSITIVE, when={"path": ("triangle", "sine")}),
+        Field("points", "number of steps", RATIO, 200, range=Range(1, MOST_POINTS, True, True), step=1, when=_GIVEN),
+        Field("file", "table of a path", is_file=True, example='"path.csv"', when=_FILE),
+        Field("time", "title of the column of times", optional=True, example='"time [s]"', when=_FILE),
+        Field("control", "column of the prescribed quantity", default="depth", choices=tuple(DIMENSIONS), when=_FILE),
+        Field(
+            "drainage",
+            "where the fluid of a gel may leave: everywhere, nowhere, or outside the contact",
+            None,
+            None,
+            True,
+            tuple(DRAINAGES),
+        ),
+        Field("retract_to", "depth at the end of the fall, instead of 0", LENGTH, None, True, when=_RAMP),
+    ),
+    "docs/time.md",
+    one_of=(tuple(DIMENSIONS),),
+)
 
 
 class HistoryPath(NamedTuple):
@@ -50,32 +60,33 @@ class HistoryPath(NamedTuple):
 
 def read_history(section: Section) -> HistoryPath:
     """The path that [history] describes."""
-    drainage = section.choice("drainage", DRAINAGES) if "drainage" in section else None
+    drainage = section.value("drainage")
     return _read_path(section)._replace(drainage=drainage)
 
 
 def _read_path(section: Section) -> HistoryPath:
-    kind = section.choice("path", _PATHS)
+    kind = section.value("path")
+    keys = KNOWN.keys_of("path", kind)
     if kind == "file":
-        section.only(("path", "drainage", *_PATHS[kind]), 'path = "file"')
+        section.only(keys, 'path = "file"')
         return _from_file(section)
     given = [name for name in DIMENSIONS if name in section]
     if len(given) != 1:
         raise ProblemError(f'[{section.path}]: give one of depth, force and radius, the largest value, as in depth = "200 nm"')
     name = given[0]
-    section.only(("path", name, "points", "drainage", *_PATHS[kind]), f"path = {kind!r}")
-    largest, points = section.positive(name), section.count("points", default=200, largest=MOST_POINTS)
+    section.only([key for key in keys if key == name or key not in DIMENSIONS], f"path = {kind!r}")
+    largest, points = section.value(name), section.value("points")
     if kind == "step":
-        return HistoryPath(name, *_pieces([0.0, section.positive("hold_time")], [largest, largest], points))
+        return HistoryPath(name, *_pieces([0.0, section.value("hold_time")], [largest, largest], points))
     if kind == "sine":
-        time = np.linspace(0.0, section.positive("duration"), points + 1)
+        time = np.linspace(0.0, section.value("duration"), points + 1)
         values = largest * np.sin(np.pi * np.linspace(0.0, 1.0, points + 1))
         values[-1] = 0.0
         return HistoryPath(name, time, values)
     if kind == "triangle":
-        half = 0.5 * section.positive("duration")
+        half = 0.5 * section.value("duration")
         return HistoryPath(name, *_pieces([0.0, half, 2.0 * half], [0.0, largest, 0.0], points))
-    times, values_at = [0.0, section.positive("rise_time")], [0.0, largest]
+    times, values_at = [0.0, section.value("rise_time")], [0.0, largest]
     end_of_fall = 0.0
     if "retract_to" in section:
         end_of_fall = section.quantity("retract_to")
@@ -83,7 +94,7 @@ def _read_path(section: Section) -> HistoryPath:
             raise ProblemError(f"[{section.path}]: retract_to is a depth below the largest one, reached in fall_time")
     for key, end in (("hold_time", largest), ("fall_time", end_of_fall)):
         if key in section:
-            times.append(times[-1] + section.positive(key))
+            times.append(times[-1] + section.value(key))
             values_at.append(end)
     return HistoryPath(name, *_pieces(times, values_at, points))
 
@@ -99,7 +110,7 @@ def _pieces(times: list[float], values: list[float], points: int) -> tuple[NDArr
 
 def _from_file(section: Section) -> HistoryPath:
     table = section.table("file", "path.csv")
-    control = section.choice("control", DIMENSIONS, default="depth")
+    control = section.value("control")
     title = str(section.plain("time")) if "time" in section else table.find("time", ROLES["time"][1], TIME)
     time, _ = table.column(title, TIME)
     values, _ = table.column(table.find(control, ROLES[control][1], DIMENSIONS[control]), DIMENSIONS[control])

@@ -3,17 +3,24 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping
 
 from .. import profile
-from .._units import ANGLE, LENGTH, Dimension, UnitError, dimensions, to_si
+from .._units import ANGLE, LENGTH, RATIO, UnitError, dimensions, to_si
 from ..errors import InvalidArgumentError
+from .field import NOT_NEGATIVE, POSITIVE, Field, Range, Table, arguments
+from .medium import KNOWN as BODY
+from .medium import MATERIAL
 from .section import Section
 
 
 def _power_law(exponent: float, coefficient: float, length_unit: str) -> profile.PowerLaw:
     """Its coefficient counts in a unit of length of the file."""
-    return profile.PowerLaw(exponent, coefficient * _metres(length_unit) ** (1.0 - exponent))
+    try:
+        return profile.PowerLaw(exponent, coefficient * _metres(length_unit) ** (1.0 - exponent))
+    except OverflowError:
+        raise InvalidArgumentError(f"coefficient = {coefficient:g} is not allowed: it exceeds all numbers in metres") from None
 
 
 def _area_function(coefficients: list[float], length_unit: str, max_height: float, min_height: float = 0.0) -> profile.AreaFunction:
@@ -46,16 +53,41 @@ _SHAPES: Mapping[str, Callable[..., profile.Profile]] = {
     "area-function": _area_function,
 }
 """What makes a shape: its keys are the arguments."""
-
-KNOWN: Mapping[str, Dimension | None] = {
-    "shape": None,
+_ACUTE = Range(0.0, math.pi / 2)
+_DIMENSIONS = {
     **dimensions(*(shape for shape in _SHAPES.values() if isinstance(shape, type)), profile.PowerLaw, profile.AreaFunction),
-    "half_angle": ANGLE,
-    **dict.fromkeys(("coefficient", "coefficients", "length_unit", "material", "body")),
+    **{"half_angle": ANGLE, "coefficient": RATIO, "coefficients": RATIO},
 }
+_FIELDS = (
+    Field("shape", "form of the indenter", choices=tuple(_SHAPES)),
+    Field("radius", "radius of curvature; of a flat punch its radius", range=POSITIVE),
+    Field("inclination", "angle between face and surface", range=_ACUTE),
+    Field("end_radius", "radius of the flat end", range=POSITIVE),
+    Field("blend_radius", "radius at which the rounded tip meets the cone", range=POSITIVE),
+    Field("r", "radii, from 0, ascending, at least three"),
+    Field("f", "heights at these radii, from 0"),
+    Field("exponent", "n of f = c r^n", range=Range(0.0, 100.0, has_largest=True)),
+    Field("max_height", "height up to which the tip is used", range=POSITIVE),
+    Field("min_height", "height below which the tip is a paraboloid", range=NOT_NEGATIVE),
+    Field("half_angle", "angle between face and axis", range=_ACUTE),
+    Field("coefficient", "c of f = c r^n, in length_unit^(1 - n)", range=POSITIVE),
+    Field("coefficients", "C0, C1, ... of the area function, in powers of length_unit", example="[24.5, 1500.0]"),
+    Field("length_unit", "unit of length of the coefficients", example='"nm"'),
+    Field("material", "material of a deformable indenter", optional=True, table=MATERIAL),
+    Field("body", "deformable indenter with layers or a gradient", optional=True, table=BODY),
+)
+
+KNOWN = Table(
+    "the indenter; rigid without material and body",
+    tuple(arguments(_SHAPES, "shape", _DIMENSIONS, _FIELDS)),
+    "docs/indenters.md",
+    one_of=(("inclination", "half_angle"),),
+    at_most_one_of=(("material", "body"),),
+    replaced=(Field("file", "tip of mdrcontact calibrate, instead of shape", optional=True, is_file=True, example='"tip.toml"'),),
+)
 
 
 def read_indenter(section: Section) -> profile.Profile:
     """The indenter that [indenter] describes."""
-    shape = section.choice("shape", _SHAPES)
+    shape = section.value("shape")
     return section.make(_SHAPES[shape], f"the shape {shape!r}", ("shape", "material", "body"))

@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any
 
 from .. import medium
@@ -11,7 +11,10 @@ from .._units import (
     AREA,
     ELECTRICAL_CONDUCTIVITY,
     HEAT_CAPACITY,
+    LENGTH,
     MODULUS,
+    MODULUS_PER_LENGTH,
+    RATIO,
     THERMAL_CONDUCTIVITY,
     TIME,
     Dimension,
@@ -21,51 +24,12 @@ from ..conductor import SLIDING, Conductor, Interface
 from ..crystals import CRYSTALS
 from ..errors import InvalidArgumentError
 from ..material import _ENGINEERING, RIGID, SMOOTH, Elastic, PowerLawRheology, TransverselyIsotropic, Viscoelastic
-from ..medium.models import MODELS, OPTIONS
+from ..medium.models import _WEIGHT_NU, MODELS, OPTIONS
 from ..poroelastic import Poroelastic
+from .field import NOT_NEGATIVE, POSITIVE, Field, Range, Table, arguments
 from .section import ProblemError, Section
 
-_CONDUCTING: Mapping[str, Dimension] = {
-    "thermal_conductivity": THERMAL_CONDUCTIVITY,
-    "thermal_conductivity_along": THERMAL_CONDUCTIVITY,
-    "electrical_conductivity": ELECTRICAL_CONDUCTIVITY,
-    "electrical_conductivity_along": ELECTRICAL_CONDUCTIVITY,
-    "heat_capacity": HEAT_CAPACITY,
-}
-MATERIAL: Mapping[str, Dimension | None] = {
-    **dimensions(Elastic, TransverselyIsotropic),
-    **_ENGINEERING,
-    **dimensions(Viscoelastic, PowerLawRheology, Poroelastic),
-    **{"material": None, "moduli": MODULUS, "times": TIME, "permeability": AREA},
-    **_CONDUCTING,
-}
-_SURFACE = {f"surface_{name}": dimension for name, dimension in dimensions(medium.Surface).items()}
-_PLACE: Mapping[str, Dimension | None] = {**dimensions(medium.Layer), "interface": None}
-"""Keys of a layer beside those of its material."""
-_FILM: Mapping[str, Dimension | None] = {**MATERIAL, **_PLACE}
-_MATERIALS = ("material", "coating", "layer", "substrate")
-"""Tables in that of a medium."""
-
-KNOWN: Mapping[str, Dimension | None] = {
-    "type": None,
-    "model": None,
-    **dict.fromkeys((*_MATERIALS, *OPTIONS)),
-    **_SURFACE,
-    **dimensions(medium.Graded, medium.PowerLawGraded, medium.TabulatedMedium),
-    **_FILM,
-}
-
-
-def read_material(section: Section) -> Any:
-    """The material of a table: the name of a crystal as `material` of one with its axis along z, or what a class makes of keys
-    of which one is its own."""
-    if "material" in section:
-        section.only(("material", *_PLACE), "a material with a name")
-        return _crystal(section, "material")
-    for key, (what, call) in _KINDS.items():
-        if key in section:
-            return section.make(call, f"{what}, which has {', '.join(section.arguments(call))}", _PLACE)
-    return section.make(_elastic, "an elastic material", _PLACE)
+_POISSON = Range(-1.0, 0.5, has_largest=True)
 
 
 def _elastic(
@@ -105,32 +69,102 @@ def _prony(
     return Viscoelastic(relaxed_shear_modulus, zip(moduli, times, strict=True), nu, bulk_modulus, viscosity)
 
 
-_KINDS: Mapping[str, tuple[str, Callable[..., Any]]] = {
-    "diffusivity": ("a gel", Poroelastic),
-    "permeability": ("a gel", Poroelastic.from_permeability),
-    "exponent": ("a power law", PowerLawRheology),
-    "relaxed_shear_modulus": ("a Prony series", _prony),
-    **dict.fromkeys(dimensions(TransverselyIsotropic), ("a material with an axis", TransverselyIsotropic)),
-    **dict.fromkeys(_ENGINEERING, ("a material with an axis", TransverselyIsotropic.from_engineering)),
+_KINDS: Mapping[str, tuple[str, Callable[..., Any], Iterable[str]]] = {
+    "elastic": ("an elastic material", _elastic, ()),
+    "gel": ("a gel", Poroelastic, ("diffusivity",)),
+    "gel by permeability": ("a gel", Poroelastic.from_permeability, ("permeability",)),
+    "power law": ("a power law", PowerLawRheology, ("exponent",)),
+    "Prony series": ("a Prony series", _prony, ("relaxed_shear_modulus",)),
+    "axis": ("a material with an axis", TransverselyIsotropic, dimensions(TransverselyIsotropic)),
+    "axis by engineering constants": ("a material with an axis", TransverselyIsotropic.from_engineering, _ENGINEERING),
 }
-"""By a key that others do not have: what it is, and what makes it. All others are elastic."""
+"""What a material is, what makes it, and keys that no kind below has. One without any is elastic."""
+_MATERIAL_DIMENSIONS: Mapping[str, Dimension] = {
+    **dimensions(Elastic, TransverselyIsotropic, Viscoelastic, PowerLawRheology, Poroelastic),
+    **_ENGINEERING,
+    **{"moduli": MODULUS, "times": TIME, "permeability": AREA, "heat_capacity": HEAT_CAPACITY},
+    **dict.fromkeys(("thermal_conductivity", "thermal_conductivity_along"), THERMAL_CONDUCTIVITY),
+    **dict.fromkeys(("electrical_conductivity", "electrical_conductivity_along"), ELECTRICAL_CONDUCTIVITY),
+}
+_CRYSTALS = tuple(CRYSTALS)
+_CONSTANTS = (
+    Field("E", "Young's modulus", range=POSITIVE),
+    Field("nu", "Poisson's ratio, of a gel drained", range=_POISSON),
+    Field("C11", "stiffness in the plane", range=POSITIVE),
+    Field("C12", "stiffness in the plane, of the other direction"),
+    Field("C13", "stiffness of plane and axis"),
+    Field("C33", "stiffness along the axis z", range=POSITIVE),
+    Field("C44", "shear modulus of planes that contain z", range=POSITIVE),
+    Field("E_t", "Young's modulus in the plane", range=POSITIVE),
+    Field("E_z", "Young's modulus along the axis z", range=POSITIVE),
+    Field("nu_t", "Poisson's ratio in the plane", range=Range(-1.0, 1.0)),
+    Field("nu_tz", "contraction along z over strain in the plane"),
+    Field("G_z", "shear modulus of planes that contain z", range=POSITIVE),
+    Field("relaxed_shear_modulus", "shear modulus after a long time; 0: it flows", range=NOT_NEGATIVE),
+    Field("bulk_modulus", "bulk modulus, elastic", range=POSITIVE),
+    Field("viscosity", "of a dashpot in parallel; of the fluid of a gel", range=NOT_NEGATIVE),
+    Field("modulus", "shear modulus at time", range=POSITIVE),
+    Field("time", "time at which modulus is given", range=POSITIVE),
+    Field("exponent", "n of the shear modulus (t/time)^-n", range=Range(0.0, 1.0)),
+    Field("shear_modulus", "shear modulus", range=POSITIVE),
+    Field("diffusivity", "diffusivity of the fluid", range=POSITIVE),
+    Field("material", "crystal with its axis along z, instead of constants", optional=True, choices=_CRYSTALS),
+    Field("moduli", "shear moduli that relax", range=POSITIVE),
+    Field("times", "relaxation times, as many", range=POSITIVE),
+    Field("permeability", "hydraulic permeability", range=POSITIVE),
+    Field("thermal_conductivity", "thermal conductivity into the body", range=POSITIVE),
+    Field("thermal_conductivity_along", "along the surface; without it the same", range=POSITIVE),
+    Field("electrical_conductivity", "electrical conductivity into the body", range=POSITIVE),
+    Field("electrical_conductivity_along", "along the surface; without it the same", range=POSITIVE),
+    Field("heat_capacity", "heat capacity per volume", range=NOT_NEGATIVE),
+)
+MATERIAL = Table(
+    "constants of a material, or its name",
+    tuple(arguments({kind: call for kind, (_, call, _) in _KINDS.items()}, "", _MATERIAL_DIMENSIONS, _CONSTANTS)),
+    "docs/media.md",
+    one_of=(("nu", "bulk_modulus"),),
+    at_most_one_of=(("thermal_conductivity", "electrical_conductivity"),),
+)
+
+_INTERFACE = Table(
+    "springs between two layers",
+    (
+        Field("normal", "stiffness across per area", MODULUS_PER_LENGTH, optional=True, range=POSITIVE),
+        Field("tangential", "stiffness along per area; 0: it slides", MODULUS_PER_LENGTH, optional=True, range=NOT_NEGATIVE),
+    ),
+    "docs/coatings.md",
+)
+_PLACE = (
+    Field("thickness", "thickness", LENGTH, range=POSITIVE),
+    Field("prestress", "equibiaxial stress in the plane, tension > 0", MODULUS, optional=True),
+    Field("interface", "to what lies below; without it bonded", optional=True, choices=("sliding",), table=_INTERFACE),
+)
+_ALONE = tuple(one.name for one in _PLACE)
+"""Keys of a layer that are not of its material."""
+LAYER = Table(
+    "a layer", (*MATERIAL.fields, *_PLACE), "docs/coatings.md", MATERIAL.one_of, MATERIAL.at_most_one_of, extends=MATERIAL
+)
 
 
-def _crystal(section: Section, key: str) -> TransverselyIsotropic:
-    return CRYSTALS[section.choice(key, CRYSTALS)].material
+def read_material(section: Section) -> Any:
+    """The material of a table: the name of a crystal as `material` of one with its axis along z, or what a class makes of keys
+    of which one is its own."""
+    if "material" in section:
+        section.only(("material", *_ALONE), "a material with a name")
+        return CRYSTALS[section.value("material")].material
+    what, call, own = next((one for one in _KINDS.values() if any(key in section for key in one[2])), _KINDS["elastic"])
+    keys = f", which has {', '.join(section.arguments(call))}" if own else ""
+    return section.make(call, what + keys, _ALONE)
 
 
 def _model(section: Section) -> tuple[str, dict[str, Any]]:
     options = {name: section.plain(name) for name in OPTIONS if name in section}
-    return section.choice("model", MODELS, default="exact"), options
+    return section.value("model"), options
 
 
 def _substrate(section: Section) -> Any:
-    if "substrate" in section and isinstance(section.plain("substrate"), str):
-        bases: dict[str, Any] = {"rigid": RIGID, "smooth": SMOOTH}
-        bases.update((name, crystal.material) for name, crystal in CRYSTALS.items())
-        return bases[section.choice("substrate", bases)]
-    return read_material(section.child("substrate", MATERIAL))
+    found = section.value("substrate")
+    return _BASES[found] if isinstance(found, str) else read_material(found)
 
 
 def _film(section: Section) -> medium.Layer | tuple[Any, float]:
@@ -138,30 +172,24 @@ def _film(section: Section) -> medium.Layer | tuple[Any, float]:
     if "prestress" not in section and "interface" not in section:
         return film
     with section.words():
-        return medium.Layer(*film, section.quantity("prestress", 0.0), _interface(section) if "interface" in section else None)
-
-
-def _interface(section: Section) -> Interface:
-    """ "sliding", or a table of springs."""
-    if isinstance(section.plain("interface"), str):
-        section.choice("interface", ["sliding"])
-        return SLIDING
-    return section.child("interface", dimensions(Interface)).make(Interface)
+        prestress, found = section.value("prestress"), section.value("interface")
+        interface = found.make(Interface) if isinstance(found, Section) else SLIDING if found else None
+        return medium.Layer(*film, prestress or 0.0, interface)
 
 
 def _surface(section: Section) -> medium.Surface | None:
-    given = {key.removeprefix("surface_"): value for key, value in section.given(_SURFACE).items()}
+    given = {key.removeprefix("surface_"): value for key, value in section.given(one.name for one in _SURFACE).items()}
     return medium.Surface(**given) if given else None
 
 
 def _homogeneous(section: Section) -> medium.Medium:
-    named = isinstance(section.plain("material"), str)
-    body = _crystal(section, "material") if named else read_material(section.child("material", MATERIAL))
-    return medium.Homogeneous(body, _surface(section))
+    section.plain("material")  # refused where it is missing
+    found = section.value("material")
+    return medium.Homogeneous(CRYSTALS[found].material if isinstance(found, str) else read_material(found), _surface(section))
 
 
 def _coated(section: Section) -> medium.Medium:
-    film = _film(section.child("coating", _FILM))
+    film = _film(section.value("coating"))
     model, options = _model(section)
     surface = _surface(section)
     if isinstance(film, medium.Layer):
@@ -170,7 +198,7 @@ def _coated(section: Section) -> medium.Medium:
 
 
 def _layered(section: Section) -> medium.Medium:
-    layers = [_film(layer) for layer in section.children("layer", _FILM)]
+    layers = [_film(layer) for layer in section.value("layer")]
     model, options = _model(section)
     return medium.Layered(layers, _substrate(section), model, surface=_surface(section), **options)
 
@@ -181,14 +209,71 @@ def _graded(section: Section) -> medium.Medium:
     return medium.Graded(section.quantities("z"), section.quantities("E"), nu, model, **options)
 
 
-_TYPES: Mapping[str, tuple[tuple[str, ...], Callable[[Section], medium.Medium]]] = {
-    "coated": (("coating", "substrate", "model", *_SURFACE, *OPTIONS), _coated),
-    "layered": (("layer", "substrate", "model", *_SURFACE, *OPTIONS), _layered),
-    "graded": (("z", "E", "nu", "model", *OPTIONS), _graded),
-    "power-law-graded": (("E0", "z0", "exponent", "nu"), lambda section: section.make(medium.PowerLawGraded)),
-    "table": (("a", "moduli"), lambda section: section.make(medium.TabulatedMedium)),
-    "homogeneous": (("material", *_SURFACE), _homogeneous),
+_TYPES: Mapping[str, Callable[[Section], medium.Medium]] = {
+    "coated": _coated,
+    "layered": _layered,
+    "graded": _graded,
+    "power-law-graded": lambda section: section.make(medium.PowerLawGraded),
+    "table": lambda section: section.make(medium.TabulatedMedium),
+    "homogeneous": _homogeneous,
 }
+_LAYERED, _UNDER_MODEL, _WITH_SURFACE = (
+    {"type": types} for types in (("coated", "layered"), ("coated", "layered", "graded"), ("coated", "layered", "homogeneous"))
+)
+_BASES: Mapping[str, Any] = {"rigid": RIGID, "smooth": SMOOTH, **{name: crystal.material for name, crystal in CRYSTALS.items()}}
+_MEANINGS = {
+    "alpha": "factor of the exponent of the weight",
+    "exponent": "exponent of the mean of the moduli",
+    "tolerance": "relative tolerance of the solution, without it 1e-10",
+    "wave_factor": "factor of the contact radius in the wave",
+    "weight_nu": "Poisson's ratio of the weight, a number or a word",
+}
+
+
+def _option(name: str) -> Field:
+    models = {word: model for word, model in MODELS.items() if name in model.options}
+    default = next((model.default_constant for model in models.values() if model.constant == name), None)
+    words = tuple(_WEIGHT_NU) if name == "weight_nu" else ()
+    return Field(
+        name, _MEANINGS[name], RATIO, default, True, words, when={"model": tuple(models)}, example="1e-8" * (name == "tolerance")
+    )
+
+
+_SURFACE = tuple(
+    Field(f"surface_{name}", meaning, dimensions(medium.Surface)[name], 0.0, when=_WITH_SURFACE)
+    for name, meaning in {
+        "tension": "surface tension",
+        "bending": "bending stiffness of a plate that slides on the surface",
+        "stretching": "stiffness in the plane of a bonded sheet",
+    }.items()
+)
+_GRADIENTS = {"graded": medium.Graded, "power-law-graded": medium.PowerLawGraded, "table": medium.TabulatedMedium}
+_OF_GRADIENTS = (
+    Field("z", "depths, from 0, ascending"),
+    Field("E", "Young's moduli there", range=POSITIVE),
+    Field("nu", "Poisson's ratio; for graded one number or one for each z", range=_POISSON),
+    Field("E0", "Young's modulus at depth z0", range=POSITIVE),
+    Field("z0", "a depth", range=POSITIVE),
+    Field("exponent", "m of E = E0 (z/z0)^m", range=Range(-1.0, 1.0)),
+    Field("a", "contact radii, ascending, at least three", range=POSITIVE),
+    Field("moduli", "effective contact moduli there", range=POSITIVE),
+)
+KNOWN = Table(
+    "the body that is indented",
+    (
+        Field("type", "type of the medium", choices=tuple(_TYPES)),
+        Field("model", "model of the effective modulus", default="exact", choices=tuple(MODELS), when=_UNDER_MODEL),
+        Field("material", "material of the half-space", choices=_CRYSTALS, table=MATERIAL, when={"type": ("homogeneous",)}),
+        Field("coating", "the coating", table=LAYER, when={"type": ("coated",)}),
+        Field("layer", "layers from the surface down", table=LAYER, many=True, when={"type": ("layered",)}),
+        Field("substrate", "what is below the layers", choices=tuple(_BASES), table=MATERIAL, when=_LAYERED),
+        *map(_option, OPTIONS),
+        *_SURFACE,
+        *arguments(_GRADIENTS, "type", dimensions(*_GRADIENTS.values()), _OF_GRADIENTS),
+    ),
+    "docs/media.md",
+    inner=LAYER,
+)
 
 
 def read_medium(section: Section, indenter: Section) -> medium.Medium:
@@ -198,9 +283,9 @@ def read_medium(section: Section, indenter: Section) -> medium.Medium:
     if "material" in indenter and "body" in indenter:
         raise ProblemError(f"[{indenter.path}]: material and body say the same thing twice: keep one")
     if "material" in indenter:
-        upper = medium.Homogeneous(read_material(indenter.child("material", MATERIAL)))
+        upper = medium.Homogeneous(read_material(indenter.value("material")))
     if "body" in indenter:
-        upper = _read_body(indenter.child("body", KNOWN))
+        upper = _read_body(indenter.value("body"))
     if upper is None:
         return body
     with indenter.words():
@@ -208,12 +293,12 @@ def read_medium(section: Section, indenter: Section) -> medium.Medium:
 
 
 def _read_body(section: Section) -> medium.Medium:
-    kind = section.choice("type", _TYPES)
-    keys, build = _TYPES[kind]
-    tables = [key for key in keys if key in _MATERIALS]
-    for key in _FILM:
+    kind = section.value("type")
+    keys = KNOWN.keys_of("type", kind)
+    tables = [key for key in keys if KNOWN.field(key).table is not None]
+    for key in LAYER:
         if tables and key not in keys and key in section:
             raise ProblemError(f"[{section.path}]: {key} is not the medium's: write it in [{section.path}.{tables[0]}]")
-    section.only(("type", *keys), f"a medium of type {kind!r}")
+    section.only(keys, f"a medium of type {kind!r}")
     with section.words():
-        return build(section)
+        return _TYPES[kind](section)

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any, TypeVar
 from .._choices import nearest
 from .._units import RATIO, Dimension, UnitError, parse, to_si
 from ..errors import MDRError
+from .field import Field, Table
 from .named import Files, GivenFiles, NamedFile, ProblemError
 
 if TYPE_CHECKING:
@@ -33,8 +34,9 @@ def _real(number: float) -> float:
 class Section:
     """One table of a problem file.
 
-    `known` names its keys: a `Dimension` for quantities, None or `RATIO` for everything else. A quantity is written with its unit
-    in the value, radius = "500 nm", or in the key, radius_nm = 500. Files that it names are among `files`; None: none are.
+    `known` names its keys: a `Table` of the schema, or a mapping with a `Dimension` for quantities, None or `RATIO` for everything
+    else. A quantity is written with its unit in the value, radius = "500 nm", or in the key, radius_nm = 500. Files that it names
+    are among `files`; None: none are.
     """
 
     def __init__(self, table: Any, path: str, known: Mapping[str, Dimension | None], files: Files | None = None) -> None:
@@ -42,6 +44,7 @@ class Section:
             raise ProblemError(f"{path} must be a table: write a line [{path}] and its keys below it")
         self.path, self._files = path, files or GivenFiles()
         self._table = table
+        self._schema = known if isinstance(known, Table) else None
         self._known = {key: dimension if dimension != RATIO else None for key, dimension in known.items()}
         for key in table:
             if key not in known and not any(d and key.startswith(f"{k}_") for k, d in self._known.items()):
@@ -57,20 +60,45 @@ class Section:
             if key not in allowed and key in self:
                 raise ProblemError(f"[{self.path}]: the key {key!r} does not belong to {because}: {nearest(key, sorted(allowed))}")
 
+    def value(self, key: str) -> Any:
+        """What a key says, checked by its field of the schema, in SI units; if it is absent, the default. Lists must ascend, and a
+        table is a `Section`."""
+        assert self._schema is not None
+        field = self._schema.field(key)
+        if key not in self and not field.required:
+            return field.default
+        if field.table is not None and not (field.choices and isinstance(self._table.get(key), str)):
+            return self.children(key, field.table) if field.many else self.child(key, field.table)
+        if field.choices:
+            return self.choice(key, field.choices)
+        if field.many:
+            return self.ascending(key, field.range is not None)
+        if field.step:
+            return self._whole(field)
+        value = self.number(key) if field.kind == "number" else self.quantity(key)
+        if field.range is not None and not field.range.holds(value):
+            shown = value if field.kind == "number" else self.plain(key)
+            bound = "at least 0" if field.range.has_least else "greater than 0"
+            raise ProblemError(f"[{self.path}]: {key} = {shown!r} is not allowed: it must be {bound} and finite")
+        return value
+
+    def _whole(self, field: Field) -> int:
+        assert field.range is not None
+        least, largest = int(field.range.least), int(field.range.largest)
+        value = self.count(field.name, field.default, largest)
+        if value < least or value % field.step:
+            rule = f"multiple of {field.step}" if field.step > 1 else "whole number"
+            raise ProblemError(
+                f"[{self.path}]: {field.name} = {value} is not allowed: it must be a {rule} from {least} to {largest}"
+            )
+        return value
+
     def quantity(self, key: str, default: float | None = None) -> float:
         """A quantity in SI units."""
         if default is not None and key not in self:
             return default
         value, suffix = self._found(key)
         return self._convert(key, value, suffix)
-
-    def positive(self, key: str, zero: bool = False) -> float:
-        """A quantity that is finite and greater than 0, or 0 where that is allowed."""
-        value = self.quantity(key)
-        if not 0.0 < value < math.inf and not (zero and value == 0.0):
-            bound = "at least 0" if zero else "greater than 0"
-            raise ProblemError(f"[{self.path}]: {key} = {self.plain(key)!r} is not allowed: it must be {bound} and finite")
-        return value
 
     def quantities(self, key: str) -> list[float]:
         """A list of quantities in SI units."""

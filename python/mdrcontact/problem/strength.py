@@ -3,17 +3,24 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-
-from .._units import MODULUS, Dimension
+from .._units import MODULUS
+from .field import POSITIVE, Field, Table
 from .section import ProblemError, Section
 
-KNOWN: Mapping[str, Dimension | None] = {
-    "von_mises": MODULUS,
-    "tension": MODULUS,
-    "interface_shear": MODULUS,
-    "interface_tension": MODULUS,
+_MEANINGS = {
+    "von_mises": "largest von Mises stress of each layer",
+    "tension": "largest principal stress of each layer",
+    "interface_shear": "largest shear stress of each interface",
+    "interface_tension": "largest tension of each interface",
 }
+KNOWN = Table(
+    'strengths, from the surface down, the substrate last; "none": no failure of that layer',
+    tuple(
+        Field(name, meaning, MODULUS, optional=True, choices=("none",), range=POSITIVE, many=True)
+        for name, meaning in _MEANINGS.items()
+    ),
+    "docs/stress.md",
+)
 
 Strengths = dict[str, list[float | None]]
 

@@ -3,21 +3,23 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import NamedTuple
 
-from .._units import LENGTH, WEAR, Dimension
+from .._units import LENGTH, RATIO, WEAR
 from ..wear import SCHEMES
-from .section import ProblemError, Section
+from .field import POSITIVE, Field, Range, Table
+from .section import Section
 
-KNOWN: Mapping[str, Dimension | None] = {
-    "coefficient": WEAR,
-    "sliding": LENGTH,
-    "intervals": None,
-    "scheme": None,
-}
-
-_USUAL_INTERVALS, _FEWEST_INTERVALS, _MOST_INTERVALS = 80, 16, 640
+KNOWN = Table(
+    "wear by Archard's law at the largest depth, force or radius of [compute]",
+    (
+        Field("coefficient", "worn volume per force and distance", WEAR, range=POSITIVE),
+        Field("sliding", "sliding distances, ascending", LENGTH, range=POSITIVE, many=True),
+        Field("intervals", "intervals of the profile", RATIO, 80, range=Range(16, 640, True, True), step=4),
+        Field("scheme", "discretization; a flat punch needs rings", default=SCHEMES[0], choices=SCHEMES),
+    ),
+    "docs/wear.md",
+)
 
 
 class Rubbing(NamedTuple):
@@ -33,11 +35,5 @@ class Rubbing(NamedTuple):
 
 def read_wear(section: Section) -> Rubbing:
     """What [wear] says."""
-    intervals = section.count("intervals", default=_USUAL_INTERVALS, largest=_MOST_INTERVALS)
-    if intervals < _FEWEST_INTERVALS or intervals % 4:
-        raise ProblemError(
-            f"[{section.path}]: intervals = {intervals} is not allowed: it must be a multiple of 4 from {_FEWEST_INTERVALS} to "
-            f"{_MOST_INTERVALS}"
-        )
-    scheme = section.choice("scheme", SCHEMES, SCHEMES[0])
-    return Rubbing(section.positive("coefficient"), tuple(section.ascending("sliding", positive=True)), intervals, scheme)
+    intervals, scheme, coefficient, sliding = map(section.value, ("intervals", "scheme", "coefficient", "sliding"))
+    return Rubbing(coefficient, tuple(sliding), intervals, scheme)
