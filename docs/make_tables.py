@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Computes the tables of models.md and writes them into it. python docs/make_tables.py [--check]
+"""Computes the tables of models.md and the keys of problems.md, and writes them there. python docs/make_tables.py [--check]
 
 --check writes nothing and ends with status 1 if a table there is not what the library computes.
 """
@@ -14,8 +14,10 @@ from pathlib import Path
 import numpy as np
 
 import mdrcontact as mdr
+from mdrcontact.cli.keys import listing
+from mdrcontact.problem.schema import PROBLEM
 
-PAGE = Path(__file__).resolve().parent / "models.md"
+DOCS = Path(__file__).resolve().parent
 RADII = np.geomspace(0.03, 30.0, 61)
 """a/h"""
 MODELS = mdr.accuracy_map([2.0], [1.0]).models
@@ -79,22 +81,38 @@ def _around_one(ratios: np.ndarray, good: np.ndarray) -> str:
     return f"{low} to {high}"
 
 
-TABLES: dict[str, Callable[[], str]] = {"modulus_error": modulus_error, "both_errors": both_errors, "ranges": ranges}
+def keys() -> str:
+    """Every key of a problem file."""
+    return f"```text\n{listing(one.name for one in PROBLEM.fields if one.table)}```"
+
+
+TABLES: dict[str, dict[str, Callable[[], str]]] = {
+    "models.md": {"modulus_error": modulus_error, "both_errors": both_errors, "ranges": ranges},
+    "problems.md": {"keys": keys},
+}
+"""By page."""
+
+
+def with_tables(name: str) -> tuple[str, str]:
+    """The text of a page, and the text with its tables made anew."""
+    before = after = (DOCS / name).read_text(encoding="utf-8")
+    for table, make in TABLES[name].items():
+        pattern = rf"(?<=<!-- table: {table} -->\n\n).*?(?=\n\n<!-- end -->)"
+        made = make()
+        after, count = re.subn(pattern, lambda _, made=made: made, after, flags=re.DOTALL)
+        assert count == 1, f"{name} has no place for the table {table}"
+    return before, after
 
 
 def main() -> int:
     """Writes or checks every table."""
-    before = PAGE.read_text(encoding="utf-8")
-    after = before
-    for name, table in TABLES.items():
-        pattern = rf"(?<=<!-- table: {name} -->\n\n).*?(?=\n\n<!-- end -->)"
-        made = table()
-        after, count = re.subn(pattern, lambda _, made=made: made, after, flags=re.DOTALL)
-        assert count == 1, f"{PAGE.name} has no place for the table {name}"
+    pages = {name: with_tables(name) for name in TABLES}
     if "--check" in sys.argv:
-        print("the tables are right" if after == before else "a table is not what the library computes: run docs/make_tables.py")
-        return int(after != before)
-    PAGE.write_text(after, encoding="utf-8")
+        wrong = [name for name, (before, after) in pages.items() if before != after]
+        print(f"not what the library computes: {', '.join(wrong)}: run docs/make_tables.py" if wrong else "the tables are right")
+        return int(bool(wrong))
+    for name, (_, after) in pages.items():
+        (DOCS / name).write_text(after, encoding="utf-8")
     return 0
 
 

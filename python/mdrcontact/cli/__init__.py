@@ -24,6 +24,7 @@ from . import (
     friction,
     history,
     inspect,
+    keys,
     law,
     modulus,
     stress,
@@ -67,14 +68,6 @@ ready-made one:
     mdrcontact compare problem.toml --plot compare.png
 """
 
-_EPILOG = """\
-exit status:
-  0  done
-  1  the problem is well-formed but cannot be solved, or a result cannot be written
-  2  the command line or the problem file is wrong
-  130  interrupted by Ctrl-C
-"""
-
 
 class _Warnings:
     """Prints each warning of a command once, whichever of its contacts gave it."""
@@ -90,9 +83,9 @@ class _Warnings:
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Runs the command; returns its exit status. Faults are printed in one line on standard error."""
-    parser = argparse.ArgumentParser(prog="mdrcontact", description=_DESCRIPTION, epilog=_EPILOG, formatter_class=_FORMAT)
+    parser = argparse.ArgumentParser(prog="mdrcontact", description=_DESCRIPTION, epilog=keys.EXIT_STATUS, formatter_class=_FORMAT)
     parser.add_argument("--version", action="version", version=f"mdrcontact {__version__}")
-    subparsers = parser.add_subparsers(metavar="COMMAND", required=True)
+    subparsers = parser.add_subparsers(metavar="COMMAND", required=True, parser_class=keys.Parser)
     for command in COMMANDS:
         name = command.__name__.rpartition(".")[2]
         added = subparsers.add_parser(name, help=command.HELP, description=_description(name), formatter_class=_FORMAT)
