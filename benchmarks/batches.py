@@ -42,8 +42,8 @@ def cases():
     half_space_force = on_half_space.at_depth(many).force
     return [
         ("g of a paraboloid", many.size, lambda: ball.mdr(many)),
-        ("weight I0", many.size, lambda: mdr.weight_i0(many, 0.3)),
-        ("closed form (24)", many.size, lambda: mdr.coated_paraboloid_force(many, 1.0, 3.0, 1.0, 0.5)),
+        ("weight I0", many.size, lambda: mdr.weights.weight_i0(many, 0.3)),
+        ("closed form (24)", many.size, lambda: mdr.closed_forms.coated_paraboloid_force(many, 1.0, 3.0, 1.0, 0.5)),
         ("weights of a point, lateral", many.size, lambda: density(many, many, 0.3)),
         ("E_eff, Gao's weights", many.size, lambda: gao.modulus(many)),
         ("E_eff, exact film, a up to h", some.size, lambda: exact.modulus(some)),

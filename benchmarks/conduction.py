@@ -15,6 +15,7 @@ from functools import partial
 import numpy as np
 
 import mdrcontact as mdr
+from mdrcontact.conduction import Conduction, Conductor, LayeredConductor
 
 ROUNDS = 9
 RATIOS = (0.3, 1.0, 3.0, 10.0)
@@ -37,16 +38,16 @@ def compare(first: Callable[[], object], second: Callable[[], object], repeats: 
 
 def main() -> int:
     """Prints the rows; how many budgets are missed."""
-    film = mdr.Elastic(50e9, 0.36, mdr.Conductor(9.17e6, None, 1.7e6))
-    base = mdr.Elastic(117e9, 0.34, mdr.Conductor(59.6e6, None, 3.4e6))
+    film = mdr.Elastic(50e9, 0.36, Conductor(9.17e6, None, 1.7e6))
+    base = mdr.Elastic(117e9, 0.34, Conductor(59.6e6, None, 3.4e6))
     body = mdr.Coated(film, 1.0, base)
-    contact, conduction = mdr.Contact(mdr.Paraboloid(1e3), body), mdr.Conduction(body)
+    contact, conduction = mdr.Contact(mdr.Paraboloid(1e3), body), Conduction(body)
     rows, late = [], 0
     for a in RATIOS:
         radii = np.full(200, a)
         mine, state = compare(partial(conduction.at_radius, radii), partial(contact.at_radius, radii), 2)
         rows.append((f"conductance and slope, a/h = {a:g}", "an exact state from its radius", mine / state, 1.2))
-    mine, theirs = compare(lambda: mdr.Conduction(body), lambda: mdr.Coated(film, 1.0, base), 5)
+    mine, theirs = compare(lambda: Conduction(body), lambda: mdr.Coated(film, 1.0, base), 5)
     rows.append(("a conduction", "an exact medium", mine / theirs, 1.0))
     for a in RATIOS:
         radii = np.full(200, a)
@@ -57,8 +58,8 @@ def main() -> int:
     for what, beside, ratio, most in rows:
         late += ratio > most
         print(f"| {what} | {beside} | {ratio:.2f} | {most:g} |")
-    stack = mdr.LayeredConductor([(mdr.Conductor(2.0, None, 1.0), 1.0), mdr.Interface(0.2)], mdr.Conductor(1.0, None, 3.0))
-    heat, times = mdr.Conduction(stack), np.geomspace(1e-3, 10.0, 50)
+    stack = LayeredConductor([(Conductor(2.0, None, 1.0), 1.0), mdr.Interface(0.2)], Conductor(1.0, None, 3.0))
+    heat, times = Conduction(stack), np.geomspace(1e-3, 10.0, 50)
     milliseconds = 1e3 * min(cost(lambda: heat.step(times, 1.0), 1) for _ in range(5))
     print(f"\nA step at 50 times over four decades takes {milliseconds:.0f} ms (at most 100),", end=" ")
     table, radii = conduction.tabulated(0.1, 10.0), np.geomspace(0.1, 10.0, 100_000)

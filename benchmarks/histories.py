@@ -68,7 +68,7 @@ def main():
     marched = fastest(lambda: layered.history(path, depth=0.8 * np.minimum(path, 2.0 - path), tolerance=1e-4), rounds=3)
     rows.append(("layers that do not relax in proportion, 200 samples, to 1e-4", marched, 0.5))
 
-    coated, rate = mdr.Coated(mdr.Elastic(1.0, 0.5), 1.0, mdr.Elastic(100.0, 0.3)), mdr.RateAdhesion(0.02, 1e-3, 0.33)
+    coated, rate = mdr.Coated(mdr.Elastic(1.0, 0.5), 1.0, mdr.Elastic(100.0, 0.3)), mdr.adhesion.RateAdhesion(0.02, 1e-3, 0.33)
     turning = np.interp(np.linspace(0.0, 400.0, 1000), [0.0, 60.0, 80.0, 400.0], [-0.01, 0.05, 0.05, -0.6])
     pulled = fastest(lambda: mdr.Contact(mdr.Paraboloid(1.0), coated, adhesion=rate).history(np.arange(1000.0), depth=turning))
     rows.append(("adhesion with a rate on a film, 1000 samples, approach to pull-off", pulled, 20e-3))
@@ -119,7 +119,7 @@ def main():
 
 def gels():
     """Poroelastic gels: from the table, a new table, fits."""
-    gel, tip = mdr.Poroelastic(28e3, 0.28, 3e-8), mdr.FlatPunch(1e-3)
+    gel, tip = mdr.poroelastic.Poroelastic(28e3, 0.28, 3e-8), mdr.FlatPunch(1e-3)
     contact, time = mdr.Contact(tip, mdr.Homogeneous(gel)), np.append(0.0, np.geomspace(0.2, 2000.0, 1999))
     force = contact.history(time, depth=np.full(time.shape, 5e-5), drainage="indenter").force
     rows = [

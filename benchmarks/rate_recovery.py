@@ -23,7 +23,7 @@ POINTS, SPRING, TIP = 120, 20.0, mdr.Paraboloid(20e-6)
 
 def contact_of(E: float, **law: float) -> mdr.Contact:
     """A rubber half-space under a ball."""
-    return mdr.Contact(TIP, mdr.Homogeneous(mdr.Elastic(E, 0.5)), adhesion=mdr.RateAdhesion(**law))
+    return mdr.Contact(TIP, mdr.Homogeneous(mdr.Elastic(E, 0.5)), adhesion=mdr.adhesion.RateAdhesion(**law))
 
 
 def clean_curves() -> list[mdi.RateCurve]:

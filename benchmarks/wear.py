@@ -30,10 +30,10 @@ def cost(medium: mdr.Medium, scheme: str) -> tuple[float, float]:
     steps, runs = [], []
     for _ in range(ROUNDS):
         began = time.process_time()
-        run = mdr.Wear(contact, 1.0).history(force=force, scheme=scheme)
+        run = mdr.wear.Wear(contact, 1.0).history(force=force, scheme=scheme)
         run.advance(30.0, force=force)
         runs.append(time.process_time() - began)
-        short = mdr.Wear(contact, 1.0).history(force=force, scheme=scheme)
+        short = mdr.wear.Wear(contact, 1.0).history(force=force, scheme=scheme)
         short.advance(1.0, force=force)
         began = time.process_time()
         for _ in range(STEPS):

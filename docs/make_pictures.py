@@ -20,6 +20,7 @@ import numpy as np
 from PIL import Image
 
 import mdrcontact as mdr
+from mdrcontact.conduction import Conduction, Conductor, LayeredConductor
 
 BLUE, RED, GREEN, GREY = "#0072B2", "#D55E00", "#009E73", "#7f7f7f"
 COLOURS = (BLUE, RED, GREEN, "#CC79A7", "#E69F00", "#56B4E9", "#000000", "#8B4513", "#7f7f7f", "#bcbd22")
@@ -223,7 +224,7 @@ def gels(quick: bool) -> Any:
     """Relaxation of a flat punch on a gel under the three drainages, with the undrained and the drained limit, and its tails."""
     tau = np.geomspace(1e-4, 1e3, 60 if quick else 300)
     nu = 0.2
-    contact = mdr.Contact(mdr.FlatPunch(1.0), mdr.Homogeneous(mdr.Poroelastic(1.0, nu, 1.0)))
+    contact = mdr.Contact(mdr.FlatPunch(1.0), mdr.Homogeneous(mdr.poroelastic.Poroelastic(1.0, nu, 1.0)))
     figure, axes = plt.subplots(1, 2, figsize=(9.0, 3.6), layout="constrained")
     for drainage, colour in zip(("surface", "indenter", "sealed"), (BLUE, RED, GREEN), strict=True):
         force = np.asarray(contact.relaxation(tau, drainage=drainage)) / 8.0
@@ -248,7 +249,7 @@ def wear(quick: bool) -> Any:
     body = mdr.Coated(mdr.Elastic(0.91, 0.3), 1.0, mdr.Elastic(0.091, 0.3))
     contact = mdr.Contact(mdr.Paraboloid(1.0), body)
     state = contact.at_radius(1.0)
-    worn = mdr.Wear(contact, 1.0)
+    worn = mdr.wear.Wear(contact, 1.0)
     r = np.linspace(0.0, 2.2, 60 if quick else 300)
     figure, axes = plt.subplots(1, 4, figsize=(13.0, 3.2), layout="constrained")
     history = worn.history(force=state.force, intervals=40 if quick else 80)
@@ -316,7 +317,7 @@ def coatings(quick: bool) -> Any:
 def rate(quick: bool) -> Any:
     """Retract curves of a rubber at three speeds, with what is fitted to all of them; pull-off against speed, with the fit."""
     tip, body = mdr.Paraboloid(20e-6), mdr.Homogeneous(mdr.Elastic(1e6, 0.5))
-    contact, random = mdr.Contact(tip, body, adhesion=mdr.RateAdhesion(0.05, 1e-6, 0.4)), np.random.default_rng(4)
+    contact, random = mdr.Contact(tip, body, adhesion=mdr.adhesion.RateAdhesion(0.05, 1e-6, 0.4)), np.random.default_rng(4)
     curves = []
     for speed in (1e-7, 1e-6, 1e-5):
         time = np.linspace(0.0, 4.6e-6 / speed, 120)
@@ -340,10 +341,10 @@ def rate(quick: bool) -> Any:
 def conduction(quick: bool) -> Any:
     """Temperatures in a section under a ball that frets on a hard carbon coating, and conductance against two rules."""
     figure, axes = plt.subplots(1, 2, figsize=(9.0, 3.4), layout="constrained")
-    film, steel = mdr.Elastic(150e9, 0.2, mdr.Conductor(1.0)), mdr.Elastic(210e9, 0.3, mdr.Conductor(45.0))
+    film, steel = mdr.Elastic(150e9, 0.2, Conductor(1.0)), mdr.Elastic(210e9, 0.3, Conductor(45.0))
     body = mdr.Coated(film, 2e-6, steel)
     contact = mdr.Contact(mdr.Paraboloid(3e-3), mdr.Pair(body, mdr.Homogeneous(steel)))
-    heat = mdr.Conduction(contact.medium).friction_heat(contact.at_radius(6e-6), 0.15, 1.0)
+    heat = Conduction(contact.medium).friction_heat(contact.at_radius(6e-6), 0.15, 1.0)
     x, z = np.linspace(0.0, 12.0, 25 if quick else 97), np.linspace(0.0, 6.0, 19 if quick else 73)
     half = np.asarray(heat.temperature(1e-6 * x[None, :], 1e-6 * z[:, None]))
     drawn = axes[0].contourf(np.r_[-x[:0:-1], x], z, np.hstack([half[:, :0:-1], half]), levels=20, cmap="inferno")
@@ -354,8 +355,8 @@ def conduction(quick: bool) -> Any:
     axes[0].set(xlabel="x [um]", ylabel="depth z [um]", ylim=(6.0, 0.0), title="temperature rise, 0.15 x 1 m/s [K]")
     figure.colorbar(drawn, ax=axes[0], shrink=0.9)
     a = np.geomspace(0.05, 30.0, 40 if quick else 150)
-    coated = mdr.LayeredConductor([(mdr.Conductor(9.17), 1.0)], mdr.Conductor(59.6))
-    exact = np.asarray(mdr.Conduction(coated).at_radius(a).conductance)
+    coated = LayeredConductor([(Conductor(9.17), 1.0)], Conductor(59.6))
+    exact = np.asarray(Conduction(coated).at_radius(a).conductance)
     axes[1].loglog(a, exact, color=BLUE, label="exact")
     axes[1].loglog(a, 4.0 * 59.6 * a, color=RED, linestyle="--", label="substrate alone, 4 S a")
     axes[1].loglog(

@@ -211,10 +211,13 @@ def composites() -> Iterator[Row]:
     for name, structure in (("voxels", cells), ("shapes", bodies)):
         yield f"composite {name}", lambda s=structure: s.modulus([0.0, 2e-7], 1e-7, LENGTH[:, None])
     yield "density", lambda: lateral.density([0.3, 0.9, 2.0], [0.1, 0.5, 0.2], 0.3)
-    yield "weights", lambda: [getattr(mdr, name)([0.1, 1.0, 7.0]) for name in mdr.weights.__all__]
-    yield "closed forms", lambda: mdr.coated_paraboloid_force(LENGTH, 5e-6, 3e10, 7e10, 5e-7)
-    yield "closed forms of cones", lambda: mdr.coated_cone_force(LENGTH, 0.3, 3e10, 7e10, 5e-7)
-    yield "closed forms with adhesion", lambda: mdr.coated_paraboloid_adhesive_depth(LENGTH, 5e-6, 3e10, 7e10, 5e-7, 0.1)
+    yield "weights", lambda: [getattr(mdr.weights, name)([0.1, 1.0, 7.0]) for name in mdr.weights.__all__]
+    yield "closed forms", lambda: mdr.closed_forms.coated_paraboloid_force(LENGTH, 5e-6, 3e10, 7e10, 5e-7)
+    yield "closed forms of cones", lambda: mdr.closed_forms.coated_cone_force(LENGTH, 0.3, 3e10, 7e10, 5e-7)
+    yield (
+        "closed forms with adhesion",
+        lambda: mdr.closed_forms.coated_paraboloid_adhesive_depth(LENGTH, 5e-6, 3e10, 7e10, 5e-7, 0.1),
+    )
 
 
 def groups(value: Any) -> Iterator[list[complex]]:

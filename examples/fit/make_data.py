@@ -112,7 +112,7 @@ def main() -> None:
     write("gel_in_time.csv", "time [s],indentation [nm],force [nN]", time, depth * 1e9, force * 1e9)
 
     # a flat punch on a hydrogel under water: a fast ramp and a long hold, while the water leaves
-    punch = mdr.Contact(mdr.FlatPunch(1e-3), mdr.Homogeneous(mdr.Poroelastic(28e3, 0.28, 3e-8)))
+    punch = mdr.Contact(mdr.FlatPunch(1e-3), mdr.Homogeneous(mdr.poroelastic.Poroelastic(28e3, 0.28, 3e-8)))
     time = np.append(np.linspace(0.0, 0.5, 11), np.geomspace(0.6, 1500.0, 189))
     depth = np.minimum(time / 0.5, 1.0) * 50e-6
     force = punch.history(time, depth=depth, drainage="indenter").force + 20e-6 * random.standard_normal(time.size)

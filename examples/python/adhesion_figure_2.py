@@ -13,6 +13,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import mdrcontact as mdr
+from mdrcontact.closed_forms import adhesive_depth_scale, adhesive_radius_scale, reduced_adhesive_depth
 
 TAU = 2.0
 THICKNESSES = (4.0, 2.0, 1.0, 0.5, 0.25)
@@ -23,13 +24,13 @@ RADIUS, SHEAR, WORK = 1.0, 1.0, 1e-6  # R, G1, gamma: the reduced curves do not 
 def contact(reduced_thickness: float, model: str, rule: str) -> mdr.Contact:
     """The adhesive paraboloid on a coating of thickness h = reduced_thickness a_c."""
     coating, substrate = mdr.Elastic(3 * TAU * SHEAR, 0.5), mdr.Elastic(3 * SHEAR, 0.5)  # E = 3 G
-    h = reduced_thickness * mdr.adhesive_radius_scale(RADIUS, SHEAR, WORK)
+    h = reduced_thickness * adhesive_radius_scale(RADIUS, SHEAR, WORK)
     return mdr.Contact(mdr.Paraboloid(RADIUS), mdr.Coated(coating, h, substrate, model), WORK, rule)
 
 
 def main() -> None:
     """Draws the three panels and prints the pull-off."""
-    a_c, d_c = mdr.adhesive_radius_scale(RADIUS, SHEAR, WORK), mdr.adhesive_depth_scale(RADIUS, SHEAR, WORK)
+    a_c, d_c = adhesive_radius_scale(RADIUS, SHEAR, WORK), adhesive_depth_scale(RADIUS, SHEAR, WORK)
     reduced = np.linspace(0.02, 2.4, 80)
     panels = (
         ("source's rule, equation (32)", "gao", "paper"),
@@ -44,7 +45,7 @@ def main() -> None:
             body = contact(thickness, model, rule)
             depth = np.asarray(body.at_radius(reduced * a_c).depth) / d_c
             if model == "gao" and rule == "paper":
-                assert np.allclose(depth, mdr.reduced_adhesive_depth(reduced, TAU, thickness), rtol=1e-12, atol=1e-12)
+                assert np.allclose(depth, reduced_adhesive_depth(reduced, TAU, thickness), rtol=1e-12, atol=1e-12)
             end = body.pull_off("depth")
             axis.plot(reduced, depth, color=colour, label=label)
             axis.plot(end.radius / a_c, end.depth / d_c, "o", color=colour, markersize=4)

@@ -13,26 +13,26 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 import numpy as np
 
-import mdrcontact as mdr
+from mdrcontact.conduction import INSULATING, PERFECT, Conduction, Conductor, LayeredConductor
 
-electrolyte = mdr.Conductor(1.0)  # D; the current is then that per difference of concentration
+electrolyte = Conductor(1.0)  # D; the current is then that per difference of concentration
 distance = np.geomspace(0.03, 10.0, 41)  # L/a
 
 
 def current(base, distance, **edge):
     """Along the approach, in units of that far away from all."""
-    films = (mdr.LayeredConductor([(electrolyte, float(gap))], base) for gap in distance)
-    return np.array([mdr.Conduction(film, **edge).at_radius(1.0).conductance / 4.0 for film in films])
+    films = (LayeredConductor([(electrolyte, float(gap))], base) for gap in distance)
+    return np.array([Conduction(film, **edge).at_radius(1.0).conductance / 4.0 for film in films])
 
 
-over_conductor = current(mdr.PERFECT, distance)
+over_conductor = current(PERFECT, distance)
 figure, axes = plt.subplots(figsize=(5.4, 3.8), layout="constrained")
 axes.loglog(distance, over_conductor, label="over a conductor")
 axes.loglog(distance, np.pi / (4.0 * distance) + np.log(2.0), ":", label="π a/(4 L) + ln 2")
 for sheath in (20.0, 200.0):
     near = distance[distance < 0.02 * sheath]  # the edge of the sheath is far away
     label = f"over an insulator, sheath b = {sheath:.0f} a"
-    axes.loglog(near, current(mdr.INSULATING, near, sink=sheath), "--", label=label)
+    axes.loglog(near, current(INSULATING, near, sink=sheath), "--", label=label)
 axes.axhline(1.0, color="grey", linewidth=0.8)
 axes.set(xlabel="distance L/a", ylabel="current/(4 D c a)", title="approach of a disc electrode")
 axes.legend(frameon=False, fontsize=8)

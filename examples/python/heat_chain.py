@@ -13,18 +13,19 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import mdrcontact as mdr
+from mdrcontact.conduction import Conduction, Conductor
 
 RADIUS, COATING = 1e-3, 2e-6
 GRAINS, STEPS = 40, 4000
 CAPACITY = 4.0 / 3.0 * np.pi * RADIUS**3 * 3.5e6  # J/K of a grain of steel
 
-oxide = mdr.Elastic(200e9, 0.25, mdr.Conductor(2.0))  # a scale that conducts poorly
-steel = mdr.Elastic(210e9, 0.3, mdr.Conductor(45.0))
+oxide = mdr.Elastic(200e9, 0.25, Conductor(2.0))  # a scale that conducts poorly
+steel = mdr.Elastic(210e9, 0.3, Conductor(45.0))
 grain = mdr.Coated(oxide, COATING, steel)
 contact = mdr.Contact(mdr.Paraboloid.between(RADIUS, RADIUS), mdr.Pair(grain, grain))
 deepest = contact.at_force(60.0)
-law = mdr.ContactLaw(contact, float(deepest.depth), tolerance=1e-6, conduction=mdr.Conduction(contact.medium))
-bare = mdr.Conduction(steel.conductor, steel.conductor)
+law = mdr.ContactLaw(contact, float(deepest.depth), tolerance=1e-6, conduction=Conduction(contact.medium))
+bare = Conduction(steel.conductor, steel.conductor)
 
 force = np.linspace(50.0, 5.0, GRAINS - 1)  # each neck bears the load and what lies above it
 necks = law.at_force(force)

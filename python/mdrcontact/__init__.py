@@ -9,107 +9,75 @@
     contact = mdr.Contact(mdr.Sphere(10e-6), medium)
     state = contact.at_depth([20e-9, 50e-9, 100e-9])    # State(depth, radius, force, ...)
 
+Further physics: `mdr.adhesion`, `mdr.conduction`, `mdr.lateral`, `mdr.poroelastic`, `mdr.time`, `mdr.wear`; measured data:
+`mdr.instruments`; functions of the source: `mdr.closed_forms`, `mdr.weights`.
+
 Any consistent units: in the descriptions the unit of each number stands in brackets, [length], [modulus] (that of pressure),
 and forces are in [modulus length^2]; [1] has none. Equation numbers such as (10) are those of Popov (2014); the pages in
 docs/theory/ state the equations under numbers such as (3.1). Numbers give floats, arrays give arrays of the same shape. All
 objects are immutable, compare and pickle by their constructor arguments, and may be shared between threads. Errors are
-`MDRError` and its subclasses.
+`MDRError` and its subclasses in `mdr.errors`.
 """
 
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from . import (
-    _c_library,
-    accuracy,
-    adhesion,
-    closed_forms,
-    conduction,
-    conductor,
-    contact,
-    critical,
-    crystals,
-    errors,
-    failure,
-    friction,
-    history,
-    interior,
-    law,
-    material,
-    medium,
-    poroelastic,
-    profile,
-    rate_adhesion,
-    sheared,
-    threads,
-    wear,
-    weights,
-)
-from ._c_library import *  # noqa: F403
+from . import medium, profile
+from ._c_library import get_cmake_dir, get_include, get_library, get_pkgconfig_dir
+from ._law_arrays import LawArrays
 from ._native import version as _version
-from .accuracy import *  # noqa: F403
-from .adhesion import *  # noqa: F403
-from .closed_forms import *  # noqa: F403
-from .conduction import *  # noqa: F403
-from .conductor import *  # noqa: F403
-from .contact import *  # noqa: F403
-from .critical import *  # noqa: F403
-from .crystals import *  # noqa: F403
-from .errors import *  # noqa: F403
-from .failure import *  # noqa: F403
-from .friction import *  # noqa: F403
-from .history import *  # noqa: F403
-from .interior import *  # noqa: F403
-from .law import *  # noqa: F403
-from .material import *  # noqa: F403
+from .accuracy import AccuracyMap, accuracy_map
+from .contact import Contact
+from .critical import Critical, InterfaceMaxima, LayerMaxima, Maximum
+from .crystals import CRYSTALS, Crystal
+from .errors import MDRError, MDRWarning
+from .failure import Failure
+from .friction import Friction, FrictionHistory
+from .interior import Interior
+from .law import ContactLaw, LawState
+from .loop import Loop, PullOff
+from .material import RIGID, SMOOTH, Elastic, PowerLawRheology, TransverselyIsotropic, Viscoelastic
 from .medium import *  # noqa: F403
-from .poroelastic import *  # noqa: F403
 from .profile import *  # noqa: F403
-from .rate_adhesion import *  # noqa: F403
-from .sheared import *  # noqa: F403
-from .threads import *  # noqa: F403
-from .wear import *  # noqa: F403
-from .weights import *  # noqa: F403
-
-if TYPE_CHECKING:
-    from . import instruments as instruments
+from .sheared import FrictionLoop, ShearedContact, ShearState
+from .state import State
+from .threads import set_threads
 
 __all__ = [
-    *_c_library.__all__,
-    *accuracy.__all__,
-    *adhesion.__all__,
-    *closed_forms.__all__,
-    *conduction.__all__,
-    *conductor.__all__,
-    *contact.__all__,
-    *critical.__all__,
-    *crystals.__all__,
-    *errors.__all__,
-    *failure.__all__,
-    *friction.__all__,
-    *history.__all__,
-    *interior.__all__,
-    *law.__all__,
-    *material.__all__,
-    *medium.__all__,
-    *poroelastic.__all__,
-    *profile.__all__,
-    *rate_adhesion.__all__,
-    *sheared.__all__,
-    *threads.__all__,
-    *wear.__all__,
-    *weights.__all__,
-]
+    *profile.__all__, *medium.__all__,
+    "Elastic", "TransverselyIsotropic", "Viscoelastic", "PowerLawRheology", "RIGID", "SMOOTH", "CRYSTALS", "Crystal",
+    "Contact", "State", "Loop", "PullOff", "Interior", "Critical", "InterfaceMaxima", "LayerMaxima", "Maximum", "Failure",
+    "Friction", "FrictionHistory", "FrictionLoop", "ShearState", "ShearedContact", "ContactLaw", "LawArrays", "LawState",
+    "AccuracyMap", "accuracy_map", "set_threads",
+    "MDRError", "MDRWarning", "get_cmake_dir", "get_include", "get_library", "get_pkgconfig_dir",
+]  # fmt: skip
 
 __version__ = f"{_version() // 10000}.{_version() // 100 % 100}.{_version() % 100}"
 
+if TYPE_CHECKING:
+    from . import adhesion as adhesion
+    from . import closed_forms as closed_forms
+    from . import conduction as conduction
+    from . import errors as errors
+    from . import instruments as instruments
+    from . import lateral as lateral
+    from . import poroelastic as poroelastic
+    from . import time as time
+    from . import wear as wear
+    from . import weights as weights
+else:
 
-def __getattr__(name: str) -> Any:
-    """Loads `instruments` on first use."""
-    if name != "instruments":
-        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    return import_module("." + name, __name__)
+    def __getattr__(name: str) -> Any:
+        """Loads a namespace on first use."""
+        if name not in _NAMESPACES:
+            raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+        return import_module("." + name, __name__)
+
+
+_NAMESPACES = {
+    "adhesion", "closed_forms", "conduction", "errors", "instruments", "lateral", "poroelastic", "time", "wear", "weights",
+}  # fmt: skip
 
 
 def __dir__() -> list[str]:
-    return [*globals(), "instruments"]
+    return sorted({*globals(), *_NAMESPACES})

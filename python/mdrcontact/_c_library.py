@@ -7,8 +7,6 @@ from pathlib import Path
 
 from .errors import FileError
 
-__all__ = ["get_cmake_dir", "get_include", "get_library", "get_pkgconfig_dir"]
-
 
 def get_include() -> str:
     """The folder of the headers `mdrcontact.h`, `mdrcontact_law.h` and `mdrcontact.hpp`, for -I of a compiler. FileError where the

@@ -5,6 +5,9 @@ from __future__ import annotations
 
 import difflib
 from collections.abc import Iterable
+from typing import Any
+
+from .errors import InvalidArgumentError
 
 
 def nearest(wrong: str, right: Iterable[str]) -> str:
@@ -16,3 +19,11 @@ def nearest(wrong: str, right: Iterable[str]) -> str:
     if close:
         return f"did you mean {by_lower[close[0]]!r}?"
     return "choose from " + ", ".join(repr(name) for name in by_lower.values())
+
+
+def code(name: str, value: Any, codes: dict[str, int], *allowed: str) -> int:
+    """The code of a word; wrong words are answered with the nearest right one."""
+    known = allowed or tuple(codes)
+    if not isinstance(value, str) or value not in known:
+        raise InvalidArgumentError(f"{name} = {value!r} is not allowed: {nearest(str(value), known)}")
+    return codes[value]

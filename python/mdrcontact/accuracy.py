@@ -19,8 +19,6 @@ from .medium import Coated
 from .medium.models import MODELS
 from .profile import Paraboloid, Profile
 
-__all__ = ["AccuracyMap", "accuracy_map"]
-
 
 class AccuracyMap(NamedTuple):
     """Relative errors of models against the exact solution; the arrays have the shape (models, modulus ratios, radii)."""

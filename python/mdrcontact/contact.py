@@ -11,20 +11,21 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from . import _layout, failure, history, poroelastic, rate_adhesion
+from . import _layout, failure, poroelastic
 from ._boundary import ComplexOrArray, FloatOrArray, Handle, evaluate_all, native, number, record, row
+from ._choices import code
 from ._doubts import Doubts, Reported
 from ._value import Value
 from ._warn import Caution, collected
-from .adhesion import BRANCHES, RULES, Loop, PullOff, code, loop, pull_offs
+from .adhesion import AdhesiveHistory, RateAdhesion, RateHistory, RheologicalAdhesion, cohesive, rate
 from .errors import ArgumentTypeError, InvalidArgumentError, MDRError
 from .failure import Failure
-from .history import AdhesiveHistory, History
+from .loop import BRANCHES, RULES, Loop, PullOff, loop, pull_offs
 from .medium import Medium
 from .profile import Profile
 from .progress import Progress
-from .rate_adhesion import RateAdhesion, RateHistory, RheologicalAdhesion
 from .state import State, state_of
+from .time import History, dynamic_stiffness, history, refuse_drainage, step
 
 __all__ = ["Contact", "State"]
 
@@ -80,7 +81,7 @@ class Contact(Value):
             raise ArgumentTypeError(f"indenter = {indenter!r} is not allowed: it must be an indenter profile")
         if not isinstance(medium, Medium):
             raise ArgumentTypeError(f"medium = {medium!r} is not allowed: it must be a medium")
-        gamma = rate_adhesion.work("work_of_adhesion", work_of_adhesion, adhesion)
+        gamma = rate.work("work_of_adhesion", work_of_adhesion, adhesion)
         rule, sigma = code("adhesion_rule", adhesion_rule, RULES), number("cohesive_stress", cohesive_stress)
         if adhesion is not None and sigma != 0.0:
             raise InvalidArgumentError("cohesive_stress is not allowed beside adhesion=, whose edge has no range")
@@ -172,24 +173,24 @@ class Contact(Value):
             begins at that contact radius
         """
         if self.adhesion is not None:
-            history.refuse_drainage(drainage)
+            refuse_drainage(drainage)
             if radius is not None:
                 raise ArgumentTypeError("radius is not allowed with adhesion=: it follows from position, depth or force")
             given = {"position": position, "depth": depth, "force": force}
-            return rate_adhesion.history(self, time, given, spring_stiffness, start, tolerance, progress)
+            return rate.history(self, time, given, spring_stiffness, start, tolerance, progress)
         if self.cohesive_stress > 0.0:
-            history.refuse_drainage(drainage)
+            refuse_drainage(drainage)
             if radius is not None:
                 raise ArgumentTypeError("radius is not allowed with adhesion: it follows from position, depth or force")
             given = {"position": position, "depth": depth, "force": force}
-            return history.adhesive_history(self._handle, time, given, spring_stiffness, start, tolerance, progress)
+            return cohesive.adhesive_history(self._handle, time, given, spring_stiffness, start, tolerance, progress)
         if position is not None or spring_stiffness is not None or start != "apart":
             raise ArgumentTypeError("position, spring_stiffness and start belong to contacts with adhesion= or a cohesive_stress")
         tolerance = 1e-5 if tolerance is None else tolerance
         if poroelastic.is_poroelastic(self.medium):
             return History(*poroelastic.history(self, time, depth, force, radius, drainage))
-        history.refuse_drainage(drainage)
-        return history.history(self._handle, time, depth, force, radius, tolerance, progress)
+        refuse_drainage(drainage)
+        return history(self._handle, time, depth, force, radius, tolerance, progress)
 
     def dynamic_stiffness(
         self,
@@ -213,8 +214,8 @@ class Contact(Value):
             if depth is not None or force is not None:
                 raise ArgumentTypeError("depth and force are not allowed on a gel: give the contact radius, radius=")
             return poroelastic.dynamic_stiffness(self, omega, radius, drainage)  # type: ignore[arg-type]
-        history.refuse_drainage(drainage)
-        return history.dynamic_stiffness(self, omega, radius, depth, force)
+        refuse_drainage(drainage)
+        return dynamic_stiffness(self, omega, radius, depth, force)
 
     def relaxation(self, time: ArrayLike, radius: float | None = None, drainage: str | None = None) -> FloatOrArray:
         """Force per depth [modulus length] at times > 0 after a step of the depth, the contact radius being held: a flat punch,
@@ -224,11 +225,11 @@ class Contact(Value):
             which is porous; "sealed", no flux anywhere; "indenter", no flux under the indenter, drained beside it, on a half-space
             only. There is no default: it matters more than anything else
         """
-        return history.step(self, _layout.RELAXATION, time, radius, drainage)
+        return step(self, _layout.RELAXATION, time, radius, drainage)
 
     def creep(self, time: ArrayLike, radius: float | None = None, drainage: str | None = None) -> FloatOrArray:
         """Depth per force [1/(modulus length)] at times > 0 after a step of the force. Arguments as of `relaxation`."""
-        return history.step(self, _layout.CREEP, time, radius, drainage)
+        return step(self, _layout.CREEP, time, radius, drainage)
 
     def pressure_in_time(
         self,
@@ -295,7 +296,7 @@ class Contact(Value):
             if reach >= largest:
                 return handle
         # another thread may keep one for a smaller radius meanwhile: this one is returned as it was made
-        made = rate_adhesion.sampled(self._handle, law, largest)
+        made = rate.sampled(self._handle, law, largest)
         self._rates[:] = [(made, largest)]
         return made
 

@@ -9,14 +9,12 @@ import numpy as np
 
 from . import _layout
 from ._boundary import call, native, number
+from ._choices import code
 from ._warn import Warned
-from .adhesion import code
 from .errors import InvalidArgumentError
 from .interior import BODIES, layer_energies
 from .material import RIGID, SMOOTH
 from .medium import Coated, Homogeneous, Layered, Pair
-
-__all__ = ["Critical", "InterfaceMaxima", "LayerMaxima", "Maximum"]
 
 _OF_LAYER = _layout.VON_MISES, _layout.TRESCA, _layout.TENSION
 """In the order of LayerMaxima."""

@@ -9,8 +9,6 @@ from typing import Final, NamedTuple
 
 from .material import TransverselyIsotropic
 
-__all__ = ["CRYSTALS", "Crystal"]
-
 
 class Crystal(NamedTuple):
     """A material with its axis along z, and where its constants are from."""

@@ -10,14 +10,12 @@ import numpy as np
 
 from . import _layout
 from ._boundary import Refusal, native, not_zero, number, outcome, words_of
+from ._choices import code
 from ._warn import Warned
-from .adhesion import code
 from .critical import Maximum, layers_of, maximum
 from .errors import ArgumentTypeError, InvalidArgumentError
 from .interior import BODIES
 from .state import State, state_of
-
-__all__ = ["Failure"]
 
 _MODES = words_of(_layout.VON_MISES, _layout.TENSION, _layout.INTERFACE_SHEAR, _layout.INTERFACE_TENSION)
 

@@ -18,8 +18,6 @@ from .errors import ArgumentTypeError, InvalidArgumentError
 from .sheared import ShearedContact, ShearState
 from .state import State, state_of
 
-__all__ = ["Friction", "FrictionHistory"]
-
 
 @dataclass(frozen=True)
 class Friction(Value):

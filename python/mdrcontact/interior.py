@@ -11,11 +11,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _layout
 from ._boundary import FloatOrArray, Handle, call, check, native, number, together, words_of
+from ._choices import code
 from ._warn import Caution, texts_of
-from .adhesion import code
 from .errors import NoConvergenceError
-
-__all__ = ["Interior"]
 
 BODIES = words_of(_layout.BODY_LOWER, _layout.BODY_UPPER)
 SIDES = words_of(_layout.SIDE_BELOW, _layout.SIDE_ABOVE)

@@ -3,25 +3,26 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _layout, adhesion
+from . import _layout
 from ._boundary import FloatOrArray, call, evaluate, evaluate_all, native, not_zero, number, whole
+from ._choices import code
 from ._law_arrays import LawArrays, law_arrays
 from ._law_file import law_options
 from ._law_steps import LawSteps
 from ._law_table import table_text
 from ._warn import Caution, Warned, texts_of, warn_all
-from .adhesion import BRANCHES
-from .conduction import Conduction
 from .contact import Contact
 from .errors import ArgumentTypeError, BeyondRangeWarning
 from .friction import Friction
+from .loop import BRANCHES
 
-__all__ = ["ContactLaw", "LawArrays", "LawState"]
+if TYPE_CHECKING:
+    from .conduction import Conduction
 
 _UNLOADING = BRANCHES["unloading"]
 _state: Any = tuple.__new__
@@ -114,6 +115,8 @@ class ContactLaw(LawSteps):
         if friction is not None:
             options["friction"] = friction._handle
         if conduction is not None:
+            from .conduction import Conduction
+
             if not isinstance(conduction, Conduction):
                 raise ArgumentTypeError(f"conduction = {conduction!r} is not allowed: it must be a Conduction")
             options["conduction"] = conduction._handle
@@ -139,7 +142,7 @@ class ContactLaw(LawSteps):
             F = native.law_force_scalar(self._handle, _UNLOADING, depth)
             if F is not None:
                 return F
-        chosen = adhesion.code("branch", branch, BRANCHES)
+        chosen = code("branch", branch, BRANCHES)
         F = evaluate("depth", depth, lambda d: self._from_depth(chosen, d, 1))
         self._warn_beyond("depth", depth)
         return F
@@ -150,7 +153,7 @@ class ContactLaw(LawSteps):
             state = native.law_state_scalar(self._handle, _UNLOADING, depth)
             if state is not None:
                 return _state(LawState, state)
-        chosen = adhesion.code("branch", branch, BRANCHES)
+        chosen = code("branch", branch, BRANCHES)
         F, slope, a, k = evaluate_all("depth", depth, lambda d: self._from_depth(chosen, d, 4))
         return LawState(_as_given(depth), a, F, k, slope)._carrying(self._warn_beyond("depth", depth))
 
@@ -165,7 +168,7 @@ class ContactLaw(LawSteps):
         """U = int F dd along the branch [modulus length^3] at depths d [length], any shape: without adhesion the elastic energy,
         counted from first touch; with adhesion counted from pull-off, with a cohesive stress from bodies that are apart.
         Further arguments as in `force`."""
-        chosen = adhesion.code("branch", branch, BRANCHES)
+        chosen = code("branch", branch, BRANCHES)
         U = evaluate("depth", depth, lambda d: self._energy(chosen, d))
         self._warn_beyond("depth", depth)
         return U
@@ -177,7 +180,7 @@ class ContactLaw(LawSteps):
     def conductance(self, depth: ArrayLike, branch: str = "unloading") -> tuple[FloatOrArray, FloatOrArray]:
         """G [conductance] and dG/dd along the branch [conductance/length] at depths d [length], any shape, of a law that was made
         with a conduction. Further arguments as in `force`."""
-        chosen = adhesion.code("branch", branch, BRANCHES)
+        chosen = code("branch", branch, BRANCHES)
         G, slope = evaluate_all("depth", depth, lambda d: native.law_conductance(self._handle, chosen, d))
         self._warn_beyond("depth", depth)
         return G, slope
@@ -197,7 +200,7 @@ class ContactLaw(LawSteps):
 
     def at_force(self, force: ArrayLike, branch: str = "unloading") -> LawState:
         """The states under forces F of the compiled range [modulus length^2], any shape. Further arguments as in `force`."""
-        chosen = adhesion.code("branch", branch, BRANCHES)
+        chosen = code("branch", branch, BRANCHES)
         d, compliance, a, k = evaluate_all("force", force, lambda F: self._from_force(chosen, F))
         slope = np.divide(1.0, compliance, out=np.zeros(np.shape(compliance)), where=np.asarray(compliance) != 0.0)
         found = LawState(d, a, _as_given(force), k, slope if np.ndim(slope) else float(slope))

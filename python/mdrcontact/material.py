@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Materials: elastic ones, isotropic or with an axis, viscoelastic ones, and the rigid one."""
+"""Materials: elastic ones, isotropic or with an axis, viscoelastic ones, the rigid one; and what they conduct with."""
 
 from __future__ import annotations
 
@@ -17,10 +17,37 @@ from ._boundary import ComplexOrArray, FloatOrArray, Handle, call, complex_value
 from ._parameters import WithParameters
 from ._units import MODULUS, RATIO, TIME, VISCOSITY
 from ._value import Named
-from .conductor import Conductor
 from .errors import ArgumentTypeError, InvalidArgumentError
 
-__all__ = ["Elastic", "TransverselyIsotropic", "Viscoelastic", "PowerLawRheology", "RIGID", "SMOOTH"]
+
+def check_rows(rows: NDArray[np.float64]) -> None:
+    """Lets the library check layers: what lies on an insulating base without a sink costs nothing to make."""
+    base = _layout.BASE_INSULATING
+    Handle(native.conduction_new(rows, base, 0, None, base, 0.0, 0.0))
+
+
+@dataclass(frozen=True)
+class Conductor(WithParameters):
+    """A material that conducts current or heat; a body of it alone is a half-space.
+
+    sigma : conductivity > 0 into the body, S/m or W/(m K) [conductance/length]
+    along : conductivity > 0 along the surface; None: sigma
+    capacity : heat capacity >= 0 per volume, J/(m^3 K); 0: it follows at once
+    """
+
+    sigma: float
+    along: float | None = None
+    capacity: float = 0.0
+
+    def __post_init__(self) -> None:
+        self._set(sigma=number("sigma", self.sigma), capacity=number("capacity", self.capacity))
+        if self.along is not None:
+            self._set(along=number("along", self.along))
+        check_rows(np.array([self._row(1.0)]))
+
+    def _row(self, thickness: float = 0.0, resistance: float = 0.0) -> tuple[float, ...]:
+        """Of struct mdr_conductor."""
+        return thickness, self.sigma, self.sigma if self.along is None else self.along, self.capacity, resistance
 
 
 @dataclass(frozen=True)

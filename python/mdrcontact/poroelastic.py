@@ -13,9 +13,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _layout
 from ._boundary import ComplexOrArray, FloatOrArray, Handle, check, complex_values, evaluate, native, number, one_path, words_of
+from ._choices import code
 from ._parameters import WithParameters
 from ._units import DIFFUSIVITY, MODULUS, RATIO
-from .adhesion import code
 from .errors import ArgumentTypeError, InvalidArgumentError
 from .profile import FlatPunch, Paraboloid, Profile
 

@@ -25,8 +25,6 @@ from .material import RIGID, SMOOTH, Elastic, TransverselyIsotropic
 from .medium import Coated, Homogeneous, Layer, Layered
 from .profile import FlatPunch, Paraboloid
 
-__all__: list[str] = []
-
 Reals = NDArray[np.float64]
 SMALLEST_LAYER = 1e-2
 """of the contact radius: thinner top layers take too many waves"""

@@ -13,13 +13,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _layout
 from ._boundary import FloatOrArray, Handle, call, evaluate, evaluate_all, native, number, numbers, record, whole
+from ._choices import code
 from ._warn import Caution, is_collected, is_silent, texts_of, warn_all
-from .adhesion import code
 from .errors import ArgumentTypeError, MDRError, SlipInsideWarning
 from .medium import Homogeneous
 from .state import State, state_of
-
-__all__ = ["FrictionLoop", "ShearState", "ShearedContact"]
 
 _INSIDE = np.array([0.01, 0.3, 0.6, 0.9])
 """Radii, in stick radii, at which traction and pressure are compared."""

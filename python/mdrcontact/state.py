@@ -12,13 +12,11 @@ from numpy.typing import ArrayLike, NDArray
 
 from . import _layout, critical, interior, sensitivity
 from ._boundary import FloatOrArray, call, evaluate, native, number, numbers, together
+from ._choices import code
 from ._warn import texts_of
-from .adhesion import code
 from .critical import Critical
 from .errors import ArgumentTypeError
 from .interior import BODIES, Interior
-
-__all__ = ["State"]
 
 _NAMES = ("depth", "radius", "force", "stiffness", "punch_depth", "zone_radius")
 """The numbers of a state."""

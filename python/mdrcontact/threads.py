@@ -5,8 +5,6 @@ from __future__ import annotations
 
 from ._boundary import call, native, thread_count
 
-__all__ = ["set_threads"]
-
 
 def set_threads(threads: int) -> None:
     """How many threads the calls of the calling thread may share the work on an array among, from now on; 1 at first.

@@ -14,6 +14,10 @@ import mdrcontact as mdr
 
 ROOT = Path(__file__).resolve().parents[2]
 
+PHYSICS = (mdr, mdr.adhesion, mdr.conduction, mdr.lateral, mdr.poroelastic, mdr.time, mdr.wear)
+"""Modules whose `__all__` holds public classes of physics."""
+PUBLIC = (*PHYSICS, mdr.closed_forms, mdr.weights, mdr.errors, mdr.instruments)
+
 OXIDE = mdr.Elastic(72e9, 0.17)
 SILICON = mdr.Elastic(163e9, 0.22)
 RUBBER = mdr.Elastic(2e6, 0.5)

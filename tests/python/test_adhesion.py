@@ -13,6 +13,14 @@ from scipy import optimize
 
 import mdrcontact as mdr
 from mdrcontact.cli import main
+from mdrcontact.closed_forms import (
+    adhesive_depth_scale,
+    adhesive_radius_scale,
+    coated_cone_force,
+    coated_paraboloid_adhesive_depth,
+    coated_paraboloid_force,
+    reduced_adhesive_depth,
+)
 from mdrcontact.problem import load
 
 GAMMA, R = 0.05, 2.0
@@ -76,25 +84,25 @@ def test_no_adhesion_is_bit_for_bit():
 def test_wrong_arguments_are_told():
     contact = jkr()
     for gamma in (-1.0, math.nan, math.inf):
-        with pytest.raises(mdr.InvalidArgumentError, match="work_of_adhesion = "):
+        with pytest.raises(mdr.errors.InvalidArgumentError, match="work_of_adhesion = "):
             mdr.Contact(mdr.Paraboloid(R), BODY, gamma)
-    with pytest.raises(mdr.InvalidArgumentError, match="did you mean 'energy'"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="did you mean 'energy'"):
         mdr.Contact(mdr.Paraboloid(R), BODY, GAMMA, "energie")
-    with pytest.raises(mdr.InvalidArgumentError, match="did you mean 'unloading'"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="did you mean 'unloading'"):
         contact.at_depth(0.1, "unload")
-    with pytest.raises(mdr.InvalidArgumentError, match="control = 'spring'"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="control = 'spring'"):
         contact.pull_off("spring")
-    with pytest.raises(mdr.ArgumentTypeError, match="spring_stiffness"):
+    with pytest.raises(mdr.errors.ArgumentTypeError, match="spring_stiffness"):
         contact.loop("spring", 1.0)
-    with pytest.raises(mdr.ArgumentTypeError, match="spring_stiffness"):
+    with pytest.raises(mdr.errors.ArgumentTypeError, match="spring_stiffness"):
         contact.loop("force", 1.0, spring_stiffness=2.0)
-    with pytest.raises(mdr.InvalidArgumentError, match="points = 1"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="points = 1"):
         contact.loop("force", 1.0, 1)
-    with pytest.raises(mdr.InvalidArgumentError, match="largest = "):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="largest = "):
         contact.loop("force", math.nan)
-    with pytest.raises(mdr.UnreachableError, match="ends at pull-off, force = -0.471238"):
+    with pytest.raises(mdr.errors.UnreachableError, match="ends at pull-off, force = -0.471238"):
         contact.at_force(-1.0)
-    with pytest.raises(mdr.UnreachableError, match="on loading"):
+    with pytest.raises(mdr.errors.UnreachableError, match="on loading"):
         contact.at_force(-0.1, "loading")
 
 
@@ -183,7 +191,7 @@ def test_pull_off_lies_where_the_medium_is_defined(control):
         if reaches:
             assert contact.pull_off(control)[:3] == pytest.approx(expected[:3], rel=1e-6)
         else:
-            with pytest.raises(mdr.DomainError, match="does not break at radii"):
+            with pytest.raises(mdr.errors.DomainError, match="does not break at radii"):
                 contact.pull_off(control)
 
 
@@ -215,15 +223,15 @@ def test_fields(model):
 
 
 def test_figure_2_by_32():
-    a_c, d_c = mdr.adhesive_radius_scale(R, 0.7, GAMMA), mdr.adhesive_depth_scale(R, 0.7, GAMMA)
+    a_c, d_c = adhesive_radius_scale(R, 0.7, GAMMA), adhesive_depth_scale(R, 0.7, GAMMA)
     at = np.array([0.05, 0.4, 1.0, 2.5])
     for ht in (4, 2, 1, 0.5, 0.25):
         body = mdr.Coated(mdr.Elastic(3 * 1.4, 0.5), ht * a_c, mdr.Elastic(3 * 0.7, 0.5), "gao")
         depth = mdr.Contact(mdr.Paraboloid(R), body, GAMMA, "paper").at_radius(at * a_c).depth
-        np.testing.assert_allclose(depth / d_c, mdr.reduced_adhesive_depth(at, 2.0, ht), rtol=0, atol=1e-12)
-        closed = mdr.coated_paraboloid_adhesive_depth(at * a_c, R, 1.4, 0.7, ht * a_c, GAMMA)
+        np.testing.assert_allclose(depth / d_c, reduced_adhesive_depth(at, 2.0, ht), rtol=0, atol=1e-12)
+        closed = coated_paraboloid_adhesive_depth(at * a_c, R, 1.4, 0.7, ht * a_c, GAMMA)
         np.testing.assert_allclose(depth, closed, rtol=0, atol=1e-12 * d_c)
-    h = mdr.coated_paraboloid_force(at, R, 1.4, 0.7, 0.3), mdr.coated_cone_force(at, 0.3, 1.4, 0.7, 0.3)
+    h = coated_paraboloid_force(at, R, 1.4, 0.7, 0.3), coated_cone_force(at, 0.3, 1.4, 0.7, 0.3)
     body = mdr.Coated(mdr.Elastic(3 * 1.4, 0.5), 0.3, mdr.Elastic(3 * 0.7, 0.5), "gao")
     for closed, shape in zip(h, (mdr.Paraboloid(R), mdr.Cone(0.3)), strict=True):
         np.testing.assert_allclose(mdr.Contact(shape, body).at_radius(at).force, closed, rtol=1e-12)
@@ -233,8 +241,8 @@ def test_figure_2_by_32():
         body = mdr.Coated(mdr.Elastic(4.2, 0.5), a_c, mdr.Elastic(2.1, 0.5), model)
         found.append(mdr.Contact(mdr.Paraboloid(R), body, GAMMA, rule).at_radius(a_c).depth / d_c)
     assert found == pytest.approx([-0.8181, -0.9852, -0.9172], abs=5e-5)
-    with pytest.raises(mdr.InvalidArgumentError, match="shear_ratio = 0"):
-        mdr.reduced_adhesive_depth(1.0, 0.0, 1.0)
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="shear_ratio = 0"):
+        reduced_adhesive_depth(1.0, 0.0, 1.0)
 
 
 @pytest.mark.parametrize("shape", [mdr.Paraboloid(5.0), mdr.Cone(0.2), mdr.FlatEndedCone(0.2, 0.3)], ids=lambda s: type(s).__name__)
@@ -255,11 +263,11 @@ def test_exact_zeta_of_two_bodies(pair):
 
 
 def test_exact_zeta_refuses():
-    with pytest.raises(mdr.InvalidArgumentError, match="one contact radius"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="one contact radius"):
         mdr.Contact(mdr.FlatPunch(1.0), FILM, zeta="exact")
-    with pytest.raises(mdr.InvalidArgumentError, match="approximate"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="approximate"):
         mdr.Contact(mdr.Cone(0.2), BODY, zeta="exact")
-    with pytest.raises(mdr.InvalidArgumentError, match="approximate"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="approximate"):
         mdr.Contact(mdr.Cone(0.2), FILM.with_model("exact"), zeta="exact")
     with pytest.raises(mdr.MDRError, match="zeta"):
         mdr.Contact(mdr.Cone(0.2), FILM, zeta="exakt")
@@ -274,7 +282,7 @@ def test_accuracy_map():
     known = {"gao": 0.085, "gao-series": -0.024, "doerner-nix": 0.18, "wave": 0.57}
     errors = mdr.accuracy_map(2.0, 1.0, known, coating_nu=0.5, substrate_nu=0.5).modulus_error[:, 0, 0]
     assert errors == pytest.approx(list(known.values()), abs=0.006)
-    with pytest.raises(mdr.InvalidArgumentError, match="did you mean"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="did you mean"):
         mdr.accuracy_map(2.0, 1.0, ["goa"])
 
 
@@ -338,7 +346,7 @@ def test_kinks_of_a_modulus(slope):
         medium = mdr.CallableMedium(lambda x, b=b: 1.0 + x + slope * max(x - b, 0.0), 1e-3, 10.0)
         try:
             contact = mdr.Contact(mdr.Paraboloid(R), medium, work_of_adhesion=gamma, adhesion_rule="energy")
-        except mdr.NoConvergenceError as error:
+        except mdr.errors.NoConvergenceError as error:
             assert "kink" in str(error)
             assert float(str(error).split("radius = ")[1].split(":")[0]) == pytest.approx(b, rel=1e-5)
             refused += 1

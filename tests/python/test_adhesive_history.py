@@ -28,7 +28,7 @@ sys.path.insert(0, str(DATA))
 import creeping_zone  # noqa: E402
 import slow_creeping_zone  # noqa: E402
 
-pytestmark = pytest.mark.filterwarnings("ignore::mdrcontact.LargeStrainWarning")
+pytestmark = pytest.mark.filterwarnings("ignore::mdrcontact.errors.LargeStrainWarning")
 
 
 def columns(name):
@@ -227,27 +227,27 @@ def test_threads_and_progress(monkeypatch):
 
 def test_refusals():
     contact = creeping()
-    with pytest.raises(mdr.InvalidArgumentError, match="layers"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="layers"):
         mdr.Contact(TIP, mdr.Coated(RUBBER, 1.0, mdr.Elastic(1.0, 0.3)), work_of_adhesion=WORK, cohesive_stress=STRESS)
-    with pytest.raises(mdr.InvalidArgumentError, match="cohesive_stress of a half-space"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="cohesive_stress of a half-space"):
         mdr.Contact(TIP, mdr.Homogeneous(RUBBER), work_of_adhesion=WORK)
-    with pytest.raises(mdr.InvalidArgumentError, match="without a work_of_adhesion"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="without a work_of_adhesion"):
         mdr.Contact(TIP, mdr.Homogeneous(RUBBER), cohesive_stress=STRESS)
-    with pytest.raises(mdr.InvalidArgumentError, match="flat end"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="flat end"):
         mdr.Contact(mdr.FlatEndedCone(0.1, 0.2), mdr.Homogeneous(RUBBER), work_of_adhesion=WORK, cohesive_stress=STRESS)
-    with pytest.raises(mdr.InvalidArgumentError, match="glassy and a relaxed"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="glassy and a relaxed"):
         creeping(material=mdr.Viscoelastic(0.0, [(4.5, 0.1)], nu=0.0))
-    with pytest.raises(mdr.InvalidArgumentError, match="too short"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="too short"):
         pulled(0.1, stress=30.0)
-    with pytest.raises(mdr.UnreachableError, match="no stable"):
+    with pytest.raises(mdr.errors.UnreachableError, match="no stable"):
         contact.history([0.0, 1.0], depth=[-1.0, -1.0], start="rest")
-    with pytest.raises(mdr.InvalidArgumentError, match="start"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="start"):
         contact.history([0.0, 1.0], depth=[0.0, 1.0], start={"radius": 1.0})
-    with pytest.raises(mdr.ArgumentTypeError, match="radius"):
+    with pytest.raises(mdr.errors.ArgumentTypeError, match="radius"):
         contact.history([0.0, 1.0], radius=[0.0, 1.0])
-    with pytest.raises(mdr.InvalidArgumentError, match="tolerance"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="tolerance"):
         contact.history([0.0, 1.0], depth=[0.0, 1.0], tolerance=1.0)
-    with pytest.raises(mdr.InvalidArgumentError, match="adhesive history"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="adhesive history"):
         contact.dynamic_stiffness(1.0, radius=0.1)
-    with pytest.raises(mdr.InvalidArgumentError, match="ascending"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="ascending"):
         contact.history([0.0, 0.0], depth=[0.0, 1.0])

@@ -18,12 +18,12 @@ def test_any_shape(coated, shape):
     assert coated.medium.modulus(depth).shape == shape
     assert coated.indenter.mdr(depth).shape == shape
     assert coated.at_depth(1e-8).pressure(depth).shape == shape
-    assert mdr.weight_i0(depth).shape == shape
+    assert mdr.weights.weight_i0(depth).shape == shape
 
 
 @pytest.mark.parametrize("value", [1, 1.0, np.float32(1.0), np.int16(1), np.array(1.0)])
 def test_a_number_gives_a_float(value):
-    assert type(mdr.weight_phi(value)) is float
+    assert type(mdr.weights.weight_phi(value)) is float
     assert type(mdr.Cone(0.2).height(value)) is float
     state = mdr.Contact(mdr.Cone(0.2), mdr.Homogeneous(mdr.Elastic(1.0, 0.2))).at_depth(value)
     assert all(type(entry) is float for entry in state)
@@ -52,14 +52,14 @@ WRONG = ["1e-8", b"1", None, 1e-8 + 0j, [1e-8, None], ["1e-8"], True, [True], Fr
 
 @pytest.mark.parametrize("wrong", WRONG)
 def test_what_is_not_a_real_number_is_refused(coated, wrong):
-    for function in (coated.at_depth, coated.medium.modulus, coated.indenter.height, mdr.weight_i1):
-        with pytest.raises(mdr.ArgumentTypeError) as caught:
+    for function in (coated.at_depth, coated.medium.modulus, coated.indenter.height, mdr.weights.weight_i1):
+        with pytest.raises(mdr.errors.ArgumentTypeError) as caught:
             function(wrong)
         assert isinstance(caught.value, TypeError)
 
 
 def test_masked_elements_are_refused(coated):
-    with pytest.raises(mdr.ArgumentTypeError, match="masked"):
+    with pytest.raises(mdr.errors.ArgumentTypeError, match="masked"):
         coated.at_depth(np.ma.masked_array([1e-8, 2e-8], [False, True]))
 
 
@@ -109,17 +109,17 @@ def test_fields_of_a_state(body, gamma):
 
 def test_what_is_no_state_is_refused(coated):
     states = coated.at_depth([1e-8, 2e-8])
-    with pytest.raises(mdr.ArgumentTypeError, match="begin with that"):
+    with pytest.raises(mdr.errors.ArgumentTypeError, match="begin with that"):
         states.pressure(0.0)
-    with pytest.raises(mdr.ArgumentTypeError, match=r"states of shape \(2,\)"):
+    with pytest.raises(mdr.errors.ArgumentTypeError, match=r"states of shape \(2,\)"):
         states.lowest_pressure()
-    with pytest.raises(mdr.ArgumentTypeError, match="has no contact"):
+    with pytest.raises(mdr.errors.ArgumentTypeError, match="has no contact"):
         mdr.State(*states[0]).energy()
     with pytest.raises(IndexError, match="one state, not several: its numbers are depth"):
         states[0][0]
-    with pytest.raises(mdr.InvalidArgumentError, match="no contact"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="no contact"):
         coated.at_depth(0.0).pressure(0.0)
-    with pytest.raises(mdr.InvalidArgumentError, match="punch_depth"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="punch_depth"):
         states[0]._replace(punch_depth=float("nan")).pressure(0.0)
 
 

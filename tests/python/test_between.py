@@ -81,7 +81,7 @@ def test_the_variance_between_solves_its_equation():
 
 def test_one_test_has_no_mean():
     found = folder(np.random.default_rng(0), 1, 0.0)
-    with pytest.raises(mdr.InvalidArgumentError, match="needs two"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="needs two"):
         mdi.mean_of_tests(found, "E")
 
 

@@ -39,9 +39,9 @@ def test_two_curved_bodies():
     assert mdr.Paraboloid.between(2e-3, math.inf) == mdr.Paraboloid(2e-3)
     assert mdr.Paraboloid.between(2e-3, -4e-3).radius == pytest.approx(4e-3, rel=CLOSED)
     for lower, words in ((-2.1e-3, "conformal"), (-1e-3, "conformal"), (0.0, "other than 0"), (math.nan, "other than 0")):
-        with pytest.raises(mdr.InvalidArgumentError, match=words):
+        with pytest.raises(mdr.errors.InvalidArgumentError, match=words):
             mdr.Paraboloid.between(2e-3, lower)
-    with pytest.raises(mdr.InvalidArgumentError, match="upper_radius = -1"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="upper_radius = -1"):
         mdr.Paraboloid.between(-1.0, 2.0)
 
 
@@ -85,10 +85,10 @@ def test_incompressible_coating_closed_forms_24_and_27():
 def test_weights_are_derivative_and_complement():
     xi = np.geomspace(1e-6, 1e6, 13)
     for x in (0.1, 1.0, 10.0):
-        assert mdr.weight_i0(x) == pytest.approx(quad(mdr.weight_phi, 0, x, epsrel=1e-12)[0], rel=QUADRATURE)
-    assert mdr.weight_phi(1.0) == pytest.approx(1 / math.pi, rel=CLOSED)
-    assert mdr.weight_i0(xi, 0.3) + mdr.weight_j0(xi, 0.3) == pytest.approx(np.ones(13), rel=CLOSED)
-    assert mdr.weight_i1(xi) + mdr.weight_j1(xi) == pytest.approx(np.ones(13), rel=CLOSED)
+        assert mdr.weights.weight_i0(x) == pytest.approx(quad(mdr.weights.weight_phi, 0, x, epsrel=1e-12)[0], rel=QUADRATURE)
+    assert mdr.weights.weight_phi(1.0) == pytest.approx(1 / math.pi, rel=CLOSED)
+    assert mdr.weights.weight_i0(xi, 0.3) + mdr.weights.weight_j0(xi, 0.3) == pytest.approx(np.ones(13), rel=CLOSED)
+    assert mdr.weights.weight_i1(xi) + mdr.weights.weight_j1(xi) == pytest.approx(np.ones(13), rel=CLOSED)
 
 
 # the formula of Hay and Crawford as published does not return the substrate where coating and substrate are the same
@@ -168,6 +168,6 @@ def test_flat_punch_needs_a_depth():
     expected = E_STAR * 1e-8 / (math.pi * np.sqrt(1e-12 - r**2))
     assert contact.at_depth(1e-8).pressure(r) == pytest.approx(expected, rel=1e-10)
     assert contact.at_force(2 * 1e-6 * E_STAR * 1e-8).pressure(r) == pytest.approx(expected, rel=1e-10)
-    with pytest.raises(mdr.UnreachableError):
+    with pytest.raises(mdr.errors.UnreachableError):
         contact.at_radius(1e-6).pressure(r)
     assert contact.at_depth(1e-8).pressure(1e-6) == math.inf

@@ -134,13 +134,13 @@ def test_a_fit_finds_the_springs():
 
 def test_refusals():
     crystal = mdr.TransverselyIsotropic.from_engineering(10.0, 3.0, 0.2, 0.1, 2.0)
-    with pytest.raises(mdr.InvalidArgumentError, match="prestress"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="prestress"):
         mdr.Layer(FILM, 1.0, prestress=0.1)
-    with pytest.raises(mdr.InvalidArgumentError, match="prestress of layer 2"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="prestress of layer 2"):
         mdr.Layered([(FILM, 1.0), mdr.Layer(BASE, 1.0, prestress=0.1)], BASE)
-    with pytest.raises(mdr.InvalidArgumentError, match="layer 1 are not allowed in a body that relaxes"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="layer 1 are not allowed in a body that relaxes"):
         mdr.Layered([(crystal, 1.0)], FILM)
-    with pytest.raises(mdr.InvalidArgumentError, match="not isotropic, bonded"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="not isotropic, bonded"):
         mdr.Layered([mdr.Layer(FILM, 1.0, interface=mdr.SLIDING)], BASE, model="gao")
     assert math.isfinite(mdr.Layered([mdr.Layer(FILM, 1.0, interface=mdr.SLIDING)], BASE).compliance(1.0, omega=1.0).real)
 

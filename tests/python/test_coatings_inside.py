@@ -25,7 +25,7 @@ def stored(contact, state, layers):
     return layer_energies(state, "lower", layers)
 
 
-@pytest.mark.filterwarnings("ignore::mdrcontact.LargeStrainWarning")
+@pytest.mark.filterwarnings("ignore::mdrcontact.errors.LargeStrainWarning")
 def test_fields_are_those_of_another_solver():
     """Displacements and stresses to 1e-12 of the largest of a point: half-spaces with real, far, double and complex roots, films
     on and of them, springs, a sliding sheet, a smooth base; at single points and on a grid."""

@@ -189,7 +189,7 @@ def test_bodies_attract_each_other_before_they_touch():
     gaps = first.displacement([0.0, 0.5 * first.zone_radius, first.zone_radius])
     gaps = gaps - first.depth + PARABOLOID.height(np.array([0.0, 0.5, 1.0]) * first.zone_radius)
     assert np.all(np.diff(gaps) > 0.0) and gaps[-1] == pytest.approx(0.5 / 0.05, rel=1e-9)
-    with pytest.raises(mdr.UnreachableError, match="attract each other from depth -10 on"):
+    with pytest.raises(mdr.errors.UnreachableError, match="attract each other from depth -10 on"):
         contact.at_depth(-10.001, branch="loading")
     sharp = mdr.Contact(mdr.Cone(0.2), HALF_SPACE, work_of_adhesion=0.5, cohesive_stress=0.05)
     assert sharp.at_depth(-10.0 + 1e-6, branch="loading").zone_radius < 1e-5
@@ -207,36 +207,36 @@ def test_inversion_gives_the_state_back(control):
 
 
 def test_refusals():
-    with pytest.raises(mdr.InvalidArgumentError, match="cohesive_stress"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="cohesive_stress"):
         mdr.Contact(PARABOLOID, FILM, work_of_adhesion=0.5, cohesive_stress=-1.0)
-    with pytest.raises(mdr.InvalidArgumentError, match="without a work_of_adhesion"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="without a work_of_adhesion"):
         mdr.Contact(PARABOLOID, FILM, cohesive_stress=1.0)
     for model in ("gao", "perriot-barthel"):
-        with pytest.raises(mdr.InvalidArgumentError, match="an effective modulus has no equation"):
+        with pytest.raises(mdr.errors.InvalidArgumentError, match="an effective modulus has no equation"):
             mdr.Contact(PARABOLOID, FILM.with_model(model), work_of_adhesion=0.5, cohesive_stress=1.0)
-    with pytest.raises(mdr.InvalidArgumentError, match="vertical wall"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="vertical wall"):
         mdr.Contact(mdr.FlatPunch(1.0), FILM, work_of_adhesion=0.5, cohesive_stress=1.0)
-    with pytest.raises(mdr.InvalidArgumentError, match="paper"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="paper"):
         mdr.Contact(PARABOLOID, FILM, 0.5, "paper", cohesive_stress=1.0)
-    with pytest.raises(mdr.DomainError, match="larger cohesive_stress"):
+    with pytest.raises(mdr.errors.DomainError, match="larger cohesive_stress"):
         mdr.Contact(mdr.Sphere(1.0), HALF_SPACE, work_of_adhesion=0.5, cohesive_stress=0.02)
     contact = mdr.Contact(PARABOLOID, FILM, work_of_adhesion=0.5, cohesive_stress=1.0)
     state = contact.at_radius(1.0)
-    with pytest.raises(mdr.InvalidArgumentError, match="cohesive_stress"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="cohesive_stress"):
         state.interior(0.0, 0.5)
-    with pytest.raises(mdr.InvalidArgumentError, match="zone_radius"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="zone_radius"):
         state._replace(zone_radius=0.0).pressure(0.5)
-    with pytest.raises(mdr.DomainError, match="at most"):
+    with pytest.raises(mdr.errors.DomainError, match="at most"):
         state.pressure(1.1 * state.zone_radius)
 
 
 def test_a_zone_too_short_is_none_and_says_so():
     jkr = mdr.Contact(PARABOLOID, FILM, work_of_adhesion=0.5)
-    with pytest.warns(mdr.ShortZoneWarning, match="without a range"):
+    with pytest.warns(mdr.errors.ShortZoneWarning, match="without a range"):
         state = mdr.Contact(PARABOLOID, FILM, work_of_adhesion=0.5, cohesive_stress=1e7).at_depth(0.5)
     assert tuple(state) == tuple(jkr.at_depth(0.5))
     with warnings.catch_warnings():
-        warnings.simplefilter("error", mdr.ShortZoneWarning)
+        warnings.simplefilter("error", mdr.errors.ShortZoneWarning)
         near = mdr.Contact(PARABOLOID, FILM, work_of_adhesion=0.5, cohesive_stress=1e5).at_depth(0.5)
     assert near.force == pytest.approx(jkr.at_depth(0.5).force, rel=1e-8)
 

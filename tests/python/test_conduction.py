@@ -15,10 +15,11 @@ from conftest import ROOT
 import mdrcontact as mdr
 import mdrcontact.instruments as mdi
 from mdrcontact.cli import main
+from mdrcontact.conduction import INSULATING, PERFECT, Conduction, Conductor, LayeredConductor
 from mdrcontact.problem import load
 
 REFERENCE = Path(__file__).parents[1] / "data" / "conduction.csv"
-BASES = {"perfect": mdr.PERFECT, "insulating": mdr.INSULATING}
+BASES = {"perfect": PERFECT, "insulating": INSULATING}
 
 
 def rows():
@@ -31,16 +32,16 @@ def body_of(text):
     layers = []
     for word in text.split(";"):
         if word in BASES:
-            return mdr.LayeredConductor(layers, BASES[word])
+            return LayeredConductor(layers, BASES[word])
         if word == "-":
             return None
         if word.startswith("R="):
             layers.append(mdr.Interface(float(word[2:])))
             continue
         h, sigma, along, capacity = word.split(":")
-        conductor = mdr.Conductor(float(sigma), float(along), float(capacity))
+        conductor = Conductor(float(sigma), float(along), float(capacity))
         if h == "inf":
-            return mdr.LayeredConductor(layers, conductor)
+            return LayeredConductor(layers, conductor)
         layers.append((conductor, float(h)))
     raise AssertionError(text)
 
@@ -53,7 +54,7 @@ def parameters_of(row):
 def value_of(row):
     """By the library."""
     given, a, what = parameters_of(row), float(row["a"]), row["quantity"]
-    conduction = mdr.Conduction(body_of(row["body1"]), body_of(row["body2"]), given.get("Rc", 0.0), given.get("b"))
+    conduction = Conduction(body_of(row["body1"]), body_of(row["body2"]), given.get("Rc", 0.0), given.get("b"))
     if "Rm" in given:
         contact = mdr.Contact(mdr.Paraboloid(1.0), mdr.Homogeneous(mdr.Elastic(0.5 * np.pi / a, 0.0)))
         return conduction.rough(contact.at_radius(a), given["Rm"])
@@ -74,7 +75,7 @@ def value_of(row):
         return conduction.admittance(0.0, a, {"Ru mean": "mean_potential", "Ru centre": "centre_potential"}[what]).real
     spot = conduction.at_radius(a)
     if what == "series G":
-        parts = [mdr.Conduction(body_of(row[name])).at_radius(a).conductance for name in ("body1", "body2")]
+        parts = [Conduction(body_of(row[name])).at_radius(a).conductance for name in ("body1", "body2")]
         return 1.0 / sum(1.0 / part for part in parts)
     if what == "j":
         return spot.flux(given["r"])
@@ -96,7 +97,7 @@ def contact_of(given, a, paraboloid=1000.0):
 def heat_of(row):
     """Of the heat of friction."""
     given, a = parameters_of(row), float(row["a"])
-    conduction = mdr.Conduction(body_of(row["body1"]), body_of(row["body2"]))
+    conduction = Conduction(body_of(row["body1"]), body_of(row["body2"]))
     if row["group"].startswith(("moving", "spin")):
         # the largest pressure of a paraboloid is 2 E* a/(pi R)
         contact = mdr.Contact(mdr.Paraboloid(1.0), mdr.Homogeneous(mdr.Elastic(0.5 * np.pi / a, 0.0)))
@@ -112,7 +113,7 @@ def heat_of(row):
 def coupled(row):
     """A contact and its conductance."""
     state = COUPLED.at_radius(float(row["a"]))
-    G = mdr.Conduction(body_of(row["body1"])).along(state).conductance
+    G = Conduction(body_of(row["body1"])).along(state).conductance
     return {"F": state.force, "k": state.stiffness, "d": state.depth, "G": G}[row["quantity"]]
 
 
@@ -133,16 +134,16 @@ def test_reference(row):
     assert abs(found - expected) <= max(10.0 * float(row["accuracy"]), 1e-11) * abs(expected)
 
 
-STACK = mdr.LayeredConductor(
-    [(mdr.Conductor(1.0, 4.0), 0.5), mdr.Interface(0.7), (mdr.Conductor(3.0, 1.0), 0.4), mdr.Interface(0.3)],
-    mdr.Conductor(1.0, 2.0),
+STACK = LayeredConductor(
+    [(Conductor(1.0, 4.0), 0.5), mdr.Interface(0.7), (Conductor(3.0, 1.0), 0.4), mdr.Interface(0.3)],
+    Conductor(1.0, 2.0),
 )
-PAIR = mdr.Conduction(STACK, mdr.LayeredConductor([(mdr.Conductor(0.2), 0.3)], mdr.Conductor(3.0)))
+PAIR = Conduction(STACK, LayeredConductor([(Conductor(0.2), 0.3)], Conductor(3.0)))
 CASES = {
-    "half-space": mdr.Conduction(mdr.Conductor(2.0, 8.0)),
-    "stack": mdr.Conduction(STACK),
-    "perfect base": mdr.Conduction(mdr.LayeredConductor([(mdr.Conductor(1.0), 1.0), mdr.Interface(0.2)], mdr.PERFECT)),
-    "insulating base": mdr.Conduction(mdr.LayeredConductor([(mdr.Conductor(1.0), 1.0)], mdr.INSULATING), sink=100.0),
+    "half-space": Conduction(Conductor(2.0, 8.0)),
+    "stack": Conduction(STACK),
+    "perfect base": Conduction(LayeredConductor([(Conductor(1.0), 1.0), mdr.Interface(0.2)], PERFECT)),
+    "insulating base": Conduction(LayeredConductor([(Conductor(1.0), 1.0)], INSULATING), sink=100.0),
     "pair": PAIR,
     "film in the spot": PAIR.replace(film=0.2),
 }
@@ -193,8 +194,8 @@ def test_potentials_jump_by_the_resistance_of_an_interface():
 
 
 def test_potentials_are_continuous_within_and_across_layers():
-    film = mdr.LayeredConductor([(mdr.Conductor(2.0), 1.0)], mdr.Conductor(0.5))
-    spot, r = mdr.Conduction(film).at_radius(1.5), np.array([0.0, 0.7, 1.4, 3.0])
+    film = LayeredConductor([(Conductor(2.0), 1.0)], Conductor(0.5))
+    spot, r = Conduction(film).at_radius(1.5), np.array([0.0, 0.7, 1.4, 3.0])
     assert spot.potential(r, 1.0, side="above") == pytest.approx(spot.potential(r, 1.0, side="below"), rel=1e-11)
     # Laplace's equation and Ohm's law by differences
     h = 1e-3
@@ -212,25 +213,25 @@ def test_both_bodies_share_the_potential():
 
 
 def test_equal_layers_are_one():
-    whole = mdr.LayeredConductor([(mdr.Conductor(2.0, 3.0, 0.7), 1.0)], mdr.Conductor(1.0, 1.0, 2.0))
-    parts = mdr.LayeredConductor([(mdr.Conductor(2.0, 3.0, 0.7), h) for h in (0.3, 0.5, 0.2)], mdr.Conductor(1.0, 1.0, 2.0))
-    one, three = mdr.Conduction(whole), mdr.Conduction(parts)
+    whole = LayeredConductor([(Conductor(2.0, 3.0, 0.7), 1.0)], Conductor(1.0, 1.0, 2.0))
+    parts = LayeredConductor([(Conductor(2.0, 3.0, 0.7), h) for h in (0.3, 0.5, 0.2)], Conductor(1.0, 1.0, 2.0))
+    one, three = Conduction(whole), Conduction(parts)
     for a in (0.1, 1.0, 10.0):
         assert three.at_radius(a).conductance == pytest.approx(one.at_radius(a).conductance, rel=1e-11)
     assert three.step(0.1, 1.0) == pytest.approx(one.step(0.1, 1.0), rel=1e-11)
-    same = mdr.Conduction(mdr.LayeredConductor([(mdr.Conductor(2.0), 1.0)], mdr.Conductor(2.0)))
+    same = Conduction(LayeredConductor([(Conductor(2.0), 1.0)], Conductor(2.0)))
     assert same.at_radius(3.0).conductance == pytest.approx(24.0, rel=1e-13)
 
 
 def test_limits_of_resistances():
-    layers, base = (mdr.Conductor(2.0), 1.0), mdr.Conductor(1.0)
-    bonded = mdr.Conduction(mdr.LayeredConductor([layers], base)).at_radius(1.0).conductance
-    film = [mdr.Conduction(mdr.LayeredConductor([layers, mdr.Interface(r)], base)) for r in (1e-10, 0.5, 5.0)]
+    layers, base = (Conductor(2.0), 1.0), Conductor(1.0)
+    bonded = Conduction(LayeredConductor([layers], base)).at_radius(1.0).conductance
+    film = [Conduction(LayeredConductor([layers, mdr.Interface(r)], base)) for r in (1e-10, 0.5, 5.0)]
     conductance = [c.at_radius(1.0).conductance for c in film]
     assert conductance[0] == pytest.approx(bonded, rel=1e-9)
     assert conductance[0] > conductance[1] > conductance[2]
     # a film in the spot: nothing, and everything; below 1e-2 a/S its edge is too thin
-    plain = mdr.Conduction(mdr.Conductor(1.0))
+    plain = Conduction(Conductor(1.0))
     assert plain.replace(film=3e-3).at_radius(1.0).conductance == pytest.approx(4.0, rel=2e-2)
     much = plain.replace(film=1e6).at_radius(1.0).conductance
     mean = plain.admittance(0.0, 1.0, "mean_potential").real
@@ -252,8 +253,8 @@ def test_thin_films_lead_to_the_bare_spot(name):
 
 
 def test_pair_of_equals_is_half():
-    one = mdr.Conduction(STACK).at_radius([0.2, 1.0, 5.0])
-    two = mdr.Conduction(STACK, STACK).at_radius([0.2, 1.0, 5.0])
+    one = Conduction(STACK).at_radius([0.2, 1.0, 5.0])
+    two = Conduction(STACK, STACK).at_radius([0.2, 1.0, 5.0])
     assert 2.0 * two.conductance == pytest.approx(one.conductance, rel=1e-11)
 
 
@@ -267,28 +268,28 @@ def test_conductance_grows_with_every_layer():
 
 
 def conductance_of(sigma):
-    layers = [(mdr.Conductor(s), h) for s, h in zip(sigma, (0.4, 0.7), strict=False)]
-    return np.asarray(mdr.Conduction(mdr.LayeredConductor(layers, mdr.Conductor(sigma[2]))).at_radius([0.1, 1.0, 10.0]).conductance)
+    layers = [(Conductor(s), h) for s, h in zip(sigma, (0.4, 0.7), strict=False)]
+    return np.asarray(Conduction(LayeredConductor(layers, Conductor(sigma[2]))).at_radius([0.1, 1.0, 10.0]).conductance)
 
 
 def test_asymptotes():
     """Dryden's thick film, a thin one on a perfect base, an insulated one: theory/conduction.md (2.5), (2.6), (6.3)."""
-    film = mdr.Conduction(mdr.LayeredConductor([(mdr.Conductor(5.0), 1.0)], mdr.Conductor(1.0)))
+    film = Conduction(LayeredConductor([(Conductor(5.0), 1.0)], Conductor(1.0)))
     a = 0.02
     expected = 1.0 / (4.0 * 5.0 * a) + np.log(3.0) / (2.0 * np.pi * 5.0)
     assert 1.0 / film.at_radius(a).conductance == pytest.approx(expected, rel=1e-5)
-    sheet = mdr.Conduction(mdr.LayeredConductor([(mdr.Conductor(5.0), 1.0)], mdr.PERFECT)).at_radius(200.0).conductance
+    sheet = Conduction(LayeredConductor([(Conductor(5.0), 1.0)], PERFECT)).at_radius(200.0).conductance
     assert sheet == pytest.approx(5.0 * np.pi * 200.0**2 * (1.0 + 4.0 * np.log(2.0) / np.pi / 200.0), rel=1e-4)
-    insulated = mdr.LayeredConductor([(mdr.Conductor(1.0), 1.0)], mdr.INSULATING)
+    insulated = LayeredConductor([(Conductor(1.0), 1.0)], INSULATING)
     a = 0.02
     resistance = 1.0 / (4.0 * a) + (np.log(100.0 / 4.0) + np.euler_gamma) / (2.0 * np.pi)
-    assert 1.0 / mdr.Conduction(insulated, sink=100.0).at_radius(a).conductance == pytest.approx(resistance, rel=1e-4)
+    assert 1.0 / Conduction(insulated, sink=100.0).at_radius(a).conductance == pytest.approx(resistance, rel=1e-4)
 
 
 def test_short_and_long_times():
     """theory/conduction.md (9.7), (9.8)."""
-    body = mdr.LayeredConductor([(mdr.Conductor(2.0, None, 1.0), 1.0), mdr.Interface(0.2)], mdr.Conductor(1.0, None, 3.0))
-    spot = mdr.Conduction(body)
+    body = LayeredConductor([(Conductor(2.0, None, 1.0), 1.0), mdr.Interface(0.2)], Conductor(1.0, None, 3.0))
+    spot = Conduction(body)
     t = 1e-4
     assert spot.step(t, 1.0) == pytest.approx(np.pi * np.sqrt(2.0 / (np.pi * t)) + 2.0 * np.pi, rel=1e-3)
     steady, late = spot.at_radius(1.0).conductance, 1e4
@@ -302,7 +303,7 @@ def test_short_and_long_times():
 
 def test_times_share_parabolas():
     """The same whether they come one by one or together."""
-    spot, t = mdr.Conduction(STACK.replace(substrate=mdr.Conductor(1.0, 2.0, 1.0))), np.geomspace(1e-2, 1e2, 9)
+    spot, t = Conduction(STACK.replace(substrate=Conductor(1.0, 2.0, 1.0))), np.geomspace(1e-2, 1e2, 9)
     together = spot.step(t, 1.0)
     assert together == pytest.approx([spot.step(float(x), 1.0) for x in t], rel=1e-11)
     assert np.all(np.diff(together) < 0.0)
@@ -311,16 +312,16 @@ def test_times_share_parabolas():
 @pytest.mark.slow
 def test_any_history():
     """Ramps superposed: evenly spaced times as others; two ramps make a step; oscillations end in the admittance."""
-    body = mdr.LayeredConductor([(mdr.Conductor(2.0, None, 1.0), 1.0), mdr.Interface(0.2)], mdr.Conductor(1.0, None, 3.0))
+    body = LayeredConductor([(Conductor(2.0, None, 1.0), 1.0), mdr.Interface(0.2)], Conductor(1.0, None, 3.0))
     for spot, answer in (
-        (mdr.Conduction(body), "conductance"),
-        (mdr.Conduction(body, film=0.3), "resistance"),
-        (mdr.Conduction(body), "centre_potential"),
+        (Conduction(body), "conductance"),
+        (Conduction(body, film=0.3), "resistance"),
+        (Conduction(body), "centre_potential"),
     ):
         late, width = 0.7, 1e-3
         steep = spot.follow([0.0, width, late + 0.5 * width], [0.0, 1.0, 1.0], 1.0, answer)
         assert steep[0] == 0.0 and steep[2] == pytest.approx(spot.step(late, 1.0, answer), rel=1e-6)
-    spot, omega = mdr.Conduction(body), 3.0
+    spot, omega = Conduction(body), 3.0
     t = np.linspace(0.0, 24.0, 1921)
     found = spot.follow(t, np.sin(omega * t), 1.0)
     y = complex(spot.admittance(omega, 1.0))
@@ -342,7 +343,7 @@ def test_any_history():
 def test_conductance_along_a_load(gamma):
     """dG/dF and dG/dd by differences along the curve."""
     contact = mdr.Contact(mdr.Paraboloid(10.0), mdr.Coated(mdr.Elastic(5.0, 0.3), 1.0, mdr.Elastic(50.0, 0.3)), gamma)
-    spot = mdr.Conduction(mdr.LayeredConductor([(mdr.Conductor(3.0), 1.0)], mdr.Conductor(1.0)))
+    spot = Conduction(LayeredConductor([(Conductor(3.0), 1.0)], Conductor(1.0)))
     a, h = 1.5, 1e-3
     found = spot.along(contact.at_radius(a))
     states = contact.at_radius([a - 2 * h, a - h, a + h, a + 2 * h])
@@ -357,11 +358,11 @@ def test_conductance_along_a_load(gamma):
 def test_homogeneous_bodies_obey_barber():
     """theory/conduction.md (8.2)."""
     for profile in (mdr.Cone(0.2), mdr.Paraboloid(3.0), mdr.FlatPunch(0.4)):
-        material = mdr.Elastic(3.0, 0.25, mdr.Conductor(2.0))
+        material = mdr.Elastic(3.0, 0.25, Conductor(2.0))
         body = mdr.Homogeneous(material)
         contact = mdr.Contact(profile, body)
         state = contact.at_depth(0.1)
-        found = mdr.Conduction(body).along(state)
+        found = Conduction(body).along(state)
         assert found.conductance == pytest.approx(4.0 * state.stiffness / material.contact_modulus, rel=1e-10)
 
 
@@ -370,29 +371,29 @@ def test_heat_of_homogeneous_bodies():
     body = mdr.Homogeneous(mdr.Elastic(2.0, 0.3))
     contact = mdr.Contact(mdr.Paraboloid(5.0), body)
     state = contact.at_radius(0.4)
-    heat = mdr.Conduction(mdr.Conductor(3.0)).friction_heat(state, 0.2, 7.0)
+    heat = Conduction(Conductor(3.0)).friction_heat(state, 0.2, 7.0)
     assert heat.total == pytest.approx(1.4 * state.force, rel=1e-10)
     assert heat.centre == pytest.approx(3.0 * heat.total / (8.0 * 3.0 * 0.4), rel=1e-10)
     assert heat.flux_mean == pytest.approx(0.8 * heat.centre, rel=1e-10)
     assert heat.area_mean == pytest.approx(0.75 * heat.centre, rel=1e-10)
     assert heat.temperature(0.0, 0.0) == pytest.approx(heat.centre, rel=1e-9)
-    both = mdr.Conduction(mdr.Conductor(3.0), mdr.Conductor(1.0)).friction_heat(state, 0.2, 7.0)
+    both = Conduction(Conductor(3.0), Conductor(1.0)).friction_heat(state, 0.2, 7.0)
     assert both.share == pytest.approx(0.75, rel=1e-12) and both.centre == pytest.approx(0.75 * heat.centre, rel=1e-12)
     cone = mdr.Contact(mdr.Cone(0.1), body)
     state = cone.at_radius(0.4)
-    heat = mdr.Conduction(mdr.Conductor(3.0)).friction_heat(state, 1.0, 1.0)
+    heat = Conduction(Conductor(3.0)).friction_heat(state, 1.0, 1.0)
     assert heat.total == pytest.approx(state.force, rel=1e-9)
     # p = (E* tan(phi)/2) acosh(a/r), int_0^a p dr = (E* tan(phi)/2) a pi/2
     expected = 0.25 * np.pi * 0.4 * np.tan(0.1) * 2.0 / (1.0 - 0.09) / 3.0
     assert heat.centre == pytest.approx(expected, rel=1e-9)
-    still = mdr.Conduction(mdr.Conductor(3.0)).friction_heat(state, 0.0, 1.0)
+    still = Conduction(Conductor(3.0)).friction_heat(state, 0.0, 1.0)
     assert still.total == 0.0 and still.centre == 0.0
 
 
 def test_temperatures_near_kinks():
     """Within 2e-3 of the largest: of a cone T(r) = c (pi a/2 - r)/S, kinked on the axis; of a flat end by quadrature."""
     body, S = mdr.Homogeneous(mdr.Elastic(2.0, 0.3)), 3.0
-    conduction = mdr.Conduction(mdr.Conductor(S))
+    conduction = Conduction(Conductor(S))
     cone = mdr.Contact(mdr.Cone(0.1), body)
     heat = conduction.friction_heat(cone.at_radius(0.4), 1.0, 1.0)
     r = np.concatenate([[0.0], np.geomspace(1e-6, 0.399, 25)])
@@ -425,9 +426,9 @@ def test_heat_leaves_both_bodies_at_one_temperature():
 
 
 def test_a_slow_source_rests():
-    body = mdr.LayeredConductor([(mdr.Conductor(2.0, None, 1.0), 1.0)], mdr.Conductor(1.0, None, 3.0))
+    body = LayeredConductor([(Conductor(2.0, None, 1.0), 1.0)], Conductor(1.0, None, 3.0))
     contact = mdr.Contact(mdr.Paraboloid(10.0), mdr.Homogeneous(mdr.Elastic(2.0, 0.3)))
-    state, conduction = contact.at_radius(1.0), mdr.Conduction(body)
+    state, conduction = contact.at_radius(1.0), Conduction(body)
     rest = conduction.friction_heat(state, 1.0, 1.0)
     slow = conduction.friction_heat(state, 1.0, 1.0, "moving", 1e-7)
     fast = conduction.friction_heat(state, 1.0, 1.0, "moving", 30.0)
@@ -458,7 +459,7 @@ def of_jaeger(x, y, v):
 def test_largest_temperature_of_a_moving_source(v):
     """Beside Jaeger's source, whose temperatures along the line are integrated at places around the one found."""
     contact = mdr.Contact(mdr.Paraboloid(1.0), mdr.Homogeneous(mdr.Elastic(0.5 * np.pi, 0.0)))
-    heat = mdr.Conduction(mdr.Conductor(1.0, None, 1.0)).friction_heat(contact.at_radius(1.0), 1.0, 1.0, "moving", v)
+    heat = Conduction(Conductor(1.0, None, 1.0)).friction_heat(contact.at_radius(1.0), 1.0, 1.0, "moving", v)
     assert heat.centre == pytest.approx(of_jaeger(0.0, 0.0, v), rel=1e-5)
     assert heat.largest == pytest.approx(of_jaeger(heat.behind, 0.0, v), rel=1e-5)
     for step in (-0.05, 0.05):
@@ -470,12 +471,12 @@ def test_largest_temperature_of_a_moving_source(v):
 def test_share_of_a_moving_source():
     """Equal means over the heat: the faster, the more goes into the body that moves; slow, what two bodies at rest share."""
     contact = mdr.Contact(mdr.Paraboloid(10.0), mdr.Homogeneous(mdr.Elastic(2.0, 0.3)))
-    state, body = contact.at_radius(1.0), mdr.Conductor(2.0, None, 1.0)
-    both = mdr.Conduction(body, mdr.Conductor(1.0))
+    state, body = contact.at_radius(1.0), Conductor(2.0, None, 1.0)
+    both = Conduction(body, Conductor(1.0))
     slow, fast = (both.friction_heat(state, 1.0, 1.0, "moving", v) for v in (1e-7, 20.0))
     assert slow.share == pytest.approx(2.0 / 3.0, rel=1e-6) and fast.share > 0.8
-    moved = mdr.Conduction(body).friction_heat(state, 1.0, 1.0, "moving", 20.0)
-    rest = mdr.Conduction(mdr.Conductor(1.0)).friction_heat(state, 1.0, 1.0)
+    moved = Conduction(body).friction_heat(state, 1.0, 1.0, "moving", 20.0)
+    rest = Conduction(Conductor(1.0)).friction_heat(state, 1.0, 1.0)
     assert fast.flux_mean == pytest.approx(fast.share * moved.flux_mean, rel=1e-12)
     assert fast.flux_mean == pytest.approx((1.0 - fast.share) * rest.flux_mean, rel=1e-9)
     assert fast.largest == pytest.approx(fast.share * moved.largest, rel=1e-12) and fast.behind == moved.behind
@@ -483,8 +484,8 @@ def test_share_of_a_moving_source():
 
 def test_heat_of_many_states():
     """As one by one; and the series of the medium gives what sampling gives."""
-    coated = mdr.Coated(mdr.Elastic(10.0, 0.3, mdr.Conductor(0.1)), 1.0, mdr.Elastic(1.0, 0.3, mdr.Conductor(1.0)))
-    contact, conduction = mdr.Contact(mdr.Paraboloid(1e3), coated), mdr.Conduction(coated)
+    coated = mdr.Coated(mdr.Elastic(10.0, 0.3, Conductor(0.1)), 1.0, mdr.Elastic(1.0, 0.3, Conductor(1.0)))
+    contact, conduction = mdr.Contact(mdr.Paraboloid(1e3), coated), Conduction(coated)
     states = contact.at_radius([[0.1, 1.0, 3.0], [10.0, 30.0, 100.0]])
     heat = conduction.friction_heat(states, 0.2, 3.0)
     assert heat.centre.shape == (2, 3) and heat.largest is None
@@ -498,36 +499,36 @@ def test_heat_of_many_states():
 
 
 def test_mechanical_bodies_conduct():
-    film, base = mdr.Elastic(72.0, 0.17, mdr.Conductor(1.4)), mdr.Elastic(165.0, 0.22, mdr.Conductor(148.0))
-    expected = mdr.Conduction(mdr.LayeredConductor([(mdr.Conductor(1.4), 0.5)], mdr.Conductor(148.0)))
+    film, base = mdr.Elastic(72.0, 0.17, Conductor(1.4)), mdr.Elastic(165.0, 0.22, Conductor(148.0))
+    expected = Conduction(LayeredConductor([(Conductor(1.4), 0.5)], Conductor(148.0)))
     coated, layered = mdr.Coated(film, 0.5, base), mdr.Layered([(film, 0.2), (film, 0.3)], base)
     for body in (coated, layered):
-        assert mdr.Conduction(body).at_radius(1.0).conductance == pytest.approx(expected.at_radius(1.0).conductance, rel=1e-11)
-    pair = mdr.Conduction(mdr.Pair(coated, mdr.Homogeneous(base)))
-    assert pair.at_radius(1.0).conductance == mdr.Conduction(coated, mdr.Homogeneous(base)).at_radius(1.0).conductance
+        assert Conduction(body).at_radius(1.0).conductance == pytest.approx(expected.at_radius(1.0).conductance, rel=1e-11)
+    pair = Conduction(mdr.Pair(coated, mdr.Homogeneous(base)))
+    assert pair.at_radius(1.0).conductance == Conduction(coated, mdr.Homogeneous(base)).at_radius(1.0).conductance
 
 
 @pytest.mark.parametrize(
     ("call", "words"),
     [
-        (lambda: mdr.Conductor(-1.0), "sigma = -1"),
-        (lambda: mdr.Conductor(1.0, 0.0), "along = 0"),
-        (lambda: mdr.Conductor(1.0, 1.0, -2.0), "capacity = -2"),
+        (lambda: Conductor(-1.0), "sigma = -1"),
+        (lambda: Conductor(1.0, 0.0), "along = 0"),
+        (lambda: Conductor(1.0, 1.0, -2.0), "capacity = -2"),
         (lambda: mdr.Interface(-1e-9), "resistance = -1e-09"),
-        (lambda: mdr.LayeredConductor([(mdr.Conductor(1.0), -1.0)], mdr.PERFECT), "thickness = -1"),
-        (lambda: mdr.LayeredConductor([mdr.Interface(1.0)], mdr.Conductor(1.0)), "below a layer"),
-        (lambda: mdr.LayeredConductor([], mdr.PERFECT), "no layer"),
-        (lambda: mdr.LayeredConductor([], mdr.RIGID), "PERFECT or INSULATING"),
-        (lambda: mdr.Conduction(mdr.Conductor(1.0), film=-1.0), "film = -1"),
-        (lambda: mdr.Conduction(mdr.Homogeneous(mdr.Elastic(1.0, 0.3))), "no conductivity"),
-        (lambda: mdr.Conduction(mdr.LayeredConductor([(mdr.Conductor(1.0), 1.0)], mdr.INSULATING)).at_radius(1.0), "sink"),
-        (lambda: mdr.Conduction(mdr.Conductor(1.0), sink=30.0), "sink = 30 .* insulating base alone"),
-        (lambda: mdr.Conduction(mdr.LayeredConductor([(mdr.Conductor(1.0), 1.0)], mdr.PERFECT), sink=30.0), "sink = 30"),
-        (lambda: mdr.Conduction(mdr.Conductor(1.0)).friction_heat(None, 0.1, 1.0, source_speed=2.0), "source_speed = 2.0 .* rests"),
-        (lambda: mdr.Conduction(mdr.Conductor(1.0)).at_radius(-1.0), "radius = -1"),
-        (lambda: mdr.Conduction(mdr.Conductor(1.0, None, 1.0)).step(1e-6, 1.0), "time = 1e-06 is not allowed"),
-        (lambda: mdr.Conduction(mdr.Conductor(1.0, None, 1.0)).admittance(1e6, 1.0), r"omega = 1e\+06"),
-        (lambda: mdr.Conduction(mdr.Conductor(1.0), film=1e-7).at_radius(1.0), "too thin"),
+        (lambda: LayeredConductor([(Conductor(1.0), -1.0)], PERFECT), "thickness = -1"),
+        (lambda: LayeredConductor([mdr.Interface(1.0)], Conductor(1.0)), "below a layer"),
+        (lambda: LayeredConductor([], PERFECT), "no layer"),
+        (lambda: LayeredConductor([], mdr.RIGID), "PERFECT or INSULATING"),
+        (lambda: Conduction(Conductor(1.0), film=-1.0), "film = -1"),
+        (lambda: Conduction(mdr.Homogeneous(mdr.Elastic(1.0, 0.3))), "no conductivity"),
+        (lambda: Conduction(LayeredConductor([(Conductor(1.0), 1.0)], INSULATING)).at_radius(1.0), "sink"),
+        (lambda: Conduction(Conductor(1.0), sink=30.0), "sink = 30 .* insulating base alone"),
+        (lambda: Conduction(LayeredConductor([(Conductor(1.0), 1.0)], PERFECT), sink=30.0), "sink = 30"),
+        (lambda: Conduction(Conductor(1.0)).friction_heat(None, 0.1, 1.0, source_speed=2.0), "source_speed = 2.0 .* rests"),
+        (lambda: Conduction(Conductor(1.0)).at_radius(-1.0), "radius = -1"),
+        (lambda: Conduction(Conductor(1.0, None, 1.0)).step(1e-6, 1.0), "time = 1e-06 is not allowed"),
+        (lambda: Conduction(Conductor(1.0, None, 1.0)).admittance(1e6, 1.0), r"omega = 1e\+06"),
+        (lambda: Conduction(Conductor(1.0), film=1e-7).at_radius(1.0), "too thin"),
         (lambda: CASES["stack"].at_radius(1.0).flux(1.0), "r = 1"),
         (lambda: CASES["stack"].at_radius(1.0).potential(0.0, 0.0, body="upper"), "body = 402"),
         (lambda: CASES["perfect base"].at_radius(1.0).potential(0.0, 2.0), "the layers end"),
@@ -544,8 +545,8 @@ def test_high_contrast():
     """20 digits of tests/data/conduction_contrast.py."""
     with REFERENCE.with_name("conduction_contrast.csv").open(encoding="utf-8") as lines:
         for row in csv.DictReader(lines):
-            film = mdr.LayeredConductor([(mdr.Conductor(1.0), 1.0)], mdr.Conductor(1.0 / float(row["contrast"])))
-            assert mdr.Conduction(film).at_radius(float(row["a"])).conductance == pytest.approx(float(row["G"]), rel=1e-11)
+            film = LayeredConductor([(Conductor(1.0), 1.0)], Conductor(1.0 / float(row["contrast"])))
+            assert Conduction(film).at_radius(float(row["a"])).conductance == pytest.approx(float(row["G"]), rel=1e-11)
 
 
 @pytest.mark.parametrize(
@@ -617,7 +618,7 @@ def test_a_law_and_a_table_conduct():
     """What a discrete-element code does: depth to radius by a law, radius to conductance by a table."""
     contact = mdr.Contact(mdr.Paraboloid(10.0), mdr.Coated(mdr.Elastic(5.0, 0.3), 1.0, mdr.Elastic(50.0, 0.3)))
     law = mdr.ContactLaw(contact, 0.5, tolerance=1e-8)
-    conduction = mdr.Conduction(mdr.LayeredConductor([(mdr.Conductor(3.0), 1.0)], mdr.Conductor(1.0)))
+    conduction = Conduction(LayeredConductor([(Conductor(3.0), 1.0)], Conductor(1.0)))
     table, depth = conduction.tabulated(0.05, 3.0), np.linspace(0.02, 0.45, 20)
     found = table.at_radius(np.asarray(law.at_depth(depth).radius)).conductance
     assert found == pytest.approx(conduction.at_radius(np.asarray(contact.at_depth(depth).radius)).conductance, rel=1e-7)
@@ -627,7 +628,7 @@ def test_a_law_and_a_table_conduct():
 def test_a_law_conducts(gamma):
     """G and its slope beside the contact's own, from a file and a pickle too."""
     contact = mdr.Contact(mdr.Paraboloid(10.0), mdr.Coated(mdr.Elastic(5.0, 0.3), 1.0, mdr.Elastic(50.0, 0.3)), gamma)
-    conduction = mdr.Conduction(mdr.LayeredConductor([(mdr.Conductor(3.0), 0.05), (mdr.Conductor(0.1), 1.0)], mdr.Conductor(1.0)))
+    conduction = Conduction(LayeredConductor([(Conductor(3.0), 0.05), (Conductor(0.1), 1.0)], Conductor(1.0)))
     law = mdr.ContactLaw(contact, 0.5, tolerance=1e-8, conduction=conduction)
     depth = np.linspace(0.02, 0.45, 20)
     states = contact.at_depth(depth)
@@ -658,31 +659,31 @@ def test_a_law_conducts(gamma):
 
 def test_a_law_of_a_punch_conducts():
     body = mdr.Homogeneous(mdr.Elastic(2.0, 0.3))
-    law = mdr.ContactLaw(mdr.Contact(mdr.FlatPunch(0.4), body), 0.1, conduction=mdr.Conduction(mdr.Conductor(3.0)))
+    law = mdr.ContactLaw(mdr.Contact(mdr.FlatPunch(0.4), body), 0.1, conduction=Conduction(Conductor(3.0)))
     assert law.conductance(0.05) == (pytest.approx(4.8, rel=1e-12), 0.0)
 
 
 def test_fits_find_what_made_the_data():
     noise = np.random.default_rng(5)
-    tin, copper = mdr.Conductor(9.17e6), mdr.Conductor(59.6e6)
-    true = mdr.Conduction(mdr.LayeredConductor([(tin, 1e-6), mdr.Interface(2e-14)], copper))
+    tin, copper = Conductor(9.17e6), Conductor(59.6e6)
+    true = Conduction(LayeredConductor([(tin, 1e-6), mdr.Interface(2e-14)], copper))
     contact = mdr.Contact(mdr.Paraboloid(1e-3), mdr.Coated(mdr.Elastic(50e9, 0.36), 1e-6, mdr.Elastic(117e9, 0.34)))
     force = np.geomspace(1e-4, 1.0, 40)
     conductance = np.asarray(true.along(contact.at_force(force)).conductance)
     measured = conductance * (1.0 + 1e-3 * noise.standard_normal(40))
-    start = true.replace(body=mdr.LayeredConductor([(mdr.Conductor(3e6), 1e-6), mdr.Interface(1e-14)], mdr.Conductor(30e6)))
+    start = true.replace(body=LayeredConductor([(Conductor(3e6), 1e-6), mdr.Interface(1e-14)], Conductor(30e6)))
     data = mdi.ConductanceForce(force, measured, contact, 1e-3 * conductance)
     fit = mdi.fit_conduction(data, start, ["layer1.sigma", "layer1.resistance", "substrate.sigma"])
     for name, value in (("layer1.sigma", 9.17e6), ("layer1.resistance", 2e-14), ("substrate.sigma", 59.6e6)):
         assert abs(fit.values[name] - value) < 4.0 * fit.errors[name], fit
     assert fit.errors["layer1.sigma"] < 0.02 * 9.17e6 and 0.4 < fit.chi_square / 40 < 1.8
-    silica, silicon = mdr.Conductor(1.4, None, 1.66e6), mdr.Conductor(148.0, None, 1.66e6)
-    true = mdr.Conduction(mdr.LayeredConductor([(silica, 1e-7), mdr.Interface(2e-8)], silicon))
+    silica, silicon = Conductor(1.4, None, 1.66e6), Conductor(148.0, None, 1.66e6)
+    true = Conduction(LayeredConductor([(silica, 1e-7), mdr.Interface(2e-8)], silicon))
     omega = np.geomspace(1e4, 1e8, 30)
     z = np.asarray(true.admittance(omega, 3e-6, "gaussian_potential"))
     sd = 1e-3 * abs(z).max()
     z = z + sd * (noise.standard_normal(30) + 1j * noise.standard_normal(30))
-    start = true.replace(body=mdr.LayeredConductor([(silica, 1e-7), mdr.Interface(5e-9)], silicon.replace(sigma=60.0)))
+    start = true.replace(body=LayeredConductor([(silica, 1e-7), mdr.Interface(5e-9)], silicon.replace(sigma=60.0)))
     fit = mdi.fit_conduction(
         mdi.Impedance(omega, z, 3e-6, "gaussian_potential", sd), start, ["layer1.resistance", "substrate.sigma"]
     )
@@ -694,7 +695,7 @@ def test_fits_find_what_made_the_data():
 
 
 def elastic(sigma, E=1.0):
-    return mdr.Elastic(E, 0.3, mdr.Conductor(sigma))
+    return mdr.Elastic(E, 0.3, Conductor(sigma))
 
 
 FILMS = mdr.Layered(
@@ -704,19 +705,17 @@ FILMS = mdr.Layered(
     ],
     elastic(1.0),
 )
-LAYERS = mdr.LayeredConductor(
-    [(mdr.Conductor(0.2), 0.1), mdr.Interface(0.5), (mdr.Conductor(0.7), 0.2), mdr.Interface(0.5)], mdr.Conductor(1.0)
-)
+LAYERS = LayeredConductor([(Conductor(0.2), 0.1), mdr.Interface(0.5), (Conductor(0.7), 0.2), mdr.Interface(0.5)], Conductor(1.0))
 
 
 def test_an_elastic_body_conducts_with_its_interfaces():
     """Against the stack given layer by layer; G from an independent solver."""
-    whole, stack = mdr.Conduction(FILMS), mdr.Conduction(LAYERS)
+    whole, stack = Conduction(FILMS), Conduction(LAYERS)
     assert whole.at_radius(1.0).conductance == pytest.approx(1.6972, abs=5e-5)
     k = np.array([0.1, 1.0, 10.0])
     contact = mdr.Contact(mdr.Paraboloid(1.0), FILMS)
     state = contact.at_radius(1.0)
-    for one, other in ((whole, stack), (mdr.Conduction(mdr.Pair(elastic(2.0), FILMS)), mdr.Conduction(mdr.Conductor(2.0), LAYERS))):
+    for one, other in ((whole, stack), (Conduction(mdr.Pair(elastic(2.0), FILMS)), Conduction(Conductor(2.0), LAYERS))):
         assert one.at_radius(1.0).conductance == pytest.approx(other.at_radius(1.0).conductance, rel=1e-12)
         assert one.compliance(k) == pytest.approx(other.compliance(k), rel=1e-12)
         assert one.along(state) == pytest.approx(other.along(state), rel=1e-12)
@@ -731,8 +730,8 @@ def test_an_elastic_body_conducts_with_its_interfaces():
     for part in (mdr.Interface(0.7), None):
         changed = FILMS.replace(layers=[FILMS.layers[0], FILMS.layers[1].replace(interface=part)])
         layers = [*LAYERS.layers[:3], *([] if part is None else [part])]
-        expected = mdr.Conduction(LAYERS.replace(layers=layers)).at_radius(1.0).conductance
-        assert mdr.Conduction(changed).at_radius(1.0).conductance == pytest.approx(expected, rel=1e-12)
+        expected = Conduction(LAYERS.replace(layers=layers)).at_radius(1.0).conductance
+        assert Conduction(changed).at_radius(1.0).conductance == pytest.approx(expected, rel=1e-12)
 
 
 def test_a_problem_files_resistances_lie_beside_springs(tmp_path):
@@ -746,12 +745,12 @@ def test_a_problem_files_resistances_lie_beside_springs(tmp_path):
     body = loaded.medium.lower if isinstance(loaded.medium, mdr.Pair) else loaded.medium
     (layer,) = body.layers
     assert layer.interface == mdr.Interface(tangential=1e15)
-    expected = mdr.LayeredConductor([(layer.material.conductor, layer.thickness), mdr.Interface(1e-14)], body.substrate.conductor)
+    expected = LayeredConductor([(layer.material.conductor, layer.thickness), mdr.Interface(1e-14)], body.substrate.conductor)
     given = loaded.conduction.conduction(body)
-    assert given.at_radius(1e-6).conductance == pytest.approx(mdr.Conduction(expected).at_radius(1e-6).conductance, rel=1e-12)
-    further = mdr.Conduction(LAYERS._with_resistances([0.2])).at_radius(1.0).conductance
+    assert given.at_radius(1e-6).conductance == pytest.approx(Conduction(expected).at_radius(1e-6).conductance, rel=1e-12)
+    further = Conduction(LAYERS._with_resistances([0.2])).at_radius(1.0).conductance
     layers = [LAYERS.layers[0], mdr.Interface(0.7), *LAYERS.layers[2:]]
-    assert further == pytest.approx(mdr.Conduction(LAYERS.replace(layers=layers)).at_radius(1.0).conductance, rel=1e-12)
+    assert further == pytest.approx(Conduction(LAYERS.replace(layers=layers)).at_radius(1.0).conductance, rel=1e-12)
 
 
 def depths(thickness):
@@ -775,8 +774,8 @@ def test_interfaces_have_two_sides_in_any_order_of_summation():
     state, r = contact.at_radius(1.0), np.array([0.0, 0.7, 1.5])
     for _ in range(3):
         h, sigma = np.exp(draws.uniform(-3.0, 0.0, 4)), np.exp(draws.uniform(-2.0, 2.0, 5))
-        layers = [part for s, x in zip(sigma, h, strict=False) for part in ((mdr.Conductor(s, 1.0), x), mdr.Interface(0.3))]
-        conduction = mdr.Conduction(mdr.LayeredConductor(layers, mdr.Conductor(sigma[-1])))
+        layers = [part for s, x in zip(sigma, h, strict=False) for part in ((Conductor(s, 1.0), x), mdr.Interface(0.3))]
+        conduction = Conduction(LayeredConductor(layers, Conductor(sigma[-1])))
         spot, heat = conduction.at_radius(1.0), conduction.friction_heat(state, 0.3, 1.0)
         for i in range(4):
             for z in depths(h[: i + 1]):
@@ -802,21 +801,21 @@ def test_stresses_have_two_sides_in_any_order_of_summation():
 def test_a_perfect_base_takes_what_reaches_it():
     """Across its surface the flux goes on, at the potential 0."""
     for resistance in (0.0, 0.4):
-        layers = [(mdr.Conductor(1.0), 0.5), mdr.Interface(0.2), (mdr.Conductor(3.0, 2.0), 0.3), mdr.Interface(resistance)]
-        spot, r = mdr.Conduction(mdr.LayeredConductor(layers, mdr.PERFECT)).at_radius(1.0), np.array([0.0, 0.6, 1.8])
+        layers = [(Conductor(1.0), 0.5), mdr.Interface(0.2), (Conductor(3.0, 2.0), 0.3), mdr.Interface(resistance)]
+        spot, r = Conduction(LayeredConductor(layers, PERFECT)).at_radius(1.0), np.array([0.0, 0.6, 1.8])
         above, below = (spot.flux_inside(r, 0.8, side=side) for side in ("above", "below"))
         assert np.all(above[0] > 0.0) and np.all(below[0] == above[0]) and np.all(below[1] == 0.0)
         assert np.all(spot.potential(r, 0.8) == 0.0)
         assert spot.potential(r, 0.8, side="above") == pytest.approx(resistance * above[0], rel=1e-9, abs=1e-12)
 
 
-HALF = mdr.Conduction(mdr.Conductor(1.0))
+HALF = Conduction(Conductor(1.0))
 
 
 @pytest.mark.parametrize("motion", ["sliding", "spinning", "moving"])
 def test_heat_is_not_made_by_tension(motion):
     """A rim that pulls would cool; a line force on the edge would make an infinite temperature."""
-    conduction, body = mdr.Conduction(mdr.Conductor(1.0, None, 1.0)), mdr.Elastic(1.0, 0.3)
+    conduction, body = Conduction(Conductor(1.0, None, 1.0)), mdr.Elastic(1.0, 0.3)
     sticky = {"work_of_adhesion": 0.01}
     tense, plate = (mdr.Homogeneous(body, surface) for surface in (mdr.Surface(0.1), mdr.Surface(0.0, 0.1)))
     for words, profile, medium, adhesion in (
@@ -883,7 +882,7 @@ def test_resistances_of_rough_surfaces_may_be_small():
     deficit = 1.0 - np.array([HALF.rough(state, k) for k in kappa]) / 4.0
     assert deficit[:3] * kappa[:3] ** (-2.0 / 3.0) == pytest.approx([deficit[2] * kappa[2] ** (-2.0 / 3.0)] * 3, rel=0.02)
     assert abs(deficit[3]) < 1e-13
-    films = mdr.Conduction(LAYERS)
+    films = Conduction(LAYERS)
     smooth, coated = films.at_radius(1.0).conductance, mdr.Contact(mdr.Cone(0.1), FILMS).at_radius(1.0)
     heat = films.friction_heat(coated, 1.0, 1.0)
     for part in (1.0, 1e-2, 1e-5, 1e-14):
@@ -903,9 +902,9 @@ def test_a_rough_punch_is_two_resistances_in_series():
 
 def test_conductors_have_no_springs():
     """Of an elastic body the springs are left with its mechanics; conductors given layer by layer have none to leave."""
-    with pytest.raises(mdr.InvalidArgumentError, match="springs of elastic layers"):
-        mdr.LayeredConductor([(mdr.Conductor(1.0), 1.0), mdr.Interface(0.5, normal=2.0)], mdr.Conductor(2.0))
-    solid, base = mdr.Elastic(1.0, 0.3, mdr.Conductor(1.0)), mdr.Elastic(2.0, 0.3, mdr.Conductor(2.0))
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="springs of elastic layers"):
+        LayeredConductor([(Conductor(1.0), 1.0), mdr.Interface(0.5, normal=2.0)], Conductor(2.0))
+    solid, base = mdr.Elastic(1.0, 0.3, Conductor(1.0)), mdr.Elastic(2.0, 0.3, Conductor(2.0))
     glued = mdr.Layered([mdr.Layer(solid, 1.0, interface=mdr.Interface(0.5, normal=2.0))], base)
-    alone = mdr.LayeredConductor([(mdr.Conductor(1.0), 1.0), mdr.Interface(0.5)], mdr.Conductor(2.0))
-    assert mdr.Conduction(glued).at_radius(1.0).conductance == mdr.Conduction(alone).at_radius(1.0).conductance
+    alone = LayeredConductor([(Conductor(1.0), 1.0), mdr.Interface(0.5)], Conductor(2.0))
+    assert Conduction(glued).at_radius(1.0).conductance == Conduction(alone).at_radius(1.0).conductance

@@ -66,9 +66,9 @@ INVALID = [
     (lambda: mdr.CallableMedium(lambda a: 1.0, 2.0, 1.0), r"radius"),
     (lambda: mdr.Contact(mdr.Cone(0.2), mdr.Homogeneous(OXIDE), zeta=([1.0], [1.0, 2.0])), r"same length; it is 1 and 2"),
     (lambda: mdr.Contact(mdr.Cone(0.2), mdr.Homogeneous(OXIDE), zeta=([1.0, 2.0, 3.0], [1.0, -2.0, 1.0])), r"zeta.* = -2 "),
-    (lambda: mdr.weight_i0(-1.0), r"xi.* = -1 "),
-    (lambda: mdr.weight_i0(1.0, 0.6), r"nu = 0.6 "),
-    (lambda: mdr.weight_phi([1.0, NAN]), r"xi.*NaN"),
+    (lambda: mdr.weights.weight_i0(-1.0), r"xi.* = -1 "),
+    (lambda: mdr.weights.weight_i0(1.0, 0.6), r"nu = 0.6 "),
+    (lambda: mdr.weights.weight_phi([1.0, NAN]), r"xi.*NaN"),
     (lambda: mdr.Homogeneous(OXIDE).modulus(0.0), r"a.* = 0 "),
     (lambda: mdr.Homogeneous(OXIDE).stiffness([1.0, NAN]), r"a.*NaN"),
     (lambda: mdr.Cone(0.2).mdr(INF), r"x.* = infinity"),
@@ -78,7 +78,7 @@ INVALID = [
 @pytest.mark.parametrize("number", range(len(INVALID)))
 def test_values_that_are_never_allowed(number):
     make, words = INVALID[number]
-    with pytest.raises(mdr.InvalidArgumentError, match=words) as caught:
+    with pytest.raises(mdr.errors.InvalidArgumentError, match=words) as caught:
         make()
     assert isinstance(caught.value, (mdr.MDRError, ValueError))
 
@@ -116,7 +116,7 @@ WRONG_TYPE = [
 
 @pytest.mark.parametrize("number", range(len(WRONG_TYPE)))
 def test_things_of_the_wrong_kind(number):
-    with pytest.raises(mdr.ArgumentTypeError) as caught:
+    with pytest.raises(mdr.errors.ArgumentTypeError) as caught:
         WRONG_TYPE[number]()
     assert isinstance(caught.value, TypeError) and str(caught.value)
 
@@ -129,7 +129,7 @@ def test_states_that_do_not_exist(coated):
         (lambda: coated.at_depth(1e-3), r"depth = .*cannot be reached"),
         (lambda: mdr.Contact(mdr.FlatPunch(1.0), mdr.Homogeneous(OXIDE)).at_radius(1.0), r"radius = 1 does not determine a state"),
     ):
-        with pytest.raises(mdr.UnreachableError, match=words) as caught:
+        with pytest.raises(mdr.errors.UnreachableError, match=words) as caught:
             make()
         assert isinstance(caught.value, ValueError)
 
@@ -138,18 +138,18 @@ def test_models_outside_their_range():
     """The series of dimitriadis and garcia: under a paraboloid or a sphere, a < h."""
     for model in "dimitriadis", "garcia":
         layer = mdr.Coated(RUBBER, 1.0, mdr.RIGID, model)
-        with pytest.raises(mdr.DomainError, match=r"^a = 1.1 .* hold for a < h: take the model exact"):
+        with pytest.raises(mdr.errors.DomainError, match=r"^a = 1.1 .* hold for a < h: take the model exact"):
             layer.modulus(1.1)
         for tip in mdr.Paraboloid(9.0), mdr.Sphere(9.0):
             contact = mdr.Contact(tip, layer)
             assert contact.at_depth(0.1).radius < 1.0
-            with pytest.raises(mdr.UnreachableError, match=r"^depth = 0.12 .* hold for a < h: take the model exact"):
+            with pytest.raises(mdr.errors.UnreachableError, match=r"^depth = 0.12 .* hold for a < h: take the model exact"):
                 contact.at_depth(0.12)
         adhesive = mdr.Contact(tip, layer, work_of_adhesion=1e-3 * RUBBER.E)
-        with pytest.raises(mdr.UnreachableError, match=r"^depth = 0.12 .* hold for a < h: take the model exact"):
+        with pytest.raises(mdr.errors.UnreachableError, match=r"^depth = 0.12 .* hold for a < h: take the model exact"):
             adhesive.at_depth(0.12)
         for tip in mdr.Cone(0.1), mdr.FlatPunch(0.5), mdr.PowerLaw(4.0, 1.0), mdr.Paraboloid(9.0) + mdr.Cone(0.1):
-            with pytest.raises(mdr.InvalidArgumentError, match="for a paraboloid or a sphere; take the model exact"):
+            with pytest.raises(mdr.errors.InvalidArgumentError, match="for a paraboloid or a sphere; take the model exact"):
                 mdr.Contact(tip, layer)
         mdr.Contact(mdr.PowerLaw(2.0, 0.1) + mdr.Paraboloid(9.0), layer)
 
@@ -163,7 +163,7 @@ def test_points_outside_the_domain(coated):
         lambda: mdr.CallableProfile(lambda r: r, 1.0).height(1.1),
         lambda: coated.at_radius(1e-3),
     ):
-        with pytest.raises(mdr.DomainError, match="not allowed") as caught:
+        with pytest.raises(mdr.errors.DomainError, match="not allowed") as caught:
             make()
         assert isinstance(caught.value, ValueError)
 
@@ -171,7 +171,7 @@ def test_points_outside_the_domain(coated):
 def test_nan_is_found_anywhere_in_an_array(coated):
     depth = np.full(1000, 1e-8)
     depth[777] = NAN
-    with pytest.raises(mdr.InvalidArgumentError, match="^entry 778 of depth = NaN "):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="^entry 778 of depth = NaN "):
         coated.at_depth(depth)
 
 
@@ -179,11 +179,11 @@ def test_a_number_has_no_first_entry(coated):
     for make, words in (
         (lambda a: coated.medium.modulus(a), "a = -1 is not allowed"),
         (lambda r: mdr.Cone(0.3).height(r), "r = -1 is not allowed"),
-        (lambda xi: mdr.weight_i0(xi), "xi = -1 is not allowed"),
+        (lambda xi: mdr.weights.weight_i0(xi), "xi = -1 is not allowed"),
     ):
-        with pytest.raises(mdr.InvalidArgumentError, match=f"^{words}"):
+        with pytest.raises(mdr.errors.InvalidArgumentError, match=f"^{words}"):
             make(-1.0)
-        with pytest.raises(mdr.InvalidArgumentError, match=f"^entry 1 of {words}"):
+        with pytest.raises(mdr.errors.InvalidArgumentError, match=f"^entry 1 of {words}"):
             make([-1.0])
 
 
@@ -207,7 +207,7 @@ def _raise(_):
 def test_exceptions_of_user_functions_arrive_unchanged(make):
     with pytest.raises(Oops, match="my own words"):
         make(_raise)
-    with pytest.raises(mdr.ArgumentTypeError, match="must return a real number"):
+    with pytest.raises(mdr.errors.ArgumentTypeError, match="must return a real number"):
         make(lambda x: None)
     for bad in (NAN, INF):
         with pytest.raises(mdr.MDRError):
@@ -264,4 +264,4 @@ def test_the_classes_follow_the_table_of_statuses():
         "CallbackError",
         "FileError",
     ]
-    assert issubclass(mdr.OutOfMemoryError, MemoryError) and issubclass(mdr.FileError, OSError)
+    assert issubclass(mdr.errors.OutOfMemoryError, MemoryError) and issubclass(mdr.errors.FileError, OSError)

@@ -8,6 +8,7 @@ import inspect
 from collections.abc import Iterator
 
 import pytest
+from conftest import PHYSICS
 from walk.answers import ANSWERS
 from walk.exceptions import EXCEPTIONS
 from walk.run import walk
@@ -15,7 +16,6 @@ from walk.scenes import SLOW, Scene, all_scenes
 from walk.tree import ABSENT, Call, Change, changes, label, objects_in, options_of
 
 import mdrcontact as mdr
-from mdrcontact import lateral
 
 SCENES = all_scenes()
 
@@ -42,11 +42,11 @@ OTHER_METHODS = {
 
 
 def _public() -> Iterator[tuple[str, type]]:
-    for module, prefix in ((mdr, ""), (lateral, "lateral.")):
+    for module in PHYSICS:
         for name in module.__all__:
             value = getattr(module, name)
             if inspect.isclass(value) and not issubclass(value, BaseException):
-                yield f"{prefix}{name}" if name in ("Structure", "Layer") else name, value
+                yield f"lateral.{name}" if module is mdr.lateral and name in ("Structure", "Layer") else name, value
 
 
 def _walked() -> dict[str, type]:

@@ -70,7 +70,7 @@ def test_ctypes(tmp_path):
     """The C library of the package without a compiler."""
     try:
         mdr.get_library()
-    except mdr.FileError as problem:
+    except mdr.errors.FileError as problem:
         pytest.skip(str(problem))
     script = ROOT / "examples" / "clients" / "law_ctypes.py"
     assert "largest relative error" in run([sys.executable, "-W", "error", script], tmp_path)

@@ -54,7 +54,7 @@ def test_full_disk_leaves_what_was_there(tmp_path, writer):
     path = tmp_path / "result.png"
     path.write_bytes(b"before")
     for place in (path, tmp_path / "new.png"):
-        with full_disk(), pytest.raises(mdr.FileError, match="cannot be written"):
+        with full_disk(), pytest.raises(mdr.errors.FileError, match="cannot be written"):
             writer(place)
     assert path.read_bytes() == b"before"
     assert os.listdir(tmp_path) == ["result.png"]
@@ -82,9 +82,9 @@ def test_only_regular_files_are_written(tmp_path, writer):
     circle = tmp_path / "circle.png"
     circle.symlink_to("circle.png")
     for place in (pipe, circle):
-        with pytest.raises(mdr.FileError, match="not a regular file"):
+        with pytest.raises(mdr.errors.FileError, match="not a regular file"):
             writer(place)
-    with pytest.raises(mdr.FileError, match="is a folder"):
+    with pytest.raises(mdr.errors.FileError, match="is a folder"):
         writer(tmp_path)
     assert stat.S_ISFIFO(pipe.lstat().st_mode)
 

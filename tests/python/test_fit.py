@@ -136,7 +136,7 @@ def test_force_depth_data_of_a_deformable_indenter(said):
         result = mdi.fit(data, tip, START, ["coating.E", "substrate.E"], instrument=mdi.Instrument(indenter=diamond))
     assert result.estimates["coating.E"] == pytest.approx(OXIDE.E, rel=1e-6)
     assert result.estimates["substrate.E"] == pytest.approx(SILICON.E, rel=1e-6)
-    with pytest.raises(mdr.InvalidArgumentError, match="its upper body is the indenter"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="its upper body is the indenter"):
         mdi.fit(data, tip, mdr.Pair(START, diamond), ["coating.E"], instrument=mdi.Instrument(indenter=diamond))
 
 
@@ -249,19 +249,19 @@ BAD = [
 
 @pytest.mark.parametrize(("make", "words"), BAD, ids=[words for _, words in BAD])
 def test_bad_data_are_refused_in_words(make, words):
-    with pytest.raises(mdr.InvalidArgumentError, match=words):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match=words):
         mdi.fit(make(), BALL, FILM, ["coating.E", "substrate.E"])
 
 
 def test_bad_arguments_are_refused_in_words():
     data = mdi.ForceDepth(DEPTH, FORCE)
-    with pytest.raises(mdr.InvalidArgumentError, match="did you mean 'coating.E'"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="did you mean 'coating.E'"):
         mdi.fit(data, BALL, FILM, ["coatin.E"])
-    with pytest.raises(mdr.InvalidArgumentError, match="coating.E"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="coating.E"):
         mdi.fit(data, BALL, FILM, {"coating.E": mdi.Free(lower=80e9)})
-    with pytest.raises(mdr.InvalidArgumentError, match="no parameter is free"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="no parameter is free"):
         mdi.fit(data, BALL, FILM, [])
-    with pytest.raises(mdr.InvalidArgumentError, match="loss"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="loss"):
         mdi.fit(data, BALL, FILM, ["coating.E"], loss="square")
 
 

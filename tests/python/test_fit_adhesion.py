@@ -130,5 +130,5 @@ def test_no_adhesion_is_found_as_none():
 
 @pytest.mark.parametrize(("branch", "words"), [("up", "'loading'"), (["loading"], "as many")])
 def test_wrong_branches_are_refused(branch, words):
-    with pytest.raises(mdr.InvalidArgumentError, match=words):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match=words):
         mdi.ForceDepth([1e-9, 2e-9], [1e-9, 2e-9], branch=branch)

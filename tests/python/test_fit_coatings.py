@@ -135,7 +135,7 @@ def adhesion(rng):
     return data, TIP, medium, {"work_of_adhesion": 0.04, "layers[0].G_z": 2.5e6}, {}
 
 
-@pytest.mark.filterwarnings("ignore::mdrcontact.LargeStrainWarning")
+@pytest.mark.filterwarnings("ignore::mdrcontact.errors.LargeStrainWarning")
 @pytest.mark.parametrize("make", [moduli, stiffnesses, dynamic, calibrated_tip, pair, adhesion])
 def test_all_data_tips_pairs_and_adhesion(make):
     """Springs from every kind of data, and with what else may be free or known beforehand."""
@@ -150,7 +150,7 @@ def test_all_data_tips_pairs_and_adhesion(make):
 def test_what_the_readings_do_not_depend_on_is_refused():
     rng = np.random.default_rng(3)
     for medium, name in [(FILM, "layers[0].C12"), (mdr.Homogeneous(GAN), "C12")]:
-        with pytest.raises(mdr.InvalidArgumentError, match=r"C12 must not be free: the readings do not depend on it"):
+        with pytest.raises(mdr.errors.InvalidArgumentError, match=r"C12 must not be free: the readings do not depend on it"):
             mdi.fit(curve(medium, rng), TIP, medium, [name])
         known = mdi.Free(prior=(145e9, 5e9))
         assert mdi.fit(curve(medium, rng), TIP, medium, {name: known}).standard_errors[name] == pytest.approx(5e9, rel=1e-3)

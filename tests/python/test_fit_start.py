@@ -117,7 +117,7 @@ def test_moving_weights_cover():
 
 @pytest.mark.parametrize("distance", [-1e-9, float("nan"), float("inf")])
 def test_wrong_weights_are_refused(distance):
-    with pytest.raises(mdr.InvalidArgumentError, match="contact_weight"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="contact_weight"):
         mdi.fit(approach(), BALL, GEL, FREE, contact_weight=distance)
-    with pytest.raises(mdr.InvalidArgumentError, match="forces against depth"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="forces against depth"):
         mdi.fit(mdi.ModulusRadius([1e-7, 2e-7, 3e-7], [1e9, 2e9, 1e9]), BALL, GEL, ["E"], contact_weight=1e-9)

@@ -167,20 +167,20 @@ def test_bad_input():
     refused("equal time", medium=mdr.Homogeneous(mdr.Viscoelastic(1.0, [(1.0, 2.0), (1.0, 2.0)], nu=0.5)))
     refused("above 0", medium=mdr.Homogeneous(mdr.Viscoelastic(0.0, [(1.0, 2.0)], nu=0.5)), free=("relaxed_shear_modulus",))
     refused("bounds", free={"exponent": mdi.Free(0.2, lower=0.3)})
-    with pytest.raises(mdr.InvalidArgumentError, match="entry 3 of time = 1 is not allowed: times must ascend"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="entry 3 of time = 1 is not allowed: times must ascend"):
         mdi.ForceTime([0.0, 1.0, 1.0], [0.0, 1.0, 2.0], [0.0, 1.0, 2.0])
-    with pytest.raises(mdr.InvalidArgumentError, match="same length"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="same length"):
         mdi.ForceTime([0.0, 1.0], [0.0, 1.0, 2.0], [0.0, 1.0])
-    with pytest.raises(mdr.InvalidArgumentError, match="one largest value"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="one largest value"):
         mdi.ForceTime(TIME, np.sin(10.0 * TIME), TIME)
-    with pytest.raises(mdr.InvalidArgumentError, match="same length"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="same length"):
         mdi.DynamicStiffness([1.0, 2.0], [1.0 + 1j], 1.0)
-    with pytest.raises(mdr.InvalidArgumentError, match="same length"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="same length"):
         mdi.DynamicStiffness([1.0, 2.0], [1.0 + 1j, 2.0 + 1j], 1.0, sd=[0.1, 0.1, 0.1])
     assert len(mdi.ForceTime([float("nan")], [1.0], [1.0], missing="drop")) == 0  # which fits refuse
     data = mdi.DynamicStiffness([1.0, 2.0], [1.0 + 1j, 2.0 + 1j], [1.0, -1.0])
     refused("radius", data=data)
-    with pytest.raises(mdr.InvalidArgumentError, match="not finite"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="not finite"):
         mdi.DepthTime([0.0, math.nan], [0.0, 1.0], [0.0, 1.0])
 
 

@@ -176,7 +176,7 @@ def test_coefficients_of_an_area_function_are_found_and_carry_their_covariance()
 )
 def test_wrong_joint_priors_are_refused(change, words):
     given = {"names": ("indenter.C0", "indenter.C1"), "values": (24.5, 3e-7), "covariance": ((1.0, 0.0), (0.0, 1e-14)), **change}
-    with pytest.raises(mdr.InvalidArgumentError, match=words):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match=words):
         tip = mdr.AreaFunction([24.5, 3e-7], max_height=1e-6)
         mdi.fit(csm(), tip, FILM, ["coating.E"], known=[mdi.JointPrior(**given)])
 
@@ -220,13 +220,13 @@ def test_practical_units_and_names():
 def test_a_contact_that_is_nowhere_is_named():
     """Not a ratio of 1.667054E+299."""
     data = mdi.ForceDepth(DEPTH - 1e-6, FORCE)
-    with pytest.raises(mdr.InvalidArgumentError, match="touches at none of the points.*depth_offset"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="touches at none of the points.*depth_offset"):
         mdi.fit(data, BALL, FILM, ["coating.E"])
 
 
 def test_a_contact_point_that_is_off_is_named_beside_the_units():
     data = mdi.ForceDepth(DEPTH + 100e-6, FORCE)
-    with pytest.raises(mdr.InvalidArgumentError, match="depth_offset"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="depth_offset"):
         mdi.fit(data, mdr.Paraboloid(1e-3), FILM, ["coating.E"])
 
 
@@ -312,7 +312,7 @@ def test_a_parameter_without_an_optimum_has_not_converged():
     """The modulus of a base that nothing reaches: where its search ended says nothing about it, and no number is given."""
     depth = DEPTH / 100.0
     rigid = np.asarray(mdr.Contact(BALL, mdr.Coated(OXIDE, 500e-9, mdr.RIGID)).at_depth(DEPTH).force)
-    with pytest.raises(mdr.InvalidArgumentError, match=r"substrate.E must not be free: the readings do not depend on it"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match=r"substrate.E must not be free: the readings do not depend on it"):
         mdi.fit(mdi.ForceDepth(DEPTH, rigid), BALL, FILM, ["substrate.E"])
     far = mdi.fit(mdi.ForceDepth(depth, np.asarray(mdr.Contact(BALL, FILM).at_depth(depth).force)), BALL, FILM, ["substrate.E"])
     assert far.estimates["substrate.E"] == pytest.approx(SILICON.E, rel=1e-3) or not far.converged
@@ -321,7 +321,7 @@ def test_a_parameter_without_an_optimum_has_not_converged():
 @pytest.mark.parametrize("options", [{"relative_sd": 1e-300}, {"sd": 1e-20}, {"sd": [1.0, 1e-30, 1.0]}])
 def test_errors_finer_than_the_readings_are_refused(options):
     """The squares of the weights would leave the number range: intervals were (nan, nan)."""
-    with pytest.raises(mdr.InvalidArgumentError, match="is that fine"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="is that fine"):
         mdi.ForceDepth([1.0, 2.0, 3.0], [1.0, 2.8, 5.2], **options)
     mdi.ForceDepth([1.0, 2.0, 3.0], [0.0, 2.8, 5.2], sd=1e-10)
 

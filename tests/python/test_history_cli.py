@@ -142,7 +142,7 @@ def test_a_long_march_shows_how_far_it_is(monkeypatch):
         assert np.array_equal(loud.force, quiet.force)
         assert ("round" in terminal.getvalue()) == shown
     threads = threading.active_count()
-    with pytest.raises(mdr.InvalidArgumentError, match="depth"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="depth"):
         contact.history([0.0, 1.0], depth=[0.0, np.nan], progress=True)
     assert threading.active_count() == threads
 

@@ -303,7 +303,7 @@ def test_gradients_too_steep_for_images_are_refused_near_the_surface():
     """Deeper the field is given, and not refused because there is nothing to compare it with."""
     contact = mdr.Contact(mdr.Paraboloid(1.0), mdr.Graded([0.0, 1e-6], [1e3, 1.0], 0.3, "gao"))
     state = contact.at_radius(1.0)
-    with pytest.raises(mdr.NoConvergenceError, match="too steeply there, take points deeper"):
+    with pytest.raises(mdr.errors.NoConvergenceError, match="too steeply there, take points deeper"):
         state.interior(0.3, 0.0)
     with warnings.catch_warnings():
         warnings.simplefilter("error")
@@ -338,12 +338,12 @@ def test_a_field_that_deviates_warns_once_and_is_refused_beyond():
         warnings.simplefilter("error")
         state.interior(r, 0.1)
         off.interior(r[:999], 0.1)
-    with pytest.warns(mdr.InteriorAccuracyWarning, match=r"off by about 1\.0e-06") as seen:
+    with pytest.warns(mdr.errors.InteriorAccuracyWarning, match=r"off by about 1\.0e-06") as seen:
         off.interior(0.3, 0.1)
         off.interior(r, 0.1)
     assert len(seen) == 1 and seen[0].filename == __file__
     for _ in range(2):
-        with pytest.raises(mdr.NoConvergenceError, match=r"off by about 9\.9e-03"):
+        with pytest.raises(mdr.errors.NoConvergenceError, match=r"off by about 9\.9e-03"):
             wrong.interior(r, 0.1)
     # what a tolerance allows brings no warning
     loose = mdr.Contact(mdr.Paraboloid(1.0), mdr.Pair(mdr.Coated(TIN, 1.0, STEEL, tolerance=1e-6), STEEL))
@@ -351,7 +351,7 @@ def test_a_field_that_deviates_warns_once_and_is_refused_beyond():
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         state._replace(depth=state.depth * (1.0 + 5e-6)).interior(r, 0.1)
-    with pytest.warns(mdr.InteriorAccuracyWarning):
+    with pytest.warns(mdr.errors.InteriorAccuracyWarning):
         state._replace(depth=state.depth * (1.0 + 5e-5)).interior(r, 0.1)
 
 
@@ -441,10 +441,10 @@ def test_first_failure_is_where_a_strength_is_reached():
     numpys = CONTACT.first_failure({"von_mises": (None, np.float32(60.0))}, largest_radius=np.int64(3))
     assert numpys[0].state == failures[0].state
     for wrong in ({}, {"von_mises": [1.0]}, {"melt": [1.0]}, {"von_mises": [-1.0, None]}, {"von_mises": [None, None]}):
-        with pytest.raises(mdr.InvalidArgumentError, match="strengths"):
+        with pytest.raises(mdr.errors.InvalidArgumentError, match="strengths"):
             CONTACT.first_failure(wrong)
     for wrong in ([1.0], {"von_mises": 1.0}, {"von_mises": "60"}, {"von_mises": ["60", None]}):
-        with pytest.raises(mdr.ArgumentTypeError, match="strengths"):
+        with pytest.raises(mdr.errors.ArgumentTypeError, match="strengths"):
             CONTACT.first_failure(wrong)
 
 
@@ -460,12 +460,12 @@ def test_wrong_strengths_and_friction_are_refused_by_name():
         ({"largest_radius": 0.0}, "largest_radius = 0.0 is not allowed"),
         ({"largest_radius": -1.0}, "largest_radius = -1 is not allowed"),
     ):
-        with pytest.raises(mdr.InvalidArgumentError, match=words):
+        with pytest.raises(mdr.errors.InvalidArgumentError, match=words):
             CONTACT.first_failure(**{"strengths": {"von_mises": [None, 60.0]}, **options})
-    with pytest.raises(mdr.InvalidArgumentError, match="friction = -0.1 is not allowed"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="friction = -0.1 is not allowed"):
         STATE.critical(friction=-0.1)
     graded = mdr.Contact(mdr.Paraboloid(1.0), mdr.Graded([0.0, 1.0], [1.0, 2.0], [0.3, 0.3]))
-    with pytest.raises(mdr.InvalidArgumentError, match="a graded body has no layers"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="a graded body has no layers"):
         graded.at_radius(0.1).critical()
 
 
@@ -487,7 +487,7 @@ def test_first_failure_under_a_flat_end():
     (failure,) = contact.first_failure({"von_mises": [2.0]}, largest_radius=3.0)
     assert failure.state.radius > 0.5 and not failure.at_once
     assert failure.state.critical().layers[0].von_mises.value == pytest.approx(2.0, rel=1e-4)
-    with pytest.raises(mdr.InvalidArgumentError, match="larger than the flat end"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="larger than the flat end"):
         contact.first_failure({"von_mises": [2.0]}, largest_radius=0.4)
 
 

@@ -17,7 +17,7 @@ LAWS = {
     "flat end": lambda: mdr.ContactLaw(mdr.Contact(mdr.FlatPunch(1e-6), COAT), 1e-7),
     "adhesion": lambda: mdr.ContactLaw(mdr.Contact(mdr.Paraboloid(1e-5), COAT, work_of_adhesion=0.5), 1e-7),
 }
-pytestmark = pytest.mark.filterwarnings("ignore::mdrcontact.BeyondRangeWarning")
+pytestmark = pytest.mark.filterwarnings("ignore::mdrcontact.errors.BeyondRangeWarning")
 
 
 @pytest.fixture(params=LAWS, scope="module")
@@ -73,7 +73,7 @@ def test_generic_evaluation(law, branch, quantity):
 
 
 def test_unknown_quantity():
-    with pytest.raises(mdr.InvalidArgumentError, match="quantity = 'forse' .*did you mean 'force'"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="quantity = 'forse' .*did you mean 'force'"):
         Branch(LAWS["film"](), "forse", "loading", np, np.asarray, np.asarray)
 
 
@@ -131,7 +131,7 @@ def test_jax(law, branch):
 def test_jax_in_single_precision():
     jax = pytest.importorskip("jax")
     jax.config.update("jax_enable_x64", False)
-    with pytest.raises(mdr.InvalidArgumentError, match="jax_enable_x64"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="jax_enable_x64"):
         interop.jax_function(LAWS["film"]())
     jax.config.update("jax_enable_x64", True)
 
@@ -151,5 +151,5 @@ def test_torch(law, branch):
     check_derivatives(at(force), at(slope), at(curvature), law)
     many = torch.func.vmap(slope)(torch.as_tensor(d[d > 0.1 * d.max()]))
     np.testing.assert_allclose(many.numpy(), law.at_depth(d[d > 0.1 * d.max()], branch).slope, rtol=1e-11)
-    with pytest.raises(mdr.ArgumentTypeError, match="torch.float64"):
+    with pytest.raises(mdr.errors.ArgumentTypeError, match="torch.float64"):
         force(torch.ones(3))

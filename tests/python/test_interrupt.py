@@ -26,7 +26,7 @@ curve = mdi.ForceDepth(depth, depth**2 * (1 + np.sin(9 * depth)))
 relaxing = mdr.Viscoelastic(1.0, [(2.0, 0.5)], nu=0.5)
 film = mdr.Contact(mdr.Paraboloid(1.0), mdr.Coated(relaxing, 1.0, mdr.Viscoelastic(0.6, [(0.4, 2.0)], nu=0.3)))
 soft, hard = mdr.Elastic(0.091, 0.3), mdr.Elastic(0.91, 0.3)
-wear = mdr.Wear(mdr.Contact(mdr.Paraboloid(1.0), mdr.Coated(hard, 1.0, soft)), 1.0)
+wear = mdr.wear.Wear(mdr.Contact(mdr.Paraboloid(1.0), mdr.Coated(hard, 1.0, soft)), 1.0)
 worn = wear.history(force=0.5, intervals=160, scheme="rings")
 time_of_path = np.linspace(0.0, 30.0, 2000)
 names = ["E[1]", "E[2]", "nu[1]", "z[1]"]

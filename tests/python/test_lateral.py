@@ -38,8 +38,10 @@ def test_density_integrates_to_the_weight_of_a_plane():
         shear = sum(quad(ring, *span, args=(0,), epsabs=1e-12, limit=200)[0] for span in ((0, 1), (1, 5), (5, np.inf)))
         poisson = sum(quad(ring, *span, args=(1,), epsabs=1e-12, limit=200)[0] for span in ((0, 1), (1, 5), (5, np.inf)))
         step = 1e-5
-        assert shear == pytest.approx((mdr.weight_i0(z + step, nu) - mdr.weight_i0(z - step, nu)) / (2 * step), rel=1e-8)
-        assert poisson == pytest.approx((mdr.weight_i1(z + step) - mdr.weight_i1(z - step)) / (2 * step), rel=1e-8)
+        assert shear == pytest.approx(
+            (mdr.weights.weight_i0(z + step, nu) - mdr.weights.weight_i0(z - step, nu)) / (2 * step), rel=1e-8
+        )
+        assert poisson == pytest.approx((mdr.weights.weight_i1(z + step) - mdr.weights.weight_i1(z - step)) / (2 * step), rel=1e-8)
 
 
 def test_cells_of_a_slab_make_the_weight_of_the_slab():
@@ -172,7 +174,7 @@ def test_memory_is_stated_and_refused_beforehand():
     voxels = composite()
     needed = lateral.map_memory(voxels, RADII)
     for limit in (needed - 1, float("nan")):
-        with pytest.raises(mdr.OutOfMemoryError, match="memory_limit"):
+        with pytest.raises(mdr.errors.OutOfMemoryError, match="memory_limit"):
             lateral.effective_map(voxels, RADII, memory_limit=limit)
     assert lateral.effective_map(voxels, RADII, memory_limit=needed).shape == (3, 12, 15)
 

@@ -70,9 +70,11 @@ def test_a_medium_that_begins_late():
     depth = np.linspace(first * 1.001, 2.0, 9)
     np.testing.assert_allclose(law.force(depth), contact.at_depth(depth).force, rtol=1e-8)
     assert 0.0 < law.force(0.5 * first) < law.force(first)
-    with pytest.raises(mdr.UnreachableError, match=r"smallest_depth = 0.1 cannot .* without a smallest depth .* begins there"):
+    with pytest.raises(
+        mdr.errors.UnreachableError, match=r"smallest_depth = 0.1 cannot .* without a smallest depth .* begins there"
+    ):
         mdr.ContactLaw(contact, 2.0, smallest_depth=0.1)
-    with pytest.raises(mdr.UnreachableError, match=r"largest_depth = .* the medium begins at depth .* at least twice that"):
+    with pytest.raises(mdr.errors.UnreachableError, match=r"largest_depth = .* the medium begins at depth .* at least twice that"):
         mdr.ContactLaw(contact, 1.5 * first)
 
 
@@ -108,12 +110,12 @@ def test_damage_is_refused_with_its_reason(law, tmp_path):
     content = bytearray(law.to_bytes())
     content[len(content) // 3] ^= 1
     (tmp_path / "law").write_bytes(content)
-    with pytest.raises(mdr.FileError, match="law is refused: its checksum"):
+    with pytest.raises(mdr.errors.FileError, match="law is refused: its checksum"):
         mdr.ContactLaw.load(tmp_path / "law")
-    with pytest.raises(mdr.FileError, match="none cannot be read: No such file"):
+    with pytest.raises(mdr.errors.FileError, match="none cannot be read: No such file"):
         mdr.ContactLaw.load(tmp_path / "none")
     for wrong, reason in [(b"", "not a compiled"), (b"PK\3\4", "not a compiled"), (law.to_bytes()[:-40], "cut off")]:
-        with pytest.raises(mdr.FileError, match=reason):
+        with pytest.raises(mdr.errors.FileError, match=reason):
             mdr.ContactLaw.from_bytes(wrong)
 
 
@@ -165,7 +167,7 @@ def test_other_radius_is_refused_with_the_reason(law):
     cone = mdr.ContactLaw(mdr.Contact(mdr.Cone(0.1), SILICON_BODY), 1e-7)
     sticky = mdr.ContactLaw(mdr.Contact(mdr.Paraboloid(1e-5), SILICON_BODY, work_of_adhesion=0.1), 1e-7)
     for one, radius, words in [(law, 0.0, "radius = 0"), (cone, 1e-5, "not made for a paraboloid"), (sticky, 1e-5, "adhesion")]:
-        with pytest.raises(mdr.InvalidArgumentError, match=words):
+        with pytest.raises(mdr.errors.InvalidArgumentError, match=words):
             one.with_radius(radius)
 
 
@@ -192,7 +194,7 @@ def test_scalars_are_the_numbers_of_arrays(law):
         assert law.force(depth) == array.force[0]
         assert tuple(law.at_depth(depth)) == tuple(column[0] for column in array)
     assert isinstance(law.at_depth(1e-8), mdr.LawState)
-    with pytest.raises(mdr.InvalidArgumentError, match="depth = NaN"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="depth = NaN"):
         law.force(float("nan"))
 
 
@@ -209,15 +211,15 @@ def test_one_hard_collision_does_not_end_a_run():
     end = law.depth_range[1]
     last = law.at_depth(end)
     for other in (law, pickle.loads(pickle.dumps(law))):
-        with pytest.warns(mdr.BeyondRangeWarning, match="1 of 2 values of depth lie beyond"):
+        with pytest.warns(mdr.errors.BeyondRangeWarning, match="1 of 2 values of depth lie beyond"):
             force = other.force([1e-8, end + 1e-8])
         assert force[1] == pytest.approx(last.force + 1e-8 * last.slope, rel=1e-12)
-        with pytest.warns(mdr.BeyondRangeWarning):
+        with pytest.warns(mdr.errors.BeyondRangeWarning):
             assert other.force(end + 1e-8) == force[1]
-        with pytest.warns(mdr.BeyondRangeWarning) as shown:
+        with pytest.warns(mdr.errors.BeyondRangeWarning) as shown:
             other.at_depth(end + 1e-8), other.energy([end + 1e-8])
         assert [one.filename for one in shown] == [__file__] * 2
-        with pytest.warns(mdr.BeyondRangeWarning, match="force"):
+        with pytest.warns(mdr.errors.BeyondRangeWarning, match="force"):
             assert other.at_force(float(force[1])).depth == pytest.approx(end + 1e-8, rel=1e-7)
 
 

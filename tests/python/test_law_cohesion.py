@@ -36,7 +36,7 @@ def lowest(contact, control, branch):
 def test_between_its_nodes_the_law_is_the_contact(tip, body, stress):
     contact = contact_with(tip, body, stress)
     if tip is CONE and body is HALF_SPACE and stress == 30.0:
-        with pytest.raises(mdr.InvalidArgumentError, match="no state is stable under a force"):
+        with pytest.raises(mdr.errors.InvalidArgumentError, match="no state is stable under a force"):
             mdr.ContactLaw(contact, LARGEST)
         return
     law = mdr.ContactLaw(contact, LARGEST, tolerance=TOLERANCE)
@@ -123,7 +123,7 @@ def test_files_keep_it(tmp_path):
 
 def test_refusals():
     contact = contact_with(mdr.Sphere(1.0), HALF_SPACE, 3.0)
-    with pytest.raises(mdr.DomainError, match=r"^largest_depth"):
+    with pytest.raises(mdr.errors.DomainError, match=r"^largest_depth"):
         mdr.ContactLaw(contact, 50.0)
-    with pytest.raises(mdr.InvalidArgumentError, match="with adhesion"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="with adhesion"):
         mdr.ContactLaw(contact_with(PARABOLOID, HALF_SPACE, 0.3), LARGEST).with_radius(2.0)

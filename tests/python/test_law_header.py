@@ -54,7 +54,7 @@ def depths(law):
     return np.r_[inside[(inside <= high)], low, high, 0.0, beyond]
 
 
-@pytest.mark.filterwarnings("ignore::mdrcontact.BeyondRangeWarning")
+@pytest.mark.filterwarnings("ignore::mdrcontact.errors.BeyondRangeWarning")
 @pytest.mark.parametrize("name", HOSTS)
 @pytest.mark.parametrize("branch", ["loading", "unloading"])
 def test_bits_of_the_library(name, branch, law, tmp_path):

@@ -69,24 +69,24 @@ def test_refusals(contact, law):
     memory = law.contacts(1)
     law.advance(memory, [1e-4], [[1e-7, 0.0]])
     before = memory.copy()
-    with pytest.raises(mdr.InvalidArgumentError, match="entry 1 of force"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="entry 1 of force"):
         law.advance(memory, [-1e-4], [[0.0, 0.0]])
-    with pytest.raises(mdr.InvalidArgumentError, match="shift"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="shift"):
         law.advance(memory, [1e-4], [[np.nan, 0.0]])
-    with pytest.raises(mdr.DomainError, match="largest contact radius"):
+    with pytest.raises(mdr.errors.DomainError, match="largest contact radius"):
         law.advance(memory, [1.0], [[0.0, 0.0]])
     other = mdr.ContactLaw(contact, 2e-5, shear_strength=2 * TAU, sliders=16, tolerance=1e-7)
-    with pytest.raises(mdr.InvalidArgumentError, match="memory"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="memory"):
         other.advance(memory, [1e-4], [[0.0, 0.0]])
     assert memory.tolist() == before.tolist()
     for wrong in (0.0, -1.0, np.nan):
-        with pytest.raises(mdr.InvalidArgumentError, match="shear_strength"):
+        with pytest.raises(mdr.errors.InvalidArgumentError, match="shear_strength"):
             mdr.ContactLaw(contact, 2e-5, shear_strength=wrong)
     free = mdr.Contact(mdr.Paraboloid(1e-3), mdr.Homogeneous(GLASS))
-    with pytest.raises(mdr.InvalidArgumentError, match="slip has one law"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="slip has one law"):
         mdr.ContactLaw(free, 2e-5, friction=mdr.Friction(free, 0.3), shear_strength=TAU)
     film = mdr.Contact(mdr.Paraboloid(1e-3), mdr.Coated(mdr.Elastic(2e6, 0.3), 1e-5, GLASS, "gao"))
-    with pytest.raises(mdr.InvalidArgumentError, match="shear_strength = 20000 is not allowed on this medium"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="shear_strength = 20000 is not allowed on this medium"):
         mdr.ContactLaw(film, 2e-6, shear_strength=TAU)
 
 

@@ -142,28 +142,28 @@ def test_refusals(law):
     memory = law.contacts(1)
     law.advance(memory, [STATE.force], [TWIST])
     before = memory.copy()
-    with pytest.raises(mdr.InvalidArgumentError, match="entry 1 of force"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="entry 1 of force"):
         law.advance(memory, [-1.0], [0.0])
-    with pytest.raises(mdr.InvalidArgumentError, match="shift"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="shift"):
         law.advance(memory, [1.0], [np.nan])
-    with pytest.raises(mdr.DomainError, match="largest force"):
+    with pytest.raises(mdr.errors.DomainError, match="largest force"):
         law.advance(memory, [1e9], [0.0])
-    with pytest.raises(mdr.ArgumentTypeError, match="must be \\(1,\\) and \\(1,\\)"):
+    with pytest.raises(mdr.errors.ArgumentTypeError, match="must be \\(1,\\) and \\(1,\\)"):
         law.advance(memory, [1.0], [[0.0, 0.0]])
     of_shift = mdr.ContactLaw(CONTACT, 5e-6, friction=FRICTION, sliders=16)
-    with pytest.raises(mdr.InvalidArgumentError, match="memory"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="memory"):
         of_shift.advance(memory, [1.0], [[0.0, 0.0]])
-    with pytest.raises(mdr.InvalidArgumentError, match="memory"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="memory"):
         made(friction=mdr.Friction(CONTACT, 2 * MU)).advance(memory, [1.0], [0.0])
     assert memory.tolist() == before.tolist()
-    with pytest.raises(mdr.InvalidArgumentError, match=r"options.twist is not allowed without options.friction"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match=r"options.twist is not allowed without options.friction"):
         mdr.ContactLaw(CONTACT, 5e-6, twist=True)
     for shape, body in (
         (mdr.Cone(0.1), mdr.Homogeneous(STEEL)),
         (mdr.Paraboloid(R), mdr.Coated(mdr.Elastic(100e9, 0.3), 1e-5, STEEL, "exact")),
     ):
         contact = mdr.Contact(shape, body)
-        with pytest.raises(mdr.InvalidArgumentError, match="a twist is not allowed with this contact"):
+        with pytest.raises(mdr.errors.InvalidArgumentError, match="a twist is not allowed with this contact"):
             mdr.ContactLaw(contact, 1e-6, friction=mdr.Friction(contact, MU), twist=True)
     film = mdr.Contact(mdr.Paraboloid(R), mdr.Coated(mdr.Elastic(100e9, 0.3), 1e-5, STEEL, "exact"))
     assert not mdr.ContactLaw(film, 1e-6, friction=mdr.Friction(film, MU)).twists

@@ -180,7 +180,7 @@ def test_a_noisy_path_ends():
 def test_jumps_that_take_an_infinite_force_are_refused(body):
     contact = mdr.Contact(mdr.Cone(math.pi / 4), body)
     for given in {"depth": [0.1, 0.1]}, {"radius": [0.1, 0.1]}:
-        with pytest.raises(mdr.InvalidArgumentError, match="begin with 0"):
+        with pytest.raises(mdr.errors.InvalidArgumentError, match="begin with 0"):
             contact.history([0.0, 1.0], **given)
     sudden = contact.history([0.0, 1.0], force=[0.1, 0.1])
     assert sudden.depth[0] == sudden.radius[0] == 0.0 < sudden.depth[1]
@@ -188,7 +188,7 @@ def test_jumps_that_take_an_infinite_force_are_refused(body):
 
 def test_a_dashpot_at_the_surface_is_refused():
     contact = mdr.Contact(mdr.Cone(math.pi / 4), mdr.Coated(KELVIN, 1.0, HARD))
-    with pytest.raises(mdr.InvalidArgumentError, match="dashpot in parallel"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="dashpot in parallel"):
         contact.history([0.0, 1.0], depth=[0.0, 0.1])
 
 
@@ -206,7 +206,7 @@ def test_a_dashpot_at_the_surface_is_refused():
 )
 def test_bad_paths_are_refused(time, given, words):
     contact = mdr.Contact(mdr.Paraboloid(1.0), BODIES["polymers"])
-    with pytest.raises(mdr.InvalidArgumentError, match=words):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match=words):
         contact.history(time, **given)
 
 
@@ -260,7 +260,7 @@ def test_contacts_wider_than_their_film_are_resolved(film, base):
         glassy = contact.replace(medium=mdr.Coated(over.glassy, thickness, below.glassy)).at_radius(1.0)
         jump = contact.history([0.0, 1e-6], depth=2 * [glassy.depth], tolerance=1e-2)
         assert (jump.radius[0], jump.force[0]) == pytest.approx((glassy.radius, glassy.force), rel=1e-9)
-    with pytest.raises(mdr.NoConvergenceError, match="too wide for a first layer"):
+    with pytest.raises(mdr.errors.NoConvergenceError, match="too wide for a first layer"):
         contact.replace(medium=mdr.Coated(over, 0.002, below)).history([0.0, 1e-6], depth=2 * [1.0])
 
 

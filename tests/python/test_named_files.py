@@ -213,9 +213,9 @@ def test_tables_of_a_program_name_nothing_unless_it_says_where(tmp_path, monkeyp
 
 def test_lists_of_files_that_cannot_be():
     for files in ("path.csv", ["a/x.csv", "b/x.csv"]):
-        with pytest.raises(mdr.InvalidArgumentError, match="files"):
+        with pytest.raises(mdr.errors.InvalidArgumentError, match="files"):
             read_text(BODY, files=files)
-    with pytest.raises(mdr.ArgumentTypeError, match="it must be bytes"):
+    with pytest.raises(mdr.errors.ArgumentTypeError, match="it must be bytes"):
         read_text(BODY, files={"path.csv": 7})
     assert (
         read_text(KEYS["[history] file"][0].replace("NAME", '"p"'), files={"p": bytearray(SOUND["path.csv"])}).history is not None

@@ -9,10 +9,9 @@ from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import pytest
-from conftest import OXIDE, RUBBER, SILICON, every_medium, every_profile
+from conftest import OXIDE, PUBLIC, RUBBER, SILICON, every_medium, every_profile
 
 import mdrcontact as mdr
-import mdrcontact.instruments as mdi
 from mdrcontact.instruments.fitting.conduction import ConductanceForce, Impedance
 from mdrcontact.instruments.fitting.rate_curves import RateCurve
 from mdrcontact.lateral import Voxels
@@ -143,7 +142,7 @@ def test_threads_share_objects(coated):
 
 def test_threads_get_their_own_errors(coated):
     def fail(i):
-        with pytest.raises(mdr.UnreachableError) as caught:
+        with pytest.raises(mdr.errors.UnreachableError) as caught:
             coated.at_depth(-float(i))
         return str(caught.value)
 
@@ -167,7 +166,7 @@ def test_the_version_has_one_source():
 
 
 def test_everything_public_says_what_it_is():
-    for name, thing in ((name, getattr(package, name)) for package in (mdr, mdi) for name in package.__all__):
+    for name, thing in ((name, getattr(package, name)) for package in PUBLIC for name in package.__all__):
         assert name in ("RIGID", "CRYSTALS") or thing.__doc__, name
         for member in vars(thing) if isinstance(thing, type) else ():
             if not member.startswith("_") and callable(getattr(thing, member)):

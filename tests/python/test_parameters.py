@@ -21,8 +21,8 @@ OWN = [
     FIBRES,
     GEL,
     mdr.PowerLawRheology(400.0, 1.0, 0.18, 0.5),
-    mdr.Conductor(1e7, 2e7),
-    mdr.Poroelastic(2e3, 0.2, 1e-9),
+    mdr.conduction.Conductor(1e7, 2e7),
+    mdr.poroelastic.Poroelastic(2e3, 0.2, 1e-9),
     mdr.Interface(normal=1e15, tangential=1e14),
     mdr.Surface(0.03, 1e-18),
     mdr.Homogeneous(RUBBER, mdr.Surface(0.03)),
@@ -53,7 +53,7 @@ def test_each_parameter_changes_what_it_names_and_nothing_else(thing):
         other = 0.99 * value if value else {"resistance": 1e-9, "stretching": 1e-2}.get(name.split(".")[-1], 1e14)
         try:
             changed = thing.with_parameters({name: other})
-        except mdr.InvalidArgumentError:
+        except mdr.errors.InvalidArgumentError:
             # what a model fixes, a bulk modulus excludes, or two bodies share
             assert name in ("coating.nu", "z[0]") or name.endswith(("prestress", "viscosity", "exponent"))
         else:
@@ -96,13 +96,13 @@ def test_other_numbers_reach_the_library():
 
 def test_refusals_say_why():
     film = mdr.Coated(OXIDE, 5e-7, SILICON)
-    with pytest.raises(mdr.InvalidArgumentError, match=r"the parameter 'coating\.e' is not allowed: .*coating\.E"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match=r"the parameter 'coating\.e' is not allowed: .*coating\.E"):
         film.with_parameters({"coating.e": 1.0})
-    with pytest.raises(mdr.InvalidArgumentError, match="nu = 0.7"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="nu = 0.7"):
         film.with_parameters({"coating.nu": 0.7})
-    with pytest.raises(mdr.InvalidArgumentError, match="C12"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="C12"):
         GAN.with_parameters({"C12": 400e9})
-    with pytest.raises(mdr.ArgumentTypeError, match="must map names"):
+    with pytest.raises(mdr.errors.ArgumentTypeError, match="must map names"):
         film.with_parameters([1.0])
 
 

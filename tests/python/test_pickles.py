@@ -12,11 +12,12 @@ import warnings
 
 import numpy as np
 import pytest
-from conftest import OXIDE, ROOT, RUBBER, SILICON, every_medium, every_profile
+from conftest import OXIDE, PUBLIC, ROOT, RUBBER, SILICON, every_medium, every_profile
 
 import mdrcontact as mdr
 import mdrcontact.instruments as mdi
 from mdrcontact import lateral, problem
+from mdrcontact.conduction import INSULATING, PERFECT, Conduction, Conductor, LayeredConductor
 from mdrcontact.instruments.files.fit_file import load_fit_file
 
 FILM, BALL = mdr.Coated(OXIDE, 500e-9, SILICON), mdr.Sphere(10e-6)
@@ -41,7 +42,7 @@ def history_in_time():
 
 
 def rates():
-    rate = mdr.RateAdhesion(0.05, 1e-6, 0.4, closing_work=0.03)
+    rate = mdr.adhesion.RateAdhesion(0.05, 1e-6, 0.4, closing_work=0.03)
     rubber = mdr.Viscoelastic(5e5, [(2e6, 1e-2)], nu=0.5)
     contact = mdr.Contact(mdr.Paraboloid(5e-6), mdr.Homogeneous(RUBBER), adhesion=rate)
     time = np.linspace(0.0, 1.0, 30)
@@ -51,7 +52,7 @@ def rates():
         curve,
         mdi.fit_rate([curve], contact, ["work"]),
         rate,
-        mdr.RateAdhesion.from_rheology(rubber, 0.05, 1e6),
+        mdr.adhesion.RateAdhesion.from_rheology(rubber, 0.05, 1e6),
         contact,
         contact.history([0.0, 1.0], depth=[1e-7, -1e-7], start="rest"),
     ]
@@ -80,7 +81,7 @@ def fits():
     time = np.linspace(0.0, 1.0, 9)
     omega = np.geomspace(1.0, 10.0, 5)
     end = mdi.Move("up to depth 5 nm", 5e-9, 7e10, 1e9)
-    gel = mdr.Homogeneous(mdr.Poroelastic(2e3, 0.2, 1e-9))
+    gel = mdr.Homogeneous(mdr.poroelastic.Poroelastic(2e3, 0.2, 1e-9))
     held = mdi.ForceTime(time, np.full(time.shape, 1e-6), 1e-9 / (1.0 + time), sd=1e-11)
     return [
         mdi.fit_gel(held, mdr.FlatPunch(1e-6), gel, drainage="surface"),
@@ -139,11 +140,11 @@ def friction():
 
 def wear():
     contact = mdr.Contact(BALL, mdr.Homogeneous(OXIDE))
-    worn = mdr.Wear(contact, (1e-15, 2e-15), (1e-9,), 1e-16)
+    worn = mdr.wear.Wear(contact, (1e-15, 2e-15), (1e-9,), 1e-16)
     state = contact.at_depth(5e-8)
     history = worn.history(force=state.force, intervals=40)
     history.advance(1.0, force=state.force)
-    fit = mdr.wear_coefficient_from_volume([1e-18, 2e-18], [1.0, 2.0], 1e-3)
+    fit = mdr.wear.wear_coefficient_from_volume([1e-18, 2e-18], [1.0, 2.0], 1e-3)
     return [worn, worn.limit(state, 0.5 * state.radius), history, history.state, history.profile, fit]
 
 
@@ -182,16 +183,16 @@ def results():
 
 
 def conductors():
-    tin, copper = mdr.Conductor(9.17e6), mdr.Conductor(59.6e6, 50e6, 3.4e6)
-    body = mdr.LayeredConductor(((tin, 1e-6), mdr.Interface(1e-12)), copper)
-    conduction = mdr.Conduction(body, copper, film=1e-13)
+    tin, copper = Conductor(9.17e6), Conductor(59.6e6, 50e6, 3.4e6)
+    body = LayeredConductor(((tin, 1e-6), mdr.Interface(1e-12)), copper)
+    conduction = Conduction(body, copper, film=1e-13)
     return [
         tin,
         mdr.Interface(1e-9),
         body,
         conduction,
-        mdr.PERFECT,
-        mdr.INSULATING,
+        PERFECT,
+        INSULATING,
         conduction.at_radius(1e-6),
         conduction.replace(film=0.0).friction_heat(CONTACT.at_depth(1e-8), 0.1, 1.0),
         conduction.along(CONTACT.at_depth(1e-8)),
@@ -204,7 +205,7 @@ def conductors():
 
 def bodies():
     gel = mdr.Viscoelastic(500.0, [(300.0, 0.05)], bulk_modulus=5e3)
-    fluid = mdr.Poroelastic(2e3, 0.2, 1e-9)
+    fluid = mdr.poroelastic.Poroelastic(2e3, 0.2, 1e-9)
     return [
         OXIDE,
         gel,
@@ -270,7 +271,7 @@ def problems():
 
 
 def faults():
-    words = [cls("words") for cls in vars(mdr).values() if inspect.isclass(cls) and issubclass(cls, (mdr.MDRError, UserWarning))]
+    words = [getattr(mdr.errors, name)("words") for name in mdr.errors.__all__]
     return [*words, problem.ProblemError("words")]
 
 
@@ -309,8 +310,7 @@ def state_of(thing):
 
 
 def test_nothing_public_is_missing(things):
-    packages = (mdr, lateral, mdi, problem)
-    public = (vars(package)[name] for package in packages for name in package.__all__)
+    public = (vars(package)[name] for package in (*PUBLIC, problem) for name in package.__all__)
     classes = set(filter(inspect.isclass, public)) - BASES
     shown = {type(thing) for thing in things}
     assert not {cls.__name__ for cls in classes - shown}

@@ -14,6 +14,7 @@ import mdrcontact as mdr
 import mdrcontact.instruments as mdi
 from mdrcontact.cli import main
 from mdrcontact.instruments.fitting import gel
+from mdrcontact.poroelastic import Poroelastic
 
 TABLE = Path(__file__).parents[1] / "data" / "poroelastic.csv"
 DRAINAGES = {"drained": "surface", "impermeable": "sealed", "mixed": "indenter"}
@@ -28,14 +29,14 @@ def rows(*kinds):
 
 def body(row, nu=None):
     """The half-space or film of a row."""
-    gel = mdr.Poroelastic(1.0, float(row["nu"]) if nu is None else nu, 1.0)
+    gel = Poroelastic(1.0, float(row["nu"]) if nu is None else nu, 1.0)
     if row["body"].startswith("half"):
         return mdr.Homogeneous(gel)
     return mdr.Coated(gel, float(row["body"].split("h=")[1].split()[0]), mdr.RIGID)
 
 
 def punch(gel=None, a=1.0):
-    return mdr.Contact(mdr.FlatPunch(a), mdr.Homogeneous(gel or mdr.Poroelastic(1.0, 0.2, 1.0)))
+    return mdr.Contact(mdr.FlatPunch(a), mdr.Homogeneous(gel or Poroelastic(1.0, 0.2, 1.0)))
 
 
 @pytest.mark.parametrize("row", rows("flat_punch_step_depth"), ids=lambda row: f"{row['body'][:8]} {row['inputs']}")
@@ -56,7 +57,7 @@ def test_held_paraboloid(row):
 
 @pytest.mark.parametrize("row", rows("flat_punch_dynamic_stiffness"), ids=lambda row: row["inputs"] + row["quantity"])
 def test_dynamic_stiffness(row):
-    stiffness = punch(mdr.Poroelastic(1.0, float(row["nu"]), 1.0)).dynamic_stiffness(
+    stiffness = punch(Poroelastic(1.0, float(row["nu"]), 1.0)).dynamic_stiffness(
         float(row["omega"]), drainage=DRAINAGES[row["drainage"]]
     )
     value = stiffness.real if row["quantity"] == "k_storage" else stiffness.imag
@@ -66,7 +67,7 @@ def test_dynamic_stiffness(row):
 @pytest.mark.parametrize("drainage", DRAINAGES.values())
 @pytest.mark.parametrize("nu", [-0.3, 0.0, 0.3, 0.49])
 def test_limits_are_elastic(drainage, nu):
-    gel = mdr.Poroelastic(2.0, nu, 3.0)
+    gel = Poroelastic(2.0, nu, 3.0)
     contact = punch(gel, 0.5)
     undrained, drained = (mdr.Homogeneous(material).stiffness(0.5) for material in (gel.undrained, gel.drained))
     assert contact.relaxation(0.0, drainage=drainage) == pytest.approx(undrained, rel=1e-12)
@@ -83,7 +84,7 @@ def test_limits_are_elastic(drainage, nu):
 @pytest.mark.parametrize("drainage", ["surface", "sealed"])
 @pytest.mark.parametrize("ratio", [0.3, 1.0, 3.0])
 def test_limits_of_films_are_elastic(drainage, ratio):
-    gel = mdr.Poroelastic(2.0, 0.2, 3.0)
+    gel = Poroelastic(2.0, 0.2, 3.0)
     contact = mdr.Contact(mdr.FlatPunch(ratio), mdr.Coated(gel, 1.0, mdr.RIGID))
     ends = [mdr.Coated(m, 1.0, mdr.RIGID, tolerance=1e-12).stiffness(ratio) for m in (gel.undrained, gel.drained)]
     assert contact.relaxation(0.0, drainage=drainage) == pytest.approx(ends[0], rel=1e-9)
@@ -96,7 +97,7 @@ def test_curve_of_lai_and_hu():
     root = np.sqrt(tau)
     published = 0.242 * np.exp(-3.13 * tau) + 0.536 * np.exp(-1.71 * root)
     published += -0.043 * np.exp(-12.8 * np.cbrt(tau)) + 0.266 * np.exp(-0.892 * np.sqrt(root))
-    force = punch(mdr.Poroelastic(1.0, 0.0, 1.0)).relaxation(tau, drainage="indenter")
+    force = punch(Poroelastic(1.0, 0.0, 1.0)).relaxation(tau, drainage="indenter")
     assert (force - 4.0) / 4.0 == pytest.approx(published, abs=2e-3)
 
 
@@ -118,7 +119,7 @@ def test_creep_under_a_jump_and_a_ramp():
 
 
 def test_permeability_is_the_other_way_to_say_diffusivity():
-    gel = mdr.Poroelastic.from_permeability(1e4, 0.25, 2e-15, 1e-3)
+    gel = Poroelastic.from_permeability(1e4, 0.25, 2e-15, 1e-3)
     assert gel.diffusivity == pytest.approx(2e4 * 0.75 / 0.5 * 2e-15 / 1e-3, rel=1e-14)
     assert gel.undrained.nu == 0.5 and gel.drained.nu == 0.25
 
@@ -169,7 +170,7 @@ def test_late_pressure_is_drained():
         assert punch().pressure_in_time("pore_pressure", r, 1e12, depth=1.0, drainage=drainage) == pytest.approx(0.0, abs=1e-5)
 
 
-GEL = mdr.Poroelastic(1.0, 0.2, 1.0)
+GEL = Poroelastic(1.0, 0.2, 1.0)
 FILM = mdr.Coated(GEL, 1.0, mdr.RIGID)
 
 
@@ -184,9 +185,9 @@ def on_film(a, drainage):
 @pytest.mark.parametrize(
     ("call", "words"),
     [
-        (lambda: mdr.Poroelastic(1.0, 0.5, 1.0), "nu = 0.5"),
-        (lambda: mdr.Poroelastic(1.0, 0.2, 0.0), "diffusivity = 0.0"),
-        (lambda: mdr.Poroelastic(float("nan"), 0.2, 1.0), "shear_modulus = nan"),
+        (lambda: Poroelastic(1.0, 0.5, 1.0), "nu = 0.5"),
+        (lambda: Poroelastic(1.0, 0.2, 0.0), "diffusivity = 0.0"),
+        (lambda: Poroelastic(float("nan"), 0.2, 1.0), "shear_modulus = nan"),
         (lambda: punch().relaxation(1.0), "drainage is missing"),
         (lambda: punch().relaxation(1.0, drainage="drained"), "drainage = 'drained'"),
         (lambda: punch().relaxation(-1.0, drainage="surface"), "time = -1"),
@@ -222,9 +223,9 @@ def test_drainage_is_of_gels_alone():
 
 @pytest.mark.slow
 def test_fits_find_what_made_the_data():
-    true, noise = mdr.Poroelastic(28e3, 0.2, 3e-8), np.random.default_rng(3)
+    true, noise = Poroelastic(28e3, 0.2, 3e-8), np.random.default_rng(3)
     tip, body = mdr.FlatPunch(1e-3), mdr.Homogeneous(true)
-    start = mdr.Homogeneous(mdr.Poroelastic(1.0, 0.3, 1.0))
+    start = mdr.Homogeneous(Poroelastic(1.0, 0.3, 1.0))
     contact, names = mdr.Contact(tip, body), ("shear_modulus", "nu", "diffusivity")
     time = np.append(0.0, np.geomspace(0.1, 3000.0, 200))
     held = np.full(time.shape, 5e-5)
@@ -256,12 +257,12 @@ def test_fits_find_what_made_the_data():
 @pytest.mark.slow
 def test_ratios_between_the_tables_of_a_fit():
     """Poisson's ratio of a film: the answers between the tables of a fit are those of a table of their own."""
-    tip, film = mdr.FlatPunch(1.0), mdr.Coated(mdr.Poroelastic(3.0, 0.435, 0.2), 1.0, mdr.RIGID)
+    tip, film = mdr.FlatPunch(1.0), mdr.Coated(Poroelastic(3.0, 0.435, 0.2), 1.0, mdr.RIGID)
     time = np.append(0.0, np.geomspace(1e-4, 1e3, 60))
     held = np.full(time.shape, 1e-3)
     force = mdr.Contact(tip, film).history(time, depth=held, drainage="sealed").force
     data = mdi.ForceTime(time, held, force, sd=1e-5 * force.max())
-    start = mdr.Coated(mdr.Poroelastic(1.0, 0.2, 1.0), 1.0, mdr.RIGID)
+    start = mdr.Coated(Poroelastic(1.0, 0.2, 1.0), 1.0, mdr.RIGID)
     fit = mdi.fit_gel(data, tip, start, gel.NAMES, drainage="sealed")
     assert np.abs(fit.fitted / force - 1.0).max() < 5e-6
     assert fit.values["nu"] == pytest.approx(0.435, abs=1e-5)
@@ -271,7 +272,7 @@ def test_a_fit_compares_its_tables_with_their_source(monkeypatch):
     """Too few tables are seen by the comparison that a fit ends with."""
     monkeypatch.setattr(gel, "_PLACES", gel._PLACES[[0, 4, 8]])
     monkeypatch.setattr(gel, "_TABLES", gel._TABLES[::4])
-    tip, body = mdr.FlatPunch(1.0), mdr.Homogeneous(mdr.Poroelastic(3.0, 0.3, 0.2))
+    tip, body = mdr.FlatPunch(1.0), mdr.Homogeneous(Poroelastic(3.0, 0.3, 0.2))
     time = np.append(0.0, np.geomspace(1e-4, 1e3, 30))
     held = np.full(time.shape, 1e-3)
     data = mdi.ForceTime(time, held, mdr.Contact(tip, body).history(time, depth=held, drainage="sealed").force, sd=1e-6)
@@ -281,7 +282,7 @@ def test_a_fit_compares_its_tables_with_their_source(monkeypatch):
 
 @pytest.mark.slow
 def test_fits_say_what_the_data_do_not_tell():
-    true = mdr.Homogeneous(mdr.Poroelastic(28e3, 0.2, 3e-8))
+    true = mdr.Homogeneous(Poroelastic(28e3, 0.2, 3e-8))
     time = np.append(0.0, np.geomspace(1.0, 10.0, 50))
     force = mdr.Contact(mdr.FlatPunch(1e-2), true).history(time, depth=np.full(time.shape, 1e-4), drainage="indenter").force
     data = mdi.ForceTime(time, np.full(time.shape, 1e-4), force, sd=0.01 * force.max())
@@ -291,7 +292,7 @@ def test_fits_say_what_the_data_do_not_tell():
 
 
 def test_drainages_are_compared():
-    true = mdr.Homogeneous(mdr.Poroelastic(28e3, 0.2, 3e-8))
+    true = mdr.Homogeneous(Poroelastic(28e3, 0.2, 3e-8))
     time = np.append(0.0, np.geomspace(0.1, 3000.0, 100))
     held = np.full(time.shape, 1e-4)
     force = mdr.Contact(mdr.FlatPunch(1e-3), true).history(time, depth=held, drainage="surface").force

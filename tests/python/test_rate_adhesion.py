@@ -13,6 +13,7 @@ from conftest import ROOT
 
 import mdrcontact as mdr
 import mdrcontact.instruments as mdi
+from mdrcontact.adhesion import RateAdhesion
 from mdrcontact.cli import main
 
 TIP = mdr.Paraboloid(1.0)
@@ -26,7 +27,7 @@ LAW = {"w0": "work", "v0": "speed", "n": "exponent", "wc": "closing_work", "vc":
 RUBBER = mdr.Viscoelastic(0.5, [(4.5, 0.1)], nu=0.0)
 """1/E* = 0.1 + 0.9 (1 - exp(-t))."""
 
-pytestmark = pytest.mark.filterwarnings("ignore::mdrcontact.LargeStrainWarning")
+pytestmark = pytest.mark.filterwarnings("ignore::mdrcontact.errors.LargeStrainWarning")
 
 
 def rows(kind):
@@ -41,7 +42,7 @@ def rows(kind):
 
 def contact_of(row):
     law = {LAW[key]: value for key, value in row["inputs"].items() if key in LAW}
-    return mdr.Contact(TIP, BODIES[row["body"]], adhesion=mdr.RateAdhesion(**law))
+    return mdr.Contact(TIP, BODIES[row["body"]], adhesion=RateAdhesion(**law))
 
 
 def area(x, y):
@@ -93,7 +94,7 @@ def test_cycle_rows(row):
 @pytest.mark.parametrize("medium", [*BODIES.values(), mdr.Coated(mdr.Elastic(5.0, 0.4), 1.0, mdr.Elastic(1.0, 0.3), model="gao")])
 def test_slow_edges_are_in_equilibrium(medium):
     """V -> 0: both pull-offs of the contact at rest, and the states on the way."""
-    rate = mdr.RateAdhesion(0.02, 1e-3, 1.0)
+    rate = RateAdhesion(0.02, 1e-3, 1.0)
     contact = mdr.Contact(TIP, medium, adhesion=rate)
     rest = mdr.Contact(TIP, medium, work_of_adhesion=0.02)
     first = rest.at_depth(0.5)
@@ -111,7 +112,7 @@ def test_slow_edges_are_in_equilibrium(medium):
 def test_fast_edges_scale(p, n):
     """Under depth control F ~ V^(n (1 + p)/(2 p - 1 + n (p - 1))) for a profile r^p, once V is far above the law's speed."""
     tip = TIP if p == 2 else mdr.PowerLaw(3.0, 1.0)
-    contact = mdr.Contact(tip, HALF_SPACE, adhesion=mdr.RateAdhesion(1e-9, 1e-3, n))
+    contact = mdr.Contact(tip, HALF_SPACE, adhesion=RateAdhesion(1e-9, 1e-3, n))
     forces = []
     for speed in (30.0, 300.0):
         start = contact.at_radius(30.0).depth
@@ -125,7 +126,7 @@ def test_fast_edges_scale(p, n):
 def test_soft_springs_lower_the_pull_off():
     """theory/adhesion.md (3.3): beta = 100, n = 0.33, K/(E* a_J) = 10, 1, 0.1: 3.914, 3.414, 2.519; the preload is forgotten."""
     unit = 1e-3 ** (1.0 / 3.0)
-    contact = mdr.Contact(TIP, HALF_SPACE, adhesion=mdr.RateAdhesion(1e-3, 1e-3, 0.33))
+    contact = mdr.Contact(TIP, HALF_SPACE, adhesion=RateAdhesion(1e-3, 1e-3, 0.33))
     state = contact.at_radius(5.0 * unit)
     for stiffness, expected in ((10.0, 3.914), (1.0, 3.414), (0.1, 2.519)):
         spring = stiffness * unit
@@ -136,7 +137,7 @@ def test_soft_springs_lower_the_pull_off():
 
 
 def test_histories_go_on():
-    contact = mdr.Contact(TIP, HALF_SPACE, adhesion=mdr.RateAdhesion(1e-3, 1e-3, 0.33, closing_work=7e-4))
+    contact = mdr.Contact(TIP, HALF_SPACE, adhesion=RateAdhesion(1e-3, 1e-3, 0.33, closing_work=7e-4))
     time, depth = np.linspace(0.0, 300.0, 301), np.interp(np.linspace(0, 300, 301), [0, 60, 80, 300], [-0.01, 0.05, 0.05, -0.17])
     whole = contact.history(time, depth=depth)
     first = contact.history(time[:101], depth=depth[:101])
@@ -151,7 +152,7 @@ def test_histories_go_on():
 
 def test_energy_under_a_spring():
     """The work of the machine is what the edge loses, and what is left in spring and body."""
-    contact = mdr.Contact(TIP, HALF_SPACE, adhesion=mdr.RateAdhesion(1e-3, 1e-3, 0.33, closing_work=7e-4))
+    contact = mdr.Contact(TIP, HALF_SPACE, adhesion=RateAdhesion(1e-3, 1e-3, 0.33, closing_work=7e-4))
     time = np.linspace(0.0, 400.0, 20001)
     position = np.interp(time, [0.0, 60.0, 80.0, 400.0], [-0.01, 0.05, 0.05, -0.27])
     found = contact.history(time, position=position, spring_stiffness=0.3)
@@ -167,19 +168,19 @@ def test_energy_under_a_spring():
 ])  # fmt: skip
 def test_pull_off_of_a_viscoelastic_surface(stress, speed, expected, warns):
     """theory/adhesion.md (4.2) in (3.3), its section 6, and that the law's range is watched."""
-    contact = mdr.Contact(TIP, mdr.Homogeneous(RUBBER.relaxed), adhesion=mdr.RateAdhesion.from_rheology(RUBBER, 0.01, stress))
+    contact = mdr.Contact(TIP, mdr.Homogeneous(RUBBER.relaxed), adhesion=RateAdhesion.from_rheology(RUBBER, 0.01, stress))
     start = contact.at_radius(0.6).depth
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         end = contact.history([0.0, (start + 1.0) / speed], depth=[start, -1.0], start="rest").end
     assert -end["lowest_force"] / (1.5 * math.pi * 0.01) == pytest.approx(expected, rel=1e-4)
-    assert any(issubclass(entry.category, mdr.AdhesionRateWarning) for entry in caught) == warns
+    assert any(issubclass(entry.category, mdr.errors.AdhesionRateWarning) for entry in caught) == warns
 
 
 def test_works_at_speeds():
-    rate = mdr.RateAdhesion(2.0, 0.5, 0.5, closing_work=1.0, closing_speed=0.25)
+    rate = RateAdhesion(2.0, 0.5, 0.5, closing_work=1.0, closing_speed=0.25)
     assert rate.at_speed([0.0, 0.5, 2.0, -0.25]) == pytest.approx([2.0, 4.0, 6.0, 0.5])
-    surface = mdr.RateAdhesion.from_rheology(RUBBER, 0.01, 1.0)
+    surface = RateAdhesion.from_rheology(RUBBER, 0.01, 1.0)
     assert surface.at_speed([1e9, -1e9]) == pytest.approx([0.1, 0.001], rel=1e-6)
     assert surface.at_speed(0.0) == 0.01
 
@@ -190,35 +191,35 @@ def test_works_at_speeds():
     ({"closing_exponent": -0.5}, "closing_exponent = -0.5"),
 ])  # fmt: skip
 def test_laws_that_cannot_be(wrong, words):
-    with pytest.raises(mdr.InvalidArgumentError, match=words):
-        mdr.RateAdhesion(**{"work": 1.0, "speed": 1.0, "exponent": 0.5, **wrong})
+    with pytest.raises(mdr.errors.InvalidArgumentError, match=words):
+        RateAdhesion(**{"work": 1.0, "speed": 1.0, "exponent": 0.5, **wrong})
 
 
 def test_refusals():
-    rate = mdr.RateAdhesion(1e-3, 1e-3, 0.33)
+    rate = RateAdhesion(1e-3, 1e-3, 0.33)
     contact = mdr.Contact(TIP, HALF_SPACE, adhesion=rate)
-    with pytest.raises(mdr.InvalidArgumentError, match="relaxed"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="relaxed"):
         mdr.Contact(TIP, mdr.Homogeneous(RUBBER), adhesion=rate)
-    with pytest.raises(mdr.InvalidArgumentError, match="flat end"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="flat end"):
         mdr.Contact(mdr.FlatEndedCone(0.1, 0.2), HALF_SPACE, adhesion=rate).history([0.0, 1.0], depth=[0.1, 0.0])
-    with pytest.raises(mdr.ArgumentTypeError, match="spring_stiffness"):
+    with pytest.raises(mdr.errors.ArgumentTypeError, match="spring_stiffness"):
         contact.history([0.0, 1.0], position=[0.0, 1.0])
-    with pytest.raises(mdr.ArgumentTypeError, match="radius"):
+    with pytest.raises(mdr.errors.ArgumentTypeError, match="radius"):
         contact.history([0.0, 1.0], radius=[0.0, 1.0])
-    with pytest.raises(mdr.InvalidArgumentError, match="start"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="start"):
         contact.history([0.0, 1.0], depth=[0.0, 1.0], start="here")
-    with pytest.raises(mdr.UnreachableError, match="no stable"):
+    with pytest.raises(mdr.errors.UnreachableError, match="no stable"):
         contact.history([0.0, 1.0], depth=[-1.0, -1.0], start="rest")
-    with pytest.raises(mdr.InvalidArgumentError, match="work_of_adhesion"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="work_of_adhesion"):
         mdr.Contact(TIP, HALF_SPACE, work_of_adhesion=1.0, adhesion=rate)
-    with pytest.raises(mdr.InvalidArgumentError, match="cohesive_stress"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="cohesive_stress"):
         mdr.Contact(TIP, HALF_SPACE, cohesive_stress=1.0, adhesion=rate)
-    with pytest.raises(mdr.ArgumentTypeError, match="adhesion="):
+    with pytest.raises(mdr.errors.ArgumentTypeError, match="adhesion="):
         mdr.Contact(TIP, HALF_SPACE).history([0.0, 1.0], depth=[0.0, 1.0], start="rest")
 
 
 def noisy_curves(noise, seed=1):
-    contact = mdr.Contact(mdr.Paraboloid(20e-6), RUBBERY, adhesion=mdr.RateAdhesion(0.05, 1e-6, 0.4))
+    contact = mdr.Contact(mdr.Paraboloid(20e-6), RUBBERY, adhesion=RateAdhesion(0.05, 1e-6, 0.4))
     random, curves = np.random.default_rng(seed), []
     for speed in (1e-7, 1e-6, 1e-5):
         time = np.linspace(0.0, 3.2e-6 / speed, 150)
@@ -233,14 +234,14 @@ RUBBERY = mdr.Homogeneous(mdr.Elastic(1e6, 0.5))
 
 def test_fits_of_several_speeds():
     """Without noise the truth comes back, with the contact point; pull-off at another speed follows."""
-    guess = mdr.Contact(mdr.Paraboloid(20e-6), RUBBERY, adhesion=mdr.RateAdhesion(0.07, 3e-6, 0.5))
+    guess = mdr.Contact(mdr.Paraboloid(20e-6), RUBBERY, adhesion=RateAdhesion(0.07, 3e-6, 0.5))
     curves = noisy_curves(0.0)
     found = mdi.fit_rate(curves, guess, ["E", "work", "speed", "exponent", "position_offset"])
     truth = {"E": 1e6, "work": 0.05, "speed": 1e-6, "exponent": 0.4, "position_offset": 1e-8}
     assert found.values == pytest.approx(truth, rel=1e-3)
     assert found.contact.adhesion.work == found.values["work"]
     assert "work" in found.summary()
-    true = mdr.Contact(mdr.Paraboloid(20e-6), RUBBERY, adhesion=mdr.RateAdhesion(0.05, 1e-6, 0.4))
+    true = mdr.Contact(mdr.Paraboloid(20e-6), RUBBERY, adhesion=RateAdhesion(0.05, 1e-6, 0.4))
     end = true.history([0.0, 4.0], position=[2e-6, -10e-6], spring_stiffness=20.0, start="rest").end
     assert found.pull_off(3e-6) == pytest.approx(end["lowest_force"], rel=1e-4)
     noisy = mdi.fit_rate(noisy_curves(0.02), guess, ["work", "speed", "exponent", "position_offset"])
@@ -252,7 +253,7 @@ def test_fits_of_several_speeds():
 
 def test_a_fit_is_drawn():
     pytest.importorskip("matplotlib").use("Agg")
-    guess = mdr.Contact(mdr.Paraboloid(20e-6), RUBBERY, adhesion=mdr.RateAdhesion(0.05, 1e-6, 0.4))
+    guess = mdr.Contact(mdr.Paraboloid(20e-6), RUBBERY, adhesion=RateAdhesion(0.05, 1e-6, 0.4))
     axes = mdi.fit_rate(noisy_curves(0.01), guess, ["work"]).plot(points=4)
     assert [len(line.get_xdata()) for line in axes.lines] == [3, 4]
     axes.figure.clear()
@@ -260,19 +261,19 @@ def test_a_fit_is_drawn():
 
 def test_fits_that_cannot_be():
     curves = noisy_curves(0.0)
-    guess = mdr.Contact(mdr.Paraboloid(20e-6), RUBBERY, adhesion=mdr.RateAdhesion(0.05, 1e-6, 0.4))
-    with pytest.raises(mdr.InvalidArgumentError, match="free = 'gamma'"):
+    guess = mdr.Contact(mdr.Paraboloid(20e-6), RUBBERY, adhesion=RateAdhesion(0.05, 1e-6, 0.4))
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="free = 'gamma'"):
         mdi.fit_rate(curves, guess, ["gamma"])
     layered = guess.replace(medium=mdr.Layered([(mdr.Elastic(1e6, 0.5), 1e-4)], mdr.Elastic(2e6, 0.5)))
-    with pytest.raises(mdr.InvalidArgumentError, match=r"free = 'layers\[0\].e' .*layers\[0\]\.E"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match=r"free = 'layers\[0\].e' .*layers\[0\]\.E"):
         mdi.fit_rate(curves, layered, ["layers[0].e"])
-    with pytest.raises(mdr.ArgumentTypeError, match="adhesion="):
+    with pytest.raises(mdr.errors.ArgumentTypeError, match="adhesion="):
         mdi.fit_rate(curves, mdr.Contact(mdr.Paraboloid(20e-6), RUBBERY), ["work"])
-    with pytest.raises(mdr.ArgumentTypeError, match="RateCurve"):
+    with pytest.raises(mdr.errors.ArgumentTypeError, match="RateCurve"):
         mdi.fit_rate([1.0], guess)
-    with pytest.raises(mdr.InvalidArgumentError, match="ascending"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="ascending"):
         mdi.RateCurve(np.ones(9), np.ones(9), np.ones(9))
-    with pytest.raises(mdr.InvalidArgumentError, match="same length"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="same length"):
         mdi.RateCurve(np.arange(9.0), np.ones(8), np.ones(9))
 
 
@@ -306,7 +307,7 @@ def test_the_command(tmp_path, capsys):
     file.write_text(PROBLEM)
     assert main(["history", str(file), "--csv", str(tmp_path / "path.csv")]) == 0
     said = capsys.readouterr().out
-    law = mdr.RateAdhesion(0.05, 1e-6, 0.4, closing_work=0.03)
+    law = RateAdhesion(0.05, 1e-6, 0.4, closing_work=0.03)
     contact = mdr.Contact(mdr.Paraboloid(20e-6), RUBBERY, adhesion=law)
     found = contact.history([0.0, 1.0, 11.0], position=[0.0, 5e-7, -5e-6], spring_stiffness=20.0)
     assert f"lowest force: {found.end['lowest_force'] * 1e6:.5g} uN" in said

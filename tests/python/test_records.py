@@ -288,7 +288,9 @@ def test_stray_readings_are_found_and_jumps_are_none():
 def test_how_a_tip_comes_off():
     """Last rupture and energy lost of a cycle that is known: a polymer pulled by a spring, with a baseline of its own and noise."""
     contact = mdr.Contact(
-        mdr.Paraboloid(20e-6), mdr.Homogeneous(mdr.Elastic(1e6, 0.5)), adhesion=mdr.RateAdhesion(0.05, 1e-6, 0.4, closing_work=0.03)
+        mdr.Paraboloid(20e-6),
+        mdr.Homogeneous(mdr.Elastic(1e6, 0.5)),
+        adhesion=mdr.adhesion.RateAdhesion(0.05, 1e-6, 0.4, closing_work=0.03),
     )
     time = np.linspace(0.0, 8.0, 4001)
     position = np.interp(time, [0.0, 2.0, 8.0], [-2e-6, 2e-6, -10e-6])

@@ -9,7 +9,7 @@ from test_coatings import random_material
 
 import mdrcontact as mdr
 
-pytestmark = [pytest.mark.filterwarnings(f"ignore::mdrcontact.{name}Warning") for name in ("LargeStrain", "NotOneDisc")]
+pytestmark = [pytest.mark.filterwarnings(f"ignore::mdrcontact.errors.{name}Warning") for name in ("LargeStrain", "NotOneDisc")]
 
 
 def differences(f, x, step):
@@ -113,17 +113,17 @@ def is_modulus(name):
 )
 def test_refusals(contact, words):
     made = contact()
-    with pytest.raises(mdr.InvalidArgumentError, match=words):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match=words):
         made.at_depth(0.1).gradient()
 
 
 def test_one_state():
     contact = mdr.Contact(mdr.Paraboloid(1.0), coated())
-    with pytest.raises(mdr.InvalidArgumentError, match="one state"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="one state"):
         contact.at_depth(np.array([0.1, 0.2])).gradient()
 
 
 def test_kinks_of_the_line_load():
     contact = mdr.Contact(mdr.RoundedCone(0.1, 0.3), coated())
-    with pytest.raises(mdr.NoConvergenceError, match="not smooth enough"):
+    with pytest.raises(mdr.errors.NoConvergenceError, match="not smooth enough"):
         contact.at_depth(0.2).gradient()

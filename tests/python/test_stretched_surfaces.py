@@ -135,7 +135,7 @@ def test_a_thin_stiff_film_under_a_ball():
 @pytest.mark.parametrize("bending", [1e-3, 1e-6])
 def test_wrinkling_of_a_bonded_plate(bending):
     """Its stiffness in the plane fixes the surface: (4 (1 - nu)^2/(3 - 4 nu))^(2/3) times Chen and Hutchinson's stress."""
-    with pytest.raises(mdr.InvalidArgumentError, match="wrinkles") as refusal:
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="wrinkles") as refusal:
         stretched(1e6 * bending ** (1.0 / 3.0), tension=-1e3, bending=bending)
     critical = float(re.search(r"tau_c = (\S+),", str(refusal.value))[1])
     assert critical / (-3.0 * bending * (0.25 / bending) ** (2.0 / 3.0)) == pytest.approx(RATIO ** (2.0 / 3.0), rel=1e-5)
@@ -195,5 +195,5 @@ def test_refused_answers():
 
 def test_numbers_too_far_apart_end():
     """The product of bending and stretching is below all numbers: LAPACK balanced the matrix of the poles for ever."""
-    with pytest.raises(mdr.NoConvergenceError, match="poles"):
+    with pytest.raises(mdr.errors.NoConvergenceError, match="poles"):
         mdr.Homogeneous(mdr.Elastic(2.8, -0.05), surface=mdr.Surface(2e-313, 1e-207, 5e-192))

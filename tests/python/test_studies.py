@@ -100,7 +100,7 @@ def test_comparisons_are_those_that_the_command_prints(tmp_path, monkeypatch, ca
     assert main(["validate", "--only", "hertz"]) == 0
     printed = capfd.readouterr().out
     assert all(cell in printed for column in found.tables["comparisons"] for cell in (column.title, *column.values))
-    with pytest.raises(mdr.InvalidArgumentError, match="did you mean 'hertz'"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="did you mean 'hertz'"):
         studies.validate(only="herz")
 
 
@@ -187,7 +187,7 @@ def test_a_study_stops_between_two_parts(name):
     """Compare lists models that refuse a problem; a stop is no refusal."""
     given = problem.load(EXAMPLES / "tin_on_steel.toml")
     calls = []
-    with pytest.raises(mdr.CancelledError):
+    with pytest.raises(mdr.errors.CancelledError):
         STUDIES[name](given, progress=Progress(stop=lambda: calls.append(0) or len(calls) > 2))
     assert len(STUDIES[name](given).title) > 0
 
@@ -221,7 +221,7 @@ def test_a_study_stops_within_a_call_into_the_library(in_main_thread):
     def run():
         try:
             studies.history(problem.read(LONG), progress=Progress(lambda *step: steps.append(step), stop))
-        except mdr.CancelledError:
+        except mdr.errors.CancelledError:
             ended.append(time.monotonic() - begun)
 
     if in_main_thread:

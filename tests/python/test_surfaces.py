@@ -92,7 +92,7 @@ def test_compliance(half_space):
     k = np.array([0.1, 1.0, 10.0])
     plate = mdr.Homogeneous(GEL, surface=mdr.Surface(0.5, 0.2))
     assert 1.0 / plate.compliance(k) == pytest.approx(1.0 / mdr.Homogeneous(GEL).compliance(k) + 0.5 * k**2 + 0.2 * k**4, rel=1e-13)
-    with pytest.raises(mdr.InvalidArgumentError, match="under a pressure"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="under a pressure"):
         half_space.compliance(k, load="shear")
 
 
@@ -221,7 +221,7 @@ def test_a_sphere_is_a_paraboloid_near_its_axis(half_space):
 
 def test_wetting_warns():
     contact = mdr.Contact(mdr.Paraboloid(1e3), mdr.Homogeneous(GEL, surface=TENSE), work_of_adhesion=0.03)
-    with pytest.warns(mdr.LargeStrainWarning, match="surface tension"):
+    with pytest.warns(mdr.errors.LargeStrainWarning, match="surface tension"):
         contact.at_radius(1.0)
 
 
@@ -273,7 +273,7 @@ def test_the_critical_tension_of_a_film(bending):
     """min over k of 1/(k^2 C) + B k^2, looked for anew between two wavenumbers."""
     film = mdr.Coated(GEL, 1.0, mdr.RIGID)
     k = np.geomspace(0.1, 20.0, 100_001)
-    with pytest.raises(mdr.InvalidArgumentError, match="wrinkles") as refusal:
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="wrinkles") as refusal:
         film.replace(surface=mdr.Surface(-1e3, bending))
     critical = float(re.search(r"tau_c = (\S+),", str(refusal.value))[1])
     assert critical == pytest.approx(-np.min(1.0 / (k**2 * film.compliance(k)) + bending * k**2), rel=1e-6)
@@ -313,16 +313,16 @@ def test_no_tip_under_a_plate_makes_one_disc(half_space):
     """B lap lap f pulls at the apex of a cone, and depth falls while the radius grows; a paraboloid has none of it."""
     plate = mdr.Homogeneous(GEL, surface=mdr.Surface(0.0, 0.5))
     cone = mdr.Contact(mdr.PowerLaw(1.0, 0.1), plate)
-    with pytest.warns(mdr.NotOneDiscWarning, match="a plate does not follow a tip"):
+    with pytest.warns(mdr.errors.NotOneDiscWarning, match="a plate does not follow a tip"):
         first, second = cone.at_radius([0.1, 0.3]).depth
     assert second < first
-    with pytest.raises(mdr.UnreachableError, match=r"at radius 0\.01, where the medium begins, the depth is 2\.5"):
+    with pytest.raises(mdr.errors.UnreachableError, match=r"at radius 0\.01, where the medium begins, the depth is 2\.5"):
         cone.at_depth(1e-3)
     assert mdr.Contact(BALL, plate).at_radius(0.3).lowest_pressure()[0] == 0.0
 
 
 def test_a_plate_under_tension_ends_by_its_own_length():
-    with pytest.raises(mdr.DomainError, match=r"200 lengths \(B/tau\)\^\(1/2\)"):
+    with pytest.raises(mdr.errors.DomainError, match=r"200 lengths \(B/tau\)\^\(1/2\)"):
         mdr.Homogeneous(GEL, surface=mdr.Surface(1e3, 1e-6)).stiffness(1.0)
 
 

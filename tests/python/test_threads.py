@@ -11,6 +11,12 @@ import pytest
 from conftest import OXIDE, SILICON
 
 import mdrcontact as mdr
+from mdrcontact.closed_forms import (
+    coated_cone_force,
+    coated_paraboloid_adhesive_depth,
+    coated_paraboloid_force,
+    reduced_adhesive_depth,
+)
 from mdrcontact.lateral import Ball, Shapes, density
 
 MANY = np.geomspace(1e-3, 1e3, 40_001)
@@ -31,11 +37,11 @@ CALLS = {
     "modulus": lambda: GAO.medium.modulus(MANY),
     "exact modulus": lambda: EXACT.medium.modulus(FEW),
     "stiffness": lambda: GAO.medium.stiffness(MANY),
-    "phi": lambda: mdr.weight_phi(MANY, 0.3),
-    "i0": lambda: mdr.weight_i0(MANY, 0.3),
-    "i1": lambda: mdr.weight_i1(MANY),
-    "j0": lambda: mdr.weight_j0(MANY, 0.3),
-    "j1": lambda: mdr.weight_j1(MANY),
+    "phi": lambda: mdr.weights.weight_phi(MANY, 0.3),
+    "i0": lambda: mdr.weights.weight_i0(MANY, 0.3),
+    "i1": lambda: mdr.weights.weight_i1(MANY),
+    "j0": lambda: mdr.weights.weight_j0(MANY, 0.3),
+    "j1": lambda: mdr.weights.weight_j1(MANY),
     "gao at_depth": lambda: GAO.at_depth(SOME),
     "gao at_force": lambda: GAO.at_force(SOME),
     "gao at_radius": lambda: GAO.at_radius(SOME),
@@ -48,10 +54,10 @@ CALLS = {
     "exact pressure": lambda: EXACT.at_depth(1e-7).pressure(SOME),
     "displacement": lambda: EXACT.at_force(1e-4).displacement(3.0 * SOME),
     "line_load": lambda: STICKY.at_depth(1e-7).line_load(SOME),
-    "paraboloid": lambda: mdr.coated_paraboloid_force(MANY, 1.0, 3.0, 1.0, 0.5),
-    "cone": lambda: mdr.coated_cone_force(MANY, 0.3, 3.0, 1.0, 0.5),
-    "adhesive": lambda: mdr.coated_paraboloid_adhesive_depth(MANY, 1.0, 3.0, 1.0, 0.5, 0.1),
-    "reduced": lambda: mdr.reduced_adhesive_depth(MANY, 3.0, 0.5),
+    "paraboloid": lambda: coated_paraboloid_force(MANY, 1.0, 3.0, 1.0, 0.5),
+    "cone": lambda: coated_cone_force(MANY, 0.3, 3.0, 1.0, 0.5),
+    "adhesive": lambda: coated_paraboloid_adhesive_depth(MANY, 1.0, 3.0, 1.0, 0.5, 0.1),
+    "reduced": lambda: reduced_adhesive_depth(MANY, 3.0, 0.5),
     "density": lambda: density(MANY, MANY, 0.3),
     "structure": lambda: INCLUSION.modulus(FEW, 0.0, 1e-6),
 }
@@ -108,12 +114,12 @@ def test_first_error_is_named(threads):
     depth = SOME.copy()
     depth[[40, 41, 149]] = [-2.0, -1.0, np.nan]
     for contact in (GAO, EXACT):
-        with pytest.raises(mdr.UnreachableError, match="entry 41 of depth = -2 "):
+        with pytest.raises(mdr.errors.UnreachableError, match="entry 41 of depth = -2 "):
             on(threads, lambda contact=contact: contact.at_depth(depth))
-    with pytest.raises(mdr.DomainError, match="r = 5 "):
+    with pytest.raises(mdr.errors.DomainError, match="r = 5 "):
         on(threads, lambda: GAO.at_radius(1e-6).pressure(np.r_[np.zeros(131), 5.0, 6.0, np.zeros(80)]))
-    with pytest.raises(mdr.InvalidArgumentError, match="entry 41 of xi"):
-        on(threads, lambda: mdr.weight_i0(depth))
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="entry 41 of xi"):
+        on(threads, lambda: mdr.weights.weight_i0(depth))
 
 
 def test_what_is_no_number_of_threads_is_refused():
@@ -126,7 +132,7 @@ def test_what_is_no_number_of_threads_is_refused():
 
 def test_shapes_and_numbers():
     mdr.set_threads(2)
-    assert mdr.weight_i0([]).shape == (0,)
+    assert mdr.weights.weight_i0([]).shape == (0,)
     assert isinstance(GAO.at_depth(1e-8).force, float)
     assert GAO.at_depth(SOME.reshape(10, 15)).force.shape == (10, 15)
     mdr.set_threads(1)
@@ -134,7 +140,7 @@ def test_shapes_and_numbers():
 
 def test_environment_sets_what_0_means():
     """OMP_NUM_THREADS is OpenMP's own: 0 follows it."""
-    script = "import numpy as np, mdrcontact as m; m.set_threads(0); print(m.weight_i0(np.linspace(0, 9, 40000)).sum().hex())"
+    script = "import numpy as np, mdrcontact as m; m.set_threads(0); print(m.weights.weight_i0(np.linspace(0, 9, 40000)).sum().hex())"
     found = {
         subprocess.run(
             [sys.executable, "-c", script], env={**os.environ, "OMP_NUM_THREADS": n}, capture_output=True, text=True, check=True

@@ -129,7 +129,7 @@ def test_a_flat_punch_has_one_radius():
     assert contact.dynamic_stiffness(1.0, radius=[0.5, 0.5])[1] == contact.dynamic_stiffness(1.0)
     calls = (lambda: contact.relaxation(1.0, 2.0), lambda: contact.creep(1.0, 2.0))
     for call in (*calls, lambda: contact.dynamic_stiffness(1.0, radius=[0.5, 2.0])):
-        with pytest.raises(mdr.InvalidArgumentError, match="that of a flat punch is its own, 0.5"):
+        with pytest.raises(mdr.errors.InvalidArgumentError, match="that of a flat punch is its own, 0.5"):
             call()
 
 
@@ -176,9 +176,9 @@ def test_a_gel_of_a_power_law_rests_on_a_rigid_base():
     radius = rigid.at_depth(0.5).radius
     assert contact.dynamic_stiffness(2.0, depth=0.5) == pytest.approx(contact.dynamic_stiffness(2.0, radius=radius), rel=1e-12)
     below = contact.replace(medium=mdr.Coated(of_shear(1.0, 0.3), 1.0, gel))
-    with pytest.raises(mdr.InvalidArgumentError, match="give the contact radius"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="give the contact radius"):
         below.dynamic_stiffness(2.0, depth=0.5)
-    with pytest.raises(mdr.ArgumentTypeError, match=r"omega \(2,\), radius \(3,\)"):
+    with pytest.raises(mdr.errors.ArgumentTypeError, match=r"omega \(2,\), radius \(3,\)"):
         below.dynamic_stiffness([1.0, 2.0], radius=[0.1, 0.2, 0.3])
 
 
@@ -317,9 +317,9 @@ def test_moduli_at_once():
         assert material.creep([0.0, 1.0])[0] == pytest.approx(1.0 / shear, rel=1e-13)
     for material in POWER, mdr.Viscoelastic(2.0, [(1.0, 0.1)], nu=0.5, viscosity=0.7):
         assert material.creep(0.0) == 0.0
-        with pytest.raises(mdr.InvalidArgumentError, match="infinite"):
+        with pytest.raises(mdr.errors.InvalidArgumentError, match="infinite"):
             material.relaxation([1.0, 0.0])
-        with pytest.raises(mdr.InvalidArgumentError, match="t = -1"):
+        with pytest.raises(mdr.errors.InvalidArgumentError, match="t = -1"):
             material.relaxation(-1.0)
 
 
@@ -335,7 +335,7 @@ def test_dashpot_alone_is_kelvin_voigt():
     a = history.radius[1:]
     # Hertz, and 2 a eta* d' of the dashpot
     assert history.force[1:] == pytest.approx(4.0 / 3.0 * 8.0 * a**3 + 2.0 * a * 2.8 * 0.3, rel=1e-10)
-    with pytest.raises(mdr.InvalidArgumentError, match="begin with 0"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="begin with 0"):
         contact.history([0.0, 1.0], depth=[0.1, 0.1])
 
 
@@ -349,19 +349,19 @@ def test_prony_tables():
     listed = "TB,PRONY,1,1,2,SHEAR  ! steel cord\nTBDATA,1,0.3,0.1,0.2,2.0D0"
     assert mdr.Viscoelastic.from_prony_text(listed, 10.0, 0.4) == material
     assert mdr.Viscoelastic.from_prony_text("0.3 0.1\n0.2 2.0", 10.0, 0.4, elastic_bulk=False).nu == 0.4
-    with pytest.raises(mdr.InvalidArgumentError, match="bulk modulus"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="bulk modulus"):
         mdr.Viscoelastic.from_prony_text("tb,prony,1,1,2,bulk\ntbdata,1,0.3,0.1", 10.0, 0.4)
-    with pytest.raises(mdr.InvalidArgumentError, match="no line"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="no line"):
         mdr.Viscoelastic.from_prony_text("a table", 10.0, 0.4)
-    with pytest.raises(mdr.ArgumentTypeError, match="pairs"):
+    with pytest.raises(mdr.errors.ArgumentTypeError, match="pairs"):
         mdr.Viscoelastic(1.0, None, nu=0.3)
-    with pytest.raises(mdr.InvalidArgumentError, match="greater than 1"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="greater than 1"):
         mdr.Viscoelastic.from_fractions(1.0, [(0.8, 1.0), (0.3, 2.0)], 0.3)
-    with pytest.raises(mdr.InvalidArgumentError, match="fractions k"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="fractions k"):
         mdr.Viscoelastic.from_fractions(1.0, [(0.3, 0.1, 1.0)], 0.3)
-    with pytest.raises(mdr.InvalidArgumentError, match="nu = -1"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="nu = -1"):
         mdr.Viscoelastic.from_fractions(1.0, [(0.3, 1.0)], -1.0)
-    with pytest.raises(mdr.InvalidArgumentError, match="rows"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="rows"):
         mdr.Viscoelastic.from_fractions(1.0, [0.3, 1.0], 0.3)
 
 
@@ -473,19 +473,19 @@ def test_refusals():
         lambda: contact.medium.modulus(0.1),
         lambda: mdr.ContactLaw(contact, 0.1),
     ):
-        with pytest.raises(mdr.InvalidArgumentError, match="history"):
+        with pytest.raises(mdr.errors.InvalidArgumentError, match="history"):
             question()
-    with pytest.raises(mdr.InvalidArgumentError, match="work_of_adhesion"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="work_of_adhesion"):
         mdr.Contact(mdr.Paraboloid(1.0), BODIES["A"], work_of_adhesion=0.1)
-    with pytest.raises(mdr.InvalidArgumentError, match="viscoelastic"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="viscoelastic"):
         mdr.Pair(BODIES["A"], mdr.Elastic(1.0, 0.3))
-    with pytest.raises(mdr.InvalidArgumentError, match="elastic"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="elastic"):
         mdr.Contact(mdr.Paraboloid(1.0), mdr.Homogeneous(A.glassy)).history([0.0], depth=[0.1])
     for time, words in (([0.0, 0.0], "ascending"), ([0.0, math.nan], "finite"), ([1.0, 0.5], "ascending"), ([0.0], "same length")):
-        with pytest.raises(mdr.InvalidArgumentError, match=words):
+        with pytest.raises(mdr.errors.InvalidArgumentError, match=words):
             contact.history(time, depth=[0.1, 0.1])
     for arguments in ({}, {"depth": [0.1], "force": [0.1]}):
-        with pytest.raises(mdr.ArgumentTypeError, match="one of depth, force and radius"):
+        with pytest.raises(mdr.errors.ArgumentTypeError, match="one of depth, force and radius"):
             contact.history([0.0], **arguments)
     film = mdr.Contact(mdr.Paraboloid(1.0), mdr.Coated(POWER, 1.0, mdr.Elastic(1.0, 0.3)))
     for question, words in (
@@ -496,15 +496,15 @@ def test_refusals():
         (lambda: mdr.Contact(mdr.FlatPunch(1.0), mdr.Homogeneous(A.glassy)).dynamic_stiffness(1.0), "elastic"),
         (lambda: mdr.Contact(mdr.Cone(0.3), BODIES["F1"].with_model("gao")).dynamic_stiffness(1.0, radius=1.0), "exact"),
     ):
-        with pytest.raises(mdr.InvalidArgumentError, match=words):
+        with pytest.raises(mdr.errors.InvalidArgumentError, match=words):
             question()
-    with pytest.raises(mdr.ArgumentTypeError, match="radius is missing"):
+    with pytest.raises(mdr.errors.ArgumentTypeError, match="radius is missing"):
         film.creep(1.0)
     for question, words in (
         (lambda: mdr.Contact(mdr.Cone(0.3), BODIES["F1"].with_model("gao")).history([0.0, 1.0], depth=[0.0, 0.1]), "model exact"),
         (lambda: contact.history([0.0, 1.0], depth=[0.0, 0.1], tolerance=0.0), "tolerance = 0"),
     ):
-        with pytest.raises(mdr.InvalidArgumentError, match=words):
+        with pytest.raises(mdr.errors.InvalidArgumentError, match=words):
             question()
     for make, words in (
         (lambda: mdr.Viscoelastic(-1.0, [(1.0, 1.0)], nu=0.3), "relaxed_shear_modulus = -1"),
@@ -517,7 +517,7 @@ def test_refusals():
         (lambda: POWER.glassy, "no glassy"),
         (lambda: POWER.relaxed, "no relaxed"),
     ):
-        with pytest.raises(mdr.InvalidArgumentError, match=words):
+        with pytest.raises(mdr.errors.InvalidArgumentError, match=words):
             make()
 
 

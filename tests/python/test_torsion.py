@@ -203,7 +203,7 @@ def test_sliding():
     np.testing.assert_allclose(found.tangential_force, limit, rtol=1e-9)
     assert found.stick_radius[1] == 0.0
     assert found.dissipated_energy[2] - found.dissipated_energy[1] == pytest.approx(limit * 10.0 * unit, rel=1e-12)
-    with pytest.raises(mdr.UnreachableError, match="growing twist approaches that of sliding"):
+    with pytest.raises(mdr.errors.UnreachableError, match="growing twist approaches that of sliding"):
         pair.twist(state).at_force(limit)
 
 
@@ -225,21 +225,21 @@ def test_refusals():
     pair = friction()
     state = pair.contact.at_depth(0.25)
     film = friction(medium=mdr.Coated(mdr.Elastic(5.0, 0.3), 1.0, mdr.Elastic(E, NU)))
-    with pytest.raises(mdr.InvalidArgumentError, match="torsion with friction is not known for this medium"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="torsion with friction is not known for this medium"):
         film.twist(film.contact.at_depth(0.1)).at_shift(0.1)
-    with pytest.raises(mdr.InvalidArgumentError, match="twist"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="twist"):
         pair.twist(state).at_shift(np.nan)
-    with pytest.raises(mdr.ArgumentTypeError, match="it must be a State"):
+    with pytest.raises(mdr.errors.ArgumentTypeError, match="it must be a State"):
         pair.twist(0.1)
-    with pytest.raises(mdr.ArgumentTypeError, match="State of the contact with friction"):
+    with pytest.raises(mdr.errors.ArgumentTypeError, match="State of the contact with friction"):
         pair.twist(film.contact.at_depth(0.1))
-    with pytest.raises(mdr.InvalidArgumentError, match="control"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="control"):
         pair.twist(state).loop(0.1, "twist")
-    with pytest.raises(mdr.InvalidArgumentError, match="amplitude"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="amplitude"):
         pair.twist(state).loop(-0.1)
-    with pytest.raises(mdr.DomainError, match="r"):
+    with pytest.raises(mdr.errors.DomainError, match="r"):
         pair.twist(state).traction(2.0, pair.twist(state).at_shift(0.01))
-    with pytest.raises(mdr.ArgumentTypeError, match="must be a Friction"):
+    with pytest.raises(mdr.errors.ArgumentTypeError, match="must be a Friction"):
         mdr.ShearedContact(pair.contact, state)
-    with pytest.raises(mdr.ArgumentTypeError, match="ShearState"):
+    with pytest.raises(mdr.errors.ArgumentTypeError, match="ShearState"):
         pair.twist(state).traction(0.1, (0.01, 0.1))

@@ -272,6 +272,6 @@ def test_an_unloading_that_determines_nothing_is_refused_as_such():
         depth = 200e-9 + 5e-9 * (force / 2.8e-3) ** (1.0 / 3.0) + 3e-9 * random.standard_normal(50)
         try:
             mdi.Unloading(np.r_[np.linspace(0.0, 205e-9, 60), depth], np.r_[np.linspace(0.0, 2.8e-3, 60), force], segments=PARTS)
-        except mdr.InvalidArgumentError as problem:
+        except mdr.errors.InvalidArgumentError as problem:
             words.append(str(problem))
     assert any("do not determine a stiffness" in refusal for refusal in words)

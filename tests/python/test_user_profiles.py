@@ -126,12 +126,12 @@ def test_a_sphere_that_loses_digits_is_continued(r_max):
 
 @pytest.mark.parametrize("r_max", [1e-9, 1e-8])
 def test_a_sphere_of_which_nothing_is_left_is_refused(r_max):
-    with pytest.raises(mdr.NoConvergenceError, match=r"loses digits towards the axis: at r = .*write it without"):
+    with pytest.raises(mdr.errors.NoConvergenceError, match=r"loses digits towards the axis: at r = .*write it without"):
         mdr.CallableProfile(lambda r: 10e-6 - math.sqrt(1e-10 - r * r), r_max)
 
 
 def test_heights_that_scatter_are_refused():
-    with pytest.raises(mdr.NoConvergenceError, match="its values scatter by"):
+    with pytest.raises(mdr.errors.NoConvergenceError, match="its values scatter by"):
         mdr.CallableProfile(lambda r: float(np.float32(r * r)), 1.0)
 
 
@@ -150,7 +150,7 @@ def test_a_constant_is_taken_off():
     ],
 )
 def test_heights_that_do_not_rise_from_the_axis_are_refused(height):
-    with pytest.raises(mdr.InvalidArgumentError, match=r"^f = .* at r = .*must be greater than 0"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match=r"^f = .* at r = .*must be greater than 0"):
         mdr.CallableProfile(lambda r: float(height(r)), 1.0)
 
 

@@ -25,7 +25,7 @@ CASES = {
 def test_each_warns_once(case):
     contact, given, value, words = CASES[case]
     contact = pickle.loads(pickle.dumps(contact))
-    with pytest.warns(mdr.LargeStrainWarning, match=words) as seen:
+    with pytest.warns(mdr.errors.LargeStrainWarning, match=words) as seen:
         state = getattr(contact, f"at_{given}")(value)
         getattr(contact, f"at_{given}")([0.5 * value, 1.01 * value, 2.0 * value])
     assert len(seen) == 1
@@ -34,13 +34,13 @@ def test_each_warns_once(case):
 
 def test_the_deepest_of_an_array_warns():
     contact = mdr.Contact(mdr.Paraboloid(1.0), HALF_SPACE)
-    with pytest.warns(mdr.LargeStrainWarning, match="contact radius 3"):
+    with pytest.warns(mdr.errors.LargeStrainWarning, match="contact radius 3"):
         contact.at_radius(np.array([[0.1, 3.0], [0.2, 0.3]]))
 
 
 def test_gpa_beside_pa():
     contact = mdr.Contact(SPHERE, mdr.Coated(mdr.Elastic(72.0, 0.17), 5e-7, mdr.Elastic(163e9, 0.22)))
-    with pytest.warns(mdr.UnitsWarning, match=r"from 72 to 1\.63e\+11") as seen:
+    with pytest.warns(mdr.errors.UnitsWarning, match=r"from 72 to 1\.63e\+11") as seen:
         contact.at_depth(1e-9)
         contact.at_depth(2e-9)
     assert len(seen) == 1
@@ -49,14 +49,14 @@ def test_gpa_beside_pa():
 @pytest.mark.parametrize("z", [[0.0, 1e-6], [0.0, 0.5e-6, 1e-6]])
 def test_gpa_beside_pa_in_a_graded_body(z):
     young = np.geomspace(1.0, 2e9, len(z))
-    with pytest.warns(mdr.UnitsWarning, match=r"from [\d.]+ to [\d.]+e\+09"):
+    with pytest.warns(mdr.errors.UnitsWarning, match=r"from [\d.]+ to [\d.]+e\+09"):
         mdr.Contact(SPHERE, mdr.Graded(z, young, 0.3, model="gao-series")).at_depth(1e-9)
 
 
 def test_laws_and_loops_warn():
-    with pytest.warns(mdr.LargeStrainWarning, match="compressed"):
+    with pytest.warns(mdr.errors.LargeStrainWarning, match="compressed"):
         mdr.ContactLaw(mdr.Contact(SPHERE, GEL), 1e-6)
-    with pytest.warns(mdr.LargeStrainWarning, match="compressed"):
+    with pytest.warns(mdr.errors.LargeStrainWarning, match="compressed"):
         mdr.Contact(SPHERE, GEL, work_of_adhesion=1e-5).loop("depth", 1e-6, 10)
 
 
@@ -102,7 +102,7 @@ def test_the_command_line_prints_it_once(tmp_path, capsys):
 
 def test_every_warning_of_the_package_has_one_base():
     for name in mdr.errors.__all__:
-        kind = getattr(mdr, name)
+        kind = getattr(mdr.errors, name)
         assert issubclass(kind, mdr.MDRWarning if name.endswith("Warning") else mdr.MDRError)
     with warnings.catch_warnings():
         warnings.simplefilter("ignore", mdr.MDRWarning)

@@ -60,7 +60,7 @@ def of_a_law(depth):
     return mdr.ContactLaw(mdr.Contact(mdr.Paraboloid(1.0), HALF_SPACE), 0.1, continue_beyond=True).at_depth([0.01, depth])
 
 
-RATE = mdr.RateAdhesion.from_rheology(RUBBER, 0.01, 1.0)
+RATE = mdr.adhesion.RateAdhesion.from_rheology(RUBBER, 0.01, 1.0)
 ADHESIVE = mdr.Contact(mdr.Paraboloid(1.0), mdr.Homogeneous(RUBBER.relaxed), adhesion=RATE)
 
 
@@ -70,14 +70,14 @@ def at_speed(speed):
 
 
 CASES = {
-    mdr.LargeStrainWarning: (at_radius, 3.0, 0.1, "slope of 3"),
-    mdr.UnitsWarning: (in_units, 72.0, 72e9, "from 72 to"),
-    mdr.ShortZoneWarning: (short_zone, 1e7, 0.1, "without a range"),
-    mdr.NotOneDiscWarning: (on_a_film, STIFF, STIFF.with_model("gao"), "not one disc"),
-    mdr.InteriorAccuracyWarning: (inside, 1e-6, 0.0, "off by about 1.0e-06"),
-    mdr.SlipInsideWarning: (sheared, 3.5, 3.57, "slip would begin inside"),
-    mdr.BeyondRangeWarning: (of_a_law, 0.2, 0.05, "1 of 2 values of depth lie beyond 0.1"),
-    mdr.AdhesionRateWarning: (at_speed, 5e-3, 2e-4, "beyond its range"),
+    mdr.errors.LargeStrainWarning: (at_radius, 3.0, 0.1, "slope of 3"),
+    mdr.errors.UnitsWarning: (in_units, 72.0, 72e9, "from 72 to"),
+    mdr.errors.ShortZoneWarning: (short_zone, 1e7, 0.1, "without a range"),
+    mdr.errors.NotOneDiscWarning: (on_a_film, STIFF, STIFF.with_model("gao"), "not one disc"),
+    mdr.errors.InteriorAccuracyWarning: (inside, 1e-6, 0.0, "off by about 1.0e-06"),
+    mdr.errors.SlipInsideWarning: (sheared, 3.5, 3.57, "slip would begin inside"),
+    mdr.errors.BeyondRangeWarning: (of_a_law, 0.2, 0.05, "1 of 2 values of depth lie beyond 0.1"),
+    mdr.errors.AdhesionRateWarning: (at_speed, 5e-3, 2e-4, "beyond its range"),
 }
 """Of each class how a result is made, with what it warns, with what it does not, and words of the warning."""
 
@@ -109,7 +109,7 @@ def carried(result):
 
 
 def test_each_class_has_a_case():
-    assert set(CASES) == {getattr(mdr, name) for name in mdr.errors.__all__ if name.endswith("Warning")} - {mdr.MDRWarning}
+    assert set(CASES) == {getattr(mdr.errors, name) for name in mdr.errors.__all__ if name.endswith("Warning")} - {mdr.MDRWarning}
 
 
 @pytest.mark.parametrize("kind", CASES, ids=lambda kind: kind.__name__)
@@ -164,7 +164,7 @@ def test_a_field_is_refused_whatever_was_asked_before():
     for _ in range(3):
         few = wrong.interior(r[:400], 0.1)
         assert "off by about 9.9e-03" in few.warnings[0]
-        with pytest.raises(mdr.NoConvergenceError, match="off by about 9"):
+        with pytest.raises(mdr.errors.NoConvergenceError, match="off by about 9"):
             wrong.interior(r, 0.1)
     assert state.interior(0.1, 0.1).warnings == () == state.interior(r, 0.1).warnings
 
@@ -207,7 +207,7 @@ def test_the_user_reads_each_kind_once_from_all_threads():
         warnings.simplefilter("always")
         with ThreadPoolExecutor(THREADS) as pool:
             list(pool.map(contact.at_radius, np.linspace(2.0, 9.0, 64)))
-    assert [warning.category for warning in seen] == [mdr.LargeStrainWarning]
+    assert [warning.category for warning in seen] == [mdr.errors.LargeStrainWarning]
 
 
 def test_who_listens_belongs_to_a_thread():
@@ -235,9 +235,9 @@ def test_threads_of_a_computation_warn_whom_it_warns():
         with silence(), workers(THREADS) as pool:
             list(pool.map(lambda i: warn(f"{i}", mdr.MDRWarning), range(16)))
         with collected() as found, workers(THREADS) as pool:
-            list(pool.map(lambda i: warn(f"{i}", mdr.UnitsWarning), range(16)))
+            list(pool.map(lambda i: warn(f"{i}", mdr.errors.UnitsWarning), range(16)))
     assert {*read} == {(f"{i}", mdr.MDRWarning) for i in range(16)} and len(read) == 16
-    assert {*found} == {(f"{i}", mdr.UnitsWarning) for i in range(16)}
+    assert {*found} == {(f"{i}", mdr.errors.UnitsWarning) for i in range(16)}
 
 
 def test_fits_in_threads_carry_theirs():
@@ -267,7 +267,7 @@ def test_trials_of_a_fit_do_not_warn_and_its_result_does():
             time = np.linspace(0.0, 0.6 / speed, 40)
             path = ADHESIVE.history(time, depth=start - speed * time, start="rest")
             curves.append(mdi.RateCurve(time, start - speed * time, path.force))
-    with pytest.warns(mdr.AdhesionRateWarning) as seen:
+    with pytest.warns(mdr.errors.AdhesionRateWarning) as seen:
         found = mdi.fit_rate(curves, ADHESIVE.replace(adhesion=RATE.replace(work=0.011), work_of_adhesion=0.0), ["work"])
     assert tuple(str(warning.message) for warning in seen) == found.warnings
     assert len(found.warnings) <= len(curves)

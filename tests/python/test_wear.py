@@ -12,6 +12,7 @@ from conftest import ROOT
 
 import mdrcontact as mdr
 from mdrcontact.cli import main
+from mdrcontact.wear import Wear, WornProfile, wear_coefficient_from_scar, wear_coefficient_from_volume
 
 BALL = mdr.Paraboloid(1.0)
 SOFT, HARD = mdr.Elastic(0.091, 0.3), mdr.Elastic(0.91, 0.3)
@@ -32,7 +33,7 @@ def test_self_similar(case):
     tip = {1: mdr.Cone(np.pi / 4.0), 2: mdr.Paraboloid(0.5), 3: mdr.PowerLaw(3.0, 1.0)}[n]
     s = np.geomspace(1e-2, 1.0, 400)
     given, value = ("depth", known["delta"] * s**n) if "delta" in known else ("force", known["phi"] * s ** (n + 1))
-    history = mdr.Wear(mdr.Contact(tip, HERTZ.medium), 1.0).history(**{given: value[0]})
+    history = Wear(mdr.Contact(tip, HERTZ.medium), 1.0).history(**{given: value[0]})
     history.advance(np.diff(s, prepend=0.0), **{given: value})
     now = history.state
     found = {
@@ -53,7 +54,7 @@ def late_radius(body, force, sliding):
     low, high = 1.0, 4.0
     for _ in range(16):
         a = 0.5 * (low + high)
-        punch = mdr.Wear(mdr.Contact(mdr.FlatPunch(a), body), 1.0)
+        punch = Wear(mdr.Contact(mdr.FlatPunch(a), body), 1.0)
         history = punch.history(force=force, intervals=40, scheme="rings")
         history.advance(25.0 * punch.running_in_length(), force=force)
         # worn to d - u
@@ -69,14 +70,14 @@ def late_radius(body, force, sliding):
 def test_the_late_law_on_films(substrate, force):
     """0.3 and 0.07 % at k E0* s = 10 h, the error of theory/wear.md (4.2)."""
     body = mdr.Coated(HARD, 1.0, substrate)
-    states, _ = mdr.Wear(mdr.Contact(BALL, body), 1.0).advance(10.0, force=force)
+    states, _ = Wear(mdr.Contact(BALL, body), 1.0).advance(10.0, force=force)
     assert late_radius(body, force, 10.0) == pytest.approx(states.radius, rel=4e-3)
 
 
 @pytest.mark.parametrize("contact", [HERTZ, COATED])
 def test_limit(contact):
     state = contact.at_radius(1.0)
-    end = mdr.Wear(contact, 0.1).limit(state, 0.5)
+    end = Wear(contact, 0.1).limit(state, 0.5)
     inner = contact.at_radius(0.5)
     assert end.state.force == pytest.approx(inner.force + inner.stiffness * (state.depth - inner.depth), rel=1e-13)
     again = mdr.Contact(end.profile, contact.medium).at_depth(state.depth * 0.99)
@@ -86,7 +87,7 @@ def test_limit(contact):
     worn = end.profile.worn_depth(r)
     assert np.all(worn[(r > 0.5) & (r < end.outer_radius)] > 0.0)
     np.testing.assert_allclose(worn[(r <= 0.5) | (r > end.outer_radius)], 0.0, atol=1e-12)
-    held = mdr.Wear(contact, 0.1).limit(state, 0.5, constant="force")
+    held = Wear(contact, 0.1).limit(state, 0.5, constant="force")
     assert held.state.force == pytest.approx(state.force, rel=1e-13)
 
 
@@ -142,7 +143,7 @@ def test_the_worn_profile_is_the_free_surface_everywhere(name):
     state, kinks = contact.at_radius(0.42), np.array(KINKS.get(name, []))
     nodes, weights = np.polynomial.legendre.leggauss(20)
     for c in (0.15, 0.3):
-        end = mdr.Wear(contact, 1.0).limit(state, c)
+        end = Wear(contact, 1.0).limit(state, c)
         b, worn = end.outer_radius, end.profile
         r = between(c, b)
         wanted = free_height(tip, end.state.depth, c, r, kinks[kinks < c])
@@ -165,7 +166,7 @@ def test_the_worn_profile_on_layers_is_the_surface_beside_the_disc(name, body):
     """Against the displacement of the limit state, which itself loses digits within 1e-13 of the disc."""
     contact = mdr.Contact(TIPS[name], BODIES[body])
     state = contact.at_radius(0.42)
-    end = mdr.Wear(contact, 1.0).limit(state, 0.3)
+    end = Wear(contact, 1.0).limit(state, 0.3)
     r = between(0.3, end.outer_radius)
     r = r[r > 0.3 * (1.0 + 1e-13)]
     surface = end.state.depth - end.state.displacement(r)
@@ -174,7 +175,7 @@ def test_the_worn_profile_on_layers_is_the_surface_beside_the_disc(name, body):
 
 def test_the_worn_depth_of_an_indenter_that_ends_soon():
     """Where nothing is worn lies at the edge, and need not be sought at twice its radius."""
-    wear = mdr.Wear(mdr.Contact(mdr.Sphere(1.0), BODIES["homogeneous"]), 1.0)
+    wear = Wear(mdr.Contact(mdr.Sphere(1.0), BODIES["homogeneous"]), 1.0)
     end = wear.limit(wear.contact.at_radius(0.6), 0.4)
     assert 0.5 < end.outer_radius < 1.0
     assert end.profile.worn_depth(0.3) == 0.0
@@ -188,7 +189,7 @@ def test_a_worn_profile_with_a_nearby_axis():
     """A disc that hardly sticks: what is singular at the axis is near, the panels of the surface are short there."""
     state = HERTZ.at_radius(0.4)
     for c in (1e-2, 1e-4, 1e-6):
-        end = mdr.Wear(HERTZ, 1.0).limit(state, c)
+        end = Wear(HERTZ, 1.0).limit(state, c)
         r = np.r_[c * (1.0 + np.geomspace(1e-15, 1e3, 60)), between(c, end.outer_radius)]
         r = r[(r > c) & (r < end.outer_radius)]
         root = np.sqrt((r - c) * (r + c))
@@ -199,18 +200,18 @@ def test_a_worn_profile_with_a_nearby_axis():
 @pytest.mark.parametrize("contact", [HERTZ, COATED])
 def test_track_is_the_line_load(contact):
     state = contact.at_radius(1.0)
-    wear = mdr.Wear(contact, 0.1, body_coefficient=1e-6)
+    wear = Wear(contact, 0.1, body_coefficient=1e-6)
     y = np.linspace(0.0, 1.0, 7)
     np.testing.assert_allclose(wear.track(y, state, 1000.0), 1e-3 * state.line_load(y), rtol=1e-12, atol=1e-18)
     passes = wear.passes_through(state, 0.01)
     assert wear.track(0.0, state, passes) == pytest.approx(0.01, rel=1e-13)
-    with pytest.raises(mdr.DomainError, match="too deep"):
+    with pytest.raises(mdr.errors.DomainError, match="too deep"):
         wear.track(0.0, state, 100.0 * passes)
 
 
 @pytest.mark.parametrize("contact", [HERTZ, COATED])
 def test_history_goes_on_from_where_it_was(contact):
-    history = mdr.Wear(contact, 1.0).history(force=0.5, intervals=40)
+    history = Wear(contact, 1.0).history(force=0.5, intervals=40)
     history.advance([0.1, 0.2], force=0.5)
     others = [copy.deepcopy(history), pickle.loads(pickle.dumps(history)), history.copy()]
     state = history.advance(0.3, force=[0.6])
@@ -230,7 +231,7 @@ def test_history_goes_on_from_where_it_was(contact):
 def test_rings_follow_any_path(contact):
     """Falling and rising loads, depth and force in turn, far enough for rings to double: k F s to 1e-12 at each end; where the load
     was least, the contact is within what it was; copies and pickles go on with the same bits."""
-    history = mdr.Wear(contact, 0.7).history(force=0.5, intervals=80, scheme="rings")
+    history = Wear(contact, 0.7).history(force=0.5, intervals=80, scheme="rings")
     states = history.advance([0.5, 0.0, 1.0, 0.2, 40.0], force=[0.5, 0.05, 0.05, 0.6, 0.6])
     np.testing.assert_allclose(states.worn_volume, 0.7 * states.work, rtol=1e-12)
     assert states.radius[1] < 0.7 * states.radius[0] and states.radius[2] > states.radius[1]
@@ -243,7 +244,7 @@ def test_rings_follow_any_path(contact):
         other.advance(0.3, force=0.2)
         assert np.array_equal(other.saved(), history.saved())
     before = history.saved()
-    with pytest.raises(mdr.DomainError, match="lift off"):
+    with pytest.raises(mdr.errors.DomainError, match="lift off"):
         history.advance(0.1, depth=0.5 * history.state.worn_depth)
     assert np.array_equal(history.saved(), before)
     again = mdr.Contact(history.profile, contact.medium).at_force(0.2)
@@ -254,7 +255,7 @@ def test_rings_follow_any_path(contact):
 @pytest.mark.parametrize("given", ["force", "depth"])
 def test_rings_and_disc_agree(contact, given):
     """Two schemes with nothing in common but the body: within what the rings state, which falls as their width."""
-    wear, value = mdr.Wear(contact, 1.0), {"force": 0.5, "depth": 0.8}[given]
+    wear, value = Wear(contact, 1.0), {"force": 0.5, "depth": 0.8}[given]
     disc = wear.advance([0.1, 1.0, 5.0], intervals=80, **{given: value})[0]
     before = np.inf
     for intervals in (40, 80, 160):
@@ -270,7 +271,7 @@ def test_rings_and_disc_agree(contact, given):
 def test_a_flat_punch_runs_in(medium, modulus):
     """At constant force to uniform pressure, at constant depth to no force, and to a profile that bears it nowhere else."""
     contact = mdr.Contact(mdr.FlatPunch(1.0), medium)
-    wear = mdr.Wear(contact, 1.0)
+    wear = Wear(contact, 1.0)
     history = wear.history(force=1.0, intervals=40, scheme="rings")
     assert history.state.depth == pytest.approx(contact.at_force(1.0).depth, rel=1e-4)
     now = history.advance(40.0 / modulus, force=1.0)
@@ -281,7 +282,7 @@ def test_a_flat_punch_runs_in(medium, modulus):
     assert pressed.depth + now.worn_depth == pytest.approx(now.depth, rel=1e-3)
     held = wear.advance(15.0 / modulus, depth=0.3, scheme="rings", intervals=40)[0]
     assert held.force < 1e-3 and held.worn_depth == pytest.approx(0.3, rel=1e-3)
-    with pytest.raises(mdr.InvalidArgumentError, match="rings"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="rings"):
         wear.history(force=1.0)
 
 
@@ -289,7 +290,7 @@ def test_a_flat_punch_runs_in(medium, modulus):
 @pytest.mark.parametrize("constant", ["force", "depth"])
 def test_a_flat_punch_runs_in_over_its_length(medium, constant):
     """Rings know nothing of eigenvalues; an implicit step of ds leaves 1/(1 + ds/l), and the finer rings take two half as long."""
-    wear = mdr.Wear(mdr.Contact(mdr.FlatPunch(1.0), medium), 0.5)
+    wear = Wear(mdr.Contact(mdr.FlatPunch(1.0), medium), 0.5)
     length = wear.running_in_length(constant)
     history = wear.history(**{constant: 1.0}, scheme="rings")
     history.advance(15.0 * length, **{constant: 1.0})
@@ -301,9 +302,9 @@ def test_a_flat_punch_runs_in_over_its_length(medium, constant):
 def test_a_stiff_film_opens_under_a_flat_punch():
     """Its middle carries nothing at first: a contact of a ring, which a disc cannot be; with wear it closes."""
     contact = mdr.Contact(mdr.FlatPunch(1.0), COATED.medium)
-    with pytest.warns(mdr.NotOneDiscWarning, match="not one disc"):
+    with pytest.warns(mdr.errors.NotOneDiscWarning, match="not one disc"):
         pressed = contact.at_force(1.0)
-    history = mdr.Wear(contact, 1.0).history(force=1.0, scheme="rings")
+    history = Wear(contact, 1.0).history(force=1.0, scheme="rings")
     assert history.pressure(0.0) == 0.0 and history.state.radius < 1.0
     assert history.state.depth == pytest.approx(pressed.depth, rel=1e-2)
     now = history.advance(30.0, force=1.0)
@@ -311,7 +312,7 @@ def test_a_stiff_film_opens_under_a_flat_punch():
 
 
 def test_a_coated_tip_on_rings():
-    wear = mdr.Wear(HERTZ, (0.1, 1.0), (0.05,))
+    wear = Wear(HERTZ, (0.1, 1.0), (0.05,))
     states = [wear.advance([1.0, 4.0, 10.0], force=1.0, scheme=scheme)[0] for scheme in ("disc", "rings")]
     np.testing.assert_allclose(states[1].worn_volume, states[0].worn_volume, rtol=5e-3)
     np.testing.assert_allclose(states[1].worn_depth, states[0].worn_depth, rtol=1e-2)
@@ -320,19 +321,19 @@ def test_a_coated_tip_on_rings():
 def test_volume_and_coefficients():
     """The volume identity; k from volumes, and from radii of the scar, is that of the history that made them."""
     s = np.array([0.5, 1.0, 2.0])
-    states, profile = mdr.Wear(COATED, 0.7).advance(s, force=0.5)
+    states, profile = Wear(COATED, 0.7).advance(s, force=0.5)
     np.testing.assert_allclose(states.worn_volume, 0.7 * 0.5 * s, rtol=1e-4)
-    assert isinstance(profile, mdr.WornProfile)
-    fit = mdr.wear_coefficient_from_volume(states.worn_volume, s, 0.5)
+    assert isinstance(profile, WornProfile)
+    fit = wear_coefficient_from_volume(states.worn_volume, s, 0.5)
     assert fit.coefficient == pytest.approx(0.7, rel=1e-4) and fit.sd < 1e-4
-    fit = mdr.wear_coefficient_from_scar(COATED, states.radius, s, 0.5)
+    fit = wear_coefficient_from_scar(COATED, states.radius, s, 0.5)
     assert fit.coefficient == pytest.approx(0.7, rel=1e-4) and fit.sd < 1e-4
 
 
 def test_noise_shows_in_the_deviation():
     s = np.linspace(1.0, 20.0, 12)
     noise = 1.0 + 0.02 * np.sin(np.arange(12) * 2.4)
-    fit = mdr.wear_coefficient_from_volume(0.3 * s * noise, s, 1.0)
+    fit = wear_coefficient_from_volume(0.3 * s * noise, s, 1.0)
     assert abs(fit.coefficient - 0.3) < 3.0 * fit.sd < 0.02
 
 
@@ -341,7 +342,7 @@ def test_the_bracket_of_a_worn_coating(body):
     """With the layers as they were, what `history(places="same")` says; with the thinner coating, what that of the thinner body
     says; they draw together with the loss, and further from each other than from a coating thinner by half as much."""
     thin = {"coated": mdr.Coated(HARD, 1.0, SOFT), "layered": mdr.Layered([(HARD, 1.0), (HARD, 0.5)], SOFT)}[body]
-    wear = mdr.Wear(mdr.Contact(BALL, thin), 1.0, body_coefficient=0.5)
+    wear = Wear(mdr.Contact(BALL, thin), 1.0, body_coefficient=0.5)
     first, last = wear.bracket([0.1, 0.4], force=0.5, intervals=40)
     direct = wear.history(force=0.5, places="same", intervals=40)
     direct.advance([0.1, 0.3], force=0.5)
@@ -354,15 +355,15 @@ def test_the_bracket_of_a_worn_coating(body):
             other = thin.replace(thickness=1.0 - part * lost)
         else:
             other = thin.replace(layers=((HARD, 1.0 - part * lost), (HARD, 0.5)))
-        run = mdr.Wear(mdr.Contact(BALL, other), 1.0, body_coefficient=0.5).history(force=0.5, places="same", intervals=40)
+        run = Wear(mdr.Contact(BALL, other), 1.0, body_coefficient=0.5).history(force=0.5, places="same", intervals=40)
         run.advance([0.1, 0.3], force=0.5)
         depths.append(run.state.depth)
     assert depths[1] == pytest.approx(last.depth[-1], rel=1e-6)
     assert first.depth[-1] < depths[0] < last.depth[-1]
-    with pytest.raises(mdr.DomainError, match="quarter"):
+    with pytest.raises(mdr.errors.DomainError, match="quarter"):
         wear.bracket(20.0, force=0.5, intervals=16)
-    with pytest.raises(mdr.InvalidArgumentError, match="with a coating to lose"):
-        mdr.Wear(HERTZ, 1.0, body_coefficient=0.5).bracket(1.0, force=0.5)
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="with a coating to lose"):
+        Wear(HERTZ, 1.0, body_coefficient=0.5).bracket(1.0, force=0.5)
 
 
 @pytest.mark.parametrize(
@@ -377,45 +378,45 @@ def test_the_bracket_of_a_worn_coating(body):
 def test_the_bracket_of_a_coating_keeps_its_interface_and_prestress(coating):
     """Both runs of it are those of the body given layer by layer; without the interface depths are 5 to 20 % off."""
     body = mdr.Layered([coating, mdr.Layer(HARD, 0.5, interface=mdr.SLIDING)], SOFT)
-    wear = mdr.Wear(mdr.Contact(BALL, body), 1.0, body_coefficient=0.5)
+    wear = Wear(mdr.Contact(BALL, body), 1.0, body_coefficient=0.5)
     first, last = wear.bracket(0.4, force=0.5, intervals=16)
     lost = max(first.body_depth, last.body_depth) * (1.0 + 1e-9)
     for thickness, found in ((1.0, first), (1.0 - lost, last)):
         stack = mdr.Layered([coating.replace(thickness=thickness), body.layers[1]], SOFT)
-        run = mdr.Wear(mdr.Contact(BALL, stack), 1.0, body_coefficient=0.5)
+        run = Wear(mdr.Contact(BALL, stack), 1.0, body_coefficient=0.5)
         wanted = run.history(force=0.5, places="same", intervals=16).advance(0.4, force=0.5)
         assert list(found) == pytest.approx(list(wanted), rel=1e-10)
 
 
 def test_bad_input_is_refused_with_the_reason():
-    wear = mdr.Wear(HERTZ, 1.0)
-    with pytest.raises(mdr.InvalidArgumentError, match="coefficient = 0"):
-        mdr.Wear(HERTZ, 0.0)
-    with pytest.raises(mdr.InvalidArgumentError, match="one coefficient more"):
-        mdr.Wear(HERTZ, [1.0, 2.0])
-    with pytest.raises(mdr.InvalidArgumentError, match="adhesion"):
-        mdr.Wear(mdr.Contact(BALL, mdr.Homogeneous(HARD), 0.1), 1.0)
-    with pytest.raises(mdr.ArgumentTypeError, match="one of force and depth"):
+    wear = Wear(HERTZ, 1.0)
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="coefficient = 0"):
+        Wear(HERTZ, 0.0)
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="one coefficient more"):
+        Wear(HERTZ, [1.0, 2.0])
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="adhesion"):
+        Wear(mdr.Contact(BALL, mdr.Homogeneous(HARD), 0.1), 1.0)
+    with pytest.raises(mdr.errors.ArgumentTypeError, match="one of force and depth"):
         wear.history(force=1.0, depth=1.0)
-    with pytest.raises(mdr.InvalidArgumentError, match="body_coefficient"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="body_coefficient"):
         wear.track(0.0, HERTZ.at_depth(0.1))
-    with pytest.raises(mdr.InvalidArgumentError, match="flat punch"):
-        mdr.Wear(mdr.Contact(mdr.FlatPunch(1.0), mdr.Homogeneous(HARD)), 1.0).history(force=1.0)
-    with pytest.raises(mdr.InvalidArgumentError, match="that of a flat punch"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="flat punch"):
+        Wear(mdr.Contact(mdr.FlatPunch(1.0), mdr.Homogeneous(HARD)), 1.0).history(force=1.0)
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="that of a flat punch"):
         wear.running_in_length()
-    corrected = mdr.Wear(mdr.Contact(BALL, HERTZ.medium, zeta=([0.1, 1.0, 3.0], [0.9, 0.85, 0.8])), 0.1)
+    corrected = Wear(mdr.Contact(BALL, HERTZ.medium, zeta=([0.1, 1.0, 3.0], [0.9, 0.85, 0.8])), 0.1)
     for scheme in ("disc", "rings"):
-        with pytest.raises(mdr.InvalidArgumentError, match="zeta is not allowed with the wear of a sliding indenter"):
+        with pytest.raises(mdr.errors.InvalidArgumentError, match="zeta is not allowed with the wear of a sliding indenter"):
             corrected.advance(0.1, depth=0.2, scheme=scheme)
-    with pytest.raises(mdr.InvalidArgumentError, match="did you mean 'rings'"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="did you mean 'rings'"):
         wear.history(force=1.0, scheme="ring")
-    sphere = mdr.Wear(mdr.Contact(mdr.Sphere(1.0), mdr.Homogeneous(HARD)), 1.0).history(force=0.1, intervals=16, scheme="rings")
-    with pytest.raises(mdr.DomainError, match="indenter ends"):
+    sphere = Wear(mdr.Contact(mdr.Sphere(1.0), mdr.Homogeneous(HARD)), 1.0).history(force=0.1, intervals=16, scheme="rings")
+    with pytest.raises(mdr.errors.DomainError, match="indenter ends"):
         sphere.advance(60.0, force=0.1)
     assert sphere.advance(0.1, force=0.05).sliding == 0.1
     history = wear.history(force=1.0, intervals=16)
     before = history.saved()
-    with pytest.raises(mdr.DomainError, match="shrink"):
+    with pytest.raises(mdr.errors.DomainError, match="shrink"):
         history.advance(0.1, force=0.1)
     assert np.array_equal(history.saved(), before)
     history.advance(0.1, force=1.0)
@@ -447,7 +448,7 @@ intervals = 40
     assert "worn volume" in capsys.readouterr().out
     steel, dlc = mdr.Elastic(210e9, 0.3), mdr.Elastic(120e9, 0.25)
     contact = mdr.Contact(mdr.Sphere(3e-3), mdr.Coated(dlc, 2e-6, steel))
-    states, _ = mdr.Wear(contact, 1e-15).advance([10.0, 50.0], force=5.0, intervals=40)
+    states, _ = Wear(contact, 1e-15).advance([10.0, 50.0], force=5.0, intervals=40)
     rows = csv.read_text().splitlines()
     assert len(rows) >= 3 and picture.stat().st_size > 10_000
     assert float(rows[-1].split(",")[0]) == pytest.approx(50.0)

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from .._units import FORCE, LENGTH, MODULUS, STIFFNESS, Dimension, Unit, practical
-from ..adhesion import Loop
+from ..loop import Loop
 from ..problem import Problem
 from ..studies.adhesion import AdhesionResult
 from ..studies.compare import CompareResult

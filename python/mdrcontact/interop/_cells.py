@@ -8,9 +8,9 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from .. import adhesion
+from .._choices import code
 from .._law_arrays import LawArrays
-from ..adhesion import BRANCHES
+from ..loop import BRANCHES
 
 SMALLEST = float(np.finfo(float).tiny)
 """compilers of devices take smaller numbers for 0"""
@@ -29,7 +29,7 @@ class Cells(NamedTuple):
 
 def cells_of(arrays: LawArrays, branch: str) -> Cells:
     """The cells of a branch, "loading" or "unloading"."""
-    loading = adhesion.code("branch", branch, BRANCHES) == BRANCHES["loading"]
+    loading = code("branch", branch, BRANCHES) == BRANCHES["loading"]
     just_below = np.nextafter(np.r_[arrays.segments["lowest"], 0.0], -np.inf)
     just_below[np.abs(just_below) < SMALLEST] = -SMALLEST
     edges = np.unique(np.r_[just_below, 0.0, arrays.intervals["highest"]])

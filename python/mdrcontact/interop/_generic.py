@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from .. import adhesion
+from .._choices import code
 from ..law import ContactLaw
 from ._cells import BELOW, OPEN, cells_of, tangent_of
 
@@ -23,7 +23,7 @@ class Branch:
     def __init__(
         self, law: ContactLaw, quantity: str, branch: str, xp: Any, place: Callable[[Any], Any], constant: Callable[[Any], Any]
     ) -> None:
-        adhesion.code("quantity", quantity, QUANTITIES)
+        code("quantity", quantity, QUANTITIES)
         self.quantity = quantity
         arrays = law.arrays()
         cells = cells_of(arrays, branch)

@@ -5,7 +5,7 @@ from .base import Medium
 from .coated import Coated
 from .graded import Graded, PowerLawGraded
 from .homogeneous import Homogeneous
-from .layer import Layer, Wrinkling
+from .layer import SLIDING, Interface, Layer, Wrinkling
 from .layered import Layered
 from .pair import Pair
 from .sampled import CallableMedium, TabulatedMedium
@@ -18,6 +18,8 @@ __all__ = [
     "Layered",
     "Layer",
     "Wrinkling",
+    "Interface",
+    "SLIDING",
     "Graded",
     "PowerLawGraded",
     "TabulatedMedium",

@@ -14,7 +14,6 @@ from .. import _layout
 from .._boundary import ComplexOrArray, FloatOrArray, Handle, complex_values, evaluate, native, number, numbers, words_of
 from .._choices import nearest
 from .._parameters import WithParameters
-from ..conductor import conduction_of, flux_compliance
 from ..errors import InvalidArgumentError
 from ..poroelastic import compliance as gel_compliance
 from ..poroelastic import is_poroelastic
@@ -109,6 +108,8 @@ class Medium(WithParameters):
         power of the depth, and rigid ones.
         """
         if load == "flux":
+            from ..conduction.bodies import conduction_of, flux_compliance
+
             return flux_compliance(conduction_of(self), k, omega)
         if load not in _LOADS:
             words = nearest(str(load), [*_LOADS, "flux"])

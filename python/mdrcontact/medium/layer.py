@@ -1,20 +1,60 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A layer of a body, and the body of layers of any kind."""
+"""A layer of a body, what lies below it, and the body of layers of any kind."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
-from typing import Any, NamedTuple
+from typing import Any, Final, NamedTuple
+
+import numpy as np
 
 from .. import _layout
 from .._boundary import Handle, Record, native, number, record, records
 from .._parameters import WithParameters
-from .._units import LENGTH, MODULUS
-from ..conductor import SLIDING, Interface
+from .._units import LENGTH, MODULUS, MODULUS_PER_LENGTH
 from ..errors import ArgumentTypeError, InvalidArgumentError
-from ..material import RIGID, SMOOTH, Elastic, Material, TransverselyIsotropic, material
+from ..material import RIGID, SMOOTH, Elastic, Material, TransverselyIsotropic, check_rows, material
 from .surface import Surface, structure_of
+
+
+@dataclass(frozen=True)
+class Interface(WithParameters):
+    """What lies between two layers.
+
+    resistance : area resistance >= 0: Kapitza resistance, an oxide [length^2/conductance]
+    normal : K_n > 0 of springs per area across it, a glue line of C33/thickness; None: bonded [modulus/length]
+    tangential : K_t >= 0 along it, C44/thickness; 0: it slides without friction (`SLIDING`); None: bonded [modulus/length]
+    """
+
+    resistance: float = 0.0
+    normal: float | None = field(default=None, metadata={"dimension": MODULUS_PER_LENGTH})
+    tangential: float | None = field(default=None, metadata={"dimension": MODULUS_PER_LENGTH})
+
+    def __post_init__(self) -> None:
+        self._set(resistance=number("resistance", self.resistance))
+        check_rows(np.array([(1.0, 1.0, 1.0, 0.0, self.resistance)]))
+        for name, least in (("normal", "> 0"), ("tangential", ">= 0")):
+            value = getattr(self, name)
+            if value is None:
+                continue
+            value = number(name, value)
+            if not value >= 0.0 or (name == "normal" and value == 0.0):
+                raise InvalidArgumentError(f"{name} = {value!r} is not allowed: a spring's stiffness must be {least}")
+            self._set(**{name: value})
+
+    def _layer(self) -> dict[str, float]:
+        """Members of struct mdr_layer: compliances."""
+        normal, tangential = self.normal, self.tangential
+        return {
+            "normal_compliance": 0.0 if normal is None else 1.0 / normal,
+            "tangential_compliance": 0.0 if tangential is None else 1.0 / tangential if tangential else math.inf,
+        }
+
+
+SLIDING: Final = Interface(tangential=0.0)
+"""An interface that slides without friction and does not open."""
 
 
 @dataclass(frozen=True)

@@ -6,8 +6,8 @@ from __future__ import annotations
 from typing import NamedTuple
 
 from .._units import MODULUS, STIFFNESS, WORK_OF_ADHESION, dimensions
-from ..adhesion import CONTROLS, RULES
-from ..rate_adhesion import RateAdhesion
+from ..adhesion import RateAdhesion
+from ..loop import CONTROLS, RULES
 from .field import NOT_NEGATIVE, Field, Table
 from .section import ProblemError, Section
 

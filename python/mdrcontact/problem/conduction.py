@@ -7,7 +7,7 @@ from typing import Any, NamedTuple
 
 from .._units import AREA_RESISTANCE, RATIO, SPEED, THERMAL_AREA_RESISTANCE
 from ..conduction import Conduction
-from ..conductor import conducting
+from ..conduction.bodies import conducting
 from ..medium import Pair
 from .field import NOT_NEGATIVE, Field, Table
 from .section import ProblemError, Section

@@ -20,10 +20,10 @@ from .._units import (
     Dimension,
     dimensions,
 )
-from ..conductor import SLIDING, Conductor, Interface
 from ..crystals import CRYSTALS
 from ..errors import InvalidArgumentError
-from ..material import _ENGINEERING, RIGID, SMOOTH, Elastic, PowerLawRheology, TransverselyIsotropic, Viscoelastic
+from ..material import _ENGINEERING, RIGID, SMOOTH, Conductor, Elastic, PowerLawRheology, TransverselyIsotropic, Viscoelastic
+from ..medium.layer import SLIDING, Interface
 from ..medium.models import _WEIGHT_NU, MODELS, OPTIONS
 from ..poroelastic import Poroelastic
 from .field import NOT_NEGATIVE, POSITIVE, Field, Range, Table, arguments

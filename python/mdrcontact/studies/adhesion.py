@@ -10,8 +10,8 @@ import numpy as np
 
 from .._text import number
 from .._units import ENERGY, FORCE, LENGTH, MODULUS, WORK_OF_ADHESION, practical, shown
-from ..adhesion import Loop, PullOff
 from ..contact import Contact
+from ..loop import Loop, PullOff
 from ..problem import Problem
 from ..problem.adhesion import Adhesion
 from ..progress import Progress

@@ -9,12 +9,12 @@ from typing import Any
 import numpy as np
 
 from .._units import ENERGY, FORCE, LENGTH, SPEED, TIME, Dimension, shown
+from ..adhesion import AdhesiveHistory, RateHistory
 from ..contact import Contact
-from ..history import AdhesiveHistory, History
 from ..problem import Problem, ProblemError
 from ..problem.history import HistoryPath
 from ..progress import Progress
-from ..rate_adhesion import RateHistory
+from ..time import History
 from .result import Number, Result, columns_of, study
 
 _FEWEST = 60

@@ -9,11 +9,11 @@ from typing import Any
 
 import numpy as np
 
+from ..adhesion import RateAdhesion
 from ..contact import Contact
 from ..material import Elastic
 from ..medium import Homogeneous, Surface
 from ..profile import Paraboloid
-from ..rate_adhesion import RateAdhesion
 from .bodies import BODY, LIBRARY, MODULUS, RADIUS
 from .check import Array, Check, Comparison, comparison
 

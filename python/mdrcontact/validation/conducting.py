@@ -7,8 +7,7 @@ import math
 
 import numpy as np
 
-from ..conduction import Conduction
-from ..conductor import Conductor, LayeredConductor
+from ..conduction import Conduction, Conductor, LayeredConductor
 from .bodies import LIBRARY, ROUNDING, ball
 from .check import Check, Comparison, comparison
 

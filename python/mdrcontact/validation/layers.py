@@ -8,9 +8,8 @@ import math
 import numpy as np
 from numpy.polynomial.legendre import leggauss
 
-from ..conductor import Interface
 from ..material import RIGID, SMOOTH, Elastic
-from ..medium import Layer, Layered
+from ..medium import Interface, Layer, Layered
 from .check import Array, Check, Comparison, comparison
 
 _RANGE, _WAVES, _NODES = 40.0, 400, 40

@@ -11,14 +11,13 @@ import numpy as np
 from .. import lateral
 from .._warn import collected
 from ..accuracy import accuracy_map
-from ..conduction import Conduction
-from ..conductor import INSULATING, SLIDING, Conductor, LayeredConductor
+from ..conduction import INSULATING, Conduction, Conductor, LayeredConductor
 from ..contact import Contact
 from ..errors import MDRError
 from ..friction import Friction
 from ..law import ContactLaw
 from ..material import RIGID, Elastic, PowerLawRheology, TransverselyIsotropic
-from ..medium import Coated, Homogeneous, Layer, Layered, Medium, PowerLawGraded, Surface
+from ..medium import SLIDING, Coated, Homogeneous, Layer, Layered, Medium, PowerLawGraded, Surface
 from ..medium.models import MODELS
 from ..poroelastic import Poroelastic
 from ..profile import Cone, FlatPunch, Paraboloid

@@ -113,7 +113,7 @@ def _own_warnings_are_words() -> None:
     """What the library warns of holds all the same."""
     for name in mdr.errors.__all__:
         if name.endswith("Warning"):
-            warnings.simplefilter("ignore", getattr(mdr, name))
+            warnings.simplefilter("ignore", getattr(mdr.errors, name))
 
 
 def relation(draws: int, may_refuse: float = 0.0, **strategies: Any) -> Callable[[Callable[..., None]], Callable[[], None]]:

@@ -58,9 +58,9 @@ def test_pull_off(tip, medium, work, rule, unit):
     assert by_force.force < 0.0 and by_force.force <= by_depth.force and by_depth.depth <= by_force.depth
     near(small.at_force(by_force.force * (1.0 - 1e-6)).force, by_force.force, 2e-6)
     assert small.at_depth(by_depth.depth + 1e-6 * abs(by_depth.depth)).radius >= by_depth.radius * (1.0 - 1e-6)
-    with pytest.raises(mdr.UnreachableError):
+    with pytest.raises(mdr.errors.UnreachableError):
         small.at_force(by_force.force * 1.0001)
-    with pytest.raises(mdr.UnreachableError):
+    with pytest.raises(mdr.errors.UnreachableError):
         small.at_depth(by_depth.depth - 1e-4 * abs(by_depth.depth))
     for control, expected in (("force", by_force), ("depth", by_depth)):
         found = large.pull_off(control)
@@ -197,7 +197,7 @@ def test_slow_edges_are_in_equilibrium(body, work, exponent):
     gamma = work * body.modulus(1.0)
     rest = mdr.Contact(mdr.Paraboloid(1.0), body, work_of_adhesion=gamma)
     depth = np.array([0.1, 0.15, 0.05, 0.5 * rest.pull_off("depth").depth])
-    contact = mdr.Contact(mdr.Paraboloid(1.0), body, adhesion=mdr.RateAdhesion(gamma, 1.0, exponent))
+    contact = mdr.Contact(mdr.Paraboloid(1.0), body, adhesion=mdr.adhesion.RateAdhesion(gamma, 1.0, exponent))
     found = contact.history(np.arange(4) * 1e12, depth=depth, start="rest")
     wanted = rest.at_depth(depth)
     near(found.force, wanted.force, 1e-5, size=np.abs(wanted.force).max())

@@ -8,6 +8,7 @@ from hypothesis import assume
 from hypothesis import strategies as st
 
 import mdrcontact as mdr
+from mdrcontact.weights import weight_i0, weight_i0_tangential, weight_i1, weight_j0, weight_j0_tangential, weight_j1, weight_phi
 
 from . import draws as d
 from .draws import digits
@@ -155,12 +156,12 @@ def test_units_of_bodies(medium, unit):
 def test_weights(nu, xi, high):
     """I0, I1 and their tangential kin: complements add up to 1; Phi integrates to I0 (SciPy); they fall from 1 on."""
     x = np.array([xi, xi * high])
-    for above, below in ((mdr.weight_i0(x, nu), mdr.weight_j0(x, nu)), (mdr.weight_i1(x), mdr.weight_j1(x)),
-                         (mdr.weight_i0_tangential(x, nu), mdr.weight_j0_tangential(x, nu))):  # fmt: skip
+    for above, below in ((weight_i0(x, nu), weight_j0(x, nu)), (weight_i1(x), weight_j1(x)),
+                         (weight_i0_tangential(x, nu), weight_j0_tangential(x, nu))):  # fmt: skip
         near(above + below, 1.0, 5e-16)
         assert np.all((below > 0.0) & (below <= 1.0)) and below[1] <= below[0]
-    grown = quad(lambda z: mdr.weight_phi(z, nu), x[0], x[1])
-    near(mdr.weight_j0(x[0], nu) - mdr.weight_j0(x[1], nu), grown, 1e-9, size=mdr.weight_j0(x[0], nu))
+    grown = quad(lambda z: weight_phi(z, nu), x[0], x[1])
+    near(weight_j0(x[0], nu) - weight_j0(x[1], nu), grown, 1e-9, size=weight_j0(x[0], nu))
 
 
 @relation(30, E0=d.between(0.1, 10.0), z0=d.lengths, m=st.floats(-0.6, 0.8), nu=d.usual_ratios, a=d.between(1e-3, 1e3))
@@ -223,7 +224,7 @@ steep = st.lists(d.between(1e-3, 1e3), min_size=2, max_size=4)
 
 def mean_of_weights(z, E, nu, a, exponent):
     """E* of the power mean of E(z), linear between the knots, with the weights of the depths, over octaves to each knot."""
-    total = mdr.weight_j0(z[-1] / a, nu) * E[-1] ** exponent
+    total = weight_j0(z[-1] / a, nu) * E[-1] ** exponent
     for low, high, first, last in zip(z[:-1], z[1:], E[:-1], E[1:], strict=True):
         middle, half = 0.5 * (low + high), 0.5 * (high - low)
         for knot, way in ((low, 1.0), (high, -1.0)):
@@ -231,7 +232,7 @@ def mean_of_weights(z, E, nu, a, exponent):
 
             def share(s, knot=knot, way=way, low=low, high=high, first=first, last=last):
                 depth = knot + way * s
-                return mdr.weight_phi(depth / a, nu) / a * (first + (last - first) * (depth - low) / (high - low)) ** exponent
+                return weight_phi(depth / a, nu) / a * (first + (last - first) * (depth - low) / (high - low)) ** exponent
 
             total += panels(share, steps)
         assert middle > low

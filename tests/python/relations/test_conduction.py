@@ -8,6 +8,7 @@ import numpy as np
 from hypothesis import strategies as st
 
 import mdrcontact as mdr
+from mdrcontact.conduction import PERFECT, Conduction, Conductor, LayeredConductor
 
 from . import draws as d
 from .harness import near, relation
@@ -26,15 +27,15 @@ class Stack(NamedTuple):
     layers: list
     base: tuple | None
 
-    def conductor(self) -> mdr.LayeredConductor:
-        parts = [part for s, along, h, r in self.layers for part in ((mdr.Conductor(s, along), h), mdr.Interface(r))]
-        return mdr.LayeredConductor(parts, mdr.PERFECT if self.base is None else mdr.Conductor(*self.base))
+    def conductor(self) -> LayeredConductor:
+        parts = [part for s, along, h, r in self.layers for part in ((Conductor(s, along), h), mdr.Interface(r))]
+        return LayeredConductor(parts, PERFECT if self.base is None else Conductor(*self.base))
 
     def elastic(self, springs: bool = False) -> mdr.Layered:
         """Elastic layers that conduct as these do along the surface as well; springs: G = sigma, and 1/R along each interface."""
 
         def material(s, along):
-            return mdr.Elastic(2.0 * 1.3 * s, 0.3, mdr.Conductor(s, s if springs else along))
+            return mdr.Elastic(2.0 * 1.3 * s, 0.3, Conductor(s, s if springs else along))
 
         layers = [
             mdr.Layer(material(s, along), h, interface=mdr.Interface(r, tangential=1.0 / r if springs and r else None))
@@ -75,14 +76,14 @@ def test_anisotropic_conductors_are_crystals_in_torsion(stack):
         for s, along, h, r in stack.layers
     ]
     body = mdr.Layered(films, crystal(*stack.base))
-    near(mdr.Conduction(stack.conductor()).compliance(K), body.compliance(K, "twist"), 1e-11)
+    near(Conduction(stack.conductor()).compliance(K), body.compliance(K, "twist"), 1e-11)
 
 
 @relation(15, stack=stacks)
 def test_an_elastic_body_conducts_as_its_layers(stack):
     """Spots, waves and heat of an elastic body with interfaces against the stack given layer by layer."""
-    body, conduction = stack.elastic(), mdr.Conduction(stack.conductor())
-    whole = mdr.Conduction(body)
+    body, conduction = stack.elastic(), Conduction(stack.conductor())
+    whole = Conduction(body)
     near(whole.at_radius(A).conductance, conduction.at_radius(A).conductance, 1e-12)
     near(body.compliance(K, "flux"), conduction.compliance(K), 1e-13)
     state = mdr.Contact(mdr.Paraboloid(1.0), body).at_radius(1.0)
@@ -97,7 +98,7 @@ def test_layers_cut_in_two_conduct_alike(stack, share, place):
     place %= len(stack.layers)
     s, along, h, r = stack.layers[place]
     cut = [*stack.layers[:place], (s, along, share * h, 0.0), (s, along, (1.0 - share) * h, r), *stack.layers[place + 1 :]]
-    whole, parts = (mdr.Conduction(one.conductor()) for one in (stack, Stack(cut, stack.base)))
+    whole, parts = (Conduction(one.conductor()) for one in (stack, Stack(cut, stack.base)))
     near(parts.at_radius(A).conductance, whole.at_radius(A).conductance, 1e-11)
     near(parts.compliance(K), whole.compliance(K), 1e-11)
     z = 0.9 * sum(h for _, _, h, _ in stack.layers)
@@ -109,7 +110,7 @@ def test_layers_cut_in_two_conduct_alike(stack, share, place):
 @relation(8, stack=any_base)
 def test_interfaces_have_two_sides(stack):
     """At every interface, whatever the order of summation of its depth: the potential jumps by R j_z, and j_z does not."""
-    spot = mdr.Conduction(stack.conductor()).at_radius(1.0)
+    spot = Conduction(stack.conductor()).at_radius(1.0)
     heights = [h for _, _, h, _ in stack.layers]
     for i, (_, _, _, resistance) in enumerate(stack.layers):
         for z in depths(heights[: i + 1]):
@@ -134,7 +135,7 @@ def test_stresses_have_two_sides(films, base):
 def test_heat_comes_out_as_it_went_in(lower, upper, tip):
     """Far from the contact T = Q/(2 pi S R) of each body's base: its share of mu v F."""
     state = mdr.Contact(tip.profile, mdr.Homogeneous(mdr.Elastic(1.0, 0.3))).at_radius(float(tip.radii(1.0)[-1]))
-    conduction = mdr.Conduction(lower.conductor(), None if upper is None else upper.conductor())
+    conduction = Conduction(lower.conductor(), None if upper is None else upper.conductor())
     heat = conduction.friction_heat(state, 0.3, 2.0)
     near(heat.total, 0.6 * state.force, 1e-9)
     taken = 0.0
@@ -155,7 +156,7 @@ def test_heat_comes_out_as_it_went_in(lower, upper, tip):
 @relation(8, body=d.single_exact, tip=d.tips, work=d.works)
 def test_heat_warms(body, tip, work):
     """The heat and every temperature are greater than 0 or the state is refused; with adhesion it always is."""
-    conduction = mdr.Conduction(mdr.LayeredConductor([(mdr.Conductor(0.3), 0.2), mdr.Interface(0.1)], mdr.Conductor(2.0)))
+    conduction = Conduction(LayeredConductor([(Conductor(0.3), 0.2), mdr.Interface(0.1)], Conductor(2.0)))
     radius = float(tip.radii(1.0)[-1])
     state = mdr.Contact(tip.profile, body).at_radius(radius)
     try:
@@ -178,7 +179,7 @@ def test_heat_warms(body, tip, work):
 def test_rough_spots_lie_between_bounds(stack, body, tip, parts):
     """1/G of area resistances kappa/p: at least the smooth spot's and kappa/F in series, at most what a flux as the pressure meets
     (Thomson); smaller for a smaller kappa."""
-    conduction = mdr.Conduction(stack.conductor())
+    conduction = Conduction(stack.conductor())
     state = mdr.Contact(tip.profile, body).at_radius(float(tip.radii(1.0)[-1]))
     try:
         heat = conduction.friction_heat(state, 1.0, 1.0)

@@ -192,11 +192,13 @@ def test_closed_forms_of_the_source(R, shears, h, phi):
     film, base = (mdr.Elastic(3.0 * G, 0.5) for G in shears)
     a = np.geomspace(0.05, 20.0, 4)
     medium = mdr.Coated(film, h, base, "gao")
-    near(mdr.Contact(mdr.Paraboloid(R), medium).at_radius(a).force, mdr.coated_paraboloid_force(a, R, *shears, h), 1e-11)
-    near(mdr.Contact(mdr.Cone(phi), medium).at_radius(a).force, mdr.coated_cone_force(a, phi, *shears, h), 1e-11)
+    near(
+        mdr.Contact(mdr.Paraboloid(R), medium).at_radius(a).force, mdr.closed_forms.coated_paraboloid_force(a, R, *shears, h), 1e-11
+    )
+    near(mdr.Contact(mdr.Cone(phi), medium).at_radius(a).force, mdr.closed_forms.coated_cone_force(a, phi, *shears, h), 1e-11)
     gamma = 1e-3 * shears[0]
     found = mdr.Contact(mdr.Paraboloid(R), medium, gamma, "paper").at_radius(a).depth
-    expected = mdr.coated_paraboloid_adhesive_depth(a, R, *shears, h, gamma)
+    expected = mdr.closed_forms.coated_paraboloid_adhesive_depth(a, R, *shears, h, gamma)
     near(found, expected, 1e-11, size=np.abs(expected) + a * a / R)
 
 

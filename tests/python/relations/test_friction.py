@@ -119,7 +119,7 @@ def test_loops_lose_their_area(tip, medium, mu, share, part):
         warnings.simplefilter("always")
         loop = friction.shear(state).loop(s)
     # where slip would begin inside, the annulus may fold: its shift falls again before the contact slides
-    assume(not any(issubclass(word.category, mdr.SlipInsideWarning) for word in words))
+    assume(not any(issubclass(word.category, mdr.errors.SlipInsideWarning) for word in words))
     assume(
         s < sliding or friction.shear(state).at_shift((1.0 - 1e-12) * sliding).tangential_force > (1.0 - 1e-9) * mu * state.force
     )

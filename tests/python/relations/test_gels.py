@@ -18,7 +18,7 @@ moduli, diffusivities, radii = d.between(1e-3, 1e6), d.between(1e-9, 1e3), d.bet
 
 
 def punch(nu, G=1.0, D=1.0, a=1.0):
-    return mdr.Contact(mdr.FlatPunch(a), mdr.Homogeneous(mdr.Poroelastic(G, nu, D)))
+    return mdr.Contact(mdr.FlatPunch(a), mdr.Homogeneous(mdr.poroelastic.Poroelastic(G, nu, D)))
 
 
 @relation(40, nu=ratios, drainage=drainages, G=moduli, D=diffusivities, a=radii, tau=d.between(1e-8, 1e7))

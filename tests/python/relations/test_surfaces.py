@@ -145,7 +145,7 @@ def test_compressed_plates(material, part, bending, a):
     critical = -3.0 * bending * wave**2
     grows([mdr.Homogeneous(material, surface=mdr.Surface(p * critical, bending)).stiffness(a) for p in (part, 0.0)])
     for refused in (mdr.Surface(critical * (1.0 + part), bending), mdr.Surface(part * critical, 0.0)):
-        with pytest.raises(mdr.InvalidArgumentError, match="wrinkles"):
+        with pytest.raises(mdr.errors.InvalidArgumentError, match="wrinkles"):
             mdr.Homogeneous(material, surface=refused)
 
 

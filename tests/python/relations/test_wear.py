@@ -44,8 +44,8 @@ def test_worn_profiles_of_half_spaces(tip, material, a, part, held):
     contact = mdr.Contact(tip.profile, mdr.Homogeneous(material))
     state, c = contact.at_radius(a), part * a
     try:
-        end = mdr.Wear(contact, 1.0).limit(state, c, held)
-    except mdr.DomainError as refusal:
+        end = mdr.wear.Wear(contact, 1.0).limit(state, c, held)
+    except mdr.errors.DomainError as refusal:
         assert "the indenter ends" in str(refusal)
         return
     r = beside(c, end.outer_radius)
@@ -65,7 +65,7 @@ def test_worn_profiles_of_layers(tip, body, a, part):
     a = min(a, 0.6 * tip.high)
     contact = mdr.Contact(tip.profile, body)
     state, inner = contact.at_radius(a), contact.at_radius(part * a)
-    end = mdr.Wear(contact, 1.0).limit(state, part * a)
+    end = mdr.wear.Wear(contact, 1.0).limit(state, part * a)
     near(end.state.force, inner.force + inner.stiffness * (state.depth - inner.depth), 1e-9)
     b, c = end.outer_radius, part * a
     r = beside(c, b)
@@ -81,7 +81,7 @@ def test_worn_profiles_of_layers(tip, body, a, part):
 )
 def test_brackets_are_those_of_the_stack(body, k, force, scheme):
     """Both ends of a bracket against histories on the stack given layer by layer."""
-    wear = mdr.Wear(mdr.Contact(mdr.Paraboloid(1.0), body), 1.0, body_coefficient=k)
+    wear = mdr.wear.Wear(mdr.Contact(mdr.Paraboloid(1.0), body), 1.0, body_coefficient=k)
     first, last = wear.bracket(0.3, force=force, intervals=16, scheme=scheme)
     lost = max(first.body_depth, last.body_depth) * (1.0 + 1e-9)
     for thinner, found in ((0.0, first), (lost, last)):

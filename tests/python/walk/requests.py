@@ -10,6 +10,7 @@ import numpy as np
 
 import mdrcontact as mdr
 from mdrcontact import lateral
+from mdrcontact.conduction import Conduction, Conductor, LayeredConductor
 
 from .tree import Call
 
@@ -19,16 +20,16 @@ SOLID = mdr.Contact(SPHERE, mdr.Homogeneous(mdr.Elastic(1.0, 0.3)))
 COATED = mdr.Contact(SPHERE, mdr.Coated(FILM, 0.9, BASE))
 PAIR = mdr.Contact(SPHERE, mdr.Pair(mdr.Coated(FILM, 0.9, BASE), mdr.Coated(MIDDLE, 0.9, BASE)))
 STICKY = mdr.Contact(SPHERE, mdr.Coated(FILM, 0.9, BASE), 0.02)
-SPEEDY = mdr.Contact(SPHERE, mdr.Coated(FILM, 0.9, BASE), adhesion=mdr.RateAdhesion(0.02, 0.1, 0.6))
+SPEEDY = mdr.Contact(SPHERE, mdr.Coated(FILM, 0.9, BASE), adhesion=mdr.adhesion.RateAdhesion(0.02, 0.1, 0.6))
 RELAXING = mdr.Contact(SPHERE, mdr.Coated(mdr.Viscoelastic(0.5, [(1.0, 0.5)], nu=0.3), 0.9, BASE))
-GEL = mdr.Contact(mdr.Paraboloid(4.0), mdr.Homogeneous(mdr.Poroelastic(1.0, 0.25, 0.4)))
-PUNCH = mdr.Contact(mdr.FlatPunch(0.8), mdr.Homogeneous(mdr.Poroelastic(1.0, 0.25, 0.4)))
+GEL = mdr.Contact(mdr.Paraboloid(4.0), mdr.Homogeneous(mdr.poroelastic.Poroelastic(1.0, 0.25, 0.4)))
+PUNCH = mdr.Contact(mdr.FlatPunch(0.8), mdr.Homogeneous(mdr.poroelastic.Poroelastic(1.0, 0.25, 0.4)))
 RUBBED = mdr.Friction(SOLID, 0.4)
-WORN = mdr.Wear(COATED, 0.3, body_coefficient=0.1)
-CONDUCTORS = mdr.Conductor(3.0, 2.4, 1.5), mdr.Conductor(0.4, 0.6, 0.8), mdr.Conductor(1.0, 0.7, 1.2)
-JOINED = mdr.LayeredConductor([(CONDUCTORS[0], 0.5), mdr.Interface(0.4), (CONDUCTORS[1], 0.6)], CONDUCTORS[2])
-CONDUCTION = mdr.Conduction(JOINED)
-TWO = mdr.Conduction(JOINED, mdr.LayeredConductor([(CONDUCTORS[1], 0.5), mdr.Interface(0.7)], CONDUCTORS[2]))
+WORN = mdr.wear.Wear(COATED, 0.3, body_coefficient=0.1)
+CONDUCTORS = Conductor(3.0, 2.4, 1.5), Conductor(0.4, 0.6, 0.8), Conductor(1.0, 0.7, 1.2)
+JOINED = LayeredConductor([(CONDUCTORS[0], 0.5), mdr.Interface(0.4), (CONDUCTORS[1], 0.6)], CONDUCTORS[2])
+CONDUCTION = Conduction(JOINED)
+TWO = Conduction(JOINED, LayeredConductor([(CONDUCTORS[1], 0.5), mdr.Interface(0.7)], CONDUCTORS[2]))
 
 
 def _state(contact: mdr.Contact) -> mdr.State:

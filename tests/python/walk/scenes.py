@@ -11,6 +11,17 @@ import numpy as np
 
 import mdrcontact as mdr
 from mdrcontact import lateral
+from mdrcontact.closed_forms import (
+    adhesive_depth_scale,
+    adhesive_radius_scale,
+    coated_cone_force,
+    coated_paraboloid_adhesive_depth,
+    coated_paraboloid_force,
+    reduced_adhesive_depth,
+)
+from mdrcontact.conduction import INSULATING, PERFECT, Conduction, Conductor, LayeredConductor, TabulatedConduction
+from mdrcontact.poroelastic import Poroelastic
+from mdrcontact.wear import Wear, wear_coefficient_from_scar, wear_coefficient_from_volume
 
 from . import requests
 from .tree import Call, Times, know, only_arguments
@@ -230,9 +241,9 @@ def _adhesion() -> list[Scene]:
     corrected = mdr.Contact(SPHERE, mdr.Coated(FILM, 0.9, BASE, "gao"), 0.02, "paper", zeta=table)
     range_ = mdr.Contact(SPHERE, COATED, 0.02, cohesive_stress=0.15)
     stretched = mdr.Contact(mdr.Paraboloid(4.0), COATED.replace(surface=mdr.Surface(0.3, 0.05, 0.6)), 0.02)
-    law = mdr.RateAdhesion(0.02, 0.1, 0.6, 0.012, 0.2, 0.5)
+    law = mdr.adhesion.RateAdhesion(0.02, 0.1, 0.6, 0.012, 0.2, 0.5)
     relaxing = mdr.Viscoelastic(0.4, [(1.5, 0.4)], nu=0.45)
-    rheological = mdr.RheologicalAdhesion(relaxing, 0.02, 1.5)
+    rheological = mdr.adhesion.RheologicalAdhesion(relaxing, 0.02, 1.5)
 
     def contact(**given: Any) -> Call:
         return Call("Contact", mdr.Contact, indenter=SPHERE, **given)
@@ -245,7 +256,7 @@ def _adhesion() -> list[Scene]:
         Scene("cohesive zone", range_, (*states, "zone", *ADHESIVE)),
         Scene("adhesion on a stretched surface", stretched, (*STATES, "pull_off_force", "pressure")),
         Scene("law of speed", law, ("at_speed",)),
-        Scene("opening edge alone", mdr.RateAdhesion(0.02, 0.1, 0.6), ("at_speed",)),
+        Scene("opening edge alone", mdr.adhesion.RateAdhesion(0.02, 0.1, 0.6), ("at_speed",)),
         Scene("law of rheology", rheological, ("at_speed",)),
         Scene("speed", contact(medium=COATED, adhesion=law), (*histories, "at_depth", "pull_off_force")),
         Scene("rheology", contact(medium=mdr.Homogeneous(relaxing.relaxed), adhesion=rheological), (histories[0], "at_depth"),
@@ -295,12 +306,12 @@ def _time() -> list[Scene]:
 
 
 def _gels() -> list[Scene]:
-    gel = mdr.Poroelastic(1.0, 0.25, 0.4)
+    gel = Poroelastic(1.0, 0.25, 0.4)
     punch, film = mdr.FlatPunch(0.8), mdr.Coated(gel, 0.9, mdr.RIGID)
     steps = ("gel_steps", "gel_dynamic", "gel_history")
     return [
         Scene("gel", gel, ("gel_moduli",)),
-        Scene("gel from permeability", Call("Poroelastic.from_permeability", mdr.Poroelastic.from_permeability, shear_modulus=1.0,
+        Scene("gel from permeability", Call("Poroelastic.from_permeability", Poroelastic.from_permeability, shear_modulus=1.0,
               nu=0.25, permeability=0.1, viscosity=0.3), ("diffusivity",)),
         Scene("gel medium", mdr.Homogeneous(gel), ("gel_compliance",)),
         Scene("gel film medium", film, ("gel_compliance",)),
@@ -334,16 +345,16 @@ def _wear() -> list[Scene]:
     worn = ("wear_limit", "wear_limit_force", "wear_at_depth", "wear_at_force", "wear_rings", "wear_same_places")
     scenes = []
     for name, body in (("half-space", SOLID), ("coating", COATED), ("springs", SPRUNG)):
-        wear = mdr.Wear(mdr.Contact(SPHERE, body), 0.3, body_coefficient=0.1)
+        wear = Wear(mdr.Contact(SPHERE, body), 0.3, body_coefficient=0.1)
         scenes.append(Scene(f"wear on {name}", wear, (*worn, "wear_track")))
-    bracket = mdr.Wear(mdr.Contact(SPHERE, COATED), 0.3, body_coefficient=0.1)
+    bracket = Wear(mdr.Contact(SPHERE, COATED), 0.3, body_coefficient=0.1)
     for name, body in (("springs", SPRUNG), ("stack", STACK)):
-        wear = mdr.Wear(mdr.Contact(SPHERE, body), 0.3, body_coefficient=0.1)
+        wear = Wear(mdr.Contact(SPHERE, body), 0.3, body_coefficient=0.1)
         scenes.append(Scene(f"wear of a coating on {name}", wear, ("wear_bracket", "wear_bracket_force"), only=("contact.medium",)))
     scenes.append(Scene("wear of a coating", bracket, ("wear_bracket", "wear_bracket_force")))
-    layers = mdr.Wear(mdr.Contact(SPHERE, COATED), (0.4, 0.15), (0.01,), 0.1)
+    layers = Wear(mdr.Contact(SPHERE, COATED), (0.4, 0.15), (0.01,), 0.1)
     scenes.append(Scene("wear of a coated tip", layers, ("wear_at_depth", "wear_rings")))
-    punch = mdr.Wear(mdr.Contact(mdr.FlatPunch(0.8), COATED), 0.3)
+    punch = Wear(mdr.Contact(mdr.FlatPunch(0.8), COATED), 0.3)
     scenes.append(Scene("wear of a punch", punch, ("wear_running_in", "wear_rings")))
     return scenes
 
@@ -372,8 +383,8 @@ def _laws() -> list[Scene]:
               twist=False, tolerance=1e-7), ("law_shear",)),
         Scene("law with a shear strength", law(contact=solid, largest_depth=0.3, shear_strength=0.1, sliders=8, tolerance=1e-7),
               ("law_shear",)),
-        Scene("law with a conduction", law(contact=solid, largest_depth=0.3, conduction=mdr.Conduction(
-              mdr.LayeredConductor([(mdr.Conductor(0.3, 0.4), 0.5), mdr.Interface(0.3)], mdr.Conductor(1.0, 0.8))),
+        Scene("law with a conduction", law(contact=solid, largest_depth=0.3, conduction=Conduction(
+              LayeredConductor([(Conductor(0.3, 0.4), 0.5), mdr.Interface(0.3)], Conductor(1.0, 0.8))),
               tolerance=1e-5), ("law_conductance",)),
     ]  # fmt: skip
 
@@ -383,35 +394,33 @@ LATE = ("conduction_compliance_omega", "conduction_step", "conduction_follow", "
 
 
 def _conduction() -> list[Scene]:
-    conductors = [mdr.Conductor(3.0, 2.4, 1.5), mdr.Conductor(0.4, 0.6, 0.8), mdr.Conductor(1.0, 0.7, 1.2)]
-    stack = mdr.LayeredConductor(
-        [(conductors[0], 0.4), mdr.Interface(0.4), (conductors[1], 0.5), mdr.Interface(0.3)], conductors[2]
-    )
-    other = mdr.LayeredConductor([(mdr.Conductor(0.6, 0.8, 0.7), 0.6)], mdr.Conductor(2.0, 1.5, 1.1))
+    conductors = [Conductor(3.0, 2.4, 1.5), Conductor(0.4, 0.6, 0.8), Conductor(1.0, 0.7, 1.2)]
+    stack = LayeredConductor([(conductors[0], 0.4), mdr.Interface(0.4), (conductors[1], 0.5), mdr.Interface(0.3)], conductors[2])
+    other = LayeredConductor([(Conductor(0.6, 0.8, 0.7), 0.6)], Conductor(2.0, 1.5, 1.1))
     film, base = (material.replace(conductor=one) for material, one in zip((FILM, BASE), conductors[::2], strict=True))
     elastic = mdr.Layered([(film, 0.4), (MIDDLE.replace(conductor=conductors[1]), 0.5)], base)
     joined = mdr.Layered([mdr.Layer(film, 0.4, 0.0, GLUE), mdr.Layer(MIDDLE.replace(conductor=conductors[1]), 0.5)], base)
-    sinking = mdr.LayeredConductor([(conductors[0], 0.4), mdr.Interface(0.4), (conductors[1], 0.9)], mdr.INSULATING)
+    sinking = LayeredConductor([(conductors[0], 0.4), mdr.Interface(0.4), (conductors[1], 0.9)], INSULATING)
     return [
-        Scene("one conductor", mdr.Conduction(stack), (*SPOTS, *LATE)),
-        Scene("a moving source", mdr.Conduction(mdr.LayeredConductor([(conductors[0], 0.4)], conductors[1])),
+        Scene("one conductor", Conduction(stack), (*SPOTS, *LATE)),
+        Scene("a moving source", Conduction(LayeredConductor([(conductors[0], 0.4)], conductors[1])),
               ("friction_heat_moving",)),
-        Scene("sources in time", mdr.Conduction(conductors[0]), ("conduction_step_flux_answers",)),
-        Scene("a spinning source", mdr.Conduction(conductors[0]), ("friction_heat_spinning",), only=("body",)),
-        Scene("two conductors", mdr.Conduction(stack, other, 0.2), ("spot", "conduction_compliance", "spot_upper", "along")),
-        Scene("two hot conductors", mdr.Conduction(stack, other), (*SPOTS, "spot_upper", "rough", "friction_heat_of_pair")),
-        Scene("a sink", mdr.Conduction(sinking, sink=30.0), ("spot",)),
-        Scene("a perfect base", mdr.Conduction(mdr.LayeredConductor([(conductors[0], 1.5)], mdr.PERFECT)), ("spot", "spot_fields")),
-        Scene("elastic conductors", mdr.Conduction(elastic), (*SPOTS, *LATE)),
-        Scene("elastic conductor", mdr.Conduction(mdr.Homogeneous(base)), SPOTS),
-        Scene("coated conductor", mdr.Conduction(mdr.Coated(film, 0.9, base)), SPOTS),
-        Scene("pair of conductors", mdr.Conduction(mdr.Pair(mdr.Coated(film, 0.9, base), mdr.Homogeneous(film))), SPOTS),
-        Scene("elastic conductors with interfaces", mdr.Conduction(joined), ("spot", "conduction_compliance"),
+        Scene("sources in time", Conduction(conductors[0]), ("conduction_step_flux_answers",)),
+        Scene("a spinning source", Conduction(conductors[0]), ("friction_heat_spinning",), only=("body",)),
+        Scene("two conductors", Conduction(stack, other, 0.2), ("spot", "conduction_compliance", "spot_upper", "along")),
+        Scene("two hot conductors", Conduction(stack, other), (*SPOTS, "spot_upper", "rough", "friction_heat_of_pair")),
+        Scene("a sink", Conduction(sinking, sink=30.0), ("spot",)),
+        Scene("a perfect base", Conduction(LayeredConductor([(conductors[0], 1.5)], PERFECT)), ("spot", "spot_fields")),
+        Scene("elastic conductors", Conduction(elastic), (*SPOTS, *LATE)),
+        Scene("elastic conductor", Conduction(mdr.Homogeneous(base)), SPOTS),
+        Scene("coated conductor", Conduction(mdr.Coated(film, 0.9, base)), SPOTS),
+        Scene("pair of conductors", Conduction(mdr.Pair(mdr.Coated(film, 0.9, base), mdr.Homogeneous(film))), SPOTS),
+        Scene("elastic conductors with interfaces", Conduction(joined), ("spot", "conduction_compliance"),
               only=("body.layers[0]",)),
         Scene("conducting medium with interfaces", joined, ("compliance_flux",), only=("layers[0]",)),
         Scene("conducting medium", elastic, ("compliance_flux", "compliance_flux_omega")),
         Scene("conducting pair", mdr.Pair(mdr.Coated(film, 0.9, base), mdr.Homogeneous(film)), ("compliance_flux",)),
-        Scene("tabulated conduction", mdr.TabulatedConduction(stack, other, 0.2, None, 0.3, 1.0, 1e-8), ("spot",)),
+        Scene("tabulated conduction", TabulatedConduction(stack, other, 0.2, None, 0.3, 1.0, 1e-8), ("spot",)),
     ]  # fmt: skip
 
 
@@ -466,29 +475,28 @@ def _functions() -> list[Scene]:
     alone = {"radius": 2.0, "substrate_shear": 0.4, "work_of_adhesion": 0.02}
     contact = mdr.Contact(mdr.Paraboloid(4.0), SOLID)
     calls = [
-        Call("coated_paraboloid_force", mdr.coated_paraboloid_force, a=a, radius=2.0, **coating),
-        Call("coated_cone_force", mdr.coated_cone_force, a=a, inclination=0.3, **coating),
+        Call("coated_paraboloid_force", coated_paraboloid_force, a=a, radius=2.0, **coating),
+        Call("coated_cone_force", coated_cone_force, a=a, inclination=0.3, **coating),
         Call(
             "coated_paraboloid_adhesive_depth",
-            mdr.coated_paraboloid_adhesive_depth,
+            coated_paraboloid_adhesive_depth,
             a=a,
             radius=2.0,
             work_of_adhesion=0.02,
             **coating,
         ),
-        Call("adhesive_radius_scale", mdr.adhesive_radius_scale, **alone),
-        Call("adhesive_depth_scale", mdr.adhesive_depth_scale, **alone),
-        Call("reduced_adhesive_depth", mdr.reduced_adhesive_depth, reduced_radius=a, shear_ratio=3.0, reduced_thickness=0.7),
+        Call("adhesive_radius_scale", adhesive_radius_scale, **alone),
+        Call("adhesive_depth_scale", adhesive_depth_scale, **alone),
+        Call("reduced_adhesive_depth", reduced_adhesive_depth, reduced_radius=a, shear_ratio=3.0, reduced_thickness=0.7),
         *(
-            Call(name, getattr(mdr, name), **{next(iter(inspect.signature(getattr(mdr, name)).parameters)): a}, nu=0.3)
+            Call(name, weight, **{next(iter(inspect.signature(weight).parameters)): a}, nu=0.3)
             for name in ("weight_i0", "weight_i0_tangential", "weight_j0", "weight_j0_tangential", "weight_phi")
+            for weight in [getattr(mdr.weights, name)]
         ),
         Call("density", lateral.density, rho=0.6, z=0.5, nu=0.3),
         Call("cell_weights", lateral.cell_weights, a=0.8, x=(-0.5, 0.1, 0.6), y=(-0.4, 0.3), z_top=0.2, z_bottom=0.9, nu=0.3),
-        Call("wear_coefficient_from_volume", mdr.wear_coefficient_from_volume, volume=(0.1, 0.25), sliding=(1.0, 2.0), force=2.0),
-        Call(
-            "wear_coefficient_from_scar", mdr.wear_coefficient_from_scar, contact=contact, radius=(1.0,), sliding=(2.0,), force=0.3
-        ),
+        Call("wear_coefficient_from_volume", wear_coefficient_from_volume, volume=(0.1, 0.25), sliding=(1.0, 2.0), force=2.0),
+        Call("wear_coefficient_from_scar", wear_coefficient_from_scar, contact=contact, radius=(1.0,), sliding=(2.0,), force=0.3),
     ]
     return [Scene(call.label, call, ("returned",)) for call in calls]
 

@@ -12,6 +12,7 @@ import numpy as np
 
 import mdrcontact as mdr
 from mdrcontact import lateral
+from mdrcontact.conduction import INSULATING, PERFECT, Conductor
 from mdrcontact.medium.models import MODELS
 
 Step = str | int
@@ -74,15 +75,15 @@ class Change(NamedTuple):
         return _written(self.path)
 
 
-_ADHESION = mdr.RateAdhesion(0.03, 0.1, 0.5)
-_CONDUCTOR = mdr.Conductor(0.7, 0.5, 2.0)
+_ADHESION = mdr.adhesion.RateAdhesion(0.03, 0.1, 0.5)
+_CONDUCTOR = Conductor(0.7, 0.5, 2.0)
 _SOFT = mdr.Elastic(0.6, 0.2)
 _ENGINEERING = (2.0, 3.0, 0.2, 0.25, 0.9)
 
 PRESENT: dict[str, tuple[Any, ...]] = {
     "AreaFunction.min_height": (0.05,),
     "Conduction.film": (0.3,),
-    "Conduction.other": (mdr.Conductor(0.5, 0.8, 0.6),),
+    "Conduction.other": (Conductor(0.5, 0.8, 0.6),),
     "Conduction.sink": (30.0,),
     "Conductor.along": (0.45,),
     "Conductor.capacity": (1.5,),
@@ -103,7 +104,7 @@ PRESENT: dict[str, tuple[Any, ...]] = {
     "Surface.bending": (0.2,),
     "Surface.stretching": (1.5,),
     "Surface.tension": (0.3,),
-    "TabulatedConduction.other": (mdr.Conductor(0.5, 0.8, 0.6),),
+    "TabulatedConduction.other": (Conductor(0.5, 0.8, 0.6),),
     "TabulatedConduction.sink": (30.0,),
     "TransverselyIsotropic.engineering": (_ENGINEERING,),
     "Viscoelastic.bulk_modulus": (4.0,),
@@ -151,7 +152,7 @@ CHOICES: dict[str, tuple[Any, ...]] = {
     "Layered.model": ("exact", "gao", "gao-series", "gao-power"),
     "Layered.substrate": (mdr.RIGID, mdr.SMOOTH),
     "Layered.weight_nu": _WEIGHT_NU,
-    "LayeredConductor.substrate": (mdr.PERFECT, mdr.INSULATING),
+    "LayeredConductor.substrate": (PERFECT, INSULATING),
     "Pair.lower": (mdr.RIGID,),
     "Pair.upper": (mdr.RIGID,),
     "Voxels.beside": ("periodic", _SOFT),

@@ -9,7 +9,7 @@ from collections.abc import Mapping
 from types import MappingProxyType
 from typing import Any, NamedTuple
 
-from mdrcontact.adhesion import CONTROLS, RULES
+from mdrcontact.loop import CONTROLS, RULES
 from mdrcontact.medium.models import MODELS
 
 from .tables import Table

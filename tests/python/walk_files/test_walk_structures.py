@@ -64,18 +64,18 @@ def _sticky(model: str = "exact", **options: Any) -> Callable[[], Any]:
 
 
 def _rate() -> Any:
-    law = mdr.RateAdhesion(0.31, 1.3e-6, 0.43, 0.19, 0.9e-6, 0.61)
+    law = mdr.adhesion.RateAdhesion(0.31, 1.3e-6, 0.43, 0.19, 0.9e-6, 0.61)
     found = mdr.Contact(TIP, mdr.Homogeneous(BASE), adhesion=law).history([0.0, 0.7, 2.0], depth=[0.0, 9e-8, -6e-8])
     return [law.at_speed([-1e-6, 1e-6]), found]
 
 
 def _rheology() -> Any:
-    return mdr.RheologicalAdhesion(SOFT, 0.31, 5e6).at_speed([-1e-7, 0.0, 1e-7])
+    return mdr.adhesion.RheologicalAdhesion(SOFT, 0.31, 5e6).at_speed([-1e-7, 0.0, 1e-7])
 
 
 def _worn() -> Any:
     contact = mdr.Contact(TIP, mdr.Homogeneous(BASE))
-    return mdr.Wear(contact, 1e-15).advance([0.1], depth=9e-8, intervals=16)[0]
+    return mdr.wear.Wear(contact, 1e-15).advance([0.1], depth=9e-8, intervals=16)[0]
 
 
 def _law() -> Any:

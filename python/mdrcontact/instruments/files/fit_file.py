@@ -12,7 +12,7 @@ import numpy as np
 
 from ..._choices import nearest
 from ..._units import LENGTH, SENSITIVITY, STIFFNESS, Dimension, dimensions, shown
-from ...adhesion import RULES
+from ...loop import RULES
 from ...poroelastic import DRAINAGES, is_poroelastic
 from ...problem import indenter as indenters
 from ...problem import medium as mediums

@@ -15,10 +15,11 @@ from ... import _scipy
 from ..._boundary import number, numbers
 from ..._choices import nearest
 from ..._value import Value
-from ...conduction import ANSWERS, Conduction
-from ...conductor import Conductor, Interface, LayeredConductor
+from ...conduction import Conduction, Conductor, LayeredConductor
+from ...conduction.contact import ANSWERS
 from ...contact import Contact
 from ...errors import ArgumentTypeError, InvalidArgumentError, NoConvergenceError
+from ...medium import Interface
 
 __all__ = ["ConductanceForce", "Impedance", "ConductionFit", "fit_conduction"]
 

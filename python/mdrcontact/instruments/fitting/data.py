@@ -12,8 +12,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from ... import _layout
 from ..._boundary import number, numbers
-from ...adhesion import BRANCHES
 from ...errors import ArgumentTypeError, InvalidArgumentError
+from ...loop import BRANCHES
 
 Array = NDArray[np.float64]
 Self = TypeVar("Self", bound="Data")

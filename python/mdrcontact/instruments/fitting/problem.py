@@ -12,9 +12,10 @@ from numpy.typing import NDArray
 
 from ... import _layout
 from ..._boundary import Refusal, native, not_zero, outcome, record, whole, words_of
+from ..._choices import code
 from ..._units import dimensions
-from ...adhesion import RULES, code
 from ...errors import ArgumentTypeError, InvalidArgumentError
+from ...loop import RULES
 from ...medium.viscoelastic import is_viscoelastic
 from .data import Data, ForceDepth, ModulusRadius, StiffnessDepth, StiffnessRadius
 from .parameters import Free, Instrument, JointPrior, Pattern, handles_of, pattern_of, read_free, read_known

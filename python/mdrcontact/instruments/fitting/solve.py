@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from ..._boundary import number
-from ...adhesion import code
+from ..._choices import code
 from ...errors import CancelledError, InvalidArgumentError, MDRError
 from .advice import advice
 from .data import Data, ForceDepth

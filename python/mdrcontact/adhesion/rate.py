@@ -10,19 +10,17 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _layout
-from ._boundary import FloatOrArray, Handle, call, evaluate, native, number, record
-from ._progress import marching
-from ._units import RATIO, SPEED, WORK_OF_ADHESION
-from ._value import Value
-from ._warn import Caution, Warned, warn_all
-from .adhesion import CONTROLS
-from .errors import AdhesionRateWarning, ArgumentTypeError, InvalidArgumentError
-from .history import STATE, controlled_path
-from .material import Viscoelastic
-from .progress import Progress
-
-__all__ = ["RateAdhesion", "RateHistory", "RheologicalAdhesion"]
+from .. import _layout
+from .._boundary import FloatOrArray, Handle, call, evaluate, native, number, record
+from .._progress import marching
+from .._units import RATIO, SPEED, WORK_OF_ADHESION
+from .._value import Value
+from .._warn import Caution, Warned, warn_all
+from ..errors import AdhesionRateWarning, ArgumentTypeError, InvalidArgumentError
+from ..loop import CONTROLS
+from ..material import Viscoelastic
+from ..progress import Progress
+from .cohesive import STATE, controlled_path
 
 _FASTEST, _LONGEST = 0.02, 0.03
 """v time/a and zone/a up to which a steady crack gives pull-off to 2 %."""

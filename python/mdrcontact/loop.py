@@ -13,11 +13,9 @@ from numpy.typing import NDArray
 
 from . import _layout
 from ._boundary import Handle, call, native, number, record, whole, words_of
-from ._choices import nearest
+from ._choices import code
 from ._warn import Warned
-from .errors import ArgumentTypeError, InvalidArgumentError
-
-__all__ = ["Loop", "PullOff"]
+from .errors import ArgumentTypeError
 
 RULES = words_of(_layout.ADHESION_AUTOMATIC, _layout.ADHESION_PAPER, _layout.ADHESION_ENERGY)
 """Names and codes of the adhesion rules."""
@@ -93,14 +91,6 @@ class Loop(_LoopNumbers, Warned):
         for i in self.jumps:
             axes.plot(x[i : i + 2], self.force[i : i + 2], **{**look, "linestyle": ":", "linewidth": 1.0})
         return axes
-
-
-def code(name: str, value: Any, codes: dict[str, int], *allowed: str) -> int:
-    """The code of a word; wrong words are answered with the nearest right one."""
-    known = allowed or tuple(codes)
-    if not isinstance(value, str) or value not in known:
-        raise InvalidArgumentError(f"{name} = {value!r} is not allowed: {nearest(str(value), known)}")
-    return codes[value]
 
 
 def pull_offs(contact: Any, control: str) -> PullOff:

@@ -10,8 +10,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _layout
-from ._boundary import (
+from .. import _layout
+from .._boundary import (
     ComplexOrArray,
     FloatOrArray,
     Handle,
@@ -28,14 +28,12 @@ from ._boundary import (
     together,
     words_of,
 )
-from ._value import Value
-from .adhesion import code
-from .conductor import conduction_of, flux_compliance
-from .errors import InvalidArgumentError
-from .interior import BODIES
-from .state import State
-
-__all__ = ["Conduction", "TabulatedConduction", "Spot", "FrictionHeat", "ContactConductance"]
+from .._choices import code
+from .._value import Value
+from ..errors import InvalidArgumentError
+from ..interior import BODIES
+from ..state import State
+from .bodies import conduction_of, flux_compliance
 
 ANSWERS = words_of(
     _layout.CONDUCTANCE, _layout.RESISTANCE, _layout.MEAN_POTENTIAL, _layout.CENTRE_POTENTIAL, _layout.GAUSSIAN_POTENTIAL

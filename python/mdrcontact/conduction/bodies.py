@@ -1,24 +1,21 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What conducts current or heat (docs/conduction.md): materials, interfaces, and stacks of them."""
+"""Bodies that conduct: stacks of conductors, and the conductors of elastic bodies."""
 
 from __future__ import annotations
 
-import math
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass
 from typing import Any, Final
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _layout
-from ._boundary import ComplexOrArray, FloatOrArray, Handle, complex_values, native, number
-from ._parameters import WithParameters
-from ._units import MODULUS_PER_LENGTH
-from ._value import Named, Value
-from .errors import ArgumentTypeError, InvalidArgumentError
-
-__all__ = ["Conductor", "Interface", "LayeredConductor", "PERFECT", "INSULATING", "SLIDING"]
+from .. import _layout
+from .._boundary import ComplexOrArray, FloatOrArray, Handle, complex_values, native, number
+from .._value import Named, Value
+from ..errors import ArgumentTypeError, InvalidArgumentError
+from ..material import Conductor, check_rows
+from ..medium.layer import Interface
 
 
 class _Base(Named):
@@ -33,74 +30,6 @@ PERFECT: Final = _Base("PERFECT", _layout.BASE_PERFECT)
 """A perfect conductor at potential 0 below all layers."""
 INSULATING: Final = _Base("INSULATING", _layout.BASE_INSULATING)
 """No flux below all layers: a body that answers in time, and with a sink in a steady state."""
-
-
-def _check(rows: NDArray[np.float64]) -> None:
-    """Lets the library check layers: what lies on an insulating base without a sink costs nothing to make."""
-    base = _layout.BASE_INSULATING
-    Handle(native.conduction_new(rows, base, 0, None, base, 0.0, 0.0))
-
-
-@dataclass(frozen=True)
-class Conductor(WithParameters):
-    """A material that conducts current or heat; a body of it alone is a half-space.
-
-    sigma : conductivity > 0 into the body, S/m or W/(m K) [conductance/length]
-    along : conductivity > 0 along the surface; None: sigma
-    capacity : heat capacity >= 0 per volume, J/(m^3 K); 0: it follows at once
-    """
-
-    sigma: float
-    along: float | None = None
-    capacity: float = 0.0
-
-    def __post_init__(self) -> None:
-        self._set(sigma=number("sigma", self.sigma), capacity=number("capacity", self.capacity))
-        if self.along is not None:
-            self._set(along=number("along", self.along))
-        _check(np.array([self._row(1.0)]))
-
-    def _row(self, thickness: float = 0.0, resistance: float = 0.0) -> tuple[float, ...]:
-        """Of struct mdr_conductor."""
-        return thickness, self.sigma, self.sigma if self.along is None else self.along, self.capacity, resistance
-
-
-@dataclass(frozen=True)
-class Interface(WithParameters):
-    """What lies between two layers.
-
-    resistance : area resistance >= 0: Kapitza resistance, an oxide [length^2/conductance]
-    normal : K_n > 0 of springs per area across it, a glue line of C33/thickness; None: bonded [modulus/length]
-    tangential : K_t >= 0 along it, C44/thickness; 0: it slides without friction (`SLIDING`); None: bonded [modulus/length]
-    """
-
-    resistance: float = 0.0
-    normal: float | None = field(default=None, metadata={"dimension": MODULUS_PER_LENGTH})
-    tangential: float | None = field(default=None, metadata={"dimension": MODULUS_PER_LENGTH})
-
-    def __post_init__(self) -> None:
-        self._set(resistance=number("resistance", self.resistance))
-        _check(np.array([(1.0, 1.0, 1.0, 0.0, self.resistance)]))
-        for name, least in (("normal", "> 0"), ("tangential", ">= 0")):
-            value = getattr(self, name)
-            if value is None:
-                continue
-            value = number(name, value)
-            if not value >= 0.0 or (name == "normal" and value == 0.0):
-                raise InvalidArgumentError(f"{name} = {value!r} is not allowed: a spring's stiffness must be {least}")
-            self._set(**{name: value})
-
-    def _layer(self) -> dict[str, float]:
-        """Members of struct mdr_layer: compliances."""
-        normal, tangential = self.normal, self.tangential
-        return {
-            "normal_compliance": 0.0 if normal is None else 1.0 / normal,
-            "tangential_compliance": 0.0 if tangential is None else 1.0 / tangential if tangential else math.inf,
-        }
-
-
-SLIDING: Final = Interface(tangential=0.0)
-"""An interface that slides without friction and does not open."""
 
 
 @dataclass(frozen=True)
@@ -119,7 +48,7 @@ class LayeredConductor(Value):
         rows, base = self.rows()
         if base == _layout.BASE_HALF_SPACE:
             rows[-1, 0] = 1.0
-        _check(rows)
+        check_rows(rows)
 
     def _with_resistances(self, resistances: Sequence[float]) -> LayeredConductor:
         """The same with further area resistances below its layers, from the surface down."""

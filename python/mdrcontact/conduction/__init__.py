@@ -1,0 +1,18 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Conduction of current or heat through a contact: what conducts, spots, and the heat of friction (docs/conduction.md)."""
+
+from ..material import Conductor
+from .bodies import INSULATING, PERFECT, LayeredConductor
+from .contact import Conduction, ContactConductance, FrictionHeat, Spot, TabulatedConduction
+
+__all__ = [
+    "Conductor",
+    "LayeredConductor",
+    "PERFECT",
+    "INSULATING",
+    "Conduction",
+    "TabulatedConduction",
+    "Spot",
+    "FrictionHeat",
+    "ContactConductance",
+]
