@@ -1,11 +1,14 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Which room of python/mdrcontact may import which."""
+"""Which room of python/mdrcontact may import which, and where its public names stand."""
 
 import ast
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 
-from conftest import ROOT
+from conftest import PUBLIC, ROOT, run
+
+import mdrcontact as mdr
 
 PACKAGE = ROOT / "python" / "mdrcontact"
 ORDER = ("contact", "problem", "instruments", "studies", "cli")
@@ -87,3 +90,39 @@ def test_a_wrong_import_is_found(tmp_path):
     (package / "law.py").write_text("import mdrcontact.problem.table\n")
     wrong = {one for one in imports(package) if not is_allowed(*one)}
     assert wrong == {("problem/table.py", "cli", False), ("problem/table.py", "studies", True), ("law.py", "problem", True)}
+
+
+MOST_NAMES = 75
+"""At the top of the package."""
+NAMESPACES = {module.__name__.partition(".")[2]: module for module in PUBLIC[1:]}
+
+
+def test_the_top_has_few_names():
+    assert len(set(mdr.__all__)) == len(mdr.__all__) <= MOST_NAMES
+
+
+def test_every_extension_has_a_namespace():
+    """`instruments` is that of fits."""
+    extensions = {path.name for path in (ROOT / "src" / "mdrcontact" / "extensions").iterdir() if path.is_dir()}
+    assert {"adhesion", "wear"} <= extensions - {"fit"} <= set(NAMESPACES) == mdr._NAMESPACES <= set(dir(mdr))
+
+
+def test_every_namespace_is_documented():
+    page = (ROOT / "docs" / "index.md").read_text(encoding="utf-8")
+    assert all(f"| `mdr.{name}` |" in page and module.__doc__ for name, module in NAMESPACES.items())
+
+
+def test_nothing_public_is_in_two_places():
+    places: dict[int, set[str]] = {}
+    for module in PUBLIC:
+        for name in module.__all__:
+            places.setdefault(id(getattr(module, name)), set()).add(f"{module.__name__}.{name}")
+    twice = [names for names in places.values() if len(names) > 1]
+    bases = ("MDRError", "MDRWarning")
+    assert sorted(twice, key=min) == [{f"mdrcontact.{name}", f"mdrcontact.errors.{name}"} for name in bases]
+
+
+def test_what_a_contact_does_not_need_is_loaded_late():
+    late = ("closed_forms", "conduction", "instruments", "lateral", "problem", "wear", "weights")
+    loaded = run([sys.executable, "-c", "import sys, mdrcontact; print(*sys.modules)"], ROOT).split()
+    assert "mdrcontact.contact" in loaded and not {f"mdrcontact.{name}" for name in late} & set(loaded)
