@@ -44,8 +44,7 @@ deep = np.geomspace(1e-11, 1e-7, 4096)
 report("forces of a law in an array", lambda: law.force(deep))
 report("new law of a film", lambda: mdr.ContactLaw(CONTACT, 1e-7))
 friction = mdr.Friction(CONTACT, 0.4)
-# builds to compare with may be older than laws with both
-sliders = mdr.FrictionLaw(friction, 1e-7) if hasattr(mdr, "FrictionLaw") else mdr.ContactLaw(CONTACT, 1e-7, friction=friction)
+sliders = mdr.ContactLaw(CONTACT, 1e-7, friction=friction)
 memory, force, shift = sliders.contacts(1000), np.full(1000, 1e-4), np.full((1000, 2), 1e-10)
 report("step of a friction law", lambda: sliders.attempt(memory, force, shift, True))
 for reach in (0.1, 1.0, 100.0):
