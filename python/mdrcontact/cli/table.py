@@ -18,19 +18,27 @@ def spread_text(ratio: float) -> str:
     return f"factor {ratio:.1f}" if ratio < 100.0 else f"factor {ratio:.0f}"
 
 
-def as_text(table: Table, rows: int | None = None) -> str:
-    """A table for the screen with at most `rows` rows; columns of words that come first begin flush left."""
+def as_text(table: Table, rows: int | None = None, left: int | None = None) -> str:
+    """A table for the screen with at most `rows` rows. The first `left` columns begin flush left: by default those of words."""
+    if left is None:
+        left = next((i for i, c in enumerate(table) if not isinstance(c, Words)), len(table))
+    return aligned(as_rows(table, rows), left=left)
+
+
+def as_rows(table: Table, rows: int | None = None) -> list[list[str]]:
+    """The titles and at most `rows` rows of a table as words."""
     count = len(table[0].values)
     picked = range(count) if rows is None else spread_over(count, rows)
-    left = next((i for i, c in enumerate(table) if not isinstance(c, Words)), len(table))
-    return aligned([[c.title for c in table], *([_cell(c, i) for c in table] for i in picked)], left=left)
+    return [[c.title for c in table], *([_cell(c, i) for c in table] for i in picked)]
 
 
 def _cell(column: Column | Mixed | Words, row: int) -> str:
     if isinstance(column, Words):
         return column.values[row]
+    if row in column.instead:
+        return column.instead[row]
     if isinstance(column, Mixed):
-        return column.instead[row] if row in column.instead else shown(column.values[row], column.dimension)
+        return shown(column.values[row], column.dimension)
     return number(float(column.unit.of(column.values[row])))
 
 
@@ -40,5 +48,12 @@ def as_csv(table: Table) -> bytes:
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow([c.title for c in table])
     for i in range(len(table[0].values)):
-        writer.writerow([repr(float(c.unit.of(c.values[i]))) if isinstance(c, Column) else _cell(c, i) for c in table])
+        writer.writerow([_full(c, i) for c in table])
     return text.getvalue().encode()
+
+
+def _full(column: Column | Mixed | Words, row: int) -> str:
+    """A cell with all digits."""
+    if isinstance(column, Column) and row not in column.instead:
+        return repr(float(column.unit.of(column.values[row])))
+    return _cell(column, row)

@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Studies of a contact: one function for each command, by its name. They print nothing and write nothing.
 
-A study takes a problem, as `mdrcontact.problem.read` and `load` return it, and options. Its `Result` has numbers, notes, warnings,
-tables, and what a figure draws. What it does not support is an exception of `mdrcontact.errors`.
+A study takes a problem, as `mdrcontact.problem.read` and `load` return it, and options. One of measurements takes a problem of
+`mdrcontact.instruments.load_fit_file` or `fit_file_of_text`, and data. Its `Result` has numbers, notes, warnings, tables, and what
+a figure draws. What it does not support is an exception of `mdrcontact.errors`.
 """
 
 from .adhesion import adhesion
@@ -12,6 +13,7 @@ from .curve import curve
 from .friction import friction
 from .history import history
 from .law import law
+from .modulus import modulus
 from .result import Column, Mixed, Number, Result, Table, Words
 from .stress import stress
 from .validate import validate
@@ -31,6 +33,7 @@ __all__ = [
     "friction",
     "history",
     "law",
+    "modulus",
     "stress",
     "validate",
     "wear",

@@ -40,6 +40,8 @@ class Column(NamedTuple):
     name: str
     values: Array
     unit: Unit
+    instead: Mapping[int, str] = {}
+    """by row: words that take the place of a number"""
 
     @property
     def title(self) -> str:
@@ -85,6 +87,11 @@ def column(name: str, values: Any, dimension: Dimension) -> Column:
     return Column(name, array, practical(dimension, array))
 
 
+def in_words(rows: Iterable[Sequence[str]]) -> list[Words]:
+    """A table of words from its rows, the titles first."""
+    return [Words(title, cells) for title, *cells in zip(*rows, strict=True)]
+
+
 def columns_of(states: Any, *names: str) -> list[Column]:
     """What states hold, by the names of their fields."""
     return [column(name.replace("_", " "), getattr(states, name), QUANTITIES[name]) for name in names]
@@ -125,7 +132,7 @@ def study(function: Callable[P, R]) -> Callable[P, R]:
                 found = function(*arguments, **options)
         finally:
             _warn.warn_all(cautions)
-        return replace(found, warnings=_warn.texts_of(cautions))
+        return replace(found, warnings=(*found.warnings, *_warn.texts_of(cautions)))
 
     return whole
 

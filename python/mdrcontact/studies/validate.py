@@ -11,7 +11,7 @@ from ..errors import InvalidArgumentError
 from ..progress import Progress
 from ..validation import CHECKS
 from ..validation.page import TITLES, Row, programs, run
-from .result import Number, Result, Words, in_turn, study
+from .result import Number, Result, in_turn, in_words, study
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -61,12 +61,11 @@ def validate(*, full: bool = False, only: str | None = None, progress: Progress 
     for check in in_turn(progress or Progress(), chosen, len(chosen), "comparisons"):
         rows += run([check], full)
     beyond = tuple(row.check.name for row in rows if not row.holds)
-    cells = zip(*(row.cells()[:5] for row in rows), strict=True)
     return ValidateResult(
         title="Validation",
         numbers={"comparisons": Number(len(rows), RATIO), "comparisons beyond": Number(len(beyond), RATIO)},
         notes={"programs": f"programs: {', '.join(programs())}"},
-        tables={"comparisons": [Words(title, column) for title, column in zip(TITLES[:5], cells, strict=True)]},
+        tables={"comparisons": in_words([TITLES[:5], *(row.cells()[:5] for row in rows)])},
         rows=tuple(rows),
         beyond=beyond,
     )

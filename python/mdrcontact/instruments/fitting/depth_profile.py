@@ -80,6 +80,28 @@ class DepthProfile(NamedTuple):
             f"95 % interval {low:.4g} to {high:.4g} {unit.name}"
         )
 
+    def to_dict(self) -> dict[str, Any]:
+        """Everything but the contact depths, as plain Python values; numbers that are not finite become None."""
+
+        def numbers(values: Array) -> list[float | None]:
+            return [float(v) if math.isfinite(v) else None for v in values]
+
+        return {
+            "parameter": self.name,
+            "unit": dimension_of(self.name).si,
+            "at_zero": self.at_zero,
+            "at_zero_error": self.at_zero_error,
+            "interval": list(self.interval),
+            "slope": self.slope,
+            "slope_error": self.slope_error,
+            "depth": numbers(self.analysis.depth),
+            "radius": numbers(self.analysis.radius),
+            "modulus": numbers(self.modulus),
+            "standard_error": numbers(self.standard_error),
+            "common_error": numbers(self.common_error),
+            "warnings": self.warnings,
+        }
+
     def plot(self) -> Any:
         """The modulus at each depth, what a homogeneous body would be taken for, and the line to zero depth, as a figure."""
         from matplotlib.figure import Figure
