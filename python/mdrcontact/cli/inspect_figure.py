@@ -6,7 +6,7 @@ from __future__ import annotations
 from typing import Any
 
 from .._units import FORCE, LENGTH, practical
-from ..instruments.files.inspection import Inspection
+from ..studies.inspect import InspectResult
 
 _COLOURS = {"loading": "#0072B2", "unloading": "#D55E00", "hold": "#E69F00"}
 """What is drawn later lies above: cycles on their loading."""
@@ -14,11 +14,11 @@ _MOST = 12
 """Tests that are drawn."""
 
 
-def inspect_figure(found: Inspection) -> Any:
+def inspect_figure(found: InspectResult) -> Any:
     """Force against depth or height, coloured by segment, one panel for each test."""
     from matplotlib.figure import Figure
 
-    tests = found.tests[:_MOST]
+    tests = found.inspection.tests[:_MOST]
     columns = min(len(tests), 3 if len(tests) > 2 else 2)
     rows = -(-len(tests) // columns)
     size = 3.6 if columns > 1 else 6.4
@@ -37,6 +37,7 @@ def inspect_figure(found: Inspection) -> Any:
     for axis in panels[len(tests) :]:
         axis.set_axis_off()
     handles = [panels[0].plot([], [], color=colour, label=kind)[0] for kind, colour in _COLOURS.items()]
-    rest = f"{len(tests)} of {len(found.tests)} tests" if len(tests) < len(found.tests) else None
+    count = len(found.inspection.tests)
+    rest = f"{len(tests)} of {count} tests" if len(tests) < count else None
     figure.legend(handles=handles, loc="outside upper right", ncols=3, frameon=False, fontsize=8, title=rest)
     return figure

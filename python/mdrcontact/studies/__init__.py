@@ -12,6 +12,7 @@ from .conduction import conduction
 from .curve import curve
 from .friction import friction
 from .history import history
+from .inspect import inspect
 from .law import law
 from .modulus import modulus
 from .result import Column, Mixed, Number, Result, Table, Words
@@ -32,6 +33,7 @@ __all__ = [
     "curve",
     "friction",
     "history",
+    "inspect",
     "law",
     "modulus",
     "stress",

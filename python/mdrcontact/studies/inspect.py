@@ -1,0 +1,141 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The study `inspect`: what a file of measurements is, and what would be fitted."""
+
+from __future__ import annotations
+
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from .._units import FORCE, LENGTH, RATIO, Dimension, shown
+from ..errors import CancelledError, MDRError
+from ..instruments.files.fit_file import fit_file_of_text
+from ..instruments.files.inspection import Inspection, Test, inspect_file
+from ..instruments.fitting.causes import by_cause
+from ..instruments.reading.formats import Fact
+from ..progress import Progress
+from .result import Array, Number, Result, Table, in_turn, in_words, study
+
+_MOST = 60
+"""Tests that are looked at."""
+_MARKED = "put in yours"
+"""In lines of a problem file that are guessed."""
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class InspectResult(Result):
+    """What a file of measurements is. Table: "tests", of records of an instrument."""
+
+    inspection: Inspection
+    facts: tuple[Fact, ...]
+    """what the file says of the instrument"""
+    curves: tuple[str, ...] = ()
+    """what would be fitted of each curve, or why it would not be"""
+    doubts: tuple[str, ...] = ()
+    """about the curves; `warnings` has them too"""
+    guessed: tuple[str, ...]
+    """what the file does not say"""
+    refusal: MDRError | None = None
+    """why no curve would be fitted"""
+
+
+@study
+def inspect(data: Path, *, progress: Progress | None = None) -> InspectResult:
+    """Say what a file of measurements is, and what would be fitted of it.
+
+    Parameters
+    ----------
+    data : Path
+        A table, a spreadsheet, or a file of an AFM.
+    progress : Progress, optional
+        Follows the tests, and stops between two of them.
+
+    Returns
+    -------
+    InspectResult
+        `inspection`, with the text of a problem file to begin with; `curves`; numbers "tests" and "curves".
+
+    Raises
+    ------
+    MDRError
+        The file cannot be read, or its columns are of no measurement.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> from pathlib import Path
+    >>> from mdrcontact import studies
+    >>> rows = "".join(f"{10 * i},{i**1.5:.4f}\\n" for i in range(40))
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     path = Path(folder) / "ball.csv"
+    ...     _ = path.write_text("depth [nm],load [uN]\\n" + rows)
+    ...     found = studies.inspect(path)
+    >>> found.inspection.kind
+    'force-depth'
+    >>> found.curves
+    ('ball.csv: 40 points; 40 of 40 readings are used',)
+    """
+    progress = progress or Progress()
+    progress.step(0, None, "file")
+    found = inspect_file(data)
+    tests, tables, notes = found.tests, dict[str, Table](), dict[str, str]()
+    if tests:
+        tables["tests"] = in_words(_rows(tests[:_MOST]))
+        notes = {"more": f"and {len(tests) - _MOST} more"} if len(tests) > _MOST else {}
+        notes["segments"] = tests[0].said_by
+    curves: list[str] = []
+    doubts: list[str] = []
+    refusal = None
+    try:
+        curves, doubts = _would_be_fitted(data, found, progress)
+    except CancelledError:
+        raise
+    except MDRError as words:
+        refusal = words
+    missing = [line.split("=")[0].strip() for line in found.problem.splitlines() if _MARKED in line]
+    return InspectResult(
+        title=data.name,
+        numbers={"tests": Number(len(tests), RATIO), "curves": Number(len(curves), RATIO)},
+        notes=notes,
+        tables=tables,
+        warnings=tuple(doubts),
+        inspection=found,
+        facts=tuple(tests[0].facts) if tests else (),
+        curves=tuple(curves),
+        doubts=tuple(doubts),
+        guessed=(*missing, "the body"),
+        refusal=refusal,
+    )
+
+
+def _rows(tests: Sequence[Test]) -> list[list[str]]:
+    """One row for each test, below the titles."""
+    rows = [["test", "readings", tests[0].along_name, "force", "segments"]]
+    for test in tests:
+        spans = [_span(test.along, LENGTH), _span(test.force, FORCE)]
+        counts = Counter(s.kind for s in test.segments)
+        kinds = ", ".join(f"{counts[kind]} {kind}" for kind in ("loading", "hold", "unloading") if counts[kind])
+        rows.append([test.name, str(len(test.force)), *spans, kinds])
+    return rows
+
+
+def _span(values: Array, dimension: Dimension) -> str:
+    return f"{shown(float(values.min()), dimension, 4)} to {shown(float(values.max()), dimension, 4)}"
+
+
+def _would_be_fitted(path: Path, found: Inspection, progress: Progress) -> tuple[list[str], list[str]]:
+    """What the problem file to begin with makes of each curve, and the doubts about them."""
+    lines: list[str] = []
+    warned: list[tuple[str, str]] = []
+    curves = fit_file_of_text(found.problem).curves(path)[:_MOST]
+    for one in in_turn(progress, curves, len(curves), "curves"):
+        try:
+            data, notes = one.read()
+        except MDRError as refusal:
+            lines.append(f"{one.name}: not: {refusal}")
+            continue
+        used = [note for note in notes if note.endswith((" used", "are fitted", "in contact")) or "not used" in note]
+        lines.append(f"{one.name}: {len(data)} points" + (f"; {'; '.join(used)}" if used else ""))
+        warned += [(one.name, words) for words in data.warnings]
+    return lines, by_cause(warned)
