@@ -20,9 +20,8 @@ from typing import Any, NamedTuple
 from conftest import ROOT
 from markdown_it import MarkdownIt
 
-from mdrcontact.cli import map as map_files
 from mdrcontact.instruments.files.fit_file import load_fit_file
-from mdrcontact.problem import load, read
+from mdrcontact.problem import load, load_map, read
 
 if sys.version_info >= (3, 11):
     import tomllib
@@ -133,7 +132,7 @@ class Reader:
         path = self.folder / (block.file or "block.toml")
         path.write_text(block.text, encoding="utf-8")
         if "structure" in table:
-            map_files.read(path)
+            load_map(path)
         elif "fit" in table or "data" in table:
             load_fit_file(path)
         elif {"indenter", "medium", "compute"} <= set(table):

@@ -14,9 +14,8 @@ import pytest
 
 import mdrcontact as mdr
 from mdrcontact.cli import main
-from mdrcontact.cli import map as map_command
 from mdrcontact.instruments.files.fit_file import fit_file_of_text, load_fit_file
-from mdrcontact.problem import ProblemError, load, read, read_text
+from mdrcontact.problem import ProblemError, load, load_map, read, read_text
 
 BODY = '[indenter]\nshape = "paraboloid"\nradius = "1 um"\n[medium]\ntype = "homogeneous"\nmaterial = { E = "1 GPa", nu = 0.3 }\n'
 TIP = "[indenter]\nfile = NAME\n"
@@ -64,7 +63,7 @@ def opened(key, text, path=None, files=()):
     if key == "[indenter] file of a fit":
         return load_fit_file(path) if path else fit_file_of_text(text, files=files)
     if key == "[structure] labels":
-        return map_command.read(path) if path else pytest.skip("maps are read from files")
+        return load_map(path) if path else pytest.skip("maps are read from files")
     return load(path) if path else read_text(text, files=files)
 
 
@@ -97,7 +96,7 @@ def test_the_walk_has_every_key_that_names_a_file():
     # the command line's own files: the problem, the data, the examples and texts of the package; and the array that is mapped
     assert openers == {
         *("problem/named.py", "problem/toml.py", "instruments/reading/columns.py", "instruments/files/curves.py"),
-        *("cli/__init__.py", "cli/example.py", "cli/map.py"),
+        *("cli/__init__.py", "cli/example.py", "problem/structure.py"),
     }
 
 

@@ -8,15 +8,16 @@ from typing import Any
 
 import numpy as np
 
-from .. import lateral
 from .._units import LENGTH, MODULUS, practical
+from ..studies.map import MapResult
 from .figures import COLOURS, sheet
 
 
-def map_figure(title: str, voxels: lateral.Voxels, radii: Any, maps: Any) -> Any:
+def map_figure(found: MapResult) -> Any:
     """Structure and maps, each map with the contact drawn to scale."""
     from matplotlib.patches import Circle
 
+    voxels, radii, maps = found.problem.voxels, found.problem.radii, found.maps
     nz, ny, nx = voxels.labels.shape
     dz, dy, dx = voxels.spacing
     length = practical(LENGTH, [max(nx * dx, ny * dy)])
@@ -27,7 +28,7 @@ def map_figure(title: str, voxels: lateral.Voxels, radii: Any, maps: Any) -> Any
     panels = 2 + len(radii)
     columns = min(3, panels)
     rows = math.ceil(panels / columns)
-    with sheet(title, rows, columns, (4.0 * columns, 3.7 * rows)) as (figure, panes):
+    with sheet(found.title, rows, columns, (4.0 * columns, 3.7 * rows)) as (figure, panes):
         axes = np.ravel(panes)
         for axis in axes[panels:]:
             axis.set_axis_off()

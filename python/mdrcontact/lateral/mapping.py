@@ -17,6 +17,7 @@ from .._boundary import call, native, row, thread_count
 from .._interrupt import workers
 from ..errors import ArgumentTypeError, InvalidArgumentError, OutOfMemoryError
 from ..material import Elastic
+from ..progress import Progress
 from ..weights import weight_j0, weight_j1
 from .structure import PowerMean, shear
 from .voxels import Voxels
@@ -37,11 +38,11 @@ class _Job(NamedTuple):
 
 
 def effective_map(
-    voxels: Voxels, a: ArrayLike, *, threads: int = 0, progress: bool = False, memory_limit: float | None = None
+    voxels: Voxels, a: ArrayLike, *, threads: int = 0, progress: bool | Progress = False, memory_limit: float | None = None
 ) -> Array:
     """E_eff [modulus] at all cell centres for all contact radii a > 0 [length], in one pass over the slices: (len(a), ny, nx).
 
-    threads : at least 1, or 0 for one per core. progress : show a bar
+    threads : at least 1, or 0 for one per core. progress : show a bar, or follow and stop the work
     memory_limit : bytes; more than this, by `map_memory`, is refused before any work is done
 
     The integrals of the weights over the cells are those of Voxels.modulus, so map and points agree to 1e-7.
@@ -120,7 +121,7 @@ def weight_beyond(a: float, distance: float, depth: float = np.inf, nu: float = 
     return float(weights[0, counts].sum())
 
 
-def _convolve(job: _Job, radii: Array, threads: int, progress: bool) -> Array:
+def _convolve(job: _Job, radii: Array, threads: int, progress: bool | Progress) -> Array:
     """E_eff at all cells of the job: (radii, ny, nx)."""
     _scipy.require()
     import scipy.fft
@@ -269,9 +270,14 @@ def _cut(labels: Any, cells: Any, k: int) -> Any:
     return np.asarray(labels[k])[cells]
 
 
-def _bar(items: Any, progress: bool, unit: str, total: int | None = None) -> Iterator[Any]:
+def _bar(items: Any, progress: bool | Progress, unit: str, total: int | None = None) -> Iterator[Any]:
     if not progress:
         yield from items
+        return
+    if isinstance(progress, Progress):
+        for done, item in enumerate(items, start=1):
+            yield item
+            progress.step(done, total, unit)
         return
     from tqdm import tqdm
 

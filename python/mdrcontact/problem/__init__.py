@@ -21,11 +21,12 @@ from .history import HistoryPath
 from .named import Files, Folder, Given, GivenFiles
 from .section import ProblemError, Section
 from .strength import Strengths
+from .structure import MapProblem, load_map
 from .tip_file import with_calibration
 from .toml import parse_file, parse_text
 from .wear import Rubbing
 
-__all__ = ["Problem", "ProblemError", "load", "read", "read_text", "schema"]
+__all__ = ["MapProblem", "Problem", "ProblemError", "load", "load_map", "read", "read_text", "schema"]
 
 
 class _Part(NamedTuple):

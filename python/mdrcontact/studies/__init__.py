@@ -14,6 +14,7 @@ from .friction import friction
 from .history import history
 from .inspect import inspect
 from .law import law
+from .map import map
 from .modulus import modulus
 from .result import Column, Mixed, Number, Result, Table, Words
 from .stress import stress
@@ -35,6 +36,7 @@ __all__ = [
     "history",
     "inspect",
     "law",
+    "map",
     "modulus",
     "stress",
     "validate",
