@@ -27,7 +27,7 @@ PACKAGE = ROOT / "python" / "mdrcontact"
 EXAMPLES = ROOT / "examples" / "problems"
 STUDIES = {name: value for name in studies.__all__ if inspect.isfunction(value := getattr(studies, name))}
 MOST_LINES = 60
-COMPUTING = {"calibrate", "fit"}
+COMPUTING = {"fit"}
 """Commands on measurements and structures, which are longer."""
 
 CASES = {

@@ -7,6 +7,7 @@ a figure draws. What it does not support is an exception of `mdrcontact.errors`.
 """
 
 from .adhesion import adhesion
+from .calibrate import calibrate
 from .compare import compare
 from .conduction import conduction
 from .curve import curve
@@ -29,6 +30,7 @@ __all__ = [
     "Table",
     "Words",
     "adhesion",
+    "calibrate",
     "compare",
     "conduction",
     "curve",

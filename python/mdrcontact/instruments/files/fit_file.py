@@ -75,6 +75,8 @@ class FitFile(NamedTuple):
     data: Section
     drainage: str | None = None
     """of a gel"""
+    tip: Mapping[str, Any] = {}
+    """the table [indenter], that of a calibrated tip in place of its file"""
 
     @property
     def arguments(self) -> dict[str, Any]:
@@ -153,7 +155,9 @@ def _read(table: dict[str, Any], title: str) -> FitFile:
     if data.plain("kind") not in measured.RECORDS:
         because = f"kind = {data.plain('kind')!r}, which has no deflection"
         of_instrument.only([key for key in _INSTRUMENT if key not in _CANTILEVER], because)
-    return FitFile(str(whole.plain("title", title)), tip, body, instrument, cantilever, free, options, data, drainage)
+    return FitFile(
+        str(whole.plain("title", title)), tip, body, instrument, cantilever, free, options, data, drainage, table["indenter"]
+    )
 
 
 def _read_gel(fit: Section, instrument: Instrument) -> tuple[dict[str, Free], str]:
