@@ -8,11 +8,11 @@ tools/fortran_entries.txt says what each of them calls, in the names of the head
             the rest of a long one
         a, b, ... = x(#)
 
-A statement is carried out unless there is an error; where it names an input array, for n > 0; after `each: ` for i = 1, n. With # it
-is several, a = x(1), b = x(2). In it a handle stands for its object, a user function for one of the library, an array for its n
+A statement is carried out unless there is an error; where it names an input array, for n > 0; after `each: ` for i = 1, n. With #
+it is several, a = x(1), b = x(2). In it a handle stands for its object, a user function for one of the library, an array for its n
 elements, an output for a variable, two arrays `(x, y)` for a complex one; `@` before an argument leaves it as it is. A declaration
-is of one more variable, or of a handle's object where there are two types. Results in arrays must be finite, or at most infinite, or
-are not looked at. All outputs are written when all is known.
+is of one more variable, or of a handle's object where there are two types. Results in arrays must be finite, or at most infinite,
+or are not looked at. All outputs are written when all is known.
 """
 
 import re

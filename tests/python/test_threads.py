@@ -140,7 +140,9 @@ def test_shapes_and_numbers():
 
 def test_environment_sets_what_0_means():
     """OMP_NUM_THREADS is OpenMP's own: 0 follows it."""
-    script = "import numpy as np, mdrcontact as m; m.set_threads(0); print(m.weights.weight_i0(np.linspace(0, 9, 40000)).sum().hex())"
+    script = (
+        "import numpy as np, mdrcontact as m; m.set_threads(0); print(m.weights.weight_i0(np.linspace(0, 9, 40000)).sum().hex())"
+    )
     found = {
         subprocess.run(
             [sys.executable, "-c", script], env={**os.environ, "OMP_NUM_THREADS": n}, capture_output=True, text=True, check=True
