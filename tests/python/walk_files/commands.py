@@ -18,7 +18,7 @@ import numpy as np
 
 import mdrcontact as mdr
 from mdrcontact import _units as units
-from mdrcontact import cli
+from mdrcontact import cli, studies
 from mdrcontact.cli.files import OutputError
 
 Answer = dict[str, Any]
@@ -114,12 +114,10 @@ def _adhesion(file: Path) -> Answer:
 
 def _stress(file: Path) -> Answer:
     """Largest stresses and failures; the map would take the time of all others."""
-    problem = cli.stress.load(file)
-    contact = problem.contact()
-    state = problem.control.states(contact, slice(-1, None))[0]
-    found = cli.stress._inside(problem, contact, state, 0.17 if problem.strength else 0.0, False)
+    problem = mdr.problem.load(file)
+    found = studies.stress(problem, friction=0.17 if problem.strength else 0.0)
     failures = [(f.mode, f.place, f.strength, f.at_once, f.at, float(f.state.depth)) for f in found.failures]
-    return numbers_of({"largest": found.critical, "failures": failures, "unreached": found.unreached})
+    return numbers_of({"largest": found.critical, "failures": failures, "unreached": found.notes.get("unreached", "")})
 
 
 def _law(file: Path) -> Answer:
