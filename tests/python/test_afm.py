@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import mdrcontact as mdr
-import mdrcontact.instruments as mdi
+from mdrcontact import studies
 from mdrcontact.cli import main
 from mdrcontact.cli.many_figure import overview
 from mdrcontact.instruments.files.fit_file import load_fit_file
@@ -127,13 +127,11 @@ def test_a_file_that_is_not_there(tmp_path, capsys):
 def test_a_line_of_places_is_drawn_curve_by_curve_and_a_map_as_one(tmp_path):
     (tmp_path / "problem.toml").write_text(PROBLEM)
     problem = load_fit_file(tmp_path / "problem.toml")
-    for columns, rows, images in ((4, 1, 0), (3, 2, 2)):
+    for columns, rows, images in ((4, 1, 0), (3, 2, 1)):
         write(tmp_path / f"{columns}.h5", columns, rows)
-        curves = problem.curves(tmp_path / f"{columns}.h5")
-        assert [curve.place for curve in curves] == [(i % columns, i // columns) for i in range(columns * rows)]
-        data = (curve.read()[0] for curve in curves)
-        fitted = [(c, mdi.fit(d, problem.indenter, problem.medium, problem.free)) for c, d in zip(curves, data, strict=True)]
-        figure = overview(fitted, ("coating.E", "depth_offset"), {id(r) for _, r in fitted})
+        found = studies.many(problem, problem.curves(tmp_path / f"{columns}.h5"), keep_all=True)
+        assert [curve.place for curve in found.curves] == [(i % columns, i // columns) for i in range(columns * rows)]
+        figure = overview(found)
         drawn = [image.get_array() for axis in figure.axes for image in axis.images if axis.get_xlabel() == "column"]
         assert len(drawn) == images
         if images:

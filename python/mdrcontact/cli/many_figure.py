@@ -4,15 +4,15 @@
 from __future__ import annotations
 
 import textwrap
+from collections.abc import Sequence
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from .._units import practical
-from ..instruments.files.curves import Curve
-from ..instruments.fitting import FitResult
 from ..instruments.fitting.quantities import dimension_of, words_of
+from ..studies.many import Fitted, FittedCurves
 
 _MOST_NAMES = 40
 """Under the picture."""
@@ -25,24 +25,26 @@ _BLUE, _RED = "#0072B2", "#D55E00"
 Array = NDArray[np.float64]
 
 
-def overview(fitted: list[tuple[Curve, FitResult]], names: tuple[str, ...], sound: set[int]) -> Any:
-    """Each parameter curve by curve, or place by place of a map, and its histogram. sound : identities of the fits in the mean."""
+def overview(found: FittedCurves) -> Any:
+    """Each parameter curve by curve, or place by place of a map, and its histogram."""
     from matplotlib.figure import Figure
     from matplotlib.ticker import MaxNLocator
 
-    if len(fitted) > 3 and all(curve.place is not None for curve, _ in fitted):
-        places = np.array([curve.place for curve, _ in fitted], dtype=int)
+    fitted = found.fitted
+    names = tuple(name for name in found.names if name not in fitted[0].fit.data.also_free) or found.names
+    if len(fitted) > 3 and all(one.curve.place is not None for one in fitted):
+        places = np.array([one.curve.place for one in fitted], dtype=int)
         if (np.ptp(places, axis=0) > 0).all():
-            return _map(fitted, names, places, sound)
+            return _map(fitted, names, places)
 
-    longest = max(len(curve.name) for curve, _ in fitted) if len(fitted) <= _MOST_NAMES else 0
+    longest = max(len(one.curve.name) for one in fitted) if len(fitted) <= _MOST_NAMES else 0
     figure = Figure(figsize=(9.0, 2.1 * len(names) + 0.7 + 0.075 * longest), layout="constrained")
     axes = figure.subplots(len(names), 2, width_ratios=[3, 1], sharey="row", sharex="col", squeeze=False)
-    counts = np.array([id(r) in sound for _, r in fitted])
+    counts = np.array([one.counts for one in fitted])
     for (each, histogram), name in zip(axes, names, strict=True):
-        unit = practical(dimension_of(name), [abs(r.estimates[name]) for _, r in fitted])
-        v = np.array([r.estimates[name] / unit.factor for _, r in fitted])
-        errors = np.array([1.96 * r.standard_errors[name] / unit.factor for _, r in fitted])
+        unit = practical(dimension_of(name), [abs(one.fit.estimates[name]) for one in fitted])
+        v = np.array([one.fit.estimates[name] / unit.factor for one in fitted])
+        errors = np.array([1.96 * one.fit.standard_errors[name] / unit.factor for one in fitted])
         places = np.arange(1, len(v) + 1)
         for keep, colour, label in ((counts, _BLUE, "in the mean"), (~counts, _RED, "left out of the mean")):
             if keep.any():
@@ -55,7 +57,7 @@ def overview(fitted: list[tuple[Curve, FitResult]], names: tuple[str, ...], soun
     each, histogram = axes[-1]
     if len(fitted) <= _MOST_NAMES:
         each.set_xticks(
-            np.arange(1, len(fitted) + 1), [curve.name for curve, _ in fitted], rotation=90, fontsize=7, parse_math=False
+            np.arange(1, len(fitted) + 1), [one.curve.name for one in fitted], rotation=90, fontsize=7, parse_math=False
         )
     else:
         each.set_xlabel("curve")
@@ -78,7 +80,7 @@ def _frame(axis: Any, values: Array, errors: Array) -> None:
     axis.set_ylim(ends[0] - 0.05 * (ends[1] - ends[0]), ends[1] + 0.05 * (ends[1] - ends[0]))
 
 
-def _map(fitted: list[tuple[Curve, FitResult]], names: tuple[str, ...], places: NDArray[np.int64], sound: set[int]) -> Any:
+def _map(fitted: Sequence[Fitted], names: Sequence[str], places: NDArray[np.int64]) -> Any:
     """Each parameter as a map, places that are left out of the mean marked, and its histogram. Places without a fit are white."""
     from matplotlib.figure import Figure
     from matplotlib.ticker import MaxNLocator
@@ -87,11 +89,11 @@ def _map(fitted: list[tuple[Curve, FitResult]], names: tuple[str, ...], places: 
     width, height = places.max(axis=0) - first + 1
     figure = Figure(figsize=(8.5, max(2.4, min(3.6, 1.2 + 3.6 * height / width)) * len(names)), layout="constrained")
     axes = np.atleast_2d(figure.subplots(len(names), 2, width_ratios=[2, 1]))
-    counts = np.array([id(r) in sound for _, r in fitted])
+    counts = np.array([one.counts for one in fitted])
     scale = _micrometres(fitted, places)
     for (image, histogram), name in zip(axes, names, strict=True):
-        unit = practical(dimension_of(name), [abs(r.estimates[name]) for _, r in fitted])
-        v = np.array([r.estimates[name] / unit.factor for _, r in fitted])
+        unit = practical(dimension_of(name), [abs(one.fit.estimates[name]) for one in fitted])
+        v = np.array([one.fit.estimates[name] / unit.factor for one in fitted])
         chosen = v[counts] if counts.any() else v
         grid = np.full((height, width), np.nan)
         grid[places[:, 1] - first[1], places[:, 0] - first[0]] = v
@@ -129,11 +131,11 @@ class _Scale(NamedTuple):
     step: Array
 
 
-def _micrometres(fitted: list[tuple[Curve, FitResult]], places: NDArray[np.int64]) -> _Scale | None:
+def _micrometres(fitted: Sequence[Fitted], places: NDArray[np.int64]) -> _Scale | None:
     """From the positions that the file has, where they are those of a grid along x and y."""
-    if any(curve.position is None for curve, _ in fitted):
+    if any(one.curve.position is None for one in fitted):
         return None
-    positions = 1e6 * np.array([curve.position for curve, _ in fitted], dtype=float)
+    positions = 1e6 * np.array([one.curve.position for one in fitted], dtype=float)
     start, step = np.zeros(2), np.zeros(2)
     for i in range(2):
         step[i], start[i] = np.polyfit(places[:, i], positions[:, i], 1)

@@ -7,8 +7,36 @@ from collections.abc import Sequence
 
 from ..instruments.fitting import report
 from ..instruments.fitting.quantities import measured, words_of
+from ..studies.fit import FittedCurve
+from ..studies.many import FittedCurves
 from ..studies.modulus import ModulusResult
 from ..studies.result import Column
+from . import many_figure
+from .table import as_rows, with_errors
+
+ANALYSIS = "Oliver and Pharr on the fitted body, standard errors of the stiffness alone"
+
+
+def fit_page(found: FittedCurve, read: Sequence[str]) -> str:
+    """Everything about one fit, with the other choices and models that were tried. read : what was understood of the file"""
+    blocks = report.blocks_of(found.fit, read)
+    if found.analysis is not None:
+        blocks += [report.heading(ANALYSIS), report.table(as_rows(with_errors(found.tables["points"])))]
+    if found.moves is not None and (lines := found.moves.summary()):
+        blocks += [report.heading("Other choices"), report.items(lines), report.picture(found.moves.plot(), "other ranges")]
+    if found.ranking is not None:
+        blocks += [report.heading("Models"), report.preformatted(found.notes["models"])]
+    return report.page(found.title, blocks)
+
+
+def many_page(found: FittedCurves) -> str:
+    """Everything about the fits of many curves."""
+    blocks = [report.paragraph(words) for words in found.notes.values()]
+    blocks += [report.table(as_rows(found.tables["spread"]))] if "spread" in found.tables else []
+    blocks += [report.picture(many_figure.overview(found), "estimates of all curves")]
+    blocks += [report.items(found.doubts, doubt=True), report.heading("Curves"), report.table(as_rows(found.tables["curves"]))]
+    blocks += [report.heading("What was assumed, for the first curve"), report.assumptions(found.fitted[0].fit)]
+    return report.page(found.title, blocks)
 
 
 def modulus_page(found: ModulusResult, read: Sequence[str]) -> str:

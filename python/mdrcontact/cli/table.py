@@ -8,6 +8,7 @@ import io
 
 from .._text import aligned, number
 from .._units import shown
+from ..instruments.fitting.quantities import digits
 from ..studies.result import Column, Mixed, Table, Words, spread_over
 
 
@@ -40,6 +41,22 @@ def _cell(column: Column | Mixed | Words, row: int) -> str:
     if isinstance(column, Mixed):
         return shown(column.values[row], column.dimension)
     return number(float(column.unit.of(column.values[row])))
+
+
+def with_errors(table: Table) -> list[Words]:
+    """Columns of numbers as words, each with the standard errors that stand in the column behind it."""
+    columns = [c for c in table if isinstance(c, Column)]
+    found = []
+    for c, error in zip(columns, [*columns[1:], None], strict=True):
+        if c.name == "standard error":
+            continue
+        values = [float(v) for v in c.unit.of(c.values)]
+        cells = [number(v) for v in values]
+        if error is not None and error.name == "standard error":
+            sds = [float(v) for v in error.unit.of(error.values)]
+            cells = [f"{digits(v, sd)} ± {digits(sd, sd)}" for v, sd in zip(values, sds, strict=True)]
+        found.append(Words(c.title, cells))
+    return found
 
 
 def as_csv(table: Table) -> bytes:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Studies of a contact: one function for each command, by its name. They print nothing and write nothing.
+"""Studies of a contact: one function for each command, by its name, and `many` fits. They print nothing and write nothing.
 
 A study takes a problem, as `mdrcontact.problem.read` and `load` return it, and options. One of measurements takes a problem of
 `mdrcontact.instruments.load_fit_file` or `fit_file_of_text`, and data. Its `Result` has numbers, notes, warnings, tables, and what
@@ -11,10 +11,12 @@ from .calibrate import calibrate
 from .compare import compare
 from .conduction import conduction
 from .curve import curve
+from .fit import fit
 from .friction import friction
 from .history import history
 from .inspect import inspect
 from .law import law
+from .many import many
 from .map import map
 from .modulus import modulus
 from .result import Column, Mixed, Number, Result, Table, Words
@@ -34,10 +36,12 @@ __all__ = [
     "compare",
     "conduction",
     "curve",
+    "fit",
     "friction",
     "history",
     "inspect",
     "law",
+    "many",
     "map",
     "modulus",
     "stress",

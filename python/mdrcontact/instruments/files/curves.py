@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import functools
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from pathlib import Path
 from typing import NamedTuple
 
@@ -69,6 +69,18 @@ def curves(section: Section, cantilever: Cantilever, path: Path) -> list[Curve]:
         )
         for table in tables
     ]
+
+
+def first_notes(curves: Iterable[Curve]) -> list[str]:
+    """What was understood of the first curve that can be read."""
+    refusal: MDRError | None = None
+    for curve in curves:
+        try:
+            return [curve.name, *curve.read()[1]]
+        except MDRError as of_curve:
+            refusal = refusal or of_curve
+    assert refusal is not None
+    raise refusal
 
 
 def _tests(section: Section, tables: list[MeasuredTable], kind: str) -> list[MeasuredTable]:

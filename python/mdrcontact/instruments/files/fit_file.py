@@ -12,6 +12,7 @@ import numpy as np
 
 from ..._choices import nearest
 from ..._units import LENGTH, SENSITIVITY, STIFFNESS, Dimension, dimensions, shown
+from ...errors import MDRError
 from ...loop import RULES
 from ...poroelastic import DRAINAGES, is_poroelastic
 from ...problem import indenter as indenters
@@ -20,6 +21,7 @@ from ...problem.named import Folder, Given, GivenFiles
 from ...problem.section import ProblemError, Section
 from ...problem.tip_file import with_calibration
 from ...problem.toml import parse_file, parse_text
+from ...progress import Progress
 from ..fitting import Free, Instrument, JointPrior
 from ..fitting.data import Data
 from ..fitting.gel import NAMES as GEL_NAMES
@@ -89,6 +91,17 @@ class FitFile(NamedTuple):
         found = files.curves(self.data, self.cantilever, path)
         return [one._replace(read=partial(self._read, one)) for one in found]
 
+    def all_curves(self, paths: Sequence[Path], progress: Progress) -> list[files.Curve]:
+        """The curves of several files; one that is refused is a curve that cannot be read."""
+        found: list[files.Curve] = []
+        for done, path in enumerate(paths, start=1):
+            try:
+                found += self.curves(path)
+            except MDRError as refusal:
+                found.append(files.Curve(path.name, partial(_refuse, refusal)))
+            progress.step(done, len(paths), "files")
+        return found
+
     def _read(self, curve: files.Curve) -> tuple[Data, list[str]]:
         data, notes = curve.read()
         if curve.facts:
@@ -112,6 +125,10 @@ class FitFile(NamedTuple):
     def read_data(self, path: Path) -> tuple[Data, list[str]]:
         """The data of a file with one curve, or of its first, and what was understood."""
         return self.curves(path)[0].read()
+
+
+def _refuse(refusal: MDRError) -> Any:
+    raise refusal
 
 
 def load_fit_file(path: Path) -> FitFile:

@@ -78,6 +78,19 @@ class GelFit:
             lines.append(f"{name:14} {value:.6g}, standard error {self.errors[name]:.2g}, 95 %: {low:.5g} to {high:.5g}")
         return "\n".join([*lines, *self.notes])
 
+    def to_dict(self) -> dict[str, Any]:
+        """The numbers and notes as plain Python values."""
+        parameters = {
+            name: {"value": value, "standard_error": self.errors[name], "interval": list(self.intervals[name])}
+            for name, value in self.values.items()
+        }
+        return {
+            "drainage": self.drainage,
+            "sum_of_squares": self.chi_square,
+            "notes": list(self.notes),
+            "parameters": parameters,
+        }
+
 
 def fit_gel(
     data: ForceTime | DepthTime | DynamicStiffness,

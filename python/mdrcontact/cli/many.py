@@ -1,0 +1,39 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""`mdrcontact fit` on many curves: a folder, or a file with a map."""
+
+from __future__ import annotations
+
+import argparse
+
+from .._progress import on_terminal
+from .._text import listed
+from ..instruments.files.curves import Curve, first_notes
+from ..instruments.files.fit_file import FitFile
+from ..studies import many
+from . import files, pages
+from .many_figure import overview
+from .table import as_csv, as_text
+
+_MOST_ROWS = 300
+"""On the screen."""
+
+
+def run(arguments: argparse.Namespace, problem: FitFile, curves: list[Curve]) -> None:
+    """Fits, prints, writes."""
+    print(listed(f"{len(curves)} curves in {arguments.data}; as in", first_notes(curves)))
+    with on_terminal() as progress:
+        found = many(problem, curves, keep_all=arguments.keep_all, progress=progress)
+    if len(curves) < _MOST_ROWS:
+        print(as_text(found.tables["curves"], left=1))
+    print("\n" + "\n".join(found.notes.values()))
+    for words in found.doubts:
+        print(f"warning: {words}")
+    if "spread" in found.tables:
+        print(as_text(found.tables["spread"], left=1))
+    files.write(
+        arguments,
+        csv=lambda: as_csv(found.tables["estimates"]),
+        json=found.to_dict,
+        plot=lambda: overview(found),
+        report=lambda: pages.many_page(found),
+    )

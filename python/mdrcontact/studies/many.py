@@ -1,0 +1,280 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The study `many`: what many measured curves, of a folder or a map, say of a body."""
+
+from __future__ import annotations
+
+import functools
+import hashlib
+from collections.abc import Iterable, Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+import numpy as np
+
+from .._text import number
+from .._units import ENERGY, FORCE, LENGTH, RATIO, practical
+from ..errors import MDRError
+from ..instruments.files.curves import Curve
+from ..instruments.files.fit_file import FitFile
+from ..instruments.fitting import FailedFit, FitResult, MeanOfTests, Rating, fit_many, mean_of_tests, rate
+from ..instruments.fitting.causes import by_cause
+from ..instruments.fitting.data import Data
+from ..instruments.fitting.misfit import percent
+from ..instruments.fitting.quantities import digits, dimension_of, words_of
+from ..progress import Progress
+from .result import Column, Number, Result, Table, Words, in_words, study
+
+_WITHOUT_MODEL = {"jump-in": FORCE, "pull-off": FORCE, "last rupture": LENGTH, "energy lost": ENERGY}
+"""What records say without a model, in columns of the table."""
+
+
+class Fitted(NamedTuple):
+    """A curve that could be fitted."""
+
+    curve: Curve
+    fit: FitResult
+    rating: Rating
+    counts: bool
+    """whether it is in the mean"""
+
+
+@dataclass(frozen=True, eq=False, kw_only=True)
+class FittedCurves(Result):
+    """Fits of many curves. Tables: "curves" and "estimates" with a row for each, "spread" of those that count."""
+
+    problem: FitFile
+    curves: tuple[Curve, ...]
+    results: tuple[FitResult | FailedFit, ...]
+    """of each curve"""
+    fitted: tuple[Fitted, ...]
+    """the curves that could be fitted"""
+    means: Mapping[str, MeanOfTests]
+    """of the curves that count, by parameter"""
+    doubts: tuple[str, ...]
+    """one for each cause; `warnings` has them too"""
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """The free parameters."""
+        return self.fitted[0].fit.names
+
+    def to_dict(self) -> dict[str, Any]:
+        """The fit of each curve, or why there is none, as plain Python values."""
+        return {
+            curve.name: result.to_dict() if isinstance(result, FitResult) else {"error": str(result.error)}
+            for curve, result in zip(self.curves, self.results, strict=True)
+        }
+
+
+@study
+def many(problem: FitFile, curves: Sequence[Curve], *, keep_all: bool = False, progress: Progress | None = None) -> FittedCurves:
+    """Fit each of many curves on its own, and take the mean of those without doubt.
+
+    Parameters
+    ----------
+    problem : FitFile
+        Indenter, medium, instrument and what is free, as `mdrcontact.instruments.load_fit_file` returns them.
+    curves : sequence of Curve
+        Curves that are read when they are fitted, as `problem.curves` finds them in a file.
+    keep_all : bool, optional
+        Let doubtful curves into the mean, too.
+    progress : Progress, optional
+        Follows the curves, and stops between two of them.
+
+    Returns
+    -------
+    FittedCurves
+        `fitted`, `results`, `means`; numbers "curves", "fitted", "in the mean", and each mean of tests by its parameter.
+
+    Raises
+    ------
+    MDRError
+        No curve could be fitted.
+
+    Examples
+    --------
+    >>> import numpy as np
+    >>> import mdrcontact as mdr
+    >>> from mdrcontact import instruments, studies
+    >>> from mdrcontact.instruments.files.curves import Curve
+    >>> text = '''
+    ... [indenter]
+    ... shape = "paraboloid"
+    ... radius = "10 um"
+    ... [medium]
+    ... type = "homogeneous"
+    ... material = { E = "50 GPa", nu = 0.17 }
+    ... [data]
+    ... kind = "force-depth"
+    ... [fit]
+    ... free = ["E"]
+    ... '''
+    >>> depth = np.linspace(10e-9, 100e-9, 20)
+    >>> def measured(young):
+    ...     body = mdr.Homogeneous(mdr.Elastic(young, 0.17))
+    ...     force = mdr.Contact(mdr.Paraboloid(10e-6), body).at_depth(depth).force
+    ...     return instruments.ForceDepth(depth, force, sd=0.01 * force), ["made up"]
+    >>> curves = [Curve(f"test {E:g}", lambda E=E: measured(E)) for E in (71e9, 72e9, 73e9)]
+    >>> found = studies.many(instruments.fit_file_of_text(text), curves)
+    >>> found.notes["fitted"]
+    '3 of 3 curves fitted; 3 of 3 fits describe their data to 5 % or better'
+    """
+    progress, total = progress or Progress(), len(curves)
+    progress.step(0, total, "curves")
+    tasks = [functools.partial(_only_data, curve) for curve in curves]
+    results = fit_many(tasks, progress=lambda done: progress.step(done, total, "curves"), **problem.arguments)
+    fitted = [_rated(curve, r, keep_all) for curve, r in zip(curves, results, strict=True) if isinstance(r, FitResult)]
+    failed = [(c.name, f"not fitted: {r.error}") for c, r in zip(curves, results, strict=True) if isinstance(r, FailedFit)]
+    if not fitted:
+        raise MDRError(f"no curve could be fitted: {'; '.join(f'{name}: {words}' for name, words in failed[:3])}")
+    names, counting = fitted[0].fit.names, [one.fit for one in fitted if one.counts]
+    means = {name: mean for name in names if (mean := _mean(counting, name))}
+    warned = [*_copies(fitted), *((one.curve.name, words) for one in fitted for words in one.fit.warnings), *failed]
+    spread, striking = _spread(counting, names, means)
+    doubts = (*striking, *by_cause(warned))
+    tables: dict[str, Table] = {
+        "curves": in_words(_rows(curves, results, fitted)),
+        "estimates": _estimates(curves, results, fitted),
+    }
+    if len(spread) > 1:
+        tables["spread"] = in_words(spread)
+    return FittedCurves(
+        title=problem.title,
+        numbers={
+            "curves": Number(total, RATIO),
+            "fitted": Number(len(fitted), RATIO),
+            "in the mean": Number(len(counting), RATIO),
+            **{name: Number(mean.value, dimension_of(name)) for name, mean in means.items()},
+        },
+        notes=_verdict(total, fitted),
+        tables=tables,
+        warnings=doubts,
+        problem=problem,
+        curves=tuple(curves),
+        results=tuple(results),
+        fitted=tuple(fitted),
+        means=means,
+        doubts=doubts,
+    )
+
+
+def _only_data(curve: Curve) -> Data:
+    return curve.read()[0]
+
+
+def _rated(curve: Curve, result: FitResult, keep_all: bool) -> Fitted:
+    rating = rate(result)
+    return Fitted(curve, result, rating, keep_all or rating.is_sound)
+
+
+def _verdict(count: int, fitted: Sequence[Fitted]) -> dict[str, str]:
+    """How many curves are described, and which do not count."""
+    described = sum(one.fit.describes_data is True and one.fit.converged for one in fitted)
+    unknown = sum(one.fit.describes_data is None for one in fitted)
+    line = f"{len(fitted)} of {count} curves fitted; {described} of {count} fits describe their data to 5 % or better"
+    notes = {"fitted": line + (f", {unknown} have too few points to say" if unknown else "")}
+    out = [(one.curve.name, ", ".join(one.rating.reasons)) for one in fitted if not one.counts]
+    if out:
+        left_out = "1 curve is" if len(out) == 1 else f"{len(out)} curves are"
+        notes["left out"] = f"{left_out} left out of the mean (--keep-all keeps them): {'; '.join(by_cause(out))}"
+    return notes
+
+
+def _copies(fitted: Iterable[Fitted]) -> list[tuple[str, str]]:
+    """Curves whose readings are those of another one."""
+    first: dict[bytes, str] = {}
+    words = []
+    for curve, r, *_ in fitted:
+        same = first.setdefault(hashlib.sha256(r.data.x.tobytes() + r.data.y.tobytes()).digest(), curve.name)
+        if same != curve.name:
+            words.append((curve.name, f"it holds the same readings as {same}, and counts twice"))
+    return words
+
+
+def _mean(counting: Sequence[FitResult], name: str) -> MeanOfTests | None:
+    """The mean of tests; None where it has no standard error."""
+    try:
+        return mean_of_tests(counting, name)
+    except MDRError:
+        return None
+
+
+def _spread(
+    counting: Sequence[FitResult], names: Sequence[str], means: Mapping[str, MeanOfTests]
+) -> tuple[list[list[str]], list[str]]:
+    """Mean and scatter of the curves that count, and what is striking in them."""
+    titles = ["mean of tests", "mean", "95 % interval", "median", "scatter", "of it errors", "of it between tests", "shared errors"]
+    rows, words = [titles], []
+    for name in names if len(counting) > 1 else ():
+        unit = practical(dimension_of(name), [abs(r.estimates[name]) for r in counting])
+        v = np.array([r.estimates[name] for r in counting]) / unit.factor
+        error = float(np.median([r.standard_errors[name] for r in counting])) / unit.factor
+        scatter, middle = float(v.std(ddof=1)), number(float(np.median(v)))
+        title = f"{words_of(name)} [{unit.name}]" if unit.name else words_of(name)
+        if name not in means:
+            rows.append([title, number(float(v.mean())), "-", middle, number(scatter), number(error), "-", "-"])
+            continue
+        mean = means[name]
+        value, low, high, between, common = (x / unit.factor for x in (mean.value, *mean.interval, mean.between, mean.common))
+        half = 0.5 * (high - low)
+        ends = f"{digits(low, half)} to {digits(high, half)}"
+        rows.append([title, digits(value, half), ends, middle, *(f"{x:.2g}" for x in (scatter, error, between, common))])
+        # where contact begins in a record is no property of the body
+        if error > 0.0 and scatter > 2.0 * error and not name.endswith("offset"):
+            words.append(
+                f"{words_of(name)} scatters {scatter / error:.2g} times its errors: the curves differ, which is in the interval of "
+                "the mean, or errors are missing"
+            )
+    return rows, words
+
+
+def _rows(curves: Sequence[Curve], results: Sequence[FitResult | FailedFit], fitted: Sequence[Fitted]) -> list[list[str]]:
+    """One row for each curve, failures too, below the titles."""
+    names, rest = fitted[0].fit.names, iter(fitted)
+    rows = [["file", *(words_of(name) for name in names), "chi-square/dof", "misfit", "noise", "rating", "verdict"]]
+    for curve, result in zip(curves, results, strict=True):
+        if isinstance(result, FailedFit):
+            rows.append([curve.name, *(len(names) * ["-"]), "-", "-", "-", "-", "not fitted"])
+            continue
+        rating = next(rest).rating
+        found = [result.as_text(name) for name in names]
+        can_say = result.describes_data is not None
+        ratio = f"{result.reduced_chi_square:.3g}" if result.noise_is_known and can_say else "-"
+        sizes = [percent(size) for size in (result.misfit.rms, result.misfit.noise)]
+        left_out = "" if rating.is_sound else ", left out"
+        words = result.verdict if result.converged else "not converged"
+        rows.append([curve.name, *found, ratio, *sizes, f"{rating.score:.1f}", words + left_out])
+    return rows
+
+
+def _estimates(curves: Sequence[Curve], results: Sequence[FitResult | FailedFit], fitted: Sequence[Fitted]) -> Table:
+    """Estimates and marks of each curve; a failure is a row with its reason."""
+    good = [one.fit for one in fitted]
+    missing = {i: "" for i, result in enumerate(results) if isinstance(result, FailedFit)}
+    columns: list[Column | Words] = [Words("file", [curve.name for curve in curves])]
+    for name in good[0].names:
+        unit = practical(dimension_of(name), [abs(r.estimates[name]) for r in good])
+        for title, by_name in ((name, "estimates"), (f"standard error of {name}", "standard_errors")):
+            values = [getattr(r, by_name)[name] if isinstance(r, FitResult) else np.nan for r in results]
+            columns.append(Column(title, np.array(values), unit, missing))
+    for name, dimension in _WITHOUT_MODEL.items():
+        pulls = [r.data.pulls.get(name) if isinstance(r, FitResult) else None for r in results]
+        if any(pull is not None for pull in pulls):
+            unit = practical(dimension, [abs(pull) for pull in pulls if pull is not None])
+            values = [np.nan if pull is None else pull for pull in pulls]
+            columns.append(Column(name, np.array(values), unit, {i: "" for i, pull in enumerate(pulls) if pull is None}))
+    titles = ["converged", "verdict", "misfit", "noise", "rating", "sound", "chi-square/dof", "pattern p", "warnings"]
+    rest = iter(fitted)
+    marks = [
+        [*(len(titles) - 1) * [""], f"not fitted: {result.error}"] if isinstance(result, FailedFit) else _marks(next(rest))
+        for result in results
+    ]
+    return [*columns, *in_words([titles, *marks])]
+
+
+def _marks(one: Fitted) -> list[str]:
+    """What there is to say of a fit beside its estimates."""
+    r, rating = one.fit, one.rating
+    ratio = repr(r.reduced_chi_square) if r.noise_is_known and r.degrees_of_freedom >= 1.0 else ""
+    sizes = [repr(r.misfit.rms), repr(r.misfit.noise), f"{rating.score:.2f}", str(int(rating.is_sound))]
+    return [str(int(r.converged)), r.verdict, *sizes, ratio, repr(r.pattern_probability), "; ".join([*rating.reasons, *r.warnings])]
