@@ -21,10 +21,11 @@ module mdrcontact
     use mdrcontact_cancel, only: cancel_function, set_cancel, set_progress
     use mdrcontact_contact_warnings, only: contact_warning_t, warning_compression, warning_contrast, warning_pressure, warning_slope
     use mdrcontact_contact, only: contact_options_t, contact_t, new_contact, on_loading, on_unloading
+    use mdrcontact_contact_load, only: contact_load_t
     use mdrcontact_contact_state, only: contact_state_t
-    use mdrcontact_contact_values, only: contact_field, contact_states, field_displacement, field_line_load, &
-                                         field_displacement_lower, field_pressure, field_displacement_upper, &
-                                         given_depth, given_force, given_radius
+    use mdrcontact_contact_values, only: contact_states, field_displacement, field_displacement_lower, &
+                                         field_displacement_upper, field_line_load, field_pressure, given_depth, given_force, &
+                                         given_radius, load_field
     use mdrcontact_contact_equilibrium, only: adhesion_automatic, adhesion_energy, adhesion_paper
     use mdrcontact_error, only: error_callback, error_cancelled, error_domain, error_file, error_invalid, error_memory, &
                                 error_no_convergence, error_t, error_unreachable
@@ -75,7 +76,8 @@ module mdrcontact
     use mdrcontact_material_transverse, only: from_engineering, from_stiffness, transverse_t
     use mdrcontact_material_rheology, only: new_elastic_rheology, new_power_law_rheology, new_viscoelastic, rheology_t
     use mdrcontact_medium, only: medium_t, new_medium, new_pair
-    use mdrcontact_medium_solver, only: lower_body, solver_t, upper_body
+    use mdrcontact_medium_load, only: load_t, lower_body, upper_body
+    use mdrcontact_medium_solver, only: solved_t, solver_t
     use mdrcontact_medium_values, only: modulus_values
     use mdrcontact_medium_gao, only: gao_nu_effective, gao_nu_given, gao_nu_substrate, gao_nu_surface, gao_options_t, gao_t, &
                                      new_gao, new_gao_layered

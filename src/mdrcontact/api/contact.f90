@@ -10,9 +10,10 @@ module mdrcontact_api_contact
     use mdrcontact_api_status, only: check_given, status_of, wanted_threads
     use mdrcontact_api_text, only: write_text
     use mdrcontact_contact, only: contact_options_t, contact_t, new_contact
+    use mdrcontact_contact_load, only: contact_load_t
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_contact_warnings, only: contact_warning_t
-    use mdrcontact_contact_values, only: contact_field
+    use mdrcontact_contact_values, only: load_field
     use mdrcontact_error, only: check_count_from, check_table, count_text, error_invalid, error_t, raise
     use mdrcontact_contact_relaxing_contact, only: new_relaxing_contact, relaxing_contact_t
     use mdrcontact_medium, only: medium_t
@@ -102,13 +103,15 @@ contains
         real(c_double), intent(inout), optional :: out(*)
         integer(c_int) :: status
         type(contact_t), pointer :: contact
+        type(contact_load_t) :: load
         real(c_double), allocatable :: values(:)
         type(error_t), allocatable :: error
 
         call open_handle(c, "c", contact, error)
         call make_room(error, n, values)
         if (.not. allocated(error) .and. n > 0) then
-            call contact_field(contact, int(field), state, r(:n), values, error, wanted_threads())
+            call contact%load(state, load, error)
+            if (.not. allocated(error)) call load_field(load, int(field), r(:n), values, error, wanted_threads())
             if (.not. allocated(error)) call check_results_or_infinity(error, values)
             if (.not. allocated(error)) out(:n) = values
         end if
@@ -122,11 +125,13 @@ contains
         real(c_double), intent(inout), optional :: pressure, r
         integer(c_int) :: status
         type(contact_t), pointer :: contact
+        type(contact_load_t) :: load
         real(c_double) :: lowest, place
         type(error_t), allocatable :: error
 
         call open_handle(c, "c", contact, error)
-        if (.not. allocated(error)) call contact%lowest_pressure(state, lowest, place, error)
+        if (.not. allocated(error)) call contact%load(state, load, error)
+        if (.not. allocated(error)) call load%lowest_pressure(lowest, place, error)
         status = status_of(error)
         if (allocated(error)) return
         if (present(pressure)) pressure = lowest
@@ -139,11 +144,13 @@ contains
         real(c_double), intent(inout), optional :: lower, upper
         integer(c_int) :: status
         type(contact_t), pointer :: contact
+        type(contact_load_t) :: load
         real(c_double) :: values(2)
         type(error_t), allocatable :: error
 
         call open_handle(c, "c", contact, error)
-        if (.not. allocated(error)) call contact%energy(state, values, error)
+        if (.not. allocated(error)) call contact%load(state, load, error)
+        if (.not. allocated(error)) call load%energy(values, error)
         if (.not. allocated(error)) call check_results_or_infinity(error, values)
         status = status_of(error)
         if (allocated(error)) return

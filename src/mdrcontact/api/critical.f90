@@ -8,6 +8,7 @@ module mdrcontact_api_critical
     use mdrcontact_api_status, only: status_of, wanted_threads
     use mdrcontact_codes, only: body_lower, body_upper
     use mdrcontact_contact, only: contact_t
+    use mdrcontact_contact_load, only: contact_load_t
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: check_code, check_memory, error_t
     use mdrcontact_inside_critical, only: critical
@@ -29,6 +30,7 @@ contains
         integer(c_int), intent(inout), optional :: count
         integer(c_int) :: status
         type(contact_t), pointer :: contact
+        type(contact_load_t) :: load
         type(maximum_t), allocatable :: maxima(:)
         type(error_t), allocatable :: error
         integer :: i, n
@@ -37,7 +39,9 @@ contains
         call open_handle(c, "c", contact, error)
         call check_code(error, "body", int(body), [body_lower, body_upper])
         if (.not. allocated(error)) then
-            call critical(contact, state, body == body_upper, friction, maxima, error, wanted_threads(), counted_only=capacity == 0)
+            call contact%load(state, load, error)
+            if (.not. allocated(error)) call critical(load, body == body_upper, friction, maxima, error, wanted_threads(), &
+                                                      counted_only=capacity == 0)
         end if
         if (.not. allocated(error)) n = size(maxima)
         do i = 1, n

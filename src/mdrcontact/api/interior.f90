@@ -7,6 +7,7 @@ module mdrcontact_api_interior
     use mdrcontact_api_status, only: status_of, wanted_threads
     use mdrcontact_contact, only: contact_t
     use mdrcontact_codes, only: body_lower, body_upper, side_above, side_below
+    use mdrcontact_contact_load, only: contact_load_t
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: check_code, check_count_from, check_memory, error_t, raise_at
     use mdrcontact_inside, only: interior, interior_error, layer_energy
@@ -28,6 +29,7 @@ contains
         real(c_double), intent(inout), optional :: out(components, *)
         integer(c_int) :: status
         type(contact_t), pointer :: contact
+        type(contact_load_t) :: load
         real(c_double), allocatable :: field(:, :), azimuth(:)
         type(error_t), allocatable :: error
         integer :: i, stat
@@ -42,8 +44,9 @@ contains
         if (.not. allocated(error) .and. n > 0) then
             azimuth(:) = 0.0_c_double
             if (present(angle)) azimuth(:) = angle(:n)
-            call interior(contact, state, body == body_upper, r(:n), z(:n), side == side_below, friction, azimuth, field, error, &
-                                  wanted_threads())
+            call contact%load(state, load, error)
+            if (.not. allocated(error)) call interior(load, body == body_upper, r(:n), z(:n), side == side_below, friction, &
+                                                      azimuth, field, error, wanted_threads())
             do i = 1, n
                 if (allocated(error)) exit
                 call check_results_or_infinity(error, field(i, :))
@@ -64,12 +67,14 @@ contains
         real(c_double), intent(inout), optional :: deviation
         integer(c_int) :: status
         type(contact_t), pointer :: contact
+        type(contact_load_t) :: load
         real(c_double) :: found
         type(error_t), allocatable :: error
 
         call open_handle(c, "c", contact, error)
         call check_code(error, "body", int(body), [body_lower, body_upper])
-        if (.not. allocated(error)) call interior_error(contact, state, body == body_upper, found, error)
+        if (.not. allocated(error)) call contact%load(state, load, error)
+        if (.not. allocated(error)) call interior_error(load, body == body_upper, found, error)
         if (.not. allocated(error)) call check_results(error, [found])
         status = status_of(error)
         if (.not. allocated(error)) deviation = found
@@ -84,6 +89,7 @@ contains
         integer(c_int), intent(inout), optional :: count
         integer(c_int) :: status
         type(contact_t), pointer :: contact
+        type(contact_load_t) :: load
         real(c_double), allocatable :: energies(:)
         type(error_t), allocatable :: error
         integer :: n
@@ -91,7 +97,8 @@ contains
         call open_handle(c, "c", contact, error)
         call check_code(error, "body", int(body), [body_lower, body_upper])
         call check_count_from(error, "capacity", int(capacity), 0)
-        if (.not. allocated(error)) call layer_energy(contact, state, body == body_upper, energies, error)
+        if (.not. allocated(error)) call contact%load(state, load, error)
+        if (.not. allocated(error)) call layer_energy(load, body == body_upper, energies, error)
         status = status_of(error)
         if (allocated(error)) return
         count = size(energies, kind=c_int)

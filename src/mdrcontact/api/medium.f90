@@ -11,7 +11,7 @@ module mdrcontact_api_medium
                                 of_torsional_stiffness => torsional_stiffness, word_of
     use mdrcontact_error, only: check_code, check_memory, error_invalid, error_t, raise
     use mdrcontact_medium, only: check_elastic, medium_t, new_medium
-    use mdrcontact_medium_solver, only: new_under, solver_t
+    use mdrcontact_medium_solver, only: solver_t
     use mdrcontact_medium_values, only: modulus_values
     use mdrcontact_medium_viscoelastic, only: new_viscoelastic_medium
     use mdrcontact_model, only: model_options_t, model_text, models
@@ -82,7 +82,7 @@ contains
                                               "body", "m")
         end if
         if (.not. allocated(error) .and. quantity == of_tangential_modulus) then
-            call new_under(medium, shear_load, other, error)
+            call medium%for_load(shear_load, other, error)
             medium => other
         end if
         if (.not. allocated(error) .and. n > 0) then
@@ -93,7 +93,7 @@ contains
         call make_room(error, n, values)
         if (.not. allocated(error) .and. n > 0) then
             if (quantity == of_torsional_stiffness) then
-                call new_under(medium, twist_load, other, error)
+                call medium%for_load(twist_load, other, error)
                 if (.not. allocated(error)) call other%springs%torsional_stiffness(a(:n), values, error)
             else
                 call modulus_values(medium, a(:n), values, wanted_threads(), error)

@@ -11,6 +11,7 @@ module mdrcontact_api_shear
     use mdrcontact_codes, only: along, around, field_line_load => tangential_line_load, field_traction => traction, &
                                 given_shift => shift, given_tangential_force => tangential_force, given_torque => torque, &
                                 given_twist => twist
+    use mdrcontact_contact_load, only: contact_load_t
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: check_code, check_count_from, check_memory, check_positive, error_t, raise_at
     use mdrcontact_friction_partial_slip, only: first_shear_t, friction_t, tangential_state_t
@@ -27,6 +28,7 @@ contains
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
         type(friction_t), pointer :: friction
+        type(contact_load_t) :: load
         type(first_shear_t), allocatable :: shear
         class(*), allocatable :: object
         type(error_t), allocatable :: error
@@ -34,11 +36,12 @@ contains
         allocate (shear)
         call open_handle(f, "f", friction, error)
         call check_code(error, "direction", int(direction), [along, around])
+        if (.not. allocated(error)) call friction%contact%load(state, load, error)
         if (.not. allocated(error)) then
             if (direction == around) then
-                call friction%first_twist(state, shear, error)
+                call friction%first_twist(load, shear, error)
             else
-                call friction%first_shear(state, shear, error)
+                call friction%first_shear(load, shear, error)
             end if
         end if
         if (.not. allocated(error)) call check_results(error, [shear%sliding_force])

@@ -6,12 +6,13 @@ module mdrcontact_contact
     use mdrcontact_contact_branch, only: branch_t, new_branch
     use mdrcontact_contact_control, only: control_t, depth_control, force_control
     use mdrcontact_contact_state, only: contact_state_t
-    use mdrcontact_contact_equilibrium, only: adhesion_automatic, adhesion_energy, adhesion_paper, new_equilibrium
+    use mdrcontact_contact_equilibrium, only: adhesion_automatic, adhesion_energy, adhesion_paper, equilibrium_t, &
+                                                new_equilibrium
     use mdrcontact_contact_exact_zeta, only: exact_zeta
     use mdrcontact_contact_unstable_ranges, only: find_unstable_ranges
     use mdrcontact_error, only: check_code, check_finite, check_not_negative, error_domain, error_invalid, error_t, &
                                 error_unreachable, raise, to_text
-    use mdrcontact_contact_fields, only: check_state, fields_t
+    use mdrcontact_contact_load, only: check_state, contact_load_t, new_contact_load
     use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_contact_inversion, only: invert, neighbours_t
     use mdrcontact_contact_zone_branch, only: add_cohesion, new_zone_branch, zone_branch_t
@@ -42,7 +43,9 @@ module mdrcontact_contact
     end type contact_options_t
 
     !> An indenter on a medium. It holds copies of both and never changes; any number of threads may share it.
-    type, extends(fields_t) :: contact_t
+    type :: contact_t
+        !> what determines a state once the radius is known; to be read only
+        type(equilibrium_t) :: equilibrium
         !> the adhesive branch; not allocated without adhesion
         class(adhesive_branch_t), allocatable, private :: branch
         !> a cohesive stress was given whose zone is too short to change a digit: adhesion without a range stands for it
@@ -52,6 +55,7 @@ module mdrcontact_contact
         procedure :: at_depth
         procedure :: at_force
         procedure :: at_control
+        procedure :: load
         procedure :: pull_off
         procedure :: stable_segments
         procedure :: state_on_segment
@@ -173,6 +177,18 @@ contains
         call check_code(error, "adhesion_rule", rule, [adhesion_automatic, adhesion_paper, adhesion_energy])
     end subroutine check_adhesion
 
+    !> The load of a state, solved once for all that is read from it.
+    subroutine load(self, state, found, error)
+        !> it must outlive the load
+        class(contact_t), intent(in), target :: self
+        !> a state of this contact, a > 0
+        type(contact_state_t), intent(in) :: state
+        type(contact_load_t), intent(out) :: found
+        type(error_t), allocatable, intent(out) :: error
+
+        call new_contact_load(found, self%equilibrium, state, error)
+    end subroutine load
+
     !> Whether the work of adhesion is greater than 0.
     pure function is_adhesive(self) result(answer)
         class(contact_t), intent(in) :: self
@@ -217,7 +233,7 @@ contains
         type(contact_warning_t), allocatable, intent(out) :: found(:)
         type(error_t), allocatable, intent(out) :: error
 
-        if (state%radius /= 0.0_wp) call check_state(self, state, error)
+        if (state%radius /= 0.0_wp) call check_state(self%equilibrium, state, error)
         if (allocated(error)) return
         call find_warnings(self%equilibrium, state, found)
         if (self%has_short_zone) call add_warning(found, warning_short_zone, "the cohesive zone is too short to change a digit "// &

@@ -3,6 +3,7 @@
 !> unless said: everything here is exact on layered bodies.
 module mdrcontact_wear
     use mdrcontact_contact, only: contact_t
+    use mdrcontact_contact_load, only: contact_load_t
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_contact_values, only: given_depth
     use mdrcontact_error, only: check_memory, check_not_negative, check_positive, error_domain, error_invalid, error_t, &
@@ -84,7 +85,7 @@ contains
     !> h(y) = k N q(y): depth of the track that the tip leaves in the body after N passes, since the load that passes over a place
     !> at distance y from its axis, int p dx, is the line load; to first order in h/d.
     subroutine track(self, state, y, passes, depths, error)
-        class(wear_t), intent(in) :: self
+        class(wear_t), intent(in), target :: self
         type(contact_state_t), intent(in) :: state
         !> distances from the axis of the track, >= 0 [length]
         real(wp), intent(in) :: y(:)
@@ -93,6 +94,7 @@ contains
         !> 0 beyond the contact radius [length]
         real(wp), intent(out) :: depths(:)
         type(error_t), allocatable, intent(out) :: error
+        type(contact_load_t) :: load
         real(wp) :: axis(1)
         real(wp), allocatable :: loads(:)
         integer :: i, stat
@@ -103,34 +105,37 @@ contains
         do i = 1, size(y)
             call check_not_negative(error, "y", y(i), i)
         end do
-        if (.not. allocated(error)) call self%contact%line_load(state, [0.0_wp], axis, error)
-        if (.not. allocated(error)) call check_carries(self%contact, state, error)
+        if (.not. allocated(error)) call self%contact%load(state, load, error)
+        if (.not. allocated(error)) call load%line_load([0.0_wp], axis, error)
+        if (.not. allocated(error)) call check_carries(load, error)
         if (.not. allocated(error)) call check_shallow(self%body_coefficient*passes*axis(1), state, error)
         if (.not. allocated(error)) then
             allocate (loads(size(y)), stat=stat)
             call check_memory(error, stat)
         end if
         if (allocated(error)) return
-        call self%contact%line_load(state, min(y, state%radius), loads, error)
+        call load%line_load(min(y, state%radius), loads, error)
         if (.not. allocated(error)) depths = merge(self%body_coefficient*passes*loads, 0.0_wp, y <= state%radius)
     end subroutine track
 
     !> N = h/(k q(0)): passes of the tip until its track is as deep as h.
     subroutine passes_through(self, state, depth, passes, error)
-        class(wear_t), intent(in) :: self
+        class(wear_t), intent(in), target :: self
         type(contact_state_t), intent(in) :: state
         !> h > 0, such as the thickness of a coating [length]
         real(wp), intent(in) :: depth
         !> N [1]
         real(wp), intent(out) :: passes
         type(error_t), allocatable, intent(out) :: error
+        type(contact_load_t) :: load
         real(wp) :: axis(1)
 
         passes = 0.0_wp
         call check_body(self, error)
         call check_positive(error, "depth", depth)
-        if (.not. allocated(error)) call self%contact%line_load(state, [0.0_wp], axis, error)
-        if (.not. allocated(error)) call check_carries(self%contact, state, error)
+        if (.not. allocated(error)) call self%contact%load(state, load, error)
+        if (.not. allocated(error)) call load%line_load([0.0_wp], axis, error)
+        if (.not. allocated(error)) call check_carries(load, error)
         if (.not. allocated(error)) call check_shallow(depth, state, error)
         if (.not. allocated(error)) passes = depth/(self%body_coefficient*axis(1))
     end subroutine passes_through

@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> A medium that counts how often it is solved.
 module counting_medium
-    use mdrcontact, only: error_t, solver_t, profile_t
+    use mdrcontact, only: error_t, load_t, profile_t, solved_t, solver_t
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
@@ -16,8 +16,8 @@ module counting_medium
         type(counter_t), pointer :: counter => null()
     contains
         procedure :: modulus
-        procedure :: response
-        procedure :: field
+        procedure :: solve
+        procedure :: load => new_load
     end type counting_medium_t
 
 contains
@@ -33,31 +33,29 @@ contains
         call self%inside%modulus(a, values, error, slopes)
     end subroutine modulus
 
-    subroutine response(self, profile, a, depth, force, modulus, stiffness_slope, error, adhesive, depth_slope, accuracy)
+    subroutine solve(self, profile, a, solved, error, adhesive, accuracy, series)
         class(counting_medium_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
         real(wp), intent(in) :: a
-        real(wp), intent(out) :: depth, force, modulus, stiffness_slope
+        type(solved_t), intent(out) :: solved
         type(error_t), allocatable, intent(out) :: error
         logical, intent(in), optional :: adhesive
-        real(wp), intent(inout), optional :: depth_slope, accuracy
+        real(wp), intent(inout), optional :: accuracy
+        real(wp), allocatable, intent(out), optional :: series(:, :)
 
         self%counter%solutions = self%counter%solutions + 1
-        call self%inside%response(profile, a, depth, force, modulus, stiffness_slope, error, adhesive, depth_slope, &
-                                  accuracy)
-    end subroutine response
+        call self%inside%solve(profile, a, solved, error, adhesive, accuracy, series)
+    end subroutine solve
 
-    subroutine field(self, quantity, profile, a, punch_depth, r, values, error)
-        class(counting_medium_t), intent(in) :: self
-        integer, intent(in) :: quantity
-        class(profile_t), intent(in) :: profile
+    subroutine new_load(self, profile, a, punch_depth, load, error)
+        class(counting_medium_t), intent(in), target :: self
+        class(profile_t), intent(in), target :: profile
         real(wp), intent(in) :: a, punch_depth
-        real(wp), intent(in) :: r(:)
-        real(wp), intent(out) :: values(:)
+        class(load_t), allocatable, intent(out) :: load
         type(error_t), allocatable, intent(out) :: error
 
         self%counter%solutions = self%counter%solutions + 1
-        call self%inside%field(quantity, profile, a, punch_depth, r, values, error)
-    end subroutine field
+        call self%inside%load(profile, a, punch_depth, load, error)
+    end subroutine new_load
 
 end module counting_medium

@@ -1,25 +1,44 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Line loads known in closed form: q(x) = sum of c_i x^(i - 1), as those of a flat punch, cone, paraboloid on a half-space.
 module example_loads
+    use mdrcontact_error, only: error_invalid, error_t, raise, to_text
     use mdrcontact_medium_load, only: load_t
     use mdrcontact_kinds, only: half_pi, wp
     implicit none (type, external)
     private
-    public :: polynomial_load_t, rough_load_t, hertz_load, cone_load, punch_load
+    public :: inside_load_t, polynomial_load_t, rough_load_t, hertz_load, cone_load, punch_load
 
-    type, extends(load_t) :: polynomial_load_t
+    !> A load that is known by its slope: stresses inside alone can read it.
+    type, abstract, extends(load_t) :: inside_load_t
+    contains
+        procedure :: line_load => no_field
+        procedure :: pressure => no_field
+        procedure :: displacement => no_field
+    end type inside_load_t
+
+    type, extends(inside_load_t) :: polynomial_load_t
         real(wp), allocatable :: coefficients(:)
     contains
         procedure :: slope
     end type polynomial_load_t
 
     !> A parabola with waves of q' of 6e-6 a: a thousand panels of some nodes each do not follow them.
-    type, extends(load_t) :: rough_load_t
+    type, extends(inside_load_t) :: rough_load_t
     contains
         procedure :: slope => rough_slope
     end type rough_load_t
 
 contains
+
+    subroutine no_field(self, r, values, error)
+        class(inside_load_t), intent(in) :: self
+        real(wp), intent(in) :: r(:)
+        real(wp), intent(out) :: values(:)
+        type(error_t), allocatable, intent(out) :: error
+
+        values = 0.0_wp*r
+        call raise(error, error_invalid, "a load of radius "//to_text(self%radius)//" of which the slope alone is known")
+    end subroutine no_field
 
     pure function rough_slope(self, start, distance) result(y)
         class(rough_load_t), intent(in) :: self

@@ -14,7 +14,7 @@ module mdrcontact_contact_equilibrium
     use mdrcontact_contact_scaled_profile, only: new_scaled_profile, scaled_profile_t
     use mdrcontact_error, only: error_domain, error_invalid, error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: pi, wp
-    use mdrcontact_medium_solver, only: copy, reason_length, solver_t
+    use mdrcontact_medium_solver, only: copy, reason_length, solved_t, solver_t
     use mdrcontact_numerics_radius_law, only: interpolation_roughness, radius_law_t
     use mdrcontact_profile, only: copy, profile_t
     implicit none (type, external)
@@ -185,24 +185,26 @@ contains
         type(error_t), allocatable, intent(out) :: error
         !> of ln d0, ln F0 and ln k over the coordinate; 0 where d0'(a) is not known
         real(wp), intent(out), optional :: slopes(3)
-        real(wp) :: modulus, stiffness_slope, depth_slope
+        type(solved_t) :: solved
+        real(wp) :: modulus
 
         state%radius = radius
-        depth_slope = -1.0_wp
-        if (present(slopes) .and. .not. self%medium%is_exact) depth_slope = self%profile%mdr_slope(radius)
-        call self%medium%response(self%profile, radius, state%depth, state%force, modulus, stiffness_slope, error, &
-                                  adhesive=self%work_of_adhesion > 0.0_wp, depth_slope=depth_slope)
+        call self%medium%solve(self%profile, radius, solved, error, adhesive=self%work_of_adhesion > 0.0_wp)
         if (allocated(error)) return
-        state%stiffness = 2.0_wp*radius*modulus
+        state%depth = solved%depth
+        state%force = solved%force
+        state%stiffness = 2.0_wp*radius*solved%modulus
         if (present(slopes)) then
+            if (.not. self%medium%is_exact) solved%depth_slope = self%profile%mdr_slope(radius)
             ! property B (theory/exact.md (1.7)): dF = k dd
-            slopes = [depth_slope/state%depth, state%stiffness*depth_slope/state%force, stiffness_slope/state%stiffness] &
-                     *(radius - self%profile%end_radius)
-            if (.not. (depth_slope > 0.0_wp .and. all(is_finite(slopes)))) slopes = 0.0_wp
+            slopes = [solved%depth_slope/state%depth, state%stiffness*solved%depth_slope/state%force, &
+                      solved%stiffness_slope/state%stiffness]*(radius - self%profile%end_radius)
+            if (.not. (solved%depth_slope > 0.0_wp .and. all(is_finite(slopes)))) slopes = 0.0_wp
         end if
         if (.not. self%work_of_adhesion > 0.0_wp) return
+        modulus = solved%modulus
         if (self%rule == adhesion_energy .or. (self%rule == adhesion_automatic .and. self%medium%is_exact)) then
-            modulus = 0.5_wp*stiffness_slope
+            modulus = 0.5_wp*solved%stiffness_slope
         end if
         if (.not. modulus > 0.0_wp) then
             call raise(error, error_no_convergence, "the contact stiffness of this medium does not grow with the radius at a = "// &

@@ -7,6 +7,7 @@ module mdrcontact_contact_inversion
     use mdrcontact_contact_equilibrium, only: equilibrium_t
     use mdrcontact_error, only: error_no_convergence, error_t, error_unreachable, raise, to_text
     use mdrcontact_kinds, only: wp
+    use mdrcontact_medium_solver, only: solved_t
     use mdrcontact_numerics_roots, only: cubic_error, inverse_cubic, solve_increasing
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
     implicit none (type, external)
@@ -376,36 +377,34 @@ contains
         class(mismatch_t), intent(inout) :: self
         real(wp), intent(in) :: x
         real(wp) :: y
-        real(wp) :: radius, depth, depth_slope, formula, force, modulus, stiffness_slope, s
+        type(solved_t) :: solved
+        real(wp) :: radius, formula, s
 
         y = 0.0_wp
         radius = self%equilibrium%radius_of(x)
         formula = -1.0_wp
         if (.not. self%equilibrium%medium%is_exact) formula = self%equilibrium%profile%mdr_slope(radius)
-        depth_slope = formula
-        modulus = 0.0_wp
-        force = 0.0_wp
         ! Where the depth is a formula the force, an integral, is not computed.
-        self%has_state = self%control%force_weight > 0.0_wp .or. depth_slope < 0.0_wp
+        self%has_state = self%control%force_weight > 0.0_wp .or. formula < 0.0_wp
         if (self%has_state) then
-            call self%equilibrium%medium%response(self%equilibrium%profile, radius, depth, force, modulus, stiffness_slope, &
-                                                  self%error, depth_slope=depth_slope, accuracy=self%accuracy)
+            call self%equilibrium%medium%solve(self%equilibrium%profile, radius, solved, self%error, accuracy=self%accuracy)
         else
-            depth = self%equilibrium%profile%mdr(radius)
+            solved%depth = self%equilibrium%profile%mdr(radius)
         end if
+        if (.not. self%equilibrium%medium%is_exact) solved%depth_slope = formula
         if (allocated(self%error)) return
         if (self%has_state) then
             self%state%radius = radius
-            self%state%depth = depth
-            self%state%force = force
-            self%state%stiffness = 2.0_wp*radius*modulus
-            self%stiffness_slope = stiffness_slope
+            self%state%depth = solved%depth
+            self%state%force = solved%force
+            self%state%stiffness = 2.0_wp*radius*solved%modulus
+            self%stiffness_slope = solved%stiffness_slope
         end if
-        s = max(self%control%of(depth, force), tiny(depth))
+        s = max(self%control%of(solved%depth, solved%force), tiny(s))
         y = log(s/self%target_value)
-        self%known_slope = exp(x)*depth_slope*self%control%of(1.0_wp, 2.0_wp*radius*modulus)/s
+        self%known_slope = exp(x)*solved%depth_slope*self%control%of(1.0_wp, 2.0_wp*radius*solved%modulus)/s
         ! Unknown to both formula and solution; or infinite, as d' at the rim of a flat end.
-        if (depth_slope < 0.0_wp .and. depth_slope == formula) self%known_slope = 0.0_wp
+        if (solved%depth_slope < 0.0_wp .and. solved%depth_slope == formula) self%known_slope = 0.0_wp
         ! And that of ln s says nothing where rounding has left nothing of s, beside a flat end.
         if (.not. abs(self%known_slope) <= huge(s) .or. s <= tiny(s)) self%known_slope = 0.0_wp
         ! The radius closest to x is not exactly there, least so next to a flat end.

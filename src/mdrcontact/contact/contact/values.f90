@@ -7,14 +7,15 @@ module mdrcontact_contact_values
                                 field_pressure => pressure, given_depth => depth, given_force => force, given_radius => radius
     use mdrcontact_contact, only: check_branch, contact_t
     use mdrcontact_contact_inversion, only: neighbours_t
+    use mdrcontact_contact_load, only: contact_load_t
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: check_code, check_same_size, error_t, raise_at
     use mdrcontact_kinds, only: wp
-    use mdrcontact_medium_solver, only: lower_body, upper_body
+    use mdrcontact_medium_load, only: lower_body, upper_body
     implicit none (type, external)
     private
     public :: contact_states, given_depth, given_force, given_radius
-    public :: contact_field, field_pressure, field_displacement, field_line_load, field_displacement_lower, &
+    public :: load_field, field_pressure, field_displacement, field_line_load, field_displacement_lower, &
               field_displacement_upper
 
     type, extends(batch_t) :: states_batch_t
@@ -29,11 +30,9 @@ module mdrcontact_contact_values
         procedure :: work => solve_states
     end type states_batch_t
 
-    !> Entry i of the batch is every `stride`th position from i on: all threads meet the same mixture of positions, and what a call
-    !> solves before its first position is solved once on each.
+    !> Entry i of the batch is every `stride`th position from i on: all threads meet the same mixture of positions.
     type, extends(batch_t) :: field_batch_t
-        type(contact_t), pointer :: contact => null()
-        type(contact_state_t), pointer :: state => null()
+        type(contact_load_t), pointer :: load => null()
         integer :: field = field_pressure
         integer :: stride = 1
         real(wp), pointer :: positions(:) => null(), values(:) => null()
@@ -116,13 +115,11 @@ contains
         end do
     end subroutine solve_states
 
-    !> contact%pressure, displacement or line_load of a state at many positions. Where some fail, the error is that of the first.
-    subroutine contact_field(contact, field, state, positions, values, error, threads)
-        type(contact_t), intent(in), target :: contact
+    !> load%pressure, displacement or line_load at many positions. Where some fail, the error is that of the first.
+    subroutine load_field(load, field, positions, values, error, threads)
+        type(contact_load_t), intent(in), target :: load
         !> one of field_...
         integer, intent(in) :: field
-        !> a state of this contact
-        type(contact_state_t), intent(in), target :: state
         !> r or x >= 0; at most a but for the displacement [length]
         real(wp), intent(in), target :: positions(:)
         !> same size as positions [modulus], [length] or [modulus length]; undefined after an error
@@ -140,9 +137,8 @@ contains
                                              field_displacement_upper, field_line_load])
         call check_same_size(error, size(positions), size(values))
         if (allocated(error)) return
-        batch%contact => contact
+        batch%load => load
         batch%field = field
-        batch%state => state
         batch%positions => positions
         batch%values => values
         batch%stride = min(team_size(size(positions), field_smallest, wanted), max(size(positions), 1))
@@ -152,7 +148,7 @@ contains
         batch%stride = 1
         deallocate (error)
         call batch%work(1, 1, error)
-    end subroutine contact_field
+    end subroutine load_field
 
     subroutine evaluate_field(self, first, last, error)
         class(field_batch_t), intent(inout) :: self
@@ -164,15 +160,15 @@ contains
             associate (r => self%positions(i::self%stride), values => self%values(i::self%stride))
                 select case (self%field)
                 case (field_pressure)
-                    call self%contact%pressure(self%state, r, values, error)
+                    call self%load%pressure(r, values, error)
                 case (field_displacement)
-                    call self%contact%displacement(self%state, r, values, error)
+                    call self%load%displacement(r, values, error)
                 case (field_displacement_lower)
-                    call self%contact%displacement(self%state, r, values, error, lower_body)
+                    call self%load%displacement(r, values, error, lower_body)
                 case (field_displacement_upper)
-                    call self%contact%displacement(self%state, r, values, error, upper_body)
+                    call self%load%displacement(r, values, error, upper_body)
                 case default
-                    call self%contact%line_load(self%state, r, values, error)
+                    call self%load%line_load(r, values, error)
                 end select
             end associate
             if (allocated(error)) return

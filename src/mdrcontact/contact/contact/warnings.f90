@@ -8,7 +8,7 @@ module mdrcontact_contact_warnings
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: error_t, to_text
     use mdrcontact_kinds, only: pi, wp
-    use mdrcontact_medium_solver, only: lower_body, upper_body
+    use mdrcontact_medium_load, only: load_t, lower_body, upper_body
     implicit none (type, external)
     private
     public :: contact_warning_t, find_warnings
@@ -127,12 +127,13 @@ contains
     end subroutine look_at_layers
 
     subroutine look_at_body(equilibrium, which, body, state, found)
-        type(equilibrium_t), intent(in) :: equilibrium
+        type(equilibrium_t), intent(in), target :: equilibrium
         !> lower_body or upper_body, and that body
         integer, intent(in) :: which
         class(body_t), intent(in) :: body
         type(contact_state_t), intent(in) :: state
         type(contact_warning_t), allocatable, intent(inout) :: found(:)
+        class(load_t), allocatable :: load
         type(error_t), allocatable :: error
         real(wp) :: force, base, depth(1)
 
@@ -143,8 +144,10 @@ contains
         base = force*body%long_wave_limit/(state%radius*body%surface_modulus)
         depth = state%depth
         if (depth(1) - base <= largest_compression*body%last_depth) return
-        if (equilibrium%medium%is_pair) call equilibrium%medium%take_share(equilibrium%profile, state%radius, state%punch_depth, &
-                                                                           which, [0.0_wp], depth, error)
+        if (equilibrium%medium%is_pair) then
+            call equilibrium%medium%load(equilibrium%profile, state%radius, state%punch_depth, load, error)
+            if (.not. allocated(error)) call load%displacement_of_body(which, [0.0_wp], depth, error)
+        end if
         if (allocated(error)) return
         if (depth(1) - base <= largest_compression*body%last_depth) return
         call add(found, warning_compression, "layers of thickness "//to_text(body%last_depth)//" would be compressed by "// &

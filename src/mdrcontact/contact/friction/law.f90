@@ -4,6 +4,7 @@
 module mdrcontact_friction_law
     use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_contact, only: contact_t, on_unloading
+    use mdrcontact_contact_load, only: contact_load_t
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_contact_values, only: given_depth
     use mdrcontact_error, only: check_memory, error_invalid, error_t, raise, to_text
@@ -187,6 +188,7 @@ contains
         type(error_t), allocatable, intent(out) :: error
         real(wp), intent(in), optional :: part
         type(contact_state_t) :: state
+        type(contact_load_t) :: pressed
         type(first_shear_t) :: shear
         type(place_t) :: place
         real(wp) :: shift, force, load, superposed_load, radius, stiffness, unused
@@ -202,7 +204,8 @@ contains
                 call point_at(self%by_shift, on_unloading, shift, force, unused, radius, stiffness)
             end if
             if (.not. allocated(error)) call friction%contact%at_force(force, state, error)
-            if (.not. allocated(error)) call friction%first_shear(state, shear, error)
+            if (.not. allocated(error)) call friction%contact%load(state, pressed, error)
+            if (.not. allocated(error)) call friction%first_shear(pressed, shear, error)
             if (allocated(error)) return
             place = place_t(force, shift, 1.0_wp, 1.0_wp, force)
             do l = 1, level
@@ -222,6 +225,7 @@ contains
         real(wp), intent(in) :: largest_depth
         type(error_t), allocatable, intent(out) :: error
         type(contact_state_t) :: state
+        type(contact_load_t) :: load
         type(first_shear_t) :: shear
         type(tangential_state_t) :: exact
         real(wp) :: memory(self%memory_size()), force, traction(3)
@@ -229,7 +233,8 @@ contains
 
         do i = 1, size(depths)
             call friction%contact%at_depth(depths(i)*largest_depth, state, error)
-            if (.not. allocated(error)) call friction%first_shear(state, shear, error)
+            if (.not. allocated(error)) call friction%contact%load(state, load, error)
+            if (.not. allocated(error)) call friction%first_shear(load, shear, error)
             if (allocated(error)) return
             do j = 1, size(parts)
                 call shear%at_shift(parts(j)*shear%sliding_shift, exact, error)

@@ -12,13 +12,12 @@ module mdrcontact_friction_partial_slip
     use mdrcontact_object, only: object_t, room
     use mdrcontact_body_compliance, only: shear_load
     use mdrcontact_contact, only: contact_t
-    use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: check_finite, check_not_negative, check_positive, error_invalid, error_t, &
                                 error_unreachable, raise, to_text
-    use mdrcontact_contact_fields, only: check_positions
+    use mdrcontact_contact_load, only: check_positions, contact_load_t
     use mdrcontact_medium_slip, only: slip_t
     use mdrcontact_kinds, only: wp
-    use mdrcontact_medium_solver, only: new_under, solver_t
+    use mdrcontact_medium_solver, only: solver_t
     use mdrcontact_medium_twisted_slip, only: new_twisted_slip, twisted_slip_t
     use mdrcontact_numerics_roots, only: solve_increasing
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
@@ -63,7 +62,6 @@ module mdrcontact_friction_partial_slip
     contains
         procedure :: first_shear
         procedure :: first_twist
-        procedure :: check_state
         procedure :: bytes
     end type friction_t
 
@@ -116,7 +114,7 @@ contains
         if (allocated(error)) return
         self%contact%equilibrium = contact%equilibrium
         self%coefficient = coefficient
-        call new_under(contact%equilibrium%medium, shear_load, self%tangential, error)
+        call contact%equilibrium%medium%for_load(shear_load, self%tangential, error)
     end subroutine new_friction
 
     pure recursive function bytes(self)
@@ -127,40 +125,34 @@ contains
     end function bytes
 
     !> What happens to a normal state as its indenter is displaced along the surface.
-    subroutine first_shear(self, state, shear, error)
+    subroutine first_shear(self, load, shear, error)
         class(friction_t), intent(in) :: self
-        !> a state of the contact, a > 0
-        type(contact_state_t), intent(in) :: state
+        !> of a state of the contact
+        type(contact_load_t), intent(in) :: load
         type(first_shear_t), intent(out) :: shear
         type(error_t), allocatable, intent(out) :: error
         class(slip_t), allocatable :: slip
 
-        call self%check_state(state, error)
-        if (allocated(error)) return
-        associate (equilibrium => self%contact%equilibrium)
-            call equilibrium%medium%new_slip(self%tangential, equilibrium%profile, state%radius, state%punch_depth, slip, error)
-        end associate
-        if (.not. (allocated(slip) .or. allocated(error))) then
-            call raise(error, error_invalid, "friction is not known for this medium")
-        end if
+        call check_load(load, error)
+        if (.not. allocated(error)) call load%equilibrium%medium%slip(self%tangential, load%surface, slip, error)
         if (.not. allocated(error)) call new_first_shear(shear, slip, self%coefficient)
     end subroutine first_shear
 
     !> What happens to a normal state of a homogeneous medium as its indenter is twisted: twists and torques in the place of shifts
     !> and forces.
-    subroutine first_twist(self, state, shear, error)
+    subroutine first_twist(self, load, shear, error)
         class(friction_t), intent(in) :: self
-        !> a state of the contact, a > 0
-        type(contact_state_t), intent(in) :: state
+        !> of a state of the contact
+        type(contact_load_t), intent(in) :: load
         type(first_shear_t), intent(out) :: shear
         type(error_t), allocatable, intent(out) :: error
         type(twisted_slip_t), allocatable :: twisted
         class(slip_t), allocatable :: slip
 
-        call self%check_state(state, error)
+        call check_load(load, error)
         if (allocated(error)) return
         allocate (twisted)
-        associate (equilibrium => self%contact%equilibrium)
+        associate (equilibrium => load%equilibrium, state => load%state)
             call new_twisted_slip(twisted, equilibrium%medium, equilibrium%profile, state%radius, state%punch_depth, error)
         end associate
         if (allocated(error)) return
@@ -169,24 +161,14 @@ contains
         shear%way = about_axis
     end subroutine first_twist
 
-    !> Whether a normal state is one of this contact, with a pressure that is nowhere negative.
-    subroutine check_state(self, state, error)
-        class(friction_t), intent(in) :: self
-        !> see above
-        type(contact_state_t), intent(in) :: state
+    !> Raises unless the pressure is nowhere negative.
+    subroutine check_load(load, error)
+        type(contact_load_t), intent(in) :: load
         type(error_t), allocatable, intent(out) :: error
 
-        associate (equilibrium => self%contact%equilibrium)
-            call check_positive(error, "contact radius of the state", state%radius)
-            call check_not_negative(error, "punch_depth of the state", state%punch_depth)
-            if (.not. allocated(error) .and. state%radius > equilibrium%last_radius) then
-                call raise(error, error_invalid, "the contact radius of the state, "//to_text(state%radius)//", is not one of "// &
-                           "this contact: indenter and medium are defined up to "//to_text(equilibrium%last_radius))
-            end if
-            if (allocated(error)) return
-        end associate
-        call self%contact%check_one_disc(state, "friction", error)
-    end subroutine check_state
+        call check_not_negative(error, "punch_depth of the state", load%state%punch_depth)
+        if (.not. allocated(error)) call load%check_one_disc("friction", error)
+    end subroutine check_load
 
     !> First shear from what a medium knows of it.
     subroutine new_first_shear(self, slip, coefficient)

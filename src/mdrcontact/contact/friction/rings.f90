@@ -13,7 +13,8 @@ module mdrcontact_friction_rings
     use mdrcontact_error, only: check_memory, error_domain, error_t, raise, to_text
     use mdrcontact_friction_box, only: minimise_in_box
     use mdrcontact_kinds, only: pi, wp
-    use mdrcontact_medium_solver, only: check_springs, of_pressure, solver_t
+    use mdrcontact_medium_load, only: load_t
+    use mdrcontact_medium_solver, only: check_springs, solver_t
     use mdrcontact_numerics_quadrature, only: gauss_legendre
     implicit none (type, external)
     private
@@ -329,11 +330,12 @@ contains
 
     !> Normal forces on the rings between some radii, the last one the contact radius: p is smooth in sqrt(a^2 - r^2).
     subroutine ring_forces(contact, state, edges, forces, error)
-        type(contact_t), intent(in) :: contact
+        type(contact_t), intent(in), target :: contact
         type(contact_state_t), intent(in) :: state
         real(wp), intent(in) :: edges(:)
         real(wp), intent(out) :: forces(:)
         type(error_t), allocatable, intent(out) :: error
+        class(load_t), allocatable :: load
         real(wp) :: t(nodes), weights(nodes), roots(0:size(edges)), root(nodes*size(edges)), pressure(nodes*size(edges))
         integer :: j
 
@@ -348,9 +350,9 @@ contains
             root(nodes*(j - 1) + 1:nodes*j) = roots(j) + (roots(j - 1) - roots(j))*t
         end do
         associate (equilibrium => contact%equilibrium)
-            call equilibrium%medium%field(of_pressure, equilibrium%profile, state%radius, state%punch_depth, &
-                                          sqrt(max(state%radius**2 - root**2, 0.0_wp)), pressure, error)
+            call equilibrium%medium%load(equilibrium%profile, state%radius, state%punch_depth, load, error)
         end associate
+        if (.not. allocated(error)) call load%pressure(sqrt(max(state%radius**2 - root**2, 0.0_wp)), pressure, error)
         if (allocated(error)) return
         if (minval(pressure) < -noticeable*state%force/(pi*state%radius**2)) then
             call raise(error, error_domain, "this contact is not one disc: without adhesion its pressure would be "// &

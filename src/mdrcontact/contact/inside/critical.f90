@@ -4,10 +4,9 @@
 module mdrcontact_inside_critical
     use mdrcontact_cancel, only: report_progress
     use mdrcontact_codes, only: free_surface_tension, interface_shear, interface_tension, tension, tresca, von_mises
-    use mdrcontact_contact_fields, only: fields_t
-    use mdrcontact_contact_state, only: contact_state_t
+    use mdrcontact_contact_load, only: contact_load_t
     use mdrcontact_error, only: check_memory, error_no_convergence, error_t, raise, to_text
-    use mdrcontact_inside, only: check_friction, interior_error, layers_of, load_of
+    use mdrcontact_inside, only: check_friction, interior_error, layers_of, load_inside
     use mdrcontact_inside_largest, only: box_t, maximum_t, stressed_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_numerics_layer_search, only: rounding
@@ -28,11 +27,9 @@ module mdrcontact_inside_critical
 
 contains
 
-    !> The largest stresses of a state. With friction in the plane of sliding, where they are by symmetry for the most part.
-    subroutine critical(contact, state, upper, friction, maxima, error, threads, counted_only)
-        class(fields_t), intent(in) :: contact
-        !> with a radius > 0
-        type(contact_state_t), intent(in) :: state
+    !> The largest stresses under a load. With friction in the plane of sliding, where they are by symmetry for the most part.
+    subroutine critical(load, upper, friction, maxima, error, threads, counted_only)
+        type(contact_load_t), intent(in) :: load
         !> whether the upper body is meant, not the lower one
         logical, intent(in) :: upper
         !> f >= 0: see interior
@@ -48,14 +45,14 @@ contains
         type(stressed_t) :: body
         integer :: i, n, stat
 
-        call new_stressed(body, contact, state, upper, friction, error, threads)
+        call new_stressed(body, load, upper, friction, error, threads)
         if (allocated(error)) return
         allocate (maxima(size(of_layer)*body%layers%bodies() + size(of_interface)*size(body%layers%thickness) + 1), stat=stat)
         call check_memory(error, stat)
         if (present(counted_only)) then
             if (counted_only) return
         end if
-        call check_deviation(contact, state, upper, error)
+        call check_deviation(load, upper, error)
         n = 0
         do i = 0, body%layers%bodies() - 1
             call largest_of(body, of_layer, i, .false., maxima(n + 1:n + size(of_layer)), error)
@@ -74,18 +71,17 @@ contains
     end subroutine critical
 
     !> A body with what stresses inside it need.
-    subroutine new_stressed(self, contact, state, upper, friction, error, threads)
+    subroutine new_stressed(self, load, upper, friction, error, threads)
         type(stressed_t), intent(out) :: self
-        class(fields_t), intent(in) :: contact
-        type(contact_state_t), intent(in) :: state
+        type(contact_load_t), intent(in) :: load
         logical, intent(in) :: upper
         real(wp), intent(in) :: friction
         type(error_t), allocatable, intent(out) :: error
         integer, intent(in), optional :: threads
 
-        call load_of(contact, state, upper, self%load, error)
+        call load_inside(load, upper, self%load, error)
         if (.not. allocated(error)) call check_friction(self%load, friction, error)
-        if (.not. allocated(error)) call layers_of(contact, upper, self%layers, error)
+        if (.not. allocated(error)) call layers_of(load%equilibrium, upper, self%layers, error)
         if (allocated(error)) return
         self%friction = merge(-friction, friction, upper)
         if (present(threads)) self%threads = threads
@@ -93,15 +89,14 @@ contains
     end subroutine new_stressed
 
     !> Raises where the field of a state is not that of its contact on the surface.
-    subroutine check_deviation(contact, state, upper, error)
-        class(fields_t), intent(in) :: contact
-        type(contact_state_t), intent(in) :: state
+    subroutine check_deviation(load, upper, error)
+        type(contact_load_t), intent(in) :: load
         logical, intent(in) :: upper
         type(error_t), allocatable, intent(inout) :: error
         real(wp) :: deviation
 
         if (allocated(error)) return
-        call interior_error(contact, state, upper, deviation, error)
+        call interior_error(load, upper, deviation, error)
         if (allocated(error) .or. deviation <= largest_deviation) return
         call raise(error, error_no_convergence, "displacements and stresses inside are off by about "//to_text(deviation)// &
                    " of the depth and of the largest pressure: by that they differ on the surface from the displacement "// &

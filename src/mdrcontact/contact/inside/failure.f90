@@ -6,6 +6,7 @@ module mdrcontact_inside_failure
     use mdrcontact_cancel, only: report_progress
     use mdrcontact_codes, only: free_surface_tension, interface_shear, interface_tension, tension, tresca, von_mises
     use mdrcontact_contact, only: contact_t
+    use mdrcontact_contact_load, only: contact_load_t
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: check_memory, check_not_negative, count_text, error_cancelled, error_invalid, error_memory, &
                                 error_t, raise, to_text
@@ -84,13 +85,14 @@ contains
         type(search_t) :: search
         type(layers_t) :: layers
         type(failure_load_t), allocatable :: found(:)
+        type(contact_load_t) :: load
         real(wp) :: end_radius, smallest, largest, radii(samples)
         real(wp), allocatable :: breaks(:)
         integer :: n, i, stat
 
         call check_not_negative(error, "friction", friction)
         call check_not_negative(error, "largest_radius", largest_radius)
-        if (.not. allocated(error)) call layers_of(contact, upper, layers, error)
+        if (.not. allocated(error)) call layers_of(contact%equilibrium, upper, layers, error)
         call check_strengths(layers, strengths, error)
         if (.not. allocated(error)) call contact%radius_range(end_radius, smallest, largest, breaks, error)
         if (allocated(error)) return
@@ -107,7 +109,8 @@ contains
             call find_all(search, radii, strengths, found, n, error)
         end if
         do i = 1, n
-            if (.not. allocated(error)) call check_deviation(contact, found(i)%state, upper, error)
+            if (.not. allocated(error)) call contact%load(found(i)%state, load, error)
+            if (.not. allocated(error)) call check_deviation(load, upper, error)
         end do
         if (allocated(error)) return
         call sort_by_force(found(:n))
@@ -312,8 +315,10 @@ contains
         type(contact_state_t), intent(in) :: state
         type(stressed_t), intent(out) :: body
         type(error_t), allocatable, intent(out) :: error
+        type(contact_load_t) :: load
 
-        call new_stressed(body, search%contact, state, search%upper, search%friction, error, search%threads)
+        call search%contact%load(state, load, error)
+        if (.not. allocated(error)) call new_stressed(body, load, search%upper, search%friction, error, search%threads)
     end subroutine look_into
 
     !> The largest stress that a strength is about; the tension of the first layer includes that of its free surface.

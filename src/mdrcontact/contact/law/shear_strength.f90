@@ -12,7 +12,7 @@ module mdrcontact_law_shear_strength
     use mdrcontact_law_evaluate, only: point_at
     use mdrcontact_law_friction, only: check_sliders, default_sliders, friction_law_t, find_levels
     use mdrcontact_law_from_contact, only: law_options_t, new_law_of_contact => new_contact_law
-    use mdrcontact_medium_solver, only: new_under, solver_t
+    use mdrcontact_medium_solver, only: solver_t
     implicit none (type, external)
     private
     public :: new_law_with_shear_strength
@@ -63,7 +63,7 @@ contains
         class(solver_t), allocatable :: tangential
         real(wp) :: force, slope, radius, stiffness, modulus(1)
 
-        call new_under(contact%equilibrium%medium, shear_load, tangential, error)
+        call contact%equilibrium%medium%for_load(shear_load, tangential, error)
         if (allocated(error)) return
         call point_at(law%by_depth, on_unloading, law%by_depth%highest, force, slope, radius, stiffness)
         call tangential%modulus([radius], modulus, error)

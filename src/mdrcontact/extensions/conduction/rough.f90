@@ -11,6 +11,7 @@ module mdrcontact_conduction_rough
     use mdrcontact_conduction_rough_panels, only: conductance_by_panels, solve_flux
     use mdrcontact_conduction_source, only: has_line_force
     use mdrcontact_contact, only: contact_t
+    use mdrcontact_contact_load, only: contact_load_t
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: check_positive, error_domain, error_invalid, error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: half_pi, pi, wp
@@ -33,7 +34,7 @@ contains
     !> G of a state.
     subroutine rough_conductance(conduction, contact, state, kappa, conductance, error)
         type(conduction_t), intent(in) :: conduction
-        type(contact_t), intent(in) :: contact
+        type(contact_t), intent(in), target :: contact
         !> of that contact, a > 0, nowhere with tension
         type(contact_state_t), intent(in) :: state
         !> > 0: area resistance times pressure [modulus length^2/conductance]
@@ -41,6 +42,7 @@ contains
         !> [conductance]
         real(wp), intent(out) :: conductance
         type(error_t), allocatable, intent(inout) :: error
+        type(contact_load_t) :: load
         real(wp) :: by_panels, left, reached
 
         conductance = 0.0_wp
@@ -48,15 +50,16 @@ contains
         call conduction%check_steady(error)
         call conduction%check_radius(state%radius, error)
         if (allocated(error)) return
-        if (has_line_force(contact, state)) then
+        if (has_line_force(contact%equilibrium, state)) then
             call raise(error, error_invalid, "a conductance that goes with the pressure is not offered where the edge of "// &
                        "the contact carries a line force, under a plate or a flat end on a surface with tension: leave the "// &
                        "plate or the tension out")
             return
         end if
-        call conductance_by_series(conduction, contact, state, kappa, conductance, reached, error)
+        call contact%load(state, load, error)
+        if (.not. allocated(error)) call conductance_by_series(conduction, load, kappa, conductance, reached, error)
         if (allocated(error) .or. reached <= settled) return
-        call conductance_by_panels(conduction, contact, state, kappa, by_panels, left, error)
+        call conductance_by_panels(conduction, load, kappa, by_panels, left, error)
         if (allocated(error)) return
         if (left < reached) conductance = by_panels
         reached = min(left, reached)
@@ -66,10 +69,9 @@ contains
     end subroutine rough_conductance
 
     !> G by the series, and by how much fewer terms make it smaller, relative.
-    subroutine conductance_by_series(conduction, contact, state, kappa, conductance, reached, error)
+    subroutine conductance_by_series(conduction, load, kappa, conductance, reached, error)
         type(conduction_t), intent(in) :: conduction
-        type(contact_t), intent(in) :: contact
-        type(contact_state_t), intent(in) :: state
+        type(contact_load_t), intent(in) :: load
         real(wp), intent(in) :: kappa
         real(wp), intent(out) :: conductance, reached
         type(error_t), allocatable, intent(inout) :: error
@@ -79,14 +81,14 @@ contains
 
         conductance = 0.0_wp
         reached = 0.0_wp
-        m = terms + 2 + ceiling(1.5_wp*first_unknowns(conduction%kernel, tolerance, state%radius/conduction%kernel%unit, &
+        m = terms + 2 + ceiling(1.5_wp*first_unknowns(conduction%kernel, tolerance, load%state%radius/conduction%kernel%unit, &
                                                       .false., .true.))
         allocate (matrix(terms, terms), spectrum(terms, m))
         call fill_spectrum(spectrum, error)
-        call fill_springs(conduction, state%radius, spectrum, matrix, error)
-        call add_resistance(contact, state, kappa, matrix, error)
+        call fill_springs(conduction, load%state%radius, spectrum, matrix, error)
+        call add_resistance(load, kappa, matrix, error)
         if (allocated(error)) return
-        f(:, 1) = state%radius**2*sqrt(2.0_wp)/(2.0_wp*pi)*spectrum(:, 1)
+        f(:, 1) = load%state%radius**2*sqrt(2.0_wp)/(2.0_wp*pi)*spectrum(:, 1)
         call solve_flux(matrix, f, error)
         if (allocated(error)) return
         conductance = 2.0_wp*pi*sum(f**2)
@@ -143,9 +145,8 @@ contains
     end subroutine fill_springs
 
     !> int kappa/p j_m j_n r dr.
-    subroutine add_resistance(contact, state, kappa, matrix, error)
-        type(contact_t), intent(in) :: contact
-        type(contact_state_t), intent(in) :: state
+    subroutine add_resistance(load, kappa, matrix, error)
+        type(contact_load_t), intent(in) :: load
         real(wp), intent(in) :: kappa
         real(wp), intent(inout) :: matrix(:, :)
         type(error_t), allocatable, intent(inout) :: error
@@ -157,7 +158,7 @@ contains
         if (allocated(error)) return
         angle = 0.5_wp*half_pi*rule%distance
         allocate (pressure(size(angle)), p(size(angle), size(matrix, 1)))
-        call contact%pressure(state, min(state%radius*sin(angle), state%radius), pressure, error)
+        call load%pressure(min(load%state%radius*sin(angle), load%state%radius), pressure, error)
         if (allocated(error)) return
         if (.not. all(pressure > 0.0_wp)) then
             call raise(error, error_domain, "the pressure of this contact is not greater than 0 everywhere: its conductance "// &
@@ -165,7 +166,7 @@ contains
             return
         end if
         p = legendre(size(p, 2), 1.0_wp - 2.0_wp*sin(angle)**2)
-        weight = 0.5_wp*half_pi*rule%weights*kappa*state%radius**2*cos(angle)**3*sin(angle)/pressure
+        weight = 0.5_wp*half_pi*rule%weights*kappa*load%state%radius**2*cos(angle)**3*sin(angle)/pressure
         do j = 1, size(matrix, 1)
             do i = 1, size(matrix, 1)
                 matrix(i, j) = matrix(i, j) + sum(weight*p(:, i)*p(:, j))

@@ -10,8 +10,8 @@
 !> theory/conduction.md (4.11), (4.12).
 module mdrcontact_conduction_rough_panels
     use mdrcontact_conduction_bodies, only: conduction_t, tolerance
-    use mdrcontact_contact, only: contact_t
-    use mdrcontact_contact_state, only: contact_state_t
+    use mdrcontact_contact_equilibrium, only: equilibrium_t
+    use mdrcontact_contact_load, only: contact_load_t
     use mdrcontact_error, only: error_domain, error_no_convergence, error_t, raise
     use mdrcontact_kinds, only: half_pi, pi, wp
     use mdrcontact_lapack, only: dgemm
@@ -54,11 +54,9 @@ module mdrcontact_conduction_rough_panels
 contains
 
     !> G of a state, from below, and by how much fewer polynomials make it smaller, relative.
-    subroutine conductance_by_panels(conduction, contact, state, kappa, conductance, reached, error)
+    subroutine conductance_by_panels(conduction, load, kappa, conductance, reached, error)
         type(conduction_t), intent(in) :: conduction
-        type(contact_t), intent(in) :: contact
-        !> of that contact, a > 0
-        type(contact_state_t), intent(in) :: state
+        type(contact_load_t), intent(in) :: load
         !> > 0: area resistance times pressure [modulus length^2/conductance]
         real(wp), intent(in) :: kappa
         !> [conductance]
@@ -71,18 +69,18 @@ contains
 
         conductance = 0.0_wp
         reached = 0.0_wp
-        call place_ends(panels, contact, state%radius, error)
+        call place_ends(panels, load%equilibrium, load%state%radius, error)
         if (allocated(error)) return
         n = nodes*panels%number()
         allocate (t(n), weight(n), resistance(n))
         call place_nodes(panels, t, weight, error)
-        if (.not. allocated(error)) call resistances(panels, contact, state, t, resistance, error)
+        if (.not. allocated(error)) call resistances(panels, load, t, resistance, error)
         if (allocated(error)) return
         n = panels%size_with(degree)
         allocate (matrix(n, n), f(n, 1))
-        call fill_springs(panels, conduction, state%radius, matrix, f(:, 1), error)
+        call fill_springs(panels, conduction, load%state%radius, matrix, f(:, 1), error)
         if (.not. allocated(error)) then
-            call add_resistance(panels, t, state%radius**2*kappa*weight*t*resistance, matrix, error)
+            call add_resistance(panels, t, load%state%radius**2*kappa*weight*t*resistance, matrix, error)
         end if
         if (allocated(error)) return
         scaling = [(1.0_wp/sqrt(matrix(i, i)), i=1, n)]
@@ -142,26 +140,24 @@ contains
 
     !> Where panels end: at kinks of the pressure, and closer and closer to those of the indenter, to the edge, and to an axis at
     !> which the pressure is not known to be smooth.
-    subroutine place_ends(self, contact, a, error)
+    subroutine place_ends(self, equilibrium, a, error)
         type(panels_t), intent(inout) :: self
-        type(contact_t), intent(in) :: contact
+        type(equilibrium_t), intent(in) :: equilibrium
         real(wp), intent(in) :: a
         type(error_t), allocatable, intent(inout) :: error
         real(wp), allocatable :: sharp(:), kinks(:), bounds(:)
         logical, allocatable :: near(:)
         integer :: i, n
 
-        associate (equilibrium => contact%equilibrium)
-            call equilibrium%profile%add_breaks(sharp, error)
-            call equilibrium%add_breaks(kinks, error)
-            if (allocated(error)) return
-            kinks = pack(kinks, kinks > shortest_inside*a .and. kinks < (1.0_wp - shortest)*a)
-            ! ascending, as s are then the other way round
-            n = size(kinks)
-            bounds = [0.0_wp, [(sqrt((1.0_wp - kinks(i)/a)*(1.0_wp + kinks(i)/a)), i=n, 1, -1)], 1.0_wp]
-            near = [.true., [(n <= most_kinks .or. any(abs(sharp - kinks(i)) <= shortest*a), i=n, 1, -1)], &
-                    .not. (is_smooth(equilibrium%profile) .and. equilibrium%medium%is_exact)]
-        end associate
+        call equilibrium%profile%add_breaks(sharp, error)
+        call equilibrium%add_breaks(kinks, error)
+        if (allocated(error)) return
+        kinks = pack(kinks, kinks > shortest_inside*a .and. kinks < (1.0_wp - shortest)*a)
+        ! ascending, as s are then the other way round
+        n = size(kinks)
+        bounds = [0.0_wp, [(sqrt((1.0_wp - kinks(i)/a)*(1.0_wp + kinks(i)/a)), i=n, 1, -1)], 1.0_wp]
+        near = [.true., [(n <= most_kinks .or. any(abs(sharp - kinks(i)) <= shortest*a), i=n, 1, -1)], &
+                .not. (is_smooth(equilibrium%profile) .and. equilibrium%medium%is_exact)]
         self%ends = bounds(:1)
         do i = 1, n + 1
             if (bounds(i + 1) > bounds(i)*(1.0_wp + shortest)) then
@@ -240,10 +236,9 @@ contains
     end subroutine place_nodes
 
     !> 1/p at the nodes; q may differ from 0 at the edge where p is infinite there.
-    subroutine resistances(self, contact, state, t, values, error)
+    subroutine resistances(self, load, t, values, error)
         type(panels_t), intent(inout) :: self
-        type(contact_t), intent(in) :: contact
-        type(contact_state_t), intent(in) :: state
+        type(contact_load_t), intent(in) :: load
         real(wp), intent(in) :: t(:)
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(inout) :: error
@@ -251,7 +246,7 @@ contains
 
         values = 0.0_wp
         taken = max([from_edge, 2.0_wp*from_edge, t], from_edge)
-        call contact%pressure(state, state%radius*sqrt((1.0_wp - taken)*(1.0_wp + taken)), pressure, error)
+        call load%pressure(load%state%radius*sqrt((1.0_wp - taken)*(1.0_wp + taken)), pressure, error)
         if (allocated(error)) return
         if (.not. all(pressure > 0.0_wp)) then
             call raise(error, error_domain, "the pressure of this contact is not greater than 0 everywhere: its conductance "// &

@@ -5,7 +5,8 @@
 module mdrcontact_conduction_source
     use mdrcontact_codes, only: sliding => heat_sliding, spinning => heat_spinning
     use mdrcontact_contact, only: contact_t
-    use mdrcontact_contact_fields, only: check_state
+    use mdrcontact_contact_equilibrium, only: equilibrium_t
+    use mdrcontact_contact_load, only: check_state, contact_load_t
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: check_code, check_not_negative, error_invalid, error_t, raise
     use mdrcontact_kinds, only: half_pi, wp
@@ -13,6 +14,7 @@ module mdrcontact_conduction_source
     use mdrcontact_line_moments, only: is_smooth
     use mdrcontact_line_rule, only: new_rule, rule_t
     use mdrcontact_line_series, only: add_projections
+    use mdrcontact_medium_solver, only: solved_t
     use mdrcontact_numerics_quadrature, only: gauss_legendre
     implicit none (type, external)
     private
@@ -49,7 +51,7 @@ contains
     !> The heat of a state.
     subroutine new_source(self, contact, state, motion, strength, terms, at_points, error)
         type(source_t), intent(out) :: self
-        type(contact_t), intent(in) :: contact
+        type(contact_t), intent(in), target :: contact
         !> of that contact, a > 0
         type(contact_state_t), intent(in) :: state
         !> sliding or spinning
@@ -61,6 +63,8 @@ contains
         !> for values at points too, not for integrals and the centre alone
         logical, intent(in) :: at_points
         type(error_t), allocatable, intent(inout) :: error
+        type(solved_t) :: solved
+        real(wp), allocatable :: parts(:, :)
 
         call check_code(error, "motion", motion, [sliding, spinning])
         call check_not_negative(error, "strength", strength)
@@ -68,9 +72,10 @@ contains
         if (allocated(error)) return
         self%radius = state%radius
         if (motion == sliding .and. .not. at_points) then
-            call contact%equilibrium%medium%line_load_series(contact%equilibrium%profile, state%radius, state%punch_depth, self%t, &
-                                                             error)
+            call contact%equilibrium%medium%solve(contact%equilibrium%profile, state%radius, solved, error, &
+                                                  abs(state%punch_depth) > 0.0_wp, series=parts)
             if (allocated(error)) return
+            if (allocated(parts)) self%t = parts(:, 2) + state%punch_depth*parts(:, 1)
         end if
         if (has_ended(self%t)) then
             call take_series(self, strength)
@@ -81,9 +86,10 @@ contains
 
     !> Raises unless the pressure of a state makes heat everywhere, and a temperature that is finite.
     subroutine check_rubbing(contact, state, error)
-        type(contact_t), intent(in) :: contact
+        type(contact_t), intent(in), target :: contact
         type(contact_state_t), intent(in) :: state
         type(error_t), allocatable, intent(inout) :: error
+        type(contact_load_t) :: load
 
         if (allocated(error)) return
         if (.not. state%radius > 0.0_wp) then
@@ -91,24 +97,26 @@ contains
         else if (contact%is_adhesive()) then
             call raise(error, error_invalid, "friction heat is not allowed with adhesion: Coulomb's law knows no tension, and "// &
                        "the rim of an adhesive contact is under tension; set work_of_adhesion = 0")
-        else if (has_line_force(contact, state)) then
+        else if (has_line_force(contact%equilibrium, state)) then
             call raise(error, error_invalid, "friction heat is not offered where the edge of the contact carries a line force, "// &
                        "under a plate or a flat end on a surface with tension: the temperature would be infinite there; leave "// &
                        "the plate or the tension out")
         end if
         if (allocated(error)) return
-        call check_state(contact, state, error)
+        call check_state(contact%equilibrium, state, error)
         call check_not_negative(error, "punch_depth of the state", state%punch_depth)
-        if (.not. allocated(error)) call contact%check_one_disc(state, "friction", error)
+        if (allocated(error) .or. .not. contact%equilibrium%medium%is_exact .or. contact%equilibrium%profile%is_spherical()) return
+        call contact%load(state, load, error)
+        if (.not. allocated(error)) call load%check_one_disc("friction", error)
     end subroutine check_rubbing
 
     !> Whether a state without adhesion has part of its force in a ring, at its edge.
-    pure function has_line_force(contact, state) result(answer)
-        type(contact_t), intent(in) :: contact
+    pure function has_line_force(equilibrium, state) result(answer)
+        type(equilibrium_t), intent(in) :: equilibrium
         type(contact_state_t), intent(in) :: state
         logical :: answer
 
-        associate (sheet => contact%equilibrium%medium%sheet)
+        associate (sheet => equilibrium%medium%sheet)
             answer = sheet%bending > 0.0_wp .or. (sheet%tension > 0.0_wp .and. state%punch_depth > 0.0_wp)
         end associate
     end function has_line_force
@@ -165,12 +173,13 @@ contains
     !> By a rule in theta, x = a sin theta, that follows kinks of the indenter.
     subroutine sample(self, contact, state, motion, strength, terms, error)
         type(source_t), intent(inout) :: self
-        type(contact_t), intent(in) :: contact
+        type(contact_t), intent(in), target :: contact
         type(contact_state_t), intent(in) :: state
         integer, intent(in) :: motion
         real(wp), intent(in) :: strength
         integer, intent(in) :: terms
         type(error_t), allocatable, intent(inout) :: error
+        type(contact_load_t) :: load
         type(places_t) :: places
         real(wp), allocatable :: x(:), values(:)
 
@@ -178,13 +187,14 @@ contains
         call place_nodes(places, contact, self%radius, terms + 8, motion == sliding .and. is_smooth(contact%equilibrium%profile), &
                          error)
         if (allocated(error)) return
-        ! the centre with the others: one solution serves all of them
         x = [0.0_wp, places%u]
         allocate (values, mold=x)
+        call contact%load(state, load, error)
+        if (allocated(error)) return
         if (motion == sliding) then
-            call contact%line_load(state, self%radius*x, values, error)
+            call load%line_load(self%radius*x, values, error)
         else
-            call fill_spin(contact, state, x, values, error)
+            call fill_spin(load, x, values, error)
         end if
         if (allocated(error)) return
         values = strength*values
@@ -252,17 +262,17 @@ contains
 
     !> 2 int_x^a r p(r) r/sqrt(r^2 - x^2) dr = 2 sqrt(a^2 - x^2) int_0^1 r p dt, r^2 = x^2 + (a^2 - x^2) t^2, t = sin tau in
     !> panels that shrink down to x, below which r hardly changes.
-    subroutine fill_spin(contact, state, u, values, error)
-        type(contact_t), intent(in) :: contact
-        type(contact_state_t), intent(in) :: state
+    subroutine fill_spin(load, u, values, error)
+        type(contact_load_t), intent(in) :: load
         !> x/a
         real(wp), intent(in) :: u(:)
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(inout) :: error
-        real(wp) :: node(spin_nodes), weight(spin_nodes), tau(spin_nodes), r(spin_nodes), p(spin_nodes), root, left, right
+        real(wp) :: node(spin_nodes), weight(spin_nodes), tau(spin_nodes), r(spin_nodes), p(spin_nodes), a, root, left, right
         integer :: i
 
         values = 0.0_wp
+        a = load%state%radius
         call gauss_legendre(node, weight, error)
         do i = 1, size(u)
             root = sqrt((1.0_wp - u(i))*(1.0_wp + u(i)))
@@ -271,10 +281,10 @@ contains
                 left = shrinking*right
                 if (right < u(i) .or. right < smallest) left = 0.0_wp
                 tau = left + (right - left)*node
-                r = min(state%radius*hypot(u(i), root*sin(tau)), state%radius)
-                call contact%pressure(state, r, p, error)
+                r = min(a*hypot(u(i), root*sin(tau)), a)
+                call load%pressure(r, p, error)
                 if (allocated(error)) return
-                values(i) = values(i) + 2.0_wp*state%radius*root*(right - left)*sum(weight*cos(tau)*r*p)
+                values(i) = values(i) + 2.0_wp*a*root*(right - left)*sum(weight*cos(tau)*r*p)
                 right = left
             end do
         end do

@@ -10,6 +10,7 @@ module mdrcontact_wear_history
     use mdrcontact_nonfinite, only: infinity, is_finite
     use mdrcontact_cancel, only: check_cancelled, report_progress
     use mdrcontact_codes, only: fixed_rings => wear_rings, moving_disc => wear_disc
+    use mdrcontact_contact_load, only: contact_load_t
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_contact_values, only: given_depth
     use mdrcontact_error, only: check_code, check_count_within, check_not_negative, check_positive, count_text, error_domain, &
@@ -248,11 +249,12 @@ contains
     end subroutine make_seed
 
     subroutine press(self, control, target, state, error)
-        type(wear_history_t), intent(in) :: self
+        type(wear_history_t), intent(in), target :: self
         integer, intent(in) :: control
         real(wp), intent(in) :: target
         type(contact_state_t), intent(out) :: state
         type(error_t), allocatable, intent(inout) :: error
+        type(contact_load_t) :: load
 
         if (control == given_depth) then
             call self%wear%contact%at_depth(target, state, error)
@@ -260,7 +262,9 @@ contains
             call self%wear%contact%at_force(target, state, error)
         end if
         ! rings that would pull do not touch
-        if (.not. allocated(error) .and. .not. self%has_rings) call check_carries(self%wear%contact, state, error)
+        if (allocated(error) .or. self%has_rings) return
+        call self%wear%contact%load(state, load, error)
+        if (.not. allocated(error)) call check_carries(load, error)
     end subroutine press
 
     subroutine find_modulus(self, error)

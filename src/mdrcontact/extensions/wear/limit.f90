@@ -12,7 +12,7 @@ module mdrcontact_wear_limit
     use mdrcontact_nonfinite, only: infinity
     use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_contact, only: contact_t
-    use mdrcontact_contact_fields, only: check_state
+    use mdrcontact_contact_load, only: check_state, contact_load_t
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_contact_values, only: given_depth, given_force
     use mdrcontact_error, only: check_code, check_positive, error_domain, error_invalid, error_t, raise, to_text
@@ -49,8 +49,7 @@ module mdrcontact_wear_limit
 
     !> How far the unworn surface lies below the limit: positive where it is worn, divided by the distance from the axis.
     type, extends(scalar_function_t) :: gap_t
-        type(contact_t), pointer :: contact => null()
-        type(contact_state_t) :: state
+        type(contact_load_t) :: load
     contains
         procedure :: value => worn_at
     end type gap_t
@@ -77,10 +76,9 @@ contains
         if (.not. allocated(error)) call contact%at_radius(stick_radius, limit%state, error)
         if (allocated(error)) return
         call press_on(limit%state, state, control)
-        call check_carries(contact, limit%state, error)
+        call contact%load(limit%state, gap%load, error)
+        if (.not. allocated(error)) call check_carries(gap%load, error)
         if (allocated(error)) return
-        gap%contact => contact
-        gap%state = limit%state
         call find_rim(gap, state%radius, limit%outer_radius, error)
         if (.not. allocated(error)) call find_volume(gap, limit, error)
         if (.not. allocated(error) .and. present(profile)) call make_profile(gap, limit, profile, error)
@@ -107,7 +105,7 @@ contains
         if (.not. allocated(error) .and. contact%is_adhesive()) then
             call raise(error, error_invalid, "wear is not allowed with adhesion: there is no law of wear where surfaces pull")
         end if
-        if (.not. allocated(error)) call check_state(contact, state, error)
+        if (.not. allocated(error)) call check_state(contact%equilibrium, state, error)
         if (allocated(error)) return
         if (stick_radius > state%radius) then
             call raise(error, error_domain, "stick_radius = "//to_text(stick_radius)//" is not allowed: it must be at most "// &
@@ -130,20 +128,19 @@ contains
     end subroutine press_on
 
     !> Raises where a state would have to pull.
-    subroutine check_carries(contact, state, error)
-        type(contact_t), intent(in) :: contact
-        type(contact_state_t), intent(in) :: state
+    subroutine check_carries(load, error)
+        type(contact_load_t), intent(in) :: load
         type(error_t), allocatable, intent(inout) :: error
         real(wp) :: r(probes), pressure(probes)
         integer :: i, lowest
 
-        r = state%radius*[(sin(half_pi*(real(i, wp) - 0.5_wp)/real(probes, wp)), i=1, probes)]
-        call contact%pressure(state, r, pressure, error)
+        r = load%state%radius*[(sin(half_pi*(real(i, wp) - 0.5_wp)/real(probes, wp)), i=1, probes)]
+        call load%pressure(r, pressure, error)
         if (allocated(error)) return
         lowest = minloc(pressure, dim=1)
-        if (pressure(lowest) >= -noticeable*state%force/(pi*state%radius**2)) return
+        if (pressure(lowest) >= -noticeable*load%state%force/(pi*load%state%radius**2)) return
         call raise(error, error_domain, "this contact is not one disc: without adhesion its pressure would be "// &
-                   to_text(pressure(lowest))//" at r = "//to_text(r(lowest))//" (contact radius "//to_text(state%radius)// &
+                   to_text(pressure(lowest))//" at r = "//to_text(r(lowest))//" (contact radius "//to_text(load%state%radius)// &
                    "); wear needs a pressure that is nowhere negative")
     end subroutine check_carries
 
@@ -155,7 +152,7 @@ contains
         real(wp) :: depth(1)
 
         y = 0.0_wp
-        if (x <= self%state%radius) return
+        if (x <= self%load%state%radius) return
         call depths_at(self, [x], depth, self%error)
         y = depth(1)/x
     end function worn_at
@@ -170,7 +167,7 @@ contains
 
         depths = 0.0_wp
         call heights_at(gap, r, heights, error)
-        if (.not. allocated(error)) depths = heights - gap%contact%equilibrium%profile%height(r)
+        if (.not. allocated(error)) depths = heights - gap%load%equilibrium%profile%height(r)
     end subroutine depths_at
 
     !> d - u, the height of the surface above the apex.
@@ -182,8 +179,8 @@ contains
         real(wp) :: displacement(size(r))
 
         heights = 0.0_wp
-        call gap%contact%displacement(gap%state, r, displacement, error)
-        if (.not. allocated(error)) heights = gap%state%depth - displacement
+        call gap%load%displacement(r, displacement, error)
+        if (.not. allocated(error)) heights = gap%load%state%depth - displacement
     end subroutine heights_at
 
     !> b, where the limit meets the unworn profile: beyond the radius of the unworn contact, and there alone W changes its sign.
@@ -197,8 +194,8 @@ contains
         integer :: i
 
         rim = radius
-        if (.not. gap%state%radius < radius) return
-        last = gap%contact%equilibrium%profile%largest_radius
+        if (.not. gap%load%state%radius < radius) return
+        last = gap%load%equilibrium%profile%largest_radius
         from = radius
         to = radius
         worn = gap%value(to)
@@ -231,7 +228,7 @@ contains
 
         if (.not. limit%outer_radius > limit%state%radius) return
         call gauss_legendre(t, weights, error)
-        if (.not. allocated(error)) call gap%contact%equilibrium%profile%add_breaks(edges, error)
+        if (.not. allocated(error)) call gap%load%equilibrium%profile%add_breaks(edges, error)
         if (allocated(error)) return
         edges = [limit%state%radius, pack(edges, edges > limit%state%radius .and. edges < limit%outer_radius), limit%outer_radius]
         limit%worn_volume = 0.0_wp
@@ -259,7 +256,7 @@ contains
         allocate (profile)
         width = limit%outer_radius - limit%state%radius
         if (.not. width > 0.0_wp) then
-            call new_worn_profile(profile, gap%contact%equilibrium%profile, limit%outer_radius*[0.5_wp, 1.0_wp], &
+            call new_worn_profile(profile, gap%load%equilibrium%profile, limit%outer_radius*[0.5_wp, 1.0_wp], &
                                   [0.0_wp, 0.0_wp], [0.0_wp, 0.0_wp], error)
             return
         end if
@@ -274,7 +271,7 @@ contains
         call differentiate(depths, slopes)
         slopes(1:) = slopes(1:)*real(profile_points, wp)/(2.0_wp*width*t(1:))
         slopes(0) = infinity
-        call new_worn_profile(profile, gap%contact%equilibrium%profile, r, depths, slopes, error, surface)
+        call new_worn_profile(profile, gap%load%equilibrium%profile, r, depths, slopes, error, surface)
     end subroutine make_profile
 
     !> The free surface from the disc that sticks to the rim, panels cut until their series end. Short ones are needed where
@@ -300,7 +297,7 @@ contains
                 ! near the disc the rounding of radii is one of s, and so of heights
                 small = last_terms
                 if (i > 1) small = max(small, 4.0_wp*epsilon(small)*c/ends(i))
-                if (maxval(abs(found(panel_points - 2:))) <= small*gap%state%depth .or. cuts >= most_cuts &
+                if (maxval(abs(found(panel_points - 2:))) <= small*gap%load%state%depth .or. cuts >= most_cuts &
                     .or. ends(i + 1) - ends(i) <= max(short*ends(i + 1), shortest*c)) then
                     series = reshape([series, found], [panel_points, i])
                     i = i + 1

@@ -6,18 +6,17 @@
 !> Beside a flat end g' is infinite; it is taken at distances from there: the rounding of s would be seen far beyond that of a.
 module mdrcontact_medium_effective
     use mdrcontact_nonfinite, only: infinity
-    use mdrcontact_object, only: room
     use mdrcontact_error, only: error_t
     use mdrcontact_medium_load, only: load_t
     use mdrcontact_medium_slip, only: slip_t
     use mdrcontact_kinds, only: pi, wp
-    use mdrcontact_medium_solver, only: of_line_load, of_pressure, solver_t
+    use mdrcontact_medium_solver, only: solved_t, solver_t
     use mdrcontact_medium_superposed_slip, only: new_superposed_slip, superposed_slip_t
     use mdrcontact_profile, only: profile_t
-    use mdrcontact_numerics_quadrature, only: graded_rule, merge_breaks, smallest_panel_ratio
+    use mdrcontact_numerics_quadrature, only: graded_rule, smallest_panel_ratio
     implicit none (type, external)
     private
-    public :: effective_medium_t
+    public :: effective_medium_t, effective_load_t
 
     !> A medium with an effective contact modulus. Extensions provide E_eff(a) and its slope as elemental functions.
     type, abstract, extends(solver_t) :: effective_medium_t
@@ -27,27 +26,30 @@ module mdrcontact_medium_effective
         !> dE_eff/da [modulus/length], a > 0
         procedure(modulus_function), deferred :: effective_modulus_slope
         procedure :: modulus
-        procedure :: response
+        procedure :: solve
         !> d [length] and F [modulus length^2] of the non-adhesive contact
         procedure :: depth_and_force
-        procedure :: field
-        procedure :: energies
+        procedure :: find_series
+        procedure :: load => new_load
+        procedure :: slip
         !> what the upper body takes of a small change of depth at radius a [1]
         procedure :: upper_share
         !> what the upper body takes of the depth of the non-adhesive contact [length]
         procedure :: upper_depth
-        procedure :: surface_load
-        procedure :: new_slip
         procedure, non_overridable :: all_breaks
     end type effective_medium_t
 
     !> q' = -E_eff(x) g'(x), equation (21); an adhesive edge adds the constant E_eff(a) punch_depth.
     type, extends(load_t) :: effective_load_t
-        private
-        class(effective_medium_t), allocatable :: medium
-        class(profile_t), allocatable :: profile
+        class(effective_medium_t), pointer :: medium => null()
     contains
+        procedure :: begin
+        procedure :: line_load
+        procedure :: pressure
+        procedure :: displacement
+        procedure :: energies
         procedure :: slope
+        procedure :: add_breaks => add_load_breaks
     end type effective_load_t
 
     !> Parts of the force that are left out where they vary, relative.
@@ -95,21 +97,36 @@ contains
         call self%add_breaks(radii, error)
     end subroutine all_breaks
 
-    subroutine response(self, profile, a, depth, force, modulus, stiffness_slope, error, adhesive, depth_slope, accuracy)
+    subroutine solve(self, profile, a, solved, error, adhesive, accuracy, series)
         class(effective_medium_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
         real(wp), intent(in) :: a
-        real(wp), intent(out) :: depth, force, modulus, stiffness_slope
+        type(solved_t), intent(out) :: solved
         type(error_t), allocatable, intent(out) :: error
         logical, intent(in), optional :: adhesive
-        real(wp), intent(inout), optional :: depth_slope, accuracy
+        real(wp), intent(inout), optional :: accuracy
+        real(wp), allocatable, intent(out), optional :: series(:, :)
 
-        if (present(adhesive) .or. present(depth_slope)) continue
+        if (present(adhesive)) continue
         if (present(accuracy)) accuracy = 0.0_wp
-        call self%depth_and_force(profile, a, depth, force, error)
-        modulus = self%effective_modulus(a)
-        stiffness_slope = 2.0_wp*(modulus + a*self%effective_modulus_slope(a))
-    end subroutine response
+        call self%depth_and_force(profile, a, solved%depth, solved%force, error)
+        solved%modulus = self%effective_modulus(a)
+        solved%stiffness_slope = 2.0_wp*(solved%modulus + a*self%effective_modulus_slope(a))
+        if (present(series)) call self%find_series(profile, a, series, error)
+    end subroutine solve
+
+    !> Not known.
+    subroutine find_series(self, profile, a, series, error)
+        class(effective_medium_t), intent(in) :: self
+        class(profile_t), intent(in) :: profile
+        real(wp), intent(in) :: a
+        !> as of solve
+        real(wp), allocatable, intent(out) :: series(:, :)
+        type(error_t), allocatable, intent(inout) :: error
+
+        associate (unused => self, also_unused => profile, unused_too => a, this_too => series, last => error)
+        end associate
+    end subroutine find_series
 
     !> d = g(a), F = int_0^a 2 s E_eff(s) g'(s) ds. Below the lowest panel E_eff is constant to rounding.
     subroutine depth_and_force(self, profile, a, depth, force, error)
@@ -154,142 +171,153 @@ contains
         part = smallest_panel_ratio
     end function negligible_part
 
-    subroutine field(self, quantity, profile, a, punch_depth, r, values, error)
-        class(effective_medium_t), intent(in) :: self
-        integer, intent(in) :: quantity
-        class(profile_t), intent(in) :: profile
+    subroutine new_load(self, profile, a, punch_depth, load, error)
+        class(effective_medium_t), intent(in), target :: self
+        class(profile_t), intent(in), target :: profile
         real(wp), intent(in) :: a, punch_depth
+        class(load_t), allocatable, intent(out) :: load
+        type(error_t), allocatable, intent(out) :: error
+        type(effective_load_t), allocatable :: own
+
+        if (allocated(error)) continue
+        allocate (own)
+        call own%begin(self, profile, a, punch_depth)
+        call move_alloc(own, load)
+    end subroutine new_load
+
+    !> The load of a state; medium and profile must outlive it.
+    subroutine begin(self, medium, profile, a, punch_depth)
+        class(effective_load_t), intent(inout) :: self
+        class(effective_medium_t), intent(in), target :: medium
+        class(profile_t), intent(in), target :: profile
+        real(wp), intent(in) :: a, punch_depth
+
+        self%medium => medium
+        self%profile => profile
+        self%radius = a
+        self%punch_depth = punch_depth
+        self%edge = medium%effective_modulus(a)*punch_depth
+        self%share_of_upper = medium%share_of_upper
+        self%is_complete = .true.
+    end subroutine begin
+
+    !> q(x; a) = int_x^a E_eff(s) d'(s) ds, equation (21).
+    subroutine line_load(self, r, values, error)
+        class(effective_load_t), intent(in) :: self
         real(wp), intent(in) :: r(:)
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
-
-        select case (quantity)
-        case (of_line_load)
-            call line_load(self, profile, a, punch_depth, r, values, error)
-        case (of_pressure)
-            call pressure(self, profile, a, punch_depth, r, values, error)
-        case default
-            call displacement_outside(self, profile, a, punch_depth, r, values, error)
-        end select
-    end subroutine field
-
-    !> q(x; a) = int_x^a E_eff(s) d'(s) ds, equation (21).
-    subroutine line_load(self, profile, a, punch_depth, r, values, error)
-        class(effective_medium_t), intent(in) :: self
-        class(profile_t), intent(in) :: profile
-        real(wp), intent(in) :: a, punch_depth
-        real(wp), intent(in) :: r(:)
-        real(wp), intent(out) :: values(:)
-        type(error_t), allocatable, intent(inout) :: error
         real(wp), allocatable :: s(:), ds(:), beyond(:), breaks(:)
         real(wp) :: lowest
         integer :: i
 
-        call self%all_breaks(profile, breaks, error)
-        do i = 1, size(r)
-            values(i) = self%effective_modulus(a)*punch_depth
-            lowest = max(r(i), profile%end_radius, smallest_panel_ratio*a)
-            if (a <= lowest) cycle
-            call graded_rule(lowest, a, breaks, profile%singular_radius, s, ds, error, beyond)
-            if (allocated(error)) return
-            values(i) = values(i) + self%effective_modulus(lowest) &
-                        *(profile%mdr(lowest) - profile%mdr(min(r(i), lowest))) &
-                        + sum(self%effective_modulus(s)*profile%mdr_slope_beyond(lowest, beyond)*ds)
-        end do
+        associate (medium => self%medium, profile => self%profile, a => self%radius, punch_depth => self%punch_depth)
+            call medium%all_breaks(profile, breaks, error)
+            do i = 1, size(r)
+                values(i) = medium%effective_modulus(a)*punch_depth
+                lowest = max(r(i), profile%end_radius, smallest_panel_ratio*a)
+                if (a <= lowest) cycle
+                call graded_rule(lowest, a, breaks, profile%singular_radius, s, ds, error, beyond)
+                if (allocated(error)) return
+                values(i) = values(i) + medium%effective_modulus(lowest) &
+                            *(profile%mdr(lowest) - profile%mdr(min(r(i), lowest))) &
+                            + sum(medium%effective_modulus(s)*profile%mdr_slope_beyond(lowest, beyond)*ds)
+            end do
+        end associate
     end subroutine line_load
 
     !> Infinite at the edge of a flat end, where g' is.
     !> p(r) = (1/pi) int_r^a E_eff(s) d'(s)/sqrt(s^2 - r^2) ds + E_eff(a) punch_depth/(pi sqrt(a^2 - r^2)), equation (6).
-    subroutine pressure(self, profile, a, punch_depth, r, values, error)
-        class(effective_medium_t), intent(in) :: self
-        class(profile_t), intent(in) :: profile
-        real(wp), intent(in) :: a, punch_depth
+    subroutine pressure(self, r, values, error)
+        class(effective_load_t), intent(in) :: self
         real(wp), intent(in) :: r(:)
         real(wp), intent(out) :: values(:)
-        type(error_t), allocatable, intent(inout) :: error
+        type(error_t), allocatable, intent(out) :: error
         real(wp), allocatable :: s(:), ds(:), beyond(:), breaks(:)
         real(wp) :: lowest
         logical :: from_axis
         integer :: i
 
-        do i = 1, size(r)
-            values(i) = self%effective_modulus(a)*edge_pressure(a, punch_depth, r(i))
-            lowest = max(r(i), profile%end_radius)
-            from_axis = lowest <= 0.0_wp
-            if (from_axis) lowest = smallest_panel_ratio*a
-            if (r(i) < a .and. profile%mdr_slope_beyond(r(i), 0.0_wp) > huge(a)) then
-                values(i) = infinity
-            else if (a > lowest) then
-                ! r too: a flat end's edge just beyond it has short panels
-                breaks = [r(i), lowest]
-                call self%all_breaks(profile, breaks, error)
-                call graded_rule(lowest, a, breaks, profile%singular_radius, s, ds, error, beyond)
-                if (allocated(error)) return
-                values(i) = values(i) + sum(self%effective_modulus(s)*profile%mdr_slope_beyond(lowest, beyond)*ds &
-                                            /(sqrt(beyond + (lowest - r(i)))*sqrt(s + r(i))))
-                if (from_axis) values(i) = values(i) + self%effective_modulus(lowest)*near_axis(profile, lowest)
-            end if
-            values(i) = values(i)/pi
-        end do
+        associate (medium => self%medium, profile => self%profile, a => self%radius, punch_depth => self%punch_depth)
+            do i = 1, size(r)
+                values(i) = medium%effective_modulus(a)*edge_pressure(a, punch_depth, r(i))
+                lowest = max(r(i), profile%end_radius)
+                from_axis = lowest <= 0.0_wp
+                if (from_axis) lowest = smallest_panel_ratio*a
+                if (r(i) < a .and. profile%mdr_slope_beyond(r(i), 0.0_wp) > huge(a)) then
+                    values(i) = infinity
+                else if (a > lowest) then
+                    ! r too: a flat end's edge just beyond it has short panels
+                    breaks = [r(i), lowest]
+                    call medium%all_breaks(profile, breaks, error)
+                    call graded_rule(lowest, a, breaks, profile%singular_radius, s, ds, error, beyond)
+                    if (allocated(error)) return
+                    values(i) = values(i) + sum(medium%effective_modulus(s)*profile%mdr_slope_beyond(lowest, beyond)*ds &
+                                                /(sqrt(beyond + (lowest - r(i)))*sqrt(s + r(i))))
+                    if (from_axis) values(i) = values(i) + medium%effective_modulus(lowest)*near_axis(profile, lowest)
+                end if
+                values(i) = values(i)/pi
+            end do
+        end associate
     end subroutine pressure
 
     !> u(r) = (2/pi) int_0^a d'(s) arcsin(s/r) ds + (2/pi) punch_depth arcsin(a/r), r > a: each increment of depth moves the
     !> surface as a flat punch on a homogeneous body.
-    subroutine displacement_outside(self, profile, a, punch_depth, r, values, error)
-        class(effective_medium_t), intent(in) :: self
-        class(profile_t), intent(in) :: profile
-        real(wp), intent(in) :: a, punch_depth
+    subroutine displacement(self, r, values, error)
+        class(effective_load_t), intent(in) :: self
         real(wp), intent(in) :: r(:)
         real(wp), intent(out) :: values(:)
-        type(error_t), allocatable, intent(inout) :: error
+        type(error_t), allocatable, intent(out) :: error
         real(wp), allocatable :: s(:), ds(:), beyond(:), breaks(:)
         real(wp) :: lowest
         integer :: i
 
-        lowest = max(profile%end_radius, smallest_panel_ratio*a)
-        call self%all_breaks(profile, breaks, error)
-        do i = 1, size(r)
-            values(i) = punch_depth*asin(a/r(i))
-            if (a > lowest) then
-                call graded_rule(lowest, a, breaks, min(profile%singular_radius, r(i)), s, ds, error, beyond)
-                if (allocated(error)) return
-                values(i) = values(i) + profile%mdr_moment(lowest)/r(i) &
-                            + sum(profile%mdr_slope_beyond(lowest, beyond)*asin(s/r(i))*ds)
-            end if
-            values(i) = values(i)*(2.0_wp/pi)
-        end do
-    end subroutine displacement_outside
+        associate (medium => self%medium, profile => self%profile, a => self%radius, punch_depth => self%punch_depth)
+            lowest = max(profile%end_radius, smallest_panel_ratio*a)
+            call medium%all_breaks(profile, breaks, error)
+            do i = 1, size(r)
+                values(i) = punch_depth*asin(a/r(i))
+                if (a > lowest) then
+                    call graded_rule(lowest, a, breaks, min(profile%singular_radius, r(i)), s, ds, error, beyond)
+                    if (allocated(error)) return
+                    values(i) = values(i) + profile%mdr_moment(lowest)/r(i) &
+                                + sum(profile%mdr_slope_beyond(lowest, beyond)*asin(s/r(i))*ds)
+                end if
+                values(i) = values(i)*(2.0_wp/pi)
+            end do
+        end associate
+    end subroutine displacement
 
     !> The work of the springs: each increment of depth, shared by the bodies, under the force reached.
-    subroutine energies(self, profile, a, punch_depth, values, error)
-        class(effective_medium_t), intent(in) :: self
-        class(profile_t), intent(in) :: profile
-        real(wp), intent(in) :: a, punch_depth
+    subroutine energies(self, values, error)
+        class(effective_load_t), intent(in) :: self
         real(wp), allocatable, intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
         real(wp), allocatable :: s(:), ds(:), beyond(:), breaks(:)
         real(wp) :: lowest, depth, force, rise, load, work, total, upper
         integer :: i
 
-        call self%depth_and_force(profile, a, depth, force, error)
-        if (allocated(error)) return
-        total = (force + a*self%effective_modulus(a)*punch_depth)*punch_depth
-        upper = self%upper_share(a)*total
-        lowest = max(profile%end_radius, smallest_panel_ratio*a)
-        if (a > lowest) then
-            rise = self%upper_depth(profile, a, error)
-            call self%all_breaks(profile, breaks, error)
-            call graded_rule(lowest, a, breaks, profile%singular_radius, s, ds, error, beyond)
+        associate (medium => self%medium, profile => self%profile, a => self%radius, punch_depth => self%punch_depth)
+            call medium%depth_and_force(profile, a, depth, force, error)
             if (allocated(error)) return
-            work = 0.0_wp
-            do i = 1, size(s)
-                load = 2.0_wp*s(i)*self%effective_modulus(s(i))*profile%mdr_slope_beyond(lowest, beyond(i))*ds(i)
-                work = work + (depth - profile%mdr(s(i)))*load
-                upper = upper + (rise - self%upper_depth(profile, s(i), error))*load
-            end do
-            total = total + work
-        end if
-        values = [total - upper, upper]
+            total = (force + a*medium%effective_modulus(a)*punch_depth)*punch_depth
+            upper = medium%upper_share(a)*total
+            lowest = max(profile%end_radius, smallest_panel_ratio*a)
+            if (a > lowest) then
+                rise = medium%upper_depth(profile, a, error)
+                call medium%all_breaks(profile, breaks, error)
+                call graded_rule(lowest, a, breaks, profile%singular_radius, s, ds, error, beyond)
+                if (allocated(error)) return
+                work = 0.0_wp
+                do i = 1, size(s)
+                    load = 2.0_wp*s(i)*medium%effective_modulus(s(i))*profile%mdr_slope_beyond(lowest, beyond(i))*ds(i)
+                    work = work + (depth - profile%mdr(s(i)))*load
+                    upper = upper + (rise - medium%upper_depth(profile, s(i), error))*load
+                end do
+                total = total + work
+            end if
+            values = [total - upper, upper]
+        end associate
     end subroutine energies
 
     elemental function upper_share(self, a) result(share)
@@ -344,42 +372,26 @@ contains
         end if
     end function edge_pressure
 
-    subroutine surface_load(self, profile, a, punch_depth, load, error)
-        class(effective_medium_t), intent(in) :: self
-        class(profile_t), intent(in) :: profile
-        real(wp), intent(in) :: a, punch_depth
-        class(load_t), allocatable, intent(inout) :: load
-        type(error_t), allocatable, intent(out) :: error
-        type(effective_load_t), allocatable :: own
-        real(wp), allocatable :: breaks(:)
-
-        call room(self%bytes() + profile%bytes(), error)
-        if (allocated(error)) return
-        allocate (own)
-        allocate (own%medium, source=self)
-        allocate (own%profile, source=profile)
-        own%radius = a
-        own%edge = self%effective_modulus(a)*punch_depth
-        call self%all_breaks(profile, breaks, error)
-        call merge_breaks(own%kinks, breaks(:count(breaks < a)), error)
-        if (allocated(error)) return
-        call own%mark_axis()
-        call move_alloc(own, load)
-    end subroutine surface_load
-
-    subroutine new_slip(self, tangential, profile, a, punch_depth, slip, error)
+    subroutine slip(self, tangential, load, found, error)
         class(effective_medium_t), intent(in) :: self
         class(solver_t), intent(in) :: tangential
-        class(profile_t), intent(in) :: profile
-        real(wp), intent(in) :: a, punch_depth
-        class(slip_t), allocatable, intent(out) :: slip
+        class(load_t), intent(in) :: load
+        class(slip_t), allocatable, intent(out) :: found
         type(error_t), allocatable, intent(out) :: error
         type(superposed_slip_t), allocatable :: own
 
         allocate (own)
-        call new_superposed_slip(own, self, tangential, profile, a, punch_depth, error)
-        if (.not. allocated(error)) call move_alloc(own, slip)
-    end subroutine new_slip
+        call new_superposed_slip(own, self, tangential, load%profile, load%radius, load%punch_depth, error)
+        if (.not. allocated(error)) call move_alloc(own, found)
+    end subroutine slip
+
+    pure subroutine add_load_breaks(self, radii, error)
+        class(effective_load_t), intent(in) :: self
+        real(wp), allocatable, intent(inout) :: radii(:)
+        type(error_t), allocatable, intent(inout) :: error
+
+        call self%medium%all_breaks(self%profile, radii, error)
+    end subroutine add_load_breaks
 
     pure function slope(self, start, distance) result(y)
         class(effective_load_t), intent(in) :: self

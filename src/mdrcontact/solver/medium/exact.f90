@@ -8,25 +8,23 @@ module mdrcontact_medium_exact
     use mdrcontact_body, only: body_t, copy
     use mdrcontact_body_compliance, only: compliance_t, normal_load
     use mdrcontact_body_stack, only: new_stack, stack_t
-    use mdrcontact_error, only: check_memory, check_within, error_invalid, error_t, raise
-    use mdrcontact_medium_load, only: load_t
-    use mdrcontact_medium_profile_load, only: new_profile_load, profile_load_t
+    use mdrcontact_error, only: check_within, error_invalid, error_t, raise
+    use mdrcontact_medium_load, only: load_t, lower_body, upper_body
+    use mdrcontact_medium_exact_load, only: exact_load_t, new_exact_load, part_t
     use mdrcontact_medium_slip, only: slip_t
     use mdrcontact_gsl, only: disable_gsl_abort
-    use mdrcontact_kinds, only: pi, wp
+    use mdrcontact_kinds, only: wp
     use mdrcontact_line_combine, only: add_kernels
-    use mdrcontact_line_fields, only: line_load_t, new_line_load
-    use mdrcontact_line_kernel, only: kernel_t
+    use mdrcontact_line_fields, only: line_load_t
     use mdrcontact_line_moments, only: is_smooth
+    use mdrcontact_line_kernel, only: kernel_t
     use mdrcontact_line_shared, only: layered_shared_t, shared_kernel
     use mdrcontact_medium_exact_slip, only: layered_slip_t, new_layered_slip
-    use mdrcontact_line_solve, only: solution_t, solve
+    use mdrcontact_line_solve, only: solution_t, solve_springs => solve
     use mdrcontact_line_springs, only: springs_t
     use mdrcontact_material, only: in_series, material_t
-    use mdrcontact_medium_solver, only: depth_and_force, lower_body, of_displacement, of_line_load, of_pressure, &
-                                         set_pair, solver_t, upper_body
+    use mdrcontact_medium_solver, only: depth_and_force, set_pair, solved_t, solver_t
     use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous_from_modulus
-    use mdrcontact_numerics_pick, only: pick
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
     private
@@ -39,12 +37,6 @@ module mdrcontact_medium_exact
     !> The same where all layers are of one material [length].
     real(wp), parameter :: largest_homogeneous = 1.0e100_wp
 
-    !> What a pair keeps of each of its bodies: the kernel and its part E0*/E_i* of the compliance.
-    type :: part_t
-        type(kernel_t) :: kernel
-        real(wp) :: share = 0.0_wp
-    end type part_t
-
     !> A layered or graded half-space, or two bodies pressed together, solved exactly.
     type, extends(solver_t) :: layered_exact_t
         private
@@ -54,15 +46,11 @@ module mdrcontact_medium_exact
         type(homogeneous_t) :: surface
     contains
         procedure :: modulus
-        procedure :: response
-        procedure :: field
-        procedure :: line_load_series
+        procedure :: solve
+        procedure :: load => new_load
+        procedure :: slip
+        procedure :: for_load
         procedure :: zeta
-        procedure :: take_share
-        procedure :: energies
-        procedure :: surface_load
-        procedure :: under
-        procedure :: new_slip
     end type layered_exact_t
 
     !> The exact medium of a body, or of layers on a substrate.
@@ -235,7 +223,7 @@ contains
         integer :: i
 
         do i = 1, size(a)
-            call solve(self%springs%kernel, self%springs%tolerance, a(i), solution, error, edge=present(slopes))
+            call solve_springs(self%springs%kernel, self%springs%tolerance, a(i), solution, error, edge=present(slopes))
             if (allocated(error)) return
             values(i) = self%springs%modulus*solution%modulus
             if (present(slopes)) slopes(i) = self%springs%modulus*(solution%punch_edge**2 - solution%modulus)/a(i)
@@ -243,36 +231,38 @@ contains
     end subroutine modulus
 
     !> All of them from one solution: k'(a) = 2 E0* q_1(a; a)^2, where E_eff + a E_eff' would cancel on a soft film.
-    subroutine response(self, profile, a, depth, force, modulus, stiffness_slope, error, adhesive, depth_slope, accuracy)
+    subroutine solve(self, profile, a, solved, error, adhesive, accuracy, series)
         class(layered_exact_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
         real(wp), intent(in) :: a
-        real(wp), intent(out) :: depth, force, modulus, stiffness_slope
+        type(solved_t), intent(out) :: solved
         type(error_t), allocatable, intent(out) :: error
         logical, intent(in), optional :: adhesive
-        real(wp), intent(inout), optional :: depth_slope
         real(wp), intent(inout), optional :: accuracy
+        real(wp), allocatable, intent(out), optional :: series(:, :)
         type(solution_t) :: solution
         real(wp) :: tolerance
 
         tolerance = self%springs%tolerance
         if (present(accuracy)) tolerance = max(tolerance, accuracy)
-        depth = 0.0_wp
-        force = 0.0_wp
-        modulus = 0.0_wp
-        stiffness_slope = 0.0_wp
-        call solve(self%springs%kernel, tolerance, a, solution, error, profile, adhesive)
+        ! of smooth indenters on films
+        if (present(series) .and. is_smooth(profile)) then
+            call solve_springs(self%springs%kernel, tolerance, a, solution, error, profile, adhesive, series)
+            if (.not. allocated(error)) series = self%springs%modulus*series
+        else
+            call solve_springs(self%springs%kernel, tolerance, a, solution, error, profile, adhesive)
+        end if
         if (allocated(error)) return
         if (present(accuracy)) then
             accuracy = maxval(solution%errors([1, 3, 4]))
             if (accuracy <= self%springs%tolerance) accuracy = 0.0_wp
         end if
-        depth = solution%depth
-        force = self%springs%modulus*solution%force
-        modulus = self%springs%modulus*solution%modulus
-        stiffness_slope = 2.0_wp*self%springs%modulus*solution%punch_edge**2
-        if (present(depth_slope)) depth_slope = solution%depth_slope
-    end subroutine response
+        solved%depth = solution%depth
+        solved%force = self%springs%modulus*solution%force
+        solved%modulus = self%springs%modulus*solution%modulus
+        solved%stiffness_slope = 2.0_wp*self%springs%modulus*solution%punch_edge**2
+        solved%depth_slope = solution%depth_slope
+    end subroutine solve
 
     !> zeta(a) = d/g(a), equation (9): what the depth is to that of a homogeneous body at the same contact radius.
     subroutine zeta(self, profile, a, values, error)
@@ -293,152 +283,20 @@ contains
         end do
     end subroutine zeta
 
-    !> Of smooth indenters on films: the coefficients of a state's own solution.
-    subroutine line_load_series(self, profile, a, punch_depth, series, error)
-        class(layered_exact_t), intent(in) :: self
-        class(profile_t), intent(in) :: profile
+    subroutine new_load(self, profile, a, punch_depth, load, error)
+        class(layered_exact_t), intent(in), target :: self
+        class(profile_t), intent(in), target :: profile
         real(wp), intent(in) :: a, punch_depth
-        real(wp), allocatable, intent(out) :: series(:)
-        type(error_t), allocatable, intent(inout) :: error
-        type(solution_t) :: solution
-        real(wp), allocatable :: parts(:, :)
-
-        if (.not. is_smooth(profile)) return
-        call solve(self%springs%kernel, self%springs%tolerance, a, solution, error, profile, abs(punch_depth) > 0.0_wp, parts)
-        if (.not. allocated(error)) series = self%springs%modulus*(parts(:, 2) + punch_depth*parts(:, 1))
-    end subroutine line_load_series
-
-    !> With d, g and what the layers below do to the springs, v:
-    !> q(x; a) = E0* (d - g - v);
-    !> p(r) by equation (6): the half-space of the surface material under d - g, and what the layers below it add;
-    !> u(r) = (2/pi) int_0^r w(x)/sqrt(r^2 - x^2) dx with the springs' displacement w, which is d - g inside the contact.
-    subroutine field(self, quantity, profile, a, punch_depth, r, values, error)
-        class(layered_exact_t), intent(in) :: self
-        integer, intent(in) :: quantity
-        class(profile_t), intent(in) :: profile
-        real(wp), intent(in) :: a, punch_depth
-        real(wp), intent(in) :: r(:)
-        real(wp), intent(out) :: values(:)
+        class(load_t), allocatable, intent(out) :: load
         type(error_t), allocatable, intent(out) :: error
-        type(line_load_t) :: load
-        real(wp), allocatable :: added(:)
-        integer :: i, stat
+        type(exact_load_t), allocatable :: own
 
-        call new_line_load(load, self%springs%kernel, self%springs%tolerance, profile, a, punch_depth, error, at_points=.true.)
-        if (allocated(error)) return
-        select case (quantity)
-        case (of_line_load)
-            call load%at(profile, r, values)
-            values = self%springs%modulus*values
-        case (of_pressure)
-            call self%surface%field(of_pressure, profile, a, 0.0_wp, r, values, error)
-            if (allocated(error)) return
-            do i = 1, size(r)
-                values(i) = values(i) + self%springs%modulus*load%smooth_pressure(r(i))
-                if (punch_depth == 0.0_wp) cycle
-                if (r(i) < a) then
-                    values(i) = values(i) + self%springs%modulus*load%edge/(pi*sqrt((a - r(i))*(a + r(i))))
-                else
-                    values(i) = sign(infinity, punch_depth)
-                end if
-            end do
-        case default
-            call self%surface%field(of_displacement, profile, a, load%depth - profile%mdr(a), r, values, error)
-            if (allocated(error) .or. self%springs%kernel%vanishes) return
-            allocate (added(size(r)), stat=stat)
-            call check_memory(error, stat)
-            if (allocated(error)) return
-            call load%displacement_beyond(self%springs%kernel, r, added, error)
-            values = values + added
-        end select
-    end subroutine field
-
-    !> u_i(r) = (E0*/E_i*) (2/pi) int_0^r w_i(x)/sqrt(r^2 - x^2) dx with w_i = [q + K_i q]/E0* = d - g - v + v_i inside the contact.
-    subroutine take_share(self, profile, a, punch_depth, body, r, values, error)
-        class(layered_exact_t), intent(in) :: self
-        class(profile_t), intent(in) :: profile
-        real(wp), intent(in) :: a, punch_depth
-        integer, intent(in) :: body
-        real(wp), intent(in) :: r(:)
-        real(wp), intent(inout) :: values(:)
-        type(error_t), allocatable, intent(out) :: error
-        type(line_load_t) :: load
-        real(wp), allocatable :: v(:), outside(:), difference(:), total(:), added(:)
-        integer, allocatable :: places(:)
-        integer :: i, stat
-
-        if (.not. allocated(self%parts)) then
-            if (body == upper_body) values = 0.0_wp
-            return
-        end if
-        call new_line_load(load, self%springs%kernel, self%springs%tolerance, profile, a, punch_depth, error)
-        if (allocated(error)) return
-        call pick(r, places, outside, total, error, above=a)
-        if (allocated(error)) return
-        allocate (v, mold=load%q)
-        allocate (difference(size(r)), added(size(outside)), stat=stat)
-        call check_memory(error, stat)
-        if (allocated(error)) return
-        added = 0.0_wp
-        associate (part => self%parts(body))
-            call load%part_of(part%kernel, v, error)
-            call load%displacement_by(v - load%v, r, difference, error)
-            if (allocated(error)) return
-            call self%surface%field(of_displacement, profile, a, load%depth - profile%mdr(a), outside, total, error)
-            if (allocated(error)) return
-            if (.not. part%kernel%vanishes) call load%displacement_beyond(part%kernel, outside, added, error)
-            do i = 1, size(places)
-                values(places(i)) = total(i) + added(i)
-            end do
-            values = part%share*(values + difference)
-        end associate
-    end subroutine take_share
-
-    !> W_i = int_0^a q w_i dx.
-    subroutine energies(self, profile, a, punch_depth, values, error)
-        class(layered_exact_t), intent(in) :: self
-        class(profile_t), intent(in) :: profile
-        real(wp), intent(in) :: a, punch_depth
-        real(wp), allocatable, intent(out) :: values(:)
-        type(error_t), allocatable, intent(out) :: error
-        type(line_load_t) :: load
-        real(wp), allocatable :: v(:)
-        integer :: i
-
-        call new_line_load(load, self%springs%kernel, self%springs%tolerance, profile, a, punch_depth, error, &
-                           at_points=.not. allocated(self%parts))
-        if (allocated(error)) return
-        allocate (values(2), source=0.0_wp)
-        if (.not. allocated(self%parts)) then
-            values(lower_body) = self%springs%modulus*load%work_on(profile, load%v, error)
-            return
-        end if
-        allocate (v, mold=load%q)
-        do i = 1, 2
-            call load%part_of(self%parts(i)%kernel, v, error)
-            if (allocated(error)) return
-            values(i) = self%springs%modulus*self%parts(i)%share*load%work_on(profile, v, error)
-        end do
-    end subroutine energies
-
-    !> q = E0* (d - g - v) with v as a Legendre series.
-    subroutine surface_load(self, profile, a, punch_depth, load, error)
-        class(layered_exact_t), intent(in) :: self
-        class(profile_t), intent(in) :: profile
-        real(wp), intent(in) :: a, punch_depth
-        class(load_t), allocatable, intent(inout) :: load
-        type(error_t), allocatable, intent(out) :: error
-        type(line_load_t) :: springs
-        type(profile_load_t), allocatable :: own
-
-        call new_line_load(springs, self%springs%kernel, self%springs%tolerance, profile, a, punch_depth, error, at_points=.true.)
-        if (allocated(error)) return
         allocate (own)
-        call new_profile_load(own, profile, self%springs%modulus, springs, error)
+        call new_exact_load(own, self%springs, self%surface, profile, a, punch_depth, error, self%parts)
         if (.not. allocated(error)) call move_alloc(own, load)
-    end subroutine surface_load
+    end subroutine new_load
 
-    subroutine under(self, load, other, error)
+    subroutine for_load(self, load, other, error)
         class(layered_exact_t), intent(in) :: self
         integer, intent(in) :: load
         class(solver_t), allocatable, intent(out) :: other
@@ -448,7 +306,7 @@ contains
         allocate (own)
         call new_under_load(own, self, load, error)
         if (.not. allocated(error)) call move_alloc(own, other)
-    end subroutine under
+    end subroutine for_load
 
     !> The same bodies under another load; of two, their compliances add.
     subroutine new_under_load(medium, normal, load, error)
@@ -490,25 +348,29 @@ contains
         end if
     end subroutine new_body_under_load
 
-    subroutine new_slip(self, tangential, profile, a, punch_depth, slip, error)
+    subroutine slip(self, tangential, load, found, error)
         class(layered_exact_t), intent(in) :: self
         class(solver_t), intent(in) :: tangential
-        class(profile_t), intent(in) :: profile
-        real(wp), intent(in) :: a, punch_depth
-        class(slip_t), allocatable, intent(out) :: slip
+        class(load_t), intent(in) :: load
+        class(slip_t), allocatable, intent(out) :: found
         type(error_t), allocatable, intent(out) :: error
         type(layered_slip_t), allocatable :: own
         type(line_load_t) :: springs
         real(wp), allocatable :: sheared(:)
 
-        call new_line_load(springs, self%springs%kernel, self%springs%tolerance, profile, a, punch_depth, error)
+        select type (load)
+        class is (exact_load_t)
+            call load%take_series(springs, error)
+        class default
+            call raise(error, error_invalid, "the load is not one of this medium")
+        end select
         if (allocated(error)) return
         allocate (sheared, mold=springs%q)
         call springs%part_of(tangential%springs%kernel, sheared, error)
         if (allocated(error)) return
         allocate (own)
-        call new_layered_slip(own, self, tangential, profile, springs, sheared, punch_depth, error)
-        if (.not. allocated(error)) call move_alloc(own, slip)
-    end subroutine new_slip
+        call new_layered_slip(own, self, tangential, load%profile, springs, sheared, load%punch_depth, error)
+        if (.not. allocated(error)) call move_alloc(own, found)
+    end subroutine slip
 
 end module mdrcontact_medium_exact

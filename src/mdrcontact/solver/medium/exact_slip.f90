@@ -8,7 +8,8 @@ module mdrcontact_medium_exact_slip
     use mdrcontact_kinds, only: wp
     use mdrcontact_line_fields, only: line_load_t, new_line_load
     use mdrcontact_line_slip_profile, only: slip_profile_t
-    use mdrcontact_medium_solver, only: copy, of_line_load, solver_t
+    use mdrcontact_medium_load, only: load_t
+    use mdrcontact_medium_solver, only: copy, solved_t, solver_t
     use mdrcontact_medium_superposed_slip, only: traction_between
     use mdrcontact_numerics_quadrature, only: graded_edges, graded_rule, mark_breaks, smallest_panel_ratio
     use mdrcontact_numerics_pick, only: pick
@@ -55,7 +56,8 @@ contains
         real(wp), intent(in) :: punch_depth
         type(error_t), allocatable, intent(out) :: error
         real(wp), allocatable :: exponents(:), coefficients(:)
-        real(wp) :: even, effective, rise, depth, force
+        type(solved_t) :: pressed
+        real(wp) :: even, depth, force
         integer :: j
 
         call copy(normal, self%normal, error)
@@ -63,9 +65,9 @@ contains
         if (.not. allocated(error)) call copy(profile, self%profile%base, error)
         if (allocated(error)) return
         self%radius = springs%a
-        call normal%response(profile, springs%a, depth, force, effective, rise, error)
+        call normal%solve(profile, springs%a, pressed, error)
         if (allocated(error)) return
-        self%force = force + 2.0_wp*springs%a*effective*punch_depth
+        self%force = pressed%force + 2.0_wp*springs%a*pressed%modulus*punch_depth
         self%punch_depth = punch_depth
         self%springs = springs
         call profile%powers(exponents, coefficients)
@@ -85,7 +87,7 @@ contains
             self%profile%at_axis = self%profile%at_axis + self%profile%c(j)*even
             even = -even*real(2*j - 1, wp)/real(2*j, wp)
         end do
-        self%sliding_shift = self%profile%ratio*(depth + punch_depth - self%profile%at_axis)
+        self%sliding_shift = self%profile%ratio*(pressed%depth + punch_depth - self%profile%at_axis)
         call solve(self, self%radius, depth, force, self%stiffness, self%edge_rate, error)
         ! without a load at the edge something slips with the slightest shift
         if (allocated(error) .or. punch_depth <= 0.0_wp) return
@@ -114,12 +116,14 @@ contains
         real(wp), intent(out) :: depth, force, stiffness, slope
         type(error_t), allocatable, intent(out) :: error
         real(wp), intent(out), optional :: stiffness_slope
-        real(wp) :: modulus, rise
+        type(solved_t) :: stuck
 
-        call self%tangential%response(self%profile, c, depth, force, modulus, rise, error, &
-                                      adhesive=present(stiffness_slope), depth_slope=slope)
-        stiffness = 2.0_wp*c*modulus
-        if (present(stiffness_slope)) stiffness_slope = rise
+        call self%tangential%solve(self%profile, c, stuck, error, adhesive=present(stiffness_slope))
+        depth = stuck%depth
+        force = stuck%force
+        stiffness = 2.0_wp*c*stuck%modulus
+        slope = stuck%depth_slope
+        if (present(stiffness_slope)) stiffness_slope = stuck%stiffness_slope
     end subroutine solve
 
     subroutine rates(self, c, shift, shift_rate, stiffness, stiffness_slope, error)
@@ -217,11 +221,12 @@ contains
 
     !> q_n - q*.
     subroutine line_load(self, c, r, values, error)
-        class(layered_slip_t), intent(in) :: self
+        class(layered_slip_t), intent(in), target :: self
         real(wp), intent(in) :: c
         real(wp), intent(in) :: r(:)
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
+        class(load_t), allocatable :: stuck
         real(wp), allocatable :: inside(:), inner(:)
         integer, allocatable :: places(:)
         integer :: i
@@ -230,7 +235,8 @@ contains
         values = self%normal%springs%modulus*values
         call pick(r, places, inside, inner, error, below=c)
         if (allocated(error) .or. size(places) == 0) return
-        call self%tangential%field(of_line_load, self%profile, c, 0.0_wp, inside, inner, error)
+        call self%tangential%load(self%profile, c, 0.0_wp, stuck, error)
+        if (.not. allocated(error)) call stuck%line_load(inside, inner, error)
         if (allocated(error)) return
         do i = 1, size(places)
             values(places(i)) = values(places(i)) - inner(i)
@@ -239,14 +245,15 @@ contains
 
     !> p - p*.
     subroutine traction(self, c, r, values, error)
-        class(layered_slip_t), intent(in) :: self
+        class(layered_slip_t), intent(in), target :: self
         real(wp), intent(in) :: c
         real(wp), intent(in) :: r(:)
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
+        class(load_t), allocatable :: pressed
 
-        call traction_between(self%normal, self%profile%base, self%radius, self%punch_depth, self%tangential, self%profile, c, r, &
-                              values, error)
+        call self%normal%load(self%profile%base, self%radius, self%punch_depth, pressed, error)
+        if (.not. allocated(error)) call traction_between(pressed, self%tangential, self%profile, c, r, values, error)
     end subroutine traction
 
 end module mdrcontact_medium_exact_slip

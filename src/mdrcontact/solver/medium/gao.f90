@@ -12,7 +12,7 @@ module mdrcontact_medium_gao
                                 raise
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t
-    use mdrcontact_medium_solver, only: solver_t
+    use mdrcontact_medium_solver, only: refuse_load, solver_t
     use mdrcontact_medium_effective, only: effective_medium_t
     use mdrcontact_numerics_power_mean, only: new_power_mean, power_mean_t
     use mdrcontact_weights, only: all_weights, weight_i0_poisson_slope, weight_i0_slope, weight_i0_tangential_poisson_slope, &
@@ -49,7 +49,7 @@ module mdrcontact_medium_gao
     contains
         procedure :: effective_modulus
         procedure :: effective_modulus_slope
-        procedure :: under
+        procedure :: for_load
         procedure :: bytes
     end type gao_t
 
@@ -133,14 +133,17 @@ contains
 
     !> The same layers under shear, G_t = 4 G_eff/(2 - nu_eff) with the weights of a load along the surface, exact to first order in
     !> the contrast.
-    subroutine under(self, load, other, error)
+    subroutine for_load(self, load, other, error)
         class(gao_t), intent(in) :: self
         integer, intent(in) :: load
         class(solver_t), allocatable, intent(out) :: other
         type(error_t), allocatable, intent(out) :: error
         type(gao_t), allocatable :: own
 
-        if (load /= shear_load) return
+        if (load /= shear_load) then
+            call refuse_load(self, load, error)
+            return
+        end if
         call room(3*real_bytes*size(self%shear), error)
         if (allocated(error)) return
         allocate (own)
@@ -152,7 +155,7 @@ contains
         own%under_shear = .true.
         own%p = 2.0_wp
         call move_alloc(own, other)
-    end subroutine under
+    end subroutine for_load
 
     pure recursive function bytes(self)
         class(gao_t), intent(in) :: self

@@ -12,7 +12,7 @@ module mdrcontact_medium_graded
     use mdrcontact_error, only: check_memory, error_invalid, error_t, raise
     use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_kinds, only: wp
-    use mdrcontact_medium_solver, only: solver_t
+    use mdrcontact_medium_solver, only: refuse_load, solver_t
     use mdrcontact_medium_effective, only: effective_medium_t
     use mdrcontact_medium_gao, only: gao_nu_effective, gao_options_t, i0_poisson_choice
     use mdrcontact_numerics_power_mean, only: new_power_mean, power_mean_t
@@ -33,7 +33,7 @@ module mdrcontact_medium_graded
     contains
         procedure :: effective_modulus
         procedure :: effective_modulus_slope
-        procedure :: under
+        procedure :: for_load
         procedure :: bytes
     end type graded_t
 
@@ -126,14 +126,17 @@ contains
     end function contrast
 
     !> The same body, under shear.
-    subroutine under(self, load, other, error)
+    subroutine for_load(self, load, other, error)
         class(graded_t), intent(in) :: self
         integer, intent(in) :: load
         class(solver_t), allocatable, intent(out) :: other
         type(error_t), allocatable, intent(out) :: error
         type(graded_t), allocatable :: own
 
-        if (load /= shear_load) return
+        if (load /= shear_load) then
+            call refuse_load(self, load, error)
+            return
+        end if
         allocate (own)
         if (allocated(self%pressed)) then
             call new_graded(own, self%pressed, error, self%options, under_shear=.true.)
@@ -141,7 +144,7 @@ contains
             call raise(error, error_invalid, "the tangential stiffness is not known for this medium: its body was not kept")
         end if
         if (.not. allocated(error)) call move_alloc(own, other)
-    end subroutine under
+    end subroutine for_load
 
     pure recursive function bytes(self)
         class(graded_t), intent(in) :: self

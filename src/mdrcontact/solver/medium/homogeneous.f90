@@ -29,9 +29,9 @@ module mdrcontact_medium_homogeneous
         procedure :: effective_modulus
         procedure :: effective_modulus_slope
         procedure :: depth_and_force
-        procedure :: line_load_series
         procedure :: half_space_modulus
-        procedure :: under
+        procedure :: find_series
+        procedure :: for_load
     end type homogeneous_t
 
 contains
@@ -133,23 +133,24 @@ contains
         force = 2.0_wp*self%contact_modulus*profile%mdr_moment(a)
     end subroutine depth_and_force
 
-    !> q = E* (g(a) + punch_depth - g(x)).
-    subroutine line_load_series(self, profile, a, punch_depth, series, error)
+    !> q = E* (g(a) + punch_depth - g(x)) under smooth profiles.
+    subroutine find_series(self, profile, a, series, error)
         class(homogeneous_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
-        real(wp), intent(in) :: a, punch_depth
-        real(wp), allocatable, intent(out) :: series(:)
+        real(wp), intent(in) :: a
+        real(wp), allocatable, intent(out) :: series(:, :)
         type(error_t), allocatable, intent(inout) :: error
 
-        if (.not. is_smooth(profile)) return
-        allocate (series(terms))
-        call profile_moments(profile, a, series, error)
-        series = -self%contact_modulus*series
-        series(1) = series(1) + sqrt(2.0_wp)*self%contact_modulus*(profile%mdr(a) + punch_depth)
-    end subroutine line_load_series
+        if (allocated(error) .or. .not. is_smooth(profile)) return
+        allocate (series(terms, 2), source=0.0_wp)
+        call profile_moments(profile, a, series(:, 2), error)
+        series(:, 2) = -self%contact_modulus*series(:, 2)
+        series(1, 1) = sqrt(2.0_wp)*self%contact_modulus
+        series(1, 2) = series(1, 2) + series(1, 1)*profile%mdr(a)
+    end subroutine find_series
 
     !> The half-space of modulus G*, or 4 G under a twist; of two, 1/G* = 1/G1* + 1/G2*.
-    subroutine under(self, load, other, error)
+    subroutine for_load(self, load, other, error)
         class(homogeneous_t), intent(in) :: self
         integer, intent(in) :: load
         class(solver_t), allocatable, intent(out) :: other
@@ -161,6 +162,6 @@ contains
         if (allocated(error)) return
         call set_modulus(own, merge(4.0_wp*moduli(1), moduli(2), load == twist_load))
         allocate (other, source=own)
-    end subroutine under
+    end subroutine for_load
 
 end module mdrcontact_medium_homogeneous

@@ -1,14 +1,20 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The load on a surface as stresses inside need it: an axisymmetric pressure given by its line load q(x), 0 <= x <= a.
+!> The load of a state: an axisymmetric pressure and its line load q(x), 0 <= x <= a, from which p(r) follows by equation (6).
 !>
-!> p(r) follows from q by equation (6).
+!> It is solved once, when it is made, and gives the fields of the state on the surface and the energies of the bodies; stresses
+!> inside, wear, friction and heat read it.
 module mdrcontact_medium_load
+    use mdrcontact_nonfinite, only: quiet_nan
     use mdrcontact_error, only: check_memory, error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: wp
-    use mdrcontact_numerics_quadrature, only: gauss_legendre, legendre
+    use mdrcontact_numerics_quadrature, only: gauss_legendre, legendre, merge_breaks
+    use mdrcontact_profile, only: profile_t
     implicit none (type, external)
     private
-    public :: load_t, panel_t
+    public :: load_t, panel_t, lower_body, upper_body
+
+    !> The bodies of a pair, by their place in arrays.
+    integer, parameter :: lower_body = 1, upper_body = 2
 
     !> Nodes of a panel of positions, and of those the degree up to which a polynomial is far from needing all.
     integer, parameter :: nodes = 16, low_degree = 6
@@ -40,37 +46,131 @@ module mdrcontact_medium_load
         procedure :: place_nodes
     end type panel_t
 
-    !> A line load. Extensions hold its parameters; it never changes once made.
+    !> A load. Extensions hold what it is known by, and refer to a medium and a profile that outlive it. Once made it never changes:
+    !> any number of threads may share it.
     type, abstract :: load_t
-        !> a > 0 [length]
-        real(wp) :: radius = 0.0_wp
+        !> a [length], and depth beyond that of the non-adhesive state [length]
+        real(wp) :: radius = 0.0_wp, punch_depth = 0.0_wp
         !> q(a) [modulus length]: 0 without adhesion, negative at an adhesive edge, positive under a flat punch
         real(wp) :: edge = 0.0_wp
-        !> positions in [0, a) where q is not analytic to the right, ascending; q' may be infinite there as (x - b)^(-1/2)
+        class(profile_t), pointer :: profile => null()
+        !> what the upper body takes of each displacement, unless a pair is one of displacement_of_body's own [1]
+        real(wp) :: share_of_upper = 0.0_wp
+        !> whether q' is known and nothing else loads the body: stresses inside and energies follow from it
+        logical :: is_complete = .false.
+        !> positions in [0, a) where q is not analytic to the right, ascending; q' may be infinite there as (x - b)^(-1/2); not
+        !> allocated before find_kinks
         real(wp), allocatable :: kinks(:)
     contains
-        !> q' [modulus] at distances beyond a position: all digits beside a kink, and +-infinity where it is infinite there
-        procedure(slope_beyond), deferred :: slope
+        !> q(x) [modulus length], 0 <= x <= a
+        procedure(field_at), deferred :: line_load
+        !> p(r) [modulus], 0 <= r <= a, infinite at r = a where punch_depth is not 0
+        procedure(field_at), deferred :: pressure
+        !> u(r) of the surface [length], r > a, positive into the medium
+        procedure(field_at), deferred :: displacement
+        procedure :: displacement_of_body
+        procedure :: energies
+        procedure :: least_pressure
+        procedure :: slope
+        !> radii where q is not analytic
+        procedure :: add_breaks
+        procedure :: find_kinks
         procedure :: square_integral
         !> panels for integrals over the contact
         procedure :: panels
-        !> makes the axis a kink where q' behaves as a broken power there; for constructors
+        !> makes the axis a kink where q' behaves as a broken power there
         procedure :: mark_axis
         !> e of q' ~ x^e beside the axis
         procedure :: order_on_axis
     end type load_t
 
     abstract interface
-        pure function slope_beyond(self, start, distance) result(y)
-            import :: load_t, wp
+        subroutine field_at(self, r, values, error)
+            import :: error_t, load_t, wp
             class(load_t), intent(in) :: self
-            !> 0 <= start <= start + distance <= a [length]
-            real(wp), intent(in) :: start, distance(:)
-            real(wp) :: y(size(distance))
-        end function slope_beyond
+            !> positions [length]
+            real(wp), intent(in) :: r(:)
+            !> same size as r
+            real(wp), intent(out) :: values(:)
+            type(error_t), allocatable, intent(out) :: error
+        end subroutine field_at
     end interface
 
 contains
+
+    !> Displacement of the surface of one body; here the same share everywhere.
+    subroutine displacement_of_body(self, body, r, values, error)
+        class(load_t), intent(in) :: self
+        !> lower_body or upper_body
+        integer, intent(in) :: body
+        !> positions r >= 0 [length]
+        real(wp), intent(in) :: r(:)
+        !> u(r) of both surfaces together, each positive into its body; then of the requested one [length]
+        real(wp), intent(inout) :: values(:)
+        type(error_t), allocatable, intent(out) :: error
+
+        associate (unused => r, also_unused => error)
+        end associate
+        values = merge(self%share_of_upper, 1.0_wp - self%share_of_upper, body == upper_body)*values
+    end subroutine displacement_of_body
+
+    !> Elastic energies; here they are not known.
+    subroutine energies(self, values, error)
+        class(load_t), intent(in) :: self
+        !> (2) of the lower and the upper body [modulus length^3]; not allocated where they are not known
+        real(wp), allocatable, intent(out) :: values(:)
+        type(error_t), allocatable, intent(out) :: error
+
+        associate (unused => self, also_unused => values, unused_too => error)
+        end associate
+    end subroutine energies
+
+    !> What p is not below at some positions; here that is not known.
+    pure subroutine least_pressure(self, r, values)
+        class(load_t), intent(in) :: self
+        !> 0 <= r < a, ascending [length]
+        real(wp), intent(in) :: r(:)
+        !> same size as r [modulus]
+        real(wp), intent(out) :: values(:)
+
+        associate (unused => self, also_unused => r)
+        end associate
+        values = -huge(1.0_wp)
+    end subroutine least_pressure
+
+    !> q' [modulus] at distances beyond a position: all digits beside a kink, and +-infinity where it is infinite there. Here it is
+    !> not known: see is_complete.
+    pure function slope(self, start, distance) result(y)
+        class(load_t), intent(in) :: self
+        !> 0 <= start <= start + distance <= a [length]
+        real(wp), intent(in) :: start, distance(:)
+        real(wp) :: y(size(distance))
+
+        associate (unused => self, also_unused => start)
+        end associate
+        y = quiet_nan
+    end function slope
+
+    pure subroutine add_breaks(self, radii, error)
+        class(load_t), intent(in) :: self
+        !> ascending [length]; others already in it stay
+        real(wp), allocatable, intent(inout) :: radii(:)
+        type(error_t), allocatable, intent(inout) :: error
+
+        call self%profile%add_breaks(radii, error)
+    end subroutine add_breaks
+
+    !> What integrals over q' need: a load that is read on the surface alone does without it.
+    subroutine find_kinks(self, error)
+        class(load_t), intent(inout) :: self
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp), allocatable :: breaks(:)
+
+        call self%add_breaks(breaks, error)
+        if (allocated(error)) return
+        call merge_breaks(self%kinks, breaks(:count(breaks < self%radius)), error)
+        if (.not. allocated(error)) call self%mark_axis()
+    end subroutine find_kinks
 
     !> int_0^a q^2 dx [modulus^2 length^3], with q(x) = q(a) - int_x^a q' dx.
     function square_integral(self, error) result(total)
@@ -297,7 +397,7 @@ contains
         end if
     end subroutine place_nodes
 
-    !> Makes the axis a kink where q' is a broken power there; constructors call it.
+    !> Makes the axis a kink where q' is a broken power there.
     subroutine mark_axis(self)
         class(load_t), intent(inout) :: self
         real(wp) :: order

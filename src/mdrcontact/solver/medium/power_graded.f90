@@ -11,7 +11,8 @@ module mdrcontact_medium_power_graded
     use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_kinds, only: half_pi, pi, wp
     use mdrcontact_material, only: in_series
-    use mdrcontact_medium_solver, only: of_line_load, of_pressure, set_pair, solver_t
+    use mdrcontact_medium_load, only: load_t
+    use mdrcontact_medium_solver, only: set_pair, solved_t, solver_t
     use mdrcontact_profile, only: profile_t
     use mdrcontact_numerics_quadrature, only: gauss_jacobi, gauss_legendre, graded_rule, smallest_panel_ratio
     use mdrcontact_numerics_sampled_function, only: new_sampled_function, sampled_function_t
@@ -34,14 +35,24 @@ module mdrcontact_medium_power_graded
         real(wp), dimension(panel_nodes, 2) :: edge_rule = 0.0_wp, corner_rule = 0.0_wp
     contains
         procedure :: modulus
-        procedure :: response
-        procedure :: field
+        procedure :: solve
+        procedure :: load => new_load
     end type power_graded_t
+
+    !> A load on it. What it does inside the body is not known.
+    type, extends(load_t) :: power_graded_load_t
+        private
+        class(power_graded_t), pointer :: medium => null()
+    contains
+        procedure :: line_load
+        procedure :: pressure
+        procedure :: displacement
+    end type power_graded_load_t
 
     !> g(x) of one indenter in this medium.
     type, extends(scalar_function_t) :: transform_t
         class(profile_t), pointer :: profile => null()
-        type(power_graded_t), pointer :: medium => null()
+        class(power_graded_t), pointer :: medium => null()
     contains
         procedure :: value => transform_at
     end type transform_t
@@ -150,137 +161,138 @@ contains
     end subroutine modulus
 
     !> d = g(a); exchanging the order of integration, F = 2 c1/(1+m) int_0^a f'(r) r^2 (a^2 - r^2)^{(m-1)/2} dr.
-    subroutine response(self, profile, a, depth, force, modulus, stiffness_slope, error, adhesive, depth_slope, accuracy)
+    subroutine solve(self, profile, a, solved, error, adhesive, accuracy, series)
         class(power_graded_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
         real(wp), intent(in) :: a
-        real(wp), intent(out) :: depth, force, modulus, stiffness_slope
+        type(solved_t), intent(out) :: solved
         type(error_t), allocatable, intent(out) :: error
         logical, intent(in), optional :: adhesive
-        real(wp), intent(inout), optional :: depth_slope, accuracy
+        real(wp), intent(inout), optional :: accuracy
+        real(wp), allocatable, intent(out), optional :: series(:, :)
         real(wp) :: moments(2), value(1), slope(1)
         type(error_t), allocatable :: never
 
-        if (present(adhesive) .or. present(depth_slope)) continue
+        if (present(adhesive) .or. present(series)) continue
         if (present(accuracy)) accuracy = 0.0_wp
         moments = slope_moments(self, profile, a, error)
-        depth = a**(1.0_wp - self%exponent)*moments(1)
-        force = 2.0_wp*self%spring/(1.0_wp + self%exponent)*moments(2)
+        solved%depth = a**(1.0_wp - self%exponent)*moments(1)
+        solved%force = 2.0_wp*self%spring/(1.0_wp + self%exponent)*moments(2)
         call self%modulus([a], value, never, slope)
-        modulus = value(1)
-        stiffness_slope = 2.0_wp*(modulus + a*slope(1))
-    end subroutine response
+        solved%modulus = value(1)
+        solved%stiffness_slope = 2.0_wp*(solved%modulus + a*slope(1))
+    end subroutine solve
 
-    subroutine field(self, quantity, profile, a, punch_depth, r, values, error)
-        class(power_graded_t), intent(in) :: self
-        integer, intent(in) :: quantity
-        class(profile_t), intent(in) :: profile
+    subroutine new_load(self, profile, a, punch_depth, load, error)
+        class(power_graded_t), intent(in), target :: self
+        class(profile_t), intent(in), target :: profile
         real(wp), intent(in) :: a, punch_depth
+        class(load_t), allocatable, intent(out) :: load
+        type(error_t), allocatable, intent(out) :: error
+        type(power_graded_load_t), allocatable :: own
+
+        if (allocated(error)) continue
+        allocate (own)
+        own%medium => self
+        own%profile => profile
+        own%radius = a
+        own%punch_depth = punch_depth
+        own%edge = self%spring*a**self%exponent*punch_depth
+        own%share_of_upper = self%share_of_upper
+        call move_alloc(own, load)
+    end subroutine new_load
+
+    !> q(x) = c(x) (d - g(x)).
+    subroutine line_load(self, r, values, error)
+        class(power_graded_load_t), intent(in) :: self
         real(wp), intent(in) :: r(:)
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
-
-        select case (quantity)
-        case (of_line_load)
-            call line_load(self, profile, a, punch_depth, r, values, error)
-        case (of_pressure)
-            call pressure(self, profile, a, punch_depth, r, values, error)
-        case default
-            call displacement_outside(self, profile, a, punch_depth, r, values, error)
-        end select
-    end subroutine field
-
-    !> q(x) = c(x) (d - g(x)).
-    subroutine line_load(self, profile, a, punch_depth, r, values, error)
-        class(power_graded_t), intent(in) :: self
-        class(profile_t), intent(in) :: profile
-        real(wp), intent(in) :: a, punch_depth
-        real(wp), intent(in) :: r(:)
-        real(wp), intent(out) :: values(:)
-        type(error_t), allocatable, intent(inout) :: error
         real(wp) :: depth
         integer :: i
 
-        depth = mdr(self, profile, a, error) + punch_depth
-        if (allocated(error)) return
-        do i = 1, size(r)
-            values(i) = depth - mdr(self, profile, r(i), error)
-            if (r(i) > 0.0_wp .or. self%exponent >= 0.0_wp) then
-                values(i) = values(i)*self%spring*r(i)**self%exponent
-            else
-                values(i) = infinity
-            end if
-        end do
+        associate (medium => self%medium, profile => self%profile, a => self%radius, punch_depth => self%punch_depth)
+            depth = mdr(medium, profile, a, error) + punch_depth
+            if (allocated(error)) return
+            do i = 1, size(r)
+                values(i) = depth - mdr(medium, profile, r(i), error)
+                if (r(i) > 0.0_wp .or. medium%exponent >= 0.0_wp) then
+                    values(i) = values(i)*medium%spring*r(i)**medium%exponent
+                else
+                    values(i) = infinity
+                end if
+            end do
+        end associate
     end subroutine line_load
 
     !> p(r) = (c1/pi) [punch_depth (a^2 - r^2)^{(m-1)/2} + int_r^a g'(x) (x^2 - r^2)^{(m-1)/2} dx].
-    subroutine pressure(self, profile, a, punch_depth, r, values, error)
-        class(power_graded_t), intent(in) :: self
-        class(profile_t), intent(in) :: profile
-        real(wp), intent(in) :: a, punch_depth
+    subroutine pressure(self, r, values, error)
+        class(power_graded_load_t), intent(in) :: self
         real(wp), intent(in) :: r(:)
         real(wp), intent(out) :: values(:)
-        type(error_t), allocatable, intent(inout) :: error
+        type(error_t), allocatable, intent(out) :: error
         type(sampled_function_t) :: g
         real(wp), allocatable :: breaks(:), corners(:)
         real(wp) :: start, power
         integer :: i, k
 
-        if (profile%end_radius < a) call sample_transform(self, profile, a, g, error)
-        if (allocated(error)) return
-        power = 0.5_wp*(self%exponent - 1.0_wp)
-        call profile%add_breaks(breaks, error)
-        breaks = breaks(:count(breaks < a))
-        do i = 1, size(r)
-            values(i) = 0.0_wp
-            if (punch_depth /= 0.0_wp) then
-                values(i) = punch_depth*infinity
-                if (r(i) < a) values(i) = punch_depth*((a - r(i))*(a + r(i)))**power
-            end if
-            start = max(r(i), profile%end_radius)
-            if (self%exponent <= 0.0_wp .and. r(i) > 0.0_wp .and. r(i) == profile%end_radius .and. a > start) then
-                values(i) = infinity
-            else if (a > start) then
-                corners = [start, pack(breaks, breaks > start), a]
-                do k = 1, size(corners) - 1
-                    values(i) = values(i) + pressure_between(self, profile, g, corners(k), corners(k + 1), &
-                                                             r(i), error)
-                end do
-            end if
-            values(i) = values(i)*self%spring/pi
-        end do
+        associate (medium => self%medium, profile => self%profile, a => self%radius, punch_depth => self%punch_depth)
+            if (profile%end_radius < a) call sample_transform(medium, profile, a, g, error)
+            if (allocated(error)) return
+            power = 0.5_wp*(medium%exponent - 1.0_wp)
+            call profile%add_breaks(breaks, error)
+            breaks = breaks(:count(breaks < a))
+            do i = 1, size(r)
+                values(i) = 0.0_wp
+                if (punch_depth /= 0.0_wp) then
+                    values(i) = punch_depth*infinity
+                    if (r(i) < a) values(i) = punch_depth*((a - r(i))*(a + r(i)))**power
+                end if
+                start = max(r(i), profile%end_radius)
+                if (medium%exponent <= 0.0_wp .and. r(i) > 0.0_wp .and. r(i) == profile%end_radius .and. a > start) then
+                    values(i) = infinity
+                else if (a > start) then
+                    corners = [start, pack(breaks, breaks > start), a]
+                    do k = 1, size(corners) - 1
+                        values(i) = values(i) + pressure_between(medium, profile, g, corners(k), corners(k + 1), &
+                                                                 r(i), error)
+                    end do
+                end if
+                values(i) = values(i)*medium%spring/pi
+            end do
+        end associate
     end subroutine pressure
 
     !> u(r) = (2 cos(m pi/2)/pi) int_0^a x^m w(x) (r^2 - x^2)^{-(1+m)/2} dx, r > a, w = d - g.
-    subroutine displacement_outside(self, profile, a, punch_depth, r, values, error)
-        class(power_graded_t), intent(in) :: self
-        class(profile_t), intent(in) :: profile
-        real(wp), intent(in) :: a, punch_depth
+    subroutine displacement(self, r, values, error)
+        class(power_graded_load_t), intent(in) :: self
         real(wp), intent(in) :: r(:)
         real(wp), intent(out) :: values(:)
-        type(error_t), allocatable, intent(inout) :: error
+        type(error_t), allocatable, intent(out) :: error
         type(sampled_function_t) :: g
         real(wp), allocatable :: x(:), dx(:), w(:), breaks(:)
         real(wp) :: depth, lowest
         integer :: i
 
-        if (size(r) == 0) return
-        if (profile%end_radius < a) call sample_transform(self, profile, a, g, error)
-        if (allocated(error)) return
-        depth = mdr(self, profile, a, error) + punch_depth
-        if (allocated(error)) return
-        lowest = smallest_panel_ratio*a
-        call profile%add_breaks(breaks, error)
-        do i = 1, size(r)
-            call graded_rule(lowest, a, breaks, min(r(i), profile%singular_radius), x, dx, error)
+        associate (medium => self%medium, profile => self%profile, a => self%radius, punch_depth => self%punch_depth)
+            if (size(r) == 0) return
+            if (profile%end_radius < a) call sample_transform(medium, profile, a, g, error)
             if (allocated(error)) return
-            w = spread(depth, 1, size(x))
-            if (profile%end_radius < a) w = depth - merge(g%value(x), 0.0_wp, x > profile%end_radius)
-            values(i) = sum(x**self%exponent*w*((r(i) - x)*(r(i) + x))**(-0.5_wp*(1.0_wp + self%exponent))*dx) &
-                        + depth*(lowest/r(i))**(1.0_wp + self%exponent)/(1.0_wp + self%exponent)
-            values(i) = values(i)*cos(half_pi*self%exponent)/half_pi
-        end do
-    end subroutine displacement_outside
+            depth = mdr(medium, profile, a, error) + punch_depth
+            if (allocated(error)) return
+            lowest = smallest_panel_ratio*a
+            call profile%add_breaks(breaks, error)
+            do i = 1, size(r)
+                call graded_rule(lowest, a, breaks, min(r(i), profile%singular_radius), x, dx, error)
+                if (allocated(error)) return
+                w = spread(depth, 1, size(x))
+                if (profile%end_radius < a) w = depth - merge(g%value(x), 0.0_wp, x > profile%end_radius)
+                values(i) = sum(x**medium%exponent*w*((r(i) - x)*(r(i) + x))**(-0.5_wp*(1.0_wp + medium%exponent))*dx) &
+                            + depth*(lowest/r(i))**(1.0_wp + medium%exponent)/(1.0_wp + medium%exponent)
+                values(i) = values(i)*cos(half_pi*medium%exponent)/half_pi
+            end do
+        end associate
+    end subroutine displacement
 
     !> g(x) = x^{1-m} int_0^x f'(r) (x^2 - r^2)^{(m-1)/2} dr.
     function mdr(self, profile, x, error) result(g)
@@ -355,7 +367,7 @@ contains
 
     !> g on (0, a], to differentiate and integrate.
     subroutine sample_transform(self, profile, a, g, error)
-        type(power_graded_t), intent(in), target :: self
+        class(power_graded_t), intent(in), target :: self
         class(profile_t), intent(in), target :: profile
         real(wp), intent(in) :: a
         type(sampled_function_t), intent(out) :: g

@@ -10,8 +10,9 @@ module mdrcontact_medium_series
     use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: half_pi, wp
     use mdrcontact_material, only: in_series
-    use mdrcontact_medium_solver, only: lower_body, set_pair, solver_t
-    use mdrcontact_medium_effective, only: effective_medium_t
+    use mdrcontact_medium_load, only: load_t, lower_body
+    use mdrcontact_medium_solver, only: set_pair, solver_t
+    use mdrcontact_medium_effective, only: effective_load_t, effective_medium_t
     use mdrcontact_numerics_quadrature, only: graded_rule, smallest_panel_ratio
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
@@ -29,9 +30,15 @@ module mdrcontact_medium_series
         procedure :: bytes
         procedure :: upper_share
         procedure :: upper_depth
-        procedure :: take_share
-        procedure :: under
+        procedure :: load => new_load
+        procedure :: for_load
     end type series_t
+
+    !> Its load, of which each body takes a share of its own at each radius.
+    type, extends(effective_load_t) :: series_load_t
+    contains
+        procedure :: displacement_of_body
+    end type series_load_t
 
 contains
 
@@ -120,12 +127,24 @@ contains
                 sum(self%upper_share(s)*profile%mdr_slope_beyond(lowest, beyond)*ds)
     end function upper_depth
 
+    subroutine new_load(self, profile, a, punch_depth, load, error)
+        class(series_t), intent(in), target :: self
+        class(profile_t), intent(in), target :: profile
+        real(wp), intent(in) :: a, punch_depth
+        class(load_t), allocatable, intent(out) :: load
+        type(error_t), allocatable, intent(out) :: error
+        type(series_load_t), allocatable :: own
+
+        if (allocated(error)) continue
+        allocate (own)
+        call own%begin(self, profile, a, punch_depth)
+        call move_alloc(own, load)
+    end subroutine new_load
+
     !> Each increment of depth moves each surface as a flat punch on a homogeneous body, by that body's share:
     !> u_2(r) = int_0^a share(s) g'(s) w(s, r) ds + share(a) punch_depth w(a, r), w = 1 for r < s and (2/pi) arcsin(s/r) beyond.
-    subroutine take_share(self, profile, a, punch_depth, body, r, values, error)
-        class(series_t), intent(in) :: self
-        class(profile_t), intent(in) :: profile
-        real(wp), intent(in) :: a, punch_depth
+    subroutine displacement_of_body(self, body, r, values, error)
+        class(series_load_t), intent(in) :: self
         integer, intent(in) :: body
         real(wp), intent(in) :: r(:)
         real(wp), intent(inout) :: values(:)
@@ -134,29 +153,31 @@ contains
         real(wp) :: lowest, highest, whole, upper
         integer :: i
 
-        call self%all_breaks(profile, breaks, error)
-        whole = self%upper_depth(profile, a, error)
-        do i = 1, size(r)
-            if (r(i) < a) then
-                upper = self%upper_share(a)*punch_depth + whole - self%upper_depth(profile, r(i), error)
-            else
-                upper = self%upper_share(a)*punch_depth*asin(a/r(i))/half_pi
-            end if
-            highest = min(r(i), a)
-            lowest = max(profile%end_radius, smallest_panel_ratio*highest)
-            if (highest > lowest) then
-                call graded_rule(lowest, highest, breaks, min(profile%singular_radius, r(i)), s, ds, error, beyond)
-                if (allocated(error)) return
-                upper = upper + (self%upper_share(lowest)*profile%mdr_moment(lowest)/r(i) &
-                                 + sum(self%upper_share(s)*profile%mdr_slope_beyond(lowest, beyond) &
-                                       *asin(min(s/r(i), 1.0_wp))*ds))/half_pi
-            end if
-            values(i) = merge(values(i) - upper, upper, body == lower_body)
-        end do
-    end subroutine take_share
+        associate (medium => self%medium, profile => self%profile, a => self%radius, punch_depth => self%punch_depth)
+            call medium%all_breaks(profile, breaks, error)
+            whole = medium%upper_depth(profile, a, error)
+            do i = 1, size(r)
+                if (r(i) < a) then
+                    upper = medium%upper_share(a)*punch_depth + whole - medium%upper_depth(profile, r(i), error)
+                else
+                    upper = medium%upper_share(a)*punch_depth*asin(a/r(i))/half_pi
+                end if
+                highest = min(r(i), a)
+                lowest = max(profile%end_radius, smallest_panel_ratio*highest)
+                if (highest > lowest) then
+                    call graded_rule(lowest, highest, breaks, min(profile%singular_radius, r(i)), s, ds, error, beyond)
+                    if (allocated(error)) return
+                    upper = upper + (medium%upper_share(lowest)*profile%mdr_moment(lowest)/r(i) &
+                                     + sum(medium%upper_share(s)*profile%mdr_slope_beyond(lowest, beyond) &
+                                           *asin(min(s/r(i), 1.0_wp))*ds))/half_pi
+                end if
+                values(i) = merge(values(i) - upper, upper, body == lower_body)
+            end do
+        end associate
+    end subroutine displacement_of_body
 
     !> Both bodies under that load, where it is known of both.
-    subroutine under(self, load, other, error)
+    subroutine for_load(self, load, other, error)
         class(series_t), intent(in) :: self
         integer, intent(in) :: load
         class(solver_t), allocatable, intent(out) :: other
@@ -164,9 +185,9 @@ contains
         class(solver_t), allocatable :: lower, upper
         type(series_t), allocatable :: own
 
-        call self%lower%under(load, lower, error)
-        if (.not. allocated(error)) call self%upper%under(load, upper, error)
-        if (allocated(error) .or. .not. (allocated(lower) .and. allocated(upper))) return
+        call self%lower%for_load(load, lower, error)
+        if (.not. allocated(error)) call self%upper%for_load(load, upper, error)
+        if (allocated(error)) return
         select type (lower)
         class is (effective_medium_t)
             select type (upper)
@@ -176,6 +197,6 @@ contains
                 if (.not. allocated(error)) call move_alloc(own, other)
             end select
         end select
-    end subroutine under
+    end subroutine for_load
 
 end module mdrcontact_medium_series

@@ -90,7 +90,7 @@ module mdrcontact_medium_slip
 
         subroutine field_at(self, c, r, values, error)
             import :: error_t, slip_t, wp
-            class(slip_t), intent(in) :: self
+            class(slip_t), intent(in), target :: self
             !> stick radius, smallest_stick <= c <= a [length]
             real(wp), intent(in) :: c
             !> positions [length]

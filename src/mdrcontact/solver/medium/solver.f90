@@ -22,15 +22,19 @@ module mdrcontact_medium_solver
     implicit none (type, external)
     private
     public :: copy, solver_t, modulus_of_radius_t, depth_and_force, set_pair
-    public :: new_under, check_springs, refuse
-    public :: reason_length, lower_body, upper_body, of_line_load, of_pressure, of_displacement
+    public :: check_springs, refuse, refuse_load
+    public :: reason_length, solved_t
 
-    !> The bodies of a pair, by their place in arrays.
-    integer, parameter :: lower_body = 1, upper_body = 2
-    !> Fields of a state.
-    integer, parameter :: of_line_load = 1, of_pressure = 2, of_displacement = 3
     !> Room for the words of why_it_ends.
     integer, parameter :: reason_length = 120
+
+    !> The non-adhesive contact at one radius.
+    type :: solved_t
+        !> d [length], F [modulus length^2], E_eff [modulus] and k'(a) = 2 (E_eff + a E_eff') [modulus]
+        real(wp) :: depth = 0.0_wp, force = 0.0_wp, modulus = 0.0_wp, stiffness_slope = 0.0_wp
+        !> d'(a) [1]; negative where the solution does not know it
+        real(wp) :: depth_slope = -1.0_wp
+    end type solved_t
 
     !> An elastic half-space, or two of them. Concrete solvers are made by their `new_...` procedures and never change afterwards.
     !> All radii are positive and finite, and at most the profile's largest_radius: callers check this.
@@ -70,24 +74,16 @@ module mdrcontact_medium_solver
     contains
         !> E_eff(a), equation (10) [modulus], and its slope
         procedure(radius_function), deferred :: modulus
-        !> depth, force, modulus and the slope of the stiffness of the non-adhesive contact at radius a
-        procedure(response_at), deferred :: response
-        !> line load, pressure or displacement of a state
-        procedure(field_of_state), deferred :: field
-        !> q as a series
-        procedure :: line_load_series
+        !> the non-adhesive contact at radius a
+        procedure(solved_at), deferred :: solve
+        !> the load of a state
+        procedure(load_of_state), deferred :: load
+        !> first shear of a state
+        procedure :: slip
+        !> the medium that answers to another load as this one does to a pressure
+        procedure :: for_load
         !> radii where E_eff is not analytic, ascending [length]
         procedure :: add_breaks
-        !> displacement of one of the surfaces from that of both together
-        procedure :: take_share
-        !> elastic energy of the lower and of the upper body
-        procedure :: energies
-        !> the line load of a state as stresses inside need it
-        procedure :: surface_load
-        !> the medium that answers to another load as this one does to a pressure
-        procedure :: under
-        !> first shear of a state
-        procedure :: new_slip
         procedure :: bytes
     end type solver_t
 
@@ -116,39 +112,34 @@ module mdrcontact_medium_solver
             real(wp), intent(out), optional :: slopes(:)
         end subroutine radius_function
 
-        subroutine response_at(self, profile, a, depth, force, modulus, stiffness_slope, error, adhesive, depth_slope, accuracy)
-            import :: error_t, profile_t, solver_t, wp
+        subroutine solved_at(self, profile, a, solved, error, adhesive, accuracy, series)
+            import :: error_t, profile_t, solved_t, solver_t, wp
             class(solver_t), intent(in) :: self
             class(profile_t), intent(in) :: profile
             !> contact radius [length]
             real(wp), intent(in) :: a
-            !> without adhesion: d [length], F [modulus length^2], E_eff [modulus] and k'(a) = 2 (E_eff + a E_eff') [modulus]
-            real(wp), intent(out) :: depth, force, modulus, stiffness_slope
+            type(solved_t), intent(out) :: solved
             type(error_t), allocatable, intent(out) :: error
             !> stiffness_slope is as exact as the rest: an adhesive edge depends on it; default false
             logical, intent(in), optional :: adhesive
-            !> d0'(a) [1]: replaced where the solution knows it
-            real(wp), intent(inout), optional :: depth_slope
             !> relative accuracy that is enough, where less costs less; on return that of the numbers, 0 if it is the medium's own
             real(wp), intent(inout), optional :: accuracy
-        end subroutine response_at
+            !> coefficients of s_j P_2j(x/a), j = 0, 1, ..., s_j = sqrt((4j + 1)/2), of q under a flat punch of unit depth [modulus]
+            !> and of q without adhesion [modulus length] (term, 2); not allocated where they are not known. Integrals over q are
+            !> as exact as the state by them, values at points to about 100 times its tolerance
+            real(wp), allocatable, intent(out), optional :: series(:, :)
+        end subroutine solved_at
 
-        subroutine field_of_state(self, quantity, profile, a, punch_depth, r, values, error)
-            import :: error_t, solver_t, profile_t, wp
-            class(solver_t), intent(in) :: self
-            !> Which field. The line load q(x; a) [modulus length], 0 <= x <= a, is of_line_load; the pressure p(r) [modulus],
-            !> 0 <= r <= a, infinite at r = a where punch_depth is not 0, is of_pressure; the displacement of the surface u(r)
-            !> [length], r > a, positive into the medium, is of_displacement
-            integer, intent(in) :: quantity
-            class(profile_t), intent(in) :: profile
+        subroutine load_of_state(self, profile, a, punch_depth, load, error)
+            import :: error_t, load_t, profile_t, solver_t, wp
+            !> the load refers to medium and profile: both must outlive it
+            class(solver_t), intent(in), target :: self
+            class(profile_t), intent(in), target :: profile
             !> contact radius [length] and depth beyond that of the non-adhesive state [length]
             real(wp), intent(in) :: a, punch_depth
-            !> positions [length]
-            real(wp), intent(in) :: r(:)
-            !> same size as r
-            real(wp), intent(out) :: values(:)
+            class(load_t), allocatable, intent(out) :: load
             type(error_t), allocatable, intent(out) :: error
-        end subroutine field_of_state
+        end subroutine load_of_state
     end interface
 
 contains
@@ -162,29 +153,6 @@ contains
         call self%medium%modulus([x], values, self%error)
         y = values(1)
     end function modulus_at
-
-    !> The same share everywhere; a medium whose bodies differ by more than a factor overrides it.
-    subroutine take_share(self, profile, a, punch_depth, body, r, values, error)
-        class(solver_t), intent(in) :: self
-        class(profile_t), intent(in) :: profile
-        !> contact radius [length] and depth beyond that of the non-adhesive state [length]
-        real(wp), intent(in) :: a, punch_depth
-        !> lower_body or upper_body
-        integer, intent(in) :: body
-        !> positions r >= 0 [length]
-        real(wp), intent(in) :: r(:)
-        !> u(r) of both surfaces together, each positive into its body; then of the requested one [length]
-        real(wp), intent(inout) :: values(:)
-        type(error_t), allocatable, intent(out) :: error
-
-        associate (unused => profile, also_unused => a + punch_depth, unused_too => r)
-        end associate
-        if (body == upper_body) then
-            values = self%share_of_upper*values
-        else
-            values = (1.0_wp - self%share_of_upper)*values
-        end if
-    end subroutine take_share
 
     !> The bodies are those of two media.
     subroutine set_pair(self, lower, upper, error)
@@ -208,9 +176,11 @@ contains
         !> d [length] and F [modulus length^2] of the non-adhesive contact
         real(wp), intent(out) :: depth, force
         type(error_t), allocatable, intent(out) :: error
-        real(wp) :: modulus, stiffness_slope
+        type(solved_t) :: solved
 
-        call solver%response(profile, a, depth, force, modulus, stiffness_slope, error)
+        call solver%solve(profile, a, solved, error)
+        depth = solved%depth
+        force = solved%force
     end subroutine depth_and_force
 
     pure subroutine add_breaks(self, radii, error)
@@ -244,87 +214,41 @@ contains
         if (.not. allocated(error)) allocate (to, source=from)
     end subroutine copy_solver
 
-    ! The five below are answers of media of which nothing of the kind is known: none.
-
-    subroutine line_load_series(self, profile, a, punch_depth, series, error)
+    !> Only of media that answer to a shear is it known.
+    subroutine slip(self, tangential, load, found, error)
         class(solver_t), intent(in) :: self
-        class(profile_t), intent(in) :: profile
-        !> contact radius [length] and depth beyond the non-adhesive one [length]
-        real(wp), intent(in) :: a, punch_depth
-        !> coefficients of s_j P_2j(x/a), j = 0, 1, ..., s_j = sqrt((4j + 1)/2), of q [modulus length]; not allocated where the
-        !> series is not known. Integrals over q are as exact as the state by them, values at points to about
-        !> 100 times its tolerance
-        real(wp), allocatable, intent(out) :: series(:)
-        type(error_t), allocatable, intent(inout) :: error
-
-        associate (unused => self, also_unused => profile, unused_too => a + punch_depth, this_too => series, last => error)
-        end associate
-    end subroutine line_load_series
-
-    subroutine energies(self, profile, a, punch_depth, values, error)
-        class(solver_t), intent(in) :: self
-        class(profile_t), intent(in) :: profile
-        !> contact radius [length] and depth beyond that of the non-adhesive state [length]
-        real(wp), intent(in) :: a, punch_depth
-        !> (2) of the lower and the upper body [modulus length^3]; not allocated where they are not known
-        real(wp), allocatable, intent(out) :: values(:)
+        !> the same medium under shear
+        class(solver_t), intent(in) :: tangential
+        !> of a state of this medium, with a punch_depth >= 0
+        class(load_t), intent(in) :: load
+        class(slip_t), allocatable, intent(out) :: found
         type(error_t), allocatable, intent(out) :: error
 
-        associate (unused => self, also_unused => profile, unused_too => a + punch_depth, this_too => values, last => error)
+        associate (unused => self, also_unused => tangential, unused_too => load, this_too => found)
         end associate
-    end subroutine energies
+        call raise(error, error_invalid, "friction is not known for this medium")
+    end subroutine slip
 
-    subroutine surface_load(self, profile, a, punch_depth, load, error)
-        class(solver_t), intent(in) :: self
-        class(profile_t), intent(in) :: profile
-        !> contact radius [length] and depth beyond the non-adhesive one [length]
-        real(wp), intent(in) :: a, punch_depth
-        !> not allocated where it is not known
-        class(load_t), allocatable, intent(inout) :: load
-        type(error_t), allocatable, intent(out) :: error
-
-        associate (unused => self, also_unused => profile, unused_too => a + punch_depth, this_too => load, last => error)
-        end associate
-    end subroutine surface_load
-
-    subroutine under(self, load, other, error)
+    !> What is not known of most media.
+    subroutine for_load(self, load, other, error)
         class(solver_t), intent(in) :: self
         !> shear_load: its modulus is then G_t(a) = k_t(a)/(2 a); twist_load
         integer, intent(in) :: load
-        !> not allocated where it is not known: see new_under
         class(solver_t), allocatable, intent(out) :: other
         type(error_t), allocatable, intent(out) :: error
 
-        associate (unused => self, also_unused => load, this_too => other, last => error)
+        associate (unused => other)
         end associate
-    end subroutine under
+        call refuse_load(self, load, error)
+    end subroutine for_load
 
-    subroutine new_slip(self, tangential, profile, a, punch_depth, slip, error)
-        class(solver_t), intent(in) :: self
-        !> under shear
-        class(solver_t), intent(in) :: tangential
-        class(profile_t), intent(in) :: profile
-        !> contact radius [length] and depth beyond the non-adhesive one [length], >= 0
-        real(wp), intent(in) :: a, punch_depth
-        !> allocated of all that have such a medium
-        class(slip_t), allocatable, intent(out) :: slip
-        type(error_t), allocatable, intent(out) :: error
-
-        associate (unused => self, also_unused => tangential, unused_too => profile, this_too => a + punch_depth, last => error)
-        end associate
-        if (allocated(slip)) continue
-    end subroutine new_slip
-
-    !> The medium that answers to a load along the surface as one does to a pressure; raises where it is not known.
-    subroutine new_under(self, load, other, error)
+    !> The refusal of a load along the surface.
+    pure subroutine refuse_load(self, load, error)
         class(solver_t), intent(in) :: self
         !> shear_load or twist_load
         integer, intent(in) :: load
-        class(solver_t), allocatable, intent(out) :: other
-        type(error_t), allocatable, intent(out) :: error
+        type(error_t), allocatable, intent(inout) :: error
 
-        call self%under(load, other, error)
-        if (allocated(other) .or. allocated(error)) return
         if (load == twist_load) then
             call refuse(self, "the torsional stiffness is", "a homogeneous one with E and nu, or a coated, layered or graded "// &
                         "one with the model exact", "what the surface does to a twist is not part of the theory", error)
@@ -333,7 +257,7 @@ contains
                         "one with the model exact or one of the weighted means (gao, gao-series, gao-power)", &
                         "what the surface does to a shift is not part of the theory", error)
         end if
-    end subroutine new_under
+    end subroutine refuse_load
 
     !> Raises unless the medium comes to springs exactly.
     pure subroutine check_springs(self, what, error)

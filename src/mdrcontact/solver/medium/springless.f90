@@ -13,9 +13,11 @@ module mdrcontact_medium_springless
     use mdrcontact_kinds, only: wp
     use mdrcontact_line_shared, only: layered_shared_t
     use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous_from_modulus
-    use mdrcontact_medium_solver, only: of_displacement, of_line_load, of_pressure, solver_t
+    use mdrcontact_medium_effective, only: effective_load_t
+    use mdrcontact_medium_load, only: load_t
+    use mdrcontact_medium_solver, only: solved_t, solver_t
     use mdrcontact_profile, only: profile_t
-    use mdrcontact_tension_fields, only: load_t, new_load
+    use mdrcontact_tension_fields, only: new_tension_load => new_load, tension_load_t => load_t
     use mdrcontact_tension_green, only: green_t, new_green
     use mdrcontact_body_membrane, only: membrane_t, new_membrane
     use mdrcontact_tension_solution, only: solution_t, solve_punch
@@ -45,11 +47,25 @@ module mdrcontact_medium_springless
         type(punch_table_t), allocatable :: table
     contains
         procedure :: modulus
-        procedure :: response
-        procedure :: field
+        procedure :: solve
+        procedure :: load => new_load
         procedure :: bytes
         procedure :: table_error
     end type springless_t
+
+    !> The load on the sheet. Line load and pressure are infinite at an edge that carries a line force. Inside the contact the
+    !> springs' depth is d - g, as on a half-space without a sheet. What the sheet hands on to the body beside it is not part of it.
+    type, extends(load_t) :: springless_load_t
+        private
+        class(springless_t), pointer :: medium => null()
+        type(tension_load_t) :: on_sheet
+        !> d [length]
+        real(wp) :: depth = 0.0_wp
+    contains
+        procedure :: line_load
+        procedure :: pressure
+        procedure :: displacement
+    end type springless_load_t
 
 contains
 
@@ -206,104 +222,112 @@ contains
         end do
     end subroutine modulus
 
-    subroutine response(self, profile, a, depth, force, modulus, stiffness_slope, error, adhesive, depth_slope, accuracy)
+    subroutine solve(self, profile, a, solved, error, adhesive, accuracy, series)
         class(springless_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
         real(wp), intent(in) :: a
-        real(wp), intent(out) :: depth, force, modulus, stiffness_slope
+        type(solved_t), intent(out) :: solved
         type(error_t), allocatable, intent(out) :: error
         logical, intent(in), optional :: adhesive
-        real(wp), intent(inout), optional :: depth_slope
         real(wp), intent(inout), optional :: accuracy
+        real(wp), allocatable, intent(out), optional :: series(:, :)
         type(solution_t) :: punch
         real(wp) :: stiffness
 
-        associate (unused => adhesive, also_unused => depth_slope)
-        end associate
-        depth = 0.0_wp
-        force = 0.0_wp
-        modulus = 0.0_wp
-        stiffness_slope = 0.0_wp
+        if (present(adhesive) .or. present(series)) continue
         if (present(accuracy)) accuracy = 0.0_wp
         call punch_at(self, a, punch, error)
-        if (.not. allocated(error)) call punch%respond(profile, stiffness, stiffness_slope, depth, force, error)
+        if (.not. allocated(error)) call punch%respond(profile, stiffness, solved%stiffness_slope, solved%depth, solved%force, &
+                                                       error)
         if (allocated(error)) return
-        force = self%surface_modulus*force
-        modulus = 0.5_wp*self%surface_modulus*stiffness/a
-        stiffness_slope = self%surface_modulus*stiffness_slope
-    end subroutine response
+        solved%force = self%surface_modulus*solved%force
+        solved%modulus = 0.5_wp*self%surface_modulus*stiffness/a
+        solved%stiffness_slope = self%surface_modulus*solved%stiffness_slope
+    end subroutine solve
 
-    !> The load of a state, and its depth.
-    subroutine find_load(self, profile, a, punch_depth, load, depth, error)
-        class(springless_t), intent(in) :: self
-        class(profile_t), intent(in) :: profile
+    subroutine new_load(self, profile, a, punch_depth, load, error)
+        class(springless_t), intent(in), target :: self
+        class(profile_t), intent(in), target :: profile
         real(wp), intent(in) :: a, punch_depth
-        type(load_t), intent(out) :: load
-        real(wp), intent(out) :: depth
+        class(load_t), allocatable, intent(out) :: load
         type(error_t), allocatable, intent(out) :: error
+        type(springless_load_t), allocatable :: own
         type(solution_t) :: punch
         real(wp), allocatable :: coefficients(:)
         real(wp) :: stiffness, slope, force
 
-        depth = 0.0_wp
+        allocate (own)
+        own%medium => self
+        own%profile => profile
+        own%radius = a
+        own%punch_depth = punch_depth
         call solve_punch(punch, self%green, self%compliance, a, error)
-        if (.not. allocated(error)) call punch%respond(profile, stiffness, slope, depth, force, error)
+        if (.not. allocated(error)) call punch%respond(profile, stiffness, slope, own%depth, force, error)
         if (allocated(error)) return
-        depth = depth + punch_depth
-        call punch%load_of(profile, depth, coefficients, error)
+        own%depth = own%depth + punch_depth
+        call punch%load_of(profile, own%depth, coefficients, error)
         if (allocated(error)) return
-        call new_load(load, a, coefficients, punch%couple, abs(punch_depth) > 0.0_wp .or. punch%couple == 1)
-    end subroutine find_load
+        call new_tension_load(own%on_sheet, a, coefficients, punch%couple, abs(punch_depth) > 0.0_wp .or. punch%couple == 1)
+        call move_alloc(own, load)
+    end subroutine new_load
 
     elemental function at_edge(load) result(value)
-        type(load_t), intent(in) :: load
+        type(tension_load_t), intent(in) :: load
         real(wp) :: value
 
         value = 0.0_wp
         if (abs(load%line_force) > 0.0_wp) value = sign(infinity, load%line_force)
     end function at_edge
 
-    !> On the sheet. Line load and pressure are infinite at an edge that carries a line force. Inside the contact the springs' depth
-    !> is d - g, as on a half-space without a sheet.
-    subroutine field(self, quantity, profile, a, punch_depth, r, values, error)
-        class(springless_t), intent(in) :: self
-        integer, intent(in) :: quantity
-        class(profile_t), intent(in) :: profile
-        real(wp), intent(in) :: a, punch_depth
+    subroutine line_load(self, r, values, error)
+        class(springless_load_t), intent(in) :: self
         real(wp), intent(in) :: r(:)
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
-        type(load_t) :: load
-        type(homogeneous_t) :: half_space
+
+        if (allocated(error)) continue
+        associate (a => self%radius)
+            where (r < a)
+                values = self%medium%surface_modulus*self%on_sheet%line_load(min(r, a*(1.0_wp - epsilon(a))))
+            else where
+                values = at_edge(self%on_sheet)
+            end where
+        end associate
+    end subroutine line_load
+
+    subroutine pressure(self, r, values, error)
+        class(springless_load_t), intent(in) :: self
+        real(wp), intent(in) :: r(:)
+        real(wp), intent(out) :: values(:)
+        type(error_t), allocatable, intent(out) :: error
+
+        if (allocated(error)) continue
+        values = self%medium%surface_modulus*self%on_sheet%pressure(r)
+        if (abs(self%on_sheet%line_force) > 0.0_wp) then
+            where (.not. r < self%radius) values = at_edge(self%on_sheet)
+        end if
+    end subroutine pressure
+
+    subroutine displacement(self, r, values, error)
+        class(springless_load_t), intent(in) :: self
+        real(wp), intent(in) :: r(:)
+        real(wp), intent(out) :: values(:)
+        type(error_t), allocatable, intent(out) :: error
+        type(homogeneous_t), target :: half_space
+        type(effective_load_t) :: bare
         real(wp), allocatable :: inside(:)
-        real(wp) :: depth
         integer :: i
 
-        call find_load(self, profile, a, punch_depth, load, depth, error)
-        if (allocated(error)) return
-        select case (quantity)
-        case (of_line_load)
-            where (r < a)
-                values = self%surface_modulus*load%line_load(min(r, a*(1.0_wp - epsilon(a))))
-            else where
-                values = at_edge(load)
-            end where
-        case (of_pressure)
-            values = self%surface_modulus*load%pressure(r)
-            if (abs(load%line_force) > 0.0_wp) then
-                where (.not. r < a) values = at_edge(load)
-            end if
-        case default
-            call new_homogeneous_from_modulus(half_space, self%surface_modulus, error)
-            allocate (inside, mold=r)
-            if (.not. allocated(error)) then
-                call half_space%field(of_displacement, profile, a, depth - profile%mdr(a), r, inside, error)
-            end if
-            do i = 1, size(r)
-                if (allocated(error)) return
-                call load%displacement(self%green, self%compliance, r(i), inside(i), values(i), error)
-            end do
-        end select
-    end subroutine field
+        call new_homogeneous_from_modulus(half_space, self%medium%surface_modulus, error)
+        allocate (inside, mold=r)
+        if (.not. allocated(error)) then
+            call bare%begin(half_space, self%profile, self%radius, self%depth - self%profile%mdr(self%radius))
+            call bare%displacement(r, inside, error)
+        end if
+        do i = 1, size(r)
+            if (allocated(error)) return
+            call self%on_sheet%displacement(self%medium%green, self%medium%compliance, r(i), inside(i), values(i), error)
+        end do
+    end subroutine displacement
 
 end module mdrcontact_medium_springless

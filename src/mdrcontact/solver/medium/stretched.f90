@@ -8,7 +8,8 @@ module mdrcontact_medium_stretched
     use mdrcontact_kinds, only: wp
     use mdrcontact_line_shared, only: layered_shared_t
     use mdrcontact_medium_exact, only: layered_exact_t, new_layered_exact
-    use mdrcontact_medium_solver, only: solver_t
+    use mdrcontact_medium_load, only: load_t
+    use mdrcontact_medium_solver, only: solved_t, solver_t
     use mdrcontact_profile, only: profile_t
     use mdrcontact_body_membrane, only: membrane_t, new_membrane
     use mdrcontact_tension_surface, only: check_surface, surface_t
@@ -25,8 +26,8 @@ module mdrcontact_medium_stretched
         type(layered_exact_t) :: exact
     contains
         procedure :: modulus
-        procedure :: response
-        procedure :: field
+        procedure :: solve
+        procedure :: load => new_load
     end type stretched_t
 
 contains
@@ -75,29 +76,30 @@ contains
         call self%exact%modulus(a, values, error, slopes)
     end subroutine modulus
 
-    subroutine response(self, profile, a, depth, force, modulus, stiffness_slope, error, adhesive, depth_slope, accuracy)
+    subroutine solve(self, profile, a, solved, error, adhesive, accuracy, series)
         class(stretched_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
         real(wp), intent(in) :: a
-        real(wp), intent(out) :: depth, force, modulus, stiffness_slope
+        type(solved_t), intent(out) :: solved
         type(error_t), allocatable, intent(out) :: error
         logical, intent(in), optional :: adhesive
-        real(wp), intent(inout), optional :: depth_slope
         real(wp), intent(inout), optional :: accuracy
+        real(wp), allocatable, intent(out), optional :: series(:, :)
 
-        call self%exact%response(profile, a, depth, force, modulus, stiffness_slope, error, adhesive, depth_slope, accuracy)
-    end subroutine response
+        if (present(series)) continue
+        call self%exact%solve(profile, a, solved, error, adhesive, accuracy)
+    end subroutine solve
 
-    subroutine field(self, quantity, profile, a, punch_depth, r, values, error)
-        class(stretched_t), intent(in) :: self
-        integer, intent(in) :: quantity
-        class(profile_t), intent(in) :: profile
+    !> The sheet hands on to the body what is not part of it.
+    subroutine new_load(self, profile, a, punch_depth, load, error)
+        class(stretched_t), intent(in), target :: self
+        class(profile_t), intent(in), target :: profile
         real(wp), intent(in) :: a, punch_depth
-        real(wp), intent(in) :: r(:)
-        real(wp), intent(out) :: values(:)
+        class(load_t), allocatable, intent(out) :: load
         type(error_t), allocatable, intent(out) :: error
 
-        call self%exact%field(quantity, profile, a, punch_depth, r, values, error)
-    end subroutine field
+        call self%exact%load(profile, a, punch_depth, load, error)
+        if (.not. allocated(error)) load%is_complete = .false.
+    end subroutine new_load
 
 end module mdrcontact_medium_stretched

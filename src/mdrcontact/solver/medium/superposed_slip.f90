@@ -9,7 +9,8 @@ module mdrcontact_medium_superposed_slip
     use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_medium_slip, only: beside, slip_t
     use mdrcontact_kinds, only: wp
-    use mdrcontact_medium_solver, only: copy, depth_and_force, of_line_load, of_pressure, solver_t
+    use mdrcontact_medium_load, only: load_t
+    use mdrcontact_medium_solver, only: copy, depth_and_force, solver_t
     use mdrcontact_numerics_pick, only: pick
     use mdrcontact_numerics_quadrature, only: graded_edges, mark_breaks, smallest_panel_ratio
     use mdrcontact_profile, only: copy, profile_t
@@ -120,11 +121,12 @@ contains
     end subroutine at
 
     subroutine line_load(self, c, r, values, error)
-        class(superposed_slip_t), intent(in) :: self
+        class(superposed_slip_t), intent(in), target :: self
         real(wp), intent(in) :: c
         real(wp), intent(in) :: r(:)
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
+        class(load_t), allocatable :: pressed
         real(wp), allocatable :: slipping(:)
         integer :: stat
 
@@ -132,31 +134,35 @@ contains
         call check_memory(error, stat)
         if (allocated(error)) return
         slipping(:) = max(r, c)
-        call self%normal%field(of_line_load, self%profile, self%radius, self%punch_depth, slipping, values, error)
+        call self%normal%load(self%profile, self%radius, self%punch_depth, pressed, error)
+        if (.not. allocated(error)) call pressed%line_load(slipping, values, error)
     end subroutine line_load
 
     subroutine traction(self, c, r, values, error)
-        class(superposed_slip_t), intent(in) :: self
+        class(superposed_slip_t), intent(in), target :: self
         real(wp), intent(in) :: c
         real(wp), intent(in) :: r(:)
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
+        class(load_t), allocatable :: pressed
 
-        call traction_between(self%normal, self%profile, self%radius, self%punch_depth, self%normal, self%profile, c, r, &
-                              values, error)
+        call self%normal%load(self%profile, self%radius, self%punch_depth, pressed, error)
+        if (.not. allocated(error)) call traction_between(pressed, self%normal, self%profile, c, r, values, error)
     end subroutine traction
 
-    !> p of a contact of radius a less p of one of radius c without adhesion, at positions up to a.
-    subroutine traction_between(whole, profile, a, punch_depth, stick, of_stick, c, r, values, error)
-        !> the media of both and the profiles on them
-        class(solver_t), intent(in) :: whole, stick
-        class(profile_t), intent(in) :: profile, of_stick
-        !> contact radius, depth beyond the non-adhesive one, and stick radius [length]
-        real(wp), intent(in) :: a, punch_depth, c
+    !> p of a load less p of a contact of radius c without adhesion, at positions up to the radius of the load.
+    subroutine traction_between(whole, stick, of_stick, c, r, values, error)
+        class(load_t), intent(in) :: whole
+        !> the medium of the disc of stick and the profile on it
+        class(solver_t), intent(in), target :: stick
+        class(profile_t), intent(in), target :: of_stick
+        !> stick radius [length]
+        real(wp), intent(in) :: c
         real(wp), intent(in) :: r(:)
         !> same size as r [modulus]
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
+        class(load_t), allocatable :: stuck
         real(wp), allocatable :: near(:), inside(:), inner(:)
         integer, allocatable :: places(:)
         integer :: i, stat
@@ -165,11 +171,12 @@ contains
         call check_memory(error, stat)
         call pick(r, places, inside, inner, error, below=c)
         if (allocated(error)) return
-        near(:) = beside(r, c, profile%end_radius)
-        call whole%field(of_pressure, profile, a, punch_depth, near, values, error)
+        near(:) = beside(r, c, whole%profile%end_radius)
+        call whole%pressure(near, values, error)
         if (allocated(error) .or. size(places) == 0) return
-        inside(:) = beside(inside, c, profile%end_radius)
-        call stick%field(of_pressure, of_stick, c, 0.0_wp, inside, inner, error)
+        inside(:) = beside(inside, c, whole%profile%end_radius)
+        call stick%load(of_stick, c, 0.0_wp, stuck, error)
+        if (.not. allocated(error)) call stuck%pressure(inside, inner, error)
         if (allocated(error)) return
         do i = 1, size(places)
             values(places(i)) = values(places(i)) - inner(i)

@@ -15,7 +15,8 @@ module mdrcontact_medium_twisted_slip
     use mdrcontact_medium_slip, only: slip_t, thin
     use mdrcontact_gsl, only: gsl_sf_ellint_rd, gsl_sf_ellint_rf
     use mdrcontact_kinds, only: half_pi, pi, wp
-    use mdrcontact_medium_solver, only: copy, of_pressure, refuse, solver_t
+    use mdrcontact_medium_load, only: load_t
+    use mdrcontact_medium_solver, only: copy, refuse, solver_t
     use mdrcontact_medium_shear_moduli, only: moduli_under_shear
     use mdrcontact_numerics_quadrature, only: gauss_legendre, graded_rule, mark_breaks, merge_breaks
     use mdrcontact_profile, only: copy, profile_t
@@ -188,7 +189,7 @@ contains
 
     !> 4 G x phi(max(x, c)).
     subroutine line_load(self, c, r, values, error)
-        class(twisted_slip_t), intent(in) :: self
+        class(twisted_slip_t), intent(in), target :: self
         real(wp), intent(in) :: c
         real(wp), intent(in) :: r(:)
         real(wp), intent(out) :: values(:)
@@ -208,11 +209,12 @@ contains
 
     !> p where it slips; in the disc of stick the sum of (4 G r/pi) dphi/sqrt(b^2 - r^2) over the stick radii b of its past.
     subroutine traction(self, c, r, values, error)
-        class(twisted_slip_t), intent(in) :: self
+        class(twisted_slip_t), intent(in), target :: self
         real(wp), intent(in) :: c
         real(wp), intent(in) :: r(:)
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
+        class(load_t), allocatable :: pressed
         real(wp), allocatable :: edges(:), b(:), w(:), rate(:), shift(:), stiffness(:), slope(:)
         logical, allocatable :: has_root(:)
         real(wp) :: t(nodes), weights(nodes), start, length
@@ -220,7 +222,8 @@ contains
 
         call gauss_legendre(t, weights, error)
         if (allocated(error)) return
-        call self%normal%field(of_pressure, self%profile, self%radius, self%punch_depth, r, values, error)
+        call self%normal%load(self%profile, self%radius, self%punch_depth, pressed, error)
+        if (.not. allocated(error)) call pressed%pressure(r, values, error)
         if (.not. allocated(error)) call self%panels(max(c, self%smallest_stick), edges, has_root, error)
         if (allocated(error)) return
         n = nodes*(size(edges) - 1)
