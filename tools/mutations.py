@@ -319,7 +319,8 @@ MUTATIONS = [
     ("solver/tension/stability.f90", "self%bending*exp(x)**2", "2.0_wp*self%bending*exp(x)**2", "test_surface_tension"),
     ("base/numerics/lowest.f90", "high = places(min(size(places), i + 1))", "high = places(i)", "test_surfaces.py"),
     ("solver/medium/springless.f90", "largest = most_plate_lengths*sqrt(b/l)", "largest = huge(b)", "test_surfaces.py"),
-    ("solver/medium/springless.f90", "depth = depth + punch_depth\n", "depth = depth - punch_depth\n", "test_surfaces.py"),
+    ("solver/medium/springless.f90", "own%depth = own%depth + punch_depth\n", "own%depth = own%depth - punch_depth\n",
+     "test_surfaces.py"),
     ("contact/contact/warnings.f90", "(0.5_wp*surface_modulus(equilibrium))**(2.0_wp/3.0_wp)", "surface_modulus(equilibrium)",
      "test_surfaces.py"),
 ]  # fmt: skip
