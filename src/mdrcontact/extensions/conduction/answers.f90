@@ -4,14 +4,15 @@
 module mdrcontact_conduction_answers
     use mdrcontact_codes, only: spot_conductance_answer => conductance, spot_resistance_answer => resistance
     use mdrcontact_conduction_bodies, only: conduction_t
-    use mdrcontact_conduction_film_in_time, only: film_basis_t, film_spot_at, new_film_basis
     use mdrcontact_conduction_fields, only: check_inside, conductance_at
-    use mdrcontact_conduction_spot, only: spot_t
+    use mdrcontact_conduction_film, only: film_basis_t, film_spot_at, new_film_basis
+    use mdrcontact_conduction_spot, only: set_series
     use mdrcontact_conduction_transient, only: basis_for, gaussian, given_flux, spot_at, uniform_centre, uniform_mean
     use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_error, only: check_code, check_finite, check_memory, check_not_negative, check_positive, error_domain, &
                                 error_invalid, error_t, raise, to_text
     use mdrcontact_kinds, only: wp
+    use mdrcontact_line_fields, only: line_load_t
     use mdrcontact_numerics_laplace, only: inverse_laplace
     use mdrcontact_numerics_waves, only: basis_t
     implicit none (type, external)
@@ -314,7 +315,7 @@ contains
         complex(wp) :: s(own_nodes), weight(own_nodes, 1), conductance
         complex(wp), allocatable :: series(:), total(:)
         type(basis_t) :: basis
-        type(spot_t) :: spot
+        type(line_load_t) :: spot
         integer :: i
 
         values = 0.0_wp
@@ -335,10 +336,8 @@ contains
             if (allocated(error)) return
             total = total + weight(i, 1)*series
         end do
-        spot%radius = a
-        spot%q = aimag(total)
-        spot%edge = sum(spot%q)
-        values = [(spot%flux(r(i)), i=1, size(r))]
+        call set_series(spot, a, aimag(total), sum(aimag(total)))
+        values = [(spot%punch_pressure(r(i)), i=1, size(r))]
     end subroutine flux_after_step
 
     !> Times within a span by the same nodes.

@@ -5,9 +5,10 @@ module mdrcontact_conduction_fields
     use mdrcontact_conduction_bodies, only: conduction_t
     use mdrcontact_conduction_film, only: film_spot_t, new_film_spot, terms_of_flux
     use mdrcontact_conduction_inside, only: fields_inside
-    use mdrcontact_conduction_spot, only: new_spot, spot_conductance, spot_t
+    use mdrcontact_conduction_spot, only: new_spot, spot_conductance
     use mdrcontact_error, only: check_choice, error_domain, error_t, raise, to_text
     use mdrcontact_kinds, only: wp
+    use mdrcontact_line_fields, only: line_load_t
     implicit none (type, external)
     private
     public :: conductance_at, flux_at, inside_at, check_inside
@@ -85,7 +86,7 @@ contains
         real(wp), intent(out) :: density(:)
         type(error_t), allocatable, intent(inout) :: error
         type(film_spot_t) :: film
-        type(spot_t) :: spot
+        type(line_load_t) :: spot
         integer :: i
 
         density = 0.0_wp
@@ -100,7 +101,7 @@ contains
         call new_spot(spot, self, a, error)
         if (allocated(error)) return
         do i = 1, size(r)
-            density(i) = 2.0_wp*self%scale*spot%flux(r(i))
+            density(i) = 2.0_wp*self%scale*spot%punch_pressure(r(i))
         end do
     end subroutine flux_at
 
@@ -119,7 +120,7 @@ contains
         real(wp), intent(out) :: potential(:), flux_z(:), flux_r(:)
         type(error_t), allocatable, intent(inout) :: error
         type(film_spot_t) :: film
-        type(spot_t) :: spot
+        type(line_load_t) :: spot
         real(wp), allocatable :: q(:)
 
         potential = 0.0_wp

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> A spot with a film of constant area resistance R_c in it: R_c j + phi = V.
+!> A spot with a film of constant area resistance R_c in it, R_c j + phi = V, steady or at one Laplace variable.
 !>
 !>     j(r) = sum c_n P_n(1 - 2 r^2/a^2),  j_hat = a^2 sum c_n J_(2n+1)(ka)/(ka),  A c = V (a^2/2) e_0,  G = pi a^2 c_0/V
 !>     A_mn = (a^3/S_0) [N_mn + int_0^inf chi(z/a) J_(2m+1)(z) J_(2n+1)(z) z^-2 dz] + R_c (a^2/2) delta_mn/(2n + 1)
@@ -11,34 +11,42 @@ module mdrcontact_conduction_film
     use mdrcontact_error, only: error_no_convergence, error_t, raise, to_text
     use mdrcontact_gsl, only: disable_gsl_abort, gsl_sf_bessel_j0, gsl_sf_bessel_jn_array
     use mdrcontact_kinds, only: half_pi, pi, wp
-    use mdrcontact_lapack, only: dgemm
+    use mdrcontact_lapack, only: dgemm, zgesv
     use mdrcontact_line_rule, only: largest_rule, new_rule, rule_t
     use mdrcontact_line_series, only: add_projections
-    use mdrcontact_line_solve, only: factorize, solve_lower
     use mdrcontact_numerics_even_waves, only: highest_order
     use mdrcontact_numerics_waves, only: wave_rule
     implicit none (type, external)
     private
-    public :: film_spot_t, new_film_spot, of_half_space, odd_waves
+    public :: film_spot_t, new_film_spot, film_basis_t, new_film_basis, film_spot_at
 
-    !> Terms at first and at most.
-    integer, parameter :: first_terms = 40, most_terms = 1280
+    !> Terms of the steady spot at first and at most, and in time.
+    integer, parameter :: first_terms = 40, most_terms = 1280, terms_in_time = 96
     !> Terms from which on values of the flux, off by n^-4, are right.
     integer, parameter, public :: terms_of_flux = 320
+    !> What the extrapolation may change, relative.
+    real(wp), parameter :: allowed = 50.0_wp*tolerance, allowed_in_time = 1.0e-8_wp
     !> Where exp(-2 k H) is nothing.
     real(wp), parameter :: faded = 20.0_wp
-    integer, parameter :: octaves = 44
+    !> A step of the radius into the complex plane, relative, which gives slopes without a difference.
+    real(wp), parameter :: tiny_step = 1.0e-30_wp
     complex(wp), parameter :: steady = (0.0_wp, 0.0_wp)
     !> Terms of the Legendre series of the line load.
     integer, parameter :: line_terms = 256
 
-    !> The flux through a spot at potential 1.
+    !> J_1, J_3, ... (term, node) at the nodes z of a rule, whose weights are divided by z^2.
+    type :: film_basis_t
+        real(wp), allocatable :: z(:), weight(:), waves(:, :)
+    end type film_basis_t
+
+    !> The flux through a steady spot at potential 1.
     type :: film_spot_t
         real(wp) :: radius = 0.0_wp
         !> G and dG/da
         real(wp) :: conductance = 0.0_wp, slope = 0.0_wp
         !> c_n, n = 0, 1, ...
         real(wp), allocatable :: c(:)
+        type(film_basis_t) :: basis
     contains
         procedure :: line_load
         procedure :: flux
@@ -54,131 +62,148 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         !> terms at least
         integer, intent(in), optional :: fewest
-        real(wp) :: reached
+        complex(wp) :: total, change
+        complex(wp), allocatable :: c(:)
         integer :: n
 
-        if (allocated(error)) return
         n = first_terms
         if (present(fewest)) n = fewest
         do
-            call solve_with(self, conduction, a, n, reached, error)
-            if (allocated(error) .or. reached <= 50.0_wp*tolerance) return
-            if (n >= most_terms) exit
+            call new_basis(self%basis, conduction, a, n, 0.0_wp, error)
+            if (allocated(error)) return
+            allocate (c(n))
+            call solve(conduction, cmplx(a, tiny_step*a, wp), steady, self%basis, c, total, change, error)
+            if (allocated(error)) return
+            if (max(abs(real(change, wp)/real(total, wp)), abs(aimag(change)/aimag(total))) <= allowed) exit
+            if (n >= most_terms) then
+                call raise_missed(conduction, a, change/total, "", "without a film the spot has almost the same conductance", error)
+                return
+            end if
             n = 2*n
+            deallocate (c)
         end do
-        call raise(error, error_no_convergence, "the flux through a film of resistance "//to_text(conduction%film)// &
-                   " in a spot of radius "//to_text(a)//" is off by about "//to_text(reached)//": its edge is too thin; "// &
-                   "without a film the spot has almost the same conductance")
+        self%radius = a
+        self%conductance = real(total, wp)
+        self%slope = aimag(total)/(tiny_step*a)
+        self%c = real(c, wp)
     end subroutine new_film_spot
 
-    subroutine solve_with(self, conduction, a, n, reached, error)
-        type(film_spot_t), intent(inout) :: self
+    !> What spots at Laplace variables up to this size share.
+    subroutine new_film_basis(self, conduction, a, largest, error)
+        type(film_basis_t), intent(out) :: self
+        type(conduction_t), intent(in) :: conduction
+        !> [length], and |s| > 0 [1/time]
+        real(wp), intent(in) :: a, largest
+        type(error_t), allocatable, intent(inout) :: error
+
+        call new_basis(self, conduction, a, terms_in_time, largest, error)
+    end subroutine new_film_basis
+
+    !> G at a Laplace variable s.
+    subroutine film_spot_at(conduction, a, s, basis, conductance, error)
         type(conduction_t), intent(in) :: conduction
         real(wp), intent(in) :: a
+        complex(wp), intent(in) :: s
+        type(film_basis_t), intent(in) :: basis
+        complex(wp), intent(out) :: conductance
+        type(error_t), allocatable, intent(inout) :: error
+        complex(wp) :: c(terms_in_time), change
+
+        call solve(conduction, cmplx(a, 0.0_wp, wp), s, basis, c, conductance, change, error)
+        if (allocated(error) .or. abs(change) <= allowed_in_time*abs(conductance)) return
+        call raise_missed(conduction, a, change/conductance, " in time", "", error)
+    end subroutine film_spot_at
+
+    !> n terms. In time chi falls as k^-2, steady as exp(-2 k H).
+    subroutine new_basis(self, conduction, a, n, largest, error)
+        type(film_basis_t), intent(out) :: self
+        type(conduction_t), intent(in) :: conduction
+        real(wp), intent(in) :: a, largest
         integer, intent(in) :: n
-        !> what the extrapolation changed, relative: more than what is left
-        real(wp), intent(out) :: reached
         type(error_t), allocatable, intent(inout) :: error
-        real(wp), allocatable :: matrix(:, :), slope(:, :), y(:, :), c(:, :)
-        real(wp) :: of_half(2), of_all(2)
-        logical :: done
+        real(wp) :: ratio, first, last
+        integer :: i
 
-        reached = huge(reached)
-        allocate (matrix(n, n), slope(n, n), y(n, 1), c(n, 1))
-        call fill(conduction, a, matrix, slope, error)
-        if (allocated(error)) return
-        call factorize(n, n, matrix, done)
-        if (.not. done) then
-            call raise(error, error_no_convergence, "the layers of these bodies nearly cancel at spot radius "//to_text(a))
-            return
+        ratio = conduction%radius_in_layers(a)
+        first = scale(min(1.0_wp, ratio), -44)
+        last = faded*ratio
+        if (largest > 0.0_wp) then
+            first = 1.0e-9_wp
+            last = max(last, 4.0_wp*n, 1200.0_wp*sqrt(conduction%waves_in(a, largest)))
         end if
-        y = 0.0_wp
-        y(1, 1) = 0.5_wp*a**2
-        call solve_lower(n, n, 1, matrix, y)
-        of_half = numbers(n/2)
-        of_all = numbers(n)
-        of_half = (of_all - of_half)/63.0_wp
-        reached = maxval(abs(of_half/of_all))
-        self%radius = a
-        self%conductance = of_all(1) + of_half(1)
-        self%slope = of_all(2) + of_half(2)
-        self%c = c(:, 1)
-
-    contains
-
-        !> G and dG/da = 4 G/a - 2 pi (c, A' c) with the first m terms.
-        function numbers(m) result(values)
-            integer, intent(in) :: m
-            real(wp) :: values(2)
-            integer :: i
-
-            c = 0.0_wp
-            c(:m, 1) = y(:m, 1)
-            call solve_leading(m, n, matrix, c)
-            values(1) = 2.0_wp*pi*sum(y(:m, 1)**2)
-            values(2) = 4.0_wp*values(1)/a
-            do i = 1, m
-                values(2) = values(2) - 2.0_wp*pi*c(i, 1)*sum(slope(:m, i)*c(:m, 1))
-            end do
-        end function numbers
-
-    end subroutine solve_with
-
-    !> Replaces x by inv(transpose(L)) x of the leading m unknowns.
-    pure subroutine solve_leading(m, n, a, x)
-        integer, intent(in) :: m, n
-        real(wp), intent(in) :: a(n, n)
-        real(wp), intent(inout) :: x(n, 1)
-        integer :: j
-
-        do j = m, 1, -1
-            x(j, 1) = (x(j, 1) - sum(a(j + 1:m, j)*x(j + 1:m, 1)))/a(j, j)
+        if (last > 0.0_wp) then
+            call wave_rule(first, last, 2.0_wp, self%z, self%weight, error)
+        else
+            allocate (self%z(0), self%weight(0))
+        end if
+        if (allocated(error)) return
+        allocate (self%waves(n, size(self%z)))
+        do i = 1, size(self%z)
+            call odd_waves(self%z(i), self%waves(:, i))
         end do
-    end subroutine solve_leading
+        self%weight = self%weight/self%z**2
+    end subroutine new_basis
 
-    !> A, and dA/da by the slope of chi, which a step into the complex plane gives without a difference.
-    subroutine fill(conduction, a, matrix, slope, error)
+    !> c, and G with what the extrapolation changed of it.
+    subroutine solve(conduction, a, s, basis, c, total, change, error)
+        type(conduction_t), intent(in) :: conduction
+        complex(wp), intent(in) :: a, s
+        type(film_basis_t), intent(in) :: basis
+        complex(wp), intent(out) :: c(:), total, change
+        type(error_t), allocatable, intent(inout) :: error
+        complex(wp) :: chi
+        complex(wp) :: solution(size(c), 1)
+        complex(wp), allocatable :: matrix(:, :), leading(:, :)
+        real(wp), allocatable :: scaled(:, :), product(:, :)
+        integer :: pivots(size(c)), i, j, m, n, info
+
+        total = 0.0_wp
+        change = 0.0_wp
+        c = 0.0_wp
+        if (allocated(error)) return
+        n = size(c)
+        allocate (scaled(2*n, size(basis%z)), product(2*n, n), matrix(n, n))
+        do i = 1, size(basis%z)
+            chi = conduction%chi(basis%z(i)/a, s)*basis%weight(i)
+            scaled(:n, i) = real(chi, wp)*basis%waves(:, i)
+            scaled(n + 1:, i) = aimag(chi)*basis%waves(:, i)
+        end do
+        call dgemm("N", "T", 2*n, n, size(basis%z), 1.0_wp, scaled, 2*n, basis%waves, n, 0.0_wp, product, 2*n)
+        do j = 1, n
+            do i = 1, n
+                matrix(i, j) = a**3/conduction%scale*(cmplx(product(i, j), product(n + i, j), wp) + of_half_space(i - 1, j - 1))
+            end do
+            matrix(j, j) = matrix(j, j) + 0.5_wp*a**2*conduction%film/(2*j - 1)
+        end do
+        ! with half the terms, then with all of them
+        do m = n/2, n, n - n/2
+            leading = matrix(:m, :m)
+            solution = 0.0_wp
+            solution(1, 1) = 0.5_wp*a**2
+            call zgesv(m, 1, leading, m, pivots, solution, n, info)
+            if (info /= 0) then
+                call raise(error, error_no_convergence, "the layers of these bodies nearly cancel at spot radius "// &
+                           to_text(real(a, wp)))
+                return
+            end if
+            change = (pi*a**2*solution(1, 1) - total)/63.0_wp
+            total = pi*a**2*solution(1, 1)
+        end do
+        total = total + change
+        c = solution(:, 1)
+    end subroutine solve
+
+    pure subroutine raise_missed(conduction, a, change, where, remedy, error)
         type(conduction_t), intent(in) :: conduction
         real(wp), intent(in) :: a
-        real(wp), intent(out) :: matrix(:, :), slope(:, :)
+        complex(wp), intent(in) :: change
+        character(len=*), intent(in) :: where, remedy
         type(error_t), allocatable, intent(inout) :: error
-        real(wp), allocatable :: z(:), weight(:), waves(:, :), scaled(:, :)
-        complex(wp) :: chi
-        real(wp), parameter :: tiny_step = 1.0e-30_wp
-        integer :: i, m, n
 
-        n = size(matrix, 1)
-        matrix = 0.0_wp
-        slope = 0.0_wp
-        if (.not. conduction%kernel%vanishes) then
-            call rule_of(conduction, a, z, weight, error)
-            if (allocated(error)) return
-            allocate (waves(n, size(z)), scaled(n, size(z)))
-            do i = 1, size(z)
-                call odd_waves(z(i), waves(:, i))
-                chi = conduction%chi(cmplx(z(i)/a, tiny_step*z(i)/a, wp), steady)
-                ! of d chi/d ln k
-                scaled(:, i) = waves(:, i)*(weight(i)/z(i)**2*real(chi, wp))
-                weight(i) = weight(i)/z(i)**2*aimag(chi)/tiny_step
-            end do
-            call dgemm("N", "T", n, n, size(z), 1.0_wp, scaled, n, waves, n, 0.0_wp, matrix, n)
-            do i = 1, size(z)
-                scaled(:, i) = waves(:, i)*weight(i)
-            end do
-            call dgemm("N", "T", n, n, size(z), -1.0_wp, scaled, n, waves, n, 0.0_wp, slope, n)
-        end if
-        do i = 1, n
-            do m = 1, n
-                matrix(m, i) = matrix(m, i) + of_half_space(m - 1, i - 1)
-            end do
-        end do
-        slope = a**2/conduction%scale*(3.0_wp*matrix + slope)
-        matrix = a**3/conduction%scale*matrix
-        do i = 1, n
-            matrix(i, i) = matrix(i, i) + 0.5_wp*a**2*conduction%film/(2*i - 1)
-            slope(i, i) = slope(i, i) + a*conduction%film/(2*i - 1)
-        end do
-    end subroutine fill
+        call raise(error, error_no_convergence, "the flux through a film of resistance "//to_text(conduction%film)// &
+                   " in a spot of radius "//to_text(a)//" is off by about "//to_text(abs(change))//where// &
+                   ": its edge is too thin; "//remedy)
+    end subroutine raise_missed
 
     !> N_mn = int_0^inf J_(2m+1) J_(2n+1) z^-2 dz.
     pure function of_half_space(m, n) result(value)
@@ -226,11 +251,18 @@ contains
         type(film_spot_t), intent(in) :: self
         real(wp), intent(in) :: theta(:)
         real(wp) :: q(size(theta))
+        real(wp), dimension(size(theta)) :: before, here, next, turn
         integer :: n
 
         q = 0.0_wp
+        here = sin(theta)
+        before = sin(-theta)
+        turn = 2.0_wp*cos(2.0_wp*theta)
         do n = 0, size(self%c) - 1
-            q = q + self%radius*self%c(n + 1)*2*(-1)**n/real(2*n + 1, wp)*sin((2*n + 1)*theta)
+            q = q + self%radius*self%c(n + 1)*2*(-1)**n/real(2*n + 1, wp)*here
+            next = turn*here - before
+            before = here
+            here = next
         end do
     end function line_at
 
@@ -245,7 +277,7 @@ contains
         real(wp), intent(out) :: density(:)
         type(error_t), allocatable, intent(inout) :: error
         type(rule_t) :: rule
-        real(wp), allocatable :: z(:), weight(:), waves(:)
+        real(wp) :: part
         integer :: i, j
 
         density = 0.0_wp
@@ -255,35 +287,14 @@ contains
             density(i) = 0.25_wp/conduction%scale*sum(rule%weights*line_at(self, acos(min(r(i)/self%radius &
                                                                                      *sin(0.5_wp*half_pi*rule%distance), 1.0_wp))))
         end do
-        if (.not. conduction%kernel%vanishes) then
-            call rule_of(conduction, self%radius, z, weight, error)
-            if (allocated(error)) return
-            allocate (waves(size(self%c)))
+        associate (z => self%basis%z)
             do j = 1, size(z)
-                call odd_waves(z(j), waves)
-                weight(j) = weight(j)*self%radius/conduction%scale*sum(waves*self%c)/z(j) &
-                            *real(conduction%chi(cmplx(z(j)/self%radius, 0.0_wp, wp), steady), wp)
-                density = density + weight(j)*[(gsl_sf_bessel_j0(z(j)*r(i)/self%radius), i=1, size(r))]
+                part = z(j)*self%basis%weight(j)*self%radius/conduction%scale*sum(self%basis%waves(:, j)*self%c) &
+                       *real(conduction%chi(cmplx(z(j)/self%radius, 0.0_wp, wp), steady), wp)
+                density = density + part*[(gsl_sf_bessel_j0(z(j)*r(i)/self%radius), i=1, size(r))]
             end do
-        end if
+        end associate
         density = (1.0_wp - density)/conduction%film
     end subroutine flux
-
-    !> For integrals of chi over z = ka.
-    subroutine rule_of(conduction, a, z, weight, error)
-        type(conduction_t), intent(in) :: conduction
-        !> [length]
-        real(wp), intent(in) :: a
-        real(wp), allocatable, intent(out) :: z(:), weight(:)
-        type(error_t), allocatable, intent(inout) :: error
-        real(wp) :: thinnest
-        integer :: i
-
-        thinnest = huge(thinnest)
-        do i = 1, size(conduction%bodies)
-            if (conduction%bodies(i)%layers > 0) thinnest = min(thinnest, conduction%bodies(i)%h(1))
-        end do
-        call wave_rule(scale(1.0_wp, -octaves)*min(1.0_wp, a/thinnest), faded*a/thinnest, 2.0_wp, z, weight, error)
-    end subroutine rule_of
 
 end module mdrcontact_conduction_film

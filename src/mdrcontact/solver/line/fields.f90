@@ -46,6 +46,7 @@ module mdrcontact_line_fields
     contains
         procedure :: at
         procedure :: smooth_pressure
+        procedure :: punch_pressure
         procedure :: displacement_beyond
         procedure :: interaction_beyond
         procedure :: part_of
@@ -226,6 +227,16 @@ contains
         end do
         pressure = -sigma/(pi*self%a)*total
     end function smooth_pressure
+
+    !> The pressure over E0* under a flat punch, with what is singular at the edge.
+    pure function punch_pressure(self, r) result(pressure)
+        class(line_load_t), intent(in) :: self
+        !> 0 <= r < a [length]
+        real(wp), intent(in) :: r
+        real(wp) :: pressure
+
+        pressure = self%smooth_pressure(r) + self%edge/(pi*sqrt((self%a - r)*(self%a + r)))
+    end function punch_pressure
 
     !> (K q)(x)/E0* with the kernel of one of two bodies, as coefficients of P_2j(x/a) [length].
     subroutine part_of(self, kernel, v, error)
