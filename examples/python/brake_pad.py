@@ -11,8 +11,9 @@ from pathlib import Path
 import numpy as np
 
 import mdrcontact as mdr
-from mdrcontact import lateral
+from mdrcontact import lateral, studies
 from mdrcontact.cli.map_figure import map_figure
+from mdrcontact.problem import MapProblem
 
 RESIN = mdr.Elastic(4e9, 0.36)
 ALUMINA = mdr.Elastic(370e9, 0.22)
@@ -68,9 +69,9 @@ def main() -> None:
     Path("brake_pad.toml").write_text(TOML, encoding="utf-8")
     np.save("brake_pad.npy", structure.labels)
 
-    maps = lateral.effective_map(structure, RADII)
+    found = studies.map(MapProblem("Grains and fibres in a resin", structure, np.array(RADII)))
     print("contact radius   least   mean    most   E_eff [GPa]")
-    for a, values in zip(RADII, maps, strict=True):
+    for a, values in zip(RADII, found.maps, strict=True):
         print(f"{a * 1e6:10.0f} um   {values.min() / 1e9:7.2f} {values.mean() / 1e9:7.2f} {values.max() / 1e9:7.2f}")
 
     seen = lateral.indentation_map(structure, mdr.Sphere(100e-6), 1e-6)
@@ -88,7 +89,7 @@ def main() -> None:
         f"lateral force up to {np.abs(moved.lateral_force).max() * 1e3:.3f} mN, mean {moved.lateral_force.mean() * 1e3:.1e} mN"
     )
 
-    map_figure("Grains and fibres in a resin", structure, RADII, maps).savefig("brake_pad.png")
+    map_figure(found).savefig("brake_pad.png")
     print("written: brake_pad.png")
 
 

@@ -118,8 +118,12 @@ def fit(
     progress = progress or Progress()
     progress.step(0, None, "fit")
     if problem.drainage is not None:
-        if moves or interval != "normal":
-            raise InvalidArgumentError("a gel is fitted with intervals from its standard errors, to its whole curve")
+        if interval != "normal":
+            raise InvalidArgumentError(
+                f"interval = {interval!r} is not allowed: a gel has intervals from its standard errors alone"
+            )
+        if moves:
+            raise InvalidArgumentError("moves = True is not allowed: a gel is fitted to its whole curve alone")
         return _of_gel(problem, data, problem.drainage, compare, progress)
     found = fitting.fit(data, **problem.arguments)
     analysis = None
