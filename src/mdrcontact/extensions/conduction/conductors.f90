@@ -17,6 +17,9 @@ module mdrcontact_conduction_conductors
     private
     public :: conductor_t, conductors_t, new_conductors, half_space_base, perfect_base, insulating_base, layer_at
 
+    !> C of an insulating base: all else is lost beside it, so that what comes of it is the limit to the last digit.
+    real(wp), parameter :: without_end = 1.0e100_wp
+
     !> A layer and the interface below it.
     type :: conductor_t
         !> h > 0, not used of a half-space [length]
@@ -123,7 +126,7 @@ contains
         if (layer <= size(self%s)) distance = distance*self%stretch(layer)
     end subroutine layer_at
 
-    !> C at the bottom of a layer, what lies below and the interface's resistance; of an insulating base its inverse, 0.
+    !> C at the bottom of a layer: what lies below, and the interface's resistance.
     pure function below(self, layer, k, s) result(c)
         class(conductors_t), intent(in) :: self
         !> 1 ... layers
@@ -137,22 +140,14 @@ contains
         integer :: i
 
         c = self%r(self%layers)
-        i = self%layers
         if (self%base == half_space_base) then
-            c = c + 1.0_wp/(self%s(i + 1)*kappa_of(self, i + 1, k, s))
+            c = c + 1.0_wp/(self%s(self%layers + 1)*kappa_of(self, self%layers + 1, k, s))
         else if (self%base == insulating_base) then
-            if (layer == i) then
-                c = 0.0_wp
-                return
-            end if
-            y = self%s(i)*kappa_of(self, i, k, s)
-            x = kappa_of(self, i, k, s)*self%h(i)
-            c = 1.0_wp/(y*tanh_of(x, exp(-2.0_wp*x))) + self%r(i - 1)
-            i = i - 1
+            c = without_end
         end if
-        do i = i, layer + 1, -1
-            y = self%s(i)*kappa_of(self, i, k, s)
+        do i = self%layers, layer + 1, -1
             x = kappa_of(self, i, k, s)*self%h(i)
+            y = self%s(i)*kappa_of(self, i, k, s)
             t = tanh_of(x, exp(-2.0_wp*x))
             c = (y*c + t)/(y*(1.0_wp + y*c*t)) + self%r(i - 1)
         end do
@@ -181,12 +176,6 @@ contains
         if (self%layers == 0) return
         fall = exp(-2.0_wp*kappa*self%h(1))
         t = tanh_of(kappa*self%h(1), fall)
-        if (self%base == insulating_base .and. self%layers == 1) then
-            sigma = ratio/t
-            chi = chi + ratio*2.0_wp*fall/(1.0_wp - fall)
-            if (abs(kappa*self%h(1)) < 0.3_wp) chi = sigma - 1.0_wp
-            return
-        end if
         y = self%s(1)*kappa*self%below(1, k, s)
         sigma = ratio*(y + t)/(1.0_wp + y*t)
         ! 1 - t
