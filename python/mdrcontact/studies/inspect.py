@@ -41,12 +41,12 @@ class InspectResult(Result):
 
 
 @study
-def inspect(data: Path, *, progress: Progress | None = None) -> InspectResult:
+def inspect(data: str | Path, *, progress: Progress | None = None) -> InspectResult:
     """Say what a file of measurements is, and what would be fitted of it.
 
     Parameters
     ----------
-    data : Path
+    data : str or Path
         A table, a spreadsheet, or a file of an AFM.
     progress : Progress, optional
         Follows the tests, and stops between two of them.
@@ -76,7 +76,7 @@ def inspect(data: Path, *, progress: Progress | None = None) -> InspectResult:
     >>> found.curves
     ('ball.csv: 40 points; 40 of 40 readings are used',)
     """
-    progress = progress or Progress()
+    data, progress = Path(data), progress or Progress()
     progress.step(0, None, "file")
     found = inspect_file(data)
     tests, tables, notes = found.tests, dict[str, Table](), dict[str, str]()

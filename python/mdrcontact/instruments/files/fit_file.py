@@ -86,9 +86,9 @@ class FitFile(NamedTuple):
         known = {"indenter": self.indenter, "medium": self.medium, "free": self.free, "instrument": self.instrument}
         return {**known, **self.options}
 
-    def curves(self, path: Path) -> list[files.Curve]:
+    def curves(self, path: str | Path) -> list[files.Curve]:
         """The curves of one file, with a warning where it says another instrument than the problem."""
-        found = files.curves(self.data, self.cantilever, path)
+        found = files.curves(self.data, self.cantilever, Path(path))
         return [one._replace(read=partial(self._read, one)) for one in found]
 
     def all_curves(self, paths: Sequence[Path], progress: Progress) -> list[files.Curve]:
@@ -122,7 +122,7 @@ class FitFile(NamedTuple):
                 )
         return words
 
-    def read_data(self, path: Path) -> tuple[Data, list[str]]:
+    def read_data(self, path: str | Path) -> tuple[Data, list[str]]:
         """The data of a file with one curve, or of its first, and what was understood."""
         return self.curves(path)[0].read()
 
@@ -131,8 +131,9 @@ def _refuse(refusal: MDRError) -> Any:
     raise refusal
 
 
-def load_fit_file(path: Path) -> FitFile:
+def load_fit_file(path: str | Path) -> FitFile:
     """Reads a problem file; a fault in it is a `ProblemError` that names the file."""
+    path = Path(path)
     try:
         return _read(with_calibration(parse_file(path), Folder(path.parent)), path.stem)
     except ProblemError as problem:
