@@ -544,7 +544,7 @@ def test_a_stop_is_not_taken_for_a_refusal():
     """Work that goes on after an error of one of its calls ends, too."""
     contact = mdr.Contact(mdr.Paraboloid(1.0), mdr.Graded([0.0, 0.5, 2.0], [1.0, 2.0, 5.0], 0.3))
     went_on = []
-    with pytest.raises(mdr.CancelledError, match="stopped by its caller"), Progress(stop=lambda: True).listened():
+    with pytest.raises(mdr.errors.CancelledError, match="stopped by its caller"), Progress(stop=lambda: True).listened():
         with contextlib.suppress(mdr.MDRError):
             contact.at_force(np.linspace(0.01, 1.0, 1_000_000))
         went_on.append(True)
