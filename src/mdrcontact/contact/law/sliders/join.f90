@@ -2,7 +2,7 @@
 !> Sliders of a contact that grows: levels that it passes bring more than its record has room for (theory/friction.md (7.9)).
 !>
 !> Two sliders become one by adding their loads: T stays and the stored energy falls. Of two neighbours with K1, B1 (the lower) and
-!> K2, B2 the one lacks of first shear at most e = (B1 K2 - K1 B2)/(K1 + K2), at the shift u = (B1 + B2)/(K1 + K2). Under
+!> K2, B2 the one exceeds first shear by at most e = (B1 K2 - K1 B2)/(K1 + K2), at the shift u = (B1 + B2)/(K1 + K2). Under
 !> Coulomb's law those with the least e/u are joined: slip of small amplitude keeps its energy; with few sliders it is those with
 !> the least e/sqrt(u), and where S is the contact radius with the least e.
 module mdrcontact_law_sliders_join
