@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Elastic energy that each layer of a body stores under a load.
 !>
-!> Below depth z lies the work of the tractions there, W(z) = -pi int p_hat^2 (y1 y3 + y2 y4)/(2 G) dk (theory/stress.md (5.3)),
+!> Below depth z lies the work of the tractions there, W_e(z) = -pi int p_hat^2 (y1 y3 + y2 y4)/(2 G) dk (theory/stress.md (5.3)),
 !> continuous across bonded interfaces. At the surface the half-space of the first material gives (1/E0*) int_0^a q^2 dx, and the
 !> layers below add an integral that converges exponentially. What an interface stores that gives belongs to the layer above it.
 module mdrcontact_inside_energy
