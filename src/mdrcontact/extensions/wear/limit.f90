@@ -4,9 +4,9 @@
 !>
 !> Inside c the profile is unworn, and the load that of the unworn disc of radius c pressed on as a flat punch,
 !>
-!>     F = F_0(c) + k(c) (d - d_0(c)),      f(r) = u(r), c < r < b,   f_0(b) = d - u(b),
+!>     F = F_0(c) + k(c) (d - d_0(c)),      f(r) = d - u(r), c < r < b,   f_0(b) = d - u(b),
 !>
-!> and the worn profile f = d - u is the free surface. Exact on layered bodies too, for a given stick radius; what stick radius a
+!> and the worn profile f is the free surface. Exact on layered bodies too, for a given stick radius; what stick radius a
 !> prescribed shift leads to is known on homogeneous bodies only (that of the first cycle: Popov, Sci. Rep. 4 (2014) 3749).
 module mdrcontact_wear_limit
     use mdrcontact_nonfinite, only: infinity
