@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The heat that friction makes in a contact, as a line load: mu v q(x) of a contact that slides, and of one that spins the
-!> line load of mu omega r p(r). As a Legendre series: the medium's own where it has one, else by sampling
-!> (theory/conduction.md (10.1)-(10.4)).
+!> line load of mu omega r p(r), under Hertz's pressure those of theory/conduction.md (10.1), (10.4). As a Legendre series: the
+!> medium's own where it has one, else by sampling.
 module mdrcontact_conduction_source
     use mdrcontact_codes, only: sliding => heat_sliding, spinning => heat_spinning
     use mdrcontact_contact, only: contact_t
