@@ -168,6 +168,7 @@ static void film_states(double contrast)
 
 /* First shear of a normal state at some shifts. */
 typedef struct shear {
+    const mdr_contact *contact;
     const mdr_friction *friction;
     mdr_state state;
     int count;
@@ -178,8 +179,11 @@ typedef struct shear {
 static void partial_slip(void *with)
 {
     shear *s = with;
+    mdr_load *load = NULL;
     mdr_shear *sheared = NULL;
-    check(mdr_shear_new(s->friction, &s->state, MDR_ALONG, &sheared));
+    check(mdr_contact_load(s->contact, &s->state, &load));
+    check(mdr_shear_new(s->friction, load, MDR_ALONG, &sheared));
+    MDR_FREE(load);
     check(mdr_shear_states(sheared, MDR_SHIFT, s->count, s->shift, s->out));
     MDR_FREE(sheared);
 }
@@ -193,6 +197,7 @@ static void partial_slip_cost(double contrast)
     for (int which = 0; which < SHEARED; ++which) {
         char under[80];
         mdr_shear_facts facts = MDR_SIZED(mdr_shear_facts);
+        mdr_load *load = NULL;
         mdr_shear *sheared = NULL;
         states one = {.count = 1, .given = {1.0}};
         shear first = {.count = 1}, all = {.count = SHIFTS};
@@ -203,12 +208,16 @@ static void partial_slip_cost(double contrast)
         check(mdr_friction_new(contact, 0.3, &friction));
         one.contact = contact;
         from_radius(&one);
+        all.contact = contact;
         all.friction = friction;
         check(mdr_contact_states(contact, MDR_RADIUS, MDR_ON_UNLOADING, 1, one.given, &all.state));
-        check(mdr_shear_new(friction, &all.state, MDR_ALONG, &sheared));
+        check(mdr_contact_load(contact, &all.state, &load));
+        check(mdr_shear_new(friction, load, MDR_ALONG, &sheared));
+        MDR_FREE(load);
         check(mdr_shear_about(sheared, &facts));
         MDR_FREE(sheared);
         for (int i = 0; i < SHIFTS; ++i) all.shift[i] = facts.sliding_shift * (i + 0.5) / SHIFTS;
+        first.contact = contact;
         first.friction = friction;
         first.state = all.state;
         first.shift[0] = 0.5 * facts.sliding_shift;

@@ -9,6 +9,7 @@ CORE = [
     ("mdr_medium", "medium_t", "mdrcontact_medium", "type"),
     ("mdr_contact", "contact_t", "mdrcontact_contact", "type"),
     ("mdr_contact", "relaxing_contact_t", "mdrcontact_contact_relaxing_contact", "type"),
+    ("mdr_load", "contact_load_t", "mdrcontact_contact_load", "type"),
     ("mdr_loop", "loop_t", "mdrcontact_contact_loop", "type"),
     ("mdr_law", "contact_law_t", "mdrcontact_law", "type"),
     ("mdr_friction", "friction_t", "mdrcontact_friction_partial_slip", "type"),

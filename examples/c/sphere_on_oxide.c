@@ -57,7 +57,10 @@ int main(void)
         printf("%s\n%12s %12s %12s %16s %20s\n", names[i], "force, mN", "depth, nm", "radius, nm", "stiffness, N/m",
                "pressure at 0, GPa");
         for (int j = 0; j < COUNT; j++) {
-            check(mdr_contact_field(contact, MDR_PRESSURE, &state[j], 1, middle, pressure));
+            mdr_load *load = NULL;
+            check(mdr_contact_load(contact, &state[j], &load));
+            check(mdr_load_field(load, MDR_PRESSURE, 1, middle, pressure));
+            check(mdr_free(load));
             printf("%12.4f %12.3f %12.2f %16.1f %20.4f\n", state[j].force * 1e-6, state[j].depth, state[j].radius,
                    state[j].stiffness, pressure[0]);
         }

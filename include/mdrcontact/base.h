@@ -203,7 +203,7 @@ int mdr_set_cancel(mdr_cancel cancel, void *context);
 
 /**
  * From now on mdr_contact_history() writes to *part, in the calling thread, how far its march through time is, and
- * mdr_contact_critical() and mdr_contact_first_failure() how far their search is. Another thread may read it meanwhile, or the
+ * mdr_load_critical() and mdr_contact_first_failure() how far their search is. Another thread may read it meanwhile, or the
  * function given to mdr_set_cancel(). Each thread has its own.
  * @param part  [1] receives the number of rounds that are done, each with steps half as long as those of the one before, plus the
  *              part of the path that the present one has behind it; of a search the part that is done; NULL: none is called, as

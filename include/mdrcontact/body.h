@@ -120,7 +120,7 @@ int mdr_body_rigid(mdr_body **out);
 int mdr_body_wrinkling(const mdr_body *body, int layer, double *stress, double *wavelength);
 
 /** Loads of a surface. */
-enum mdr_load {
+enum mdr_load_kind {
     MDR_LOAD_NORMAL = 901, /**< A pressure. */
     MDR_LOAD_SHEAR = 902,  /**< A traction of one direction along the surface: the mean over the directions of the wave. */
     MDR_LOAD_TWIST = 903   /**< A traction along the surface across the wave, which one around an axis consists of. */
@@ -130,7 +130,7 @@ enum mdr_load {
  *  both. 2/(E* k), (2 - nu)/(2 G k) and 1/(G k) of a homogeneous body. Under a traction along the wave it is twice that of
  *  MDR_LOAD_SHEAR less that of MDR_LOAD_TWIST. It makes codes that solve contacts by Fourier transforms layered.
  *  @param body       body, not rigid and not of a power of the depth
- *  @param load       one of enum mdr_load; MDR_LOAD_NORMAL of a surface that is not bare
+ *  @param load       one of enum mdr_load_kind; MDR_LOAD_NORMAL of a surface that is not bare
  *  @param omega      angular frequency at which a viscoelastic body is taken, 0 for its relaxed one; else it does not matter
  *                    [1/time]
  *  @param n          number of wavenumbers

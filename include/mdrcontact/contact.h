@@ -74,7 +74,7 @@ typedef struct mdr_state {
  *
  *  A coating far stiffer than the body, from 80 times under a cone, from 12 times at the corner of a wide flat end, bends so much
  *  that depth and force fall over some radii. Of several states of one depth or force without adhesion the one with the smallest
- *  radius is given, to which the contact grows from first touch; larger ones would pull (mdr_contact_lowest_pressure()).
+ *  radius is given, to which the contact grows from first touch; larger ones would pull (mdr_load_lowest_pressure()).
  *  @param c       contact
  *  @param given   MDR_DEPTH, MDR_FORCE or MDR_RADIUS: what `in` holds
  *  @param branch  one of enum mdr_branch: which state of an adhesive contact; not looked at for radii
@@ -138,38 +138,46 @@ typedef struct mdr_loop_facts {
  *  @param facts  begun by MDR_SIZED; receives it */
 int mdr_loop_about(const mdr_loop *l, mdr_loop_facts *facts);
 
-/** Elastic energy of either body: together int F dd from first touch, with adhesion int F dd + pi a^2 work_of_adhesion along the
- *  branch [modulus length^3].
+/** The load of a state: what it bears on the surface, solved once for all that is read from it. It never changes, any number of
+ *  threads may share it, and it keeps what it needs of its contact, which may be freed before it. Made by mdr_contact_load(). */
+typedef struct mdr_load mdr_load;
+
+/** The load of a state.
  *  @param c      contact
  *  @param state  a state of this contact, with a radius > 0
+ *  @param out    receives the handle
+ *  @return also MDR_ENOCONVERGENCE */
+int mdr_contact_load(const mdr_contact *c, const mdr_state *state, mdr_load **out);
+
+/** Elastic energy of either body: together int F dd from first touch, with adhesion int F dd + pi a^2 work_of_adhesion along the
+ *  branch [modulus length^3].
+ *  @param load   load
  *  @param lower  or NULL: receives that of the medium or of the lower body
  *  @param upper  or NULL: receives that of the upper body, 0 for a rigid indenter
  *  @return also MDR_EINVALID for power-law graded media, MDR_ENOCONVERGENCE */
-int mdr_contact_energy(const mdr_contact *c, const mdr_state *state, double *lower, double *upper);
+int mdr_load_energy(const mdr_load *load, double *lower, double *upper);
 
-/** A field of a state.
- *  @param c      contact
+/** A field on the surface.
+ *  @param load   load
  *  @param field  MDR_PRESSURE, MDR_DISPLACEMENT, MDR_DISPLACEMENT_LOWER, MDR_DISPLACEMENT_UPPER or MDR_LINE_LOAD
- *  @param state  a state of this contact, with a radius > 0
  *  @param n      number of positions
  *  @param r      [n] r or x, see enum mdr_quantity [length]
  *  @param out    [n] values, see enum mdr_quantity
  *  @return also MDR_EDOMAIN for a position outside the range of the field, MDR_ENOCONVERGENCE */
-int mdr_contact_field(const mdr_contact *c, int field, const mdr_state *state, int n, const double r[], double out[]);
+int mdr_load_field(const mdr_load *load, int field, int n, const double r[], double out[]);
 
-/** The lowest pressure of a state without adhesion. Below 0 the bodies would have to pull on each other: the contact is then not
+/** The lowest pressure of a load without adhesion. Below 0 the bodies would have to pull on each other: the contact is then not
  *  one disc, its pressure is not that of the true contact, and F(d) is off by up to 0.05 % (cone), 0.6 % (r^4) or 3.5 % (flat
  *  punch) at a ratio of moduli of 100; at larger ones, where the radius jumps, by as much as the force jumps there: under a cone
  *  7 % at 300, 28 % at 1,000. It happens on stiff coatings, solved exactly: from a ratio of moduli of 5 (nu = 1/2) to 7 (nu = 0)
  *  under flat ends, 6 to 10 under r^4, 8 to 12 under r^3, 12 to 20 under r^2.5, 50 to 100 under cones; never under paraboloids.
  *  It can also show outside alone: where the surface beyond the contact, MDR_DISPLACEMENT, would pass through the indenter,
  *  u(r) < d - f(r), as under cones from a ratio of 300 on.
- *  @param c         contact without adhesion
- *  @param state     a state of this contact, with a radius > 0
+ *  @param load      load without adhesion
  *  @param pressure  or NULL: the smallest p(r), 0 <= r <= a; 0, at the edge, where no pressure is negative [modulus]
  *  @param r         or NULL: the r that has it [length]
  *  @return also MDR_EINVALID with adhesion, MDR_ENOCONVERGENCE */
-int mdr_contact_lowest_pressure(const mdr_contact *c, const mdr_state *state, double *pressure, double *r);
+int mdr_load_lowest_pressure(const mdr_load *load, double *pressure, double *r);
 
 /** Doubts about the numbers of a state; bits of a sum. Linear elasticity gives numbers beyond its range, too. */
 enum mdr_warning {
@@ -220,16 +228,15 @@ typedef struct mdr_interior {
     double s_tz; /**< Shear stress, 0 without friction [modulus]. */
 } mdr_interior;
 
-/** Displacements and stresses inside a body of homogeneous, layered or graded material, under the state's pressure.
+/** Displacements and stresses inside a body of homogeneous, layered or graded material, under the pressure of a load.
  *
  *  Points that form a grid of few distinct r and z cost far less than as many scattered ones. Where the load is singular on the
  *  surface (edge of a flat punch or of an adhesive contact, apex of a cone, edge of a flat end) stresses are infinite, with
  *  friction the shear tractions too; the sign is that inside the contact. What jumps there, s_rt across the edge of a flat end,
  *  has its value just below the surface, halfway. Under an approximate model it is the field in the layers under the model's own
  *  pressure, whose surface does not fit the indenter.
- *  @param c         contact
+ *  @param load      load
  *  @param body      one of enum mdr_which_body
- *  @param state     a state of this contact, with a radius > 0
  *  @param side      one of enum mdr_side, for points on an interface
  *  @param friction  f >= 0: the contact slides, with traction f p(r) in +x on the lower body and -f p(r) on the upper one, p that
  *                   of the contact without friction (Goodman). Not with adhesion.
@@ -240,30 +247,28 @@ typedef struct mdr_interior {
  *  @param out       [n] displacements and stresses
  *  @return also MDR_EDOMAIN for points in a rigid base or beyond 1e12 a, MDR_EINVALID for media without E and nu, or with tension
  *          under friction, MDR_ENOCONVERGENCE */
-int mdr_contact_interior(const mdr_contact *c, int body, const mdr_state *state, int side, double friction, int n, const double r[],
+int mdr_load_interior(const mdr_load *load, int body, int side, double friction, int n, const double r[],
                          const double z[], const double angle[], mdr_interior out[]);
 
-/** How far the field of mdr_contact_interior() is from what the contact has on its surface, by other equations: at r = 0.31 a, 0.62 a
+/** How far the field of mdr_load_interior() is from what the contact has on its surface, by other equations: at r = 0.31 a, 0.62 a
  *  and 0.9 a s_zz from -p(r), relative to the largest pressure there or the mean one, and u_z from d - f(r), of two bodies from the
  *  body's part of it, relative to d or f(a). Under an approximate model s_zz alone, for its surface does not fit the indenter. Costs
  *  about as much as three points on the surface; one call serves all points of a state.
- *  @param c         contact
+ *  @param load      load
  *  @param body      one of enum mdr_which_body
- *  @param state     a state of this contact, with a radius > 0
  *  @param deviation receives the largest of them [1]: 1e-8 or less is usual with the default tolerance of a medium
- *  @return as mdr_contact_interior() */
-int mdr_contact_interior_error(const mdr_contact *c, int body, const mdr_state *state, double *deviation);
+ *  @return as mdr_load_interior() */
+int mdr_load_interior_error(const mdr_load *load, int body, double *deviation);
 
 /** Elastic energy in each layer of a body without friction, from the surface down, the half-space last (0 for a rigid base).
  *  Together they are the work of the pressure on the surface.
- *  @param c         contact
+ *  @param load      load
  *  @param body      one of enum mdr_which_body
- *  @param state     a state of this contact, with a radius > 0
  *  @param capacity  size of the array, >= 0: at most so many are written
  *  @param out       [capacity] energies [modulus length^3]
  *  @param count     receives how many there are
  *  @return also MDR_EINVALID for graded bodies and media without E and nu, MDR_ENOCONVERGENCE */
-int mdr_contact_layer_energies(const mdr_contact *c, int body, const mdr_state *state, int capacity, double out[], int *count);
+int mdr_load_layer_energies(const mdr_load *load, int body, int capacity, double out[], int *count);
 
 /** A largest stress and where it is. */
 typedef struct mdr_maximum {
@@ -278,17 +283,16 @@ typedef struct mdr_maximum {
 /** What decides inside a body of homogeneous layers: the largest stresses in each layer, at each interface and on the free
  *  surface, and where they are; with friction in the plane of sliding. They are looked for up to 3 (a + z) from the axis, and no
  *  nearer than 1e-3 a to a point where stresses are infinite. They have about ten digits, three beside such a point, places five.
- *  @param c         contact
+ *  @param load      load
  *  @param body      one of enum mdr_which_body
- *  @param state     a state of this contact, with a radius > 0
- *  @param friction  f >= 0, as of mdr_contact_interior()
+ *  @param friction  f >= 0, as of mdr_load_interior()
  *  @param capacity  size of the array, >= 0: at most so many are written; 0: they are counted only
  *  @param out       [capacity] of each layer, the half-space last, MDR_VON_MISES, MDR_TRESCA and MDR_TENSION; of each
  *                   interface MDR_INTERFACE_SHEAR and MDR_INTERFACE_TENSION; then MDR_FREE_SURFACE_TENSION
  *  @param count     receives how many there are
- *  @return as mdr_contact_interior(); also MDR_EINVALID for graded bodies, and MDR_ENOCONVERGENCE where mdr_contact_interior_error()
+ *  @return as mdr_load_interior(); also MDR_EINVALID for graded bodies, and MDR_ENOCONVERGENCE where mdr_load_interior_error()
  *          is more than 1e-3 */
-int mdr_contact_critical(const mdr_contact *c, int body, const mdr_state *state, double friction, int capacity, mdr_maximum out[],
+int mdr_load_critical(const mdr_load *load, int body, double friction, int capacity, mdr_maximum out[],
                          int *count);
 
 /** What a layer, an interface or the free surface bears. */
@@ -319,7 +323,7 @@ typedef struct mdr_failure_load {
  *  stresses are infinite no matter how weak the load is, there is no failure.
  *  @param c               contact
  *  @param body            one of enum mdr_which_body
- *  @param friction        f >= 0, as of mdr_contact_interior()
+ *  @param friction        f >= 0, as of mdr_load_interior()
  *  @param largest_radius  contact radii are looked at up to this one, and up to where indenter and medium end, four decades [length];
  *                         0: 30 times the thickness of all layers
  *  @param n               number of strengths, at least 1
@@ -327,7 +331,7 @@ typedef struct mdr_failure_load {
  *  @param capacity        size of the array, >= 0: at most so many are written; n is enough
  *  @param out             [capacity] those that are reached, the smallest force first
  *  @param count           receives how many are reached
- *  @return as mdr_contact_critical(); MDR_EINVALID also for a place that the body does not have, and without layers for
+ *  @return as mdr_load_critical(); MDR_EINVALID also for a place that the body does not have, and without layers for
  *          largest_radius = 0 */
 int mdr_contact_first_failure(const mdr_contact *c, int body, double friction, double largest_radius, int n,
                               const mdr_strength strengths[], int capacity, mdr_failure_load out[], int *count);

@@ -56,15 +56,15 @@ typedef struct mdr_shear mdr_shear;
  *  Under a twist (Lubkin's problem) the axis sticks at any angle, and the disc of stick around it shrinks exponentially. It is
  *  pressed first, twisted then; exact, for torsion changes neither the pressure nor anything around the axis.
  *  @param f          contact with friction; for MDR_AROUND on a homogeneous medium with E and nu or a pair of them
- *  @param state      a state of its contact, with a radius > 0
+ *  @param load       of a state of its contact
  *  @param direction  one of enum mdr_shear_direction
  *  @param out        receives the handle
  *  @return also MDR_EINVALID for other media, MDR_EDOMAIN if the pressure would be negative somewhere (see
- *          mdr_contact_lowest_pressure()) or slip would begin inside the contact (a flat punch on a stiff coating),
+ *          mdr_load_lowest_pressure()) or slip would begin inside the contact (a flat punch on a stiff coating),
  *          MDR_ENOCONVERGENCE. Slip that begins inside later, under flat ends and r^4 on stiff coatings, is not refused: there
  *          mdr_shear_field() gives tractions above coefficient times pressure inside the stick radius, and the states are not
  *          those of the true contact; mdr_friction_history_new() with rings gives these */
-int mdr_shear_new(const mdr_friction *f, const mdr_state *state, int direction, mdr_shear **out);
+int mdr_shear_new(const mdr_friction *f, const mdr_load *load, int direction, mdr_shear **out);
 
 /** States of shear, each reached from 0 in one go.
  *  @param s      sheared state

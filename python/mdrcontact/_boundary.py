@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import ctypes
-import weakref
 from collections.abc import Callable, Mapping, Sequence
 from types import SimpleNamespace
 from typing import TYPE_CHECKING, Any
@@ -214,10 +213,13 @@ class Handle:
 
     def __init__(self, created: tuple[int, int]) -> None:
         """`created` is what a compiled constructor returns: status and address."""
+        self._address = 0
         status, handle = created
         check(status)
         self._address = int(handle)
-        weakref.finalize(self, _native.free, self._address)
+
+    def __del__(self, free: Any = _native.free) -> None:
+        free(self._address)
 
     def __reduce__(self) -> Any:
         raise TypeError("a handle belongs to its object: it is neither copied nor pickled")

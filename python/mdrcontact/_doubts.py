@@ -93,16 +93,16 @@ class Doubts:
                 return [Caution(text, NotOneDiscWarning)], looked_at
         return [], looked_at
 
-    def inside(self, contact: Any, row: list[float], body: str) -> tuple[list[Caution], float]:
+    def inside(self, state: Any, body: str) -> tuple[list[Caution], float]:
         """Whether a field inside deviates from the surface of its contact; and by how much."""
-        deviation = interior.deviation(contact._handle, row, body)
-        if deviation <= max(interior.USUAL, interior.TOLERANCES * contact.medium._tolerance()):
+        deviation = interior.deviation(state, body)
+        if deviation <= max(interior.USUAL, interior.TOLERANCES * state._owner.medium._tolerance()):
             return [], deviation
         return [Caution(_DEVIATES.format(deviation), InteriorAccuracyWarning)], deviation
 
-    def inside_or_refused(self, contact: Any, row: list[float], body: str) -> list[Caution]:
+    def inside_or_refused(self, state: Any, body: str) -> list[Caution]:
         """The same; a field that is wrong is refused."""
-        found, deviation = self.inside(contact, row, body)
+        found, deviation = self.inside(state, body)
         if deviation > interior.WRONG:
             raise NoConvergenceError(_DEVIATES.format(deviation))
         return found
@@ -158,15 +158,15 @@ class Reported:
                 self._sizes |= sizes
             self.report(found)
 
-    def inside(self, contact: Any, row: list[float], body: str, points: int) -> None:
+    def inside(self, state: Any, body: str, points: int) -> None:
         """A field that was given at few points at a time: it is compared once they are many."""
-        key: tuple[str | float, ...] = (body, *row)
+        key: tuple[str | float, ...] = (body, *state._row())
         with self._lock:
             before = self._points[1] if self._points[0] == key else 0
             so_far = before + points
             self._points = key, so_far
         if before < interior.ENOUGH_POINTS <= so_far or (is_collected() and so_far >= interior.ENOUGH_POINTS):
-            self.report(contact._doubts.inside(contact, row, body)[0])
+            self.report(state._owner._doubts.inside(state, body)[0])
 
 
 def _size(radius: float) -> int | None:

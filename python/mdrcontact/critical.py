@@ -85,11 +85,10 @@ def layers_of(medium: Any, body: str = "lower") -> tuple[list[float], bool]:
 
 def critical(state: Any, body: str, friction: float) -> Critical:
     """What `State.critical` returns."""
-    contact, row = state._owner, state._row()
-    arguments = contact._handle, code("body", body, BODIES), row, number("friction", friction)
-    found = np.zeros(call(native.contact_critical, *arguments, 0, None), _layout.maximum)
-    call(native.contact_critical, *arguments, len(found), found)
-    doubts = contact._doubts.inside_or_refused(contact, row, body)
+    contact, which, mu = state._owner, code("body", body, BODIES), number("friction", friction)
+    found = np.zeros(call(native.load_critical, state._load, which, mu, 0, None), _layout.maximum)
+    call(native.load_critical, state._load, which, mu, len(found), found)
+    doubts = contact._doubts.inside_or_refused(state, body)
     contact._reported.report(doubts)
     maxima = {(int(one["quantity"]), int(one["place"])): maximum(one) for one in found}
     layers = [i for kind, i in maxima if kind == _layout.VON_MISES]

@@ -66,7 +66,7 @@ def first_failure(
     failures = []
     for one in found[:count]:
         state = state_of([float(one[name]) for name in State._fields], contact)
-        doubts = [*contact._doubts.about(state), *contact._doubts.inside_or_refused(contact, state._row(), body)]
+        doubts = [*contact._doubts.about(state), *contact._doubts.inside_or_refused(state, body)]
         contact._reported.report(doubts)
         reached = Failure(names[int(one["quantity"])], int(one["place"]), float(one["strength"]), state, maximum(one))
         failures.append(reached._carrying(doubts))

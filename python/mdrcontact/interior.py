@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _layout
-from ._boundary import FloatOrArray, Handle, call, check, native, number, together, words_of
+from ._boundary import FloatOrArray, call, check, native, number, together, words_of
 from ._choices import code
 from ._warn import Caution, texts_of
 from .errors import NoConvergenceError
@@ -62,8 +62,7 @@ class Interior(_InteriorNumbers):
         doubts, asked_of = self._doubts, self._asked_of  # another thread may look at the same time
         if doubts is None and asked_of is not None:
             state, body = asked_of
-            contact = state._owner
-            doubts = self._compared(contact._doubts.inside(contact, state._row(), body)[0])._doubts
+            doubts = self._compared(state._owner._doubts.inside(state, body)[0])._doubts
         return doubts or ()
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -123,33 +122,29 @@ def _with_doubts(numbers: tuple[Any, ...], doubts: tuple[str, ...]) -> Interior:
     return found
 
 
-def interior(
-    handle: Handle, r: ArrayLike, z: ArrayLike, state: list[float], body: str, side: str, friction: float, angle: ArrayLike
-) -> Interior:
-    """What `State.interior` returns, from the numbers of a state."""
+def interior(state: Any, r: ArrayLike, z: ArrayLike, body: str, side: str, friction: float, angle: ArrayLike) -> Interior:
+    """What `State.interior` returns."""
     radii, depths, angles = together(r=r, z=z, angle=angle)
     if not radii.size:
         return Interior(*(np.empty(radii.shape) for _ in Interior._fields))
     flat = [np.ascontiguousarray(values, dtype=np.float64).ravel() for values in (radii, depths, angles)]
-    status, field = native.contact_interior(
-        handle, code("body", body, BODIES), state, code("side", side, SIDES), number("friction", friction), *flat
-    )
+    given = code("body", body, BODIES), code("side", side, SIDES), number("friction", friction)
+    status, field = native.load_interior(state._load, *given, *flat)
     check(status, single=not radii.shape)
     return Interior(*(column.reshape(radii.shape) if radii.shape else float(column[0]) for column in field.T))
 
 
-def deviation(handle: Handle, state: list[float], body: str) -> float:
+def deviation(state: Any, body: str) -> float:
     """By how much the field of a state differs from its contact on the surface; 0 where it is not known there, as near the surface
     of a gradient that is too steep."""
     try:
-        return float(call(native.contact_interior_error, handle, code("body", body, BODIES), state))
+        return float(call(native.load_interior_error, state._load, code("body", body, BODIES)))
     except NoConvergenceError:
         return 0.0
 
 
 def layer_energies(state: Any, body: str, layers: int) -> NDArray[np.float64]:
     """Elastic energy of each of so many layers, of one state."""
-    handle = state._owner._handle
-    status, energies, count = native.contact_layer_energies(handle, code("body", body, BODIES), state._row(), layers)
+    status, energies, count = native.load_layer_energies(state._load, code("body", body, BODIES), layers)
     check(status)
     return np.array(energies[:count])

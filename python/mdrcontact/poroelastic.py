@@ -36,6 +36,9 @@ class NoHandle(Handle):
     def __init__(self) -> None:
         pass
 
+    def __del__(self, free: Any = None) -> None:
+        """Has nothing to free."""
+
     @property
     def _address(self) -> int:  # type: ignore[override]
         """Refuses."""

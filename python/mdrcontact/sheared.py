@@ -199,11 +199,11 @@ class ShearedContact:
     @cached_property
     def _handle(self) -> Handle:
         """Of its one state: slip is solved once."""
-        return self._sheared(self.state._row())
+        self.state._row()  # one state
+        return self._sheared(self.state._load)
 
-    def _sheared(self, row: ArrayLike) -> Handle:
-        direction = _layout.AROUND if self.around else _layout.ALONG
-        return Handle(native.shear_new(self.friction._handle, row, direction))
+    def _sheared(self, load: Handle) -> Handle:
+        return Handle(native.shear_new(self.friction._handle, load, _layout.AROUND if self.around else _layout.ALONG))
 
     def __reduce__(self) -> Any:
         return type(self), (self.friction, self.state, self.around)
@@ -214,7 +214,7 @@ class ShearedContact:
         rows = self.state._rows()
         found = np.empty((*rows.shape[:-1], 2))
         for place in np.ndindex(rows.shape[:-1]):
-            facts, sheared = record(_layout.shear_facts), self._sheared(rows[place]) if place else self._handle
+            facts, sheared = record(_layout.shear_facts), self._sheared(self.state._load_of(rows[place])) if place else self._handle
             call(native.shear_about, sheared, facts)
             found[place] = facts[0]["sliding_shift"], facts[0]["sliding_force"]
         return (found[..., 0], found[..., 1]) if rows.ndim > 1 else (float(found[0]), float(found[1]))
@@ -232,7 +232,7 @@ class ShearedContact:
             points, normal = np.broadcast_to(points, shape), np.broadcast_to(rows, (*shape, rows.shape[-1]))
             table = np.empty((*shape, len(ShearState._fields)))
             for place in np.ndindex(shape):
-                sheared = self._sheared(normal[place])
+                sheared = self._sheared(self.state._load_of(normal[place]))
                 table[place] = call(native.shear_states, sheared, given, points[place])
             found = list(np.moveaxis(table, -1, 0))
         flags = np.asarray(found[-1]) > 0.5

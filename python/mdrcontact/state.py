@@ -4,14 +4,15 @@
 from __future__ import annotations
 
 from collections import _tuplegetter  # type: ignore[attr-defined]
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Iterable, Iterator
+from functools import partial
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _layout, critical, interior, sensitivity
-from ._boundary import FloatOrArray, call, evaluate, native, number, numbers, together
+from ._boundary import FloatOrArray, Handle, call, evaluate, native, number, numbers, together
 from ._choices import code
 from ._warn import texts_of
 from .critical import Critical
@@ -36,7 +37,6 @@ class State(tuple[Any, ...]):
     Fields take one state, or several with places of shape (*shape of the states, ...). Everything else is of one state.
     """
 
-    __slots__ = ()
     _fields = _NAMES
 
     depth: FloatOrArray = _item(0)
@@ -125,16 +125,16 @@ class State(tuple[Any, ...]):
         """
         if body is not None:
             code("body", body, BODIES)
-        rows, found = self._rows(), []
-        for row in rows.reshape(-1, _COUNT):
-            energies = call(native.contact_energy, self._owner._handle, row)
+        found, shape = [], np.shape(self.depth)
+        for load in self._loads():
+            energies = call(native.load_energy, load)
             found.append(float(sum(energies) if body is None else energies[body == "upper"]))
-        return found[0] if rows.ndim == 1 else np.reshape(found, rows.shape[:-1])
+        return np.reshape(found, shape) if shape else found[0]
 
     def lowest_pressure(self) -> tuple[float, float]:
         """The smallest p(r) [modulus] of one state without adhesion, and its r [length]: 0, at the edge, where none is negative.
         Below 0 the contact is not one disc and its pressure not that of the true contact (see `NotOneDiscWarning`)."""
-        pressure, r = call(native.contact_lowest_pressure, self._owner._handle, self._row())
+        pressure, r = call(native.load_lowest_pressure, self._load)
         return float(pressure), float(r)
 
     def interior(
@@ -164,13 +164,12 @@ class State(tuple[Any, ...]):
         `InteriorAccuracyWarning` where it deviates by more than 1e-8 and 10 times the medium's tolerance, refused beyond 1e-3.
         Of fewer points at a time the warning comes once they are as many; `warnings` of the result compares at any number.
         """
-        contact, row = self._owner, self._row()
-        found = interior.interior(contact._handle, r, z, row, body, side, friction, angle)
+        contact, found = self._owner, interior.interior(self, r, z, body, side, friction, angle)
         if np.size(found.s_zz) >= interior.ENOUGH_POINTS:
-            doubts = contact._doubts.inside_or_refused(contact, row, body)
+            doubts = contact._doubts.inside_or_refused(self, body)
             contact._reported.report(doubts)
             return found._compared(doubts)
-        contact._reported.inside(contact, row, body, np.size(found.s_zz))
+        contact._reported.inside(self, body, np.size(found.s_zz))
         return found._comparable(self, body)
 
     def critical(self, body: str = "lower", friction: float = 0.0) -> Critical:
@@ -213,25 +212,40 @@ class State(tuple[Any, ...]):
 
     def _row(self) -> list[float]:
         """The same of what must be one state."""
+        row = list(self)
+        if all(type(value) is float for value in row):
+            return row
         if np.shape(self.depth):
             raise ArgumentTypeError(f"these are states of shape {np.shape(self.depth)}: one is needed, as states[0] is")
         return [number(f"{name} of the state", value) for name, value in self._asdict().items()]
 
+    @property
+    def _load(self) -> Handle:
+        """The load of this one state, solved once for all that is read from it; where threads make it at a time, one stays."""
+        load: Handle | None = self.__dict__.get("_kept")
+        return load or self.__dict__.setdefault("_kept", self._load_of(self._row()))
+
+    def _load_of(self, row: ArrayLike) -> Handle:
+        return Handle(native.contact_load(self._owner._handle, row))
+
+    def _loads(self) -> Iterator[Handle]:
+        """The load of each of the states; those of several are not kept."""
+        if not np.shape(self.depth):
+            yield self._load
+        else:
+            yield from map(self._load_of, self._rows().reshape(-1, _COUNT))
+
     def _field(self, field: int, name: str, points: ArrayLike) -> FloatOrArray:
-        handle = self._owner._handle
-
-        def at(row: Any) -> Callable[[Any], Any]:
-            return lambda x: native.contact_field(handle, field, row, x)
-
         shape = np.shape(self.depth)
         if not shape:
-            return evaluate(name, points, at(self._row()))
-        places, rows = numbers(name, points), self._rows()
+            return evaluate(name, points, lambda x: native.load_field(self._load, field, x))
+        places, loads = numbers(name, points), self._loads()
         if places.shape[: len(shape)] != shape:
             raise ArgumentTypeError(f"{name} has shape {places.shape}: for states of shape {shape} it must begin with that")
         found = np.empty(places.shape)
         for i in np.ndindex(shape):
-            found[i] = evaluate(name, places[i], at(rows[i]))
+            load = next(loads)
+            found[i] = evaluate(name, places[i], partial(native.load_field, load, field))
         return found
 
     def _cautions(self) -> tuple[int, list[str]]:

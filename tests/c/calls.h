@@ -124,22 +124,99 @@ APART int pull_off_of(const mdr_contact *c, int control, int capacity, double d[
     return status;
 }
 
+/* What is read of a state once. */
+APART int state_field(const mdr_contact *c, int field, const mdr_state *state, int n, const double r[], double out[])
+{
+    mdr_load *load = NULL;
+    int status = mdr_contact_load(c, state, &load);
+    if (status == MDR_SUCCESS) status = mdr_load_field(load, field, n, r, out);
+    MDR_FREE(load);
+    return status;
+}
+
+APART int state_energy(const mdr_contact *c, const mdr_state *state, double *lower, double *upper)
+{
+    mdr_load *load = NULL;
+    int status = mdr_contact_load(c, state, &load);
+    if (status == MDR_SUCCESS) status = mdr_load_energy(load, lower, upper);
+    MDR_FREE(load);
+    return status;
+}
+
+APART int state_lowest_pressure(const mdr_contact *c, const mdr_state *state, double *pressure, double *r)
+{
+    mdr_load *load = NULL;
+    int status = mdr_contact_load(c, state, &load);
+    if (status == MDR_SUCCESS) status = mdr_load_lowest_pressure(load, pressure, r);
+    MDR_FREE(load);
+    return status;
+}
+
+APART int state_interior(const mdr_contact *c, int body, const mdr_state *state, int side, double friction, int n,
+                         const double r[], const double z[], const double angle[], mdr_interior out[])
+{
+    mdr_load *load = NULL;
+    int status = mdr_contact_load(c, state, &load);
+    if (status == MDR_SUCCESS) status = mdr_load_interior(load, body, side, friction, n, r, z, angle, out);
+    MDR_FREE(load);
+    return status;
+}
+
+APART int state_interior_error(const mdr_contact *c, int body, const mdr_state *state, double *deviation)
+{
+    mdr_load *load = NULL;
+    int status = mdr_contact_load(c, state, &load);
+    if (status == MDR_SUCCESS) status = mdr_load_interior_error(load, body, deviation);
+    MDR_FREE(load);
+    return status;
+}
+
+APART int state_layer_energies(const mdr_contact *c, int body, const mdr_state *state, int capacity, double out[], int *count)
+{
+    mdr_load *load = NULL;
+    int status = mdr_contact_load(c, state, &load);
+    if (status == MDR_SUCCESS) status = mdr_load_layer_energies(load, body, capacity, out, count);
+    MDR_FREE(load);
+    return status;
+}
+
+APART int state_critical(const mdr_contact *c, int body, const mdr_state *state, double friction, int capacity,
+                         mdr_maximum out[], int *count)
+{
+    mdr_load *load = NULL;
+    int status = mdr_contact_load(c, state, &load);
+    if (status == MDR_SUCCESS) status = mdr_load_critical(load, body, friction, capacity, out, count);
+    MDR_FREE(load);
+    return status;
+}
+
+/* A state that is sheared. */
+APART int shear_of(const mdr_contact *c, const mdr_friction *f, const mdr_state *state, int direction, mdr_shear **shear)
+{
+    mdr_load *load = NULL;
+    int status = mdr_contact_load(c, state, &load);
+    if (status == MDR_SUCCESS) status = mdr_shear_new(f, load, direction, shear);
+    MDR_FREE(load);
+    return status;
+}
+
 /* What happens to a state that is sheared for one call only. */
-static inline int shear_states(const mdr_friction *f, const mdr_state *state, int direction, int given, int n, const double in[],
-                               mdr_shear_state out[])
+static inline int shear_states(const mdr_contact *c, const mdr_friction *f, const mdr_state *state, int direction, int given, int n,
+                               const double in[], mdr_shear_state out[])
 {
     mdr_shear *shear = NULL;
-    int status = mdr_shear_new(f, state, direction, &shear);
+    int status = shear_of(c, f, state, direction, &shear);
     if (status == MDR_SUCCESS) status = mdr_shear_states(shear, given, n, in, out);
     MDR_FREE(shear);
     return status;
 }
 
-APART int shear_sliding(const mdr_friction *f, const mdr_state *state, int direction, double *shift, double *force)
+APART int shear_sliding(const mdr_contact *c, const mdr_friction *f, const mdr_state *state, int direction, double *shift,
+                        double *force)
 {
     mdr_shear *shear = NULL;
     mdr_shear_facts facts = MDR_SIZED(mdr_shear_facts);
-    int status = mdr_shear_new(f, state, direction, &shear);
+    int status = shear_of(c, f, state, direction, &shear);
     if (status == MDR_SUCCESS) status = mdr_shear_about(shear, &facts);
     if (status == MDR_SUCCESS && shift) *shift = facts.sliding_shift;
     if (status == MDR_SUCCESS && force) *force = facts.sliding_force;
@@ -147,21 +224,21 @@ APART int shear_sliding(const mdr_friction *f, const mdr_state *state, int direc
     return status;
 }
 
-static inline int shear_field(const mdr_friction *f, const mdr_state *state, int direction, const mdr_shear_state *at, int field,
-                              int n, const double r[], double out[])
+static inline int shear_field(const mdr_contact *c, const mdr_friction *f, const mdr_state *state, int direction,
+                              const mdr_shear_state *at, int field, int n, const double r[], double out[])
 {
     mdr_shear *shear = NULL;
-    int status = mdr_shear_new(f, state, direction, &shear);
+    int status = shear_of(c, f, state, direction, &shear);
     if (status == MDR_SUCCESS) status = mdr_shear_field(shear, at, field, n, r, out);
     MDR_FREE(shear);
     return status;
 }
 
-static inline int shear_loop(const mdr_friction *f, const mdr_state *state, int direction, int given, double amplitude, int n,
-                             double shift[], double force[], double *dissipated)
+static inline int shear_loop(const mdr_contact *c, const mdr_friction *f, const mdr_state *state, int direction, int given,
+                             double amplitude, int n, double shift[], double force[], double *dissipated)
 {
     mdr_shear *shear = NULL;
-    int status = mdr_shear_new(f, state, direction, &shear);
+    int status = shear_of(c, f, state, direction, &shear);
     if (status == MDR_SUCCESS) status = mdr_shear_loop(shear, given, amplitude, n, shift, force, dissipated);
     MDR_FREE(shear);
     return status;

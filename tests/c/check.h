@@ -118,7 +118,7 @@ static inline int field_at(const mdr_contact *c, int field, int given, double va
 {
     mdr_state state = {0.0, 0.0, 0.0, 0.0, 0.0, 0.0};
     const int status = mdr_contact_states(c, given, MDR_ON_UNLOADING, 1, &value, &state);
-    return status != MDR_SUCCESS ? status : mdr_contact_field(c, field, &state, n, r, out);
+    return status != MDR_SUCCESS ? status : state_field(c, field, &state, n, r, out);
 }
 
 /* Layers that relax, from the surface down, on a half-space or, where it is NULL, a rigid base. */

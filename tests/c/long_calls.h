@@ -143,10 +143,10 @@ static void states(numbers *out)
         CHECK_SUCCESS(columns_of(c, MDR_RADIUS, n, a, NULL, NULL, more(out, n), NULL));
         CHECK_SUCCESS(columns_of(c, MDR_FORCE, 2, F, more(out, 2), NULL, NULL, NULL));
         const mdr_state state = state_at(c, 1.0);
-        CHECK_SUCCESS(mdr_contact_field(c, MDR_PRESSURE, &state, 2, r, more(out, 2)));
-        CHECK_SUCCESS(mdr_contact_field(c, MDR_DISPLACEMENT, &state, 1, (const double[1]){2.5}, more(out, 1)));
-        CHECK_SUCCESS(mdr_contact_energy(c, &state, more(out, 1), NULL));
-        CHECK_SUCCESS(mdr_contact_lowest_pressure(c, &state, more(out, 1), NULL));
+        CHECK_SUCCESS(state_field(c, MDR_PRESSURE, &state, 2, r, more(out, 2)));
+        CHECK_SUCCESS(state_field(c, MDR_DISPLACEMENT, &state, 1, (const double[1]){2.5}, more(out, 1)));
+        CHECK_SUCCESS(state_energy(c, &state, more(out, 1), NULL));
+        CHECK_SUCCESS(state_lowest_pressure(c, &state, more(out, 1), NULL));
         MDR_FREE(c);
     }
 }
@@ -158,8 +158,8 @@ static void interior(numbers *out)
         mdr_contact *c = ball_on(i < 2 ? coating(i == 0 ? 30.0 : 0.1) : grading(), 0.0);
         const mdr_state state = state_at(c, 1.0);
         mdr_interior *points = (mdr_interior *)more(out, 2 * (int)(sizeof(mdr_interior) / sizeof(double)));
-        CHECK_SUCCESS(mdr_contact_interior(c, MDR_BODY_LOWER, &state, MDR_SIDE_BELOW, 0.2, 2, r, z, NULL, points));
-        if (i < 2) CHECK_SUCCESS(mdr_contact_layer_energies(c, MDR_BODY_LOWER, &state, 2, more(out, 2), &(int){0}));
+        CHECK_SUCCESS(state_interior(c, MDR_BODY_LOWER, &state, MDR_SIDE_BELOW, 0.2, 2, r, z, NULL, points));
+        if (i < 2) CHECK_SUCCESS(state_layer_energies(c, MDR_BODY_LOWER, &state, 2, more(out, 2), &(int){0}));
         MDR_FREE(c);
     }
 }
@@ -232,11 +232,11 @@ static void friction(numbers *out)
         mdr_state reached[3];
         const mdr_state state = state_at(c, 0.7);
         CHECK_SUCCESS(mdr_friction_new(c, 0.3, &f));
-        CHECK_SUCCESS(shear_sliding(f, &state, MDR_ALONG, more(out, 1), NULL));
-        CHECK_SUCCESS(shear_states(f, &state, MDR_ALONG, MDR_SHIFT, 1, shift + 1, sheared));
+        CHECK_SUCCESS(shear_sliding(c, f, &state, MDR_ALONG, more(out, 1), NULL));
+        CHECK_SUCCESS(shear_states(c, f, &state, MDR_ALONG, MDR_SHIFT, 1, shift + 1, sheared));
         *more(out, 1) = sheared[0].tangential_force;
-        CHECK_SUCCESS(shear_field(f, &state, MDR_ALONG, sheared, MDR_TRACTION, 1, (const double[1]){0.3}, more(out, 1)));
-        CHECK_SUCCESS(shear_loop(f, &state, MDR_ALONG, MDR_SHIFT, 0.004, 5, more(out, 5), more(out, 5), more(out, 1)));
+        CHECK_SUCCESS(shear_field(c, f, &state, MDR_ALONG, sheared, MDR_TRACTION, 1, (const double[1]){0.3}, more(out, 1)));
+        CHECK_SUCCESS(shear_loop(c, f, &state, MDR_ALONG, MDR_SHIFT, 0.004, 5, more(out, 5), more(out, 5), more(out, 1)));
         CHECK_SUCCESS(mdr_friction_history_new(f, 0.12, 20, &h));
         CHECK_SUCCESS(mdr_friction_history_advance(h, MDR_DEPTH, MDR_SHIFT, 3, depth, shift, reached, sheared));
         for (int j = 0; j < 3; j++) *more(out, 1) = sheared[j].tangential_force;
@@ -255,11 +255,11 @@ static void torsion(numbers *out)
     mdr_contact *c = ball_on(m, 0.0);
     const mdr_state state = state_at(c, 0.7);
     CHECK_SUCCESS(mdr_friction_new(c, 0.3, &f));
-    CHECK_SUCCESS(shear_states(f, &state, MDR_AROUND, MDR_TWIST, 1, (const double[1]){0.01}, &twisted));
+    CHECK_SUCCESS(shear_states(c, f, &state, MDR_AROUND, MDR_TWIST, 1, (const double[1]){0.01}, &twisted));
     *more(out, 1) = twisted.tangential_force;
-    CHECK_SUCCESS(shear_sliding(f, &state, MDR_AROUND, NULL, more(out, 1)));
-    CHECK_SUCCESS(shear_field(f, &state, MDR_AROUND, &twisted, MDR_TRACTION, 1, (const double[1]){0.3}, more(out, 1)));
-    CHECK_SUCCESS(shear_loop(f, &state, MDR_AROUND, MDR_TWIST, 0.01, 5, more(out, 5), more(out, 5), more(out, 1)));
+    CHECK_SUCCESS(shear_sliding(c, f, &state, MDR_AROUND, NULL, more(out, 1)));
+    CHECK_SUCCESS(shear_field(c, f, &state, MDR_AROUND, &twisted, MDR_TRACTION, 1, (const double[1]){0.3}, more(out, 1)));
+    CHECK_SUCCESS(shear_loop(c, f, &state, MDR_AROUND, MDR_TWIST, 0.01, 5, more(out, 5), more(out, 5), more(out, 1)));
     MDR_FREE(f);
     MDR_FREE(c);
 }

@@ -131,7 +131,7 @@ static void maugis(double sigma)
         CHECK_CLOSE(states[i].depth, a * a / R - 2 * sigma / modulus * a * root, 1e-13);
         CHECK_CLOSE(states[i].force, 4 * modulus * a * a * a / (3 * R) - 2 * sigma * a * a * (root + m * m * angle), 1e-12);
         double pressure = 0.0;
-        CHECK_SUCCESS(mdr_contact_field(c, MDR_PRESSURE, &states[i], 1, &states[i].zone_radius, &pressure));
+        CHECK_SUCCESS(state_field(c, MDR_PRESSURE, &states[i], 1, &states[i].zone_radius, &pressure));
         CHECK_CLOSE(pressure, -sigma, 1e-15);
     }
     CHECK_FREE(c);

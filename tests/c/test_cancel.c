@@ -76,8 +76,8 @@ static int sticky_path(void)
 #ifdef MDRCONTACT_TIME_H
 static int oscillation(void) { return mdr_contact_dynamic_stiffness(relaxing, MANY, in, in, out, other); }
 #endif
-static int rub(void) { return shear_states(rubbed_film, &pressed, MDR_ALONG, MDR_SHIFT, MANY / 10, sway, sheared); }
-static int rub_in_turn(void) { return shear_loop(rubbed_film, &pressed, MDR_ALONG, MDR_SHIFT, 1e-3, MANY, out, other,
+static int rub(void) { return shear_states(on_film, rubbed_film, &pressed, MDR_ALONG, MDR_SHIFT, MANY / 10, sway, sheared); }
+static int rub_in_turn(void) { return shear_loop(on_film, rubbed_film, &pressed, MDR_ALONG, MDR_SHIFT, 1e-3, MANY, out, other,
                                                  other); }
 static int many_rings(void) { return mdr_friction_history_new(rubbed_film, 0.5, 1000, &rings); }
 static int rub_along(void)
@@ -89,7 +89,7 @@ static int inside(void)
     const mdr_state state = {0.5, 1.0, 1.0, 2.0, 0.0, 0.0};
     static double angles[MANY];
     static mdr_interior found[MANY];
-    return mdr_contact_interior(exact, MDR_BODY_LOWER, &state, MDR_SIDE_BELOW, 0.1, MANY / 10, radii, in, angles, found);
+    return state_interior(exact, MDR_BODY_LOWER, &state, MDR_SIDE_BELOW, 0.1, MANY / 10, radii, in, angles, found);
 }
 static int failure(void)
 {

@@ -46,7 +46,7 @@ static void hertz(void)
     mdr_maximum found[4];
     int count;
 
-    CHECK_SUCCESS(mdr_contact_critical(c, MDR_BODY_LOWER, &state, 0.0, 4, found, &count));
+    CHECK_SUCCESS(state_critical(c, MDR_BODY_LOWER, &state, 0.0, 4, found, &count));
     CHECK_INT(count, 4);
     CHECK_INT(found[0].quantity, MDR_VON_MISES);
     CHECK_CLOSE(found[0].value, 2.0 * 0.3100205020 * p, 1e-9);
@@ -103,13 +103,13 @@ static void film_under_friction(void)
     mdr_maximum found[MAXIMA];
     int count = 0;
 
-    CHECK_SUCCESS(mdr_contact_critical(c, MDR_BODY_LOWER, &state, 0.3, 0, NULL, &count));
+    CHECK_SUCCESS(state_critical(c, MDR_BODY_LOWER, &state, 0.3, 0, NULL, &count));
     CHECK_INT(count, MAXIMA);
     fill_untouched(1, &found[1].value);
-    CHECK_SUCCESS(mdr_contact_critical(c, MDR_BODY_LOWER, &state, 0.3, 1, found, &count));
+    CHECK_SUCCESS(state_critical(c, MDR_BODY_LOWER, &state, 0.3, 1, found, &count));
     CHECK_INT(count, MAXIMA);
     CHECK_UNTOUCHED(1, &found[1].value);
-    CHECK_SUCCESS(mdr_contact_critical(c, MDR_BODY_LOWER, &state, 0.3, MAXIMA, found, &count));
+    CHECK_SUCCESS(state_critical(c, MDR_BODY_LOWER, &state, 0.3, MAXIMA, found, &count));
     for (int i = 0; i < MAXIMA; i++) {
         const mdr_maximum *m = &found[i];
         const int side = places[i] ? MDR_SIDE_BELOW : MDR_SIDE_ABOVE;
@@ -118,7 +118,7 @@ static void film_under_friction(void)
 
         CHECK_INT(m->quantity, quantities[i]);
         CHECK_INT(m->place, places[i]);
-        CHECK_SUCCESS(mdr_contact_interior(c, MDR_BODY_LOWER, &state, side, 0.3, 1, &m->r, &m->z, &m->angle, &f));
+        CHECK_SUCCESS(state_interior(c, MDR_BODY_LOWER, &state, side, 0.3, 1, &m->r, &m->z, &m->angle, &f));
         mean = 0.5 * (f.s_rr + f.s_zz);
         circle = hypot(0.5 * (f.s_rr - f.s_zz), f.s_rz);
         mises = sqrt(0.5 * (pow(f.s_rr - f.s_tt, 2) + pow(f.s_tt - f.s_zz, 2) + pow(f.s_zz - f.s_rr, 2)) + 3.0 * f.s_rz * f.s_rz);
@@ -150,8 +150,8 @@ static void both_bodies(void)
     CHECK_FREE(m);
     c = ball_on(both, 0.0);
     state = at_radius(c, 0.1);
-    CHECK_SUCCESS(mdr_contact_critical(c, MDR_BODY_LOWER, &state, 0.3, 4, lower, &count));
-    CHECK_SUCCESS(mdr_contact_critical(c, MDR_BODY_UPPER, &state, 0.3, 4, upper, &count));
+    CHECK_SUCCESS(state_critical(c, MDR_BODY_LOWER, &state, 0.3, 4, lower, &count));
+    CHECK_SUCCESS(state_critical(c, MDR_BODY_UPPER, &state, 0.3, 4, upper, &count));
     for (int i = 0; i < 4; i++) {
         CHECK_CLOSE(upper[i].value, lower[i].value, 1e-9);
         CHECK_CLOSE(upper[i].angle + lower[i].angle, acos(-1.0), 1e-15);
@@ -171,7 +171,7 @@ static void progress(void)
     int count;
 
     CHECK_SUCCESS(mdr_set_progress(&part));
-    CHECK_SUCCESS(mdr_contact_critical(c, MDR_BODY_LOWER, &state, 0.0, 4, found, &count));
+    CHECK_SUCCESS(state_critical(c, MDR_BODY_LOWER, &state, 0.0, 4, found, &count));
     CHECK_CLOSE(part, 1.0, 0.0);
     CHECK_SUCCESS(mdr_set_progress(NULL));
     CHECK_FREE(c);
@@ -192,17 +192,17 @@ static void refusals(void)
 
     fill_untouched(1, &out[0].value);
     fill_untouched(1, &found[0].depth);
-    CHECK_STATUS(mdr_contact_critical(NULL, MDR_BODY_LOWER, &state, 0.0, 9, out, &count), MDR_ENULL, "c is NULL");
-    CHECK_STATUS(mdr_contact_critical(c, 3, &state, 0.0, 9, out, &count), MDR_EINVALID, "body = 3");
-    CHECK_STATUS(mdr_contact_critical(c, MDR_BODY_UPPER, &state, 0.0, 9, out, &count), MDR_EINVALID, "rigid");
-    CHECK_STATUS(mdr_contact_critical(c, MDR_BODY_LOWER, NULL, 0.0, 9, out, &count), MDR_ENULL, "state is NULL");
-    CHECK_STATUS(mdr_contact_critical(c, MDR_BODY_LOWER, &nothing, 0.0, 9, out, &count), MDR_EINVALID, "radius");
-    CHECK_STATUS(mdr_contact_critical(c, MDR_BODY_LOWER, &state, -0.1, 9, out, &count), MDR_EINVALID, "friction = -0.1");
-    CHECK_STATUS(mdr_contact_critical(c, MDR_BODY_LOWER, &state, NAN, 9, out, &count), MDR_EINVALID, "friction = NaN");
-    CHECK_STATUS(mdr_contact_critical(sticky, MDR_BODY_LOWER, &sticky_state, 0.1, 9, out, &count), MDR_EINVALID, "adhesion");
-    CHECK_STATUS(mdr_contact_critical(c, MDR_BODY_LOWER, &state, 0.0, -1, out, &count), MDR_EINVALID, "capacity = -1");
-    CHECK_STATUS(mdr_contact_critical(c, MDR_BODY_LOWER, &state, 0.0, 9, NULL, &count), MDR_ENULL, "out is NULL");
-    CHECK_STATUS(mdr_contact_critical(c, MDR_BODY_LOWER, &state, 0.0, 9, out, NULL), MDR_ENULL, "count is NULL");
+    CHECK_STATUS(state_critical(NULL, MDR_BODY_LOWER, &state, 0.0, 9, out, &count), MDR_ENULL, "c is NULL");
+    CHECK_STATUS(state_critical(c, 3, &state, 0.0, 9, out, &count), MDR_EINVALID, "body = 3");
+    CHECK_STATUS(state_critical(c, MDR_BODY_UPPER, &state, 0.0, 9, out, &count), MDR_EINVALID, "rigid");
+    CHECK_STATUS(state_critical(c, MDR_BODY_LOWER, NULL, 0.0, 9, out, &count), MDR_ENULL, "state is NULL");
+    CHECK_STATUS(state_critical(c, MDR_BODY_LOWER, &nothing, 0.0, 9, out, &count), MDR_EINVALID, "radius");
+    CHECK_STATUS(state_critical(c, MDR_BODY_LOWER, &state, -0.1, 9, out, &count), MDR_EINVALID, "friction = -0.1");
+    CHECK_STATUS(state_critical(c, MDR_BODY_LOWER, &state, NAN, 9, out, &count), MDR_EINVALID, "friction = NaN");
+    CHECK_STATUS(state_critical(sticky, MDR_BODY_LOWER, &sticky_state, 0.1, 9, out, &count), MDR_EINVALID, "adhesion");
+    CHECK_STATUS(state_critical(c, MDR_BODY_LOWER, &state, 0.0, -1, out, &count), MDR_EINVALID, "capacity = -1");
+    CHECK_STATUS(state_critical(c, MDR_BODY_LOWER, &state, 0.0, 9, NULL, &count), MDR_ENULL, "out is NULL");
+    CHECK_STATUS(state_critical(c, MDR_BODY_LOWER, &state, 0.0, 9, out, NULL), MDR_ENULL, "count is NULL");
     CHECK_STATUS(mdr_contact_first_failure(NULL, MDR_BODY_LOWER, 0.0, 1.0, 1, good, 2, found, &count), MDR_ENULL, "c is NULL");
     CHECK_STATUS(mdr_contact_first_failure(c, 0, 0.0, 1.0, 1, good, 2, found, &count), MDR_EINVALID, "body = 0");
     CHECK_STATUS(mdr_contact_first_failure(c, MDR_BODY_UPPER, 0.0, 1.0, 1, good, 2, found, &count), MDR_EINVALID, "rigid");

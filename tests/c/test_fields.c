@@ -31,41 +31,41 @@ static void refusals(void)
     for (int field = MDR_PRESSURE; field <= MDR_LINE_LOAD; field++) {
         mdr_state wrong = state;
 
-        CHECK_STATUS(mdr_contact_field(NULL, field, &state, 2, r, out), MDR_ENULL, "c is NULL");
-        CHECK_STATUS(mdr_contact_field((mdr_contact *)(void *)p, field, &state, 2, r, out), MDR_EINVALID, "not an mdr_contact");
-        CHECK_STATUS(mdr_contact_field(c, field, NULL, 2, r, out), MDR_ENULL, "state is NULL");
-        CHECK_STATUS(mdr_contact_field(c, field, &state, -1, r, out), MDR_EINVALID, "n = -1");
-        CHECK_STATUS(mdr_contact_field(c, field, &state, 2, NULL, out), MDR_ENULL, "r is NULL");
-        CHECK_STATUS(mdr_contact_field(c, field, &state, 2, r, NULL), MDR_ENULL, "out is NULL");
+        CHECK_STATUS(state_field(NULL, field, &state, 2, r, out), MDR_ENULL, "c is NULL");
+        CHECK_STATUS(state_field((mdr_contact *)(void *)p, field, &state, 2, r, out), MDR_EINVALID, "not an mdr_contact");
+        CHECK_STATUS(state_field(c, field, NULL, 2, r, out), MDR_ENULL, "state is NULL");
+        CHECK_STATUS(state_field(c, field, &state, -1, r, out), MDR_EINVALID, "n = -1");
+        CHECK_STATUS(state_field(c, field, &state, 2, NULL, out), MDR_ENULL, "r is NULL");
+        CHECK_STATUS(state_field(c, field, &state, 2, r, NULL), MDR_ENULL, "out is NULL");
         wrong.radius = NAN;
-        CHECK_STATUS(mdr_contact_field(c, field, &wrong, 2, r, out), MDR_EINVALID, "there is no contact");
+        CHECK_STATUS(state_field(c, field, &wrong, 2, r, out), MDR_EINVALID, "there is no contact");
         wrong.radius = 0.0;
-        CHECK_STATUS(mdr_contact_field(c, field, &wrong, 2, r, out), MDR_EINVALID, "there is no contact");
+        CHECK_STATUS(state_field(c, field, &wrong, 2, r, out), MDR_EINVALID, "there is no contact");
         wrong.radius = INFINITY;
-        CHECK_STATUS(mdr_contact_field(c, field, &wrong, 2, r, out), MDR_EINVALID, "state");
+        CHECK_STATUS(state_field(c, field, &wrong, 2, r, out), MDR_EINVALID, "state");
         wrong = state;
         wrong.punch_depth = NAN;
-        CHECK_STATUS(mdr_contact_field(c, field, &wrong, 2, r, out), MDR_EINVALID, "punch_depth");
-        CHECK_STATUS(mdr_contact_field(c, field, &state, 2, negative, out), MDR_EINVALID, " = -0.5");
-        CHECK_STATUS(mdr_contact_field(c, field, &state, 2, not_a_number, out), MDR_EINVALID, " = NaN");
+        CHECK_STATUS(state_field(c, field, &wrong, 2, r, out), MDR_EINVALID, "punch_depth");
+        CHECK_STATUS(state_field(c, field, &state, 2, negative, out), MDR_EINVALID, " = -0.5");
+        CHECK_STATUS(state_field(c, field, &state, 2, not_a_number, out), MDR_EINVALID, " = NaN");
         if (field != MDR_DISPLACEMENT) {
-            CHECK_STATUS(mdr_contact_field(c, field, &state, 2, outside, out), MDR_EDOMAIN, " = 1.01");
+            CHECK_STATUS(state_field(c, field, &state, 2, outside, out), MDR_EDOMAIN, " = 1.01");
         }
-        CHECK_SUCCESS(mdr_contact_field(c, field, &state, 0, NULL, NULL));
+        CHECK_SUCCESS(state_field(c, field, &state, 0, NULL, NULL));
     }
-    CHECK_STATUS(mdr_contact_field(c, 0, &state, 2, r, out), MDR_EINVALID, "field = 0");
-    CHECK_STATUS(mdr_contact_field(c, 6, &state, 2, r, out), MDR_EINVALID, "field = 6");
-    CHECK_STATUS(mdr_contact_lowest_pressure(NULL, &state, out, out + 1), MDR_ENULL, "c is NULL");
-    CHECK_STATUS(mdr_contact_lowest_pressure(c, NULL, out, out + 1), MDR_ENULL, "state is NULL");
+    CHECK_STATUS(state_field(c, 0, &state, 2, r, out), MDR_EINVALID, "field = 0");
+    CHECK_STATUS(state_field(c, 6, &state, 2, r, out), MDR_EINVALID, "field = 6");
+    CHECK_STATUS(state_lowest_pressure(NULL, &state, out, out + 1), MDR_ENULL, "c is NULL");
+    CHECK_STATUS(state_lowest_pressure(c, NULL, out, out + 1), MDR_ENULL, "state is NULL");
     CHECK_UNTOUCHED(2, out);
-    CHECK_SUCCESS(mdr_contact_lowest_pressure(c, &state, NULL, NULL));
+    CHECK_SUCCESS(state_lowest_pressure(c, &state, NULL, NULL));
     CHECK_STATUS(mdr_contact_states(c, 4, MDR_ON_UNLOADING, 1, r, &state), MDR_EINVALID, "given = 4");
     CHECK_STATUS(mdr_contact_states(c, MDR_DEPTH, 3, 1, r, &state), MDR_EINVALID, "branch = 3");
     CHECK_STATUS(mdr_contact_states(c, MDR_DEPTH, MDR_ON_UNLOADING, 1, r, NULL), MDR_ENULL, "out is NULL");
     CHECK_STATUS(mdr_contact_states(c, MDR_DEPTH, MDR_ON_UNLOADING, 1, NULL, &state), MDR_ENULL, "in is NULL");
     CHECK_SUCCESS(mdr_contact_states(c, MDR_DEPTH, MDR_ON_UNLOADING, 0, NULL, NULL));
     CHECK_UNTOUCHED(2, out);
-    CHECK_SUCCESS(mdr_contact_lowest_pressure(c, &state, out, out + 1));
+    CHECK_SUCCESS(state_lowest_pressure(c, &state, out, out + 1));
     CHECK_TRUE(out[0] == 0.0 && out[1] == state.radius); /* at the edge */
     CHECK_FREE(p);
     CHECK_FREE(c);
@@ -164,20 +164,20 @@ static void two_bodies(void)
     CHECK_SUCCESS(mdr_medium_pair(half_space, ball, &pair));
     CHECK_SUCCESS(mdr_contact_new(p, pair, NULL, &c));
     CHECK_SUCCESS(mdr_contact_states(c, MDR_RADIUS, MDR_ON_LOADING, 1, &a, &state));
-    CHECK_SUCCESS(mdr_contact_field(c, MDR_DISPLACEMENT, &state, 3, r, both));
-    CHECK_SUCCESS(mdr_contact_field(c, MDR_DISPLACEMENT_LOWER, &state, 3, r, lower));
-    CHECK_SUCCESS(mdr_contact_field(c, MDR_DISPLACEMENT_UPPER, &state, 3, r, upper));
+    CHECK_SUCCESS(state_field(c, MDR_DISPLACEMENT, &state, 3, r, both));
+    CHECK_SUCCESS(state_field(c, MDR_DISPLACEMENT_LOWER, &state, 3, r, lower));
+    CHECK_SUCCESS(state_field(c, MDR_DISPLACEMENT_UPPER, &state, 3, r, upper));
     for (int i = 0; i < 3; i++) {
         CHECK_CLOSE(lower[i], both[i] / 3, 1e-14);
         CHECK_CLOSE(upper[i], 2 * both[i] / 3, 1e-14);
     }
-    CHECK_STATUS(mdr_contact_energy(c, NULL, &energies[0], &energies[1]), MDR_ENULL, "state is NULL");
+    CHECK_STATUS(state_energy(c, NULL, &energies[0], &energies[1]), MDR_ENULL, "state is NULL");
     CHECK_TRUE(energies[0] == -1.0 && energies[1] == -1.0);
-    CHECK_SUCCESS(mdr_contact_energy(c, &state, &energies[0], &energies[1]));
+    CHECK_SUCCESS(state_energy(c, &state, &energies[0], &energies[1]));
     /* Hertz: int F dd = (2/5) F d */
     CHECK_CLOSE(energies[0], 0.4 * state.force * state.depth / 3, 1e-12);
     CHECK_CLOSE(energies[1], 0.8 * state.force * state.depth / 3, 1e-12);
-    CHECK_SUCCESS(mdr_contact_energy(c, &state, NULL, NULL));
+    CHECK_SUCCESS(state_energy(c, &state, NULL, NULL));
     MDR_FREE(p);
     MDR_FREE(half_space);
     MDR_FREE(ball);
@@ -202,11 +202,11 @@ static void lowest_pressure(void)
     CHECK_SUCCESS(mdr_contact_new(cone, film, NULL, &c));
     CHECK_SUCCESS(mdr_contact_states(c, MDR_RADIUS, MDR_ON_UNLOADING, 1, &a, &state));
     for (int i = 0; i < SCAN; i++) r[i] = a * i / SCAN;
-    CHECK_SUCCESS(mdr_contact_field(c, MDR_PRESSURE, &state, SCAN, r, p));
+    CHECK_SUCCESS(state_field(c, MDR_PRESSURE, &state, SCAN, r, p));
     for (int i = 0; i < SCAN; i++) scanned = fmin(scanned, p[i]);
-    CHECK_SUCCESS(mdr_contact_lowest_pressure(c, &state, &lowest, &place));
+    CHECK_SUCCESS(state_lowest_pressure(c, &state, &lowest, &place));
     CHECK_CLOSE(lowest, scanned, 1e-4);
-    CHECK_SUCCESS(mdr_contact_field(c, MDR_PRESSURE, &state, 1, &place, p));
+    CHECK_SUCCESS(state_field(c, MDR_PRESSURE, &state, 1, &place, p));
     CHECK_CLOSE(p[0], lowest, 1e-12);
     CHECK_FREE(c);
     CHECK_FREE(film);
@@ -293,7 +293,7 @@ static void line_load_of_a_stiff_film(void)
 
             CHECK_SUCCESS(mdr_contact_states(c, MDR_RADIUS, MDR_ON_UNLOADING, 1, &a[k], &state));
             for (int i = 0; i <= STEPS; i++) x[i] = a[k] * i / STEPS;
-            status = mdr_contact_field(c, MDR_LINE_LOAD, &state, STEPS + 1, x, q);
+            status = state_field(c, MDR_LINE_LOAD, &state, STEPS + 1, x, q);
             /* there rounding alone is 1e-10 or more, as the processor's sums are ordered: right, or refused */
             if (b == 1 && k == 2 && status == MDR_ENOCONVERGENCE) continue;
             CHECK_SUCCESS(status);

@@ -36,28 +36,28 @@ static void partial_slip(void)
 
     CHECK_SUCCESS(mdr_contact_states(c, MDR_RADIUS, MDR_ON_UNLOADING, 1, &(double){1.0}, &state));
     CHECK_SUCCESS(mdr_friction_new(c, mu, &f));
-    CHECK_SUCCESS(shear_sliding(f, &state, MDR_ALONG, &sliding, &limit));
-    CHECK_SUCCESS(shear_sliding(f, &state, MDR_ALONG, NULL, NULL));
+    CHECK_SUCCESS(shear_sliding(c, f, &state, MDR_ALONG, &sliding, &limit));
+    CHECK_SUCCESS(shear_sliding(c, f, &state, MDR_ALONG, NULL, NULL));
     CHECK_CLOSE(limit, mu * state.force, 1e-15);
     CHECK_CLOSE(sliding, mu * state.depth * (2.0 - nu) / (2.0 - 2.0 * nu), 1e-13);
     for (int i = 0; i < 3; i++) shifts[i] = i < 2 ? (0.5 - i) * sliding : 2.0 * sliding;
-    CHECK_SUCCESS(shear_states(f, &state, MDR_ALONG, MDR_SHIFT, 3, shifts, out));
+    CHECK_SUCCESS(shear_states(c, f, &state, MDR_ALONG, MDR_SHIFT, 3, shifts, out));
     CHECK_CLOSE(out[0].tangential_force, limit * (1.0 - pow(0.5, 1.5)), 1e-12);
     CHECK_CLOSE(out[1].tangential_force, -out[0].tangential_force, 0.0);
     CHECK_CLOSE(out[0].stick_radius, sqrt(0.5), 1e-12);
     CHECK_CLOSE(out[2].tangential_force, limit, 1e-15);
     CHECK_CLOSE(out[0].sliding + 1.0, out[2].sliding, 0.0);
-    CHECK_SUCCESS(shear_states(f, &state, MDR_ALONG, MDR_TANGENTIAL_FORCE, 1, &out[0].tangential_force, &by_force));
+    CHECK_SUCCESS(shear_states(c, f, &state, MDR_ALONG, MDR_TANGENTIAL_FORCE, 1, &out[0].tangential_force, &by_force));
     CHECK_CLOSE(by_force.shift, 0.5 * sliding, 1e-12);
     CHECK_CLOSE(by_force.dissipated_energy, out[0].dissipated_energy, 1e-11);
     /* in the annulus of slip the traction is mu p, the line load mu q */
-    CHECK_SUCCESS(shear_field(f, &state, MDR_ALONG, &out[0], MDR_TRACTION, 1, &x, &tau));
-    CHECK_SUCCESS(mdr_contact_field(c, MDR_PRESSURE, &state, 1, &x, &p));
+    CHECK_SUCCESS(shear_field(c, f, &state, MDR_ALONG, &out[0], MDR_TRACTION, 1, &x, &tau));
+    CHECK_SUCCESS(state_field(c, MDR_PRESSURE, &state, 1, &x, &p));
     CHECK_CLOSE(tau, mu * p, 1e-12);
-    CHECK_SUCCESS(shear_field(f, &state, MDR_ALONG, &out[0], MDR_TANGENTIAL_LINE_LOAD, 1, &x, &line));
-    CHECK_SUCCESS(mdr_contact_field(c, MDR_LINE_LOAD, &state, 1, &x, &q));
+    CHECK_SUCCESS(shear_field(c, f, &state, MDR_ALONG, &out[0], MDR_TANGENTIAL_LINE_LOAD, 1, &x, &line));
+    CHECK_SUCCESS(state_field(c, MDR_LINE_LOAD, &state, 1, &x, &q));
     CHECK_CLOSE(line, mu * q, 1e-12);
-    CHECK_SUCCESS(shear_loop(f, &state, MDR_ALONG, MDR_SHIFT, 0.5 * sliding, POINTS, shift, force, &dissipated));
+    CHECK_SUCCESS(shear_loop(c, f, &state, MDR_ALONG, MDR_SHIFT, 0.5 * sliding, POINTS, shift, force, &dissipated));
     CHECK_CLOSE(dissipated, 4.0 * out[0].dissipated_energy, 1e-12);
     CHECK_CLOSE(shift[0], 0.5 * sliding, 1e-15);
     CHECK_CLOSE(shift[POINTS / 2], -0.5 * sliding, 1e-15);
@@ -117,47 +117,51 @@ static void refusals(void)
     CHECK_SUCCESS(mdr_friction_new(c, mu, &f));
     fill_untouched(12, &out[0].shift);
     a[0] = 0.0;
-    CHECK_STATUS(shear_states(NULL, &state, MDR_ALONG, 1, 2, a, out), MDR_ENULL, "f is NULL");
-    CHECK_STATUS(shear_states((mdr_friction *)c, &state, MDR_ALONG, 1, 2, a, out), MDR_EINVALID, "not an mdr_friction");
-    CHECK_STATUS(shear_states(f, NULL, MDR_ALONG, 1, 2, a, out), MDR_ENULL, "state is NULL");
-    CHECK_STATUS(shear_states(f, &nowhere, MDR_ALONG, 1, 2, a, out), MDR_EINVALID, "contact radius");
-    CHECK_STATUS(shear_states(f, &state, MDR_ALONG, 3, 2, a, out), MDR_EINVALID, "given = 3");
-    CHECK_STATUS(shear_states(f, &state, MDR_ALONG, MDR_SHIFT, 2, bad, out), MDR_EINVALID, "entry 2 of shift");
-    CHECK_STATUS(shear_states(f, &state, MDR_ALONG, MDR_TANGENTIAL_FORCE, 2, (const double[]){0.0, 1e9}, out), MDR_EUNREACHABLE,
+    CHECK_STATUS(shear_states(c, NULL, &state, MDR_ALONG, 1, 2, a, out), MDR_ENULL, "f is NULL");
+    CHECK_STATUS(shear_states(c, (mdr_friction *)c, &state, MDR_ALONG, 1, 2, a, out), MDR_EINVALID, "not an mdr_friction");
+    CHECK_STATUS(shear_states(c, f, NULL, MDR_ALONG, 1, 2, a, out), MDR_ENULL, "state is NULL");
+    CHECK_STATUS(shear_states(c, f, &nowhere, MDR_ALONG, 1, 2, a, out), MDR_EINVALID, "contact radius");
+    CHECK_STATUS(shear_states(c, f, &state, MDR_ALONG, 3, 2, a, out), MDR_EINVALID, "given = 3");
+    CHECK_STATUS(shear_states(c, f, &state, MDR_ALONG, MDR_SHIFT, 2, bad, out), MDR_EINVALID, "entry 2 of shift");
+    CHECK_STATUS(shear_states(c, f, &state, MDR_ALONG, MDR_TANGENTIAL_FORCE, 2, (const double[]){0.0, 1e9}, out), MDR_EUNREACHABLE,
                  "slides");
-    CHECK_STATUS(shear_states(f, &state, MDR_ALONG, MDR_SHIFT, -1, a, out), MDR_EINVALID, "n = -1");
-    CHECK_STATUS(shear_states(f, &state, MDR_ALONG, MDR_SHIFT, 2, NULL, out), MDR_ENULL, "in is NULL");
-    CHECK_STATUS(shear_states(f, &state, MDR_ALONG, MDR_SHIFT, 2, a, NULL), MDR_ENULL, "out is NULL");
-    CHECK_SUCCESS(shear_states(f, &state, MDR_ALONG, MDR_SHIFT, 0, NULL, NULL));
+    CHECK_STATUS(shear_states(c, f, &state, MDR_ALONG, MDR_SHIFT, -1, a, out), MDR_EINVALID, "n = -1");
+    CHECK_STATUS(shear_states(c, f, &state, MDR_ALONG, MDR_SHIFT, 2, NULL, out), MDR_ENULL, "in is NULL");
+    CHECK_STATUS(shear_states(c, f, &state, MDR_ALONG, MDR_SHIFT, 2, a, NULL), MDR_ENULL, "out is NULL");
+    CHECK_SUCCESS(shear_states(c, f, &state, MDR_ALONG, MDR_SHIFT, 0, NULL, NULL));
     CHECK_UNTOUCHED(12, &out[0].shift);
-    CHECK_SUCCESS(shear_states(f, &state, MDR_ALONG, MDR_SHIFT, 2, (const double[]){0.0, 1e-3}, out));
+    CHECK_SUCCESS(shear_states(c, f, &state, MDR_ALONG, MDR_SHIFT, 2, (const double[]){0.0, 1e-3}, out));
     CHECK_CLOSE(out[0].stick_radius, 1.0, 0.0);
     fill_untouched(2, G);
-    CHECK_STATUS(shear_sliding(NULL, &state, MDR_ALONG, G, G), MDR_ENULL, "f is NULL");
-    CHECK_STATUS(shear_sliding(f, NULL, MDR_ALONG, G, G), MDR_ENULL, "state is NULL");
-    CHECK_STATUS(shear_field(f, &state, MDR_ALONG, NULL, MDR_TRACTION, 2, a, G), MDR_ENULL, "at is NULL");
-    CHECK_STATUS(shear_field(f, NULL, MDR_ALONG, out, 1, 2, a, G), MDR_ENULL, "state is NULL");
-    CHECK_STATUS(shear_field(NULL, &state, MDR_ALONG, out, 1, 2, a, G), MDR_ENULL, "f is NULL");
-    CHECK_STATUS(shear_field(f, &state, MDR_ALONG, out, 0, 2, a, G), MDR_EINVALID, "field = 0");
-    CHECK_STATUS(shear_field(f, &state, MDR_ALONG, &out[1], MDR_TRACTION, 2, bad, G), MDR_EINVALID, "entry 2 of r");
-    CHECK_STATUS(shear_field(f, &state, MDR_ALONG, &out[1], MDR_TRACTION, 1, &(double){1.1}, G), MDR_EDOMAIN,
+    CHECK_STATUS(shear_sliding(c, NULL, &state, MDR_ALONG, G, G), MDR_ENULL, "f is NULL");
+    CHECK_STATUS(shear_sliding(c, f, NULL, MDR_ALONG, G, G), MDR_ENULL, "state is NULL");
+    CHECK_STATUS(shear_field(c, f, &state, MDR_ALONG, NULL, MDR_TRACTION, 2, a, G), MDR_ENULL, "at is NULL");
+    CHECK_STATUS(shear_field(c, f, NULL, MDR_ALONG, out, 1, 2, a, G), MDR_ENULL, "state is NULL");
+    CHECK_STATUS(shear_field(c, NULL, &state, MDR_ALONG, out, 1, 2, a, G), MDR_ENULL, "f is NULL");
+    CHECK_STATUS(shear_field(c, f, &state, MDR_ALONG, out, 0, 2, a, G), MDR_EINVALID, "field = 0");
+    CHECK_STATUS(shear_field(c, f, &state, MDR_ALONG, &out[1], MDR_TRACTION, 2, bad, G), MDR_EINVALID, "entry 2 of r");
+    CHECK_STATUS(shear_field(c, f, &state, MDR_ALONG, &out[1], MDR_TRACTION, 1, &(double){1.1}, G), MDR_EDOMAIN,
                  "at most the contact radius");
-    CHECK_STATUS(shear_field(f, &state, MDR_ALONG, &out[1], MDR_TRACTION, 2, NULL, G), MDR_ENULL, "r is NULL");
-    CHECK_STATUS(shear_field(f, &state, MDR_ALONG, &out[1], MDR_TRACTION, 2, a, NULL), MDR_ENULL, "out is NULL");
-    CHECK_SUCCESS(shear_field(f, &state, MDR_ALONG, &out[1], MDR_TRACTION, 0, NULL, NULL));
+    CHECK_STATUS(shear_field(c, f, &state, MDR_ALONG, &out[1], MDR_TRACTION, 2, NULL, G), MDR_ENULL, "r is NULL");
+    CHECK_STATUS(shear_field(c, f, &state, MDR_ALONG, &out[1], MDR_TRACTION, 2, a, NULL), MDR_ENULL, "out is NULL");
+    CHECK_SUCCESS(shear_field(c, f, &state, MDR_ALONG, &out[1], MDR_TRACTION, 0, NULL, NULL));
     CHECK_UNTOUCHED(2, G);
     fill_untouched(POINTS, shift);
-    CHECK_STATUS(shear_loop(NULL, &state, MDR_ALONG, 1, 1e-3, POINTS, shift, force, &dissipated), MDR_ENULL, "f is NULL");
-    CHECK_STATUS(shear_loop(f, NULL, MDR_ALONG, 1, 1e-3, POINTS, shift, force, &dissipated), MDR_ENULL, "state is NULL");
-    CHECK_STATUS(shear_loop(f, &state, MDR_ALONG, 0, 1e-3, POINTS, shift, force, &dissipated), MDR_EINVALID, "given = 0");
-    CHECK_STATUS(shear_loop(f, &state, MDR_ALONG, MDR_SHIFT, 0.0, POINTS, shift, force, &dissipated), MDR_EINVALID,
+    CHECK_STATUS(shear_loop(c, NULL, &state, MDR_ALONG, 1, 1e-3, POINTS, shift, force, &dissipated), MDR_ENULL, "f is NULL");
+    CHECK_STATUS(shear_loop(c, f, NULL, MDR_ALONG, 1, 1e-3, POINTS, shift, force, &dissipated), MDR_ENULL, "state is NULL");
+    CHECK_STATUS(shear_loop(c, f, &state, MDR_ALONG, 0, 1e-3, POINTS, shift, force, &dissipated), MDR_EINVALID, "given = 0");
+    CHECK_STATUS(shear_loop(c, f, &state, MDR_ALONG, MDR_SHIFT, 0.0, POINTS, shift, force, &dissipated), MDR_EINVALID,
                  "amplitude = 0");
-    CHECK_STATUS(shear_loop(f, &state, MDR_ALONG, MDR_TANGENTIAL_FORCE, 1e9, POINTS, shift, force, &dissipated), MDR_EUNREACHABLE,
+    CHECK_STATUS(shear_loop(c, f, &state, MDR_ALONG, MDR_TANGENTIAL_FORCE, 1e9, POINTS, shift, force, &dissipated),
+                 MDR_EUNREACHABLE,
                  "slides");
-    CHECK_STATUS(shear_loop(f, &state, MDR_ALONG, MDR_SHIFT, 1e-3, 2, shift, force, &dissipated), MDR_EINVALID, "n = 2");
-    CHECK_STATUS(shear_loop(f, &state, MDR_ALONG, MDR_SHIFT, 1e-3, POINTS, NULL, force, &dissipated), MDR_ENULL, "shift is NULL");
-    CHECK_STATUS(shear_loop(f, &state, MDR_ALONG, MDR_SHIFT, 1e-3, POINTS, shift, NULL, &dissipated), MDR_ENULL, "force is NULL");
-    CHECK_STATUS(shear_loop(f, &state, MDR_ALONG, MDR_SHIFT, 1e-3, POINTS, shift, force, NULL), MDR_ENULL, "dissipated is NULL");
+    CHECK_STATUS(shear_loop(c, f, &state, MDR_ALONG, MDR_SHIFT, 1e-3, 2, shift, force, &dissipated), MDR_EINVALID, "n = 2");
+    CHECK_STATUS(shear_loop(c, f, &state, MDR_ALONG, MDR_SHIFT, 1e-3, POINTS, NULL, force, &dissipated), MDR_ENULL,
+                 "shift is NULL");
+    CHECK_STATUS(shear_loop(c, f, &state, MDR_ALONG, MDR_SHIFT, 1e-3, POINTS, shift, NULL, &dissipated), MDR_ENULL,
+                 "force is NULL");
+    CHECK_STATUS(shear_loop(c, f, &state, MDR_ALONG, MDR_SHIFT, 1e-3, POINTS, shift, force, NULL), MDR_ENULL,
+                 "dissipated is NULL");
     CHECK_UNTOUCHED(POINTS, shift);
     CHECK_FREE(f);
     CHECK_FREE(c);
@@ -297,10 +301,10 @@ static void laws(void)
     CHECK_TRUE(facts.coefficient == mu && facts.tolerance == 1e-8 && facts.continue_beyond == 0);
     CHECK_TRUE(facts.sliders == 8 && facts.memory_size == MEMORY);
     CHECK_SUCCESS(mdr_contact_states(c, MDR_DEPTH, MDR_ON_UNLOADING, 1, &(double){0.05}, &state));
-    CHECK_SUCCESS(shear_sliding(f, &state, MDR_ALONG, &sliding, NULL));
+    CHECK_SUCCESS(shear_sliding(c, f, &state, MDR_ALONG, &sliding, NULL));
     CHECK_SUCCESS(mdr_contact_states(c, MDR_FORCE, MDR_ON_UNLOADING, 1, &facts.highest_force, &deepest));
     CHECK_TRUE(deepest.depth >= 0.1 && deepest.depth < 0.11);
-    CHECK_SUCCESS(shear_sliding(f, &deepest, MDR_ALONG, &deepest.depth, NULL));
+    CHECK_SUCCESS(shear_sliding(c, f, &deepest, MDR_ALONG, &deepest.depth, NULL));
     CHECK_CLOSE(facts.highest_sliding_shift, deepest.depth, 1e-7);
     force[0] = force[1] = state.force;
     CHECK_SUCCESS(mdr_law_advance(law, 2, force, shift, 0, NULL, memory, T));
@@ -311,7 +315,7 @@ static void laws(void)
     CHECK_TRUE(same(before, memory));
     CHECK_SUCCESS(mdr_law_advance(law, 2, force, shift, 0, NULL, memory, T));
     CHECK_TRUE(memcmp(T, again, sizeof T) == 0 && !same(before, memory));
-    CHECK_SUCCESS(shear_states(f, &state, MDR_ALONG, MDR_SHIFT, 1, shift, &exact));
+    CHECK_SUCCESS(shear_states(c, f, &state, MDR_ALONG, MDR_SHIFT, 1, shift, &exact));
     CHECK_TRUE(fabs(T[0] - exact.tangential_force) < 0.01 * mu * state.force);
     CHECK_CLOSE(tangent[0], exact.stiffness, 0.2);
     CHECK_CLOSE(T[4], -mu * state.force, 1e-14);
@@ -321,7 +325,7 @@ static void laws(void)
     CHECK_SUCCESS(mdr_law_energies(law, 2, memory, stored, dissipated));
     /* of small slip 8 sliders know little */
     CHECK_CLOSE(dissipated[0], exact.dissipated_energy, 0.1);
-    CHECK_SUCCESS(shear_states(f, &state, MDR_ALONG, MDR_SHIFT, 1, &shift[4], &exact));
+    CHECK_SUCCESS(shear_states(c, f, &state, MDR_ALONG, MDR_SHIFT, 1, &shift[4], &exact));
     CHECK_CLOSE(dissipated[1], exact.dissipated_energy, 0.01);
     CHECK_TRUE(stored[1] > stored[0] && stored[0] > 0.0 && dissipated[1] > dissipated[0] && dissipated[0] > 0.0);
     CHECK_SUCCESS(mdr_law_energies(law, 2, memory, NULL, dissipated));
@@ -512,49 +516,49 @@ static void torsion(void)
 
     CHECK_SUCCESS(mdr_friction_new(c, mu, &f));
     CHECK_SUCCESS(mdr_contact_states(c, MDR_DEPTH, MDR_ON_UNLOADING, 1, &(double){0.05}, &state));
-    CHECK_SUCCESS(shear_sliding(f, &state, MDR_AROUND, NULL, &limit));
+    CHECK_SUCCESS(shear_sliding(c, f, &state, MDR_AROUND, NULL, &limit));
     CHECK_CLOSE(limit, 3.0 * 3.14159265358979324 / 16.0 * mu * state.force * state.radius, 1e-14);
-    CHECK_SUCCESS(shear_states(f, &state, MDR_AROUND, MDR_TWIST, 2, twists, out));
+    CHECK_SUCCESS(shear_states(c, f, &state, MDR_AROUND, MDR_TWIST, 2, twists, out));
     CHECK_CLOSE(out[0].tangential_force, 16.0 / 3.0 * G * pow(state.radius, 3) * twists[0], 1e-6);
     CHECK_CLOSE(out[1].stiffness, 16.0 / 3.0 * G * pow(out[1].stick_radius, 3), 1e-13);
     CHECK_TRUE(out[1].tangential_force < limit && out[1].sliding == 0.0 && out[1].dissipated_energy > 0.0);
     torques[0] = -out[0].tangential_force, torques[1] = out[1].tangential_force;
-    CHECK_SUCCESS(shear_states(f, &state, MDR_AROUND, MDR_TORQUE, 2, torques, again));
+    CHECK_SUCCESS(shear_states(c, f, &state, MDR_AROUND, MDR_TORQUE, 2, torques, again));
     CHECK_CLOSE(again[0].shift, -twists[0], 1e-9);
     CHECK_CLOSE(again[1].shift, twists[1], 1e-9);
-    CHECK_SUCCESS(shear_loop(f, &state, MDR_AROUND, MDR_TWIST, twists[1], POINTS, phi, M, &lost));
+    CHECK_SUCCESS(shear_loop(c, f, &state, MDR_AROUND, MDR_TWIST, twists[1], POINTS, phi, M, &lost));
     CHECK_CLOSE(lost, 4.0 * out[1].dissipated_energy, 1e-14);
     CHECK_CLOSE(M[0], out[1].tangential_force, 1e-14);
     CHECK_CLOSE(M[2], -out[1].tangential_force, 1e-14);
     CHECK_CLOSE(M[1], -M[3], 1e-14);
     r[1] = 0.5 * (out[1].stick_radius + state.radius);
-    CHECK_SUCCESS(shear_field(f, &state, MDR_AROUND, &out[1], MDR_TRACTION, 2, r, tau));
-    CHECK_SUCCESS(mdr_contact_field(c, MDR_PRESSURE, &state, 1, &r[1], &lost));
+    CHECK_SUCCESS(shear_field(c, f, &state, MDR_AROUND, &out[1], MDR_TRACTION, 2, r, tau));
+    CHECK_SUCCESS(state_field(c, MDR_PRESSURE, &state, 1, &r[1], &lost));
     CHECK_TRUE(tau[0] == 0.0);
     CHECK_CLOSE(tau[1], mu * lost, 1e-12);
-    CHECK_SUCCESS(shear_field(f, &state, MDR_AROUND, &out[1], MDR_TANGENTIAL_LINE_LOAD, 1, &out[1].stick_radius, tau));
+    CHECK_SUCCESS(shear_field(c, f, &state, MDR_AROUND, &out[1], MDR_TANGENTIAL_LINE_LOAD, 1, &out[1].stick_radius, tau));
     CHECK_CLOSE(tau[0], 4.0 * G * twists[1] * out[1].stick_radius, 1e-9);
-    CHECK_STATUS(shear_states(f, &state, MDR_AROUND, MDR_TORQUE, 1, &limit, again), MDR_EUNREACHABLE, "growing twist");
-    CHECK_STATUS(shear_states(f, &state, MDR_AROUND, 3, 1, twists, again), MDR_EINVALID, "given = 3");
+    CHECK_STATUS(shear_states(c, f, &state, MDR_AROUND, MDR_TORQUE, 1, &limit, again), MDR_EUNREACHABLE, "growing twist");
+    CHECK_STATUS(shear_states(c, f, &state, MDR_AROUND, 3, 1, twists, again), MDR_EINVALID, "given = 3");
     twists[1] = NAN;
-    CHECK_STATUS(shear_states(f, &state, MDR_AROUND, MDR_TWIST, 2, twists, again), MDR_EINVALID, "entry 2");
-    CHECK_STATUS(shear_states(f, &state, MDR_AROUND, MDR_TWIST, -1, twists, again), MDR_EINVALID, "n = -1");
-    CHECK_SUCCESS(shear_states(f, &state, MDR_AROUND, MDR_TWIST, 0, NULL, NULL));
-    CHECK_STATUS(shear_states(NULL, &state, MDR_AROUND, MDR_TWIST, 1, twists, again), MDR_ENULL, "f is NULL");
-    CHECK_STATUS(shear_states(f, NULL, MDR_AROUND, MDR_TWIST, 1, twists, again), MDR_ENULL, "state is NULL");
-    CHECK_STATUS(shear_states(f, &state, MDR_AROUND, MDR_TWIST, 1, NULL, again), MDR_ENULL, "in is NULL");
-    CHECK_STATUS(shear_states(f, &state, MDR_AROUND, MDR_TWIST, 1, twists, NULL), MDR_ENULL, "out is NULL");
-    CHECK_STATUS(shear_field(f, &state, MDR_AROUND, NULL, MDR_TRACTION, 1, r, tau), MDR_ENULL, "at is NULL");
-    CHECK_STATUS(shear_field(f, &state, MDR_AROUND, out, 3, 1, r, tau), MDR_EINVALID, "field = 3");
+    CHECK_STATUS(shear_states(c, f, &state, MDR_AROUND, MDR_TWIST, 2, twists, again), MDR_EINVALID, "entry 2");
+    CHECK_STATUS(shear_states(c, f, &state, MDR_AROUND, MDR_TWIST, -1, twists, again), MDR_EINVALID, "n = -1");
+    CHECK_SUCCESS(shear_states(c, f, &state, MDR_AROUND, MDR_TWIST, 0, NULL, NULL));
+    CHECK_STATUS(shear_states(c, NULL, &state, MDR_AROUND, MDR_TWIST, 1, twists, again), MDR_ENULL, "f is NULL");
+    CHECK_STATUS(shear_states(c, f, NULL, MDR_AROUND, MDR_TWIST, 1, twists, again), MDR_ENULL, "state is NULL");
+    CHECK_STATUS(shear_states(c, f, &state, MDR_AROUND, MDR_TWIST, 1, NULL, again), MDR_ENULL, "in is NULL");
+    CHECK_STATUS(shear_states(c, f, &state, MDR_AROUND, MDR_TWIST, 1, twists, NULL), MDR_ENULL, "out is NULL");
+    CHECK_STATUS(shear_field(c, f, &state, MDR_AROUND, NULL, MDR_TRACTION, 1, r, tau), MDR_ENULL, "at is NULL");
+    CHECK_STATUS(shear_field(c, f, &state, MDR_AROUND, out, 3, 1, r, tau), MDR_EINVALID, "field = 3");
     r[0] = 2.0 * state.radius;
-    CHECK_STATUS(shear_field(f, &state, MDR_AROUND, out, MDR_TRACTION, 1, r, tau), MDR_EDOMAIN, "r");
+    CHECK_STATUS(shear_field(c, f, &state, MDR_AROUND, out, MDR_TRACTION, 1, r, tau), MDR_EDOMAIN, "r");
     out[0].shift = NAN;
-    CHECK_STATUS(shear_field(f, &state, MDR_AROUND, out, MDR_TRACTION, 1, &r[1], tau), MDR_EINVALID,
+    CHECK_STATUS(shear_field(c, f, &state, MDR_AROUND, out, MDR_TRACTION, 1, &r[1], tau), MDR_EINVALID,
                  "twist of the torsional state");
-    CHECK_STATUS(shear_loop(f, &state, MDR_AROUND, MDR_TWIST, 0.0, POINTS, phi, M, &lost), MDR_EINVALID, "amplitude");
-    CHECK_STATUS(shear_loop(f, &state, MDR_AROUND, MDR_TWIST, 0.1, 2, phi, M, &lost), MDR_EINVALID, "n = 2");
-    CHECK_STATUS(shear_loop(f, &state, MDR_AROUND, MDR_TWIST, 0.1, POINTS, NULL, M, &lost), MDR_ENULL, "shift is NULL");
-    CHECK_STATUS(shear_loop(f, &state, MDR_AROUND, MDR_TWIST, 0.1, POINTS, phi, M, NULL), MDR_ENULL, "dissipated is NULL");
+    CHECK_STATUS(shear_loop(c, f, &state, MDR_AROUND, MDR_TWIST, 0.0, POINTS, phi, M, &lost), MDR_EINVALID, "amplitude");
+    CHECK_STATUS(shear_loop(c, f, &state, MDR_AROUND, MDR_TWIST, 0.1, 2, phi, M, &lost), MDR_EINVALID, "n = 2");
+    CHECK_STATUS(shear_loop(c, f, &state, MDR_AROUND, MDR_TWIST, 0.1, POINTS, NULL, M, &lost), MDR_ENULL, "shift is NULL");
+    CHECK_STATUS(shear_loop(c, f, &state, MDR_AROUND, MDR_TWIST, 0.1, POINTS, phi, M, NULL), MDR_ENULL, "dissipated is NULL");
     CHECK_FREE(f);
     CHECK_FREE(c);
 }

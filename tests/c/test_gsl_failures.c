@@ -131,13 +131,13 @@ static int layer_energies(void)
     static const mdr_state state = {0.1, 0.3, 0.05, 0.6, 0.0, 0.0};
     double energies[3];
     int count;
-    return mdr_contact_layer_energies(contact, MDR_BODY_LOWER, &state, 3, energies, &count);
+    return state_layer_energies(contact, MDR_BODY_LOWER, &state, 3, energies, &count);
 }
 static int interior(void)
 {
     static const mdr_state state = {0.1, 0.3, 0.05, 0.6, 0.0, 0.0};
     mdr_interior inside;
-    return mdr_contact_interior(contact, MDR_BODY_LOWER, &state, MDR_SIDE_BELOW, 0.0, 1, x + 1, x + 1, NULL, &inside);
+    return state_interior(contact, MDR_BODY_LOWER, &state, MDR_SIDE_BELOW, 0.0, 1, x + 1, x + 1, NULL, &inside);
 }
 static int graded(void)
 {

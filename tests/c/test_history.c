@@ -122,8 +122,8 @@ static void test_histories(void)
     CHECK_STATUS(mdr_medium_values(body, MDR_MODULUS, 1, held, untouched), MDR_EINVALID, "history");
     state.depth = 0.5;
     state.radius = 0.7;
-    CHECK_STATUS(mdr_contact_field(contact, MDR_PRESSURE, &state, 1, t, untouched), MDR_EINVALID, "");
-    CHECK_STATUS(mdr_contact_energy(contact, &state, &energy, NULL), MDR_EINVALID, "");
+    CHECK_STATUS(state_field(contact, MDR_PRESSURE, &state, 1, t, untouched), MDR_EINVALID, "");
+    CHECK_STATUS(state_energy(contact, &state, &energy, NULL), MDR_EINVALID, "");
     CHECK_STATUS(relaxing_medium(0, NULL, NULL, NULL, MDR_MODEL_EXACT, NULL, &none), MDR_EINVALID, "rigid");
     CHECK_STATUS(relaxing_medium(1, film, &h, material, 99, NULL, &none), MDR_EINVALID, "model = 99");
     mdr_layer mixed = MDR_SIZED(mdr_layer);

@@ -79,7 +79,7 @@ int main(void)
 
         CHECK_SUCCESS(mdr_friction_new(contact, mu, &f));
         CHECK_SUCCESS(mdr_contact_states(contact, MDR_RADIUS, MDR_ON_UNLOADING, 1, &cases[i].radius, &state));
-        CHECK_SUCCESS(shear_sliding(f, &state, MDR_ALONG, &shift, NULL));
+        CHECK_SUCCESS(shear_sliding(contact, f, &state, MDR_ALONG, &shift, NULL));
         for (int j = 0; j < 2; j++) {
             mdr_law_options options = MDR_SIZED(mdr_law_options);
             options.friction = f;

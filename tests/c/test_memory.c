@@ -98,7 +98,7 @@ int main(void)
     CHECK_STATUS(mdr_contact_dynamic_stiffness(in_time, COUNT, in, in, out, out), MDR_ENOMEMORY, "not enough memory");
     CHECK_STATUS(mdr_contact_step_response(in_time, MDR_CREEP, 1.0, COUNT, in, out), MDR_ENOMEMORY, "not enough memory");
 #endif
-    CHECK_STATUS(shear_states(friction, states, MDR_ALONG, MDR_SHIFT, COUNT, in, sheared), MDR_ENOMEMORY, "memory");
+    CHECK_STATUS(shear_states(c, friction, states, MDR_ALONG, MDR_SHIFT, COUNT, in, sheared), MDR_ENOMEMORY, "memory");
     CHECK_STATUS(mdr_friction_history_advance(path, MDR_DEPTH, MDR_SHIFT, COUNT, in, in, states, sheared),
                  MDR_ENOMEMORY, "memory");
     for (int i = 0; i < COUNT; i += 1000) CHECK_CLOSE(out[i], untouched, 0.0);

@@ -94,7 +94,7 @@ static int stress_at(mdr_contact *c, double friction, int is_grid)
         r[i] = is_grid ? i % 100 * 0.02 : x[i];
         z[i] = is_grid ? i / 100 * 0.01 : 0.05 + x[POINTS - 1 - i];
     }
-    return mdr_contact_interior(c, MDR_BODY_LOWER, &pressed, MDR_SIDE_BELOW, friction, POINTS, r, z, NULL, found);
+    return state_interior(c, MDR_BODY_LOWER, &pressed, MDR_SIDE_BELOW, friction, POINTS, r, z, NULL, found);
 }
 static int stresses(void) { return stress_at(contact, 0.0, 0); }
 static int stresses_sliding(void) { return stress_at(contact, 0.3, 0); }
@@ -129,9 +129,9 @@ static int oscillations(void) { return mdr_contact_dynamic_stiffness(relaxing, P
 static int tangential_states(void)
 {
     static mdr_shear_state found[POINTS];
-    return shear_states(rubbed, &pressed, MDR_ALONG, MDR_SHIFT, POINTS, small, found);
+    return shear_states(contact, rubbed, &pressed, MDR_ALONG, MDR_SHIFT, POINTS, small, found);
 }
-static int tangential_loop(void) { return shear_loop(rubbed, &pressed, MDR_ALONG, MDR_SHIFT, 1e-3, POINTS, out, other,
+static int tangential_loop(void) { return shear_loop(contact, rubbed, &pressed, MDR_ALONG, MDR_SHIFT, 1e-3, POINTS, out, other,
                                                      other); }
 /* Large matrices of rings: made, led deeper and back, copied. */
 static int rings(void)
@@ -154,10 +154,10 @@ static int fields_at(mdr_contact *c, int n)
     double lower, lowest;
     int status = mdr_contact_states(c, MDR_RADIUS, MDR_ON_UNLOADING, 1, (double[]){0.5}, &state);
     for (int field = MDR_PRESSURE; status == MDR_SUCCESS && field <= MDR_DISPLACEMENT_UPPER; field++) {
-        status = mdr_contact_field(c, field, &state, n, half + 99, out);
+        status = state_field(c, field, &state, n, half + 99, out);
     }
-    if (status == MDR_SUCCESS) status = mdr_contact_energy(c, &state, &lower, NULL);
-    if (status == MDR_SUCCESS && c != adhesive) status = mdr_contact_lowest_pressure(c, &state, &lowest, NULL);
+    if (status == MDR_SUCCESS) status = state_energy(c, &state, &lower, NULL);
+    if (status == MDR_SUCCESS && c != adhesive) status = state_lowest_pressure(c, &state, &lowest, NULL);
     return status;
 }
 static int fields_of_scaled(void) { return fields_at(scaled, 1); }
@@ -232,7 +232,7 @@ static int stress_in_layers(void)
     int status = mdr_contact_new(ball, exact_layers, NULL, &c);
     if (status == MDR_SUCCESS) status = mdr_contact_states(c, MDR_RADIUS, MDR_ON_UNLOADING, 1, &radius, &state);
     if (status != MDR_SUCCESS) return status;
-    return mdr_contact_interior(c, MDR_BODY_LOWER, &state, MDR_SIDE_BELOW, 0.0, 1, &r, &z, NULL, &found);
+    return state_interior(c, MDR_BODY_LOWER, &state, MDR_SIDE_BELOW, 0.0, 1, &r, &z, NULL, &found);
 }
 static int pair(void) { mdr_medium *m = NULL; return mdr_medium_pair(film, film, &m); }
 static int contact_on_pair(void)
@@ -303,16 +303,16 @@ static int march(void)
 static int torsional_states(void)
 {
     static mdr_shear_state found[POINTS];
-    return shear_states(rubbed, &pressed, MDR_AROUND, MDR_TWIST, 1400, small, found);
+    return shear_states(contact, rubbed, &pressed, MDR_AROUND, MDR_TWIST, 1400, small, found);
 }
 static int shear_fields(const mdr_friction *f, mdr_contact *c, int n)
 {
     mdr_state state;
     mdr_shear_state sheared;
     int status = mdr_contact_states(c, MDR_RADIUS, MDR_ON_UNLOADING, 1, (double[]){0.5}, &state);
-    if (status == MDR_SUCCESS) status = shear_states(f, &state, MDR_ALONG, MDR_SHIFT, 1, (double[]){1e-3}, &sheared);
+    if (status == MDR_SUCCESS) status = shear_states(c, f, &state, MDR_ALONG, MDR_SHIFT, 1, (double[]){1e-3}, &sheared);
     for (int field = MDR_TRACTION; status == MDR_SUCCESS && field <= MDR_TANGENTIAL_LINE_LOAD; field++) {
-        status = shear_field(f, &state, MDR_ALONG, &sheared, field, n, half, out);
+        status = shear_field(c, f, &state, MDR_ALONG, &sheared, field, n, half, out);
     }
     return status;
 }

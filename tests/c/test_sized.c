@@ -288,7 +288,7 @@ int main(void)
     options.friction = o.friction;
     CHECK_SUCCESS(mdr_law_new(o.contact, 0.1, &options, &o.law));
     CHECK_SUCCESS(mdr_contact_states(o.contact, MDR_DEPTH, MDR_ON_LOADING, 1, &depth, &state));
-    CHECK_SUCCESS(mdr_shear_new(o.friction, &state, MDR_ALONG, &o.shear));
+    CHECK_SUCCESS(shear_of(o.contact, o.friction, &state, MDR_ALONG, &o.shear));
 #ifdef MDRCONTACT_WEAR_H
     CHECK_SUCCESS(mdr_wear_new(o.contact, 1, (const double[]){1e-3}, NULL, 0.0, &o.wear));
 #endif

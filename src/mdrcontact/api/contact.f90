@@ -2,18 +2,17 @@
 !> The contact of an indenter with a medium, its states and their fields, for C.
 module mdrcontact_api_contact
     use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_int, c_loc, c_ptr, c_sizeof
-    use mdrcontact_api_arrays, only: check_each_positive, check_results_or_infinity, make_room
+    use mdrcontact_api_arrays, only: check_each_positive
     use mdrcontact_api_handles, only: hand_over
     use mdrcontact_api_open_handle, only: open_handle
     use mdrcontact_api_options, only: read_options
     use mdrcontact_api_records, only: c_contact_options_t
-    use mdrcontact_api_status, only: check_given, status_of, wanted_threads
+    use mdrcontact_api_status, only: check_given, status_of
     use mdrcontact_api_text, only: write_text
     use mdrcontact_contact, only: contact_options_t, contact_t, new_contact
     use mdrcontact_contact_load, only: contact_load_t
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_contact_warnings, only: contact_warning_t
-    use mdrcontact_contact_values, only: load_field
     use mdrcontact_error, only: check_count_from, check_table, count_text, error_invalid, error_t, raise
     use mdrcontact_contact_relaxing_contact, only: new_relaxing_contact, relaxing_contact_t
     use mdrcontact_medium, only: medium_t
@@ -22,7 +21,7 @@ module mdrcontact_api_contact
     implicit none (type, external)
     private
     public :: mdr_contact_new
-    public :: mdr_contact_field, mdr_contact_lowest_pressure, mdr_contact_energy, mdr_contact_warnings
+    public :: mdr_contact_load, mdr_contact_warnings
 
 contains
 
@@ -95,68 +94,23 @@ contains
         call new_radius_law_from_table(zeta, radius, "zeta", values, error)
     end subroutine read_zeta
 
-    function mdr_contact_field(c, field, state, n, r, out) result(status) bind(C, name="mdrcontact_entry_contact_field")
-        type(c_ptr), value :: c
-        integer(c_int), value :: field, n
-        type(contact_state_t), intent(in), optional :: state
-        real(c_double), intent(in), optional :: r(*)
-        real(c_double), intent(inout), optional :: out(*)
-        integer(c_int) :: status
-        type(contact_t), pointer :: contact
-        type(contact_load_t) :: load
-        real(c_double), allocatable :: values(:)
-        type(error_t), allocatable :: error
-
-        call open_handle(c, "c", contact, error)
-        call make_room(error, n, values)
-        if (.not. allocated(error) .and. n > 0) then
-            call contact%load(state, load, error)
-            if (.not. allocated(error)) call load_field(load, int(field), r(:n), values, error, wanted_threads())
-            if (.not. allocated(error)) call check_results_or_infinity(error, values)
-            if (.not. allocated(error)) out(:n) = values
-        end if
-        status = status_of(error)
-    end function mdr_contact_field
-
-    function mdr_contact_lowest_pressure(c, state, pressure, r) result(status) &
-        bind(C, name="mdrcontact_entry_contact_lowest_pressure")
+    !> The load refers to the object behind the handle of the contact, which lasts as long.
+    function mdr_contact_load(c, state, out) result(status) bind(C, name="mdrcontact_entry_contact_load")
         type(c_ptr), value :: c
         type(contact_state_t), intent(in), optional :: state
-        real(c_double), intent(inout), optional :: pressure, r
+        type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
         type(contact_t), pointer :: contact
-        type(contact_load_t) :: load
-        real(c_double) :: lowest, place
+        type(contact_load_t), allocatable :: load
+        class(*), allocatable :: object
         type(error_t), allocatable :: error
 
+        allocate (load)
         call open_handle(c, "c", contact, error)
         if (.not. allocated(error)) call contact%load(state, load, error)
-        if (.not. allocated(error)) call load%lowest_pressure(lowest, place, error)
-        status = status_of(error)
-        if (allocated(error)) return
-        if (present(pressure)) pressure = lowest
-        if (present(r)) r = place
-    end function mdr_contact_lowest_pressure
-
-    function mdr_contact_energy(c, state, lower, upper) result(status) bind(C, name="mdrcontact_entry_contact_energy")
-        type(c_ptr), value :: c
-        type(contact_state_t), intent(in), optional :: state
-        real(c_double), intent(inout), optional :: lower, upper
-        integer(c_int) :: status
-        type(contact_t), pointer :: contact
-        type(contact_load_t) :: load
-        real(c_double) :: values(2)
-        type(error_t), allocatable :: error
-
-        call open_handle(c, "c", contact, error)
-        if (.not. allocated(error)) call contact%load(state, load, error)
-        if (.not. allocated(error)) call load%energy(values, error)
-        if (.not. allocated(error)) call check_results_or_infinity(error, values)
-        status = status_of(error)
-        if (allocated(error)) return
-        if (present(lower)) lower = values(1)
-        if (present(upper)) upper = values(2)
-    end function mdr_contact_energy
+        call move_alloc(load, object)
+        status = hand_over(object, out, error, held=c)
+    end function mdr_contact_load
 
     function mdr_contact_warnings(c, state, buffer, length, warnings) result(status) &
         bind(C, name="mdrcontact_entry_contact_warnings")

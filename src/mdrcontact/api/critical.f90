@@ -9,39 +9,34 @@ module mdrcontact_api_critical
     use mdrcontact_codes, only: body_lower, body_upper
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_load, only: contact_load_t
-    use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: check_code, check_memory, error_t
     use mdrcontact_inside_critical, only: critical
     use mdrcontact_inside_failure, only: failure_load_t, first_failure, strength_t
     use mdrcontact_inside_largest, only: maximum_t
     implicit none (type, external)
     private
-    public :: mdr_contact_critical, mdr_contact_first_failure
+    public :: mdr_load_critical, mdr_contact_first_failure
 
 contains
 
-    function mdr_contact_critical(c, body, state, friction, capacity, out, count) result(status) &
-        bind(C, name="mdrcontact_entry_contact_critical")
-        type(c_ptr), value :: c
+    function mdr_load_critical(load, body, friction, capacity, out, count) result(status) &
+        bind(C, name="mdrcontact_entry_load_critical")
+        type(c_ptr), value :: load
         integer(c_int), value :: body, capacity
-        type(contact_state_t), intent(in), optional :: state
         real(c_double), value :: friction
         type(c_maximum_t), intent(inout), optional :: out(*)
         integer(c_int), intent(inout), optional :: count
         integer(c_int) :: status
-        type(contact_t), pointer :: contact
-        type(contact_load_t) :: load
+        type(contact_load_t), pointer :: pressed
         type(maximum_t), allocatable :: maxima(:)
         type(error_t), allocatable :: error
         integer :: i, n
 
         n = 0
-        call open_handle(c, "c", contact, error)
+        call open_handle(load, "load", pressed, error)
         call check_code(error, "body", int(body), [body_lower, body_upper])
         if (.not. allocated(error)) then
-            call contact%load(state, load, error)
-            if (.not. allocated(error)) call critical(load, body == body_upper, friction, maxima, error, wanted_threads(), &
-                                                      counted_only=capacity == 0)
+            call critical(pressed, body == body_upper, friction, maxima, error, wanted_threads(), counted_only=capacity == 0)
         end if
         if (.not. allocated(error)) n = size(maxima)
         do i = 1, n
@@ -53,7 +48,7 @@ contains
         do i = 1, min(size(maxima), int(capacity))
             out(i) = c_maximum_t(maxima(i)%quantity, maxima(i)%place, maxima(i)%value, maxima(i)%r, maxima(i)%z, maxima(i)%angle)
         end do
-    end function mdr_contact_critical
+    end function mdr_load_critical
 
     function mdr_contact_first_failure(c, body, friction, largest_radius, n, strengths, capacity, out, count) result(status) &
         bind(C, name="mdrcontact_entry_contact_first_failure")

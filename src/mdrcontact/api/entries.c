@@ -488,41 +488,51 @@ int mdr_loop_about(const mdr_loop *l, mdr_loop_facts *facts)
     return status;
 }
 
-int mdrcontact_entry_contact_energy(const mdr_contact *c, const mdr_state *state, double *lower, double *upper);
-int mdr_contact_energy(const mdr_contact *c, const mdr_state *state, double *lower, double *upper)
+int mdrcontact_entry_contact_load(const mdr_contact *c, const mdr_state *state, mdr_load **out);
+int mdr_contact_load(const mdr_contact *c, const mdr_state *state, mdr_load **out)
 {
     if (!state) return mdrcontact_refuse_null("state");
-    if (arithmetic_is_set()) return mdrcontact_entry_contact_energy(c, state, lower, upper);
+    if (!out) return mdrcontact_refuse_null("out");
+    if (arithmetic_is_set()) return mdrcontact_entry_contact_load(c, state, out);
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_contact_energy(c, state, lower, upper);
+    const int status = mdrcontact_entry_contact_load(c, state, out);
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }
 
-int mdrcontact_entry_contact_field(const mdr_contact *c, int field, const mdr_state *state, int n, const double r[], double out[]);
-int mdr_contact_field(const mdr_contact *c, int field, const mdr_state *state, int n, const double r[], double out[])
+int mdrcontact_entry_load_energy(const mdr_load *load, double *lower, double *upper);
+int mdr_load_energy(const mdr_load *load, double *lower, double *upper)
 {
-    if (!state) return mdrcontact_refuse_null("state");
+    if (arithmetic_is_set()) return mdrcontact_entry_load_energy(load, lower, upper);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_load_energy(load, lower, upper);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
+int mdrcontact_entry_load_field(const mdr_load *load, int field, int n, const double r[], double out[]);
+int mdr_load_field(const mdr_load *load, int field, int n, const double r[], double out[])
+{
     if (n < 0) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !r) return mdrcontact_refuse_null("r");
     if (n > 0 && !out) return mdrcontact_refuse_null("out");
-    if (arithmetic_is_set()) return mdrcontact_entry_contact_field(c, field, state, n, r, out);
+    if (arithmetic_is_set()) return mdrcontact_entry_load_field(load, field, n, r, out);
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_contact_field(c, field, state, n, r, out);
+    const int status = mdrcontact_entry_load_field(load, field, n, r, out);
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }
 
-int mdrcontact_entry_contact_lowest_pressure(const mdr_contact *c, const mdr_state *state, double *pressure, double *r);
-int mdr_contact_lowest_pressure(const mdr_contact *c, const mdr_state *state, double *pressure, double *r)
+int mdrcontact_entry_load_lowest_pressure(const mdr_load *load, double *pressure, double *r);
+int mdr_load_lowest_pressure(const mdr_load *load, double *pressure, double *r)
 {
-    if (!state) return mdrcontact_refuse_null("state");
-    if (arithmetic_is_set()) return mdrcontact_entry_contact_lowest_pressure(c, state, pressure, r);
+    if (arithmetic_is_set()) return mdrcontact_entry_load_lowest_pressure(load, pressure, r);
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_contact_lowest_pressure(c, state, pressure, r);
+    const int status = mdrcontact_entry_load_lowest_pressure(load, pressure, r);
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }
@@ -539,66 +549,59 @@ int mdr_contact_warnings(const mdr_contact *c, const mdr_state *state, char *buf
     return status;
 }
 
-int mdrcontact_entry_contact_interior(const mdr_contact *c, int body, const mdr_state *state, int side, double friction, int n,
-        const double r[], const double z[], const double angle[], mdr_interior out[]);
-int mdr_contact_interior(const mdr_contact *c, int body, const mdr_state *state, int side, double friction, int n, const double r[],
-        const double z[], const double angle[], mdr_interior out[])
+int mdrcontact_entry_load_interior(const mdr_load *load, int body, int side, double friction, int n, const double r[],
+        const double z[], const double angle[], mdr_interior out[]);
+int mdr_load_interior(const mdr_load *load, int body, int side, double friction, int n, const double r[], const double z[],
+        const double angle[], mdr_interior out[])
 {
-    if (!state) return mdrcontact_refuse_null("state");
     if (n < 0) return mdrcontact_refuse_count("n", n);
     if (n > 0 && !r) return mdrcontact_refuse_null("r");
     if (n > 0 && !z) return mdrcontact_refuse_null("z");
     if (n > 0 && !out) return mdrcontact_refuse_null("out");
-    if (arithmetic_is_set()) return mdrcontact_entry_contact_interior(c, body, state, side, friction, n, r, z, angle, out);
+    if (arithmetic_is_set()) return mdrcontact_entry_load_interior(load, body, side, friction, n, r, z, angle, out);
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_contact_interior(c, body, state, side, friction, n, r, z, angle, out);
+    const int status = mdrcontact_entry_load_interior(load, body, side, friction, n, r, z, angle, out);
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }
 
-int mdrcontact_entry_contact_interior_error(const mdr_contact *c, int body, const mdr_state *state, double *deviation);
-int mdr_contact_interior_error(const mdr_contact *c, int body, const mdr_state *state, double *deviation)
+int mdrcontact_entry_load_interior_error(const mdr_load *load, int body, double *deviation);
+int mdr_load_interior_error(const mdr_load *load, int body, double *deviation)
 {
-    if (!state) return mdrcontact_refuse_null("state");
     if (!deviation) return mdrcontact_refuse_null("deviation");
-    if (arithmetic_is_set()) return mdrcontact_entry_contact_interior_error(c, body, state, deviation);
+    if (arithmetic_is_set()) return mdrcontact_entry_load_interior_error(load, body, deviation);
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_contact_interior_error(c, body, state, deviation);
+    const int status = mdrcontact_entry_load_interior_error(load, body, deviation);
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }
 
-int mdrcontact_entry_contact_layer_energies(const mdr_contact *c, int body, const mdr_state *state, int capacity, double out[],
-        int *count);
-int mdr_contact_layer_energies(const mdr_contact *c, int body, const mdr_state *state, int capacity, double out[], int *count)
+int mdrcontact_entry_load_layer_energies(const mdr_load *load, int body, int capacity, double out[], int *count);
+int mdr_load_layer_energies(const mdr_load *load, int body, int capacity, double out[], int *count)
 {
-    if (!state) return mdrcontact_refuse_null("state");
     if (capacity < 0) return mdrcontact_refuse_count("capacity", capacity);
     if (capacity > 0 && !out) return mdrcontact_refuse_null("out");
     if (!count) return mdrcontact_refuse_null("count");
-    if (arithmetic_is_set()) return mdrcontact_entry_contact_layer_energies(c, body, state, capacity, out, count);
+    if (arithmetic_is_set()) return mdrcontact_entry_load_layer_energies(load, body, capacity, out, count);
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_contact_layer_energies(c, body, state, capacity, out, count);
+    const int status = mdrcontact_entry_load_layer_energies(load, body, capacity, out, count);
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }
 
-int mdrcontact_entry_contact_critical(const mdr_contact *c, int body, const mdr_state *state, double friction, int capacity,
-        mdr_maximum out[], int *count);
-int mdr_contact_critical(const mdr_contact *c, int body, const mdr_state *state, double friction, int capacity, mdr_maximum out[],
-        int *count)
+int mdrcontact_entry_load_critical(const mdr_load *load, int body, double friction, int capacity, mdr_maximum out[], int *count);
+int mdr_load_critical(const mdr_load *load, int body, double friction, int capacity, mdr_maximum out[], int *count)
 {
-    if (!state) return mdrcontact_refuse_null("state");
     if (capacity < 0) return mdrcontact_refuse_count("capacity", capacity);
     if (capacity > 0 && !out) return mdrcontact_refuse_null("out");
     if (!count) return mdrcontact_refuse_null("count");
-    if (arithmetic_is_set()) return mdrcontact_entry_contact_critical(c, body, state, friction, capacity, out, count);
+    if (arithmetic_is_set()) return mdrcontact_entry_load_critical(load, body, friction, capacity, out, count);
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_contact_critical(c, body, state, friction, capacity, out, count);
+    const int status = mdrcontact_entry_load_critical(load, body, friction, capacity, out, count);
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }
@@ -635,15 +638,14 @@ int mdr_friction_new(const mdr_contact *c, double coefficient, mdr_friction **ou
     return status;
 }
 
-int mdrcontact_entry_shear_new(const mdr_friction *f, const mdr_state *state, int direction, mdr_shear **out);
-int mdr_shear_new(const mdr_friction *f, const mdr_state *state, int direction, mdr_shear **out)
+int mdrcontact_entry_shear_new(const mdr_friction *f, const mdr_load *load, int direction, mdr_shear **out);
+int mdr_shear_new(const mdr_friction *f, const mdr_load *load, int direction, mdr_shear **out)
 {
-    if (!state) return mdrcontact_refuse_null("state");
     if (!out) return mdrcontact_refuse_null("out");
-    if (arithmetic_is_set()) return mdrcontact_entry_shear_new(f, state, direction, out);
+    if (arithmetic_is_set()) return mdrcontact_entry_shear_new(f, load, direction, out);
     fenv_t callers;
     mdrcontact_set_arithmetic(&callers);
-    const int status = mdrcontact_entry_shear_new(f, state, direction, out);
+    const int status = mdrcontact_entry_shear_new(f, load, direction, out);
     mdrcontact_set_arithmetic_back(&callers);
     return status;
 }

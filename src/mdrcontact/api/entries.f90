@@ -23,9 +23,10 @@ module mdrcontact_api_entries
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_closed_form_values, only: closed_form_values
     use mdrcontact_contact_control, only: control_t
+    use mdrcontact_contact_load, only: contact_load_t
     use mdrcontact_contact_loop, only: loop_t, new_loop
     use mdrcontact_contact_state, only: contact_state_t
-    use mdrcontact_contact_values, only: contact_states
+    use mdrcontact_contact_values, only: contact_states, load_field
     use mdrcontact_error, only: check_code, check_memory, check_poisson, check_table, error_invalid, error_t, raise
     use mdrcontact_friction_history, only: friction_history_t, new_friction_history
     use mdrcontact_friction_partial_slip, only: friction_t, new_friction
@@ -84,6 +85,9 @@ module mdrcontact_api_entries
     public :: mdr_weight
     public :: mdr_contact_states
     public :: mdr_loop_new
+    public :: mdr_load_energy
+    public :: mdr_load_field
+    public :: mdr_load_lowest_pressure
     public :: mdr_friction_new
     public :: mdr_friction_history_new
     public :: mdr_friction_history_copy
@@ -646,6 +650,67 @@ contains
         call move_alloc(made, object)
         status = hand_over(object, out, error)
     end function mdr_loop_new
+
+    function mdr_load_energy(load, lower, upper) result(status) &
+        bind(C, name="mdrcontact_entry_load_energy")
+        type(c_ptr), value :: load
+        real(c_double), intent(inout), optional :: lower, upper
+        integer(c_int) :: status
+        type(contact_load_t), pointer :: load_inside
+        real(c_double) :: values(2), lower_value, upper_value
+        type(error_t), allocatable :: error
+
+        call open_handle(load, "load", load_inside, error)
+        if (.not. allocated(error)) call load_inside%energy(values, error)
+        if (.not. allocated(error)) call check_results_or_infinity(error, values)
+        lower_value = 0.0_c_double
+        if (.not. allocated(error)) lower_value = values(1)
+        upper_value = 0.0_c_double
+        if (.not. allocated(error)) upper_value = values(2)
+        status = status_of(error)
+        if (allocated(error)) return
+        if (present(lower)) lower = lower_value
+        if (present(upper)) upper = upper_value
+    end function mdr_load_energy
+
+    function mdr_load_field(load, field, n, r, out) result(status) &
+        bind(C, name="mdrcontact_entry_load_field")
+        type(c_ptr), value :: load
+        integer(c_int), value :: field, n
+        real(c_double), intent(in), optional :: r(*)
+        real(c_double), intent(inout), optional :: out(*)
+        integer(c_int) :: status
+        type(contact_load_t), pointer :: load_inside
+        real(c_double), allocatable :: out_values(:)
+        type(error_t), allocatable :: error
+
+        call open_handle(load, "load", load_inside, error)
+        call make_room(error, n, out_values)
+        if (.not. allocated(error) .and. n > 0) call load_field(load_inside, field, r(:n), out_values, error, wanted_threads())
+        if (.not. allocated(error)) call check_results_or_infinity(error, out_values)
+        status = status_of(error)
+        if (allocated(error)) return
+        if (present(out)) out(:n) = out_values
+    end function mdr_load_field
+
+    function mdr_load_lowest_pressure(load, pressure, r) result(status) &
+        bind(C, name="mdrcontact_entry_load_lowest_pressure")
+        type(c_ptr), value :: load
+        real(c_double), intent(inout), optional :: pressure, r
+        integer(c_int) :: status
+        type(contact_load_t), pointer :: load_inside
+        real(c_double) :: pressure_value, r_value
+        type(error_t), allocatable :: error
+
+        call open_handle(load, "load", load_inside, error)
+        pressure_value = 0.0_c_double
+        r_value = 0.0_c_double
+        if (.not. allocated(error)) call load_inside%lowest_pressure(pressure_value, r_value, error)
+        status = status_of(error)
+        if (allocated(error)) return
+        if (present(pressure)) pressure = pressure_value
+        if (present(r)) r = r_value
+    end function mdr_load_lowest_pressure
 
     function mdr_friction_new(c, coefficient, out) result(status) &
         bind(C, name="mdrcontact_entry_friction_new")

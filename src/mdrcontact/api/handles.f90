@@ -4,7 +4,8 @@
 !> All handles are of one kind: a tag, and an object whose type says what it is. A pointer to something else is refused by its tag,
 !> a handle of another object by its type. A freed handle loses its tag, which catches some uses after the end but cannot catch all.
 module mdrcontact_api_handles
-    use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_double, c_f_pointer, c_int, c_int64_t, c_loc, c_null_char, c_ptr
+    use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_double, c_f_pointer, c_int, c_int64_t, c_loc, c_null_char, &
+                                           c_null_ptr, c_ptr
     use mdrcontact_api_status, only: check_given, status_of
     use mdrcontact_contact, only: on_unloading
     use mdrcontact_error, only: check_memory, error_invalid, error_t, raise
@@ -30,9 +31,21 @@ module mdrcontact_api_handles
         real(c_double), allocatable :: numbers(:)
         !> and its description, with C's end
         character(kind=c_char), allocatable :: description(:)
+        !> how many need the object: the caller, and the handles whose objects refer to it
+        integer(c_int) :: owners = 1_c_int
+        !> the handle whose object this one's refers to
+        type(c_ptr) :: held = c_null_ptr
     end type handle_t
 
     interface
+        !> Of owners.c; how many there are then.
+        function mdrcontact_count_owners(owners, change) result(count) bind(C)
+            import :: c_int
+            integer(c_int), intent(inout) :: owners
+            integer(c_int), intent(in), value :: change
+            integer(c_int) :: count
+        end function mdrcontact_count_owners
+
         !> Of law_force.c; 0.
         function mdrcontact_law_view_from(buffer, branch, view) result(status) bind(C)
             import :: c_double, c_int, law_view_t
@@ -47,12 +60,15 @@ contains
 
     !> Puts a finished object behind a new handle, and the handle into `out`, unless there was an error. Its arrays, which may be
     !> large, are not copied: gfortran ends the process where there is no memory for the copy of a component.
-    function hand_over(object, out, error) result(status)
+    function hand_over(object, out, error, held) result(status)
         class(*), allocatable, intent(inout) :: object
         type(c_ptr), intent(inout) :: out
         type(error_t), allocatable, intent(inout) :: error
+        !> an open handle whose object the new one refers to: it lasts as long
+        type(c_ptr), intent(in), optional :: held
         integer(c_int) :: status
-        type(handle_t), pointer :: inside
+        type(handle_t), pointer :: inside, other
+        integer(c_int) :: unused
         integer :: stat
 
         nullify (inside)
@@ -69,7 +85,13 @@ contains
             if (allocated(error)) deallocate (inside)
         end if
         status = status_of(error)
-        if (.not. allocated(error)) out = c_loc(inside)
+        if (allocated(error)) return
+        if (present(held)) then
+            call c_f_pointer(held, other)
+            unused = mdrcontact_count_owners(other%owners, 1_c_int)
+            inside%held = held
+        end if
+        out = c_loc(inside)
     end function hand_over
 
     !> The numbers of a law, and the view of them.
@@ -132,8 +154,20 @@ contains
         end if
         inside%tag = no_tag
         inside%view = law_view_t()
-        deallocate (inside)
+        call let_go(inside)
     end function mdr_free
+
+    !> Frees an object that nothing needs any more, and then lets go of the one that it refers to.
+    recursive subroutine let_go(inside)
+        type(handle_t), pointer, intent(inout) :: inside
+        type(handle_t), pointer :: other
+
+        if (mdrcontact_count_owners(inside%owners, -1_c_int) > 0_c_int) return
+        nullify (other)
+        if (c_associated(inside%held)) call c_f_pointer(inside%held, other)
+        deallocate (inside)
+        if (associated(other)) call let_go(other)
+    end subroutine let_go
 
     !> The object behind a handle that `word`, the name of its kind in C, stands for; null after an error. Which type it has is not
     !> looked at. `name` is the argument's.

@@ -5,36 +5,32 @@ module mdrcontact_api_interior
     use mdrcontact_api_arrays, only: check_results, check_results_or_infinity
     use mdrcontact_api_open_handle, only: open_handle
     use mdrcontact_api_status, only: status_of, wanted_threads
-    use mdrcontact_contact, only: contact_t
     use mdrcontact_codes, only: body_lower, body_upper, side_above, side_below
     use mdrcontact_contact_load, only: contact_load_t
-    use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: check_code, check_count_from, check_memory, error_t, raise_at
     use mdrcontact_inside, only: interior, interior_error, layer_energy
     use mdrcontact_inside_interior, only: components
     implicit none (type, external)
     private
-    public :: mdr_contact_interior, mdr_contact_interior_error, mdr_contact_layer_energies
+    public :: mdr_load_interior, mdr_load_interior_error, mdr_load_layer_energies
 
 contains
 
-    function mdr_contact_interior(c, body, state, side, friction, n, r, z, angle, out) result(status) &
-        bind(C, name="mdrcontact_entry_contact_interior")
-        type(c_ptr), value :: c
+    function mdr_load_interior(load, body, side, friction, n, r, z, angle, out) result(status) &
+        bind(C, name="mdrcontact_entry_load_interior")
+        type(c_ptr), value :: load
         integer(c_int), value :: body, side, n
-        type(contact_state_t), intent(in), optional :: state
         real(c_double), value :: friction
         real(c_double), intent(in), optional :: r(*), z(*), angle(*)
         !> rows of struct mdr_interior
         real(c_double), intent(inout), optional :: out(components, *)
         integer(c_int) :: status
-        type(contact_t), pointer :: contact
-        type(contact_load_t) :: load
+        type(contact_load_t), pointer :: pressed
         real(c_double), allocatable :: field(:, :), azimuth(:)
         type(error_t), allocatable :: error
         integer :: i, stat
 
-        call open_handle(c, "c", contact, error)
+        call open_handle(load, "load", pressed, error)
         call check_code(error, "body", int(body), [body_lower, body_upper])
         call check_code(error, "side", int(side), [side_below, side_above])
         if (.not. allocated(error)) then
@@ -44,9 +40,8 @@ contains
         if (.not. allocated(error) .and. n > 0) then
             azimuth(:) = 0.0_c_double
             if (present(angle)) azimuth(:) = angle(:n)
-            call contact%load(state, load, error)
-            if (.not. allocated(error)) call interior(load, body == body_upper, r(:n), z(:n), side == side_below, friction, &
-                                                      azimuth, field, error, wanted_threads())
+            call interior(pressed, body == body_upper, r(:n), z(:n), side == side_below, friction, azimuth, field, error, &
+                          wanted_threads())
             do i = 1, n
                 if (allocated(error)) exit
                 call check_results_or_infinity(error, field(i, :))
@@ -57,53 +52,47 @@ contains
             end do
         end if
         status = status_of(error)
-    end function mdr_contact_interior
+    end function mdr_load_interior
 
-    function mdr_contact_interior_error(c, body, state, deviation) result(status) &
-        bind(C, name="mdrcontact_entry_contact_interior_error")
-        type(c_ptr), value :: c
+    function mdr_load_interior_error(load, body, deviation) result(status) &
+        bind(C, name="mdrcontact_entry_load_interior_error")
+        type(c_ptr), value :: load
         integer(c_int), value :: body
-        type(contact_state_t), intent(in), optional :: state
         real(c_double), intent(inout), optional :: deviation
         integer(c_int) :: status
-        type(contact_t), pointer :: contact
-        type(contact_load_t) :: load
+        type(contact_load_t), pointer :: pressed
         real(c_double) :: found
         type(error_t), allocatable :: error
 
-        call open_handle(c, "c", contact, error)
+        call open_handle(load, "load", pressed, error)
         call check_code(error, "body", int(body), [body_lower, body_upper])
-        if (.not. allocated(error)) call contact%load(state, load, error)
-        if (.not. allocated(error)) call interior_error(load, body == body_upper, found, error)
+        if (.not. allocated(error)) call interior_error(pressed, body == body_upper, found, error)
         if (.not. allocated(error)) call check_results(error, [found])
         status = status_of(error)
         if (.not. allocated(error)) deviation = found
-    end function mdr_contact_interior_error
+    end function mdr_load_interior_error
 
-    function mdr_contact_layer_energies(c, body, state, capacity, out, count) result(status) &
-        bind(C, name="mdrcontact_entry_contact_layer_energies")
-        type(c_ptr), value :: c
+    function mdr_load_layer_energies(load, body, capacity, out, count) result(status) &
+        bind(C, name="mdrcontact_entry_load_layer_energies")
+        type(c_ptr), value :: load
         integer(c_int), value :: body, capacity
-        type(contact_state_t), intent(in), optional :: state
         real(c_double), intent(inout), optional :: out(*)
         integer(c_int), intent(inout), optional :: count
         integer(c_int) :: status
-        type(contact_t), pointer :: contact
-        type(contact_load_t) :: load
+        type(contact_load_t), pointer :: pressed
         real(c_double), allocatable :: energies(:)
         type(error_t), allocatable :: error
         integer :: n
 
-        call open_handle(c, "c", contact, error)
+        call open_handle(load, "load", pressed, error)
         call check_code(error, "body", int(body), [body_lower, body_upper])
         call check_count_from(error, "capacity", int(capacity), 0)
-        if (.not. allocated(error)) call contact%load(state, load, error)
-        if (.not. allocated(error)) call layer_energy(load, body == body_upper, energies, error)
+        if (.not. allocated(error)) call layer_energy(pressed, body == body_upper, energies, error)
         status = status_of(error)
         if (allocated(error)) return
         count = size(energies, kind=c_int)
         n = min(size(energies), int(capacity))
         if (present(out)) out(:n) = energies(:n)
-    end function mdr_contact_layer_energies
+    end function mdr_load_layer_energies
 
 end module mdrcontact_api_interior

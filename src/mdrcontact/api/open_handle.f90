@@ -5,6 +5,7 @@ module mdrcontact_api_open_handle
     use mdrcontact_api_handles, only: look_inside, refuse_kind
     use mdrcontact_api_any_body, only: any_body_t
     use mdrcontact_contact, only: contact_t
+    use mdrcontact_contact_load, only: contact_load_t
     use mdrcontact_contact_loop, only: loop_t
     use mdrcontact_contact_relaxing_contact, only: relaxing_contact_t
     use mdrcontact_error, only: error_invalid, error_t, raise
@@ -26,6 +27,7 @@ module mdrcontact_api_open_handle
             open_medium, &
             open_contact, &
             open_relaxing_contact, &
+            open_contact_load, &
             open_loop, &
             open_contact_law, &
             open_friction, &
@@ -129,6 +131,24 @@ contains
             call refuse_kind(name, "mdr_contact", error)
         end select
     end subroutine open_relaxing_contact
+
+    subroutine open_contact_load(handle, name, object, error)
+        type(c_ptr), intent(in) :: handle
+        character(len=*), intent(in) :: name
+        type(contact_load_t), pointer, intent(out) :: object
+        type(error_t), allocatable, intent(inout) :: error
+        class(*), pointer :: inside
+
+        nullify (object)
+        call look_inside(handle, name, "mdr_load", inside, error)
+        if (allocated(error)) return
+        select type (inside)
+        type is (contact_load_t)
+            object => inside
+        class default
+            call refuse_kind(name, "mdr_load", error)
+        end select
+    end subroutine open_contact_load
 
     subroutine open_loop(handle, name, object, error)
         type(c_ptr), intent(in) :: handle

@@ -12,7 +12,6 @@ module mdrcontact_api_shear
                                 given_shift => shift, given_tangential_force => tangential_force, given_torque => torque, &
                                 given_twist => twist
     use mdrcontact_contact_load, only: contact_load_t
-    use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_error, only: check_code, check_count_from, check_memory, check_positive, error_t, raise_at
     use mdrcontact_friction_partial_slip, only: first_shear_t, friction_t, tangential_state_t
     implicit none (type, external)
@@ -21,27 +20,26 @@ module mdrcontact_api_shear
 
 contains
 
-    function mdr_shear_new(f, state, direction, out) result(status) bind(C, name="mdrcontact_entry_shear_new")
-        type(c_ptr), value :: f
-        type(contact_state_t), intent(in), optional :: state
+    function mdr_shear_new(f, load, direction, out) result(status) bind(C, name="mdrcontact_entry_shear_new")
+        type(c_ptr), value :: f, load
         integer(c_int), value :: direction
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
         type(friction_t), pointer :: friction
-        type(contact_load_t) :: load
+        type(contact_load_t), pointer :: pressed
         type(first_shear_t), allocatable :: shear
         class(*), allocatable :: object
         type(error_t), allocatable :: error
 
         allocate (shear)
         call open_handle(f, "f", friction, error)
+        call open_handle(load, "load", pressed, error)
         call check_code(error, "direction", int(direction), [along, around])
-        if (.not. allocated(error)) call friction%contact%load(state, load, error)
         if (.not. allocated(error)) then
             if (direction == around) then
-                call friction%first_twist(load, shear, error)
+                call friction%first_twist(pressed, shear, error)
             else
-                call friction%first_shear(load, shear, error)
+                call friction%first_shear(pressed, shear, error)
             end if
         end if
         if (.not. allocated(error)) call check_results(error, [shear%sliding_force])

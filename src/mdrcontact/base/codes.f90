@@ -178,7 +178,7 @@ module mdrcontact_codes
     !> MDR_FREE_SURFACE_TENSION. Of the free surface, a <= r <= 3 a: s_1, which opens ring cracks.
     integer, parameter :: free_surface_tension = 186
 
-    ! enum mdr_load
+    ! enum mdr_load_kind
     !> MDR_LOAD_NORMAL. A pressure.
     integer, parameter :: load_normal = 901
     !> MDR_LOAD_SHEAR. A traction of one direction along the surface: the mean over the directions of the wave.

@@ -29,6 +29,6 @@ void fuzz_fields(world *w)
         r[1] = 0.0;
     }
     fill(out);
-    judge("mdr_contact_field", mdr_contact_field(contact, MDR_PRESSURE + (take_chance(&w->in) ? 3 + which % 2 : which % 3),
+    judge("mdr_load_field", state_field(contact, MDR_PRESSURE + (take_chance(&w->in) ? 3 + which % 2 : which % 3),
             &state, n, r, out), n, out, NOT_NAN);
 }

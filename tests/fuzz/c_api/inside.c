@@ -20,11 +20,11 @@ static void fuzz_failure(world *w, const mdr_contact *contact, int body, const m
         const double value = take_chance(&w->in) ? take_number(&w->in) : 0.1;
         strengths[i] = (mdr_strength){take_member(&w->in, MDR_VON_MISES, 6), take_code(&w->in, 2) - 1, value};
     }
-    status = mdr_contact_critical(contact, body, state, friction, MOST_MAXIMA, maxima, &count);
-    judge_status("mdr_contact_critical", status);
+    status = state_critical(contact, body, state, friction, MOST_MAXIMA, maxima, &count);
+    judge_status("mdr_load_critical", status);
     for (int i = 0; i < count && i < MOST_MAXIMA && status == MDR_SUCCESS; i++) {
-        if (!isfinite(maxima[i].value)) finding("mdr_contact_critical", "no number", i);
-        if (!(maxima[i].r >= 0.0 && maxima[i].z >= 0.0)) finding("mdr_contact_critical", "no place", i);
+        if (!isfinite(maxima[i].value)) finding("mdr_load_critical", "no number", i);
+        if (!(maxima[i].r >= 0.0 && maxima[i].z >= 0.0)) finding("mdr_load_critical", "no place", i);
     }
     status = mdr_contact_first_failure(contact, body, friction, largest, 2, strengths, 2, failures, &count);
     judge_status("mdr_contact_first_failure", status);
@@ -56,26 +56,26 @@ void fuzz_inside(world *w)
     if (take_chance(&w->in)) {
         for (int i = 0; i < MOST_POINTS; i++) r[i] = state.radius * fmod(r[i], 3.0), z[i] = state.radius * fmod(z[i], 3.0);
     }
-    status = mdr_contact_interior(contact, body, &state, side, friction, n, r, z, take_chance(&w->in) ? angle : NULL, inside);
-    judge_status("mdr_contact_interior", status);
+    status = state_interior(contact, body, &state, side, friction, n, r, z, take_chance(&w->in) ? angle : NULL, inside);
+    judge_status("mdr_load_interior", status);
     for (int i = 0; i < n && status == MDR_SUCCESS; i++) {
-        if (isnan(inside[i].u_z + inside[i].u_r)) finding("mdr_contact_interior", "success with NaN", i);
-        if (isnan(inside[i].s_zz) || isnan(inside[i].s_rz)) finding("mdr_contact_interior", "success with NaN", i);
+        if (isnan(inside[i].u_z + inside[i].u_r)) finding("mdr_load_interior", "success with NaN", i);
+        if (isnan(inside[i].s_zz) || isnan(inside[i].s_rz)) finding("mdr_load_interior", "success with NaN", i);
     }
     fill(out);
-    status = mdr_contact_interior_error(contact, body, &state, out);
-    judge("mdr_contact_interior", status, 1, out, NOT_NEGATIVE);
+    status = state_interior_error(contact, body, &state, out);
+    judge("mdr_load_interior", status, 1, out, NOT_NEGATIVE);
     fill(out);
-    status = mdr_contact_layer_energies(contact, body, &state, MOST_POINTS, out, &count);
-    judge("mdr_contact_layer_energies", status, count < MOST_POINTS ? count : MOST_POINTS, out, FINITE);
+    status = state_layer_energies(contact, body, &state, MOST_POINTS, out, &count);
+    judge("mdr_load_layer_energies", status, count < MOST_POINTS ? count : MOST_POINTS, out, FINITE);
     fill(pressure), fill(place);
-    status = mdr_contact_energy(contact, &state, pressure, place);
-    judge("mdr_contact_energy", status, 1, pressure, FINITE);
-    judge("mdr_contact_energy", status, 1, place, FINITE);
+    status = state_energy(contact, &state, pressure, place);
+    judge("mdr_load_energy", status, 1, pressure, FINITE);
+    judge("mdr_load_energy", status, 1, place, FINITE);
     fill(pressure), fill(place);
-    status = mdr_contact_lowest_pressure(contact, &state, pressure, place);
-    judge("mdr_contact_lowest_pressure", status, 1, pressure, FINITE);
-    judge("mdr_contact_lowest_pressure", status, 1, place, NOT_NEGATIVE);
+    status = state_lowest_pressure(contact, &state, pressure, place);
+    judge("mdr_load_lowest_pressure", status, 1, pressure, FINITE);
+    judge("mdr_load_lowest_pressure", status, 1, place, NOT_NEGATIVE);
     judge_status("mdr_contact_warnings", mdr_contact_warnings(contact, &state, words, (int)sizeof words, &count));
     if (afford(w, w->contact_is_exact[slot] ? PRICE_OF_EXACT_FAILURE : PRICE_OF_FAILURE)) {
         fuzz_failure(w, contact, body, &state, friction);
@@ -104,7 +104,7 @@ void fuzz_friction(world *w)
     judge_object("mdr_friction_new", status, f);
     if (!f) return;
     state = some_state(w, contact);
-    status = shear_states(f, &state, MDR_ALONG, given, n, in, found);
+    status = shear_states(contact, f, &state, MDR_ALONG, given, n, in, found);
     judge_status("mdr_shear_states", status);
     for (int i = 0; i < n && status == MDR_SUCCESS; i++) {
         const double numbers[MEMBERS] = {found[i].shift, found[i].tangential_force, found[i].stick_radius, found[i].stiffness,
@@ -113,16 +113,17 @@ void fuzz_friction(world *w)
     }
     if (status == MDR_SUCCESS && n > 0) {
         fill(out);
-        status = shear_field(f, &state, MDR_ALONG, found, TAKE_ONE_OF(&w->in, MDR_TRACTION, MDR_TANGENTIAL_LINE_LOAD), n, path,
+        status = shear_field(contact, f, &state, MDR_ALONG, found,
+                             TAKE_ONE_OF(&w->in, MDR_TRACTION, MDR_TANGENTIAL_LINE_LOAD), n, path,
                 out);
         judge("mdr_shear_field", status, n, out, NOT_NAN);
     }
     fill(out), fill(other), fill(lost);
-    status = shear_sliding(f, &state, MDR_ALONG, out, other);
+    status = shear_sliding(contact, f, &state, MDR_ALONG, out, other);
     judge("mdr_shear_about", status, 1, out, NOT_NEGATIVE);
     judge("mdr_shear_about", status, 1, other, NOT_NEGATIVE);
     fill(out), fill(other);
-    status = shear_loop(f, &state, MDR_ALONG, given, path[0], n, out, other, lost);
+    status = shear_loop(contact, f, &state, MDR_ALONG, given, path[0], n, out, other, lost);
     judge("mdr_shear_loop", status, n, out, FINITE);
     judge("mdr_shear_loop", status, n, other, FINITE);
     judge("mdr_shear_loop", status, 1, lost, NOT_NEGATIVE);

@@ -97,7 +97,7 @@ static void twist(world *w)
     judge_object("mdr_friction_new", status, f);
     if (!f) return;
     const mdr_state state = some_state(w, contact);
-    status = shear_states(f, &state, MDR_AROUND, given, n, in, found);
+    status = shear_states(contact, f, &state, MDR_AROUND, given, n, in, found);
     judge_status("mdr_shear_states", status);
     for (int i = 0; i < n && status == MDR_SUCCESS; i++) {
         memcpy(numbers, &found[i], sizeof numbers);
@@ -105,14 +105,15 @@ static void twist(world *w)
     }
     if (status == MDR_SUCCESS && n > 0) {
         fill(out);
-        status = shear_field(f, &state, MDR_AROUND, found, TAKE_ONE_OF(&w->in, MDR_TRACTION, MDR_TANGENTIAL_LINE_LOAD), n, r, out);
+        status = shear_field(contact, f, &state, MDR_AROUND, found,
+                             TAKE_ONE_OF(&w->in, MDR_TRACTION, MDR_TANGENTIAL_LINE_LOAD), n, r, out);
         judge("mdr_shear_field", status, n, out, NOT_NAN);
     }
     fill(out);
-    status = shear_sliding(f, &state, MDR_AROUND, NULL, out);
+    status = shear_sliding(contact, f, &state, MDR_AROUND, NULL, out);
     judge("mdr_shear_about", status, 1, out, NOT_NEGATIVE);
     fill(out), fill(other), fill(lost);
-    status = shear_loop(f, &state, MDR_AROUND, given, r[0], n, out, other, lost);
+    status = shear_loop(contact, f, &state, MDR_AROUND, given, r[0], n, out, other, lost);
     judge("mdr_shear_loop", status, n, out, FINITE);
     judge("mdr_shear_loop", status, n, other, FINITE);
     judge("mdr_shear_loop", status, 1, lost, NOT_NEGATIVE);
