@@ -7,6 +7,7 @@
 #include <stdlib.h>
 #include <time.h>
 
+#include "mdrcontact.h"
 #include "mdrcontact/fit.h"
 #include "measure.h"
 

@@ -37,7 +37,6 @@ module mdrcontact_contact_load
         procedure :: energy
         procedure :: lowest_pressure
         procedure :: check_one_disc
-        procedure :: is_adhesive
     end type contact_load_t
 
 contains
@@ -143,14 +142,6 @@ contains
                     "an effective modulus", "the surface holds a part of it; int F dd is that of both", error)
     end subroutine energy
 
-    !> Whether the bodies adhere to each other.
-    pure function is_adhesive(self) result(answer)
-        class(contact_load_t), intent(in) :: self
-        logical :: answer
-
-        answer = self%equilibrium%work_of_adhesion > 0.0_wp
-    end function is_adhesive
-
     !> The lowest pressure in a contact without adhesion. Below 0 the bodies would have to pull on each other: the contact is then
     !> not one disc, its pressure is not that of the true contact, and F(d) is a little off (theory/exact.md (1.4)). On stiff
     !> coatings only.
@@ -164,7 +155,7 @@ contains
 
         pressure = 0.0_wp
         radius = self%state%radius
-        if (self%is_adhesive()) then
+        if (self%equilibrium%work_of_adhesion > 0.0_wp) then
             call raise(error, error_invalid, "lowest_pressure is not allowed: under adhesion the bodies pull on "// &
                        "each other at the edge")
             return
