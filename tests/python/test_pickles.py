@@ -266,6 +266,9 @@ def records():
 def problems():
     return [
         problem.load(next((ROOT / "examples" / "problems").glob("*.toml"))),
+        problem.MapProblem(
+            "two phases", lateral.Voxels(np.zeros((2, 2, 2), dtype=int), [mdr.Elastic(1e9, 0.3)], 1e-6), np.array([1e-6])
+        ),
         load_fit_file(ROOT / "examples" / "fit" / "csm_on_oxide.toml"),
     ]
 

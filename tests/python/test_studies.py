@@ -198,7 +198,7 @@ def test_what_is_refused_after_a_fit_leaves_the_fit(tmp_path, capfd):
 def test_a_gel_has_no_other_intervals(options):
     fit_file = load_fit_file(FITS / "punch_on_hydrogel.toml")
     data, _ = fit_file.read_data(FITS / "punch_on_hydrogel.csv")
-    with pytest.raises(mdr.InvalidArgumentError, match="a gel"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="a gel"):
         studies.fit(fit_file, data, **options)
 
 
@@ -270,7 +270,7 @@ def test_maps_are_what_the_command_writes(tmp_path, monkeypatch, capfd):
     table = as_text(found.tables["moduli"], left=2)
     assert table in printed and len(table.splitlines()) == 5
     assert found.numbers["most"].value == found.maps.max() and set(found.moduli) == {-1.0, 1.0}
-    with pytest.raises(mdr.OutOfMemoryError):
+    with pytest.raises(mdr.errors.OutOfMemoryError):
         measured("map", tmp_path, memory_limit=1.0)
 
 
@@ -394,7 +394,7 @@ def test_a_study_of_measurements_stops(name, options, phase, tmp_path):
     """A stop is no refusal of a model or of an interval."""
     phases = [None]
     progress = Progress(lambda _done, _total, what: phases.append(what), stop=lambda: phase in phases)
-    with pytest.raises(mdr.CancelledError):
+    with pytest.raises(mdr.errors.CancelledError):
         measured(name, tmp_path, **options, progress=progress)
     assert phases[-1] == phase
 
