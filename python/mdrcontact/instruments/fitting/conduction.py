@@ -3,30 +3,24 @@
 
 from __future__ import annotations
 
-import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ... import _scipy
 from ..._boundary import number, numbers
 from ..._choices import nearest
 from ..._value import Value
 from ...conduction import Conduction, Conductor, LayeredConductor
 from ...conduction.contact import ANSWERS
 from ...contact import Contact
-from ...errors import ArgumentTypeError, InvalidArgumentError, NoConvergenceError
+from ...errors import ArgumentTypeError, InvalidArgumentError
 from ...medium import Interface
+from .least_squares import Coordinate, ParameterFit, names_of, solve
 
 __all__ = ["ConductanceForce", "Impedance", "ConductionFit", "fit_conduction"]
-
-_INTERVAL = 1.96
-"""Standard errors of an interval of 95 %."""
-_LOOSE = 0.5
-"""A parameter whose standard error is larger than this part of it does not follow from the data."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -90,26 +84,12 @@ class Impedance(Value):
         return np.concatenate([found.real, found.imag])
 
 
-@dataclass(frozen=True, eq=False)
-class ConductionFit:
-    """What was found, in logarithms of the parameters."""
+@dataclass(frozen=True, eq=False, kw_only=True)
+class ConductionFit(ParameterFit):
+    """The conductors that were found; where no standard deviations are known the residuals are relative."""
 
     conduction: Conduction
     """with the parameters found"""
-    values: Mapping[str, float]
-    """the free parameters"""
-    errors: Mapping[str, float]
-    """their standard errors"""
-    intervals: Mapping[str, tuple[float, float]]
-    """of 95 %"""
-    correlation: NDArray[np.float64]
-    """of the free parameters, in the order of `values`"""
-    chi_square: float
-    """sum of the squared residuals, in standard deviations where those are known, else relative"""
-    points: int
-    """readings"""
-    notes: tuple[str, ...]
-    """what the data do not determine"""
 
 
 def fit_conduction(data: Any, conduction: Conduction, free: Iterable[str]) -> ConductionFit:
@@ -120,13 +100,8 @@ def fit_conduction(data: Any, conduction: Conduction, free: Iterable[str]) -> Co
     free : of the lower body "layer1.sigma", "layer1.along", "layer1.capacity", "layer1.thickness", "layer1.resistance" (of the
         interface below it), ..., "substrate.sigma", ...; "film" of the spot
     """
-    _scipy.require()
-    from scipy.optimize import least_squares
-
     sets = [data] if isinstance(data, (ConductanceForce, Impedance)) else list(data)
-    names = tuple(free)
-    if isinstance(free, str) or not names or len(set(names)) != len(names):
-        raise InvalidArgumentError(f"free = {free!r} is not allowed: give names, each once")
+    names = names_of(free)
     start = np.array([_number_of(conduction, name) for name in names])
     if not np.all(start > 0.0):
         raise InvalidArgumentError("a free number must start greater than 0: " + ", ".join(names))
@@ -137,30 +112,12 @@ def fit_conduction(data: Any, conduction: Conduction, free: Iterable[str]) -> Co
         tried = _with_numbers(conduction, names, np.exp(u))
         return np.asarray(weight * (np.concatenate([part._model(tried) for part in sets]) - y))
 
-    found = least_squares(residuals, np.log(start), method="lm" if len(y) >= len(names) else "trf", diff_step=1e-6, xtol=1e-12)
-    if not found.success:
-        raise NoConvergenceError("the fit did not come to rest: leave fewer parameters free, or start closer")
-    covariance = np.linalg.pinv(found.jac.T @ found.jac, rcond=1e-14)
-    square = float(found.fun @ found.fun)
-    if any(part.sd is None for part in sets):
-        covariance = covariance * square / max(len(y) - len(names), 1)
-    spread = np.sqrt(np.diag(covariance))
-    values = {name: float(v) for name, v in zip(names, np.exp(found.x), strict=True)}
-    reach = {name: min(_INTERVAL * float(sd), 700.0) for name, sd in zip(names, spread, strict=True)}
-    return ConductionFit(
-        _with_numbers(conduction, names, np.exp(found.x)),
-        values,
-        {name: values[name] * float(sd) for name, sd in zip(names, spread, strict=True)},
-        {name: (values[name] * math.exp(-reach[name]), values[name] * math.exp(reach[name])) for name in names},
-        covariance / np.maximum(np.outer(spread, spread), 1e-300),
-        square,
-        len(y),
-        tuple(
-            f"{name} does not follow from these data: fix it, or measure where it matters"
-            for name, sd in zip(names, spread, strict=True)
-            if not sd <= _LOOSE
-        ),
-    )
+    found = solve(
+        residuals, np.log(start), is_absolute=all(part.sd is not None for part in sets),
+        method="lm" if len(y) >= len(names) else "trf", diff_step=1e-6, xtol=1e-12,
+    )  # fmt: skip
+    fields = found.fields([Coordinate(name) for name in names])
+    return ConductionFit(**fields, conduction=_with_numbers(conduction, names, np.exp(found.u)))
 
 
 def _weights(part: Any) -> NDArray[np.float64]:

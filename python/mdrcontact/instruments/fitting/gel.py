@@ -4,7 +4,7 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass
 from functools import partial
 from typing import Any
@@ -13,11 +13,11 @@ import numpy as np
 from numpy.polynomial import chebyshev
 from numpy.typing import NDArray
 
-from ... import _scipy
 from ...contact import Contact
 from ...errors import ArgumentTypeError, InvalidArgumentError, NoConvergenceError
 from ...poroelastic import DRAINAGES, Poroelastic, body_of, drainage_code, gel_of, is_poroelastic
 from ...profile import FlatPunch, Paraboloid
+from .least_squares import Coordinate, Estimate, ParameterFit, names_of, solve
 from .time_data import DepthTime, DynamicStiffness, ForceTime
 
 Array = NDArray[np.float64]
@@ -38,58 +38,26 @@ _MOST = 100
 """Readings that a start is sought with."""
 _ROUNDS = 200
 """Of the search, at the most."""
-_LOOSE = 0.5
-"""A parameter whose standard error is larger, of its value or of Poisson's ratio's range, does not follow from the data."""
-_TOGETHER = 0.95
-"""Two parameters that are correlated more than this follow from the data together only."""
 _STEP = 1e-5
 
 
-@dataclass(frozen=True, eq=False)
-class GelFit:
-    """What was found; [0.95] stands for intervals of 95 %, of shear modulus and diffusivity in their logarithms."""
+@dataclass(frozen=True, eq=False, kw_only=True)
+class GelFit(ParameterFit):
+    """The gel that was found."""
 
     medium: Any
     """the body with the parameters found"""
     drainage: str
     """under which they were found: it cannot be fitted"""
-    values: Mapping[str, float]
-    """the free parameters"""
-    errors: Mapping[str, float]
-    """their standard errors"""
-    intervals: Mapping[str, tuple[float, float]]
-    """of 95 %"""
-    correlation: Array
-    """of the free parameters, in the order of `values`"""
     fitted: Array
     """what the model says of each reading"""
-    chi_square: float
-    """sum of the squared residuals, in standard deviations where those are known, else in the unit of the data"""
-    points: int
-    """readings"""
-    notes: tuple[str, ...]
-    """what the data do not determine, and determine together only"""
-
-    def summary(self) -> str:
-        """All of it in words."""
-        lines = [f"drainage {self.drainage!r}, {self.points} readings, sum of squares {self.chi_square:.5g}"]
-        for name, value in self.values.items():
-            low, high = self.intervals[name]
-            lines.append(f"{name:14} {value:.6g}, standard error {self.errors[name]:.2g}, 95 %: {low:.5g} to {high:.5g}")
-        return "\n".join([*lines, *self.notes])
 
     def to_dict(self) -> dict[str, Any]:
         """The numbers and notes as plain Python values."""
-        parameters = {
-            name: {"value": value, "standard_error": self.errors[name], "interval": list(self.intervals[name])}
-            for name, value in self.values.items()
-        }
-        return {
-            "drainage": self.drainage,
-            "sum_of_squares": self.chi_square,
-            "notes": list(self.notes),
-            "parameters": parameters,
-        }
+        return {"drainage": self.drainage, **super().to_dict()}
+
+    def _head(self) -> str:
+        return f"drainage {self.drainage!r}, {super()._head()}"
 
 
 def fit_gel(
@@ -114,18 +82,19 @@ def fit_gel(
     if not is_poroelastic(medium):
         raise ArgumentTypeError(f"medium = {medium!r} is not allowed: it must be a body of Poroelastic(...)")
     drainage_code(drainage)
-    _scipy.require()
     gel = gel_of(medium)
     answers = partial(_shape, _case(data, indenter), data, indenter, medium, drainage)
     shape = partial(answers, gel.nu if "nu" not in names else None)
-    weights = np.ones(len(data)) if data.sd is None else 1.0 / data.sd
-    search = _Search(shape, data.y, weights, names, gel, _power(data))
-    values, covariance, residuals = search.run(_time_scale(data, indenter))
+    search = _Search(shape, data, names, gel)
+    found = search.run(_time_scale(data, indenter))
+    fields = found.fields(search.coordinates)
+    gel = gel.replace(**fields["values"])
     if "nu" in names:
-        _check_between_tables(answers, *search.gel_at(values)[1:])
-    if data.sd is None:
-        covariance = covariance * float(residuals @ residuals) / max(len(data) - len(names), 1)
-    return _result(search, data, medium, drainage, values, covariance, residuals)
+        _check_between_tables(answers, gel.nu, gel.diffusivity)
+    if "nu" in names and not _LOWEST < gel.nu < _HIGHEST:
+        fields["notes"] += (f"nu is at the end of its range, {gel.nu:.3g}: its interval is none",)
+    fields["notes"] += ("the drainage is no parameter: compare_drainages shows how far the numbers move with it",)
+    return GelFit(**fields, medium=body_of(medium, gel), drainage=drainage, fitted=search.model(found.u))
 
 
 def compare_drainages(
@@ -141,9 +110,7 @@ def compare_drainages(
 
 
 def _names(free: Iterable[str]) -> tuple[str, ...]:
-    names = tuple(free)
-    if isinstance(free, str) or not names or set(names) - set(NAMES) or len(set(names)) != len(names):
-        raise InvalidArgumentError(f"free = {free!r} is not allowed: choose from {', '.join(map(repr, NAMES))}, each once")
+    names = names_of(free, NAMES)
     return tuple(name for name in NAMES if name in names)
 
 
@@ -162,11 +129,6 @@ def _case(data: Any, indenter: Any) -> str:
         "these data are not fitted on a gel: a flat punch takes ForceTime and DepthTime along any path, a paraboloid ForceTime at "
         "one constant depth > 0, held from the first time on, and both DynamicStiffness; contacts that grow are not solved"
     )
-
-
-def _power(data: Any) -> float:
-    """Of the shear modulus in the data."""
-    return -1.0 if isinstance(data, DepthTime) else 1.0
 
 
 def _radius(data: Any, indenter: Any) -> float:
@@ -237,8 +199,13 @@ def _answer(case: str, data: Any, indenter: Any, medium: Any, drainage: str, gel
 class _Search:
     """The least squares in ln G, nu and ln D, by SciPy's trust regions."""
 
-    def __init__(self, shape: Any, y: Array, weights: Array, names: tuple[str, ...], gel: Poroelastic, power: float) -> None:
-        self.shape, self.y, self.weights, self.names, self.gel, self.power = shape, y, weights, names, gel, power
+    def __init__(self, shape: Any, data: Any, names: tuple[str, ...], gel: Poroelastic) -> None:
+        self.shape, self.data, self.names, self.gel = shape, data, names, gel
+        self.y, self.weights = data.y, np.ones(len(data)) if data.sd is None else 1.0 / data.sd
+        self.power = -1.0 if isinstance(data, DepthTime) else 1.0
+        """of the shear modulus in the data"""
+        nu = Coordinate("nu", False, width=_HIGHEST - _LOWEST, limits=(-1.0, 0.5))
+        self.coordinates = [nu if name == "nu" else Coordinate(name) for name in names]
 
     def gel_at(self, u: Array) -> tuple[float, float, float]:
         """G, nu and D."""
@@ -271,56 +238,12 @@ class _Search:
                     best, least = np.array([own[name] for name in self.names]), off
         return best
 
-    def run(self, scale: float) -> tuple[Array, Array, Array]:
-        """Where the sum of squares is least, the covariance there for unit errors, and the residuals."""
-        from scipy.optimize import least_squares
-
+    def run(self, scale: float) -> Estimate:
+        """Where the sum of squares is least."""
         low = [_LOWEST if name == "nu" else -math.inf for name in self.names]
         high = [_HIGHEST if name == "nu" else math.inf for name in self.names]
-        unit = float(np.sqrt(np.mean((self.weights * self.y) ** 2))) or 1.0
-        found = least_squares(
-            lambda u: self.weights * (self.y - self.model(u)) / unit,
-            self.start(scale), "3-point", (low, high), x_scale=1.0, diff_step=_STEP, max_nfev=_ROUNDS,
+        return solve(
+            lambda u: self.weights * (self.y - self.model(u)), self.start(scale), is_absolute=self.data.sd is not None,
+            unit=float(np.sqrt(np.mean((self.weights * self.y) ** 2))) or 1.0, jac="3-point", bounds=(low, high), x_scale=1.0,
+            diff_step=_STEP, max_nfev=_ROUNDS,
         )  # fmt: skip
-        if not found.success:
-            raise NoConvergenceError(f"the fit did not come to rest in {_ROUNDS} steps: leave fewer parameters free")
-        slope = unit * found.jac
-        return found.x, np.asarray(np.linalg.pinv(slope.T @ slope, rcond=1e-14), np.float64), unit * found.fun
-
-
-def _result(search: _Search, data: Any, medium: Any, drainage: str, u: Array, covariance: Array, residuals: Array) -> GelFit:
-    modulus, nu, diffusivity = search.gel_at(u)
-    gel = Poroelastic(modulus, nu, diffusivity)
-    spread = np.sqrt(np.diag(covariance))
-    values, errors, intervals = {}, {}, {}
-    for name, at, sd in zip(search.names, u, spread, strict=True):
-        reach = 1.96 * float(sd)
-        values[name] = getattr(gel, name)
-        if name == "nu":
-            errors[name] = float(sd)
-            intervals[name] = (max(float(at) - reach, -1.0), min(float(at) + reach, 0.5))
-        else:
-            errors[name] = values[name] * float(sd)
-            intervals[name] = (values[name] * math.exp(-min(reach, 700.0)), values[name] * math.exp(min(reach, 700.0)))
-    correlation = covariance / np.maximum(np.outer(spread, spread), 1e-300)
-    notes = _notes(search.names, u, spread, correlation)
-    square = float(residuals @ residuals)
-    return GelFit(body_of(medium, gel), drainage, values, errors, intervals, correlation, search.model(u), square, len(data), notes)
-
-
-def _notes(names: tuple[str, ...], u: Array, spread: Array, correlation: Array) -> tuple[str, ...]:
-    """What the data do not determine."""
-    notes = []
-    for name, at, sd in zip(names, u, spread, strict=True):
-        if not sd <= _LOOSE * (_HIGHEST - _LOWEST if name == "nu" else 1.0):
-            notes.append(f"{name} does not follow from these data: fix it, or measure where it matters")
-        elif name == "nu" and not _LOWEST < at < _HIGHEST:
-            notes.append(f"nu is at the end of its range, {at:.3g}: its interval is none")
-    for i, first in enumerate(names):
-        for j in range(i + 1, len(names)):
-            if abs(correlation[i, j]) > _TOGETHER:
-                notes.append(
-                    f"{first} and {names[j]} follow from these data together only: their correlation is {correlation[i, j]:.3f}"
-                )
-    notes.append("the drainage is no parameter: compare_drainages shows how far the numbers move with it")
-    return tuple(notes)

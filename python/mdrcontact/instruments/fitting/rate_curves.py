@@ -5,6 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -17,6 +18,7 @@ from ..._value import Value
 from ..._warn import collected, silence, texts_of, warn_all
 from ...contact import Contact
 from ...errors import ArgumentTypeError, InvalidArgumentError, MDRError, NoConvergenceError
+from .least_squares import Coordinate, ParameterFit, central_differences, estimate, names_of, solve
 
 __all__ = ["RateCurve", "RateFit", "fit_rate"]
 
@@ -70,19 +72,13 @@ class RateCurve(Value):
         return float((self.position[0] - self.position[-1]) / (self.time[-1] - self.time[0]))
 
 
-@dataclass(frozen=True, eq=False)
-class RateFit:
-    """What was found. Intervals are of 95 %, of positive parameters in their logarithms, with the correlation of the noise."""
+@dataclass(frozen=True, eq=False, kw_only=True)
+class RateFit(ParameterFit):
+    """The law that was found; its intervals know the correlation of the noise."""
 
     contact: Contact
     """with the parameters found"""
     curves: tuple[RateCurve, ...]
-    values: Mapping[str, float]
-    """the free parameters"""
-    intervals: Mapping[str, tuple[float, float]]
-    """of 95 %"""
-    correlation: NDArray[np.float64]
-    """of the free parameters, in the order of `values`"""
     fitted: tuple[NDArray[np.float64], ...]
     """forces of the model, of each curve as far as it is fitted"""
     lag: float
@@ -92,11 +88,10 @@ class RateFit:
 
     def summary(self) -> str:
         """All of it in words."""
-        lines = [f"{len(self.curves)} curves, correlation of neighbouring readings {self.lag:.2f}"]
-        for name, value in self.values.items():
-            low, high = self.intervals[name]
-            lines.append(f"{name:16} {value:.6g}, 95 %: {low:.5g} to {high:.5g}")
-        return "\n".join([*lines, *(f"warning: {words}" for words in self.warnings)])
+        return "\n".join([super().summary(), *(f"warning: {words}" for words in self.warnings)])
+
+    def _head(self) -> str:
+        return f"{len(self.curves)} curves, correlation of neighbouring readings {self.lag:.2f}"
 
     def pull_off(self, speed: float, spring_stiffness: float | None = None, index: int = 0) -> float:
         """The lowest force of the model at another speed of the machine, from the first reading of a curve on."""
@@ -140,32 +135,27 @@ def fit_rate(curves: Sequence[RateCurve], contact: Contact, free: Iterable[str] 
     SciPy.
     """
     _scipy.require()
-    from scipy.optimize import least_squares
     from scipy.stats import t as student
 
-    problem = _Problem(tuple(curves), contact, tuple(free))
+    problem = _Problem(tuple(curves), contact, names_of(free))
     u = problem.start()
     lag = 0.0
     with silence():
         for _ in range(3):
-            found = least_squares(problem.residuals, u, jac=problem.slopes, args=(lag,), method="lm", xtol=1e-8, ftol=1e-10)
-            u, before = found.x, lag
-            lag = problem.lag(u)
+            residuals, slopes = partial(problem.residuals, lag=lag), partial(problem.slopes, lag=lag)
+            u = solve(residuals, u, jac=slopes, method="lm", xtol=1e-8, ftol=1e-10).u
+            lag, before = problem.lag(u), lag
             if abs(lag - before) < 0.02:
                 break
-        residuals, slopes = problem.residuals(u, lag), problem.slopes(u, lag)
-    covariance = np.linalg.pinv(slopes.T @ slopes) * float(residuals @ residuals) / max(len(residuals) - len(u), 1)
-    spread = np.sqrt(np.diag(covariance))
+        found = estimate(u, problem.residuals(u, lag), problem.slopes(u, lag))
     # readings whose noise is correlated show its size as fewer free ones would
-    freedom = len(residuals) * (1.0 - lag) / (1.0 + lag) - len(u)
-    reach = student.ppf(0.975, max(freedom, 1.0)) * spread
-    values = problem.values(u)
-    intervals = {name: problem.interval(name, u[i], float(reach[i])) for i, name in enumerate(problem.names)}
+    freedom = len(found.residuals) * (1.0 - lag) / (1.0 + lag) - len(u)
+    fields = found.fields(problem.coordinates, student.ppf(0.975, max(freedom, 1.0)) * found.spread)
     with collected() as doubts:
         fitted = tuple(problem.forces(u))
     warn_all(doubts)
-    shares = covariance / np.outer(spread, spread)
-    return RateFit(problem.contact_at(values), problem.curves, values, intervals, shares, fitted, lag, texts_of(doubts))
+    best = problem.contact_at(fields["values"])
+    return RateFit(**fields, contact=best, curves=problem.curves, fitted=fitted, lag=lag, warnings=texts_of(doubts))
 
 
 class _Problem:
@@ -177,8 +167,9 @@ class _Problem:
         if contact.adhesion is None:
             raise ArgumentTypeError("contact is not allowed: it must have adhesion=, the start of the fit")
         self.curves, self.contact, self.names = curves, contact, names
-        self.sizes = {"position_offset": float(max(np.ptp(c.position) for c in curves)),
-                      "force_offset": float(max(np.ptp(c.force) for c in curves))}  # fmt: skip
+        sizes = {"position_offset": float(max(np.ptp(c.position) for c in curves)),
+                 "force_offset": float(max(np.ptp(c.force) for c in curves))}  # fmt: skip
+        self.coordinates = [Coordinate(name, name not in _OFFSETS, sizes.get(name, 1.0)) for name in names]
         known = (*_numbers(contact), *_OFFSETS)
         for name in names:
             if name not in known:
@@ -191,14 +182,7 @@ class _Problem:
 
     def values(self, u: NDArray[np.float64]) -> dict[str, float]:
         """The parameters."""
-        pairs = zip(self.names, u, strict=True)
-        return {name: float(self.sizes[name] * x if name in _OFFSETS else np.exp(x)) for name, x in pairs}
-
-    def interval(self, name: str, u: float, reach: float) -> tuple[float, float]:
-        """Of one parameter."""
-        if name in _OFFSETS:
-            return self.sizes[name] * (u - reach), self.sizes[name] * (u + reach)
-        return float(np.exp(u - reach)), float(np.exp(min(u + reach, 700.0)))
+        return {one.name: one.value(x) for one, x in zip(self.coordinates, u, strict=True)}
 
     def contact_at(self, values: Mapping[str, float]) -> Contact:
         """The contact with other numbers."""
@@ -230,12 +214,7 @@ class _Problem:
 
     def slopes(self, u: NDArray[np.float64], lag: float) -> NDArray[np.float64]:
         """By central differences."""
-        columns = []
-        for i in range(len(u)):
-            step = np.zeros(len(u))
-            step[i] = _STEP
-            columns.append((self.residuals(u + step, lag) - self.residuals(u - step, lag)) / (2.0 * _STEP))
-        return np.array(columns).T
+        return central_differences(partial(self.residuals, lag=lag), u, _STEP * np.eye(len(u))) / _STEP
 
     def lag(self, u: NDArray[np.float64]) -> float:
         """Correlation of neighbouring misfits, by restricted likelihood: what the parameters take out of the misfits is allowed

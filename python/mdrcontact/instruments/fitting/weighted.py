@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from ...errors import InvalidArgumentError
 from .data import Data
+from .least_squares import central_differences
 from .problem import Problem
 from .result import FitResult
 
@@ -122,12 +123,9 @@ class _Weighted:
 
         # by the size of each parameter, which are of different dimensions
         steps = [1e-4 * (self.distance if i == offset else max(abs(values[i]), 1e-3 * float(np.ptp(self.data.y)))) for i in places]
-        columns = []
-        for i, step in zip(places, steps, strict=True):
-            away = np.zeros(len(values))
-            away[i] = step
-            columns.append(0.5 * (residuals(values + away) - residuals(values - away)))
-        rest, jacobian = residuals(values), np.stack(columns, 1)
+        moves = np.zeros((len(places), len(values)))
+        moves[range(len(places)), places] = steps
+        rest, jacobian = residuals(values), central_differences(residuals, values, moves)
         spread = float(rest @ rest) / max(len(rest) - len(places), 1) if self.data.sd is None else 1.0
         covariance = np.zeros((len(values), len(values)))
         scale = np.array([widening[i] * step for i, step in zip(places, steps, strict=True)])
