@@ -7,7 +7,7 @@ module mdrcontact_medium_load
     use mdrcontact_nonfinite, only: quiet_nan
     use mdrcontact_error, only: check_memory, error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: wp
-    use mdrcontact_numerics_quadrature, only: gauss_legendre, legendre, merge_breaks
+    use mdrcontact_numerics_quadrature, only: gauss_legendre, legendre, merge_breaks, new_antiderivative
     use mdrcontact_profile, only: profile_t
     implicit none (type, external)
     private
@@ -178,45 +178,23 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         real(wp) :: total
         type(panel_t), allocatable :: list(:)
-        real(wp) :: node(nodes), w(nodes), distance(nodes), dx(nodes), inner(nodes), q(nodes), before
-        integer :: i, j
+        real(wp) :: node(nodes), w(nodes), distance(nodes), dx(nodes), integral(nodes + 1), to_node(nodes + 1, nodes), before
+        integer :: i
 
         total = 0.0_wp
         call gauss_legendre(node, w, error)
+        call new_antiderivative(node, to_node, error)
         call self%panels(self%radius, list, error)
         if (allocated(error)) return
         before = self%edge
         ! panel by panel from the edge inwards; in a panel q' dx is as smooth in the rule's variable as its nodes say
         do i = size(list), 1, -1
             call list(i)%place_nodes(node, w, distance, dx)
-            inner = dx*self%slope(list(i)%start, distance)/w
-            do j = 1, nodes
-                q(j) = before - integral_beyond(node, w, inner, node(j))
-            end do
-            before = before - sum(w*inner)
-            total = total + sum(dx*q**2)
+            integral = matmul(to_node, dx*self%slope(list(i)%start, distance)/w)
+            total = total + sum(dx*(before - integral(nodes + 1) + integral(:nodes))**2)
+            before = before - integral(nodes + 1)
         end do
     end function square_integral
-
-    !> Integral over [from, 1] of the polynomial through values at the Gauss nodes.
-    pure function integral_beyond(node, weight, values, from) result(total)
-        real(wp), intent(in) :: node(:), weight(:), values(:), from
-        real(wp) :: total
-        real(wp) :: t, factor
-        integer :: i, j, l
-
-        total = 0.0_wp
-        do i = 1, size(node)
-            t = from + (1.0_wp - from)*node(i)
-            do j = 1, size(node)
-                factor = values(j)
-                do l = 1, size(node)
-                    if (l /= j) factor = factor*(t - node(l))/(node(j) - node(l))
-                end do
-                total = total + (1.0_wp - from)*weight(i)*factor
-            end do
-        end do
-    end function integral_beyond
 
     !> Panels for integrals over [0, a] with q', ascending: halved until in each a polynomial of degree 15 follows q', in s of
     !> x = b + s^2 beside a kink b, at its nodes and between them.
