@@ -118,8 +118,7 @@ module mdrcontact
     use mdrcontact_profile, only: profile_t
     use mdrcontact_profile_power_law, only: new_cone, new_paraboloid, new_power_law, power_law_t
     use mdrcontact_profile_area_function, only: area_function_t, new_area_function_profile
-    use mdrcontact_profile_flat_cone, only: flat_cone_t, new_flat_cone
-    use mdrcontact_profile_flat_paraboloid, only: flat_paraboloid_t, new_flat_paraboloid
+    use mdrcontact_profile_flat_ended, only: flat_ended_t, new_flat_cone, new_flat_paraboloid
     use mdrcontact_profile_flat_punch, only: flat_punch_t, new_flat_punch
     use mdrcontact_profile_rounded_cone, only: new_rounded_cone, rounded_cone_t
     use mdrcontact_profile_sampled, only: sampled_profile_t

@@ -43,8 +43,7 @@ module mdrcontact_api_entries
     use mdrcontact_model, only: model_options_t
     use mdrcontact_profile, only: profile_t
     use mdrcontact_profile_area_function, only: area_function_t, new_area_function_profile
-    use mdrcontact_profile_flat_cone, only: flat_cone_t, new_flat_cone
-    use mdrcontact_profile_flat_paraboloid, only: flat_paraboloid_t, new_flat_paraboloid
+    use mdrcontact_profile_flat_ended, only: flat_ended_t, new_flat_cone, new_flat_paraboloid
     use mdrcontact_profile_flat_punch, only: flat_punch_t, new_flat_punch
     use mdrcontact_profile_power_law, only: new_cone, new_paraboloid, new_power_law, power_law_t
     use mdrcontact_profile_rounded_cone, only: new_rounded_cone, rounded_cone_t
@@ -179,7 +178,7 @@ contains
         real(c_double), value :: end_radius, inclination
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
-        type(flat_cone_t), allocatable :: made
+        type(flat_ended_t), allocatable :: made
         class(*), allocatable :: object
         type(error_t), allocatable :: error
 
@@ -194,7 +193,7 @@ contains
         real(c_double), value :: end_radius, radius
         type(c_ptr), intent(inout), optional :: out
         integer(c_int) :: status
-        type(flat_paraboloid_t), allocatable :: made
+        type(flat_ended_t), allocatable :: made
         class(*), allocatable :: object
         type(error_t), allocatable :: error
 

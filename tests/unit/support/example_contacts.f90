@@ -1,8 +1,8 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Contacts that several tests look at.
 module example_contacts
-    use mdrcontact, only: contact_options_t, contact_t, error_t, flat_cone_t, flat_punch_t, gao_t, homogeneous_t, layered_exact_t, &
-                          material_t, solver_t, new_cone, new_contact, new_flat_cone, new_flat_punch, new_gao, &
+    use mdrcontact, only: contact_options_t, contact_t, error_t, flat_ended_t, flat_punch_t, gao_t, homogeneous_t, &
+                          layered_exact_t, material_t, solver_t, new_cone, new_contact, new_flat_cone, new_flat_punch, new_gao, &
                           new_homogeneous_from_modulus, new_layered_exact, new_paraboloid, power_law_t, profile_t, wp
     implicit none (type, external)
     private
@@ -58,7 +58,7 @@ contains
         character(len=*), intent(in) :: name
         class(profile_t), allocatable, intent(out) :: profile
         type(power_law_t) :: power
-        type(flat_cone_t) :: flat_cone
+        type(flat_ended_t) :: flat_cone
         type(flat_punch_t) :: punch
         type(error_t), allocatable :: error
 

@@ -3,7 +3,7 @@
 module example_profiles
     use mdrcontact, only: area_function_t, error_t, new_area_function_profile, new_cone, new_flat_cone, new_flat_paraboloid, &
                           new_flat_punch, new_paraboloid, new_power_law, new_profile_from_function, new_profile_from_mdr, &
-                          new_profile_sum, new_rounded_cone, new_sphere, new_tabulated_profile, flat_cone_t, flat_paraboloid_t, &
+                          new_profile_sum, new_rounded_cone, new_sphere, new_tabulated_profile, flat_ended_t, &
                           flat_punch_t, power_law_t, profile_sum_t, profile_t, profile_term_t, rounded_cone_t, &
                           sampled_profile_t, scalar_function_t, sphere_t, wp
     implicit none (type, external)
@@ -56,8 +56,7 @@ contains
         real(wp), parameter :: exponents(6) = [0.5_wp, 1.0_wp, 1.5_wp, 3.0_wp, 4.0_wp, 10.0_wp]
         type(power_law_t) :: power
         type(sphere_t) :: sphere
-        type(flat_cone_t) :: flat_cone
-        type(flat_paraboloid_t) :: flat_paraboloid
+        type(flat_ended_t) :: flat_cone, flat_paraboloid
         type(rounded_cone_t) :: rounded_cone
         type(error_t), allocatable :: error
         integer :: i
@@ -104,7 +103,7 @@ contains
         type(example_profile_t), intent(inout) :: example
         type(profile_term_t) :: terms(2)
         type(power_law_t) :: cone
-        type(flat_paraboloid_t) :: flat_paraboloid
+        type(flat_ended_t) :: flat_paraboloid
         type(profile_sum_t) :: total
         type(error_t), allocatable :: error
 
