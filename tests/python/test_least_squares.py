@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import mdrcontact as mdr
-from mdrcontact.instruments.fitting.least_squares import Coordinate, central_differences, names_of, solve
+from mdrcontact.instruments.fitting.least_squares import Coordinate, ParameterFit, central_differences, names_of, solve
 
 X = np.linspace(0.0, 2.0, 21)
 DESIGN = np.column_stack([np.ones(21), X])
@@ -41,6 +41,17 @@ def test_what_the_data_do_not_determine_is_noted():
     notes = solve(residuals, np.zeros(3), method="lm").fields([Coordinate(name) for name in "abc"])["notes"]
     assert any(note.startswith("c does not follow") for note in notes)
     assert any(note.startswith("a and b follow") for note in notes)
+
+
+@pytest.mark.parametrize("effect", [0.0, 1e-9])
+def test_what_has_no_effect_is_not_known(effect):
+    found = solve(lambda u: Y - np.exp(u[0]) - effect * np.cos(u[1]) * X, np.array([0.0, 1.0]), method="lm")
+    fields = found.fields([Coordinate("height"), Coordinate("phase", False)])
+    assert fields["errors"]["phase"] == np.inf and fields["intervals"]["phase"] == (-np.inf, np.inf)
+    assert fields["errors"]["height"] == pytest.approx(np.std(Y) * np.sqrt(1.0 / 19.0), rel=1e-6)
+    assert [note.split()[0] for note in fields["notes"]] == ["phase"] and (fields["correlation"] == np.eye(2)).all()
+    plain = ParameterFit(**fields).to_dict()["parameters"]["phase"]
+    assert plain["standard_error"] is None and plain["interval"] == [None, None]
 
 
 def test_a_logarithm_has_a_positive_interval():

@@ -21,6 +21,8 @@ _INTERVAL = 1.96
 """Standard errors on each side in an interval of 95 %."""
 _LOOSE = 0.5
 """A parameter whose standard error is larger, of its value or its width, does not follow from the data."""
+_NONE = 1e-7
+"""A parameter that moves the readings less than this part of what another does has no effect on them."""
 _TOGETHER = 0.95
 """Two parameters that are correlated more than this follow from the data together only."""
 
@@ -79,9 +81,13 @@ class ParameterFit:
         return "\n".join([*lines, *self.notes])
 
     def to_dict(self) -> dict[str, Any]:
-        """The numbers and notes as plain Python values."""
+        """The numbers and notes as plain Python values; None for what is infinite."""
+
+        def plain(*numbers: float) -> list[float | None]:
+            return [number if math.isfinite(number) else None for number in numbers]
+
         parameters = {
-            name: {"value": value, "standard_error": self.errors[name], "interval": list(self.intervals[name])}
+            name: {"value": value, "standard_error": plain(self.errors[name])[0], "interval": plain(*self.intervals[name])}
             for name, value in self.values.items()
         }
         return {"sum_of_squares": self.chi_square, "notes": list(self.notes), "parameters": parameters}
@@ -148,7 +154,12 @@ def estimate(u: Array, residuals: Array, slopes: Array, *, is_absolute: bool = F
     if not is_absolute:
         covariance = covariance * float(residuals @ residuals) / max(len(residuals) - len(u), 1)
     spread = np.sqrt(np.diag(covariance))
-    return Estimate(u, residuals, spread, covariance / np.maximum(np.outer(spread, spread), 1e-300))
+    correlation = covariance / np.maximum(np.outer(spread, spread), 1e-300)
+    # the pseudo-inverse takes a parameter without effect on the readings as known
+    effect = np.linalg.norm(slopes, axis=0)
+    known = effect > _NONE * np.max(effect)
+    correlation = np.where(np.outer(known, known), correlation, np.eye(len(u)))
+    return Estimate(u, residuals, np.where(known, spread, math.inf), correlation)
 
 
 def central_differences(residuals: Residuals, at: Array, moves: Array) -> Array:
