@@ -109,6 +109,7 @@ module mdrcontact
     use mdrcontact_conduction_transient, only: gaussian, uniform_centre, uniform_mean
     use mdrcontact_poroelastic_gel, only: drains_by_surface, sealed, sealed_by_indenter
     use mdrcontact_poroelastic_compliance, only: poroelastic_compliance
+    use mdrcontact_poroelastic_history, only: poroelastic_history
     use mdrcontact_poroelastic_response, only: gel_creep => creep, gel_mean_creep => mean_creep, &
                                                gel_mean_relaxation => mean_relaxation, gel_paraboloid => paraboloid, &
                                                gel_relaxation => relaxation, poroelastic_dynamic_stiffness, poroelastic_pressure, &

@@ -48,6 +48,24 @@ int mdr_poroelastic_new(double nu, int drainage, double ratio, double *deviation
 int mdr_poroelastic_response(const mdr_poroelastic *p, int answer, double shear_modulus, double diffusivity, double radius, int n,
                              const double time[], double out[]);
 
+/** The history of a flat punch: the force along a path of the depth, or the depth along a path of the force.
+ *
+ *  Before the first time the bodies are at rest. The first value is reached in a jump, and the path is linear in time between its
+ *  entries: F(t) = d(t_0) K(t - t_0) + the sum of D_j (t - t_j) Km(t - t_j) over t_j < t, with the changes D_j of the slope at t_j,
+ *  K the relaxation and Km its mean; under a prescribed force creep and its mean. Tension is allowed.
+ *  @param p              gel
+ *  @param given          MDR_DEPTH or MDR_FORCE: what `in` holds
+ *  @param shear_modulus  G > 0 [modulus]
+ *  @param diffusivity    D > 0 [length^2/time]
+ *  @param radius         radius of the punch > 0, on a film `ratio` thicknesses [length]
+ *  @param n              number of times
+ *  @param time           [n] strictly ascending [time]
+ *  @param in             [n] depths [length] or forces [modulus length^2]
+ *  @param out            [n] forces [modulus length^2] or depths [length]
+ *  @return also MDR_EINVALID, MDR_ENOCONVERGENCE */
+int mdr_poroelastic_history(const mdr_poroelastic *p, int given, double shear_modulus, double diffusivity, double radius, int n,
+                            const double time[], const double in[], double out[]);
+
 /** The dynamic stiffness k* = k' + i k'' of a flat punch, or of any contact that oscillates by little about a contact radius.
  *  @param p              gel
  *  @param shear_modulus  G > 0 [modulus]

@@ -721,6 +721,7 @@ POINTERS = {
     "conduction_heat_field": (0, 1),
     "law_conductance": (0,),
     "poroelastic_response": (0,),
+    "poroelastic_history": (0,),
     "poroelastic_dynamic_stiffness": (0,),
     "poroelastic_pressure": (0,),
     "structure_shapes": (6,),

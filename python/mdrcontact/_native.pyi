@@ -165,6 +165,9 @@ def poroelastic_new(nu: float, drainage: int, ratio: float, /) -> tuple[int, flo
 def poroelastic_response(
     p: Pointer, answer: int, shear_modulus: float, diffusivity: float, radius: float, time: ArrayLike, /
 ) -> tuple[int, Reals]: ...
+def poroelastic_history(
+    p: Pointer, given: int, shear_modulus: float, diffusivity: float, radius: float, time: ArrayLike, values: ArrayLike, /
+) -> tuple[int, Reals]: ...
 def poroelastic_dynamic_stiffness(
     p: Pointer, shear_modulus: float, diffusivity: float, radius: float, omega: ArrayLike, /
 ) -> tuple[int, Reals, Reals]: ...

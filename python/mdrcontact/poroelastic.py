@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _layout
-from ._boundary import ComplexOrArray, FloatOrArray, Handle, check, complex_values, evaluate, native, number, one_path, words_of
+from ._boundary import ComplexOrArray, FloatOrArray, Handle, call, complex_values, evaluate, native, number, one_path, words_of
 from ._choices import code
 from ._parameters import WithParameters
 from ._units import DIFFUSIVITY, MODULUS, RATIO
@@ -23,6 +23,8 @@ __all__ = ["Poroelastic"]
 
 DRAINAGES = words_of(_layout.DRAINAGE_SURFACE, _layout.DRAINAGE_SEALED, _layout.DRAINAGE_INDENTER)
 """What the fluid may do at the surface."""
+
+_GIVEN = words_of(_layout.DEPTH, _layout.FORCE)
 
 _NO_STATES = (
     "this body is poroelastic, and its states depend on time: take relaxation, creep, history, dynamic_stiffness or "
@@ -239,58 +241,26 @@ def history(
 ) -> tuple[NDArray[np.float64], ...]:
     """Time, depth, radius and force; see `Contact.history`."""
     given, t, values = one_path(time, depth=depth, force=force, radius=radius)
-    if not (np.isfinite(t).all() and np.isfinite(values).all() and (np.diff(t) > 0.0).all()):
-        raise InvalidArgumentError(f"time must be strictly ascending, and time and {given} finite")
     _check_held(contact.indenter)
-    if isinstance(contact.indenter, FlatPunch):
-        if given == "radius":
-            raise InvalidArgumentError("radius is not allowed here: that of a flat punch is its own; give depth or force")
-        return _punch_history(contact, t, given, values, drainage)
-    if given != "radius" or not (values == values[:1]).all():
+    is_flat = isinstance(contact.indenter, FlatPunch)
+    if is_flat and given == "radius":
+        raise InvalidArgumentError("radius is not allowed here: that of a flat punch is its own; give depth or force")
+    if not is_flat and (given != "radius" or not (values == values[:1]).all()):
         raise InvalidArgumentError(
             "this path is not offered: under a paraboloid on a gel the contact radius changes with the fluid's pressure, and the "
             "surface that drains with it, which is not solved; give radius=, one constant, the radius that is held from the step on"
         )
+    drainage_code(drainage)
     if not t.size:
         return t, t.copy(), t.copy(), t.copy()
-    handle, modulus, diffusivity, a = _answers(contact.medium, float(values[0]), drainage)
-    d = a**2 / contact.indenter.radius
-    status, answer = native.poroelastic_response(handle, _layout.PARABOLOID_RELAXATION, modulus, diffusivity, a, t - t[0])
-    check(status)
-    return t, np.full(t.shape, d), values.copy(), d * answer
-
-
-def _punch_history(
-    contact: Any, t: NDArray[np.float64], name: str, values: NDArray[np.float64], drainage: str | None
-) -> tuple[NDArray[np.float64], ...]:
-    """By superposition, theory/poroelastic.md (5.4): a jump at the first time, and a ramp from each kink of the path on."""
-    handle, modulus, diffusivity, a = _answers(contact.medium, float(contact.indenter.radius), drainage)
-    one, mean = (_layout.RELAXATION, _layout.MEAN_RELAXATION) if name == "depth" else (_layout.CREEP, _layout.MEAN_CREEP)
-
-    def answer(kind: int, since: NDArray[np.float64]) -> NDArray[np.float64]:
-        status, out = native.poroelastic_response(handle, kind, modulus, diffusivity, a, np.ascontiguousarray(since))
-        check(status)
-        found: NDArray[np.float64] = out
-        return found
-
-    other = np.zeros_like(t)
-    if t.size:
-        other = values[0] * answer(one, t - t[0])
-        start, bend = _kinks(t, values)
-        for first, change in zip(start, bend, strict=True):
-            since = t[first + 1 :] - t[first]
-            if since.size:
-                other[first + 1 :] += change * since * answer(mean, since)
-    radius = np.full(t.shape, float(contact.indenter.radius))
-    return (t, values.copy(), radius, other) if name == "depth" else (t, other, radius, values.copy())
-
-
-def _kinks(t: NDArray[np.float64], values: NDArray[np.float64]) -> tuple[NDArray[np.intp], NDArray[np.float64]]:
-    """Where the slope of a path changes by more than rounding, and by how much."""
-    slope = np.diff(values) / np.diff(t)
-    change = np.diff(slope, prepend=0.0)
-    size = np.maximum(np.abs(slope), np.abs(np.concatenate([[0.0], slope[:-1]])))
-    places = np.flatnonzero(np.abs(change) > 1e-12 * size)
-    total = np.cumsum(change)[places] if places.size else np.zeros(0)
-    # what smaller changes add up to is taken along at the next kink
-    return places, np.diff(total, prepend=0.0)
+    held = float(contact.indenter.radius if is_flat else values[0])
+    constants = _answers(contact.medium, held, drainage)
+    if is_flat:
+        other = call(native.poroelastic_history, constants[0], _GIVEN[given], *constants[1:], t, values)
+        depths, forces = (values.copy(), other) if given == "depth" else (other, values.copy())
+    else:
+        if not (np.isfinite(t).all() and (np.diff(t) > 0.0).all()):
+            raise InvalidArgumentError("time is not allowed: it must be finite and strictly ascending")
+        depths = np.full(t.shape, held**2 / contact.indenter.radius)
+        forces = depths * call(native.poroelastic_response, constants[0], _layout.PARABOLOID_RELAXATION, *constants[1:], t - t[0])
+    return t, depths, np.full(t.shape, held), forces

@@ -59,6 +59,77 @@ static void test_means(const mdr_poroelastic *gel)
     }
 }
 
+/* a path of any shape: linear between its times, pulled out at last */
+static const double path_time[N] = {0.5, 0.7, 1.0, 1.2, 2.0}, path[N] = {0.1, 0.4, 0.4, 0.2, -0.1};
+
+/* a gel that has not drained, and one that drains immediately, are elastic bodies */
+static void test_history_limits(const mdr_poroelastic *gel, double nu)
+{
+    const double G = 3.0, a = 0.5, at_once = 8.0 * G * a, at_last = 4.0 * G * a / (1.0 - nu);
+    double out[N];
+
+    CHECK_SUCCESS(mdr_poroelastic_history(gel, MDR_DEPTH, G, 1e-30, a, N, path_time, path, out));
+    for (int i = 0; i < N; i++) CHECK_CLOSE(out[i], at_once * path[i], 1e-12);
+    CHECK_SUCCESS(mdr_poroelastic_history(gel, MDR_FORCE, G, 1e-30, a, N, path_time, path, out));
+    for (int i = 0; i < N; i++) CHECK_CLOSE(out[i], path[i] / at_once, 1e-12);
+    CHECK_SUCCESS(mdr_poroelastic_history(gel, MDR_DEPTH, G, 1e30, a, N, path_time, path, out));
+    CHECK_CLOSE(out[0], at_once * path[0], 1e-12);
+    for (int i = 1; i < N; i++) CHECK_CLOSE(out[i], at_last * path[i], 1e-12);
+}
+
+/* any path is a sum of small steps, each halfway up */
+static void test_history_of_steps(const mdr_poroelastic *gel)
+{
+    enum { STEPS = 400 };
+    const int given[2] = {MDR_DEPTH, MDR_FORCE}, answer[2] = {MDR_RELAXATION, MDR_CREEP};
+    const double G = 3.0, D = 2.0, a = 0.5;
+    double since[4 * STEPS + 1], answers[4 * STEPS + 1], out[N], again[N];
+
+    for (int k = 0; k < 2; k++) {
+        CHECK_SUCCESS(mdr_poroelastic_history(gel, given[k], G, D, a, N, path_time, path, out));
+        for (int i = 0; i < N; i++) {
+            double sum = 0.0;
+            since[0] = path_time[i] - path_time[0];
+            for (int j = 0; j < i * STEPS; j++) {
+                const int from = j / STEPS;
+                const double part = (j % STEPS + 0.5) / STEPS;
+                since[j + 1] = path_time[i] - path_time[from] - part * (path_time[from + 1] - path_time[from]);
+            }
+            CHECK_SUCCESS(mdr_poroelastic_response(gel, answer[k], G, D, a, i * STEPS + 1, since, answers));
+            sum = path[0] * answers[0];
+            for (int j = 0; j < i * STEPS; j++) sum += (path[j / STEPS + 1] - path[j / STEPS]) / STEPS * answers[j + 1];
+            CHECK_CLOSE(out[i], sum, 1e-4);
+        }
+        /* in place */
+        memcpy(again, path, sizeof again);
+        CHECK_SUCCESS(mdr_poroelastic_history(gel, given[k], G, D, a, N, path_time, again, again));
+        CHECK_TRUE(memcmp(again, out, sizeof out) == 0);
+    }
+}
+
+static void test_history_refusals(const mdr_poroelastic *gel)
+{
+    const double time[3] = {0.0, 1.0, 1.0}, bad_time[2] = {0.0, NAN}, in[3] = {1.0, 2.0, 1.0}, bad[2] = {1.0, NAN};
+    double out[3] = {7.0, 7.0, 7.0};
+
+    CHECK_STATUS(mdr_poroelastic_history(gel, MDR_RADIUS, 1.0, 1.0, 1.0, 2, time, in, out), MDR_EINVALID, "given = 103");
+    CHECK_STATUS(mdr_poroelastic_history(gel, MDR_DEPTH, 0.0, 1.0, 1.0, 2, time, in, out), MDR_EINVALID, "shear_modulus = 0");
+    CHECK_STATUS(mdr_poroelastic_history(gel, MDR_DEPTH, 1.0, NAN, 1.0, 2, time, in, out), MDR_EINVALID, "diffusivity");
+    CHECK_STATUS(mdr_poroelastic_history(gel, MDR_DEPTH, 1.0, 1.0, -1.0, 2, time, in, out), MDR_EINVALID, "radius = -1");
+    CHECK_STATUS(mdr_poroelastic_history(gel, MDR_DEPTH, 1.0, 1.0, 1.0, 3, time, in, out), MDR_EINVALID, "entry 3 of time");
+    CHECK_STATUS(mdr_poroelastic_history(gel, MDR_DEPTH, 1.0, 1.0, 1.0, 2, bad_time, in, out), MDR_EINVALID, "entry 2 of time");
+    CHECK_STATUS(mdr_poroelastic_history(gel, MDR_DEPTH, 1.0, 1.0, 1.0, 2, time, bad, out), MDR_EINVALID, "entry 2 of depth");
+    CHECK_STATUS(mdr_poroelastic_history(gel, MDR_FORCE, 1.0, 1.0, 1.0, 2, time, bad, out), MDR_EINVALID, "entry 2 of force");
+    CHECK_STATUS(mdr_poroelastic_history(gel, MDR_DEPTH, 1.0, 1e300, 1e-300, 2, time, in, out), MDR_ENOCONVERGENCE, "range");
+    CHECK_STATUS(mdr_poroelastic_history(NULL, MDR_DEPTH, 1.0, 1.0, 1.0, 2, time, in, out), MDR_ENULL, "p");
+    CHECK_STATUS(mdr_poroelastic_history(gel, MDR_DEPTH, 1.0, 1.0, 1.0, 2, NULL, in, out), MDR_ENULL, "time");
+    CHECK_STATUS(mdr_poroelastic_history(gel, MDR_DEPTH, 1.0, 1.0, 1.0, 2, time, NULL, out), MDR_ENULL, "in");
+    CHECK_STATUS(mdr_poroelastic_history(gel, MDR_DEPTH, 1.0, 1.0, 1.0, 2, time, in, NULL), MDR_ENULL, "out");
+    CHECK_STATUS(mdr_poroelastic_history(gel, MDR_DEPTH, 1.0, 1.0, 1.0, -1, time, in, out), MDR_EINVALID, "n = -1");
+    CHECK_SUCCESS(mdr_poroelastic_history(gel, MDR_DEPTH, 1.0, 1.0, 1.0, 0, NULL, NULL, NULL));
+    CHECK_TRUE(out[0] == 7.0 && out[1] == 7.0 && out[2] == 7.0);
+}
+
 static void test_compliance(void)
 {
     const double k = 0.3;
@@ -137,6 +208,9 @@ int main(void)
     test_limits(gel, 0.3);
     test_paraboloid(gel);
     test_means(gel);
+    test_history_limits(gel, 0.3);
+    test_history_of_steps(gel);
+    test_history_refusals(gel);
     test_compliance();
     test_pressure(gel);
     test_refusals(gel);

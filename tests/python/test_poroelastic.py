@@ -118,6 +118,34 @@ def test_creep_under_a_jump_and_a_ramp():
     assert back.force[5:] == pytest.approx(creep.force[5:], rel=5e-3)
 
 
+@pytest.mark.parametrize("given", ["depth", "force"])
+def test_history_is_a_superposition_of_steps(given):
+    """Along a path of a jump, straight pieces and a hold, with many small steps in place of each piece."""
+    contact = mdr.Contact(mdr.FlatPunch(0.5), FILM)
+    t, path = np.array([0.5, 0.7, 1.0, 1.2, 2.0]), np.array([0.1, 0.4, 0.4, 0.2, -0.1])
+    found = contact.history(t, **{given: path}, drainage="sealed")
+    fine = np.interp(np.arange(1601) / 400, np.arange(5), t)
+    middle, steps = 0.5 * (fine[1:] + fine[:-1]), np.diff(np.interp(fine, t, path))
+    answer = contact.relaxation if given == "depth" else contact.creep
+    expected = [
+        path[0] * answer(now - t[0], drainage="sealed")
+        + steps[middle < now] @ np.asarray(answer(now - middle[middle < now], drainage="sealed"))
+        for now in t
+    ]
+    assert (found.force if given == "depth" else found.depth) == pytest.approx(expected, rel=1e-4)
+
+
+def test_history_names_what_is_wrong():
+    for t, depth, words in (
+        ([0.0, 1.0, 1.0], [0.0, 1.0, 1.0], "entry 3 of time = 1 is not allowed: time must be strictly ascending"),
+        ([0.0, 1.0], [0.0, np.nan], "entry 2 of depth"),
+    ):
+        with pytest.raises(mdr.errors.InvalidArgumentError, match=words):
+            punch().history(t, depth=depth, drainage="surface")
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="strictly ascending"):
+        mdr.Contact(mdr.Paraboloid(1.0), FILM).history([1.0, 0.0], radius=[0.1, 0.1], drainage="surface")
+
+
 def test_permeability_is_the_other_way_to_say_diffusivity():
     gel = Poroelastic.from_permeability(1e4, 0.25, 2e-15, 1e-3)
     assert gel.diffusivity == pytest.approx(2e4 * 0.75 / 0.5 * 2e-15 / 1e-3, rel=1e-14)

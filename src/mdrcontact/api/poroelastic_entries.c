@@ -33,6 +33,24 @@ int mdr_poroelastic_response(const mdr_poroelastic *p, int answer, double shear_
     return status;
 }
 
+int mdrcontact_entry_poroelastic_history(const mdr_poroelastic *p, int given, double shear_modulus, double diffusivity,
+        double radius, int n, const double time[], const double in[], double out[]);
+int mdr_poroelastic_history(const mdr_poroelastic *p, int given, double shear_modulus, double diffusivity, double radius, int n,
+        const double time[], const double in[], double out[])
+{
+    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n > 0 && !time) return mdrcontact_refuse_null("time");
+    if (n > 0 && !in) return mdrcontact_refuse_null("in");
+    if (n > 0 && !out) return mdrcontact_refuse_null("out");
+    if (arithmetic_is_set()) return mdrcontact_entry_poroelastic_history(p, given, shear_modulus, diffusivity, radius, n, time, in,
+        out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_poroelastic_history(p, given, shear_modulus, diffusivity, radius, n, time, in, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
 int mdrcontact_entry_poroelastic_dynamic_stiffness(const mdr_poroelastic *p, double shear_modulus, double diffusivity,
         double radius, int n, const double omega[], double storage[], double loss[]);
 int mdr_poroelastic_dynamic_stiffness(const mdr_poroelastic *p, double shear_modulus, double diffusivity, double radius, int n,

@@ -8,12 +8,14 @@ module mdrcontact_api_poroelastic_entries
     use mdrcontact_api_status, only: status_of
     use mdrcontact_error, only: check_choice, error_t
     use mdrcontact_poroelastic_compliance, only: poroelastic_compliance
+    use mdrcontact_poroelastic_history, only: poroelastic_history
     use mdrcontact_poroelastic_response, only: poroelastic_dynamic_stiffness, poroelastic_pressure, poroelastic_response
     use mdrcontact_poroelastic_table, only: new_poroelastic, poroelastic_t
     implicit none (type, external)
     private
     public :: mdr_poroelastic_new
     public :: mdr_poroelastic_response
+    public :: mdr_poroelastic_history
     public :: mdr_poroelastic_dynamic_stiffness
     public :: mdr_poroelastic_pressure
     public :: mdr_poroelastic_compliance
@@ -64,6 +66,29 @@ contains
         if (allocated(error)) return
         if (present(out)) out(:n) = out_values
     end function mdr_poroelastic_response
+
+    function mdr_poroelastic_history(p, given, shear_modulus, diffusivity, radius, n, time, in, out) result(status) &
+        bind(C, name="mdrcontact_entry_poroelastic_history")
+        type(c_ptr), value :: p
+        integer(c_int), value :: given, n
+        real(c_double), value :: shear_modulus, diffusivity, radius
+        real(c_double), intent(in), optional :: time(*), in(*)
+        real(c_double), intent(inout), optional :: out(*)
+        integer(c_int) :: status
+        type(poroelastic_t), pointer :: p_inside
+        real(c_double), allocatable :: out_values(:)
+        type(error_t), allocatable :: error
+
+        call open_handle(p, "p", p_inside, error)
+        call make_room(error, n, out_values)
+        if (.not. allocated(error) .and. n > 0) then
+            call poroelastic_history(p_inside, given, shear_modulus, diffusivity, radius, time(:n), in(:n), out_values, error)
+        end if
+        if (.not. allocated(error)) call check_results(error, out_values)
+        status = status_of(error)
+        if (allocated(error)) return
+        if (present(out)) out(:n) = out_values
+    end function mdr_poroelastic_history
 
     function mdr_poroelastic_dynamic_stiffness(p, shear_modulus, diffusivity, radius, n, omega, storage, loss) result(status) &
         bind(C, name="mdrcontact_entry_poroelastic_dynamic_stiffness")

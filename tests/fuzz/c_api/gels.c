@@ -13,7 +13,7 @@ void fuzz_gels(world *w)
             answer = TAKE_ONE_OF(&w->in, MDR_RELAXATION, MDR_CREEP, MDR_PARABOLOID_RELAXATION, MDR_MEAN_RELAXATION,
             MDR_MEAN_CREEP), n = take_count(&w->in);
     const double G = take_positive(&w->in), D = take_positive(&w->in), a = take_positive(&w->in);
-    double x[MOST_POINTS], out[MOST_POINTS], loss[MOST_POINTS];
+    double x[MOST_POINTS], time[MOST_POINTS], path[MOST_POINTS], out[MOST_POINTS], loss[MOST_POINTS];
     mdr_poroelastic *gel = NULL;
     int status;
 
@@ -24,6 +24,11 @@ void fuzz_gels(world *w)
     fill(out);
     fill(out);
     judge("mdr_poroelastic_response", mdr_poroelastic_response(gel, answer, G, D, a, n, x, out), n, out, NOT_NAN);
+    take_ascending(&w->in, time);
+    take_numbers(&w->in, path);
+    fill(out);
+    status = mdr_poroelastic_history(gel, TAKE_ONE_OF(&w->in, MDR_DEPTH, MDR_FORCE, MDR_RADIUS), G, D, a, n, time, path, out);
+    judge("mdr_poroelastic_history", status, n, out, NOT_NAN);
     fill(out);
     fill(loss);
     status = mdr_poroelastic_dynamic_stiffness(gel, G, D, a, n, x, out, loss);
