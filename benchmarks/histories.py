@@ -70,7 +70,9 @@ def main():
 
     coated, rate = mdr.Coated(mdr.Elastic(1.0, 0.5), 1.0, mdr.Elastic(100.0, 0.3)), mdr.adhesion.RateAdhesion(0.02, 1e-3, 0.33)
     turning = np.interp(np.linspace(0.0, 400.0, 1000), [0.0, 60.0, 80.0, 400.0], [-0.01, 0.05, 0.05, -0.6])
-    pulled = fastest(lambda: mdr.Contact(mdr.Paraboloid(1.0), coated, adhesion=rate).history(np.arange(1000.0), depth=turning))
+    pulled = fastest(
+        lambda: mdr.adhesion.rate_history(mdr.Contact(mdr.Paraboloid(1.0), coated, adhesion=rate), np.arange(1000.0), depth=turning)
+    )
     rows.append(("adhesion with a rate on a film, 1000 samples, approach to pull-off", pulled, 20e-3))
 
     elastic = mdr.Contact(mdr.Paraboloid(1.0), mdr.Coated(mdr.Elastic(3.0, 0.5), 1.0, mdr.Elastic(1.0, 0.3)))
@@ -105,7 +107,9 @@ def main():
     zoned = mdr.Contact(mdr.Paraboloid(1.0), creeping, work_of_adhesion=0.01, cohesive_stress=0.25)
 
     def drawn_off(speed):
-        return fastest(lambda: zoned.history([0.0, 1.0 / speed], depth=[0.32, -0.68], start="rest", tolerance=1e-4))
+        return fastest(
+            lambda: mdr.adhesion.adhesive_history(zoned, [0.0, 1.0 / speed], depth=[0.32, -0.68], start="rest", tolerance=1e-4)
+        )
 
     quick = drawn_off(1e-2)
     rows.append(("creeping half-space with a zone, drawn off at V tau/R = 1e-2", quick, None))
@@ -121,7 +125,7 @@ def gels():
     """Poroelastic gels: from the table, a new table, fits."""
     gel, tip = mdr.poroelastic.Poroelastic(28e3, 0.28, 3e-8), mdr.FlatPunch(1e-3)
     contact, time = mdr.Contact(tip, mdr.Homogeneous(gel)), np.append(0.0, np.geomspace(0.2, 2000.0, 1999))
-    force = contact.history(time, depth=np.full(time.shape, 5e-5), drainage="indenter").force
+    force = mdr.poroelastic.history(contact, time, depth=np.full(time.shape, 5e-5), drainage="indenter").force
     rows = [
         (
             "gel, 200 times of a relaxation from the table",

@@ -31,10 +31,12 @@ def clean_curves() -> list[mdi.RateCurve]:
     contact, start = contact_of(**TRUTH), 2e-6
     curves = []
     for speed in SPEEDS:
-        end = contact.history([0.0, 6e-6 / speed], position=[start, start - 6e-6], spring_stiffness=SPRING, start="rest").end
+        end = mdr.adhesion.rate_history(
+            contact, [0.0, 6e-6 / speed], position=[start, start - 6e-6], spring_stiffness=SPRING, start="rest"
+        ).end
         time = np.linspace(0.0, 1.05 * end["lowest_time"], POINTS)
         position = start - speed * time
-        force = contact.history(time, position=position, spring_stiffness=SPRING, start="rest").force
+        force = mdr.adhesion.rate_history(contact, time, position=position, spring_stiffness=SPRING, start="rest").force
         curves.append(mdi.RateCurve(time, position, force, SPRING))
     return curves
 

@@ -322,7 +322,7 @@ def rate(quick: bool) -> Any:
     for speed in (1e-7, 1e-6, 1e-5):
         time = np.linspace(0.0, 4.6e-6 / speed, 120)
         position = 2e-6 - speed * time
-        force = contact.history(time, position=position, spring_stiffness=20.0, start="rest").force
+        force = mdr.adhesion.rate_history(contact, time, position=position, spring_stiffness=20.0, start="rest").force
         curves.append(mdr.instruments.RateCurve(time, position, force + 3e-7 * random.standard_normal(120), 20.0))
     fit = mdr.instruments.fit_rate(curves, contact, ["E", "work", "speed", "exponent"])
     figure, axes = plt.subplots(1, 2, figsize=(9.0, 3.6), layout="constrained")

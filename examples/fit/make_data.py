@@ -115,7 +115,7 @@ def main() -> None:
     punch = mdr.Contact(mdr.FlatPunch(1e-3), mdr.Homogeneous(mdr.poroelastic.Poroelastic(28e3, 0.28, 3e-8)))
     time = np.append(np.linspace(0.0, 0.5, 11), np.geomspace(0.6, 1500.0, 189))
     depth = np.minimum(time / 0.5, 1.0) * 50e-6
-    force = punch.history(time, depth=depth, drainage="indenter").force + 20e-6 * random.standard_normal(time.size)
+    force = mdr.poroelastic.history(punch, time, depth=depth, drainage="indenter").force + 20e-6 * random.standard_normal(time.size)
     write("punch_on_hydrogel.csv", "time [s],depth [um],force [mN]", time, depth * 1e6, force * 1e3)
 
 

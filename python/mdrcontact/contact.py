@@ -17,7 +17,7 @@ from ._choices import code
 from ._doubts import Doubts, Reported
 from ._value import Value
 from ._warn import Caution, collected
-from .adhesion import AdhesiveHistory, RateAdhesion, RateHistory, RheologicalAdhesion, cohesive, rate
+from .adhesion import RateAdhesion, RheologicalAdhesion, rate
 from .errors import ArgumentTypeError, InvalidArgumentError, MDRError
 from .failure import Failure
 from .loop import BRANCHES, RULES, Loop, PullOff, loop, pull_offs
@@ -41,7 +41,8 @@ class Contact(Value):
     work_of_adhesion : gamma >= 0 [modulus length], J/m^2 in SI units; 0 is the contact without adhesion
     cohesive_stress : sigma >= 0 [modulus]; adhesion with a range (Dugdale, Maugis): the surfaces pull on each other with sigma
         wherever they are less than work_of_adhesion/sigma apart, in a zone around the contact. 0: a range of nothing (JKR). On
-        homogeneous bodies and under the model "exact", pairs included; on a viscoelastic half-space for its `history` alone
+        homogeneous bodies and under the model "exact", pairs included; on a viscoelastic half-space for
+        `adhesion.adhesive_history` alone
     adhesion_rule : the edge opening, by which the springs at the edge are stretched when they let go
         "paper": sqrt(2 pi a gamma/E_eff), equation (28); "energy": sqrt(4 pi a gamma/k'(a)), the balance of energy;
         "automatic": energy for exact media, where it is exact, and the paper's rule for all others
@@ -49,7 +50,7 @@ class Contact(Value):
         Else a table (radii, values): at least 3 radii > 0 ascending [length], values > 0; or "exact": that of the same coated or
         layered body solved exactly, for radii up to 1000 thicknesses, so that E_eff is the only approximation left
     adhesion : a work of adhesion that depends on the speed of the edge, in place of work_of_adhesion: states are those of an edge
-        at rest, and `history` follows it in time
+        at rest, and `adhesion.rate_history` follows it in time
 
     Arrays may be shared out among several threads, see `set_threads`.
     """
@@ -91,7 +92,7 @@ class Contact(Value):
         options = record(_layout.contact_options, work_of_adhesion=gamma, adhesion_rule=rule,
                          zeta_count=len(columns[0]), zeta_radius=columns[0], zeta=columns[1],
                          zeta_is_exact=int(is_exact), cohesive_stress=sigma)  # fmt: skip
-        handle: Any = poroelastic.NoHandle()
+        handle: Any = poroelastic.NoElasticStates()
         if not poroelastic.is_poroelastic(medium):
             created = native.contact_new(indenter._handle, medium._handle, options)
             handle = Handle(created)
@@ -133,22 +134,16 @@ class Contact(Value):
         depth: ArrayLike | None = None,
         force: ArrayLike | None = None,
         radius: ArrayLike | None = None,
-        position: ArrayLike | None = None,
-        spring_stiffness: float | None = None,
-        start: str | Mapping[str, float] = "apart",
-        tolerance: float | None = None,
+        tolerance: float = 1e-5,
         progress: bool | Progress = False,
-        drainage: str | None = None,
-    ) -> History | RateHistory | AdhesiveHistory:
-        """The path in time of a contact with a viscoelastic or poroelastic body, or of one whose `adhesion` depends on speed: one
-        of depth, force, radius and position is prescribed.
+    ) -> History:
+        """The path in time of a contact with a viscoelastic body: one of depth, force and radius is prescribed.
 
         time : strictly ascending, one dimension [time]; before the first the bodies are apart and at rest
         depth, force, radius : one of them, as many values; linear in time in between, the first value is reached in a jump.
             Depths may be negative where the bodies are apart
 
-        tolerance : where steps in time are taken, relative to the largest depth, radius and force, 1e-9 to 1e-2, default 1e-5; with
-            `adhesion` of ln(radius) in each step, 1e-12 to 1e-3, default 1e-9
+        tolerance : where steps in time are taken, relative to the largest depth, radius and force, 1e-9 to 1e-2
         progress : True shows a bar on a terminal where the march takes more than two seconds; a `Progress` follows each round
 
         Bodies whose materials relax in proportion, each at a constant Poisson's ratio (a layer on a rigid base), and homogeneous
@@ -156,40 +151,15 @@ class Contact(Value):
         depth. Any other body or path, as a contact that shrinks and grows again, is marched through time with the memory of all
         layers, under the model "exact" and unless a dashpot is in parallel at the surface.
 
-        drainage : of a gel, and only of one, see `relaxation`. A flat punch may follow any path of depth or force, exactly; tension
-            is taken as it comes. A paraboloid is pressed in at once and held at one contact radius, `radius` a constant. Its true
-            contact grows by up to 9 % and comes back: at "indenter" its force then differs by up to 0.05 of the part that relaxes
-
-        With a `cohesive_stress` on a viscoelastic half-space the result is an `AdhesiveHistory`: each place of the surface
-        remembers what it bore, and contact and zone move over it. position, spring_stiffness, and start "apart" or "rest" (relaxed)
-        as below; tolerance of the force, relative to its largest, 1e-7 to 1e-2, default 1e-4. Layers are refused
-
-        With `adhesion`, on an elastic body (of a viscoelastic one the relaxed moduli), the result is a `RateHistory`:
-
-        position, spring_stiffness : the far end of a spring that presses the indenter, d + F/spring_stiffness [length], in place of
-            depth or force, and its stiffness > 0 [modulus length]
-        start : "apart" before the first time; "rest": in equilibrium with the first value, the largest stable one; or the `end` of
-            a history that this one continues, whose last time and value are the first of this one. A dict with "radius" alone
-            begins at that contact radius
+        Gels follow a path by `mdrcontact.poroelastic.history`, contacts with `adhesion` by `mdrcontact.adhesion.rate_history`,
+        those with a `cohesive_stress` by `mdrcontact.adhesion.adhesive_history`.
         """
         if self.adhesion is not None:
-            refuse_drainage(drainage)
-            if radius is not None:
-                raise ArgumentTypeError("radius is not allowed with adhesion=: it follows from position, depth or force")
-            given = {"position": position, "depth": depth, "force": force}
-            return rate.history(self, time, given, spring_stiffness, start, tolerance, progress)
+            raise InvalidArgumentError("adhesion is not allowed here: call mdrcontact.adhesion.rate_history(contact, ...)")
         if self.cohesive_stress > 0.0:
-            refuse_drainage(drainage)
-            if radius is not None:
-                raise ArgumentTypeError("radius is not allowed with adhesion: it follows from position, depth or force")
-            given = {"position": position, "depth": depth, "force": force}
-            return cohesive.adhesive_history(self._handle, time, given, spring_stiffness, start, tolerance, progress)
-        if position is not None or spring_stiffness is not None or start != "apart":
-            raise ArgumentTypeError("position, spring_stiffness and start belong to contacts with adhesion= or a cohesive_stress")
-        tolerance = 1e-5 if tolerance is None else tolerance
-        if poroelastic.is_poroelastic(self.medium):
-            return History(*poroelastic.history(self, time, depth, force, radius, drainage))
-        refuse_drainage(drainage)
+            raise InvalidArgumentError(
+                "cohesive_stress is not allowed here: call mdrcontact.adhesion.adhesive_history(contact, ...)"
+            )
         return history(self._handle, time, depth, force, radius, tolerance, progress)
 
     def dynamic_stiffness(
@@ -225,11 +195,11 @@ class Contact(Value):
             which is porous; "sealed", no flux anywhere; "indenter", no flux under the indenter, drained beside it, on a half-space
             only. There is no default: it matters more than anything else
         """
-        return step(self, _layout.RELAXATION, time, radius, drainage)
+        return self._step(_layout.RELAXATION, time, radius, drainage)
 
     def creep(self, time: ArrayLike, radius: float | None = None, drainage: str | None = None) -> FloatOrArray:
         """Depth per force [1/(modulus length)] at times > 0 after a step of the force. Arguments as of `relaxation`."""
-        return step(self, _layout.CREEP, time, radius, drainage)
+        return self._step(_layout.CREEP, time, radius, drainage)
 
     def pressure_in_time(
         self,
@@ -289,6 +259,12 @@ class Contact(Value):
         reached at any load, as under a sharp tip, has that of the smallest contact looked at and `at_once`.
         """
         return failure.first_failure(self, strengths, body, friction, largest_radius)
+
+    def _step(self, kind: int, time: ArrayLike, radius: float | None, drainage: str | None) -> FloatOrArray:
+        if poroelastic.is_poroelastic(self.medium):
+            return poroelastic.step(self, kind, time, radius, drainage)
+        refuse_drainage(drainage)
+        return step(self, kind, time, radius)
 
     def _rate_handle(self, law: RateAdhesion | RheologicalAdhesion, largest: float) -> Handle:
         """The library's contact with a rate, up to at least a contact radius."""

@@ -3,19 +3,21 @@
 
 from __future__ import annotations
 
-from typing import Any, NamedTuple
+from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from . import _layout, poroelastic
+from . import _layout
 from ._boundary import ComplexOrArray, FloatOrArray, Handle, check, evaluate, native, number, one_path, together, words_of
 from ._progress import marching
 from .errors import ArgumentTypeError, InvalidArgumentError
 from .material import RIGID, SMOOTH, Elastic, PowerLawRheology, Viscoelastic
-from .medium.layer import Interface
-from .profile import FlatPunch
+from .profile import FlatPunch, Profile
 from .progress import Progress
+
+if TYPE_CHECKING:
+    from .medium.layer import Interface
 
 __all__ = ["History"]
 
@@ -72,7 +74,7 @@ def dynamic_stiffness(
     if radius is None:
         radius = _radius(contact, given)
     w, a = together(omega=omega, radius=radius)
-    poroelastic.check_radius(contact.indenter, radius)
+    check_radius(contact.indenter, radius)
     if not w.size:
         return np.empty(w.shape, np.complex128)
     # equal frequencies side by side
@@ -84,14 +86,19 @@ def dynamic_stiffness(
     return values.reshape(w.shape) if w.ndim else complex(values[0])
 
 
-def step(contact: Any, kind: int, time: ArrayLike, radius: float | None, drainage: str | None) -> FloatOrArray:
+def step(contact: Any, kind: int, time: ArrayLike, radius: float | None) -> FloatOrArray:
     """See `Contact.relaxation` and `Contact.creep`."""
-    if poroelastic.is_poroelastic(contact.medium):
-        return poroelastic.step(contact, kind, time, radius, drainage)
-    refuse_drainage(drainage)
     a = number("radius", _radius(contact, {}) if radius is None else radius)
-    poroelastic.check_radius(contact.indenter, a)
+    check_radius(contact.indenter, a)
     return evaluate("time", time, lambda t: native.contact_step_response(contact._handle, kind, a, t))
+
+
+def check_radius(indenter: Profile, radius: ArrayLike) -> None:
+    """Refuses a contact radius of a flat punch that is not its own."""
+    if isinstance(indenter, FlatPunch) and not np.allclose(radius, indenter.radius, rtol=1e-12, atol=0.0):
+        raise InvalidArgumentError(
+            f"radius = {radius!r} is not allowed: that of a flat punch is its own, {indenter.radius!r}. Leave it out"
+        )
 
 
 def refuse_drainage(drainage: str | None) -> None:

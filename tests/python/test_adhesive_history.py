@@ -50,7 +50,9 @@ def pulled(speed, contact=None, stress=STRESS, tolerance=None, radius=0.6, **mac
     position = state.depth + (state.force / machine["spring_stiffness"] if machine else 0.0)
     way = 1.0 + (10.0 * STRESS * radius / machine["spring_stiffness"] if machine else 0.0)
     name = "position" if machine else "depth"
-    return contact.history([0.0, way / speed], **{name: [position, position - way]}, start="rest", tolerance=tolerance, **machine)
+    return mdr.adhesion.adhesive_history(
+        contact, [0.0, way / speed], **{name: [position, position - way]}, start="rest", tolerance=tolerance, **machine
+    )
 
 
 @pytest.mark.parametrize("row", rows("viscoelastic_dugdale_pull_off"))
@@ -98,7 +100,9 @@ def test_zone_passes_the_first_edge(speed):
     sticky = mdr.Contact(mdr.Paraboloid(10e-6), mdr.Homogeneous(soft), work_of_adhesion=0.05, cohesive_stress=0.5e6)
 
     def lowest(tolerance):
-        return sticky.history([0.0, 4e-6 / speed], depth=[1e-6, -3e-6], start="rest", tolerance=tolerance).end["lowest_force"]
+        return mdr.adhesion.adhesive_history(
+            sticky, [0.0, 4e-6 / speed], depth=[1e-6, -3e-6], start="rest", tolerance=tolerance
+        ).end["lowest_force"]
 
     assert lowest(1e-4) == pytest.approx(lowest(1e-6), rel=1e-4)
 
@@ -107,14 +111,16 @@ def test_starts():
     """At rest the states of the relaxed body, right after a jump those of the glassy one, both of the elastic solver."""
     contact = creeping()
     for depth in (0.2, 0.05, -0.05):
-        found = contact.history([0.0, 1e-9], depth=[depth, depth], start="rest")
+        found = mdr.adhesion.adhesive_history(contact, [0.0, 1e-9], depth=[depth, depth], start="rest")
         state = elastic(1.0).at_depth(depth)
         assert (found.radius[0], found.zone_radius[0], found.force[0]) == pytest.approx(
             (state.radius, state.zone_radius, state.force), rel=1e-8)  # fmt: skip
     state = elastic(1.0).at_force(-0.03)
-    assert contact.history([0.0, 1e-9], force=[-0.03, -0.03], start="rest").depth[0] == pytest.approx(state.depth, rel=1e-8)
+    assert mdr.adhesion.adhesive_history(contact, [0.0, 1e-9], force=[-0.03, -0.03], start="rest").depth[0] == pytest.approx(
+        state.depth, rel=1e-8
+    )
     for depth in (0.1, 0.01, -0.03):
-        found = contact.history([0.0, 1e-9], depth=[depth, depth])
+        found = mdr.adhesion.adhesive_history(contact, [0.0, 1e-9], depth=[depth, depth])
         state = elastic(10.0).at_depth(depth, "loading")
         assert (found.radius[0], found.zone_radius[0], found.force[0]) == pytest.approx(
             (state.radius, state.zone_radius, state.force), rel=1e-7)  # fmt: skip
@@ -122,12 +128,12 @@ def test_starts():
 
 def test_dwells_relax():
     """Pressed in at once and held: from the glassy to the relaxed state; jump-in at minus the range."""
-    found = creeping().history([0.0, 1.0, 60.0, 61.0], depth=[0.1, 0.1, 0.1, 0.1])
+    found = mdr.adhesion.adhesive_history(creeping(), [0.0, 1.0, 60.0, 61.0], depth=[0.1, 0.1, 0.1, 0.1])
     state = elastic(1.0).at_depth(0.1, "loading")
     assert found.force[-1] == pytest.approx(state.force, abs=1e-5 * found.force[0])
     assert found.radius[-1] == pytest.approx(state.radius, rel=1e-5)
     assert np.all(np.diff(found.radius) >= -1e-12)
-    near = creeping().history([0.0, 1.0, 2.0], depth=[-0.05, -0.0401, -0.0399])
+    near = mdr.adhesion.adhesive_history(creeping(), [0.0, 1.0, 2.0], depth=[-0.05, -0.0401, -0.0399])
     assert near.zone_radius[1] == 0.0 and near.zone_radius[2] > 0.0 and near.force[1] == 0.0 > near.force[2]
 
 
@@ -179,12 +185,12 @@ def test_machines():
     contact, state = creeping(), elastic(1.0).at_radius(0.6)
     rate, spring = 0.1, 1e-4
     time = np.array([0.0, 4.0])
-    force = contact.history(time, force=state.force - rate * time, start="rest", tolerance=1e-5)
+    force = mdr.adhesion.adhesive_history(contact, time, force=state.force - rate * time, start="rest", tolerance=1e-5)
     position = state.depth + (state.force - rate * time) / spring
-    soft = contact.history(time, position=position, spring_stiffness=spring, start="rest", tolerance=1e-5)
+    soft = mdr.adhesion.adhesive_history(contact, time, position=position, spring_stiffness=spring, start="rest", tolerance=1e-5)
     assert soft.end["lowest_force"] == pytest.approx(force.end["lowest_force"], rel=1e-3)
     assert force.end["ruptures"] == 1.0 and force.force[-1] == 0.0
-    fine = contact.history(time, force=state.force - rate * time, start="rest", tolerance=1e-6)
+    fine = mdr.adhesion.adhesive_history(contact, time, force=state.force - rate * time, start="rest", tolerance=1e-6)
     assert fine.end["lowest_force"] == pytest.approx(force.end["lowest_force"], rel=1e-4)
 
 
@@ -192,7 +198,7 @@ def test_cycles():
     """Approach, retraction, apart: the loss is positive, the paths of depth are those prescribed, and halved steps agree."""
     time = np.linspace(0.0, 3.0, 61)
     depth = np.interp(time, [0.0, 1.0, 3.0], [-0.06, 0.2, -0.8])
-    found, fine = (creeping().history(time, depth=depth, tolerance=t) for t in (1e-3, 1e-4))
+    found, fine = (mdr.adhesion.adhesive_history(creeping(), time, depth=depth, tolerance=t) for t in (1e-3, 1e-4))
     assert found.depth == pytest.approx(depth)
     assert found.force == pytest.approx(fine.force, abs=2e-3 * np.max(np.abs(fine.force)))
     assert found.force[0] == found.force[-1] == found.radius[-1] == 0.0 < found.end["work"]
@@ -211,7 +217,7 @@ def test_threads_and_progress(monkeypatch):
     contact, time = creeping(), np.linspace(0.0, 2.0, 41)
 
     def march(progress=False):
-        return contact.history(time, depth=0.2 * np.sin(2.0 * time), progress=progress)
+        return mdr.adhesion.adhesive_history(contact, time, depth=0.2 * np.sin(2.0 * time), progress=progress)
 
     alone = march()
     with ThreadPoolExecutor(3) as pool:
@@ -240,14 +246,16 @@ def test_refusals():
     with pytest.raises(mdr.errors.InvalidArgumentError, match="too short"):
         pulled(0.1, stress=30.0)
     with pytest.raises(mdr.errors.UnreachableError, match="no stable"):
-        contact.history([0.0, 1.0], depth=[-1.0, -1.0], start="rest")
+        mdr.adhesion.adhesive_history(contact, [0.0, 1.0], depth=[-1.0, -1.0], start="rest")
     with pytest.raises(mdr.errors.InvalidArgumentError, match="start"):
-        contact.history([0.0, 1.0], depth=[0.0, 1.0], start={"radius": 1.0})
-    with pytest.raises(mdr.errors.ArgumentTypeError, match="radius"):
-        contact.history([0.0, 1.0], radius=[0.0, 1.0])
+        mdr.adhesion.adhesive_history(contact, [0.0, 1.0], depth=[0.0, 1.0], start={"radius": 1.0})
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="adhesive_history"):
+        contact.history([0.0, 1.0], depth=[0.0, 1.0])
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="cohesive_stress > 0"):
+        mdr.adhesion.adhesive_history(contact.replace(cohesive_stress=0.0, work_of_adhesion=0.0), [0.0, 1.0], depth=[0.0, 1.0])
     with pytest.raises(mdr.errors.InvalidArgumentError, match="tolerance"):
-        contact.history([0.0, 1.0], depth=[0.0, 1.0], tolerance=1.0)
+        mdr.adhesion.adhesive_history(contact, [0.0, 1.0], depth=[0.0, 1.0], tolerance=1.0)
     with pytest.raises(mdr.errors.InvalidArgumentError, match="adhesive history"):
         contact.dynamic_stiffness(1.0, radius=0.1)
     with pytest.raises(mdr.errors.InvalidArgumentError, match="ascending"):
-        contact.history([0.0, 0.0], depth=[0.0, 1.0])
+        mdr.adhesion.adhesive_history(contact, [0.0, 0.0], depth=[0.0, 1.0])

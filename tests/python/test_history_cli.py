@@ -40,7 +40,11 @@ def test_examples_run_and_draw(path, tmp_path, capsys):
     assert [title.split()[0] for title in head] == ["time", "depth", "radius", "force"]
     wanted = load(path)
     path = wanted.history
-    found = wanted.contact(in_time=True).history(path.time, **{path.name: path.values}, drainage=path.drainage)
+    contact, given = wanted.contact(in_time=True), {path.name: path.values}
+    if path.drainage is None:
+        found = contact.history(path.time, **given)
+    else:
+        found = mdr.poroelastic.history(contact, path.time, **given, drainage=path.drainage)
     assert float(rows[-1][0]) == pytest.approx(found.time[-1], rel=1e-12) and len(rows) == len(found.time)
 
 

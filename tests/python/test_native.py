@@ -82,7 +82,7 @@ ADDRESSES = {"address", "_address", "data", "data_as", "__array_interface__", "a
 """Names by which Python reaches an address, or a function that takes one."""
 ALLOWED = {
     "_boundary.py": ADDRESSES,
-    "poroelastic.py": {"_address"},  # of NoHandle, which has none
+    "poroelastic.py": {"_address"},  # of NoElasticStates, which has none
     "__init__.py": {"_native"},  # its version
     "_callback.py": {"POINTER"},
 }

@@ -46,7 +46,7 @@ def rates():
     rubber = mdr.Viscoelastic(5e5, [(2e6, 1e-2)], nu=0.5)
     contact = mdr.Contact(mdr.Paraboloid(5e-6), mdr.Homogeneous(RUBBER), adhesion=rate)
     time = np.linspace(0.0, 1.0, 30)
-    force = contact.history(time, depth=1e-7 - 1e-6 * time, start="rest").force
+    force = mdr.adhesion.rate_history(contact, time, depth=1e-7 - 1e-6 * time, start="rest").force
     curve = mdi.RateCurve(time, 1e-7 - 1e-6 * time, force)
     return [
         curve,
@@ -54,7 +54,7 @@ def rates():
         rate,
         mdr.adhesion.RateAdhesion.from_rheology(rubber, 0.05, 1e6),
         contact,
-        contact.history([0.0, 1.0], depth=[1e-7, -1e-7], start="rest"),
+        mdr.adhesion.rate_history(contact, [0.0, 1.0], depth=[1e-7, -1e-7], start="rest"),
     ]
 
 
@@ -152,7 +152,7 @@ def zone_in_time():
     sticky = mdr.Contact(
         mdr.Paraboloid(10e-6), mdr.Homogeneous(mdr.Viscoelastic(0.5e6, [(4.5e6, 1e-3)], nu=0.5)), 0.05, cohesive_stress=0.5e6
     )
-    return sticky.history([0.0, 1e-3], depth=[-1e-5, -0.9e-5])
+    return mdr.adhesion.adhesive_history(sticky, [0.0, 1e-3], depth=[-1e-5, -0.9e-5])
 
 
 def results():

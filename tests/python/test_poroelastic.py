@@ -50,7 +50,7 @@ def test_flat_punch(row):
 @pytest.mark.parametrize("row", rows("sphere_held_radius_step_depth"), ids=lambda row: row["inputs"])
 def test_held_paraboloid(row):
     contact = mdr.Contact(mdr.Paraboloid(1.0), body(row))
-    path = contact.history([0.0, float(row["t"])], radius=[1.0, 1.0], drainage=DRAINAGES[row["drainage"]])
+    path = mdr.poroelastic.history(contact, [0.0, float(row["t"])], radius=[1.0, 1.0], drainage=DRAINAGES[row["drainage"]])
     assert path.force[0] == pytest.approx(16.0 / 3.0, rel=1e-12)
     assert path.force[1] / (16.0 / 3.0) == pytest.approx(float(row["value"]), rel=10.0 * float(row["accuracy"]))
 
@@ -111,9 +111,9 @@ def test_tail_is_algebraic(drainage):
 def test_creep_under_a_jump_and_a_ramp():
     contact = punch()
     t = np.linspace(0.0, 3.0, 31)
-    creep = contact.history(t, force=np.full(t.shape, 2.0), drainage="indenter")
+    creep = mdr.poroelastic.history(contact, t, force=np.full(t.shape, 2.0), drainage="indenter")
     assert creep.depth == pytest.approx(2.0 * contact.creep(t, drainage="indenter"), rel=1e-12)
-    back = contact.history(t, depth=creep.depth, drainage="indenter")
+    back = mdr.poroelastic.history(contact, t, depth=creep.depth, drainage="indenter")
     # between the samples the depth is linear, which the creep is not
     assert back.force[5:] == pytest.approx(creep.force[5:], rel=5e-3)
 
@@ -123,7 +123,7 @@ def test_history_is_a_superposition_of_steps(given):
     """Along a path of a jump, straight pieces and a hold, with many small steps in place of each piece."""
     contact = mdr.Contact(mdr.FlatPunch(0.5), FILM)
     t, path = np.array([0.5, 0.7, 1.0, 1.2, 2.0]), np.array([0.1, 0.4, 0.4, 0.2, -0.1])
-    found = contact.history(t, **{given: path}, drainage="sealed")
+    found = mdr.poroelastic.history(contact, t, **{given: path}, drainage="sealed")
     fine = np.interp(np.arange(1601) / 400, np.arange(5), t)
     middle, steps = 0.5 * (fine[1:] + fine[:-1]), np.diff(np.interp(fine, t, path))
     answer = contact.relaxation if given == "depth" else contact.creep
@@ -141,9 +141,9 @@ def test_history_names_what_is_wrong():
         ([0.0, 1.0], [0.0, np.nan], "entry 2 of depth"),
     ):
         with pytest.raises(mdr.errors.InvalidArgumentError, match=words):
-            punch().history(t, depth=depth, drainage="surface")
+            mdr.poroelastic.history(punch(), t, depth=depth, drainage="surface")
     with pytest.raises(mdr.errors.InvalidArgumentError, match="strictly ascending"):
-        mdr.Contact(mdr.Paraboloid(1.0), FILM).history([1.0, 0.0], radius=[0.1, 0.1], drainage="surface")
+        mdr.poroelastic.history(mdr.Contact(mdr.Paraboloid(1.0), FILM), [1.0, 0.0], radius=[0.1, 0.1], drainage="surface")
 
 
 def test_permeability_is_the_other_way_to_say_diffusivity():
@@ -203,7 +203,7 @@ FILM = mdr.Coated(GEL, 1.0, mdr.RIGID)
 
 
 def ramp(indenter):
-    return mdr.Contact(indenter, mdr.Homogeneous(GEL)).history([0.0, 1.0], depth=[0.0, 1.0], drainage="surface")
+    return mdr.poroelastic.history(mdr.Contact(indenter, mdr.Homogeneous(GEL)), [0.0, 1.0], depth=[0.0, 1.0], drainage="surface")
 
 
 def on_film(a, drainage):
@@ -257,7 +257,7 @@ def test_fits_find_what_made_the_data():
     contact, names = mdr.Contact(tip, body), ("shear_modulus", "nu", "diffusivity")
     time = np.append(0.0, np.geomspace(0.1, 3000.0, 200))
     held = np.full(time.shape, 5e-5)
-    force = contact.history(time, depth=held, drainage="indenter").force
+    force = mdr.poroelastic.history(contact, time, depth=held, drainage="indenter").force
     sd = 1e-3 * force.max()
     omega = np.geomspace(1e-3, 30.0, 60)
     k = contact.dynamic_stiffness(omega, drainage="indenter")
@@ -266,7 +266,7 @@ def test_fits_find_what_made_the_data():
         (tip, mdi.ForceTime(time, held, force + sd * noise.standard_normal(time.size), sd=sd)),
         (tip, mdi.DynamicStiffness(omega, k + off[0] + 1j * off[1], 1e-3, sd=1e-3 * abs(k).max())),
     ]
-    depth = contact.history(time, force=np.full(time.shape, 1.0), drainage="indenter").depth
+    depth = mdr.poroelastic.history(contact, time, force=np.full(time.shape, 1.0), drainage="indenter").depth
     sd = 1e-3 * depth.max()
     tests.append((tip, mdi.DepthTime(time, np.full(time.shape, 1.0), depth + sd * noise.standard_normal(time.size), sd=sd)))
     for indenter, data in tests:
@@ -276,7 +276,7 @@ def test_fits_find_what_made_the_data():
             assert fit.errors[name] < 0.05 * getattr(true, name), (name, fit.summary())
         assert 0.7 < fit.chi_square / fit.points < 1.3
     ramp = np.interp(time, [0.0, 2.0, 3000.0], [0.0, 5e-5, 5e-5])
-    force = contact.history(time, depth=ramp, drainage="surface").force
+    force = mdr.poroelastic.history(contact, time, depth=ramp, drainage="surface").force
     fit = mdi.fit_gel(mdi.ForceTime(time, ramp, force, sd=1e-6), tip, body.replace(material=true.replace(diffusivity=1.0)),
                       ["diffusivity"], drainage="surface")  # fmt: skip
     assert fit.values["diffusivity"] == pytest.approx(3e-8, rel=1e-5)
@@ -288,7 +288,7 @@ def test_ratios_between_the_tables_of_a_fit():
     tip, film = mdr.FlatPunch(1.0), mdr.Coated(Poroelastic(3.0, 0.435, 0.2), 1.0, mdr.RIGID)
     time = np.append(0.0, np.geomspace(1e-4, 1e3, 60))
     held = np.full(time.shape, 1e-3)
-    force = mdr.Contact(tip, film).history(time, depth=held, drainage="sealed").force
+    force = mdr.poroelastic.history(mdr.Contact(tip, film), time, depth=held, drainage="sealed").force
     data = mdi.ForceTime(time, held, force, sd=1e-5 * force.max())
     start = mdr.Coated(Poroelastic(1.0, 0.2, 1.0), 1.0, mdr.RIGID)
     fit = mdi.fit_gel(data, tip, start, gel.NAMES, drainage="sealed")
@@ -303,7 +303,9 @@ def test_a_fit_compares_its_tables_with_their_source(monkeypatch):
     tip, body = mdr.FlatPunch(1.0), mdr.Homogeneous(Poroelastic(3.0, 0.3, 0.2))
     time = np.append(0.0, np.geomspace(1e-4, 1e3, 30))
     held = np.full(time.shape, 1e-3)
-    data = mdi.ForceTime(time, held, mdr.Contact(tip, body).history(time, depth=held, drainage="sealed").force, sd=1e-6)
+    data = mdi.ForceTime(
+        time, held, mdr.poroelastic.history(mdr.Contact(tip, body), time, depth=held, drainage="sealed").force, sd=1e-6
+    )
     with pytest.raises(mdr.MDRError, match="fix nu"):
         mdi.fit_gel(data, tip, body, gel.NAMES, drainage="sealed")
 
@@ -312,7 +314,9 @@ def test_a_fit_compares_its_tables_with_their_source(monkeypatch):
 def test_fits_say_what_the_data_do_not_tell():
     true = mdr.Homogeneous(Poroelastic(28e3, 0.2, 3e-8))
     time = np.append(0.0, np.geomspace(1.0, 10.0, 50))
-    force = mdr.Contact(mdr.FlatPunch(1e-2), true).history(time, depth=np.full(time.shape, 1e-4), drainage="indenter").force
+    force = mdr.poroelastic.history(
+        mdr.Contact(mdr.FlatPunch(1e-2), true), time, depth=np.full(time.shape, 1e-4), drainage="indenter"
+    ).force
     data = mdi.ForceTime(time, np.full(time.shape, 1e-4), force, sd=0.01 * force.max())
     fit = mdi.fit_gel(data, mdr.FlatPunch(1e-2), true, ("shear_modulus", "nu", "diffusivity"), drainage="indenter")
     assert any("does not follow" in note for note in fit.notes)
@@ -323,7 +327,7 @@ def test_drainages_are_compared():
     true = mdr.Homogeneous(Poroelastic(28e3, 0.2, 3e-8))
     time = np.append(0.0, np.geomspace(0.1, 3000.0, 100))
     held = np.full(time.shape, 1e-4)
-    force = mdr.Contact(mdr.FlatPunch(1e-3), true).history(time, depth=held, drainage="surface").force
+    force = mdr.poroelastic.history(mdr.Contact(mdr.FlatPunch(1e-3), true), time, depth=held, drainage="surface").force
     fits = mdi.compare_drainages(mdi.ForceTime(time, held, force, sd=1e-3 * force.max()), mdr.FlatPunch(1e-3), true)
     assert fits[0].drainage == "surface" and {fit.drainage for fit in fits} == {"surface", "indenter", "sealed"}
     assert fits[0].chi_square < 0.01 * fits[1].chi_square

@@ -62,7 +62,7 @@ def test_pull_off_rows(row):
         start += state.force / spring
     time = (start + 4.0) / given["speed"]
     control = {"position": [start, -4.0], "spring_stiffness": spring} if spring else {"depth": [start, -4.0]}
-    end = contact.history([0.0, time], **control, start={"radius": given["start_radius"]}).end
+    end = mdr.adhesion.rate_history(contact, [0.0, time], **control, start={"radius": given["start_radius"]}).end
     met(row, end["lowest_force" if row["quantity"] == "F_min" else "lowest_time"])
 
 
@@ -70,7 +70,9 @@ def test_pull_off_rows(row):
 def test_dead_load_rows(row):
     contact = contact_of(row)
     force = [row["inputs"]["F"]] * 2
-    end = contact.history([0.0, 1e4], force=force, start={"radius": row["inputs"]["start_radius"]}, tolerance=1e-11).end
+    end = mdr.adhesion.rate_history(
+        contact, [0.0, 1e4], force=force, start={"radius": row["inputs"]["start_radius"]}, tolerance=1e-11
+    ).end
     met(row, end["rupture_time"])
 
 
@@ -79,13 +81,13 @@ def test_cycle_rows(row):
     contact, given = contact_of(row), row["inputs"]
     ramp, depth = given["depth"] / given["speed"], given["depth"]
     time = np.array([0.0, ramp, ramp + given["dwell"], 2.0 * ramp + given["dwell"] + 300.0])
-    found = contact.history(time, depth=[0.0, depth, depth, -0.3])
+    found = mdr.adhesion.rate_history(contact, time, depth=[0.0, depth, depth, -0.3])
     places = {"radius_end_of_approach": found.radius[1], "force_end_of_approach": found.force[1]}
     met(row, {**places, "force_end_of_dwell": found.force[2]}[row["quantity"]])
     assert found.work[-1] == pytest.approx(found.dissipated[-1], rel=1e-8)
     # and by the trapezoidal rule of the force itself
     fine = np.interp(np.linspace(0.0, time[-1], 40001), time, [0.0, depth, depth, -0.3])
-    path = contact.history(np.linspace(0.0, time[-1], 40001), depth=fine)
+    path = mdr.adhesion.rate_history(contact, np.linspace(0.0, time[-1], 40001), depth=fine)
     assert area(fine, path.force) == pytest.approx(found.work[-1], rel=1e-4)
 
 
@@ -100,10 +102,10 @@ def test_slow_edges_are_in_equilibrium(medium):
     first = rest.at_depth(0.5)
     pulled = rest.pull_off("depth")
     depth = np.linspace(0.5, pulled.depth * 0.5, 50)
-    slow = contact.history(np.linspace(0.0, 1e9, 50), depth=depth, start="rest")
+    slow = mdr.adhesion.rate_history(contact, np.linspace(0.0, 1e9, 50), depth=depth, start="rest")
     assert slow.radius[0] == pytest.approx(first.radius, rel=1e-10)
     assert slow.force == pytest.approx(rest.at_depth(depth).force, rel=2e-5, abs=2e-5 * abs(pulled.force))
-    end = contact.history([0.0, 1e10], depth=[0.5, 3.0 * pulled.depth], start="rest").end
+    end = mdr.adhesion.rate_history(contact, [0.0, 1e10], depth=[0.5, 3.0 * pulled.depth], start="rest").end
     lowest = min(np.min(rest.at_depth(np.linspace(0.5, pulled.depth, 2001)).force), pulled.force)
     assert end["lowest_force"] == pytest.approx(lowest, rel=1e-3)
 
@@ -117,7 +119,9 @@ def test_fast_edges_scale(p, n):
     for speed in (30.0, 300.0):
         start = contact.at_radius(30.0).depth
         forces.append(
-            contact.history([0.0, 2.0 * start / speed], depth=[start, -start], start={"radius": 30.0}).end["lowest_force"]
+            mdr.adhesion.rate_history(contact, [0.0, 2.0 * start / speed], depth=[start, -start], start={"radius": 30.0}).end[
+                "lowest_force"
+            ]
         )
     slope = math.log10(forces[1] / forces[0])
     assert slope == pytest.approx(n * (1 + p) / (2 * p - 1 + n * (p - 1)), abs=0.01)
@@ -132,16 +136,18 @@ def test_soft_springs_lower_the_pull_off():
         spring = stiffness * unit
         start = state.depth + state.force / spring
         speed = 100.0 * 1e-3 * unit
-        found = contact.history([0.0, 20.0 / speed], position=[start, start - 20.0], spring_stiffness=spring, start="rest")
+        found = mdr.adhesion.rate_history(
+            contact, [0.0, 20.0 / speed], position=[start, start - 20.0], spring_stiffness=spring, start="rest"
+        )
         assert -found.end["lowest_force"] / (1.5 * math.pi * 1e-3) == pytest.approx(expected, abs=2e-3)
 
 
 def test_histories_go_on():
     contact = mdr.Contact(TIP, HALF_SPACE, adhesion=RateAdhesion(1e-3, 1e-3, 0.33, closing_work=7e-4))
     time, depth = np.linspace(0.0, 300.0, 301), np.interp(np.linspace(0, 300, 301), [0, 60, 80, 300], [-0.01, 0.05, 0.05, -0.17])
-    whole = contact.history(time, depth=depth)
-    first = contact.history(time[:101], depth=depth[:101])
-    again = contact.history(time[100:], depth=depth[100:], start=first.end)
+    whole = mdr.adhesion.rate_history(contact, time, depth=depth)
+    first = mdr.adhesion.rate_history(contact, time[:101], depth=depth[:101])
+    again = mdr.adhesion.rate_history(contact, time[100:], depth=depth[100:], start=first.end)
     assert again.force == pytest.approx(whole.force[100:], abs=1e-9)
     assert again.dissipated[-1] == pytest.approx(whole.dissipated[-1], rel=1e-7)
     assert np.all(np.diff(whole.dissipated) >= 0.0)
@@ -155,7 +161,7 @@ def test_energy_under_a_spring():
     contact = mdr.Contact(TIP, HALF_SPACE, adhesion=RateAdhesion(1e-3, 1e-3, 0.33, closing_work=7e-4))
     time = np.linspace(0.0, 400.0, 20001)
     position = np.interp(time, [0.0, 60.0, 80.0, 400.0], [-0.01, 0.05, 0.05, -0.27])
-    found = contact.history(time, position=position, spring_stiffness=0.3)
+    found = mdr.adhesion.rate_history(contact, time, position=position, spring_stiffness=0.3)
     assert 0.3 * (position - found.depth) == pytest.approx(found.force, abs=1e-12)
     assert found.work[-1] == pytest.approx(found.dissipated[-1], rel=1e-7)
     assert area(position, found.force) == pytest.approx(found.dissipated[-1], rel=1e-3)
@@ -172,7 +178,7 @@ def test_pull_off_of_a_viscoelastic_surface(stress, speed, expected, warns):
     start = contact.at_radius(0.6).depth
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
-        end = contact.history([0.0, (start + 1.0) / speed], depth=[start, -1.0], start="rest").end
+        end = mdr.adhesion.rate_history(contact, [0.0, (start + 1.0) / speed], depth=[start, -1.0], start="rest").end
     assert -end["lowest_force"] / (1.5 * math.pi * 0.01) == pytest.approx(expected, rel=1e-4)
     assert any(issubclass(entry.category, mdr.errors.AdhesionRateWarning) for entry in caught) == warns
 
@@ -201,21 +207,23 @@ def test_refusals():
     with pytest.raises(mdr.errors.InvalidArgumentError, match="relaxed"):
         mdr.Contact(TIP, mdr.Homogeneous(RUBBER), adhesion=rate)
     with pytest.raises(mdr.errors.InvalidArgumentError, match="flat end"):
-        mdr.Contact(mdr.FlatEndedCone(0.1, 0.2), HALF_SPACE, adhesion=rate).history([0.0, 1.0], depth=[0.1, 0.0])
+        mdr.adhesion.rate_history(mdr.Contact(mdr.FlatEndedCone(0.1, 0.2), HALF_SPACE, adhesion=rate), [0.0, 1.0], depth=[0.1, 0.0])
     with pytest.raises(mdr.errors.ArgumentTypeError, match="spring_stiffness"):
-        contact.history([0.0, 1.0], position=[0.0, 1.0])
-    with pytest.raises(mdr.errors.ArgumentTypeError, match="radius"):
-        contact.history([0.0, 1.0], radius=[0.0, 1.0])
+        mdr.adhesion.rate_history(contact, [0.0, 1.0], position=[0.0, 1.0])
+    with pytest.raises(mdr.errors.ArgumentTypeError, match="position, depth and force, not none"):
+        mdr.adhesion.rate_history(contact, [0.0, 1.0])
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="rate_history"):
+        contact.history([0.0, 1.0], depth=[0.0, 1.0])
     with pytest.raises(mdr.errors.InvalidArgumentError, match="start"):
-        contact.history([0.0, 1.0], depth=[0.0, 1.0], start="here")
+        mdr.adhesion.rate_history(contact, [0.0, 1.0], depth=[0.0, 1.0], start="here")
     with pytest.raises(mdr.errors.UnreachableError, match="no stable"):
-        contact.history([0.0, 1.0], depth=[-1.0, -1.0], start="rest")
+        mdr.adhesion.rate_history(contact, [0.0, 1.0], depth=[-1.0, -1.0], start="rest")
     with pytest.raises(mdr.errors.InvalidArgumentError, match="work_of_adhesion"):
         mdr.Contact(TIP, HALF_SPACE, work_of_adhesion=1.0, adhesion=rate)
     with pytest.raises(mdr.errors.InvalidArgumentError, match="cohesive_stress"):
         mdr.Contact(TIP, HALF_SPACE, cohesive_stress=1.0, adhesion=rate)
-    with pytest.raises(mdr.errors.ArgumentTypeError, match="adhesion="):
-        mdr.Contact(TIP, HALF_SPACE).history([0.0, 1.0], depth=[0.0, 1.0], start="rest")
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="must have an adhesion"):
+        mdr.adhesion.rate_history(mdr.Contact(TIP, HALF_SPACE), [0.0, 1.0], depth=[0.0, 1.0], start="rest")
 
 
 def noisy_curves(noise, seed=1):
@@ -224,7 +232,7 @@ def noisy_curves(noise, seed=1):
     for speed in (1e-7, 1e-6, 1e-5):
         time = np.linspace(0.0, 3.2e-6 / speed, 150)
         position = 2e-6 - speed * time + 1e-8
-        force = contact.history(time, position=position - 1e-8, spring_stiffness=20.0, start="rest").force
+        force = mdr.adhesion.rate_history(contact, time, position=position - 1e-8, spring_stiffness=20.0, start="rest").force
         curves.append(mdi.RateCurve(time, position, force + noise * random.standard_normal(150) * 1e-5, 20.0))
     return curves
 
@@ -242,7 +250,7 @@ def test_fits_of_several_speeds():
     assert found.contact.adhesion.work == found.values["work"]
     assert "work" in found.summary()
     true = mdr.Contact(mdr.Paraboloid(20e-6), RUBBERY, adhesion=RateAdhesion(0.05, 1e-6, 0.4))
-    end = true.history([0.0, 4.0], position=[2e-6, -10e-6], spring_stiffness=20.0, start="rest").end
+    end = mdr.adhesion.rate_history(true, [0.0, 4.0], position=[2e-6, -10e-6], spring_stiffness=20.0, start="rest").end
     assert found.pull_off(3e-6) == pytest.approx(end["lowest_force"], rel=1e-4)
     noisy = mdi.fit_rate(noisy_curves(0.02), guess, ["work", "speed", "exponent", "position_offset"])
     low, high = noisy.intervals["work"]
@@ -309,7 +317,7 @@ def test_the_command(tmp_path, capsys):
     said = capsys.readouterr().out
     law = RateAdhesion(0.05, 1e-6, 0.4, closing_work=0.03)
     contact = mdr.Contact(mdr.Paraboloid(20e-6), RUBBERY, adhesion=law)
-    found = contact.history([0.0, 1.0, 11.0], position=[0.0, 5e-7, -5e-6], spring_stiffness=20.0)
+    found = mdr.adhesion.rate_history(contact, [0.0, 1.0, 11.0], position=[0.0, 5e-7, -5e-6], spring_stiffness=20.0)
     assert f"lowest force: {found.end['lowest_force'] * 1e6:.5g} uN" in said
     assert f"energy lost at the edge: {found.dissipated[-1] * 1e12:.5g} pJ" in said
     assert (tmp_path / "path.csv").read_text().startswith("time")

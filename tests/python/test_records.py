@@ -294,7 +294,7 @@ def test_how_a_tip_comes_off():
     )
     time = np.linspace(0.0, 8.0, 4001)
     position = np.interp(time, [0.0, 2.0, 8.0], [-2e-6, 2e-6, -10e-6])
-    path = contact.history(time, position=position, spring_stiffness=20.0)
+    path = mdr.adhesion.rate_history(contact, time, position=position, spring_stiffness=20.0)
     random = np.random.default_rng(3).standard_normal(time.size)
     found = find_parting(path.depth, path.force + 3e-8 + 5e-9 * random)
     assert found is not None

@@ -66,7 +66,7 @@ ADHESIVE = mdr.Contact(mdr.Paraboloid(1.0), mdr.Homogeneous(RUBBER.relaxed), adh
 
 def at_speed(speed):
     start = ADHESIVE.at_radius(0.6).depth
-    return ADHESIVE.history([0.0, (start + 1.0) / speed], depth=[start, -1.0], start="rest")
+    return mdr.adhesion.rate_history(ADHESIVE, [0.0, (start + 1.0) / speed], depth=[start, -1.0], start="rest")
 
 
 CASES = {
@@ -265,7 +265,7 @@ def test_trials_of_a_fit_do_not_warn_and_its_result_does():
         warnings.simplefilter("ignore")
         for speed in (2e-3, 5e-3):
             time = np.linspace(0.0, 0.6 / speed, 40)
-            path = ADHESIVE.history(time, depth=start - speed * time, start="rest")
+            path = mdr.adhesion.rate_history(ADHESIVE, time, depth=start - speed * time, start="rest")
             curves.append(mdi.RateCurve(time, start - speed * time, path.force))
     with pytest.warns(mdr.errors.AdhesionRateWarning) as seen:
         found = mdi.fit_rate(curves, ADHESIVE.replace(adhesion=RATE.replace(work=0.011), work_of_adhesion=0.0), ["work"])

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from .. import _layout
-from .._boundary import Handle, check, native, number, one_path
+from .._boundary import check, native, number, one_path
 from .._progress import marching
 from ..errors import ArgumentTypeError, InvalidArgumentError
 from ..loop import CONTROLS
@@ -41,22 +41,61 @@ _HAPPENED = [name for name in STATE if name.startswith(("lowest", "rupture")) or
 
 
 def adhesive_history(
-    contact: Handle,
+    contact: Any,
     time: ArrayLike,
-    given: dict[str, ArrayLike | None],
-    spring_stiffness: float | None,
-    start: Any,
-    tolerance: float | None,
-    progress: bool | Progress,
+    *,
+    depth: ArrayLike | None = None,
+    force: ArrayLike | None = None,
+    position: ArrayLike | None = None,
+    spring_stiffness: float | None = None,
+    start: str = "apart",
+    tolerance: float | None = None,
+    progress: bool | Progress = False,
 ) -> AdhesiveHistory:
-    """The history of a contact's handle whose body attracts the indenter over a range."""
-    control, stiffness, accuracy, t, s = controlled_path(time, given, spring_stiffness, tolerance)
+    """Follow a contact with a viscoelastic half-space that attracts the indenter over a range.
+
+    Each place of the surface remembers what it bore; contact and cohesive zone move over it.
+
+    Parameters
+    ----------
+    contact : Contact
+        With a `cohesive_stress`, on a viscoelastic half-space.
+    time : array_like
+        Strictly ascending, one dimension [time]. Before the first the bodies are apart and at rest.
+    depth, force, position : array_like
+        One of them [length], [modulus length^2], [length]; linear in time in between, the first is reached in a jump. `position`
+        is the far end of a spring that presses the indenter, d + F/spring_stiffness.
+    spring_stiffness : float, optional
+        Of that spring, > 0 [modulus length].
+    start : str, optional
+        "apart", the default, or "rest": in equilibrium with the first value, the body relaxed.
+    tolerance : float, optional
+        Of the force, relative to its largest, 1e-7 to 1e-2; default 1e-4.
+    progress : bool or Progress, optional
+        True shows a bar on a terminal if it takes more than two seconds; a `Progress` follows each round.
+
+    Returns
+    -------
+    AdhesiveHistory
+
+    Raises
+    ------
+    InvalidArgumentError
+        The contact has no cohesive stress, or the body is elastic or has layers.
+    UnreachableError
+        There is no stable contact from which to start.
+    """
+    control, stiffness, accuracy, t, s = controlled_path(
+        time, {"position": position, "depth": depth, "force": force}, spring_stiffness, tolerance
+    )
+    if not contact.cohesive_stress > 0.0:
+        raise InvalidArgumentError("contact is not allowed: it must have a cohesive_stress > 0")
     if start not in ("apart", "rest"):
         raise InvalidArgumentError(f'start = {start!r} is not allowed: it must be "apart" or "rest"')
     row = np.zeros(len(STATE))
     row[0] = -1.0 if start == "rest" else 0.0
     with marching(t.size, progress):
-        status, d, a, c, F, end = native.contact_adhesive_history(contact, control, stiffness, accuracy, row, t, s)
+        status, d, a, c, F, end = native.contact_adhesive_history(contact._handle, control, stiffness, accuracy, row, t, s)
     check(status)
     happened = dict(zip(STATE, end.tolist(), strict=True))
     return AdhesiveHistory(t, d, a, c, F, {key: happened[key] for key in _HAPPENED})

@@ -154,17 +154,55 @@ def sampled(contact: Handle, adhesion: _Rate, largest: float) -> Handle:
     return Handle(native.rate_new(contact, adhesion._options(largest_radius=largest)))
 
 
-def history(
+def rate_history(
     contact: Any,
     time: ArrayLike,
-    given: dict[str, ArrayLike | None],
-    spring_stiffness: float | None,
-    start: Any,
-    tolerance: float | None,
-    progress: bool | Progress,
+    *,
+    depth: ArrayLike | None = None,
+    force: ArrayLike | None = None,
+    position: ArrayLike | None = None,
+    spring_stiffness: float | None = None,
+    start: str | Mapping[str, float] = "apart",
+    tolerance: float | None = None,
+    progress: bool | Progress = False,
 ) -> RateHistory:
-    """See `Contact.history`."""
-    control, stiffness, accuracy, t, s = controlled_path(time, given, spring_stiffness, tolerance)
+    """Follow a contact whose work of adhesion depends on the speed of its edge.
+
+    Parameters
+    ----------
+    contact : Contact
+        With `adhesion`, on an elastic body (of a viscoelastic one the relaxed moduli).
+    time : array_like
+        Strictly ascending, one dimension [time]. Before the first the bodies are apart and at rest.
+    depth, force, position : array_like
+        One of them [length], [modulus length^2], [length]; linear in time in between, the first is reached in a jump. `position`
+        is the far end of a spring that presses the indenter, d + F/spring_stiffness.
+    spring_stiffness : float, optional
+        Of that spring, > 0 [modulus length].
+    start : str or mapping, optional
+        "apart", the default; "rest": in equilibrium with the first value, the largest stable one; or the `end` of a history that
+        this one continues, whose last time and value are the first of this one. A dict with "radius" alone begins at that radius.
+    tolerance : float, optional
+        Of ln(radius) in each step, 1e-12 to 1e-3; default 1e-9.
+    progress : bool or Progress, optional
+        True shows a bar on a terminal if it takes more than two seconds; a `Progress` follows each round.
+
+    Returns
+    -------
+    RateHistory
+
+    Raises
+    ------
+    InvalidArgumentError
+        The contact has no `adhesion`.
+    UnreachableError
+        There is no stable contact from which to start.
+    """
+    control, stiffness, accuracy, t, s = controlled_path(
+        time, {"position": position, "depth": depth, "force": force}, spring_stiffness, tolerance
+    )
+    if contact.adhesion is None:
+        raise InvalidArgumentError("contact is not allowed: it must have an adhesion, as RateAdhesion(...)")
     row = _start(start)
     handle = contact._rate_handle(contact.adhesion, max(row[0], _largest(contact, control, float(np.max(s)))) * _ROOM)
     with marching(t.size, progress):

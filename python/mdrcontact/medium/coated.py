@@ -12,7 +12,7 @@ from .._boundary import number
 from .._units import LENGTH
 from ..errors import ArgumentTypeError, InvalidArgumentError
 from ..material import RIGID, Material, _Rigid, material
-from ..poroelastic import NoHandle, Poroelastic, check_body
+from ..poroelastic import NoElasticStates, Poroelastic, check_body
 from .layer import Layer, stack
 from .models import MODELS, UnderModel, settings
 from .surface import Surface, given_surface
@@ -78,7 +78,13 @@ class Coated(UnderModel):
             if not 0.0 < thickness < math.inf:
                 raise InvalidArgumentError(f"thickness = {thickness!r} is not allowed: it must be finite and greater than 0")
             self._set(
-                _handle=NoHandle(), coating=coating, thickness=thickness, substrate=substrate, model=model, options=(), surface=None
+                _handle=NoElasticStates(),
+                coating=coating,
+                thickness=thickness,
+                substrate=substrate,
+                model=model,
+                options=(),
+                surface=None,
             )
             return
         film = material("coating", coating)

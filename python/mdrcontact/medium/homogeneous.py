@@ -9,7 +9,7 @@ from typing import Any
 
 from ..errors import ArgumentTypeError
 from ..material import Elastic, Material, material
-from ..poroelastic import NoHandle, Poroelastic
+from ..poroelastic import NoElasticStates, Poroelastic
 from .base import Medium
 from .layer import stack
 from .models import settings
@@ -38,7 +38,7 @@ class Homogeneous(Medium):
 
     def __post_init__(self) -> None:
         if isinstance(self.material, Poroelastic):
-            self._set(_handle=NoHandle(), surface=given_surface(self.surface, elastic=False))
+            self._set(_handle=NoElasticStates(), surface=given_surface(self.surface, elastic=False))
             return
         body = material("material", self.material)
         surface = given_surface(self.surface, elastic=is_elastic(body))

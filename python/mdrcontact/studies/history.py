@@ -9,12 +9,14 @@ from typing import Any
 import numpy as np
 
 from .._units import ENERGY, FORCE, LENGTH, SPEED, TIME, Dimension, shown
-from ..adhesion import AdhesiveHistory, RateHistory
+from ..adhesion import AdhesiveHistory, RateHistory, adhesive_history, rate_history
 from ..contact import Contact
+from ..poroelastic import history as gel_history
+from ..poroelastic import is_poroelastic
 from ..problem import Problem, ProblemError
 from ..problem.history import HistoryPath
 from ..progress import Progress
-from ..time import History
+from ..time import History, refuse_drainage
 from .result import Number, Result, columns_of, study
 
 _FEWEST = 60
@@ -106,18 +108,20 @@ def _follow(contact: Contact, path: HistoryPath, progress: Progress) -> tuple[Hi
     places = np.arange((len(path.time) - 1) * cuts + 1) / cuts
     time, values = (np.interp(places, samples, column) for column in (path.time, path.values))
     prescribed: dict[str, Any] = {path.name: values}
-    found = contact.history(time, **prescribed, progress=progress, drainage=path.drainage)
-    assert isinstance(found, History)
-    return found, cuts
+    if is_poroelastic(contact.medium):
+        return gel_history(contact, time, **prescribed, drainage=path.drainage), cuts
+    refuse_drainage(path.drainage)
+    return contact.history(time, **prescribed, progress=progress), cuts
 
 
 def _follow_edge(contact: Contact, path: HistoryPath, spring: float | None, progress: Progress) -> RateHistory | AdhesiveHistory:
     """The history where adhesion depends on speed, or has a range; led by depth, force or the far end of a spring."""
     name = "position" if spring is not None and path.name == "depth" else path.name
     prescribed: dict[str, Any] = {name: path.values}
-    found = contact.history(path.time, **prescribed, spring_stiffness=spring, progress=progress, drainage=path.drainage)
-    assert isinstance(found, (RateHistory, AdhesiveHistory))
-    return found
+    refuse_drainage(path.drainage)
+    if contact.adhesion is not None:
+        return rate_history(contact, path.time, **prescribed, spring_stiffness=spring, progress=progress)
+    return adhesive_history(contact, path.time, **prescribed, spring_stiffness=spring, progress=progress)
 
 
 _Found = tuple[dict[str, tuple[float, Dimension]], dict[str, str]]

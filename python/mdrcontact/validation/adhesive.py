@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from ..adhesion import RateAdhesion
+from ..adhesion import RateAdhesion, rate_history
 from ..contact import Contact
 from ..material import Elastic
 from ..medium import Homogeneous, Surface
@@ -60,7 +60,7 @@ def rate() -> Comparison:
     contact = Contact(Paraboloid(RADIUS), BODY, adhesion=RateAdhesion(work, speed, exponent))
     time = np.linspace(0.0, 25.0, 51)
     depth = 0.01 - retraction * time
-    found: Any = contact.history(time, depth=depth, start="rest")
+    found: Any = rate_history(contact, time, depth=depth, start="rest")
 
     def release(a: Array, d: Array) -> Array:
         return MODULUS * (a**2 / RADIUS - d) ** 2 / (2.0 * math.pi * a)

@@ -20,6 +20,7 @@ from ..material import RIGID, Elastic, PowerLawRheology, TransverselyIsotropic
 from ..medium import SLIDING, Coated, Homogeneous, Layer, Layered, Medium, PowerLawGraded, Surface
 from ..medium.models import MODELS
 from ..poroelastic import Poroelastic
+from ..poroelastic import history as gel_history
 from ..profile import Cone, FlatPunch, Paraboloid
 from ..sheared import ShearedContact
 from ..wear import Wear
@@ -88,8 +89,8 @@ LIMITS: tuple[Limit, ...] = (
         Paraboloid(1.0), _RELAXING).at_depth(0.1)),
     Limit("histories of viscoelastic bodies", _EXACT, "a jump onto a power law", lambda: Contact(
         Paraboloid(1.0), _RELAXING).history([0.0, 1.0], depth=[0.1, 0.1])),
-    Limit("gels", "exact at a held radius", "a contact that moves", lambda: Contact(
-        Paraboloid(1.0), Homogeneous(_GEL)).history([0.0, 1.0, 2.0], depth=[0.1, 0.1, 0.2], drainage="surface")),
+    Limit("gels", "exact at a held radius", "a contact that moves", lambda: gel_history(
+        Contact(Paraboloid(1.0), Homogeneous(_GEL)), [0.0, 1.0, 2.0], depth=[0.1, 0.1, 0.2], drainage="surface")),
     Limit("gels", "exact at a held radius", "a film, a/h = 5", lambda: Contact(
         FlatPunch(5.0), Coated(_GEL, 1.0, RIGID)).relaxation(1.0, drainage="surface")),
     Limit("conduction", "exact, to 1e-11", "a/h = 2e4", lambda: Conduction(

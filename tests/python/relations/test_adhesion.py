@@ -198,7 +198,7 @@ def test_slow_edges_are_in_equilibrium(body, work, exponent):
     rest = mdr.Contact(mdr.Paraboloid(1.0), body, work_of_adhesion=gamma)
     depth = np.array([0.1, 0.15, 0.05, 0.5 * rest.pull_off("depth").depth])
     contact = mdr.Contact(mdr.Paraboloid(1.0), body, adhesion=mdr.adhesion.RateAdhesion(gamma, 1.0, exponent))
-    found = contact.history(np.arange(4) * 1e12, depth=depth, start="rest")
+    found = mdr.adhesion.rate_history(contact, np.arange(4) * 1e12, depth=depth, start="rest")
     wanted = rest.at_depth(depth)
     near(found.force, wanted.force, 1e-5, size=np.abs(wanted.force).max())
     near(found.radius, wanted.radius, 1e-5)

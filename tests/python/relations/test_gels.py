@@ -92,7 +92,7 @@ def test_paths_are_superposed(nu, drainage, start, times):
     """A path of depth against the sum of steps by quadrature, and back through the force."""
     contact, t = punch(nu), np.concatenate([[0.0], np.cumsum(times)])
     depth = start + np.concatenate([[0.0], np.cumsum(np.sin(1.0 + 9.0 * np.arange(len(times))))])
-    force = contact.history(t, depth=depth, drainage=drainage).force
+    force = mdr.poroelastic.history(contact, t, depth=depth, drainage=drainage).force
     for i in range(1, len(t)):
         total = start * contact.relaxation(t[i], drainage=drainage)
         for j in range(i):
@@ -116,7 +116,7 @@ def test_fast_and_slow_paths_are_elastic(nu, drainage, times, factor):
     elastic = mdr.Elastic(3.0, 0.5) if factor < 1.0 else mdr.Elastic(2.0 * (1.0 + nu), nu)
     wanted = mdr.Contact(mdr.FlatPunch(1.0), mdr.Homogeneous(elastic)).at_depth(depth).force
     # of a jump nothing drains at first
-    near(contact.history(t, depth=depth, drainage=drainage).force[1:], wanted[1:], 1e-6, np.abs(wanted).max())
+    near(mdr.poroelastic.history(contact, t, depth=depth, drainage=drainage).force[1:], wanted[1:], 1e-6, np.abs(wanted).max())
 
 
 @relation(20, nu=ratios, drainage=drainages, tau=d.between(1e-2, 1e2), flat=st.booleans())
@@ -129,7 +129,7 @@ def test_pressure_bears_the_force(nu, drainage, tau, flat):
     else:
         contact = mdr.Contact(mdr.Paraboloid(1.0), punch(nu).medium)
         given = {"radius": 1.0}
-        force = contact.history([0.0, tau], radius=[1.0, 1.0], drainage=drainage).force[1]
+        force = mdr.poroelastic.history(contact, [0.0, tau], radius=[1.0, 1.0], drainage=drainage).force[1]
 
     def ring(v):
         """r = sin v: the edge is infinite as 1/sqrt(1 - r^2)"""

@@ -325,21 +325,21 @@ def loop_spring(contact: Any) -> Numbers:
     return {"dissipated": found.dissipated_energy, "force": found.force}
 
 
-@answer("Contact.history", tolerance=1e-6)
+@answer("adhesion.rate_history", tolerance=1e-6)
 def rate_history(contact: Any) -> Numbers:
-    found = contact.history([0.0, 1.0, 1.5, 2.0], depth=[-0.1, DEPTH, 0.05, -0.02])
+    found = mdr.adhesion.rate_history(contact, [0.0, 1.0, 1.5, 2.0], depth=[-0.1, DEPTH, 0.05, -0.02])
     return {"force": found.force, "radius": found.radius, "dissipated": found.dissipated}
 
 
-@answer("Contact.history", tolerance=1e-6)
+@answer("adhesion.rate_history", tolerance=1e-6)
 def rate_history_force(contact: Any) -> Numbers:
-    found = contact.history([0.0, 1.0, 1.5, 2.0], force=[0.0, FORCE, 0.0, -0.2])
+    found = mdr.adhesion.rate_history(contact, [0.0, 1.0, 1.5, 2.0], force=[0.0, FORCE, 0.0, -0.2])
     return {"depth": found.depth, "radius": found.radius, "work": found.work}
 
 
-@answer("Contact.history", tolerance=1e-6)
+@answer("adhesion.rate_history", tolerance=1e-6)
 def rate_history_spring(contact: Any) -> Numbers:
-    found = contact.history([0.0, 1.0, 1.5, 2.0], position=[-0.1, 0.4, 0.0, -0.2], spring_stiffness=1.5)
+    found = mdr.adhesion.rate_history(contact, [0.0, 1.0, 1.5, 2.0], position=[-0.1, 0.4, 0.0, -0.2], spring_stiffness=1.5)
     return {"force": found.force, "depth": found.depth}
 
 
@@ -400,9 +400,9 @@ def history_radius(contact: Any) -> Numbers:
     return {"depth": found.depth, "force": found.force}
 
 
-@answer("Contact.history", tolerance=1e-4)
+@answer("adhesion.adhesive_history", tolerance=1e-4)
 def adhesive_history(contact: Any) -> Numbers:
-    found = contact.history([0.0, 1.0, 2.0], depth=[0.05, DEPTH, 0.15], tolerance=1e-4)
+    found = mdr.adhesion.adhesive_history(contact, [0.0, 1.0, 2.0], depth=[0.05, DEPTH, 0.15], tolerance=1e-4)
     return {"force": found.force, "radius": found.radius, "zone_radius": found.zone_radius, "work": found.end["work"]}
 
 
@@ -709,12 +709,12 @@ def gel_dynamic(contact: Any) -> Numbers:
     return {"": contact.dynamic_stiffness([0.5, 3.0], drainage="sealed", **_held(contact))}
 
 
-@answer("Contact.history", tolerance=1e-6)
+@answer("poroelastic.history", tolerance=1e-6)
 def gel_history(contact: Any) -> Numbers:
     t = [0.1, 0.4, 0.6]
     if isinstance(contact.indenter, mdr.FlatPunch):
-        return {"force": contact.history(t, depth=[0.01, 0.02, 0.02], drainage="surface").force}
-    found = contact.history(t, radius=[RADIUS] * 3, drainage="surface")
+        return {"force": mdr.poroelastic.history(contact, t, depth=[0.01, 0.02, 0.02], drainage="surface").force}
+    found = mdr.poroelastic.history(contact, t, radius=[RADIUS] * 3, drainage="surface")
     return {"force": found.force, "depth": found.depth}
 
 

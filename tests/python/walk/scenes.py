@@ -41,7 +41,7 @@ SLOW = {
     "shapes", "places of shapes", "voxels", "voxels beside", "lateral medium", "wear_coefficient_from_scar", "State.critical",
     "Contact.history", "Contact.creep", "Conduction.step", "Conduction.follow", "Conduction.friction_heat",
     "moving.friction_heat", "slide", "indentation_map",
-    "Contact.pressure_in_time", "gel.compliance", "paraboloid on a gel", "punch.history", "punch.pressure_in_time",
+    "Contact.pressure_in_time", "gel.compliance", "paraboloid on a gel", "poroelastic.history", "punch.pressure_in_time",
 }  # fmt: skip
 """Scenes that take more than 0.06 s: ./runtests.sh walks them with --all alone."""
 

@@ -65,7 +65,9 @@ def _sticky(model: str = "exact", **options: Any) -> Callable[[], Any]:
 
 def _rate() -> Any:
     law = mdr.adhesion.RateAdhesion(0.31, 1.3e-6, 0.43, 0.19, 0.9e-6, 0.61)
-    found = mdr.Contact(TIP, mdr.Homogeneous(BASE), adhesion=law).history([0.0, 0.7, 2.0], depth=[0.0, 9e-8, -6e-8])
+    found = mdr.adhesion.rate_history(
+        mdr.Contact(TIP, mdr.Homogeneous(BASE), adhesion=law), [0.0, 0.7, 2.0], depth=[0.0, 9e-8, -6e-8]
+    )
     return [law.at_speed([-1e-6, 1e-6]), found]
 
 

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from ...contact import Contact
 from ...errors import ArgumentTypeError, InvalidArgumentError, NoConvergenceError
-from ...poroelastic import DRAINAGES, Poroelastic, body_of, drainage_code, gel_of, is_poroelastic
+from ...poroelastic import DRAINAGES, Poroelastic, body_of, drainage_code, gel_of, history, is_poroelastic
 from ...profile import FlatPunch, Paraboloid
 from .least_squares import Coordinate, Estimate, ParameterFit, names_of, solve
 from .time_data import DepthTime, DynamicStiffness, ForceTime
@@ -190,9 +190,9 @@ def _answer(case: str, data: Any, indenter: Any, medium: Any, drainage: str, gel
         return np.asarray(np.column_stack([k.real, k.imag]).ravel()[part])
     if case == "held":
         a = np.full(len(data), _radius(data, indenter))
-        return np.asarray(contact.history(data.x, radius=a, drainage=drainage).force[part])
+        return np.asarray(history(contact, data.x, radius=a, drainage=drainage).force[part])
     path: dict[str, Any] = {case: data.given}
-    found = contact.history(data.x, drainage=drainage, **path)
+    found = history(contact, data.x, drainage=drainage, **path)
     return np.asarray((found.force if case == "depth" else found.depth)[part])
 
 

@@ -16,6 +16,7 @@ from ..._boundary import number, numbers
 from ..._choices import nearest
 from ..._value import Value
 from ..._warn import collected, silence, texts_of, warn_all
+from ...adhesion import rate_history
 from ...contact import Contact
 from ...errors import ArgumentTypeError, InvalidArgumentError, MDRError, NoConvergenceError
 from .least_squares import Coordinate, ParameterFit, central_differences, estimate, names_of, solve
@@ -243,8 +244,8 @@ def _whitened(misfit: NDArray[np.float64], lag: float) -> NDArray[np.float64]:
 def _follow(contact: Contact, time: ArrayLike, position: ArrayLike, stiffness: float | None) -> Any:
     """From rest in contact."""
     if stiffness is None:
-        return contact.history(time, depth=position, start="rest", tolerance=_TOLERANCE)
-    return contact.history(time, position=position, spring_stiffness=stiffness, start="rest", tolerance=_TOLERANCE)
+        return rate_history(contact, time, depth=position, start="rest", tolerance=_TOLERANCE)
+    return rate_history(contact, time, position=position, spring_stiffness=stiffness, start="rest", tolerance=_TOLERANCE)
 
 
 def _moduli(contact: Contact) -> dict[str, float]:
