@@ -6,7 +6,7 @@ module mdrcontact_profile_corners
     use mdrcontact_kinds, only: wp
     use mdrcontact_numerics_chebyshev, only: chebyshev_sum, cosine_transform, differentiate
     use mdrcontact_numerics_quadrature, only: merge_breaks
-    use mdrcontact_numerics_sampled_function, only: sampled_function_t
+    use mdrcontact_numerics_sampler, only: sampled_function_t
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
     implicit none (type, external)
     private
@@ -40,9 +40,9 @@ contains
         k = 1
         least = huge(least)
         corner = 0.0_wp
-        do i = 1, f%panels()
-            left = f%edge(i)
-            right = f%edge(i + 1)
+        do i = 1, size(f%from_root)
+            left = f%edges(i)
+            right = f%edges(i + 1)
             if (left >= planned(k + 1)) k = k + 1
             is_narrow = right - left < narrow*(planned(k + 1) - planned(k))
             if (is_narrow .and. right - left < least) then

@@ -10,7 +10,7 @@ module mdrcontact_profile_sampled
     use mdrcontact_profile, only: profile_t
     use mdrcontact_profile_corners, only: add_corners
     use mdrcontact_profile_transform, only: new_transform, transform_t
-    use mdrcontact_numerics_sampled_function, only: new_sampled_function, sampled_function_t
+    use mdrcontact_numerics_sampler, only: new_sampled_function, sampled_function_t
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
     implicit none (type, external)
     private
@@ -285,9 +285,9 @@ contains
 
         rounding = 1.0e-12_wp*f%value(f%upper())
         before = f%value(f%lower())
-        do i = 1, f%panels()
-            left = f%edge(i)
-            right = f%edge(i + 1)
+        do i = 1, size(f%from_root)
+            left = f%edges(i)
+            right = f%edges(i + 1)
             call f%values_in(i, left + (right - left)*[(real(j, wp)/checks_in_panel, j=1, checks_in_panel)], heights)
             do j = 1, checks_in_panel
                 here = heights(j)

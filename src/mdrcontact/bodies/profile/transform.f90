@@ -12,7 +12,7 @@ module mdrcontact_profile_transform
     use mdrcontact_kinds, only: half_pi, wp
     use mdrcontact_numerics_chebyshev, only: chebyshev_sum, cosine_transform
     use mdrcontact_numerics_quadrature, only: gauss_legendre
-    use mdrcontact_numerics_sampled_function, only: sampled_function_t
+    use mdrcontact_numerics_sampler, only: sampled_function_t
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
     use mdrcontact_numerics_search, only: interval_of
     implicit none (type, external)
@@ -74,7 +74,7 @@ contains
         call gauss_legendre(self%many, self%many_weights, error)
         call gauss_legendre(self%few, self%few_weights, error)
         if (allocated(error)) return
-        panels = f%panels()
+        panels = size(f%from_root)
         allocate (self%first(34))
         self%first(1) = 1
         count = panels
@@ -90,7 +90,7 @@ contains
         call check_memory(error, stat)
         if (allocated(error)) return
         do count = 1, panels + 1
-            self%edges(count) = f%edge(count)
+            self%edges(count) = f%edges(count)
         end do
         call find_moments(self, panels, levels)
     end subroutine new_transform
