@@ -13,6 +13,8 @@ it is several, a = x(1), b = x(2). In it a handle stands for its object, a user 
 elements, an output for a variable, two arrays `(x, y)` for a complex one; `@` before an argument leaves it as it is. A declaration
 is of one more variable, or of a handle's object where there are two types. Results in arrays must be finite, or at most infinite,
 or are not looked at. All outputs are written when all is known.
+
+An indenter `profile_x` whose core has `new_x(self, ..., error)` with the header's arguments needs no line.
 """
 
 import re
@@ -93,6 +95,15 @@ def table():
             statements = [first] if first else []
             found[name] = (made, hand_over, results, statements)
     return found
+
+
+def constructor(name, arguments):
+    """Type and statement of an indenter's constructor from that of the core; None where the core has none with these arguments."""
+    word, names = name.removeprefix("profile_"), ", ".join(argument.name for argument in arguments if not argument.is_new)
+    head = re.compile(rf"subroutine new_{word}\((\w+), {names}, error\)\n +type\((\w+)\), intent\(out\) :: \1\n")
+    texts = (path.read_text(encoding="utf-8") for path in sorted((SOURCES / "bodies" / "profile").glob("*.f90")))
+    found = next(filter(None, map(head.search, texts)), None) if word != name and names else None
+    return found and (found[2], None, None, [f"new_{word}(out, {names}, error)"])
 
 
 def folded(line):
@@ -252,11 +263,11 @@ def fortran_entries(headers, rows):
     parts = {header: header.removeprefix("mdrcontact").strip("/").removesuffix(".h") for header in headers}
     for header, extension in parts.items():
         functions = {name.removeprefix("mdr_"): words for _, name, words in prototypes(headers[header])}
-        entries = {
-            name: Entry(*rest.pop(name), [Argument(word, rows) for word in words])
-            for name, words in functions.items()
-            if name in rest
-        }
+        entries = {}
+        for name, words in functions.items():
+            arguments = [Argument(word, rows) for word in words]
+            if row := rest.pop(name, None) or constructor(name, arguments):
+                entries[name] = Entry(*row, arguments)
         if entries:
             others = set(parts.values()) - {"", extension}
             files[f"{extension}_entries.f90" if extension else "entries.f90"] = module(extension, entries, others)

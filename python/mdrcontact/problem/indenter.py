@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+import re
 from collections.abc import Callable, Mapping
 
 from .. import profile
@@ -37,20 +38,16 @@ def _metres(length_unit: object) -> float:
         raise InvalidArgumentError(f"length_unit: {problem}") from None
 
 
-_SHAPES: Mapping[str, Callable[..., profile.Profile]] = {
-    "sphere": profile.Sphere,
-    "paraboloid": profile.Paraboloid,
-    "cone": profile.Cone,
-    "flat-punch": profile.FlatPunch,
-    "flat-ended-cone": profile.FlatEndedCone,
-    "flat-ended-paraboloid": profile.FlatEndedParaboloid,
-    "rounded-cone": profile.RoundedCone,
-    "berkovich": profile.Berkovich,
-    "vickers": profile.Vickers,
-    "cube-corner": profile.CubeCorner,
+_OTHERWISE: Mapping[str, Callable[..., profile.Profile]] = {
     "table": profile.TabulatedProfile,
     "power-law": _power_law,
     "area-function": _area_function,
+}
+"""Shapes whose keys are not the arguments of a class of that name."""
+_CLASSES = [getattr(profile, name) for name in (*profile.shapes.__all__, *profile.tips.__all__)]
+_SHAPES: Mapping[str, Callable[..., profile.Profile]] = {
+    **{re.sub("(?<=[a-z])(?=[A-Z])", "-", shape.__name__).lower(): shape for shape in _CLASSES},
+    **_OTHERWISE,
 }
 """What makes a shape: its keys are the arguments."""
 _ACUTE = Range(0.0, math.pi / 2)

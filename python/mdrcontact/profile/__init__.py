@@ -1,27 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Indenter profiles."""
 
-from .base import Profile, SumProfile
-from .sampled import CallableProfile, TabulatedMDRProfile, TabulatedProfile
-from .shapes import Cone, FlatEndedCone, FlatEndedParaboloid, FlatPunch, Paraboloid, PowerLaw, RoundedCone, Sphere
-from .tips import AreaFunction, Berkovich, CubeCorner, Vickers
+from . import base, sampled, shapes, tips
+from .base import *  # noqa: F403
+from .sampled import *  # noqa: F403
+from .shapes import *  # noqa: F403
+from .tips import *  # noqa: F403
 
-__all__ = [
-    "Profile",
-    "SumProfile",
-    "Paraboloid",
-    "Sphere",
-    "Cone",
-    "PowerLaw",
-    "FlatPunch",
-    "FlatEndedCone",
-    "FlatEndedParaboloid",
-    "RoundedCone",
-    "Berkovich",
-    "Vickers",
-    "CubeCorner",
-    "AreaFunction",
-    "TabulatedProfile",
-    "TabulatedMDRProfile",
-    "CallableProfile",
-]
+__all__ = [*base.__all__, *shapes.__all__, *tips.__all__, *sampled.__all__]

@@ -13,6 +13,11 @@ from .._boundary import FloatOrArray, Handle, evaluate, native
 from .._parameters import WithParameters
 from ..errors import ArgumentTypeError, InvalidArgumentError
 
+__all__ = [
+    "Profile",
+    "SumProfile",
+]
+
 
 @dataclass(frozen=True)
 class Profile(WithParameters):

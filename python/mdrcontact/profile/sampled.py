@@ -16,6 +16,12 @@ from .._units import LENGTH
 from ..errors import InvalidArgumentError
 from .base import Profile
 
+__all__ = [
+    "TabulatedProfile",
+    "TabulatedMDRProfile",
+    "CallableProfile",
+]
+
 
 def _pair(x_name: str, x: ArrayLike, y_name: str, y: ArrayLike) -> tuple[tuple[float, ...], tuple[float, ...]]:
     positions, values = row(x_name, x), row(y_name, y)

@@ -11,6 +11,17 @@ from .._units import ANGLE, LENGTH, RATIO
 from ..errors import ArgumentTypeError, InvalidArgumentError
 from .base import Profile
 
+__all__ = [
+    "Sphere",
+    "Paraboloid",
+    "Cone",
+    "FlatPunch",
+    "FlatEndedCone",
+    "FlatEndedParaboloid",
+    "RoundedCone",
+    "PowerLaw",
+]
+
 
 @dataclass(frozen=True)
 class Paraboloid(Profile):

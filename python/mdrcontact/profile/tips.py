@@ -16,6 +16,13 @@ from .._boundary import native, number, row
 from .._units import LENGTH
 from .base import Profile
 
+__all__ = [
+    "Berkovich",
+    "Vickers",
+    "CubeCorner",
+    "AreaFunction",
+]
+
 
 @dataclass(frozen=True)
 class _Pyramid(Profile):
