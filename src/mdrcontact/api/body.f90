@@ -14,7 +14,8 @@ module mdrcontact_api_body
     use mdrcontact_body_wrinkling, only: find_wrinkling
     use mdrcontact_error, only: check_choice, check_memory, count_text, error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
-    use mdrcontact_material, only: by_engineering, by_stiffness, material_t, new_material, new_transverse
+    use mdrcontact_material, only: material_t, new_material, new_transverse
+    use mdrcontact_material_transverse, only: by_engineering, by_stiffness
     use mdrcontact_material_rheology, only: new_elastic_rheology, rheology_t
     use mdrcontact_medium_compliance, only: check_body_surface
     use mdrcontact_tension_surface, only: is_bare, surface_t

@@ -1,17 +1,17 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> An elastic material: Young's modulus E and Poisson's ratio nu, or another stiffness along z, or a stress in its plane.
 module mdrcontact_material
-    use mdrcontact_parameter, only: nature_poisson, nature_signed, parameter_t
+    use mdrcontact_parameter, only: nature_poisson, parameter_t
     use mdrcontact_error, only: check_poisson, check_positive, error_t
     use mdrcontact_kinds, only: wp
-    use mdrcontact_material_transverse, only: from_engineering, from_stiffness, of_isotropic, transverse_t
+    use mdrcontact_material_transverse, only: from_given, given_parameters, of_isotropic, transverse_t
     implicit none (type, external)
     private
     public :: material_t, moduli_t, new_material, new_transverse, in_series
-    public :: isotropic, by_stiffness, by_engineering
+    public :: isotropic
 
-    !> How a material was given: E, nu; C11, C12, C13, C33, C44; E_t, E_z, nu_t, nu_tz, G_z.
-    integer, parameter :: isotropic = 0, by_stiffness = 1, by_engineering = 2
+    !> A material that was given by E and nu; the other forms are those of mdrcontact_material_transverse.
+    integer, parameter :: isotropic = 0
 
     !> What a material opposes to a load: real of an elastic one, complex of one that relaxes.
     type :: moduli_t
@@ -37,9 +37,9 @@ module mdrcontact_material
         logical :: is_plain = .true.
         !> its six numbers where it is not
         type(transverse_t) :: constants
-        !> isotropic, by_stiffness or by_engineering
+        !> isotropic, or by_stiffness and the like
         integer :: form = isotropic
-        !> the five numbers of the latter two
+        !> the five numbers of the latter
         real(wp) :: given(5) = 0.0_wp
     contains
         procedure :: parameters
@@ -76,22 +76,16 @@ contains
     !> A material that is isotropic in its plane; raises unless every strain costs energy.
     pure subroutine new_transverse(self, form, numbers, error, role)
         type(material_t), intent(out) :: self
-        !> by_stiffness or by_engineering
+        !> by_stiffness and the like
         integer, intent(in) :: form
-        !> as from_stiffness or from_engineering takes them
+        !> in the order of `parameters`
         real(wp), intent(in) :: numbers(5)
         type(error_t), allocatable, intent(inout) :: error
         !> what the body is called in an error message
         character(len=*), intent(in) :: role
         type(transverse_t) :: constants
 
-        associate (n => numbers)
-            if (form == by_stiffness) then
-                call from_stiffness(constants, n(1), n(2), n(3), n(4), n(5), error, role//" ")
-            else
-                call from_engineering(constants, n(1), n(2), n(3), n(4), n(5), error, role//" ")
-            end if
-        end associate
+        call from_given(constants, form, numbers, error, role//" ")
         if (allocated(error)) return
         self%form = form
         self%given = numbers
@@ -107,18 +101,11 @@ contains
         class(material_t), intent(in) :: self
         type(parameter_t), allocatable, intent(out) :: list(:)
 
-        associate (n => self%given)
-            select case (self%form)
-            case (by_stiffness)
-                list = [parameter_t("C11", n(1)), parameter_t("C12", n(2), nature_signed, n(1)), &
-                        parameter_t("C13", n(3), nature_signed, n(4)), parameter_t("C33", n(4)), parameter_t("C44", n(5))]
-            case (by_engineering)
-                list = [parameter_t("E_t", n(1)), parameter_t("E_z", n(2)), parameter_t("nu_t", n(3), nature_signed, 1.0_wp), &
-                        parameter_t("nu_tz", n(4), nature_signed, 1.0_wp), parameter_t("G_z", n(5))]
-            case default
-                list = [parameter_t("E", self%young), parameter_t("nu", self%poisson, nature_poisson)]
-            end select
-        end associate
+        if (self%form == isotropic) then
+            list = [parameter_t("E", self%young), parameter_t("nu", self%poisson, nature_poisson)]
+        else
+            call given_parameters(self%form, self%given, list)
+        end if
     end subroutine parameters
 
     !> The same kind of material, free of stress, with other numbers.

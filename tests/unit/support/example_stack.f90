@@ -5,7 +5,8 @@ module example_stack
     use mdrcontact_body_stack, only: new_stack, stack_t
     use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: wp
-    use mdrcontact_material, only: by_engineering, by_stiffness, material_t, new_material, new_transverse
+    use mdrcontact_material, only: material_t, new_material, new_transverse
+    use mdrcontact_material_transverse, only: by_engineering, by_stiffness
     use mdrcontact_nonfinite, only: infinity
     implicit none (type, external)
     private

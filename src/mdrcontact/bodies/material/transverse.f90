@@ -10,11 +10,16 @@
 !> theory/surfaces.md (1.1)-(1.7); Elliott 1948, Proc. Camb. Phil. Soc. 44, 522; of a prestressed layer Biot 1965, Mechanics of
 !> Incremental Deformations.
 module mdrcontact_material_transverse
+    use mdrcontact_parameter, only: nature_signed, parameter_t
     use mdrcontact_error, only: check_positive, error_invalid, error_t, raise, to_text
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
-    public :: transverse_t, from_stiffness, from_engineering, of_isotropic
+    public :: transverse_t, from_given, from_stiffness, from_engineering, given_parameters, of_isotropic
+    public :: by_stiffness, by_engineering
+
+    !> How constants are given: C11, C12, C13, C33, C44; E_t, E_z, nu_t, nu_tz, G_z. 0 is an isotropic material.
+    integer, parameter :: by_stiffness = 1, by_engineering = 2
 
     !> The six numbers. Made by the procedures of this module, never changed.
     type :: transverse_t
@@ -37,6 +42,44 @@ module mdrcontact_material_transverse
     end type transverse_t
 
 contains
+
+    !> From the numbers of a form; raises unless every strain costs energy.
+    pure subroutine from_given(self, form, numbers, error, prefix)
+        type(transverse_t), intent(out) :: self
+        !> by_stiffness or by_engineering
+        integer, intent(in) :: form
+        !> in the order of `given_parameters`
+        real(wp), intent(in) :: numbers(5)
+        type(error_t), allocatable, intent(inout) :: error
+        !> what the body is called in an error message, with a blank behind it, or nothing
+        character(len=*), intent(in) :: prefix
+
+        associate (n => numbers)
+            if (form == by_stiffness) then
+                call from_stiffness(self, n(1), n(2), n(3), n(4), n(5), error, prefix)
+            else
+                call from_engineering(self, n(1), n(2), n(3), n(4), n(5), error, prefix)
+            end if
+        end associate
+    end subroutine from_given
+
+    !> The numbers of a form, by their names.
+    pure subroutine given_parameters(form, numbers, list)
+        !> by_stiffness or by_engineering
+        integer, intent(in) :: form
+        real(wp), intent(in) :: numbers(5)
+        type(parameter_t), allocatable, intent(out) :: list(:)
+
+        associate (n => numbers)
+            if (form == by_stiffness) then
+                list = [parameter_t("C11", n(1)), parameter_t("C12", n(2), nature_signed, n(1)), &
+                        parameter_t("C13", n(3), nature_signed, n(4)), parameter_t("C33", n(4)), parameter_t("C44", n(5))]
+            else
+                list = [parameter_t("E_t", n(1)), parameter_t("E_z", n(2)), parameter_t("nu_t", n(3), nature_signed, 1.0_wp), &
+                        parameter_t("nu_tz", n(4), nature_signed, 1.0_wp), parameter_t("G_z", n(5))]
+            end if
+        end associate
+    end subroutine given_parameters
 
     !> From the stiffness matrix; raises unless every strain costs energy.
     pure subroutine from_stiffness(self, c11, c12, c13, c33, c44, error, prefix)
