@@ -76,3 +76,53 @@ def test_three_paths_of_five_pages_that_end_with_the_reader():
         name, _, anchor = LINK.findall(steps[-1])[0].partition("#")
         last = (DOCS / name).read_text().rpartition("\n## ")[2]
         assert anchor in anchors(f"## {last}") and anchor.startswith("your-own-")
+
+
+def named_paths(text):
+    """Files and folders that a text names as code: with a folder, or in a block of commands; `<name>` and `*` stand for any."""
+    spans = re.findall(r"`([\w.<>*-]+(?:/[\w.<>*-]*)+)`", re.sub(r"^```.*?^```$", "", text, flags=re.DOTALL | re.MULTILINE))
+    return {*spans, *re.findall(r"\b(?:tools|docs|tests)/[\w/.]+\.(?:sh|py)\b", text)}
+
+
+def test_contributing_names_what_there_is():
+    """Of a new `<name>` the folder exists, and something of that kind in it; what is built need not be there."""
+    named = named_paths((ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8"))
+    assert {"src/mdrcontact/bodies/profile/<name>.f90", "tools/generate.py", "include/mdrcontact/medium.h"} <= named
+    missing = [name for name in sorted(named) if not name.startswith("build/") and not any(ROOT.glob(re.sub("<[^>]*>", "*", name)))]
+    assert not missing
+
+
+def test_contributing_has_short_lines():
+    lines = (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8").splitlines()
+    assert max(map(len, lines)) <= 132
+
+
+def test_a_path_that_is_gone_is_found():
+    assert named_paths("see `src/a.f90`, `<name>/b`, `word`, 1/2\n```sh\ntools/c.sh keep\n```\n") == {
+        "src/a.f90",
+        "<name>/b",
+        "tools/c.sh",
+    }
+
+
+def tree(text):
+    """Paths of a tree drawn by indentation, four columns a level; what each is stands from column 32 on."""
+    above = []
+    for line in text.splitlines():
+        level = (len(line) - len(line.lstrip())) // 4
+        for name in line[:32].split() if level < 8 else []:
+            if name != "...":
+                above[level:] = [name]
+                yield "".join(above)
+
+
+def test_the_tree_of_the_readme_is_that_of_the_repository():
+    text = (ROOT / "README.md").read_text(encoding="utf-8").partition("## Architecture")[2]
+    drawn = set(
+        tree(next(block for block in re.findall(r"^```text\n(.*?)^```$", text, re.DOTALL | re.MULTILINE) if "/" in block[:10]))
+    )
+    rooms = [*(ROOT / "src" / "mdrcontact").iterdir(), *(ROOT / "src" / "mdrcontact" / "extensions").glob("[!R]*/")]
+    assert {f"{path.relative_to(ROOT).as_posix()}/" for path in rooms if path.is_dir()} <= drawn
+    assert not [
+        path for path in sorted(drawn) if not (ROOT / path).exists() and path.split("/")[0] not in NOT_IN_THE_SOURCE_PACKAGE
+    ]
