@@ -78,7 +78,7 @@ def law_cost(one, other):
 
 def main():
     mdr.set_threads(1)
-    warnings.simplefilter("ignore", mdr.errors.NotOneDiscWarning)  # stiff films under cones: its cost is measured here
+    warnings.simplefilter("ignore", mdr.errors.SeparationInsideWarning)  # stiff films under cones: its cost is measured here
     alone = bodies()
     costs = state_costs(alone)
     law = law_cost(alone["TiN 1 on steel"], alone["DLC 0.3 on steel"])

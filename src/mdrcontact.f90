@@ -70,7 +70,7 @@ module mdrcontact
     use mdrcontact_law_friction, only: contact_steps_t, friction_law_t
     use mdrcontact_law_file, only: load_law, save_law
     use mdrcontact_medium_exact, only: layered_exact_t, new_layered_exact
-    use mdrcontact_line_shared, only: layered_shared_t
+    use mdrcontact_line_shared, only: kernel_cache_t
     use mdrcontact_contact_loop, only: loop_t, new_loop, spring_control
     use mdrcontact_material, only: material_t, new_material, new_transverse
     use mdrcontact_material_transverse, only: from_engineering, from_stiffness, transverse_t

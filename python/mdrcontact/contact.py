@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 from . import _layout, failure, poroelastic
 from ._boundary import ComplexOrArray, FloatOrArray, Handle, evaluate_all, native, number, record, row
 from ._choices import code
-from ._doubts import Doubts, Reported
+from ._state_warnings import Reported, StateWarnings
 from ._value import Value
 from ._warn import Caution, collected
 from .adhesion import RateAdhesion, RheologicalAdhesion, rate
@@ -64,7 +64,7 @@ class Contact(Value):
     adhesion: RateAdhesion | RheologicalAdhesion | None
     _rates: list[tuple[Handle, float]] = field(init=False, repr=False, compare=False)
     """the library's contact with a rate and its largest radius, once there was a history"""
-    _doubts: Doubts = field(init=False, repr=False, compare=False)
+    _doubts: StateWarnings = field(init=False, repr=False, compare=False)
     _reported: Reported = field(init=False, repr=False, compare=False)
     """what the user has read about it, which changes nothing that it answers"""
 
@@ -103,7 +103,7 @@ class Contact(Value):
         self._set(_handle=handle, indenter=indenter, medium=medium)
         self._set(work_of_adhesion=gamma, adhesion_rule=adhesion_rule, zeta=given, cohesive_stress=sigma)
         self._set(adhesion=adhesion, _rates=[])
-        self._set(_doubts=Doubts(self), _reported=Reported())
+        self._set(_doubts=StateWarnings(self), _reported=Reported())
 
     def at_depth(self, depth: ArrayLike, branch: str = "unloading") -> State:
         """The stable states at indentation depths d >= 0 [length], any shape; with adhesion down to the pull-off depth.

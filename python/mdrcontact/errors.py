@@ -15,7 +15,7 @@ __all__ = [
     "FileError",
     "CancelledError",
     "MDRWarning",
-    "NotOneDiscWarning",
+    "SeparationInsideWarning",
     "SlipInsideWarning",
     "BeyondRangeWarning",
     "LargeStrainWarning",
@@ -71,7 +71,7 @@ class MDRWarning(UserWarning):
     """A number that comes with a doubt; the base of all warnings below."""
 
 
-class NotOneDiscWarning(MDRWarning):
+class SeparationInsideWarning(MDRWarning):
     """The pressure of a contact without adhesion is negative somewhere: on this stiff coating the contact is not one disc. Its
     pressure is not that of the true contact; F(d) is off by at most a few per cent where the coating is up to 200 times stiffer
     than the body, by more beyond. Or the surface beyond the contact would pass through the indenter. Under a plate (`Surface`) F(d)

@@ -133,7 +133,7 @@ class State(tuple[Any, ...]):
 
     def lowest_pressure(self) -> tuple[float, float]:
         """The smallest p(r) [modulus] of one state without adhesion, and its r [length]: 0, at the edge, where none is negative.
-        Below 0 the contact is not one disc and its pressure not that of the true contact (see `NotOneDiscWarning`)."""
+        Below 0 the contact is not one disc and its pressure not that of the true contact (see `SeparationInsideWarning`)."""
         pressure, r = call(native.load_lowest_pressure, self._load)
         return float(pressure), float(r)
 

@@ -429,7 +429,7 @@ def test_refusals():
     with pytest.raises(mdr.errors.DomainError, match="at most the contact radius"):
         pair.shear(state).traction(1.1, pair.shear(state).at_shift(1e-3))
     stiff = friction(mdr.Coated(mdr.Elastic(100.0, 0.3), 1.0, mdr.Elastic(1.0, 0.3)), mdr.PowerLaw(4.0, 1.0))
-    with pytest.raises(mdr.errors.DomainError, match="not one disc"), pytest.warns(mdr.errors.NotOneDiscWarning):
+    with pytest.raises(mdr.errors.DomainError, match="not one disc"), pytest.warns(mdr.errors.SeparationInsideWarning):
         stiff.shear(stiff.contact.at_radius(2.0)).at_shift(0.1)
 
 

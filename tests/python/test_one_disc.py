@@ -14,14 +14,14 @@ STIFF = mdr.Coated(mdr.Elastic(100.0, 0.25), 1.0, mdr.Elastic(1.0, 0.3), "exact"
 
 def test_states_and_fields_warn_once_for_a_contact() -> None:
     contact = mdr.Contact(mdr.PowerLaw(4.0, 1.0), STIFF)
-    with pytest.warns(mdr.errors.NotOneDiscWarning, match="at r = 0 .contact radius 2"):
+    with pytest.warns(mdr.errors.SeparationInsideWarning, match="at r = 0 .contact radius 2"):
         state = contact.at_radius(2.0)
     pressure, r = state.lowest_pressure()
     assert r == 0.0 and pressure == state.pressure(0.0)
     assert pressure == pytest.approx(-1.9 * state.force / (4.0 * np.pi), rel=0.05)
-    with pytest.warns(mdr.errors.NotOneDiscWarning):
+    with pytest.warns(mdr.errors.SeparationInsideWarning):
         mdr.Contact(mdr.Cone(0.1), STIFF).at_depth(np.linspace(0.0, 1.0, 50))
-    with pytest.warns(mdr.errors.NotOneDiscWarning) as shown:
+    with pytest.warns(mdr.errors.SeparationInsideWarning) as shown:
         mdr.Contact(mdr.FlatPunch(1.5), STIFF).at_depth(0.1).pressure([0.0, 1.0])
     assert shown[0].filename == __file__
 
@@ -29,7 +29,7 @@ def test_states_and_fields_warn_once_for_a_contact() -> None:
 def test_a_ring_of_contact_farther_out_is_seen() -> None:
     film = mdr.Coated(mdr.Elastic(1000.0, 0.3), 1.0, mdr.Elastic(1.0, 0.3), "exact")
     contact = mdr.Contact(mdr.Cone(0.1), film)
-    with pytest.warns(mdr.errors.NotOneDiscWarning, match="would pass through the indenter, by 0.*contact radius 0.6"):
+    with pytest.warns(mdr.errors.SeparationInsideWarning, match="would pass through the indenter, by 0.*contact radius 0.6"):
         state = contact.at_radius(0.6)
     assert state.lowest_pressure() == (0.0, 0.6)
     assert state.displacement(9.0) > 0.0

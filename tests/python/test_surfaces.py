@@ -313,7 +313,7 @@ def test_no_tip_under_a_plate_makes_one_disc(half_space):
     """B lap lap f pulls at the apex of a cone, and depth falls while the radius grows; a paraboloid has none of it."""
     plate = mdr.Homogeneous(GEL, surface=mdr.Surface(0.0, 0.5))
     cone = mdr.Contact(mdr.PowerLaw(1.0, 0.1), plate)
-    with pytest.warns(mdr.errors.NotOneDiscWarning, match="a plate does not follow a tip"):
+    with pytest.warns(mdr.errors.SeparationInsideWarning, match="a plate does not follow a tip"):
         first, second = cone.at_radius([0.1, 0.3]).depth
     assert second < first
     with pytest.raises(mdr.errors.UnreachableError, match=r"at radius 0\.01, where the medium begins, the depth is 2\.5"):

@@ -302,7 +302,7 @@ def test_a_flat_punch_runs_in_over_its_length(medium, constant):
 def test_a_stiff_film_opens_under_a_flat_punch():
     """Its middle carries nothing at first: a contact of a ring, which a disc cannot be; with wear it closes."""
     contact = mdr.Contact(mdr.FlatPunch(1.0), COATED.medium)
-    with pytest.warns(mdr.errors.NotOneDiscWarning, match="not one disc"):
+    with pytest.warns(mdr.errors.SeparationInsideWarning, match="not one disc"):
         pressed = contact.at_force(1.0)
     history = Wear(contact, 1.0).history(force=1.0, scheme="rings")
     assert history.pressure(0.0) == 0.0 and history.state.radius < 1.0

@@ -10,7 +10,7 @@ module mdrcontact_api_adhesion_entries
     use mdrcontact_api_adhesion_open_handle, only: open_handle
     use mdrcontact_api_adhesion_rate, only: read_law
     use mdrcontact_api_arrays, only: check_each_finite, check_results, make_room
-    use mdrcontact_api_handles, only: hand_over
+    use mdrcontact_api_handles, only: return_object
     use mdrcontact_api_loop, only: choose_control
     use mdrcontact_api_records, only: c_rate_options_t
     use mdrcontact_api_status, only: status_of
@@ -44,7 +44,7 @@ contains
         if (.not. allocated(error)) call read_law(options, given, law, error)
         if (.not. allocated(error)) call new_rate_contact(made, c_inside, law, given%largest_radius, error, given%smallest_radius)
         call move_alloc(made, object)
-        status = hand_over(object, out, error)
+        status = return_object(object, out, error)
     end function mdr_rate_new
 
     function mdr_rate_work(options, n, v, out, time, zone) result(status) &

@@ -2,7 +2,7 @@
 !> What stands behind the handle of a body.
 module mdrcontact_api_any_body
     use, intrinsic :: iso_c_binding, only: c_int, c_ptr
-    use mdrcontact_api_handles, only: hand_over
+    use mdrcontact_api_handles, only: return_object
     use mdrcontact_body, only: body_t
     use mdrcontact_error, only: error_t
     use mdrcontact_medium_solver, only: solver_t
@@ -10,7 +10,7 @@ module mdrcontact_api_any_body
     use mdrcontact_tension_surface, only: surface_t
     implicit none (type, external)
     private
-    public :: any_body_t, hand_over_body, hand_over_elastic, hand_over_solved
+    public :: any_body_t, return_body, return_elastic, return_solved
 
     !> One of three; the other two are not allocated.
     type :: any_body_t
@@ -27,7 +27,7 @@ module mdrcontact_api_any_body
 contains
 
     !> Puts a body behind a new handle, unless there is an error.
-    function hand_over_body(body, out, error) result(status)
+    function return_body(body, out, error) result(status)
         type(any_body_t), allocatable, intent(inout) :: body
         type(c_ptr), intent(inout), optional :: out
         type(error_t), allocatable, intent(inout) :: error
@@ -35,11 +35,11 @@ contains
         class(*), allocatable :: object
 
         call move_alloc(body, object)
-        status = hand_over(object, out, error)
-    end function hand_over_body
+        status = return_object(object, out, error)
+    end function return_body
 
     !> The same with an elastic body alone.
-    function hand_over_elastic(elastic, out, error) result(status)
+    function return_elastic(elastic, out, error) result(status)
         class(body_t), allocatable, intent(inout) :: elastic
         type(c_ptr), intent(inout), optional :: out
         type(error_t), allocatable, intent(inout) :: error
@@ -48,11 +48,11 @@ contains
 
         allocate (body)
         call move_alloc(elastic, body%elastic)
-        status = hand_over_body(body, out, error)
-    end function hand_over_elastic
+        status = return_body(body, out, error)
+    end function return_elastic
 
     !> The same with one that has one solution.
-    function hand_over_solved(solved, out, error) result(status)
+    function return_solved(solved, out, error) result(status)
         class(solver_t), allocatable, intent(inout) :: solved
         type(c_ptr), intent(inout), optional :: out
         type(error_t), allocatable, intent(inout) :: error
@@ -61,7 +61,7 @@ contains
 
         allocate (body)
         call move_alloc(solved, body%solved)
-        status = hand_over_body(body, out, error)
-    end function hand_over_solved
+        status = return_body(body, out, error)
+    end function return_solved
 
 end module mdrcontact_api_any_body

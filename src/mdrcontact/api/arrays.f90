@@ -11,7 +11,7 @@ module mdrcontact_api_arrays
     private
     public :: check_count, check_array, check_not_empty, check_each_finite, check_each_positive, &
               check_each_not_negative, check_each_within
-    public :: make_room, deliver_parts, check_results, check_results_or_infinity, check_positive_results
+    public :: make_room, return_parts, check_results, check_results_or_infinity, check_positive_results
 
     !> Room for n results, unless there is an error: they are written to the caller's array when all of them are known.
     interface make_room
@@ -140,7 +140,7 @@ contains
 
     !> Writes complex results to the caller's arrays, unless there is an error or one of them is not finite. All are wanted but the
     !> imaginary part, which may be missing.
-    pure subroutine deliver_parts(error, values, real_part, imaginary_part)
+    pure subroutine return_parts(error, values, real_part, imaginary_part)
         type(error_t), allocatable, intent(inout) :: error
         !> not allocated if there is an error
         complex(c_double), allocatable, intent(in) :: values(:)
@@ -157,7 +157,7 @@ contains
             real_part(i) = real(values(i), c_double)
             if (present(imaginary_part)) imaginary_part(i) = aimag(values(i))
         end do
-    end subroutine deliver_parts
+    end subroutine return_parts
 
     !> Raises unless all results are finite: from numbers that are far apart they can leave the number range.
     pure subroutine check_results(error, values)

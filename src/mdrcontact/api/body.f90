@@ -3,7 +3,7 @@
 module mdrcontact_api_body
     use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_int, c_int8_t, c_loc, c_ptr, c_size_t, &
                                            c_sizeof
-    use mdrcontact_api_any_body, only: any_body_t, hand_over_body
+    use mdrcontact_api_any_body, only: any_body_t, return_body
     use mdrcontact_api_open_handle, only: open_handle
     use mdrcontact_api_options, only: read_options
     use mdrcontact_api_records, only: c_layer_t, c_surface_t
@@ -63,7 +63,7 @@ contains
             if (.not. allocated(error)) call check_body_surface(stack, body%surface, error)
             call move_alloc(stack, body%elastic)
         end if
-        status = hand_over_body(body, out, error)
+        status = return_body(body, out, error)
     end function mdr_body_layered
 
     !> Tension and sheets of a surface; bare for a null pointer.

@@ -2,10 +2,10 @@
 !> Functions of conduction that convert, call and deliver, for C. Written by tools/generate.py.
 module mdrcontact_api_conduction_entries
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
-    use mdrcontact_api_arrays, only: check_each_not_negative, check_each_positive, check_results, deliver_parts, make_room
+    use mdrcontact_api_arrays, only: check_each_not_negative, check_each_positive, check_results, make_room, return_parts
     use mdrcontact_api_conduction, only: take_conductors
     use mdrcontact_api_conduction_open_handle, only: open_handle
-    use mdrcontact_api_handles, only: hand_over
+    use mdrcontact_api_handles, only: return_object
     use mdrcontact_api_status, only: status_of
     use mdrcontact_conduction_along, only: conductance_along
     use mdrcontact_conduction_answers, only: admittance_of, follow_history, step_of
@@ -54,7 +54,7 @@ contains
         end if
         if (.not. allocated(error)) call new_conduction(made, bodies, film, sink, error)
         call move_alloc(made, object)
-        status = hand_over(object, out, error)
+        status = return_object(object, out, error)
     end function mdr_conduction_new
 
     function mdr_conduction_spot(p, n, radius, conductance, slope) result(status) &
@@ -99,7 +99,7 @@ contains
         call open_handle(p, "p", p_inside, error)
         if (.not. allocated(error)) call tabulate_conductance(p_inside, smallest, largest, tolerance, made, error)
         call move_alloc(made, object)
-        status = hand_over(object, out, error)
+        status = return_object(object, out, error)
     end function mdr_conduction_tabulate
 
     function mdr_conduction_compliance(p, omega, n, k, out, imaginary) result(status) &
@@ -119,7 +119,7 @@ contains
         if (.not. allocated(error) .and. n > 0) call check_each_positive(error, "k", k(:n))
         call make_room(error, n, out_values)
         if (.not. allocated(error) .and. n > 0) call p_inside%compliance(k(:n), omega, out_values)
-        call deliver_parts(error, out_values, out, imaginary)
+        call return_parts(error, out_values, out, imaginary)
         status = status_of(error)
     end function mdr_conduction_compliance
 
@@ -138,7 +138,7 @@ contains
         call open_handle(p, "p", p_inside, error)
         call make_room(error, n, in_phase_values)
         if (.not. allocated(error) .and. n > 0) call admittance_of(p_inside, answer, radius, omega(:n), in_phase_values, error)
-        call deliver_parts(error, in_phase_values, in_phase, ahead)
+        call return_parts(error, in_phase_values, in_phase, ahead)
         status = status_of(error)
     end function mdr_conduction_admittance
 

@@ -3,7 +3,7 @@
 module mdrcontact_api_contact
     use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_int, c_loc, c_ptr, c_sizeof
     use mdrcontact_api_arrays, only: check_each_positive
-    use mdrcontact_api_handles, only: hand_over
+    use mdrcontact_api_handles, only: return_object
     use mdrcontact_api_open_handle, only: open_handle
     use mdrcontact_api_options, only: read_options
     use mdrcontact_api_records, only: c_contact_options_t
@@ -49,7 +49,7 @@ contains
         end if
         if (given%zeta_count /= 0 .and. .not. allocated(error)) call read_zeta(given, chosen%zeta, error)
         if (.not. allocated(error)) call make_contact(object, indenter, body, chosen, error)
-        status = hand_over(object, out, error)
+        status = return_object(object, out, error)
     end function mdr_contact_new
 
     !> A contact with an elastic medium, or with one that relaxes.
@@ -109,7 +109,7 @@ contains
         call open_handle(c, "c", contact, error)
         if (.not. allocated(error)) call contact%load(state, load, error)
         call move_alloc(load, object)
-        status = hand_over(object, out, error, held=c)
+        status = return_object(object, out, error, held=c)
     end function mdr_contact_load
 
     function mdr_contact_warnings(c, state, buffer, length, warnings) result(status) &

@@ -2,12 +2,12 @@
 !> Functions of the core that convert, call and deliver, for C. Written by tools/generate.py.
 module mdrcontact_api_entries
     use, intrinsic :: iso_c_binding, only: c_double, c_funptr, c_int, c_ptr
-    use mdrcontact_api_any_body, only: any_body_t, hand_over_elastic, hand_over_solved
+    use mdrcontact_api_any_body, only: any_body_t, return_elastic, return_solved
     use mdrcontact_api_arrays, only: check_array, check_each_not_negative, check_each_positive, check_each_within, &
-        check_not_empty, check_results, check_results_or_infinity, deliver_parts, make_room
+        check_not_empty, check_results, check_results_or_infinity, make_room, return_parts
     use mdrcontact_api_callback, only: c_function_t, new_c_function
     use mdrcontact_api_closed_forms, only: check_constants, constant_count, formulas, variable_name
-    use mdrcontact_api_handles, only: hand_over, hand_over_solver
+    use mdrcontact_api_handles, only: return_object, return_solver
     use mdrcontact_api_law_file, only: read_content, read_name
     use mdrcontact_api_loop, only: choose_control
     use mdrcontact_api_medium, only: new_medium_of
@@ -110,7 +110,7 @@ contains
         allocate (made)
         call new_paraboloid(made, radius, error)
         call move_alloc(made, object)
-        status = hand_over(object, out, error)
+        status = return_object(object, out, error)
     end function mdr_profile_paraboloid
 
     function mdr_profile_sphere(radius, out) result(status) &
@@ -125,7 +125,7 @@ contains
         allocate (made)
         call new_sphere(made, radius, error)
         call move_alloc(made, object)
-        status = hand_over(object, out, error)
+        status = return_object(object, out, error)
     end function mdr_profile_sphere
 
     function mdr_profile_cone(inclination, out) result(status) &
@@ -140,7 +140,7 @@ contains
         allocate (made)
         call new_cone(made, inclination, error)
         call move_alloc(made, object)
-        status = hand_over(object, out, error)
+        status = return_object(object, out, error)
     end function mdr_profile_cone
 
     function mdr_profile_power(exponent, coefficient, out) result(status) &
@@ -155,7 +155,7 @@ contains
         allocate (made)
         call new_power_law(made, exponent, coefficient, error)
         call move_alloc(made, object)
-        status = hand_over(object, out, error)
+        status = return_object(object, out, error)
     end function mdr_profile_power
 
     function mdr_profile_flat_punch(radius, out) result(status) &
@@ -170,7 +170,7 @@ contains
         allocate (made)
         call new_flat_punch(made, radius, error)
         call move_alloc(made, object)
-        status = hand_over(object, out, error)
+        status = return_object(object, out, error)
     end function mdr_profile_flat_punch
 
     function mdr_profile_flat_cone(end_radius, inclination, out) result(status) &
@@ -185,7 +185,7 @@ contains
         allocate (made)
         call new_flat_cone(made, end_radius, inclination, error)
         call move_alloc(made, object)
-        status = hand_over(object, out, error)
+        status = return_object(object, out, error)
     end function mdr_profile_flat_cone
 
     function mdr_profile_flat_paraboloid(end_radius, radius, out) result(status) &
@@ -200,7 +200,7 @@ contains
         allocate (made)
         call new_flat_paraboloid(made, end_radius, radius, error)
         call move_alloc(made, object)
-        status = hand_over(object, out, error)
+        status = return_object(object, out, error)
     end function mdr_profile_flat_paraboloid
 
     function mdr_profile_rounded_cone(blend_radius, inclination, out) result(status) &
@@ -215,7 +215,7 @@ contains
         allocate (made)
         call new_rounded_cone(made, blend_radius, inclination, error)
         call move_alloc(made, object)
-        status = hand_over(object, out, error)
+        status = return_object(object, out, error)
     end function mdr_profile_rounded_cone
 
     function mdr_profile_area_function(n, coefficients, min_height, max_height, out) result(status) &
@@ -235,7 +235,7 @@ contains
             call new_area_function_profile(made, coefficients(:n), min_height, max_height, error)
         end if
         call move_alloc(made, object)
-        status = hand_over(object, out, error)
+        status = return_object(object, out, error)
     end function mdr_profile_area_function
 
     function mdr_profile_table(quantity, n, x, y, out) result(status) &
@@ -258,7 +258,7 @@ contains
             if (quantity == of_mdr) call new_profile_from_mdr(made, x(:n), y(:n), error)
         end if
         call move_alloc(made, object)
-        status = hand_over(object, out, error)
+        status = return_object(object, out, error)
     end function mdr_profile_table
 
     function mdr_profile_function(height, context, largest_radius, out) result(status) &
@@ -277,7 +277,7 @@ contains
         call new_c_function(height_function, "height", height, context, error)
         if (.not. allocated(error)) call new_profile_from_function(made, height_function, largest_radius, error)
         call move_alloc(made, object)
-        status = hand_over(object, out, error)
+        status = return_object(object, out, error)
     end function mdr_profile_function
 
     function mdr_profile_sum(n, terms, out) result(status) &
@@ -297,7 +297,7 @@ contains
         if (.not. allocated(error) .and. n > 0) call copy_terms(terms(:n), copies, error)
         if (.not. allocated(error)) call new_profile_sum(made, copies, error)
         call move_alloc(made, object)
-        status = hand_over(object, out, error)
+        status = return_object(object, out, error)
     end function mdr_profile_sum
 
     function mdr_profile_values(p, quantity, n, x, out) result(status) &
@@ -344,7 +344,7 @@ contains
             call new_viscoelastic(made, relaxed_shear_modulus, moduli(:n), times(:n), viscosity, nu, bulk_modulus, error)
         end if
         call move_alloc(made, object)
-        status = hand_over(object, out, error)
+        status = return_object(object, out, error)
     end function mdr_material_viscoelastic
 
     function mdr_material_power_law(modulus, time, exponent, nu, out) result(status) &
@@ -359,7 +359,7 @@ contains
         allocate (made)
         call new_power_law_rheology(made, modulus, time, exponent, nu, error)
         call move_alloc(made, object)
-        status = hand_over(object, out, error)
+        status = return_object(object, out, error)
     end function mdr_material_power_law
 
     function mdr_material_limit(m, limit, e, nu) result(status) &
@@ -405,7 +405,7 @@ contains
         call check_not_empty(error, "z", n, 2)
         if (.not. allocated(error) .and. n > 0) call new_graded_body(made, z(:n), e(:n), nu(:n), error)
         call move_alloc(made, object)
-        status = hand_over_elastic(object, out, error)
+        status = return_elastic(object, out, error)
     end function mdr_body_graded
 
     function mdr_body_graded_function(e, nu, context, depth, out) result(status) &
@@ -425,7 +425,7 @@ contains
         call new_c_function(nu_function, "nu", nu, context, error)
         if (.not. allocated(error)) call new_graded_body_from_functions(made, e_function, nu_function, depth, error)
         call move_alloc(made, object)
-        status = hand_over_elastic(object, out, error)
+        status = return_elastic(object, out, error)
     end function mdr_body_graded_function
 
     function mdr_body_power_graded(e0, z0, exponent, nu, out) result(status) &
@@ -440,7 +440,7 @@ contains
         allocate (made)
         call new_power_graded(made, e0, z0, exponent, nu, error)
         call move_alloc(made, object)
-        status = hand_over_solved(object, out, error)
+        status = return_solved(object, out, error)
     end function mdr_body_power_graded
 
     function mdr_body_rigid(out) result(status) &
@@ -454,7 +454,7 @@ contains
         allocate (made)
         call new_rigid(made)
         call move_alloc(made, object)
-        status = hand_over_solved(object, out, error)
+        status = return_solved(object, out, error)
     end function mdr_body_rigid
 
     function mdr_body_compliance(body, load, omega, n, k, out, imaginary) result(status) &
@@ -489,7 +489,7 @@ contains
             if (allocated(body_inside%solved)) call raise(error, error_invalid, &
                 " is not allowed: the compliance of a rigid body, or of one of a "// "power of the depth, is not known", "body")
         end if
-        call deliver_parts(error, out_values, out, imaginary)
+        call return_parts(error, out_values, out, imaginary)
         status = status_of(error)
     end function mdr_body_compliance
 
@@ -505,7 +505,7 @@ contains
         allocate (made)
         call new_homogeneous_from_modulus(made, contact_modulus, error)
         call move_alloc(made, object)
-        status = hand_over_solver(object, out, error)
+        status = return_solver(object, out, error)
     end function mdr_medium_contact_modulus
 
     function mdr_medium_new(body, options, out) result(status) &
@@ -525,7 +525,7 @@ contains
         if (.not. allocated(error)) call read_medium_options(error, options, model, chosen)
         if (.not. allocated(error)) call new_medium_of(made, body_inside, model, chosen, error)
         call move_alloc(made, object)
-        status = hand_over(object, out, error)
+        status = return_object(object, out, error)
     end function mdr_medium_new
 
     function mdr_medium_pair(lower, upper, out) result(status) &
@@ -543,7 +543,7 @@ contains
         call open_handle(upper, "upper", upper_inside, error)
         if (.not. allocated(error)) call new_pair(made, lower_inside, upper_inside, error)
         call move_alloc(made, object)
-        status = hand_over(object, out, error)
+        status = return_object(object, out, error)
     end function mdr_medium_pair
 
     function mdr_medium_table(n, a, moduli, out) result(status) &
@@ -563,7 +563,7 @@ contains
         if (.not. allocated(error) .and. n > 0) call check_each_positive(error, "moduli", moduli(:n))
         if (.not. allocated(error) .and. n > 0) call new_tabulated_medium(made, a(:n), moduli(:n), error)
         call move_alloc(made, object)
-        status = hand_over_solver(object, out, error)
+        status = return_solver(object, out, error)
     end function mdr_medium_table
 
     function mdr_medium_function(modulus, context, smallest_radius, largest_radius, out) result(status) &
@@ -582,7 +582,7 @@ contains
         call new_c_function(modulus_function, "modulus", modulus, context, error)
         if (.not. allocated(error)) call new_medium_from_function(made, modulus_function, smallest_radius, largest_radius, error)
         call move_alloc(made, object)
-        status = hand_over_solver(object, out, error)
+        status = return_solver(object, out, error)
     end function mdr_medium_function
 
     function mdr_weight(weight, nu, n, xi, out) result(status) &
@@ -647,7 +647,7 @@ contains
         if (.not. allocated(error)) call choose_control(chosen, control, spring_stiffness, .true., error)
         if (.not. allocated(error)) call new_loop(made, c_inside, chosen, largest, points, error)
         call move_alloc(made, object)
-        status = hand_over(object, out, error)
+        status = return_object(object, out, error)
     end function mdr_loop_new
 
     function mdr_load_energy(load, lower, upper) result(status) &
@@ -726,7 +726,7 @@ contains
         call open_handle(c, "c", c_inside, error)
         if (.not. allocated(error)) call new_friction(made, c_inside, coefficient, error)
         call move_alloc(made, object)
-        status = hand_over(object, out, error)
+        status = return_object(object, out, error)
     end function mdr_friction_new
 
     function mdr_friction_history_new(f, largest_depth, rings, out) result(status) &
@@ -745,7 +745,7 @@ contains
         call open_handle(f, "f", f_inside, error)
         if (.not. allocated(error)) call new_friction_history(made, f_inside, error, largest_depth, rings)
         call move_alloc(made, object)
-        status = hand_over(object, out, error)
+        status = return_object(object, out, error)
     end function mdr_friction_history_new
 
     function mdr_friction_history_copy(h, out) result(status) &
@@ -762,7 +762,7 @@ contains
         call open_handle(h, "h", h_inside, error)
         if (.not. allocated(error)) call h_inside%copy(made, error)
         call move_alloc(made, object)
-        status = hand_over(object, out, error)
+        status = return_object(object, out, error)
     end function mdr_friction_history_copy
 
     function mdr_law_with_radius(law, radius, out) result(status) &
@@ -780,7 +780,7 @@ contains
         call open_handle(law, "law", law_inside, error)
         if (.not. allocated(error)) call law_inside%with_radius(radius, made, error)
         call move_alloc(made, object)
-        status = hand_over(object, out, error)
+        status = return_object(object, out, error)
     end function mdr_law_with_radius
 
     function mdr_law_save(law, path) result(status) &
@@ -811,7 +811,7 @@ contains
         call read_name(path, name, error)
         if (.not. allocated(error)) call load_law(made, name, error)
         call move_alloc(made, object)
-        status = hand_over(object, out, error)
+        status = return_object(object, out, error)
     end function mdr_law_load
 
     function mdr_law_read(buffer, length, out) result(status) &
@@ -829,7 +829,7 @@ contains
         call read_content(buffer, length, text, error)
         if (.not. allocated(error)) call law_from_text(made, text, error)
         call move_alloc(made, object)
-        status = hand_over(object, out, error)
+        status = return_object(object, out, error)
     end function mdr_law_read
 
     function mdr_closed_form(formula, n, x, constants, out) result(status) &

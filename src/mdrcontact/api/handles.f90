@@ -16,7 +16,7 @@ module mdrcontact_api_handles
     use mdrcontact_medium_solver, only: solver_t
     implicit none (type, external)
     private
-    public :: description_of, hand_over, hand_over_solver, look_inside, refuse_kind
+    public :: description_of, return_object, return_solver, look_inside, refuse_kind
     public :: mdr_free
 
     integer(c_int64_t), parameter :: no_tag = 0_c_int64_t, live_tag = 7239381865347100001_c_int64_t
@@ -60,7 +60,7 @@ contains
 
     !> Puts a finished object behind a new handle, and the handle into `out`, unless there was an error. Its arrays, which may be
     !> large, are not copied: gfortran ends the process where there is no memory for the copy of a component.
-    function hand_over(object, out, error, held) result(status)
+    function return_object(object, out, error, held) result(status)
         class(*), allocatable, intent(inout) :: object
         type(c_ptr), intent(inout) :: out
         type(error_t), allocatable, intent(inout) :: error
@@ -92,7 +92,7 @@ contains
             inside%held = held
         end if
         out = c_loc(inside)
-    end function hand_over
+    end function return_object
 
     !> The numbers of a law, and the view of them.
     subroutine add_view(law, inside, error)
@@ -123,7 +123,7 @@ contains
     end function description_of
 
     !> Puts a solver behind the handle of a medium.
-    function hand_over_solver(solver, out, error) result(status)
+    function return_solver(solver, out, error) result(status)
         class(solver_t), allocatable, intent(inout) :: solver
         type(c_ptr), intent(inout) :: out
         type(error_t), allocatable, intent(inout) :: error
@@ -134,8 +134,8 @@ contains
         allocate (medium)
         call move_alloc(solver, medium%solver)
         call move_alloc(medium, object)
-        status = hand_over(object, out, error)
-    end function hand_over_solver
+        status = return_object(object, out, error)
+    end function return_solver
 
     !> Frees what there is, of any kind.
     function mdr_free(handle) result(status) bind(C)

@@ -3,7 +3,7 @@
 module mdrcontact_api_lateral_entries
     use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_funptr, c_int, c_ptr
     use mdrcontact_api_arrays, only: check_each_not_negative, make_room
-    use mdrcontact_api_handles, only: hand_over, hand_over_solver
+    use mdrcontact_api_handles, only: return_object, return_solver
     use mdrcontact_api_lateral_open_handle, only: open_handle
     use mdrcontact_api_lateral_structure, only: c_field_t, read_structure_options
     use mdrcontact_api_records, only: c_structure_options_t
@@ -44,7 +44,7 @@ contains
                 chosen%exponent)
         end if
         call move_alloc(made, object)
-        status = hand_over(object, out, error)
+        status = return_object(object, out, error)
     end function mdr_structure_function
 
     function mdr_structure_modulus(s, n, x, y, a, out) result(status) &
@@ -84,7 +84,7 @@ contains
         call open_handle(s, "s", s_inside, error)
         if (.not. allocated(error)) call new_lateral_medium(made, s_inside, x, y, smallest_radius, largest_radius, error, points)
         call move_alloc(made, object)
-        status = hand_over_solver(object, out, error)
+        status = return_solver(object, out, error)
     end function mdr_structure_medium
 
     function mdr_lateral_density(n, rho, z, nu, shear, poisson) result(status) &

@@ -2,7 +2,7 @@
 !> Laterally heterogeneous structures, for C (theory/lateral.md (1.1)).
 module mdrcontact_api_lateral_structure
     use, intrinsic :: iso_c_binding, only: c_double, c_f_procpointer, c_funptr, c_int, c_loc, c_null_ptr, c_ptr, c_sizeof
-    use mdrcontact_api_handles, only: hand_over
+    use mdrcontact_api_handles, only: return_object
     use mdrcontact_api_options, only: read_options
     use mdrcontact_api_records, only: c_structure_options_t
     use mdrcontact_error, only: check_count_from, check_memory, count_text, error_callback, error_invalid, error_t, raise
@@ -72,7 +72,7 @@ contains
             call new_shapes(structure, background, shapes, error, chosen%reference_nu, chosen%tolerance, chosen%exponent)
         end if
         call move_alloc(structure, object)
-        status = hand_over(object, out, error)
+        status = return_object(object, out, error)
     end function mdr_structure_shapes
 
     function mdr_structure_voxels(size, labels, phases, e, nu, spacing, below_e, below_nu, options, out) result(status) &
@@ -122,7 +122,7 @@ contains
                             reference_nu, chosen%exponent)
         end if
         call move_alloc(structure, object)
-        status = hand_over(object, out, error)
+        status = return_object(object, out, error)
     end function mdr_structure_voxels
 
     !> What the caller gave, with the defaults of the rest.

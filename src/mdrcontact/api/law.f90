@@ -2,7 +2,7 @@
 !> Compiled contact laws for C: making them, one point, and what they are.
 module mdrcontact_api_law
     use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_int, c_loc, c_ptr, c_size_t, c_sizeof
-    use mdrcontact_api_handles, only: description_of, hand_over, look_inside, refuse_kind
+    use mdrcontact_api_handles, only: description_of, return_object, look_inside, refuse_kind
     use mdrcontact_api_open_handle, only: open_handle
     use mdrcontact_api_options, only: check_size, read_options, write_facts
     use mdrcontact_api_records, only: c_law_facts_t, c_law_options_t
@@ -75,7 +75,7 @@ contains
             call new_contact_law(law, inside, largest_depth, error, chosen)
         end if
         call move_alloc(law, object)
-        status = hand_over(object, out, error)
+        status = return_object(object, out, error)
     end function mdr_law_new
 
     !> What stands behind options.conduction, of whatever extension.

@@ -2,7 +2,7 @@
 !> Viscoelastic materials, for C.
 module mdrcontact_api_material
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
-    use mdrcontact_api_arrays, only: check_results, deliver_parts, make_room
+    use mdrcontact_api_arrays, only: check_results, return_parts, make_room
     use mdrcontact_api_open_handle, only: open_handle
     use mdrcontact_api_status, only: status_of
     use mdrcontact_codes, only: of_complex_modulus => complex_modulus, of_creep => creep, of_relaxation => relaxation
@@ -46,7 +46,7 @@ contains
             do i = 1, merge(n, 0_c_int, .not. allocated(error))
                 values(i) = material%complex_shear(cmplx(0.0_wp, x(i), wp))
             end do
-            call deliver_parts(error, values, out, imaginary)
+            call return_parts(error, values, out, imaginary)
         else
             call make_room(error, n, in_time)
             if (.not. allocated(error) .and. n > 0) then

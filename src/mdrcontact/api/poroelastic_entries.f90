@@ -2,8 +2,8 @@
 !> Functions of poroelastic that convert, call and deliver, for C. Written by tools/generate.py.
 module mdrcontact_api_poroelastic_entries
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
-    use mdrcontact_api_arrays, only: check_each_positive, check_results, deliver_parts, make_room
-    use mdrcontact_api_handles, only: hand_over
+    use mdrcontact_api_arrays, only: check_each_positive, check_results, make_room, return_parts
+    use mdrcontact_api_handles, only: return_object
     use mdrcontact_api_poroelastic_open_handle, only: open_handle
     use mdrcontact_api_status, only: status_of
     use mdrcontact_error, only: check_choice, error_t
@@ -39,7 +39,7 @@ contains
         deviation_value = 0.0_c_double
         if (.not. allocated(error)) deviation_value = made%error
         call move_alloc(made, object)
-        status = hand_over(object, out, error)
+        status = return_object(object, out, error)
         if (allocated(error)) return
         if (present(deviation)) deviation = deviation_value
     end function mdr_poroelastic_new
@@ -107,7 +107,7 @@ contains
         if (.not. allocated(error) .and. n > 0) then
             call poroelastic_dynamic_stiffness(p_inside, shear_modulus, diffusivity, radius, omega(:n), storage_values, error)
         end if
-        call deliver_parts(error, storage_values, storage, loss)
+        call return_parts(error, storage_values, storage, loss)
         status = status_of(error)
     end function mdr_poroelastic_dynamic_stiffness
 
@@ -156,7 +156,7 @@ contains
             call poroelastic_compliance(nu, drainage, thickness, shear_modulus, diffusivity, omega, wavenumbers, out_values, &
                 error)
         end if
-        call deliver_parts(error, out_values, out, imaginary)
+        call return_parts(error, out_values, out, imaginary)
         status = status_of(error)
     end function mdr_poroelastic_compliance
 

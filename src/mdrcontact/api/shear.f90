@@ -3,7 +3,7 @@
 module mdrcontact_api_shear
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_loc, c_ptr, c_size_t, c_sizeof
     use mdrcontact_api_arrays, only: check_results, check_results_or_infinity, make_room
-    use mdrcontact_api_handles, only: hand_over
+    use mdrcontact_api_handles, only: return_object
     use mdrcontact_api_open_handle, only: open_handle
     use mdrcontact_api_options, only: check_size, write_facts
     use mdrcontact_api_records, only: c_shear_facts_t
@@ -44,7 +44,7 @@ contains
         end if
         if (.not. allocated(error)) call check_results(error, [shear%sliding_force])
         call move_alloc(shear, object)
-        status = hand_over(object, out, error)
+        status = return_object(object, out, error)
     end function mdr_shear_new
 
     subroutine solve(shear, given, value, state, error)

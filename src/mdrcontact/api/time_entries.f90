@@ -2,7 +2,7 @@
 !> Functions of time that convert, call and deliver, for C. Written by tools/generate.py.
 module mdrcontact_api_time_entries
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_ptr
-    use mdrcontact_api_arrays, only: check_results, deliver_parts, make_room
+    use mdrcontact_api_arrays, only: check_results, make_room, return_parts
     use mdrcontact_api_open_handle, only: open_handle
     use mdrcontact_api_status, only: status_of
     use mdrcontact_contact_relaxing_contact, only: relaxing_contact_t
@@ -60,7 +60,7 @@ contains
         call open_handle(c, "c", c_inside, error)
         call make_room(error, n, storage_values)
         if (.not. allocated(error) .and. n > 0) call dynamic_stiffness(c_inside, omega(:n), radius(:n), storage_values, error)
-        call deliver_parts(error, storage_values, storage, loss)
+        call return_parts(error, storage_values, storage, loss)
         status = status_of(error)
     end function mdr_contact_dynamic_stiffness
 

@@ -3,7 +3,7 @@
 module mdrcontact_api_wear
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_loc, c_ptr, c_sizeof
     use mdrcontact_api_arrays, only: check_array, check_results, make_room
-    use mdrcontact_api_handles, only: hand_over
+    use mdrcontact_api_handles, only: return_object
     use mdrcontact_api_wear_open_handle, only: open_handle
     use mdrcontact_api_status, only: status_of
     use mdrcontact_contact_state, only: contact_state_t
@@ -42,7 +42,7 @@ contains
                                                                limit%outer_radius, limit%worn_volume])
         call move_alloc(profile, object)
         if (present(out)) then
-            status = hand_over(object, out, error)
+            status = return_object(object, out, error)
         else
             status = status_of(error)
         end if

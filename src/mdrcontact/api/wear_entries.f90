@@ -3,7 +3,7 @@
 module mdrcontact_api_wear_entries
     use, intrinsic :: iso_c_binding, only: c_double, c_int, c_loc, c_ptr, c_sizeof
     use mdrcontact_api_arrays, only: check_array, check_results, make_room
-    use mdrcontact_api_handles, only: hand_over
+    use mdrcontact_api_handles, only: return_object
     use mdrcontact_api_options, only: read_options
     use mdrcontact_api_records, only: c_wear_options_t
     use mdrcontact_api_status, only: status_of
@@ -53,7 +53,7 @@ contains
             if (n == 1) call new_wear(made, c_inside, coefficient(:n), error, body_coefficient=body_coefficient)
         end if
         call move_alloc(made, object)
-        status = hand_over(object, out, error)
+        status = return_object(object, out, error)
     end function mdr_wear_new
 
     function mdr_wear_track(w, state, passes, n, y, out) result(status) &
@@ -141,7 +141,7 @@ contains
                 chosen%scheme)
         end if
         call move_alloc(made, object)
-        status = hand_over(object, out, error)
+        status = return_object(object, out, error)
     end function mdr_wear_history_new
 
     function mdr_wear_history_copy(h, out) result(status) &
@@ -158,7 +158,7 @@ contains
         call open_handle(h, "h", h_inside, error)
         if (.not. allocated(error)) made = h_inside
         call move_alloc(made, object)
-        status = hand_over(object, out, error)
+        status = return_object(object, out, error)
     end function mdr_wear_history_copy
 
     function mdr_wear_history_state(h, n, r, out, pressure) result(status) &
@@ -198,7 +198,7 @@ contains
         call open_handle(h, "h", h_inside, error)
         if (.not. allocated(error)) call h_inside%worn_profile(made, error)
         call move_alloc(made, object)
-        status = hand_over(object, out, error)
+        status = return_object(object, out, error)
     end function mdr_wear_history_profile
 
     function mdr_wear_history_restore(h, n, numbers) result(status) &

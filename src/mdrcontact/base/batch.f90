@@ -5,7 +5,7 @@
 !> calling thread.
 module mdrcontact_batch
     use, intrinsic :: iso_c_binding, only: c_int, c_int64_t, c_loc, c_null_ptr
-    use mdrcontact_cancel, only: check_cancelled, help
+    use mdrcontact_cancel, only: check_cancelled, poll_for_team
     use mdrcontact_error, only: count_text, error_cancelled, error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
     !$ use omp_lib, only: omp_get_max_threads, omp_get_num_procs, omp_in_parallel
@@ -82,7 +82,7 @@ contains
         integer, intent(in) :: threads
         type(error_t), allocatable, intent(inout) :: error
         integer :: i, blocks, team, failed
-        integer(c_int), target, volatile :: is_told
+        integer(c_int), target, volatile :: team_flag
         integer(c_int64_t) :: before(16)
 
         if (allocated(error) .or. n < 1) return
@@ -98,28 +98,28 @@ contains
         end if
         failed = blocks + 1
         ! Dynamic: blocks begin in ascending order, and those after a failed one need not begin.
-        is_told = 0
+        team_flag = 0
         !$omp parallel num_threads(team) default(shared) private(before)
         call mdrcontact_set_arithmetic(before)
-        call help(c_loc(is_told))
+        call poll_for_team(c_loc(team_flag))
         !$omp do schedule(dynamic)
         do i = 1, blocks
-            call run_block(batch, i, (i - 1)*block + 1, min(i*block, n), failed, is_told, error)
+            call run_block(batch, i, (i - 1)*block + 1, min(i*block, n), failed, team_flag, error)
         end do
         !$omp end do
-        call help(c_null_ptr)
+        call poll_for_team(c_null_ptr)
         call mdrcontact_set_arithmetic_back(before)
         !$omp end parallel
     end subroutine run_batch
 
     !> One block, unless an earlier one has failed.
-    subroutine run_block(batch, number, first, last, failed, is_told, error)
+    subroutine run_block(batch, number, first, last, failed, team_flag, error)
         class(batch_t), intent(inout) :: batch
         integer, intent(in) :: number, first, last
         !> number of the earliest block that has failed, and its error; both shared by the threads
         integer, intent(inout) :: failed
         !> whether the caller's thread, the only one with a cancel function, was cancelled
-        integer(c_int), intent(inout) :: is_told
+        integer(c_int), intent(inout) :: team_flag
         type(error_t), allocatable, intent(inout) :: error
         type(error_t), allocatable :: found
         integer :: earliest
@@ -132,7 +132,7 @@ contains
         if (.not. allocated(found)) return
         if (found%code == error_cancelled) then
             !$omp atomic write
-            is_told = 1
+            team_flag = 1
         end if
         !$omp critical (mdrcontact_batch_failed)
         if (number < failed) then

@@ -25,7 +25,7 @@ static _Thread_local struct {
 /* All are called from Fortran only. */
 int mdrcontact_is_cancelled(void);
 void mdrcontact_report(double part);
-void mdrcontact_help(const volatile int *is_told);
+void mdrcontact_poll_for_team(const volatile int *team_flag);
 
 int mdr_set_cancel(mdr_cancel cancel, void *context)
 {
@@ -64,7 +64,7 @@ int mdrcontact_is_cancelled(void)
     return cancel_state.answer;
 }
 
-void mdrcontact_help(const volatile int *is_told)
+void mdrcontact_poll_for_team(const volatile int *team_flag)
 {
-    cancel_state.helped = is_told;
+    cancel_state.helped = team_flag;
 }

@@ -7,7 +7,7 @@ module mdrcontact_cancel
     use mdrcontact_error, only: error_cancelled, error_t, raise
     implicit none (type, external)
     private
-    public :: cancel_function, check_cancelled, help, report_progress, set_cancel, set_progress
+    public :: cancel_function, check_cancelled, poll_for_team, report_progress, set_cancel, set_progress
 
     abstract interface
         !> Nonzero: stop. Once it has said so it must go on saying so until the call has returned.
@@ -42,10 +42,10 @@ module mdrcontact_cancel
             real(c_double), value :: part
         end subroutine mdrcontact_report
 
-        subroutine mdrcontact_help(is_told) bind(C)
+        subroutine mdrcontact_poll_for_team(team_flag) bind(C)
             import :: c_ptr
-            type(c_ptr), value :: is_told
-        end subroutine mdrcontact_help
+            type(c_ptr), value :: team_flag
+        end subroutine mdrcontact_poll_for_team
     end interface
 
 contains
@@ -83,12 +83,12 @@ contains
     end subroutine set_progress
 
     !> In a thread that helps another one: check_cancelled follows that one.
-    subroutine help(is_told)
+    subroutine poll_for_team(team_flag)
         !> address of an integer(c_int) that is not 0 once it was cancelled; null: the thread no longer helps
-        type(c_ptr), intent(in) :: is_told
+        type(c_ptr), intent(in) :: team_flag
 
-        call mdrcontact_help(is_told)
-    end subroutine help
+        call mdrcontact_poll_for_team(team_flag)
+    end subroutine poll_for_team
 
     !> Raises if the caller wants the call to end. It costs some ten nanoseconds: for anything that is done thousands of times.
     subroutine check_cancelled(error)

@@ -7,7 +7,7 @@ module mdrcontact_medium
     use mdrcontact_body, only: body_t
     use mdrcontact_error, only: error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
-    use mdrcontact_line_shared, only: layered_shared_t
+    use mdrcontact_line_shared, only: kernel_cache_t
     use mdrcontact_medium_pair, only: new_pair
     use mdrcontact_medium_power_graded, only: new_power_graded, power_graded_t, power_law_parameters
     use mdrcontact_medium_solver, only: solver_t
@@ -53,7 +53,7 @@ contains
         !> without it: the defaults
         type(model_options_t), intent(in), optional :: options
         !> what exact media made one after the other have in common
-        type(layered_shared_t), intent(inout), optional :: shared
+        type(kernel_cache_t), intent(inout), optional :: shared
         !> what its surface has; default none
         type(surface_t), intent(in), optional :: surface
 
@@ -112,7 +112,7 @@ contains
         type(medium_t), intent(out) :: medium
         type(error_t), allocatable, intent(out) :: error
         !> what exact media made one after the other have in common
-        type(layered_shared_t), intent(inout) :: shared
+        type(kernel_cache_t), intent(inout) :: shared
         type(power_graded_t) :: power_graded
 
         if (size(values) == 0) then
@@ -133,7 +133,7 @@ contains
     subroutine make_alike(self, values, shared, medium, error)
         class(medium_t), intent(in) :: self
         real(wp), intent(in) :: values(:)
-        type(layered_shared_t), intent(inout) :: shared
+        type(kernel_cache_t), intent(inout) :: shared
         type(medium_t), intent(inout) :: medium
         type(error_t), allocatable, intent(out) :: error
         class(body_t), allocatable :: body

@@ -15,7 +15,7 @@ module mdrcontact_model
     use mdrcontact_error, only: code_text, count_text, error_invalid, error_t, raise, to_text
     use mdrcontact_kinds, only: half_pi, wp
     use mdrcontact_medium_exact, only: layered_exact_t, new_layered_exact
-    use mdrcontact_line_shared, only: layered_shared_t
+    use mdrcontact_line_shared, only: kernel_cache_t
     use mdrcontact_material, only: material_t
     use mdrcontact_medium_solver, only: solver_t
     use mdrcontact_medium_bec, only: bec_t, new_bec
@@ -28,8 +28,8 @@ module mdrcontact_model
     use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous
     use mdrcontact_medium_mencik, only: mencik_t, new_mencik
     use mdrcontact_medium_perriot_barthel, only: new_perriot_barthel, perriot_barthel_t
-    use mdrcontact_medium_springless, only: new_springless, springless_t
-    use mdrcontact_medium_stretched, only: new_stretched, stretched_t
+    use mdrcontact_medium_surface_tension_solver, only: new_surface_tension_solver, surface_tension_solver_t
+    use mdrcontact_medium_elastic_sheet, only: new_elastic_sheet, elastic_sheet_t
     use mdrcontact_medium_wave, only: new_wave, wave_t
     use mdrcontact_tension_surface, only: has_springs, is_bare, surface_t
     implicit none (type, external)
@@ -177,7 +177,7 @@ contains
         !> without it: the defaults
         type(model_options_t), intent(in), optional :: options
         !> what exact media made one after the other have in common
-        type(layered_shared_t), intent(inout), optional :: shared
+        type(kernel_cache_t), intent(inout), optional :: shared
         !> tension and plate of its surface; default none
         type(surface_t), intent(in), optional :: surface
         type(model_options_t) :: chosen
@@ -222,9 +222,9 @@ contains
         real(wp), intent(in) :: tolerance
         type(surface_t), intent(in) :: surface
         type(error_t), allocatable, intent(inout) :: error
-        type(layered_shared_t), intent(inout), optional :: shared
-        type(springless_t), allocatable :: springless
-        type(stretched_t), allocatable :: stretched
+        type(kernel_cache_t), intent(inout), optional :: shared
+        type(surface_tension_solver_t), allocatable :: on_tension
+        type(elastic_sheet_t), allocatable :: on_sheet
 
         if (model /= models%exact) then
             call refuse(model, " for a surface with tension or a sheet", model_table%code == models%exact, error)
@@ -233,14 +233,14 @@ contains
         end if
         if (allocated(error)) return
         if (has_springs(surface)) then
-            allocate (stretched)
-            call new_stretched(stretched, body, surface, tolerance, error, shared)
-            call move_alloc(stretched, medium)
+            allocate (on_sheet)
+            call new_elastic_sheet(on_sheet, body, surface, tolerance, error, shared)
+            call move_alloc(on_sheet, medium)
             return
         end if
-        allocate (springless)
-        call new_springless(springless, body, surface, error, shared)
-        call move_alloc(springless, medium)
+        allocate (on_tension)
+        call new_surface_tension_solver(on_tension, body, surface, error, shared)
+        call move_alloc(on_tension, medium)
     end subroutine new_sheeted
 
     !> Whether it is a half-space, and not layers of one material either.

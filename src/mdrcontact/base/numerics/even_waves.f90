@@ -26,7 +26,7 @@ contains
         values = 0.0_wp
         if (allocated(error)) return
         if (k > max(ubound(bessel, 1), 1)) then
-            call go_up(k, values)
+            call recur_upward(k, values)
             return
         end if
         call disable_gsl_abort()
@@ -41,7 +41,7 @@ contains
     end subroutine even_waves
 
     !> The same for orders below k.
-    pure subroutine go_up(k, values)
+    pure subroutine recur_upward(k, values)
         real(wp), intent(in) :: k
         real(wp), intent(out) :: values(0:)
         real(wp) :: even, odd
@@ -54,7 +54,7 @@ contains
             even = real(4*j + 3, wp)/k*odd - even
             odd = real(4*j + 5, wp)/k*even - odd
         end do
-    end subroutine go_up
+    end subroutine recur_upward
 
     !> The highest l <= order for which j_l(k) ~ k^l/(2l + 1)!! is not far below all others.
     pure function highest_order(k, order) result(l)

@@ -193,7 +193,8 @@ contains
 
         if (segment%at_wall) then
             call self%state_at(equilibrium, segment%last, state, error)
-            if (.not. allocated(error)) call climb(state, (s - segment%lowest)/control%of(1.0_wp, state%stiffness))
+            if (allocated(error)) return
+            call extend_at_constant_radius(state, (s - segment%lowest)/control%of(1.0_wp, state%stiffness))
             return
         end if
         if (s <= segment%lowest) then
@@ -221,7 +222,7 @@ contains
     end subroutine state_on
 
     !> Goes deeper at the indenter's vertical wall.
-    pure subroutine climb(state, more)
+    pure subroutine extend_at_constant_radius(state, more)
         type(contact_state_t), intent(inout) :: state
         !> [length]
         real(wp), intent(in) :: more
@@ -229,7 +230,7 @@ contains
         state%punch_depth = state%punch_depth + more
         state%depth = state%depth + more
         state%force = state%force + state%stiffness*more
-    end subroutine climb
+    end subroutine extend_at_constant_radius
 
     function quantity_at(self, x) result(y)
         class(quantity_t), intent(inout) :: self

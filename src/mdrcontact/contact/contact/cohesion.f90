@@ -176,7 +176,7 @@ contains
             call new_zoned_springs(springs, self%kernel, self%tolerance, profile, radius, error, least=guess%unknowns)
             if (.not. allocated(error)) call close_gap(self, springs, guess, zone, error)
             if (allocated(error)) return
-            call springs%judge(zone, met, guess%unknowns, error)
+            call springs%check_convergence(zone, met, guess%unknowns, error)
             if (allocated(error)) return
             if (met) exit
         end do

@@ -85,7 +85,7 @@ contains
             call equilibrium%at(equilibrium%last_radius, state, error)
             if (allocated(error)) return
             if (s >= control%of(state%depth, state%force)) then
-                call go_on_as_punch(state, control, s, state%punch_depth)
+                call extend_at_constant_radius(state, control, s, state%punch_depth)
                 return
             end if
         end if
@@ -112,7 +112,7 @@ contains
             ! just after touch the radius of a flat end has lost the digits that depth and force need; even the double next to the
             ! end may be far too wide
             if (control%of(state%depth, state%force) > 2.0_wp*s) call equilibrium%at(equilibrium%profile%end_radius, state, error)
-            if (.not. allocated(error)) call go_on_as_punch(state, control, s, missing)
+            if (.not. allocated(error)) call extend_at_constant_radius(state, control, s, missing)
             return
         end if
         if (control%of(state%depth, state%force) > s) then
@@ -126,7 +126,7 @@ contains
     end subroutine invert
 
     !> As a flat punch of the radius reached, with dF = k dd.
-    pure subroutine go_on_as_punch(state, control, s, missing)
+    pure subroutine extend_at_constant_radius(state, control, s, missing)
         type(contact_state_t), intent(inout) :: state
         type(control_t), intent(in) :: control
         real(wp), intent(in) :: s
@@ -136,7 +136,7 @@ contains
         missing = (s - control%of(state%depth, state%force))/control%of(1.0_wp, state%stiffness)
         state%depth = state%depth + missing
         state%force = state%force + state%stiffness*missing
-    end subroutine go_on_as_punch
+    end subroutine extend_at_constant_radius
 
     !> Whether the last state looked at differs from that at `radius` by so little that squares do not show.
     pure function is_close(mismatch, radius) result(answer)

@@ -52,13 +52,13 @@ contains
             call look_at_layers(equilibrium, state, found)
         end if
         call look_at_moduli(equilibrium, found)
-        call look_at_wetting(equilibrium, found)
+        call check_wetting(equilibrium, found)
     end subroutine find_warnings
 
     !> The slope of the surface jumps by sqrt(2 gamma/tau) at an adhesive edge (theory/surfaces.md (5.7)). Under a plate its
     !> curvature does, by sqrt(2 gamma/B), and the slope changes by about that over the plate's length, B/length^2 standing for the
     !> tension.
-    pure subroutine look_at_wetting(equilibrium, found)
+    pure subroutine check_wetting(equilibrium, found)
         type(equilibrium_t), intent(in) :: equilibrium
         type(contact_warning_t), allocatable, intent(inout) :: found(:)
         real(wp) :: holds
@@ -70,7 +70,7 @@ contains
                      trim(merge("the surface tension         ", "what bends the plate, B/L^2,", holds <= sheet%tension))// &
                      ": the surface meets the indenter at an angle that is not small, and it is taken for small slopes")
         end associate
-    end subroutine look_at_wetting
+    end subroutine check_wetting
 
     pure subroutine look_at_slope(equilibrium, state, found)
         type(equilibrium_t), intent(in) :: equilibrium

@@ -103,7 +103,7 @@ contains
         real(wp) :: radius, from(2), dissipated
         logical :: is_last
 
-        if (.not. allocated(self%edges)) call lose(self, 0.0_wp)
+        if (.not. allocated(self%edges)) call open_contact(self, 0.0_wp)
         from = [self%depth, self%shift]
         dissipated = 0.0_wp
         if (.not. self%radius > 0.0_wp) call touch(self, grid, contact%equilibrium%profile%end_radius)
@@ -121,7 +121,7 @@ contains
             dissipated = dissipated + self%dissipated
             if (is_last) exit
         end do
-        if (.not. state%depth > 0.0_wp) call lose(self, shift)
+        if (.not. state%depth > 0.0_wp) call open_contact(self, shift)
         self%dissipated = dissipated
     end subroutine advance
 
@@ -288,7 +288,7 @@ contains
     end subroutine fill
 
     !> Nothing is in contact.
-    subroutine lose(self, shift)
+    subroutine open_contact(self, shift)
         type(rings_t), intent(inout) :: self
         real(wp), intent(in) :: shift
         real(wp), allocatable :: none(:)
@@ -308,7 +308,7 @@ contains
         self%force = 0.0_wp
         self%dissipated = 0.0_wp
         self%stick_radius = 0.0_wp
-    end subroutine lose
+    end subroutine open_contact
 
     !> A radius, or that of a ring or of the contact as it is if it is close.
     pure function snapped(self, grid, radius) result(taken)

@@ -144,7 +144,7 @@ contains
                 associate (at => peaks(:, k))
                     peak = maximum_t(quantities(i), 0, values(at(1), at(2), at(3), parts(at(4))), r(at(1)), z(at(2)), angle(at(3)))
                     if (.not. is_coarse) then
-                        call climb(self, box, around(r, at(1)), around(z, at(2)), parts(at(4)), peak, error)
+                        call find_peak(self, box, around(r, at(1)), around(z, at(2)), parts(at(4)), peak, error)
                     end if
                 end associate
                 if (allocated(error)) return
@@ -154,7 +154,7 @@ contains
     end subroutine largest
 
     !> Follows a peak on ever smaller grids around the largest value.
-    subroutine climb(self, box, first_r, first_z, part, peak, error)
+    subroutine find_peak(self, box, first_r, first_z, part, peak, error)
         class(stressed_t), intent(in) :: self
         type(box_t), intent(in) :: box
         !> the part of the box around the peak [length]
@@ -186,7 +186,7 @@ contains
             ends_z = closer(z, at(2), box%z)
             if (length(ends_r) <= smallest*length(first_r) .and. length(ends_z) <= smallest*length(first_z)) return
         end do
-    end subroutine climb
+    end subroutine find_peak
 
     pure function length(ends)
         real(wp), intent(in) :: ends(2)

@@ -26,7 +26,7 @@ module mdrcontact_inside_layer_states
     real(wp), parameter :: rounding = 3.0e-8_wp
 
     !> A layer and what lies below it.
-    type :: sheet_t
+    type :: layer_t
         type(modes_t) :: modes
         !> displacements (y1, y2) and tractions (T, S) of the waves that decay downward and upward, where they begin
         real(wp), dimension(2, 2) :: down_u = 0.0_wp, down_t = 0.0_wp, up_u = 0.0_wp, up_t = 0.0_wp
@@ -35,12 +35,12 @@ module mdrcontact_inside_layer_states
         type(interface_t) :: below
         !> whether both roots are one, as those of an isotropic layer
         logical :: has_one_root = .false.
-    end type sheet_t
+    end type layer_t
 
     !> States of such a body.
     type, extends(states_t) :: layer_states_t
         private
-        type(sheet_t), allocatable :: sheets(:)
+        type(layer_t), allocatable :: sheets(:)
         logical :: rigid_base = .false., slides = .false.
         real(wp), allocatable :: k(:)
         !> A and B (1:2, 3:4; layer; wavenumber) in the plane of r and z, and of the third direction under a shear load
@@ -112,7 +112,7 @@ contains
     end subroutine new_layer_states
 
     pure subroutine fill_matrices(sheet)
-        type(sheet_t), intent(inout) :: sheet
+        type(layer_t), intent(inout) :: sheet
 
         associate (z => sheet%modes%z)
             sheet%down_u(1, 1) = 1.0_wp
@@ -128,7 +128,7 @@ contains
 
     !> exp(-Q x); without complex numbers where both roots are one.
     pure function fall(sheet, x) result(matrix)
-        type(sheet_t), intent(in) :: sheet
+        type(layer_t), intent(in) :: sheet
         real(wp), intent(in) :: x
         real(wp) :: matrix(2, 2)
 
@@ -144,7 +144,7 @@ contains
 
     !> exp(-Q x) times a vector, without the matrix where both roots are one: most of the time of stresses is spent here.
     pure subroutine carry(sheet, x, vector)
-        type(sheet_t), intent(in) :: sheet
+        type(layer_t), intent(in) :: sheet
         real(wp), intent(in) :: x
         real(wp), intent(inout) :: vector(2)
         real(wp) :: fading, first

@@ -11,7 +11,7 @@ module mdrcontact_law_file
     use mdrcontact_law_friction, only: find_levels, friction_law_t
     use mdrcontact_law_interval, only: coefficient_count
     use mdrcontact_law_levels, only: allocate_shares, count_shares, fewest_sliders, most_sliders, share_index, share_nodes
-    use mdrcontact_law_sound, only: is_sound
+    use mdrcontact_law_validate, only: is_valid
     use mdrcontact_law_table, only: add_energies, find_direct
     use mdrcontact_law_words, only: put_conductance, put_table, read_conductance, read_table, reader_t, word_count
     implicit none (type, external)
@@ -140,16 +140,16 @@ contains
         law%error = reader%number()
         law%solutions = reader%whole(0, huge(1))
         call read_table(reader, law%by_depth, error)
-        if (reader%sound .and. .not. allocated(error)) call read_table(reader, law%by_force, error)
+        if (reader%valid .and. .not. allocated(error)) call read_table(reader, law%by_force, error)
         if (allocated(error)) return
         law%radius = reader%number()
         call read_friction(reader, law%friction, shares, error)
         if (.not. allocated(error)) call read_conductance(reader, law%by_depth, error)
         if (allocated(error)) return
-        reader%sound = reader%sound .and. law%radius >= 0.0_wp .and. reader%next == size(reader%words) + 1
-        if (reader%sound) reader%sound = is_sound(law)
-        if (.not. reader%sound) then
-            call raise_unsound(error)
+        reader%valid = reader%valid .and. law%radius >= 0.0_wp .and. reader%next == size(reader%words) + 1
+        if (reader%valid) reader%valid = is_valid(law)
+        if (.not. reader%valid) then
+            call raise_invalid_law(error)
             return
         end if
         call add_energies(law%by_depth)
@@ -171,14 +171,14 @@ contains
 
         allocate (shares(0))
         sliders = reader%whole(-most_sliders, most_sliders)
-        if (.not. reader%sound .or. sliders == 0) return
+        if (.not. reader%valid .or. sliders == 0) return
         allocate (friction)
-        reader%sound = abs(sliders) >= fewest_sliders
+        reader%valid = abs(sliders) >= fewest_sliders
         friction%sliders = abs(sliders)
         friction%coefficient = reader%number()
         if (sliders < 0) then
             friction%cubic = reader%number()
-            reader%sound = reader%sound .and. friction%cubic > 0.0_wp
+            reader%valid = reader%valid .and. friction%cubic > 0.0_wp
         else
             friction%shear_strength = reader%number()
         end if
@@ -190,8 +190,8 @@ contains
             friction%radii(2) = reader%number()
             return
         end if
-        if (reader%sound) call read_table(reader, friction%by_shift, error)
-        if (reader%sound .and. .not. allocated(error)) call read_table(reader, friction%by_force, error)
+        if (reader%valid) call read_table(reader, friction%by_shift, error)
+        if (reader%valid .and. .not. allocated(error)) call read_table(reader, friction%by_force, error)
         if (allocated(error)) return
         deallocate (shares)
         allocate (shares(reader%whole(0, size(reader%words))), stat=stat)
@@ -199,7 +199,7 @@ contains
         if (allocated(error)) return
         do i = 1, size(shares)
             shares(i) = reader%number()
-            reader%sound = reader%sound .and. abs(shares(i)) <= largest_share
+            reader%valid = reader%valid .and. abs(shares(i)) <= largest_share
         end do
     end subroutine read_friction
 
@@ -217,7 +217,7 @@ contains
         call find_levels(friction, size(shares) > 0)
         if (size(shares) == 0) return
         if (size(shares) /= share_nodes*count_shares(friction%levels)) then
-            call raise_unsound(error)
+            call raise_invalid_law(error)
             return
         end if
         call allocate_shares(friction%levels, stat)
@@ -231,11 +231,11 @@ contains
         end do
     end subroutine close_friction
 
-    pure subroutine raise_unsound(error)
+    pure subroutine raise_invalid_law(error)
         type(error_t), allocatable, intent(inout) :: error
 
         call raise(error, error_file, "its numbers do not describe a contact law")
-    end subroutine raise_unsound
+    end subroutine raise_invalid_law
 
     !> First line, description, numbers and checksum.
     pure subroutine frame(words, description, text, error)
@@ -288,7 +288,7 @@ contains
         end if
     end subroutine check_frame
 
-    !> Description and numbers of a text whose frame is sound.
+    !> Description and numbers of a text whose frame is valid.
     subroutine read_words(text, description, words, error)
         character(len=*), intent(in) :: text
         character(len=:), allocatable, intent(out) :: description

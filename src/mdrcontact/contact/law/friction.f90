@@ -245,7 +245,7 @@ contains
         ! all are possible before the first one is done
         i = 1
         do
-            i = i + sound_steps(self, contacts, i)
+            i = i + valid_steps(self, contacts, i)
             if (i > size(contacts%force)) exit
             call check_step(self, contacts%force(i), contacts%shift(:, i), contacts%memory(:, i), error)
             if (allocated(error)) then
@@ -261,18 +261,18 @@ contains
     end subroutine steps
 
     !> How many contacts, from the first one on, certainly have no error; of another check_step says it.
-    function sound_steps(self, contacts, first) result(sound)
+    function valid_steps(self, contacts, first) result(valid)
         type(friction_law_t), intent(in) :: self
         type(contact_steps_t), intent(in) :: contacts
         integer, intent(in) :: first
-        integer :: sound, last
+        integer :: valid, last
 
         last = size(contacts%force)
         associate (c => contacts, l => self%levels)
-            sound = mdrcontact_sliders_sound(l%row, l%count, l%sliders, l%mark, highest_given(self), last - first + 1, &
+            valid = mdrcontact_sliders_sound(l%row, l%count, l%sliders, l%mark, highest_given(self), last - first + 1, &
                                              c%force(first:), c%shift(:, first:), c%memory(:, first:))
         end associate
-    end function sound_steps
+    end function valid_steps
 
     !> Steps of contacts first to last; the law is evaluated for many points at a time, which is quicker, and gives the same bits.
     subroutine do_steps(self, first, last, error)
@@ -476,11 +476,11 @@ contains
         class(friction_law_t), intent(in) :: self
         real(wp), intent(in), contiguous :: memory(:)
         type(error_t), allocatable, intent(inout) :: error
-        logical :: sound
+        logical :: valid
 
-        sound = size(memory) == record_size(self%sliders)
-        if (sound) sound = is_record(self%levels, memory)
-        if (sound) return
+        valid = size(memory) == record_size(self%sliders)
+        if (valid) valid = is_record(self%levels, memory)
+        if (valid) return
         call raise(error, error_invalid, " is not allowed: it must be all 0 before the first step, and then as this law left it", &
                    "memory")
     end subroutine check_memory

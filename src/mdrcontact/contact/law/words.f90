@@ -11,11 +11,11 @@ module mdrcontact_law_words
     private
     public :: put_conductance, put_table, read_conductance, read_table, reader_t, word_count
 
-    !> Words still to be read, and whether all were sound so far.
+    !> Words still to be read, and whether all were valid so far.
     type :: reader_t
         integer(int64), allocatable :: words(:)
         integer :: next = 1
-        logical :: sound = .true.
+        logical :: valid = .true.
     contains
         procedure :: number
         procedure :: whole
@@ -81,12 +81,12 @@ contains
         real(wp) :: value
 
         value = 0.0_wp
-        self%sound = self%sound .and. self%next <= size(self%words)
-        if (.not. self%sound) return
+        self%valid = self%valid .and. self%next <= size(self%words)
+        if (.not. self%valid) return
         value = transfer(self%words(self%next), value)
         self%next = self%next + 1
-        self%sound = is_finite(value)
-        if (.not. self%sound) value = 0.0_wp
+        self%valid = is_finite(value)
+        if (.not. self%valid) value = 0.0_wp
     end function number
 
     !> The next word as a whole number between two limits.
@@ -96,14 +96,14 @@ contains
         integer :: value
 
         value = smallest
-        self%sound = self%sound .and. self%next <= size(self%words)
-        if (.not. self%sound) return
-        self%sound = self%words(self%next) >= smallest .and. self%words(self%next) <= largest
-        if (self%sound) value = int(self%words(self%next))
+        self%valid = self%valid .and. self%next <= size(self%words)
+        if (.not. self%valid) return
+        self%valid = self%words(self%next) >= smallest .and. self%words(self%next) <= largest
+        if (self%valid) value = int(self%words(self%next))
         self%next = self%next + 1
     end function whole
 
-    !> The inverse of put_table; reader%sound says whether the result can be used.
+    !> The inverse of put_table; reader%valid says whether the result can be used.
     subroutine read_table(reader, table, error)
         type(reader_t), intent(inout) :: reader
         type(law_table_t), intent(out) :: table
@@ -128,8 +128,8 @@ contains
         intervals = reader%whole(1, most_entries)
         panels = reader%whole(1, most_entries)
         if (size(reader%words) - reader%next + 1 < segment_words*segments + interval_words*intervals + &
-            row_words*panels) reader%sound = .false.
-        if (.not. reader%sound) return
+            row_words*panels) reader%valid = .false.
+        if (.not. reader%valid) return
         allocate (table%segments(segments), table%intervals(intervals), table%other(panels), table%contact(panels), stat=stat)
         call check_memory(error, stat)
         if (allocated(error)) return
@@ -171,9 +171,9 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         integer :: i, stat
 
-        if (.not. reader%sound .or. reader%next > size(reader%words)) return
-        reader%sound = size(reader%words) - reader%next + 1 == coefficient_count*size(table%other)
-        if (.not. reader%sound) return
+        if (.not. reader%valid .or. reader%next > size(reader%words)) return
+        reader%valid = size(reader%words) - reader%next + 1 == coefficient_count*size(table%other)
+        if (.not. reader%valid) return
         allocate (table%conductance(size(table%other)), stat=stat)
         call check_memory(error, stat)
         if (allocated(error)) return
@@ -209,8 +209,8 @@ contains
         interval%bits = reader%whole(0, most_bits)
         interval%first_panel = reader%whole(0, panels - 1)
         ! No damage may lead outside the coefficients.
-        reader%sound = reader%sound .and. interval%last_y >= 1.0_wp .and. interval%last_y < largest_y
-        if (reader%sound) reader%sound = panel_count(interval) <= panels - interval%first_panel
+        reader%valid = reader%valid .and. interval%last_y >= 1.0_wp .and. interval%last_y < largest_y
+        if (reader%valid) reader%valid = panel_count(interval) <= panels - interval%first_panel
     end subroutine read_interval
 
 end module mdrcontact_law_words

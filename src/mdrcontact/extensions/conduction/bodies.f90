@@ -10,7 +10,7 @@ module mdrcontact_conduction_bodies
     use mdrcontact_law_conducting, only: conducting_t
     use mdrcontact_line_combine, only: add_kernels
     use mdrcontact_line_kernel, only: kernel_t
-    use mdrcontact_line_shared, only: layered_shared_t, shared_kernel
+    use mdrcontact_line_shared, only: kernel_cache_t, shared_kernel
     use mdrcontact_numerics_radius_law, only: radius_law_t
     implicit none (type, external)
     private
@@ -175,7 +175,7 @@ contains
     subroutine tabulate(self, error)
         type(conduction_t), intent(inout) :: self
         type(error_t), allocatable, intent(inout) :: error
-        type(layered_shared_t) :: shared
+        type(kernel_cache_t) :: shared
         type(flux_compliance_t) :: compliance
         integer :: i
 

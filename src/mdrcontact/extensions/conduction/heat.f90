@@ -51,7 +51,7 @@ contains
         !> coefficients of P_2j(x/a) (term, body)
         real(wp), allocatable, intent(out), optional :: loads(:, :)
         type(source_t) :: source
-        real(wp), allocatable :: taken(:), given(:)
+        real(wp), allocatable :: flux_into_lower(:), temperature(:)
         real(wp) :: reached
         integer :: n, terms
         logical :: is_kinked
@@ -74,9 +74,9 @@ contains
         call new_source(source, contact, state, motion, strength, terms, present(loads), error)
         if (allocated(error)) return
         do
-            if (allocated(taken)) deallocate (taken, given)
-            allocate (taken(n), given(n))
-            call share_out(conduction, source, n, taken, given, reached, error)
+            if (allocated(flux_into_lower)) deallocate (flux_into_lower, temperature)
+            allocate (flux_into_lower(n), temperature(n))
+            call share_out(conduction, source, n, flux_into_lower, temperature, reached, error)
             if (allocated(error)) return
             if (reached <= settled) exit
             if (n >= most_unknowns) then
@@ -86,27 +86,27 @@ contains
             end if
             n = n + n/2
         end do
-        call take_means(conduction, source, taken, given, heat)
-        if (present(loads)) call split(conduction, source, taken, loads)
+        call take_means(conduction, source, flux_into_lower, temperature, heat)
+        if (present(loads)) call split(conduction, source, flux_into_lower, loads)
     end subroutine friction_heat
 
     !> Coefficients of P_2j(x/a) of what enters each body.
-    subroutine split(conduction, source, taken, loads)
+    subroutine split(conduction, source, flux_into_lower, loads)
         type(conduction_t), intent(in) :: conduction
         type(source_t), intent(in) :: source
-        real(wp), intent(in) :: taken(:)
+        real(wp), intent(in) :: flux_into_lower(:)
         real(wp), allocatable, intent(out) :: loads(:, :)
         integer :: i, m, n
 
-        n = size(taken)
+        n = size(flux_into_lower)
         m = max(size(source%t), n)
         allocate (loads(m, size(conduction%bodies)))
         loads(:, 1) = source%series(m)
         if (size(loads, 2) > 1) then
             loads(:, 2) = conduction%share(1)*loads(:, 1)
-            loads(:n, 2) = loads(:n, 2) - taken
+            loads(:n, 2) = loads(:n, 2) - flux_into_lower
             loads(:, 1) = conduction%share(2)*loads(:, 1)
-            loads(:n, 1) = loads(:n, 1) + taken
+            loads(:n, 1) = loads(:n, 1) + flux_into_lower
         end if
         do i = 1, size(loads, 2)
             loads(:, i) = loads(:, i)*normalisation(m)
@@ -130,13 +130,13 @@ contains
 
     !> What the lower body takes beside its part S_0/S_2 of the source, (1 + H) c' = (S_0/S_2) (H_2 - H) t, and what the layers of
     !> the lower body add to the line's temperature, c' + H_1 c.
-    subroutine share_out(conduction, source, n, taken, given, reached, error)
+    subroutine share_out(conduction, source, n, flux_into_lower, temperature, reached, error)
         type(conduction_t), intent(in) :: conduction
         type(source_t), intent(in) :: source
         !> terms
         integer, intent(in) :: n
-        real(wp), intent(out) :: taken(n)
-        real(wp), intent(out) :: given(n)
+        real(wp), intent(out) :: flux_into_lower(n)
+        real(wp), intent(out) :: temperature(n)
         !> how large their last terms are, relative to the source
         real(wp), intent(out) :: reached
         type(error_t), allocatable, intent(inout) :: error
@@ -146,13 +146,13 @@ contains
         logical :: done
 
         reached = 0.0_wp
-        taken = 0.0_wp
-        given = 0.0_wp
+        flux_into_lower = 0.0_wp
+        temperature = 0.0_wp
         call springs_of(conduction, 1, source%radius, n, lower, error)
         if (allocated(error)) return
         t = source%series(n)
         if (size(conduction%bodies) == 1) then
-            given = matmul(lower, t)
+            temperature = matmul(lower, t)
         else
             call springs_of(conduction, 2, source%radius, n, upper, error)
             if (allocated(error)) return
@@ -169,10 +169,10 @@ contains
             end if
             call solve_lower(n, n, 1, upper, c)
             call solve_upper(n, n, 1, upper, c)
-            taken = c(:, 1)
-            given = taken + matmul(lower, conduction%share(2)*t + taken)
+            flux_into_lower = c(:, 1)
+            temperature = flux_into_lower + matmul(lower, conduction%share(2)*t + flux_into_lower)
         end if
-        if (source%total > 0.0_wp) reached = 3.0_wp*maxval(abs(given(n - 1:)))/(norm2(t) + norm2(given))
+        if (source%total > 0.0_wp) reached = 3.0_wp*maxval(abs(temperature(n - 1:)))/(norm2(t) + norm2(temperature))
     end subroutine share_out
 
     !> H of a body.
@@ -192,11 +192,11 @@ contains
         end associate
     end subroutine springs_of
 
-    !> Of w = (part q + sum of given)/(2 S_1).
-    pure subroutine take_means(conduction, source, taken, given, heat)
+    !> Of w = (part q + sum of temperature)/(2 S_1).
+    pure subroutine take_means(conduction, source, flux_into_lower, temperature, heat)
         type(conduction_t), intent(in) :: conduction
         type(source_t), intent(in) :: source
-        real(wp), intent(in) :: taken(:), given(:)
+        real(wp), intent(in) :: flux_into_lower(:), temperature(:)
         type(heat_t), intent(out) :: heat
         real(wp) :: part, own(2), s, a
 
@@ -206,9 +206,9 @@ contains
         s = conduction%bodies(1)%s(1)
         heat%total = source%total
         if (.not. source%total > 0.0_wp) return
-        own = centre_and_arc(given)
-        heat%share = part + sqrt(2.0_wp)*a*taken(1)/source%total
-        heat%flux_mean = (part*source%square + 0.5_wp*a*sum(source%series(size(given))*given))/(s*source%total)
+        own = centre_and_arc(temperature)
+        heat%share = part + sqrt(2.0_wp)*a*flux_into_lower(1)/source%total
+        heat%flux_mean = (part*source%square + 0.5_wp*a*sum(source%series(size(temperature))*temperature))/(s*source%total)
         heat%centre = 0.5_wp*(part*source%centre + own(1))/s
         ! (4/(pi a^2)) int_0^a w sqrt(a^2 - x^2) dx
         heat%area_mean = 2.0_wp/(pi*s)*(part*source%arc/a + own(2))

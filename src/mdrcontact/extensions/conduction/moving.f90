@@ -26,8 +26,8 @@ module mdrcontact_conduction_moving
     !> Nodes of a panel of directions, the angle below which nothing is left, and the phase that a panel takes.
     integer, parameter :: direction_nodes = 10
     real(wp), parameter :: shortest_panel = 1.0e-9_wp, longest_phase = 6.0_wp
-    !> Waves up to (quiet Pe)^(2/7)/a, and beyond the source's own, show in temperatures along its line to 1e-7.
-    real(wp), parameter :: quiet = 1.0e7_wp, own_waves = 4.0_wp, fewest_waves = 60.0_wp
+    !> Waves up to (cutoff_factor Pe)^(2/7)/a, and beyond the source's own, show in temperatures along its line to 1e-7.
+    real(wp), parameter :: cutoff_factor = 1.0e7_wp, own_waves = 4.0_wp, fewest_waves = 60.0_wp
     !> Waves of the means: chi falls as Pe^2/k^2.
     real(wp), parameter :: waves_of_means = 2000.0_wp
     !> Places between two nodes of the series at which the largest value is looked for.
@@ -72,10 +72,10 @@ contains
         if (allocated(error)) return
         call conduction%check_steady(error)
         if (allocated(error)) return
-        call take_one(conduction, 1, one)
+        call single_body(conduction, 1, one)
         call heat_all(one, contact, state, strength, speed, heat, error)
         if (size(conduction%bodies) == 1 .or. allocated(error) .or. .not. heat%total > 0.0_wp) return
-        call take_one(conduction, 2, one)
+        call single_body(conduction, 2, one)
         call friction_heat(one, contact, state, sliding, strength, upper, error)
         if (allocated(error)) return
         share = upper%flux_mean/(upper%flux_mean + heat%flux_mean)
@@ -83,7 +83,7 @@ contains
     end subroutine moving_heat
 
     !> One of the bodies.
-    pure subroutine take_one(conduction, body, one)
+    pure subroutine single_body(conduction, body, one)
         type(conduction_t), intent(in) :: conduction
         integer, intent(in) :: body
         type(conduction_t), intent(out) :: one
@@ -96,7 +96,7 @@ contains
         one%largest_radius = conduction%largest_radius
         one%is_insulated = conduction%is_insulated
         one%sink = conduction%sink
-    end subroutine take_one
+    end subroutine single_body
 
     !> All heat into one body.
     subroutine heat_all(conduction, contact, state, strength, speed, heat, error)
@@ -162,7 +162,7 @@ contains
                        to_text(fastest)//"; beyond, heat flows one-dimensionally", "source speed")
             return
         end if
-        waves%last = max(fewest_waves, (quiet*peclet)**(2.0_wp/7.0_wp), own_waves*peclet)
+        waves%last = max(fewest_waves, (cutoff_factor*peclet)**(2.0_wp/7.0_wp), own_waves*peclet)
         last = max(fewest_waves, waves_of_means*sqrt(max(peclet, 1.0e-4_wp)))
         if (body%layers > 0) last = max(last, 20.0_wp*a/body%h(1))
         call gauss_legendre(waves%node, waves%share, error)

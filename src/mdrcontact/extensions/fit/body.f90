@@ -8,7 +8,7 @@ module mdrcontact_fit_body
     use mdrcontact_parameter, only: parameter_t, prefixed
     use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: wp
-    use mdrcontact_line_shared, only: layered_shared_t
+    use mdrcontact_line_shared, only: kernel_cache_t
     use mdrcontact_medium, only: medium_t, new_pair
     use mdrcontact_profile, only: copy, profile_t
     implicit none (type, external)
@@ -65,7 +65,7 @@ contains
         !> same size as self%parameters
         real(wp), intent(in) :: values(:)
         !> what exact media have in common from one trial to the next
-        type(layered_shared_t), intent(inout) :: shared
+        type(kernel_cache_t), intent(inout) :: shared
         class(profile_t), allocatable, intent(out) :: profile
         type(medium_t), intent(out) :: medium
         type(error_t), allocatable, intent(out) :: error

@@ -138,7 +138,7 @@ contains
             outcome%jacobian(:, :) = 0.0_wp
         end if
         call read_vector(gsl_multifit_nlinear_position(workspace), u)
-        if (outcome%is_stuck .and. .not. outcome%converged) call look_both_ways(search, u, outcome)
+        if (outcome%is_stuck .and. .not. outcome%converged) call use_central_differences(search, u, outcome)
         call gsl_multifit_nlinear_free(workspace)
         if (allocated(residuals%error)) deallocate (residuals%error)
         ! a model that was not computed to its end was a step refused
@@ -183,7 +183,7 @@ contains
 
     !> Whether a search that is stuck is at the minimum by differences to both sides: those to one side hold half of the step times
     !> the curvature, which is large where readings next to first contact all lie on one side of the model.
-    subroutine look_both_ways(search, u, outcome)
+    subroutine use_central_differences(search, u, outcome)
         type(search_t), intent(inout) :: search
         !> where it is
         real(wp), intent(in) :: u(:)
@@ -209,7 +209,7 @@ contains
         end associate
         outcome%jacobian(:, :) = central
         outcome%converged = possible_gain(search%residuals, u, outcome) <= small_gain*sum(outcome%r**2)/size(outcome%r)
-    end subroutine look_both_ways
+    end subroutine use_central_differences
 
     !> Half of what a Newton step would gain in which no unknown at its bound moves beyond it.
     function possible_gain(residuals, u, outcome) result(gain)

@@ -18,7 +18,7 @@ module mdrcontact_fit_predict
                                       data_stiffness_depth, fit_data_t, fit_problem_t
     use mdrcontact_fit_predict_time, only: predict_time
     use mdrcontact_kinds, only: wp
-    use mdrcontact_line_shared, only: layered_shared_t
+    use mdrcontact_line_shared, only: kernel_cache_t
     use mdrcontact_medium, only: check_elastic, medium_t
     use mdrcontact_medium_solver, only: solver_t, modulus_of_radius_t
     use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous_from_modulus
@@ -45,13 +45,13 @@ contains
         real(wp), intent(out) :: y(:)
         type(error_t), allocatable, intent(out) :: error
         !> what exact media have in common from one call to the next, which then costs less
-        type(layered_shared_t), intent(inout), optional :: shared
+        type(kernel_cache_t), intent(inout), optional :: shared
         !> that of ascending_points: the readings y of the data then say which points of an adhesive curve are in contact; without
         !> it the model does: from first touch on approach, until pull-off on retract
         integer, intent(in), optional, target :: order(:)
         !> same size as data%x: the contact radii, 0 out of contact [length]
         real(wp), intent(out), optional :: radius(:)
-        type(layered_shared_t) :: own
+        type(kernel_cache_t) :: own
         real(wp), allocatable :: a(:)
         integer, pointer :: given(:)
 
@@ -71,7 +71,7 @@ contains
         type(fit_problem_t), intent(in) :: problem
         real(wp), intent(in) :: values(:)
         type(fit_data_t), intent(in) :: data
-        type(layered_shared_t), intent(inout) :: shared
+        type(kernel_cache_t), intent(inout) :: shared
         real(wp), intent(out) :: y(:)
         !> the contact radii
         real(wp), allocatable, intent(out) :: a(:)

@@ -11,7 +11,7 @@ module mdrcontact_fit_residuals
                                       loss_linear, values_of
     use mdrcontact_fit_variables, only: variables_t
     use mdrcontact_kinds, only: wp
-    use mdrcontact_line_shared, only: layered_shared_t
+    use mdrcontact_line_shared, only: kernel_cache_t
     implicit none (type, external)
     private
     public :: fit_residuals_t, new_fit_residuals, bent, bend_slope
@@ -39,7 +39,7 @@ module mdrcontact_fit_residuals
         !> one of loss_...
         integer :: loss = loss_linear
         !> what exact media have in common from one trial to the next
-        type(layered_shared_t) :: shared
+        type(kernel_cache_t) :: shared
         !> where forces are proportional to a modulus: its position among the parameters, else 0, and that of the force offset
         integer :: at_modulus = 0, at_offset = 0
         !> the last predictions, as many as a point and its neighbours are, and the one to be overwritten next

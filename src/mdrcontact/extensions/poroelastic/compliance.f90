@@ -5,7 +5,7 @@ module mdrcontact_poroelastic_compliance
     use mdrcontact_error, only: check_not_negative, check_positive, error_invalid, error_t, raise
     use mdrcontact_kinds, only: wp
     use mdrcontact_poroelastic_gel, only: gel_t, new_gel, sealed_by_indenter
-    use mdrcontact_poroelastic_kernel, only: yield
+    use mdrcontact_poroelastic_kernel, only: relative_compliance
     implicit none (type, external)
     private
     public :: poroelastic_compliance
@@ -48,14 +48,14 @@ contains
                        "contact then, and it has no compliance of its own; take 1 (surface) or 2 (sealed)")
         end if
         if (allocated(error)) return
-        ! yield() takes lengths in units of the thickness
+        ! relative_compliance() takes lengths in units of the thickness
         unit = 1.0_wp
         if (thickness > 0.0_wp) then
             gel%ratio = 1.0_wp
             unit = thickness
         end if
         frequency = cmplx(0.0_wp, max(omega*unit**2/diffusivity, lowest_frequency), wp)
-        values = (1.0_wp + yield(gel, cmplx(k*unit, kind=wp), frequency))/(2.0_wp*shear_modulus*k)
+        values = (1.0_wp + relative_compliance(gel, cmplx(k*unit, kind=wp), frequency))/(2.0_wp*shear_modulus*k)
     end subroutine poroelastic_compliance
 
 end module mdrcontact_poroelastic_compliance

@@ -13,7 +13,7 @@ module mdrcontact_poroelastic_contact
     use mdrcontact_lapack, only: zgesv
     use mdrcontact_numerics_waves, only: basis_t
     use mdrcontact_poroelastic_gel, only: gel_t, sealed_by_indenter
-    use mdrcontact_poroelastic_kernel, only: exchange, yield
+    use mdrcontact_poroelastic_kernel, only: surface_flux, relative_compliance
     implicit none (type, external)
     private
     public :: solve_contact, solve_elastic, flat, parabolic
@@ -40,9 +40,9 @@ contains
         if (allocated(error)) return
         allocate (r(basis%order, basis%order), p(basis%order, basis%order))
         p = 0.0_wp
-        call basis%project(yield(gel, basis%k, s) - gel%local(), .false., r)
+        call basis%project(relative_compliance(gel, basis%k, s) - gel%local(), .false., r)
         call add_to_diagonal(r, gel%local())
-        if (gel%drainage == sealed_by_indenter) call basis%project(exchange(gel, basis%k, s), .true., p)
+        if (gel%drainage == sealed_by_indenter) call basis%project(surface_flux(gel, basis%k, s), .true., p)
         call solve_shape(r + p, shape, w, error)
         q = w
         if (gel%drainage == sealed_by_indenter) then

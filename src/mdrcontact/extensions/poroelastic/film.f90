@@ -6,7 +6,7 @@ module mdrcontact_poroelastic_film
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
-    public :: film_yield
+    public :: film_compliance
 
     !> Below this k the film is compressed as if it were loaded all over: consolidation.
     real(wp), parameter :: longest = 1.0e-4_wp
@@ -16,7 +16,7 @@ module mdrcontact_poroelastic_film
 contains
 
     !> r = 2 G k C - 1.
-    pure function film_yield(poisson, is_sealed, k, s) result(r)
+    pure function film_compliance(poisson, is_sealed, k, s) result(r)
         real(wp), intent(in) :: poisson
         logical, intent(in) :: is_sealed
         !> [1/thickness], [D/thickness^2]
@@ -40,7 +40,7 @@ contains
         system(:, 7) = [-1.0_wp, 0.0_wp, 0.0_wp, 0.0_wp, 0.0_wp, 0.0_wp]
         call eliminate(system)
         r = 2.0_wp*k*sum(top(down, :)*system(:, 7)) - 1.0_wp
-    end function film_yield
+    end function film_compliance
 
     !> The rows of the six waves at depth z.
     pure function waves(modulus, k, q, z) result(rows)

@@ -5,17 +5,17 @@
 !> Agbezuge, Deresiewicz, Israel J. Technol. 12 (1974) 322; McNamee, Gibson, Q. J. Mech. Appl. Math. 13 (1960) 98.
 module mdrcontact_poroelastic_kernel
     use mdrcontact_kinds, only: wp
-    use mdrcontact_poroelastic_film, only: film_yield
+    use mdrcontact_poroelastic_film, only: film_compliance
     use mdrcontact_poroelastic_gel, only: gel_t, sealed
     implicit none (type, external)
     private
-    public :: yield, exchange, pore_part
+    public :: relative_compliance, surface_flux, pore_part
 
 contains
 
     !> r(k; s): 0 of an incompressible half-space, 1 - 2 nu of a drained one. Of the drainage sealed_by_indenter it is that of a
     !> surface which drains everywhere.
-    elemental function yield(gel, k, s) result(r)
+    elemental function relative_compliance(gel, k, s) result(r)
         type(gel_t), intent(in) :: gel
         !> real and > 0, or beyond the reach of a film's base [1/a]
         complex(wp), intent(in) :: k
@@ -25,11 +25,11 @@ contains
 
         ! beyond, the base changes it by less than rounding
         if (gel%ratio > 0.0_wp .and. real(k, wp) < 20.0_wp*gel%ratio) then
-            r = film_yield(gel%poisson, gel%drainage == sealed, real(k, wp)/gel%ratio, s/gel%ratio**2)
+            r = film_compliance(gel%poisson, gel%drainage == sealed, real(k, wp)/gel%ratio, s/gel%ratio**2)
         else
             r = half_space_yield(gel, k, s)
         end if
-    end function yield
+    end function relative_compliance
 
     elemental function half_space_yield(gel, k, s) result(r)
         type(gel_t), intent(in) :: gel
@@ -44,13 +44,13 @@ contains
     end function half_space_yield
 
     !> Phi/k: the flux through the surface of a half-space per k and total less pore pressure.
-    elemental function exchange(gel, k, s) result(ratio)
+    elemental function surface_flux(gel, k, s) result(ratio)
         type(gel_t), intent(in) :: gel
         complex(wp), intent(in) :: k, s
         complex(wp) :: ratio
 
         ratio = (1.0_wp + half_space_yield(gel_t(gel%poisson), k, s))*s/(k*(sqrt(k*k + s) + k))
-    end function exchange
+    end function surface_flux
 
     !> Pore pressure per total pressure at the surface of a half-space that is sealed everywhere.
     elemental function pore_part(gel, k, s) result(part)
@@ -58,7 +58,7 @@ contains
         complex(wp), intent(in) :: k, s
         complex(wp) :: part
 
-        part = exchange(gel, k, s)
+        part = surface_flux(gel, k, s)
         part = part/(1.0_wp + part)
     end function pore_part
 

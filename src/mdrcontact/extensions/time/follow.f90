@@ -27,12 +27,12 @@ module mdrcontact_time_follow
                                                     362880.0_wp, 3628800.0_wp, 39916800.0_wp]
 
     !> What is left of the path at a sample of the shrinking phase.
-    type :: retreat_t
+    type :: unloading_t
         !> index of the panel's end below t1, and where t1 lies in the panel after it, 0 to 1
         integer :: panel = 0
         real(wp) :: fraction = 0.0_wp
-        logical :: is_lost = .false.
-    end type retreat_t
+        logical :: has_separated = .false.
+    end type unloading_t
 
 contains
 
@@ -132,7 +132,7 @@ contains
         real(wp), dimension(size(phi%rate) + 1) :: load, passed
         real(wp) :: rate, edge, step
         real(wp), allocatable :: depths(:), radii(:)
-        type(retreat_t) :: now, before, between
+        type(unloading_t) :: now, before, between
         integer :: i, n, count, stat
         logical :: steady
 
@@ -166,14 +166,14 @@ contains
             call find_edge(path, phi, rise, rate, time(i), depth(i), before, now)
             edge = edge_depth(path, now)
             if (edge > edge_depth(path, before)) then
-                covered = edge <= edge_depth(path, before) + tolerance .and. .not. before%is_lost
+                covered = edge <= edge_depth(path, before) + tolerance .and. .not. before%has_separated
                 if (.not. covered) return
                 now = before
                 edge = edge_depth(path, now)
             end if
             ! the memory of the spring at the edge, int_t1^t exp(-rate (t - u)) d'(u) du, and the load of those inside
             behind = rise
-            if (.not. now%is_lost) then
+            if (.not. now%has_separated) then
                 call partial_integrals(path, now%panel + 1, now%fraction, load, passed)
                 z = exp(-min(phi%rate*(time(i) - edge_time(path, now)), 700.0_wp))
                 behind = rise - z*passed(:n)
@@ -190,7 +190,7 @@ contains
                 if (.not. covered) return
             end if
             before = now
-            if (now%is_lost) cycle
+            if (now%has_separated) cycle
             count = count + 1
             depths(count) = edge
         end do
@@ -203,21 +203,21 @@ contains
     !> Depth and time at which the edge of a shrinking contact was passed on the way in.
     pure function edge_depth(path, place) result(depth)
         type(path_t), intent(in) :: path
-        type(retreat_t), intent(in) :: place
+        type(unloading_t), intent(in) :: place
         real(wp) :: depth
 
         depth = 0.0_wp
-        if (.not. place%is_lost) depth = path%depth(place%panel) &
+        if (.not. place%has_separated) depth = path%depth(place%panel) &
                                          + place%fraction*(path%depth(place%panel + 1) - path%depth(place%panel))
     end function edge_depth
 
     pure function edge_time(path, place) result(time)
         type(path_t), intent(in) :: path
-        type(retreat_t), intent(in) :: place
+        type(unloading_t), intent(in) :: place
         real(wp) :: time
 
         time = path%time(0)
-        if (.not. place%is_lost) time = path%time(place%panel) &
+        if (.not. place%has_separated) time = path%time(place%panel) &
                                         + place%fraction*(path%time(place%panel + 1) - path%time(place%panel))
     end function edge_time
 
@@ -238,16 +238,16 @@ contains
         type(path_t), intent(in) :: path
         type(prony_t), intent(in) :: phi
         real(wp), intent(in) :: rise(:), rate, time, depth
-        type(retreat_t), intent(in) :: before
-        type(retreat_t), intent(out) :: place
+        type(unloading_t), intent(in) :: before
+        type(unloading_t), intent(out) :: place
         real(wp) :: weight(size(rise)), z(size(rise)), rest(size(rise)), start(size(rise)), c(0:powers)
         real(wp) :: now, value, slope, bend, low, high, x, next, step, length, climb
         integer :: i, k, n, p, slow, last
 
         n = size(rise)
-        place%is_lost = .true.
-        if (before%is_lost) p = 0
-        if (.not. before%is_lost) p = before%panel
+        place%has_separated = .true.
+        if (before%has_separated) p = 0
+        if (.not. before%has_separated) p = before%panel
         now = sum(phi%weight*rise) + phi%limit*depth + phi%viscosity*rate
         do
             ! what the panel's end sees of itself: weights to its end, integrals from its beginning
@@ -264,8 +264,8 @@ contains
             p = p - 1
             weight = rest
         end do
-        if (before%is_lost .and. value <= noise*phi%instant()*path%depth(path%count)) return
-        place%is_lost = .false.
+        if (before%has_separated .and. value <= noise*phi%instant()*path%depth(path%count)) return
+        place%has_separated = .false.
         place%panel = p
         length = path%time(p + 1) - path%time(p)
         climb = path%depth(p + 1) - path%depth(p)

@@ -11,7 +11,7 @@ module mdrcontact_time_stiffness
     use mdrcontact_kinds, only: wp
     use mdrcontact_line_kernel, only: kernel_t
     use mdrcontact_line_part, only: new_part, part_memory_t, part_t
-    use mdrcontact_line_shared, only: layered_shared_t, shared_kernel
+    use mdrcontact_line_shared, only: kernel_cache_t, shared_kernel
     use mdrcontact_line_stiffness, only: relative_stiffness
     use mdrcontact_material, only: moduli_t
     use mdrcontact_medium_viscoelastic, only: viscoelastic_t
@@ -33,7 +33,7 @@ module mdrcontact_time_stiffness
 
     !> k(a; s) of one body at one s after the other.
     type :: stiffness_t
-        type(layered_shared_t) :: shared
+        type(kernel_cache_t) :: shared
         complex(wp) :: s = 0.0_wp
         type(kernel_t) :: parts(2)
         !> E0*(s)

@@ -16,7 +16,7 @@ module mdrcontact_wear_disc
     use mdrcontact_medium_solver, only: solver_t
     use mdrcontact_profile, only: profile_t
     use mdrcontact_wear_hats, only: hat_points, hats_t, line_compliance
-    use mdrcontact_wear_ledger, only: disc_t, ledger_t, new_ledger
+    use mdrcontact_wear_history_on_disc, only: disc_t, wear_history_on_disc_t, new_wear_history_on_disc
     use mdrcontact_wear_rate, only: wear_rate_t
     implicit none (type, external)
     private
@@ -56,18 +56,18 @@ contains
         real(wp), intent(in) :: target
         type(disc_t), intent(out) :: next
         type(error_t), allocatable, intent(inout) :: error
-        type(ledger_t) :: ledger
+        type(wear_history_on_disc_t) :: on_disc
         real(wp) :: a, low, high, before, miss_before, miss, further
         integer :: i
 
-        call new_ledger(ledger, disc)
+        call new_wear_history_on_disc(on_disc, disc)
         a = disc%radius
         low = 0.0_wp
         high = profile%largest_radius
         before = 0.0_wp
         miss_before = 0.0_wp
         do i = 1, most_rounds
-            call disc_at(hats, solver, profile, rate, disc, ledger, sliding, a, next, error)
+            call disc_at(hats, solver, profile, rate, disc, on_disc, sliding, a, next, error)
             if (allocated(error)) return
             miss = merge(next%depth, next%force, by_depth)/target - 1.0_wp
             if (abs(miss) <= close_enough) exit
@@ -96,13 +96,13 @@ contains
     end subroutine step_disc
 
     !> Pressure, depth and force where the new radius is a.
-    subroutine disc_at(hats, solver, profile, rate, disc, ledger, sliding, a, next, error)
+    subroutine disc_at(hats, solver, profile, rate, disc, on_disc, sliding, a, next, error)
         type(hats_t), intent(in) :: hats
         class(solver_t), intent(in) :: solver
         class(profile_t), intent(in) :: profile
         type(wear_rate_t), intent(in) :: rate
         type(disc_t), intent(in) :: disc
-        type(ledger_t), intent(in) :: ledger
+        type(wear_history_on_disc_t), intent(in) :: on_disc
         real(wp), intent(in) :: sliding, a
         type(disc_t), intent(out) :: next
         type(error_t), allocatable, intent(inout) :: error
@@ -116,7 +116,7 @@ contains
         if (allocated(error)) return
         exponent = atan(2.0_wp*max(a - disc%radius, 0.0_wp)/(modulus*rate%coefficients(1)*max(sliding, tiny(a))))/pi
         height = profile%height(a*hats%radii)
-        call ledger%at(a*hats%radii, load, pressure)
+        call on_disc%at(a*hats%radii, load, pressure)
         weight = steadied(new_weight(a*hats%radii, disc%radius, a, exponent), a*hats%radii, disc%radius, a, n)
         load = load + sliding*(1.0_wp - weight)*pressure
         further = sliding*weight*pressure
@@ -140,7 +140,7 @@ contains
         next%force = dot_product(hats%areas, rhs)*a**2
         allocate (next%pressure(0:n), next%load(0:n))
         next%pressure = rhs
-        call ledger%at(a*hats%nodes, next%load, rhs)
+        call on_disc%at(a*hats%nodes, next%load, rhs)
         do i = 0, n - 1
             associate (w => steadied(new_weight(a*hats%nodes(i), disc%radius, a, exponent), a*hats%nodes(i), disc%radius, a, n))
                 next%load(i) = next%load(i) + sliding*((1.0_wp - w)*rhs(i) + w*next%pressure(i))
@@ -238,15 +238,15 @@ contains
         type(wear_rate_t), intent(in) :: rate
         type(disc_t), intent(in) :: disc
         real(wp), intent(out) :: volume
-        type(ledger_t) :: ledger
+        type(wear_history_on_disc_t) :: on_disc
         real(wp), dimension(hat_points, hats%n) :: load, pressure
 
         if (disc%stays) then
             volume = sum(hats%areas*rate%worn_depth(disc%load))*disc%extent**2
             return
         end if
-        call new_ledger(ledger, disc)
-        call ledger%at(disc%radius*hats%radii, load, pressure)
+        call new_wear_history_on_disc(on_disc, disc)
+        call on_disc%at(disc%radius*hats%radii, load, pressure)
         volume = sum(hats%weights*rate%worn_depth(load))*disc%radius**2
     end subroutine worn_volume
 

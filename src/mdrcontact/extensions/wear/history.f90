@@ -21,7 +21,7 @@ module mdrcontact_wear_history
     use mdrcontact_medium_solver, only: check_springs
     use mdrcontact_wear_disc, only: step_disc, worn_volume
     use mdrcontact_wear_hats, only: hats_t, new_hats
-    use mdrcontact_wear_ledger, only: disc_t, ledger_t, new_ledger
+    use mdrcontact_wear_history_on_disc, only: disc_t, wear_history_on_disc_t, new_wear_history_on_disc
     use mdrcontact_wear_limit, only: check_carries, check_control
     use mdrcontact_wear_rate, only: wear_rate_t
     use mdrcontact_wear_rings, only: first_extent, step_rings
@@ -484,11 +484,11 @@ contains
         type(hats_t), intent(in) :: hats
         type(disc_t), intent(in) :: disc
         real(wp), intent(out) :: volume
-        type(ledger_t) :: ledger
+        type(wear_history_on_disc_t) :: on_disc
         real(wp), dimension(size(hats%radii, 1), size(hats%radii, 2)) :: load, pressure
 
-        call new_ledger(ledger, disc)
-        call ledger%at(disc%extent*hats%radii, load, pressure)
+        call new_wear_history_on_disc(on_disc, disc)
+        call on_disc%at(disc%extent*hats%radii, load, pressure)
         volume = sum(hats%weights*load)*disc%extent**2
     end subroutine loaded_volume
 
@@ -498,18 +498,18 @@ contains
         type(worn_profile_t), allocatable, intent(out) :: profile
         type(error_t), allocatable, intent(out) :: error
         real(wp), dimension(0:self%hats(2)%n) :: load, other, unused, depths, slopes
-        type(ledger_t) :: ledger
+        type(wear_history_on_disc_t) :: on_disc
         real(wp) :: radius
         integer :: i, n
 
         n = self%hats(2)%n
         allocate (profile)
         associate (coarse => self%past%discs(1), fine => self%past%discs(2))
-            call new_ledger(ledger, coarse)
+            call new_wear_history_on_disc(on_disc, coarse)
             load = fine%load
             radius = fine%extent
             if (.not. self%has_rings) then
-                call ledger%at(coarse%radius*self%hats(2)%nodes, other, unused)
+                call on_disc%at(coarse%radius*self%hats(2)%nodes, other, unused)
                 radius = fine%radius + (fine%radius - coarse%radius)/3.0_wp
                 load = max(fine%load + (fine%load - other)/3.0_wp, 0.0_wp)
                 load(n) = 0.0_wp
@@ -543,7 +543,7 @@ contains
         !> same size as r [modulus]
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(inout) :: error
-        type(ledger_t) :: ledger
+        type(wear_history_on_disc_t) :: on_disc
         real(wp) :: load(size(r))
         integer :: i
 
@@ -552,8 +552,8 @@ contains
             call check_not_negative(error, "r", r(i), i)
         end do
         if (allocated(error)) return
-        call new_ledger(ledger, self%past%discs(2))
-        call ledger%at(r, load, values)
+        call new_wear_history_on_disc(on_disc, self%past%discs(2))
+        call on_disc%at(r, load, values)
     end subroutine pressure
 
     !> How many numbers a saved past has.

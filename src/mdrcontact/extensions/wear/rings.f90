@@ -15,7 +15,7 @@ module mdrcontact_wear_rings
     use mdrcontact_medium_solver, only: solver_t
     use mdrcontact_profile, only: profile_t
     use mdrcontact_wear_hats, only: hats_t, line_compliance
-    use mdrcontact_wear_ledger, only: disc_t
+    use mdrcontact_wear_history_on_disc, only: disc_t
     use mdrcontact_wear_rate, only: wear_rate_t
     implicit none (type, external)
     private

@@ -162,13 +162,13 @@ contains
         self%a = a
         associate (row => equation%rhs(:, 2))
             self%edge = punch_depth*sum(row*x(:, 1))
-            beyond = (equation%rise + self%edge + sum(row*x(:, 3)))/sum(row*x(:, 1))
+            beyond = (equation%edge_above_mean + self%edge + sum(row*x(:, 3)))/sum(row*x(:, 1))
         end associate
-        self%depth = equation%mean + beyond
+        self%depth = equation%profile_mean + beyond
         s = normalisation(n)
         self%q = s*(beyond*x(:, 1) - x(:, 3))
         self%v = -s*equation%rhs(:, 3) - self%q
-        self%level = equation%mean - self%v(1)
+        self%level = equation%profile_mean - self%v(1)
         self%v(1) = self%v(1) + beyond
         if (kernel%vanishes) return
         reached = maxval(abs(self%v(n - 3:)))*real(2*n, wp)/sqrt(sum((self%q/s)**2) + tiny(1.0_wp))

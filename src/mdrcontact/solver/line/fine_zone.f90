@@ -94,7 +94,7 @@ contains
             call edge_kernel(self%equation%moments, self%edge_kernel)
             self%known_g = 0.0_wp
             if (any(abs(rhs(n + 1:, of_g)) > 0.0_wp)) then
-                call edge_moment(profile, kernel, a, self%equation%moments%shift, self%equation%mean, edge_load, error)
+                call edge_moment(profile, kernel, a, self%equation%moments%shift, self%equation%profile_mean, edge_load, error)
                 if (allocated(error)) return
                 self%known_g = -self%edge_kernel*rhs(:, of_g)
                 self%whole_g = -edge_load - sum(self%known_g(:n))
@@ -107,13 +107,13 @@ contains
                 self%one_g = remainder%product(forward(:, one), forward(:, of_g), rest(:, one), rest(:, of_g))
                 self%edge_g = remainder%product(forward(:, edge), forward(:, of_g), rest(:, edge), rest(:, of_g), &
                                                 self%known_g, self%whole_g)
-                call remainder%not_seen(n, rest(:, one), rest(:, one), terms, missed(1))
-                call remainder%not_seen(n, rest(:, edge), rest(:, one), terms, missed(2))
-                call remainder%not_seen(n, rest(:, edge), rest(:, of_g), terms, missed(3), -self%known_g)
+                call remainder%truncation_error(n, rest(:, one), rest(:, one), terms, missed(1))
+                call remainder%truncation_error(n, rest(:, edge), rest(:, one), terms, missed(2))
+                call remainder%truncation_error(n, rest(:, edge), rest(:, of_g), terms, missed(3), -self%known_g)
             end associate
         end associate
         self%stiffness = a*self%one_one
-        self%depth = self%equation%mean + (self%equation%rise + self%edge_g)/self%edge_one
+        self%depth = self%equation%profile_mean + (self%equation%edge_above_mean + self%edge_g)/self%edge_one
         self%error = max(missed(1)/self%one_one, missed(2)/abs(self%edge_one))
         if (self%depth > 0.0_wp) self%error = max(self%error, missed(3)/abs(self%edge_one*self%depth))
         call place_nodes(self, m, error)
@@ -199,15 +199,16 @@ contains
             gap_one = remainder%product(of_o, first(:, one), o, rest_of(:, one))
             gap_g = remainder%product(of_o, first(:, of_g), o, rest_of(:, of_g))
             gap_t = remainder%product(of_o, of_t, o, t, known(n + 1:, 2), whole(2))
-            found%beyond = (at_edge + self%equation%rise + (among_edge - found%mean) + self%edge_g + edge_t)/self%edge_one
+            found%beyond = (at_edge + self%equation%edge_above_mean + (among_edge - found%mean) + self%edge_g + edge_t) &
+                           /self%edge_one
             found%force = self%a*(found%beyond*self%one_one - self%one_g - one_t)
             found%opening = found%beyond*gap_one - gap_g - gap_t
             ! the load, less what the unknowns are changed by the coefficients beyond them
             total = found%beyond*first(:, one) - first(:, of_g) - of_t
             rest = found%beyond*rest_of(:, one) - rest_of(:, of_g) - t
-            call remainder%not_seen(n, rest_of(:, edge), rest, terms, missed(1), known(n + 1:, 1) + self%known_g)
-            call remainder%not_seen(n, rest_of(:, one), rest, terms, missed(2))
-            call remainder%not_seen(n, o, rest, terms, missed(3), known(n + 1:, 2))
+            call remainder%truncation_error(n, rest_of(:, edge), rest, terms, missed(1), known(n + 1:, 1) + self%known_g)
+            call remainder%truncation_error(n, rest_of(:, one), rest, terms, missed(2))
+            call remainder%truncation_error(n, o, rest, terms, missed(3), known(n + 1:, 2))
             found%errors(1) = missed(1)/abs(self%edge_one)
             found%errors(2) = self%a*(missed(2) + self%one_one*found%errors(1))
             found%errors(3) = missed(3) + abs(gap_one)*found%errors(1)

@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> What coefficients beyond the n unknowns of the springs' equation add to products <x, y> = x' (1 + H)^-1 y of its right-hand
-!> sides, and how unsure that is (theory/exact.md (3.8), (3.9)).
+!> sides, and how uncertainty that is (theory/exact.md (3.8), (3.9)).
 !>
 !> One iteration of the equation gives as many coefficients more, which enter products to second order. The Schur complement of
 !> the n unknowns is close to its diagonal, S_i, which the pivots approach geometrically to 1. Sums over fewer terms give the error.
@@ -18,12 +18,12 @@ module mdrcontact_line_remainder
         !> 1/S_i, tapered
         real(wp), allocatable :: inverse(:)
         !> what of 1/S_i is not 1
-        real(wp), allocatable, private :: unsure(:)
+        real(wp), allocatable, private :: uncertainty(:)
         !> weights that go to 0 over the last quarter and eighth of the terms
         real(wp), allocatable, private :: quarter(:), eighth(:)
     contains
         procedure :: product => product_of
-        procedure :: not_seen
+        procedure :: truncation_error
     end type remainder_t
 
 contains
@@ -36,7 +36,7 @@ contains
         real(wp) :: pivot, ratio
         integer :: i
 
-        allocate (self%inverse(m - n), self%unsure(m - n), self%quarter(m - n), self%eighth(m - n))
+        allocate (self%inverse(m - n), self%uncertainty(m - n), self%quarter(m - n), self%eighth(m - n))
         pivot = h(n, n)**2 - 1.0_wp
         ratio = 0.0_wp
         if (abs(pivot) > epsilon(pivot)) ratio = min(max(pivot/(h(n - 2, n - 2)**2 - 1.0_wp), 0.0_wp), 1.0_wp)
@@ -44,7 +44,7 @@ contains
         do i = 1, m - n
             pivot = pivot*ratio
             self%inverse(i) = 1.0_wp/(1.0_wp + pivot)
-            self%unsure(i) = pivot*self%inverse(i)
+            self%uncertainty(i) = pivot*self%inverse(i)
         end do
         call taper(max(m/4, 2), self%quarter)
         call taper(max(m/8, 1), self%eighth)
@@ -69,10 +69,10 @@ contains
         end if
     end function product_of
 
-    !> What is unsure of the terms x y of a product, and those left out. Where the last quarter of the terms does not cancel, it
+    !> The uncertainty of the terms x y of a product, and those left out. Where the last quarter of the terms does not cancel, it
     !> gives how many times the last one these are, whether they fall as a power or as an exponential; where it does, the
     !> sum depends little on how it ends.
-    pure subroutine not_seen(self, n, x, y, terms, error, known)
+    pure subroutine truncation_error(self, n, x, y, terms, error, known)
         class(remainder_t), intent(in) :: self
         !> unknowns
         integer, intent(in) :: n
@@ -90,7 +90,7 @@ contains
         error = 0.0_wp
         partial = 0.0_wp
         do i = n + 1, m
-            partial = partial + terms(i)*self%unsure(i - n)
+            partial = partial + terms(i)*self%uncertainty(i - n)
             error = max(error, abs(partial))
         end do
         if (present(known)) terms = terms + known
@@ -101,7 +101,7 @@ contains
         if (first > last .and. last > 0.0_wp) more = min(more, real(m - 2 - i, wp)/log(first/last))
         if (last > 0.0_wp) more = more*(sum(terms(i:))/sum(abs(terms(i:))))**2
         error = safety*(error + abs(sum((self%quarter - self%eighth)*terms)) + last*more)
-    end subroutine not_seen
+    end subroutine truncation_error
 
     !> Weights that go to 0 over the last `length` terms of a sum: a profile with a kink makes terms that alternate and fall slowly,
     !> and their sum is close to that of all without end.

@@ -11,7 +11,7 @@ module mdrcontact_line_shared
     use mdrcontact_tension_table, only: punch_table_t
     implicit none (type, external)
     private
-    public :: layered_shared_t, shared_kernel
+    public :: kernel_cache_t, shared_kernel
 
     !> A trial, its neighbours in two moduli, and the trial before.
     integer, parameter :: most_kernels = 4
@@ -23,7 +23,7 @@ module mdrcontact_line_shared
     end type kept_kernel_t
 
     !> Empty at first, and filled as media are made. Not for several threads at a time.
-    type :: layered_shared_t
+    type :: kernel_cache_t
         !> flat punches under surface tension; none before the first half-space with it
         type(punch_table_t), allocatable :: punches
         !> none before the first medium
@@ -31,13 +31,13 @@ module mdrcontact_line_shared
         !> the kernels made last, and the one to be overwritten next
         type(kept_kernel_t), allocatable, private :: kernels(:)
         integer, private :: oldest = 1
-    end type layered_shared_t
+    end type kernel_cache_t
 
 contains
 
     !> The kernel of a compliance: that of one made before where both are the same but for their size.
     subroutine shared_kernel(shared, surface, kernel, error, allowed)
-        type(layered_shared_t), intent(inout) :: shared
+        type(kernel_cache_t), intent(inout) :: shared
         class(compliance_t), intent(in) :: surface
         type(kernel_t), intent(out) :: kernel
         type(error_t), allocatable, intent(out) :: error

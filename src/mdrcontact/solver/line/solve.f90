@@ -39,7 +39,7 @@ module mdrcontact_line_solve
         !> right-hand sides: 1, values at the edge (see edge_row), and g less its mean
         real(wp), allocatable :: rhs(:, :)
         !> the mean of g over the contact, and g(a) less that [length]
-        real(wp) :: mean = 0.0_wp, rise = 0.0_wp
+        real(wp) :: profile_mean = 0.0_wp, edge_above_mean = 0.0_wp
     end type equation_t
 
     !> The state at one contact radius.
@@ -191,9 +191,9 @@ contains
         if (present(profile)) then
             call profile_moments(profile, a, self%rhs(:, 3), error)
             if (allocated(error)) return
-            self%mean = self%rhs(1, 3)*sqrt(0.5_wp)
+            self%profile_mean = self%rhs(1, 3)*sqrt(0.5_wp)
             self%rhs(1, 3) = 0.0_wp
-            self%rise = profile%mdr(a) - self%mean
+            self%edge_above_mean = profile%mdr(a) - self%profile_mean
         end if
         do i = 1, n
             self%h(i, i) = self%h(i, i) + self%moments%diagonal
@@ -234,7 +234,7 @@ contains
             if (is_fine(kernel, a/kernel%unit, n) .and. any(abs(rhs(n + 1:, 3)) > 0.0_wp)) then
                 if (.not. allocated(edge_load)) then
                     allocate (edge_load)
-                    call edge_moment(profile, kernel, a, moments%shift, equation%mean, edge_load, error)
+                    call edge_moment(profile, kernel, a, moments%shift, equation%profile_mean, edge_load, error)
                     if (allocated(error)) return
                 end if
                 call edge_kernel(moments, known)
@@ -249,10 +249,11 @@ contains
             work(:, :sides) = matmul(h(n + 1:, :), rhs(:n, :sides))
             rest(:, :sides) = rest(:, :sides) - work(:, :sides)
             call new_remainder(remainder, n, m, h)
-            call add_rest(n, a, equation%mean, equation%rise, remainder, forward, rest, known(n + 1:), whole, solution, &
+            call add_higher_terms(n, a, equation%profile_mean, equation%edge_above_mean, remainder, forward, rest, &
+                          known(n + 1:), whole, solution, &
                           work(:, 1), work(:, 2))
             if (present(profile)) then
-                beyond = solution%depth - equation%mean
+                beyond = solution%depth - equation%profile_mean
                 rhs(n + 1:, :) = rest
                 call edge_slopes(moments, known)
                 solution%depth_slope = sum(known*(beyond*rhs(:, 1) - rhs(:, 3)))/kernel%unit
@@ -269,10 +270,10 @@ contains
     end subroutine solve_with
 
     !> The numbers from the factorization with what the coefficients beyond n add to them, and their errors.
-    subroutine add_rest(n, a, mean, rise, remainder, forward, rest, known, whole, solution, load, terms)
+    subroutine add_higher_terms(n, a, profile_mean, edge_above_mean, remainder, forward, rest, known, whole, solution, load, terms)
         integer, intent(in) :: n
         !> contact radius, mean of g over the contact and g(a) - mean [length]
-        real(wp), intent(in) :: a, mean, rise
+        real(wp), intent(in) :: a, profile_mean, edge_above_mean
         type(remainder_t), intent(in) :: remainder
         !> the right-hand sides 1, edge and g, times the inverse of the factor, and what is left of them beyond n
         real(wp), intent(in) :: forward(:, :), rest(:, :)
@@ -290,22 +291,22 @@ contains
         sums(4) = remainder%product(forward(:, 1), forward(:, 3), rest(:, 1), rest(:, 3))
         solution%modulus = 0.5_wp*sums(1)
         solution%punch_edge = sums(2)
-        beyond = (rise + sums(3))/sums(2)
-        solution%depth = mean + beyond
+        beyond = (edge_above_mean + sums(3))/sums(2)
+        solution%depth = profile_mean + beyond
         solution%force = a*(beyond*sums(1) - sums(4))
 
         load = beyond*rest(:, 1) - rest(:, 3)
-        call remainder%not_seen(n, rest(:, 1), rest(:, 1), terms, error)
+        call remainder%truncation_error(n, rest(:, 1), rest(:, 1), terms, error)
         solution%errors(1) = error/sums(1)
-        call remainder%not_seen(n, rest(:, 1), rest(:, 2), terms, error)
+        call remainder%truncation_error(n, rest(:, 1), rest(:, 2), terms, error)
         solution%errors(2) = error/abs(sums(2))
         if (solution%depth == 0.0_wp) return
-        call remainder%not_seen(n, rest(:, 2), load, terms, error, known)
+        call remainder%truncation_error(n, rest(:, 2), load, terms, error, known)
         error_of_depth = error/abs(sums(2))
         solution%errors(3) = error_of_depth/solution%depth
-        call remainder%not_seen(n, rest(:, 1), load, terms, error)
+        call remainder%truncation_error(n, rest(:, 1), load, terms, error)
         solution%errors(4) = a*(sums(1)*error_of_depth + error)/solution%force
-    end subroutine add_rest
+    end subroutine add_higher_terms
 
     !> Cholesky factor of the first n rows of a, in place, lower triangle.
     subroutine factorize(n, m, a, done)

@@ -93,7 +93,7 @@ module mdrcontact_line_zone
     contains
         procedure :: with_zone
         procedure :: beyond
-        procedure :: judge
+        procedure :: check_convergence
     end type zoned_springs_t
 
 contains
@@ -211,7 +211,7 @@ contains
     end subroutine factorize_fine
 
     !> Whether the unknowns were enough for a state; raises where there cannot be more.
-    subroutine judge(self, state, met, unknowns, error)
+    subroutine check_convergence(self, state, met, unknowns, error)
         class(zoned_springs_t), intent(in) :: self
         type(zone_state_t), intent(in) :: state
         logical, intent(out) :: met
@@ -225,7 +225,7 @@ contains
         unknowns = min(next_unknowns(self%unknowns, state%error/self%wanted), most_unknowns)
         if (self%unknowns < most_unknowns) return
         call raise_missed(error, "a cohesive zone", self%wanted, self%a, state%error)
-    end subroutine judge
+    end subroutine check_convergence
 
     !> With n unknowns.
     subroutine factorize_with(self, n, at_points, reached, solved, error)
@@ -251,7 +251,7 @@ contains
         self%of_profile = x(:, 3)
         of_edge = self%equation%rhs(:, 2)
         self%punch_edge = sum(of_edge*x(:, 1))
-        self%depth = self%equation%mean + (self%equation%rise + sum(of_edge*x(:, 3)))/self%punch_edge
+        self%depth = self%equation%profile_mean + (self%equation%edge_above_mean + sum(of_edge*x(:, 3)))/self%punch_edge
         self%stiffness = self%a*sqrt(2.0_wp)*x(1, 1)
         part(1) = last_terms(self%equation%rhs(:, 1), x(:, 1))
         part(2) = last_terms(self%equation%rhs(:, 3), x(:, 3))
@@ -380,14 +380,15 @@ contains
         call solve_lower(n, n, 1, self%equation%h, t)
         call solve_upper(n, n, 1, self%equation%h, t)
         associate (row => self%equation%rhs(:, 2))
-            beyond = (state%edge + self%equation%rise + (among(0) - mean) + sum(row*(self%of_profile + t(:, 1))))/self%punch_edge
+            beyond = (state%edge + self%equation%edge_above_mean + (among(0) - mean) &
+                      + sum(row*(self%of_profile + t(:, 1))))/self%punch_edge
         end associate
         q = beyond*self%of_one - self%of_profile - t(:, 1)
         among = among + self%a/(pi*self%unit)*each_sum(matmul(self%polynomials, q), x)
         opening = opening + (among(1:) - among(0))
         ! the constant that was left out of the kernel is a uniform displacement under the zone's load
         mean = mean + 2.0_wp*shift/(pi*self%unit)*sum(rule%dx*z)
-        state%depth = self%equation%mean + mean + beyond
+        state%depth = self%equation%profile_mean + mean + beyond
         state%force = self%a*sqrt(2.0_wp)*q(1)
         if (present(load)) call contact_load(self, q, mean + beyond, state, load%contact)
     end subroutine interact
@@ -421,9 +422,9 @@ contains
         state%gap = (2.0_wp/pi)*(sum(rule%over_root*opening) + found%opening)
         opening = opening + found%at_nodes
         mean = found%mean + 2.0_wp*shift/(pi*self%unit)*sum(rule%dx*z)
-        state%depth = self%fine%equation%mean + mean + found%beyond
+        state%depth = self%fine%equation%profile_mean + mean + found%beyond
         state%force = found%force
-        part = abs(self%fine%equation%mean) + abs(mean) + abs(found%beyond)
+        part = abs(self%fine%equation%profile_mean) + abs(mean) + abs(found%beyond)
         state%error = max(found%errors(1)/part, found%errors(2)/(self%stiffness*part), (2.0_wp/pi)*found%errors(3)/state%gap)
     end subroutine interact_finely
 
@@ -441,7 +442,7 @@ contains
         load%depth = state%depth
         load%q = s*q
         load%v = -s*self%equation%rhs(:, 3) - load%q
-        load%level = self%equation%mean - load%v(1)
+        load%level = self%equation%profile_mean - load%v(1)
         load%v(1) = load%v(1) + mean
     end subroutine contact_load
 

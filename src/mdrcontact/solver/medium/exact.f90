@@ -18,7 +18,7 @@ module mdrcontact_medium_exact
     use mdrcontact_line_fields, only: line_load_t
     use mdrcontact_line_moments, only: is_smooth
     use mdrcontact_line_kernel, only: kernel_t
-    use mdrcontact_line_shared, only: layered_shared_t, shared_kernel
+    use mdrcontact_line_shared, only: kernel_cache_t, shared_kernel
     use mdrcontact_medium_exact_slip, only: layered_slip_t, new_layered_slip
     use mdrcontact_line_solve, only: solution_t, solve_springs => solve
     use mdrcontact_line_springs, only: springs_t
@@ -71,7 +71,7 @@ contains
         !> relative tolerance of E_eff, d and F, 1e-12 to 1e-2; default 1e-10
         real(wp), intent(in), optional :: tolerance
         !> what this medium has in common with others made before it, which then costs less
-        type(layered_shared_t), intent(inout), optional :: shared
+        type(kernel_cache_t), intent(inout), optional :: shared
 
         allocate (self%springs)
         if (present(tolerance)) then
@@ -89,7 +89,7 @@ contains
         class(compliance_t), intent(in) :: compliance
         type(error_t), allocatable, intent(inout) :: error
         real(wp), intent(in) :: tolerance
-        type(layered_shared_t), intent(inout), optional :: shared
+        type(kernel_cache_t), intent(inout), optional :: shared
 
         call check_within(error, "tolerance", tolerance, smallest_tolerance, largest_tolerance)
         allocate (self%springs)
@@ -103,7 +103,7 @@ contains
         class(body_t), intent(in) :: body
         integer, intent(in) :: load
         type(error_t), allocatable, intent(inout) :: error
-        type(layered_shared_t), intent(inout), optional :: shared
+        type(kernel_cache_t), intent(inout), optional :: shared
         class(compliance_t), allocatable :: compliance
 
         if (load /= normal_load .and. body%slides) then
@@ -119,8 +119,8 @@ contains
         type(layered_exact_t), intent(inout) :: self
         class(compliance_t), intent(in) :: compliance
         type(error_t), allocatable, intent(inout) :: error
-        type(layered_shared_t), intent(inout), optional :: shared
-        type(layered_shared_t) :: own
+        type(kernel_cache_t), intent(inout), optional :: shared
+        type(kernel_cache_t) :: own
 
         if (allocated(error)) return
         call disable_gsl_abort()
@@ -154,7 +154,7 @@ contains
         type(error_t), allocatable, intent(out) :: error
         real(wp), intent(in), optional :: tolerance
         logical, intent(in), optional :: rigid_base
-        type(layered_shared_t), intent(inout), optional :: shared
+        type(kernel_cache_t), intent(inout), optional :: shared
         type(stack_t) :: stack
 
         call new_stack(stack, layers, thickness, substrate, error, rigid_base)

@@ -10,7 +10,7 @@ module mdrcontact_medium_viscoelastic
     use mdrcontact_body_stack, only: new_stack, stack_t
     use mdrcontact_error, only: check_memory, check_positive, count_text, error_t
     use mdrcontact_kinds, only: wp
-    use mdrcontact_line_shared, only: layered_shared_t
+    use mdrcontact_line_shared, only: kernel_cache_t
     use mdrcontact_material, only: material_t, moduli_t, new_material
     use mdrcontact_material_prony, only: prony_t
     use mdrcontact_material_rheology, only: rheology_t, same_shape
@@ -64,7 +64,7 @@ contains
         type(model_options_t), intent(in) :: options
         type(error_t), allocatable, intent(out) :: error
         !> what exact media have in common from one body to the next, which then cost less
-        type(layered_shared_t), intent(inout), optional :: shared
+        type(kernel_cache_t), intent(inout), optional :: shared
         !> how each layer holds to what lies below it, by springs that do not relax; without it all are bonded
         type(bond_t), intent(in), optional :: bonds(:)
         type(material_t), allocatable :: elastic(:)
@@ -137,7 +137,7 @@ contains
         type(viscoelastic_t), intent(out) :: body
         type(error_t), allocatable, intent(out) :: error
         !> what exact media have in common from one body to the next
-        type(layered_shared_t), intent(inout) :: shared
+        type(kernel_cache_t), intent(inout) :: shared
         type(rheology_t), allocatable :: materials(:)
         real(wp), allocatable :: thickness(:)
         type(bond_t), allocatable :: bonds(:)

@@ -13,7 +13,7 @@ module mdrcontact_body_elements_interface
 
     !> What a sliding interface adds to the compliance along the surface: all else is lost beside it, so that what comes of it is
     !> the limit to the last digit.
-    real(wp), parameter :: without_end = 1.0e100_wp
+    real(wp), parameter :: sliding_compliance = 1.0e100_wp
 
     !> How two layers hold together: compliances per area, 0 where they are bonded.
     type :: bond_t
@@ -145,7 +145,7 @@ contains
         compliance = below
         compliance(1, 1) = compliance(1, 1) - k*self%jump(1)
         compliance(2, 2) = compliance(2, 2) - k*self%jump(2)
-        if (self%slides) compliance(1, 1) = compliance(1, 1) - without_end
+        if (self%slides) compliance(1, 1) = compliance(1, 1) - sliding_compliance
     end function above
 
     !> Compliances of what is no half-space are taken whole.
@@ -163,7 +163,7 @@ contains
         complex(wp) :: compliance
 
         compliance = below + 0.5_wp*k*self%jump(1)
-        if (self%slides) compliance = compliance + without_end
+        if (self%slides) compliance = compliance + sliding_compliance
     end function above_across
 
     pure function reflected_across(self, k, below) result(compliance)

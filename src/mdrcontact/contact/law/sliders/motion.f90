@@ -81,13 +81,13 @@ module mdrcontact_law_sliders_motion
 
         !> How many of n contacts, from the first one on, can certainly take their steps, with F up to the highest.
         ! allow(assumed-size)
-        function mdrcontact_sliders_sound(row, count, sliders, mark, highest, n, force, shift, memory) result(sound) bind(C)
+        function mdrcontact_sliders_sound(row, count, sliders, mark, highest, n, force, shift, memory) result(valid) bind(C)
             import :: c_double, c_int32_t
             real(c_double), intent(in) :: row(*)
             integer(c_int32_t), value :: count, sliders, n
             real(c_double), value :: mark, highest
             real(c_double), intent(in) :: force(*), shift(*), memory(*)
-            integer(c_int32_t) :: sound
+            integer(c_int32_t) :: valid
         end function mdrcontact_sliders_sound
     end interface
 

@@ -41,14 +41,14 @@ contains
     end function record_size
 
     !> Whether numbers are a record of a law with these levels.
-    pure function is_record(levels, record) result(sound)
+    pure function is_record(levels, record) result(valid)
         type(levels_t), intent(in) :: levels
         real(wp), intent(in), contiguous :: record(:)
-        logical :: sound
+        logical :: valid
 
-        sound = mdrcontact_record_begun(levels%count, levels%sliders, levels%mark, record) /= 0
-        if (sound) return
-        sound = all(record(at_next:at_top + 2) == 0.0_wp) .and. all(record(head + 1:) == 0.0_wp) .and. &
+        valid = mdrcontact_record_begun(levels%count, levels%sliders, levels%mark, record) /= 0
+        if (valid) return
+        valid = all(record(at_next:at_top + 2) == 0.0_wp) .and. all(record(head + 1:) == 0.0_wp) .and. &
                 all(abs(record(at_lost:head)) <= largest) .and. (record(at_law) == levels%mark .or. all(record == 0.0_wp))
     end function is_record
 

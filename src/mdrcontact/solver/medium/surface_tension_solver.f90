@@ -3,7 +3,7 @@
 !> so there are no springs, and a Galerkin solver of its own finds the states.
 !>
 !> Depth, force and stiffness meet 1e-9, of a cone 1e-8 (measured: docs/surfaces.md).
-module mdrcontact_medium_springless
+module mdrcontact_medium_surface_tension_solver
     use, intrinsic :: iso_fortran_env, only: int64
     use mdrcontact_nonfinite, only: infinity
     use mdrcontact_body, only: body_t, copy
@@ -11,7 +11,7 @@ module mdrcontact_medium_springless
     use mdrcontact_error, only: error_invalid, error_t, raise, to_text
     use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_kinds, only: wp
-    use mdrcontact_line_shared, only: layered_shared_t
+    use mdrcontact_line_shared, only: kernel_cache_t
     use mdrcontact_medium_homogeneous, only: homogeneous_t, new_homogeneous_from_modulus
     use mdrcontact_medium_effective, only: effective_load_t
     use mdrcontact_medium_load, only: load_t
@@ -26,7 +26,7 @@ module mdrcontact_medium_springless
     use mdrcontact_tension_table, only: new_punch_table, punch_table_t
     implicit none (type, external)
     private
-    public :: springless_t, new_springless
+    public :: surface_tension_solver_t, new_surface_tension_solver
 
     !> Contact radii up to this many lengths of the tension and so many of a plate, 1/|k_r|: the error grows with the radius, and
     !> what the surface adds falls, to 0.3 % of a stiffness at the first. Radii from this part of a plate's length on: smaller
@@ -35,7 +35,7 @@ module mdrcontact_medium_springless
                            most_thicknesses = 30.0_wp, extreme_length = 1.0e90_wp
 
     !> A body under a surface with tension or a plate.
-    type, extends(solver_t) :: springless_t
+    type, extends(solver_t) :: surface_tension_solver_t
         private
         class(compliance_t), allocatable :: compliance
         type(green_t) :: green
@@ -51,13 +51,13 @@ module mdrcontact_medium_springless
         procedure :: load => new_load
         procedure :: bytes
         procedure :: table_error
-    end type springless_t
+    end type surface_tension_solver_t
 
     !> The load on the sheet. Line load and pressure are infinite at an edge that carries a line force. Inside the contact the
     !> springs' depth is d - g, as on a half-space without a sheet. What the sheet hands on to the body beside it is not part of it.
     type, extends(load_t) :: springless_load_t
         private
-        class(springless_t), pointer :: medium => null()
+        class(surface_tension_solver_t), pointer :: medium => null()
         type(tension_load_t) :: on_sheet
         !> d [length]
         real(wp) :: depth = 0.0_wp
@@ -70,15 +70,15 @@ module mdrcontact_medium_springless
 contains
 
     !> A body under a surface.
-    subroutine new_springless(self, body, surface, error, shared)
-        type(springless_t), intent(out) :: self
+    subroutine new_surface_tension_solver(self, body, surface, error, shared)
+        type(surface_tension_solver_t), intent(out) :: self
         !> copied
         class(body_t), intent(in) :: body
         !> not bare
         type(surface_t), intent(in) :: surface
         type(error_t), allocatable, intent(inout) :: error
         !> what this medium has in common with others made before it, which then costs less
-        type(layered_shared_t), intent(inout), optional :: shared
+        type(kernel_cache_t), intent(inout), optional :: shared
 
         type(membrane_t), allocatable :: membrane
         class(compliance_t), allocatable :: own
@@ -117,11 +117,11 @@ contains
         allocate (self%table)
         call new_punch_table(self%table, self%compliance, error)
         if (present(shared) .and. .not. allocated(error)) shared%punches = self%table
-    end subroutine new_springless
+    end subroutine new_surface_tension_solver
 
     !> Phi, and between which radii the solver holds.
     subroutine set_lengths(self, error)
-        type(springless_t), intent(inout) :: self
+        type(surface_tension_solver_t), intent(inout) :: self
         type(error_t), allocatable, intent(inout) :: error
         real(wp) :: l, b, largest
 
@@ -151,7 +151,7 @@ contains
 
     !> Raises where the third powers of Phi's poles would leave the range of numbers.
     pure subroutine check_lengths(self, l, b, error)
-        type(springless_t), intent(in) :: self
+        type(surface_tension_solver_t), intent(in) :: self
         real(wp), intent(in) :: l, b
         type(error_t), allocatable, intent(inout) :: error
         real(wp) :: shortest, longest
@@ -171,7 +171,7 @@ contains
     end subroutine check_lengths
 
     pure recursive function bytes(self)
-        class(springless_t), intent(in) :: self
+        class(surface_tension_solver_t), intent(in) :: self
         integer(int64) :: bytes
 
         bytes = self%pressed%bytes() + self%compliance%bytes()
@@ -179,7 +179,7 @@ contains
 
     !> Relative difference of the table from the solver where it was not sampled; 0 without a table.
     pure function table_error(self) result(difference)
-        class(springless_t), intent(in) :: self
+        class(surface_tension_solver_t), intent(in) :: self
         real(wp) :: difference
 
         difference = 0.0_wp
@@ -188,7 +188,7 @@ contains
 
     !> The flat punch, from the table where it has it.
     subroutine punch_at(self, a, punch, error)
-        class(springless_t), intent(in) :: self
+        class(surface_tension_solver_t), intent(in) :: self
         real(wp), intent(in) :: a
         type(solution_t), intent(out) :: punch
         type(error_t), allocatable, intent(inout) :: error
@@ -204,7 +204,7 @@ contains
 
     !> E_eff = k/(2 a).
     subroutine modulus(self, a, values, error, slopes)
-        class(springless_t), intent(in) :: self
+        class(surface_tension_solver_t), intent(in) :: self
         real(wp), intent(in) :: a(:)
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
@@ -223,7 +223,7 @@ contains
     end subroutine modulus
 
     subroutine solve(self, profile, a, solved, error, adhesive, accuracy, series)
-        class(springless_t), intent(in) :: self
+        class(surface_tension_solver_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
         real(wp), intent(in) :: a
         type(solved_t), intent(out) :: solved
@@ -246,7 +246,7 @@ contains
     end subroutine solve
 
     subroutine new_load(self, profile, a, punch_depth, load, error)
-        class(springless_t), intent(in), target :: self
+        class(surface_tension_solver_t), intent(in), target :: self
         class(profile_t), intent(in), target :: profile
         real(wp), intent(in) :: a, punch_depth
         class(load_t), allocatable, intent(out) :: load
@@ -330,4 +330,4 @@ contains
         end do
     end subroutine displacement
 
-end module mdrcontact_medium_springless
+end module mdrcontact_medium_surface_tension_solver

@@ -1,12 +1,12 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> A body whose surface carries a sheet that is stiff in its plane (theory/surfaces.md (5.3), (5.4)): short waves still meet
 !> springs, those of a surface that cannot move sideways, and its states are those of a body with that compliance.
-module mdrcontact_medium_stretched
+module mdrcontact_medium_elastic_sheet
     use mdrcontact_body, only: body_t, copy
     use mdrcontact_body_compliance, only: compliance_t, normal_load
     use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: wp
-    use mdrcontact_line_shared, only: layered_shared_t
+    use mdrcontact_line_shared, only: kernel_cache_t
     use mdrcontact_medium_exact, only: layered_exact_t, new_layered_exact
     use mdrcontact_medium_load, only: load_t
     use mdrcontact_medium_solver, only: solved_t, solver_t
@@ -15,26 +15,26 @@ module mdrcontact_medium_stretched
     use mdrcontact_tension_surface, only: check_surface, surface_t
     implicit none (type, external)
     private
-    public :: stretched_t, new_stretched
+    public :: elastic_sheet_t, new_elastic_sheet
 
     !> Contact radii up to this many lengths of the sheet: what it adds falls, and the work of finding it grows.
     real(wp), parameter :: most_lengths = 1.0e3_wp
 
     !> A body under such a sheet.
-    type, extends(solver_t) :: stretched_t
+    type, extends(solver_t) :: elastic_sheet_t
         private
         type(layered_exact_t) :: exact
     contains
         procedure :: modulus
         procedure :: solve
         procedure :: load => new_load
-    end type stretched_t
+    end type elastic_sheet_t
 
 contains
 
     !> A body under a sheet with neither tension nor bending stiffness.
-    subroutine new_stretched(self, body, surface, tolerance, error, shared)
-        type(stretched_t), intent(out) :: self
+    subroutine new_elastic_sheet(self, body, surface, tolerance, error, shared)
+        type(elastic_sheet_t), intent(out) :: self
         !> copied
         class(body_t), intent(in) :: body
         !> K_m > 0
@@ -43,7 +43,7 @@ contains
         real(wp), intent(in) :: tolerance
         type(error_t), allocatable, intent(inout) :: error
         !> what this medium has in common with others made before it, which then costs less
-        type(layered_shared_t), intent(inout), optional :: shared
+        type(kernel_cache_t), intent(inout), optional :: shared
         class(compliance_t), allocatable :: compliance
         type(membrane_t) :: membrane
 
@@ -64,10 +64,10 @@ contains
             self%why_it_ends = ": beyond 1000 lengths 2 K_m/E* of the sheet it adds less than 0.2 %: leave it out"
         end if
         call copy(body, self%pressed, error)
-    end subroutine new_stretched
+    end subroutine new_elastic_sheet
 
     subroutine modulus(self, a, values, error, slopes)
-        class(stretched_t), intent(in) :: self
+        class(elastic_sheet_t), intent(in) :: self
         real(wp), intent(in) :: a(:)
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
@@ -77,7 +77,7 @@ contains
     end subroutine modulus
 
     subroutine solve(self, profile, a, solved, error, adhesive, accuracy, series)
-        class(stretched_t), intent(in) :: self
+        class(elastic_sheet_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
         real(wp), intent(in) :: a
         type(solved_t), intent(out) :: solved
@@ -92,7 +92,7 @@ contains
 
     !> The sheet hands on to the body what is not part of it.
     subroutine new_load(self, profile, a, punch_depth, load, error)
-        class(stretched_t), intent(in), target :: self
+        class(elastic_sheet_t), intent(in), target :: self
         class(profile_t), intent(in), target :: profile
         real(wp), intent(in) :: a, punch_depth
         class(load_t), allocatable, intent(out) :: load
@@ -102,4 +102,4 @@ contains
         if (.not. allocated(error)) load%is_complete = .false.
     end subroutine new_load
 
-end module mdrcontact_medium_stretched
+end module mdrcontact_medium_elastic_sheet

@@ -17,7 +17,7 @@ from .errors import (
     LargeStrainWarning,
     MDRError,
     NoConvergenceError,
-    NotOneDiscWarning,
+    SeparationInsideWarning,
     ShortZoneWarning,
     UnitsWarning,
 )
@@ -47,7 +47,7 @@ _DEVIATES = (
 )
 
 
-class Doubts:
+class StateWarnings:
     """Finds the doubts about the states of one contact: what it finds follows from the state alone."""
 
     def __init__(self, contact: Any) -> None:
@@ -90,7 +90,7 @@ class Doubts:
                     f"this contact is not one disc: {fault} (contact radius {radii[place]:.3g}). Its pressure is not that of the "
                     f"true contact; {off}"
                 )
-                return [Caution(text, NotOneDiscWarning)], looked_at
+                return [Caution(text, SeparationInsideWarning)], looked_at
         return [], looked_at
 
     def inside(self, state: Any, body: str) -> tuple[list[Caution], float]:
@@ -152,7 +152,7 @@ class Reported:
             return
         if is_collected():
             self.report(doubts.one_disc(states)[0])
-        elif NotOneDiscWarning not in self._kinds:
+        elif SeparationInsideWarning not in self._kinds:
             found, sizes = doubts.one_disc(states, frozenset(self._sizes))
             with self._lock:
                 self._sizes |= sizes

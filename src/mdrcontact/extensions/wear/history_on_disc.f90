@@ -1,11 +1,11 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> What each place of a worn disc has seen: int p ds and the pressure, between the places where they are kept.
-module mdrcontact_wear_ledger
+module mdrcontact_wear_history_on_disc
     use mdrcontact_kinds, only: half_pi, wp
     use mdrcontact_wear_hats, only: hat_nodes
     implicit none (type, external)
     private
-    public :: disc_t, ledger_t, new_ledger
+    public :: disc_t, wear_history_on_disc_t, new_wear_history_on_disc
 
     !> A disc in contact, or rings of which some are.
     type :: disc_t
@@ -22,7 +22,7 @@ module mdrcontact_wear_ledger
     end type disc_t
 
     !> int p ds as a cubic spline over (arcsin(r/a))^(1/m), flat at the axis, of rings as straight lines between the radii, as p is.
-    type :: ledger_t
+    type :: wear_history_on_disc_t
         private
         real(wp) :: radius = 0.0_wp
         logical :: stays = .false.
@@ -30,13 +30,13 @@ module mdrcontact_wear_ledger
         real(wp), allocatable :: nodes(:), pressure(:), load(:), curvature(:)
     contains
         procedure :: at
-    end type ledger_t
+    end type wear_history_on_disc_t
 
 contains
 
     !> Of a disc.
-    pure subroutine new_ledger(self, disc)
-        type(ledger_t), intent(out) :: self
+    pure subroutine new_wear_history_on_disc(self, disc)
+        type(wear_history_on_disc_t), intent(out) :: self
         type(disc_t), intent(in) :: disc
         real(wp) :: pivot(0:ubound(disc%load, 1)), side(0:ubound(disc%load, 1))
         integer :: i, n
@@ -61,11 +61,11 @@ contains
         do i = n - 1, 0, -1
             self%curvature(i) = (side(i) - self%curvature(i + 1))/pivot(i)
         end do
-    end subroutine new_ledger
+    end subroutine new_wear_history_on_disc
 
     !> int p ds and p at a radius; 0 outside.
     elemental subroutine at(self, r, load, pressure)
-        class(ledger_t), intent(in) :: self
+        class(wear_history_on_disc_t), intent(in) :: self
         !> >= 0 [length]
         real(wp), intent(in) :: r
         real(wp), intent(out) :: load, pressure
@@ -89,4 +89,4 @@ contains
                                                       + t*(t**2 - 1.0_wp)*self%curvature(i + 1))/6.0_wp
     end subroutine at
 
-end module mdrcontact_wear_ledger
+end module mdrcontact_wear_history_on_disc

@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Whether the numbers of a file are those of a contact: a checksum finds damage, not what was written on purpose.
-module mdrcontact_law_sound
+module mdrcontact_law_validate
     use mdrcontact_kinds, only: wp
     use mdrcontact_law, only: contact_law_t
     use mdrcontact_law_friction, only: friction_law_t
@@ -8,7 +8,7 @@ module mdrcontact_law_sound
     use mdrcontact_law_table, only: fewest_roots, law_table_t, table_segment_t
     implicit none (type, external)
     private
-    public :: is_sound
+    public :: is_valid
 
     !> What a value may lack where two panels or two intervals meet, in shares of it.
     real(wp), parameter :: rounding = 1.0e-6_wp
@@ -18,106 +18,106 @@ module mdrcontact_law_sound
 contains
 
     !> Whether both tables of a law describe the same kind of contact, with contact radii and stiffnesses that are nowhere negative.
-    pure function is_sound(law) result(sound)
+    pure function is_valid(law) result(valid)
         type(contact_law_t), intent(in) :: law
-        logical :: sound
+        logical :: valid
 
-        sound = law%tolerance > 0.0_wp .and. law%error >= 0.0_wp .and. law%by_depth%by_depth .and. .not. law%by_force%by_depth &
+        valid = law%tolerance > 0.0_wp .and. law%error >= 0.0_wp .and. law%by_depth%by_depth .and. .not. law%by_force%by_depth &
                 .and. (law%by_depth%adhesive .eqv. law%by_force%adhesive) .and. law%by_depth%roots == law%by_force%roots
-        if (sound) sound = is_sound_table(law%by_depth)
-        if (sound) sound = is_sound_table(law%by_force)
-        if (sound .and. allocated(law%friction)) sound = is_sound_friction(law%friction)
-    end function is_sound
+        if (valid) valid = is_valid_table(law%by_depth)
+        if (valid) valid = is_valid_table(law%by_force)
+        if (valid .and. allocated(law%friction)) valid = is_valid_friction(law%friction)
+    end function is_valid
 
     !> Whether the tables of a law's sliders are those of a shift without adhesion.
-    pure function is_sound_friction(friction) result(sound)
+    pure function is_valid_friction(friction) result(valid)
         type(friction_law_t), intent(in) :: friction
-        logical :: sound
+        logical :: valid
 
         if (max(friction%shear_strength, friction%cubic) > 0.0_wp) then
             associate (radii => friction%radii)
-                sound = (friction%coefficient > 0.0_wp .eqv. friction%cubic > 0.0_wp) .and. friction%coefficient < huge(1.0_wp) &
+                valid = (friction%coefficient > 0.0_wp .eqv. friction%cubic > 0.0_wp) .and. friction%coefficient < huge(1.0_wp) &
                         .and. friction%modulus > 0.0_wp .and. friction%modulus < huge(1.0_wp) .and. &
                         max(friction%shear_strength, friction%cubic) < huge(1.0_wp) .and. radii(1) > 0.0_wp .and. &
                         radii(2) > radii(1) .and. radii(2) < huge(1.0_wp)
             end associate
             return
         end if
-        sound = friction%coefficient > 0.0_wp .and. friction%by_shift%by_depth .and. .not. friction%by_force%by_depth .and. &
+        valid = friction%coefficient > 0.0_wp .and. friction%by_shift%by_depth .and. .not. friction%by_force%by_depth .and. &
                 .not. friction%by_shift%adhesive .and. .not. friction%by_force%adhesive
-        if (sound) sound = is_sound_table(friction%by_shift)
-        if (sound) sound = is_sound_table(friction%by_force)
-    end function is_sound_friction
+        if (valid) valid = is_valid_table(friction%by_shift)
+        if (valid) valid = is_valid_table(friction%by_force)
+    end function is_valid_friction
 
-    pure function is_sound_table(table) result(sound)
+    pure function is_valid_table(table) result(valid)
         type(law_table_t), intent(in) :: table
-        logical :: sound
+        logical :: valid
         integer :: i
 
-        sound = table%end_radius >= 0.0_wp .and. table%lowest < table%highest .and. table%first_attraction <= 0.0_wp
+        valid = table%end_radius >= 0.0_wp .and. table%lowest < table%highest .and. table%first_attraction <= 0.0_wp
         if (.not. table%adhesive) then
             ! below the range
-            sound = sound .and. table%lowest > 0.0_wp .and. all(table%end_values >= 0.0_wp) .and. all(table%powers >= -rounding)
-            if (table%roots > 0) sound = sound .and. has_roots(table)
+            valid = valid .and. table%lowest > 0.0_wp .and. all(table%end_values >= 0.0_wp) .and. all(table%powers >= -rounding)
+            if (table%roots > 0) valid = valid .and. has_roots(table)
         end if
-        sound = sound .and. minval(table%segments%lowest) <= table%lowest .and. maxval(table%segments%highest) >= table%highest
+        valid = valid .and. minval(table%segments%lowest) <= table%lowest .and. maxval(table%segments%highest) >= table%highest
         do i = 1, size(table%segments)
-            if (sound) sound = is_sound_segment(table, table%segments(i))
+            if (valid) valid = is_valid_segment(table, table%segments(i))
         end do
-    end function is_sound_table
+    end function is_valid_table
 
     !> Whether F grows with the root of d below the range.
-    pure function has_roots(table) result(sound)
+    pure function has_roots(table) result(valid)
         type(law_table_t), intent(in) :: table
-        logical :: sound
+        logical :: valid
         real(wp) :: power
 
         power = table%powers(1)
         if (.not. table%by_depth) power = 1.0_wp/max(power, rounding)
-        sound = table%roots >= fewest_roots .and. abs(2.0_wp*power - table%roots) <= 0.5_wp + rounding
+        valid = table%roots >= fewest_roots .and. abs(2.0_wp*power - table%roots) <= 0.5_wp + rounding
     end function has_roots
 
     !> Whether the intervals of a segment follow each other and the contact radius grows along them.
-    pure function is_sound_segment(table, segment) result(sound)
+    pure function is_valid_segment(table, segment) result(valid)
         type(law_table_t), intent(in) :: table
         type(table_segment_t), intent(in) :: segment
-        logical :: sound
+        logical :: valid
         real(wp) :: radius, low, high, s, span
         integer :: i, panel, count
 
         s = segment%lowest
         span = segment%highest - segment%lowest
-        sound = segment%lowest >= table%lowest .and. segment%highest <= table%highest .and. span > 0.0_wp
+        valid = segment%lowest >= table%lowest .and. segment%highest <= table%highest .and. span > 0.0_wp
         radius = table%end_radius*(1.0_wp - rounding)
         do i = segment%first, segment%last
             associate (interval => table%intervals(i))
-                sound = sound .and. abs(interval%lowest - s) <= rounding*span .and. interval%highest > interval%lowest
+                valid = valid .and. abs(interval%lowest - s) <= rounding*span .and. interval%highest > interval%lowest
                 s = interval%highest
                 count = panel_count(interval)
                 do panel = 1, count
-                    call check_panel(table, interval, merge(panel, count + 1 - panel, interval%side > 0.0_wp), low, high, sound)
-                    sound = sound .and. low >= radius*(1.0_wp - rounding) .and. high >= low*(1.0_wp - rounding)
+                    call check_panel(table, interval, merge(panel, count + 1 - panel, interval%side > 0.0_wp), low, high, valid)
+                    valid = valid .and. low >= radius*(1.0_wp - rounding) .and. high >= low*(1.0_wp - rounding)
                     radius = high
                 end do
             end associate
         end do
-        sound = sound .and. abs(segment%highest - s) <= rounding*span
-    end function is_sound_segment
+        valid = valid .and. abs(segment%highest - s) <= rounding*span
+    end function is_valid_segment
 
     !> a at both ends of a panel, by ascending s, and whether a and k are nowhere negative in between.
-    pure subroutine check_panel(table, interval, panel, low, high, sound)
+    pure subroutine check_panel(table, interval, panel, low, high, valid)
         type(law_table_t), intent(in) :: table
         type(interval_t), intent(in) :: interval
         integer, intent(in) :: panel
         real(wp), intent(out) :: low, high
-        logical, intent(inout) :: sound
+        logical, intent(inout) :: valid
         real(wp) :: ends(2), radius(coefficient_count), unit
 
         ends = panel_ends(interval, panel)
         unit = 2.0_wp/(ends(2) - ends(1))
         associate (rows => table%contact(interval%first_panel + panel))
             radius = in_units_of(rows%radius%c, unit)
-            if (sound) sound = is_positive(radius) .and. is_positive(in_units_of(rows%stiffness%c, unit))
+            if (valid) valid = is_positive(radius) .and. is_positive(in_units_of(rows%stiffness%c, unit))
         end associate
         low = polynomial(radius, -sign(1.0_wp, interval%side))
         high = polynomial(radius, sign(1.0_wp, interval%side))
@@ -151,4 +151,4 @@ contains
         positive = all(b >= -last_digits*maxval(abs(b)))
     end function is_positive
 
-end module mdrcontact_law_sound
+end module mdrcontact_law_validate
