@@ -83,7 +83,7 @@ enum mdr_quantity {
                                           these. */
     MDR_PRESSURE = 131,              /**< p(r), the contact pressure, equation (6), 0 <= r <= a [modulus]. Infinite where theory
                                           says so: at the edge of a flat punch or of an adhesive contact, at the apex of a cone.
-                                          With a cohesive stress sigma up to zone_radius, finite at a and -sigma from there on. */
+                                          With a cohesive stress sigma_0 up to zone_radius, finite at a and -sigma_0 from there on. */
     MDR_DISPLACEMENT = 132,          /**< u(r), the displacement of the surface: d - f(r) for r <= a, where f(r) must be defined;
                                           the free surface beyond; any r >= 0. Of two bodies both together, each into its body
                                           [length]. */

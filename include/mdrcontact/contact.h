@@ -44,9 +44,9 @@ typedef struct mdr_contact_options {
     int adhesion_rule;         /**< One of enum mdr_adhesion_rule; default MDR_ADHESION_AUTOMATIC. */
     int zeta_is_exact;         /**< Not 0: instead of a table, the zeta of the same coated, layered or graded body solved exactly,
                                     for radii up to 1000 thicknesses, so that E_eff is the only approximation; default 0. */
-    double cohesive_stress;    /**< sigma >= 0 [modulus]: adhesion with a range, the Dugdale-Maugis zone, on homogeneous bodies and
-                                    under the model exact, pairs included. The surfaces pull on each other with sigma wherever
-                                    they are less than work_of_adhesion/sigma apart; default 0: a range of nothing. A zone too
+    double cohesive_stress;    /**< sigma_0 >= 0 [modulus]: adhesion with a range, the Dugdale-Maugis zone, on homogeneous bodies and
+                                    under the model exact, pairs included. The surfaces pull on each other with sigma_0 wherever
+                                    they are less than work_of_adhesion/sigma_0 apart; default 0: a range of nothing. A zone too
                                     short to change a digit is left out, and mdr_contact_warnings() says so. */
 } mdr_contact_options;
 

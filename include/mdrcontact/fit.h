@@ -46,7 +46,7 @@ enum mdr_fit_instrument {
     MDR_FIT_CONTACT_DEPTH_SCALE = 7,  /**< Factor of h_c, usually 1; 1.2 with epsilon = 1: Loubet's contact depth [1]. */
     MDR_FIT_AREA_FACTOR = 8,          /**< True over assumed projected contact area, for all data but force against depth; usually
                                            1 [1]. */
-    MDR_FIT_COHESIVE_STRESS = 9,      /**< sigma >= 0: adhesion with a range, as in mdr_contact_options; 0: a range of nothing
+    MDR_FIT_COHESIVE_STRESS = 9,      /**< sigma_0 >= 0: adhesion with a range, as in mdr_contact_options; 0: a range of nothing
                                            [modulus]. */
     MDR_FIT_INSTRUMENT_COUNT = 10     /**< How many there are. */
 };

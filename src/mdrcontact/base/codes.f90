@@ -101,8 +101,8 @@ module mdrcontact_codes
     !> MDR_MODEL_EXACT, and for pairs of these.
     integer, parameter :: torsional_stiffness = 124
     !> MDR_PRESSURE. p(r), the contact pressure, equation (6), 0 <= r <= a [modulus]. Infinite where theory says so: at the edge of
-    !> a flat punch or of an adhesive contact, at the apex of a cone. With a cohesive stress sigma up to zone_radius, finite at a
-    !> and -sigma from there on.
+    !> a flat punch or of an adhesive contact, at the apex of a cone. With a cohesive stress sigma_0 up to zone_radius, finite at a
+    !> and -sigma_0 from there on.
     integer, parameter :: pressure = 131
     !> MDR_DISPLACEMENT. u(r), the displacement of the surface: d - f(r) for r <= a, where f(r) must be defined; the free surface
     !> beyond; any r >= 0. Of two bodies both together, each into its body [length].
@@ -308,7 +308,7 @@ module mdrcontact_codes
     integer, parameter :: fit_contact_depth_scale = 7
     !> MDR_FIT_AREA_FACTOR. True over assumed projected contact area, for all data but force against depth; usually 1 [1].
     integer, parameter :: fit_area_factor = 8
-    !> MDR_FIT_COHESIVE_STRESS. sigma >= 0: adhesion with a range, as in mdr_contact_options; 0: a range of nothing [modulus].
+    !> MDR_FIT_COHESIVE_STRESS. sigma_0 >= 0: adhesion with a range, as in mdr_contact_options; 0: a range of nothing [modulus].
     integer, parameter :: fit_cohesive_stress = 9
     !> MDR_FIT_INSTRUMENT_COUNT. How many there are.
     integer, parameter :: fit_instrument_count = 10

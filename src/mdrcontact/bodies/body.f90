@@ -21,7 +21,7 @@ module mdrcontact_body
         type(material_t) :: surface_material
         !> E0*, the contact modulus of the surface material [modulus]
         real(wp) :: surface_modulus = 0.0_wp
-        !> sigma(0) = E0*/E1* with the contact modulus E1* of the substrate; 0 on a rigid base [1]
+        !> one_plus_chi(0) = E0*/E1* with the contact modulus E1* of the substrate; 0 on a rigid base [1]
         real(wp) :: long_wave_limit = 0.0_wp
         !> depth of the first interface, 0 if the body is homogeneous, and that below which it is homogeneous, or rigid [length]
         real(wp) :: first_depth = 0.0_wp, last_depth = 0.0_wp

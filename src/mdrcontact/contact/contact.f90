@@ -38,7 +38,7 @@ module mdrcontact_contact
         type(radius_law_t), allocatable :: zeta
         !> whether zeta is that of the same body solved exactly, for radii up to 1000 thicknesses, instead of a given one
         logical :: zeta_is_exact = .false.
-        !> sigma >= 0, under which the bodies pull on each other up to a gap of gamma/sigma; 0: a range of nothing [modulus]
+        !> sigma_0 >= 0, under which the bodies pull on each other up to a gap of gamma/sigma_0; 0: a range of nothing [modulus]
         real(wp) :: cohesive_stress = 0.0_wp
     end type contact_options_t
 

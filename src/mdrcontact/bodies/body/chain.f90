@@ -250,39 +250,39 @@ contains
     end subroutine take_numbers
 
     !> In the plane of the wave: a single layer by its closed form.
-    pure subroutine chi_in_plane(self, k, direction, sigma, chi)
+    pure subroutine chi_in_plane(self, k, direction, one_plus_chi, chi)
         class(chain_t), intent(in) :: self
         complex(wp), intent(in) :: k
         integer, intent(in) :: direction
-        complex(wp), intent(out) :: sigma, chi
+        complex(wp), intent(out) :: one_plus_chi, chi
 
-        sigma = 1.0_wp
+        one_plus_chi = 1.0_wp
         chi = 0.0_wp
         if (size(self%links) == 0) return
         if (self%is_film) then
-            call self%film%response(k*self%last_depth, direction, sigma, chi)
+            call self%film%response(k*self%last_depth, direction, one_plus_chi, chi)
         else
-            call carry(self, k, direction, sigma, chi)
+            call carry(self, k, direction, one_plus_chi, chi)
         end if
     end subroutine chi_in_plane
 
     !> The compliance carried from the deepest element that matters at this k up to the surface.
-    pure subroutine carry(self, k, direction, sigma, chi)
+    pure subroutine carry(self, k, direction, one_plus_chi, chi)
         class(chain_t), intent(in) :: self
         complex(wp), intent(in) :: k
         integer, intent(in) :: direction
-        complex(wp), intent(out) :: sigma, chi
+        complex(wp), intent(out) :: one_plus_chi, chi
         complex(wp), dimension(2, 2) :: half_space, whole, change
         logical :: is_whole
 
         call self%matrices(k, half_space, whole, change, is_whole)
         associate (scale => half_space(direction, direction))
             if (is_whole) then
-                sigma = whole(direction, direction)/scale
-                chi = sigma - 1.0_wp
+                one_plus_chi = whole(direction, direction)/scale
+                chi = one_plus_chi - 1.0_wp
             else
                 chi = change(direction, direction)/scale
-                sigma = 1.0_wp + chi
+                one_plus_chi = 1.0_wp + chi
             end if
         end associate
     end subroutine carry
@@ -393,14 +393,14 @@ contains
     end function thinnest
 
     !> Across the plane of the wave.
-    pure subroutine chi_across(self, k, sigma, chi)
+    pure subroutine chi_across(self, k, one_plus_chi, chi)
         class(chain_t), intent(in) :: self
         complex(wp), intent(in) :: k
-        complex(wp), intent(out) :: sigma, chi
+        complex(wp), intent(out) :: one_plus_chi, chi
         complex(wp) :: compliance
         integer :: i, seen
 
-        sigma = 1.0_wp
+        one_plus_chi = 1.0_wp
         chi = 0.0_wp
         if (size(self%links) == 0) return
         compliance = self%base_across
@@ -409,7 +409,7 @@ contains
         do i = seen, 2, -1
             compliance = self%links(i)%element%above_across(k, compliance)
         end do
-        sigma = self%links(1)%element%above_across(k, compliance)
+        one_plus_chi = self%links(1)%element%above_across(k, compliance)
         chi = self%links(1)%element%reflected_across(k, compliance)
     end subroutine chi_across
 

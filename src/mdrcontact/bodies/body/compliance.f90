@@ -1,12 +1,12 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> What the surface of a body answers to one load in Hankel space: u(k) = S(k) p(k), k S(k) = (2/S0)(1 + chi(k)), sigma = 1 + chi.
+!> What the surface of a body answers to one load in Hankel space: u(k) = S(k) p(k), k S(k) = (2/S0)(1 + chi(k)).
 !>
 !> S0 is the modulus of the surface material under this load, so that chi vanishes for short waves, which do not reach beyond it:
 !> E0* = 2 G0/(1 - nu0) of a normal load; G0* = 4 G0/(2 - nu0) of a load of one direction along the surface, as far as its
 !> displacement along itself is axisymmetric; 4 G0 of one around the axis. The second and the third are made of the compliances
 !> of plane waves in their plane and across it,
 !>     chi_t = [(1 - nu0) chi_L + chi_T]/(2 - nu0)   and   chi_T   (theory/friction.md (2.2), (2.3)).
-!> sigma and chi are analytic in a sector around the positive k axis.
+!> one_plus_chi and chi are analytic in a sector around the positive k axis.
 module mdrcontact_body_compliance
     use mdrcontact_object, only: object_t
     use mdrcontact_codes, only: normal_load => load_normal, shear_load => load_shear, twist_load => load_twist
@@ -24,14 +24,14 @@ module mdrcontact_body_compliance
     type, abstract, extends(object_t) :: compliance_t
         !> S0 [modulus]
         complex(wp) :: scale = 1.0_wp
-        !> sigma(0): 0 on a rigid base [1]
+        !> one_plus_chi(0): 0 on a rigid base [1]
         complex(wp) :: at_zero = 1.0_wp
         !> depth of the first interface, 0 where chi vanishes, and that below which the body is homogeneous, or rigid [length]
         real(wp) :: first_depth = 0.0_wp, last_depth = 0.0_wp
     contains
-        !> sigma and chi at wavenumbers, each to full relative precision as far as it is known
+        !> one_plus_chi and chi at wavenumbers, each to full relative precision as far as it is known
         procedure(chi_at), deferred :: chi
-        !> sigma of what short waves meet, and what the body adds to it, which decays with the depth of the first interface
+        !> one_plus_chi of what short waves meet, and what the body adds to it, which decays with the depth of the first interface
         procedure :: split
         !> numbers without a unit that determine it but for length and stiffness; none if that takes too many
         procedure :: key => none
@@ -52,28 +52,28 @@ module mdrcontact_body_compliance
     end type plane_compliance_t
 
     abstract interface
-        subroutine chi_at(self, k, sigma, chi)
+        subroutine chi_at(self, k, one_plus_chi, chi)
             import :: compliance_t, wp
             class(compliance_t), intent(in) :: self
             !> real parts > 0, arguments within the sector of analyticity [1/length]
             complex(wp), intent(in) :: k(:)
             !> same size as k
-            complex(wp), intent(out) :: sigma(:), chi(:)
+            complex(wp), intent(out) :: one_plus_chi(:), chi(:)
         end subroutine chi_at
 
-        pure subroutine in_plane_at(self, k, direction, sigma, chi)
+        pure subroutine in_plane_at(self, k, direction, one_plus_chi, chi)
             import :: plane_compliance_t, wp
             class(plane_compliance_t), intent(in) :: self
             complex(wp), intent(in) :: k
             integer, intent(in) :: direction
-            complex(wp), intent(out) :: sigma, chi
+            complex(wp), intent(out) :: one_plus_chi, chi
         end subroutine in_plane_at
 
-        pure subroutine across_at(self, k, sigma, chi)
+        pure subroutine across_at(self, k, one_plus_chi, chi)
             import :: plane_compliance_t, wp
             class(plane_compliance_t), intent(in) :: self
             complex(wp), intent(in) :: k
-            complex(wp), intent(out) :: sigma, chi
+            complex(wp), intent(out) :: one_plus_chi, chi
         end subroutine across_at
     end interface
 
@@ -147,22 +147,22 @@ contains
         end select
     end subroutine set_load
 
-    subroutine chi_of_waves(self, k, sigma, chi)
+    subroutine chi_of_waves(self, k, one_plus_chi, chi)
         class(plane_compliance_t), intent(in) :: self
         complex(wp), intent(in) :: k(:)
-        complex(wp), intent(out) :: sigma(:), chi(:)
-        complex(wp) :: in_plane_sigma, in_plane_chi
+        complex(wp), intent(out) :: one_plus_chi(:), chi(:)
+        complex(wp) :: in_plane_one_plus_chi, in_plane_chi
         integer :: i
 
         do i = 1, size(k)
             if (self%load == normal_load) then
-                call self%chi_in_plane(k(i), normal_to, sigma(i), chi(i))
+                call self%chi_in_plane(k(i), normal_to, one_plus_chi(i), chi(i))
                 cycle
             end if
-            call self%chi_across(k(i), sigma(i), chi(i))
+            call self%chi_across(k(i), one_plus_chi(i), chi(i))
             if (self%load == twist_load) cycle
-            call self%chi_in_plane(k(i), along, in_plane_sigma, in_plane_chi)
-            sigma(i) = self%in_plane*in_plane_sigma + self%across*sigma(i)
+            call self%chi_in_plane(k(i), along, in_plane_one_plus_chi, in_plane_chi)
+            one_plus_chi(i) = self%in_plane*in_plane_one_plus_chi + self%across*one_plus_chi(i)
             chi(i) = self%in_plane*in_plane_chi + self%across*chi(i)
         end do
     end subroutine chi_of_waves

@@ -40,13 +40,13 @@ contains
         self%product_rest = contrast*(1.0_wp + film)*(1.0_wp + base)/((contrast + film)*(1.0_wp + contrast*base))
     end function new_film
 
-    !> sigma and chi = sigma - 1 at t = kh under a load in the plane of the wave.
-    pure subroutine response(self, t, direction, sigma, chi)
+    !> one_plus_chi and chi = one_plus_chi - 1 at t = kh under a load in the plane of the wave.
+    pure subroutine response(self, t, direction, one_plus_chi, chi)
         class(film_t), intent(in) :: self
         complex(wp), intent(in) :: t
         !> along the surface or normal to it
         integer, intent(in) :: direction
-        complex(wp), intent(out) :: sigma, chi
+        complex(wp), intent(out) :: one_plus_chi, chi
         real(wp) :: way
         complex(wp) :: e, o, under, x, sine, cosine, mixed, lowest
         integer :: j
@@ -75,12 +75,12 @@ contains
                 lowest = merge(self%one_plus_c, -self%c_rest, way > 0.0_wp)
                 ! sinh^2 t - t^2, and half of sinh 2t - 2t
                 under = self%c_rest*self%b_rest + o*mixed + 4.0_wp*b*e*(2.0_wp*t + sine)*sine - b*self%c_rest*(o*o)
-                sigma = (self%product_rest + 4.0_wp*b*e*(c*(sine + (t + sine)*cosine) + lowest*t))/under
+                one_plus_chi = (self%product_rest + 4.0_wp*b*e*(c*(sine + (t + sine)*cosine) + lowest*t))/under
             else
                 e = exp(-2.0_wp*t)
                 o = 1.0_wp - e
                 under = 1.0_wp - (c + b + 4.0_wp*b*x)*e + c*b*(e*e)
-                sigma = (1.0_wp + 4.0_wp*way*b*t*e - c*b*(e*e))/under
+                one_plus_chi = (1.0_wp + 4.0_wp*way*b*t*e - c*b*(e*e))/under
             end if
             chi = e*(mixed + 2.0_wp*c*b*o + 4.0_wp*b*t*(way + t))/under
         end associate

@@ -127,11 +127,11 @@ contains
     end subroutine find_sublayers
 
     !> In the plane of the wave: the compliance carried up from where waves end, or from the homogeneous body below.
-    pure subroutine chi_in_plane(self, k, direction, sigma, chi)
+    pure subroutine chi_in_plane(self, k, direction, one_plus_chi, chi)
         class(gradation_t), intent(in) :: self
         complex(wp), intent(in) :: k
         integer, intent(in) :: direction
-        complex(wp), intent(out) :: sigma, chi
+        complex(wp), intent(out) :: one_plus_chi, chi
         complex(wp) :: compliance(2, 2)
         real(wp) :: scale
         integer :: i, start, seen
@@ -144,20 +144,20 @@ contains
         scale = real(self%top%half_space(direction, direction), wp)
         if (seen > 0) then
             compliance = transferred(series_value(self%plane%from_surface(:, :, :, seen), k), compliance)
-            sigma = compliance(direction, direction)/scale
-            chi = sigma - 1.0_wp
+            one_plus_chi = compliance(direction, direction)/scale
+            chi = one_plus_chi - 1.0_wp
         else
             compliance = self%top%reflected(k, compliance)
             chi = compliance(direction, direction)/scale
-            sigma = 1.0_wp + chi
+            one_plus_chi = 1.0_wp + chi
         end if
     end subroutine chi_in_plane
 
     !> Across the plane of the wave.
-    pure subroutine chi_across(self, k, sigma, chi)
+    pure subroutine chi_across(self, k, one_plus_chi, chi)
         class(gradation_t), intent(in) :: self
         complex(wp), intent(in) :: k
-        complex(wp), intent(out) :: sigma, chi
+        complex(wp), intent(out) :: one_plus_chi, chi
         complex(wp) :: compliance
         integer :: i, start, seen
 
@@ -168,10 +168,10 @@ contains
             compliance = carried(series_value(self%side%series(:, :, :, i), k), compliance)
         end do
         if (seen > 0) then
-            sigma = -carried(series_value(self%side%from_surface(:, :, :, seen), k), compliance)
-            chi = sigma - 1.0_wp
+            one_plus_chi = -carried(series_value(self%side%from_surface(:, :, :, seen), k), compliance)
+            chi = one_plus_chi - 1.0_wp
         else
-            sigma = self%top%above_across(k, -compliance)
+            one_plus_chi = self%top%above_across(k, -compliance)
             chi = self%top%reflected_across(k, -compliance)
         end if
 

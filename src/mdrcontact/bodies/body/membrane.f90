@@ -3,7 +3,7 @@
 !>
 !> With the compliance S(k) of the body in the plane of a wave, displacements (u, w) over tractions along and across the surface,
 !> and q = K_m k/(2 G) of the sheet,
-!>     S_ext = (S^-1 - diag(q, 0))^-1,   sigma = s (S_22 - q det S)/(1 - q S_11),   s = S_11/det S of the surface's half-space,
+!>     S_ext = (S^-1 - diag(q, 0))^-1,   1 + chi = s (S_22 - q det S)/(1 - q S_11),   s = S_11/det S of the surface's half-space,
 !> relative to what short waves meet, a surface that cannot move sideways: E0* = E* 4 (1 - nu)^2/(3 - 4 nu) of an isotropic one.
 !> On a half-space chi = c/(1 + k l) with c = S_12 S_21/det S: it falls as 1/k only, and X(y) is a logarithm beside y = 0, as on
 !> graded bodies. Waves far shorter than all lengths are left out as those do it, by a factor exp(-2 k h_0).
@@ -105,20 +105,20 @@ contains
         bytes = self%body%bytes()
     end function bytes
 
-    subroutine chi_at(self, k, sigma, chi)
+    subroutine chi_at(self, k, one_plus_chi, chi)
         class(membrane_t), intent(in) :: self
         complex(wp), intent(in) :: k(:)
-        complex(wp), intent(out) :: sigma(:), chi(:)
+        complex(wp), intent(out) :: one_plus_chi(:), chi(:)
         complex(wp) :: bare, change, z, lost
         integer :: i
 
         do i = 1, size(k)
-            call self%parts(k(i), sigma(i), bare, change)
+            call self%parts(k(i), one_plus_chi(i), bare, change)
             z = 2.0_wp*k(i)*self%faded
             ! 1 - exp(-z)
             lost = z - 0.5_wp*z**2
             if (abs(z) > 1.0e-6_wp) lost = 1.0_wp - exp(-z)
-            sigma(i) = sigma(i) - lost*bare
+            one_plus_chi(i) = one_plus_chi(i) - lost*bare
             chi(i) = change + (1.0_wp - lost)*bare
         end do
     end subroutine chi_at
@@ -128,20 +128,20 @@ contains
         class(membrane_t), intent(in) :: self
         complex(wp), intent(in) :: k(:)
         complex(wp), intent(out) :: bare(:), change(:)
-        complex(wp) :: sigma
+        complex(wp) :: one_plus_chi
         integer :: i
 
         do i = 1, size(k)
-            call self%parts(k(i), sigma, bare(i), change(i))
+            call self%parts(k(i), one_plus_chi, bare(i), change(i))
             bare(i) = 1.0_wp + bare(i)
         end do
     end subroutine split
 
-    !> sigma, and chi = sigma - 1 of the surface's half-space and what the layers change of it: both as exact as they are.
-    pure subroutine parts(self, k, sigma, bare, change)
+    !> 1 + chi, and chi of the surface's half-space and what the layers change of it: both as exact as they are.
+    pure subroutine parts(self, k, one_plus_chi, bare, change)
         class(membrane_t), intent(in) :: self
         complex(wp), intent(in) :: k
-        complex(wp), intent(out) :: sigma, bare, change
+        complex(wp), intent(out) :: one_plus_chi, bare, change
         complex(wp), dimension(2, 2) :: h, whole, d
         complex(wp) :: q, ratio, rise, determinant, top, below
         logical :: is_whole
@@ -152,7 +152,7 @@ contains
         bare = self%excess/ratio
         determinant = whole(1, 1)*whole(2, 2) - whole(1, 2)*whole(2, 1)
         below = 1.0_wp - q*whole(1, 1)
-        sigma = self%scale_of_surface*(whole(2, 2) - q*determinant)/below
+        one_plus_chi = self%scale_of_surface*(whole(2, 2) - q*determinant)/below
         rise = h(1, 1)*d(2, 2) + h(2, 2)*d(1, 1) + d(1, 1)*d(2, 2) - h(1, 2)*d(2, 1) - h(2, 1)*d(1, 2) - d(1, 2)*d(2, 1)
         top = self%scale_of_surface*(d(2, 2) - q*rise)
         change = (top*ratio + q*d(1, 1)*(self%excess + ratio))/(below*ratio)

@@ -42,7 +42,7 @@ contains
                    "wavelength "//to_text(in_six_digits(2.0_wp*pi/k)))
     end subroutine check_stable
 
-    !> The wave that the body opposes least: at the surface beside a half-space of its material, 1/sigma(k), or inside.
+    !> The wave that the body opposes least: at the surface beside a half-space of its material, 1/one_plus_chi(k), or inside.
     subroutine softest_wave(body, k, stiffness, error)
         class(body_t), intent(in) :: body
         !> its wavenumber [1/length], and how stiff the body is to it [1], 0 or less where it is unstable
@@ -72,10 +72,10 @@ contains
         class(stiffness_t), intent(inout) :: self
         real(wp), intent(in) :: x
         real(wp) :: y
-        complex(wp) :: sigma(1), chi(1)
+        complex(wp) :: one_plus_chi(1), chi(1)
 
-        call self%compliance%chi([cmplx(exp(x), kind=wp)], sigma, chi)
-        y = 1.0_wp/real(sigma(1), wp)
+        call self%compliance%chi([cmplx(exp(x), kind=wp)], one_plus_chi, chi)
+        y = 1.0_wp/real(one_plus_chi(1), wp)
         select type (chain => self%compliance)
         class is (chain_t)
             y = min(y, chain%least_support(exp(x)))

@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Adhesion with a range: bodies whose surfaces pull on each other with a constant cohesive stress sigma up to a gap of gamma/sigma
-!> (Dugdale; Maugis, J. Colloid Interface Sci. 150 (1992) 243), at one contact radius or, without contact, one radius of the zone:
-!> theory/adhesion.md (2.5), (2.7), (2.10).
+!> Adhesion with a range: bodies whose surfaces pull on each other with a constant cohesive stress sigma_0 up to a gap of
+!> gamma/sigma_0 (Dugdale; Maugis, J. Colloid Interface Sci. 150 (1992) 243), at one contact radius or, without contact, one radius
+!> of the zone: theory/adhesion.md (2.5), (2.7), (2.10).
 module mdrcontact_contact_cohesion
     use mdrcontact_nonfinite, only: is_finite
     use mdrcontact_contact_state, only: contact_state_t
@@ -19,9 +19,9 @@ module mdrcontact_contact_cohesion
 
     !> The law between the surfaces, and the springs that it loads.
     type :: cohesion_t
-        !> sigma > 0 [modulus], gamma/sigma [length]
+        !> sigma_0 > 0 [modulus], gamma/sigma_0 [length]
         real(wp) :: stress = 0.0_wp, range = 0.0_wp
-        !> length of the zone in the limit of a small one, pi E0* gamma/(4 sigma^2) [length]
+        !> length of the zone in the limit of a small one, pi E0* gamma/(4 sigma_0^2) [length]
         real(wp) :: small_zone = 0.0_wp
         !> about the length of a zone of which nothing is known [length]
         real(wp) :: likely_zone = 0.0_wp
@@ -81,7 +81,7 @@ contains
         class(solver_t), intent(in) :: medium
         !> where indenter or medium end [length]
         real(wp), intent(in) :: last_radius
-        !> gamma > 0 [modulus length], sigma > 0 [modulus]
+        !> gamma > 0 [modulus length], sigma_0 > 0 [modulus]
         real(wp), intent(in) :: work, stress
         type(error_t), allocatable, intent(inout) :: error
         type(contact_state_t) :: state
@@ -103,8 +103,8 @@ contains
         self%last_radius = last_radius
         self%likely_zone = self%small_zone
         ! a stiff surface hides what is below from short zones only
-        if (.not. self%kernel%vanishes .and. self%kernel%sigma_zero > 1.0_wp) self%likely_zone = &
-            min(self%small_zone, max(self%kernel%unit, self%small_zone/self%kernel%sigma_zero))
+        if (.not. self%kernel%vanishes .and. self%kernel%one_plus_chi_zero > 1.0_wp) self%likely_zone = &
+            min(self%small_zone, max(self%kernel%unit, self%small_zone/self%kernel%one_plus_chi_zero))
         guess%length = self%likely_zone
         call find_zone(self, profile, 0.0_wp, guess, state, error)
         self%touching_zone = state%zone_radius

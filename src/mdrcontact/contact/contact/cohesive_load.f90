@@ -2,7 +2,7 @@
 !> The load of a contact with a cohesive zone: line load, pressure, displacement of the surface, elastic energy.
 !>
 !> Inside, p and u are those of d - g and of what the kernel adds, without a singular edge; the zone's load adds
-!>     p(r) = -(2 sigma/pi) atan sqrt((c^2 - a^2)/(a^2 - r^2)), r < a,     u(r) = (2/pi) int_a^r w(x)/sqrt(r^2 - x^2) dx, r > a,
+!>     p(r) = -(2 sigma_0/pi) atan sqrt((c^2 - a^2)/(a^2 - r^2)), r < a,     u(r) = (2/pi) int_a^r w(x)/sqrt(r^2 - x^2) dx, r > a,
 !> w = q/E0* + K q/E0* on the zone and beyond it: theory/adhesion.md (2.8), (2.9).
 module mdrcontact_contact_cohesive_load
     use mdrcontact_contact_cohesion, only: cohesion_t

@@ -81,7 +81,7 @@ contains
     !> apex of a cone; minus infinity at an adhesive edge without a range.
     subroutine pressure(self, r, values, error)
         class(contact_load_t), intent(in) :: self
-        !> positions 0 <= r <= a, or to the end c of a cohesive zone, where it is -sigma [length]
+        !> positions 0 <= r <= a, or to the end c of a cohesive zone, where it is -sigma_0 [length]
         real(wp), intent(in) :: r(:)
         !> same size as r
         real(wp), intent(out) :: values(:)

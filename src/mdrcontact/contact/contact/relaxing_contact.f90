@@ -18,7 +18,7 @@ module mdrcontact_contact_relaxing_contact
         type(viscoelastic_t), allocatable :: medium
         !> of the indenter with the body's elastic reference: how large contacts can be
         type(equilibrium_t) :: equilibrium
-        !> gamma [modulus length] and sigma [modulus] of an adhesion with a range; 0: none
+        !> gamma [modulus length] and sigma_0 [modulus] of an adhesion with a range; 0: none
         real(wp) :: work_of_adhesion = 0.0_wp, cohesive_stress = 0.0_wp
     end type relaxing_contact_t
 

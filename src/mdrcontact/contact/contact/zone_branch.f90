@@ -45,7 +45,7 @@ contains
     !> Gives an adhesive equilibrium its range, unless the zone is too short to change a digit.
     subroutine add_cohesion(equilibrium, stress, error)
         type(equilibrium_t), intent(inout) :: equilibrium
-        !> sigma > 0 [modulus]
+        !> sigma_0 > 0 [modulus]
         real(wp), intent(in) :: stress
         type(error_t), allocatable, intent(inout) :: error
         real(wp) :: first, last, equal

@@ -1,8 +1,8 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> An indenter on a viscoelastic half-space whose surface it attracts (cohesive zone of Dugdale), step by step:
 !> theory/adhesion.md (5.3), (5.4). Of the springs of adhesion/cohesive_spring.f90
-!>     x < a: w = d - g;      w(a) = d - g(a) with q(a) = -2 sigma sqrt(c^2 - a^2);
-!>     h(c) = (2/pi) int_a^c [w - (d - g)]/sqrt(c^2 - x^2) dx = gamma/sigma
+!>     x < a: w = d - g;      w(a) = d - g(a) with q(a) = -2 sigma_0 sqrt(c^2 - a^2);
+!>     h(c) = (2/pi) int_a^c [w - (d - g)]/sqrt(c^2 - x^2) dx = gamma/sigma_0
 !> determine c and d for each a, and what a machine controls determines a. Without contact, a = 0, d follows from c. Memories live
 !> on panels of x that end at a, at c and where these have turned.
 module mdrcontact_adhesion_cohesive_march
@@ -46,7 +46,7 @@ module mdrcontact_adhesion_cohesive_march
         class(profile_t), allocatable :: profile
         !> the step that is taken, and with it the body; a(2) and c(2) are the radii of contact and zone
         type(spring_step_t) :: springs
-        !> gamma/sigma, and no zone ends beyond the last radius [length]
+        !> gamma/sigma_0, and no zone ends beyond the last radius [length]
         real(wp) :: range = 0.0_wp, last_radius = 0.0_wp
         !> the bodies do not even attract each other
         logical :: is_apart = .true.
@@ -81,7 +81,7 @@ contains
         type(cohesive_march_t), intent(out) :: self
         class(profile_t), intent(in) :: profile
         type(creep_t), intent(in) :: creep
-        !> sigma > 0 [modulus], gamma/sigma > 0, and where indenter and body end [length]
+        !> sigma_0 > 0 [modulus], gamma/sigma_0 > 0, and where indenter and body end [length]
         real(wp), intent(in) :: stress, range, last_radius
         type(error_t), allocatable, intent(inout) :: error
 

@@ -3,7 +3,7 @@
 !> Solids 51 (2003) 69; theory/adhesion.md (5.1), (5.2)): the spring at x displaces by
 !>     w = J_0 q + sum J_l z_l,    dz_l/dt = rate_l (q - z_l)
 !> and over a step in time, in which the contact's radius a and the cohesive zone's radius c are linear in time,
-!>     x < a(t): q linear in time;    a < x < c: q = -2 sigma sqrt(c^2 - x^2);    x > c: q = 0
+!>     x < a(t): q linear in time;    a < x < c: q = -2 sigma_0 sqrt(c^2 - x^2);    x > c: q = 0
 !> What passes x on the way cuts the step there; q is continuous.
 module mdrcontact_adhesion_cohesive_spring
     use mdrcontact_error, only: error_t
@@ -24,7 +24,7 @@ module mdrcontact_adhesion_cohesive_spring
         real(wp) :: length = 0.0_wp
         !> a and c at its beginning and end [length]
         real(wp) :: a(2) = 0.0_wp, c(2) = 0.0_wp
-        !> 2 sigma [modulus]
+        !> 2 sigma_0 [modulus]
         real(wp) :: stress = 0.0_wp
         !> J_0 [1/modulus], the weights J_l and the rates
         type(creep_t) :: creep
@@ -39,7 +39,7 @@ contains
     subroutine new_spring_step(self, creep, stress, error)
         type(spring_step_t), intent(out) :: self
         type(creep_t), intent(in) :: creep
-        !> 2 sigma [modulus]
+        !> 2 sigma_0 [modulus]
         real(wp), intent(in) :: stress
         type(error_t), allocatable, intent(inout) :: error
         real(wp) :: u(nodes), weight(nodes)
@@ -51,9 +51,9 @@ contains
         self%weight = 6.0_wp*u*(1.0_wp - u)*weight
     end subroutine new_spring_step
 
-    !> q = -2 sigma sqrt(c^2 - x^2) of a zone, 0 outside [modulus length].
+    !> q = -2 sigma_0 sqrt(c^2 - x^2) of a zone, 0 outside [modulus length].
     elemental function zone_load(stress, c, x) result(q)
-        !> 2 sigma [modulus], c and x [length]
+        !> 2 sigma_0 [modulus], c and x [length]
         real(wp), intent(in) :: stress, c, x
         real(wp) :: q
 

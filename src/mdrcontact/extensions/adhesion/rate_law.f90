@@ -85,7 +85,7 @@ contains
         call new_steady_crack(self%crack, material, error)
     end subroutine new_surface_law
 
-    !> Length of the cohesive zone of a crack at rest in the relaxed surface, pi E* work/(4 sigma^2) [length]; 0: not known.
+    !> Length of the cohesive zone of a crack at rest in the relaxed surface, pi E* work/(4 sigma_0^2) [length]; 0: not known.
     pure function zone(self) result(length)
         class(rate_law_t), intent(in) :: self
         real(wp) :: length

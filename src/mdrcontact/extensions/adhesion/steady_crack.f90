@@ -1,8 +1,8 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> A crack along a viscoelastic surface that moves at a constant speed under a constant cohesive stress sigma: what its work of
+!> A crack along a viscoelastic surface that moves at a constant speed under a constant cohesive stress sigma_0: what its work of
 !> adhesion seems to be to the relaxed body around (Greenwood, Johnson, Phil. Mag. A 43 (1981) 697; Schapery, Int. J. Fracture 11
 !> (1975) 141): theory/adhesion.md (4.1)-(4.3). J(t) is the creep compliance of 1/E*, l the length of the cohesive zone, x = l/v:
-!>     opening:  m = int_0^1 J(x u) A(u) du,        G/gamma0 = J(inf)/m,                               l = pi gamma0/(4 sigma^2 m)
+!>     opening:  m = int_0^1 J(x u) A(u) du,        G/gamma0 = J(inf)/m,                               l = pi gamma0/(4 sigma_0^2 m)
 !>     closing:  m = int_0^1 J(x u) [B - A](u) du,  G/gamma0 = [int_0^1 J(x u) B(u) du]^2/(4 J(inf) m),     l as before
 !> with A(u) = arcosh(u^(-1/2)), B(u) = (1 - u)^(-1/2), whose integrals are 1 and 2.
 module mdrcontact_adhesion_steady_crack
@@ -50,7 +50,7 @@ module mdrcontact_adhesion_steady_crack
         procedure, private :: parts
     end type crack_integrals_t
 
-    !> ln(v sigma^2/gamma0) as a function of the place.
+    !> ln(v sigma_0^2/gamma0) as a function of the place.
     type, extends(scalar_function_t) :: speed_t
         type(crack_integrals_t) :: integrals
     contains
@@ -194,7 +194,7 @@ contains
         self%longest = 1.0_wp/minval(creep%rate)
     end subroutine new_steady_crack
 
-    !> v sigma^2/gamma0 and its slope over G/gamma0, > 0 where it opens.
+    !> v sigma_0^2/gamma0 and its slope over G/gamma0, > 0 where it opens.
     pure subroutine speed_at(self, ratio, v, slope)
         class(steady_crack_t), intent(in) :: self
         !> G/gamma0 >= 0
@@ -228,7 +228,7 @@ contains
         value = self%speeds(side)%value(inside) + slope*(place - inside)
     end subroutine logarithm
 
-    !> G/gamma0 of an edge of speed v sigma^2/gamma0.
+    !> G/gamma0 of an edge of speed v sigma_0^2/gamma0.
     pure function ratio_at(self, v) result(ratio)
         class(steady_crack_t), intent(in) :: self
         real(wp), intent(in) :: v

@@ -60,7 +60,7 @@ contains
             if (omega(i)*a**2*fastest > last_frequency) then
                 call raise(error, error_domain, " = "//to_text(omega(i))//" is not allowed: omega a^2/D of the surface must be "// &
                            "at most "//to_text(last_frequency)//"; beyond, heat flows one-dimensionally, "// &
-                           "G = pi a^2 sqrt(s sigma c)", "omega", i)
+                           "G = pi a^2 sqrt(s kappa c)", "omega", i)
                 return
             end if
             call check_cancelled(error)
@@ -80,7 +80,7 @@ contains
         if (allocated(error) .or. time >= first_time*a**2*diffusivity_limit(conduction)) return
         call raise(error, error_domain, " = "//to_text(time)//" is not allowed: D t/a^2 of the surface must be at least "// &
                    to_text(first_time)//"; before, heat flows one-dimensionally, "// &
-                   "G = pi a^2 sqrt(sigma c/(pi t)) + pi a sigma", "time", entry)
+                   "G = pi a^2 sqrt(kappa c/(pi t)) + pi a kappa", "time", entry)
     end subroutine check_time
 
     subroutine check_answer(answer, a, error)
@@ -93,7 +93,7 @@ contains
         call check_positive(error, "radius", a)
     end subroutine check_answer
 
-    !> Largest c/sigma_r at the surface.
+    !> Largest c/kappa_r at the surface.
     pure function diffusivity_limit(conduction) result(rate)
         type(conduction_t), intent(in) :: conduction
         real(wp) :: rate

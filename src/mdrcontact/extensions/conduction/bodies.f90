@@ -115,12 +115,12 @@ contains
         !> wavenumber [1/length]; Laplace variable, 0: steady [1/time]
         complex(wp), intent(in) :: k, s
         complex(wp) :: chi
-        complex(wp) :: sigma, part
+        complex(wp) :: one_plus_chi, part
         integer :: i
 
         chi = 0.0_wp
         do i = 1, size(self%bodies)
-            call self%bodies(i)%response(k, s, sigma, part)
+            call self%bodies(i)%response(k, s, one_plus_chi, part)
             chi = chi + self%share(i)*part
         end do
     end function chi
@@ -162,13 +162,13 @@ contains
         real(wp), intent(in) :: omega
         !> same size as k [length/conductance]
         complex(wp), intent(out) :: values(:)
-        complex(wp) :: sigma(size(k)), chi(size(k))
+        complex(wp) :: one_plus_chi(size(k)), chi(size(k))
         integer :: i
 
         values = 0.0_wp
         do i = 1, size(self%bodies)
-            call self%bodies(i)%response(cmplx(k, kind=wp), cmplx(0.0_wp, omega, wp), sigma, chi)
-            values = values + sigma/(self%bodies(i)%s(1)*k)
+            call self%bodies(i)%response(cmplx(k, kind=wp), cmplx(0.0_wp, omega, wp), one_plus_chi, chi)
+            values = values + one_plus_chi/(self%bodies(i)%s(1)*k)
         end do
     end subroutine compliance
 
@@ -193,7 +193,7 @@ contains
         self%kernel = self%kernels(1)
         if (size(self%bodies) == 1) return
         call add_kernels(self%kernels(1), self%kernels(2), self%share, self%kernel, error)
-        if (self%is_insulated) self%kernel%sigma_zero = 1.0_wp
+        if (self%is_insulated) self%kernel%one_plus_chi_zero = 1.0_wp
     end subroutine tabulate
 
     !> Raises unless spots of this radius are offered.

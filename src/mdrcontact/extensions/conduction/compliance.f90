@@ -91,30 +91,30 @@ contains
         end do
     end function product_of
 
-    subroutine chi_of_flux(self, k, sigma, chi)
+    subroutine chi_of_flux(self, k, one_plus_chi, chi)
         class(flux_compliance_t), intent(in) :: self
         complex(wp), intent(in) :: k(:)
-        complex(wp), intent(out) :: sigma(:), chi(:)
+        complex(wp), intent(out) :: one_plus_chi(:), chi(:)
         complex(wp) :: fall
         integer :: i
 
         if (.not. self%sheet > 0.0_wp) then
-            call self%body%response(k, (0.0_wp, 0.0_wp), sigma, chi)
+            call self%body%response(k, (0.0_wp, 0.0_wp), one_plus_chi, chi)
             return
         end if
         do i = 1, size(k)
             if (abs(k(i)) < self%longest) then
                 chi(i) = of_long_wave(self, k(i))
             else
-                call self%body%response(k(i), (0.0_wp, 0.0_wp), sigma(i), chi(i))
+                call self%body%response(k(i), (0.0_wp, 0.0_wp), one_plus_chi(i), chi(i))
                 fall = exp(-2.0_wp*k(i)*self%sheet)
                 if (abs(k(i)*self%sheet) < 0.3_wp) then
-                    chi(i) = sigma(i) - 1.0_wp/tanh(k(i)*self%sheet)
+                    chi(i) = one_plus_chi(i) - 1.0_wp/tanh(k(i)*self%sheet)
                 else
                     chi(i) = chi(i) - 2.0_wp*fall/(1.0_wp - fall)
                 end if
             end if
-            sigma(i) = 1.0_wp + chi(i)
+            one_plus_chi(i) = 1.0_wp + chi(i)
         end do
     end subroutine chi_of_flux
 

@@ -1,11 +1,11 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Layers that conduct, electrically or thermally, on a base, and what their surface answers to a flux (Hankel space).
 !>
-!> A layer of conductivities sigma_z into the body and sigma_r along the surface is the isotropic one of S = sqrt(sigma_r sigma_z)
-!> and thickness h sqrt(sigma_r/sigma_z). With heat capacity c and Laplace variable s its waves fall as exp(-kappa z),
-!> kappa = sqrt(k^2 + s c/sigma_r). Potential over flux density C(k) goes from the bottom of a layer to its top as
+!> A layer of conductivities kappa_z into the body and kappa_r along the surface is the isotropic one of S = sqrt(kappa_r kappa_z)
+!> and thickness h sqrt(kappa_r/kappa_z). With heat capacity c and Laplace variable s its waves fall as exp(-beta z),
+!> beta = sqrt(k^2 + s c/kappa_r). Potential over flux density C(k) goes from the bottom of a layer to its top as
 !>     C = (y C_b + t)/(y (1 + y C_b t)),  y = S kappa,  t = tanh(kappa H),
-!> and S_0 k C = sigma = 1 + chi at the surface: theory/conduction.md (1.1)-(1.5).
+!> and S_0 k C = 1 + chi at the surface: theory/conduction.md (1.1)-(1.5).
 module mdrcontact_conduction_conductors
     use mdrcontact_codes, only: half_space_base => base_half_space, insulating_base => base_insulating, &
                                 perfect_base => base_perfect
@@ -24,7 +24,7 @@ module mdrcontact_conduction_conductors
     type :: conductor_t
         !> h > 0, not used of a half-space [length]
         real(wp) :: thickness = 0.0_wp
-        !> sigma_z > 0 into the body and sigma_r > 0 along the surface [conductance/length]
+        !> kappa_z > 0 into the body and kappa_r > 0 along the surface [conductance/length]
         real(wp) :: sigma = 1.0_wp, along = 1.0_wp
         !> c >= 0, per volume; 0: steady
         real(wp) :: capacity = 0.0_wp
@@ -38,7 +38,7 @@ module mdrcontact_conduction_conductors
         integer :: base = half_space_base
         !> layers that have a bottom
         integer :: layers = 0
-        !> S, H, sqrt(sigma_r/sigma_z), c/sigma_r, R below; one more entry for the half-space
+        !> S, H, sqrt(kappa_r/kappa_z), c/kappa_r, R below; one more entry for the half-space
         real(wp), allocatable :: s(:), h(:), stretch(:), rate(:), r(:)
     contains
         procedure :: response
@@ -153,14 +153,14 @@ contains
         end do
     end function below
 
-    !> sigma = S_0 k C of the surface and chi = sigma - 1, each to full relative precision; what of chi the layers below the surface
+    !> 1 + chi = S_0 k C of the surface and chi, each to full relative precision; what of chi the layers below the surface
     !> layer make falls as exp(-2 kappa H).
-    elemental subroutine response(self, k, s, sigma, chi)
+    elemental subroutine response(self, k, s, one_plus_chi, chi)
         class(conductors_t), intent(in) :: self
         !> wavenumber [1/length], and Laplace variable [1/time]
         complex(wp), intent(in) :: k, s
         !> both [1]
-        complex(wp), intent(out) :: sigma, chi
+        complex(wp), intent(out) :: one_plus_chi, chi
         complex(wp) :: ratio, kappa, y, t, fall
 
         kappa = k
@@ -172,12 +172,12 @@ contains
             ! k/kappa - 1
             chi = -s*self%rate(1)/(kappa*(k + kappa))
         end if
-        sigma = ratio
+        one_plus_chi = ratio
         if (self%layers == 0) return
         fall = exp(-2.0_wp*kappa*self%h(1))
         t = tanh_of(kappa*self%h(1), fall)
         y = self%s(1)*kappa*self%below(1, k, s)
-        sigma = ratio*(y + t)/(1.0_wp + y*t)
+        one_plus_chi = ratio*(y + t)/(1.0_wp + y*t)
         ! 1 - t
         fall = 2.0_wp*fall/(1.0_wp + fall)
         chi = chi + ratio*(y - 1.0_wp)*fall/(1.0_wp + y*t)

@@ -36,7 +36,7 @@ module mdrcontact_conduction_moving
     real(wp), parameter :: waves_of_search = 40.0_wp
     !> Distances over a at which parabolas are laid through three temperatures: the last is within 3e-4 a of the place.
     real(wp), parameter :: reaches(*) = [0.08_wp, 0.02_wp]
-    !> v a c/sigma_r up to which this is offered: it takes 10 to 20 s there, and its square.
+    !> v a c/kappa_r up to which this is offered: it takes 10 to 20 s there, and its square.
     real(wp), parameter :: fastest = 1.0e3_wp
 
     !> j_hat and its waves.
@@ -158,7 +158,7 @@ contains
 
         peclet = speed*a*maxval(body%rate)
         if (peclet > fastest) then
-            call raise(error, error_domain, " = "//to_text(speed)//" is not allowed: speed a c/sigma must be at most "// &
+            call raise(error, error_domain, " = "//to_text(speed)//" is not allowed: speed a c/kappa must be at most "// &
                        to_text(fastest)//"; beyond, heat flows one-dimensionally", "source speed")
             return
         end if
@@ -249,19 +249,19 @@ contains
     end function top
 
     !> The mean over all directions of Re[(chi(k, i v k cos phi) - chi(k, 0)) exp(i k x cos phi)]. Panels are halved towards
-    !> cos phi = 0, near which lies the branch point cos phi = i k/(v c/sigma_r), and short where the phase turns.
+    !> cos phi = 0, near which lies the branch point cos phi = i k/(v c/kappa_r), and short where the phase turns.
     pure subroutine find_directions(body, waves, k, speed, x, mean)
         type(conductors_t), intent(in) :: body
         type(waves_t), intent(in) :: waves
         real(wp), intent(in) :: k, speed, x(:)
         !> same size as x
         real(wp), intent(out) :: mean(:)
-        complex(wp) :: sigma, chi, rest
+        complex(wp) :: one_plus_chi, chi, rest
         real(wp) :: left, right, near, longest, cosine
         integer :: j
 
         mean = 0.0_wp
-        call body%response(cmplx(k, 0.0_wp, wp), (0.0_wp, 0.0_wp), sigma, rest)
+        call body%response(cmplx(k, 0.0_wp, wp), (0.0_wp, 0.0_wp), one_plus_chi, rest)
         near = min(k, 1.0_wp/max(body%depth(), tiny(k)))/max(speed*maxval(body%rate), tiny(k))
         longest = longest_phase/max(k*maxval(x), tiny(k))
         right = half_pi
@@ -270,7 +270,7 @@ contains
             if (right <= min(near, longest) .or. right < shortest_panel) left = 0.0_wp
             do j = 1, direction_nodes
                 cosine = sin(left + (right - left)*waves%node(j))
-                call body%response(cmplx(k, 0.0_wp, wp), cmplx(0.0_wp, speed*k*cosine, wp), sigma, chi)
+                call body%response(cmplx(k, 0.0_wp, wp), cmplx(0.0_wp, speed*k*cosine, wp), one_plus_chi, chi)
                 chi = (right - left)*waves%share(j)*(chi - rest)
                 mean = mean + real(chi, wp)*cos(k*cosine*x) - aimag(chi)*sin(k*cosine*x)
             end do

@@ -29,7 +29,7 @@ contains
         kernel%unit = unit
         kernel%plateau = 0
         ! neither of the two constants is taken out: the integral of X_b has no end
-        kernel%sigma_zero = 1.0_wp
+        kernel%one_plus_chi_zero = 1.0_wp
         kernel%tail = 0.0_wp
         octaves = max(1, exponent(2.0_wp*b/unit))
         points = node([(i, i=1, size(points))], size(points))

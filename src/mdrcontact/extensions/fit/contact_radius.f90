@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The contact radius behind readings of depth, force and stiffness: that at which the surface sinks in as far as the body under
-!> the tip lets it, f(a) = c (h - sigma(a) P/S).
+!> the tip lets it, f(a) = c (h - sink(a) P/S).
 module mdrcontact_fit_contact_radius
     use mdrcontact_error, only: check_memory, error_domain, error_t, raise, to_text
     use mdrcontact_fit_problem, only: at_area_factor, at_contact_depth_factor, at_contact_depth_scale, at_depth_offset, &
@@ -33,7 +33,7 @@ module mdrcontact_fit_contact_radius
         real(wp), allocatable :: depth(:), recovery(:)
     end type readings_t
 
-    !> ln of (f(a)/c + sigma(a) P/S)/h over ln a, close to a straight line.
+    !> ln of (f(a)/c + sink(a) P/S)/h over ln a, close to a straight line.
     type, extends(scalar_function_t) :: balance_t
         class(profile_t), pointer :: profile => null()
         type(sink_in_t), pointer :: sink_in => null()
@@ -214,7 +214,7 @@ contains
         !> 1 or -1 where the radius lies above or below the range of radii, else 0
         integer, intent(out) :: side
         type(error_t), allocatable, intent(out) :: error
-        real(wp) :: first, last, x, sigma
+        real(wp) :: first, last, x, sink
         logical :: found
 
         first = log(balance%sink_in%smallest)
@@ -225,7 +225,7 @@ contains
         side = 0
         if (.not. found) side = merge(1, -1, 2.0_wp*x > first + last)
         a = exp(x)
-        call balance%sink_in%at(a, sigma, modulus)
+        call balance%sink_in%at(a, sink, modulus)
     end subroutine find_radius
 
     !> The same between the ends of the range, for readings so near to those of no contact that the balance hardly grows.
@@ -249,10 +249,10 @@ contains
         !> ln a
         real(wp), intent(in) :: x
         real(wp) :: y
-        real(wp) :: sigma, modulus
+        real(wp) :: sink, modulus
 
-        call self%sink_in%at(exp(x), sigma, modulus)
-        y = (self%profile%height(exp(x)/self%widening)/self%scale + sigma*self%recovery)/self%depth
+        call self%sink_in%at(exp(x), sink, modulus)
+        y = (self%profile%height(exp(x)/self%widening)/self%scale + sink*self%recovery)/self%depth
         y = log(max(y, smallest_share))
     end function imbalance
 
@@ -264,10 +264,10 @@ contains
         real(wp), intent(in) :: depth
         integer, intent(in) :: side
         type(error_t), allocatable, intent(out) :: error
-        real(wp) :: sigma, modulus, height
+        real(wp) :: sink, modulus, height
 
-        call balance%sink_in%at(merge(balance%sink_in%largest, balance%sink_in%smallest, side > 0), sigma, modulus)
-        height = balance%scale*(balance%depth - sigma*balance%recovery)
+        call balance%sink_in%at(merge(balance%sink_in%largest, balance%sink_in%smallest, side > 0), sink, modulus)
+        height = balance%scale*(balance%depth - sink*balance%recovery)
         if (.not. height > 0.0_wp) then
             call refuse_depth(depth, height, error)
         else if (side < 0 .or. balance%sink_in%largest >= medium%largest_radius*(1.0_wp - last_part)) then

@@ -33,7 +33,7 @@ module mdrcontact_fit_problem
     !> frame [length/force]; contact modulus E*_i of the indenter, infinite for a rigid one [modulus]; epsilon of Oliver and
     !> Pharr's contact depth h - epsilon P/S on a half-space; beta of S = 2 beta a E_r; factor of the contact depth, 1.2 with
     !> epsilon = 1 for Loubet's (N. X. Randall et al., J. Mater. Res. 24 (2009) 679); true over assumed projected contact area;
-    !> sigma, adhesion with a range [modulus].
+    !> sigma_0, adhesion with a range [modulus].
     integer, parameter :: at_work_of_adhesion = 1, at_depth_offset = 2, at_force_offset = 3, at_frame_compliance = 4, &
                           at_indenter_modulus = 5, at_contact_depth_factor = 6, at_stiffness_factor = 7, &
                           at_contact_depth_scale = 8, at_area_factor = 9, at_cohesive_stress = 10, instrument_numbers = 10

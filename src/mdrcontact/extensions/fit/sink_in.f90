@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> How far the surface sinks in at the edge of a contact: h_s = d - f(a) = sigma(a) F/k.
+!> How far the surface sinks in at the edge of a contact: h_s = d - f(a) = sink(a) F/k.
 !>
-!> At one contact radius d, f and F of an indenter f = c r^n grow in proportion to c, so that sigma depends on radius and body
+!> At one contact radius d, f and F of an indenter f = c r^n grow in proportion to c, so that sink depends on radius and body
 !> alone. On a half-space it is Oliver and Pharr's epsilon: 2 (pi - 2)/pi of a cone, 0.75 of a paraboloid, 1 of a punch. An indent
 !> that has yielded unloads as if a smooth indenter c r^n lay in it (Pharr, Bolshakov, J. Mater. Res. 17 (2002) 2660); a film lets
 !> that indenter sink in more or less deeply than a half-space does, and the exact contact says how deeply.
@@ -26,12 +26,12 @@ module mdrcontact_fit_sink_in
     !> No curve is shorter, in ln a.
     real(wp), parameter :: shortest = 0.01_wp
 
-    !> sigma(a) and E_eff(a) of a body over a range of radii.
+    !> sink(a) and E_eff(a) of a body over a range of radii.
     type :: sink_in_t
         private
         type(equilibrium_t) :: equilibrium
         type(curve_t) :: curve
-        !> sigma = share*(that of the equilibrium's indenter) + rest: beyond the sharpest and the flattest indenter epsilon's
+        !> sink = share*(that of the equilibrium's indenter) + rest: beyond the sharpest and the flattest indenter epsilon's
         !> effect goes on in proportion, to 0 and to the punch
         real(wp) :: share = 1.0_wp, rest = 0.0_wp
         !> the radii between which it is known [length]
@@ -83,20 +83,20 @@ contains
         if (.not. allocated(error)) call new_curve(self%curve, self%equilibrium, coordinates, tolerance, error)
     end subroutine new_sink_in
 
-    !> sigma and E_eff at a radius in the range.
-    subroutine at(self, radius, sigma, modulus)
+    !> sink and E_eff at a radius in the range.
+    subroutine at(self, radius, sink, modulus)
         class(sink_in_t), intent(in) :: self
         !> [length]
         real(wp), intent(in) :: radius
         !> [1]
-        real(wp), intent(out) :: sigma
+        real(wp), intent(out) :: sink
         !> [modulus]
         real(wp), intent(out) :: modulus
         type(curve_point_t) :: point
 
         point = self%curve%at(self%equilibrium%coordinate_of(radius))
-        sigma = (point%depth - self%equilibrium%profile%height(radius))*point%stiffness/point%force
-        sigma = self%rest + self%share*sigma
+        sink = (point%depth - self%equilibrium%profile%height(radius))*point%stiffness/point%force
+        sink = self%rest + self%share*sink
         modulus = point%stiffness/(2.0_wp*radius)
     end subroutine at
 

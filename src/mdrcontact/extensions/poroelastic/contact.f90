@@ -59,7 +59,7 @@ contains
         complex(wp), intent(out) :: q(:)
         type(error_t), allocatable, intent(inout) :: error
         complex(wp), allocatable :: r(:, :)
-        complex(wp) :: sigma, chi(size(basis%k))
+        complex(wp) :: one_plus_chi, chi(size(basis%k))
         type(film_t) :: film
         real(wp) :: poisson
         integer :: i
@@ -72,7 +72,7 @@ contains
         chi = 0.0_wp
         if (gel%ratio > 0.0_wp) then
             do i = 1, size(chi)
-                call film%response(basis%k(i)/gel%ratio, normal_to, sigma, chi(i))
+                call film%response(basis%k(i)/gel%ratio, normal_to, one_plus_chi, chi(i))
             end do
         end if
         call basis%project(2.0_wp*(1.0_wp - poisson)*chi, .false., r)

@@ -99,13 +99,13 @@ contains
         !> same size as k
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(inout) :: error
-        complex(wp), dimension(size(k)) :: sigma, chi
+        complex(wp), dimension(size(k)) :: one_plus_chi, chi
         type(chain_t) :: chain
 
         values = 0.0_wp
         call medium%chain_at(normal_load, cmplx(s, kind=wp), chain, error)
         if (allocated(error)) return
-        call chain%chi(cmplx(k, kind=wp), sigma, chi)
+        call chain%chi(cmplx(k, kind=wp), one_plus_chi, chi)
         values = real(chi/chain%scale, wp)
     end subroutine find_compliance
 
@@ -156,14 +156,14 @@ contains
         real(wp), intent(in) :: low, width, radius, nodes(:), weights(:)
         logical :: answer
         real(wp) :: k(3*size(nodes)), rule(3*size(nodes)), found(2), size_of
-        complex(wp), dimension(3*size(nodes)) :: sigma, chi
+        complex(wp), dimension(3*size(nodes)) :: one_plus_chi, chi
         integer :: i
 
         k = low + width*[nodes, 0.5_wp*nodes, 0.5_wp + 0.5_wp*nodes]
         rule = [-weights, 0.5_wp*weights, 0.5_wp*weights]
         answer = .true.
         do i = 1, size(chains)
-            call chains(i)%chi(cmplx(k, kind=wp), sigma, chi)
+            call chains(i)%chi(cmplx(k, kind=wp), one_plus_chi, chi)
             size_of = sum(abs(rule*chi)) + 1.0_wp/(radius*width)
             found = [sum(rule*real(chi, wp)), sum(rule*real(chi, wp)*cos(2.0_wp*radius*k))]
             answer = answer .and. all(abs(found) <= allowed_difference*size_of)

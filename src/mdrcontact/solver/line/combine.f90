@@ -46,7 +46,7 @@ contains
         kernel%vanishes = kernel%vanishes .or. weight <= 0.0_wp
         if (kernel%vanishes) return
         kernel%origin = weight*kernel%origin
-        kernel%sigma_zero = weight*kernel%sigma_zero + other
+        kernel%one_plus_chi_zero = weight*kernel%one_plus_chi_zero + other
         kernel%coefficients = weight*kernel%coefficients
         kernel%tail = weight*kernel%tail
         kernel%rest = weight*kernel%rest
@@ -70,7 +70,7 @@ contains
         allocate (centred(degree + 1, parts))
         kernel%resolved = min(first%resolved*(first%unit/kernel%unit), second%resolved*(second%unit/kernel%unit))
         kernel%origin = weights(1)*first%origin*(kernel%unit/first%unit) + weights(2)*second%origin*(kernel%unit/second%unit)
-        kernel%sigma_zero = weights(1)*first%sigma_zero + weights(2)*second%sigma_zero
+        kernel%one_plus_chi_zero = weights(1)*first%one_plus_chi_zero + weights(2)*second%one_plus_chi_zero
         ! their units in the unit of the sum
         ratios = [first%unit, second%unit]/kernel%unit
         octaves = max(first%octaves() + exponent(nearest(ratios(1), -1.0_wp)), &
@@ -82,7 +82,7 @@ contains
         end if
         allocate (kernel%coefficients(0:degree, 0:parts*octaves))
         kernel%coefficients(:, 0) = powers_from_values(sum_at(sqrt(0.5_wp*(1.0_wp + points)), .true.), near_degree)
-        on_plateau = kernel%sigma_zero > stiff
+        on_plateau = kernel%one_plus_chi_zero > stiff
         do octave = 0, octaves - 1
             if (on_plateau) then
                 do part = 1, parts

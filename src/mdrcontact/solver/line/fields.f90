@@ -3,8 +3,8 @@
 !> q = E0* (d - g - v).
 !>
 !> The part d - g belongs to a half-space of the surface material and is left to it; v(x) = (K q)(x)/E0* is smooth at the
-!> kernel's width whatever g is. P_2j(x/a) as a line load is the pressure P_2j(sigma)/(P_2j(0) pi sqrt(a^2 - r^2)),
-!> sigma = sqrt(1 - r^2/a^2).
+!> kernel's width whatever g is. P_2j(x/a) as a line load is the pressure P_2j(cosine)/(P_2j(0) pi sqrt(a^2 - r^2)),
+!> cosine = sqrt(1 - r^2/a^2).
 module mdrcontact_line_fields
     use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_error, only: check_memory, error_t
@@ -197,13 +197,13 @@ contains
     end subroutine at
 
     !> The pressure over E0* that v takes from the homogeneous one, without what is singular at the edge:
-    !> -(sigma/(pi a)) sum v_j B_j(sigma), B_j = [P_2j(sigma)/P_2j(0) - 1]/sigma^2.
+    !> -(cosine/(pi a)) sum v_j B_j(cosine), B_j = [P_2j(cosine)/P_2j(0) - 1]/cosine^2.
     pure function smooth_pressure(self, r) result(pressure)
         class(line_load_t), intent(in) :: self
         !> 0 <= r <= a [length]
         real(wp), intent(in) :: r
         real(wp) :: pressure
-        real(wp) :: sigma, square, total, even, odd, b, at_zero
+        real(wp) :: cosine, square, total, even, odd, b, at_zero
         integer :: j
 
         if (allocated(self%panels)) then
@@ -211,8 +211,8 @@ contains
             return
         end if
         square = (1.0_wp - r/self%a)*(1.0_wp + r/self%a)
-        sigma = sqrt(max(square, 0.0_wp))
-        ! even: P_2j, odd: P_(2j+1)/sigma
+        cosine = sqrt(max(square, 0.0_wp))
+        ! even: P_2j, odd: P_(2j+1)/cosine
         even = 1.0_wp
         odd = 1.0_wp
         b = 0.0_wp
@@ -225,7 +225,7 @@ contains
             odd = (real(4*j + 5, wp)*even - real(2*j + 2, wp)*odd)/real(2*j + 3, wp)
             total = total + self%v(j + 2)*b
         end do
-        pressure = -sigma/(pi*self%a)*total
+        pressure = -cosine/(pi*self%a)*total
     end function smooth_pressure
 
     !> The pressure over E0* under a flat punch, with what is singular at the edge.

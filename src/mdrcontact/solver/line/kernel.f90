@@ -33,8 +33,8 @@ module mdrcontact_line_kernel
         logical :: vanishes = .true.
         !> thickness of the thinnest layer that shows at its own length, >= 1; infinite where all layers belong to fine gradings
         real(wp) :: resolved = 1.0_wp
-        !> X(0), and sigma(0) = 1 + chi(0)
-        real(wp) :: origin = 0.0_wp, sigma_zero = 1.0_wp
+        !> X(0), and one_plus_chi(0) = 1 + chi(0)
+        real(wp) :: origin = 0.0_wp, one_plus_chi_zero = 1.0_wp
         !> Below 2^plateau the table holds X - X(0), which keeps its digits where X(0) is large: a stiff film on a soft base.
         integer :: plateau = 0
         !> how often halves of octaves are halved
@@ -212,7 +212,7 @@ contains
             if (j > 0) moment = (1.0_wp - real(2*j, wp)*moment)/real(2*j + 1, wp)
             total = total + self%coefficients(j, 0)*moment
         end do
-        difference = self%sigma_zero - 1.0_wp - total*(2.0_wp/pi)
+        difference = self%one_plus_chi_zero - 1.0_wp - total*(2.0_wp/pi)
     end function defect
 
     !> y < 1 throughout: one polynomial, for as many points at a time as the registers hold.

@@ -172,7 +172,7 @@ contains
         if (fine) highest = floor(trusted/1.5_wp*n)
         half = n/2
         allocate (x(n), even(half), odd(half), work(n, 4), self%t(0:last))
-        if (kernel%sigma_zero > 1.0_wp .and. 2.0_wp*a <= scale(1.0_wp, kernel%plateau)) self%shift = kernel%origin
+        if (kernel%one_plus_chi_zero > 1.0_wp .and. 2.0_wp*a <= scale(1.0_wp, kernel%plateau)) self%shift = kernel%origin
         work(:, 1) = a*rule%distance
         call kernel%evaluate(work(:, 1), self%shift, x)
         call kernel%evaluate([2.0_wp*a], kernel%origin, base)
@@ -180,9 +180,9 @@ contains
         x = x*rule%weights
         self%magnitude = 2.0_wp*a/pi*sum(abs(x))
         base = sum(x)
-        if (kernel%sigma_zero < 1.0_wp .and. 2.0_wp*a >= 1.0_wp) then
-            self%diagonal = kernel%sigma_zero
-            self%spike = 0.5_wp*pi*(kernel%sigma_zero - 1.0_wp)/a
+        if (kernel%one_plus_chi_zero < 1.0_wp .and. 2.0_wp*a >= 1.0_wp) then
+            self%diagonal = kernel%one_plus_chi_zero
+            self%spike = 0.5_wp*pi*(kernel%one_plus_chi_zero - 1.0_wp)/a
             base = -kernel%integral_beyond(2.0_wp*a)/a
             ! the sum of X is exact here: what is left are its first moments
             self%magnitude = 2.0_wp*a/pi*sum(abs(x)*rule%distance)

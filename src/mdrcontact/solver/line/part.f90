@@ -14,7 +14,7 @@ module mdrcontact_line_part
     !> Blocks that are kept at most.
     integer, parameter :: most_blocks = 512
 
-    !> Both parts of sigma and of chi at some wavenumbers: (sigma real, imaginary, chi real, imaginary; wavenumber).
+    !> Both parts of one_plus_chi and of chi at some wavenumbers: (one_plus_chi real, imaginary, chi real, imaginary; wavenumber).
     type :: block_t
         complex(wp) :: first = 0.0_wp
         complex(wp), allocatable :: values(:, :)
@@ -39,7 +39,7 @@ module mdrcontact_line_part
 
 contains
 
-    !> The real or the imaginary part of chi; sigma = 1 + chi of both.
+    !> The real or the imaginary part of chi; one_plus_chi = 1 + chi of both.
     subroutine new_part(self, whole, imaginary, memory)
         type(part_t), intent(out) :: self
         !> both live as long as the part; the memory is that of both parts of one compliance
@@ -57,10 +57,10 @@ contains
     end subroutine new_part
 
     !> The part at wavenumbers of which the first one determines them all: what the other part took is known.
-    subroutine chi_of_part(self, k, sigma, chi)
+    subroutine chi_of_part(self, k, one_plus_chi, chi)
         class(part_t), intent(in) :: self
         complex(wp), intent(in) :: k(:)
-        complex(wp), intent(out) :: sigma(:), chi(:)
+        complex(wp), intent(out) :: one_plus_chi(:), chi(:)
         complex(wp) :: values(4, size(k))
         integer :: i, place
 
@@ -82,7 +82,7 @@ contains
                 end if
             end if
         end associate
-        sigma = values(merge(2, 1, self%is_imaginary), :)
+        one_plus_chi = values(merge(2, 1, self%is_imaginary), :)
         chi = values(merge(4, 3, self%is_imaginary), :)
     end subroutine chi_of_part
 
@@ -90,13 +90,13 @@ contains
         class(compliance_t), intent(in) :: whole
         complex(wp), intent(in) :: k(:)
         complex(wp), intent(out) :: values(:, :)
-        complex(wp), dimension(size(k)) :: sigma, chi, other_sigma, other_chi
+        complex(wp), dimension(size(k)) :: one_plus_chi, chi, other_one_plus_chi, other_chi
 
-        call whole%chi(k, sigma, chi)
-        other_sigma = sigma
+        call whole%chi(k, one_plus_chi, chi)
+        other_one_plus_chi = one_plus_chi
         other_chi = chi
-        if (any(abs(aimag(k)) > 0.0_wp)) call whole%chi(conjg(k), other_sigma, other_chi)
-        values(1, :) = 0.5_wp*(sigma + conjg(other_sigma))
+        if (any(abs(aimag(k)) > 0.0_wp)) call whole%chi(conjg(k), other_one_plus_chi, other_chi)
+        values(1, :) = 0.5_wp*(one_plus_chi + conjg(other_one_plus_chi))
         values(3, :) = 0.5_wp*(chi + conjg(other_chi))
         values(4, :) = (chi - conjg(other_chi))/(0.0_wp, 2.0_wp)
         values(2, :) = 1.0_wp + values(4, :)

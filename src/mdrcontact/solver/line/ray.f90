@@ -45,13 +45,13 @@ contains
         real(wp), intent(in) :: unit
         type(wave_table_t), intent(in) :: table
         integer, intent(in) :: more
-        complex(wp) :: sigma(1), chi(1)
+        complex(wp) :: one_plus_chi(1), chi(1)
         real(wp) :: largest
         integer :: i, latest
 
         ray%chi_zero = real(surface%at_zero, wp) - 1.0_wp
         do i = -2, 1000
-            call surface%chi([table%direction*(scale(1.0_wp, i)/unit)], sigma, chi)
+            call surface%chi([table%direction*(scale(1.0_wp, i)/unit)], one_plus_chi, chi)
             if (abs(chi(1))*scale(1.0_wp, i) < 1.0e-20_wp) exit
         end do
         ray%top = i
@@ -77,21 +77,21 @@ contains
         real(wp), intent(in) :: unit
         type(wave_table_t), intent(in) :: table
         integer, intent(in) :: bottom
-        complex(wp), dimension(size(table%nodes)) :: sigma, chi, change
-        real(wp) :: base, sigma_zero
+        complex(wp), dimension(size(table%nodes)) :: one_plus_chi, chi, change
+        real(wp) :: base, one_plus_chi_zero
         integer :: i, octave
 
-        sigma_zero = real(surface%at_zero, wp)
+        one_plus_chi_zero = real(surface%at_zero, wp)
         do octave = ray%bottom - 1, bottom, -1
             base = scale(1.0_wp, octave)
-            call surface%chi(table%direction*(base*table%nodes/unit), sigma, chi)
-            change = sigma - sigma_zero
+            call surface%chi(table%direction*(base*table%nodes/unit), one_plus_chi, chi)
+            change = one_plus_chi - one_plus_chi_zero
             if (octave >= negligible_octave) ray%weighted_chi(:, octave) = base*table%weights*table%direction*chi
             ray%weighted_change(:, octave) = base*table%weights*table%direction*change
             do i = 0, order
                 ray%moments(i, octave) = sum(table%powers(:, i)*ray%weighted_change(:, octave))
             end do
-            if (octave >= watched_octave) ray%roughness = max(ray%roughness, roughness_of(change, table%last, sigma_zero))
+            if (octave >= watched_octave) ray%roughness = max(ray%roughness, roughness_of(change, table%last, one_plus_chi_zero))
         end do
         ray%bottom = min(ray%bottom, bottom)
     end subroutine extend_ray
@@ -125,10 +125,10 @@ contains
     end function rest_below
 
     !> How far values on an octave are from being resolved: the larger of their two last Legendre coefficients on any
-    !> panel, relative to the largest value, or to what rounding of sigma leaves of it.
-    pure function roughness_of(values, last, sigma_zero) result(roughness)
+    !> panel, relative to the largest value, or to what rounding of one_plus_chi leaves of it.
+    pure function roughness_of(values, last, one_plus_chi_zero) result(roughness)
         complex(wp), intent(in) :: values(:)
-        real(wp), intent(in) :: last(:, :), sigma_zero
+        real(wp), intent(in) :: last(:, :), one_plus_chi_zero
         real(wp) :: roughness
         integer :: first
 
@@ -138,7 +138,7 @@ contains
                 roughness = max(roughness, abs(sum(last(:, 1)*on_panel)), abs(sum(last(:, 2)*on_panel)))
             end associate
         end do
-        roughness = roughness/max(maxval(abs(values)), 1.0e-4_wp*abs(sigma_zero), tiny(1.0_wp))
+        roughness = roughness/max(maxval(abs(values)), 1.0e-4_wp*abs(one_plus_chi_zero), tiny(1.0_wp))
     end function roughness_of
 
     !> Whether the integral of chi along the ray equals that along the real axis: no pole lies between them.
@@ -148,7 +148,7 @@ contains
         real(wp), intent(in) :: unit
         type(wave_table_t), intent(in) :: table
         logical, intent(out) :: holds
-        complex(wp) :: sigma(size(table%nodes)), chi(size(table%nodes)), along_ray
+        complex(wp) :: one_plus_chi(size(table%nodes)), chi(size(table%nodes)), along_ray
         real(wp) :: magnitude, base
         integer :: octave
 
@@ -156,7 +156,7 @@ contains
         allocate (ray%on_axis(size(table%nodes), ray%lowest:ray%top))
         do octave = ray%lowest, ray%top
             base = scale(1.0_wp, octave)
-            call surface%chi(cmplx(base*table%nodes/unit, 0.0_wp, wp), sigma, chi)
+            call surface%chi(cmplx(base*table%nodes/unit, 0.0_wp, wp), one_plus_chi, chi)
             ray%on_axis(:, octave) = base*table%weights*real(chi, wp)
             ray%largest = max(ray%largest, maxval(abs(real(chi, wp))))
         end do

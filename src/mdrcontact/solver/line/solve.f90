@@ -142,7 +142,7 @@ contains
 
         n = 4
         if (kernel%vanishes) return
-        contrast = min(log(max(kernel%sigma_zero, 0.01_wp)), -log(0.01_wp))
+        contrast = min(log(max(kernel%one_plus_chi_zero, 0.01_wp)), -log(0.01_wp))
         if (is_kinked) contrast = max(contrast, 0.0_wp)
         rate = max(3.45_wp + 0.22_wp*abs(contrast) - 0.165_wp*log(tolerance/1.0e-10_wp), 0.5_wp)
         if (a >= 0.2_wp) n = max(n, ceiling(min(rate*sqrt(a), real(first_graded, wp))))
@@ -263,7 +263,7 @@ contains
             ! a relative error of the kernel changes E_eff by itself times magnitude times E_eff/E0*
             solution%rounding = rounding*(2.0_wp + moments%magnitude*max(1.0_wp, solution%modulus))
             ! stiff layers bend at waves of so many thicknesses, where their compliance is a difference and loses as much
-            solution%rounding = solution%rounding + epsilon(1.0_wp)*max(1.0_wp, kernel%sigma_zero)**(1.0_wp/3.0_wp) &
+            solution%rounding = solution%rounding + epsilon(1.0_wp)*max(1.0_wp, kernel%one_plus_chi_zero)**(1.0_wp/3.0_wp) &
                                 *max(0.0_wp, 1.0_wp - solution%modulus)
         end associate
         solution%errors = solution%errors + solution%rounding

@@ -82,7 +82,7 @@ contains
                 if (part == 1) matrix(j:, j) = h(j:, j)
                 if (part == 2) matrix(j:, j) = matrix(j:, j) + (0.0_wp, 1.0_wp)*h(j:, j)
             end do
-            ! sigma = 1 + chi of both parts
+            ! one_plus_chi = 1 + chi of both parts
             if (part == 1) diagonal = moments%diagonal
             if (part == 2) diagonal = diagonal + (0.0_wp, 1.0_wp)*(moments%diagonal - 1.0_wp)
         end do

@@ -21,7 +21,7 @@ module mdrcontact_line_tabulate
 
     !> Octaves of y at most.
     integer, parameter :: most_octaves = 128
-    !> From this sigma(0) on rounding of X(0) would be seen in d and F; and octaves of y in which X may be X(0) and little less.
+    !> From this 1 + chi(0) on rounding of X(0) would be seen in d and F; and octaves of y in which X may be X(0) and little less.
     real(wp), parameter :: stiff = 1.0e3_wp
     integer, parameter :: most_plateau = 40
     !> A body deeper than so many octaves of its first layer varies from the surface down: its X varies all over the plateau.
@@ -57,7 +57,7 @@ contains
         if (kernel%vanishes) return
         kernel%unit = surface%first_depth
         kernel%resolved = merge(1.0_wp, huge(1.0_wp), surface%last_depth <= coarse*kernel%unit)
-        kernel%sigma_zero = real(surface%at_zero, wp)
+        kernel%one_plus_chi_zero = real(surface%at_zero, wp)
         do attempt = 1, attempts
             call check_cancelled(error)
             if (allocated(error)) return
@@ -96,7 +96,7 @@ contains
         kernel%plateau = 0
         middle = sum(1.0_wp/table%far_y**2)/real(size(x), wp)
         inverse = 1.0_wp/table%far_y**2 - middle
-        on_plateau = kernel%sigma_zero > stiff .and. surface%last_depth < scale(kernel%unit, deepest_plateau)
+        on_plateau = kernel%one_plus_chi_zero > stiff .and. surface%last_depth < scale(kernel%unit, deepest_plateau)
         if (on_plateau) call take_chi_moments(ray, table)
         do octave = 0, most_octaves - 1
             call extend_ray(ray, surface, kernel%unit, table, ray%lowest - octave)
@@ -126,7 +126,7 @@ contains
             kernel%tail = [level*scale(1.0_wp, 2*octave), slope*scale(1.0_wp, 4*octave)]
             ! not before the whole body has shown
             if (scale(kernel%unit, octave) < surface%last_depth) cycle
-            if (spread <= 1.0e-13_wp*maxval(abs(x)) .or. spread <= 1.0e-14_wp*scale(abs(kernel%sigma_zero), -octave)) exit
+            if (spread <= 1.0e-13_wp*maxval(abs(x)) .or. spread <= 1.0e-14_wp*scale(abs(kernel%one_plus_chi_zero), -octave)) exit
         end do
         octave = min(octave, most_octaves - 1)
         if (allocated(kernel%coefficients)) deallocate (kernel%coefficients)

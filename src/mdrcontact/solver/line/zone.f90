@@ -1,8 +1,8 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> A contact of radius a with a cohesive zone a < r < c, in which the bodies pull on each other with a constant stress sigma
+!> A contact of radius a with a cohesive zone a < r < c, in which the bodies pull on each other with a constant stress sigma_0
 !> (Dugdale 1960, Maugis 1992), on any layered body: theory/adhesion.md (2.1)-(2.6). The zone's line load is known,
-!> q = -2 sigma sqrt(c^2 - x^2), and the pressure is finite at a if q is continuous there:
-!>     x < a:  q + K_a q = E0* (d - g) - K q_zone,     q(a) = -2 sigma sqrt(c^2 - a^2)
+!> q = -2 sigma_0 sqrt(c^2 - x^2), and the pressure is finite at a if q is continuous there:
+!>     x < a:  q + K_a q = E0* (d - g) - K q_zone,     q(a) = -2 sigma_0 sqrt(c^2 - a^2)
 !>     gap at c:  h(c) = (2/pi) int_a^c [w - (d - g)]/sqrt(c^2 - x^2) dx,     E0* w = q + K q on the zone.
 !> The matrix of the left-hand side belongs to a alone: it is factorized once, and each length of the zone costs products with the
 !> kernel at its nodes.
@@ -302,7 +302,7 @@ contains
         class(zoned_springs_t), intent(in) :: self
         !> c - a > 0 [length]
         real(wp), intent(in) :: length
-        !> 2 sigma/E0* [1]
+        !> 2 sigma_0/E0* [1]
         real(wp), intent(in) :: stress
         type(zone_state_t), intent(out) :: state
         type(error_t), allocatable, intent(inout) :: error
@@ -397,7 +397,7 @@ contains
     subroutine interact_finely(self, rule, length, stress, z, state, opening, error)
         class(zoned_springs_t), intent(in) :: self
         type(zone_rule_t), intent(in) :: rule
-        !> c - a [length], 2 sigma/E0* [1]
+        !> c - a [length], 2 sigma_0/E0* [1]
         real(wp), intent(in) :: length, stress
         real(wp), intent(in) :: z(:)
         type(zone_state_t), intent(inout) :: state

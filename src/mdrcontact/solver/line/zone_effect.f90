@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> What the load of a cohesive zone, q = -2 sigma sqrt(c^2 - x^2) on a < |x| < c, adds to the displacement in the zone where the
+!> What the load of a cohesive zone, q = -2 sigma_0 sqrt(c^2 - x^2) on a < |x| < c, adds to the displacement in the zone where the
 !> kernel X varies at all lengths: (K q)(x) by panels that grow with the distance from x: theory/adhesion.md (2.4).
 module mdrcontact_line_zone_effect
     use mdrcontact_error, only: error_no_convergence, error_t, raise
@@ -32,7 +32,7 @@ contains
         type(kernel_t), intent(in) :: kernel
         !> a >= 0, c - a > 0 [length]
         real(wp), intent(in) :: a, length
-        !> 2 sigma/E0* [1]
+        !> 2 sigma_0/E0* [1]
         real(wp), intent(in) :: stress
         !> x - a, 0 <= x - a < c - a [length]
         real(wp), intent(in) :: beyond(:)

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Nodes of a cohesive zone a < x < c, in which the springs carry q = -2 sigma sqrt(c^2 - x^2): integrals of what is analytic but
+!> Nodes of a cohesive zone a < x < c, in which the springs carry q = -2 sigma_0 sqrt(c^2 - x^2): integrals of what is analytic but
 !> for this root, the kinks of the indenter's g, and the scale of the body's kernel.
 !>
 !> The panel at c has x = c - L y^2, so that root and pole are analytic in y; one behind a kink of g has x = b + L t^2.

@@ -136,12 +136,12 @@ contains
         integer, intent(in) :: load
         real(wp), intent(in) :: k(:)
         complex(wp), intent(inout) :: values(:)
-        complex(wp) :: sigma(1), chi(1)
+        complex(wp) :: one_plus_chi(1), chi(1)
         integer :: i
 
         do i = 1, size(k)
-            call compliance%chi([cmplx(k(i), kind=wp)], sigma, chi)
-            values(i) = values(i) + merge(4.0_wp, 2.0_wp, load == twist_load)*sigma(1)/(compliance%scale*k(i))
+            call compliance%chi([cmplx(k(i), kind=wp)], one_plus_chi, chi)
+            values(i) = values(i) + merge(4.0_wp, 2.0_wp, load == twist_load)*one_plus_chi(1)/(compliance%scale*k(i))
         end do
     end subroutine add
 

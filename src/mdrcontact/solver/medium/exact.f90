@@ -209,7 +209,7 @@ contains
         real(wp) :: ratio
 
         ratio = 1.0_wp
-        if (.not. kernel%vanishes) ratio = max(kernel%sigma_zero, kernel%origin)
+        if (.not. kernel%vanishes) ratio = max(kernel%one_plus_chi_zero, kernel%origin)
     end function contrast_of
 
     !> E_eff(a), the stiffness of a flat punch over 2 a, and E_eff'(a) = (E0* q_1(a; a)^2 - E_eff(a))/a.

@@ -2,8 +2,8 @@
 !> What layers below the surface add to the Galerkin matrices: products of Bessel functions over wavenumbers
 !> (theory/surfaces.md (6.5)).
 !>
-!> kappa - kappa_0 falls as what the layers change of sigma, so that a plain rule over k serves all entries: with sigma_0 of the
-!> surface's half-space it is change (kappa_0/sigma_0)^2/(1 + (1 - kappa_0/sigma_0) change/sigma_0).
+!> kappa - kappa_0 falls as what the layers change of 1 + chi, so that a plain rule over k serves all entries: with s_0 of the
+!> surface's half-space it is change (kappa_0/s_0)^2/(1 + (1 - kappa_0/s_0) change/s_0).
 module mdrcontact_tension_body_part
     use, intrinsic :: iso_c_binding, only: c_int
     use mdrcontact_body_compliance, only: compliance_t

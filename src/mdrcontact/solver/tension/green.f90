@@ -1,9 +1,9 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> What a line load of 1 does to a half-space under a surface with tension or a plate (theory/surfaces.md (6.8)):
-!>     Phi(y) = int_0^inf kappa_0(k) cos ky dk,   kappa_0 = 1/(1/sigma_0 + l k + b k^3) = sum R/(k - k_r),
+!>     Phi(y) = int_0^inf kappa_0(k) cos ky dk,   kappa_0 = 1/(1/s_0 + l k + b k^3) = sum R/(k - k_r),
 !>     l = 2 tau/E0*, b = 2 B/E0*.
 !>
-!> sigma_0 = 1 + c/(1 + l_m k) where the surface is stiff in its plane (mdrcontact_body_membrane), else 1.
+!> s_0 = 1 + c/(1 + l_m k) where the surface is stiff in its plane (mdrcontact_body_membrane), else 1.
 !> Phi = sum R g(-k_r y), g of sine and cosine integrals. Beside y = 0 it is P(y) + Q(y) ln y with analytic P and Q; elsewhere it is
 !> tabulated. One pole without a plate, a real one and a pair with it; one more where the surface is stiff in its plane.
 module mdrcontact_tension_green
@@ -109,7 +109,7 @@ contains
         end associate
     end subroutine find_poles
 
-    !> Those of kappa_0 with sigma_0, the eigenvalues of its companion matrix, made more exact by Newton's steps.
+    !> Those of kappa_0 with s_0, the eigenvalues of its companion matrix, made more exact by Newton's steps.
     subroutine find_all_poles(self, error)
         type(green_t), intent(inout) :: self
         type(error_t), allocatable, intent(inout) :: error

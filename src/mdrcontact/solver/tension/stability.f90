@@ -68,10 +68,10 @@ contains
         class(resistance_t), intent(inout) :: self
         real(wp), intent(in) :: x
         real(wp) :: y
-        complex(wp) :: sigma(1), chi(1)
+        complex(wp) :: one_plus_chi(1), chi(1)
 
-        call self%compliance%chi([cmplx(exp(x), kind=wp)], sigma, chi)
-        y = 0.5_wp*real(self%compliance%scale, wp)/(exp(x)*real(sigma(1), wp)) + self%bending*exp(x)**2
+        call self%compliance%chi([cmplx(exp(x), kind=wp)], one_plus_chi, chi)
+        y = 0.5_wp*real(self%compliance%scale, wp)/(exp(x)*real(one_plus_chi(1), wp)) + self%bending*exp(x)**2
     end function resistance_at
 
 end module mdrcontact_tension_stability
