@@ -169,7 +169,7 @@ def test_a_million_rows_take_seconds(kind, long_file, tmp_path):
 def test_too_little_memory_is_an_error_in_words(long_file):
     """With 40 MB more than the empty program has, a file of 20 MB is too large."""
     program = (
-        "import resource, sys\nfrom pathlib import Path\nfrom mdrcontact.problem import columns\n"
+        "import resource, sys\nfrom pathlib import Path\nfrom mdrcontact.instruments.reading import columns\n"
         "pages = int(open('/proc/self/statm').read().split()[0]) * resource.getpagesize()\n"
         "resource.setrlimit(resource.RLIMIT_AS, (pages + 40_000_000, -1))\n"
         "try:\n    columns.read_table(Path(sys.argv[1]))\n"

@@ -26,7 +26,9 @@ module mdrcontact_contact_load
     !> The load of a state. It is solved when it is made, never changes, and any number of threads may share it. It refers to its
     !> contact, which must outlive it.
     type :: contact_load_t
+        !> of the contact
         type(equilibrium_t), pointer :: equilibrium => null()
+        !> whose load it is
         type(contact_state_t) :: state
         !> what the surface bears
         class(load_t), allocatable :: surface

@@ -53,6 +53,7 @@ module mdrcontact_medium_load
         real(wp) :: radius = 0.0_wp, punch_depth = 0.0_wp
         !> q(a) [modulus length]: 0 without adhesion, negative at an adhesive edge, positive under a flat punch
         real(wp) :: edge = 0.0_wp
+        !> the indenter
         class(profile_t), pointer :: profile => null()
         !> what the upper body takes of each displacement, unless a pair is one of displacement_of_body's own [1]
         real(wp) :: share_of_upper = 0.0_wp

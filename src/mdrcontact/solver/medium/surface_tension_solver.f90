@@ -17,7 +17,7 @@ module mdrcontact_medium_surface_tension_solver
     use mdrcontact_medium_load, only: load_t
     use mdrcontact_medium_solver, only: solved_t, solver_t
     use mdrcontact_profile, only: profile_t
-    use mdrcontact_tension_fields, only: new_tension_load => new_load, tension_load_t => load_t
+    use mdrcontact_tension_fields, only: new_tension_load, tension_load_t
     use mdrcontact_tension_green, only: green_t, new_green
     use mdrcontact_body_membrane, only: membrane_t, new_membrane
     use mdrcontact_tension_solution, only: solution_t, solve_punch
@@ -55,7 +55,7 @@ module mdrcontact_medium_surface_tension_solver
 
     !> The load on the sheet. Line load and pressure are infinite at an edge that carries a line force. Inside the contact the
     !> springs' depth is d - g, as on a half-space without a sheet. What the sheet hands on to the body beside it is not part of it.
-    type, extends(load_t) :: springless_load_t
+    type, extends(load_t) :: on_tension_load_t
         private
         class(surface_tension_solver_t), pointer :: medium => null()
         type(tension_load_t) :: on_sheet
@@ -65,7 +65,7 @@ module mdrcontact_medium_surface_tension_solver
         procedure :: line_load
         procedure :: pressure
         procedure :: displacement
-    end type springless_load_t
+    end type on_tension_load_t
 
 contains
 
@@ -251,7 +251,7 @@ contains
         real(wp), intent(in) :: a, punch_depth
         class(load_t), allocatable, intent(out) :: load
         type(error_t), allocatable, intent(out) :: error
-        type(springless_load_t), allocatable :: own
+        type(on_tension_load_t), allocatable :: own
         type(solution_t) :: punch
         real(wp), allocatable :: coefficients(:)
         real(wp) :: stiffness, slope, force
@@ -280,7 +280,7 @@ contains
     end function at_edge
 
     subroutine line_load(self, r, values, error)
-        class(springless_load_t), intent(in) :: self
+        class(on_tension_load_t), intent(in) :: self
         real(wp), intent(in) :: r(:)
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
@@ -296,7 +296,7 @@ contains
     end subroutine line_load
 
     subroutine pressure(self, r, values, error)
-        class(springless_load_t), intent(in) :: self
+        class(on_tension_load_t), intent(in) :: self
         real(wp), intent(in) :: r(:)
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error
@@ -309,7 +309,7 @@ contains
     end subroutine pressure
 
     subroutine displacement(self, r, values, error)
-        class(springless_load_t), intent(in) :: self
+        class(on_tension_load_t), intent(in) :: self
         real(wp), intent(in) :: r(:)
         real(wp), intent(out) :: values(:)
         type(error_t), allocatable, intent(out) :: error

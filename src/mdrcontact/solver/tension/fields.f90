@@ -11,14 +11,14 @@ module mdrcontact_tension_fields
     use mdrcontact_tension_green, only: green_t, of_couple, of_load
     implicit none (type, external)
     private
-    public :: load_t, new_load
+    public :: tension_load_t, new_tension_load
 
     !> Nodes of a panel, growth of panels from the edge, and the shortest of them relative to the distance from the edge.
     integer, parameter :: nodes = 20
     real(wp), parameter :: growth = 3.0_wp, shortest = 1.0e-12_wp
 
-    !> The load of one state. Made by new_load.
-    type :: load_t
+    !> The load of one state. Made by new_tension_load.
+    type :: tension_load_t
         private
         real(wp) :: radius = 0.0_wp
         !> of the ring couple, 0 without a plate, and of the line force on the edge, 2 a f/E0* [length^2]
@@ -33,13 +33,13 @@ module mdrcontact_tension_fields
         procedure :: pressure
         procedure :: spring_depth
         procedure :: displacement
-    end type load_t
+    end type tension_load_t
 
 contains
 
     !> The load with these coefficients.
-    pure subroutine new_load(self, radius, coefficients, couple, has_line_force)
-        type(load_t), intent(out) :: self
+    pure subroutine new_tension_load(self, radius, coefficients, couple, has_line_force)
+        type(tension_load_t), intent(out) :: self
         real(wp), intent(in) :: radius, coefficients(:)
         !> 1 where the first coefficient is that of the ring couple, else 0
         integer, intent(in) :: couple
@@ -54,11 +54,11 @@ contains
         else
             self%remainder = sum(self%cosines)
         end if
-    end subroutine new_load
+    end subroutine new_tension_load
 
     !> q(x)/E0* [length], 0 <= x < a.
     elemental function line_load(self, x) result(q)
-        class(load_t), intent(in) :: self
+        class(tension_load_t), intent(in) :: self
         real(wp), intent(in) :: x
         real(wp) :: q
         real(wp) :: root
@@ -71,7 +71,7 @@ contains
 
     !> p(r)/E0* [1], 0 <= r <= a, without what line force and couple put on the edge itself.
     pure function pressure(self, r) result(p)
-        class(load_t), intent(in) :: self
+        class(tension_load_t), intent(in) :: self
         real(wp), intent(in) :: r(:)
         real(wp) :: p(size(r))
         real(wp) :: waves(size(r), 0:size(self%cosines) - 1), total
@@ -89,7 +89,7 @@ contains
 
     !> w(x) = (1/pi) int q/E0* Phi(x - s) ds, x > a: what the line of springs does outside the contact [length].
     subroutine spring_depth(self, green, compliance, x, w, error)
-        class(load_t), intent(in) :: self
+        class(tension_load_t), intent(in) :: self
         type(green_t), intent(in) :: green
         class(compliance_t), intent(in) :: compliance
         !> ascending [length]
@@ -107,7 +107,7 @@ contains
 
     !> By panels in theta that grow from the edge, at which Phi is nearly singular.
     subroutine half_space_depth(self, green, x, w, error)
-        type(load_t), intent(in) :: self
+        type(tension_load_t), intent(in) :: self
         type(green_t), intent(in) :: green
         real(wp), intent(in) :: x
         real(wp), intent(out) :: w
@@ -140,7 +140,7 @@ contains
     !> The ring couple at the edge: of q_0 = 1/sqrt(a^2 - x^2), whose depth is (1/pi) int_0^pi Phi(x - a cos theta) d theta, it is
     !> -a d/da.
     function couple_depth(self, green, x) result(w)
-        type(load_t), intent(in) :: self
+        type(tension_load_t), intent(in) :: self
         type(green_t), intent(in) :: green
         real(wp), intent(in) :: x
         real(wp) :: w
@@ -158,7 +158,7 @@ contains
 
     !> The layers' part, (1/pi) int (kappa - kappa_0) q cos kx dk.
     subroutine add_body_depth(self, green, compliance, x, w, error)
-        type(load_t), intent(in) :: self
+        type(tension_load_t), intent(in) :: self
         type(green_t), intent(in) :: green
         class(compliance_t), intent(in) :: compliance
         real(wp), intent(in) :: x(:)
@@ -181,7 +181,7 @@ contains
 
     !> u(r) = (2/pi) int_0^r w/sqrt(r^2 - x^2) dx, r > a, from `inside`, its part below a.
     subroutine displacement(self, green, compliance, r, inside, u, error)
-        class(load_t), intent(in) :: self
+        class(tension_load_t), intent(in) :: self
         type(green_t), intent(in) :: green
         class(compliance_t), intent(in) :: compliance
         real(wp), intent(in) :: r, inside
