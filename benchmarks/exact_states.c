@@ -189,6 +189,78 @@ static void partial_slip(void *with)
     MDR_FREE(sheared);
 }
 
+/* The load of a state, solved once, and what is read from it. */
+typedef struct reading {
+    const mdr_contact *contact;
+    const mdr_friction *friction;
+    mdr_state state;
+    mdr_load *load;
+    double place, shift;
+} reading;
+
+static void read_pressure(void *with)
+{
+    reading *s = with;
+    double p;
+    check(mdr_load_field(s->load, MDR_PRESSURE, 1, &s->place, &p));
+}
+
+static void solve_and_read(void *with)
+{
+    reading *s = with;
+    check(mdr_contact_load(s->contact, &s->state, &s->load));
+    read_pressure(s);
+    MDR_FREE(s->load);
+}
+
+static void shear_ready(void *with)
+{
+    reading *s = with;
+    mdr_shear *sheared = NULL;
+    mdr_shear_state out;
+    check(mdr_shear_new(s->friction, s->load, MDR_ALONG, &sheared));
+    check(mdr_shear_states(sheared, MDR_SHIFT, 1, &s->shift, &out));
+    MDR_FREE(sheared);
+}
+
+/* The pressure of a ready state at its first and at each further place, and its first sheared state, in states. */
+static void load_cost(double contrast, int which, double a)
+{
+    static layers body;
+    char under[80];
+    mdr_medium *film = fill_layers(&body, 1, contrast);
+    mdr_profile *profile = new_profile(which, a);
+    mdr_contact *contact = NULL;
+    reading ready = {.place = 0.3 * a};
+    states one = {.count = 1, .given = {a}};
+    check(mdr_contact_new(profile, film, NULL, &contact));
+    mdr_friction *friction = NULL;
+    check(mdr_friction_new(contact, 0.3, &friction));
+    one.contact = ready.contact = contact;
+    ready.friction = friction;
+    const double from_its_radius = cost(from_radius, &one);
+    ready.state = one.out[0];
+    ready.shift = 0.01 * ready.state.depth;
+    one.given[0] = ready.state.depth;
+    const double from_its_depth = cost(from_depth, &one);
+    const double first = cost(solve_and_read, &ready);
+    check(mdr_contact_load(contact, &ready.state, &ready.load));
+    const double next = cost(read_pressure, &ready), sheared = cost(shear_ready, &ready);
+    MDR_FREE(ready.load);
+    for (int by_depth = 1; by_depth >= 0; --by_depth) {
+        const double state = by_depth ? from_its_depth : from_its_radius;
+        snprintf(under, sizeof under, "%s, E0/E1 = %g, a/h = %g, in states from a %s", profile_names[which], contrast, a,
+                 by_depth ? "depth" : "radius");
+        report("first pressure of a state", under, first / state, 1.5);
+        report("each further one", under, next / state, INFINITY);
+        report("first sheared state of a load", under, sheared / state, 8.0);
+    }
+    MDR_FREE(friction);
+    MDR_FREE(contact);
+    MDR_FREE(profile);
+    MDR_FREE(film);
+}
+
 /* Partial slip at a = h, the mean over all shifts below sliding, against a normal state from its depth. */
 static void partial_slip_cost(double contrast)
 {
@@ -420,6 +492,10 @@ int main(void)
     printf("| what | under what | figure | bound | |\n|---|---|---|---|---|\n");
     for (int i = 0; i < FILMS; ++i) film_states(contrasts[i]);
     for (int i = 0; i < 2; ++i) partial_slip_cost(contrasts[i]);
+    for (int which = 0; which < PROFILES; which += PROFILES - 1) {
+        load_cost(2.0, which, 1.0);
+        load_cost(2.0, which, 10.0);
+    }
     history_cost(0.1);
     history_cost(2.0);
     for (int i = 0; i < FILMS; ++i) medium_cost(contrasts[i]);

@@ -1,9 +1,9 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The Fortran side of functions of the header that convert, call the core and return_handle, for generate.py.
+"""The Fortran side of functions of the header that convert, call the core and return, for generate.py.
 
 tools/fortran_entries.txt says what each of them calls, in the names of the header's arguments:
 
-    name [-> type of the new object [by what hands it over]] [, unchecked | , infinity][: statement]
+    name [-> type of the new object [by the function that returns it]] [, unchecked | , infinity][: statement]
         statements in order
             the rest of a long one
         a, b, ... = x(#)
@@ -35,8 +35,8 @@ TYPES = {
     "mdr_rate_state": "type(rate_state_t)",
 }
 OBJECTS = {kind: (of_type, clause) for part in (*EXTENSIONS.values(), CORE) for kind, of_type, _, clause in reversed(part)}
-# What a new object is handed over as, where not as class(*).
-HANDED = {"return_solver": "solver_t", "return_solved": "solver_t", "return_elastic": "body_t"}
+# The class that a function returns a new object as, where not class(*).
+CLASS_OF = {"return_solver": "solver_t", "return_solved": "solver_t", "return_elastic": "body_t"}
 C_NAMES = {"c_associated", "c_double", "c_funptr", "c_int", "c_loc", "c_ptr", "c_sizeof"}
 UNLESS = "if (.not. allocated(error)"
 # A text, a member, a keyword of an argument; or a name, with @ for the argument itself.
@@ -80,7 +80,7 @@ def public_names():
 
 
 def table():
-    """Type, what hands over, results and statements of each function."""
+    """Type, function that returns it, results and statements of each function."""
     found, statements = {}, []
     for line in TABLE.read_text(encoding="utf-8").splitlines():
         if line.startswith(" " * 8):
@@ -91,9 +91,9 @@ def table():
             statements.append(line.strip())
         elif line and not line.startswith("#"):
             head = r"(\w+)(?: -> (\w+)(?: by (\w+))?)?(?:, ([a-z ]+))?(?:: (.*))?"
-            name, made, return_object, results, first = re.fullmatch(head, line).groups()
+            name, made, by, results, first = re.fullmatch(head, line).groups()
             statements = [first] if first else []
-            found[name] = (made, return_object, results, statements)
+            found[name] = (made, by, results, statements)
     return found
 
 
@@ -132,14 +132,14 @@ def guarded(text, condition):
 class Entry:
     """One function: its variables and its lines."""
 
-    def __init__(self, made, return_object, results, statements, arguments):
+    def __init__(self, made, by, results, statements, arguments):
         self.arguments, self.by_name = arguments, {argument.name: argument for argument in arguments}
         self.variables, self.lines, self.outputs, self.pairs = {}, [], [], {}
         self.check = {None: "check_results", "infinity": "check_results_or_infinity"}.get(results)
         new = next((argument for argument in arguments if argument.is_new), None)
         if new:
             self.variables["made"] = f"type({made or new.object[0]}), allocatable"
-            self.variables["object"] = f"class({HANDED.get(return_object, '*')}), allocatable"
+            self.variables["object"] = f"class({CLASS_OF.get(by, '*')}), allocatable"
             self.lines.append("allocate (made)")
         self.variables |= {argument.variable: argument.kind_inside for argument in arguments if argument.kind_inside}
         for match in filter(None, map(DECLARATION.fullmatch, statements)):
@@ -149,7 +149,7 @@ class Entry:
         for statement in statements:
             if not DECLARATION.fullmatch(statement):
                 self.add(statement)
-        self.return_handle(f"status = {return_object or 'return_object'}(object, out, error)" if new else "")
+        self.finish(f"status = {by or 'return_object'}(object, out, error)" if new else "")
 
     def add(self, statement):
         """A statement, with the room for outputs that it needs first."""
@@ -202,15 +202,15 @@ class Entry:
         elif kind.startswith("real"):
             self.lines.append(f"{output.variable} = 0.0_c_double")
 
-    def return_handle(self, handed):
-        """The end: results are checked, an object handed over, outputs written."""
+    def finish(self, returned):
+        """The end: results are checked, a new object returned, outputs written."""
         outputs = sorted(self.outputs, key=self.arguments.index)
         if self.pairs:
             ((real, imaginary),) = self.pairs.items()
             self.lines.append(f"call return_parts(error, {real}_values, {real}, {imaginary})")
             outputs = []
         self.lines += [f"{UNLESS}) call {self.check}(error, {it.variable})" for it in outputs if it.is_array and self.check]
-        self.lines += ["call move_alloc(made, object)", handed] if handed else ["status = status_of(error)"]
+        self.lines += ["call move_alloc(made, object)", returned] if returned else ["status = status_of(error)"]
         self.lines += ["if (allocated(error)) return"] * bool(outputs)
         self.lines += [f"if (present({it.name})) {it.name}{'(:n)' * it.is_array} = {it.variable}" for it in outputs]
 
