@@ -326,5 +326,14 @@ MUTATIONS = [
      "test_surfaces.py"),
     ("contact/contact/warnings.f90", "(0.5_wp*surface_modulus(equilibrium))**(2.0_wp/3.0_wp)", "surface_modulus(equilibrium)",
      "test_surfaces.py"),
+    ("base/numerics/laplace.f90", "(real(j, wp) - 0.5_wp)*width", "(real(j, wp) - 0.4_wp)*width", "test_waves"),
+    ("base/numerics/waves.f90", "longest_phase/farthest, ends)", "8.0_wp*longest_phase/farthest, ends)", "test_waves field_layers"),
+    ("extensions/poroelastic/history.f90", "(slope - before)*since*mean", "slope*since*mean", "poroelastic"),
+    ("api/handles.f90", "unused = mdrcontact_count_owners(other%owners, 1_c_int)", "unused = 0_c_int", "c_load"),
+    ("solver/medium/exact_load.f90", "self%line%edge/(pi*sqrt(", "self%line%edge/(2.0_wp*pi*sqrt(", "test_load layered_fields"),
+    ("python:problem/field.py", "if self.has_least else value > self.least", "if self.has_least else value >= self.least",
+     "test_schema.py"),
+    ("python:state.py", 'self.__dict__.setdefault("_kept", self._load_of(self._row()))', "self._load_of(self._row())",
+     "test_load.py"),
 ]  # fmt: skip
 """files of src/mdrcontact, or of the Python package after "python:"; tests: patterns of ctest's names, files of tests/python"""
