@@ -108,8 +108,8 @@ def tree(text):
                 yield "".join(above)
 
 
-def test_the_tree_of_the_readme_is_that_of_the_repository():
-    text = (ROOT / "README.md").read_text(encoding="utf-8").partition("## Architecture")[2]
+def test_the_tree_of_the_architecture_is_that_of_the_repository():
+    text = (DOCS / "architecture.md").read_text(encoding="utf-8").partition("## Folders")[2]
     drawn = set(
         tree(next(block for block in re.findall(r"^```text\n(.*?)^```$", text, re.DOTALL | re.MULTILINE) if "/" in block[:10]))
     )
