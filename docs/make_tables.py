@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Computes the tables of models.md and the keys of problems.md, and writes them there. python docs/make_tables.py [--check]
+"""Computes the tables of model-errors.md and the keys of problems.md, and writes them there. python docs/make_tables.py [--check]
 
 --check writes nothing and ends with status 1 if a table there is not what the library computes.
 """
@@ -9,9 +9,11 @@ from __future__ import annotations
 import re
 import sys
 from collections.abc import Callable
+from functools import partial
 from pathlib import Path
 
 import numpy as np
+from scipy.optimize import minimize_scalar
 
 import mdrcontact as mdr
 from mdrcontact.cli.keys import listing
@@ -20,24 +22,46 @@ from mdrcontact.problem.schema import PROBLEM
 DOCS = Path(__file__).resolve().parent
 RADII = np.geomspace(0.03, 30.0, 61)
 """a/h"""
+FEW_RADII = np.array([0.1, 0.5, 1.0, 3.0, 10.0])
+"""a/h"""
 MODELS = mdr.accuracy_map([2.0], [1.0]).models
 
 
 def modulus_error() -> str:
     """The largest error of E_eff by the ratio of shear moduli, for three pairs of Poisson's ratios."""
-    ratios = (0.1, 0.5, 2.0, 10.0)
+    ratios = (0.1, 0.5, 1.0, 2.0, 10.0)
     lines = ["| model | " + " | ".join(f"$G_0/G_1$ = {ratio:g}" for ratio in ratios) + " |", "|---|" + "---|" * len(ratios)]
-    a_over_h = np.array([0.1, 0.5, 1.0, 3.0, 10.0])
     for model in MODELS:
         cells = []
         for ratio in ratios:
             errors: list[float] = []
             for nu0, nu1 in ((0.2, 0.45), (0.3, 0.3), (0.5, 0.5)):
                 body = mdr.Coated(mdr.Elastic(2 * ratio * (1 + nu0), nu0), 1.0, mdr.Elastic(2 * (1 + nu1), nu1), model)
-                errors += list(np.asarray(body.modulus(a_over_h) / body.with_model("exact").modulus(a_over_h) - 1))
-            cells.append(f"{100 * max(errors, key=abs):+.0f} %")
+                errors += list(np.asarray(body.modulus(FEW_RADII) / body.with_model("exact").modulus(FEW_RADII) - 1))
+            cells.append(f"{100 * max(errors, key=abs):+.{ratio == 1.0:d}f} %")
         lines.append(f"| `{model}` | " + " | ".join(cells) + " |")
     return "\n".join(lines)
+
+
+def fitted_alpha() -> str:
+    """The largest error of E_eff with alpha = 1, and with the alpha of the smallest one, for nu = 0.3."""
+    ratios = (0.1, 0.5, 2.0, 10.0)
+    lines = ["| model | " + " | ".join(f"$G_0/G_1$ = {ratio:g}" for ratio in ratios) + " |", "|---|" + "---|" * len(ratios)]
+    for model in ("doerner-nix", "mencik-exponential", "mencik-reciprocal"):
+        cells = []
+        for ratio in ratios:
+            error = partial(_error_with_alpha, mdr.Elastic(ratio, 0.3), model)
+            start = min(np.linspace(-3.0, 3.0, 61), key=error)
+            best = minimize_scalar(error, bounds=(start - 0.1, start + 0.1), method="bounded")
+            cells.append(f"{100 * error(0.0):.0f} -> {100 * best.fun:.0f} %, {np.exp(best.x):.2f}")
+        lines.append(f"| `{model}` | " + " | ".join(cells) + " |")
+    return "\n".join(lines)
+
+
+def _error_with_alpha(coating: mdr.Elastic, model: str, log_alpha: float) -> float:
+    """Return the largest error of E_eff with alpha = exp(log_alpha) on a substrate of E = 1."""
+    body = mdr.Coated(coating, 1.0, mdr.Elastic(1.0, coating.nu), model, alpha=float(np.exp(log_alpha)))
+    return float(np.abs(body.modulus(FEW_RADII) / body.with_model("exact").modulus(FEW_RADII) - 1).max())
 
 
 def both_errors() -> str:
@@ -87,7 +111,7 @@ def keys() -> str:
 
 
 TABLES: dict[str, dict[str, Callable[[], str]]] = {
-    "models.md": {"modulus_error": modulus_error, "both_errors": both_errors, "ranges": ranges},
+    "model-errors.md": {"modulus_error": modulus_error, "fitted_alpha": fitted_alpha, "both_errors": both_errors, "ranges": ranges},
     "problems.md": {"keys": keys},
 }
 """By page."""

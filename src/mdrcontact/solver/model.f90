@@ -62,7 +62,7 @@ module mdrcontact_model
         !> relative tolerance of the exact solution
         real(c_double) :: tolerance = 1.0e-10_c_double
         !> p of the power mean of Gao's weights, -1 (series) to 1 (parallel); with the default E_eff is -14 to +18 %
-        !> off for shear moduli within a factor 10 (docs/models.md)
+        !> off for shear moduli within a factor 10 (docs/model-errors.md)
         real(c_double) :: exponent = -0.65_c_double
     end type model_options_t
 
