@@ -1,93 +1,105 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /**
  * @file mdrcontact.h
- * Contact of real, coated, layered and graded bodies, computed in one dimension: the core of the C interface and its manual.
+ * The core of the C interface, and the conventions of all headers.
  *
- * A rigid axisymmetric indenter (mdr_profile) is pressed into an elastic half-space (mdr_medium); the two make a contact
- * (mdr_contact), which gives indentation depth d, contact radius a, normal force F and stiffness k from any one of
- * the first three, and the pressure, line load and surface displacement. A compiled law (mdr_law) is a contact for programs that
- * call it millions of times. Equation numbers are those of V. L. Popov,
- * "Method of dimensionality reduction in contact mechanics and tribology. Heterogeneous media", Physical
- * Mesomechanics 17 (2014) 50-57; the pages in docs/theory/ state the equations and list where they are misprinted.
+ * A rigid axisymmetric indenter (profile.h) is pressed into a medium (medium.h): an elastic half-space that is homogeneous, coated,
+ * layered or graded, layers on a rigid base, a pair of such bodies, or a viscoelastic body. Indenter and medium form a contact
+ * (contact.h). Given the indentation depth d, the normal force F or the contact radius a, a contact returns states with all three,
+ * the stiffness k, and fields such as the pressure. A compiled law (law.h) evaluates a contact in nanoseconds, for programs that
+ * need it millions of times.
+ *
+ * Equation numbers of the form (10) are those of V. L. Popov, "Method of dimensionality reduction in contact mechanics and
+ * tribology. Heterogeneous media", Physical Mesomechanics 17 (2014) 50-57, below "Popov (2014)". The pages in docs/theory/ derive
+ * the equations and list the misprints.
  *
  * @par Extensions
- * Further physics have headers of their own, which a program includes beside this one. All hold to what is said here:
- * - mdrcontact/time.h: contacts with viscoelastic bodies in time;
- * - mdrcontact/adhesion.h: adhesion that depends on speed, adhesion of viscoelastic bodies;
- * - mdrcontact/wear.h: wear by Archard's law;
- * - mdrcontact/conduction.h: conduction of heat or current, heat of friction;
- * - mdrcontact/poroelastic.h: gels, whose liquid moves through them;
- * - mdrcontact/lateral.h: structures whose moduli vary in all directions, which give a medium for each place on them;
- * - mdrcontact/fit.h: from measured curves back to the moduli.
+ * Further physics have headers of their own, which a program includes in addition to this one:
+ * - mdrcontact/time.h: contacts with viscoelastic bodies;
+ * - mdrcontact/adhesion.h: rate-dependent adhesion, and adhesion of viscoelastic bodies;
+ * - mdrcontact/wear.h: Archard wear;
+ * - mdrcontact/conduction.h: electrical and thermal conduction, frictional heat;
+ * - mdrcontact/poroelastic.h: poroelastic gels;
+ * - mdrcontact/lateral.h: structures whose moduli vary in all directions, which provide a medium at each position;
+ * - mdrcontact/fit.h: fits of measured curves.
  *
- * mdrcontact/all.h includes them all. A library can be built without any of them, by the CMake options that the headers name: it
- * has neither the functions nor the header then.
+ * mdrcontact/all.h includes all of them. Each extension is a CMake option. A library built without one has neither its functions
+ * nor its header.
+ *
+ * @par Examples
+ * Each function has an example. The examples share a few objects: `ball`, a paraboloid of radius 10 um; `oxide` and `silicon`, two
+ * layers; `film`, a body of 500 nm of oxide on silicon; `medium` and `contact` made of these; `state` and `load`, its state at a
+ * depth of 50 nm; `sticky`, an adhesive contact of the ball with rubber. Other objects have the name of their kind. An example sets
+ * `status`, the value that the function returns.
  *
  * @par Versions
- * Each part says since which version there are its functions, `since`, and each function that came later. The shared library's
- * symbols carry these versions.
+ * The tag "since" of a header or function gives the version that introduced it. The symbols of the shared library carry the same
+ * versions.
  *
  * @par Units
- * Any consistent set: choose a unit of length and one of modulus (pressure); forces are then in modulus length^2, stiffnesses
- * and line loads in modulus length, works of adhesion in modulus length. SI (m, Pa, N) is one choice, (um, MPa, uN) and
- * (nm, GPa, nN) are others. In the comments the unit of each number stands in brackets; [1] has none. Angles are in radian.
+ * Use any consistent set. Choose a unit of length and one of modulus (pressure). Forces are then in modulus length^2, stiffnesses
+ * and line loads in modulus length, works of adhesion in modulus length. Examples are SI (m, Pa, N), (um, MPa, uN) and (nm, GPa,
+ * nN). Brackets in the descriptions give the unit of each number; [1] means dimensionless. Angles are in radian.
  *
  * @par Signs
- * Depth, force and surface displacement are positive into the medium, pressure in compression.
+ * Depth, force and surface displacement are positive into the medium. Pressure is positive in compression.
  *
  * @par Status
- * Every function that can fail returns MDR_SUCCESS (0) or another value of enum mdr_status; mdr_last_error() then says in
- * words which argument was wrong, what it was and what is allowed. A failed call writes no output and loses no memory.
- * Every function can return MDR_ENULL for a missing pointer, MDR_EINVALID for NaN, infinity, a negative n, a handle of another kind
- * or a value out of its range, MDR_ENOMEMORY, MDR_ENOCONVERGENCE for a result outside the number range, and in long calls
- * MDR_ECANCELLED; only further codes, and further reasons, are listed with the functions.
+ * Every function that can fail returns MDR_SUCCESS (0) or another value of enum mdr_status. After a failure, mdr_last_error()
+ * returns a text that names the argument, its value and the allowed range. A failed call writes no output and leaks no memory.
+ *
+ * Every function can return MDR_ENULL for a missing pointer; MDR_EINVALID for NaN, infinity, a negative n, a handle of another kind
+ * or a value outside its range; MDR_ENOMEMORY; MDR_ENOCONVERGENCE for a result outside the range of double precision; and, if the
+ * call is long, MDR_ECANCELLED. The description of a function lists only further codes and further reasons.
  *
  * @par Memory
- * A call whose caller-sized data (points, layers, cells, files) do not fit into memory returns MDR_ENOMEMORY and changes nothing. What
- * the library sizes itself, some MiB an object, is not checked: without memory for that the program ends.
+ * If data whose size the caller chooses (points, layers, cells, files) do not fit into memory, the call returns MDR_ENOMEMORY and
+ * changes nothing. Memory of a size that the library chooses, a few MiB per object, is not checked: if it is missing, the program
+ * stops.
  *
  * @par Arrays
- * `n` is the number of elements of all arrays of the call; n = 0 is allowed, and then the arrays may be NULL. An
- * output array may be the input array itself; otherwise arrays must not overlap. Error messages count entries from 1,
- * indices in arguments and results begin at 0.
+ * `n` is the number of elements of all arrays of a call. n = 0 is valid; the arrays may then be NULL. An output array may be the
+ * input array itself. Otherwise arrays must not overlap. Error messages count entries from 1. Indices in arguments and results
+ * begin at 0.
  *
- * @par Structures that grow
- * Options, problems and what the library says of its objects may get more members in later versions. They begin with their size,
- * which the program sets: `mdr_law_options options = MDR_SIZED(mdr_law_options);` - all other members are 0 then, which stands for
- * the default; where 0 is a value, too, a member `..._is_given` says that it is meant. The library reads and writes the members
- * that both it and the program know: a program runs with older and newer libraries than the header it was compiled with.
- * MDR_EINVALID for a size that cannot be, and for members that are not 0 and that the library does not know.
+ * @par Sized structures
+ * Structures of options, problems and properties may gain members in later versions. They begin with a member `size`. Initialize
+ * them with MDR_SIZED: `mdr_law_options options = MDR_SIZED(mdr_law_options);` sets the size and all other members to 0, which
+ * selects the default. If 0 is also a meaningful value, a member `..._is_given` selects it. The library reads and writes only the
+ * members that both it and the program contain, so a program runs with older and newer libraries than its header. An impossible
+ * size, and a member that is not 0 but unknown to the library, return MDR_EINVALID.
  *
- * @par Handles and their release
- * Functions with an argument `out` make handles; the calling program owns them and frees them by mdr_free(), or by the macro
- * MDR_FREE, which also sets the program's pointer to NULL. A handle never changes after its creation, but for histories,
- * mdr_friction_history and that of wear, which must not be used by two threads at a time.
+ * @par Handles
+ * Functions with an argument `out` create handles. The calling program owns them and releases them with mdr_free(), or with the
+ * macro MDR_FREE, which also sets the variable to NULL. Handles are immutable, except histories (mdr_friction_history and the
+ * history of wear), which only one thread may use at a time.
  *
- * @par What is copied, what is kept
- * Every call copies what it needs from its arguments: handles, arrays, texts and structures, with the handles and arrays to which a
- * structure points. They must be valid until the call returns; the program may free or change them afterwards. User functions are
- * called before the call that takes them returns, and never later. Two functions of the core keep a pointer: mdr_set_cancel() keeps
- * the function and its context, and mdr_set_progress() keeps the pointer to the number, until the calling thread sets others, or
- * NULL, or ends. One of lateral.h keeps a function until the structure is freed.
+ * @par Lifetime of arguments
+ * Every call copies what it needs from its arguments: handles, arrays, texts, and structures with the handles and arrays to which
+ * they point. Arguments must be valid until the call returns. The program may change or free them afterwards. User functions are
+ * called only before the call that receives them returns. There are three exceptions. mdr_set_cancel() keeps its function and
+ * context, and mdr_set_progress() its pointer, until the calling thread sets another one or NULL, or ends. One function of
+ * lateral.h keeps a user function until the structure is freed.
  *
- * The library returns pointers to its own memory: texts of mdr_name_of() are valid for ever; the text of mdr_last_error() until the
- * next failure of the thread; the texts in structures about a law, and views of it (mdr_law_view_of()), until the law is freed.
+ * Some functions return pointers to memory of the library. Texts of mdr_name_of() stay valid. The text of mdr_last_error() is valid
+ * until the next failure of the thread. Texts in the properties of a law, and views of it (mdr_law_view_of()), are valid until the
+ * law is freed.
  *
  * @par Rounding
- * Every function that computes does so rounding to nearest, with denormal numbers and without traps of exceptions, and then sets
- * the calling thread's own arithmetic again; flags of exceptions stay set, as after any computation. User functions are called in
- * this arithmetic and leave it as it is. States of laws, which take nanoseconds - mdr_law_force(), mdr_law_values(),
- * mdr_law_follow(), mdrcontact_law.h, and the conductance of a law -, compute in the caller's: under another rounding mode they
- * differ in the last digits, by 1e-14.
+ * Every function that computes sets round-to-nearest, denormal numbers and no floating-point traps, and restores the arithmetic of
+ * the calling thread at the end. Exception flags stay set. User functions are called in this arithmetic and must leave it
+ * unchanged. Evaluations of laws take nanoseconds and use the arithmetic of the caller: mdr_law_force(), mdr_law_values(),
+ * mdr_law_follow(), mdrcontact_law.h and the conductance of a law. Under another rounding mode their relative difference is about
+ * 1e-14.
  *
  * @par Threads
- * Any number of threads may use the same handle at the same time; the error text belongs to the thread that failed.
- * Functions of arrays share the work among several threads of their own (OpenMP) where mdr_set_threads() allows it.
- * Only freeing a handle needs the certainty that no other thread uses it. GSL's error handler, which would end the program, is
- * switched off for the process when an object is made; a program with a GSL handler of its own sets it again afterwards.
+ * Any number of threads may use the same handle at the same time. The error text belongs to the thread that failed. Functions of
+ * arrays use several threads (OpenMP) if mdr_set_threads() allows it. Free a handle only when no other thread uses it. When an
+ * object is created, the library switches off the error handler of GSL for the process, because it would stop the program. A
+ * program with its own GSL handler must set it again afterwards.
  *
- * A call takes up to 56 kB of the calling thread's stack, and what user functions take on top. 128 kB, as threads have under musl,
- * are enough, also where the BLAS keeps data of each thread there (OpenBLAS: 60 kB).
+ * A call needs up to 56 kB of stack in the calling thread, in addition to the stack of user functions. 128 kB, the default of
+ * threads under musl, suffice, also if the BLAS keeps per-thread data on the stack (OpenBLAS: 60 kB).
  */
 #ifndef MDRCONTACT_H
 #define MDRCONTACT_H

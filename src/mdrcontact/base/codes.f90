@@ -40,150 +40,152 @@ module mdrcontact_codes
     public :: codes_beside, word_of
 
     ! enum mdr_status
-    !> MDR_SUCCESS. The call did what it says.
+    !> MDR_SUCCESS. The call succeeded.
     integer, parameter :: success = 0
     !> MDR_ENULL. A required pointer or handle is NULL.
     integer, parameter :: enull = 1
-    !> MDR_EINVALID. An argument has a value that is never allowed (NaN, E <= 0, a table that is not ascending).
+    !> MDR_EINVALID. An argument has a value that is never valid (NaN, E <= 0, a table that is not ascending).
     integer, parameter :: einvalid = 2
-    !> MDR_EDOMAIN. A point lies where the object is not defined (r > a, beyond the end of a table).
+    !> MDR_EDOMAIN. A point lies outside the range in which the object is defined (r > a, beyond the end of a table).
     integer, parameter :: edomain = 3
     !> MDR_EUNREACHABLE. No contact state has the requested depth, force or radius.
     integer, parameter :: eunreachable = 4
-    !> MDR_ENOCONVERGENCE. An iteration or refinement ended before it met its tolerance, or a result left the number range.
+    !> MDR_ENOCONVERGENCE. An iteration ended before it met its tolerance, or a result exceeds the range of double precision.
     integer, parameter :: enoconvergence = 5
-    !> MDR_ENOMEMORY. The caller's data do not fit into memory.
+    !> MDR_ENOMEMORY. Data of a size that the caller chose do not fit into memory.
     integer, parameter :: enomemory = 6
-    !> MDR_ECALLBACK. A user function reported a failure or gave NaN or infinity.
+    !> MDR_ECALLBACK. A user function reported a failure or returned NaN or infinity.
     integer, parameter :: ecallback = 7
-    !> MDR_EFILE. A file could not be read or written, or is damaged.
+    !> MDR_EFILE. A file cannot be read or written, or is damaged.
     integer, parameter :: efile = 8
-    !> MDR_ECANCELLED. The function given to mdr_set_cancel() ended the call.
+    !> MDR_ECANCELLED. The function set by mdr_set_cancel() cancelled the call.
     integer, parameter :: ecancelled = 9
 
     ! enum mdr_quantity
-    !> MDR_DEPTH. d, indentation depth; of a contact with adhesion down to the pull-off depth [length].
+    !> MDR_DEPTH. d, indentation depth; with adhesion down to the pull-off depth [length].
     integer, parameter :: depth = 101
     !> MDR_FORCE. F, normal force; with adhesion down to the pull-off force [modulus length^2].
     integer, parameter :: force = 102
-    !> MDR_RADIUS. a, contact radius, at least that of the indenter's flat end, below its vertical wall [length]. With adhesion a
-    !> state of given radius may be unstable under given depth or force.
+    !> MDR_RADIUS. a, contact radius, at least the radius of the flat end of the indenter and below its vertical wall [length]. With
+    !> adhesion, a state of given radius may be unstable under depth or force control.
     integer, parameter :: radius = 103
     !> MDR_SPRING. Position of the far end of a spring that presses the indenter, d + F/stiffness [length].
     integer, parameter :: spring = 104
     !> MDR_SHIFT. s, displacement of the indenter along the surface, of either sign [length].
     integer, parameter :: shift = 105
-    !> MDR_TANGENTIAL_FORCE. T, |T| <= coefficient F; at that bound the state in which sliding begins [modulus length^2].
+    !> MDR_TANGENTIAL_FORCE. T, |T| <= coefficient F; the bound returns the state in which sliding begins [modulus length^2].
     integer, parameter :: tangential_force = 106
-    !> MDR_TWIST. phi, angle of the indenter about its axis, of either sign [radian].
+    !> MDR_TWIST. phi, rotation of the indenter about its axis, of either sign [radian].
     integer, parameter :: twist = 107
-    !> MDR_TORQUE. M, smaller than that of sliding [modulus length^3].
+    !> MDR_TORQUE. M, less than the torque of sliding [modulus length^3].
     integer, parameter :: torque = 108
-    !> MDR_HEIGHT. f(r), the height of an indenter's surface above its lowest point [length].
+    !> MDR_HEIGHT. f(r), height of the indenter surface above its lowest point [length].
     integer, parameter :: height = 111
     !> MDR_HEIGHT_SLOPE. f'(r) [1]; infinite at the equator of a sphere.
     integer, parameter :: height_slope = 112
-    !> MDR_G. g(x), the one-dimensional profile of an indenter, equation (3) [length]; infinite at the equator of a sphere.
+    !> MDR_G. g(x), one-dimensional profile of an indenter, equation (3) [length]; infinite at the equator of a sphere.
     integer, parameter :: g = 113
     !> MDR_G_SLOPE. g'(x) [1].
     integer, parameter :: g_slope = 114
-    !> MDR_MODULUS. E_eff(a), the effective contact modulus, equation (10) [modulus].
+    !> MDR_MODULUS. E_eff(a), effective contact modulus, equation (10) [modulus].
     integer, parameter :: modulus = 121
-    !> MDR_STIFFNESS. k = 2 a E_eff(a), the stiffness of a flat punch of radius a, equation (10) [modulus length].
+    !> MDR_STIFFNESS. k = 2 a E_eff(a), stiffness of a flat punch of radius a, equation (10) [modulus length].
     integer, parameter :: stiffness = 122
-    !> MDR_TANGENTIAL_MODULUS. G_t(a) = k_t(a)/(2 a), what takes E_eff's place where a contact that sticks all over is displaced
-    !> along the surface: 4 G/(2 - nu) of a homogeneous body, 1/G_t adds where two bodies touch [modulus]. Homogeneous media with E
-    !> and nu; coated, layered or graded ones under the model MDR_MODEL_EXACT, exact but for the displacement that varies as cos 2
-    !> phi around the axis (k_t is low by at most 0.35 %), or by Gao's weights with those of a tangential load; pairs of these.
+    !> MDR_TANGENTIAL_MODULUS. G_t(a) = k_t(a)/(2 a), the modulus that replaces E_eff for a full-stick contact displaced along the
+    !> surface [modulus]. 4 G/(2 - nu) of a homogeneous body; 1/G_t adds for two bodies. Available for homogeneous media with E and
+    !> nu; for coated, layered or graded ones with MDR_MODEL_EXACT, exact except for the displacement that varies as cos 2 phi
+    !> around the axis (k_t is low by at most 0.35 %), or with Gao's weights of a tangential load; and for pairs of these.
     integer, parameter :: tangential_modulus = 123
-    !> MDR_TORSIONAL_STIFFNESS. M/phi of a contact that sticks all over and is twisted about its axis: 16 G a^3/3 of a homogeneous
-    !> body [modulus length^3]. Exact for homogeneous media with E and nu, for coated, layered and graded ones under the model
-    !> MDR_MODEL_EXACT, and for pairs of these.
+    !> MDR_TORSIONAL_STIFFNESS. M/phi of a full-stick contact twisted about its axis: 16 G a^3/3 of a homogeneous body [modulus
+    !> length^3]. Exact. Available for homogeneous media with E and nu, for coated, layered and graded ones with MDR_MODEL_EXACT,
+    !> and for pairs of these.
     integer, parameter :: torsional_stiffness = 124
-    !> MDR_PRESSURE. p(r), the contact pressure, equation (6), 0 <= r <= a [modulus]. Infinite where theory says so: at the edge of
-    !> a flat punch or of an adhesive contact, at the apex of a cone. With a cohesive stress sigma_0 up to zone_radius, finite at a
-    !> and -sigma_0 from there on.
+    !> MDR_PRESSURE. p(r), contact pressure, equation (6), 0 <= r <= a [modulus]. Infinite at the edge of a flat punch or of an
+    !> adhesive contact and at the apex of a cone. With a cohesive stress sigma_0 it extends to zone_radius: finite at a, and
+    !> -sigma_0 from there on.
     integer, parameter :: pressure = 131
-    !> MDR_DISPLACEMENT. u(r), the displacement of the surface: d - f(r) for r <= a, where f(r) must be defined; the free surface
-    !> beyond; any r >= 0. Of two bodies both together, each into its body [length].
+    !> MDR_DISPLACEMENT. u(r), surface displacement, any r >= 0: d - f(r) for r <= a, inside the range of f; the free surface for r
+    !> > a [length]. Of two bodies, the sum, each into its own body. With an approximate model, each increment of depth moves the
+    !> free surface as on a homogeneous body.
     integer, parameter :: displacement = 132
-    !> MDR_LINE_LOAD. q(x), the line load of the one-dimensional springs, equations (5), (21), 0 <= x <= a, or to zone_radius
-    !> [modulus length].
+    !> MDR_LINE_LOAD. q(x), line load of the one-dimensional springs, equations (5), (21), 0 <= x <= a, or to zone_radius [modulus
+    !> length].
     integer, parameter :: line_load = 133
-    !> MDR_DISPLACEMENT_LOWER. u(r) of the medium, or of the lower of two bodies, into that body: where its surface was flat, the
-    !> shape of the deformed interface for r <= a [length].
+    !> MDR_DISPLACEMENT_LOWER. u(r) of the medium, or of the lower of two bodies, into that body. On an initially flat surface it is
+    !> the shape of the deformed interface for r <= a [length].
     integer, parameter :: displacement_lower = 134
     !> MDR_DISPLACEMENT_UPPER. u(r) of the upper body, into that body; 0 for a rigid indenter [length].
     integer, parameter :: displacement_upper = 135
-    !> MDR_TRACTION. tau(r), the shear traction along the shift, of one direction, or around the axis, 0 <= r <= a [modulus].
+    !> MDR_TRACTION. tau(r), shear traction in the direction of the shift, or around the axis, 0 <= r <= a [modulus].
     integer, parameter :: traction = 136
-    !> MDR_TANGENTIAL_LINE_LOAD. q_t(x), the line load of the springs along the shift, 0 <= x <= a; or 2 x int_x^a tau dr/sqrt(r^2 -
-    !> x^2) [modulus length].
+    !> MDR_TANGENTIAL_LINE_LOAD. q_t(x), line load of the springs in the direction of the shift, 0 <= x <= a; under a twist 2 x
+    !> int_x^a tau dr/sqrt(r^2 - x^2) [modulus length].
     integer, parameter :: tangential_line_load = 137
-    !> MDR_RELAXATION. What a step of the deformation at time 0 meets: of a material G(t), the shear relaxation modulus [modulus],
-    !> at t = 0 the glassy one; a dashpot bears nothing at t > 0; t >= 0, and > 0 of a power law or with a dashpot, whose G(0) is
-    !> infinite. Of a contact force per depth of a flat punch after a step of its depth [modulus length].
+    !> MDR_RELAXATION. Response to a unit step of the deformation at time 0. Of a material: G(t), shear relaxation modulus
+    !> [modulus]; at t = 0 the glassy modulus; without the contribution of a dashpot at t > 0; t >= 0, and t > 0 for a power law or
+    !> a dashpot, whose G(0) is infinite. Of a contact: force per depth of a flat punch [modulus length].
     integer, parameter :: relaxation = 141
-    !> MDR_CREEP. What a step of the load at time 0 makes: of a material J(t), the shear compliance, the strain under a constant
-    !> stress of 1 [1/modulus]; J(0) = 0 of a power law or with a dashpot; t >= 0. Of a contact depth per force of a flat punch
-    !> after a step of its force [1/(modulus length)].
+    !> MDR_CREEP. Response to a unit step of the load at time 0. Of a material: J(t), shear compliance, t >= 0 [1/modulus]; J(0) = 0
+    !> for a power law or a dashpot. Of a contact: depth per force of a flat punch [1/(modulus length)].
     integer, parameter :: creep = 142
-    !> MDR_MEAN_RELAXATION. Mean of the relaxation of a contact from the step on: what answers a ramp of the depth [modulus length].
+    !> MDR_MEAN_RELAXATION. Time average of the relaxation of a contact since the step, the response to a ramp of the depth [modulus
+    !> length].
     integer, parameter :: mean_relaxation = 143
-    !> MDR_MEAN_CREEP. Mean of the creep of a contact from the step on: what answers a ramp of the force [1/(modulus length)].
+    !> MDR_MEAN_CREEP. Time average of the creep of a contact since the step, the response to a ramp of the force [1/(modulus
+    !> length)].
     integer, parameter :: mean_creep = 144
-    !> MDR_PARABOLOID_RELAXATION. Force per depth of a paraboloid after a step of its depth d, the contact radius a = sqrt(R d)
-    !> being held [modulus length]. In a true contact it grows and comes back: by up to 9 % at MDR_DRAINAGE_INDENTER, where the
-    !> force is then up to 0.05 of its relaxing part off; of second order where the whole surface drains or is sealed.
+    !> MDR_PARABOLOID_RELAXATION. Force per depth of a paraboloid after a step of its depth d, at the fixed contact radius a =
+    !> sqrt(R d) [modulus length]. The true contact radius rises and returns, with MDR_DRAINAGE_INDENTER by up to 9 %; the error of
+    !> the force is then up to 0.05 of its relaxing part. If the whole surface drains or is sealed, the error is of second order.
     integer, parameter :: paraboloid_relaxation = 145
-    !> MDR_COMPLEX_MODULUS. The complex shear modulus at angular frequencies omega > 0, storage and loss modulus [modulus].
+    !> MDR_COMPLEX_MODULUS. Complex shear modulus at angular frequencies omega > 0: storage and loss modulus [modulus].
     integer, parameter :: complex_modulus = 146
-    !> MDR_STORAGE. The real part of a dynamic stiffness [modulus length].
+    !> MDR_STORAGE. Real part of a dynamic stiffness [modulus length].
     integer, parameter :: storage = 147
-    !> MDR_LOSS. Its imaginary part [modulus length].
+    !> MDR_LOSS. Imaginary part of a dynamic stiffness [modulus length].
     integer, parameter :: loss = 148
-    !> MDR_TOTAL_PRESSURE. Of a gel: the total pressure, which the indenter bears.
+    !> MDR_TOTAL_PRESSURE. Of a gel: total pressure on the indenter.
     integer, parameter :: total_pressure = 149
-    !> MDR_PORE_PRESSURE. Of a gel: that of the fluid at the surface; of a film only where it is 0, MDR_DRAINAGE_SURFACE.
+    !> MDR_PORE_PRESSURE. Of a gel: pressure of the fluid at the surface; of a film only with MDR_DRAINAGE_SURFACE, where it is 0.
     integer, parameter :: pore_pressure = 150
-    !> MDR_FLUX. Flux density through a spot; without a film it is infinite at its edge, 0 <= r < a.
+    !> MDR_FLUX. Flux density through the contact area, 0 <= r < a; without a film infinite at the edge.
     integer, parameter :: flux = 161
     !> MDR_FLUX_Z. Flux density into a body.
     integer, parameter :: flux_z = 162
     !> MDR_FLUX_R. Flux density away from the axis.
     integer, parameter :: flux_r = 163
-    !> MDR_POTENTIAL. Potential of a body from its own far field.
+    !> MDR_POTENTIAL. Potential relative to the far field of the body.
     integer, parameter :: potential = 164
-    !> MDR_CONDUCTANCE. Flux per potential of an equipotential spot [conductance].
+    !> MDR_CONDUCTANCE. Flux per potential of an equipotential contact area [conductance].
     integer, parameter :: conductance = 165
-    !> MDR_RESISTANCE. Potential per flux of an equipotential spot [1/conductance].
+    !> MDR_RESISTANCE. Potential per flux of an equipotential contact area [1/conductance].
     integer, parameter :: resistance = 166
-    !> MDR_MEAN_POTENTIAL. Area mean of the potential per flux under a uniform flux, the film left out.
+    !> MDR_MEAN_POTENTIAL. Area mean of the potential per flux under a uniform flux, without the film.
     integer, parameter :: mean_potential = 167
-    !> MDR_CENTRE_POTENTIAL. Potential in the centre per flux under a uniform flux, the film left out.
+    !> MDR_CENTRE_POTENTIAL. Potential at the centre per flux under a uniform flux, without the film.
     integer, parameter :: centre_potential = 168
-    !> MDR_GAUSSIAN_POTENTIAL. Mean over a Gaussian probe per flux of a Gaussian pump with radii w0 and w1 (1/e^2): `radius` is
-    !> sqrt(w0^2 + w1^2).
+    !> MDR_GAUSSIAN_POTENTIAL. Mean potential over a Gaussian probe per flux of a Gaussian pump with radii w0 and w1 (1/e^2):
+    !> `radius` is sqrt(w0^2 + w1^2).
     integer, parameter :: gaussian_potential = 169
-    !> MDR_VON_MISES. Largest stress of a layer: the von Mises stress; a metal yields at the yield stress.
+    !> MDR_VON_MISES. Of a layer: largest von Mises stress; a metal yields at the yield stress.
     integer, parameter :: von_mises = 181
-    !> MDR_TRESCA. Of a layer: (s_1 - s_3)/2; by Tresca a metal yields at half the yield stress.
+    !> MDR_TRESCA. Of a layer: largest (s_1 - s_3)/2; by Tresca's criterion a metal yields at half the yield stress.
     integer, parameter :: tresca = 182
-    !> MDR_TENSION. Of a layer: the largest principal stress s_1. A strength of the first layer is one of its free surface, too.
+    !> MDR_TENSION. Of a layer: largest principal stress s_1. A strength of the first layer applies also to its free surface.
     integer, parameter :: tension = 183
-    !> MDR_INTERFACE_SHEAR. Of an interface: sqrt(s_rz^2 + s_tz^2).
+    !> MDR_INTERFACE_SHEAR. Of an interface: largest sqrt(s_rz^2 + s_tz^2).
     integer, parameter :: interface_shear = 184
-    !> MDR_INTERFACE_TENSION. Of an interface: s_zz.
+    !> MDR_INTERFACE_TENSION. Of an interface: largest s_zz.
     integer, parameter :: interface_tension = 185
-    !> MDR_FREE_SURFACE_TENSION. Of the free surface, a <= r <= 3 a: s_1, which opens ring cracks.
+    !> MDR_FREE_SURFACE_TENSION. Of the free surface, a <= r <= 3 a: largest s_1, which opens ring cracks.
     integer, parameter :: free_surface_tension = 186
 
     ! enum mdr_load_kind
-    !> MDR_LOAD_NORMAL. A pressure.
+    !> MDR_LOAD_NORMAL. Pressure.
     integer, parameter :: load_normal = 901
-    !> MDR_LOAD_SHEAR. A traction of one direction along the surface: the mean over the directions of the wave.
+    !> MDR_LOAD_SHEAR. Unidirectional traction along the surface, averaged over the directions of the wave.
     integer, parameter :: load_shear = 902
-    !> MDR_LOAD_TWIST. A traction along the surface across the wave, which one around an axis consists of.
+    !> MDR_LOAD_TWIST. Traction along the surface, normal to the wave vector; a traction around an axis consists of such waves.
     integer, parameter :: load_twist = 903
 
     ! enum mdr_formula
@@ -193,16 +195,17 @@ module mdrcontact_codes
     !> MDR_FORM_CONE_FORCE. phi, 0 < phi < pi/2 [radian], G0, G1, h: F(a) of a cone without adhesion, equation (27): 2 pi a^2
     !> tan(phi) [G1 + (G0 - G1) (2/pi) arctan(h/a)].
     integer, parameter :: form_cone_force = 1102
-    !> MDR_FORM_ADHESIVE_DEPTH. R > 0, G0, G1, h, gamma >= 0: d(a) of an adhesive paraboloid by the source's rule, equation (29):
-    !> a^2/R - sqrt(2 pi a gamma/E_eff(a)).
+    !> MDR_FORM_ADHESIVE_DEPTH. R > 0, G0, G1, h, gamma >= 0: d(a) of an adhesive paraboloid with the edge condition (28), equation
+    !> (29): a^2/R - sqrt(2 pi a gamma/E_eff(a)).
     integer, parameter :: form_adhesive_depth = 1103
     !> MDR_FORM_REDUCED_DEPTH. tau = G0/G1 > 0 [1], ht = h/a_c > 0 [1]: d/d_c at at = a/a_c, equation (32): at^2/3 - (4/3) sqrt(at)
     !> [1 + (tau - 1) I0(ht/at; nu = 1/2)]^(-1/2).
     integer, parameter :: form_reduced_depth = 1104
-    !> MDR_FORM_RADIUS_SCALE. G1, gamma > 0: a_c = (pi gamma R^2/(32 G1))^(1/3) of R, the contact radius at which an uncoated
-    !> contact breaks under depth control, equation (31).
+    !> MDR_FORM_RADIUS_SCALE. G1, gamma > 0: a_c = (pi gamma R^2/(32 G1))^(1/3) as a function of R, the contact radius at pull-off
+    !> of an uncoated contact under depth control, equation (31).
     integer, parameter :: form_radius_scale = 1105
-    !> MDR_FORM_DEPTH_SCALE. G1, gamma > 0: d_c = 3 (pi^2 gamma^2 R/(2^10 G1^2))^(1/3) of R, minus the depth there.
+    !> MDR_FORM_DEPTH_SCALE. G1, gamma > 0: d_c = 3 (pi^2 gamma^2 R/(2^10 G1^2))^(1/3) as a function of R, minus the depth at that
+    !> pull-off.
     integer, parameter :: form_depth_scale = 1106
 
     ! enum mdr_conduction_base
@@ -346,38 +349,39 @@ module mdrcontact_codes
     integer, parameter :: law_format = 1296843314
 
     ! enum mdr_limit
-    !> MDR_LIMIT_GLASSY. At once.
+    !> MDR_LIMIT_GLASSY. The instantaneous response.
     integer, parameter :: limit_glassy = 701
-    !> MDR_LIMIT_RELAXED. In the end.
+    !> MDR_LIMIT_RELAXED. The long-time response.
     integer, parameter :: limit_relaxed = 702
 
     ! enum mdr_model
-    !> MDR_MODEL_GAO. Gao's weights, moduli in parallel, equations (12)-(16): the source's model.
+    !> MDR_MODEL_GAO. Gao's weights, moduli in parallel, equations (12)-(16); the model of Popov (2014).
     integer, parameter :: model_gao = 201
-    !> MDR_MODEL_GAO_SERIES. Gao's weights, 1/G in series: far closer to the exact solution at large contrast.
+    !> MDR_MODEL_GAO_SERIES. Gao's weights, 1/G in series; at large contrast much more accurate.
     integer, parameter :: model_gao_series = 202
-    !> MDR_MODEL_DOERNER_NIX. 1/E_eff = (1 - e^(-alpha xi))/E*0 + e^(-alpha xi)/E*1, equation (11).
+    !> MDR_MODEL_DOERNER_NIX. 1/E_eff = (1 - e^(-alpha xi))/E*0 + e^(-alpha xi)/E*1, equation (11). alpha is a fitted constant.
     integer, parameter :: model_doerner_nix = 203
-    !> MDR_MODEL_WAVE. Response to a wave of wavenumber q = wave_factor/a, equations (19), (20).
+    !> MDR_MODEL_WAVE. Response to a wave of wavenumber q = wave_factor/a, equations (19), (20). Exact for antiplane shear.
     integer, parameter :: model_wave = 204
-    !> MDR_MODEL_MENCIK_EXPONENTIAL. E_eff = E*1 + (E*0 - E*1) e^(-alpha x).
+    !> MDR_MODEL_MENCIK_EXPONENTIAL. E_eff = E*1 + (E*0 - E*1) e^(-alpha x). alpha is a fitted constant.
     integer, parameter :: model_mencik_exponential = 205
-    !> MDR_MODEL_MENCIK_RECIPROCAL. 1/E_eff = 1/E*1 + (1/E*0 - 1/E*1) e^(-alpha x).
+    !> MDR_MODEL_MENCIK_RECIPROCAL. 1/E_eff = 1/E*1 + (1/E*0 - 1/E*1) e^(-alpha x). alpha is a fitted constant.
     integer, parameter :: model_mencik_reciprocal = 206
     !> MDR_MODEL_BEC. Bec et al. 2006: film and substrate as springs in series.
     integer, parameter :: model_bec = 207
     !> MDR_MODEL_PERRIOT_BARTHEL. Perriot, Barthel 2004: a fit to their exact solution.
     integer, parameter :: model_perriot_barthel = 208
-    !> MDR_MODEL_HAY_CRAWFORD. Hay, Crawford 2011: Gao's weights with the film also acting in parallel.
+    !> MDR_MODEL_HAY_CRAWFORD. Hay, Crawford 2011: Gao's weights, with the film also in parallel; E_eff = 2 G_eff/(1 - nu_eff) with
+    !> Gao's nu_eff.
     integer, parameter :: model_hay_crawford = 209
-    !> MDR_MODEL_DIMITRIADIS. Dimitriadis et al. 2002: layer with nu = 1/2 on a rigid base, for a paraboloid or a sphere and a < h;
-    !> all else is refused.
+    !> MDR_MODEL_DIMITRIADIS. Dimitriadis et al. 2002: layer with nu = 1/2 bonded to a rigid base, under a paraboloid or a sphere, a
+    !> < h. Other cases return MDR_EINVALID.
     integer, parameter :: model_dimitriadis = 210
-    !> MDR_MODEL_GARCIA. Garcia, Garcia 2018: the same with their coefficients.
+    !> MDR_MODEL_GARCIA. Garcia, Garcia 2018: the same layer with their coefficients.
     integer, parameter :: model_garcia = 211
-    !> MDR_MODEL_EXACT. The exact solution of the layered half-space.
+    !> MDR_MODEL_EXACT. Exact solution of the layered half-space.
     integer, parameter :: model_exact = 212
-    !> MDR_MODEL_GAO_POWER. Gao's weights, power mean G_eff = [G1^p + (G0^p - G1^p) I0]^(1/p) between the two.
+    !> MDR_MODEL_GAO_POWER. Gao's weights, power mean G_eff = [G1^p + (G0^p - G1^p) I0]^(1/p) of both moduli.
     integer, parameter :: model_gao_power = 213
 
     ! enum mdr_model_base
@@ -389,13 +393,13 @@ module mdrcontact_codes
     integer, parameter :: base_rigid = 1303
 
     ! enum mdr_weight_nu
-    !> MDR_WEIGHT_NU_SURFACE. That of the surface: the most accurate on average, and the default.
+    !> MDR_WEIGHT_NU_SURFACE. That of the surface: the most accurate on average; the default.
     integer, parameter :: weight_nu_surface = 1201
     !> MDR_WEIGHT_NU_SUBSTRATE. That of the substrate.
     integer, parameter :: weight_nu_substrate = 1202
-    !> MDR_WEIGHT_NU_EFFECTIVE. The effective one at the same a.
+    !> MDR_WEIGHT_NU_EFFECTIVE. The effective one at the same contact radius.
     integer, parameter :: weight_nu_effective = 1203
-    !> MDR_WEIGHT_NU_GIVEN. The number weight_nu.
+    !> MDR_WEIGHT_NU_GIVEN. The value of weight_nu.
     integer, parameter :: weight_nu_given = 1204
 
     ! enum mdr_drainage
@@ -421,20 +425,20 @@ module mdrcontact_codes
     integer, parameter :: wear_rings = 2102
 
     ! enum mdr_weight_kind
-    !> MDR_WEIGHT_PHI. Phi(xi) = dI0/dxi, the weight of the depth a xi itself; equation (18) at nu = 1/2.
+    !> MDR_WEIGHT_PHI. Phi(xi) = dI0/dxi, weight of the depth a xi; equation (18) at nu = 1/2.
     integer, parameter :: weight_phi = 1001
-    !> MDR_WEIGHT_I0. I0(xi), the weight of the shear modulus above the depth a xi, equations (12)-(15).
+    !> MDR_WEIGHT_I0. I0(xi), weight of the shear modulus above the depth a xi, equations (12)-(15).
     integer, parameter :: weight_i0 = 1002
-    !> MDR_WEIGHT_I1. I1(xi), the weight of Poisson's ratio above it; nu is checked but does not enter.
+    !> MDR_WEIGHT_I1. I1(xi), weight of Poisson's ratio above the depth a xi; it does not depend on nu, which must still be valid.
     integer, parameter :: weight_i1 = 1003
-    !> MDR_WEIGHT_J0. 1 - I0, the weight of what lies below, to full relative precision.
+    !> MDR_WEIGHT_J0. 1 - I0, weight of the material below, with full relative accuracy.
     integer, parameter :: weight_j0 = 1004
-    !> MDR_WEIGHT_J1. 1 - I1, to full relative precision.
+    !> MDR_WEIGHT_J1. 1 - I1, with full relative accuracy.
     integer, parameter :: weight_j1 = 1005
-    !> MDR_WEIGHT_I0_TANGENTIAL. I0 of a load along the surface, the weight of the shear modulus in the tangential stiffness, I1 +
-    !> [xi L - xi/(1 + xi^2)]/(2 pi (2 - nu)) with L = ln(1 + 1/xi^2). Poisson's ratio keeps the weight I1.
+    !> MDR_WEIGHT_I0_TANGENTIAL. I0 of a tangential load, weight of the shear modulus in the tangential stiffness, I1 + [xi L -
+    !> xi/(1 + xi^2)]/(2 pi (2 - nu)) with L = ln(1 + 1/xi^2). The weight of Poisson's ratio is again I1.
     integer, parameter :: weight_i0_tangential = 1006
-    !> MDR_WEIGHT_J0_TANGENTIAL. 1 less that, to full relative precision.
+    !> MDR_WEIGHT_J0_TANGENTIAL. 1 - I0 of a tangential load, with full relative accuracy.
     integer, parameter :: weight_j0_tangential = 1007
 
     !> The codes in ascending order, statuses first, and their words.
