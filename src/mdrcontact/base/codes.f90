@@ -226,47 +226,47 @@ module mdrcontact_codes
     integer, parameter :: heat_moving = 1903
 
     ! enum mdr_adhesion_rule
-    !> MDR_ADHESION_AUTOMATIC. Energy where the medium meets the balance exactly, the source's rule elsewhere.
+    !> MDR_ADHESION_AUTOMATIC. MDR_ADHESION_ENERGY on media for which the energy balance is exact, MDR_ADHESION_PAPER on the others.
     integer, parameter :: adhesion_automatic = 801
     !> MDR_ADHESION_PAPER. dl = sqrt(2 pi a gamma/E_eff), equation (28).
     integer, parameter :: adhesion_paper = 802
-    !> MDR_ADHESION_ENERGY. dl = sqrt(4 pi a gamma/k'(a)), the balance of energy.
+    !> MDR_ADHESION_ENERGY. dl = sqrt(4 pi a gamma/k'(a)), the energy balance.
     integer, parameter :: adhesion_energy = 803
 
     ! enum mdr_branch
-    !> MDR_ON_LOADING. The smallest contact, met when the bodies approach.
+    !> MDR_ON_LOADING. The smallest contact radius, reached on approach.
     integer, parameter :: on_loading = 301
-    !> MDR_ON_UNLOADING. The largest contact, kept when they are drawn apart: what is usually meant.
+    !> MDR_ON_UNLOADING. The largest contact radius, kept on retraction; the usual choice.
     integer, parameter :: on_unloading = 302
 
     ! enum mdr_warning
-    !> MDR_WARNING_SLOPE. The indenter's surface has a slope f'(a) of more than 1.2 at the edge of the contact: 50 degrees, or a =
-    !> 1.2 R of a paraboloid, which stands for a sphere at a well below R only.
+    !> MDR_WARNING_SLOPE. The slope f'(a) of the indenter at the contact edge exceeds 1.2: 50 degrees, or a = 1.2 R of a paraboloid,
+    !> which represents a sphere only for a much smaller than R.
     integer, parameter :: warning_slope = 1
-    !> MDR_WARNING_PRESSURE. The mean pressure is more than 0.6 of E_eff(a) and of the contact modulus of the surface, as under a
-    !> flat punch at depths beyond 0.94 a; where the slope is not the reason.
+    !> MDR_WARNING_PRESSURE. The mean pressure exceeds 0.6 of E_eff(a) and of the contact modulus of the surface, for example under
+    !> a flat punch at depths beyond 0.94 a. Not set together with MDR_WARNING_SLOPE if the slope is the cause.
     integer, parameter :: warning_pressure = 2
-    !> MDR_WARNING_COMPRESSION. Layers are compressed by more than half of their thickness: a depth beyond that on a rigid base, and
-    !> on an elastic one the depth less F/(a E1*), the most by which the base gives way.
+    !> MDR_WARNING_COMPRESSION. Layers are compressed by more than half of their thickness. On a rigid base the depth is compared
+    !> with the thickness; on an elastic one the depth minus F/(a E1*), the largest possible displacement of the base.
     integer, parameter :: warning_compression = 4
-    !> MDR_WARNING_CONTRAST. Young's moduli of one contact are 1e9 apart or more, as GPa beside Pa.
+    !> MDR_WARNING_CONTRAST. Young's moduli differ by a factor of 1e9 or more, for example because of mixed units (GPa and Pa).
     integer, parameter :: warning_contrast = 8
-    !> MDR_WARNING_SHORT_ZONE. The zone of a cohesive stress is too short to change a digit: adhesion without a range.
+    !> MDR_WARNING_SHORT_ZONE. The cohesive zone is too short to affect the result and is neglected: the JKR limit applies.
     integer, parameter :: warning_short_zone = 16
-    !> MDR_WARNING_WETTING. Work of adhesion above 0.05 of the surface tension, or under a plate of B^(1/3) (0.5 E*)^(2/3): the
-    !> slope of the surface at the edge is not small.
+    !> MDR_WARNING_WETTING. The work of adhesion exceeds 0.05 of the surface tension, or under a plate 0.05 of B^(1/3) (0.5
+    !> E*)^(2/3): the slope of the surface at the edge is not small.
     integer, parameter :: warning_wetting = 32
 
     ! enum mdr_which_body
-    !> MDR_BODY_LOWER. The medium, or the lower one of two.
+    !> MDR_BODY_LOWER. The medium, or the lower of two bodies.
     integer, parameter :: body_lower = 401
-    !> MDR_BODY_UPPER. The upper one of two deformable bodies; a rigid indenter is none.
+    !> MDR_BODY_UPPER. The upper of two deformable bodies. A rigid indenter does not count as a body.
     integer, parameter :: body_upper = 402
 
     ! enum mdr_side
-    !> MDR_SIDE_BELOW. That of the larger depth.
+    !> MDR_SIDE_BELOW. The side of larger depth.
     integer, parameter :: side_below = 501
-    !> MDR_SIDE_ABOVE. That of the smaller depth.
+    !> MDR_SIDE_ABOVE. The side of smaller depth.
     integer, parameter :: side_above = 502
 
     ! enum mdr_fit_data_kind
@@ -325,9 +325,9 @@ module mdrcontact_codes
     integer, parameter :: fit_cauchy = 1603
 
     ! enum mdr_shear_direction
-    !> MDR_ALONG. The indenter is displaced along the surface.
+    !> MDR_ALONG. Displacement of the indenter along the surface.
     integer, parameter :: along = 601
-    !> MDR_AROUND. It is twisted about its axis.
+    !> MDR_AROUND. Rotation of the indenter about its axis.
     integer, parameter :: around = 602
 
     ! enum mdr_shape
