@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> What a host calls at every contact: an external procedure that takes the whole library, as docs/legacy.md has it.
+!> What a host calls at every contact: an external procedure that takes the whole library, as docs/host-codes.md has it.
 subroutine cntfor(law, depth, force, slope)
     use mdrcontact, only: contact_law_t
     implicit none (type, external)
