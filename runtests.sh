@@ -80,7 +80,7 @@ if $all; then
     check core with_progress "$log_dir/core.log" core
 fi
 
-# the C tests and the kept inputs of the fuzzers under the sanitizers; all of docs/faults.md: tools/check_faults.sh
+# the C tests and the kept inputs of the fuzzers under the sanitizers; all of tests/README.md: tools/check_faults.sh
 if $all && ! on_macos; then
     check sanitizers with_progress "$log_dir/sanitizers.log" tools/check_faults.sh quick
     check python_sanitizer with_progress "$log_dir/python_sanitizer.log" tools/check_faults.sh python

@@ -204,8 +204,6 @@ def main():
     text = [
         "# Benchmarks",
         "",
-        "![Error over time for Hertz's contact, scaling](benchmarks.png)",
-        "",
         "Made by `benchmarks/run.sh`, all in one run.",
         "",
     ]

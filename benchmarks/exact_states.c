@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /* What states of exactly solved layers cost, sheared ones, too, in units of one atan + log of the C library measured in the same
- * run, beside the bound that each is held to. Prints a section of docs/benchmarks.md; exit status 1 if a bound is missed. */
+ * run, beside the bound that each is held to. Prints a section of tests/data/benchmarks.md; exit status 1 if a bound is missed. */
 #define _POSIX_C_SOURCE 200809L
 #include <math.h>
 #include <stdio.h>

@@ -8,7 +8,7 @@ form, and under a sphere, where it is the root of g(a) = d. Budget: 2 % of SciPy
 
 A folder of 256 such curves by the command line, without a picture. Budget: 10 s by the clock on two cores without other work.
 
-Prints a section of docs/benchmarks.md, exit status 1 if a budget is missed: python fits.py >> docs/benchmarks.md.
+Prints a section of tests/data/benchmarks.md, exit status 1 if a budget is missed: python fits.py >> tests/data/benchmarks.md.
 """
 
 from __future__ import annotations

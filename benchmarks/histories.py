@@ -8,7 +8,7 @@ elastic media and 20 states; a fit of 2000 readings of approach and retraction w
 thickness too and a start 20 % off in all; of a gel 200 times of a relaxation 5 ms, a new table 2 s, a fit of 2000 readings 0.5 s;
 1000 samples of adhesion with a rate on a film 20 ms, the film's samples included.
 Beside it the same homogeneous history by SciPy's adaptive quadrature of Ting's integrals, the root t1 by bisection. Prints a
-section of docs/benchmarks.md.
+section of tests/data/benchmarks.md.
 """
 
 import os

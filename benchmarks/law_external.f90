@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> What an external procedure that takes the whole library pays for it at every call, beside a procedure of a module: F and dF/dd of
-!> a compiled law (docs/host-codes.md). Prints a section of docs/benchmarks.md; processor time, the least of many repetitions.
+!> a compiled law (docs/host-codes.md). Prints a section of tests/data/benchmarks.md; processor time, the least of many repetitions.
 module law_in_module
     use mdrcontact, only: contact_law_t, wp
     implicit none (type, external)

@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What the exact contact of two deformable bodies costs against its costlier body under a rigid tip: a state, and a law.
 
-Budgets (exit status 1 if one is missed): a state at most 1.3 times, a law at most twice. Prints a section of docs/benchmarks.md:
-python pairs.py >> docs/benchmarks.md.
+Budgets (exit status 1 if one is missed): a state at most 1.3 times, a law at most twice. Prints a section of
+tests/data/benchmarks.md: python pairs.py >> tests/data/benchmarks.md.
 """
 
 import os

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# All benchmarks in one run: ./benchmarks/run.sh. Writes docs/benchmarks.md and docs/benchmarks.png.
+# All benchmarks in one run: ./benchmarks/run.sh. Writes tests/data/benchmarks.md, the tables of docs/benchmarks.md from it, and docs/benchmarks.png.
 # Builds the library and a Python environment with the boundary-element codes; what does not install is named in the table.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
@@ -24,6 +24,7 @@ for section in pairs stresses histories tangential coatings tension conduction w
     echo >> "$page/benchmarks.md" # a heading right behind a table would be a row of it
     "$build/venv/bin/python" "benchmarks/$section.py" >> "$page/benchmarks.md" || late+=("$section")
 done
-cat -s "$page/benchmarks.md" > docs/benchmarks.md
+cat -s "$page/benchmarks.md" > tests/data/benchmarks.md
+"$build/venv/bin/python" docs/make_tables.py benchmarks.md
 mv "$page/benchmarks.png" docs
 [[ ${#late[@]} -eq 0 ]] || echo "budgets are missed in: ${late[*]}"

@@ -7,7 +7,7 @@ z >= 0.02 a, r <= 2 a 50 us each, nearer the surface 200 us; two threads 1.7 tim
 other work.
 
 Then tamaas beside it where it is installed, homogeneous body under Hertz's pressure: error over time. Prints a section of
-docs/benchmarks.md: python stresses.py >> docs/benchmarks.md.
+tests/data/benchmarks.md: python stresses.py >> tests/data/benchmarks.md.
 """
 
 import os

@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Computes the tables of model-errors.md and the keys of problems.md, and writes them there. python docs/make_tables.py [--check]
+"""Computes the tables of the guide and writes them there. python docs/make_tables.py [--check] [PAGE.md ...]
 
---check writes nothing and ends with status 1 if a table there is not what the library computes.
+--check writes nothing and ends with status 1 if a table there is not what the library computes. Tables of benchmarks.md
+are taken from the results of benchmarks/run.sh in tests/data/benchmarks.md.
 """
 
 from __future__ import annotations
@@ -20,6 +21,7 @@ from mdrcontact.cli.keys import listing
 from mdrcontact.problem.schema import PROBLEM
 
 DOCS = Path(__file__).resolve().parent
+RESULTS = DOCS.parent / "tests" / "data" / "benchmarks.md"
 RADII = np.geomspace(0.03, 30.0, 61)
 """a/h"""
 FEW_RADII = np.array([0.1, 0.5, 1.0, 3.0, 10.0])
@@ -110,9 +112,25 @@ def keys() -> str:
     return f"```text\n{listing(one.name for one in PROBLEM.fields if one.table)}```"
 
 
+def measured(heading: str, table: int = 0, rows: slice | tuple[int, ...] = slice(None)) -> str:
+    """Return rows of a table of measured run times: the table of that number below a heading."""
+    section = RESULTS.read_text(encoding="utf-8").split(f"\n## {heading}\n")[1].partition("\n## ")[0]
+    head, line, *body = re.findall(r"(?:^\|.*\n?)+", section, re.MULTILINE)[table].splitlines()
+    return "\n".join([head, line, *(body[rows] if isinstance(rows, slice) else (body[i] for i in rows))])
+
+
 TABLES: dict[str, dict[str, Callable[[], str]]] = {
     "model-errors.md": {"modulus_error": modulus_error, "fitted_alpha": fitted_alpha, "both_errors": both_errors, "ranges": ranges},
     "problems.md": {"keys": keys},
+    "benchmarks.md": {
+        "force": partial(measured, "One force", rows=(0, 1, 2, 4, 8, 9, 10, 16, 17, 19, 20)),
+        "hertz": partial(measured, "Hertz's F(d)", rows=(0, 1, 2, 3, 6, 8)),
+        "radii": partial(measured, "Scaling"),
+        "stresses": partial(measured, "Stresses inside"),
+        "slip": partial(measured, "Partial slip", rows=(0, 3, 5, 6, 7)),
+        "time": partial(measured, "Viscoelastic bodies", rows=(0, 2, 3, 9)),
+        "fits": partial(measured, "Fits"),
+    },
 }
 """By page."""
 
@@ -130,7 +148,7 @@ def with_tables(name: str) -> tuple[str, str]:
 
 def main() -> int:
     """Writes or checks every table."""
-    pages = {name: with_tables(name) for name in TABLES}
+    pages = {name: with_tables(name) for name in [name for name in sys.argv[1:] if name in TABLES] or TABLES}
     if "--check" in sys.argv:
         wrong = [name for name, (before, after) in pages.items() if before != after]
         print(f"not what the library computes: {', '.join(wrong)}: run docs/make_tables.py" if wrong else "the tables are right")

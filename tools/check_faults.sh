@@ -6,7 +6,7 @@
 #   traps    run-time checks of gfortran, copies of arrays among them; in Fortran programs an invalid operation, a division by zero
 #            or an overflow ends the program
 #   thread   helgrind over threads that share every kind of object
-# Status 0 only if all tests passed. docs/faults.md says what each of them finds.
+# Status 0 only if all tests passed. tests/README.md says what each of them finds.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 build=build/faults

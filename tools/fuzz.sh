@@ -5,7 +5,7 @@
 #   law      the reader of saved laws             } UndefinedBehaviorSanitizer and the run-time checks of gfortran
 #   readers  problem files, fit files and tables    atheris, in an environment of its own
 # Prints executions, features reached and findings of each target, and fails if there is a finding; a finding is kept in
-# build/fuzz/findings, and the target goes on. The corpora grow in build/fuzz, not in tests/fuzz/corpus: see docs/faults.md.
+# build/fuzz/findings, and the target goes on. The corpora grow in build/fuzz, not in tests/fuzz/corpus: see tests/README.md.
 # Two of these commands may run at a time.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."

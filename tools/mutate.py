@@ -4,7 +4,7 @@
 
     tools/mutate.py --check              whether every mutation still fits the sources
     tools/mutate.py [NUMBER ...]         all of them, or some, in a copy under build/mutants
-    tools/mutate.py --table              the outcomes so far, as the table of docs/faults.md
+    tools/mutate.py --table              the outcomes so far, as the table of tests/README.md
 
 A mutation (tools/mutations.py) is a text that occurs once in a file, what stands there instead, and the tests that should notice.
 It is caught when the library no longer builds, a test fails, or a test takes more than two minutes. Only the programs of those
@@ -28,7 +28,7 @@ from mutations import MUTATIONS
 ROOT = Path(__file__).resolve().parent.parent
 COPY = ROOT / "build" / "mutants"
 OUTCOMES = ROOT / "build" / "mutants.json"
-PAGE = ROOT / "docs" / "faults.md"
+PAGE = ROOT / "tests" / "README.md"
 MARKS = "<!-- made by tools/mutate.py --table -->", "<!-- end -->"
 
 

@@ -7,7 +7,7 @@ every few seconds how far it is, and prints a table: draws, refusals, findings, 
 if there is a finding; the failing examples are kept in build/relations. A crash and a hang are findings.
 
     tools/relations.py 2000 --only friction        # those whose name holds a word
-    tools/relations.py 100000 --table docs/faults.md
+    tools/relations.py 100000 --table tests/README.md
 """
 
 from __future__ import annotations
@@ -89,7 +89,7 @@ def pieces(chosen: dict, draws: int, seed: int) -> list[tuple[str, int, int]]:
 
 
 def table(results: dict) -> str:
-    """What docs/faults.md shows."""
+    """What tests/README.md shows."""
     lines = ["| Relation | Draws | Refusals | Findings | Largest deviation / tolerance |", "|---|---|---|---|---|"]
     rows = [(name, *(sum(r[key] for r in found) for key in ("draws", "refusals")), sum(bool(r["words"]) for r in found),
              max(r["worst"] for r in found)) for name, found in sorted(results.items()) if found]  # fmt: skip
