@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What MkDocs does not do by itself: formulas as MathML, which needs no network, and links to the repository's files.
+"""What MkDocs does not do by itself: formulas as MathML, which needs no network, links to the repository's files, and notebooks.
 
 A formula stands between single dollar signs, or between double ones when it is displayed. `\\tag{2.1}` at the end of a displayed
 formula is its number: it appears at the right, and `#eq-2.1` leads to it. A block of code that is a file,
@@ -9,6 +9,7 @@ formula is its number: it appears at the right, and `#eq-2.1` leads to it. A blo
 from __future__ import annotations
 
 import re
+import sys
 from pathlib import Path
 from typing import Any
 
@@ -17,6 +18,10 @@ from mkdocs.exceptions import PluginError
 from mkdocs.structure.files import File
 
 DOCS = Path(__file__).resolve().parent
+sys.path.insert(0, str(DOCS))
+
+from make_notebooks import TUTORIALS, notebook  # noqa: E402
+
 ROOT = DOCS.parent
 
 _BLOCK = re.compile(r"^```.*?^```$", re.DOTALL | re.MULTILINE)
@@ -28,7 +33,7 @@ _LINK = re.compile(r"\]\((\.\./[^)\s#]+)\)")
 
 
 def on_files(files: Any, config: Any) -> Any:
-    """Adds the files of the repository that pages link to."""
+    """Adds the files of the repository that pages link to, and the tutorials as notebooks."""
     linked = set()
     for page in DOCS.rglob("*.md"):
         for link in _LINK.findall(_BLOCK.sub("", page.read_text(encoding="utf-8"))):
@@ -39,6 +44,8 @@ def on_files(files: Any, config: Any) -> Any:
                 linked.add(path)
     for path in sorted(linked):
         files.append(File.generated(config, str(_copy(path)), abs_src_path=str(path)))
+    for page in TUTORIALS:
+        files.append(File.generated(config, f"notebooks/{page.stem}.ipynb", content=notebook(page)))
     return files
 
 
@@ -53,6 +60,8 @@ def on_page_markdown(markdown: str, page: Any, **_: Any) -> str:
         if "\\tag" in pieces[i]:
             raise PluginError(f"{name}: a number that is not at the end of a displayed formula: {pieces[i].strip()!r}")
     text = _LINK.sub(lambda found: f"]({_in_site(found[1], DOCS / name)})", "".join(pieces))
+    if DOCS / name in TUTORIALS:
+        text = text.replace("\n", f"\n\n[Download this page as a Jupyter notebook.](notebooks/{Path(name).stem}.ipynb)\n", 1)
     return _TITLE.sub(r'```\1 title="\2"', text)
 
 

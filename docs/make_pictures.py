@@ -1,13 +1,18 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Draws the pictures of the guide, all from what the library computes. python docs/make_pictures.py [FOLDER] [--quick]
 
-FOLDER is docs/pictures by default. --quick computes maps on coarse grids. The pictures of fitting.md have a script of their own.
+FOLDER is docs/pictures by default. --quick computes maps on coarse grids. The pictures of fitting.md have a script of their
+own. The code of the tutorials draws theirs.
 """
 
 from __future__ import annotations
 
 import argparse
+import functools
 import io
+import os
+import re
+import tempfile
 from pathlib import Path
 from typing import Any
 
@@ -372,11 +377,60 @@ def conduction(quick: bool) -> Any:
     return figure
 
 
+@functools.cache
+def _variables_of(page: str) -> dict[str, Any]:
+    """Variables after all Python blocks of a page, which run in an empty folder."""
+    text = (Path(__file__).resolve().parent / page).read_text(encoding="utf-8")
+    variables: dict[str, Any] = {"__name__": "__main__"}
+    before = Path.cwd()
+    with tempfile.TemporaryDirectory() as folder:
+        os.chdir(folder)
+        try:
+            for block in re.findall(r"^```python[^\n]*\n(.*?)^```", text, flags=re.DOTALL | re.MULTILINE):
+                exec(block, variables)
+        finally:
+            os.chdir(before)
+    return variables
+
+
+def tutorial_curve(quick: bool) -> Any:
+    """Force-depth curves of a film and its materials, and the pressure."""
+    figure = _variables_of("tutorial-python.md")["figure"]
+    _letter(figure)
+    return figure
+
+
+def tutorial_inside(quick: bool) -> Any:
+    """Von Mises stress in a section of the film."""
+    return _variables_of("tutorial-python.md")["figure_inside"]
+
+
+def _letter(figure: Any) -> None:
+    """Names the panels (a), (b), ... as captions do."""
+    for axis, letter in zip(figure.axes, "abcdef", strict=False):
+        axis.set_title(f"({letter})", loc="left", fontsize=10)
+
+
 def _elastic_models() -> tuple[str, ...]:
     return mdr.accuracy_map([2.0], [1.0]).models
 
 
-PICTURES = (springs, indenters, media, coatings, accuracy, adhesion, adhesion_range, stress, gels, wear, rate, conduction)
+PICTURES = (
+    springs,
+    indenters,
+    media,
+    coatings,
+    accuracy,
+    adhesion,
+    adhesion_range,
+    stress,
+    gels,
+    wear,
+    rate,
+    conduction,
+    tutorial_curve,
+    tutorial_inside,
+)
 
 
 def save(figure: Any, file: Path) -> None:

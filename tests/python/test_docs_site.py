@@ -3,10 +3,12 @@
 
 from __future__ import annotations
 
+import json
 import sys
 from types import SimpleNamespace
 
 import pytest
+from code_blocks import blocks
 from conftest import ROOT
 from fortran_docstrings import undocumented
 from mkdocs.exceptions import PluginError
@@ -14,6 +16,7 @@ from mkdocs.exceptions import PluginError
 sys.path.insert(0, str(ROOT / "docs"))
 
 from hooks import on_page_markdown  # noqa: E402
+from make_notebooks import TUTORIALS, notebook  # noqa: E402
 
 DOCUMENTED = """\
 !> Facade.
@@ -103,3 +106,29 @@ def test_formulas_titles_and_links():
     made = on_page_markdown(text, page=PAGE)
     assert "<math" in made and "](files/README.md.txt)" in made and "`$HOME`" in made
     assert '```sh title="run.sh"\necho $HOME\n```' in made
+
+
+@pytest.mark.parametrize("page", TUTORIALS, ids=lambda page: page.stem)
+def test_notebooks_have_the_code_and_output_of_their_page(page):
+    cells = json.loads(notebook(page))["cells"]
+    code = ["".join(cell["source"]) for cell in cells if cell["cell_type"] == "code"]
+    output = ["".join(one["text"]) for cell in cells for one in cell.get("outputs", [])]
+    tested = blocks(page)
+    magic = {"sh": "%%bash\n", "python": ""}
+    assert code == [
+        (f"%%writefile {block.file}\n" if block.file else magic[block.language]) + block.text.rstrip("\n")
+        for block in tested
+        if block.file or block.language in magic
+    ]
+    assert output == [block.output for block in tested if block.output is not None]
+    assert not any("](" in "".join(cell["source"]) for cell in cells if cell["cell_type"] == "markdown")
+
+
+def test_a_notebook(tmp_path):
+    page = tmp_path / "page.md"
+    page.write_text(
+        "# T\n\n![a](b.png)\n\n*c* [d](e.md)\n\n```python\nprint(1)\n```\n```text\n1\n```\n\n```sh\nls\n```\n", encoding="utf-8"
+    )
+    title, one, shell = json.loads(notebook(page))["cells"]
+    assert "".join(title["source"]) == "# T\n\n\n*c* d" and "".join(shell["source"]) == "%%bash\nls"
+    assert one["source"] == ["print(1)"] and one["outputs"][0]["text"] == ["1\n"]
