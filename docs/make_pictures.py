@@ -8,10 +8,12 @@ own. The code of the tutorials draws theirs.
 from __future__ import annotations
 
 import argparse
+import atexit
 import functools
 import io
 import os
 import re
+import shutil
 import tempfile
 from pathlib import Path
 from typing import Any
@@ -26,6 +28,7 @@ from PIL import Image
 
 import mdrcontact as mdr
 from mdrcontact.conduction import Conduction, Conductor, LayeredConductor
+from mdrcontact.instruments.files.fit_file import load_fit_file
 
 BLUE, RED, GREEN, GREY = "#0072B2", "#D55E00", "#009E73", "#7f7f7f"
 COLOURS = (BLUE, RED, GREEN, "#CC79A7", "#E69F00", "#56B4E9", "#000000", "#8B4513", "#7f7f7f", "#bcbd22")
@@ -378,31 +381,45 @@ def conduction(quick: bool) -> Any:
 
 
 @functools.cache
-def _variables_of(page: str) -> dict[str, Any]:
-    """Variables after all Python blocks of a page, which run in an empty folder."""
+def _reader_of(page: str) -> tuple[dict[str, Any], Path]:
+    """A reader of a page: the variables after its Python blocks, and the folder in which they ran, with the files of the page."""
     text = (Path(__file__).resolve().parent / page).read_text(encoding="utf-8")
     variables: dict[str, Any] = {"__name__": "__main__"}
     before = Path.cwd()
-    with tempfile.TemporaryDirectory() as folder:
-        os.chdir(folder)
-        try:
-            for block in re.findall(r"^```python[^\n]*\n(.*?)^```", text, flags=re.DOTALL | re.MULTILINE):
+    folder = Path(tempfile.mkdtemp())
+    atexit.register(shutil.rmtree, folder)
+    os.chdir(folder)
+    try:
+        for language, file, block in re.findall(r"^```(\w+)(?: file=(\S+))?\n(.*?)^```", text, flags=re.DOTALL | re.MULTILINE):
+            if file:
+                (folder / file).write_text(block, encoding="utf-8")
+            if language == "python":
                 exec(block, variables)
-        finally:
-            os.chdir(before)
-    return variables
+    finally:
+        os.chdir(before)
+    return variables, folder
 
 
 def tutorial_curve(quick: bool) -> Any:
     """Force-depth curves of a film and its materials, and the pressure."""
-    figure = _variables_of("tutorial-python.md")["figure"]
+    figure = _reader_of("tutorial-python.md")[0]["figure"]
     _letter(figure)
     return figure
 
 
 def tutorial_inside(quick: bool) -> Any:
     """Von Mises stress in a section of the film."""
-    return _variables_of("tutorial-python.md")["figure_inside"]
+    return _reader_of("tutorial-python.md")[0]["figure_inside"]
+
+
+def tutorial_indent(quick: bool) -> Any:
+    """The record of an indent and the fit of its unloading curve, as `mdrcontact fit --plot` draws them."""
+    _, folder = _reader_of("tutorial-nanoindentation.md")
+    problem = load_fit_file(folder / "film.toml")
+    data, _ = problem.read_data(folder / "indent.txt")
+    return mdr.instruments.fit(
+        data, problem.indenter, problem.medium, problem.free, instrument=problem.instrument, **problem.options
+    ).plot()
 
 
 def _letter(figure: Any) -> None:
@@ -430,6 +447,7 @@ PICTURES = (
     conduction,
     tutorial_curve,
     tutorial_inside,
+    tutorial_indent,
 )
 
 
