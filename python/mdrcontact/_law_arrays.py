@@ -14,25 +14,34 @@ Reals = NDArray[np.float64]
 
 
 class LawArrays(NamedTuple):
-    """Views of one array, `buffer`, with the numbers of a law; `mdr_law_head`, `mdr_law_segment` and `mdr_law_interval` of
-    `mdrcontact.h` say what the fields of the records mean."""
+    """Numbers of a compiled law as views of one array, from `ContactLaw.arrays`.
+
+    `mdrcontact.h` describes the records: `mdr_law_head`, `mdr_law_segment` and `mdr_law_interval`.
+
+    Examples
+    --------
+    >>> contact = mdr.Contact(mdr.Paraboloid(10e-3), mdr.Homogeneous(mdr.Elastic(210e9, 0.3)))
+    >>> parts = mdr.ContactLaw(contact, 10e-6).arrays()
+    >>> print(len(parts.segments), parts.force.shape[1])
+    1 8
+    """
 
     buffer: Reals
-    """All numbers, as `ContactLaw.buffer` gives them."""
+    """all numbers, as `ContactLaw.buffer` returns them"""
     head: Any
-    """How the buffer begins, a record: ends of the range, powers near first touch, counts and places."""
+    """the first record: ends of the range, powers near initial contact, counts and places"""
     segments: NDArray[Any]
-    """Stable segments of the branch, by ascending contact radius."""
+    """stable segments of the branch, by ascending contact radius"""
     intervals: NDArray[Any]
-    """Intervals of the segments; each has its own variable y of the depth."""
+    """intervals of the segments; each has its own variable y of the depth"""
     force: Reals
-    """(panels, 8) coefficients of F in powers of y less the middle of the panel [modulus length^2]."""
+    """(panels, 8) coefficients of F in powers of y minus the middle of the panel [modulus length^2]"""
     radius: Reals
-    """(panels, 8) of the contact radius a [length]."""
+    """(panels, 8) coefficients of the contact radius a [length]"""
     stiffness: Reals
-    """(panels, 8) of the stiffness k [modulus length]."""
+    """(panels, 8) coefficients of the stiffness k [modulus length]"""
     energy: Reals
-    """(panels) U in the middle of the panel [modulus length^3]."""
+    """(panels) energy U in the middle of the panel [modulus length^3]"""
 
 
 def law_arrays(buffer: Reals) -> LawArrays:

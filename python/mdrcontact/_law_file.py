@@ -40,16 +40,24 @@ class LawFile:
 
     @property
     def tolerance(self) -> float:
-        """The relative tolerance that was set."""
+        """Relative tolerance of the law [1]."""
         return float(self._facts["tolerance"])
 
     @property
     def description(self) -> str:
-        """The problem the law was made from."""
+        """Description of the problem from which the law was made."""
         return ctypes.string_at(int(self._facts["description"])).decode()
 
     def to_bytes(self) -> bytes:
-        """The content of a law's file: version, description, numbers, checksum."""
+        """Return the content of the file of the law.
+
+        It consists of version, description, numbers and a checksum.
+
+        Returns
+        -------
+        bytes
+            The content.
+        """
         length = call(type(self)._write, self._handle, None, 0)
         buffer = np.zeros(length, np.uint8)
         call(type(self)._write, self._handle, buffer, length)
@@ -57,18 +65,61 @@ class LawFile:
 
     @classmethod
     def from_bytes(cls: type[Law], content: bytes) -> Law:
-        """The law in a file's content. Damaged or foreign content is refused with its reason (FileError)."""
+        """Return the law in the content of a file.
+
+        Parameters
+        ----------
+        content : bytes
+            What `to_bytes` returned.
+
+        Returns
+        -------
+        ContactLaw
+            The law.
+
+        Raises
+        ------
+        FileError
+            The content is damaged or is not a law.
+        """
         law = cls.__new__(cls)
         law._own(cls._read(np.frombuffer(content or b"\0", np.uint8), len(content)))
         return law
 
     def save(self, path: str | os.PathLike[str]) -> None:
-        """Writes the law to a file that any of the library's languages reads. When that fails (FileError), what was there stays."""
+        """Write the law to a file that Python, C and Fortran read.
+
+        Parameters
+        ----------
+        path : str or path-like
+            The file. If writing fails, an existing file remains unchanged.
+
+        Raises
+        ------
+        FileError
+            The file cannot be written.
+        """
         replace(path, self.to_bytes())
 
     @classmethod
     def load(cls: type[Law], path: str | os.PathLike[str]) -> Law:
-        """Reads a law that was saved from Python, C or Fortran."""
+        """Read a law that was saved from Python, C or Fortran.
+
+        Parameters
+        ----------
+        path : str or path-like
+            The file.
+
+        Returns
+        -------
+        ContactLaw
+            The law.
+
+        Raises
+        ------
+        FileError
+            The file cannot be read, is damaged or is not a law.
+        """
         try:
             return cls.from_bytes(Path(path).read_bytes())
         except FileError as problem:

@@ -22,51 +22,70 @@ class LawSteps(LawFile):
 
     @property
     def coefficient(self) -> float | None:
-        """Of friction [1]; None in a law without it."""
+        """Coefficient of friction [1]; None in a law without friction."""
         return float(self._facts["coefficient"]) or None
 
     @property
     def shear_strength(self) -> float | None:
-        """Where it is constant [modulus]; None in other laws."""
+        """Constant shear strength [modulus]; None in other laws."""
         return float(self._facts["shear_strength"]) or None
 
     @property
     def twists(self) -> bool:
-        """Whether the sliders bear a twist about the normal, with its torque, in place of a shift."""
+        """True if the sliders resist a twist about the normal, with a torque, instead of a shift."""
         return bool(self._facts["twists"])
 
     @property
     def sliders(self) -> int:
-        """How many vector sliders stand for the springs of a contact; 0 in a law without friction."""
+        """Number of vector sliders that represent the springs of a contact; 0 without friction."""
         return int(self._facts["sliders"])
 
     @property
     def memory_size(self) -> int:
-        """Length of a contact's memory; 0 in a law without friction."""
+        """Length of the memory of one contact; 0 without friction."""
         return int(self._facts["memory_size"])
 
     @property
     def largest_sliding_shift(self) -> float:
-        """The shift of first shear at which the contact slides under the largest normal force, or with the largest contact radius
-        [length]; 0 without friction, and of a twist: the axis sticks at any."""
+        """Shift of first shear at which the contact slides at the end of the range [length].
+
+        It is 0 without friction and of a twist, whose axis always sticks.
+        """
         return float(self._facts["highest_sliding_shift"])
 
     @property
     def first_shear_error(self) -> float:
-        """The largest error of T found in first shear at constant normal force F or contact radius, relative to T in sliding; 0
-        without friction."""
+        """Largest error of T in first shear, relative to T in sliding [1]; 0 without friction."""
         return float(self._facts["first_shear_error"])
 
     @property
     def path_error(self) -> float | None:
-        """The largest error of T found along cycles of depth and shift against the exact history, relative to the largest
-        coefficient F; None on bodies other than homogeneous ones, and in a law without friction."""
+        """Largest error of T along cycles of depth and shift, relative to coefficient F [1].
+
+        The reference is the exact history. It is None on bodies other than homogeneous ones, and without friction.
+        """
         error = float(self._facts["path_error"])
         return error if self.sliders and error >= 0.0 else None
 
     def contacts(self, count: int) -> Reals:
-        """The memory of `count` contacts that have not been loaded: an array of shape (count, `memory_size`) of zeros. To be stored
-        and read as numbers; setting a row to 0 forgets that contact, its dissipated energy too."""
+        """Return the memory of contacts that have not been loaded.
+
+        Parameters
+        ----------
+        count : int
+            Number of contacts, >= 0.
+
+        Returns
+        -------
+        ndarray
+            Zeros of shape (count, `memory_size`). Store and read them as numbers. Set a row to 0 to reset that contact and its
+            dissipated energy.
+
+        Raises
+        ------
+        InvalidArgumentError
+            The law has no friction.
+        """
         if not self.sliders:
             raise InvalidArgumentError("the law has no friction: it is to be made with friction=Friction(...) or shear_strength")
         return np.zeros((whole("count", count, 0), self.memory_size))
@@ -80,19 +99,35 @@ class LawSteps(LawFile):
     def advance(
         self, memory: Reals, force: ArrayLike, shift: ArrayLike, tangent: bool = False
     ) -> Reals | tuple[Reals, Reals, Reals]:
-        """One step of all contacts, straight in shift and S = int dF/k_t; changes `memory`.
+        """Advance all contacts by one step, and change their memory.
 
-        memory : as `contacts` makes it
-        force : (n) normal forces F >= 0 at the end of the step [modulus length^2]; in a law with a shear strength contact radii
-            in their place [length]. 0 parts the bodies
-        shift : (n, 2) or (n, 3) by how much the indenter moves in this step, in the tangent plane [length]; in a law that twists
-            (n) angles by which it turns about the normal against the medium [1]
-        tangent : whether the derivatives are wanted
+        The step is straight in the shift and in S = int dF/k_t. A step in which the shift changes direction should be at most 0.2
+        of the sliding shift.
 
-        Returns the tangential forces T on the medium, in the shape of `shift`; with `tangent` also dT/ds, (n, 2, 2) or (n, 3, 3),
-        [modulus length] and dT/dF, in the shape of `shift`, by the shift of the step and F at its end. In a law that twists all
-        these are numbers, (n): the torque M [modulus length^3], dM/dphi and dM/dF. A step in which the shift
-        turns aside should be no longer than 0.2 of the shift of sliding. After an error all is as before.
+        Parameters
+        ----------
+        memory : ndarray
+            The memory from `contacts`.
+        force : array_like
+            (n) normal forces F >= 0 at the end of the step [modulus length^2]; in a law with a shear strength contact radii instead
+            [length]. 0 separates the bodies.
+        shift : array_like
+            (n, 2) or (n, 3) displacements of the indenter in this step, in the tangent plane [length]; in a law that twists (n)
+            angles about the normal [radian].
+        tangent : bool, optional
+            True also returns derivatives.
+
+        Returns
+        -------
+        ndarray or tuple of ndarray
+            Tangential forces T on the medium, in the shape of `shift` [modulus length^2]. With `tangent` also dT/ds, (n, 2, 2) or
+            (n, 3, 3) [modulus length], and dT/dF, in the shape of `shift` [1]. In a law that twists they are (n) numbers: the
+            torque M [modulus length^3], dM/dphi [modulus length^3] and dM/dF [length].
+
+        Raises
+        ------
+        ArgumentTypeError
+            A shape is wrong, or the memory is not from `contacts`. After an error the memory is unchanged.
         """
         return self._step(False, memory, force, shift, tangent)
 
@@ -105,7 +140,31 @@ class LawSteps(LawFile):
     def attempt(
         self, memory: Reals, force: ArrayLike, shift: ArrayLike, tangent: bool = False
     ) -> Reals | tuple[Reals, Reals, Reals]:
-        """What `advance` would return; `memory` stays as it is. For Newton's method, and for steps that may be taken back."""
+        """Return what `advance` would return, without changing the memory.
+
+        Use it for Newton's method and for steps that may be rejected.
+
+        Parameters
+        ----------
+        memory : ndarray
+            As in `advance`.
+        force : array_like
+            As in `advance`.
+        shift : array_like
+            As in `advance`.
+        tangent : bool, optional
+            As in `advance`.
+
+        Returns
+        -------
+        ndarray or tuple of ndarray
+            As of `advance`.
+
+        Raises
+        ------
+        ArgumentTypeError
+            A shape is wrong, or the memory is not from `contacts`.
+        """
         return self._step(True, memory, force, shift, tangent)
 
     def _step(
@@ -129,9 +188,24 @@ class LawSteps(LawFile):
         return (total, np.array(slopes[:, axes, axes]), np.array(slopes[:, axes, 3])) if tangent else total
 
     def energies(self, memory: Reals) -> tuple[Reals, Reals]:
-        """Energies of all contacts [modulus length^3], (n) each: what the springs hold under shear or twist, and what slip has
-        taken since the first step. Their sum is the work of T, up to terms of the order of a step squared; along a line under
-        constant F they do not depend on the steps. What slip has taken never falls."""
+        """Return the stored and the dissipated energy of all contacts.
+
+        Parameters
+        ----------
+        memory : ndarray
+            The memory from `contacts`.
+
+        Returns
+        -------
+        tuple of ndarray
+            (n) energies of the springs under shear or twist, and (n) energies dissipated since the first step [modulus length^3].
+            Their sum is the work of T, up to terms of second order in the step. The dissipated energy never decreases.
+
+        Raises
+        ------
+        ArgumentTypeError
+            The memory is not from `contacts`.
+        """
         n = self._count(memory)
         if not n:
             return np.zeros(0), np.zeros(0)
@@ -139,12 +213,24 @@ class LawSteps(LawFile):
         return stored, dissipated
 
     def turn(self, memory: Reals, normals: ArrayLike, spin: ArrayLike | None = None) -> None:
-        """Turns the memories of contacts with their tangent planes, by the least rotation from the old normal to the new one and by
-        an angle about it; energies stay. The first turn makes the normal known: contacts whose planes turn are turned before their
-        first step too.
+        """Rotate the memories of contacts with their tangent planes.
 
-        normals : (n, 3) normals of the planes, of length 1
-        spin : (n) angles by which the bodies have turned about the normals since the last turn, the mean of both [1]; None: 0
+        The memory rotates by the smallest rotation from the old normal to the new one and by an angle about it; energies do not
+        change. Call it before the first step, which sets the normal.
+
+        Parameters
+        ----------
+        memory : ndarray
+            The memory from `contacts`.
+        normals : array_like
+            (n, 3) unit normals of the planes [1].
+        spin : array_like, optional
+            (n) angles by which the bodies have rotated about the normals since the last call, the mean of both [radian]. None is 0.
+
+        Raises
+        ------
+        ArgumentTypeError
+            A shape is wrong, or the memory is not from `contacts`.
         """
         n, directions = self._count(memory), numbers("normals", normals)
         angles = np.zeros(n) if spin is None else numbers("spin", spin)

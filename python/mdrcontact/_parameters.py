@@ -24,15 +24,37 @@ class WithParameters(Value):
     """whether its numbers are a table, a function's range or a place, no constants"""
 
     def parameters(self) -> dict[str, float]:
-        """The numbers of the object by name, in the unit of the whole problem: {"coating.E": 72e9, ..., "thickness": 5e-7, ...}.
-        They are the names of free parameters in `fit`. Tables, functions and what is chosen for a solution have none."""
+        """Return the numbers of the object by name.
+
+        The names are those of free parameters in `mdrcontact.instruments.fit`. Tables, functions and options of a solution have no
+        name.
+
+        Returns
+        -------
+        dict
+            Names and values, as {"coating.E": 72e9, "thickness": 5e-7}, in the units of the constructor arguments.
+        """
         return {name: value for key, part in self._constants().items() for name, value in _named(key, part)}
 
     def with_parameters(self: Self, values: Mapping[str, float]) -> Self:
-        """The same object with other numbers: `film.with_parameters({"coating.E": 80e9})`.
+        """Return the same object with other numbers.
 
-        values : by the names of `parameters()`; what is not named stays. InvalidArgumentError for other names, and for values that
-            the object does not allow
+        Parameters
+        ----------
+        values : mapping
+            Numbers by the names of `parameters()`, as in `film.with_parameters({"coating.E": 80e9})`. Other numbers stay.
+
+        Returns
+        -------
+        object
+            An object of the same class.
+
+        Raises
+        ------
+        ArgumentTypeError
+            `values` is not a mapping.
+        InvalidArgumentError
+            A name is unknown, or the object does not allow a value.
         """
         if not isinstance(values, Mapping):
             raise ArgumentTypeError(f"values = {values!r} is not allowed: it must map names of parameters to numbers")

@@ -36,7 +36,18 @@ class Value:
         return f"{type(self).__name__}({', '.join(f'{name}={value!r}' for name, value in self._given().items())})"
 
     def replace(self: Self, **changes: Any) -> Self:
-        """A new object with some constructor arguments changed: `coated.replace(thickness=2e-6)`."""
+        """Return a new object with some constructor arguments changed.
+
+        Parameters
+        ----------
+        **changes
+            Constructor arguments by name, as in `coated.replace(thickness=2e-6)`.
+
+        Returns
+        -------
+        object
+            An object of the same class.
+        """
         return type(self)(**{**self._given(), **changes})
 
     def __reduce__(self) -> tuple[Any, ...]:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How good each approximate model of a coated body is, measured against the exact solution."""
+"""Errors of the approximate models of a coated body against the exact solution."""
 
 from __future__ import annotations
 
@@ -21,17 +21,27 @@ from .profile import Paraboloid, Profile
 
 
 class AccuracyMap(NamedTuple):
-    """Relative errors of models against the exact solution; the arrays have the shape (models, modulus ratios, radii)."""
+    """Relative errors of models against the exact solution, from `accuracy_map`.
+
+    The arrays of errors have the shape (models, modulus ratios, radii).
+
+    Examples
+    --------
+    >>> errors = mdr.accuracy_map(2.0, [0.1, 1.0], ["gao", "bec"])
+    >>> print(errors.modulus_error.shape, np.round(100.0 * errors.force_error[0, 0], 1))
+    (2, 1, 2) [ -2.9 -11.7]
+    """
 
     models: tuple[str, ...]
+    """names of the models"""
     modulus_ratio: NDArray[np.float64]
-    """E0/E1, Young's modulus of the coating over that of the substrate"""
+    """E0/E1, Young's modulus of the coating over that of the substrate [1]"""
     radius_ratio: NDArray[np.float64]
-    """a/h, contact radius over coating thickness"""
+    """a/h, contact radius over coating thickness [1]"""
     modulus_error: NDArray[np.float64]
-    """E_eff(model)/E_eff(exact) - 1 at the same contact radius"""
+    """E_eff(model)/E_eff(exact) - 1 at equal contact radius [1]"""
     force_error: NDArray[np.float64]
-    """F(model)/F(exact) - 1 at the same contact radius: the errors of E_eff and of zeta = 1 together"""
+    """F(model)/F(exact) - 1 at equal contact radius, the errors of E_eff and of zeta = 1 together [1]"""
 
 
 @silence()
@@ -44,13 +54,40 @@ def accuracy_map(
     substrate_nu: float = 0.3,
     indenter: Profile | None = None,
 ) -> AccuracyMap:
-    """Errors of models of a coating on an elastic substrate.
+    """Compute the errors of models of a coating on an elastic substrate.
 
-    modulus_ratio : E0/E1 > 0, one or more
-    radius_ratio : a/h > 0, one or more
-    models : names as in `Coated`; None: all that allow an elastic substrate
-    coating_nu, substrate_nu : Poisson's ratios
-    indenter : its lengths in units of the coating thickness; None: a paraboloid, whose radius does not matter
+    Parameters
+    ----------
+    modulus_ratio : array_like
+        E0/E1 > 0, one or more [1].
+    radius_ratio : array_like
+        a/h > 0, one or more [1].
+    models : iterable of str, optional
+        Names as in `Coated`; None is all models that support an elastic substrate.
+    coating_nu : float, optional
+        Poisson's ratio of the coating [1].
+    substrate_nu : float, optional
+        Poisson's ratio of the substrate [1].
+    indenter : Profile, optional
+        Indenter with lengths in units of the coating thickness. None is a paraboloid, whose radius has no influence.
+
+    Returns
+    -------
+    AccuracyMap
+        Errors of E_eff and of the force.
+
+    Raises
+    ------
+    InvalidArgumentError
+        A model is unknown, or a number is outside its range.
+    ArgumentTypeError
+        `indenter` is not a profile.
+
+    Examples
+    --------
+    >>> errors = mdr.accuracy_map([0.5, 2.0], 1.0, ["gao"])
+    >>> print(np.round(100.0 * errors.modulus_error[0, :, 0], 1))
+    [10.9 10.3]
     """
     known = [name for name, model in MODELS.items() if not model.needs_rigid_base and name != "exact"]
     chosen = tuple(known if models is None else models)

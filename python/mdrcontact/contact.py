@@ -34,25 +34,58 @@ Table = tuple[tuple[float, ...], tuple[float, ...]]
 
 @dataclass(frozen=True)
 class Contact(Value):
-    """A frictionless contact of an indenter with a medium. It never changes and may be shared between threads.
+    """Frictionless contact of an indenter with a medium.
 
-    indenter : a profile: Sphere(...), Cone(...), ...
-    medium : Coated(...), Homogeneous(...), ...
-    work_of_adhesion : gamma >= 0 [modulus length], J/m^2 in SI units; 0 is the contact without adhesion
-    cohesive_stress : sigma >= 0 [modulus]; adhesion with a range (Dugdale, Maugis): the surfaces pull on each other with sigma
-        wherever they are less than work_of_adhesion/sigma apart, in a zone around the contact. 0: a range of nothing (JKR). On
-        homogeneous bodies and under the model "exact", pairs included; on a viscoelastic half-space for
-        `adhesion.adhesive_history` alone
-    adhesion_rule : the edge opening, by which the springs at the edge are stretched when they let go
-        "paper": sqrt(2 pi a gamma/E_eff), equation (28); "energy": sqrt(4 pi a gamma/k'(a)), the balance of energy;
-        "automatic": energy for exact media, where it is exact, and the paper's rule for all others
-    zeta : ratio d/g(a) of equation (9), the correction of the contact radius; None: 1, the source's approximation.
-        Else a table (radii, values): at least 3 radii > 0 ascending [length], values > 0; or "exact": that of the same coated or
-        layered body solved exactly, for radii up to 1000 thicknesses, so that E_eff is the only approximation left
-    adhesion : a work of adhesion that depends on the speed of the edge, in place of work_of_adhesion: states are those of an edge
-        at rest, and `adhesion.rate_history` follows it in time
+    A contact is immutable and may be shared between threads. Calls with arrays can use several threads; see `set_threads`.
 
-    Arrays may be shared out among several threads, see `set_threads`.
+    Parameters
+    ----------
+    indenter : Profile
+        The rigid indenter, as `Sphere`, or the gap between two deformable bodies.
+    medium : Medium
+        The body, as `Coated` or `Homogeneous`, or a `Pair`.
+    work_of_adhesion : float, optional
+        gamma >= 0 [modulus length], J/m^2 in SI units. 0, the default, is a contact without adhesion.
+    adhesion_rule : {"automatic", "paper", "energy"}, optional
+        Critical elongation dl at which the springs at the contact edge detach. "paper": `dl = sqrt(2 pi a gamma/E_eff)`, equation
+        (28). "energy": `dl = sqrt(4 pi a gamma/k'(a))`, the energy balance. "automatic" uses the energy balance for exact media,
+        where it is exact, and equation (28) for all others.
+    zeta : tuple of array_like, "exact" or None, optional
+        Ratio d/g(a) of equation (9), which corrects the contact radius. None, the default, is 1. A table (radii, values) has at
+        least 3 ascending radii > 0 [length] and values > 0. "exact" is the ratio of the same coated or layered body solved exactly,
+        for radii up to 1000 thicknesses; E_eff is then the only approximation.
+    cohesive_stress : float, optional
+        sigma_0 >= 0 [modulus]. The surfaces attract each other with this stress wherever their gap is less than
+        work_of_adhesion/cohesive_stress (Dugdale, Maugis). 0, the default, is the JKR limit. It is supported on homogeneous bodies
+        and under the model "exact", pairs included; on a viscoelastic half-space only by `adhesion.adhesive_history`.
+    adhesion : RateAdhesion or RheologicalAdhesion, optional
+        A work of adhesion that depends on the speed of the contact edge, instead of `work_of_adhesion`. States are those of an edge
+        at rest; `adhesion.rate_history` follows the edge in time.
+
+    Raises
+    ------
+    ArgumentTypeError
+        The indenter, the medium or the adhesion is of another type.
+    InvalidArgumentError
+        A number is outside its range, or the medium does not support an option.
+
+    References
+    ----------
+    popov-2014, sections 2 to 5
+    johnson-1971
+    maugis-1992
+
+    Examples
+    --------
+    >>> film = mdr.Coated(mdr.Elastic(72e9, 0.17), 500e-9, mdr.Elastic(165e9, 0.22))
+    >>> contact = mdr.Contact(mdr.Sphere(10e-6), film)
+    >>> states = contact.at_depth([20e-9, 50e-9])
+    >>> print(np.round(states.force * 1e3, 4))
+    [1.2635 5.6227]
+    >>> rubber = mdr.Homogeneous(mdr.Elastic(1e6, 0.5))
+    >>> sticky = mdr.Contact(mdr.Paraboloid(10e-6), rubber, work_of_adhesion=0.05)
+    >>> print(f"{sticky.pull_off().force:.4e}")
+    -2.3562e-06
     """
 
     indenter: Profile
@@ -106,24 +139,73 @@ class Contact(Value):
         self._set(_doubts=StateWarnings(self), _reported=Reported())
 
     def at_depth(self, depth: ArrayLike, branch: str = "unloading") -> State:
-        """The stable states at indentation depths d >= 0 [length], any shape; with adhesion down to the pull-off depth.
+        """Return the stable states at given indentation depths.
 
-        branch : where an adhesive contact has several stable states, the one met on "loading" (the smallest contact, d >= 0) or
-            kept on "unloading" (the largest)
+        Parameters
+        ----------
+        depth : array_like
+            Depths d >= 0, any shape [length]. With adhesion d may be negative down to the pull-off depth.
+        branch : {"unloading", "loading"}, optional
+            Which state an adhesive contact has if several are stable: the largest contact, kept on unloading, or the smallest,
+            reached on loading (d >= 0).
+
+        Returns
+        -------
+        State
+            Depth, radius, force and stiffness, in the shape of `depth`.
+
+        Raises
+        ------
+        UnreachableError
+            No stable contact has the depth.
+        InvalidArgumentError
+            The depth is not finite, or the body relaxes and has no states.
         """
         return self._states("depth", _layout.DEPTH, depth, branch)
 
     def at_force(self, force: ArrayLike, branch: str = "unloading") -> State:
-        """The stable states under normal forces F >= 0 [modulus length^2], any shape; with adhesion down to the pull-off force.
+        """Return the stable states under given normal forces.
 
-        branch : as in `at_depth`
+        Parameters
+        ----------
+        force : array_like
+            Forces F >= 0, any shape [modulus length^2]. With adhesion F may be negative down to the pull-off force.
+        branch : {"unloading", "loading"}, optional
+            As in `at_depth`.
+
+        Returns
+        -------
+        State
+            Depth, radius, force and stiffness, in the shape of `force`.
+
+        Raises
+        ------
+        UnreachableError
+            No stable contact has the force.
+        InvalidArgumentError
+            The force is not finite, or the body relaxes and has no states.
         """
         return self._states("force", _layout.FORCE, force, branch)
 
     def at_radius(self, radius: ArrayLike) -> State:
-        """The states of equilibrium at contact radii a >= 0 [length], any shape; with adhesion they may be unstable.
+        """Return the equilibrium states at given contact radii.
 
-        A radius at a vertical wall (flat punch) determines no state.
+        Parameters
+        ----------
+        radius : array_like
+            Radii a >= 0, any shape [length].
+
+        Returns
+        -------
+        State
+            Depth, radius, force and stiffness, in the shape of `radius`. With adhesion they may be unstable.
+
+        Raises
+        ------
+        UnreachableError
+            The radius is that of a vertical wall (flat punch), which determines no depth.
+        DomainError
+            The radius lies beyond the indenter or the medium.
         """
         return self._states("radius", _layout.RADIUS, radius, "unloading")
 
@@ -137,22 +219,48 @@ class Contact(Value):
         tolerance: float = 1e-5,
         progress: bool | Progress = False,
     ) -> History:
-        """The path in time of a contact with a viscoelastic body: one of depth, force and radius is prescribed.
+        """Follow a contact with a viscoelastic body in time.
 
-        time : strictly ascending, one dimension [time]; before the first the bodies are apart and at rest
-        depth, force, radius : one of them, as many values; linear in time in between, the first value is reached in a jump.
-            Depths may be negative where the bodies are apart
+        Give one of `depth`, `force` and `radius`.
 
-        tolerance : where steps in time are taken, relative to the largest depth, radius and force, 1e-9 to 1e-2
-        progress : True shows a bar on a terminal where the march takes more than two seconds; a `Progress` follows each round
+        Parameters
+        ----------
+        time : array_like
+            Strictly ascending times, one dimension [time]. Before the first time the bodies are separated and at rest.
+        depth : array_like, optional
+            Depths at these times, linear in between [length]. The first value is reached in a jump. Depths may be negative while
+            the bodies are separated.
+        force : array_like, optional
+            Normal forces at these times, as `depth` [modulus length^2].
+        radius : array_like, optional
+            Contact radii at these times, as `depth` [length].
+        tolerance : float, optional
+            Tolerance of the integration in time, relative to the largest depth, radius and force, 1e-9 to 1e-2.
+        progress : bool or Progress, optional
+            True shows a progress bar on a terminal if the work takes more than two seconds. A `Progress` follows each round.
 
-        Bodies whose materials relax in proportion, each at a constant Poisson's ratio (a layer on a rigid base), and homogeneous
-        ones follow from elastic curves to rounding: Lee and Radok (1960) while the contact grows, Ting (1966) after the largest
-        depth. Any other body or path, as a contact that shrinks and grows again, is marched through time with the memory of all
-        layers, under the model "exact" and unless a dashpot is in parallel at the surface.
+        Returns
+        -------
+        History
+            Time, depth, contact radius and force.
 
-        Gels follow a path by `mdrcontact.poroelastic.history`, contacts with `adhesion` by `mdrcontact.adhesion.rate_history`,
-        those with a `cohesive_stress` by `mdrcontact.adhesion.adhesive_history`.
+        Raises
+        ------
+        InvalidArgumentError
+            The body is elastic, the contact has `adhesion` or a `cohesive_stress`, or the path is not valid.
+        NoConvergenceError
+            The integration does not reach its tolerance.
+
+        Notes ----- If all materials relax proportionally at constant Poisson's ratios, or the body is homogeneous, the history
+        follows from elastic curves to machine precision: Lee and Radok (1960) while the contact grows, Ting (1966) after the
+        largest depth. Any other body or path is integrated in time under the model "exact", unless a dashpot is in parallel at the
+        surface. For gels use `poroelastic.history`, for contacts with `adhesion` use `adhesion.rate_history`, and with a
+        `cohesive_stress` use `adhesion.adhesive_history`.
+
+        References
+        ----------
+        lee-1960
+        ting-1966
         """
         if self.adhesion is not None:
             raise InvalidArgumentError("adhesion is not allowed here: call mdrcontact.adhesion.rate_history(contact, ...)")
@@ -171,14 +279,38 @@ class Contact(Value):
         force: ArrayLike | None = None,
         drainage: str | None = None,
     ) -> ComplexOrArray:
-        """The dynamic stiffness k* = k' + i k'' [modulus length] of a viscoelastic body at angular frequencies omega [1/time]:
-        k' stores, k'' loses energy, pi k'' times the amplitude squared in each cycle, and k''/k' is tan delta.
+        """Return the dynamic stiffness `k* = k' + i k''` of a relaxing body.
 
-        omega, radius, depth, force : of shapes that broadcast. The contact oscillates by little about one of them: a radius, or the
-            state of the relaxed body at a depth or force, as after a long hold; none for a flat punch
+        The contact oscillates with a small amplitude about a constant radius. `pi k''` times the amplitude squared is the energy
+        lost in each cycle, and `k''/k'` is tan delta. Give at most one of `radius`, `depth` and `force`; a flat punch needs none.
 
-        Exact for any materials, power laws included, under the model "exact"; under other models for materials that relax in
-        proportion. Each new frequency of a layered body costs two kernels, further radii at the same one little.
+        Parameters
+        ----------
+        omega : array_like
+            Angular frequencies > 0 [1/time]. They broadcast with the other argument.
+        radius : array_like, optional
+            Contact radius [length].
+        depth : array_like, optional
+            Depth of the relaxed body, as after a long hold [length].
+        force : array_like, optional
+            Force on the relaxed body [modulus length^2].
+        drainage : {"surface", "sealed", "indenter"}, optional
+            Of a gel, which takes `radius` only; see `relaxation`.
+
+        Returns
+        -------
+        complex or ndarray
+            k*, in the broadcast shape [modulus length].
+
+        Raises
+        ------
+        InvalidArgumentError
+            The body is elastic, or the drainage of a gel is missing.
+        ArgumentTypeError
+            More than one of radius, depth and force is given.
+
+        Notes ----- The result is exact for any materials under the model "exact". Under other models the materials must relax
+        proportionally. Each new frequency of a layered body costs two kernels; further radii at the same frequency cost little.
         """
         if poroelastic.is_poroelastic(self.medium):
             if depth is not None or force is not None:
@@ -188,17 +320,54 @@ class Contact(Value):
         return dynamic_stiffness(self, omega, radius, depth, force)
 
     def relaxation(self, time: ArrayLike, radius: float | None = None, drainage: str | None = None) -> FloatOrArray:
-        """Force per depth [modulus length] at times > 0 after a step of the depth, the contact radius being held: a flat punch,
-        whose radius need not be given.
+        """Return force per depth after a step of the depth at constant contact radius.
 
-        drainage : of a gel, which takes time 0 too, and only of one: "surface", the whole surface drains, under the indenter too,
-            which is porous; "sealed", no flux anywhere; "indenter", no flux under the indenter, drained beside it, on a half-space
-            only. There is no default: it matters more than anything else
+        Parameters
+        ----------
+        time : array_like
+            Times > 0 after the step, any shape [time]; 0 is possible on a gel.
+        radius : float, optional
+            The constant contact radius [length]. A flat punch needs none.
+        drainage : {"surface", "sealed", "indenter"}, optional
+            Of a gel, which has no default. "surface": the whole surface drains, also below the indenter, which is porous. "sealed":
+            no flux anywhere. "indenter": no flux below the indenter and a drained surface outside, on a half-space only.
+
+        Returns
+        -------
+        float or ndarray
+            Force per depth, in the shape of `time` [modulus length].
+
+        Raises
+        ------
+        InvalidArgumentError
+            The body is elastic, or the drainage of a gel is missing.
+        ArgumentTypeError
+            The radius is missing, or a body without pores has a drainage.
         """
         return self._step(_layout.RELAXATION, time, radius, drainage)
 
     def creep(self, time: ArrayLike, radius: float | None = None, drainage: str | None = None) -> FloatOrArray:
-        """Depth per force [1/(modulus length)] at times > 0 after a step of the force. Arguments as of `relaxation`."""
+        """Return depth per force after a step of the force at constant contact radius.
+
+        Parameters
+        ----------
+        time : array_like
+            As in `relaxation` [time].
+        radius : float, optional
+            As in `relaxation` [length].
+        drainage : {"surface", "sealed", "indenter"}, optional
+            As in `relaxation`.
+
+        Returns
+        -------
+        float or ndarray
+            Depth per force, in the shape of `time` [1/(modulus length)].
+
+        Raises
+        ------
+        InvalidArgumentError
+            As of `relaxation`.
+        """
         return self._step(_layout.CREEP, time, radius, drainage)
 
     def pressure_in_time(
@@ -211,33 +380,82 @@ class Contact(Value):
         radius: float | None = None,
         drainage: str | None = None,
     ) -> FloatOrArray:
-        """Pressure [modulus] at 0 <= r < a, any shape, under an indenter that was pressed into a gel at once, a time before, its
-        contact radius being held.
+        """Return the pressure under an indenter that was pressed into a gel in a step.
 
-        kind : "total_pressure", what the indenter bears, or "pore_pressure", that of the fluid at the surface, on a half-space only
-        time : since the step, D t/a^2 >= 1e-5 [time]
-        depth : that of a flat punch's step [length]
-        radius : the held contact radius of a Paraboloid, whose depth it determines [length]
-        drainage : as of `relaxation`
+        Parameters
+        ----------
+        kind : {"total_pressure", "pore_pressure"}
+            The pressure on the indenter, or that of the fluid at the surface; the latter on a half-space only.
+        r : array_like
+            Radii, 0 <= r < a, any shape [length].
+        time : float
+            Time since the step, D t/a^2 >= 1e-5 [time].
+        depth : float, optional
+            Depth of the step of a flat punch [length].
+        radius : float, optional
+            Constant contact radius of a `Paraboloid`, which determines its depth [length].
+        drainage : {"surface", "sealed", "indenter"}, optional
+            As in `relaxation`.
+
+        Returns
+        -------
+        float or ndarray
+            Pressure, in the shape of `r` [modulus].
+
+        Raises
+        ------
+        InvalidArgumentError
+            The body is not a gel, or the indenter is neither a `FlatPunch` nor a `Paraboloid`.
+        ArgumentTypeError
+            The depth or radius is missing, or the wrong one is given.
         """
         return poroelastic.pressure(self, kind, r, time, depth, radius, drainage)
 
     def pull_off(self, control: str = "force") -> PullOff:
-        """Where an adhesive contact breaks when it is drawn apart under a prescribed "force" or "depth".
+        """Return the state in which an adhesive contact breaks.
 
-        It is the global minimum over the whole branch; `.others` are the ends of the other stable segments. All 0 without
-        adhesion. A contact that is still stable at the smallest radius of a tabulated medium raises DomainError.
+        Parameters
+        ----------
+        control : {"force", "depth"}, optional
+            What is prescribed while the bodies are drawn apart.
+
+        Returns
+        -------
+        PullOff
+            The global minimum over all stable states. All numbers are 0 without adhesion.
+
+        Raises
+        ------
+        DomainError
+            The contact is still stable at the smallest radius of a tabulated medium.
         """
         return pull_offs(self, control)
 
     def loop(self, control: str, largest: float, points: int = 200, *, spring_stiffness: float | None = None) -> Loop:
-        """A cycle of approach and retraction, with its jumps and the energy lost.
+        """Return a cycle of approach and retraction, with its jumps and the energy lost.
 
-        control : what the machine prescribes: "force", "depth", or the far end of a "spring" such as an
-            AFM cantilever
-        largest : where the motion turns back, > 0 [length, or modulus length^2 under force control]
-        points : points on each way, at least 2; jumps and their ends come on top
-        spring_stiffness : > 0 [modulus length], for "spring" only
+        Parameters
+        ----------
+        control : {"force", "depth", "spring"}
+            What is prescribed. "spring" prescribes the far end of a spring, as the base of an AFM cantilever.
+        largest : float
+            Largest prescribed value, at which the motion turns back, > 0 [length], [modulus length^2] for "force".
+        points : int, optional
+            Points on each way, >= 2. Jumps and their ends are additional points.
+        spring_stiffness : float, optional
+            Stiffness of the spring, > 0, for "spring" only [modulus length].
+
+        Returns
+        -------
+        Loop
+            The cycle.
+
+        Raises
+        ------
+        ArgumentTypeError
+            A spring stiffness is missing under control "spring", or given under another control.
+        UnreachableError
+            No contact has the largest value.
         """
         return loop(self, control, largest, points, spring_stiffness)
 
@@ -248,15 +466,37 @@ class Contact(Value):
         friction: float = 0.0,
         largest_radius: float | None = None,
     ) -> tuple[Failure, ...]:
-        """The states at which given strengths are first reached as the load grows, the first one first.
+        """Return the states at which given strengths are first reached as the load grows.
 
-        strengths : what the layers and interfaces bear [modulus], one number each from the surface down, None where no failure is
-            looked for: "von_mises" (a yield stress) and "tension" (principal stress) of each layer, the half-space last;
-            "interface_shear" and "interface_tension" of each interface
-        largest_radius : how far to look [length]; default: 30 times the thickness of all layers, as far as the contact is defined
+        Parameters
+        ----------
+        strengths : mapping
+            Strengths by mode, each a list from top to bottom [modulus]; None omits a layer or interface. "von_mises" (yield stress)
+            and "tension" (principal stress) have one number for each layer, the half-space last. "interface_shear" and
+            "interface_tension" have one for each interface.
+        body : {"lower", "upper"}, optional
+            Body of a pair.
+        friction : float, optional
+            Coefficient of friction of a sliding contact, >= 0 [1].
+        largest_radius : float, optional
+            Largest contact radius of the search, > 0 [length]. The default is 30 times the thickness of all layers.
 
-        A strength that is not reached, or only at the singular edge of a punch or an adhesive contact, has no entry; one that is
-        reached at any load, as under a sharp tip, has that of the smallest contact looked at and `at_once`.
+        Returns
+        -------
+        tuple of Failure
+            The failures in the order in which they occur. A strength that is not reached, or only at the singular edge of a punch
+            or an adhesive contact, has none.
+
+        Raises
+        ------
+        InvalidArgumentError
+            A mode is unknown, the number of strengths differs from the number of layers or interfaces, or the body has no layers
+            and `largest_radius` is missing.
+        ArgumentTypeError
+            `strengths` is not a mapping of lists.
+
+        Notes ----- If a strength is reached at any load, as below a sharp tip, the failure is that of the smallest contact
+        examined, with `at_once` set.
         """
         return failure.first_failure(self, strengths, body, friction, largest_radius)
 

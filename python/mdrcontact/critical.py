@@ -21,55 +21,91 @@ _OF_LAYER = _layout.VON_MISES, _layout.TRESCA, _layout.TENSION
 
 
 class Maximum(NamedTuple):
-    """A largest stress and where it is."""
+    """Largest stress and its position.
+
+    Examples
+    --------
+    >>> film = mdr.Coated(mdr.Elastic(445e9, 0.25), 1e-6, mdr.Elastic(210e9, 0.3))
+    >>> state = mdr.Contact(mdr.Sphere(10e-6), film).at_radius(0.5e-6)
+    >>> most = state.critical().layers[0].von_mises
+    >>> print(f"{most.value:.3e} {most.r:.1e} {most.z:.2e}")
+    8.974e+09 0.0e+00 2.38e-07
+    """
 
     value: float
-    """[modulus]; negative where all of it is compression"""
+    """the stress, negative if all of it is compression [modulus]"""
     r: float
     """distance from the axis [length]"""
     z: float
-    """depth [length]"""
+    """depth below the surface [length]"""
     angle: float
-    """azimuth from the direction of sliding, 0 or pi; 0 without friction"""
+    """azimuth from the direction of sliding, 0 or pi; 0 without friction [radian]"""
 
 
 class LayerMaxima(NamedTuple):
-    """The largest stresses in one layer."""
+    """Largest stresses in one layer, from `State.critical`.
+
+    Examples
+    --------
+    >>> film = mdr.Coated(mdr.Elastic(445e9, 0.25), 1e-6, mdr.Elastic(210e9, 0.3))
+    >>> state = mdr.Contact(mdr.Sphere(10e-6), film).at_radius(0.5e-6)
+    >>> coating, substrate = state.critical().layers
+    >>> print(f"{coating.tresca.value:.3e} {substrate.tresca.value:.3e} {coating.energy:.3e}")
+    4.487e+09 1.231e+09 5.719e-11
+    """
 
     von_mises: Maximum
-    """largest von Mises stress"""
+    """largest von Mises stress [modulus]"""
     tresca: Maximum
-    """largest shear stress (s_1 - s_3)/2: by Tresca yield is where twice this is the yield stress"""
+    """largest shear stress (s_1 - s_3)/2 [modulus]; twice this is Tresca's equivalent stress"""
     tension: Maximum
-    """largest principal stress s_1"""
+    """largest principal stress s_1 [modulus]"""
     energy: float
     """elastic energy without friction [modulus length^3]; 0 in a rigid base"""
 
 
 class InterfaceMaxima(NamedTuple):
-    """The largest tractions at one interface."""
+    """Largest tractions at one interface, from `State.critical`.
+
+    Examples
+    --------
+    >>> film = mdr.Coated(mdr.Elastic(445e9, 0.25), 1e-6, mdr.Elastic(210e9, 0.3))
+    >>> state = mdr.Contact(mdr.Sphere(10e-6), film).at_radius(0.5e-6)
+    >>> interface = state.critical().interfaces[0]
+    >>> print(f"{interface.z:.1e} {interface.shear.value:.3e}")
+    1.0e-06 6.674e+08
+    """
 
     z: float
-    """its depth [length]"""
+    """depth of the interface [length]"""
     shear: Maximum
-    """largest shear stress, sqrt(s_rz^2 + s_tz^2)"""
+    """largest shear traction, sqrt(s_rz^2 + s_tz^2) [modulus]"""
     tension: Maximum
-    """largest normal stress s_zz"""
+    """largest normal stress s_zz [modulus]"""
 
 
 class _CriticalNumbers(NamedTuple):
     """The numbers of a `Critical`."""
 
     layers: tuple[LayerMaxima, ...]
-    """from the surface down, the half-space last"""
+    """largest stresses of each layer from top to bottom, the half-space last"""
     interfaces: tuple[InterfaceMaxima, ...]
-    """from the surface down"""
+    """largest tractions of each interface from top to bottom"""
     surface: Maximum
-    """largest principal stress on the free surface a <= r <= 3 a: the tension that opens ring cracks"""
+    """largest principal stress on the free surface a <= r <= 3 a, the tension that opens ring cracks [modulus]"""
 
 
 class Critical(_CriticalNumbers, Warned):
-    """What decides inside a body."""
+    """Largest stresses in a body and their positions, from `State.critical`.
+
+    Examples
+    --------
+    >>> film = mdr.Coated(mdr.Elastic(445e9, 0.25), 1e-6, mdr.Elastic(210e9, 0.3))
+    >>> state = mdr.Contact(mdr.Sphere(10e-6), film).at_radius(0.5e-6)
+    >>> found = state.critical()
+    >>> print(len(found.layers), len(found.interfaces), f"{found.surface.value:.3e}")
+    2 1 1.897e+09
+    """
 
 
 def layers_of(medium: Any, body: str = "lower") -> tuple[list[float], bool]:

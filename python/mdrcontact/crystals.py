@@ -11,11 +11,19 @@ from .material import TransverselyIsotropic
 
 
 class Crystal(NamedTuple):
-    """A material with its axis along z, and where its constants are from."""
+    """Material with its axis along z and the source of its constants.
+
+    Examples
+    --------
+    >>> crystal = mdr.CRYSTALS["ZnO"]
+    >>> print(f"{crystal.material.C33:.4e}", crystal.source)
+    2.1090e+11 Bateman 1962, J. Appl. Phys. 33, 3309
+    """
 
     material: TransverselyIsotropic
-    """constants in Pa"""
+    """the material, constants in Pa"""
     source: str
+    """author, year and journal of the measured constants"""
 
 
 def _crystal(source: str, *stiffnesses: float) -> Crystal:

@@ -24,23 +24,32 @@ class _FailureNumbers(NamedTuple):
     """The numbers of a `Failure`."""
 
     mode: str
-    """one of "von_mises", "tension", "interface_shear" and "interface_tension"; see `Contact.first_failure`"""
+    """"von_mises", "tension", "interface_shear" or "interface_tension"; see `Contact.first_failure`"""
     place: int
-    """which layer or interface, 0 is the first one from the surface"""
+    """number of the layer or interface from top to bottom; 0 is the first"""
     strength: float
-    """[modulus]"""
+    """the strength that is reached [modulus]"""
     state: Any
-    """the State at which it is reached; the smallest one looked at where it is reached at once, at any load"""
+    """the `State` at which it is reached; the smallest one examined if it is reached at any load"""
     at: Maximum
-    """where in the body; its value is larger than the strength where that is reached at once"""
+    """position in the body; its value exceeds the strength if that is reached at any load"""
 
 
 class Failure(_FailureNumbers, Warned):
-    """A strength that is reached."""
+    """Strength that is reached, from `Contact.first_failure`.
+
+    Examples
+    --------
+    >>> film = mdr.Coated(mdr.Elastic(445e9, 0.25), 1e-6, mdr.Elastic(210e9, 0.3))
+    >>> contact = mdr.Contact(mdr.Sphere(10e-6), film)
+    >>> first = contact.first_failure({"von_mises": [20e9, 2e9], "interface_shear": [1e9]})[0]
+    >>> print(first.mode, first.place, f"{first.state.force:.3e}")
+    von_mises 1 6.018e-03
+    """
 
     @property
     def at_once(self) -> bool:
-        """Whether the strength is reached at the smallest contact already, as under a sharp tip."""
+        """True if the smallest contact examined already exceeds the strength, as below a sharp tip."""
         return self.at.value > 1.001 * self.strength
 
 

@@ -21,18 +21,45 @@ from .state import State, state_of
 
 @dataclass(frozen=True)
 class Friction(Value):
-    """A contact under Coulomb's law: slip where the traction reaches coefficient times pressure, stick where it is less.
+    """Contact with Coulomb friction in partial slip.
 
-    contact : a `Contact` without adhesion on a homogeneous, exact coated, layered or graded medium, or on one with Gao's weights
-        ("gao", "gao-series", "gao-power"), or on a pair of such
-    coefficient : of friction, > 0 [1]
+    The contact slips where the traction reaches coefficient times pressure and sticks where it is less.
 
-    The normal force is constant and the shear does not change the pressure, as with Cattaneo and Mindlin (T would be 1 to 6 %
-    higher); the displacement that varies as cos 2 phi around the axis is left out (at most 0.25 % of T). Else homogeneous and exact
-    media are exact; Gao's weights superpose punches.
+    Parameters
+    ----------
+    contact : Contact
+        A contact without adhesion on a homogeneous medium, on a coated, layered or graded one under the model "exact" or Gao's
+        models ("gao", "gao-series", "gao-power"), or on a pair of these.
+    coefficient : float
+        Coefficient of friction, > 0 [1].
 
-    A pressure that would be negative somewhere, and slip that would begin inside the contact at once (a flat punch on a stiff
-    coating), raise DomainError; slip that would begin inside later, a SlipInsideWarning.
+    Raises
+    ------
+    ArgumentTypeError
+        `contact` is not a `Contact`.
+    InvalidArgumentError
+        The coefficient is not greater than 0, or the contact is adhesive or of a medium without a tangential stiffness.
+
+    Notes ----- The normal force is constant, and the shear does not change the pressure (Cattaneo, Mindlin); the tangential force
+    would be 1 to 6 % higher with this coupling. The displacement that varies as cos 2 phi around the axis is neglected, at most
+    0.25 % of the force. Otherwise homogeneous and exact media are exact; Gao's models superpose punches. A negative pressure, or
+    slip that begins inside the contact immediately (a flat punch on a stiff coating), raises `DomainError`; slip that begins inside
+    later raises a `SlipInsideWarning`.
+
+    References
+    ----------
+    cattaneo-1938
+    mindlin-1949
+    jager-1995
+    ciavarella-1998b
+
+    Examples
+    --------
+    >>> contact = mdr.Contact(mdr.Paraboloid(10e-3), mdr.Homogeneous(mdr.Elastic(210e9, 0.3)))
+    >>> state = contact.at_force(10.0)
+    >>> sheared = mdr.Friction(contact, 0.3).shear(state).at_force(1.5)
+    >>> print(f"{sheared.stick_radius / state.radius:.4f} {0.5 ** (1 / 3):.4f}")
+    0.7937 0.7937
     """
 
     contact: Contact
@@ -47,32 +74,109 @@ class Friction(Value):
         self._set(_handle=Handle(created), contact=contact, coefficient=mu, _looked_at=set())
 
     def shear(self, state: State) -> ShearedContact:
-        """What happens to states of the contact as the indenter is displaced along the surface."""
+        """Return the tangential response of normal states under constant normal force.
+
+        Parameters
+        ----------
+        state : State
+            One state of the contact, or several.
+
+        Returns
+        -------
+        ShearedContact
+            The states, to be displaced along the surface.
+
+        Raises
+        ------
+        ArgumentTypeError
+            `state` is not a state of this contact.
+        """
         return ShearedContact(self, state)
 
     def twist(self, state: State) -> ShearedContact:
-        """The same as it is twisted about the axis, on homogeneous media."""
+        """Return the torsional response of normal states under constant normal force.
+
+        Parameters
+        ----------
+        state : State
+            One state of the contact, or several, on a homogeneous medium.
+
+        Returns
+        -------
+        ShearedContact
+            The states, to be twisted about the axis.
+
+        Raises
+        ------
+        ArgumentTypeError
+            `state` is not a state of this contact.
+        """
         return ShearedContact(self, state, around=True)
 
     def history(self, largest_depth: float | None = None, rings: int | None = None) -> FrictionHistory:
-        """A contact that has not been loaded yet, to be led along any path.
+        """Return a history of the contact, which has not been loaded yet.
 
-        largest_depth : up to which it can be led, > 0; needed on exact layered bodies, whose contact is cut into rings [length]. On
-            homogeneous ones None: every step is exact
-        rings : 10 to 1000; None: 100
+        Parameters
+        ----------
+        largest_depth : float, optional
+            Largest depth of the path, > 0 [length]. It is needed on exact layered bodies, whose contact is divided into rings.
+            None, the default, is possible on homogeneous bodies, where every step is exact.
+        rings : int, optional
+            Number of rings, 10 to 1000. None is 100.
+
+        Returns
+        -------
+        FrictionHistory
+            The history, at depth 0.
+
+        Raises
+        ------
+        InvalidArgumentError
+            `rings` or `largest_depth` is outside its range, or missing.
         """
         return FrictionHistory(self, largest_depth, rings)
 
 
 class FrictionHistory:
-    """A contact with friction and its past, along any path of normal and tangential loading: `friction.history()`.
+    """Contact with friction along any path of normal and tangential loading.
 
-    Springs of homogeneous bodies do not interact, so that every step in which depth and shift change in proportion is exact,
-    whatever its size. Elsewhere rings of the surface each obey Coulomb's law: with 100 of them T is good to 2e-4 coefficient F,
-    the stick radius to a third of a ring, the energy to 2e-3. A second history with twice the rings shows the error, which
-    becomes half of it or less. A step is divided where the edge of the contact comes to a ring's: a long step gives what many
-    short ones give, and costs as much. It changes as it advances: not for several threads at a time. Each `copy()` goes its own
-    way. Pickled are its steps, 32 bytes each, which are led again where it is unpickled.
+    `Friction.history` makes it. The object changes as it advances: do not share it between threads. A `copy()` continues
+    independently.
+
+    Parameters
+    ----------
+    friction : Friction
+        The contact with friction.
+    largest_depth : float, optional
+        As in `Friction.history` [length].
+    rings : int, optional
+        As in `Friction.history`.
+
+    Raises
+    ------
+    ArgumentTypeError
+        `friction` is not a `Friction`.
+    InvalidArgumentError
+        `rings` or `largest_depth` is outside its range, or missing.
+
+    Notes ----- The springs of homogeneous bodies do not interact: every step in which depth and shift change proportionally is
+    exact, of any size. On other bodies rings of the surface each follow Coulomb's law. With 100 rings the error of T is 2e-4
+    coefficient F, that of the stick radius a third of a ring and that of the energy 2e-3; twice the rings at least halve it. Steps
+    are divided where the contact edge reaches the edge of a ring, so that a long step equals many short ones. A pickle contains the
+    steps, 32 bytes each, and repeats them.
+
+    References
+    ----------
+    mindlin-1953
+
+    Examples
+    --------
+    >>> contact = mdr.Contact(mdr.Paraboloid(10e-3), mdr.Homogeneous(mdr.Elastic(210e9, 0.3)))
+    >>> history = mdr.Friction(contact, 0.3).history()
+    >>> loaded = history.advance(force=10.0, shift=0.0)
+    >>> shear = history.advance(force=10.0, tangential_force=1.5)
+    >>> print(f"{shear.shift:.4e} {shear.dissipated_energy:.4e} {history.state.depth:.4e}")
+    6.3720e-08 3.6386e-09 4.7270e-07
     """
 
     def __init__(self, friction: Friction, largest_depth: float | None = None, rings: int | None = None) -> None:
@@ -102,11 +206,33 @@ class FrictionHistory:
         shift: ArrayLike | None = None,
         tangential_force: ArrayLike | None = None,
     ) -> ShearState:
-        """Goes on to a depth [length] or normal force [modulus length^2], >= 0, and a shift [length] or tangential force
-        [modulus length^2], |T| < coefficient F; arrays of one dimension, which broadcast, are steps one after the other.
+        """Advance to a depth or normal force and a shift or tangential force.
 
-        Returns the states at the ends of the steps: `stick_radius` is where the last step did not slip, `dissipated_energy` that
-        since the beginning. After an error the history is as it was.
+        Give one of each two. Arrays of one dimension, which broadcast, are steps one after the other.
+
+        Parameters
+        ----------
+        depth : array_like, optional
+            Depth >= 0 at the end of a step [length].
+        force : array_like, optional
+            Normal force F >= 0 at the end of a step [modulus length^2].
+        shift : array_like, optional
+            Shift at the end of a step [length].
+        tangential_force : array_like, optional
+            Tangential force T at the end of a step, |T| < coefficient F [modulus length^2].
+
+        Returns
+        -------
+        ShearState
+            States at the ends of the steps. `stick_radius` is where the last step did not slip; `dissipated_energy` counts from the
+            beginning.
+
+        Raises
+        ------
+        ArgumentTypeError
+            Not exactly one of each two is given.
+        UnreachableError
+            The tangential force is larger than friction supports. After an error the history is unchanged.
         """
         if (depth is None) == (force is None) or (shift is None) == (tangential_force is None):
             raise ArgumentTypeError("a step needs one of depth and force, and one of shift and tangential_force")
@@ -133,7 +259,13 @@ class FrictionHistory:
         return ShearState._make([*shears.T[:5], shears.T[5] > 0.5])
 
     def copy(self) -> FrictionHistory:
-        """The same past, which goes its own way from here."""
+        """Return a history with the same past that continues independently.
+
+        Returns
+        -------
+        FrictionHistory
+            The copy.
+        """
         other = object.__new__(type(self))
         other.__dict__.update(self.__dict__, _steps=self._steps[:])
         other._own(native.friction_history_copy(self._handle))

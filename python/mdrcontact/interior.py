@@ -29,27 +29,39 @@ class _InteriorNumbers(NamedTuple):
     """The numbers of an `Interior`."""
 
     u_r: FloatOrArray
-    """radial displacement"""
+    """radial displacement [length]"""
     u_t: FloatOrArray
-    """displacement along the circumference, 0 without friction"""
+    """circumferential displacement, 0 without friction [length]"""
     u_z: FloatOrArray
-    """displacement into the body"""
+    """displacement into the body [length]"""
     s_rr: FloatOrArray
-    """radial stress"""
+    """radial stress [modulus]"""
     s_tt: FloatOrArray
-    """circumferential (hoop) stress"""
+    """circumferential (hoop) stress [modulus]"""
     s_zz: FloatOrArray
-    """stress normal to the surface, -p there"""
+    """stress normal to the surface, -p at the surface [modulus]"""
     s_rz: FloatOrArray
+    """shear stress in planes that contain the axis [modulus]"""
     s_rt: FloatOrArray
-    """0 without friction"""
+    """shear stress in planes parallel to the surface, 0 without friction [modulus]"""
     s_tz: FloatOrArray
-    """0 without friction"""
+    """circumferential shear stress, 0 without friction [modulus]"""
 
 
 class Interior(_InteriorNumbers):
-    """Displacements [length] and stresses [modulus] at points inside a body, in cylinder coordinates; each entry has the shape of
-    the input, or is a float. z and u_z point into the body, tension is positive."""
+    """Displacements and stresses at points inside a body, from `State.interior`.
+
+    Components are those of cylinder coordinates; each has the shape of the points. z and u_z point into the body; tension is
+    positive.
+
+    Examples
+    --------
+    >>> contact = mdr.Contact(mdr.Sphere(10e-6), mdr.Homogeneous(mdr.Elastic(210e9, 0.3)))
+    >>> state = contact.at_radius(1e-6)
+    >>> inside = state.interior(0.0, 0.48e-6)
+    >>> print(f"{inside.tresca / state.pressure(0.0):.4f}")
+    0.3101
+    """
 
     _doubts: tuple[str, ...] | None = None
     """None: not looked for yet"""
@@ -58,7 +70,7 @@ class Interior(_InteriorNumbers):
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """Reasons to doubt these numbers; empty where there are none."""
+        """Warnings about these numbers; empty if there are none."""
         doubts, asked_of = self._doubts, self._asked_of  # another thread may look at the same time
         if doubts is None and asked_of is not None:
             state, body = asked_of
@@ -81,20 +93,20 @@ class Interior(_InteriorNumbers):
 
     @property
     def von_mises(self) -> FloatOrArray:
-        """The von Mises stress: a metal yields where it reaches the yield stress."""
+        """von Mises stress; a metal yields if it reaches the yield stress [modulus]."""
         with np.errstate(invalid="ignore"):  # infinite stresses
             differences = np.square(self.s_rr - self.s_tt) + np.square(self.s_tt - self.s_zz) + np.square(self.s_zz - self.s_rr)
         return _like(self.s_rr, np.sqrt(0.5 * differences + 3.0 * self._squared_shear()), self._is_infinite())
 
     @property
     def tresca(self) -> FloatOrArray:
-        """The largest shear stress, (s_1 - s_3)/2. By Tresca's criterion a metal yields where twice this is the yield stress."""
+        """Largest shear stress, (s_1 - s_3)/2; twice this is Tresca's equivalent stress [modulus]."""
         principal = self.principal
         return _like(self.s_rr, 0.5 * (principal[..., 0] - principal[..., 2]), self._is_infinite())
 
     @property
     def principal(self) -> NDArray[np.float64]:
-        """The principal stresses s_1 >= s_2 >= s_3, along one more axis at the end; NaN where stresses are infinite."""
+        """Principal stresses s_1 >= s_2 >= s_3 along an additional last axis; NaN at singular points [modulus]."""
         components = np.broadcast_arrays(self.s_rr, self.s_rt, self.s_rz, self.s_rt, self.s_tt, self.s_tz, self.s_rz, self.s_tz,
                                          self.s_zz)  # fmt: skip
         tensor = np.stack(components, axis=-1).reshape(*np.shape(self.s_rr), 3, 3)

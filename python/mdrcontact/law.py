@@ -36,57 +36,99 @@ class _LawNumbers(NamedTuple):
     radius: FloatOrArray
     """a, contact radius [length]"""
     force: FloatOrArray
-    """F, normal force [modulus length^2]"""
+    """F, normal force, positive in compression [modulus length^2]"""
     stiffness: FloatOrArray
     """k = 2 a E_eff(a), stiffness at constant contact radius [modulus length]"""
     slope: FloatOrArray
-    """dF/dd along the branch [modulus length], the derivative that implicit codes need; equal to k without adhesion"""
+    """dF/dd along the branch, the derivative that implicit codes need; equal to k without adhesion [modulus length]"""
 
 
 class LawState(_LawNumbers, Warned):
-    """States of a compiled law; each entry has the shape of the input, or is a float. All but the depth is 0 where the bodies are
-    apart."""
+    """States of a compiled law; each entry has the shape of the input.
+
+    All numbers except the depth are 0 if the bodies are separated.
+
+    Examples
+    --------
+    >>> contact = mdr.Contact(mdr.Paraboloid(10e-3), mdr.Homogeneous(mdr.Elastic(210e9, 0.3)))
+    >>> state = mdr.ContactLaw(contact, 10e-6).at_depth(5e-6)
+    >>> print(f"{state.force:.4e} {state.slope:.4e}")
+    3.4401e+02 1.0320e+08
+    """
 
 
 class ContactLaw(LawSteps):
-    """The law of one contact over a range of depths, made once, verified, then evaluated in nanoseconds. It never changes, may be
-    shared between threads, and pickles with all it needs: processes on other machines do not solve the contact again.
+    """Compiled law of one contact over a range of depths, evaluated in nanoseconds.
 
-    contact : the Contact to compile, with or without adhesion
-    largest_depth : > 0 [length]. With adhesion, where depth or force fall over some radii, the law goes on to the states from which
-        the contact unloads: `depth_range`
-    conduction : the `Conduction` of the same bodies: the law has their conductance too, within the tolerance; None: it has none
-    friction : the `Friction` of this contact, for tangential forces; None: the law has none
-    sliders : with friction or a shear strength, 4 to 64 vector sliders for the springs of a contact; errors fall about as
-        sliders^-1.6, time and memory grow in proportion. 16 for finite elements
-    shear_strength : > 0, in place of friction: the contact slips where its shear traction reaches this constant [modulus], as
-        smooth dry contacts with adhesion do; on homogeneous bodies, with or without adhesion. `advance` then takes contact radii
-        in place of normal forces; None: none
-    twist : whether the sliders bear the twist of the contact about its normal in place of the shift: `advance` takes twists phi
-        and gives torques M. With friction, of paraboloids on homogeneous bodies. A contact that shifts and twists has two laws and
-        two memories, which do not know of each other
-    smallest_depth : without adhesion, where the tolerance begins to hold [length]; None: 1e-4 of the largest. Nearer to first
-        touch the law continues value and slope. With adhesion the law begins at pull-off. None gives way to a medium that begins
-        later, as under a plate
-    tolerance : relative, of F, a and k; 1e-12 to 1e-2. With adhesion relative to |F| + |d dF/dd|
-    description : the problem in words, kept in files; None: the contact's repr
-    continue_beyond : whether the law answers beyond its largest depth and force too, along the tangent there, with a warning
-        (BeyondRangeWarning): one hard collision then does not end a run. Else it refuses
+    The law is made once and verified. It is immutable, may be shared between threads, and pickles completely: other processes do
+    not solve the contact again. Unlike the contact, the law returns zero force for separated bodies.
 
-    Unlike the contact, the law has an answer for bodies that are apart: zero.
+    Parameters
+    ----------
+    contact : Contact
+        The contact to compile, with or without adhesion.
+    largest_depth : float
+        Largest depth > 0 [length]. If depth or force of an adhesive contact decrease over some radii, the law continues to the
+        states from which the contact unloads; see `depth_range`.
+    friction : Friction, optional
+        Friction of this contact, for tangential forces.
+    sliders : int, optional
+        With friction or a shear strength, 4 to 64 vector sliders, which represent the springs. Errors decrease about as
+        sliders^-1.6; time and memory are proportional to them. Use 16 for finite elements.
+    shear_strength : float, optional
+        Constant shear traction at which the contact slips, > 0 [modulus], instead of `friction`; on homogeneous bodies, with or
+        without adhesion. `advance` then takes contact radii instead of normal forces.
+    twist : bool, optional
+        True if the sliders resist a twist phi about the normal instead of a shift; with friction, of paraboloids on homogeneous
+        bodies. A contact that shifts and twists needs two laws and two memories, which are independent.
+    smallest_depth : float, optional
+        Without adhesion, depth from which the tolerance holds [length]; default 1e-4 of the largest. Closer to initial contact the
+        law continues value and slope. An adhesive law begins at pull-off.
+    tolerance : float, optional
+        Relative tolerance of F, a and k, 1e-12 to 1e-2; with adhesion relative to |F| + |d dF/dd|.
+    description : str, optional
+        Description of the problem, kept in files; default the repr of the contact.
+    continue_beyond : bool, optional
+        True continues the law along its tangent beyond its largest depth and force, with a `BeyondRangeWarning`. False raises
+        `DomainError` there.
+    conduction : Conduction, optional
+        Conduction of the same bodies; the law then also has their conductance.
 
-    With friction: `contacts` makes the memory of as many contacts as there are, `advance` takes a step of each along any path of
-    the shift in the plane and of the normal force and gives the tangential forces: stick, partial slip, sliding, and what earlier
-    slip left behind. No path yields energy, T is continuous in F and in the shift, and each step has a derivative. T is off by 1
-    % of mu F with 8 sliders, 0.5 % with 16, against the springs of the body, and springs in the plane are a model: docs/laws.md,
-    `first_shear_error` and `path_error`. Slip of small amplitude, below the strength of the slider at the edge, is elastic: for
-    fretting take `Friction`.
+    Raises
+    ------
+    ArgumentTypeError
+        An object is of another type.
+    InvalidArgumentError
+        A number is outside its range.
+    NoConvergenceError
+        The tolerance cannot be reached.
+
+    Notes ----- With friction, `contacts` makes the memory of contacts, and `advance` takes one step of each along any path of shift
+    and normal force. It returns the tangential forces of stick, partial slip and sliding. No path yields energy, T is continuous in
+    F and in the shift, and each step has a derivative. With 8 sliders the error of T is 1 % of mu F, with 16 sliders 0.5 %,
+    relative to the springs of the body; springs in the plane are a model. See `first_shear_error` and `path_error`. Slip of small
+    amplitude, below the strength of the slider at the edge, is elastic: use `Friction` for fretting.
+
+    References
+    ----------
+    iwan-1967
+
+    Examples
+    --------
+    >>> contact = mdr.Contact(mdr.Paraboloid(10e-3), mdr.Homogeneous(mdr.Elastic(210e9, 0.3)))
+    >>> law = mdr.ContactLaw(contact, 10e-6, friction=mdr.Friction(contact, 0.3))
+    >>> print(f"{law.force(5e-6):.4e} {contact.at_depth(5e-6).force:.4e}")
+    3.4401e+02 3.4401e+02
+    >>> memory = law.contacts(1)
+    >>> T = law.advance(memory, [200.0], [[1e-6, 0.0]])
+    >>> print(np.round(T, 1))
+    [[47.3  0. ]]
     """
 
     __slots__ = ("_highest", "warnings")
 
     warnings: tuple[str, ...]
-    """doubts about the contact at the largest depth, found when the law was made. A file does not hold them"""
+    """warnings about the contact at the largest depth, found when the law was made; files do not contain them"""
 
     _write, _read, _info, _table = native.law_write, native.law_read, native.law_about, _layout.law_facts
 
@@ -134,9 +176,24 @@ class ContactLaw(LawSteps):
         return _with_warnings, (self.to_bytes(), self.warnings)
 
     def force(self, depth: ArrayLike, branch: str = "unloading") -> FloatOrArray:
-        """F [modulus length^2] at depths d up to the largest one [length], any shape.
+        """Return the force F(d).
 
-        branch : "loading" or "unloading", as in `Contact.at_depth`
+        Parameters
+        ----------
+        depth : array_like
+            Depths up to the largest one, any shape [length].
+        branch : {"unloading", "loading"}, optional
+            As in `Contact.at_depth`.
+
+        Returns
+        -------
+        float or ndarray
+            F, in the shape of `depth` [modulus length^2]; 0 for separated bodies.
+
+        Raises
+        ------
+        DomainError
+            A depth exceeds the range, and the law does not continue beyond it.
         """
         if isinstance(depth, float) and branch == "unloading" and depth <= self._highest:
             F = native.law_force_scalar(self._handle, _UNLOADING, depth)
@@ -148,7 +205,25 @@ class ContactLaw(LawSteps):
         return F
 
     def at_depth(self, depth: ArrayLike, branch: str = "unloading") -> LawState:
-        """The states at depths d up to the largest one [length], any shape. Further arguments as in `force`."""
+        """Return the states at given depths.
+
+        Parameters
+        ----------
+        depth : array_like
+            Depths up to the largest one, any shape [length].
+        branch : {"unloading", "loading"}, optional
+            As in `Contact.at_depth`.
+
+        Returns
+        -------
+        LawState
+            The states, in the shape of `depth`.
+
+        Raises
+        ------
+        DomainError
+            A depth exceeds the range, and the law does not continue beyond it.
+        """
         if isinstance(depth, float) and branch == "unloading" and depth <= self._highest:
             state = native.law_state_scalar(self._handle, _UNLOADING, depth)
             if state is not None:
@@ -165,9 +240,26 @@ class ContactLaw(LawSteps):
         return status, *columns
 
     def energy(self, depth: ArrayLike, branch: str = "unloading") -> FloatOrArray:
-        """U = int F dd along the branch [modulus length^3] at depths d [length], any shape: without adhesion the elastic energy,
-        counted from first touch; with adhesion counted from pull-off, with a cohesive stress from bodies that are apart.
-        Further arguments as in `force`."""
+        """Return the energy U = int F dd along the branch.
+
+        Parameters
+        ----------
+        depth : array_like
+            Depths up to the largest one, any shape [length].
+        branch : {"unloading", "loading"}, optional
+            As in `Contact.at_depth`.
+
+        Returns
+        -------
+        float or ndarray
+            U, in the shape of `depth` [modulus length^3]. It counts from initial contact, the elastic energy; with adhesion from
+            pull-off, with a cohesive stress from separated bodies.
+
+        Raises
+        ------
+        DomainError
+            A depth exceeds the range, and the law does not continue beyond it.
+        """
         chosen = code("branch", branch, BRANCHES)
         U = evaluate("depth", depth, lambda d: self._energy(chosen, d))
         self._warn_beyond("depth", depth)
@@ -178,8 +270,27 @@ class ContactLaw(LawSteps):
         return native.law_values(self._handle, _layout.DEPTH, branch, depth, None, None, None, None, None, U), U
 
     def conductance(self, depth: ArrayLike, branch: str = "unloading") -> tuple[FloatOrArray, FloatOrArray]:
-        """G [conductance] and dG/dd along the branch [conductance/length] at depths d [length], any shape, of a law that was made
-        with a conduction. Further arguments as in `force`."""
+        """Return the conductance and its derivative, of a law made with a conduction.
+
+        Parameters
+        ----------
+        depth : array_like
+            Depths up to the largest one, any shape [length].
+        branch : {"unloading", "loading"}, optional
+            As in `Contact.at_depth`.
+
+        Returns
+        -------
+        tuple
+            G [conductance] and dG/dd along the branch [conductance/length], in the shape of `depth`.
+
+        Raises
+        ------
+        InvalidArgumentError
+            The law was made without a conduction.
+        DomainError
+            A depth exceeds the range, and the law does not continue beyond it.
+        """
         chosen = code("branch", branch, BRANCHES)
         G, slope = evaluate_all("depth", depth, lambda d: native.law_conductance(self._handle, chosen, d))
         self._warn_beyond("depth", depth)
@@ -199,7 +310,27 @@ class ContactLaw(LawSteps):
         return found
 
     def at_force(self, force: ArrayLike, branch: str = "unloading") -> LawState:
-        """The states under forces F of the compiled range [modulus length^2], any shape. Further arguments as in `force`."""
+        """Return the states under given forces.
+
+        Parameters
+        ----------
+        force : array_like
+            Forces of the compiled range, any shape [modulus length^2].
+        branch : {"unloading", "loading"}, optional
+            As in `Contact.at_depth`.
+
+        Returns
+        -------
+        LawState
+            The states, in the shape of `force`.
+
+        Raises
+        ------
+        DomainError
+            A force exceeds the range, and the law does not continue beyond it.
+        UnreachableError
+            No stable contact has the force.
+        """
         chosen = code("branch", branch, BRANCHES)
         d, compliance, a, k = evaluate_all("force", force, lambda F: self._from_force(chosen, F))
         slope = np.divide(1.0, compliance, out=np.zeros(np.shape(compliance)), where=np.asarray(compliance) != 0.0)
@@ -213,15 +344,30 @@ class ContactLaw(LawSteps):
         return status, d, compliance, a, k
 
     def buffer(self) -> NDArray[np.float64]:
-        """The law as one array of numbers without addresses, which the inline functions of `mdrcontact_law.h` evaluate wherever it
-        lies: on a device, in shared memory, in a file. Without friction; its layout: `mdr_law_head` in `mdrcontact.h`."""
+        """Return the law as one array of numbers without addresses.
+
+        The inline functions of `mdrcontact_law.h` evaluate it in any memory: on a device, in shared memory, in a file. It excludes
+        friction. Its layout is `mdr_law_head` in `mdrcontact.h`.
+
+        Returns
+        -------
+        ndarray
+            The numbers.
+        """
         numbers = np.empty(int(self._facts["buffer_size"]))
         call(native.law_buffer, self._handle, numbers.size, numbers)
         return numbers
 
     def arrays(self) -> LawArrays:
-        """The same numbers by parts: NumPy views of segments, intervals, and of the polynomials of each panel. What they mean is
-        said in `mdrcontact.h`; `mdrcontact.interop` makes functions of numba, JAX and PyTorch of them."""
+        """Return the numbers of the law as separate NumPy views.
+
+        `mdrcontact.interop` makes functions of numba, JAX and PyTorch from them.
+
+        Returns
+        -------
+        LawArrays
+            Segments, intervals and polynomials of each panel.
+        """
         return law_arrays(self.buffer())
 
     def table(
@@ -234,25 +380,56 @@ class ContactLaw(LawSteps):
         touch: float | None = None,
         area: float | None = None,
     ) -> str:
-        """The law as the text of a table that another program reads and interpolates linearly, from first touch (with adhesion from
-        the beginning of the branch) to the largest depth, with as few rows as the error allows.
+        """Return the law as the text of a table for another program.
 
-        form : "csv" with F, dF/dd, a, k and U; "lammps", a section MDRCONTACT for `pair_style table` and `bond_style table`;
-            "spring", a nonlinear spring of Abaqus and CalculiX (SPRINGA); "overclosure", pressure-overclosure of both
-        error : of F by linear interpolation, relative to the largest |F|; 1e-7 to 0.1. The text states what was found
-        branch : of csv, as in `force`; the other forms take laws without adhesion
-        length : the unit of length of the table in that of the law: 1e-3 for mm, where the law is in m. Forces stay
-        touch : of "lammps": the distance at first touch, to which forces reach [table's length]
-        area : of "overclosure": the area of the surface that one contact stands for [table's length^2]
+        The table is interpolated linearly from initial contact (with adhesion from the beginning of the branch) to the largest
+        depth. It has as few rows as the error allows.
+
+        Parameters
+        ----------
+        form : {"csv", "lammps", "spring", "overclosure"}, optional
+            "csv": F, dF/dd, a, k and U. "lammps": a section MDRCONTACT for `pair_style table` and `bond_style table`. "spring": a
+            nonlinear spring of Abaqus and CalculiX (SPRINGA). "overclosure": pressure-overclosure of both.
+        error : float, optional
+            Error of F by linear interpolation, relative to the largest |F|, 1e-7 to 0.1 [1]. The text states the error found.
+        branch : {"unloading", "loading"}, optional
+            Of "csv", as in `Contact.at_depth`; the other forms need a law without adhesion.
+        length : float, optional
+            Unit of length of the table in that of the law, > 0: 1e-3 for mm if the law is in m. Forces keep their unit.
+        touch : float, optional
+            Of "lammps": distance at initial contact [length of the table].
+        area : float, optional
+            Of "overclosure": area of the surface that one contact represents [length^2 of the table].
+
+        Returns
+        -------
+        str
+            The text of the table.
+
+        Raises
+        ------
+        InvalidArgumentError
+            The form is unknown, an argument belongs to another form, or a number is outside its range.
         """
         return table_text(self, form, error, branch, length, touch, area)
 
     def with_radius(self, radius: float) -> ContactLaw:
-        """The law of the same bodies for a paraboloid of another radius R > 0 [length], from this one for R0.
+        """Return the law of the same bodies for a paraboloid of another radius.
 
-        Without adhesion, on any linear bodies, F(d; R) = (R0/R) F0(d R/R0) with the same a and k, up to the largest depth times
-        R0/R. Refused (InvalidArgumentError) with adhesion, where it holds only if work of adhesion times R^2 stays the same; for
-        indenters other than paraboloids; and for laws of files that do not hold the radius.
+        Parameters
+        ----------
+        radius : float
+            R > 0 [length].
+
+        Returns
+        -------
+        ContactLaw
+            The law, F(d; R) = (R0/R) F0(d R/R0) with the same a and k, up to the largest depth times R0/R.
+
+        Raises
+        ------
+        InvalidArgumentError
+            The contact is adhesive, the indenter is not a paraboloid, or the law is from a file that does not contain the radius.
         """
         law = type(self).__new__(type(self))
         law._own(native.law_with_radius(self._handle, number("radius", radius)))
@@ -261,22 +438,22 @@ class ContactLaw(LawSteps):
 
     @property
     def depth_range(self) -> tuple[float, float]:
-        """The compiled depths [length]: from pull-off on with adhesion."""
+        """Smallest and largest compiled depth [length]; the smallest is at pull-off with adhesion."""
         return float(self._facts["lowest_depth"]), float(self._facts["highest_depth"])
 
     @property
     def force_range(self) -> tuple[float, float]:
-        """The compiled forces [modulus length^2]."""
+        """Smallest and largest compiled force [modulus length^2]."""
         return float(self._facts["lowest_force"]), float(self._facts["highest_force"])
 
     @property
     def error(self) -> float:
-        """The largest relative error found when the law was verified against the contact."""
+        """Largest relative error found when the law was verified against the contact [1]."""
         return float(self._facts["error"])
 
     @property
     def solutions(self) -> int:
-        """How many contact states were computed to make and verify the law."""
+        """Number of contact states that were computed to make and verify the law."""
         return int(self._facts["solutions"])
 
     def __repr__(self) -> str:

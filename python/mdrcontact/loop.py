@@ -29,51 +29,84 @@ _FIRST_ROOM = 16
 
 
 class PullOff(NamedTuple):
-    """The state in which an adhesive contact breaks: the lowest force, or depth, of all its stable states."""
+    """State in which an adhesive contact breaks, from `Contact.pull_off`.
+
+    It is the state of lowest force, or of lowest depth, of all stable states.
+
+    Examples
+    --------
+    >>> rubber = mdr.Homogeneous(mdr.Elastic(1e6, 0.5))
+    >>> contact = mdr.Contact(mdr.Paraboloid(10e-6), rubber, work_of_adhesion=0.05)
+    >>> pull_off = contact.pull_off()
+    >>> print(f"{pull_off.force:.4e} {-1.5 * np.pi * 0.05 * 10e-6:.4e}")
+    -2.3562e-06 -2.3562e-06
+    """
 
     depth: float
     """d, indentation depth, positive into the medium [length]"""
     radius: float
-    """a, contact radius [length]; 0 where bodies with a cohesive stress part while they attract each other without contact"""
+    """a, contact radius [length]; 0 if bodies with a cohesive stress part while they attract each other without contact"""
     force: float
     """F, normal force, positive in compression [modulus length^2]"""
     stiffness: float
     """k = 2 a E_eff(a), contact stiffness at constant radius [modulus length]"""
     others: tuple[PullOff, ...] = ()
-    """where the other stable segments of the branch end, by ascending radius: a coated body can have several"""
+    """ends of the other stable segments of the branch, by ascending radius; a coated body can have several"""
 
 
 class _LoopNumbers(NamedTuple):
     """The numbers of a `Loop`."""
 
     position: NDArray[np.float64]
-    """what the machine prescribes: the force, the depth d, or the far end of the spring, d + F/stiffness"""
+    """the prescribed quantity: the force [modulus length^2], the depth, or the far end of the spring, d + F/stiffness [length]"""
     depth: NDArray[np.float64]
-    """d, negative where the bodies are apart [length]"""
+    """d, negative while the bodies are separated [length]"""
     radius: NDArray[np.float64]
-    """a, 0 where they are apart [length]"""
+    """a, 0 while the bodies are separated [length]"""
     force: NDArray[np.float64]
     """F [modulus length^2]"""
     turning_point: int
     """index of the last point of the approach"""
     jumps: NDArray[np.int64]
-    """indices of the points just before each jump; a jump leads to the next point, at the same position"""
+    """indices of the points before each jump; a jump leads to the next point at the same position"""
     dissipated_energy: float
-    """energy lost in the cycle, the area of the loop; under a prescribed force up to pull-off, for how far the bodies then fly
-    apart under it is not known [modulus length^3]"""
+    """energy lost in the cycle, the area of the loop; under a prescribed force up to pull-off, because the further motion of the
+    bodies is not known [modulus length^3]
+    """
     control: str
-    """"force", "depth" or "spring"."""
+    """"force", "depth" or "spring" """
 
 
 class Loop(_LoopNumbers, Warned):
-    """A cycle: approach from afar, jump into contact, press, retract until the bodies are apart again. Arrays of one length."""
+    """Cycle of approach and retraction, from `Contact.loop`; arrays of one length.
+
+    The indenter approaches from afar, jumps into contact, presses, and retracts until the bodies are separated again.
+
+    Examples
+    --------
+    >>> rubber = mdr.Homogeneous(mdr.Elastic(1e6, 0.5))
+    >>> contact = mdr.Contact(mdr.Paraboloid(10e-6), rubber, work_of_adhesion=0.05)
+    >>> cycle = contact.loop("depth", largest=1e-6, points=50)
+    >>> print(len(cycle.jumps), f"{cycle.dissipated_energy:.3e}")
+    2 8.559e-13
+    """
 
     def plot(self, axes: Any = None, **look: Any) -> Any:
-        """Draws force against position (against depth under force control) with matplotlib; jumps are dotted.
+        """Draw force against position with matplotlib; jumps are dotted.
 
-        axes : where; None makes a new figure
-        look : passed on to `axes.plot`
-        Returns the axes.
+        The abscissa is the depth under force control.
+
+        Parameters
+        ----------
+        axes : matplotlib.axes.Axes, optional
+            Axes to draw on; None makes a new figure.
+        **look
+            Arguments of `axes.plot`.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+            The axes.
         """
         if axes is None:
             import matplotlib.pyplot as plt

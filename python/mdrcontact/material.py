@@ -28,11 +28,27 @@ def check_rows(rows: NDArray[np.float64]) -> None:
 
 @dataclass(frozen=True)
 class Conductor(WithParameters):
-    """A material that conducts current or heat; a body of it alone is a half-space.
+    """Material that conducts current or heat.
 
-    sigma : conductivity > 0 into the body, S/m or W/(m K) [conductance/length]
-    along : conductivity > 0 along the surface; None: sigma
-    capacity : heat capacity >= 0 per volume, J/(m^3 K); 0: it follows at once
+    Parameters
+    ----------
+    sigma : float
+        Conductivity into the body, > 0 [conductance/length]; S/m or W/(m K) in SI units.
+    along : float, optional
+        Conductivity along the surface, > 0 [conductance/length]. None, the default, is that into the body.
+    capacity : float, optional
+        Heat capacity per volume, >= 0; J/(m^3 K) in SI units. 0, the default, has no transient.
+
+    Raises
+    ------
+    InvalidArgumentError
+        A number is outside its range.
+
+    Examples
+    --------
+    >>> copper = mdr.conduction.Conductor(400.0, capacity=3.4e6)
+    >>> print(f"{mdr.conduction.Conduction(copper).at_radius(1e-6).conductance:.4e}")
+    1.6000e-03
     """
 
     sigma: float
@@ -52,11 +68,29 @@ class Conductor(WithParameters):
 
 @dataclass(frozen=True)
 class Elastic(WithParameters):
-    """An isotropic elastic material.
+    """Isotropic elastic material.
 
-    E : Young's modulus, > 0, in the unit of pressure of the whole problem (Pa with metres and newtons)
-    nu : Poisson's ratio, -1 < nu <= 0.5
-    conductor : what it conducts heat or current with, so that a body serves a contact and its `Conduction` alike; None: not known
+    Parameters
+    ----------
+    E : float
+        Young's modulus > 0 [modulus]; Pa with metres and newtons.
+    nu : float
+        Poisson's ratio, -1 < nu <= 0.5 [1].
+    conductor : Conductor, optional
+        What the material conducts heat or current with, so that one body serves a contact and its `Conduction`.
+
+    Raises
+    ------
+    InvalidArgumentError
+        E or nu is outside its range.
+    ArgumentTypeError
+        `conductor` is not a `Conductor`.
+
+    Examples
+    --------
+    >>> oxide = mdr.Elastic(72e9, 0.17)
+    >>> print(f"{oxide.contact_modulus:.4e}")
+    7.4143e+10
     """
 
     E: float = field(metadata={"dimension": MODULUS})
@@ -76,7 +110,7 @@ class Elastic(WithParameters):
 
     @property
     def contact_modulus(self) -> float:
-        """E* = E/(1 - nu^2), equation (2) [modulus]."""
+        """`E* = E/(1 - nu^2)`, equation (2) [modulus]."""
         return float(evaluate("a", 1.0, lambda radii: native.medium_values(self._handle, _layout.MODULUS, radii)))
 
     def _layer(self) -> dict[str, float]:
@@ -86,15 +120,35 @@ class Elastic(WithParameters):
 
 @dataclass(frozen=True)
 class TransverselyIsotropic(WithParameters):
-    """An elastic material that is isotropic in the plane of the surface, with another stiffness along its normal z: hexagonal
-    crystals with the axis c along z (ZnO, GaN, graphite), columnar films, bone, fibre mats.
+    """Elastic material that is isotropic in the plane of the surface.
 
-    C11, C12, C13, C33, C44 : stiffnesses [modulus], 3 the axis z; every strain must cost energy: C11 > |C12|, C33 > 0, C44 > 0,
-        2 C13^2 < C33 (C11 + C12)
-    engineering : E_t, E_z, nu_t, nu_tz, G_z in their place, see `from_engineering`; the stiffnesses are then computed, and infinite
-        where the material is incompressible
+    The axis z is the normal of the surface. Examples are hexagonal crystals with the axis c along z (ZnO, GaN, graphite), columnar
+    films, bone and fibre mats.
 
-    docs/coatings.md. `Elastic(E, nu)` is the special case of no axis.
+    Parameters
+    ----------
+    C11, C12, C13, C33, C44 : float, optional
+        Stiffnesses; 3 is the axis z [modulus]. Every strain must cost energy: C11 > |C12|, C33 > 0, C44 > 0,
+        2 C13^2 < C33 (C11 + C12).
+    engineering : tuple of float, optional
+        E_t, E_z, nu_t, nu_tz, G_z instead of the stiffnesses; see `from_engineering`. The stiffnesses are then computed and are
+        infinite for an incompressible material.
+
+    Raises
+    ------
+    InvalidArgumentError
+        A strain would cost no energy, or both forms are given.
+
+    References
+    ----------
+    elliott-1948
+    delafargue-2004
+
+    Examples
+    --------
+    >>> gallium_nitride = mdr.TransverselyIsotropic(390e9, 145e9, 106e9, 398e9, 105e9)
+    >>> print(f"{gallium_nitride.contact_modulus:.4e} {mdr.CRYSTALS['GaN'].material.contact_modulus:.4e}")
+    3.3045e+11 3.3045e+11
     """
 
     C11: float = field(default=0.0, metadata={"dimension": MODULUS})
@@ -120,9 +174,31 @@ class TransverselyIsotropic(WithParameters):
 
     @classmethod
     def from_engineering(cls, E_t: float, E_z: float, nu_t: float, nu_tz: float, G_z: float) -> TransverselyIsotropic:
-        """The same from Young's moduli in the plane (E_t) and along z (E_z), > 0 [modulus], Poisson's ratios in the plane
-        (-1 < nu_t < 1) and nu_tz = -strain along z/strain along t under a stress along t in the plane,
-        2 nu_tz^2 E_z/E_t <= 1 - nu_t, and the shear modulus of planes that hold z, G_z > 0 [modulus]."""
+        """Return the material given by its engineering constants.
+
+        Parameters
+        ----------
+        E_t : float
+            Young's modulus in the plane, > 0 [modulus].
+        E_z : float
+            Young's modulus along z, > 0 [modulus].
+        nu_t : float
+            Poisson's ratio in the plane, -1 < nu_t < 1 [1].
+        nu_tz : float
+            Minus the strain along z over the strain along t under a stress along t in the plane [1]; 2 nu_tz^2 E_z/E_t <= 1 - nu_t.
+        G_z : float
+            Shear modulus of planes that contain z, > 0 [modulus].
+
+        Returns
+        -------
+        TransverselyIsotropic
+            The material.
+
+        Raises
+        ------
+        InvalidArgumentError
+            A constant is outside its range.
+        """
         return cls(engineering=(E_t, E_z, nu_t, nu_tz, G_z))
 
     def __repr__(self) -> str:
@@ -145,13 +221,12 @@ class TransverselyIsotropic(WithParameters):
 
     @property
     def contact_modulus(self) -> float:
-        """E* of a half-space of it [modulus]: 2 sqrt((C11 C33 - C13^2)/C11/(1/C44 + 2/(sqrt(C11 C33) + C13))); Delafargue, Ulm
-        2004, Int. J. Solids Struct. 41, 7351."""
+        """E* of a half-space of the material, Delafargue and Ulm (2004) [modulus]."""
         return float(evaluate("a", 1.0, lambda radii: native.medium_values(self._handle, _layout.MODULUS, radii)))
 
     @property
     def tangential_modulus(self) -> float:
-        """G0* of a half-space of it [modulus]: its contact, sticking all over, has the tangential stiffness 2 a G0*."""
+        """G_0*; the tangential stiffness of a contact without slip is 2 a G_0* [modulus]."""
         quantity = _layout.TANGENTIAL_MODULUS
         return float(evaluate("a", 1.0, lambda radii: native.medium_values(self._handle, quantity, radii)))
 
@@ -186,18 +261,63 @@ class _Rheology(WithParameters):
     """What viscoelastic materials have in common."""
 
     def relaxation(self, t: ArrayLike) -> FloatOrArray:
-        """The shear relaxation modulus G(t) [modulus] at times t >= 0, any shape, G(0) being the glassy one; a dashpot bears
-        nothing at t > 0. InvalidArgumentError at t = 0 for power laws and dashpots, whose G(0) is infinite."""
+        """Return the shear relaxation modulus G(t).
+
+        Parameters
+        ----------
+        t : array_like
+            Times >= 0, any shape [time]. G(0) is the glassy modulus. A dashpot contributes nothing at t > 0.
+
+        Returns
+        -------
+        float or ndarray
+            G, in the shape of `t` [modulus].
+
+        Raises
+        ------
+        InvalidArgumentError
+            t = 0 for a power law or a dashpot, whose G(0) is infinite.
+        """
         return evaluate("t", t, lambda values: self._values(_layout.RELAXATION, values))
 
     def creep(self, t: ArrayLike) -> FloatOrArray:
-        """The shear compliance J(t), the strain under a constant stress of 1 [1/modulus], at times t >= 0, any shape; J(0) = 0 of
-        power laws and dashpots."""
+        """Return the shear creep compliance J(t), the strain under a unit stress.
+
+        Parameters
+        ----------
+        t : array_like
+            Times >= 0, any shape [time].
+
+        Returns
+        -------
+        float or ndarray
+            J, in the shape of `t` [1/modulus]; J(0) = 0 for power laws and dashpots.
+
+        Raises
+        ------
+        InvalidArgumentError
+            A time is negative.
+        """
         return evaluate("t", t, lambda values: self._values(_layout.CREEP, values))
 
     def complex_modulus(self, omega: ArrayLike) -> ComplexOrArray:
-        """The complex shear modulus [modulus] at angular frequencies omega > 0 [1/time], any shape: its real part stores, its
-        imaginary part loses energy."""
+        """Return the complex shear modulus.
+
+        Parameters
+        ----------
+        omega : array_like
+            Angular frequencies > 0, any shape [1/time].
+
+        Returns
+        -------
+        complex or ndarray
+            Storage modulus (real part) and loss modulus (imaginary part), in the shape of `omega` [modulus].
+
+        Raises
+        ------
+        InvalidArgumentError
+            A frequency is not finite and greater than 0.
+        """
         modulus = _layout.COMPLEX_MODULUS
         return complex_values("omega", omega, lambda values: native.material_values(self._handle, modulus, values))
 
@@ -207,12 +327,18 @@ class _Rheology(WithParameters):
 
     @property
     def glassy(self) -> Elastic:
-        """The elastic material of a sudden load; InvalidArgumentError for power laws and dashpots, which have none."""
+        """Elastic material of a sudden load.
+
+        Power laws and dashpots have none and raise `InvalidArgumentError`.
+        """
         return Elastic(*call(native.material_limit, self._handle, _layout.LIMIT_GLASSY))
 
     @property
     def relaxed(self) -> Elastic:
-        """The elastic material of a load that has lasted; InvalidArgumentError for what flows without end."""
+        """Elastic material of a load that has lasted.
+
+        A material that flows without end has none and raises `InvalidArgumentError`.
+        """
         return Elastic(*call(native.material_limit, self._handle, _layout.LIMIT_RELAXED))
 
     def _layer(self) -> dict[str, Handle]:
@@ -222,13 +348,38 @@ class _Rheology(WithParameters):
 
 @dataclass(frozen=True)
 class Viscoelastic(_Rheology):
-    """A linear viscoelastic material whose shear modulus relaxes as G(t) = relaxed_shear_modulus + sum g_i exp(-t/tau_i).
+    """Linear viscoelastic material with a Prony series.
 
-    relaxed_shear_modulus : G(infinity) >= 0 [modulus]; 0: it flows without end
-    terms : [(g_i, tau_i), ...] moduli > 0 [modulus] and relaxation times > 0 [time] of a Prony series; may be none
-    nu : Poisson's ratio, -1 < nu <= 0.5, constant; or
-    bulk_modulus : K > 0, elastic, the physical choice for polymers: Poisson's ratio grows as the shear modulus relaxes [modulus]
-    viscosity : of a dashpot in parallel, >= 0 [modulus time], with nu only; with no terms a Kelvin-Voigt material
+    The shear modulus relaxes as `G(t) = relaxed_shear_modulus + sum g_i exp(-t/tau_i)`. Give exactly one of `nu` and
+    `bulk_modulus`.
+
+    Parameters
+    ----------
+    relaxed_shear_modulus : float
+        G(infinity) >= 0 [modulus]; 0 is a material that flows without end.
+    terms : iterable of (float, float)
+        Moduli g_i > 0 [modulus] and relaxation times tau_i > 0 [time]; may be empty.
+    nu : float, optional
+        Constant Poisson's ratio, -1 < nu <= 0.5 [1].
+    bulk_modulus : float, optional
+        Elastic bulk modulus K > 0 [modulus]. Poisson's ratio then increases as the shear modulus relaxes, as in polymers.
+    viscosity : float, optional
+        Viscosity of a parallel dashpot, >= 0, with `nu` only [modulus time]. Without terms it makes a Kelvin-Voigt material.
+
+    Raises
+    ------
+    InvalidArgumentError
+        Neither or both of `nu` and `bulk_modulus` are given, or a number is outside its range.
+
+    References
+    ----------
+    findley-1976
+
+    Examples
+    --------
+    >>> polymer = mdr.Viscoelastic(1e6, [(9e6, 1.0)], nu=0.5)
+    >>> print(f"{polymer.relaxation(1.0):.4e} {polymer.glassy.E:.4e} {polymer.relaxed.E:.4e}")
+    4.3109e+06 3.0000e+07 3.0000e+06
     """
 
     relaxed_shear_modulus: float = field(metadata={"dimension": MODULUS})
@@ -280,13 +431,31 @@ class Viscoelastic(_Rheology):
         modulus: str = "young",
         elastic_bulk: bool = True,
     ) -> Viscoelastic:
-        """The material of a Prony table as finite-element programs write it.
+        """Return the material of a Prony table in the form of finite-element programs.
 
-        instant_modulus : of a sudden load, > 0 [modulus]: Young's modulus, or the shear modulus with modulus="shear"
-        rows : [(g_i, tau_i), ...] or [(g_i, k_i, tau_i), ...]: fractions of the instant shear (and bulk) modulus that relax, and
-            times. k_i, if given, must be 0 throughout (elastic bulk), or equal g_i throughout (constant Poisson's ratio)
-        nu : Poisson's ratio of a sudden load, -1 < nu <= 0.5
-        elastic_bulk : where the rows have no k_i: the bulk modulus does not relax; False: it relaxes as the shear modulus does
+        Parameters
+        ----------
+        instant_modulus : float
+            Modulus of a sudden load, > 0 [modulus]: Young's modulus, or the shear modulus with modulus="shear".
+        rows : iterable
+            Rows (g_i, tau_i) or (g_i, k_i, tau_i): fractions of the instant shear and bulk modulus that relax [1], and times
+            [time]. All k_i must be 0 (elastic bulk) or equal g_i (constant Poisson's ratio).
+        nu : float
+            Poisson's ratio of a sudden load, -1 < nu <= 0.5 [1].
+        modulus : {"young", "shear"}, optional
+            What `instant_modulus` is.
+        elastic_bulk : bool, optional
+            For rows without k_i: True, the default, if the bulk modulus does not relax; False if it relaxes as the shear modulus.
+
+        Returns
+        -------
+        Viscoelastic
+            The material.
+
+        Raises
+        ------
+        InvalidArgumentError
+            The table is empty or ragged, its fractions add to more than 1, or a number is outside its range.
         """
         given = [row if isinstance(row, Iterable) else () for row in (rows if isinstance(rows, Iterable) else ())]
         table = [[number("rows", value) for value in row] for row in given]
@@ -315,8 +484,32 @@ class Viscoelastic(_Rheology):
     def from_prony_text(
         cls, text: str, instant_modulus: float, nu: float, *, modulus: str = "young", elastic_bulk: bool = True
     ) -> Viscoelastic:
-        """The same from the text of a table: lines "g, k, tau" or "g, tau", separated by commas or blanks, or those that TB,PRONY
-        writes of the shear modulus, "TBDATA,1,g,tau,g,tau". Comments (*, #, !) and lines of words are passed over."""
+        """Return the material of a Prony table given as text.
+
+        Parameters
+        ----------
+        text : str
+            Lines "g, k, tau" or "g, tau", separated by commas or blanks, or lines "TBDATA,1,g,tau,g,tau" of a shear modulus.
+            Comments (*, #, !) and lines of words are ignored.
+        instant_modulus : float
+            As in `from_fractions` [modulus].
+        nu : float
+            As in `from_fractions` [1].
+        modulus : {"young", "shear"}, optional
+            As in `from_fractions`.
+        elastic_bulk : bool, optional
+            As in `from_fractions`.
+
+        Returns
+        -------
+        Viscoelastic
+            The material.
+
+        Raises
+        ------
+        InvalidArgumentError
+            No line contains numbers, or the table is one of a bulk modulus.
+        """
         rows: list[list[float]] = []
         listed = []
         for line in text.splitlines():
@@ -343,12 +536,31 @@ _TERM = ("modulus", "time")
 
 @dataclass(frozen=True)
 class PowerLawRheology(_Rheology):
-    """A material whose shear modulus relaxes as a power of time, G(t) = modulus (t/time)^(-exponent): cells, gels, soft glasses.
+    """Material whose shear modulus relaxes as a power law of time.
 
-    modulus : G at `time`, > 0 [modulus]
-    time : > 0 [time]
-    exponent : > 0 (elastic) and < 1 (viscous)
-    nu : Poisson's ratio, -1 < nu <= 0.5, constant
+    The shear modulus is `G(t) = modulus (t/time)^(-exponent)`, as of cells, gels and soft glasses.
+
+    Parameters
+    ----------
+    modulus : float
+        G at `time`, > 0 [modulus].
+    time : float
+        Reference time > 0 [time].
+    exponent : float
+        Exponent, > 0 (elastic limit) and < 1 (viscous limit) [1].
+    nu : float
+        Constant Poisson's ratio, -1 < nu <= 0.5 [1].
+
+    Raises
+    ------
+    InvalidArgumentError
+        A number is outside its range.
+
+    Examples
+    --------
+    >>> cell = mdr.PowerLawRheology(modulus=1e3, time=1.0, exponent=0.2, nu=0.5)
+    >>> print(f"{cell.relaxation(10.0):.2f}")
+    630.96
     """
 
     modulus: float = field(metadata={"dimension": MODULUS})

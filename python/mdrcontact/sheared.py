@@ -40,20 +40,29 @@ class _ShearNumbers(NamedTuple):
     shift: FloatOrArray
     """s, displacement of the indenter along the surface [length]; or phi, its angle about the axis [radian]"""
     tangential_force: FloatOrArray
-    """T, |T| <= coefficient F [modulus length^2]; or the torque M [modulus length^3]; of the sign of the shift"""
+    """T, |T| <= coefficient F [modulus length^2]; or the torque M [modulus length^3]; with the sign of the shift"""
     stick_radius: FloatOrArray
-    """c, radius of the disc of stick, 0 where the contact slides [length]"""
+    """c, radius of the stick zone, 0 if the contact slides [length]"""
     stiffness: FloatOrArray
-    """dT/ds = k_t(c), that of a contact of radius c that sticks all over [modulus length]; or dM/dphi [modulus length^3]"""
+    """dT/ds = k_t(c), that of a contact of radius c without slip [modulus length]; or dM/dphi [modulus length^3]"""
     dissipated_energy: FloatOrArray
     """energy dissipated since s = 0 [modulus length^3]"""
     sliding: bool | NDArray[np.bool_]
-    """whether the whole contact slides; under a twist whether the disc of stick is smaller than 1e-6 a, which no torque
-    distinguishes from 0"""
+    """True if the whole contact slides; under a twist, if the stick zone is smaller than 1e-6 a, the resolution of the torque"""
 
 
 class ShearState(_ShearNumbers):
-    """States of shear; each entry has the shape of the input, or is a number. `states[3]` and `states[mask]` are some of them."""
+    """Tangential states of a contact; each entry has the shape of the input.
+
+    `states[3]` and `states[mask]` select some of several states.
+
+    Examples
+    --------
+    >>> contact = mdr.Contact(mdr.Paraboloid(10e-3), mdr.Homogeneous(mdr.Elastic(210e9, 0.3)))
+    >>> states = mdr.Friction(contact, 0.3).shear(contact.at_force(10.0)).at_force([0.75, 1.5, 2.9])
+    >>> print(np.round(states.shift * 1e9, 2))
+    [ 30.05  63.72 154.36]
+    """
 
     _asked_of: ShearedContact | None = None
     """whose states they are, with the normal state of each; None: those of a history, or pickled ones"""
@@ -62,8 +71,7 @@ class ShearState(_ShearNumbers):
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """Whether slip would begin inside: of several states of the one with the smallest disc of stick; empty where it does not.
-        By rings, in a `FrictionHistory`, it may."""
+        """Warnings of the state with the smallest stick zone; empty if there are none."""
         return self._texts if self._asked_of is None else texts_of(self._asked_of._doubts(self))
 
     def __reduce__(self) -> tuple[Any, ...]:
@@ -87,7 +95,17 @@ def _with_texts(numbers: tuple[Any, ...], texts: tuple[str, ...]) -> ShearState:
 
 
 class FrictionLoop(NamedTuple):
-    """A cycle between +amplitude and -amplitude at constant normal force."""
+    """Cycle between +amplitude and -amplitude at constant normal force.
+
+    `ShearedContact.loop` returns it.
+
+    Examples
+    --------
+    >>> contact = mdr.Contact(mdr.Paraboloid(10e-3), mdr.Homogeneous(mdr.Elastic(210e9, 0.3)))
+    >>> cycle = mdr.Friction(contact, 0.3).shear(contact.at_force(10.0)).loop(1.5, "force")
+    >>> print(f"{cycle.dissipated_energy:.4e} {cycle.turn.stick_radius:.4e}")
+    1.4554e-08 5.4570e-05
+    """
 
     shift: NDArray[np.float64]
     """s, or phi, from +amplitude to -amplitude and back in equal steps [length, or radian]"""
@@ -96,17 +114,30 @@ class FrictionLoop(NamedTuple):
     dissipated_energy: float
     """energy dissipated in the cycle, the area of the loop [modulus length^3]"""
     turn: ShearState
-    """the state at +amplitude when it is reached for the first time; slip is outside its stick radius"""
+    """the state at +amplitude when it is reached for the first time; the contact slips outside its stick radius"""
     around: bool = False
-    """whether it is twisted about the axis"""
+    """True if the contact is twisted about its axis"""
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """Reasons to doubt it; empty where there are none."""
+        """Warnings about the cycle; empty if there are none."""
         return self.turn.warnings
 
     def plot(self, axes: Any = None, **look: Any) -> Any:
-        """Draws T against s with matplotlib on `axes` (None makes a new figure); `look` is passed on. Returns the axes."""
+        """Draw the tangential force against the shift with matplotlib.
+
+        Parameters
+        ----------
+        axes : matplotlib.axes.Axes, optional
+            Axes to draw on; None makes a new figure.
+        **look
+            Arguments of `axes.plot`.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+            The axes.
+        """
         if axes is None:
             import matplotlib.pyplot as plt
 
@@ -119,15 +150,38 @@ class FrictionLoop(NamedTuple):
 
 @dataclass(frozen=True)
 class ShearedContact:
-    """What happens to states of a contact with friction as they are sheared, or twisted about the axis: `friction.shear(state)`,
-    `friction.twist(state)`. Slip begins at the edge, in an annulus.
+    """Normal states that are sheared, or twisted about the axis, at constant force.
 
-    friction : the `Friction` of a contact; for a twist on a homogeneous medium with E and nu, or on a pair of them
-    state : one state of its contact, or several; they broadcast with shifts and forces, fields and loops take one
-    around : whether it is twisted: shifts are then angles phi about the axis [radian], forces are torques M [modulus length^3]
+    `Friction.shear` and `Friction.twist` make it. Slip begins at the edge, in an annulus.
 
-    A twist is Lubkin's problem, exact: a disc around the axis sticks at any angle, ever smaller, and the torque approaches
+    Parameters
+    ----------
+    friction : Friction
+        The contact with friction; for a twist on a homogeneous medium with E and nu, or on a pair of them.
+    state : State
+        One state of the contact, or several. They broadcast with shifts and forces; fields and loops need one state.
+    around : bool, optional
+        True for a twist: shifts are then angles phi about the axis [radian], forces are torques M [modulus length^3].
+
+    Raises
+    ------
+    ArgumentTypeError
+        `friction` is not a `Friction`, or `state` is not a state of its contact.
+
+    Notes ----- A twist is Lubkin's problem, solved exactly: a disc around the axis sticks at any angle, and the torque approaches
     `sliding_force`.
+
+    References
+    ----------
+    lubkin-1951
+    jaeger-1942
+
+    Examples
+    --------
+    >>> contact = mdr.Contact(mdr.Paraboloid(10e-3), mdr.Homogeneous(mdr.Elastic(210e9, 0.3)))
+    >>> sheared = mdr.Friction(contact, 0.3).shear(contact.at_force(10.0))
+    >>> print(f"{sheared.sliding_force:.2f} {sheared.sliding_shift:.4e}")
+    3.00 1.7220e-07
     """
 
     friction: Any
@@ -146,31 +200,82 @@ class ShearedContact:
             raise ArgumentTypeError("state is not allowed: it must be a State of the contact with friction")
 
     def at_shift(self, shift: ArrayLike) -> ShearState:
-        """The states after a displacement s of the indenter along the surface [length], or a twist phi [radian], of either sign,
-        any shape."""
+        """Return the states after a displacement along the surface, or a twist.
+
+        Parameters
+        ----------
+        shift : array_like
+            s [length] or phi [radian], of either sign, any shape.
+
+        Returns
+        -------
+        ShearState
+            The states, in the broadcast shape.
+
+        Raises
+        ------
+        ArgumentTypeError
+            The shapes of shifts and normal states do not broadcast.
+        """
         return self._looked(self._states(0, shift))
 
     def at_force(self, force: ArrayLike) -> ShearState:
-        """The states under a tangential force T [modulus length^2], |T| <= coefficient F, any shape, at the bound the state in
-        which sliding begins; or under a torque M [modulus length^3], |M| < `sliding_force`."""
+        """Return the states under a tangential force, or a torque.
+
+        Parameters
+        ----------
+        force : array_like
+            T, |T| <= coefficient F [modulus length^2], or M, |M| < `sliding_force` [modulus length^3]; any shape. At |T| =
+            coefficient F sliding begins.
+
+        Returns
+        -------
+        ShearState
+            The states, in the broadcast shape.
+
+        Raises
+        ------
+        UnreachableError
+            The force is larger than friction supports.
+        """
         return self._looked(self._states(1, force))
 
     @cached_property
     def sliding_shift(self) -> FloatOrArray:
-        """The shift at which the last point begins to slip and the contact slides [length]; infinite for a twist."""
+        """Shift at which the last point begins to slip [length]; infinite for a twist."""
         return self._sliding[0]
 
     @cached_property
     def sliding_force(self) -> FloatOrArray:
-        """coefficient F [modulus length^2]; or the torque that a growing twist approaches, coefficient int r p dA: (3 pi/16)
-        coefficient F a under a paraboloid [modulus length^3]."""
+        """coefficient F [modulus length^2]; of a twist the limit of the torque [modulus length^3].
+
+        The limit is coefficient int r p dA, (3 pi/16) coefficient F a under a paraboloid.
+        """
         return self._sliding[1]
 
     def loop(self, amplitude: float, control: str = "shift", points: int = 201) -> FrictionLoop:
-        """The loop of a cycle between +amplitude and -amplitude (Masing's rule, which is exact here), of one state.
+        """Return the loop of a cycle between +amplitude and -amplitude, of one state.
 
-        amplitude : > 0, of the "shift" or the "force" as `control` says, see `at_shift` and `at_force`
-        points : at least 3; from +amplitude to -amplitude and back
+        Parameters
+        ----------
+        amplitude : float
+            Amplitude > 0 of the shift or the force.
+        control : {"shift", "force"}, optional
+            What has the amplitude.
+        points : int, optional
+            Number of points, >= 3, from +amplitude to -amplitude and back.
+
+        Returns
+        -------
+        FrictionLoop
+            The loop, by Masing's rule, which is exact here.
+
+        Raises
+        ------
+        InvalidArgumentError
+            The amplitude is not greater than 0.
+        UnreachableError
+            The force amplitude is larger than friction supports.
         """
         kind = code("control", control, _CONTROLS)
         self.state._row()  # one state
@@ -180,20 +285,74 @@ class ShearedContact:
         return FrictionLoop(along, load, float(energy), turn, self.around)
 
     def cycle_energy(self, amplitude: ArrayLike, control: str = "shift") -> FloatOrArray:
-        """Energy dissipated in a cycle between +amplitude and -amplitude, any shape [modulus length^3], without loss of digits at
-        small amplitudes. Arguments as of `loop`."""
+        """Return the energy dissipated in a cycle, accurate at small amplitudes.
+
+        Parameters
+        ----------
+        amplitude : array_like
+            Amplitudes > 0, any shape; as in `loop`.
+        control : {"shift", "force"}, optional
+            What has the amplitude.
+
+        Returns
+        -------
+        float or ndarray
+            Energy in each cycle, in the shape of `amplitude` [modulus length^3].
+
+        Raises
+        ------
+        UnreachableError
+            A force amplitude is larger than friction supports.
+        """
         return 4.0 * self._looked(self._states(code("control", control, _CONTROLS), amplitude)).dissipated_energy
 
     def traction(self, r: ArrayLike, at: ShearState) -> FloatOrArray:
-        """Shear traction tau(r) [modulus] along the shift, of one direction, or around the axis, at 0 <= r <= a, any shape.
+        """Return the shear traction tau(r) on the surface.
 
-        at : one state of shear, as `at_shift` gives
+        Parameters
+        ----------
+        r : array_like
+            Radii, 0 <= r <= a, any shape [length].
+        at : ShearState
+            One state of shear.
+
+        Returns
+        -------
+        float or ndarray
+            tau in the direction of the shift, or around the axis, in the shape of `r` [modulus].
+
+        Raises
+        ------
+        ArgumentTypeError
+            `at` is not a `ShearState`.
+        DomainError
+            A radius is larger than the contact radius.
         """
         return self._field(_layout.TRACTION, "r", r, at)
 
     def line_load(self, x: ArrayLike, at: ShearState) -> FloatOrArray:
-        """Line load q_t(x) [modulus length] of the springs along the shift, 0 <= x <= a, any shape; of a twist
-        2 x int_x^a tau dr/sqrt(r^2 - x^2), whose torque is 4 int_0^a x q dx. Arguments as of `traction`."""
+        """Return the tangential line load q_t(x) of the one-dimensional springs.
+
+        Parameters
+        ----------
+        x : array_like
+            Positions, 0 <= x <= a, any shape [length].
+        at : ShearState
+            One state of shear.
+
+        Returns
+        -------
+        float or ndarray
+            q_t, in the shape of `x` [modulus length]. Of a twist it is 2 x int_x^a tau dr/sqrt(r^2 - x^2), whose torque is 4
+            int_0^a x q dx.
+
+        Raises
+        ------
+        ArgumentTypeError
+            `at` is not a `ShearState`.
+        DomainError
+            A position is larger than the contact radius.
+        """
         return self._field(_layout.TANGENTIAL_LINE_LOAD, "x", x, at)
 
     @cached_property

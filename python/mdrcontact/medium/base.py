@@ -26,9 +26,23 @@ _LOADS = words_of(_layout.LOAD_NORMAL, _layout.LOAD_SHEAR, _layout.LOAD_TWIST)
 
 @dataclass(frozen=True, repr=False)
 class Medium(WithParameters):
-    """An elastic half-space: for a contact radius a it gives the effective contact modulus E_eff(a), equation (10).
+    """Base class of media: one or two bodies that an indenter presses on.
 
-    Lengths and moduli are in the units of the whole problem. A medium never changes and may be shared between threads.
+    A medium gives the effective contact modulus E_eff(a) at a contact radius a, equation (10) of Popov (2014). It is a half-space,
+    a stack of layers on a half-space or on a rigid base, a pair of such bodies, or a relaxing body. Media are immutable and may be
+    shared between threads.
+
+    References
+    ----------
+    popov-2014, equation (10)
+
+    Examples
+    --------
+    >>> film = mdr.Coated(mdr.Elastic(445e9, 0.25), 2e-6, mdr.Elastic(210e9, 0.30))
+    >>> isinstance(film, mdr.Medium)
+    True
+    >>> print(f"{film.modulus(2e-6):.4e} {film.stiffness(2e-6):.4e}")
+    3.0273e+11 1.2109e+06
     """
 
     _body: Handle | None = field(init=False, repr=False, compare=False)
@@ -73,39 +87,108 @@ class Medium(WithParameters):
         return 0.0
 
     def modulus(self, a: ArrayLike) -> FloatOrArray:
-        """E_eff(a) [modulus] at contact radii a > 0 [length], any shape."""
+        """Return the effective contact modulus E_eff(a).
+
+        Parameters
+        ----------
+        a : array_like
+            Contact radii > 0, any shape [length].
+
+        Returns
+        -------
+        float or ndarray
+            E_eff, in the shape of `a` [modulus].
+
+        Raises
+        ------
+        InvalidArgumentError
+            A radius is not finite and greater than 0.
+        DomainError
+            The model or table does not hold at a radius.
+        """
         return evaluate("a", a, lambda radii: native.medium_values(self._handle, _layout.MODULUS, radii))
 
     def stiffness(self, a: ArrayLike) -> FloatOrArray:
-        """k(a) = dF/dd = 2 a E_eff(a) [modulus length] at contact radii a > 0 [length], any shape."""
+        """Return the contact stiffness `k(a) = 2 a E_eff(a)`, dF/dd at constant radius.
+
+        Parameters
+        ----------
+        a : array_like
+            Contact radii > 0, any shape [length].
+
+        Returns
+        -------
+        float or ndarray
+            k, in the shape of `a` [modulus length].
+
+        Raises
+        ------
+        InvalidArgumentError
+            A radius is not finite and greater than 0.
+        DomainError
+            The model or table does not hold at a radius.
+        """
         return evaluate("a", a, lambda radii: native.medium_values(self._handle, _layout.STIFFNESS, radii))
 
     def tangential_modulus(self, a: ArrayLike) -> FloatOrArray:
-        """G_t(a) = k_t(a)/(2 a) [modulus] at contact radii a > 0 [length], any shape: what takes E_eff's place where a contact that
-        sticks all over is displaced along the surface. 4 G/(2 - nu) of a homogeneous body.
+        """Return the tangential contact modulus `G_t(a) = k_t(a)/(2 a)`.
 
-        Known for homogeneous media with E and nu, the model "exact" (but for the displacement that varies as cos 2 phi around the
-        axis: low by at most 0.35 %), Gao's weights with those of a tangential load, and pairs of these. The kernel of a layered
-        body is tabulated in each call: give all radii at once.
+        It replaces E_eff if a contact without slip is displaced along the surface. On a homogeneous body it is 4 G/(2 - nu).
+
+        Parameters
+        ----------
+        a : array_like
+            Contact radii > 0, any shape [length]. Give all radii in one call: each call tabulates the kernel of a layered body.
+
+        Returns
+        -------
+        float or ndarray
+            G_t, in the shape of `a` [modulus].
+
+        Raises
+        ------
+        InvalidArgumentError
+            The tangential stiffness of the medium is not known, or a radius is not finite and greater than 0.
+
+        Notes ----- It is known for homogeneous media with E and nu, for the model "exact", for Gao's models ("gao", "gao-series",
+        "gao-power") with their weights for a tangential load, and for pairs of these. The exact solution neglects the displacement
+        that varies as cos 2 phi around the axis; its result is low by at most 0.35 %.
         """
         return evaluate("a", a, lambda radii: native.medium_values(self._handle, _layout.TANGENTIAL_MODULUS, radii))
 
     def compliance(
         self, k: ArrayLike, load: str = "normal", omega: float = 0.0, drainage: str | None = None
     ) -> FloatOrArray | ComplexOrArray:
-        """C(k) [length/modulus], what the surface answers to a wave of load: displacement over traction at wavenumbers k > 0
-        [1/length], any shape; of a pair the sum over both bodies. It makes codes that solve contacts by Fourier transforms layered.
+        """Return the surface compliance C(k) at wavenumbers k.
 
-        load : "normal": a pressure, 2/(E* k) of a homogeneous body; "shear": a traction of one direction along the surface, mean
-            over the directions of the wave, (2 - nu)/(2 G k); "twist": a traction across the wave, 1/(G k). Under a traction along
-            the wave it is twice that of "shear" less that of "twist"; "flux": of a current or heat, potential over flux, of
-            materials with a conductor (`Conduction.compliance`) [length/conductance]
-        omega : angular frequency at which a viscoelastic or poroelastic medium is taken, 0 for its relaxed one [1/time]; its C is
-            complex
-        drainage : of a poroelastic medium, under a normal load: "surface" or "sealed"
+        C(k) is the displacement of the surface per traction of a wave. Codes that solve contacts by Fourier transforms use it to
+        include layers. The compliance of a pair is the sum over both bodies.
 
-        The model by which the medium solves its contacts does not matter. Refused for media given by their modulus alone, of a
-        power of the depth, and rigid ones.
+        Parameters
+        ----------
+        k : array_like
+            Wavenumbers > 0, any shape [1/length].
+        load : {"normal", "shear", "twist", "flux"}, optional
+            "normal": a pressure, 2/(E* k) on a homogeneous body. "shear": a traction of one direction along the surface, averaged
+            over the directions of the wave, (2 - nu)/(2 G k). "twist": a traction across the wave, 1/(G k). "flux": a current or
+            heat flux, potential over flux, of materials with a conductor.
+        omega : float, optional
+            Angular frequency of a viscoelastic or poroelastic medium, 0 for the relaxed one [1/time].
+        drainage : {"surface", "sealed"}, optional
+            Of a poroelastic medium, which has no default.
+
+        Returns
+        -------
+        float, complex or ndarray
+            C, in the shape of `k` [length/modulus]; [length/conductance] for "flux". It is complex for relaxing media.
+
+        Raises
+        ------
+        InvalidArgumentError
+            The medium is given by its modulus alone, is graded by a power law or is rigid, or an argument is outside its range.
+
+        Notes ----- C(k) belongs to the bodies and does not depend on the model by which the medium solves contacts. Under a
+        traction along the wave it is twice that of "shear" minus that of "twist".
         """
         if load == "flux":
             from ..conduction.bodies import conduction_of, flux_compliance
@@ -127,11 +210,41 @@ class Medium(WithParameters):
         return both if self._relaxes() else both.real
 
     def torsional_stiffness(self, a: ArrayLike) -> FloatOrArray:
-        """M/phi [modulus length^3] at contact radii a > 0 [length], any shape, of a contact that sticks all over and is twisted
-        about its axis: 16 G a^3/3 of a homogeneous body. Known, exactly, for homogeneous media with E and nu, the model "exact" and
-        pairs of these."""
+        """Return the torsional stiffness M/phi of a contact without slip.
+
+        Parameters
+        ----------
+        a : array_like
+            Contact radii > 0, any shape [length].
+
+        Returns
+        -------
+        float or ndarray
+            M/phi, in the shape of `a` [modulus length^3]; 16 G a^3/3 on a homogeneous body.
+
+        Raises
+        ------
+        InvalidArgumentError
+            The medium is not homogeneous with E and nu, not solved by the model "exact", and not a pair of these.
+        """
         return evaluate("a", a, lambda radii: native.medium_values(self._handle, _layout.TORSIONAL_STIFFNESS, radii))
 
     def tangential_stiffness(self, a: ArrayLike) -> FloatOrArray:
-        """k_t(a) = dT/ds = 2 a G_t(a) [modulus length] at contact radii a > 0 [length], any shape; see `tangential_modulus`."""
+        """Return the tangential stiffness `k_t(a) = 2 a G_t(a)` without slip.
+
+        Parameters
+        ----------
+        a : array_like
+            Contact radii > 0, any shape [length].
+
+        Returns
+        -------
+        float or ndarray
+            k_t, in the shape of `a` [modulus length].
+
+        Raises
+        ------
+        InvalidArgumentError
+            As of `tangential_modulus`.
+        """
         return 2.0 * numbers("a", a) * self.tangential_modulus(a)

@@ -31,28 +31,70 @@ def substrate_material(substrate: object) -> Any:
 
 @dataclass(frozen=True, repr=False)
 class Coated(UnderModel):
-    """A half-space with one bonded coating; with a stress in it, or an interface that gives, see `Layered`.
+    """Half-space with one bonded coating, solved by a chosen model.
 
-    coating : Elastic(E, nu), TransverselyIsotropic(...), Viscoelastic(...) or PowerLawRheology(...); or Poroelastic(...) on a RIGID
-        base, model "exact"
-    thickness : h > 0 [length]
-    substrate : likewise; RIGID for the models "exact", "dimitriadis", "garcia"; SMOOTH for "exact"
-    model : how E_eff(a) is found; the default is the exact solution
-        "gao" (12)-(15), "gao-series"           options: weight_nu = "surface" (default), "substrate", "effective" or a number
-        "gao-power"                             options: exponent = -0.65, of the mean: 1 is "gao", -1 "gao-series"; weight_nu
-        "doerner-nix" (11)                      options: alpha = 1
-        "wave" (19), (20)                       options: wave_factor = pi/2
-        "mencik-exponential", "mencik-reciprocal"   options: alpha = 1
-        "bec"                                   Bec et al. 2006
-        "perriot-barthel"                       Perriot, Barthel 2004
-        "hay-crawford"                          Hay, Crawford 2011
-        "dimitriadis", "garcia"                 incompressible layer on a rigid base, a < h, paraboloid or sphere, else refused:
-                                                Dimitriadis et al. 2002, Garcia, Garcia 2018
-        "exact"                                 options: tolerance = 1e-10, relative, 1e-12 to 1e-2
+    Parameters
+    ----------
+    coating : Elastic, TransverselyIsotropic, Viscoelastic, PowerLawRheology or Poroelastic
+        Material of the coating. A poroelastic coating needs a RIGID base and the model "exact".
+    thickness : float
+        h, thickness of the coating, > 0 [length].
+    substrate : Elastic, TransverselyIsotropic, Viscoelastic, PowerLawRheology, RIGID or SMOOTH
+        Material below the coating. RIGID is possible for the models "exact", "dimitriadis" and "garcia", SMOOTH for "exact".
+    model : str, optional
+        How E_eff(a) is computed; see Notes. The default, "exact", is the exact solution of the layered body.
+    surface : Surface, optional
+        Tension, plate or membrane on elastic materials under the model "exact". None, the default, is a bare surface.
+    **options
+        Options of the model; see Notes.
 
-    surface : Surface(tension, bending) of elastic materials under the model "exact", None for a bare one
+    Raises
+    ------
+    ArgumentTypeError
+        A material or the surface is of another type.
+    InvalidArgumentError
+        The thickness is not finite and greater than 0, the model or an option is unknown, or the model does not support the
+        substrate.
 
-    The indenter is rigid; for a deformable one see `Pair`.
+    Notes
+    -----
+    | model | equations or source | options and defaults |
+    |---|---|---|
+    | "exact" | exact solution | `tolerance` = 1e-10, relative, 1e-12 to 1e-2 |
+    | "gao", "gao-series" | (12)-(15) | `weight_nu` = "surface"; also "substrate", "effective" or a number |
+    | "gao-power" | mean with an exponent | `exponent` = -0.65 (1 is "gao", -1 is "gao-series"), `weight_nu` |
+    | "doerner-nix" | (11) | `alpha` = 1 |
+    | "wave" | (19), (20) | `wave_factor` = pi/2 |
+    | "mencik-exponential", "mencik-reciprocal" | Mencik et al. (1997) | `alpha` = 1 |
+    | "bec" | Bec et al. (2006) | |
+    | "perriot-barthel" | Perriot and Barthel (2004) | |
+    | "hay-crawford" | Hay and Crawford (2011) | |
+    | "dimitriadis", "garcia" | incompressible layer on a rigid base, paraboloid or sphere, a < h | |
+
+    The indenter is rigid. For a deformable indenter use `Pair`. For a residual stress or an interface with springs use `Layered`.
+
+    References
+    ----------
+    popov-2014, equations (10)-(20)
+    gao-1992
+    doerner-1986
+    mencik-1997
+    bec-2006
+    perriot-2004
+    hay-2011
+    dimitriadis-2002
+    garcia-2018
+
+    Examples
+    --------
+    >>> nitride, steel = mdr.Elastic(445e9, 0.25), mdr.Elastic(210e9, 0.30)
+    >>> film = mdr.Coated(nitride, 2e-6, steel)
+    >>> print(f"{film.modulus(2e-6):.4e} {film.with_model('gao').modulus(2e-6):.4e}")
+    3.0273e+11 3.4297e+11
+    >>> rubber = mdr.Coated(mdr.Elastic(2e6, 0.5), 5e-6, mdr.RIGID)
+    >>> sliding = mdr.Coated(mdr.Elastic(2e6, 0.5), 5e-6, mdr.SMOOTH)
+    >>> print(f"{rubber.modulus(2e-6):.4e} {sliding.modulus(2e-6):.4e}")
+    4.4899e+06 3.6936e+06
     """
 
     coating: Material | Poroelastic
@@ -106,5 +148,11 @@ class Coated(UnderModel):
 
     @staticmethod
     def models() -> tuple[str, ...]:
-        """The names of all models."""
+        """Return the names of all models.
+
+        Returns
+        -------
+        tuple of str
+            Names for the argument `model`, "exact" last.
+        """
         return tuple(MODELS)

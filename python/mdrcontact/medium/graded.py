@@ -22,14 +22,43 @@ DepthFunction = Callable[[float], float]
 
 @dataclass(frozen=True, repr=False)
 class Graded(UnderModel):
-    """A body whose moduli depend on the depth z below the surface. Two ways to say how:
+    """Half-space whose moduli depend on the depth z below the surface.
 
-    z, E, nu tables : depths z[0] = 0, ascending [length], E(z) > 0 [modulus] and nu(z) there; linear in between, constant below.
-        nu may be one number
-    z a number, E and nu functions : E(z) and nu(z) on 0 < z <= that depth [length], constant below; nu may be a number. They are
-        called while the object is made and never later; what they raise is raised to the caller. Peaks narrower than 0.5 % of
-        the depth may be missed
-    model : "exact" (default), "gao", "gao-series" or "gao-power"; options as for `Coated`
+    Parameters
+    ----------
+    z : array_like or float
+        Depths of a table, ascending from z[0] = 0 [length]; or, with functions, the depth below which the moduli are constant, > 0
+        [length].
+    E : array_like or callable
+        Young's moduli > 0 at the depths, linear in between and constant below; or a function E(z) on 0 < z <= depth [modulus].
+    nu : array_like or callable
+        Poisson's ratios, -1 < nu <= 0.5, one number for all depths, a table or a function nu(z) [1].
+    model : {"exact", "gao", "gao-series", "gao-power"}, optional
+        How E_eff(a) is computed; options as in `Coated`.
+    **options
+        Options of the model, as in `Coated`.
+
+    Raises
+    ------
+    InvalidArgumentError
+        The tables differ in length, do not ascend, or a number is outside its range.
+    CallbackError
+        A function returns NaN, infinity or no number. An exception that it raises is passed on unchanged.
+
+    Notes
+    -----
+    Functions are called while the object is made and never later. Peaks narrower than 0.5 % of the depth may be missed.
+
+    References
+    ----------
+    popov-2014, section 3
+
+    Examples
+    --------
+    >>> hardened = mdr.Graded([0.0, 50e-6, 200e-6], [260e9, 240e9, 210e9], 0.3, "gao-series")
+    >>> smooth = mdr.Graded(200e-6, lambda z: 210e9 + 50e9 * np.exp(-z / 60e-6), 0.3, "gao-series")
+    >>> print(f"{hardened.modulus(50e-6):.4e} {smooth.modulus(50e-6):.4e}")
+    2.5783e+11 2.5236e+11
     """
 
     z: tuple[float, ...] | float = field(metadata={"dimension": LENGTH})
@@ -86,15 +115,38 @@ class _Constant:
 
 @dataclass(frozen=True)
 class PowerLawGraded(Medium):
-    """A half-space with E(z) = E0 (z/z0)^m and constant nu, solved exactly (Hess 2016).
+    """Half-space with `E(z) = E0 (z/z0)^m` and constant nu, solved exactly.
 
-    At the edge of a flat end, r = b, the pressure is infinite for m <= 0 and finite, with a cusp, for m > 0. Nearer to it than
-    1e-6 b it loses digits: for m = -0.4 it is 5e-4 off at 1e-9 b and 2 % at 1e-12 b, for m = 0.2 2e-7 and 5e-6.
+    Parameters
+    ----------
+    E0 : float
+        Young's modulus at the depth z0, > 0 [modulus].
+    z0 : float
+        Reference depth > 0 [length].
+    exponent : float
+        m, -1 < m < 1 [1]. The surface is soft for m > 0 and stiff for m < 0.
+    nu : float
+        Poisson's ratio, -1 < nu <= 0.5 [1].
 
-    E0 : modulus at the depth z0, > 0 [modulus]
-    z0 : > 0 [length]
-    exponent : m, -1 < m < 1
-    nu : Poisson's ratio, -1 < nu <= 0.5
+    Raises
+    ------
+    InvalidArgumentError
+        A number is outside its range.
+
+    Notes
+    -----
+    At the edge of a flat end, r = b, the pressure is infinite for m <= 0 and finite with a cusp for m > 0. Closer to the edge than
+    1e-6 b it loses digits: for m = -0.4 the error is 5e-4 at 1e-9 b and 2 % at 1e-12 b; for m = 0.2 it is 2e-7 and 5e-6.
+
+    References
+    ----------
+    hess-2016
+
+    Examples
+    --------
+    >>> soil = mdr.PowerLawGraded(E0=50e6, z0=1.0, exponent=0.5, nu=0.3)
+    >>> print(f"{mdr.Contact(mdr.Sphere(2.0), soil).at_depth(0.01).force:.4e}")
+    3.4409e+04
     """
 
     E0: float = field(metadata={"dimension": MODULUS})

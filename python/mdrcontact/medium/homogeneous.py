@@ -26,11 +26,31 @@ def elastic(name: str, value: object) -> Elastic:
 
 @dataclass(frozen=True, repr=False)
 class Homogeneous(Medium):
-    """A homogeneous half-space of one material: Elastic(E, nu), TransverselyIsotropic(...), Viscoelastic(...),
-    PowerLawRheology(...) or Poroelastic(...). The indenter is rigid; for a deformable one see `Pair`. A contact with a viscoelastic
-    or poroelastic body answers in time only.
+    """Homogeneous half-space of one material.
 
-    surface : Surface(tension, bending) of an elastic body, None for a bare one
+    Parameters
+    ----------
+    material : Elastic, TransverselyIsotropic, Viscoelastic, PowerLawRheology or Poroelastic
+        The material. A contact with a viscoelastic or poroelastic body has histories in time and no states.
+    surface : Surface, optional
+        Tension, plate or membrane on an elastic body. None, the default, is a bare surface.
+
+    Raises
+    ------
+    ArgumentTypeError
+        `material` is not a material, or `surface` is not a `Surface`.
+    InvalidArgumentError
+        A surface is given and the material is not elastic.
+
+    Notes
+    -----
+    The indenter is rigid. For a deformable indenter use `Pair`.
+
+    Examples
+    --------
+    >>> glass = mdr.Homogeneous(mdr.Elastic(72e9, 0.17))
+    >>> print(f"{glass.modulus(1e-6):.4e}")
+    7.4143e+10
     """
 
     material: Material | Poroelastic

@@ -21,11 +21,31 @@ from .surface import Surface, structure_of
 
 @dataclass(frozen=True)
 class Interface(WithParameters):
-    """What lies between two layers.
+    """Interface between two layers: springs and an area resistance.
 
-    resistance : area resistance >= 0: Kapitza resistance, an oxide [length^2/conductance]
-    normal : K_n > 0 of springs per area across it, a glue line of C33/thickness; None: bonded [modulus/length]
-    tangential : K_t >= 0 along it, C44/thickness; 0: it slides without friction (`SLIDING`); None: bonded [modulus/length]
+    Parameters
+    ----------
+    resistance : float, optional
+        Area resistance to heat or current, >= 0, as the Kapitza resistance or that of an oxide [length^2/conductance].
+    normal : float, optional
+        K_n, stiffness per area across the interface, > 0, as C33/thickness of an adhesive layer [modulus/length]. None, the
+        default, is a bond.
+    tangential : float, optional
+        K_t, stiffness per area along the interface, >= 0, as C44/thickness [modulus/length]. 0 slides without friction. None, the
+        default, is a bond.
+
+    Raises
+    ------
+    InvalidArgumentError
+        A number is outside its range.
+
+    Examples
+    --------
+    >>> film, base = mdr.Elastic(200e9, 0.3), mdr.Elastic(200e9, 0.3)
+    >>> glued = mdr.Layered([mdr.Layer(film, 1e-6, interface=mdr.Interface(normal=1e17))], base)
+    >>> sliding = mdr.Layered([mdr.Layer(film, 1e-6, interface=mdr.SLIDING)], base)
+    >>> print(f"{glued.modulus(2e-6):.4e} {sliding.modulus(2e-6):.4e}")
+    1.6911e+11 1.8927e+11
     """
 
     resistance: float = 0.0
@@ -59,16 +79,33 @@ SLIDING: Final = Interface(tangential=0.0)
 
 @dataclass(frozen=True)
 class Layer(WithParameters):
-    """A layer of a `Layered` body. It unpacks as the pair (material, thickness).
+    """Layer of a `Layered` body; it unpacks as the pair (material, thickness).
 
-    material : Elastic(E, nu) or TransverselyIsotropic(...); where there is no prestress any material
-    thickness : > 0 [length]
-    prestress : equibiaxial stress in its plane, tension > 0 [modulus]. The material's constants are the tangent moduli of the
-        stressed state; with those of the free state the error is of the order prestress/modulus
-    interface : between it and what lies below, Interface(normal=K_n, tangential=K_t) or SLIDING, and its resistance to flux;
-        None: bonded
+    Parameters
+    ----------
+    material : Elastic, TransverselyIsotropic, Viscoelastic or PowerLawRheology
+        Material of the layer. A layer with a prestress must be elastic. Its constants are then the tangent moduli of the stressed
+        state; those of the stress-free state cause an error of the order of prestress over modulus.
+    thickness : float
+        Thickness > 0 [length].
+    prestress : float, optional
+        Equibiaxial stress in the plane of the layer, positive in tension [modulus].
+    interface : Interface, optional
+        Interface to the body below. None, the default, is a perfect bond.
 
-    docs/coatings.md
+    Raises
+    ------
+    ArgumentTypeError
+        The material is not a material, or the interface is not an `Interface`.
+    InvalidArgumentError
+        A layer that relaxes has a prestress.
+
+    Examples
+    --------
+    >>> film = mdr.Layer(mdr.Elastic(200e9, 0.3), 1e-6, prestress=-1e9)
+    >>> body = mdr.Layered([film], mdr.Elastic(2e9, 0.4))
+    >>> print(f"{body.modulus(5e-6):.4e} {body.wrinkling().stress:.3e}")
+    3.2998e+09 -5.858e+09
     """
 
     material: Material
@@ -93,12 +130,20 @@ class Layer(WithParameters):
 
 
 class Wrinkling(NamedTuple):
-    """Where the surface of a body wrinkles."""
+    """Compression at which the surface of a body wrinkles, from `Layered.wrinkling`.
+
+    Examples
+    --------
+    >>> body = mdr.Layered([(mdr.Elastic(1e9, 0.3), 1e-6)], mdr.Elastic(1e6, 0.3))
+    >>> found = body.wrinkling()
+    >>> print(f"{found.stress:.4e} {found.wavelength:.4e}")
+    -6.2089e+06 4.2154e-05
+    """
 
     stress: float
-    """of the layer, < 0: compression [modulus]"""
+    """stress of the layer, negative because it is a compression [modulus]"""
     wavelength: float
-    """of the wrinkles [length]"""
+    """wavelength of the wrinkles [length]"""
 
 
 def stack(layers: Sequence[Layer], substrate: Any, surface: Surface | None = None) -> Handle:

@@ -19,14 +19,40 @@ from .viscoelastic import is_elastic
 
 @dataclass(frozen=True, repr=False)
 class Layered(UnderModel):
-    """A half-space under any number of layers.
+    """Half-space below any number of layers.
 
-    layers : [(material, thickness), ...] from the surface down, bonded; material an Elastic(E, nu), TransverselyIsotropic(...),
-        Viscoelastic(...) or PowerLawRheology(...), thickness > 0 [length]; or Layer(material, thickness, prestress, interface),
-        with a stress in its plane, or springs or sliding below it
-    substrate : likewise a material; RIGID, or SMOOTH without friction, for the model "exact"
-    model : "exact" (default), "gao", "gao-series" or "gao-power"; options as for `Coated`
-    surface : Surface(tension, bending) of elastic materials under the model "exact", None for a bare one
+    Parameters
+    ----------
+    layers : iterable of (material, thickness) or Layer
+        Layers from top to bottom, at least one; thickness > 0 [length]. A pair is a bonded layer without stress. A `Layer` can have
+        a prestress and an interface below it.
+    substrate : Elastic, TransverselyIsotropic, Viscoelastic, PowerLawRheology, RIGID or SMOOTH
+        Material below the layers. RIGID and SMOOTH need the model "exact".
+    model : {"exact", "gao", "gao-series", "gao-power"}, optional
+        How E_eff(a) is computed; options as in `Coated`.
+    surface : Surface, optional
+        Tension, plate or membrane on elastic materials under the model "exact". None, the default, is a bare surface.
+    **options
+        Options of the model, as in `Coated`.
+
+    Raises
+    ------
+    ArgumentTypeError
+        A layer is neither a `Layer` nor a pair, or the substrate is not a material.
+    InvalidArgumentError
+        There are no layers, a thickness is not greater than 0, or the model does not support the body.
+
+    References
+    ----------
+    popov-2014, section 3
+    gao-1992
+
+    Examples
+    --------
+    >>> nitride, chromium, steel = mdr.Elastic(445e9, 0.25), mdr.Elastic(279e9, 0.21), mdr.Elastic(210e9, 0.3)
+    >>> stack = mdr.Layered([(nitride, 1e-6), (chromium, 0.1e-6)], steel)
+    >>> print(f"{stack.modulus(2e-6):.4e}")
+    2.7225e+11
     """
 
     layers: tuple[Layer | tuple[Material, float], ...]
@@ -76,11 +102,30 @@ class Layered(UnderModel):
         return super()._rebuilt({**constants, "layers": layers})
 
     def wrinkling(self, layer: int = 0) -> Wrinkling:
-        """The compression of one layer at which the surface wrinkles, and the wavelength: `.stress` < 0 [modulus] and `.wavelength`
-        [length]. All else stays as it is; the layer's own prestress is not used. Refused (UnreachableError) where a constant of the
-        layer or the stiffness of its surface vanishes first: then there is no wavelength. docs/coatings.md
+        """Return the compression of one layer at which the surface wrinkles.
 
-        layer : number of the layer from the surface down, 0 the first
+        All other layers stay as they are. The prestress of the layer itself is not used.
+
+        Parameters
+        ----------
+        layer : int, optional
+            Number of the layer from top to bottom, 0 is the first.
+
+        Returns
+        -------
+        Wrinkling
+            `stress` < 0 [modulus] and `wavelength` [length].
+
+        Raises
+        ------
+        UnreachableError
+            A constant of the layer or the stiffness of its surface vanishes at a smaller compression, so that there is no
+            wavelength.
+
+        References
+        ----------
+        allen-1969
+        chen-2004
         """
         (body,) = self._bodies()
         return Wrinkling(*call(native.body_wrinkling, body, whole("layer", layer, 0, len(self.layers) - 1) + 1))

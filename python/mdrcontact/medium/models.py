@@ -99,7 +99,10 @@ def _weight_nu(value: str) -> int:
 
 
 class UnderModel(Medium):
-    """A body whose effective modulus is found by one of several models. Options that were given are attributes, too."""
+    """Body whose effective modulus follows from one of several models.
+
+    Options that were given are attributes of the object.
+    """
 
     model: str
     options: tuple[tuple[str, float | str], ...]
@@ -108,7 +111,25 @@ class UnderModel(Medium):
         self._own(chosen.medium_of(body), body, **values, **chosen.given, options=tuple(chosen.given.items()))
 
     def with_model(self: Self, model: str, **options: Any) -> Self:
-        """The same body under another model; options of the present model are not carried over."""
+        """Return the same body under another model.
+
+        Parameters
+        ----------
+        model : str
+            Name of the model, as in `Coated`.
+        **options
+            Options of the new model. Options of the present model are not copied.
+
+        Returns
+        -------
+        Coated, Layered or Graded
+            A body of the same class.
+
+        Raises
+        ------
+        InvalidArgumentError
+            The model or an option is unknown, or the model does not support the body.
+        """
         body = {name: value for name, value in self._given().items() if name not in dict(self.options)}
         return type(self)(**{**body, "model": model, **options})
 

@@ -16,15 +16,32 @@ from .homogeneous import Homogeneous
 
 @dataclass(frozen=True)
 class Pair(Medium):
-    """Two deformable bodies pressed together: a medium like any other.
+    """Two deformable bodies pressed together.
 
-    lower, upper : each a medium of one body (homogeneous, coated, layered, graded), an Elastic(E, nu) for a homogeneous one, or
-        RIGID; not both rigid
+    Parameters
+    ----------
+    lower : Medium, Elastic, TransverselyIsotropic or RIGID
+        A medium of one body, or a material for a homogeneous one.
+    upper : Medium, Elastic, TransverselyIsotropic or RIGID
+        The other body. At most one of the two is rigid.
 
-    The indenter of a contact with it is the gap before contact, the sum of both shapes (`SumProfile`, `Paraboloid.between`); its
-    depth is the approach of distant points of the two bodies. Bodies that are homogeneous or solved exactly (the default) add
-    exactly. Otherwise moduli add in series, 1/E_eff = 1/E_eff,1 + 1/E_eff,2, which is 0 to 1 % too stiff, far less than approximate
-    models err. Power-law graded bodies combine with their like of the same exponent only.
+    Raises
+    ------
+    ArgumentTypeError
+        A body is of another type.
+    InvalidArgumentError
+        Both bodies are rigid, or power-law graded bodies differ in their exponent.
+
+    Notes ----- The indenter of a contact with a pair is the gap before contact, the sum of both shapes (`SumProfile`,
+    `Paraboloid.between`). The depth is the approach of distant points of the two bodies. Homogeneous bodies and bodies under the
+    model "exact" add exactly. Otherwise the moduli add in series, `1/E_eff = 1/E_eff,1 + 1/E_eff,2`, which is 0 to 1 % too stiff.
+
+    Examples
+    --------
+    >>> steel = mdr.Elastic(210e9, 0.3)
+    >>> contact = mdr.Contact(mdr.Paraboloid(5e-3), mdr.Pair(steel, steel))
+    >>> print(f"{contact.at_force(10.0).radius:.4e}")
+    6.8753e-05
     """
 
     lower: Medium | _Rigid
@@ -56,12 +73,30 @@ class Pair(Medium):
 
     @property
     def model(self) -> str:
-        """The model of the bodies: "exact", or that of the approximate one."""
+        """Name of the model of the bodies: "exact", or that of the approximate body."""
         models = [getattr(body, "model", "exact") for body in (self.lower, self.upper)]
         return next((model for model in models if model != "exact"), "exact")
 
     def with_model(self, model: str, **options: Any) -> Pair:
-        """The same bodies, those that are coated, layered or graded under another model."""
+        """Return the same pair with its coated, layered and graded bodies under a model.
+
+        Parameters
+        ----------
+        model : str
+            Name of the model, as in `Coated`.
+        **options
+            Options of the model.
+
+        Returns
+        -------
+        Pair
+            The same bodies.
+
+        Raises
+        ------
+        InvalidArgumentError
+            The model or an option is unknown, or the model does not support a body.
+        """
         bodies: list[Any] = [self.lower, self.upper]
         return Pair(*(body.with_model(model, **options) if hasattr(body, "with_model") else body for body in bodies))
 

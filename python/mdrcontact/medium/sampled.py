@@ -17,11 +17,26 @@ from .base import Medium
 
 @dataclass(frozen=True)
 class TabulatedMedium(Medium):
-    """A medium known by a table of its effective contact modulus.
+    """Medium given by a table of its effective contact modulus.
 
-    a : contact radii > 0, ascending, at least 3 [length]. States are offered between the first and the last; below the first, where
-        every contact begins, the modulus is taken as constant
-    moduli : E_eff there, > 0 [modulus]; interpolated in ln a without overshoot
+    Parameters
+    ----------
+    a : array_like
+        Contact radii > 0, ascending, at least 3 [length]. States exist between the first and the last radius. Below the first
+        radius, where every contact begins, the modulus is constant.
+    moduli : array_like
+        E_eff at these radii, > 0 [modulus]; interpolated in ln a without overshoot.
+
+    Raises
+    ------
+    InvalidArgumentError
+        The table is too short, does not ascend, or the two differ in length.
+
+    Examples
+    --------
+    >>> medium = mdr.TabulatedMedium([1e-7, 1e-6, 1e-5], [74e9, 120e9, 165e9])
+    >>> print(f"{medium.modulus(3e-7):.4e}")
+    9.6072e+10
     """
 
     _is_table = True
@@ -38,15 +53,35 @@ class TabulatedMedium(Medium):
 
 @dataclass(frozen=True)
 class CallableMedium(Medium):
-    """A medium known by a function E_eff(a).
+    """Medium given by a user-defined function E_eff(a).
 
-    function : takes a contact radius and returns the effective contact modulus > 0 [modulus]. It is called while the object is
-        made and never later; what it raises is raised to the caller. What is kept is compared with it between the samples too;
-        peaks narrower than 0.5 % of the radius may be missed, steps below 1e-10 of the modulus are taken for noise. Adhesion by the
-        energy balance is refused where the modulus has a kink at a radius of stable contacts: the edge rests there
-    smallest_radius, largest_radius : the range of contact radii, 0 < smallest < largest [length]; as in `TabulatedMedium`
+    Parameters
+    ----------
+    function : callable
+        Function of one contact radius that returns the effective contact modulus > 0 [modulus].
+    smallest_radius : float
+        Smallest contact radius > 0 [length]. Below it, where every contact begins, the modulus is constant.
+    largest_radius : float
+        Largest contact radius > `smallest_radius` [length].
 
-    Pickles if the function does (a function of a module does, a lambda does not).
+    Raises
+    ------
+    InvalidArgumentError
+        A radius is outside its range, or the function returns a modulus <= 0.
+    CallbackError
+        The function returns NaN, infinity or no number. An exception that it raises is passed on unchanged.
+
+    Notes ----- The function is called while the object is made and never later. The interpolation is checked between its samples;
+    peaks narrower than 0.5 % of the radius may be missed, and steps below 1e-10 of the modulus count as noise. If the modulus has a
+    kink at a radius of stable contacts, adhesion by the energy balance is not possible. The object pickles if the function does: a
+    function of a module does, a lambda does not.
+
+    Examples
+    --------
+    >>> h = 500e-9
+    >>> medium = mdr.CallableMedium(lambda a: 74e9 + 97e9 * (a / h) / (1.0 + a / h), 1e-9, 1e-5)
+    >>> print(f"{mdr.Contact(mdr.Sphere(10e-6), medium).at_depth(50e-9).force:.4e}")
+    5.7918e-03
     """
 
     _is_table = True

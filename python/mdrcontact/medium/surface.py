@@ -17,17 +17,41 @@ from ..errors import ArgumentTypeError, InvalidArgumentError
 
 @dataclass(frozen=True)
 class Surface(WithParameters):
-    """What the surface of a body adds to it: 1/C(k) becomes 1/C + tension k^2 + bending k^4.
+    """Tension, plate or membrane on the surface of an elastic body.
 
-    tension : tau [modulus length], the same under the indenter and beside it: of a gel 0.01 to 0.07 N/m. Greater than 0; with a
-        plate greater than 0.95 times the tension tau_c < 0 under which the surface wrinkles
-    bending : B >= 0 of a plate that slides on the body, E h^3/(12 (1 - nu^2)) [modulus length^3]
-    stretching : K_m >= 0, stiffness in its plane of a thin sheet that is bonded to the body, E h/(1 - nu^2) [modulus length]: C is
-        that of a body whose surface moves sideways against K_m k^2
+    It changes the compliance of the surface: `1/C(k)` becomes `1/C(k) + tau k^2 + B k^4`.
 
-    Contacts with it answer states, adhesion, displacement of the surface, laws and fits to 1e-9 (cones 1e-8), the pressure to 2e-7.
-    Friction, stresses inside, energies, time and pairs of deformable bodies are refused. Slopes are taken as small; a stiff film
-    that is bonded, or whose thickness is known, is a layer.
+    Parameters
+    ----------
+    tension : float, optional
+        tau, surface tension, equal inside and outside the contact [modulus length]; 0.01 to 0.07 N/m for gels. It is > 0; with a
+        plate it may be negative down to 0.95 times the tension at which the surface wrinkles.
+    bending : float, optional
+        B, bending stiffness of a plate that slides on the body, E h^3/(12 (1 - nu^2)), >= 0 [modulus length^3].
+    stretching : float, optional
+        K_m, in-plane stiffness of a thin bonded sheet, E h/(1 - nu^2), >= 0 [modulus length].
+
+    Raises
+    ------
+    ArgumentTypeError
+        An argument is not a number. The medium that uses the surface checks the ranges.
+
+    Notes ----- Contacts support states, adhesion, surface displacement, laws and fits to 1e-9 (cones 1e-8), and the pressure to
+    2e-7. Friction, subsurface stresses, energies, histories and pairs of deformable bodies are not supported. Slopes are assumed
+    small. Describe a stiff bonded film, or one of known thickness, as a layer.
+
+    References
+    ----------
+    style-2013
+    hertz-1884
+
+    Examples
+    --------
+    >>> gel = mdr.Elastic(5e3, 0.5)
+    >>> bare = mdr.Contact(mdr.Paraboloid(10e-6), mdr.Homogeneous(gel))
+    >>> tense = mdr.Contact(mdr.Paraboloid(10e-6), mdr.Homogeneous(gel, mdr.Surface(tension=0.03)))
+    >>> print(f"{bare.at_depth(1e-6).force:.4e} {tense.at_depth(1e-6).force:.4e}")
+    2.8109e-08 8.2633e-08
     """
 
     tension: float = field(default=0.0, metadata={"dimension": SURFACE_TENSION})

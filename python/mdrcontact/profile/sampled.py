@@ -32,10 +32,26 @@ def _pair(x_name: str, x: ArrayLike, y_name: str, y: ArrayLike) -> tuple[tuple[f
 
 @dataclass(frozen=True)
 class TabulatedProfile(Profile):
-    """A profile from a table, interpolated smoothly and without overshoot between the points.
+    """Profile given by a table, interpolated smoothly and without overshoot.
 
-    r : radii, r[0] = 0, ascending, at least 3 [length]
-    f : heights, f[0] = 0, same length [length]
+    Parameters
+    ----------
+    r : array_like
+        Radii, ascending from r[0] = 0, at least 3 [length].
+    f : array_like
+        Heights, f[0] = 0, as many as radii [length].
+
+    Raises
+    ------
+    InvalidArgumentError
+        The table is too short, does not ascend or does not begin at 0.
+
+    Examples
+    --------
+    >>> r = np.linspace(0.0, 2e-6, 21)
+    >>> tip = mdr.TabulatedProfile(r, r**2 / 20e-6)
+    >>> print(f"{tip.height(1.05e-6):.3e} {tip.mdr(1.05e-6):.3e}")
+    5.512e-08 1.102e-07
     """
 
     _is_table = True
@@ -50,10 +66,32 @@ class TabulatedProfile(Profile):
 
 @dataclass(frozen=True)
 class TabulatedMDRProfile(Profile):
-    """The profile f(r) whose one-dimensional profile is the table g(x): the inverse transform, equation (4).
+    """Profile whose one-dimensional profile g(x) is given by a table.
 
-    x : positions, x[0] = 0, ascending, at least 3 [length]
-    g : values, g[0] = 0, same length [length]
+    The profile f(r) follows from the inverse transform, equation (4) of Popov (2014).
+
+    Parameters
+    ----------
+    x : array_like
+        Positions, ascending from x[0] = 0, at least 3 [length].
+    g : array_like
+        Values of g, g[0] = 0, as many as positions [length].
+
+    Raises
+    ------
+    InvalidArgumentError
+        The table is too short, does not ascend or does not begin at 0.
+
+    References
+    ----------
+    popov-2014, equation (4)
+
+    Examples
+    --------
+    >>> x = np.linspace(0.0, 2e-6, 21)
+    >>> tip = mdr.TabulatedMDRProfile(x, x**2 / 10e-6)
+    >>> print(f"{tip.height(1.05e-6):.3e} {tip.mdr(1.05e-6):.3e}")
+    5.512e-08 1.102e-07
     """
 
     _is_table = True
@@ -68,16 +106,35 @@ class TabulatedMDRProfile(Profile):
 
 @dataclass(frozen=True)
 class CallableProfile(Profile):
-    """A profile from a user function.
+    """Profile given by a user-defined function f(r).
 
-    f : takes a radius r, 0 <= r <= r_max, and returns the height [length]; f(0) = 0, greater than 0 beyond, never decreasing,
-        smooth but for corners; a feature narrower than 1 % of r_max may go unseen. It is called while the object is made and
-        never later; what it raises is raised to the caller. A formula that loses its digits towards the axis,
-        R - sqrt(R^2 - r^2), is continued by a power series in r that its values determine to 3e-10, or refused with
-        NoConvergenceError; r^2/(R + sqrt(R^2 - r^2)) loses none
-    r_max : largest radius at which f is defined [length], > 0
+    Parameters
+    ----------
+    f : callable
+        Function of one radius r, 0 <= r <= `r_max`, that returns the height [length]. It must satisfy f(0) = 0, be positive beyond,
+        never decrease and be smooth except for corners. A feature narrower than 1 % of `r_max` may be missed.
+    r_max : float
+        Largest radius at which f is defined, > 0 [length].
 
-    Pickles if f does (a function of a module does, a lambda does not).
+    Raises
+    ------
+    InvalidArgumentError
+        `r_max` is not finite and greater than 0, or f decreases.
+    CallbackError
+        f returns NaN, infinity or no number. An exception that f raises is passed on unchanged.
+    NoConvergenceError
+        The values of f lose too many digits near the axis.
+
+    Notes ----- The function is called while the object is made and never later. A formula such as R - sqrt(R^2 - r^2) loses digits
+    near the axis. It is continued there by a power series in r that its values determine to 3e-10; if that is not possible, the
+    constructor raises `NoConvergenceError`. The form r^2/(R + sqrt(R^2 - r^2)) loses no digits. The object pickles if f does: a
+    function of a module does, a lambda does not.
+
+    Examples
+    --------
+    >>> tip = mdr.CallableProfile(lambda r: r**2 / 20e-6, 2e-6)
+    >>> print(f"{tip.height(1e-6):.4e} {tip.mdr(1e-6):.4e}")
+    5.0000e-08 1.0000e-07
     """
 
     _is_table = True

@@ -25,7 +25,28 @@ __all__ = [
 
 @dataclass(frozen=True)
 class Paraboloid(Profile):
-    """A paraboloid, f = r^2/(2R): the usual approximation of a sphere for a << R. radius: R > 0 [length]."""
+    """Rigid paraboloid, `f(r) = r^2/(2 R)`, the approximation of a sphere for a << R.
+
+    Parameters
+    ----------
+    radius : float
+        R, radius of curvature, > 0 [length].
+
+    Raises
+    ------
+    InvalidArgumentError
+        `radius` is not finite and greater than 0.
+
+    References
+    ----------
+    hertz-1882
+
+    Examples
+    --------
+    >>> tip = mdr.Paraboloid(10e-6)
+    >>> print(f"{tip.height(2e-6):.4e} {tip.mdr(2e-6):.4e}")
+    2.0000e-07 4.0000e-07
+    """
 
     radius: float = field(metadata={"dimension": LENGTH})
 
@@ -34,11 +55,26 @@ class Paraboloid(Profile):
 
     @classmethod
     def between(cls, upper_radius: float, lower_radius: float) -> Paraboloid:
-        """The gap between two curved bodies, 1/R = 1/R1 + 1/R2: a ball on a ball, or with lower_radius < 0 in a socket.
+        """Return the gap between two curved bodies, `1/R = 1/R1 + 1/R2`.
 
-        upper_radius : R1 > 0 [length]
-        lower_radius : R2, not 0; infinite for a plane. A socket must be at least a tenth wider than the ball: closer ones touch
-            conformally, over a width that is no longer small against the radii, and are not half-spaces to each other
+        Parameters
+        ----------
+        upper_radius : float
+            R1, radius of the ball, > 0 [length].
+        lower_radius : float
+            R2, radius of the other body: > 0 for a ball, < 0 for a socket, infinite for a plane [length]. A socket must be at least
+            10 % wider than the ball. In narrower sockets the contact width is not small against the radii, and the bodies are not
+            half-spaces.
+
+        Returns
+        -------
+        Paraboloid
+            The gap, with the radius R.
+
+        Raises
+        ------
+        InvalidArgumentError
+            `upper_radius` is not finite and greater than 0, `lower_radius` is 0, or the socket is too narrow.
         """
         upper, lower = number("upper_radius", upper_radius), number("lower_radius", lower_radius)
         if not 0.0 < upper < math.inf:
@@ -55,7 +91,24 @@ class Paraboloid(Profile):
 
 @dataclass(frozen=True)
 class Sphere(Profile):
-    """A sphere, exact: f = R - sqrt(R^2 - r^2). radius: R > 0 [length]; the contact radius stays below R."""
+    """Rigid sphere, exact: `f(r) = R - sqrt(R^2 - r^2)`.
+
+    Parameters
+    ----------
+    radius : float
+        R, radius of the sphere, > 0 [length]. The contact radius stays below R.
+
+    Raises
+    ------
+    InvalidArgumentError
+        `radius` is not finite and greater than 0.
+
+    Examples
+    --------
+    >>> ball = mdr.Sphere(10e-6)
+    >>> print(f"{ball.height(2e-6):.4e}")
+    2.0204e-07
+    """
 
     radius: float = field(metadata={"dimension": LENGTH})
 
@@ -65,11 +118,33 @@ class Sphere(Profile):
 
 @dataclass(frozen=True)
 class Cone(Profile):
-    """A cone, f = r tan(phi). Give one of:
+    """Rigid cone, `f(r) = r tan(phi)`. Give one of the two angles.
 
-    inclination : phi, angle between the cone's face and the surface, 0 < phi < pi/2 [radian]
-    half_angle : angle between the cone's face and its axis, pi/2 - phi, 0 < half_angle < pi/2 [radian]
-    degrees : whether the angle is in degrees; `.inclination` is in radian all the same
+    Parameters
+    ----------
+    inclination : float, optional
+        phi, angle between the face of the cone and the surface, 0 < phi < pi/2 [radian].
+    half_angle : float, optional
+        Angle between the face and the axis, pi/2 - phi, 0 < half_angle < pi/2 [radian].
+    degrees : bool, optional
+        If True, the angle is given in degrees. The attribute `inclination` is in radian in both cases.
+
+    Raises
+    ------
+    ArgumentTypeError
+        Neither or both of the angles are given.
+    InvalidArgumentError
+        The angle is outside its range.
+
+    References
+    ----------
+    sneddon-1965
+
+    Examples
+    --------
+    >>> cone = mdr.Cone(half_angle=70.3, degrees=True)
+    >>> print(f"{cone.inclination:.4f} {cone.mdr(1e-6):.4e}")
+    0.3438 5.6243e-07
     """
 
     inclination: float = field(metadata={"dimension": ANGLE})
@@ -87,7 +162,26 @@ class Cone(Profile):
 
 @dataclass(frozen=True)
 class PowerLaw(Profile):
-    """A power law, f = c r^n. exponent: n, 0 < n <= 100; coefficient: c > 0 [length^(1-n)]."""
+    """Rigid indenter with a power-law profile, `f(r) = c r^n`.
+
+    Parameters
+    ----------
+    exponent : float
+        n, 0 < n <= 100 [1].
+    coefficient : float
+        c > 0 [length^(1-n)].
+
+    Raises
+    ------
+    InvalidArgumentError
+        A number is outside its range.
+
+    Examples
+    --------
+    >>> tip = mdr.PowerLaw(4.0, 1e15)
+    >>> print(f"{tip.height(1e-6):.4e}")
+    1.0000e-09
+    """
 
     exponent: float = field(metadata={"dimension": RATIO})
     coefficient: float
@@ -98,7 +192,25 @@ class PowerLaw(Profile):
 
 @dataclass(frozen=True)
 class FlatPunch(Profile):
-    """A flat cylindrical punch. radius: b > 0 [length], the contact radius at every depth."""
+    """Rigid flat cylindrical punch. Its contact radius is constant.
+
+    Parameters
+    ----------
+    radius : float
+        b, radius of the punch and of every contact, > 0 [length].
+
+    Raises
+    ------
+    InvalidArgumentError
+        `radius` is not finite and greater than 0.
+
+    Examples
+    --------
+    >>> punch = mdr.FlatPunch(5e-6)
+    >>> contact = mdr.Contact(punch, mdr.Homogeneous(mdr.Elastic(72e9, 0.17)))
+    >>> print(f"{contact.at_depth(10e-9).force:.4e}")
+    7.4143e-03
+    """
 
     radius: float = field(metadata={"dimension": LENGTH})
 
@@ -108,10 +220,27 @@ class FlatPunch(Profile):
 
 @dataclass(frozen=True)
 class FlatEndedCone(Profile):
-    """A truncated cone, f = (r - b) tan(phi) for r > b.
+    """Truncated cone, `f(r) = (r - b) tan(phi)` for r > b.
 
-    end_radius : b > 0, radius of the flat end [length]
-    inclination : phi, angle between face and surface, 0 < phi < pi/2 [radian, or degrees with degrees=True]
+    Parameters
+    ----------
+    end_radius : float
+        b, radius of the flat end, > 0 [length].
+    inclination : float
+        phi, angle between face and surface, 0 < phi < pi/2 [radian].
+    degrees : bool, optional
+        If True, `inclination` is given in degrees. The attribute is in radian in both cases.
+
+    Raises
+    ------
+    InvalidArgumentError
+        A number is outside its range.
+
+    Examples
+    --------
+    >>> tip = mdr.FlatEndedCone(1e-6, 20.0, degrees=True)
+    >>> print(f"{tip.height(2e-6):.4e}")
+    3.6397e-07
     """
 
     end_radius: float = field(metadata={"dimension": LENGTH})
@@ -124,10 +253,25 @@ class FlatEndedCone(Profile):
 
 @dataclass(frozen=True)
 class FlatEndedParaboloid(Profile):
-    """A worn or truncated paraboloid, f = (r^2 - b^2)/(2R) for r > b.
+    """Worn or truncated paraboloid, `f(r) = (r^2 - b^2)/(2 R)` for r > b.
 
-    end_radius : b > 0, radius of the flat end [length]
-    radius : R > 0, radius of curvature [length]
+    Parameters
+    ----------
+    end_radius : float
+        b, radius of the flat end, > 0 [length].
+    radius : float
+        R, radius of curvature, > 0 [length].
+
+    Raises
+    ------
+    InvalidArgumentError
+        A number is not finite and greater than 0.
+
+    Examples
+    --------
+    >>> tip = mdr.FlatEndedParaboloid(1e-6, 10e-6)
+    >>> print(f"{tip.height(2e-6):.4e}")
+    1.5000e-07
     """
 
     end_radius: float = field(metadata={"dimension": LENGTH})
@@ -139,10 +283,30 @@ class FlatEndedParaboloid(Profile):
 
 @dataclass(frozen=True)
 class RoundedCone(Profile):
-    """A cone whose tip is a paraboloid that meets it without a kink: f = r^2 tan(phi)/(2b) up to r = b, (r - b/2) tan(phi) beyond.
+    """Cone with a parabolic tip that continues it smoothly.
 
-    blend_radius : b > 0, where the rounding ends [length]; the tip's radius of curvature is b/tan(phi)
-    inclination : phi, angle between face and surface, 0 < phi < pi/2 [radian, or degrees with degrees=True]
+    The profile is `r^2 tan(phi)/(2 b)` up to r = b and `(r - b/2) tan(phi)` beyond. The radius of curvature of the tip is
+    b/tan(phi).
+
+    Parameters
+    ----------
+    blend_radius : float
+        b, radius at which the paraboloid ends and the cone begins, > 0 [length].
+    inclination : float
+        phi, angle between face and surface, 0 < phi < pi/2 [radian].
+    degrees : bool, optional
+        If True, `inclination` is given in degrees. The attribute is in radian in both cases.
+
+    Raises
+    ------
+    InvalidArgumentError
+        A number is outside its range.
+
+    Examples
+    --------
+    >>> tip = mdr.RoundedCone(200e-9, 19.7, degrees=True)
+    >>> print(f"{tip.height(1e-6):.4e}")
+    3.2225e-07
     """
 
     blend_radius: float = field(metadata={"dimension": LENGTH})

@@ -35,39 +35,88 @@ class _Pyramid(Profile):
 
     @property
     def inclination(self) -> float:
-        """phi of the equivalent cone, angle between face and surface [radian]."""
+        """phi of the equivalent cone, the angle between face and surface [radian]."""
         return math.radians(90.0 - self.half_angle_degrees)
 
 
 @dataclass(frozen=True)
 class Berkovich(_Pyramid):
-    """The three-sided Berkovich pyramid as its equivalent cone, half-angle 70.30 degrees."""
+    """Three-sided Berkovich pyramid as its equivalent cone, half-angle 70.30 degrees.
+
+    The equivalent cone has the projected area of the pyramid at every height.
+
+    Examples
+    --------
+    >>> tip = mdr.Berkovich()
+    >>> print(tip.half_angle_degrees, f"{tip.inclination:.4f}")
+    70.3 0.3438
+    """
 
     half_angle_degrees = 70.30
 
 
 @dataclass(frozen=True)
 class Vickers(_Pyramid):
-    """The four-sided Vickers pyramid as its equivalent cone, half-angle 70.30 degrees."""
+    """Four-sided Vickers pyramid as its equivalent cone, half-angle 70.30 degrees.
+
+    The equivalent cone has the projected area of the pyramid at every height.
+
+    Examples
+    --------
+    >>> tip = mdr.Vickers()
+    >>> print(tip.half_angle_degrees, f"{tip.height(1e-6):.4e}")
+    70.3 3.5805e-07
+    """
 
     half_angle_degrees = 70.30
 
 
 @dataclass(frozen=True)
 class CubeCorner(_Pyramid):
-    """The cube corner as its equivalent cone, half-angle 42.28 degrees."""
+    """Cube corner as its equivalent cone, half-angle 42.28 degrees.
+
+    The equivalent cone has the projected area of the pyramid at every height.
+
+    Examples
+    --------
+    >>> tip = mdr.CubeCorner()
+    >>> print(tip.half_angle_degrees, f"{tip.height(1e-6):.4e}")
+    42.28 1.0998e-06
+    """
 
     half_angle_degrees = 42.28
 
 
 @dataclass(frozen=True)
 class AreaFunction(Profile):
-    """A calibrated tip by its area function A(f) = C0 f^2 + C1 f + C2 f^(1/2) + C3 f^(1/4) + ..., A = pi r^2.
+    """Calibrated tip given by its area function A(f), with A = pi r^2.
 
-    coefficients : C0 [1], C1 [length], C2 [length^(3/2)], ...; A must grow with f between min_height and max_height
-    max_height : f up to which the tip is used, > min_height [length]
-    min_height : f below which the fitted A is not to be trusted: there the tip is a paraboloid that meets A at min_height [length];
-        0: the calibration holds from the apex on
+    The area at height f is `A(f) = C0 f^2 + C1 f + C2 f^(1/2) + C3 f^(1/4) + ...`.
+
+    Parameters
+    ----------
+    coefficients : array_like
+        C0 [1], C1 [length], C2 [length^(3/2)], ... The area must grow with f between `min_height` and `max_height`.
+    max_height : float
+        Height up to which the tip is used, > `min_height` [length].
+    min_height : float, optional
+        Height below which the fitted area is not reliable; the tip there is a paraboloid that meets the area at this height
+        [length]. 0, the default, uses the calibration from the apex on.
+
+    Raises
+    ------
+    InvalidArgumentError
+        The area does not grow with the height, or a height is outside its range.
+
+    References
+    ----------
+    oliver-1992
+
+    Examples
+    --------
+    >>> tip = mdr.AreaFunction([24.5, 1e-6], max_height=1e-6)
+    >>> print(f"{tip.height(2e-6):.4e}")
+    6.9606e-07
     """
 
     coefficients: tuple[float, ...]
