@@ -1,18 +1,18 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /**
  * @file mdrcontact_law.h
- * Compiled laws in inner loops and on devices: inline functions of C99, C++, CUDA, HIP, SYCL and OpenMP that evaluate a law by
- * themselves. None calls the library.
+ * Compiled laws in inner loops and on devices: inline functions of C99, C++, CUDA, HIP, SYCL and OpenMP that evaluate a law. None
+ * calls the library.
  *
- * A view reads the buffer of a law, an array of doubles (mdr_law_buffer()) that may lie in the memory of a device, in memory that
- * processes share, or in a file that many of them map. mdr_law_view_of() gives the view of a law's own buffer, mdr_law_view_from()
- * that of a copy, mdr_law_view_at() that of a copy in another memory. A view is a plain structure, valid as long as its buffer, to be
- * copied freely and used by any number of threads.
+ * A view reads the buffer of a law, an array of doubles (mdr_law_buffer()) in the memory of a device, in shared memory or in a
+ * mapped file. mdr_law_view_of() returns the view of the buffer that the law owns, mdr_law_view_from() that of a copy,
+ * mdr_law_view_at() that of a copy in another memory. A view is a plain structure. It is valid as long as its buffer, may be
+ * copied, and any number of threads may use it.
  *
- * The results are those of mdr_law_values(), to the last bit where the compiler makes no one operation of a*b + c
- * (-ffp-contract=off; nvcc: --fmad=false). The functions return MDR_SUCCESS, MDR_EDOMAIN beyond the largest depth, unless the law
- * continues beyond it, or MDR_EINVALID for a depth that is NaN or infinite; then their outputs are NaN. What mdr_last_error() says
- * does not change: mdr_law_force() at the same depth gives the words.
+ * The results are those of mdr_law_values(). They are bitwise identical if the compiler does not contract a*b + c
+ * (-ffp-contract=off; nvcc: --fmad=false). The functions return MDR_SUCCESS; MDR_EDOMAIN beyond the largest depth, unless the law
+ * continues beyond it; or MDR_EINVALID for a depth that is NaN or infinite. After a failure their outputs are NaN. They do not set
+ * mdr_last_error(); mdr_law_force() at the same depth does.
  * @since 0.1
  */
 #ifndef MDRCONTACT_LAW_INLINE_H
@@ -25,7 +25,7 @@
 #include <stdint.h>
 #include <string.h>
 
-/** How the functions below are declared. To be defined before where a compiler needs other words. */
+/** The declaration of the functions below. Define it before this header if a compiler needs another one. */
 #ifndef MDR_INLINE
 #if defined(__CUDACC__) || defined(__HIPCC__) || defined(__CUDA__)
 #define MDR_INLINE __host__ __device__ static inline
@@ -38,7 +38,7 @@
 extern "C" {
 #endif
 
-/** What the inline functions read. */
+/** A view of a law, read by the inline functions. Its members are private. */
 typedef struct mdr_law_view {
     double lowest, highest; /**< Depths between which one interval without a root answers [length]; lowest > highest: nowhere. */
     double scale, offset;   /**< There y = scale d + offset, 1 <= y: its exponent and leading bits number the panel. */
@@ -52,10 +52,15 @@ typedef struct mdr_law_view {
     double open;            /**< Up to this depth the bodies are apart [length]. */
 } mdr_law_view;
 
-/** The view of a law.
+/** Return the view of the buffer that a law owns.
  *  @param law     law, which must outlive the view
  *  @param branch  one of enum mdr_branch
- *  @param view    receives the view */
+ *  @param view    receives the view
+ *  @code
+ *  mdr_law_view mine;
+ *  status = mdr_law_view_of(law, MDR_ON_UNLOADING, &mine);
+ *  @endcode
+ */
 int mdr_law_view_of(const mdr_law *law, int branch, mdr_law_view *view);
 
 /* How the buffer begins, and its parts. */
@@ -74,11 +79,16 @@ MDR_INLINE const mdr_law_interval *mdr_law_intervals_of(const mdr_law_view *view
     return (const mdr_law_interval *)(view->buffer + (size_t)mdr_law_head_of(view)->intervals);
 }
 
-/** The view of a buffer, to be used where the buffer has another address: on a device.
- *  @param buffer  as mdr_law_buffer() writes it; read here
- *  @param there   where the same numbers lie at the place of use
+/** Return the view of a buffer that is used at another address, for example on a device.
+ *  @param buffer  written by mdr_law_buffer(); read here
+ *  @param there   address of the same numbers where the view is used
  *  @param branch  one of enum mdr_branch
- *  @param view    receives the view */
+ *  @param view    receives the view
+ *  @code
+ *  mdr_law_view device;
+ *  status = mdr_law_view_at(view.buffer, view.buffer, MDR_ON_UNLOADING, &device);
+ *  @endcode
+ */
 MDR_INLINE int mdr_law_view_at(const double *buffer, const double *there, int branch, mdr_law_view *view)
 {
     const mdr_law_head *const head = (const mdr_law_head *)buffer;
@@ -109,7 +119,15 @@ MDR_INLINE int mdr_law_view_at(const double *buffer, const double *there, int br
     return MDR_SUCCESS;
 }
 
-/** The view of a buffer where it lies. Arguments as of mdr_law_view_at(). */
+/** Return the view of a buffer that is used at its own address.
+ *  @param buffer  written by mdr_law_buffer()
+ *  @param branch  one of enum mdr_branch
+ *  @param view    receives the view
+ *  @code
+ *  mdr_law_view copy;
+ *  status = mdr_law_view_from(view.buffer, MDR_ON_UNLOADING, &copy);
+ *  @endcode
+ */
 MDR_INLINE int mdr_law_view_from(const double *buffer, int branch, mdr_law_view *view)
 {
     return mdr_law_view_at(buffer, buffer, branch, view);
@@ -374,10 +392,15 @@ MDR_INLINE int mdr_law_force_elsewhere(const mdr_law_view *view, double d, doubl
     return status;
 }
 
-/** F at one depth, as mdr_law_force().
+/** Compute F at one depth, as mdr_law_force().
  *  @param view  view of a law
  *  @param d     indentation depth [length]
- *  @param F     receives the normal force [modulus length^2] */
+ *  @param F     receives the normal force [modulus length^2]
+ *  @code
+ *  double F;
+ *  status = mdr_law_view_force(&view, 40e-9, &F);
+ *  @endcode
+ */
 MDR_INLINE int mdr_law_view_force(const mdr_law_view *view, double d, double *F)
 {
     double t, slope;
@@ -387,11 +410,16 @@ MDR_INLINE int mdr_law_view_force(const mdr_law_view *view, double d, double *F)
     return MDR_SUCCESS;
 }
 
-/** F and dF/dd at one depth, as mdr_law_force().
+/** Compute F and dF/dd at one depth, as mdr_law_force().
  *  @param view   view of a law
  *  @param d      indentation depth [length]
  *  @param F      receives the normal force [modulus length^2]
- *  @param slope  receives dF/dd along the branch [modulus length] */
+ *  @param slope  receives dF/dd along the branch [modulus length]
+ *  @code
+ *  double F, slope;
+ *  status = mdr_law_view_force_slope(&view, 40e-9, &F, &slope);
+ *  @endcode
+ */
 MDR_INLINE int mdr_law_view_force_slope(const mdr_law_view *view, double d, double *F, double *slope)
 {
     double t, rate;
@@ -402,10 +430,15 @@ MDR_INLINE int mdr_law_view_force_slope(const mdr_law_view *view, double d, doub
     return MDR_SUCCESS;
 }
 
-/** All of the state at one depth, as mdr_law_values().
+/** Compute the state at one depth, as mdr_law_values().
  *  @param view   view of a law
  *  @param d      indentation depth [length]
- *  @param point  receives the state */
+ *  @param point  receives the state
+ *  @code
+ *  mdr_law_point point;
+ *  status = mdr_law_view_state(&view, 40e-9, &point);
+ *  @endcode
+ */
 MDR_INLINE int mdr_law_view_state(const mdr_law_view *view, double d, mdr_law_point *point)
 {
     if (d >= view->lowest && d <= view->highest) {
@@ -447,11 +480,17 @@ MDR_INLINE int mdr_law_next_segment(const mdr_law_view *view, int segment, doubl
     return segment;
 }
 
-/** The state at one depth of a contact with a history, as mdr_law_follow(); the view's branch does not matter.
+/** Compute the state at one depth of a contact with a history, as mdr_law_follow(). The branch of the view is ignored.
  *  @param view     view of a law
  *  @param d        indentation depth [length]
- *  @param segment  where the contact is: 0 for open before the first call, then what the last call left there
- *  @param point    receives the state */
+ *  @param segment  segment of the contact: 0 (open) before the first call, then the value of the last call
+ *  @param point    receives the state
+ *  @code
+ *  int segment = 0;
+ *  mdr_law_point point;
+ *  status = mdr_law_view_follow(&view, 40e-9, &segment, &point);
+ *  @endcode
+ */
 MDR_INLINE int mdr_law_view_follow(const mdr_law_view *view, double d, int *segment, mdr_law_point *point)
 {
     const mdr_law_head *const head = mdr_law_head_of(view);
@@ -474,11 +513,18 @@ MDR_INLINE const double *mdr_law_conductance_of(const mdr_law_view *view)
     return (size_t)head->size >= place + 8 * (size_t)head->panel_count ? view->buffer + place : NULL;
 }
 
-/** G and dG/dd at one depth, as mdr_law_conductance(). The polynomials of a law that conducts lie in its buffer as those of F do.
- *  @param view         view of a law that was made with a conduction; MDR_EINVALID of another one
+/** Compute the conductance G and dG/dd at one depth, as mdr_law_conductance().
+ *  @param view         view of a law that was made with a conduction; other laws return MDR_EINVALID
  *  @param d            indentation depth [length]
  *  @param conductance  receives G [conductance]
- *  @param slope        receives dG/dd along the branch [conductance/length] */
+ *  @param slope        receives dG/dd along the branch [conductance/length]
+ *  @code
+ *  mdr_law_view conducting;
+ *  double G, slope;
+ *  mdr_law_view_of(conducting_law, MDR_ON_UNLOADING, &conducting);
+ *  status = mdr_law_view_conductance(&conducting, 40e-9, &G, &slope);
+ *  @endcode
+ */
 MDR_INLINE int mdr_law_view_conductance(const mdr_law_view *view, double d, double *conductance, double *slope)
 {
     const mdr_law_head *const head = mdr_law_head_of(view);

@@ -217,12 +217,12 @@ module mdrcontact_codes
     integer, parameter :: base_insulating = 1803
 
     ! enum mdr_heat_motion
-    !> MDR_HEAT_SLIDING. q = mu v p(r), the source resting on both bodies: fretting, or low speeds.
+    !> MDR_HEAT_SLIDING. q = mu v p(r), at rest relative to both bodies: fretting, or low speeds.
     integer, parameter :: heat_sliding = 1901
-    !> MDR_HEAT_SPINNING. q = mu omega r p(r) of a twist about the axis: exact at any speed.
+    !> MDR_HEAT_SPINNING. q = mu omega r p(r) of a rotation about the axis: exact at any speed.
     integer, parameter :: heat_spinning = 1902
-    !> MDR_HEAT_MOVING. q = mu v p(r), the source moving over the lower body, v a c/sigma <= 1000, and resting on the upper one. Of
-    !> two bodies the share is that of equal flux_mean, an approximation.
+    !> MDR_HEAT_MOVING. q = mu v p(r), moving over the lower body with v a c/sigma <= 1000 and at rest relative to the upper one.
+    !> Two bodies share the heat so that flux_mean is equal, an approximation.
     integer, parameter :: heat_moving = 1903
 
     ! enum mdr_adhesion_rule
@@ -272,54 +272,55 @@ module mdrcontact_codes
     ! enum mdr_fit_data_kind
     !> MDR_FIT_FORCE_DEPTH. Indentation depth [length] and force [modulus length^2].
     integer, parameter :: fit_force_depth = 1501
-    !> MDR_FIT_STIFFNESS_DEPTH. Indentation depth [length] and contact stiffness > 0 [modulus length]; given the force of each point
+    !> MDR_FIT_STIFFNESS_DEPTH. Indentation depth [length] and contact stiffness > 0 [modulus length]; `given`: force at each point
     !> [modulus length^2] (dynamic nanoindentation).
     integer, parameter :: fit_stiffness_depth = 1502
     !> MDR_FIT_MODULUS_RADIUS. Contact radius > 0 [length] and effective contact modulus [modulus].
     integer, parameter :: fit_modulus_radius = 1503
     !> MDR_FIT_STIFFNESS_RADIUS. Contact radius > 0 [length] and contact stiffness [modulus length].
     integer, parameter :: fit_stiffness_radius = 1504
-    !> MDR_FIT_FORCE_TIME. Ascending times [time] and force [modulus length^2] of a viscoelastic body; given the indentation depth
-    !> at each time [length], in between linear: mdr_contact_history().
+    !> MDR_FIT_FORCE_TIME. Ascending times [time] and force [modulus length^2] of a viscoelastic body; `given`: indentation depth at
+    !> each time [length], linear in between, see mdr_contact_history().
     integer, parameter :: fit_force_time = 1505
-    !> MDR_FIT_DEPTH_TIME. Ascending times [time] and indentation depth [length]; given the force [modulus length^2].
+    !> MDR_FIT_DEPTH_TIME. Ascending times [time] and indentation depth [length]; `given`: force [modulus length^2].
     integer, parameter :: fit_depth_time = 1506
-    !> MDR_FIT_DYNAMIC_STIFFNESS. Angular frequency > 0 [1/time] and, as `branch` says of each point, MDR_STORAGE or MDR_LOSS, real
-    !> or imaginary part of the dynamic stiffness [modulus length]; given the contact radius > 0 [length]:
+    !> MDR_FIT_DYNAMIC_STIFFNESS. Angular frequency > 0 [1/time] and real or imaginary part of the dynamic stiffness [modulus
+    !> length], selected for each point by `branch`: MDR_STORAGE or MDR_LOSS; `given`: contact radius > 0 [length]; see
     !> mdr_contact_dynamic_stiffness().
     integer, parameter :: fit_dynamic_stiffness = 1507
 
     ! enum mdr_fit_instrument
-    !> MDR_FIT_WORK_OF_ADHESION. gamma >= 0; the search begins above 0 [modulus length].
+    !> MDR_FIT_WORK_OF_ADHESION. gamma >= 0; the start value must exceed 0 [modulus length].
     integer, parameter :: fit_work_of_adhesion = 0
-    !> MDR_FIT_DEPTH_OFFSET. Depth that the instrument reads at first contact [length].
+    !> MDR_FIT_DEPTH_OFFSET. Depth reading at initial contact [length].
     integer, parameter :: fit_depth_offset = 1
-    !> MDR_FIT_FORCE_OFFSET. Force that it reads there [modulus length^2].
+    !> MDR_FIT_FORCE_OFFSET. Force reading at initial contact [modulus length^2].
     integer, parameter :: fit_force_offset = 2
-    !> MDR_FIT_FRAME_COMPLIANCE. Of the instrument's frame [1/(modulus length)].
+    !> MDR_FIT_FRAME_COMPLIANCE. Compliance of the instrument frame [1/(modulus length)].
     integer, parameter :: fit_frame_compliance = 3
-    !> MDR_FIT_INDENTER_MODULUS. Contact modulus E*_i of the indenter > 0; INFINITY: rigid. Homogeneous, and paired with the medium
-    !> as by mdr_medium_pair() [modulus].
+    !> MDR_FIT_INDENTER_MODULUS. Contact modulus E*_i of the indenter > 0, homogeneous, combined with the medium as in
+    !> mdr_medium_pair(); INFINITY: rigid [modulus].
     integer, parameter :: fit_indenter_modulus = 4
     !> MDR_FIT_CONTACT_DEPTH_FACTOR. epsilon of the contact depth h_c = h - epsilon P/S on a half-space (Oliver, Pharr 1992);
-    !> usually 0.75, that of a paraboloid; 0 or less where the surface piles up. On any other body the surface sinks in as under the
-    !> same indenter c r^n: by (d - f(a)) k/F of the exact contact in place of epsilon [1].
+    !> usually 0.75, that of a paraboloid; 0 or less for pile-up. On any other body the sink-in is that of the same indenter c r^n:
+    !> (d - f(a)) k/F of the exact contact replaces epsilon [1].
     integer, parameter :: fit_contact_depth_factor = 5
     !> MDR_FIT_STIFFNESS_FACTOR. beta of S = 2 beta a E_r; usually 1 [1].
     integer, parameter :: fit_stiffness_factor = 6
     !> MDR_FIT_CONTACT_DEPTH_SCALE. Factor of h_c, usually 1; 1.2 with epsilon = 1: Loubet's contact depth [1].
     integer, parameter :: fit_contact_depth_scale = 7
-    !> MDR_FIT_AREA_FACTOR. True over assumed projected contact area, for all data but force against depth; usually 1 [1].
+    !> MDR_FIT_AREA_FACTOR. Ratio of the true to the assumed projected contact area, for all data except force against depth;
+    !> usually 1 [1].
     integer, parameter :: fit_area_factor = 8
-    !> MDR_FIT_COHESIVE_STRESS. sigma_0 >= 0: adhesion with a range, as in mdr_contact_options; 0: a range of nothing [modulus].
+    !> MDR_FIT_COHESIVE_STRESS. sigma_0 >= 0: finite-range adhesion, as in mdr_contact_options; 0: the JKR limit [modulus].
     integer, parameter :: fit_cohesive_stress = 9
-    !> MDR_FIT_INSTRUMENT_COUNT. How many there are.
+    !> MDR_FIT_INSTRUMENT_COUNT. Number of parameters of the instrument.
     integer, parameter :: fit_instrument_count = 10
 
     ! enum mdr_fit_loss
     !> MDR_FIT_LINEAR. r^2: least squares.
     integer, parameter :: fit_linear = 1601
-    !> MDR_FIT_HUBER. r^2 up to s, then growing in proportion to r.
+    !> MDR_FIT_HUBER. r^2 up to s, linear in r beyond.
     integer, parameter :: fit_huber = 1602
     !> MDR_FIT_CAUCHY. s^2 ln(1 + r^2/s^2).
     integer, parameter :: fit_cauchy = 1603
@@ -331,15 +332,16 @@ module mdrcontact_codes
     integer, parameter :: around = 602
 
     ! enum mdr_shape
-    !> MDR_SHAPE_LAYER. z_top, z_bottom > z_top; INFINITY is allowed.
+    !> MDR_SHAPE_LAYER. z_top, z_bottom > z_top; INFINITY is possible.
     integer, parameter :: shape_layer = 1401
-    !> MDR_SHAPE_HALF_SPACE. x, y, z of a point on the interface; x, y, z of the normal, of any length, into the material.
+    !> MDR_SHAPE_HALF_SPACE. x, y, z of a point on the interface; x, y, z of the normal into the material, of any length.
     integer, parameter :: shape_half_space = 1402
     !> MDR_SHAPE_BALL. x, y, z of the centre; radius > 0.
     integer, parameter :: shape_ball = 1403
-    !> MDR_SHAPE_FIBRE. Endless round cylinder: x, y, z of a point on the axis; x, y, z of its direction, of any length; radius > 0.
+    !> MDR_SHAPE_FIBRE. Infinite circular cylinder: x, y, z of a point on the axis; x, y, z of its direction, of any length; radius
+    !> > 0.
     integer, parameter :: shape_fibre = 1404
-    !> MDR_SHAPE_PILLAR. Upright round cylinder: x, y of the axis; radius > 0; z_top, z_bottom > z_top; INFINITY is allowed.
+    !> MDR_SHAPE_PILLAR. Vertical circular cylinder: x, y of the axis; radius > 0; z_top, z_bottom > z_top; INFINITY is possible.
     integer, parameter :: shape_pillar = 1405
     !> MDR_SHAPE_BOX. x_low, x_high, y_low, y_high, z_top, z_bottom, ascending in pairs.
     integer, parameter :: shape_box = 1406
@@ -403,25 +405,25 @@ module mdrcontact_codes
     integer, parameter :: weight_nu_given = 1204
 
     ! enum mdr_drainage
-    !> MDR_DRAINAGE_SURFACE. It drains everywhere, under the indenter too, which is porous or leaks along the interface.
+    !> MDR_DRAINAGE_SURFACE. The fluid drains everywhere, also under the indenter, which is porous or leaks along the interface.
     integer, parameter :: drainage_surface = 1701
     !> MDR_DRAINAGE_SEALED. No flux through the surface anywhere.
     integer, parameter :: drainage_sealed = 1702
-    !> MDR_DRAINAGE_INDENTER. No flux under the indenter, pore pressure 0 beside it.
+    !> MDR_DRAINAGE_INDENTER. No flux under the indenter; pore pressure 0 outside.
     integer, parameter :: drainage_indenter = 1703
 
     ! enum mdr_wear_places
-    !> MDR_WEAR_FRESH. Fresh places of the body, as a tip that goes its way: the indenter alone changes.
+    !> MDR_WEAR_FRESH. The indenter always slides on fresh places of the body: only the indenter changes.
     integer, parameter :: wear_fresh = 2001
-    !> MDR_WEAR_SAME. The same places, as both do that move back and forth by much less than a: both change.
+    !> MDR_WEAR_SAME. The same places slide on each other, in oscillations much shorter than a: both sides change.
     integer, parameter :: wear_same = 2002
 
     ! enum mdr_wear_scheme
-    !> MDR_WEAR_DISC. A disc that moves with the edge of the contact, of second order, extrapolated: with 80 intervals a, d, F are
-    !> good to 1e-4 on bodies of any layers. For contacts that do not shrink, and no flat punch.
+    !> MDR_WEAR_DISC. A disc that moves with the contact edge; second order with extrapolation: with 80 intervals the errors of a, d
+    !> and F are about 1e-4 on bodies of any layers. For contacts that do not shrink; not for a flat punch.
     integer, parameter :: wear_disc = 2101
-    !> MDR_WEAR_RINGS. Rings that stay on the indenter, of first order: some 1e-2 with 80 intervals, but k F s is met to rounding,
-    !> any path of load and depth can be followed, and a flat punch too.
+    !> MDR_WEAR_RINGS. Rings fixed to the indenter; first order: errors about 1e-2 with 80 intervals, but the worn volume k F s is
+    !> exact to machine precision. For any path of load and depth, and for a flat punch.
     integer, parameter :: wear_rings = 2102
 
     ! enum mdr_weight_kind
