@@ -165,9 +165,9 @@ int mdr_fit_parameters(const mdr_fit_problem *problem, int capacity, mdr_fit_par
  *  @param summary            or NULL; initialize with MDR_SIZED: statistics of the fit
  *  @return MDR_EINVALID also for data in units other than those of the start, or too few; errors of the model at the start
  *  @code
- *  double fitted[MEMORY_SIZE];
+ *  double fitted[20];
  *  mdr_fit_summary summary = MDR_SIZED(mdr_fit_summary);
- *  status = mdr_fit_solve(&problem, points, x, y, NULL, NULL, NULL, NULL, NULL, NULL, NULL, fitted, NULL, &summary);
+ *  status = mdr_fit_solve(&problem, 20, x, y, NULL, NULL, NULL, NULL, NULL, NULL, NULL, fitted, NULL, &summary);
  *  @endcode
  */
 int mdr_fit_solve(const mdr_fit_problem *problem, int n, const double x[], const double y[], const double given[],
@@ -185,8 +185,8 @@ int mdr_fit_solve(const mdr_fit_problem *problem, int n, const double x[], const
  *                  depth, see MDR_FIT_CONTACT_DEPTH_FACTOR and `is_elastic`, with the area factor [length]
  *  @return also errors of the model: MDR_EUNREACHABLE, MDR_EDOMAIN, MDR_ENOCONVERGENCE
  *  @code
- *  double fitted[MEMORY_SIZE];
- *  status = mdr_fit_predict(&problem, points, x, y, NULL, fitted, NULL);
+ *  double fitted[20];
+ *  status = mdr_fit_predict(&problem, 20, x, y, NULL, fitted, NULL);
  *  @endcode
  */
 int mdr_fit_predict(const mdr_fit_problem *problem, int n, const double x[], const double y[], const double given[],
@@ -208,7 +208,7 @@ int mdr_fit_predict(const mdr_fit_problem *problem, int n, const double x[], con
  *  @return as mdr_fit_solve()
  *  @code
  *  double lower, upper;
- *  status = mdr_fit_interval(&problem, points, x, y, NULL, NULL, free_parameter, 0.95, &lower, &upper);
+ *  status = mdr_fit_interval(&problem, 20, x, y, NULL, NULL, free_parameter, 0.95, &lower, &upper);
  *  @endcode
  */
 int mdr_fit_interval(const mdr_fit_problem *problem, int n, const double x[], const double y[], const double given[],

@@ -338,7 +338,7 @@ int mdr_law_read(const char *buffer, int length, mdr_law **out);
  *  @return also MDR_EDOMAIN beyond the largest force, unless the law continues beyond it
  *  @code
  *  const double F = 1e-3, shift[3] = {1e-9, 0, 0};
- *  double record[MEMORY_SIZE] = {0}, T[3];
+ *  double record[43] = {0}, T[3];
  *  status = mdr_law_advance(friction_law, 1, &F, shift, 0, NULL, record, T);
  *  @endcode
  */
@@ -356,7 +356,7 @@ int mdr_law_advance(const mdr_law *law, int n, const double force[], const doubl
  *                     since [modulus length^3]
  *  @return also MDR_EINVALID for a record of another law
  *  @code
- *  const double record[MEMORY_SIZE] = {0};
+ *  const double record[43] = {0};
  *  double stored, dissipated;
  *  status = mdr_law_energies(friction_law, 1, record, &stored, &dissipated);
  *  @endcode
@@ -374,7 +374,7 @@ int mdr_law_energies(const mdr_law *law, int n, const double memory[], double st
  *  @param memory  [memory_size n] the records
  *  @code
  *  const double normal[3] = {0, 0, 1};
- *  double record[MEMORY_SIZE] = {0};
+ *  double record[43] = {0};
  *  status = mdr_law_turn(friction_law, 1, normal, NULL, record);
  *  @endcode
  */
