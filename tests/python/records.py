@@ -40,3 +40,31 @@ def indentation(
     h = h + frame * p + drift * time + 0.05e-9 * random.standard_normal(len(p))
     truth = {"stiffness": stiffness, "contact_depth": contact_depth, "area": area, "depth": deepest, "final_depth": final}
     return time, h, p + noise * random.standard_normal(len(p)), truth
+
+
+def wandering(*, seed=11, sd=0.15e-9, servo=0.0, times=(5, 10, 5, 30, 1)):
+    """Loading, hold, unloading to 10 %, thermal hold and the rest of a record at 200 Hz, whose depth wanders (first-order noise of
+    0.3 s) and drifts by 50 pm/s, and whose force wanders by `servo`: time, depth, force."""
+    random, rate, top, stiffness, deepest, power = np.random.default_rng(seed), 200.0, 1e-3, 60e3, 90e-9, 1.4
+    counts = [int(rate * time) for time in times]
+    levels = [(0.0, 1.0), (1.0, 1.0), (1.0, 0.1), (0.1, 0.1), (0.1, 0.0)]
+    p = np.concatenate([top * np.linspace(a, b, n, endpoint=False) for (a, b), n in zip(levels, counts, strict=True)])
+    creep = 2e-9 * (1.0 - np.exp(-np.arange(counts[1]) / rate / 3.0))
+    final = deepest + creep[-1] - power * top / stiffness
+    unloading = final + power * top / stiffness * (p[counts[0] + counts[1] :] / top) ** (1.0 / power)
+    h = np.concatenate([deepest * np.sqrt(p[: counts[0]] / top), deepest + creep, unloading])
+
+    def wander():
+        decay = np.exp(-1.0 / rate / 0.3)
+        steps = np.sqrt(1.0 - decay**2) * random.standard_normal(p.size)
+        found = np.zeros(p.size)
+        for i in range(1, p.size):
+            found[i] = decay * found[i - 1] + steps[i]
+        return found
+
+    time = np.arange(p.size) / rate
+    h = h + sd * wander() + 50e-12 * time
+    if servo:
+        moved = servo * wander()
+        p, h = p + moved, h + moved / stiffness
+    return time, h, p + 20e-9 * random.standard_normal(p.size)

@@ -7,7 +7,7 @@ import json
 
 import numpy as np
 import pytest
-from records import indentation
+from records import indentation, wandering
 
 import mdrcontact as mdr
 from mdrcontact.cli import main
@@ -50,6 +50,39 @@ def test_segments_are_told_apart(points):
     for segment, end in zip(segments, ends, strict=True):
         # the creep at the beginning of a hold is part of the loading
         assert abs(segment.stop - end) <= 0.03 * len(h) + 0.15 * points[1]
+
+
+@pytest.mark.parametrize("seed", [11, 1])
+@pytest.mark.parametrize(
+    ("options", "error"),
+    [
+        ({}, 5e-12),
+        ({"sd": 0.5e-9}, 17e-12),
+        ({"servo": 2e-6}, 9e-12),
+        ({"servo": 5e-6}, 9e-12),
+        ({"times": (5, 2, 5, 10, 1)}, 30e-12),
+        ({"times": (5, 30, 5, 60, 1)}, 2e-12),
+    ],
+)
+def test_a_hold_that_wanders_is_one_hold(options, error, seed):
+    """It was cut into pieces, up to 27 loadings and 25 unloadings for one and two, and drift = "hold" took the last piece."""
+    time, h, p = wandering(**options, seed=seed)
+    found = find_segments(h, p)
+    assert [s.kind for s in found] == ["loading", "hold", "unloading", "hold", "unloading"]
+    held = found[3].points
+    drift = drift_rate(time[held], h[held])
+    assert abs(drift.rate - 50e-12) < 3.0 * drift.standard_error < 3.0 * error
+    assert held.stop - held.start > 0.85 * 200 * options.get("times", (0, 0, 0, 30))[3]
+
+
+def test_small_cycles_on_the_way_are_no_wander():
+    """Twenty partial unloadings by 4 % of the force, each from a higher force."""
+    levels = [0.0, *np.ravel([(0.05 * i, 0.05 * i - 0.04) for i in range(1, 21)]), 0.0]
+    p = np.concatenate([np.linspace(a, b, 50, endpoint=False) for a, b in zip(levels[:-1], levels[1:], strict=True)])
+    top = np.maximum.accumulate(p)
+    h = np.sqrt(top) - 0.2 * (top - p) + 1e-5 * np.random.default_rng(0).standard_normal(p.size)
+    kinds = [s.kind for s in find_segments(h, p)]
+    assert (kinds.count("loading"), kinds.count("unloading")) == (20, 20)
 
 
 def test_a_curve_without_holds_turns_where_it_is_deepest():

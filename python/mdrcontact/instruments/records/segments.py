@@ -27,6 +27,15 @@ _MOVES = 0.3
 _LEVEL, _SAME, _CREEP = 0.02, 0.05, 0.3
 """Of the rise of the force: what is above the noise of zero; of that level, or of the depth: what is held; of the depth: what a
 hold of the force may creep."""
+_FEWEST_RIPPLES, _PROGRESS = 2, 0.25
+"""A hold wanders where so many small ways in a row, each of less than _SAME of the force, go on by less than this part of their
+ways."""
+_HARDLY = 1.5
+_UNCLEAR = 3.0
+"""Times the noise of a rate: slower is not told from still."""
+_FINER, _CORRELATED = 7.0, 1.5
+"""The noise of a rate is a tenth of what is still over this many parts of noise; noise is correlated if a longer reach has so many
+times as much."""
 _JUMP = 5.0
 """A pop-in is a step this much larger than its neighbours ..."""
 _LARGE_JUMP = 0.01
@@ -100,17 +109,20 @@ def find_segments(depth: ArrayLike, force: ArrayLike) -> list[Segment]:
 def segmentation(depth: ArrayLike, force: ArrayLike) -> Segmentation:
     """Loading, holds and unloading in the order in which they were measured, cycles of any size.
 
-    Noise is taken as independent from reading to reading, its standard deviation from second differences. The curve turns where
-    depth and force, as parts of their ranges, together go back by 10 standard deviations of their sum; both must go the same way,
-    and for more points than a jump has. Between turns a point belongs to a hold where depth and force each change by less than 15 %
-    of the rate at which they usually change in that part, at an almost constant force or depth.
+    The standard deviation of the noise from reading to reading follows from second differences. The curve turns where depth and
+    force, as parts of their ranges, together go back by 10 standard deviations of their sum; both must go the same way, and for
+    more points than a jump has. Two or more ways in a row, each of less than 5 % of the force, that make no progress are a hold
+    that wanders. Between turns a point belongs to a hold where depth and force each change by less than 15 % of the rate at which
+    they usually change in that part, at an almost constant force or depth; rates are taken over more readings where neighbouring
+    readings share their errors.
     """
     d, f = curve(depth, force, fewest=3)
     noise = _noise(d), _noise(f)
-    turns = _turns(d, f)
+    turns, wandering = _turns(d, f)
     parts: list[Segment] = []
     for start, stop in pairwise(turns):
         parts += _moves_and_holds(d, f, start, stop)
+    parts = _with_holds(parts, wandering)
     limit = 2.0 * _TURN * _noise(d / np.ptp(d) + f / np.ptp(f))
 
     def is_small(part: Segment) -> bool:
@@ -127,6 +139,7 @@ def segmentation(depth: ArrayLike, force: ArrayLike) -> Segmentation:
         for s, beside in zip(found, holds, strict=True)
     ]
     found = joined([s._replace(kind="hold") if still else s for s, still in zip(found, inside, strict=True)])
+    found = _without_ripples(d, f, found)
     return Segmentation(found, noise, [i for i, s in enumerate(found) if is_small(s)])
 
 
@@ -143,8 +156,8 @@ def segments_of_numbers(numbers: NDArray[Any], depth: Array) -> tuple[Segment, .
     return tuple(Segment(kind, a, b) for kind, (a, b) in zip(kinds, pairwise(ends), strict=True)) if len(kinds) > 1 else None
 
 
-def _turns(d: Array, f: Array) -> list[int]:
-    """First point, the points where the curve turns, and the one past the last."""
+def _turns(d: Array, f: Array) -> tuple[list[int], list[tuple[int, int]]]:
+    """First point, the points where the curve turns, and the one past the last; and where it wanders about one level."""
     s = d / np.ptp(d) + f / np.ptp(f)
     n = len(s)
     ends = _zigzag(s, _TURN * _noise(s))
@@ -160,13 +173,82 @@ def _turns(d: Array, f: Array) -> list[int]:
         # without a leg its neighbours are one; the first and the last have one neighbour
         drop = {worst, worst + 1} - {0, len(ends) - 1} if 0 < worst < len(legs) - 1 else {1 if worst == 0 else len(ends) - 2}
         ends = [e for i, e in enumerate(ends) if i not in drop]
-    return [0, *(e + 1 for e in ends[1:-1]), n]
+    ends, wandering = _without_wander(d, f, ends)
+    return [0, *(e + 1 for e in ends[1:-1]), n], wandering
+
+
+def _without_wander(d: Array, f: Array, ends: list[int]) -> tuple[list[int], list[tuple[int, int]]]:
+    """The turns but for those of holds that wander, and these holds."""
+    level = (f[ends] - f.min()) / np.ptp(f)
+    small = np.abs(np.diff(level)) < np.minimum(_SAME, _CREEP * np.maximum(level[1:], level[:-1]))
+    small &= np.abs(np.diff(d[ends])) < _SAME * np.ptp(d)
+    s = d / np.ptp(d) + f / np.ptp(f)
+    kept, holds = [*ends], list[tuple[int, int]]()
+    for is_small, a, b in _runs(small.astype(np.int64)):
+        inside = ends[a : b + 1]
+        progress = abs(float(s[inside[-1]] - s[inside[0]]))
+        if not is_small or b - a < _FEWEST_RIPPLES or progress > _PROGRESS * float(np.abs(np.diff(s[inside])).sum()):
+            continue
+        holds.append((inside[0], inside[-1]))
+        # one turn stays where the way before and the way behind go against each other
+        turns_there = a > 0 and b < len(ends) - 1 and (b - a) % 2 == 0
+        kept = [e for e in kept if e in (0, len(s) - 1) or e not in inside or turns_there and e == inside[-1]]
+    return kept, holds
 
 
 def _is_together(d: Array, f: Array, a: int, b: int, least: tuple[float, float]) -> bool:
-    """Whether depth and force go the same way between two readings, both by more than their noise."""
-    ways = float(d[b] - d[a]), float(f[b] - f[a])
-    return ways[0] * ways[1] > 0.0 and abs(ways[0]) > least[0] and abs(ways[1]) > least[1]
+    """Whether depth and force go the same way between two readings, both by more than their noise: from one to the other, and, for
+    they are the outermost of many, in the mean of their neighbours."""
+    near = max(1, min(_NEIGHBOURS, len(d) // _SHORTEST, (b - a + 1) // 2))
+    ways = []
+    for v, noise in zip((d, f), least, strict=True):
+        way, of_means = float(v[b] - v[a]), float(v[b - near + 1 : b + 1].mean() - v[a : a + near].mean())
+        if way * of_means <= 0.0 or abs(way) <= noise or abs(of_means) <= noise / math.sqrt(near):
+            return False
+        ways.append(way)
+    return ways[0] * ways[1] > 0.0
+
+
+def _with_holds(parts: list[Segment], holds: list[tuple[int, int]]) -> list[Segment]:
+    """The parts, with holds in their place."""
+    for a, b in holds:
+        cut: list[Segment] = []
+        for part in parts:
+            before, behind = part._replace(stop=min(part.stop, a)), part._replace(start=max(part.start, b))
+            inside = Segment("hold", max(part.start, a), min(part.stop, b))
+            cut += [one for one in (before, inside, behind) if one.stop > one.start]
+        parts = cut
+    return parts
+
+
+def _without_ripples(d: Array, f: Array, parts: list[Segment]) -> list[Segment]:
+    """The parts; what lies between two holds of one level, or next to a hold, and goes no further than the hold does is part of
+    it."""
+    found: list[Segment] = []
+    for part in parts:
+        before = next((i for i in reversed(range(len(found))) if found[i].kind == "hold"), None)
+        if part.kind == "hold" and before is not None and _is_one_level(d, f, found[before], part):
+            part, found = found[before]._replace(stop=part.stop), found[:before]
+        found.append(part)
+    still = [
+        any(one.kind == "hold" and _goes_no_further(d, f, part, one) for one in found[max(i - 1, 0) : i + 2])
+        for i, part in enumerate(found)
+    ]
+    return joined([part._replace(kind="hold") if held else part for part, held in zip(found, still, strict=True)])
+
+
+def _is_one_level(d: Array, f: Array, one: Segment, other: Segment) -> bool:
+    """Whether the way between two holds is no longer than those within them, in depth and force."""
+    between = Segment("", one.stop, other.start)
+    longer = max(one, other, key=lambda hold: float(np.ptp(f[hold.points])))
+    steps = [abs(float(np.median(v[other.points]) - np.median(v[one.points]))) for v in (d, f)]
+    own = [max(float(np.ptp(v[hold.points])) for hold in (one, other)) for v in (d, f)]
+    return all(step <= most for step, most in zip(steps, own, strict=True)) and _goes_no_further(d, f, between, longer)
+
+
+def _goes_no_further(d: Array, f: Array, part: Segment, hold: Segment) -> bool:
+    """Whether depth and force go hardly further in a part than in a hold."""
+    return all(float(np.ptp(v[part.points])) <= _HARDLY * float(np.ptp(v[hold.points])) for v in (d, f) if part.stop > part.start)
 
 
 def _zigzag(s: Array, least: float) -> list[int]:
@@ -194,9 +276,7 @@ def _moves_and_holds(d: Array, f: Array, start: int, stop: int) -> list[Segment]
     if n < 2 or not all(ranges):
         return [Segment("hold", start, stop)]
     kind = "loading" if (h[-1] - h[0]) / ranges[0] + (p[-1] - p[0]) / ranges[1] > 0.0 else "unloading"
-    # the noise of a rate is to be a tenth of what counts as still
-    noise = max(_noise(v) / r for v, r in zip((h, p), ranges, strict=True))
-    reach = max(2, n // _SHORTEST, min(n // _LONGEST, round(7.0 * noise * n)))
+    reach = _reach(h, p, ranges)
     i = np.arange(n)
     first, last = np.maximum(i - reach, 0), np.minimum(i + reach, n - 1)
     still_both = np.ones(n, dtype=bool)
@@ -205,20 +285,35 @@ def _moves_and_holds(d: Array, f: Array, start: int, stop: int) -> list[Segment]
         # the speed at which half of the way is passed: long holds do not count
         order = np.argsort(speed)
         way = np.cumsum(speed[order])
-        still_both &= speed < _STILL * speed[order][np.searchsorted(way, 0.5 * way[-1])]
+        unclear = _UNCLEAR * math.sqrt(2.0) * _noise(v, reach) / (2 * reach)
+        still_both &= speed < max(_STILL * speed[order][np.searchsorted(way, 0.5 * way[-1])], unclear)
     held = np.zeros(n, dtype=bool)
     for still, a, b in _runs(still_both.astype(np.int64)):
-        if still and b - a >= 3 * reach and _is_held(h, p, a, b, f):
+        if still and b - a >= 3 * reach and _is_held(h, p, a, b, f, _noise(p, reach)):
             held[a:b] = True
     return [Segment("hold" if still else kind, start + a, start + b) for still, a, b in _runs(held.astype(np.int64))]
 
 
-def _is_held(h: Array, p: Array, a: int, b: int, force: Array) -> bool:
+def _reach(h: Array, p: Array, ranges: list[float]) -> int:
+    """Readings to either side between which a rate is taken: its noise is a tenth of what counts as still."""
+    n = len(h)
+
+    def needed(lag: int) -> int:
+        return round(_FINER * n * max(_noise(v, lag) / r for v, r in zip((h, p), ranges, strict=True)))
+
+    shortest, longest = max(2, n // _SHORTEST), n // _LONGEST
+    reach = max(shortest, min(longest, needed(1)))
+    while reach < longest and needed(reach) > _CORRELATED * reach:
+        reach = min(longest, math.ceil(_CORRELATED * reach))
+    return reach
+
+
+def _is_held(h: Array, p: Array, a: int, b: int, force: Array, noise: float) -> bool:
     """Whether force or depth stay the same between two readings: a loading that begins slowly is no hold."""
     rise = float(np.ptp(force))
     level = abs(float(np.median(p[a:b])) - float(force.min()))
     if level > _LEVEL * rise:
-        is_steady = np.ptp(p[a:b]) < _SAME * level + 6.0 * _noise(p) and np.ptp(h[a:b]) < _CREEP * np.ptp(h)
+        is_steady = np.ptp(p[a:b]) < _SAME * level + 6.0 * noise and np.ptp(h[a:b]) < _CREEP * np.ptp(h)
         return bool(is_steady or np.ptp(h[a:b]) < _SAME * np.ptp(h))
     return bool(np.ptp(h[a:b]) < 1e-3 * np.ptp(h) + 10.0 * _noise(h))
 
@@ -239,9 +334,11 @@ def joined(parts: Iterable[Segment]) -> list[Segment]:
     return found
 
 
-def _noise(values: Array) -> float:
-    """Standard deviation of the readings, from second differences, which slopes do not enter."""
-    return float(np.median(np.abs(np.diff(values, 2)))) / (0.6745 * math.sqrt(6.0)) if len(values) > 4 else 0.0
+def _noise(values: Array, lag: int = 1) -> float:
+    """Standard deviation of the readings, from second differences over `lag` readings, which slopes do not enter."""
+    if len(values) <= 4 * lag:
+        return 0.0
+    return float(np.median(np.abs(values[2 * lag :] - 2.0 * values[lag:-lag] + values[: -2 * lag]))) / (0.6745 * math.sqrt(6.0))
 
 
 def find_strays(values: ArrayLike) -> NDArray[np.intp]:
