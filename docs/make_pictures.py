@@ -24,6 +24,7 @@ matplotlib.use("Agg")
 
 import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.ticker import MaxNLocator
 from PIL import Image
 
 import mdrcontact as mdr
@@ -188,16 +189,16 @@ def adhesion_range(quick: bool) -> Any:
         r = np.linspace(0.0, float(state.zone_radius), 400)
         axes[1].plot(1e6 * np.append(r, r[-1]), 1e-3 * np.append(state.pressure(r), 0.0), color=colour)
     states = mdr.Contact(tip, film, work_of_adhesion=0.05).at_radius(np.linspace(0.0, 1.3e-6, count))
-    axes[0].plot(1e9 * states.depth, 1e6 * states.force, color=GREY, linewidth=1.0, label="no range (JKR)")
+    axes[0].plot(1e9 * states.depth, 1e6 * states.force, color=GREY, linewidth=1.0, label="JKR limit")
     axes[0].set(
         xlabel="depth [nm]",
         ylabel="force [µN]",
-        title="equilibria; dots: the surfaces touch",
+        title="equilibrium curves",
         xlim=(-550, 250),
         ylim=(-0.8, 0.6),
     )
     axes[0].legend(frameon=False, title="cohesive stress")
-    axes[1].set(xlabel="r [µm]", ylabel="pressure [kPa]", title="contact radius 1 µm and its zone", ylim=(-2200, 1250))
+    axes[1].set(xlabel="r [µm]", ylabel="pressure [kPa]", title="pressure at $a$ = 1 µm", ylim=(-2200, 1250))
     for axis in axes:
         axis.axhline(0.0, color=GREY, linewidth=0.7)
         axis.spines[["top", "right"]].set_visible(False)
@@ -215,16 +216,16 @@ def stress(quick: bool) -> Any:
     fields = [state.interior(abs(x)[:, None], z, friction=0.1, angle=np.where(x < 0, np.pi, 0)[:, None]) for z in parts]
     for axis, name in zip(axes, ("von Mises stress", "largest principal stress"), strict=True):
         values = [f.von_mises if name.startswith("von") else f.principal[..., 0] for f in fields]
-        top = max(float(v.max()) for v in values) / 1e9
-        levels = np.linspace(0.0 if name.startswith("von") else -top, top, 23)
+        top = 0.05 * np.ceil(max(float(v.max()) for v in values) / 0.05e9)
+        levels = np.arange(0.0, top + 0.01, 0.05) if name.startswith("von") else np.arange(-top, top + 0.01, 0.025)
+        colours, ends = ("viridis", "neither") if name.startswith("von") else ("RdBu_r", "min")
         for z, value in zip(parts, values, strict=True):
-            shown = np.clip(value / 1e9, levels[0], top)
-            drawn = axis.contourf(x / 1e-6, z / 1e-6, shown.T, levels, cmap="viridis" if levels[0] == 0.0 else "RdBu_r")
+            drawn = axis.contourf(x / 1e-6, z / 1e-6, value.T / 1e9, levels, cmap=colours, extend=ends)
         axis.axhline(2.0, color="white" if levels[0] == 0.0 else "black", linewidth=0.9)
         axis.plot([-4.0, 4.0], [0.0, 0.0], color="black", linewidth=5.0, solid_capstyle="butt", clip_on=False)
-        axis.set(xlabel="x [um]", ylim=(6.0, 0.0), aspect="equal", title=f"{name} [GPa]")
-        figure.colorbar(drawn, ax=axis, shrink=0.9, format="%.1f")
-    axes[0].set(ylabel="depth z [um]")
+        axis.set(xlabel="x [µm]", ylim=(6.0, 0.0), aspect="equal")
+        figure.colorbar(drawn, ax=axis, ticks=MaxNLocator(6), shrink=0.62).set_label(f"{name}\n[GPa]")
+    axes[0].set(ylabel="depth z [µm]")
     return figure
 
 
@@ -240,12 +241,12 @@ def gels(quick: bool) -> Any:
         axes[1].loglog(tau, (force - 0.5 / (1.0 - nu)) / (1.0 - 0.5 / (1.0 - nu)), color=colour)
     axes[0].axhline(1.0, color=GREY, linestyle="--", linewidth=1.0)
     axes[0].axhline(0.5 / (1.0 - nu), color=GREY, linestyle="--", linewidth=1.0)
-    axes[0].text(9e2, 0.99, "undrained, 8 G a d", color=GREY, va="top", ha="right", fontsize=8)
-    axes[0].text(1.5e-4, 0.63, "drained, 4 G a d/(1 - nu)", color=GREY, va="bottom", fontsize=8)
-    axes[0].set(xlabel="D t/a^2", ylabel="F/(8 G a d)", title="flat punch, step of the depth, nu = 0.2")
+    axes[0].text(9e2, 0.99, "undrained, $8Gad$", color=GREY, va="top", ha="right", fontsize=8)
+    axes[0].text(1.5e-4, 0.63, "drained, $4Gad/(1-\\nu)$", color=GREY, va="bottom", fontsize=8)
+    axes[0].set(xlabel="$Dt/a^2$", ylabel="$F/(8Gad)$", title="flat punch, step of depth, $\\nu$ = 0.2")
     axes[0].legend(frameon=False)
     axes[1].loglog(tau[tau > 3.0], 0.3 * tau[tau > 3.0] ** -0.5, color=GREY, linestyle=":", label="slope -1/2")
-    axes[1].set(xlabel="D t/a^2", ylabel="part still to relax", title="the tails are algebraic", ylim=(2e-3, 1.3))
+    axes[1].set(xlabel="$Dt/a^2$", ylabel="relaxing part of the force", title="decay", ylim=(2e-3, 1.3))
     axes[1].legend(frameon=False)
     for axis in axes:
         axis.spines[["top", "right"]].set_visible(False)
@@ -276,11 +277,11 @@ def wear(quick: bool) -> Any:
         end = worn.limit(state, c)
         axes[3].plot(r, end.profile.height(r), color=colour, label=f"c = {c:g} a")
     axes[3].plot(r, contact.indenter.height(r), color=GREY, linestyle=":")
-    axes[0].set(xlabel="r", ylabel="profile from the old apex", ylim=(0.0, 2.0))
-    axes[0].legend(title="k E0* s/h", frameon=False)
-    axes[1].set(xlabel="r", ylabel="pressure p/E0*")
-    axes[2].set(xlabel="k E0* s/h")
-    axes[3].set(xlabel="r", ylabel="where fretting ends", ylim=(0.0, 2.4))
+    axes[0].set(xlabel="$r/h$", ylabel="profile$/h$", ylim=(0.0, 2.0))
+    axes[0].legend(title="$k_w E_0^* s/h$", frameon=False)
+    axes[1].set(xlabel="$r/h$", ylabel="pressure $p/E_0^*$")
+    axes[2].set(xlabel="$k_w E_0^* s/h$", ylabel="length$/h$")
+    axes[3].set(xlabel="$r/h$", ylabel="limiting profile$/h$", ylim=(0.0, 2.4))
     for axis in axes[2:]:
         axis.legend(frameon=False)
     for axis in axes:
@@ -313,9 +314,9 @@ def coatings(quick: bool) -> Any:
     for part, colour in ((0.7, RED), (0.0, GREY), (-1.0, GREEN), (-10.0, BLUE)):
         body = mdr.Layered([mdr.Layer(skin, 1.0, prestress=part * wrinkles)], soft)
         axes[2].loglog(wide, body.modulus(wide), color=colour, label=f"{-part:g}" if part else "0")
-    axes[0].set(xlabel="a/h", ylabel="E_eff [GPa]", title="an axis: graphite on silicon")
-    axes[1].set(xlabel="a/h", ylabel="E_eff/E0*", title="an interface that gives")
-    axes[2].set(xlabel="a/h", ylabel="E_eff/E_base", title="stress in a skin")
+    axes[0].set(xlabel="$a/h$", ylabel="$E_\\mathrm{eff}$ [GPa]", title="graphite on silicon")
+    axes[1].set(xlabel="$a/h$", ylabel="$E_\\mathrm{eff}/E_0^*$", title="compliant interface")
+    axes[2].set(xlabel="$a/h$", ylabel="$E_\\mathrm{eff}/E_1^*$", title="residual stress")
     for axis, title in zip(axes, (None, None, "stress/|wrinkling stress|"), strict=True):
         axis.legend(title=title, frameon=False, fontsize="small")
         axis.spines[["top", "right"]].set_visible(False)
@@ -336,11 +337,11 @@ def rate(quick: bool) -> Any:
     figure, axes = plt.subplots(1, 2, figsize=(9.0, 3.6), layout="constrained")
     for curve, model, colour in zip(curves, fit.fitted, (BLUE, RED, GREEN), strict=True):
         axes[0].plot(1e6 * curve.position, 1e6 * curve.force, ".", color=colour, markersize=3.0)
-        axes[0].plot(1e6 * curve.position[: curve.count], 1e6 * model, color=colour, label=f"{1e6 * curve.speed:g} um/s")
-    axes[0].set(xlabel="end of the spring [um]", ylabel="force [uN]", title="retraction, one fit of all")
+        axes[0].plot(1e6 * curve.position[: curve.count], 1e6 * model, color=colour, label=f"{1e6 * curve.speed:g} µm/s")
+    axes[0].set(xlabel="position of the spring's end [µm]", ylabel="force [µN]", title="retraction, joint fit")
     axes[0].legend(frameon=False)
     fit.plot(axes[1], points=8 if quick else 40)
-    axes[1].set(xlabel="speed of the machine [m/s]", ylabel="pull-off force [N]", title="pull-off")
+    axes[1].set(xlabel="retraction speed [m/s]", ylabel="pull-off force [N]", title="pull-off")
     for axis in axes:
         axis.spines[["top", "right"]].set_visible(False)
     return figure
@@ -360,13 +361,13 @@ def conduction(quick: bool) -> Any:
     axes[0].text(-11.5, 1.8, "DLC", color="white", fontsize=8)
     axes[0].text(-11.5, 2.8, "steel", color="white", fontsize=8)
     axes[0].plot([-6.0, 6.0], [0.0, 0.0], color=BLUE, linewidth=4.0, clip_on=False)
-    axes[0].set(xlabel="x [um]", ylabel="depth z [um]", ylim=(6.0, 0.0), title="temperature rise, 0.15 x 1 m/s [K]")
-    figure.colorbar(drawn, ax=axes[0], shrink=0.9)
+    axes[0].set(xlabel="x [µm]", ylabel="depth z [µm]", ylim=(6.0, 0.0), title="friction 0.15, speed 1 m/s")
+    figure.colorbar(drawn, ax=axes[0], shrink=0.9, ticks=MaxNLocator(6)).set_label("temperature rise [K]")
     a = np.geomspace(0.05, 30.0, 40 if quick else 150)
     coated = LayeredConductor([(Conductor(9.17), 1.0)], Conductor(59.6))
     exact = np.asarray(Conduction(coated).at_radius(a).conductance)
     axes[1].loglog(a, exact, color=BLUE, label="exact")
-    axes[1].loglog(a, 4.0 * 59.6 * a, color=RED, linestyle="--", label="substrate alone, 4 S a")
+    axes[1].loglog(a, 4.0 * 59.6 * a, color=RED, linestyle="--", label="substrate alone, $4\\kappa a$")
     axes[1].loglog(
         a,
         1.0 / (1.0 / (np.pi * a**2 * 9.17) + 1.0 / (4.0 * 59.6 * a)),
@@ -374,7 +375,7 @@ def conduction(quick: bool) -> Any:
         linestyle=":",
         label="film and substrate in series",
     )
-    axes[1].set(xlabel="a/h", ylabel="conductance [1e6 S per m of h]", title="a spot on tinned copper")
+    axes[1].set(xlabel="$a/h$", ylabel="conductance$/h$ [MS/m]", title="contact on tinned copper")
     axes[1].legend(frameon=False, fontsize=8)
     axes[1].spines[["top", "right"]].set_visible(False)
     return figure
