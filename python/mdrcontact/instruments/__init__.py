@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """What measures: files of instruments, the parts of their records, and fits with uncertainties."""
 
-from . import fitting, records
+from . import fitting, records, schema
 from .files.fit_file import FitFile, fit_file_of_text, load_fit_file
 from .files.inspection import inspect_file
 from .fitting import *  # noqa: F403
@@ -16,4 +16,5 @@ __all__ = [
     "fit_file_of_text",
     "inspect_file",
     "read_afm",
+    "schema",
 ]

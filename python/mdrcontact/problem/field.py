@@ -38,11 +38,11 @@ POSITIVE, NOT_NEGATIVE = Range(0.0), Range(0.0, has_least=True)
 class Field(NamedTuple):
     """One key of a table, or one of its rules: `when` distinguishes fields of the same name.
 
-    Words, files and tables have no `dimension`, numbers have `RATIO`. An absent key means `default` [SI units]; without a default
-    the key is required unless `optional`. Besides one of its `choices` a quantity or a table may be there if the field has one.
-    `range` bounds a number, or each entry if there are `many`. A whole number is a multiple of `step`. The field belongs to its
-    table if one of the keys of `when` is there with one of the words, () for any value; the key "" is the kind of a material.
-    `example` is the value as it stands in a file, if neither dimension, default nor choices give one.
+    Words, files, booleans and tables have no `dimension`, numbers have `RATIO`. An absent key means `default` [SI units]; without
+    a default the key is required unless `optional`. Instead of one of its `choices` a key can have a quantity or a table, if the
+    field has one. `range` bounds a number, or each entry if there are `many`. A whole number is a multiple of `step`. The field
+    belongs to its table if one of the keys of `when` is there with one of the words, () for any value; the key "" is the kind of
+    a material. `example` is a value as a file has it, if neither dimension, default nor choices give one.
     """
 
     name: str
@@ -57,6 +57,7 @@ class Field(NamedTuple):
     many: bool = False
     step: int = 0
     is_file: bool = False
+    is_boolean: bool = False
     example: str = ""
 
     @property
@@ -66,10 +67,10 @@ class Field(NamedTuple):
 
     @property
     def kind(self) -> str:
-        """ "choice", "table", "file", "whole number", "number", "quantity" or "text"."""
+        """ "choice", "table", "file", "boolean", "whole number", "number", "quantity" or "text"."""
         plain = "text" if self.dimension is None else "number" if self.dimension == RATIO else "quantity"
-        kinds = {"choice": self.choices, "table": self.table, "file": self.is_file, "whole number": self.step, plain: True}
-        return next(kind for kind, has in kinds.items() if has)
+        kinds = {"choice": self.choices, "table": self.table, "file": self.is_file, "boolean": self.is_boolean}
+        return next(kind for kind, has in {**kinds, "whole number": self.step, plain: True}.items() if has)
 
 
 @dataclass(frozen=True, eq=False)
@@ -78,7 +79,8 @@ class Table(Mapping[str, Dimension | None]):
 
     Of each group in `one_of` exactly one key is given, of each in `at_most_one_of` one or none. The fields of the table that it
     `extends` are the first of its own. The keys of its `inner` table are recognized only to be refused with words. Other keys
-    stand in the place of the `replaced` ones when it is read.
+    stand in the place of the `replaced` ones when it is read. If a file has several such tables, each with its own name, `name` is
+    an example of one.
     """
 
     meaning: str
@@ -89,10 +91,15 @@ class Table(Mapping[str, Dimension | None]):
     extends: Table | None = None
     inner: Table | None = None
     replaced: tuple[Field, ...] = ()
+    name: str = ""
 
-    def field(self, name: str) -> Field:
-        """Return the first field of a name; KeyError for others."""
-        return self._first[name]
+    def field(self, name: str, **words: str) -> Field:
+        """Return the first field of a name that belongs to a table in which other keys have these words; KeyError for others."""
+        fields = [one for one in self.fields if one.name == name] if words else [self._first[name]]
+        for one in fields:
+            if all(word in (one.when.get(key) or (word,)) for key, word in words.items()):
+                return one
+        raise KeyError(name)
 
     def keys_of(self, chooser: str, word: str) -> list[str]:
         """Return the keys that belong to a table in which the key `chooser` has this word."""

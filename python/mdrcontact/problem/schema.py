@@ -12,12 +12,12 @@ Examples
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping
+from collections.abc import Mapping
 
-from . import adhesion, compute, conduction, friction, history, indenter, medium, strength, wear
+from . import adhesion, compute, conduction, friction, history, indenter, medium, strength, structure, wear
 from .field import Field, Range, Table
 
-__all__ = ["PROBLEM", "TABLES", "Field", "Range", "Table"]
+__all__ = ["MAP", "PROBLEM", "TABLES", "Field", "Range", "Table", "tables_of"]
 
 _TABLES: Mapping[str, Table] = {
     "indenter": indenter.KNOWN,
@@ -41,12 +41,16 @@ PROBLEM = Table(
 """The whole file. [compute] may be absent if [history] or a path of [friction] is there."""
 
 
-def _below(path: str, table: Table) -> Iterator[tuple[str, Table]]:
-    yield path, table
+def tables_of(table: Table, path: str = "") -> dict[str, Table]:
+    """Return a table and all tables inside, by their paths: "medium.layer" for [[medium.layer]], "" for the file."""
+    found = {path: table}
     for one in table.fields:
         if one.table is not None:
-            yield from _below(f"{path}.{one.name}".lstrip("."), one.table)
+            found |= tables_of(one.table, f"{path}.{one.name}".lstrip("."))
+    return found
 
 
-TABLES: Mapping[str, Table] = dict(_below("", PROBLEM))
-"""Every table by its path in the file, "medium.coating" for [medium.coating], "medium.layer" for [[medium.layer]]; "": the file."""
+MAP = structure.KNOWN
+"""The file of mdrcontact map."""
+TABLES: Mapping[str, Table] = {**tables_of(MAP), **tables_of(PROBLEM)}
+"""Every table of both files by its path, "medium.coating" for [medium.coating]; "": PROBLEM."""

@@ -60,17 +60,21 @@ class Section:
             if key not in allowed and key in self:
                 raise ProblemError(f"[{self.path}]: the key {key!r} does not belong to {because}: {nearest(key, sorted(allowed))}")
 
-    def value(self, key: str) -> Any:
-        """What a key says, checked by its field of the schema, in SI units; if it is absent, the default. Lists must ascend, and a
-        table is a `Section`."""
+    def value(self, key: str, **words: str) -> Any:
+        """Return the value of a key in SI units, checked by its field of the schema; if it is absent, the default.
+
+        Lists must ascend, and a table is a `Section`. The words of other keys choose among fields of the same name.
+        """
         assert self._schema is not None
-        field = self._schema.field(key)
+        field = self._schema.field(key, **words)
         if key not in self and not field.required:
             return field.default
         if field.table is not None and not (field.choices and isinstance(self._table.get(key), str)):
             return self.children(key, field.table) if field.many else self.child(key, field.table)
         if field.choices:
             return self.choice(key, field.choices)
+        if field.is_boolean:
+            return self.truth(key)
         if field.many:
             return self.ascending(key, field.range is not None)
         if field.step:
@@ -218,7 +222,7 @@ class Section:
         path = f"{self.path}.{key}"
         tables = self._table.get(key)
         if not isinstance(tables, list) or not tables:
-            raise ProblemError(f"[[{path}]] is missing: write one such table for each layer, from the surface down")
+            raise ProblemError(f"[[{path}]] is missing: write one such table for each {key.replace('_', ' ')}")
         return [Section(table, f"{path} {i}", known, self._files) for i, table in enumerate(tables, start=1)]
 
     @contextmanager

@@ -10,15 +10,42 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .. import lateral
-from .._units import LENGTH, MODULUS
+from .._units import LENGTH, MODULUS, RATIO
 from ..material import Elastic
+from .field import POSITIVE, Field, Range, Table
 from .named import IRREGULAR, Folder, reason_of
 from .section import ProblemError, Section
 from .toml import parse_file
 
-_TABLES = {"title": None, "structure": None, "map": None}
-_STRUCTURE = {"labels": None, "spacing": LENGTH, "beside": None, "exponent": None, "phase": None}
-_PHASE = {"E": MODULUS, "nu": None}
+_PHASE = Table(
+    "a phase; the first one also fills the body below the array",
+    (
+        Field("E", "Young's modulus", MODULUS, range=POSITIVE),
+        Field("nu", "Poisson's ratio", RATIO, range=Range(-1.0, 0.5, has_largest=True)),
+    ),
+)
+STRUCTURE = Table(
+    "the structure",
+    (
+        Field("labels", "NumPy array (nz, ny, nx) of phase numbers, surface first", is_file=True, example='"labels.npy"'),
+        Field("spacing", "edge lengths of a cell: z, y, x", LENGTH, range=POSITIVE, many=True, example='["1 um", "1 um", "1 um"]'),
+        Field("beside", "what surrounds the array; padded: the first phase", default="periodic", choices=("periodic", "padded")),
+        Field("exponent", "exponent of the mean: 1 in parallel, -1 in series", RATIO, 1.0, range=Range(-1.0, 1.0, True, True)),
+        Field("phase", "the phases, in the order of their numbers", table=_PHASE, many=True),
+    ),
+    "docs/lateral.md",
+)
+MAP = Table("where E_eff is computed", (Field("radii", "contact radii", LENGTH, range=POSITIVE, many=True),), "docs/lateral.md")
+KNOWN = Table(
+    "a map",
+    (
+        Field("title", "title of the results", optional=True, example='"Glass in a polymer"'),
+        Field("structure", STRUCTURE.meaning, table=STRUCTURE),
+        Field("map", MAP.meaning, table=MAP),
+    ),
+    "docs/lateral.md",
+)
+"""The file of mdrcontact map."""
 
 
 class MapProblem(NamedTuple):
@@ -40,23 +67,23 @@ def load_map(path: str | Path) -> MapProblem:
 
 
 def _problem(table: dict[str, Any], path: Path) -> MapProblem:
-    whole = Section(table, "the file", _TABLES)
+    whole = Section(table, "the file", KNOWN)
     for name in ("structure", "map"):
         if name not in whole:
             raise ProblemError(f"the table [{name}] is missing: a map has [structure] and [map]")
-    structure = Section(table["structure"], "structure", _STRUCTURE, Folder(path.parent))
+    structure = Section(table["structure"], "structure", STRUCTURE, Folder(path.parent))
     phases = []
-    for section in structure.children("phase", _PHASE):
+    for section in structure.value("phase"):
         with section.words():
             phases.append(Elastic(section.quantity("E"), section.number("nu")))
-    beside = structure.choice("beside", ("periodic", "padded"), "periodic")
+    beside = structure.value("beside")
     with structure.words():
         voxels = lateral.Voxels(
             _labels(structure), phases, structure.quantities("spacing"), below=phases[0],
             beside="periodic" if beside == "periodic" else phases[0],
-            exponent=structure.number("exponent", 1.0),
+            exponent=structure.value("exponent"),
         )  # fmt: skip
-    radii = np.array(Section(table["map"], "map", {"radii": LENGTH}).quantities("radii"))
+    radii = np.array(Section(table["map"], "map", MAP).quantities("radii"))
     if not radii.size or not np.all(radii > 0.0):
         raise ProblemError("[map]: radii must be at least one length, all greater than 0")
     return MapProblem(str(whole.plain("title", path.stem)), voxels, radii)

@@ -129,7 +129,8 @@ def _other_values(value: Any, choices: Any, others: Any, place: tuple[str, str])
     if isinstance(value, dict):
         return
     for other in others:
-        yield f"{other!r}", other
+        if other != value:
+            yield f"{other!r}", other
     if others:
         return
     if isinstance(value, str) and value in choices:

@@ -18,7 +18,8 @@ from ..fitting.data import Data
 from ..reading.afm import SUFFIXES, TEXT_SUFFIXES, AfmCurve, MissingSettings, read_afm
 from ..reading.columns import MeasuredTable, read_tables
 from ..reading.formats import Fact
-from .data import KINDS, KNOWN, OF_A_TABLE, RECORDS, TABLES, column, data_of, has, read_data, record_of, table_options
+from .data import OF_A_TABLE, TABLES, column, data_of, has, read_data, record_of, table_options
+from .data_keys import KNOWN, RECORDS
 from .record import Cantilever, Record
 
 _EQUAL = 0.01
@@ -48,7 +49,7 @@ def curves(section: Section, cantilever: Cantilever, path: Path) -> list[Curve]:
     if path.suffix.lower() in SUFFIXES:
         _check_keys_of_afm(section, path)
         return _afm_curves(section, cantilever, path)
-    kind = section.choice("kind", KINDS)
+    kind = section.value("kind")
     try:
         tables = _tests(section, read_tables(path, table_options(section)), kind)
     except ProblemError:
@@ -177,7 +178,7 @@ def _afm_facts(one: AfmCurve) -> tuple[Fact, ...]:
 
 
 def _read_afm_curve(section: Section, path: Path, one: AfmCurve) -> tuple[Data, list[str]]:
-    kind = section.choice("kind", KINDS)
+    kind = section.value("kind")
     if kind not in RECORDS:
         raise ProblemError(f"{path}: an AFM file holds curves of force: kind must be 'force-depth', not {kind!r}")
     return data_of(section, Cantilever(None, one.spring_constant), _afm_record(one), kind)

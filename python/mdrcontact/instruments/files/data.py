@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ..._units import LENGTH, RATIO, SPEED, VOLTAGE, Dimension, UnitError, is_cyclic, shown
+from ..._units import LENGTH, RATIO, VOLTAGE, Dimension, UnitError, is_cyclic, shown
 from ...problem.roles import ROLES
 from ...problem.section import ProblemError, Section
 from ..fitting import (
@@ -27,9 +27,9 @@ from ..fitting.data import Data
 from ..reading.columns import MeasuredTable, TableOptions
 from ..reading.formats import Fact
 from ..reading.marks import segments_of_marks as marked_segments
-from ..reading.numerals import MARKS
 from ..records import without_oscillation
-from .record import KEYS, Cantilever, Record, prepare
+from .data_keys import COLUMNS, IN_TIME, KNOWN, RECORDS
+from .record import Cantilever, Record, prepare
 
 Array = NDArray[np.float64]
 
@@ -57,94 +57,29 @@ def _dynamic_stiffness(omega: Array, radius: Array, loss: Array, storage: Array,
     return DynamicStiffness(omega, storage + 1j * loss, radius, **options)
 
 
-TABLES: Mapping[str, tuple[Callable[..., Data], tuple[str, ...]]] = {
-    "stiffness-depth": (StiffnessDepth, ("depth", "force", "stiffness")),
-    "modulus-radius": (ModulusRadius, ("radius", "modulus")),
-    "stiffness-radius": (StiffnessRadius, ("radius", "stiffness")),
-    "dynamic-stiffness": (_dynamic_stiffness, ("omega", "radius", "loss", "storage")),
+_MAKES: Mapping[str, Callable[..., Data]] = {
+    "stiffness-depth": StiffnessDepth,
+    "modulus-radius": ModulusRadius,
+    "stiffness-radius": StiffnessRadius,
+    "dynamic-stiffness": _dynamic_stiffness,
 }
+TABLES: Mapping[str, tuple[Callable[..., Data], tuple[str, ...]]] = {kind: (_MAKES[kind], roles) for kind, roles in COLUMNS.items()}
 """Kinds whose columns are the data; the others are records of an instrument."""
-_IN_TIME = ("force-time", "depth-time")
-RECORDS = ("force-depth", "unloading", *_IN_TIME)
-KINDS = (*RECORDS, *TABLES)
-
-KNOWN: Mapping[str, Dimension | None] = {
-    "kind": None,
-    **dict.fromkeys(ROLES),
-    "radius_over_thickness": None,
-    "thickness": LENGTH,
-    "contact_radius": LENGTH,
-    "nu": None,
-    "columns": None,
-    "units": None,
-    "skip": None,
-    "sheet": None,
-    "leave_out": None,
-    "decimal": None,
-    "sd": None,
-    "relative_sd": None,
-    "min_depth": LENGTH,
-    "max_depth": LENGTH,
-    "min_radius": LENGTH,
-    "max_radius": LENGTH,
-    **dict.fromkeys(KEYS),
-    "drift": SPEED,
-    "upper_part": None,
-    "oscillation": LENGTH,
-    "elastic": None,
-}
-_LIMITS = {role: (f"min_{role}", f"max_{role}") for role in ("depth", "radius")}
-_OF_RECORDS = ("height", "deflection", "time", *KEYS)
 OF_A_TABLE = (*ROLES, "columns", "units", "skip", "sheet", "leave_out", "decimal", "sd")
 """Keys that say how a table is to be read."""
-_RIVALS = (
-    ("depth", "height"),
-    ("depth", "deflection"),
-    ("force", "deflection"),
-    ("radius", "area"),
-    ("radius", "radius_over_thickness"),
-    ("area", "radius_over_thickness"),
-    ("radius", "contact_radius"),
-    ("area", "contact_radius"),
-    ("radius_over_thickness", "contact_radius"),
-)
-"""Keys of which a kind of data reads one."""
 
 
 def check(section: Section) -> None:
-    """Refuses keys that do not belong to the kind of data."""
-    kind = section.choice("kind", KINDS)
-    foreign = set() if kind in RECORDS else {*_OF_RECORDS}
-    if kind == "stiffness-depth":
-        foreign.discard("branch")
-    else:
-        foreign.add("oscillation")
-    if kind not in ("stiffness-depth", "unloading"):
-        foreign.add("elastic")
-    if kind != "dynamic-stiffness":
-        foreign |= {"omega", "storage", "loss", "contact_radius"}
-    if kind in _IN_TIME:
-        foreign |= {"branch", "before_pop_in"}
-    foreign |= {"unloading": {"branch", "before_pop_in", "sd", "relative_sd"}}.get(kind, {"upper_part"})
-    foreign |= _columns_of_others(kind)
-    section.only([key for key in KNOWN if key not in foreign], f"kind = {kind!r}")
-    for one, other in _RIVALS:
-        if one in section and other in section:
-            raise ProblemError(f"[data]: {one} and {other} say the same thing twice: keep one")
-    if "time" in section and kind in RECORDS and kind not in _IN_TIME and "drift" not in section:
+    """Raise an error for keys that do not belong to the kind of data."""
+    kind = section.value("kind")
+    section.only(KNOWN.keys_of("kind", kind), f"kind = {kind!r}")
+    for group in KNOWN.at_most_one_of:
+        if len(given := [key for key in group if key in section]) > 1:
+            raise ProblemError(f"[data]: {given[0]} and {given[1]} say the same thing twice: keep one")
+    if "time" in section and kind in RECORDS and kind not in IN_TIME and "drift" not in section:
         raise ProblemError(f"[data]: kind = {kind!r} reads a time for drift alone: give drift, or leave time out")
     if "thickness" in section and "radius_over_thickness" not in section:
         raise ProblemError("[data]: thickness goes with radius_over_thickness, the column that counts in thicknesses")
-
-
-def _columns_of_others(kind: str) -> set[str]:
-    """Columns of the other kinds, and what is said of those: limits, and how to make a radius or an effective modulus."""
-    roles = TABLES[kind][1] if kind in TABLES else ("depth", "force")
-    foreign = {"depth", "force", *(role for _, others in TABLES.values() for role in others)} - {*roles}
-    for role, limits in _LIMITS.items():
-        foreign |= {*limits} if role in foreign else set()
-    foreign |= {"area", "radius_over_thickness", "thickness"} if "radius" in foreign else set()
-    return foreign | ({"nu"} if "modulus" in foreign else set())
 
 
 def read_data(section: Section, cantilever: Cantilever, table: MeasuredTable, kind: str) -> tuple[Data, list[str]]:
@@ -171,7 +106,7 @@ def table_options(section: Section) -> TableOptions:
     if isinstance(skip, bool) or not isinstance(skip, int) or skip < 0:
         raise ProblemError(f"[data]: skip = {skip!r} is not allowed: it must be a number of lines, at least 0")
     sheet = str(section.plain("sheet", ""))
-    decimal = section.choice("decimal", MARKS) if "decimal" in section else ""
+    decimal = section.value("decimal") or ""
     return TableOptions(tuple(columns), units, skip, sheet, decimal)
 
 
@@ -250,7 +185,7 @@ def _read_columns(section: Section, table: MeasuredTable, kind: str) -> tuple[Da
         options["sd"] = sd[keep] * factor
     options |= section.given(("relative_sd",))
     if "elastic" in section:
-        options["elastic"] = section.truth("elastic")
+        options["elastic"] = section.value("elastic")
     if not keep.all():
         notes.append(f"{int(keep.sum())} of {len(keep)} rows are fitted")
     columns = [found[role].values[keep] for role in roles]
@@ -274,8 +209,7 @@ def _loading(
     section: Section, table: MeasuredTable, depth: Array, force: Array, stiffness: Array, notes: list[str]
 ) -> NDArray[np.bool_]:
     """Which readings of a record with stiffnesses load the contact, where the file or [data] branch separates them."""
-    branch = section.choice("branch", ("loading",), default="")
-    if not branch and not table.marks:
+    if section.value("branch", kind="stiffness-depth") is None and not table.marks:
         return np.ones(len(depth), dtype=bool)
     finite = np.isfinite(depth) & np.isfinite(force)
     record = Record(depth, force, None, None, [])
@@ -314,7 +248,7 @@ def record_of(section: Section, cantilever: Cantilever, table: MeasuredTable, ki
     else:
         found["force"] = column(section, table, "force")
         force = found["force"].values
-    if "time" in section or "drift" in section or kind in _IN_TIME:
+    if "time" in section or "drift" in section or kind in IN_TIME:
         found["time"] = column(section, table, "time")
         time = found["time"].values
     sd = _sd(section, table, "depth" if kind == "depth-time" else "force", found)
@@ -405,14 +339,14 @@ def _record_data(section: Section, record: Record, kind: str) -> Data:
         with section.words():
             return Unloading(record.depth, record.force, segments=record.segments, **options)
     relative = section.number("relative_sd") if "relative_sd" in section else None
-    if kind in _IN_TIME:
+    if kind in IN_TIME:
         if record.time is None:
             raise ProblemError(f"kind = {kind!r} needs the time of each reading, which this file does not have")
         with section.words():
             if kind == "force-time":
                 return ForceTime(record.time, record.depth, record.force, sd=record.sd, relative_sd=relative)
             return DepthTime(record.time, record.force, record.depth, sd=record.sd, relative_sd=relative)
-    branch = section.plain("branch", "both")
+    branch = section.value("branch") or "both"
     return ForceDepth(record.depth, record.force, sd=record.sd, relative_sd=relative, branch=None if branch == "both" else branch)
 
 

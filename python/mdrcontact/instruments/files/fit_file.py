@@ -3,7 +3,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from functools import partial
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -11,10 +11,9 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..._choices import nearest
-from ..._units import LENGTH, SENSITIVITY, STIFFNESS, Dimension, dimensions, shown
+from ..._units import dimensions, shown
 from ...errors import MDRError
-from ...loop import RULES
-from ...poroelastic import DRAINAGES, is_poroelastic
+from ...poroelastic import is_poroelastic
 from ...problem import indenter as indenters
 from ...problem import medium as mediums
 from ...problem.named import Folder, Given, GivenFiles
@@ -22,46 +21,20 @@ from ...problem.section import ProblemError, Section
 from ...problem.tip_file import with_calibration
 from ...problem.toml import parse_file, parse_text
 from ...progress import Progress
+from .. import schema
 from ..fitting import Free, Instrument, JointPrior
 from ..fitting.data import Data
 from ..fitting.gel import NAMES as GEL_NAMES
 from ..fitting.parameters import pattern_of
-from ..fitting.problem import LOSSES
 from ..fitting.quantities import dimension_of
-from ..fitting.weighted import RULES as WEIGHT_RULES
 from ..reading.formats import Fact
 from . import curves as files
 from . import data as measured
+from .data_keys import KNOWN, RECORDS
 from .record import Cantilever
 
-_CANTILEVER: Mapping[str, Dimension] = {"spring_constant": STIFFNESS, "deflection_sensitivity": SENSITIVITY}
-_INSTRUMENT: Mapping[str, Dimension | None] = {**dimensions(Instrument), "indenter": None, **_CANTILEVER}
-_FIT: Mapping[str, Dimension | None] = {
-    "free": None,
-    "loss": None,
-    "loss_scale": None,
-    "adhesion_rule": None,
-    "max_iterations": None,
-    "sd_is_absolute": None,
-    "contact_weight": LENGTH,
-    "contact_weight_rule": None,
-    "joint_prior": None,
-    "drainage": None,
-}
-
-_OPTIONS: Mapping[str, Callable[[Section, str], Any]] = {
-    "loss": partial(Section.choice, choices=LOSSES),
-    "loss_scale": Section.number,
-    "adhesion_rule": partial(Section.choice, choices=RULES),
-    "max_iterations": partial(Section.count, default=100, largest=100_000),
-    "contact_weight": Section.quantity,
-    "contact_weight_rule": partial(Section.choice, choices=WEIGHT_RULES),
-    "sd_is_absolute": Section.truth,
-}
-"""What a fit takes besides."""
 _APART = 0.01
 """Of a number: more between two files is no rounding."""
-_JOINT: Mapping[str, Dimension | None] = {"names": None, "values": None, "sds": None, "correlation": None}
 
 
 class FitFile(NamedTuple):
@@ -146,33 +119,32 @@ def fit_file_of_text(text: str, title: str = "", files: Given = ()) -> FitFile:
 
 
 def _read(table: dict[str, Any], title: str) -> FitFile:
-    tables = ("title", "indenter", "medium", "instrument", "data", "fit", "compute")
-    whole = Section(table, "the file", dict.fromkeys(tables))
+    whole = Section(table, "the file", schema.FIT)
     for name in ("indenter", "medium", "data", "fit"):
         if name not in table:
             raise ProblemError(f"the table [{name}] is missing: a fit has [indenter], [medium], [data] and [fit]")
     shape = Section(table["indenter"], "indenter", indenters.KNOWN)
     body = mediums.read_medium(Section(table["medium"], "medium", mediums.KNOWN), shape)
-    of_instrument = Section(table.get("instrument", {}), "instrument", _INSTRUMENT)
-    instrument, cantilever = _read_instrument(of_instrument), Cantilever(**of_instrument.given(_CANTILEVER))
+    of_instrument = Section(table.get("instrument", {}), "instrument", schema.INSTRUMENT)
+    instrument, cantilever = _read_instrument(of_instrument), Cantilever(**of_instrument.given(schema.CANTILEVER))
     tip = indenters.read_indenter(shape)
-    fit, data = Section(table["fit"], "fit", _FIT), Section(table["data"], "data", measured.KNOWN)
+    fit, data = Section(table["fit"], "fit", schema.OPTIONS), Section(table["data"], "data", KNOWN)
     drainage, options = None, dict[str, Any]()
     if is_poroelastic(body):
         free, drainage = _read_gel(fit, instrument)
     else:
-        fit.only([key for key in _FIT if key != "drainage"], "a body without a fluid")
+        fit.only([key for key in schema.OPTIONS if key != "drainage"], "a body without a fluid")
         if "contact_weight_rule" in fit and "contact_weight" not in fit:
             raise ProblemError("[fit]: contact_weight_rule says how contact_weight counts: give that too, or leave it out")
         names = pattern_of(tip, body, instrument).names
-        options = {key: read(fit, key) for key, read in _OPTIONS.items() if key in fit}
+        options = {key: fit.value(key) for key in schema.TAKEN if key in fit}
         if "joint_prior" in fit:
-            options["known"] = [_read_joint_prior(section, names) for section in fit.children("joint_prior", _JOINT)]
+            options["known"] = [_read_joint_prior(section, names) for section in fit.value("joint_prior")]
         free = _read_free(fit, names)
     measured.check(data)
-    if data.plain("kind") not in measured.RECORDS:
+    if data.plain("kind") not in RECORDS:
         because = f"kind = {data.plain('kind')!r}, which has no deflection"
-        of_instrument.only([key for key in _INSTRUMENT if key not in _CANTILEVER], because)
+        of_instrument.only([key for key in schema.INSTRUMENT if key not in schema.CANTILEVER], because)
     return FitFile(
         str(whole.plain("title", title)), tip, body, instrument, cantilever, free, options, data, drainage, table["indenter"]
     )
@@ -186,12 +158,12 @@ def _read_gel(fit: Section, instrument: Instrument) -> tuple[dict[str, Free], st
     free = fit.plain("free") if "free" in fit else None
     if not isinstance(free, list) or not free or any(name not in GEL_NAMES for name in free):
         raise ProblemError(f'[fit]: free must name numbers of the gel, of {", ".join(GEL_NAMES)}, as in free = ["diffusivity"]')
-    return {name: Free() for name in free}, fit.choice("drainage", DRAINAGES)
+    return {name: Free() for name in free}, fit.choice("drainage", schema.OPTIONS.field("drainage").choices)
 
 
 def _read_instrument(section: Section) -> Instrument:
     given = section.given(dimensions(Instrument))
-    material = mediums.read_material(section.child("indenter", mediums.MATERIAL)) if "indenter" in section else None
+    material = mediums.read_material(section.value("indenter")) if "indenter" in section else None
     return Instrument(indenter=material, **given)
 
 
@@ -207,9 +179,8 @@ def _read_free(fit: Section, names: list[str]) -> dict[str, Free]:
         known = [n for n in names if n]
         if name not in known:
             raise ProblemError(f"[fit.free]: {name!r} is not a parameter of this problem: {nearest(name, known)}")
-        keys = ("start", "lower", "upper", "prior", "prior_sd")
-        section = Section(entry, f'fit.free."{name}"', dict.fromkeys(keys, dimension_of(name)))
-        value = section.given(keys)
+        section = Section(entry, f'fit.free."{name}"', dict.fromkeys(schema.FREE, dimension_of(name)))
+        value = section.given(schema.FREE)
         if ("prior" in value) != ("prior_sd" in value):
             raise ProblemError(f"[{section.path}]: prior and prior_sd belong together: give both or none")
         prior = (value.pop("prior"), value.pop("prior_sd")) if "prior" in value else None

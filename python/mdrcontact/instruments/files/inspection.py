@@ -22,6 +22,7 @@ from ..reading.formats import Fact
 from ..records import Segment
 from . import data as measured
 from .curves import Curve, curves, fits
+from .data_keys import KNOWN
 from .record import Cantilever, Record
 from .start_file import Size, start_file
 
@@ -102,7 +103,7 @@ def _guessing(section: Section, path: Path, *names: str) -> tuple[list[Curve], M
 
 
 def _section(table: Mapping[str, object]) -> Section:
-    return Section(dict(table), "data", measured.KNOWN)
+    return Section(dict(table), "data", KNOWN)
 
 
 def _record(one: Curve) -> Record:

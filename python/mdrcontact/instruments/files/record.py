@@ -32,12 +32,9 @@ from ..records.segments import joined
 
 Array = NDArray[np.float64]
 
-KEYS = ("branch", "drift", "baseline", "contact_point", "before_pop_in")
-"""What [data] may say about the record of a curve."""
 _LITTLE = 0.01
 """Of the force: tilts of a baseline below are not worth a word."""
 _MANY_LOST = 0.1
-BRANCHES = ("loading", "unloading", "both")
 
 
 class Cantilever(NamedTuple):
@@ -140,15 +137,15 @@ def prepare(section: Section, cantilever: Cantilever, record: Record, kind: str)
     if "drift" in section:
         _subtract_drift(section, record)
     if is_raw or "contact_point" in section or "baseline" in section:
-        _find_zero(section, record, is_raw, kind == "force-depth")
+        _find_zero(section, record, is_raw, kind)
     if is_raw:
         _find_pulls(record)
-    if "before_pop_in" in section and section.truth("before_pop_in"):
+    if section.value("before_pop_in"):
         _cut_at_pop_in(record)
     elif "branch" in section or is_raw:
         _mention_pop_in(record)
-    if kind == "depth-time" and ("branch" in section or is_raw):
-        _choose_creep(section, record)
+    if kind == "depth-time" and is_raw:
+        _choose_creep(record)
     elif "branch" in section or is_raw and kind == "force-depth":
         _choose_branch(section, record)
 
@@ -204,11 +201,11 @@ def _first_loading(record: Record) -> slice:
     return slice(0, first) if FEWEST <= first < whole.stop else whole
 
 
-def _find_zero(section: Section, record: Record, is_raw: bool, is_fitted: bool) -> None:
+def _find_zero(section: Section, record: Record, is_raw: bool, kind: str) -> None:
     depth, approach = _depth(record), _approach(record) if is_raw else _first_loading(record)
-    usual = ("fit" if is_fitted else METHODS[0]) if is_raw else "given"
-    method = section.choice("contact_point", (*METHODS, *(["fit"] if is_fitted else []), "given"), default=usual)
-    baseline = section.choice("baseline", ("tilt", "offset", "none"), default="offset" if is_raw else "none")
+    usual = ("fit" if kind == "force-depth" else METHODS[0]) if is_raw else "given"
+    method = section.value("contact_point", kind=kind) or usual
+    baseline = section.value("baseline") or ("offset" if is_raw else "none")
     if method == "given" and baseline == "none":
         return
     try:
@@ -297,7 +294,7 @@ def _mention_pop_in(record: Record) -> None:
 
 
 def _choose_branch(section: Section, record: Record) -> None:
-    branch = section.choice("branch", BRANCHES, default="loading")
+    branch = section.value("branch") or "loading"
     kinds = ("loading", "unloading") if branch == "both" else (branch,)
     segments, words = record.parts()
     keep = np.zeros(len(record.force), dtype=bool)
@@ -315,19 +312,17 @@ def _choose_branch(section: Section, record: Record) -> None:
     record.notes.append(f"{words}; {int(keep.sum())} readings of {branch} are used{usual}")
 
 
-def _choose_creep(section: Section, record: Record) -> None:
+def _choose_creep(record: Record) -> None:
     """Of a creep test the readings from first contact to the end of the hold: without contact no force says the depth, and under a
     falling force adhesion holds the contact."""
-    branch = section.choice("branch", ("loading", "both"), default="loading")
     segments, words = record.parts()
     top = int(np.argmax(record.force))
     end = next((s.start for s in segments if s.kind == "unloading" and s.start > top), len(record.force))
-    if branch == "both":
-        end = len(record.force)
     place = np.arange(len(record.force))
     keep = (place >= record.contact) & (place < end)
     if keep.sum() < 2:
-        raise ProblemError(f"[data]: branch = {branch!r}: {int(keep.sum())} readings lie between contact and unloading; {words}")
+        raise ProblemError(f"{int(keep.sum())} readings lie between contact and unloading; {words}")
     record.keep(keep)
-    what = "approach and hold" if branch == "loading" else "approach, hold and retract"
-    record.notes.append(f"{words}; from contact, reading {record.contact}, {int(keep.sum())} readings of {what} are used")
+    record.notes.append(
+        f"{words}; from contact, reading {record.contact}, {int(keep.sum())} readings of approach and hold are used"
+    )
