@@ -87,6 +87,9 @@ def first_notes(curves: Iterable[Curve]) -> list[str]:
 def _tests(section: Section, tables: list[MeasuredTable], kind: str) -> list[MeasuredTable]:
     """Those tables that have the columns of this kind of data; sheets with the settings of a method have not."""
     found = [table for table in tables if fits(section, table, kind)]
+    if not found and kind in TABLES:
+        # results alone: one row for each test is what there is
+        found = [table for table in tables if has(section, table, TABLES[kind][1][-1])]
     if not found or kind in RECORDS and not any(has(section, found[0], role) for role in ("depth", "height")):
         column(section, max(tables, key=lambda table: len(table.values)), "depth" if kind in RECORDS else TABLES[kind][1][-1])
     if len(found) < len(tables):

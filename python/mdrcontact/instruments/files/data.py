@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ..._units import LENGTH, RATIO, VOLTAGE, Dimension, UnitError, is_cyclic, shown
+from ..._units import FORCE, LENGTH, RATIO, VOLTAGE, Dimension, UnitError, is_cyclic, shown
 from ...problem.roles import ROLES
 from ...problem.section import ProblemError, Section
 from ..fitting import (
@@ -65,6 +65,8 @@ _MAKES: Mapping[str, Callable[..., Data]] = {
 }
 TABLES: Mapping[str, tuple[Callable[..., Data], tuple[str, ...]]] = {kind: (_MAKES[kind], roles) for kind, roles in COLUMNS.items()}
 """Kinds whose columns are the data; the others are records of an instrument."""
+_FEWEST_STEPS, _TURNING = 5, 0.25
+"""Steps, and the share of them in the rarer direction, by which rows are in no order."""
 OF_A_TABLE = (*ROLES, "columns", "units", "skip", "sheet", "leave_out", "decimal", "sd")
 """Keys that say how a table is to be read."""
 
@@ -112,17 +114,34 @@ def table_options(section: Section) -> TableOptions:
 
 def column(section: Section, table: MeasuredTable, role: str) -> _Column:
     dimension, aliases = ROLES[role]
-    title = str(section.plain(role)) if role in section else table.find(role, aliases, dimension)
+    if role in section:
+        title = str(section.plain(role))
+    elif role == "force" and _is_deflection_in(table, FORCE) and not _is_found(table, role):
+        # of a calibrated cantilever
+        title = table.find("deflection", ROLES["deflection"][1], FORCE)
+    else:
+        title = table.find(role, aliases, dimension)
     values, unit = table.column(title, dimension)
     return _Column(title, unit, values, dimension)
 
 
 def has(section: Section, table: MeasuredTable, role: str) -> bool:
     """Whether a column is named, or can be found, for a role."""
-    if role in section:
-        return True
+    return role in section or _is_found(table, role) or role == "force" and _is_deflection_in(table, FORCE)
+
+
+def _is_found(table: MeasuredTable, role: str) -> bool:
     try:
         table.find(role, ROLES[role][1], ROLES[role][0])
+    except ProblemError:
+        return False
+    return True
+
+
+def _is_deflection_in(table: MeasuredTable, dimension: Dimension) -> bool:
+    """Whether a column is a deflection, in units of this dimension."""
+    try:
+        table.find("deflection", ROLES["deflection"][1], dimension)
     except ProblemError:
         return False
     return True
@@ -174,7 +193,7 @@ def _read_columns(section: Section, table: MeasuredTable, kind: str) -> tuple[Da
     options: dict[str, object] = {"missing": "drop"}
     last = roles[-1]
     sd = _sd(section, table, last, found)
-    _check_units(section, found)
+    _check_units(section, table, found)
     factor = 1.0 / (1.0 - section.number("nu") ** 2) if last == "modulus" and "nu" in section else 1.0
     found[last] = found[last]._replace(values=found[last].values * factor)
     keep = _between(section, {role: found[role].values for role in roles})
@@ -189,6 +208,11 @@ def _read_columns(section: Section, table: MeasuredTable, kind: str) -> tuple[Da
     if not keep.all():
         notes.append(f"{int(keep.sum())} of {len(keep)} rows are fitted")
     columns = [found[role].values[keep] for role in roles]
+    if last == "stiffness" and _are_results(columns[0]):
+        notes.append(
+            "the rows stand in no order, as in a table of results with one indent a row: one body is fitted to all of them; "
+            'mdrcontact modulus with kind = "stiffness-depth" gives the modulus of each'
+        )
     if "oscillation" in section:
         with section.words():
             depth, force, stiffness, keeps = without_oscillation(
@@ -203,6 +227,12 @@ def _read_columns(section: Section, table: MeasuredTable, kind: str) -> tuple[Da
     data = cls(*columns, **options)
     data.warnings += table.warnings
     return data, notes
+
+
+def _are_results(along: Array) -> bool:
+    """Whether depths or radii rise and fall at random from row to row; in a record few steps go back."""
+    steps = np.diff(along[np.isfinite(along)])
+    return len(steps) >= _FEWEST_STEPS and min((steps > 0.0).mean(), (steps < 0.0).mean()) > _TURNING
 
 
 def _loading(
@@ -228,9 +258,10 @@ def _loading(
 
 
 def _with_facts(cantilever: Cantilever, facts: Sequence[Fact]) -> Cantilever:
-    """The spring constant of the file where the problem says none."""
-    said = next((fact.value for fact in facts if fact.name == "spring_constant"), None)
-    return cantilever if cantilever.spring_constant is not None else cantilever._replace(spring_constant=said)
+    """The settings of the file where the problem says none."""
+    said = {fact.name: fact.value for fact in facts}
+    missing = [name for name in cantilever._fields if getattr(cantilever, name) is None]
+    return cantilever._replace(**{name: said.get(name) for name in missing})
 
 
 def record_of(section: Section, cantilever: Cantilever, table: MeasuredTable, kind: str) -> Record:
@@ -244,7 +275,7 @@ def record_of(section: Section, cantilever: Cantilever, table: MeasuredTable, ki
         found["height"] = column(section, table, "height")
         height = found["height"].values
     if depth is None and "force" not in section and _has_deflection(section, table):
-        force = _force_of_deflection(section, cantilever, table, found)
+        force = _force_of_deflection(section, _with_facts(cantilever, table.facts), table, found)
     else:
         found["force"] = column(section, table, "force")
         force = found["force"].values
@@ -258,7 +289,7 @@ def record_of(section: Section, cantilever: Cantilever, table: MeasuredTable, ki
             f"[data]: deflection is not read, as the table has {read}: leave it out, or name the height of the piezo in place of a "
             "depth"
         )
-    _check_units(section, found)
+    _check_units(section, table, found)
     _check_cantilever(cantilever, table, found)
     record = Record(
         depth,
@@ -275,11 +306,11 @@ def record_of(section: Section, cantilever: Cantilever, table: MeasuredTable, ki
     return record
 
 
-def _check_units(section: Section, found: _Found) -> None:
+def _check_units(section: Section, table: MeasuredTable, found: _Found) -> None:
     """Refuses units of columns that are not read."""
-    used = [one.title for one in found.values()]
+    used = [table.own(one.title) for one in found.values()]
     for title in section.plain("units", {}):
-        if title not in used:
+        if table.own(title) not in used:
             raise ProblemError(
                 f"[data] units: the column {title!r} is not read: leave its unit out, or name its role, as in {next(iter(found))} "
                 f'= "{title}"'
@@ -351,16 +382,7 @@ def _record_data(section: Section, record: Record, kind: str) -> Data:
 
 
 def _has_deflection(section: Section, table: MeasuredTable) -> bool:
-    if "deflection" in section:
-        return True
-    aliases = ROLES["deflection"][1]
-    for dimension in (LENGTH, VOLTAGE):
-        try:
-            table.find("deflection", aliases, dimension)
-        except ProblemError:
-            continue
-        return True
-    return False
+    return "deflection" in section or any(_is_deflection_in(table, dimension) for dimension in (LENGTH, VOLTAGE))
 
 
 def _force_of_deflection(section: Section, cantilever: Cantilever, table: MeasuredTable, found: _Found) -> Array:

@@ -23,17 +23,12 @@ from ..._choices import nearest
 from ...problem.named import ContentError, ProblemError
 from .block import Part, Stretch, find_block
 from .numerals import Exact
+from .units import like_ascii
 
 SHEETS = (".xlsx", ".xlsm", ".xls")
 _OLD_SPREADSHEET = (b"\xd0\xcf\x11\xe0", b"\x09\x00\x04\x00", b"\x09\x02\x06\x00", b"\x09\x04\x06\x00", b"\x09\x08")
 _NEW_SPREADSHEET = b"PK\x03\x04"
 _SEPARATORS = {"\t": "tabs", ";": "semicolons", ",": "commas", " ": "spaces"}
-_LIKE_ASCII = str.maketrans(
-    {
-        **{"\N{MICRO SIGN}": "u", "\N{GREEK SMALL LETTER MU}": "u", "\N{SUPERSCRIPT TWO}": "^2", "\N{MINUS SIGN}": "-"},
-        **{"\xa0": " ", "\N{THIN SPACE}": " ", "\N{NARROW NO-BREAK SPACE}": " ", "\N{RIGHT SINGLE QUOTATION MARK}": "'"},
-    }
-)
 _SAMPLES, _SAMPLE = 8, 100
 """Samples, and lines in each, that show how columns are separated."""
 _LONGEST_CELL = 3
@@ -68,6 +63,14 @@ class Cells(ABC):
         """Whether a point in this line can only be a decimal one."""
         return False
 
+    def remarks(self, first: int | None, last: int) -> list[str]:
+        """The comments between two lines, or above the last one."""
+        return []
+
+    def marked_lines(self, pattern: re.Pattern[str]) -> list[tuple[int, str]]:
+        """Comments of a pattern, each with the line that follows it."""
+        return []
+
     def between(self, parts: Iterable[Part], first: int, last: int) -> Iterator[tuple[int, int, list[str]]]:
         """Those of rows first ... last - 1 that stand in some parts of the file: number, line, cells."""
         for part in parts:
@@ -87,6 +90,7 @@ class Text(Cells):
         del text, content
         kept = (i for i, line in enumerate(every) if i >= skip and not _is_passed_over(line))
         self._numbers = np.fromiter(kept, dtype=np.int64)
+        self._remarks = [(i, line) for i, line in enumerate(every) if line.lstrip().startswith("#") and i >= skip]
         self._lines = [every[i] for i in self._numbers]
         del every
         self._separator = _separator_of(self._lines)
@@ -133,6 +137,14 @@ class Text(Cells):
 
     def place(self, line: int) -> str:
         return f"line {self._numbers[line] + 1}"
+
+    def remarks(self, first: int | None, last: int) -> list[str]:
+        begin, end = (-1 if first is None else self._numbers[first]), self._numbers[last]
+        return [line for i, line in self._remarks if begin < i < end]
+
+    def marked_lines(self, pattern: re.Pattern[str]) -> list[tuple[int, str]]:
+        found = [(i, match[1]) for i, line in self._remarks if (match := pattern.fullmatch(line.strip()))]
+        return [(int(np.searchsorted(self._numbers, i)), words) for i, words in found]
 
     def shows_point(self, line: int) -> bool:
         return self._separator == "," and '"' not in self._lines[line]
@@ -236,7 +248,7 @@ def _like_ascii(text: str) -> str:
     """Signs that stand for others as those; blanks that cannot break, within a number, as apostrophes."""
     if text.isascii():
         return text
-    return re.sub("(?<=[0-9])[\xa0\N{THIN SPACE}\N{NARROW NO-BREAK SPACE}](?=[0-9]{3})", "'", text).translate(_LIKE_ASCII)
+    return like_ascii(re.sub("(?<=[0-9])[\xa0\N{THIN SPACE}\N{NARROW NO-BREAK SPACE}](?=[0-9]{3})", "'", text))
 
 
 def _word(cell: object) -> str:

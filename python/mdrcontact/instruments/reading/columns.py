@@ -4,7 +4,6 @@ encoding, separator and decimal sign, and sheets of spreadsheets."""
 
 from __future__ import annotations
 
-import re
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -14,18 +13,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..._choices import nearest
-from ..._units import Dimension, UnitError, is_unit, to_si
+from ..._units import Dimension, UnitError
 from ...problem.named import LARGEST_FILE, ContentError, NamedFile, ProblemError
-from ...problem.roles import ROLES
+from . import layouts
 from .block import Block, find_block
 from .cells import Cells, Sheet, Text, is_spreadsheet, read_sheets
 from .formats import Fact, Format, recognise, refuse_foreign
+from .header import Header, above, read_header, titles_above
 from .marks import Mark, find_marks
-from .numerals import is_gap, is_number
+from .titles import bare, is_measured, is_one_of, read_title, unit_in, words
+from .units import factor
 from .values import read_values
 
-_BRACKETS = re.compile(r"\s*(.*?)[\s_]*[\[(]\s*(.*?)\s*[\])]\s*")
-_COMMA = re.compile(r"\s*(.+?)\s*[,/]\s*(\S+)\s*")
 _NO_NUMBER = 1e300
 _MANY_REPEATED, _MANY_OUTSIDE = 0.02, 0.05
 """Of the rows: more that stand twice, or outside of the table, are no accident."""
@@ -66,33 +65,46 @@ class MeasuredTable(NamedTuple):
     """what the file says of the instrument"""
     is_named: bool = False
     """whether a problem names the file, of which errors then repeat nothing"""
+    others: Mapping[str, str] = {}
+    """titles of the file that are not those of the table, with these"""
 
     def column(self, title: str, dimension: Dimension) -> tuple[NDArray[np.float64], str]:
         """A column in SI units, and the unit it was in."""
-        if title not in self.titles:
+        own = self.own(title)
+        if own is None:
             best = self.those() if self.is_named else nearest(title, self.titles)
             raise ProblemError(f"{self.path}: there is no column {title!r}: {best}")
-        unit = self.unit_of(title, dimension)
+        unit = self.unit_of(own, dimension)
         if unit is None:
-            raise ProblemError(f"{self.path}: the column {title!r} does not say its unit: {self._remedy(title, dimension)}")
-        factor = to_si(1.0, unit, dimension)
-        return self.values[:, self.titles.index(title)] * factor, unit
+            raise ProblemError(f"{self.path}: the column {title!r} does not say its unit: {self._remedy(own, dimension)}")
+        return self.values[:, self.titles.index(own)] * (factor(unit, dimension) if unit else 1.0), unit
+
+    def own(self, title: str) -> str | None:
+        """The title of the table that a problem file means, however it writes micro signs and blanks; None for no column."""
+        title = words(title)
+        title = self.others.get(title, title)
+        if title in self.titles:
+            return title
+        alike = [one for one in self.titles if one.replace(" ", "") == title.replace(" ", "")]
+        return alike[0] if len(alike) == 1 else None
 
     def find(self, role: str, aliases: Sequence[str], dimension: Dimension) -> str:
         """The column whose name, without unit, is one of the aliases and whose unit fits; a refusal names the true reason."""
         named = self.named(aliases, dimension)
-        for title in named:
+        for title in sorted(named, key=lambda title: "measured" not in title.lower()):
             if self.unit_of(title, dimension) is not None:
                 return title
+        # a letter with another unit is another quantity: H (GPa) is no depth
+        named = [title for title in named if len(bare(title)) > 1 or title not in self.units and bare(title) in aliases]
         if named:
             raise ProblemError(
                 f"{self.path}: the column {named[0]!r} should be the {role}, but does not say its unit: "
                 f"{self._remedy(named[0], dimension)}"
             )
         for title in self.titles:
-            for name, unit in _splits(title):
-                if unit and name.lower() in aliases:
-                    raise ProblemError(f"{self.path}: the column {title!r} should be the {role}, but {_fault(unit, dimension)}")
+            pair = unit_in(title)
+            if pair and len(pair[0]) > 1 and is_one_of(pair[0], aliases):
+                raise ProblemError(f"{self.path}: the column {title!r} should be the {role}, but {_fault(pair[1], dimension)}")
         unit = dimension.example.split()[-1]
         raise ProblemError(
             f'{self.path}: no column is the {role}: name one so, with its unit, as in "{role} [{unit}]", or, for a fit, name it in '
@@ -101,28 +113,26 @@ class MeasuredTable(NamedTuple):
 
     def those(self) -> str:
         """Which columns there are; of a file that a problem names those that are titles of measurements, and how many others."""
-        shown = [title for title in self.titles if not self.is_named or _is_of_measurements(title)]
+        shown = [title for title in self.titles if not self.is_named or is_measured(title)]
         others = len(self.titles) - len(shown)
         words = [*map(repr, shown), *([f"{others} with other titles"] if others else [])]
         return f"there are {', '.join(words)}"
 
     def named(self, aliases: Sequence[str], dimension: Dimension) -> list[str]:
         """The columns whose name, without unit, is one of the aliases."""
-        found = []
-        for title in self.titles:
-            bare = _BRACKETS.fullmatch(title)
-            name = name_of(title, dimension) if title not in self.units else bare[1] if bare else title
-            if name.lower() in aliases or name.lower().replace("_", " ") in aliases:
-                found.append(title)
-        return found
+        return [
+            title
+            for title in self.titles
+            if is_one_of(bare(title) if title in self.units else read_title(title, dimension)[0], aliases)
+        ]
 
     def unit_of(self, title: str, dimension: Dimension) -> str | None:
         """The unit of a column if it is one of that dimension; "" for plain numbers."""
         given = self.units.get(title)
         if given is None:
-            return unit_of(title, dimension)
+            return read_title(title, dimension)[1]
         try:
-            to_si(1.0, given, dimension)
+            factor(given, dimension)
         except UnitError:
             return None
         return given
@@ -196,7 +206,7 @@ def _tables_of_sheets(path: Path, sheets: Sequence[Sheet], options: TableOptions
         block = find_block(sheet.stretches())
         if block.last - block.first > 1:
             try:
-                tables += _split(_table_of(sheet, block, _rows_above(sheet, block, 0), options))
+                tables += _split(_table_of(sheet, block, above(sheet, block, 0), options), options)
             except ProblemError as problem:
                 faults.append((block.last - block.first, problem))
     if not tables and faults:
@@ -212,74 +222,113 @@ def _tables_of(cells: Text, options: TableOptions) -> list[MeasuredTable]:
     """The longest table of a text, and those like it: with the same titles in a line above."""
     block = find_block(cells.stretches())
     _check_rows(cells, block)
-    main = _table_of(cells, block, _rows_above(cells, block, 0), options)
-    alike = [] if options.columns else [other for other in block.alike() if _titles_above(cells, other) == main.titles]
+    header = above(cells, block, 0)
+    main = _table_of(cells, block, header, options)
+    alike = [] if options.columns else [one for one in block.alike() if list(map(words, titles_above(cells, one))) == main.titles]
     if not alike:
-        return _split(main._replace(warnings=[*_doubts_outside(block, 0), *main.warnings]))
+        return _split(main._replace(warnings=[*_doubts_outside(block, 0), *main.warnings]), options)
     tests, begin = [], 0
-    known = recognise(_rows_above(cells, block, 0))
+    known = recognise(header.lines)
     for i, one in enumerate(sorted([block, *alike], key=lambda one: one.first), start=1):
-        table = _table_of(cells, one, _rows_above(cells, one, begin), options, known)
+        table = _table_of(cells, one, above(cells, one, begin), options, known)
         tests.append(table._replace(name=f"test {i}"))
         begin = one.last
     tests[0].warnings.extend(_doubts_outside(block, sum(len(test.values) for test in tests) - len(main.values)))
-    return tests
+    return [part for test in tests for part in _split(test, options)]
 
 
-def _titles_above(cells: Text, block: Block) -> list[str]:
-    """The words of the last line above a block that is no line of units."""
-    for row in reversed(_rows_above(cells, block, max(block.first - 2, 0))):
-        if _are_symbols(row) or not all(is_unit(cell.strip("[]() ")) for cell in row):
-            return row
-    return []
-
-
-def _rows_above(cells: Cells, block: Block, begin: int) -> list[list[str]]:
-    return [[cell.strip() for cell in row] for _, _, row in cells.between(block.parts, begin, block.first)]
-
-
-def _table_of(
-    cells: Cells, block: Block, above: Sequence[Sequence[str]], options: TableOptions, known: Format | None = None
-) -> MeasuredTable:
+def _table_of(cells: Cells, block: Block, header: Header, options: TableOptions, known: Format | None = None) -> MeasuredTable:
     """The table of a block below a header, of a known format or of one that the header names."""
-    titles, units = _named(cells, above, block.width, options)
+    titles, units = _named(cells, header, block.width, options)
     values = read_values(cells, block, titles, options.decimal)
     # of programs that write the largest number where there is none
     values[np.abs(values) > _NO_NUMBER] = np.nan
-    known = known or recognise(above)
-    where = f" after {len(above)} lines of header" if len(above) > 1 else ""
+    lines = header.lines
+    known = known or recognise(lines)
+    where = f" after {len(lines)} lines of header" if len(lines) > 1 else ""
     notes = [f"{len(values)} rows, {len(titles)} columns{where}, {', '.join(cells.notes)}"]
     if known:
         notes[0] = f"{known.name}: {notes[0]}"
         units = {**{title: unit for title, unit in known.units.items() if title in titles}, **units}
     marks = find_marks(cells, block, titles, values)
     return MeasuredTable(
-        cells.path, titles, values, notes, units, _doubts(values), cells.name, marks, known.facts(above) if known else ()
+        cells.path, titles, values, notes, units, _doubts(values), cells.name, marks, (known or Format("", "")).facts(lines)
     )
 
 
-def _split(table: MeasuredTable) -> list[MeasuredTable]:
-    """A table whose titles repeat in turn as tables of one test each."""
-    titles = table.titles
-    period = titles.index(titles[0], 1) if titles.count(titles[0]) > 1 else len(titles)
-    doubled = sorted({title for title in titles if titles.count(title) > 1})
-    if not doubled:
-        return [table]
-    count = len(titles) // period
-    if period < 2 or titles != count * titles[:period]:
-        place = titles.index(doubled[0]) + 1
-        raise ContentError(
-            f"{table.path}: two columns have the same title, {doubled[0]!r}: name all in [data] columns = [...]",
-            f"{table.path}: another column has the title of column {place}: give each its own",
-        )
-    tests = []
-    for i in range(count):
-        values = table.values[:, i * period : (i + 1) * period]
-        values = values[np.isfinite(values).any(axis=1)]
-        name = f"{table.name} test {i + 1}".strip()
-        notes = [f"{table.notes[0]}; columns {i * period + 1} to {(i + 1) * period} of {count} tests side by side"]
-        tests.append(table._replace(titles=titles[:period], values=values, name=name, notes=notes, warnings=_doubts(values)))
-    return tests
+def _split(table: MeasuredTable, options: TableOptions) -> list[MeasuredTable]:
+    """A table as tables of one test each: tests stand side by side, the way out beside the way in."""
+    pairs = layouts.in_and_out(table.titles)
+    if pairs:
+        return [_joined(table, pairs)]
+    tests = layouts.side_by_side(table.titles)
+    if len(tests) == 1 and len(set(tests[0].titles)) == len(table.titles):
+        return [table._replace(titles=tests[0].titles, others=_others(table, tests), units=_units(table, tests[0]))]
+    return [_one_of(table, test, tests, options) for test in tests]
+
+
+def _one_of(table: MeasuredTable, test: layouts.Test, tests: Sequence[layouts.Test], options: TableOptions) -> MeasuredTable:
+    """One of the tests of a table."""
+    kept, differing = layouts.without_copies(test, table.values)
+    if differing:
+        raise _two_of_a_title(table, differing[0])
+    values = table.values[:, kept.columns]
+    values = values[np.isfinite(values).any(axis=1)]
+    notes, name = list(table.notes), table.name
+    if len(tests) > 1:
+        places = f"columns {min(test.columns) + 1} to {max(test.columns) + 1}"
+        notes[0] = f"{notes[0]}; {places} of {len(tests)} tests side by side"
+        name = f"{name} {test.name}".strip()
+    return table._replace(
+        titles=kept.titles,
+        values=values,
+        name=name,
+        notes=notes,
+        warnings=_doubts(values),
+        units=_units(table, test),
+        others=_others(table, tests),
+        marks=table.marks if len(tests) == 1 else (),
+    )
+
+
+def _units(table: MeasuredTable, test: layouts.Test) -> dict[str, str]:
+    """Units of a test by its own titles."""
+    own = zip(test.titles, test.columns, strict=True)
+    return {title: table.units[table.titles[place]] for title, place in own if table.titles[place] in table.units}
+
+
+def _others(table: MeasuredTable, tests: Sequence[layouts.Test]) -> dict[str, str]:
+    """Titles of the file with those of its tests, where they differ."""
+    pairs = [(table.titles[place], title) for test in tests for title, place in zip(test.titles, test.columns, strict=True)]
+    return {own: title for own, title in pairs if own != title}
+
+
+def _two_of_a_title(table: MeasuredTable, title: str) -> ProblemError:
+    """That two columns of a test have one title; with the list that tells them apart."""
+    seen: dict[str, int] = {}
+    apart: list[str] = []
+    for one in table.titles:
+        seen[one] = seen.get(one, 0) + 1
+        apart.append(one if seen[one] == 1 else f"column {len(apart) + 1} {one}")
+    listed = ", ".join(f'"{one}"' for one in apart)
+    return ContentError(
+        f"{table.path}: two columns have the same title, {title!r}, and other numbers: give each column a title of its own, as in "
+        f"[data] columns = [{listed}]; tests side by side have the same titles in the same order",
+        f"{table.path}: another column has the title of column {table.titles.index(title) + 1}: give each its own",
+    )
+
+
+def _joined(table: MeasuredTable, pairs: Mapping[int, int]) -> MeasuredTable:
+    """A table of one test whose way out stands beside the way in."""
+    values, count = layouts.joined(table.values, pairs)
+    titles = [table.titles[place] for place in pairs]
+    others = {table.titles[out]: table.titles[into] for into, out in pairs.items()}
+    notes = [f"{table.notes[0]}; {count} rows of the way in, {len(values) - count} of the way out from the columns beside them"]
+    units = {title: unit for title, unit in table.units.items() if title in titles}
+    marks = (Mark(0, "segment: extend"), Mark(count, "segment: retract")) if 0 < count < len(values) else ()
+    return table._replace(
+        titles=titles, values=values, notes=notes, units=units, others=others, warnings=_doubts(values), marks=marks
+    )
 
 
 def _check_rows(cells: Cells, block: Block) -> None:
@@ -298,31 +347,19 @@ def _check_rows(cells: Cells, block: Block) -> None:
         )
 
 
-def _named(cells: Cells, above: Sequence[Sequence[str]], width: int, options: TableOptions) -> tuple[list[str], dict[str, str]]:
+def _named(cells: Cells, header: Header, width: int, options: TableOptions) -> tuple[list[str], dict[str, str]]:
     """Titles of the columns, and units that stand beside them."""
-    path = cells.path
-    units: dict[str, str] = {}
     if options.columns:
-        titles = list(options.columns)
+        titles, row_of_units = list(map(words, options.columns)), width * [""]
         if len(titles) != width:
-            raise ProblemError(f"{path}: [data] columns names {len(titles)} columns, and the table has {width}")
+            raise ProblemError(f"{cells.path}: [data] columns names {len(titles)} columns, and the table has {width}")
     else:
-        titles, row_of_units = _header(path, above, width, width if cells.by_blanks else width + 1)
-        for title, unit in zip(titles, row_of_units, strict=False):
-            own = _BRACKETS.fullmatch(title)
-            if not unit or own and own[2] == unit:
-                continue
-            if own and is_unit(own[2]) and title not in options.units:
-                raise ContentError(
-                    f"{path}: the unit of the column {title!r} is {unit!r} in the row below the titles: say which it is in the "
-                    f'problem file: [data] units = {{ "{title}" = "{own[2]}" }}',
-                    f"{path}: the title of column {titles.index(title) + 1} and the row below the titles have two units: keep one",
-                )
-            units[title] = unit
-    titles = [title or f"column {i}" for i, title in enumerate(titles, start=1)]
-    for title, unit in options.units.items():
+        titles, row_of_units = read_header(cells, header, width, {words(title) for title in options.units})
+    units = {title: unit for title, unit in zip(titles, row_of_units, strict=True) if unit}
+    for given, unit in options.units.items():
+        title = words(given)
         if title not in titles:
-            raise ProblemError(f"{path}: [data] units: there is no column {title!r}: {nearest(title, titles)}")
+            raise ProblemError(f"{cells.path}: [data] units: there is no column {given!r}: {nearest(title, titles)}")
         units[title] = unit
     return titles, units
 
@@ -351,80 +388,6 @@ def _doubts(values: NDArray[np.float64]) -> list[str]:
     ]
 
 
-def _header(path: Path, above: Sequence[Sequence[str]], width: int, most: int) -> tuple[list[str], list[str]]:
-    """Titles and units from the lines above the numbers: a line of titles, and perhaps one of units below it."""
-    words = [list(row) for row in above if not all(is_gap(cell) or is_number(cell) for cell in row)]
-    fitting = [(row + width * [""])[:width] for row in words if width <= len(row) <= most]
-    rows = [row for row in fitting if sum(map(bool, row)) >= max(1, width - 1)]
-    if not rows:
-        count = len(words[-1]) if words else 0
-        shorter = f", but {count} words" if count > 1 else ""
-        if 1 < count < width <= 2 * count:
-            shorter += " (if commas are decimal signs, separate columns by semicolons or tabs)"
-        raise ProblemError(
-            f"{path}: no line above the numbers has names for the {width} columns{shorter}: write such a line, or, for a fit, name "
-            'them in [data], as in columns = ["depth [nm]", "load [mN]"]'
-        )
-    bare = [cell.strip("[]() ") for cell in fitting[-1]]
-    # of units some may be missing, of titles one
-    titled = [row for row in fitting[:-1] if row in rows]
-    if titled and any(bare) and all(is_unit(cell) for cell in bare if cell) and not _are_symbols(bare):
-        return titled[-1], bare
-    return rows[-1], []
-
-
-def _are_symbols(cells: Sequence[str]) -> bool:
-    """Whether all of several words are names of columns: F, h and t are no farads, hours and tonnes."""
-    names = {name for _, aliases in ROLES.values() for name in aliases}
-    return len(cells) > 1 and all(cell.lower() in names for cell in cells)
-
-
-def _splits(title: str) -> list[tuple[str, str]]:
-    """Name and unit, in every way that the title can be read."""
-    match = _BRACKETS.fullmatch(title)
-    if match:
-        return [(match[1], match[2])]
-    match = _COMMA.fullmatch(title)
-    if match:
-        return [(match[1], match[2]), (title, "")]
-    parts = title.split("_")
-    found = [("_".join(parts[:i]), "_".join(parts[i:]).replace("_per_", "/")) for i in range(1, len(parts))]
-    return [*found, (title, "")]
-
-
-def _is_of_measurements(title: str) -> bool:
-    """Whether a title is the name of what instruments measure, or has a unit in brackets."""
-    match = _BRACKETS.fullmatch(title)
-    name, unit = (match[1], match[2]) if match else (title, "")
-    return bool(unit and is_unit(unit)) or any(name.lower() in names for _, names in ROLES.values())
-
-
 def _fault(unit: str, dimension: Dimension) -> str:
     """That a unit does not fit, and which one does."""
     return f'{unit!r} is no unit of {dimension.name}: one is "{dimension.example.split()[-1]}"{dimension.hint}'
-
-
-def unit_of(title: str, dimension: Dimension) -> str | None:
-    """The unit in a title such as "depth [nm]", "h_nm", "S_N_per_m", if it is one of that dimension; "" for plain numbers."""
-    for _, unit in _splits(title):
-        if not unit:
-            return "" if not dimension.si else None
-        try:
-            to_si(1.0, unit, dimension)
-        except UnitError:
-            continue
-        return unit
-    return None
-
-
-def name_of(title: str, dimension: Dimension) -> str:
-    """The title without its unit."""
-    for name, unit in _splits(title):
-        if not unit:
-            return name
-        try:
-            to_si(1.0, unit, dimension)
-        except UnitError:
-            continue
-        return name
-    return title

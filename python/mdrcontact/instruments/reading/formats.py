@@ -8,7 +8,7 @@ from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from ..._units import COMPLIANCE, LENGTH, MODULUS, SPEED, STIFFNESS, Dimension, shown
+from ..._units import COMPLIANCE, LENGTH, MODULUS, SENSITIVITY, SPEED, STIFFNESS, Dimension, shown
 from ...problem.named import ProblemError
 
 
@@ -76,6 +76,14 @@ FORMATS = (
         ),
     ),
     Format("Hysitron text", r"Number of Points ="),
+    Format(
+        "JPK text",
+        r"fancyNames:",
+        numbers=(
+            ("spring_constant", r"springConstant", 1.0, STIFFNESS),
+            ("deflection_sensitivity", r"^sensitivity", 1.0, SENSITIVITY),
+        ),
+    ),
 )
 
 

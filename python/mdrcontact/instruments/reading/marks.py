@@ -20,11 +20,13 @@ Array = NDArray[np.float64]
 _TITLES = ("segment", "segments", "marker", "markers", "mark")
 """Titles of columns whose words are marks, in small letters."""
 _KINDS = (
-    ("hold", r"hold segment|drift hold|begin drift|end of loading"),
-    ("unloading", r"unload|end of hold|end drift"),
-    ("loading", r"load segment|surface marker|surface index$|cycle begin"),
+    ("hold", r"hold segment|drift hold|begin drift|end of loading|segment: pause"),
+    ("unloading", r"unload|end of hold|end drift|segment: retract"),
+    ("loading", r"load segment|surface marker|surface index$|cycle begin|segment: extend"),
 )
 """What begins at a mark whose words match; other marks begin nothing."""
+_REMARK = re.compile(r"#\s*(segment: (?:extend|retract|pause)).*")
+"""Comments of JPK above the rows of a segment."""
 _FEWEST = 20
 """Readings in which a cycle may hide."""
 
@@ -42,10 +44,10 @@ class Mark(NamedTuple):
 
 
 def find_marks(cells: Cells, block: Block, titles: Sequence[str], values: Array) -> tuple[Mark, ...]:
-    """The marks of a table: words in a column of that title that holds no numbers, or where its numbers change."""
+    """The marks of a table: words in a column of that title that holds no numbers, or where its numbers change; else comments."""
     places = [i for i, title in enumerate(titles) if title.strip().lower() in _TITLES]
     if not places:
-        return ()
+        return _of_remarks(cells, block)
     column = values[:, places[0]]
     if np.isfinite(column).all():
         changes = [0, *(np.flatnonzero(np.diff(column)) + 1)]
@@ -53,6 +55,16 @@ def find_marks(cells: Cells, block: Block, titles: Sequence[str], values: Array)
     rows = cells.between(block.parts, block.first, block.last)
     words = ((i - block.first, row[places[0]].strip() if places[0] < len(row) else "") for i, _, row in rows)
     return tuple(Mark(i, text) for i, text in words if text and not np.isfinite(column[i]))
+
+
+def _of_remarks(cells: Cells, block: Block) -> tuple[Mark, ...]:
+    """Marks in comments; of several above one row the last counts."""
+    found = cells.marked_lines(_REMARK)
+    if not found:
+        return ()
+    lines = np.concatenate([np.asarray(part.stretch.lines) for part in block.parts])[block.first : block.last]
+    rows = {int(np.searchsorted(lines, line)): words for line, words in found if line <= lines[-1]}
+    return tuple(Mark(row, words) for row, words in sorted(rows.items()))
 
 
 def segments_of_marks(marks: Sequence[Mark], depth: Array, force: Array) -> list[Segment] | None:
@@ -65,9 +77,10 @@ def segments_of_marks(marks: Sequence[Mark], depth: Array, force: Array) -> list
     if begins[0][0] > 0:
         begins.insert(0, (0, "loading"))
     found: list[Segment] = []
+    is_complete = all(mark.words.startswith("segment: ") for mark in marks)
     for (start, kind), stop in zip(begins, [*(row for row, _ in begins[1:]), len(depth)], strict=True):
         if stop > start:
-            found += _within(kind, start, stop, depth, force)
+            found += [Segment(kind, start, stop)] if is_complete else _within(kind, start, stop, depth, force)
     return joined(found)
 
 
