@@ -423,6 +423,13 @@ def tutorial_indent(quick: bool) -> Any:
     ).plot()
 
 
+def tutorial_afm(quick: bool) -> Any:
+    """Three fits of a retraction curve on a soft film, and that of a relaxing film."""
+    figure = _reader_of("tutorial-afm.md")[0]["figure"]
+    _letter(figure)
+    return figure
+
+
 def _letter(figure: Any) -> None:
     """Names the panels (a), (b), ... as captions do."""
     for axis, letter in zip(figure.axes, "abcdef", strict=False):
@@ -449,6 +456,7 @@ PICTURES = (
     tutorial_curve,
     tutorial_inside,
     tutorial_indent,
+    tutorial_afm,
 )
 
 
