@@ -430,6 +430,36 @@ def tutorial_afm(quick: bool) -> Any:
     return figure
 
 
+def tutorial_dem(quick: bool) -> Any:
+    """Five coated balls collide: their speeds, and the error of the energy for two time steps."""
+    ball = mdr.Coated(mdr.Elastic(3e9, 0.35), 20e-6, mdr.Elastic(210e9, 0.3))
+    law = mdr.ContactLaw(mdr.Contact(mdr.Paraboloid(0.5e-3), mdr.Pair(ball, ball)), 10e-6)
+    mass, balls = 7850.0 * 4.18879e-9, 5
+    figure, (left, right) = plt.subplots(1, 2, figsize=(9.0, 3.6), layout="constrained")
+    for step, colour in ((1e-7, BLUE), (0.5e-7, RED)):
+        x, v, force = 2e-3 * np.arange(balls), np.zeros(balls), np.zeros(balls + 1)
+        v[0] = 0.1
+        speeds, errors = [v.copy()], [0.0]
+        for _ in range(round(1.2e-4 / step)):
+            v += 0.5 * step * -np.diff(force) / mass
+            x += step * v
+            overlap = 2e-3 - np.diff(x)
+            force[1:-1] = law.force(overlap)
+            v += 0.5 * step * -np.diff(force) / mass
+            speeds.append(v.copy())
+            errors.append((np.sum(law.energy(overlap)) + 0.5 * mass * np.sum(v**2)) / (0.5 * mass * 0.01) - 1.0)
+        time = 1e6 * step * np.arange(len(speeds))
+        right.plot(time, 1e6 * np.array(errors), color=colour, linewidth=1.0, label=f"step {1e6 * step:g} µs")
+    for i, colour in zip(range(balls), COLOURS, strict=False):
+        left.plot(time, 1e3 * np.array(speeds)[:, i], color=colour, label=f"ball {i + 1}")
+    left.set(xlabel="time t [µs]", ylabel="speed v [mm/s]")
+    right.set(xlabel="time t [µs]", ylabel="relative error of the energy [$10^{-6}$]")
+    left.legend(frameon=False)
+    right.legend(frameon=False)
+    _letter(figure)
+    return figure
+
+
 def _letter(figure: Any) -> None:
     """Names the panels (a), (b), ... as captions do."""
     for axis, letter in zip(figure.axes, "abcdef", strict=False):
@@ -457,6 +487,7 @@ PICTURES = (
     tutorial_inside,
     tutorial_indent,
     tutorial_afm,
+    tutorial_dem,
 )
 
 
