@@ -12,6 +12,7 @@ DOCS = ROOT / "docs"
 PAGES = sorted(DOCS.glob("*.md"))
 THEORY = sorted((DOCS / "theory").glob("*.md"))
 INDEX = (DOCS / "index.md").read_text()
+EXAMPLES = ROOT / "examples" / "README.md"
 NOT_IN_THE_SOURCE_PACKAGE = {"benchmarks"}
 """Folders that it leaves out (pyproject.toml): links to them are looked at where they are."""
 LINK = re.compile(r"\]\(([^)\s]+)\)")
@@ -43,7 +44,9 @@ def dead(path):
 
 
 @pytest.mark.parametrize(
-    "path", [*PAGES, *THEORY, *sorted(set(ROOT.glob("*.md")) - {ROOT / "ford.md"})], ids=lambda path: str(path.relative_to(ROOT))
+    "path",
+    [*PAGES, *THEORY, EXAMPLES, *sorted(set(ROOT.glob("*.md")) - {ROOT / "ford.md"})],
+    ids=lambda path: str(path.relative_to(ROOT)),
 )
 def test_no_dead_links(path):
     assert not dead(path)
@@ -68,6 +71,19 @@ def test_three_paths_of_five_pages_that_end_with_the_reader():
         name, _, anchor = LINK.findall(steps[-1])[0].partition("#")
         last = (DOCS / name).read_text().rpartition("\n## ")[2]
         assert anchor in anchors(f"## {last}") and anchor.startswith("your-own-")
+
+
+def test_examples_are_listed():
+    listed = {link for link in LINK.findall(EXAMPLES.read_text(encoding="utf-8")) if not link.startswith("../")}
+    examples = {path.relative_to(EXAMPLES.parent) for path in EXAMPLES.parent.glob("*/*")}
+    programs = {path.as_posix() for path in examples if path.suffix in (".toml", ".py", ".c", ".f90", ".f")}
+    assert len(programs) > 40 and programs <= listed
+
+
+def test_every_script_is_in_the_gallery():
+    page = (DOCS / "gallery.md").read_text(encoding="utf-8")
+    for script in (ROOT / "examples" / "python").glob("*.py"):
+        assert f"(pictures/gallery_{script.stem}.png)" in page and f"(../examples/python/{script.name})" in page
 
 
 def named_paths(text):
