@@ -2,8 +2,8 @@
 """Read the comments of the C headers, and write them as Markdown pages for the site.
 
 A comment `/** ... */` describes the declaration that follows it; `/**< ... */` describes the member before it. The comments use
-these tags: `@file`, `@since`, `@par`, `@param`, `@return`, and `@code` to `@endcode` for an example. A line that begins with "- " is
-an item of a list.
+these tags: `@file`, `@since`, `@par`, `@param`, `@return`, and `@code` to `@endcode` for an example. A line that begins with "- "
+is an item of a list.
 """
 
 from __future__ import annotations
@@ -95,41 +95,42 @@ def linked(text: str, headers: list[Header], folder: str) -> str:
 
 
 def _header(name: str, source: str) -> Header:
-    first, *others = _COMMENT.findall(source)[:1] or [("", "")], *_COMMENT.findall(source)[1:]
-    lines = _plain(first[0][0])
-    body = re.sub(r"@file \S+\n|@since \S+", "", lines).strip()
-    title, _, text = body.partition("\n\n") if "\n\n" in body else (body, "", "")
-    return Header(name, title.replace("\n", " "), text, [entity for words, code in others if (entity := _entity(name, words, code))])
+    (words, _), *others = _COMMENT.findall(source)
+    body = re.sub(r"@file \S+\n|@since \S+", "", _plain(words)).strip()
+    title, _, text = body.partition("\n\n")
+    entities = [entity for words, code in others if (entity := _entity(name, words, code))]
+    return Header(name, title.replace("\n", " "), text, entities)
 
 
 def _entity(header: str, words: str, code: str) -> Entity | None:
-    for kind, pattern in _DECLARATIONS.items():
-        found = pattern.match(code)
-        if found:
-            break
-    else:
+    """The entity that a comment describes; None for one of no interest."""
+    matches = ((kind, pattern.match(code)) for kind, pattern in _DECLARATIONS.items())
+    kind, found = next(((kind, found) for kind, found in matches if found), ("", None))
+    if not found:
         return None
-    plain = _plain(words)
-    example = re.search(r"@code\n(.*?)\n\s*@endcode", plain, re.DOTALL)
-    plain = re.sub(r"@code\n.*?@endcode|@since \S+", "", plain, flags=re.DOTALL)
-    text, *tags = re.split(r"^@(?=param|return)", plain, flags=re.MULTILINE)
-    entity = Entity(header, kind, found[1].partition("(")[0], found[0].rstrip(";") + ";", text.strip())
+    declaration = found[1] if kind == "macro" else re.sub(r"^(MDR_INLINE|static inline) ", "", found[0].rstrip(";") + ";")
+    entity = Entity(header, kind, found[1].partition("(")[0], declaration, "")
+    _describe(entity, _plain(words))
+    if kind in ("structure", "enumeration"):
+        for declared, meaning in _MEMBER.findall(found[0] + "\n"):
+            entity.members[declared.split(" = ")[0] if kind == "enumeration" else declared.strip()] = _one_line(meaning)
+    return entity
+
+
+def _describe(entity: Entity, comment: str) -> None:
+    """Divide a comment into text, parameters, result and example."""
+    example = re.search(r"@code\n(.*?)\n\s*@endcode", comment, re.DOTALL)
+    entity.example = example[1] if example else ""
+    comment = re.sub(r"@code\n.*?@endcode|@since \S+", "", comment, flags=re.DOTALL)
+    text, *tags = re.split(r"^@(?=param|return)", comment, flags=re.MULTILINE)
+    entity.text = text.strip()
     for tag in tags:
-        kind, _, rest = " ".join(tag.split()).partition(" ")
-        if kind == "param":
+        name, _, rest = _one_line(tag).partition(" ")
+        if name == "param":
             parameter, _, meaning = rest.partition(" ")
             entity.parameters[parameter] = meaning.strip()
         else:
             entity.returns = rest
-    entity.example = example[1] if example else ""
-    if kind in ("structure", "enumeration") or entity.kind in ("structure", "enumeration"):
-        for declared, meaning in _MEMBER.findall(found[0] + "\n"):
-            entity.members[declared.split(" = ")[0] if entity.kind == "enumeration" else declared.strip()] = _one_line(meaning)
-    if entity.kind == "macro":
-        entity.declaration = found[1]
-    if entity.kind == "function":
-        entity.declaration = entity.declaration.removeprefix("MDR_INLINE ").removeprefix("static inline ")
-    return entity
 
 
 def _plain(comment: str) -> str:
@@ -156,7 +157,7 @@ def _page(header: Header, targets: dict[str, str]) -> str:
 
 
 def _entry(entity: Entity, targets: dict[str, str]) -> Iterator[str]:
-    yield from (f'<h3 id="{entity.name.lower()}">{entity.name}</h3>', "")
+    yield from (f"### {entity.name}", "")
     if entity.kind in ("function", "callback", "macro"):
         yield from ("```c", entity.declaration, "```", "")
     yield from _paragraphs(entity.text, targets)

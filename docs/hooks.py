@@ -16,12 +16,15 @@ from typing import Any
 from latex2mathml.converter import convert
 from mkdocs.exceptions import PluginError
 from mkdocs.structure.files import File
+from mkdocs.structure.nav import Link
 
 DOCS = Path(__file__).resolve().parent
 sys.path.insert(0, str(DOCS))
 
+import c_reference  # noqa: E402
 from make_notebooks import TUTORIALS, notebook  # noqa: E402
 
+HEADERS = c_reference.read()
 ROOT = DOCS.parent
 
 _BLOCK = re.compile(r"^```.*?^```$", re.DOTALL | re.MULTILINE)
@@ -46,12 +49,26 @@ def on_files(files: Any, config: Any) -> Any:
         files.append(File.generated(config, str(_copy(path)), abs_src_path=str(path)))
     for page in TUTORIALS:
         files.append(File.generated(config, f"notebooks/{page.stem}.ipynb", content=notebook(page)))
+    for name, text in c_reference.pages(HEADERS).items():
+        files.append(File.generated(config, f"c-api/{name}", content=text))
     return files
+
+
+def on_nav(nav: Any, config: Any, **_: Any) -> Any:
+    """Adds the pages that FORD makes of the Fortran modules."""
+    for section in nav.items:
+        if section.title == "Reference":
+            section.children.append(Link("Fortran modules", "fortran/index.html"))
+    return nav
 
 
 def on_page_markdown(markdown: str, page: Any, **_: Any) -> str:
     """Formulas, titles of code blocks and links of one page."""
     name = page.file.src_uri
+    if name == "c-api.md":
+        markdown = c_reference.linked(markdown, HEADERS, "c-api/")
+    if name.startswith("c-api/"):
+        return markdown
     pieces = _CODE.split(markdown)
     for i in range(0, len(pieces), 2):
         pieces[i] = _FORMULA.sub(_mathml, pieces[i])
