@@ -26,7 +26,7 @@ ROOT = Path(__file__).resolve().parents[1]
 PINS = ROOT / "tests" / "data" / "pins.txt"
 sys.path.insert(0, str(ROOT / "tests" / "python"))
 
-from conftest import OXIDE, RUBBER, SILICON, every_medium, every_profile  # noqa: E402
+from conftest import OXIDE, RUBBER, SILICON, every_medium, every_profile, numbers_of  # noqa: E402
 
 import mdrcontact as mdr  # noqa: E402
 import mdrcontact.instruments as mdi  # noqa: E402
@@ -70,7 +70,7 @@ def media() -> Iterator[Row]:
 def states() -> Iterator[Row]:
     for profile_name, profile in labelled(every_profile()):
         for name, medium in labelled(every_medium()):
-            yield f"state {profile_name} {name}", lambda p=profile, m=medium: tuple(mdr.Contact(p, m).at_depth(4e-8))[1:4]
+            yield f"state {profile_name} {name}", lambda p=profile, m=medium: numbers_of(mdr.Contact(p, m).at_depth(4e-8))[1:4]
 
 
 def contacts() -> Iterator[Row]:
@@ -79,7 +79,7 @@ def contacts() -> Iterator[Row]:
         contact = mdr.Contact(BALL, medium)
         for row, make in {
             "adhesive": lambda m=medium: adhesive(m),
-            "force": lambda c=contact: tuple(c.at_force(1e-5 * c.medium.modulus(1e-6) * 1e-6))[:4],
+            "force": lambda c=contact: numbers_of(c.at_force(1e-5 * c.medium.modulus(1e-6) * 1e-6))[:4],
             "field": lambda c=contact: fields(c),
             "field of flat end": lambda m=medium: fields(mdr.Contact(mdr.FlatEndedCone(1e-7, 0.3), m)),
             "interior": lambda c=contact: interior(c, "lower", 0.0),

@@ -84,7 +84,8 @@ typedef struct mdr_state {
     double depth;     /**< d, indentation depth, positive into the medium [length]. */
     double radius;    /**< a, contact radius [length]. */
     double force;     /**< F, normal force, positive in compression [modulus length^2]. */
-    double stiffness; /**< k = dF/dd at constant a, 2 a E_eff(a) [modulus length]. */
+    double stiffness; /**< k = dF/dd at constant a, 2 a E_eff(a) [modulus length]; along the branch dF/dd is that of
+                           mdr_contact_slope(), which differs from k under adhesion. */
     double punch_depth;    /**< Depth beyond that of the non-adhesive state of this radius: 0 without adhesion, less than 0 with it, the
                            whole depth under a flat punch [length]. */
     double zone_radius; /**< c, outer radius of the cohesive zone: the bodies pull on each other where a < r < c; 0 without a
@@ -112,6 +113,25 @@ typedef struct mdr_state {
  *  @endcode
  */
 int mdr_contact_states(const mdr_contact *c, int given, int branch, int n, const double in[], mdr_state out[]);
+
+/** Compute dF/dd along the branch of equilibria, on which the contact radius changes with the depth.
+ *
+ *  Without adhesion, and at a vertical wall of the indenter, it is the stiffness of the state, dF/dd at constant radius. With adhesion
+ *  it is dF/dd = k - k'(a) dl/(d0'(a) - dl'(a)), with dl = -punch_depth. For a paraboloid on a half-space it is k/3 at d = 0, 0 at
+ *  pull-off under force control, infinite at pull-off under depth control, and negative between the two. It has about eight
+ *  significant digits.
+ *  @param c       contact
+ *  @param n       number of states
+ *  @param states  [n] states of equilibrium of this contact
+ *  @param out     [n] receives the slopes [modulus length]; 0 of separated bodies
+ *  @return also MDR_EINVALID for a state that is not one of this contact, MDR_EDOMAIN if a cohesive zone reaches the end of the
+ *          indenter or of the medium, MDR_ENOCONVERGENCE
+ *  @code
+ *  double slope;
+ *  status = mdr_contact_slope(contact, 1, &states[0], &slope);
+ *  @endcode
+ */
+int mdr_contact_slope(const mdr_contact *c, int n, const mdr_state states[], double out[]);
 
 /** Compute the states at which an adhesive contact detaches: first the lowest force, or depth, of all stable states, then the ends
  *  of all other stable segments in order of radius. A coated body can have several segments.

@@ -7,7 +7,7 @@
     silicon = mdr.Elastic(165e9, 0.22)
     medium = mdr.Coated(oxide, 500e-9, silicon)         # h [m]
     contact = mdr.Contact(mdr.Sphere(10e-6), medium)
-    state = contact.at_depth([20e-9, 50e-9, 100e-9])    # State(depth, radius, force, ...)
+    state = contact.at_depth([20e-9, 50e-9, 100e-9])    # States(depth, radius, force, ...)
 
 Further physics: `mdr.adhesion`, `mdr.conduction`, `mdr.lateral`, `mdr.poroelastic`, `mdr.time`, `mdr.wear`; measured data:
 `mdr.instruments`; functions of the source: `mdr.closed_forms`, `mdr.weights`.
@@ -40,13 +40,13 @@ from .material import RIGID, SMOOTH, Elastic, PowerLawRheology, TransverselyIsot
 from .medium import *  # noqa: F403
 from .profile import *  # noqa: F403
 from .sheared import FrictionLoop, ShearedContact, ShearState
-from .state import State
+from .state import State, States
 from .threads import set_threads
 
 __all__ = [
     *profile.__all__, *medium.__all__,
     "Elastic", "TransverselyIsotropic", "Viscoelastic", "PowerLawRheology", "RIGID", "SMOOTH", "CRYSTALS", "Crystal",
-    "Contact", "State", "Loop", "PullOff", "Interior", "Critical", "InterfaceMaxima", "LayerMaxima", "Maximum", "Failure",
+    "Contact", "State", "States", "Loop", "PullOff", "Interior", "Critical", "InterfaceMaxima", "LayerMaxima", "Maximum", "Failure",
     "Friction", "FrictionHistory", "FrictionLoop", "ShearState", "ShearedContact", "ContactLaw", "LawArrays", "LawState",
     "AccuracyMap", "accuracy_map", "set_threads",
     "MDRError", "MDRWarning", "get_cmake_dir", "get_include", "get_library", "get_pkgconfig_dir",

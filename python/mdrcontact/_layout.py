@@ -651,6 +651,7 @@ POINTERS = {
     "medium_values": (0,),
     "contact_new": (0, 1, 2),
     "contact_states": (0,),
+    "contact_slope": (0,),
     "contact_pull_off": (0,),
     "loop_new": (0,),
     "loop_points": (0,),

@@ -88,7 +88,7 @@ RATIO = Dimension("a number", "", "1", (("", 1.0),))
 QUANTITIES: Mapping[str, Dimension] = {
     **dict.fromkeys(("depth", "radius", "height", "deflection", "sliding", "shift", "stick_radius", "worn_depth"), LENGTH),
     **dict.fromkeys(("force", "tangential_force"), FORCE),
-    **dict.fromkeys(("stiffness", "storage", "loss"), STIFFNESS),
+    **dict.fromkeys(("stiffness", "slope", "storage", "loss"), STIFFNESS),
     **dict.fromkeys(("modulus", "pressure"), MODULUS),
     **{"area": AREA, "worn_volume": VOLUME, "time": TIME, "omega": FREQUENCY, "dissipated_energy": ENERGY, "error": RATIO},
 }

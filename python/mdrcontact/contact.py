@@ -6,10 +6,10 @@ from __future__ import annotations
 import contextlib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, overload
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from . import _layout, failure, poroelastic
 from ._boundary import ComplexOrArray, FloatOrArray, Handle, evaluate_all, native, number, record, row
@@ -24,10 +24,10 @@ from .loop import BRANCHES, RULES, Loop, PullOff, loop, pull_offs
 from .medium import Medium
 from .profile import Profile
 from .progress import Progress
-from .state import State, state_of
+from .state import State, States, state_of
 from .time import History, dynamic_stiffness, history, refuse_drainage, step
 
-__all__ = ["Contact", "State"]
+__all__ = ["Contact", "State", "States"]
 
 Table = tuple[tuple[float, ...], tuple[float, ...]]
 
@@ -138,6 +138,13 @@ class Contact(Value):
         self._set(adhesion=adhesion, _rates=[])
         self._set(_doubts=StateWarnings(self), _reported=Reported())
 
+    @overload
+    def at_depth(self, depth: float, branch: str = "unloading") -> State: ...
+    @overload
+    def at_depth(self, depth: Sequence[Any] | NDArray[Any], branch: str = "unloading") -> States: ...
+    @overload
+    def at_depth(self, depth: ArrayLike, branch: str = "unloading") -> State: ...
+
     def at_depth(self, depth: ArrayLike, branch: str = "unloading") -> State:
         """Return the stable states at given indentation depths.
 
@@ -163,6 +170,13 @@ class Contact(Value):
         """
         return self._states("depth", _layout.DEPTH, depth, branch)
 
+    @overload
+    def at_force(self, force: float, branch: str = "unloading") -> State: ...
+    @overload
+    def at_force(self, force: Sequence[Any] | NDArray[Any], branch: str = "unloading") -> States: ...
+    @overload
+    def at_force(self, force: ArrayLike, branch: str = "unloading") -> State: ...
+
     def at_force(self, force: ArrayLike, branch: str = "unloading") -> State:
         """Return the stable states under given normal forces.
 
@@ -186,6 +200,13 @@ class Contact(Value):
             The force is not finite, or the body relaxes and has no states.
         """
         return self._states("force", _layout.FORCE, force, branch)
+
+    @overload
+    def at_radius(self, radius: float) -> State: ...
+    @overload
+    def at_radius(self, radius: Sequence[Any] | NDArray[Any]) -> States: ...
+    @overload
+    def at_radius(self, radius: ArrayLike) -> State: ...
 
     def at_radius(self, radius: ArrayLike) -> State:
         """Return the equilibrium states at given contact radii.

@@ -15,7 +15,7 @@ from ._warn import Warned
 from .critical import Maximum, layers_of, maximum
 from .errors import ArgumentTypeError, InvalidArgumentError
 from .interior import BODIES
-from .state import State, state_of
+from .state import NAMES, state_of
 
 _MODES = words_of(_layout.VON_MISES, _layout.TENSION, _layout.INTERFACE_SHEAR, _layout.INTERFACE_TENSION)
 
@@ -74,7 +74,7 @@ def first_failure(
     names = {quantity: mode for mode, quantity in _MODES.items()}
     failures = []
     for one in found[:count]:
-        state = state_of([float(one[name]) for name in State._fields], contact)
+        state = state_of([float(one[name]) for name in NAMES], contact)
         doubts = [*contact._doubts.about(state), *contact._doubts.inside_or_refused(state, body)]
         contact._reported.report(doubts)
         reached = Failure(names[int(one["quantity"])], int(one["place"]), float(one["strength"]), state, maximum(one))

@@ -43,7 +43,7 @@ def gradient(state: Any) -> dict[str, float]:
     surface_layer = _surface_layer(contact.medium)
     if contact.work_of_adhesion:
         raise InvalidArgumentError("work_of_adhesion is not allowed: derivatives are known of contacts without adhesion")
-    if not all(np.ndim(value) == 0 for value in state) or not state.radius > 0.0:
+    if any(np.ndim(value) for value in state._numbers()) or not state.radius > 0.0:
         raise InvalidArgumentError("state is not allowed: it must be one state, of closed bodies")
     thinnest = math.inf if surface_layer is None else surface_layer.thickness
     if thinnest < SMALLEST_LAYER * state.radius:

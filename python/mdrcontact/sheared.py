@@ -195,7 +195,7 @@ class ShearedContact:
         if not isinstance(self.state, State):
             raise ArgumentTypeError(f"state = {self.state!r} is not allowed: it must be a State")
         if self.state.contact is None:
-            object.__setattr__(self, "state", state_of(self.state, contact))
+            object.__setattr__(self, "state", state_of(self.state._numbers(), contact))
         elif self.state.contact is not contact and self.state.contact != contact:
             raise ArgumentTypeError("state is not allowed: it must be a State of the contact with friction")
 
@@ -449,7 +449,7 @@ class ShearedContact:
         """The same of some of the states of this shape."""
         if not np.shape(self.state.depth):
             return self
-        columns = [np.broadcast_to(value, shape)[index] for value in self.state]
+        columns = [np.broadcast_to(value, shape)[index] for value in self.state._numbers()]
         normal = state_of([column if column.ndim else float(column) for column in columns], self.friction.contact)
         return ShearedContact(self.friction, normal, self.around)
 

@@ -3,10 +3,10 @@
 
 from __future__ import annotations
 
-from collections import _tuplegetter  # type: ignore[attr-defined]
 from collections.abc import Iterable, Iterator
+from dataclasses import dataclass, fields
 from functools import partial
-from typing import Any
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -19,42 +19,47 @@ from .critical import Critical
 from .errors import ArgumentTypeError
 from .interior import BODIES, Interior
 
-_NAMES = ("depth", "radius", "force", "stiffness", "punch_depth", "zone_radius")
-"""The numbers of a state."""
-_COUNT = len(_NAMES)
 _DISPLACEMENTS = {"lower": _layout.DISPLACEMENT_LOWER, "upper": _layout.DISPLACEMENT_UPPER}
 
 
-def _item(i: int) -> Any:
-    """The quickest access to an item, past `__getitem__`."""
-    return _tuplegetter(i, None)
+class Columns(dict[str, NDArray[np.float64]]):
+    """Columns of one length by their names, as `pandas.DataFrame` takes them; `units` has the unit of each name."""
+
+    units: ClassVar[dict[str, str]] = {
+        "depth": "length",
+        "radius": "length",
+        "force": "modulus length^2",
+        "stiffness": "modulus length",
+        "slope": "modulus length",
+        "punch_depth": "length",
+        "zone_radius": "length",
+    }
+    """in the units of length and modulus in which the contact is described"""
 
 
-class State(tuple[Any, ...]):
-    """One or several states of a contact, as `at_depth` and the like give them, and their fields.
+@dataclass(frozen=True, init=False, repr=False, eq=False)
+class State:
+    """A state of a contact, as `Contact.at_depth` and the like return it, and its fields.
 
-    Six numbers, which unpack in this order, floats or arrays of one shape; `states[3]` and `states[mask]` are some of several.
-    Fields take one state, or several with places of shape (*shape of the states, ...). Everything else is of one state.
+    A record: six numbers, read by their names. Several states are `States`.
     """
 
-    _fields = _NAMES
-
-    depth: FloatOrArray = _item(0)
+    depth: FloatOrArray
     """d, indentation depth, positive into the medium [length]"""
-    radius: FloatOrArray = _item(1)
+    radius: FloatOrArray
     """a, contact radius [length]"""
-    force: FloatOrArray = _item(2)
+    force: FloatOrArray
     """F, normal force, positive in compression [modulus length^2]"""
-    stiffness: FloatOrArray = _item(3)
-    """k = dF/dd = 2 a E_eff(a), contact stiffness [modulus length]"""
-    punch_depth: FloatOrArray = _item(4)
+    stiffness: FloatOrArray
+    """k = 2 a E_eff(a), dF/dd at constant contact radius [modulus length]: under adhesion dF/dd is `slope`"""
+    punch_depth: FloatOrArray
     """depth beyond that of the non-adhesive state of this radius [length]: 0 without adhesion, less than 0 with it, the whole depth
     under a flat punch"""
-    zone_radius: FloatOrArray = _item(5)
-    """c, outer radius of the cohesive zone [length]: the bodies pull on each other where a < r < c; 0 without a cohesive stress.
+    zone_radius: FloatOrArray
+    """c, outer radius of the cohesive zone [length]: the bodies attract each other where a < r < c; 0 without a cohesive stress.
     With radius 0 they attract each other without contact"""
-    contact: Any = _item(6)
-    """the contact whose states they are; None: numbers without fields"""
+    contact: ClassVar[Any] = None
+    """the contact whose state it is; None: numbers without fields"""
 
     def __new__(
         cls,
@@ -66,32 +71,49 @@ class State(tuple[Any, ...]):
         zone_radius: FloatOrArray = 0.0,
         contact: Any = None,
     ) -> State:
-        return tuple.__new__(cls, (depth, radius, force, stiffness, punch_depth, zone_radius, contact))
-
-    def __iter__(self) -> Iterator[Any]:
-        return iter(tuple.__getitem__(self, slice(_COUNT)))
-
-    def __len__(self) -> int:
-        return _COUNT
-
-    def __getitem__(self, index: Any) -> State:
-        values = np.broadcast_arrays(*self)
-        if not values[0].ndim:
-            raise IndexError(f"this is one state, not several: its numbers are {', '.join(_NAMES)}")
-        columns = [np.asarray(value)[index] for value in values]
-        return state_of([column if column.ndim else float(column) for column in columns], self.contact)
+        return state_of((depth, radius, force, stiffness, punch_depth, zone_radius), contact)
 
     def __repr__(self) -> str:
-        return f"State({', '.join(f'{name}={value!r}' for name, value in self._asdict().items())})"
+        numbers = ", ".join(f"{name}={value!r}" for name, value in zip(NAMES, self._numbers(), strict=True))
+        return f"{type(self).__name__}({numbers})"
 
     def __reduce__(self) -> tuple[Any, ...]:
-        return state_of, (tuple(self), self.contact)
+        return state_of, (self._numbers(), self.contact)
 
-    def _asdict(self) -> dict[str, Any]:
-        return dict(zip(_NAMES, self, strict=True))
+    def __eq__(self, other: object) -> bool:
+        if not isinstance(other, State):
+            return NotImplemented
+        pairs = zip(self._numbers(), other._numbers(), strict=True)
+        return self.contact == other.contact and all(np.array_equal(one, two) for one, two in pairs)
 
-    def _replace(self, **changes: Any) -> State:
-        return State(**{**self._asdict(), "contact": self.contact, **changes})
+    def __hash__(self) -> int:
+        return hash((self._numbers(), self.contact))
+
+    @property
+    def slope(self) -> FloatOrArray:
+        """dF/dd [modulus length] along the branch of equilibria, on which the contact radius changes with the depth.
+
+        Without adhesion it is `stiffness`. With adhesion it is smaller: for a paraboloid on a half-space k/3 at depth 0, 0 at
+        pull-off under force, infinite at pull-off under depth, and negative between the two. It has about eight significant
+        digits, seven with a cohesive stress. At a vertical wall, as under a flat punch, the radius stays and it is `stiffness`.
+        """
+        rows = self._rows()
+        found = call(native.contact_slope, self._owner._handle, rows.reshape(-1, len(NAMES))) if rows.size else np.empty(0)
+        return np.reshape(found, rows.shape[:-1]) if rows.ndim > 1 else float(found[0])
+
+    def table(self) -> Columns:
+        """The numbers as named columns, a row for each state, with `slope`; `units` of the result has their units.
+
+        Examples
+        --------
+        >>> import mdrcontact as mdr
+        >>> contact = mdr.Contact(mdr.Paraboloid(1e-5), mdr.Homogeneous(mdr.Elastic(72e9, 0.17)))
+        >>> table = contact.at_depth([1e-8, 2e-8]).table()
+        >>> table["force"].shape, table.units["force"]
+        ((2,), 'modulus length^2')
+        """
+        values = dict(zip(NAMES, self._rows().reshape(-1, len(NAMES)).T, strict=True)) | {"slope": np.ravel(self.slope)}
+        return Columns({name: np.array(values[name]) for name in Columns.units})
 
     def pressure(self, r: ArrayLike) -> FloatOrArray:
         """Contact pressure p(r) [modulus], equation (6), at 0 <= r <= a, any shape.
@@ -206,18 +228,26 @@ class State(tuple[Any, ...]):
             raise ArgumentTypeError("this State has no contact: only those that a contact gives have fields")
         return self.contact
 
+    def replace(self, **changes: Any) -> State:
+        """A copy with other numbers, or with another contact."""
+        return State(**{**dict(zip(NAMES, self._numbers(), strict=True)), "contact": self.contact, **changes})
+
+    def _numbers(self) -> tuple[Any, ...]:
+        """The six numbers in their order."""
+        return self.depth, self.radius, self.force, self.stiffness, self.punch_depth, self.zone_radius
+
     def _rows(self) -> NDArray[np.float64]:
         """The numbers as the library takes them, along one more axis at the end."""
-        return np.stack(together(**{f"{name} of the state": value for name, value in self._asdict().items()}), axis=-1)
+        return np.stack(together(**{f"{name} of the state": getattr(self, name) for name in NAMES}), axis=-1)
 
     def _row(self) -> list[float]:
         """The same of what must be one state."""
-        row = list(self)
+        row = list(self._numbers())
         if all(type(value) is float for value in row):
             return row
         if np.shape(self.depth):
             raise ArgumentTypeError(f"these are states of shape {np.shape(self.depth)}: one is needed, as states[0] is")
-        return [number(f"{name} of the state", value) for name, value in self._asdict().items()]
+        return [number(f"{name} of the state", value) for name, value in zip(NAMES, row, strict=True)]
 
     @property
     def _load(self) -> Handle:
@@ -233,7 +263,7 @@ class State(tuple[Any, ...]):
         if not np.shape(self.depth):
             yield self._load
         else:
-            yield from map(self._load_of, self._rows().reshape(-1, _COUNT))
+            yield from map(self._load_of, self._rows().reshape(-1, len(NAMES)))
 
     def _field(self, field: int, name: str, points: ArrayLike) -> FloatOrArray:
         shape = np.shape(self.depth)
@@ -255,6 +285,46 @@ class State(tuple[Any, ...]):
         return found, bytes(buffer).rstrip(b"\0").decode().splitlines()
 
 
+class States(State):
+    """Several states of a contact: arrays of one shape, and a sequence of states.
+
+    `len` and iteration follow the first axis, `states[3]` and `states[mask]` are some of them. Fields take places of shape
+    (*shape of the states, ...); what is of one state needs one.
+    """
+
+    __hash__ = None  # type: ignore[assignment]
+
+    def __len__(self) -> int:
+        return len(self._columns()[0])
+
+    def __iter__(self) -> Iterator[State]:
+        return (self[i] for i in range(len(self)))
+
+    def __getitem__(self, index: Any) -> State:
+        chosen = (column[index] for column in self._columns())
+        return state_of([column if column.ndim else float(column) for column in chosen], self.contact)
+
+    def __array__(self, dtype: Any = None, copy: Any = None) -> NDArray[Any]:
+        if np.ndim(self._columns()[0]) != 1:
+            raise ArgumentTypeError(
+                f"states of shape {self._columns()[0].shape} are no array of numbers: read depth, force and the like, or table()"
+            )
+        found = np.empty(len(self), object)
+        found[:] = list(self)
+        return found
+
+    def _columns(self) -> list[NDArray[np.float64]]:
+        return np.broadcast_arrays(*self._numbers())  # type: ignore[return-value]
+
+
+NAMES = tuple(field.name for field in fields(State))
+"""The numbers of a state, in their order."""
+
+
 def state_of(numbers: Iterable[Any], contact: Any) -> State:
-    """A state from its numbers."""
-    return tuple.__new__(State, (*numbers, contact))
+    """One state from its numbers, or several."""
+    values = tuple(numbers)
+    is_one = all(type(value) is float or not np.shape(value) for value in values)
+    found: State = object.__new__(State if is_one else States)
+    found.__dict__.update(zip(NAMES, values, strict=True), contact=contact)
+    return found

@@ -97,6 +97,43 @@ static void jkr(const mdr_contact *c)
     }
 }
 
+/* (5.4) with k = 2 E* a, d0 = a^2/R and dl as the root of a: dF/dd = k - 2 E* dl/(2 a/R - dl/(2 a)). */
+static void slopes(const mdr_contact *c)
+{
+    const double radii[3] = {0.2, 0.5, 2.0}, none[1] = {0.0};
+    double found[3] = {untouched, untouched, untouched};
+    mdr_state states[3];
+
+    CHECK_SUCCESS(mdr_contact_states(c, MDR_RADIUS, MDR_ON_UNLOADING, 3, radii, states));
+    CHECK_SUCCESS(mdr_contact_slope(c, 3, states, found));
+    for (int i = 0; i < 3; i++) {
+        const double a = radii[i], dl = sqrt(2 * pi * a * work / modulus);
+        CHECK_CLOSE(found[i], 2 * modulus * a - 2 * modulus * dl / (2 * a / R - dl / (2 * a)), 1e-9 * fabs(found[i]));
+    }
+    CHECK_SUCCESS(mdr_contact_states(c, MDR_DEPTH, MDR_ON_UNLOADING, 1, none, states));
+    CHECK_SUCCESS(mdr_contact_slope(c, 1, states, found));
+    CHECK_CLOSE(found[0], states[0].stiffness / 3, 1e-9);
+    states[0].radius = 0.0;
+    CHECK_SUCCESS(mdr_contact_slope(c, 1, states, found));
+    CHECK_TRUE(found[0] == 0.0);
+}
+
+static void slopes_refuse(const mdr_contact *c)
+{
+    double found[2] = {untouched, untouched};
+    mdr_state states[2];
+
+    CHECK_SUCCESS(mdr_contact_states(c, MDR_RADIUS, MDR_ON_UNLOADING, 2, (const double[]){0.5, 0.6}, states));
+    states[1].radius = INFINITY;
+    CHECK_STATUS(mdr_contact_slope(c, 2, states, found), MDR_EINVALID, "contact radius of the state");
+    CHECK_STATUS(mdr_contact_slope(NULL, 1, states, found), MDR_ENULL, "c is NULL");
+    CHECK_STATUS(mdr_contact_slope(c, -1, states, found), MDR_EINVALID, "n = -1");
+    CHECK_STATUS(mdr_contact_slope(c, 1, NULL, found), MDR_ENULL, "states is NULL");
+    CHECK_STATUS(mdr_contact_slope(c, 1, states, NULL), MDR_ENULL, "out is NULL");
+    CHECK_UNTOUCHED(2, found);
+    CHECK_SUCCESS(mdr_contact_slope(c, 0, NULL, NULL));
+}
+
 /* Pull-off at (3/2) pi gamma R under force control: a state just before, none just after. On approach none before touching. */
 static void pull_off(const mdr_contact *c)
 {
@@ -153,6 +190,8 @@ int main(void)
         branches_refuse(c, MDR_DEPTH);
         branches_refuse(c, MDR_FORCE);
         jkr(c);
+        slopes(c);
+        slopes_refuse(c);
         pull_off(c);
         CHECK_FREE(c);
     }

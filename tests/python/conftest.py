@@ -7,10 +7,12 @@ import os
 import shutil
 import subprocess
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 import mdrcontact as mdr
+from mdrcontact.state import NAMES
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -21,6 +23,11 @@ PUBLIC = (*PHYSICS, mdr.closed_forms, mdr.weights, mdr.errors, mdr.instruments)
 OXIDE = mdr.Elastic(72e9, 0.17)
 SILICON = mdr.Elastic(163e9, 0.22)
 RUBBER = mdr.Elastic(2e6, 0.5)
+
+
+def numbers_of(state: mdr.State) -> list[Any]:
+    """The numbers of a state, or of several, in their order."""
+    return [getattr(state, name) for name in NAMES]
 
 
 def every_profile() -> list[mdr.Profile]:

@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from conftest import ELASTIC_MODELS, ROOT
+from conftest import ELASTIC_MODELS, ROOT, numbers_of
 from scipy import optimize
 
 import mdrcontact as mdr
@@ -66,15 +66,94 @@ def test_states_match_jkr_on_both_branches():
         np.testing.assert_allclose(state.radius, a, rtol=1e-9)
         np.testing.assert_allclose(state.depth, d, rtol=1e-9)
         np.testing.assert_allclose(state.force, F, rtol=1e-9)
-    assert contact.at_depth(0.2, "loading") == pytest.approx(contact.at_depth(0.2, branch="unloading"), rel=1e-10)
+    assert numbers_of(contact.at_depth(0.2, "loading")) == pytest.approx(numbers_of(contact.at_depth(0.2, "unloading")), rel=1e-10)
+
+
+def jkr_slope(a):
+    """Equation (5.4) of theory/paper.md with k = 2 E* a, d0 = a^2/R and dl as the root of a."""
+    dl = np.sqrt(2 * math.pi * a * GAMMA / 3.0)
+    return 6.0 * a - 6.0 * dl / (2 * a / R - dl / (2 * a))
+
+
+def test_slope_of_jkr():
+    contact = jkr()
+    states = contact.at_radius(np.geomspace(0.05, 50.0, 31))
+    np.testing.assert_allclose(states.slope, jkr_slope(states.radius), rtol=1e-8)
+    flat = contact.at_depth(0.0)
+    assert flat.slope == pytest.approx(flat.stiffness / 3.0, rel=1e-10)
+    ends = [contact.at_radius(contact.pull_off(control).radius) for control in ("force", "depth")]
+    assert abs(ends[0].slope) < 1e-9 * ends[0].stiffness and abs(ends[1].slope) > 1e6 * ends[1].stiffness
+    assert contact.at_radius(0.9 * ends[0].radius).slope < 0.0
+
+
+SLOPES = {
+    "half-space": BODY,
+    "film": FILM.with_model("exact"),
+    "soft film": mdr.Coated(mdr.Elastic(0.3, 0.45), 1.0, mdr.Elastic(3.0, 0.3)),
+    "Gao": FILM,
+    "power law": mdr.PowerLawGraded(1.0, 1.0, 0.3, 0.3),
+}
+SHAPES = [mdr.Paraboloid(R), mdr.Sphere(3.0), mdr.Cone(0.3), mdr.PowerLaw(4.0, 0.1), mdr.FlatEndedParaboloid(0.2, 3.0)]
+
+
+@pytest.mark.parametrize("options", [{}, {"adhesion_rule": "paper"}, {"cohesive_stress": 0.05}], ids=str)
+@pytest.mark.parametrize("body", SLOPES)
+def test_slope_against_differences(body, options):
+    """Along the branch, by states close to each other on both sides; near a flat end and on either side of it."""
+    if "cohesive_stress" in options and body in ("Gao", "power law"):
+        pytest.skip("no range under an effective modulus")
+    for shape in SHAPES:
+        contact = mdr.Contact(shape, SLOPES[body], 0.01, **options)
+        for a in (0.201, 0.25, 0.7, 2.1):
+            h = a * np.array([-2.0, -1.0, 1.0, 2.0]) * (1e-4 if a > 0.21 else 1e-5)
+            states = contact.at_radius(a + h)
+            rise, run = (np.dot([1.0, -8.0, 8.0, -1.0], values) for values in (states.force, states.depth))
+            assert contact.at_radius(a).slope == pytest.approx(rise / run, rel=3e-7), (shape, a)
+
+
+def test_slope_of_bodies_that_attract_each_other_apart():
+    """With a range there are states without contact; their force falls as the bodies approach."""
+    contact = mdr.Contact(mdr.Paraboloid(3.0), mdr.Homogeneous(mdr.Elastic(1.0, 0.3)), 0.01, cohesive_stress=0.005)
+    for depth in (-1.9, -1.0, -0.1, 0.3):
+        state, near = contact.at_depth(depth), contact.at_depth(depth + 1e-4 * np.array([-1.0, 1.0]))
+        assert (state.radius == 0.0) == (depth < 0.0) == (state.slope < 0.0)
+        assert state.slope == pytest.approx(np.ptp(near.force) * np.sign(near.force[1] - near.force[0]) / 2e-4, rel=1e-6)
+
+
+def test_slope_without_adhesion_is_the_stiffness():
+    for body in (BODY, FILM):
+        states = mdr.Contact(mdr.Sphere(R), body).at_depth([[0.0, 0.1], [0.2, 0.5]])
+        np.testing.assert_array_equal(states.slope, states.stiffness)
+    for states in (
+        mdr.Contact(mdr.FlatPunch(0.5), FILM, GAMMA).at_depth([-0.01, 0.3]),
+        mdr.Contact(mdr.FlatPunch(0.5), FILM).at_depth(0.3),
+    ):
+        np.testing.assert_array_equal(states.slope, states.stiffness)
+
+
+def test_slope_at_the_ends():
+    """At the rim of a flat end the depth moves before the radius does; at the end of a table states lie on one side."""
+    rim = mdr.Contact(mdr.FlatEndedParaboloid(0.2, 3.0), FILM, 0.01)
+    assert rim.at_radius(0.2).slope == rim.at_radius(0.2).stiffness
+    assert rim.at_radius(0.2 * (1 + 1e-10)).slope == pytest.approx(rim.at_radius(0.2).stiffness, rel=1e-4)
+    r = np.linspace(0.0, 1.0, 30)
+    table = mdr.Contact(mdr.TabulatedProfile(r, r**2 / 6.0), BODY, 1e-3)
+    last, before = table.at_radius(1.0 - 1e-9), table.at_radius(1.0 - 1e-6)
+    assert last.slope == pytest.approx((last.force - before.force) / (last.depth - before.depth), rel=1e-5)
+
+
+def test_slope_is_that_of_a_law():
+    contact = mdr.Contact(mdr.Paraboloid(R), FILM.with_model("exact"), GAMMA)
+    depth = np.array([-0.01, 0.0, 0.1, 0.5])
+    np.testing.assert_allclose(contact.at_depth(depth).slope, mdr.ContactLaw(contact, 1.0).at_depth(depth).slope, rtol=1e-8)
 
 
 def test_no_adhesion_is_bit_for_bit():
     plain = mdr.Contact(mdr.Paraboloid(R), FILM)
     for rule in ("automatic", "paper", "energy"):
         contact = mdr.Contact(mdr.Paraboloid(R), FILM, 0.0, rule)
-        assert tuple(contact.at_depth(0.3, "loading")) == tuple(plain.at_depth(0.3))
-        assert tuple(contact.at_force(0.3)) == tuple(plain.at_force(0.3))
+        assert numbers_of(contact.at_depth(0.3, "loading")) == numbers_of(plain.at_depth(0.3))
+        assert numbers_of(contact.at_force(0.3)) == numbers_of(plain.at_force(0.3))
         assert contact.at_force(0.3).pressure(0.1) == plain.at_force(0.3).pressure(0.1)
     assert plain.pull_off() == (0.0, 0.0, 0.0, 0.0, ())
     loop = plain.loop("force", 0.3, 7)

@@ -1,11 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Shapes and types in and out."""
 
+import dataclasses
 from fractions import Fraction
 
 import numpy as np
 import pytest
-from conftest import OXIDE, SILICON, every_medium, every_profile
+from conftest import OXIDE, SILICON, every_medium, every_profile, numbers_of
 
 import mdrcontact as mdr
 
@@ -14,7 +15,7 @@ import mdrcontact as mdr
 def test_any_shape(coated, shape):
     depth = np.full(shape, 1e-8)
     state = coated.at_depth(depth)
-    assert all(entry.shape == shape and entry.dtype == np.float64 for entry in state)
+    assert all(entry.shape == shape and entry.dtype == np.float64 for entry in numbers_of(state))
     assert coated.medium.modulus(depth).shape == shape
     assert coated.indenter.mdr(depth).shape == shape
     assert coated.at_depth(1e-8).pressure(depth).shape == shape
@@ -26,7 +27,7 @@ def test_a_number_gives_a_float(value):
     assert type(mdr.weights.weight_phi(value)) is float
     assert type(mdr.Cone(0.2).height(value)) is float
     state = mdr.Contact(mdr.Cone(0.2), mdr.Homogeneous(mdr.Elastic(1.0, 0.2))).at_depth(value)
-    assert all(type(entry) is float for entry in state)
+    assert all(type(entry) is float for entry in numbers_of(state))
 
 
 def test_values_do_not_depend_on_memory_layout(coated):
@@ -63,12 +64,74 @@ def test_masked_elements_are_refused(coated):
         coated.at_depth(np.ma.masked_array([1e-8, 2e-8], [False, True]))
 
 
-def test_state_unpacks(coated):
-    depth, radius, force, stiffness, punch_depth, zone_radius = coated.at_depth(1e-8)
-    state = mdr.State(depth, radius, force, stiffness, punch_depth, zone_radius, coated)
-    assert state == coated.at_depth(1e-8) and len(state) == 6
-    assert repr(state) == repr(mdr.State(*state)) and state != mdr.State(*state)
-    assert state._fields == ("depth", "radius", "force", "stiffness", "punch_depth", "zone_radius")
+def test_a_state_is_a_record(coated):
+    state = coated.at_depth(1e-8)
+    again = mdr.State(*numbers_of(state), coated)
+    assert again == state and hash(again) == hash(state)
+    assert again != mdr.State(*numbers_of(state)) and again != state.replace(depth=2e-8)
+    assert repr(state) == repr(mdr.State(*numbers_of(state))) and repr(state).startswith("State(depth=1e-08, radius=")
+    assert [field.name for field in dataclasses.fields(state)] == [
+        "depth",
+        "radius",
+        "force",
+        "stiffness",
+        "punch_depth",
+        "zone_radius",
+    ]
+    with pytest.raises(AttributeError):
+        state.depth = 0.0
+
+
+@pytest.mark.parametrize("taken", [len, iter, list, tuple, dict, lambda state: state[0], lambda state: [*state]])
+def test_a_state_is_no_sequence(coated, taken):
+    state = coated.at_depth(1e-8)
+    with pytest.raises(TypeError, match="'State' object is not|of type 'State' has no len|not State"):
+        taken(state)
+
+
+def test_states_are_a_sequence_of_states(coated):
+    depths = np.array([1e-8, 2e-8, 5e-8])
+    states = coated.at_depth(depths)
+    assert isinstance(states, mdr.States) and isinstance(states, mdr.State) and len(states) == 3
+    for one, depth in zip(states, depths, strict=True):
+        assert type(one) is mdr.State and one == coated.at_depth(depth)
+    assert states[-1] == coated.at_depth(5e-8) and states[1:] == coated.at_depth(depths[1:])
+    table = coated.at_depth(depths.reshape(3, 1))
+    assert len(table) == 3 and [len(row) for row in table] == [1, 1, 1] and table[2, 0] == states[2]
+    assert len(coated.at_depth([])) == 0 and list(coated.at_depth([])) == []
+    with pytest.raises(TypeError, match="unhashable"):
+        hash(states)
+
+
+def test_table_has_named_columns_with_units(coated):
+    states = coated.at_depth([[1e-8, 2e-8], [3e-8, 5e-8]])
+    table = states.table()
+    assert list(table) == list(table.units) == ["depth", "radius", "force", "stiffness", "slope", "punch_depth", "zone_radius"]
+    assert {name: column.shape for name, column in table.items()} == dict.fromkeys(table, (4,))
+    for name in table:
+        np.testing.assert_array_equal(table[name], np.ravel(getattr(states, name)))
+    assert table.units["force"] == "modulus length^2"
+    assert {name: column.tolist() for name, column in states[0, 1].table().items()}["force"] == [states.force[0, 1]]
+
+
+def test_data_frames_of_states(coated):
+    """What pandas does with them: a frame of named columns, or a clear refusal."""
+    pandas = pytest.importorskip("pandas")
+    states = coated.at_depth([1e-8, 2e-8])
+    assert list(pandas.DataFrame(states)) == [name for name in states.table() if name != "slope"]
+    assert pandas.DataFrame(states).force.tolist() == states.force.tolist()
+    assert list(pandas.DataFrame(states.table())) == list(states.table())
+    with pytest.raises(TypeError, match="read depth, force and the like, or table"):
+        pandas.DataFrame(coated.at_depth([[1e-8, 2e-8]]))
+
+
+def test_states_are_an_array_of_records(coated):
+    """As pandas takes them: a row for each, which is a dataclass."""
+    states = coated.at_depth([1e-8, 2e-8])
+    rows = np.asarray(states)
+    assert rows.shape == (2,) and [dataclasses.asdict(row)["force"] for row in rows] == states.force.tolist()
+    with pytest.raises(TypeError, match="read depth, force and the like, or table"):
+        np.asarray(coated.at_depth([[1e-8, 2e-8]]))
 
 
 @pytest.mark.parametrize("profile", every_profile(), ids=lambda p: type(p).__name__)
@@ -114,13 +177,11 @@ def test_what_is_no_state_is_refused(coated):
     with pytest.raises(mdr.errors.ArgumentTypeError, match=r"states of shape \(2,\)"):
         states.lowest_pressure()
     with pytest.raises(mdr.errors.ArgumentTypeError, match="has no contact"):
-        mdr.State(*states[0]).energy()
-    with pytest.raises(IndexError, match="one state, not several: its numbers are depth"):
-        states[0][0]
+        mdr.State(*numbers_of(states[0])).energy()
     with pytest.raises(mdr.errors.InvalidArgumentError, match="no contact"):
         coated.at_depth(0.0).pressure(0.0)
     with pytest.raises(mdr.errors.InvalidArgumentError, match="punch_depth"):
-        states[0]._replace(punch_depth=float("nan")).pressure(0.0)
+        states[0].replace(punch_depth=float("nan")).pressure(0.0)
 
 
 def test_a_flat_punch_is_all_excess():

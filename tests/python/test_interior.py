@@ -326,14 +326,14 @@ def test_the_deviation_is_as_large_as_what_was_spoiled(share):
     """The depth of another state: u_z belongs to the load, d - f(r) to the depth."""
     for contact in (CONTACT, mdr.Contact(mdr.Paraboloid(1.0), mdr.Homogeneous(STEEL))):
         state = contact.at_radius(1.0)
-        assert deviation(state._replace(depth=state.depth * (1.0 + share))) == pytest.approx(share, rel=1e-3)
+        assert deviation(state.replace(depth=state.depth * (1.0 + share))) == pytest.approx(share, rel=1e-3)
 
 
 def test_a_field_that_deviates_warns_once_and_is_refused_beyond():
     medium = mdr.Coated(TIN, 1.0, STEEL)
     contact, r = mdr.Contact(mdr.Paraboloid(1.0), medium), np.linspace(0.0, 2.0, 1000)
     state = contact.at_radius(1.0)
-    off, wrong = (state._replace(depth=state.depth * factor) for factor in (1.0 + 1e-6, 1.01))
+    off, wrong = (state.replace(depth=state.depth * factor) for factor in (1.0 + 1e-6, 1.01))
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         state.interior(r, 0.1)
@@ -350,9 +350,9 @@ def test_a_field_that_deviates_warns_once_and_is_refused_beyond():
     state = loose.at_radius(1.0)
     with warnings.catch_warnings():
         warnings.simplefilter("error")
-        state._replace(depth=state.depth * (1.0 + 5e-6)).interior(r, 0.1)
+        state.replace(depth=state.depth * (1.0 + 5e-6)).interior(r, 0.1)
     with pytest.warns(mdr.errors.InteriorAccuracyWarning):
-        state._replace(depth=state.depth * (1.0 + 5e-5)).interior(r, 0.1)
+        state.replace(depth=state.depth * (1.0 + 5e-5)).interior(r, 0.1)
 
 
 @pytest.mark.parametrize(

@@ -8,6 +8,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import pytest
+from conftest import numbers_of
 
 import mdrcontact as mdr
 from mdrcontact import _boundary, _layout
@@ -45,7 +46,7 @@ def test_is_solved_once_for_all_that_is_read(solved):
     state.interior(0.2, 0.3)
     state.critical()
     mdr.Friction(state.contact, 0.3).shear(state).at_shift(1e-3)
-    assert solved == [tuple(state)]
+    assert solved == [tuple(numbers_of(state))]
 
 
 def test_is_one_for_all_threads():
@@ -71,9 +72,9 @@ def test_outlives_its_contact():
 def test_does_not_travel_with_copies():
     state = contact().at_radius(1.0)
     state.pressure(0.5)
-    for other in (copy.copy(state), copy.deepcopy(state), pickle.loads(pickle.dumps(state)), state._replace(zone_radius=0.0)):
-        assert tuple(other) == tuple(state)
-        assert not vars(other)
+    for other in (copy.copy(state), copy.deepcopy(state), pickle.loads(pickle.dumps(state)), state.replace(zone_radius=0.0)):
+        assert other == state
+        assert "_kept" not in vars(other)
         assert other.pressure(0.5) == state.pressure(0.5)
 
 
@@ -90,11 +91,11 @@ def test_several_states_have_one_each(solved):
 
 def test_a_load_that_fails_is_refused_again():
     """Nothing is kept."""
-    state = contact().at_radius(1.0)._replace(radius=-1.0)
+    state = contact().at_radius(1.0).replace(radius=-1.0)
     for _ in range(2):
         with pytest.raises(InvalidArgumentError, match="contact radius of the state"):
             state.pressure(0.0)
-    assert not vars(state)
+    assert "_kept" not in vars(state)
 
 
 def test_a_handle_that_could_not_be_made_frees_nothing():

@@ -46,7 +46,7 @@ def on_a_film(film):
 def inside(share, points=1000):
     """The field belongs to the load, the depth is that of another state."""
     state = mdr.Contact(mdr.Paraboloid(1.0), mdr.Homogeneous(STEEL)).at_radius(1.0)
-    return state._replace(depth=state.depth * (1.0 + share)).interior(np.linspace(0.0, 2.0, points), 0.1)
+    return state.replace(depth=state.depth * (1.0 + share)).interior(np.linspace(0.0, 2.0, points), 0.1)
 
 
 def sheared(base):
@@ -160,7 +160,7 @@ def test_what_a_shared_contact_was_asked_before_changes_nothing():
 def test_a_field_is_refused_whatever_was_asked_before():
     """Few points are answered however often, and say what they are off by; many are refused every time."""
     state = mdr.Contact(mdr.Paraboloid(1.0), mdr.Homogeneous(STEEL)).at_radius(1.0)
-    wrong, r = state._replace(depth=state.depth * 1.01), np.linspace(0.0, 2.0, 1000)
+    wrong, r = state.replace(depth=state.depth * 1.01), np.linspace(0.0, 2.0, 1000)
     for _ in range(3):
         few = wrong.interior(r[:400], 0.1)
         assert "off by about 9.9e-03" in few.warnings[0]
@@ -182,7 +182,7 @@ def test_objects_made_of_states_carry_theirs():
     film = mdr.Contact(mdr.Paraboloid(1.0), FILM)
     assert film.at_radius(1.0).critical().warnings == ()
     state = film.at_radius(1.0)
-    assert "off by about" in state._replace(depth=state.depth * (1.0 + 1e-5)).critical().warnings[0]
+    assert "off by about" in state.replace(depth=state.depth * (1.0 + 1e-5)).critical().warnings[0]
     (failure,) = film.first_failure({"von_mises": [None, 1.0]})
     assert failure.warnings == failure.state.warnings() != ()
     shear = sheared(3.5)

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from .._units import QUANTITIES, RATIO, Dimension
-from ..contact import Contact, State
+from ..contact import Contact, States
 from ..errors import MDRError
 from .field import POSITIVE, Field, Range, Table
 from .section import ProblemError, Section
@@ -45,16 +45,16 @@ class Control(NamedTuple):
         """Of the prescribed quantity."""
         return DIMENSIONS[self.name]
 
-    def states(self, contact: Contact, part: slice = slice(None)) -> State:
+    def states(self, contact: Contact, part: slice = slice(None)) -> States:
         """The states of a contact at the prescribed values, or at part of them."""
         at: Any = getattr(contact, f"at_{self.name}")
         try:
-            state: State = at(self.values[part])
+            states: States = at(self.values[part])
         except MDRError:
             for value in self.values[part]:
                 at(float(value))  # refused alone, with no number of its place in the part
             raise
-        return state
+        return states
 
 
 def read_control(section: Section) -> Control:

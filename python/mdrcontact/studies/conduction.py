@@ -10,7 +10,7 @@ import numpy as np
 
 from .._units import CONDUCTANCE, LENGTH, RATIO, TEMPERATURE, THERMAL_CONDUCTANCE, Dimension
 from ..conduction import Conduction, ContactConductance
-from ..contact import State
+from ..contact import States
 from ..problem import Problem
 from ..problem.conduction import THERMAL, Conducting
 from ..progress import Progress
@@ -37,7 +37,7 @@ class ConductionResult(Result):
 
     problem: Problem
     conduction: Conduction
-    states: State
+    states: States
     conductance: ContactConductance
     dimension: Dimension
     """of the conductance"""
@@ -126,7 +126,7 @@ def _numbers(conductors: Conduction, radius: float, dimension: Dimension) -> dic
     return numbers
 
 
-def _section(problem: Problem, given: Conducting, conductors: Conduction, states: State) -> SectionField:
+def _section(problem: Problem, given: Conducting, conductors: Conduction, states: States) -> SectionField:
     """What the lower body has at the last state."""
     last = states[-1]
     a = float(last.radius)

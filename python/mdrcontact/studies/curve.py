@@ -49,6 +49,8 @@ class CurveResult(Result):
 def curve(problem: Problem, *, pressures: bool = False, references: bool = False, progress: Progress | None = None) -> CurveResult:
     """Compute depth, contact radius, force, stiffness, effective modulus and mean pressure.
 
+    The stiffness is dF/dd at constant contact radius. With adhesion the table also has the slope, dF/dd along the branch.
+
     Parameters
     ----------
     problem : Problem
@@ -109,6 +111,8 @@ def _ends(found: Curve) -> Iterator[tuple[str, Array, Dimension]]:
     yield "radius", found.radius, LENGTH
     yield "force", found.force, FORCE
     yield "stiffness", found.stiffness, STIFFNESS
+    if found.has_slope:
+        yield "slope", found.slope, STIFFNESS
     yield "effective modulus", found.modulus, MODULUS
     yield "mean pressure", found.mean_pressure, MODULUS
 

@@ -25,6 +25,14 @@ class Curve(NamedTuple):
     radius: Array
     force: Array
     stiffness: Array
+    """dF/dd at constant contact radius"""
+    slope: Array
+    """dF/dd along the branch of equilibria, which differs from the stiffness under adhesion"""
+
+    @property
+    def has_slope(self) -> bool:
+        """Whether the slope is another number than the stiffness."""
+        return not np.array_equal(self.slope, self.stiffness)
 
     @property
     def modulus(self) -> Array:
@@ -61,6 +69,7 @@ def columns(curve: Curve, medium: Medium) -> list[Column]:
         *columns_of(curve, "depth", "radius"),
         *([column("a/h", curve.radius / h, RATIO)] if h else []),
         *columns_of(curve, "force", "stiffness"),
+        *(columns_of(curve, "slope") if curve.has_slope else []),
         column("effective modulus", curve.modulus, MODULUS),
         column("mean pressure", curve.mean_pressure, MODULUS),
     ]

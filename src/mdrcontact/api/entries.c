@@ -452,6 +452,20 @@ int mdr_contact_states(const mdr_contact *c, int given, int branch, int n, const
     return status;
 }
 
+int mdrcontact_entry_contact_slope(const mdr_contact *c, int n, const mdr_state states[], double out[]);
+int mdr_contact_slope(const mdr_contact *c, int n, const mdr_state states[], double out[])
+{
+    if (n < 0) return mdrcontact_refuse_count("n", n);
+    if (n > 0 && !states) return mdrcontact_refuse_null("states");
+    if (n > 0 && !out) return mdrcontact_refuse_null("out");
+    if (arithmetic_is_set()) return mdrcontact_entry_contact_slope(c, n, states, out);
+    fenv_t callers;
+    mdrcontact_set_arithmetic(&callers);
+    const int status = mdrcontact_entry_contact_slope(c, n, states, out);
+    mdrcontact_set_arithmetic_back(&callers);
+    return status;
+}
+
 int mdrcontact_entry_contact_pull_off(const mdr_contact *c, int control, int capacity, mdr_state out[], int *count);
 int mdr_contact_pull_off(const mdr_contact *c, int control, int capacity, mdr_state out[], int *count)
 {

@@ -27,7 +27,7 @@ module mdrcontact_api_entries
     use mdrcontact_contact_loop, only: loop_t, new_loop
     use mdrcontact_contact_state, only: contact_state_t
     use mdrcontact_contact_values, only: contact_states, load_field
-    use mdrcontact_error, only: check_code, check_memory, check_poisson, check_table, error_invalid, error_t, raise
+    use mdrcontact_error, only: check_code, check_memory, check_poisson, check_table, error_invalid, error_t, raise, raise_at
     use mdrcontact_friction_history, only: friction_history_t, new_friction_history
     use mdrcontact_friction_partial_slip, only: friction_t, new_friction
     use mdrcontact_law, only: contact_law_t
@@ -83,6 +83,7 @@ module mdrcontact_api_entries
     public :: mdr_medium_function
     public :: mdr_weight
     public :: mdr_contact_states
+    public :: mdr_contact_slope
     public :: mdr_loop_new
     public :: mdr_load_energy
     public :: mdr_load_field
@@ -628,6 +629,31 @@ contains
         if (allocated(error)) return
         if (present(out)) out(:n) = out_values
     end function mdr_contact_states
+
+    function mdr_contact_slope(c, n, states, out) result(status) &
+        bind(C, name="mdrcontact_entry_contact_slope")
+        type(c_ptr), value :: c
+        integer(c_int), value :: n
+        type(contact_state_t), intent(in), optional :: states(*)
+        real(c_double), intent(inout), optional :: out(*)
+        integer(c_int) :: status
+        type(contact_t), pointer :: c_inside
+        real(c_double), allocatable :: out_values(:)
+        integer :: i
+        type(error_t), allocatable :: error
+
+        call open_handle(c, "c", c_inside, error)
+        call make_room(error, n, out_values)
+        do i = 1, n
+            if (allocated(error)) exit
+            call c_inside%slope(states(i), out_values(i), error)
+            if (.not. allocated(error)) call check_results(error, [out_values(i)])
+            if (allocated(error)) call raise_at(error, i)
+        end do
+        status = status_of(error)
+        if (allocated(error)) return
+        if (present(out)) out(:n) = out_values
+    end function mdr_contact_slope
 
     function mdr_loop_new(c, control, largest, points, spring_stiffness, out) result(status) &
         bind(C, name="mdrcontact_entry_loop_new")

@@ -56,6 +56,7 @@ module mdrcontact_contact
         procedure :: at_force
         procedure :: at_control
         procedure :: load
+        procedure :: slope
         procedure :: pull_off
         procedure :: stable_segments
         procedure :: state_on_segment
@@ -188,6 +189,31 @@ contains
 
         call new_contact_load(found, self%equilibrium, state, error)
     end subroutine load
+
+    !> dF/dd along the branch of equilibria through a state, on which the contact radius changes with the depth. Without adhesion,
+    !> and at a vertical wall of the indenter, where the radius stays, it is the stiffness. With adhesion it is less, 0 where the
+    !> force turns and infinite where the depth does (theory/paper.md (5.4)).
+    subroutine slope(self, state, found, error)
+        class(contact_t), intent(in) :: self
+        !> a state of equilibrium of this contact
+        type(contact_state_t), intent(in) :: state
+        !> 0 where the bodies do not act on each other [modulus length]
+        real(wp), intent(out) :: found
+        type(error_t), allocatable, intent(out) :: error
+
+        found = 0.0_wp
+        if (max(state%radius, state%zone_radius) <= 0.0_wp) return
+        call check_state(self%equilibrium, state, error)
+        if (allocated(error)) return
+        found = state%stiffness
+        if (.not. self%is_adhesive()) return
+        associate (profile => self%equilibrium%profile)
+            if (profile%has_wall .and. state%radius >= profile%largest_radius*(1.0_wp - 1.0e-12_wp)) return
+            ! at the rim of a flat end the depth moves before the radius
+            if (.not. allocated(self%equilibrium%cohesion) .and. state%radius <= profile%end_radius*(1.0_wp + 1.0e-12_wp)) return
+        end associate
+        call self%branch%slope_at(self%equilibrium, state, found, error)
+    end subroutine slope
 
     !> Whether the work of adhesion is greater than 0.
     pure function is_adhesive(self) result(answer)

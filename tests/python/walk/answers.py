@@ -11,6 +11,7 @@ import numpy as np
 
 import mdrcontact as mdr
 from mdrcontact import lateral
+from mdrcontact.state import NAMES
 
 DEPTH, FORCE, RADIUS = 0.25, 0.5, 0.8
 K = np.array([0.4, 1.3, 3.0])
@@ -206,6 +207,11 @@ def zone(contact: Any) -> Numbers:
 @answer("Contact.at_depth")
 def punch_depth(contact: Any) -> Numbers:
     return {"": contact.at_depth(DEPTH).punch_depth}
+
+
+@answer("State.slope", tolerance=1e-7)
+def state_slope(contact: Any) -> Numbers:
+    return {"": contact.at_depth(DEPTH).slope}
 
 
 @answer("State.pressure", tolerance=1e-8)
@@ -780,7 +786,9 @@ def voxel_map(voxels: Any) -> Numbers:
 
 @answer(tolerance=1e-8)
 def returned(found: Any) -> Numbers:
-    """Numbers, or a tuple of named ones."""
+    """Numbers, a state, or a tuple of named numbers."""
+    if isinstance(found, mdr.State):
+        return {name: getattr(found, name) for name in NAMES}
     if hasattr(found, "_asdict"):
         return {name: value for name, value in found._asdict().items() if _is_number(value) and not np.isnan(value).any()}
     if isinstance(found, dict):

@@ -61,7 +61,7 @@ _except(
     "law_beyond law_buffer law_conductance law_energy law_shear law_with_radius line_load loop_depth loop_force "
     "loop_spring lowest_pressure material_modulus modulus pressure pull_off_depth pull_off_force punch_depth "
     "punch_in_time rate_history rate_history_force rate_history_spring relaxation shear_at_force shear_at_shift "
-    "shear_cycles shear_fields stiffness structure_bounds structure_materials structure_modulus tangential_modulus "
+    "shear_cycles shear_fields state_slope stiffness structure_bounds structure_materials structure_modulus tangential_modulus "
     "torsional_stiffness twisted voxel_map voxel_modulus wear_at_depth wear_at_force wear_bracket wear_bracket_force "
     "wear_limit wear_limit_force wear_rings wear_running_in wear_same_places wear_track wrinkling zone",
 )
@@ -78,7 +78,7 @@ _except(
     "compliance_twist creep critical displacement dynamic_depth dynamic_force dynamic_radius energy friction_history "
     "friction_history_force history_depth history_force history_radius interior interior_sliding line_load loop_depth "
     "loop_force loop_spring modulus pressure pull_off_depth pull_off_force punch_depth relaxation shear_at_force "
-    "shear_at_shift shear_cycles shear_fields stiffness tangential_modulus wear_at_depth wear_at_force wear_bracket "
+    "shear_at_shift shear_cycles shear_fields state_slope stiffness tangential_modulus wear_at_depth wear_at_force wear_bracket "
     "wear_bracket_force wear_limit wear_limit_force wear_rings wear_same_places wear_track wrinkling",
 )
 _STEADY = "along compliance_flux conduction_compliance friction_heat spot spot_fields tabulated"
@@ -284,7 +284,7 @@ _except(
     "Contact.adhesion_rule=energy",
     "adhesive_history at_depth at_depth_loading at_force at_radius displacement energy interior law_at_depth "
     "law_at_force law_energy law_buffer line_load loop_depth loop_force loop_spring pressure pull_off_depth "
-    "pull_off_force punch_depth zone",
+    "pull_off_force punch_depth state_slope zone",
     "with adhesion, exact",
 )
 _except(

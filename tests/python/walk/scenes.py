@@ -234,7 +234,7 @@ ADHESIVE = ("pull_off_force", "pull_off_depth", "loop_depth", "loop_force", "loo
 
 def _adhesion() -> list[Scene]:
     """Contacts with adhesion, with and without a range, and with a work of adhesion that depends on speed."""
-    states = (*STATES, "at_depth_loading", "punch_depth", "pressure", "displacement", "line_load")
+    states = (*STATES, "at_depth_loading", "punch_depth", "state_slope", "pressure", "displacement", "line_load")
     jkr = mdr.Contact(SPHERE, COATED, 0.02)
     layers = mdr.Contact(SPHERE, STACK, 0.02)
     table = ((0.2, 0.6, 1.0, 3.0), (0.95, 0.9, 0.87, 0.85))

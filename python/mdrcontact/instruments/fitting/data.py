@@ -312,7 +312,7 @@ class ModulusRadius(Data):
 class StiffnessRadius(Data):
     """Contact stiffness against contact radius.
 
-    radius, stiffness : a [length], k = dF/dd [modulus length]; n numbers each
+    radius, stiffness : a [length], k = dF/dd at constant a [modulus length]; n numbers each
     sd, relative_sd : of the stiffness, as in ForceDepth
     """
 

@@ -33,12 +33,19 @@ module mdrcontact_contact_adhesive_branch
         procedure(state_at_coordinate), deferred :: state_at
         procedure(state_at_radius), deferred :: at_radius
         procedure(work_of), deferred :: work_between
+        procedure(smooth_around), deferred :: smooth_range
         procedure :: stable_segments
         procedure :: keep_segments
         procedure :: segments_between
         procedure :: state_on
         procedure :: first_attraction
+        procedure :: slope_at
     end type adhesive_branch_t
+
+    !> States from which a slope is taken, and the length in the coordinate over which they are spread: a part of the distance from
+    !> the next break, behind which depth and force may follow roots, but more than rounding.
+    integer, parameter :: slope_points = 7
+    real(wp), parameter :: slope_length = 0.06_wp, part_of_distance = 0.3_wp, shortest_length = 1.0e-4_wp
 
     !> Where the search for a state begins.
     type :: search_t
@@ -112,6 +119,16 @@ module mdrcontact_contact_adhesive_branch
             type(contact_state_t), intent(in) :: from, to
             real(wp) :: work
         end function work_of
+
+        !> The coordinate of a state, and the range around it over which the branch is analytic.
+        subroutine smooth_around(self, equilibrium, state, x, low, high, error)
+            import :: adhesive_branch_t, contact_state_t, equilibrium_t, error_t, wp
+            class(adhesive_branch_t), intent(in) :: self
+            type(equilibrium_t), intent(in) :: equilibrium
+            type(contact_state_t), intent(in) :: state
+            real(wp), intent(out) :: x, low, high
+            type(error_t), allocatable, intent(inout) :: error
+        end subroutine smooth_around
     end interface
 
 contains
@@ -251,5 +268,87 @@ contains
         s = 0.0_wp
         if (self%range > 0.0_wp) s = control%of(-self%range, 0.0_wp)
     end function first_attraction
+
+    !> dF/dd along the branch at one of its states: that of the polynomial through neighbouring states, which do not reach across a
+    !> break of indenter or medium. Infinite where the depth turns.
+    subroutine slope_at(self, equilibrium, state, slope, error)
+        class(adhesive_branch_t), intent(in) :: self
+        type(equilibrium_t), intent(in) :: equilibrium
+        type(contact_state_t), intent(in) :: state
+        !> [modulus length]
+        real(wp), intent(out) :: slope
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp), dimension(slope_points) :: depth, force, weight
+        real(wp) :: x, low, high, length, first
+
+        slope = 0.0_wp
+        call self%smooth_range(equilibrium, state, x, low, high, error)
+        if (allocated(error)) return
+        length = min(slope_length, max(part_of_distance*min(x - low, high - x), shortest_length))
+        first = min(max(x - 0.5_wp*length, low), max(high - length, low))
+        call states_from(self, equilibrium, first, length, depth, force, error)
+        if (allocated(error)) then
+            ! where a cohesive zone would reach beyond the end of the indenter
+            first = max(x - length, low)
+            deallocate (error)
+            call states_from(self, equilibrium, first, length, depth, force, error)
+            if (allocated(error)) return
+        end if
+        weight = slope_weights((x - first)/length*real(slope_points - 1, wp))
+        slope = ratio_of(dot_product(weight, force), dot_product(weight, depth))
+    end subroutine slope_at
+
+    !> Depths and forces of states evenly spread over a length of the coordinate.
+    subroutine states_from(self, equilibrium, first, length, depth, force, error)
+        class(adhesive_branch_t), intent(in) :: self
+        type(equilibrium_t), intent(in) :: equilibrium
+        real(wp), intent(in) :: first, length
+        real(wp), intent(out) :: depth(:), force(:)
+        type(error_t), allocatable, intent(inout) :: error
+        type(contact_state_t) :: state
+        integer :: i
+
+        depth = 0.0_wp
+        force = 0.0_wp
+        do i = 1, slope_points
+            call self%state_at(equilibrium, first + length*real(i - 1, wp)/real(slope_points - 1, wp), state, error)
+            if (allocated(error)) return
+            depth(i) = state%depth
+            force(i) = state%force
+        end do
+    end subroutine states_from
+
+    !> The slopes at a place of the polynomials that are 1 at one of the points 0, 1, ... and 0 at the others.
+    pure function slope_weights(place) result(weights)
+        real(wp), intent(in) :: place
+        real(wp) :: weights(slope_points)
+        real(wp) :: product
+        integer :: i, j, k
+
+        weights = 0.0_wp
+        do i = 0, slope_points - 1
+            do j = 0, slope_points - 1
+                if (j == i) cycle
+                product = 1.0_wp/real(i - j, wp)
+                do k = 0, slope_points - 1
+                    if (k /= i .and. k /= j) product = product*(place - real(k, wp))/real(i - k, wp)
+                end do
+                weights(i + 1) = weights(i + 1) + product
+            end do
+        end do
+    end function slope_weights
+
+    !> A ratio, the largest number of its sign where it is beyond all numbers.
+    pure function ratio_of(rise, run) result(ratio)
+        real(wp), intent(in) :: rise, run
+        real(wp) :: ratio
+
+        ratio = huge(ratio)
+        if (abs(run) > abs(rise)/huge(ratio)) then
+            ratio = rise/run
+        else
+            ratio = sign(ratio, rise)
+        end if
+    end function ratio_of
 
 end module mdrcontact_contact_adhesive_branch

@@ -27,6 +27,7 @@ module mdrcontact_contact_branch
         procedure :: state_at
         procedure :: at_radius
         procedure :: work_between
+        procedure :: smooth_range
     end type branch_t
 
     real(wp), parameter :: tolerance = 1.0e-8_wp
@@ -196,5 +197,25 @@ contains
             work = self%curve%work_between(equilibrium%coordinate_of(from%radius), equilibrium%coordinate_of(to%radius))
         end if
     end function work_between
+
+    subroutine smooth_range(self, equilibrium, state, x, low, high, error)
+        class(branch_t), intent(in) :: self
+        type(equilibrium_t), intent(in) :: equilibrium
+        type(contact_state_t), intent(in) :: state
+        real(wp), intent(out) :: x, low, high
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp), allocatable :: breaks(:)
+
+        associate (unused => self)
+        end associate
+        x = equilibrium%coordinate_of(state%radius)
+        low = equilibrium%coordinate_of(equilibrium%medium%smallest_radius)
+        high = equilibrium%coordinate_of(equilibrium%last_radius)
+        call equilibrium%add_breaks(breaks, error)
+        if (allocated(error)) return
+        breaks = log(pack(breaks, breaks > equilibrium%profile%end_radius) - equilibrium%profile%end_radius)
+        low = max(low, maxval(breaks, mask=breaks <= x))
+        high = min(high, minval(breaks, mask=breaks > x))
+    end subroutine smooth_range
 
 end module mdrcontact_contact_branch

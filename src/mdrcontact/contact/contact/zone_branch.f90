@@ -26,6 +26,7 @@ module mdrcontact_contact_zone_branch
         procedure :: at_radius
         procedure :: work_between
         procedure :: sampled
+        procedure :: smooth_range
     end type zone_branch_t
 
     !> A zone shorter than this part of the radius at which adhesion hands over to elasticity changes no digit of a state: what it
@@ -199,5 +200,21 @@ contains
         work = self%curve%work_between(coordinate_of(equilibrium, from%radius, from%zone_radius), &
                                        coordinate_of(equilibrium, to%radius, to%zone_radius))
     end function work_between
+
+    subroutine smooth_range(self, equilibrium, state, x, low, high, error)
+        class(zone_branch_t), intent(in) :: self
+        type(equilibrium_t), intent(in) :: equilibrium
+        type(contact_state_t), intent(in) :: state
+        real(wp), intent(out) :: x, low, high
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp), allocatable :: breaks(:)
+
+        x = coordinate_of(equilibrium, state%radius, state%zone_radius)
+        allocate (breaks, source=[-1.0_wp, self%curve%breaks(), coordinate_of(equilibrium, equilibrium%last_radius, 0.0_wp)])
+        low = maxval(breaks, mask=breaks <= x)
+        high = minval(breaks, mask=breaks > x)
+        associate (unused => error)
+        end associate
+    end subroutine smooth_range
 
 end module mdrcontact_contact_zone_branch
