@@ -70,7 +70,7 @@ def test_states_match_jkr_on_both_branches():
 
 
 def jkr_slope(a):
-    """Equation (5.4) of theory/paper.md with k = 2 E* a, d0 = a^2/R and dl as the root of a."""
+    """theory/paper.md (5.4) with k = 2 E* a, d0 = a^2/R and dl as the root of a."""
     dl = np.sqrt(2 * math.pi * a * GAMMA / 3.0)
     return 6.0 * a - 6.0 * dl / (2 * a / R - dl / (2 * a))
 

@@ -8,7 +8,7 @@ from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import pytest
-from conftest import OXIDE, SILICON
+from conftest import OXIDE, SILICON, numbers_of
 
 import mdrcontact as mdr
 from mdrcontact.closed_forms import (
@@ -67,7 +67,8 @@ def on(threads, call):
     """What a call gives on so many threads."""
     mdr.set_threads(threads)
     try:
-        return np.asarray(call())
+        found = call()
+        return np.asarray(numbers_of(found) if isinstance(found, mdr.State) else found)
     finally:
         mdr.set_threads(1)
 

@@ -10,6 +10,7 @@ static int call(const mdr_contact *c, int which, int branch, int n, const double
                 double k[])
 {
     mdr_state states[MOST_POINTS];
+    double slopes[MOST_POINTS];
     int status;
 
     switch (which) {
@@ -22,6 +23,8 @@ static int call(const mdr_contact *c, int which, int branch, int n, const double
     for (int i = 0; i < n && status == MDR_SUCCESS && d != NULL; i++) {
         d[i] = states[i].depth, a[i] = states[i].radius, F[i] = states[i].force, k[i] = states[i].stiffness;
     }
+    fill(slopes);
+    if (status == MDR_SUCCESS) judge("mdr_contact_slope", mdr_contact_slope(c, n, states, slopes), n, slopes, FINITE);
     return status;
 }
 
