@@ -13,7 +13,7 @@ from mdrcontact import studies
 from mdrcontact.cli import main
 from mdrcontact.cli.many_figure import overview
 from mdrcontact.instruments.files.fit_file import load_fit_file
-from mdrcontact.instruments.reading.afm import read_afm
+from mdrcontact.instruments.reading.afm import AfmCurve, numbered, read_afm
 
 afmformats = pytest.importorskip("afmformats")
 h5py = pytest.importorskip("h5py")
@@ -90,6 +90,46 @@ def test_curves_of_a_file(tmp_path):
     soft = read_afm(tmp_path / "map.h5", spring_constant=0.25, deflection_sensitivity=100e-9)[0]
     assert soft.spring_constant == 0.25
     assert soft.force == pytest.approx(curves[0].force, rel=1e-12), "half the spring constant, twice the sensitivity"
+
+
+MEANDER = ((0, 0), (1, 0), (1, 1), (0, 1))
+
+
+def test_places_and_numbers_of_a_map_are_those_of_its_file(tmp_path):
+    """A map that is recorded in a meander was numbered row by row, and its places were lost."""
+    write(tmp_path / "map.h5", 2, 2)
+    with h5py.File(tmp_path / "map.h5", "r+") as file:
+        for count, (x, y) in enumerate(MEANDER):
+            place = {"grid index x": x, "grid index y": y, "position x": 1e-5 * x, "position y": 1e-5 * y}
+            file[str(count)].attrs.update(place)
+    (tmp_path / "problem.toml").write_text(PROBLEM)
+    written = {kind: tmp_path / f"map.{kind}" for kind in ("csv", "json")}
+    options = [f"--{kind}={path}" for kind, path in written.items()]
+    assert main(["fit", str(tmp_path / "map.h5"), "--problem", str(tmp_path / "problem.toml"), *options]) == 0
+    titles, *rows = [line.split(",") for line in written["csv"].read_text().splitlines()]
+    assert titles[:6] == ["file", "number", "x [um]", "y [um]", "column", "row"]
+    found = json.loads(written["json"].read_text())
+    for i, (row, (x, y)) in enumerate(zip(rows, MEANDER, strict=True)):
+        assert row[:2] == [f"map.h5 {i + 1}", str(i + 1)] and row[4:6] == [str(x), str(y)]
+        assert [float(cell) for cell in row[2:4]] == pytest.approx([10.0 * x, 10.0 * y])
+        assert float(row[titles.index("coating.E [kPa]")]) == pytest.approx(1e-3 * modulus(i), rel=2e-3)
+        entry = found[f"map.h5 {i + 1}"]
+        assert entry["place"] == {
+            "number": i + 1,
+            "x": pytest.approx(1e-5 * x),
+            "y": pytest.approx(1e-5 * y),
+            "column": x,
+            "row": y,
+        }
+        assert entry["parameters"]["coating.E"]["value"] == pytest.approx(modulus(i), rel=2e-3)
+
+
+@pytest.mark.parametrize(("counts", "numbers"), [((2, 0, 5), (1, 3, 6)), ((0, 0, 1), (1, 2, 3)), ((None, 1, 2), (1, 2, 3))])
+def test_numbers_are_those_by_which_a_file_counts(counts, numbers):
+    """Where it does not count, or counts two as one, they are those of the order."""
+    curve = AfmCurve(np.zeros(2), np.zeros(2), None, None, None, None, ())
+    found = numbered([(count, curve._replace(number=-i)) for i, count in enumerate(counts)])
+    assert tuple(one.number for one in found) == numbers
 
 
 def test_a_sensitivity_needs_one_to_correct(tmp_path):

@@ -148,6 +148,15 @@ def test_what_optics11_says_is_held_against_the_problem(tmp_path):
     assert fitted.estimates["E"] / 0.75 == pytest.approx(156.0, rel=5e-3)
 
 
+def test_the_place_that_a_header_says(tmp_path):
+    text = (
+        instruments.optics11().decode("latin-1").replace("X-position (um)\t5314.320", "X-position (um)\t20\nY-position (um)\t-30")
+    )
+    (tmp_path / "gel.txt").write_text(text, encoding="latin-1")
+    (one,) = problem(tmp_path, "force-depth", E="100 Pa").curves(tmp_path / "gel.txt")
+    assert one.position == pytest.approx((20e-6, -30e-6))
+
+
 def test_the_last_table_of_a_high_load_record_is_the_test(tmp_path):
     table = read_table(written(tmp_path, "high_load.hld"))
     assert table.titles[:3] == ["Time_s", "Disp_nm", "Force_uN"] and len(table.values) == 170

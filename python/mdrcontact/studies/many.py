@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from .._text import number
-from .._units import ENERGY, FORCE, LENGTH, RATIO, practical
+from .._units import ENERGY, FORCE, LENGTH, RATIO, Unit, practical
 from ..errors import MDRError
 from ..instruments.files.curves import Curve
 from ..instruments.files.fit_file import FitFile
@@ -61,7 +61,10 @@ class FittedCurves(Result):
     def to_dict(self) -> dict[str, Any]:
         """The fit of each curve, or why there is none, as plain Python values."""
         return {
-            curve.name: result.to_dict() if isinstance(result, FitResult) else {"error": str(result.error)}
+            curve.name: {
+                **_place(curve),
+                **(result.to_dict() if isinstance(result, FitResult) else {"error": str(result.error)}),
+            }
             for curve, result in zip(self.curves, self.results, strict=True)
         }
 
@@ -158,6 +161,29 @@ def many(problem: FitFile, curves: Sequence[Curve], *, keep_all: bool = False, p
     )
 
 
+def _place(curve: Curve) -> dict[str, Any]:
+    """Number and place of a curve, as its file has them, SI units; nothing where it has none."""
+    known: dict[str, Any] = {"number": curve.number}
+    for names, pair in ((("x", "y"), curve.position), (("column", "row"), curve.place)):
+        known |= dict(zip(names, pair or (), strict=False))
+    return {"place": known} if curve.position or curve.place else {}
+
+
+def _places(curves: Sequence[Curve]) -> list[Column | Words]:
+    """Columns for number and place of each curve, where files have places."""
+    found = [_place(curve).get("place", {}) for curve in curves]
+    columns: list[Column | Words] = []
+    for name in ("number", "x", "y", "column", "row"):
+        values = [one.get(name) for one in found]
+        if name in ("x", "y") and any(value is not None for value in values):
+            missing = {i: "" for i, value in enumerate(values) if value is None}
+            numbers = np.array([np.nan if value is None else value for value in values])
+            columns.append(Column(name, numbers, Unit("um", 1e-6), missing))
+        elif any(value is not None for value in values):
+            columns.append(Words(name, ["" if value is None else f"{value:g}" for value in values]))
+    return columns
+
+
 def _only_data(curve: Curve) -> Data:
     return curve.read()[0]
 
@@ -251,7 +277,7 @@ def _estimates(curves: Sequence[Curve], results: Sequence[FitResult | FailedFit]
     """Estimates and marks of each curve; a failure is a row with its reason."""
     good = [one.fit for one in fitted]
     missing = {i: "" for i, result in enumerate(results) if isinstance(result, FailedFit)}
-    columns: list[Column | Words] = [Words("file", [curve.name for curve in curves])]
+    columns: list[Column | Words] = [Words("file", [curve.name for curve in curves]), *_places(curves)]
     for name in good[0].names:
         unit = practical(dimension_of(name), [abs(r.estimates[name]) for r in good])
         for title, by_name in ((name, "estimates"), (f"standard error of {name}", "standard_errors")):

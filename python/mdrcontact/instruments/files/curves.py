@@ -40,6 +40,8 @@ class Curve(NamedTuple):
     """what the file says of the instrument"""
     record: Callable[[], Record] | None = None
     """depth or height and force as they stand in the file, of records of an instrument"""
+    number: int | None = None
+    """of the curve, as a file of an AFM counts from 1"""
 
 
 def curves(section: Section, cantilever: Cantilever, path: Path) -> list[Curve]:
@@ -65,6 +67,7 @@ def curves(section: Section, cantilever: Cantilever, path: Path) -> list[Curve]:
         Curve(
             f"{path.name} {table.name}" if several else path.name,
             functools.partial(read_data, section, cantilever, table, kind),
+            position=_position(table.facts),
             facts=table.facts,
             record=functools.partial(record_of, section, cantilever, table, kind) if kind in RECORDS else None,
         )
@@ -82,6 +85,12 @@ def first_notes(curves: Iterable[Curve]) -> list[str]:
             refusal = refusal or of_curve
     assert refusal is not None
     raise refusal
+
+
+def _position(facts: Iterable[Fact]) -> tuple[float, float] | None:
+    """x and y that a header says."""
+    said = {fact.name: fact.value for fact in facts}
+    return (said["position x"], said["position y"]) if {"position x", "position y"} <= set(said) else None
 
 
 def _tests(section: Section, tables: list[MeasuredTable], kind: str) -> list[MeasuredTable]:
@@ -160,9 +169,7 @@ def _check_keys_of_afm(section: Section, path: Path) -> None:
 
 def _afm_curves(section: Section, cantilever: Cantilever, path: Path) -> list[Curve]:
     found = read_afm(path, cantilever.spring_constant, cantilever.deflection_sensitivity)
-    # files count the curves of a map in any order
-    found.sort(key=lambda one: (0.0, 0.0) if one.place is None else one.place[::-1])
-    names = [path.name] if len(found) == 1 else [f"{path.name} {i}" for i in range(1, len(found) + 1)]
+    names = [path.name] if len(found) == 1 else [f"{path.name} {one.number}" for one in found]
     return [
         Curve(
             name,
@@ -171,6 +178,7 @@ def _afm_curves(section: Section, cantilever: Cantilever, path: Path) -> list[Cu
             one.position,
             _afm_facts(one),
             functools.partial(_afm_record, one),
+            one.number,
         )
         for name, one in zip(names, found, strict=True)
     ]

@@ -5,6 +5,8 @@ from __future__ import annotations
 
 import importlib
 import logging
+import warnings
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -50,6 +52,8 @@ class AfmCurve(NamedTuple):
     """x and y in a map [m]"""
     is_in_time: bool = False
     """whether it is a creep or relaxation test"""
+    number: int = 1
+    """of the curve, as the file counts from 1"""
 
 
 def read_afm(path: Path, spring_constant: float | None = None, deflection_sensitivity: float | None = None) -> list[AfmCurve]:
@@ -69,11 +73,14 @@ def read_afm(path: Path, spring_constant: float | None = None, deflection_sensit
     given = {"spring constant": spring_constant, "sensitivity": deflection_sensitivity}
     chosen = {name: value for name, value in given.items() if value is not None}
     try:
-        try:
-            loaded = afmformats.load_data(path)
-        except afmformats.errors.MissingMetaDataError:
-            loaded = afmformats.load_data(path, meta_override=chosen)
-        curves = [_curve(data, chosen) for data in loaded if data.modality in _MODALITIES]
+        # of NumPy about texts without numbers
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            try:
+                loaded = afmformats.load_data(path)
+            except afmformats.errors.MissingMetaDataError:
+                loaded = afmformats.load_data(path, meta_override=chosen)
+        curves = numbered([(data.metadata.get("enum"), _curve(data, chosen)) for data in loaded if data.modality in _MODALITIES])
     except MDRError as problem:
         fault = MissingSettings if isinstance(problem, MissingSettings) else FileError
         raise fault(f"{path}: {problem}") from problem
@@ -124,6 +131,14 @@ def _curve(data: Any, chosen: dict[str, float]) -> AfmCurve:
         _pair(meta, "position x", "position y"),
         is_in_time,
     )
+
+
+def numbered(curves: Sequence[tuple[Any, AfmCurve]]) -> list[AfmCurve]:
+    """The curves in the order in which the file counts them; in the order in which they stand where it does not."""
+    counts = [count for count, _ in curves]
+    known = all(isinstance(count, (int, np.integer)) for count in counts) and len(set(counts)) == len(counts)
+    found = [one._replace(number=int(count) + 1 if known else i) for i, (count, one) in enumerate(curves, start=1)]
+    return sorted(found, key=lambda one: one.number)
 
 
 def _pair(meta: Any, *names: str) -> tuple[float, float] | None:

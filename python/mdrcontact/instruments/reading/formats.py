@@ -59,6 +59,8 @@ FORMATS = (
             ("indenter.radius", r"Tip radius \(um\)", 1e-6, LENGTH),
             ("spring_constant", r"^k \(N/m\)", 1.0, STIFFNESS),
             (MODULUS_OF_MAKER + ", E_eff", r"E\[eff\] \(Pa\)", 1.0, MODULUS),
+            ("position x", r"X-position \(um\)", 1e-6, LENGTH),
+            ("position y", r"Y-position \(um\)", 1e-6, LENGTH),
         ),
     ),
     Format(
