@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import json
+import warnings
 
 import numpy as np
 import pytest
@@ -130,6 +131,19 @@ def test_numbers_are_those_by_which_a_file_counts(counts, numbers):
     curve = AfmCurve(np.zeros(2), np.zeros(2), None, None, None, None, ())
     found = numbered([(count, curve._replace(number=-i)) for i, count in enumerate(counts)])
     assert tuple(one.number for one in found) == numbers
+
+
+@pytest.mark.parametrize("text", ["", "# a\n# b c\n", "\t\n\t\n", "# segment: extend\n# x\n1e-6 2e-6\n2e-6 5e-6\n3e-6 9e-6\n"])
+def test_no_warning_of_numpy_reaches_the_reader(text, tmp_path):
+    """Of a text without numbers NumPy warned, and it was taken for a curve that does not say its sensitivity."""
+    (tmp_path / "curve.txt").write_text(text)
+    (tmp_path / "problem.toml").write_text(PROBLEM)
+    file = load_fit_file(tmp_path / "problem.toml")
+    with warnings.catch_warnings(record=True) as shown:
+        warnings.simplefilter("always")
+        with pytest.raises(mdr.MDRError, match="no table of numbers|no line above the numbers"):
+            file.curves(tmp_path / "curve.txt")
+    assert not shown
 
 
 def test_a_sensitivity_needs_one_to_correct(tmp_path):

@@ -72,6 +72,11 @@ def test_titles_and_units_wherever_they_stand(kind, tmp_path):
     assert column(table, "force").values == pytest.approx(FORCE * 1e-3, abs=1e-7)
 
 
+def test_a_column_of_the_title_of_a_comment(tmp_path):
+    (table,) = tables(tmp_path, "#\tDepth [nm]\tLoad [mN]\n" + rows(TIME, DEPTH, FORCE))
+    assert table.titles == ["#", "Depth [nm]", "Load [mN]"]
+
+
 @pytest.mark.parametrize(
     ("sign", "encoding"),
     [

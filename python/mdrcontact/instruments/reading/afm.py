@@ -73,9 +73,10 @@ def read_afm(path: Path, spring_constant: float | None = None, deflection_sensit
     given = {"spring constant": spring_constant, "sensitivity": deflection_sensitivity}
     chosen = {name: value for name, value in given.items() if value is not None}
     try:
-        # of NumPy about texts without numbers
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
+            # what NumPy says of a text without numbers, which is no curve
+            warnings.filterwarnings("error", message=".*no data")
             try:
                 loaded = afmformats.load_data(path)
             except afmformats.errors.MissingMetaDataError:

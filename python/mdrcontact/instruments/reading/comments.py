@@ -54,9 +54,11 @@ def titles_in(lines: Sequence[str], width: int, is_title: Callable[[str], bool])
     titles = next(iter(_keyed(bare, _TITLES, width)), []) or by_place(bare, width)
     if titles:
         return titles, units
+    found = [cells for line in bare if (cells := _cells(line, width))]
     # a column may be titled #
-    found = [cells for line, plain in zip(lines, bare, strict=True) if (cells := _cells(plain, width) or _cells(line, width))]
-    named = [cells for cells in found if any(map(is_title, cells))] or found
+    found_with_mark = [cells for line in lines if (cells := _cells(line, width))]
+    named = [cells for cells in (*found_with_mark, *found) if any(map(is_title, cells))]
+    named = named or [cells for cells in found if not any(cell.endswith((":", "=")) for cell in cells)]
     return (named[-1], units) if named else ([], [])
 
 
