@@ -4,6 +4,7 @@ is kept."""
 
 from __future__ import annotations
 
+import sys
 import time
 
 import instruments
@@ -14,6 +15,7 @@ import mdrcontact as mdr
 import mdrcontact.instruments as mdi
 from mdrcontact.cli import main
 from mdrcontact.instruments.files.fit_file import load_fit_file
+from mdrcontact.instruments.reading import columns
 from mdrcontact.instruments.reading.columns import TableOptions, read_table, read_tables
 from mdrcontact.instruments.reading.marks import segments_of_marks
 from mdrcontact.problem import ProblemError
@@ -213,3 +215,51 @@ def read_marks(words, rows):
     from mdrcontact.instruments.reading.marks import Mark
 
     return [Mark(row, word) for row, word in zip(rows, words, strict=True)]
+
+
+def test_a_workbook_is_read_once(tmp_path, monkeypatch, capsys):
+    """To inspect it was read two or three times, seconds each."""
+    pytest.importorskip("openpyxl")
+    path = written(tmp_path, "series.xlsx")
+    reads = []
+    read_sheets = columns.read_sheets
+    monkeypatch.setattr(columns, "read_sheets", lambda *given: reads.append(given) or read_sheets(*given))
+    assert main(["inspect", str(path), "--problem", str(tmp_path / "start.toml")]) == 0
+    first = capsys.readouterr().out
+    assert len(reads) == 1
+    assert main(["inspect", str(path), "--problem", str(tmp_path / "start.toml"), "--overwrite"]) == 0
+    assert capsys.readouterr().out == first, "what is kept is not added to"
+    # another content under the same name is another workbook
+    path.write_bytes(instruments.series(2))
+    assert len(problem(tmp_path).curves(path)) == 2 and len(reads) == 2
+
+
+@pytest.mark.parametrize("reader", ["python_calamine", "openpyxl"])
+def test_both_readers_of_workbooks_give_the_same(reader, tmp_path, monkeypatch):
+    pytest.importorskip(reader)
+    path = written(tmp_path, "series.xlsx")
+    if reader == "openpyxl":
+        monkeypatch.setitem(sys.modules, "python_calamine", None)
+    tables = read_tables(path)
+    assert [table.name for table in tables] == ["Results", "Required Inputs", "Test 003", "Test 002", "Test 001"]
+    _, h, p, begins = instruments.one_test()
+    assert tables[-1].values[:, 1] == pytest.approx(h) and tables[-1].values[:, 2] == pytest.approx(p)
+    assert [mark.row for mark in tables[-1].marks] == [*begins[:4]]
+
+
+@pytest.mark.slow
+def test_a_workbook_of_a_million_cells_takes_three_seconds(tmp_path):
+    """As large as one that took 16 s."""
+    pytest.importorskip("python_calamine")
+    openpyxl = pytest.importorskip("openpyxl")
+    book = openpyxl.Workbook(write_only=True)
+    for i in range(15):
+        sheet = book.create_sheet(f"Test {i:03}")
+        sheet.append(["Segment", "Displacement", "Load", "Time", "Stiffness", "Hardness", "Modulus"])
+        sheet.append(["", "nm", "mN", "s", "N/m", "GPa", "GPa"])
+        for row in np.random.default_rng(i).random((9000, 6)).round(6).tolist():
+            sheet.append([None, *row])
+    book.save(tmp_path / "large.xlsx")
+    begin = time.process_time()
+    assert [len(table.values) for table in read_tables(tmp_path / "large.xlsx")] == 15 * [9000]
+    assert time.process_time() - begin < 3.0

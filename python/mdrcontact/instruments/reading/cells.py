@@ -192,11 +192,22 @@ _Rows = Callable[[], Iterable[Sequence[object]]]
 
 
 def _new_sheets(content: bytes) -> dict[str, _Rows]:
-    """The sheets of a .xlsx by name."""
-    import openpyxl
+    """The sheets of a .xlsx by name, by calamine where it is installed, which takes a tenth of openpyxl's time."""
+    try:
+        import python_calamine as calamine
+    except ImportError:
+        import openpyxl
 
-    book = openpyxl.load_workbook(io.BytesIO(content), read_only=True, data_only=True)
-    return {sheet.title: partial(sheet.iter_rows, values_only=True) for sheet in book.worksheets}
+        book = openpyxl.load_workbook(io.BytesIO(content), read_only=True, data_only=True)
+        return {sheet.title: partial(sheet.iter_rows, values_only=True) for sheet in book.worksheets}
+    book = calamine.CalamineWorkbook.from_filelike(io.BytesIO(content))
+    names = [sheet.name for sheet in book.sheets_metadata if sheet.typ == calamine.SheetTypeEnum.WorkSheet]
+    return {name: partial(_rows_by_calamine, book, name) for name in names}
+
+
+def _rows_by_calamine(book: Any, name: str) -> list[list[object]]:
+    rows: list[list[object]] = book.get_sheet_by_name(name).to_python(skip_empty_area=False)
+    return rows
 
 
 def _old_sheets(content: bytes) -> dict[str, _Rows]:

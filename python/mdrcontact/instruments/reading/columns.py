@@ -4,6 +4,7 @@ encoding, separator and decimal sign, and sheets of spreadsheets."""
 
 from __future__ import annotations
 
+import hashlib
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -183,9 +184,35 @@ def _read(path: Path, options: TableOptions) -> list[MeasuredTable]:
     return _parsed(path, content, options)
 
 
+class _Kept(NamedTuple):
+    """A spreadsheet that was read, and what it was read by."""
+
+    path: Path
+    digest: bytes
+    options: TableOptions
+    tables: list[MeasuredTable]
+
+
+_last: _Kept | None = None
+"""The spreadsheet that was read last: whoever inspects a file asks for it several times, and each time takes seconds."""
+
+
+def _spreadsheet(path: Path, content: bytes, options: TableOptions) -> list[MeasuredTable]:
+    global _last
+    digest = hashlib.sha256(content).digest()
+    kept = _last
+    if kept is None or kept[:3] != (path, digest, options):
+        tables = _tables_of_sheets(path, read_sheets(path, content, options.skip, options.sheet), options)
+        for table in tables:
+            table.values.setflags(write=False)
+        kept = _last = _Kept(path, digest, options, tables)
+    # notes and warnings are added to
+    return [table._replace(notes=list(table.notes), warnings=list(table.warnings)) for table in kept.tables]
+
+
 def _parsed(path: Path, content: bytes, options: TableOptions) -> list[MeasuredTable]:
     if is_spreadsheet(path, content):
-        return _tables_of_sheets(path, read_sheets(path, content, options.skip, options.sheet), options)
+        return _spreadsheet(path, content, options)
     refuse_foreign(path, content)
     return _chosen(path, _tables_of(Text(path, content, options.skip), options), options.sheet)
 
