@@ -16,6 +16,7 @@ import mdrcontact.instruments as mdi
 from mdrcontact.cli import main
 from mdrcontact.instruments.files.fit_file import load_fit_file
 from mdrcontact.instruments.reading import columns
+from mdrcontact.instruments.reading.area_function import find_terms
 from mdrcontact.instruments.reading.columns import TableOptions, read_table, read_tables
 from mdrcontact.instruments.reading.marks import segments_of_marks
 from mdrcontact.problem import ProblemError
@@ -166,7 +167,58 @@ def test_the_last_table_of_a_high_load_record_is_the_test(tmp_path):
     assert {fact.name: fact.value for fact in table.facts} == {
         "frame compliance": pytest.approx(6.63947e-6),
         "drift rate": pytest.approx(0.03648e-9),
+        "indenter.C0": 24.5,
     }
+
+
+TIP = (24.5, 3000.0, 8000.0, -500.0, 200.0, 0.0)
+"""C0 ... C5 of a blunt tip, in nm."""
+HEADERS = {
+    "of .hld": "".join(f"Tip C{i}: {term} nm^2/nm^x\r\n" for i, term in enumerate(TIP)),
+    "in one line": ", ".join(f"C{i} = {term:E}" for i, term in enumerate(TIP)) + "\r\n",
+    "decimal commas": "".join(f"C{i}\t{term}\r\n".replace(".", ",") for i, term in enumerate(TIP)),
+    "in rows": "\t".join(f"C{i}" for i in range(6)) + "\r\n" + "\t".join(map(str, TIP)) + "\r\n",
+}
+
+
+def blunt_indent():
+    """Depth [nm] and force [mN] of an indent by that tip into a half-space of 72 GPa, nu = 0.2, to a contact depth of 60 nm."""
+    reduced = 1.0 / ((1.0 - 0.2**2) / 72e9 + (1.0 - 0.07**2) / 1141e9)
+    h = 60.0
+    area = sum(term * h**power for term, power in zip(TIP, (2.0, 1.0, 0.5, 0.25, 0.125, 0.0625), strict=True))
+    stiffness, force = 2e-9 * reduced * np.sqrt(area / np.pi), 8e9 * area * 1e-18
+    top = h + 1e9 * 0.75 * force / stiffness
+    end = top - 1e9 * 1.4 * force / stiffness
+    part = np.linspace(0.0, 1.0, 200)
+    depth = [top * part**0.55, np.full(40, top), end + (top - end) * part[::-1] ** (1.0 / 1.4)]
+    return np.concatenate(depth), 1e3 * np.concatenate([force * part, np.full(40, force), force * part[::-1]])
+
+
+@pytest.mark.parametrize("header", HEADERS)
+def test_the_area_function_of_a_header_is_that_of_the_tip(header, tmp_path, capsys):
+    """It was ignored, and the moduli of shallow indents came out several times too large."""
+    lines = "File Version: Hysitron HighLoad\r\n" + HEADERS[header] + "Time_s\tDisp_nm\tForce_mN\r\n"
+    depth, force = blunt_indent()
+    lines += "".join(f"{0.05 * i:.3f}\t{h:.6f}\t{p:.8f}\r\n" for i, (h, p) in enumerate(zip(depth, force, strict=True)))
+    path = tmp_path / "blunt.hld"
+    path.write_text(lines, newline="")
+    start = tmp_path / "start.toml"
+    assert main(["inspect", str(path), "--problem", str(start)]) == 0
+    assert "coefficients = [24.5, 3000.0, 8000.0, -500.0, 200.0]" in start.read_text()
+    file = load_fit_file(start)
+    data, _ = file.read_data(path)
+    found = mdi.fit(data, **file.arguments)
+    assert found.estimates["E"] == pytest.approx(72e9, rel=0.01)
+    assert not any("area function" in words for words in found.warnings)
+    # another tip in the problem file is reported
+    start.write_text(start.read_text().replace(", 3000.0, 8000.0, -500.0, 200.0]", "]"))
+    data, _ = load_fit_file(start).read_data(path)
+    assert any("the file gives the area function of its tip" in words for words in data.warnings)
+
+
+@pytest.mark.parametrize("line", ["Temp C0 5", "C1: 5", "C0: 0", "Compliance C0 and C1", "CO2: 24.5", "C0: 1e9\tC1: 3"])
+def test_other_numbers_are_no_area_function(line):
+    assert find_terms([[line]]) == []
 
 
 def test_a_table_without_titles_is_no_file_of_an_afm(tmp_path):

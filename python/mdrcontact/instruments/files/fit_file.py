@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Mapping, Sequence
 from functools import partial
 from pathlib import Path
@@ -11,7 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from ..._choices import nearest
-from ..._units import dimensions, shown
+from ..._units import LENGTH, dimensions, shown
 from ...errors import MDRError
 from ...poroelastic import is_poroelastic
 from ...problem import indenter as indenters
@@ -23,11 +24,12 @@ from ...problem.toml import parse_file, parse_text
 from ...progress import Progress
 from .. import schema
 from ..fitting import Free, Instrument, JointPrior
-from ..fitting.data import Data
+from ..fitting.data import Data, StiffnessDepth
 from ..fitting.gel import NAMES as GEL_NAMES
 from ..fitting.parameters import pattern_of
 from ..fitting.quantities import dimension_of
-from ..reading.formats import Fact
+from ..reading.area_function import area
+from ..reading.formats import Fact, terms_of
 from . import curves as files
 from . import data as measured
 from .data_keys import KNOWN, RECORDS
@@ -79,7 +81,7 @@ class FitFile(NamedTuple):
         data, notes = curve.read()
         if curve.facts:
             notes = [*notes, f"the file says: {', '.join(map(str, curve.facts))}"]
-        data.warnings += self._contradictions(curve.facts)
+        data.warnings += [*self._contradictions(curve.facts), *self._other_tip(terms_of(curve.facts), data)]
         return data, notes
 
     def _contradictions(self, facts: Sequence[Fact]) -> list[str]:
@@ -94,6 +96,27 @@ class FitFile(NamedTuple):
                     "the file of the instrument: one of them is wrong"
                 )
         return words
+
+    def _other_tip(self, terms: Mapping[int, float], data: Data) -> list[str]:
+        """That the tip of the problem has another area than the file says, at the depths of the data."""
+        if not terms or not isinstance(data, StiffnessDepth):
+            return []
+        height = 0.7 * float(np.median(data.x))
+        found = area(terms, height) if height > 0.0 else 0.0
+        if found <= 0.0:
+            return []
+        radius = math.sqrt(found / math.pi)
+        try:
+            own = float(self.indenter.height(radius))
+        except MDRError:
+            return []
+        if abs(own - height) <= _APART * height:
+            return []
+        return [
+            f"the file gives the area function of its tip, which has a radius of {shown(radius, LENGTH)} at a height of "
+            f"{shown(height, LENGTH)}; that of the problem file has it at {shown(own, LENGTH)}: give [indenter] shape = "
+            '"area-function" with the coefficients of the file, or one of them is wrong'
+        ]
 
     def read_data(self, path: str | Path) -> tuple[Data, list[str]]:
         """The data of a file with one curve, or of its first, and what was understood."""

@@ -169,6 +169,10 @@ class Sheet(Cells):
     def place(self, line: int) -> str:
         return f"row {self._numbers[line]}"
 
+    def first(self, count: int) -> list[list[str]]:
+        """The first rows."""
+        return self._rows[:count]
+
 
 def read_sheets(path: Path, content: bytes, skip: int, chosen: str) -> list[Sheet]:
     """The sheets of a spreadsheet, or the chosen one."""

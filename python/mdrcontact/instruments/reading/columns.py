@@ -19,7 +19,7 @@ from ...problem.named import LARGEST_FILE, ContentError, NamedFile, ProblemError
 from . import layouts
 from .block import Block, find_block
 from .cells import Cells, Sheet, Text, is_spreadsheet, read_sheets
-from .formats import Fact, Format, recognise, refuse_foreign
+from .formats import Fact, Format, recognise, refuse_foreign, tip_facts
 from .header import Header, above, read_header, titles_above
 from .marks import Mark, find_marks
 from .titles import bare, is_measured, is_one_of, read_title, unit_in, words
@@ -27,6 +27,8 @@ from .units import factor
 from .values import read_values
 
 _NO_NUMBER = 1e300
+_SETTINGS = 200
+"""Rows of a sheet in which an area function of the tip may stand."""
 _MANY_REPEATED, _MANY_OUTSIDE = 0.02, 0.05
 """Of the rows: more that stand twice, or outside of the table, are no accident."""
 
@@ -236,6 +238,8 @@ def _tables_of_sheets(path: Path, sheets: Sequence[Sheet], options: TableOptions
                 tables += _split(_table_of(sheet, block, above(sheet, block, 0), options), options)
             except ProblemError as problem:
                 faults.append((block.last - block.first, problem))
+    said = next((facts for sheet in sheets if (facts := tip_facts(sheet.first(_SETTINGS)))), ())
+    tables = [table if table.facts else table._replace(facts=said) for table in tables]
     if not tables and faults:
         raise max(faults, key=lambda fault: fault[0])[1]
     if not tables:

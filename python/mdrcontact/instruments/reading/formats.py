@@ -10,6 +10,7 @@ from typing import NamedTuple
 
 from ..._units import COMPLIANCE, LENGTH, MODULUS, SENSITIVITY, SPEED, STIFFNESS, Dimension, shown
 from ...problem.named import ProblemError
+from .area_function import dimension_of_term, find_terms
 
 
 class Fact(NamedTuple):
@@ -25,6 +26,7 @@ class Fact(NamedTuple):
 
 
 _NUMBER = r"\s*:?\s*([-+]?[0-9]+(?:[.,][0-9]+)?(?:[eE][-+]?[0-9]+)?)"
+_TERM = "indenter.C"
 MODULUS_OF_MAKER = "modulus by the maker's program"
 
 
@@ -48,7 +50,17 @@ class Format(NamedTuple):
             value = float(match[1].replace(",", ".")) if match else 0.0
             if value:
                 found.append(Fact(name, value * unit, dimension))
-        return tuple(found)
+        return (*found, *tip_facts(header))
+
+
+def tip_facts(header: Sequence[Sequence[str]]) -> tuple[Fact, ...]:
+    """The area function of the tip, "indenter.C0" and so on."""
+    return tuple(Fact(f"{_TERM}{i}", term, dimension_of_term(i)) for i, term in enumerate(find_terms(header)))
+
+
+def terms_of(facts: Sequence[Fact]) -> dict[int, float]:
+    """The area function among facts: terms by their number, SI units."""
+    return {int(fact.name[len(_TERM) :]): fact.value for fact in facts if fact.name.startswith(_TERM)}
 
 
 FORMATS = (
