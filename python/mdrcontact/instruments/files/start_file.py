@@ -10,7 +10,8 @@ from types import MappingProxyType
 from typing import NamedTuple
 
 from ..._units import LENGTH, MODULUS, shown
-from ..reading.formats import Fact
+from ..reading.area_function import power_of_term
+from ..reading.formats import Fact, terms_of
 
 _RADIUS, _USUAL = 5e-6, 1e4
 """Of a ball of which the file says nothing [m], and E of a body of which it says nothing [Pa]."""
@@ -25,9 +26,9 @@ type = "homogeneous"
 material = {{ E = "{modulus}", nu = 0.5 }}  # E is where the search begins
 """
 _PYRAMID = """\
-[indenter]                      # an ideally sharp Berkovich tip; better: file = "tip.toml", written by mdrcontact calibrate
+[indenter]                      # {tip}
 shape = "area-function"
-coefficients = [24.5]
+coefficients = {coefficients}
 length_unit = "nm"
 max_height = "{height}"
 
@@ -38,6 +39,8 @@ material = {{ E = "70 GPa", nu = 0.2 }}  # E is where the search begins; nu is n
 [instrument]
 indenter = {{ E = "1141 GPa", nu = 0.07 }}  # diamond
 """
+_IDEAL = 'an ideally sharp Berkovich tip; better: file = "tip.toml", written by mdrcontact calibrate'
+_CALIBRATED = "the area function that the file gives"
 _RELAXING = """\
 [indenter]
 shape = "sphere"
@@ -72,10 +75,14 @@ def start_file(
     said = {fact.name: fact.value for fact in facts}
     radius = said.get("indenter.radius")
     body = _PYRAMID if kind in _SHARP else _RELAXING if kind.endswith("-time") else _BALL
+    # in nm, as the file gives them
+    terms = [float(f"{term / 1e-9 ** (2.0 - power_of_term(i)):.12g}") for i, term in sorted(terms_of(facts).items())]
     modulus = _modulus(size, radius or _RADIUS)
     text = body.format(
         radius=shown(radius or _RADIUS, LENGTH),
         radius_note="  # the file says so" if radius else _GUESS,
+        tip=_CALIBRATED if terms else _IDEAL,
+        coefficients=json.dumps(terms or [24.5]),
         height=shown(2.0 * size.depth, LENGTH, 3),
         modulus=shown(modulus, MODULUS, 3),
         shear=shown(modulus / 3.0, MODULUS, 3),
