@@ -163,6 +163,20 @@ def test_what_is_said_of_tables_is_no_word_about_an_afm_file(key, tmp_path):
         load_fit_file(tmp_path / "problem.toml").curves(tmp_path / "map.h5")
 
 
+def test_drift_of_a_file_without_times(tmp_path):
+    """It asked for a column, which a file of an AFM has not: a rate of sampling gives the times."""
+    (tmp_path / "problem.toml").write_text(PROBLEM.replace("[fit.free]", 'drift = "1 nm/s"\n[fit.free]'))
+    problem = load_fit_file(tmp_path / "problem.toml")
+    write(tmp_path / "rated.h5", 1, 1, **{"rate approach": 1e3, "rate retract": 1e3})
+    write(tmp_path / "plain.h5", 1, 1)
+    write(tmp_path / "two.h5", 1, 1, **{"rate approach": 1e3, "rate retract": 2e3})
+    (taken,) = (note for note in problem.curves(tmp_path / "rated.h5")[0].read()[1] if note.startswith("drift"))
+    assert taken == "drift 1 nm/s, 299 pm over the whole test, is taken off", "300 readings in 0.299 s"
+    for name in ("plain.h5", "two.h5"):
+        with pytest.raises(mdr.MDRError, match="neither times nor one rate of sampling: leave drift out"):
+            problem.curves(tmp_path / name)[0].read()
+
+
 @pytest.mark.parametrize("name", ["map.h5", "curve.jpk-force", "curve.ibw", "curve.tab", "map.jpk-force-map"])
 def test_damaged_files_are_refused(name, tmp_path, capsys):
     (tmp_path / name).write_bytes(b"\x89HDF\r\n\x1a\nand then nothing")

@@ -220,6 +220,32 @@ def test_a_raw_record_goes_into_a_fit(raw, capsys, extra):
         assert "readings of" in out
 
 
+@pytest.mark.parametrize("height", [1.0, -1.0])
+def test_a_deflection_of_the_other_sign(raw, capsys, height):
+    """Contact under tension from end to end, it could not be fitted."""
+    readings = np.loadtxt(raw / "raw.txt", skiprows=1) * [height, -1.0]
+    np.savetxt(raw / "raw.txt", readings, header="Height [nm]\tDeflection [V]", comments="", delimiter="\t")
+    assert main(["fit", str(raw / "raw.txt"), "--problem", str(raw / "problem.toml"), "--json", str(raw / "fit.json")]) == 0
+    assert "its sign is turned" in capsys.readouterr().out
+    found = json.loads((raw / "fit.json").read_text())
+    assert found["parameters"]["coating.E"]["value"] == pytest.approx(RUBBER.E, rel=5e-3)
+
+
+@pytest.mark.parametrize("value", [0.0, 1e6, -7e3])
+@pytest.mark.parametrize("at", [[0], [1], [400], [-1], [0, 1, 700]])
+@pytest.mark.parametrize("column", [0, 1])
+def test_a_glitch_loses_no_curve(raw, capsys, at, column, value):
+    """Of one in the first height nothing was left: "too few points before contact for a baseline"."""
+    readings = np.loadtxt(raw / "raw.txt", skiprows=1)
+    readings[at, column] = value * np.arange(1, len(at) + 1)
+    np.savetxt(raw / "raw.txt", readings, header="Height [nm]\tDeflection [V]", comments="", delimiter="\t")
+    assert main(["fit", str(raw / "raw.txt"), "--problem", str(raw / "problem.toml"), "--json", str(raw / "fit.json")]) == 0
+    out = capsys.readouterr().out
+    assert value == 0.0 or "lie far from both neighbours and are left out" in out
+    found = json.loads((raw / "fit.json").read_text())
+    assert found["parameters"]["coating.E"]["value"] == pytest.approx(RUBBER.E, rel=5e-3)
+
+
 def test_a_table_of_unloading_alone(raw, capsys):
     depth, force = approach()
     depth, force = depth[::-1], force[::-1]
@@ -306,6 +332,34 @@ def test_noise_and_effective_points_of_known_series():
             series[i] = rho * series[i - 1] + np.sqrt(1.0 - rho**2) * series[i]
         counted.append(effective_points(series - series.mean()))
     assert np.median(counted) == pytest.approx(40.0 * (1.0 - rho) / (1.0 + rho), rel=0.06)
+
+
+def jump_in(steps, seed=2):
+    """A JKR record under a soft spring (7.5 um, 1.4 MPa, nu 0.49, 60 mJ/m^2, 3 N/m): depth and force of the approach."""
+    radius, modulus, work, spring = 7.5e-6, 1.4e6 / (1.0 - 0.49**2), 60e-3, 3.0
+    a = np.geomspace(1e-8, 4e-6, 20001)
+    force = 4.0 * modulus * a**3 / (3.0 * radius) - np.sqrt(8.0 * np.pi * work * modulus * a**3)
+    height = a**2 / radius - np.sqrt(2.0 * np.pi * work * a / modulus) + force / spring
+    stable = np.argmin(height)
+    up = np.linspace(-1.5e-6, 1.2e-6, steps)
+    f = np.where(up < 0.0, 0.0, np.interp(up, height[stable:], force[stable:]))
+    f += 0.4e-9 * np.random.default_rng(seed).standard_normal(steps)
+    return up - f / spring, f
+
+
+@pytest.mark.parametrize("steps", [300, 1200, 4000])
+@pytest.mark.parametrize("barrier", [0.0, 2e-8])
+def test_a_jump_into_contact_is_no_pop_in(steps, barrier):
+    """It was reported as one of 265 nm, "only before it was the contact elastic"; a repulsion before it changes nothing."""
+    depth, force = jump_in(steps)
+    at = int(np.argmax(-np.diff(force)))
+    force += barrier * np.exp(np.minimum(depth - depth[at], 0.0) / 5e-8) * (np.arange(steps) <= at)
+    assert find_pull(depth, force) is not None
+    assert find_pop_in(depth, force) is None
+    # one behind it, under load, is found
+    late = int(0.95 * steps)
+    popped = find_pop_in(depth + 2e-7 * (np.arange(steps) >= late), force)
+    assert popped is not None and abs(popped.position - late) <= 2
 
 
 def test_stray_readings_are_found_and_jumps_are_none():

@@ -111,6 +111,8 @@ def _record(one: Curve) -> Record:
     record = one.record()
     columns = [v for v in (record.depth, record.height, record.force) if v is not None]
     record.keep(np.all([np.isfinite(v) for v in columns], axis=0))
+    record.leave_out_strays()
+    record.turn_deflection()
     return record
 
 

@@ -26,7 +26,7 @@ from ..records import (
     segmentation,
     without_drift,
 )
-from ..records.contact_point import FEWEST, METHODS, SOURCES
+from ..records.contact_point import FEWEST, METHODS, SOURCES, deflection_sign, height_sign
 from ..records.pull import Parting, Pull, find_parting, find_pull
 from ..records.segments import joined
 
@@ -35,6 +35,8 @@ Array = NDArray[np.float64]
 _LITTLE = 0.01
 """Of the force: tilts of a baseline below are not worth a word."""
 _MANY_LOST = 0.1
+_PASSES = 3
+"""Single readings hide behind others that stray further."""
 
 
 class Cantilever(NamedTuple):
@@ -95,12 +97,36 @@ class Record:
             kept = (s._replace(start=int(before[s.start]), stop=int(before[s.stop])) for s in self.segments)
             self.segments = joined(s for s in kept if s.stop > s.start)
 
+    def leave_out_strays(self) -> None:
+        """Leaves out single readings of a height and its force that lie far from both neighbours: a piezo moves without steps."""
+        place = np.arange(len(self.force))
+        for _ in range(_PASSES if self.depth is None else 0):
+            found = {what: find_strays(getattr(self, what), ends=True) for what in ("height", "force")}
+            for what, strays in found.items():
+                if len(strays):
+                    at = ", ".join(str(place[i]) for i in strays[:5]) + (" and others" if len(strays) > 5 else "")
+                    words = "lie far from both neighbours and are left out"
+                    self.warnings.append(f"{len(strays)} of {self.readings} readings of the {what} {words}: {at}")
+            kept = ~np.isin(np.arange(len(place)), np.concatenate([*found.values()]))
+            if kept.all():
+                return
+            place = place[kept]
+            self.keep(kept)
+
+    def turn_deflection(self) -> None:
+        """Gives a deflection, or its force, that falls as the tip is pressed the other sign; `sign` says that of a file known."""
+        if self.depth is None and self.height is not None and self.sign is None and deflection_sign(self.height, self.force) < 0:
+            self.force = -self.force
+            self.notes.append("the deflection falls as the tip is pressed into the sample: its sign is turned")
+
     def parts(self) -> tuple[Sequence[Segment], str]:
         """The segments, and their source."""
         if self.segments is not None:
             return self.segments, "segments as the file has them"
-        along = self.height if self.depth is None else self.depth
-        assert along is not None
+        along = self.depth
+        if along is None:
+            assert self.height is not None
+            along = (self.sign or height_sign(self.height, self.force)) * self.height
         found = segmentation(along, self.force)
         noise = f"noise {shown(found.noise[0], LENGTH, 3)} and {shown(found.noise[1], FORCE, 3)}"
         if found.unsure:
@@ -124,7 +150,9 @@ def prepare(section: Section, cantilever: Cantilever, record: Record, kind: str)
         told_as.append(f"{lost} of {len(finite)} rows have no number in a column that is needed and are left out")
     if len(record.force) < 2:
         raise ProblemError("there are fewer than two rows of numbers")
-    for what, values in (("depth", record.depth), ("height", record.height), ("force", record.force)):
+    record.leave_out_strays()
+    record.turn_deflection()
+    for what, values in (("depth", record.depth), ("force", record.force)):
         strays = find_strays([] if values is None else values)
         if len(strays):
             record.warnings.append(
@@ -168,7 +196,10 @@ def _subtract_deflection(cantilever: Cantilever, record: Record) -> None:
 
 def _subtract_drift(section: Section, record: Record) -> None:
     if record.time is None:
-        raise ProblemError('[data]: drift needs a column of times: name it, as in time = "Time [s]"')
+        raise ProblemError(
+            "[data]: drift needs the time of each reading, and this file has neither times nor one rate of sampling: leave drift "
+            "out, or export depth, force and time as text"
+        )
     falls = np.flatnonzero(np.diff(record.time) < 0.0)
     if len(falls):
         raise ProblemError(f"[data]: drift needs times that rise from reading to reading, and they fall after reading {falls[0]}")

@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import importlib
 import logging
+import math
 import warnings
 from collections.abc import Sequence
 from pathlib import Path
@@ -124,7 +125,7 @@ def _curve(data: Any, chosen: dict[str, float]) -> AfmCurve:
     return AfmCurve(
         depth,
         factor * np.asarray(data["force"], dtype=float),
-        np.asarray(data["time"], dtype=float) if "time" in columns else None,
+        np.asarray(data["time"], dtype=float) if "time" in columns else _sampled(meta, len(depth)),
         float(constant) if constant else None,
         _pair(meta, "grid index x", "grid index y"),
         segments_of_numbers(np.asarray(data["segment"]), depth) if "segment" in columns else None,
@@ -140,6 +141,13 @@ def numbered(curves: Sequence[tuple[Any, AfmCurve]]) -> list[AfmCurve]:
     known = all(isinstance(count, (int, np.integer)) for count in counts) and len(set(counts)) == len(counts)
     found = [one._replace(number=int(count) + 1 if known else i) for i, (count, one) in enumerate(curves, start=1)]
     return sorted(found, key=lambda one: one.number)
+
+
+def _sampled(meta: Any, count: int) -> Array | None:
+    """The time of each reading by the rate of sampling; None where the file has no rate, or two."""
+    rates = {meta.get(f"rate {part}") for part in ("approach", "retract")} - {None}
+    rate = float(rates.pop()) if len(rates) == 1 else math.nan
+    return np.arange(count) / rate if 0.0 < rate < math.inf else None
 
 
 def _pair(meta: Any, *names: str) -> tuple[float, float] | None:

@@ -108,6 +108,26 @@ def find_baseline(depth: ArrayLike, force: ArrayLike, contact: int, *, tilt: boo
     return Baseline(offset, slope, float(np.std(f - offset - slope * d)))
 
 
+def height_sign(height: Array, deflection: Array) -> int:
+    """1 where the height grows into the sample, -1 where it falls: the deflection grows with it, step by step. So a reading far
+    away counts once up and once down."""
+    return 1 if float(np.diff(height) @ np.diff(deflection)) > 0.0 else -1
+
+
+def deflection_sign(height: ArrayLike, deflection: ArrayLike) -> int:
+    """1 where the deflection grows as the tip is pressed into the sample, -1 where it falls.
+
+    Contact is at that end of the height where the deflection changes more; what the cantilever reads there lies above the readings
+    of the other end.
+    """
+    z, x = curve(height, deflection)
+    order = np.argsort(z)
+    tenth, few = max(len(z) // 10, 2), max(len(z) // 50, 1)
+    low, high = order[:tenth], order[::-1][:tenth]
+    contact, far = (high, low) if np.std(x[high]) > np.std(x[low]) else (low, high)
+    return 1 if np.mean(x[contact[:few]]) >= np.median(x[far]) else -1
+
+
 def depth_from_height(height: ArrayLike, deflection: ArrayLike, sign: int | None = None) -> Array:
     """Indentation depth from the height of the piezo and the deflection of the cantilever, both lengths: the way that the piezo
     goes into the sample less the deflection.
@@ -116,7 +136,4 @@ def depth_from_height(height: ArrayLike, deflection: ArrayLike, sign: int | None
     """
     z, x = numbers("height", height), numbers("deflection", deflection)
     z, x = curve(z, x)
-    if sign is None:
-        # step by step, so that a reading far away counts once up and once down
-        sign = 1 if float(np.diff(z) @ np.diff(x)) > 0.0 else -1
-    return np.asarray(sign * z - x)
+    return np.asarray((height_sign(z, x) if sign is None else sign) * z - x)

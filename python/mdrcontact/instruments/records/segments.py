@@ -41,6 +41,8 @@ _JUMP = 5.0
 _LARGE_JUMP = 0.01
 """... and at least this part of the depth."""
 _NEIGHBOURS, _STAYS = 10, 0.5
+_LOADED = 5.0
+"""Standard deviations of the noise by which the force is clear of that without contact."""
 _FAR, _FAR_STEPS, _FAR_NOISE = 0.02, 5.0, 10.0
 """A stray reading is this part of the range away from both neighbours, as many of their steps, and of the noise."""
 
@@ -341,16 +343,29 @@ def _noise(values: Array, lag: int = 1) -> float:
     return float(np.median(np.abs(values[2 * lag :] - 2.0 * values[lag:-lag] + values[: -2 * lag]))) / (0.6745 * math.sqrt(6.0))
 
 
-def find_strays(values: ArrayLike) -> NDArray[np.intp]:
-    """Positions of single readings that lie far from both of their neighbours: where a curve jumps away and back at once."""
+def find_strays(values: ArrayLike, *, ends: bool = False) -> NDArray[np.intp]:
+    """Positions of single readings that lie far from both of their neighbours: where a curve jumps away and back at once.
+
+    ends : search the first two and the last two readings as well, of a quantity that does not begin or end with a step
+    """
     v = numbers("values", values)
     if len(v) < 5:
         return np.zeros(0, dtype=np.intp)
-    away = v[2:-2] - np.median([v[1:-3], v[2:-2], v[3:-1]], axis=0)
+    away = v[1:-1] - np.median([v[:-2], v[1:-1], v[2:]], axis=0)
     step = np.abs(np.diff(v))
-    usual = np.maximum(step[:-3], step[3:])
-    least = np.maximum(max(_FAR * float(np.ptp(v)), _FAR_NOISE * _noise(v)), _FAR_STEPS * usual)
-    return np.flatnonzero(np.abs(away) > least) + 2
+    usual = np.maximum(np.concatenate([[0.0], step[:-2]]), np.concatenate([step[2:], [0.0]]))
+    far = np.zeros(len(v), dtype=bool)
+    far[1:-1] = np.abs(away) > np.maximum(_far(v), _FAR_STEPS * usual)
+    for first, inner in ((0, v[1:]), (-1, v[-2::-1])):
+        far[first] = abs(v[first] - inner[0]) > max(_far(inner), _FAR_STEPS * float(np.abs(np.diff(inner[:_NEIGHBOURS])).max()))
+    if not ends:
+        far[[0, 1, -2, -1]] = False
+    return np.flatnonzero(far)
+
+
+def _far(values: Array) -> float:
+    """How far from its neighbours a reading strays at least."""
+    return max(_FAR * float(np.ptp(values)), _FAR_NOISE * _noise(values))
 
 
 def _runs(state: NDArray[np.int64]) -> list[tuple[int, int, int]]:
@@ -398,11 +413,14 @@ def find_pop_in(depth: ArrayLike, force: ArrayLike) -> PopIn | None:
 
     It is a step of the depth 5 times larger than those about it and at least 1 % of the largest depth, at a force that does not
     grow faster than before, and it stays: the ten readings behind it are deeper than the ten before it by half of the step at
-    least. A reading that strays and comes back is none.
+    least. A reading that strays and comes back is none. Nor is a jump into contact, which begins without load or ends under
+    tension: the force before a pop-in is larger than at the first ten readings, and that behind it not less, by 5 standard
+    deviations of its noise.
     """
     d, f = curve(depth, force)
     if len(d) < 2 * _NEIGHBOURS:
         return None
+    level, clear = float(np.median(f[:_NEIGHBOURS])), _LOADED * _noise(f)
     step, rise = np.diff(d), np.diff(f)
     # a fast jump is a few points wide
     wide = d[3:] - d[:-3]
@@ -417,6 +435,9 @@ def find_pop_in(depth: ArrayLike, force: ArrayLike) -> PopIn | None:
         if behind.min() - d[max(0, onset + 1 - _NEIGHBOURS) : onset + 1].max() < _STAYS * wide[i]:
             continue
         if np.sum(rise[i : i + 3]) > 3.0 * max(3.0 * float(np.median(rise[before])), 0.0) + 0.01 * np.ptp(f):
+            continue
+        is_loaded = np.median(f[before]) > level + clear and np.median(f[i + 3 : i + 6]) > level - clear
+        if not is_loaded:
             continue
         return PopIn(onset, float(d[onset]), float(f[onset]), float(wide[i]))
     return None
