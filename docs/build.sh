@@ -10,6 +10,7 @@ source tools/system_packages.sh
 source tools/python_environment.sh
 
 install_python_package test
+.venv/bin/python docs/make_tables.py --check cli.md problem-files.md
 NO_MKDOCS_2_WARNING=true .venv/bin/python -m mkdocs build --strict --clean
 .venv/bin/python -W ignore -m ford ford.md 2>&1 | tee "$log_dir/ford.log"
 if grep -E "Warning:|Error|Traceback" "$log_dir/ford.log"; then

@@ -17,10 +17,12 @@ import numpy as np
 from scipy.optimize import minimize_scalar
 
 import mdrcontact as mdr
-from mdrcontact.cli.keys import listing
-from mdrcontact.problem.schema import PROBLEM
 
 DOCS = Path(__file__).resolve().parent
+sys.path.insert(0, str(DOCS))
+
+import command_line  # noqa: E402
+
 RESULTS = DOCS.parent / "tests" / "data" / "benchmarks.md"
 RADII = np.geomspace(0.03, 30.0, 61)
 """a/h"""
@@ -107,11 +109,6 @@ def _around_one(ratios: np.ndarray, good: np.ndarray) -> str:
     return f"{low} to {high}"
 
 
-def keys() -> str:
-    """Every key of a problem file."""
-    return f"```text\n{listing(one.name for one in PROBLEM.fields if one.table)}```"
-
-
 def measured(heading: str, table: int = 0, rows: slice | tuple[int, ...] = slice(None)) -> str:
     """Return rows of a table of measured run times: the table of that number below a heading."""
     section = RESULTS.read_text(encoding="utf-8").split(f"\n## {heading}\n")[1].partition("\n## ")[0]
@@ -121,7 +118,8 @@ def measured(heading: str, table: int = 0, rows: slice | tuple[int, ...] = slice
 
 TABLES: dict[str, dict[str, Callable[[], str]]] = {
     "model-errors.md": {"modulus_error": modulus_error, "fitted_alpha": fitted_alpha, "both_errors": both_errors, "ranges": ranges},
-    "problems.md": {"keys": keys},
+    "problem-files.md": {"readers": command_line.readers, "keys": command_line.tables_of_keys},
+    "cli.md": {"commands": command_line.commands},
     "benchmarks.md": {
         "force": partial(measured, "One force", rows=(0, 1, 2, 4, 8, 9, 10, 16, 17, 19, 20)),
         "hertz": partial(measured, "Hertz's F(d)", rows=(0, 1, 2, 3, 6, 8)),

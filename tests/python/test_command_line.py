@@ -16,7 +16,7 @@ from conftest import ELASTIC_MODELS, ROOT
 from test_problem_files import FAULTS, GOOD
 
 import mdrcontact as mdr
-from mdrcontact.cli import main
+from mdrcontact.cli import main, make_parser
 from mdrcontact.cli.example import examples
 from mdrcontact.problem import load
 from mdrcontact.studies.curve import homogeneous_forces
@@ -310,6 +310,18 @@ def test_examples_are_printed(capsys):
     assert list(examples()) == [path.stem for path in PROBLEMS]
     assert main(["example", "sio2_on_s"]) == 2
     assert "did you mean 'sio2_on_si'?" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize("command", sorted(make_parser()[1]))
+def test_help_has_its_parts_in_order_and_names_pages_and_commands_that_exist(command):
+    commands = make_parser()[1]
+    text = commands[command].format_help()
+    parts = ("usage:", "options:", "problem file:", "map file:", "examples:", "see also:", "exit status:")
+    places = [text.find(f"\n{part}" if part != "usage:" else part) for part in parts]
+    there = [place for place in places if place >= 0]
+    assert there == sorted(there) and there[0] == 0 and min(places[1], *places[4:]) > 0
+    assert not [page for page in re.findall(r"docs/[\w-]+\.md", text) if not (ROOT / page).exists()]
+    assert {*re.findall(r"^  mdrcontact (\w+)", text, re.MULTILINE)} <= {*commands}
 
 
 def test_help_teaches(capsys):

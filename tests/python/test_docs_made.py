@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+import importlib.util
 import re
 import sys
 
@@ -35,6 +36,15 @@ def test_every_picture_has_a_script_and_a_page():
         stem = name.removesuffix(".png")
         assert stem in scripts or stem.removeprefix("fit_") in scripts, f"{name} has no script"
         assert (DOCS / "pictures" / name).stat().st_size < 100_000, f"{name} is large"
+
+
+@pytest.mark.parametrize("page", ["cli.md", "problem-files.md"])
+def test_commands_and_keys_are_those_of_the_package(page):
+    spec = importlib.util.spec_from_file_location("make_tables", DOCS / "make_tables.py")
+    made = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(made)
+    before, after = made.with_tables(page)
+    assert before == after, f"run docs/make_tables.py {page}"
 
 
 @pytest.mark.slow

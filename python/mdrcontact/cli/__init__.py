@@ -34,7 +34,7 @@ from . import (
 from . import map as map_
 from .files import OutputError
 
-__all__ = ["main"]
+__all__ = ["main", "make_parser"]
 
 COMMANDS = (
     curve,
@@ -83,15 +83,7 @@ class _Warnings:
 
 def main(arguments: Sequence[str] | None = None) -> int:
     """Runs the command; returns its exit status. Faults are printed in one line on standard error."""
-    parser = argparse.ArgumentParser(prog="mdrcontact", description=_DESCRIPTION, epilog=keys.EXIT_STATUS, formatter_class=_FORMAT)
-    parser.add_argument("--version", action="version", version=f"mdrcontact {__version__}")
-    subparsers = parser.add_subparsers(metavar="COMMAND", required=True, parser_class=keys.Parser)
-    for command in COMMANDS:
-        name = command.__name__.rpartition(".")[2]
-        added = subparsers.add_parser(name, help=command.HELP, description=_description(name), formatter_class=_FORMAT)
-        command.add_arguments(added)
-        added.set_defaults(run=command.run)
-    chosen = parser.parse_args(arguments)
+    chosen = make_parser()[0].parse_args(arguments)
     try:
         with reported_to(_Warnings()):
             chosen.run(chosen)
@@ -113,8 +105,22 @@ def main(arguments: Sequence[str] | None = None) -> int:
     return 0
 
 
+def make_parser() -> tuple[argparse.ArgumentParser, dict[str, keys.Parser]]:
+    """Return the parser of the command line, and those of its commands by name."""
+    parser = argparse.ArgumentParser(prog="mdrcontact", description=_DESCRIPTION, epilog=keys.EXIT_STATUS, formatter_class=_FORMAT)
+    parser.add_argument("--version", action="version", version=f"mdrcontact {__version__}", help="print the version and exit")
+    subparsers = parser.add_subparsers(metavar="COMMAND", required=True, parser_class=keys.Parser)
+    commands = {}
+    for command in COMMANDS:
+        name = command.__name__.rpartition(".")[2]
+        commands[name] = subparsers.add_parser(name, help=command.HELP, description=_description(name), formatter_class=_FORMAT)
+        command.add_arguments(commands[name])
+        commands[name].set_defaults(run=command.run)
+    return parser, commands
+
+
 def _description(command: str) -> str:
-    """What `--help` says of a command."""
+    """Return the text of `--help` of a command."""
     return (resources.files(__name__) / "help" / f"{command}.txt").read_text(encoding="utf-8")
 
 

@@ -36,7 +36,7 @@ PROBLEM = Table(
         Field("title", "title of the results", optional=True, example='"Sphere on an oxide film"'),
         *(Field(name, one.meaning, optional=name not in ("indenter", "medium"), table=one) for name, one in _TABLES.items()),
     ),
-    "docs/problems.md",
+    "docs/problem-files.md",
 )
 """The whole file. [compute] may be absent if [history] or a path of [friction] is there."""
 
@@ -52,5 +52,5 @@ def tables_of(table: Table, path: str = "") -> dict[str, Table]:
 
 MAP = structure.KNOWN
 """The file of mdrcontact map."""
-TABLES: Mapping[str, Table] = {**tables_of(MAP), **tables_of(PROBLEM)}
+TABLES: Mapping[str, Table] = {**tables_of(PROBLEM), **tables_of(MAP), "": PROBLEM}
 """Every table of both files by its path, "medium.coating" for [medium.coating]; "": PROBLEM."""

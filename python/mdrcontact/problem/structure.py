@@ -33,9 +33,9 @@ STRUCTURE = Table(
         Field("exponent", "exponent of the mean: 1 in parallel, -1 in series", RATIO, 1.0, range=Range(-1.0, 1.0, True, True)),
         Field("phase", "the phases, in the order of their numbers", table=_PHASE, many=True),
     ),
-    "docs/lateral.md",
+    "docs/composites.md",
 )
-MAP = Table("where E_eff is computed", (Field("radii", "contact radii", LENGTH, range=POSITIVE, many=True),), "docs/lateral.md")
+MAP = Table("where E_eff is computed", (Field("radii", "contact radii", LENGTH, range=POSITIVE, many=True),), "docs/composites.md")
 KNOWN = Table(
     "a map",
     (
@@ -43,7 +43,7 @@ KNOWN = Table(
         Field("structure", STRUCTURE.meaning, table=STRUCTURE),
         Field("map", MAP.meaning, table=MAP),
     ),
-    "docs/lateral.md",
+    "docs/composites.md",
 )
 """The file of mdrcontact map."""
 
