@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Closed forms for a paraboloid or cone on an incompressible coating (nu = 1/2), equations (24), (27), (29), (31), (32).
+"""Closed forms for a paraboloid or cone on an incompressible coated body.
 
-They are what a `Contact` on `Coated(..., model="gao")` gives for incompressible bodies, whose E is 3 G.
+A `Contact` on `Coated(..., model="gao")` gives the same numbers for incompressible bodies (nu = 1/2, E = 3 G).
 """
 
 from __future__ import annotations
@@ -27,12 +27,41 @@ __all__ = [
 def coated_paraboloid_force(
     a: ArrayLike, radius: float, coating_shear: float, substrate_shear: float, thickness: float
 ) -> FloatOrArray:
-    """F(a) [modulus length^2] of a paraboloid without adhesion, equation (24).
+    """Return the force F(a) of a paraboloid without adhesion, equation (24).
 
-    a : contact radii > 0 [length], any shape
-    radius : R > 0 [length]
-    coating_shear, substrate_shear : shear moduli G0, G1 > 0 [modulus]
-    thickness : h > 0 [length]
+    Parameters
+    ----------
+    a : array_like
+        Contact radii > 0, any shape [length].
+    radius : float
+        R, radius of curvature, > 0 [length].
+    coating_shear : float
+        G0, shear modulus of the coating, > 0 [modulus].
+    substrate_shear : float
+        G1, shear modulus of the substrate, > 0 [modulus].
+    thickness : float
+        h, thickness of the coating, > 0 [length].
+
+    Returns
+    -------
+    float or ndarray
+        F, in the shape of `a` [modulus length^2].
+
+    Raises
+    ------
+    InvalidArgumentError
+        A number is not finite and greater than 0.
+
+    References
+    ----------
+    popov-2014, equation (24)
+
+    Examples
+    --------
+    >>> F = mdr.closed_forms.coated_paraboloid_force(1e-6, 10e-6, 2e6, 1e6, 1e-6)
+    >>> film = mdr.Coated(mdr.Elastic(6e6, 0.5), 1e-6, mdr.Elastic(3e6, 0.5), "gao")
+    >>> print(f"{F:.6e} {mdr.Contact(mdr.Paraboloid(10e-6), film).at_radius(1e-6).force:.6e}")
+    7.739535e-07 7.739535e-07
     """
     given = _numbers(radius=radius, coating_shear=coating_shear, substrate_shear=substrate_shear, thickness=thickness)
     return _values(_layout.FORM_PARABOLOID_FORCE, "a", a, given)
@@ -41,9 +70,42 @@ def coated_paraboloid_force(
 def coated_cone_force(
     a: ArrayLike, inclination: float, coating_shear: float, substrate_shear: float, thickness: float
 ) -> FloatOrArray:
-    """F(a) [modulus length^2] of a cone without adhesion, equation (27): 2 pi a^2 tan(phi) [G1 + (G0 - G1) (2/pi) arctan(h/a)].
+    """Return the force F(a) of a cone without adhesion, equation (27).
 
-    inclination : phi, 0 < phi < pi/2 [radian]; the others as in `coated_paraboloid_force`
+    The force is `2 pi a^2 tan(phi) [G1 + (G0 - G1) (2/pi) arctan(h/a)]`.
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radii > 0, any shape [length].
+    inclination : float
+        phi, angle between the face of the cone and the surface, 0 < phi < pi/2 [radian].
+    coating_shear : float
+        G0, shear modulus of the coating, > 0 [modulus].
+    substrate_shear : float
+        G1, shear modulus of the substrate, > 0 [modulus].
+    thickness : float
+        h, thickness of the coating, > 0 [length].
+
+    Returns
+    -------
+    float or ndarray
+        F, in the shape of `a` [modulus length^2].
+
+    Raises
+    ------
+    InvalidArgumentError
+        A number is outside its range.
+
+    References
+    ----------
+    popov-2014, equation (27)
+
+    Examples
+    --------
+    >>> F = mdr.closed_forms.coated_cone_force(1e-6, 0.1, 2e6, 1e6, 1e-6)
+    >>> print(f"{F:.6e} {2.0 * np.pi * 1e-12 * np.tan(0.1) * 1.5e6:.6e}")
+    9.456320e-07 9.456320e-07
     """
     given = _numbers(inclination=inclination, coating_shear=coating_shear, substrate_shear=substrate_shear, thickness=thickness)
     return _values(_layout.FORM_CONE_FORCE, "a", a, given)
@@ -57,9 +119,44 @@ def coated_paraboloid_adhesive_depth(
     thickness: float,
     work_of_adhesion: float,
 ) -> FloatOrArray:
-    """d(a) [length] of an adhesive paraboloid by the source's rule, equation (29): a^2/R - sqrt(2 pi a gamma/E_eff(a)).
+    """Return the depth d(a) of an adhesive paraboloid, equation (29).
 
-    work_of_adhesion : gamma >= 0 [modulus length]; the others as in `coated_paraboloid_force`
+    The depth is `a^2/R - sqrt(2 pi a gamma/E_eff(a))`.
+
+    Parameters
+    ----------
+    a : array_like
+        Contact radii > 0, any shape [length].
+    radius : float
+        R, radius of curvature, > 0 [length].
+    coating_shear : float
+        G0, shear modulus of the coating, > 0 [modulus].
+    substrate_shear : float
+        G1, shear modulus of the substrate, > 0 [modulus].
+    thickness : float
+        h, thickness of the coating, > 0 [length].
+    work_of_adhesion : float
+        gamma >= 0 [modulus length].
+
+    Returns
+    -------
+    float or ndarray
+        d, in the shape of `a` [length].
+
+    Raises
+    ------
+    InvalidArgumentError
+        A number is outside its range.
+
+    References
+    ----------
+    popov-2014, equation (29)
+
+    Examples
+    --------
+    >>> d = mdr.closed_forms.coated_paraboloid_adhesive_depth(1e-6, 10e-6, 2e6, 1e6, 1e-6, 0.05)
+    >>> print(f"{d:.4e}")
+    -1.4202e-07
     """
     given = _numbers(
         radius=radius,
@@ -72,28 +169,112 @@ def coated_paraboloid_adhesive_depth(
 
 
 def adhesive_radius_scale(radius: float, substrate_shear: float, work_of_adhesion: float) -> float:
-    """a_c = (pi gamma R^2/(32 G1))^(1/3) [length], equation (31): the contact radius at which a paraboloid on the uncoated
-    substrate breaks off under prescribed depth.
+    """Return the radius scale `a_c = (pi gamma R^2/(32 G1))^(1/3)`, equation (31).
 
-    radius : R > 0 [length]
-    substrate_shear : G1 > 0 [modulus]
-    work_of_adhesion : gamma > 0 [modulus length]
+    At this contact radius a paraboloid on the uncoated substrate detaches under prescribed depth.
+
+    Parameters
+    ----------
+    radius : float
+        R, radius of curvature, > 0 [length].
+    substrate_shear : float
+        G1, shear modulus of the substrate, > 0 [modulus].
+    work_of_adhesion : float
+        gamma > 0 [modulus length].
+
+    Returns
+    -------
+    float
+        a_c [length].
+
+    Raises
+    ------
+    InvalidArgumentError
+        A number is not finite and greater than 0.
+
+    References
+    ----------
+    popov-2014, equation (31)
+
+    Examples
+    --------
+    >>> print(f"{mdr.closed_forms.adhesive_radius_scale(10e-6, 1e6, 0.05):.4e}")
+    7.8884e-07
     """
     return _scale(_layout.FORM_RADIUS_SCALE, radius, substrate_shear, work_of_adhesion)
 
 
 def adhesive_depth_scale(radius: float, substrate_shear: float, work_of_adhesion: float) -> float:
-    """d_c = 3 (pi^2 gamma^2 R/(2^10 G1^2))^(1/3) [length], equation (31): minus the depth there. Arguments as in
-    `adhesive_radius_scale`."""
+    """Return the depth scale d_c of an adhesive paraboloid, equation (31).
+
+    The scale `d_c = 3 (pi^2 gamma^2 R/(2^10 G1^2))^(1/3)` is minus the depth at which a paraboloid on the uncoated substrate
+    detaches under prescribed depth.
+
+    Parameters
+    ----------
+    radius : float
+        R, radius of curvature, > 0 [length].
+    substrate_shear : float
+        G1, shear modulus of the substrate, > 0 [modulus].
+    work_of_adhesion : float
+        gamma > 0 [modulus length].
+
+    Returns
+    -------
+    float
+        d_c [length].
+
+    Raises
+    ------
+    InvalidArgumentError
+        A number is not finite and greater than 0.
+
+    References
+    ----------
+    popov-2014, equation (31)
+
+    Examples
+    --------
+    >>> print(f"{mdr.closed_forms.adhesive_depth_scale(10e-6, 1e6, 0.05):.4e}")
+    1.8668e-07
+    >>> rubber = mdr.Homogeneous(mdr.Elastic(3e6, 0.5))
+    >>> contact = mdr.Contact(mdr.Paraboloid(10e-6), rubber, work_of_adhesion=0.05)
+    >>> print(f"{contact.pull_off('depth').depth:.4e}")
+    -1.8668e-07
+    """
     return _scale(_layout.FORM_DEPTH_SCALE, radius, substrate_shear, work_of_adhesion)
 
 
 def reduced_adhesive_depth(reduced_radius: ArrayLike, shear_ratio: float, reduced_thickness: float) -> FloatOrArray:
-    """d/d_c, equation (32): at^2/3 - (4/3) sqrt(at) [1 + (tau - 1) I0(ht/at; nu = 1/2)]^(-1/2).
+    """Return the reduced depth d/d_c of an adhesive paraboloid, equation (32).
 
-    reduced_radius : at = a/a_c > 0, any shape
-    shear_ratio : tau = G0/G1 > 0
-    reduced_thickness : ht = h/a_c > 0
+    Parameters
+    ----------
+    reduced_radius : array_like
+        a/a_c > 0, any shape [1].
+    shear_ratio : float
+        tau = G0/G1 > 0 [1].
+    reduced_thickness : float
+        h/a_c > 0 [1].
+
+    Returns
+    -------
+    float or ndarray
+        d/d_c, in the shape of `reduced_radius` [1].
+
+    Raises
+    ------
+    InvalidArgumentError
+        A number is not finite and greater than 0.
+
+    References
+    ----------
+    popov-2014, equation (32)
+
+    Examples
+    --------
+    >>> print(f"{mdr.closed_forms.reduced_adhesive_depth(1.0, 1.0, 1.0):.6f}")
+    -1.000000
     """
     given = _numbers(shear_ratio=shear_ratio, reduced_thickness=reduced_thickness)
     return _values(_layout.FORM_REDUCED_DEPTH, "reduced_radius", reduced_radius, given)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Poroelastic gels (docs/gels.md): the material, and what a contact with it answers in time."""
+"""Poroelastic gels: the material, and histories of contacts with it."""
 
 from __future__ import annotations
 
@@ -51,13 +51,36 @@ class NoElasticStates(Handle):
 
 @dataclass(frozen=True)
 class Poroelastic(WithParameters):
-    """A poroelastic gel: an elastic skeleton full of a fluid that flows through it (Biot), both incompressible themselves.
+    """Poroelastic gel: an elastic skeleton filled with a fluid that flows through it.
 
-    shear_modulus : G > 0, of a sudden and of a lasting load alike [modulus]
-    nu : drained Poisson's ratio, -1 < nu < 0.5, at which nothing would drain
-    diffusivity : D > 0 [length^2/time]: 2 G (1 - nu)/(1 - 2 nu) times hydraulic permeability over viscosity, `from_permeability`
+    Skeleton and fluid are incompressible (Biot). A sudden load meets the `undrained` material, a lasting one the `drained`
+    material.
 
-    A sudden load finds an incompressible body, `undrained`, one that has lasted `drained`.
+    Parameters
+    ----------
+    shear_modulus : float
+        G > 0, of a sudden and of a lasting load [modulus].
+    nu : float
+        Drained Poisson's ratio, -1 < nu < 0.5 [1].
+    diffusivity : float
+        D > 0 [length^2/time]: 2 G (1 - nu)/(1 - 2 nu) times hydraulic permeability over viscosity.
+
+    Raises
+    ------
+    InvalidArgumentError
+        A number is outside its range.
+
+    References
+    ----------
+    biot-1941
+    hu-2010
+
+    Examples
+    --------
+    >>> gel = mdr.poroelastic.Poroelastic(shear_modulus=28e3, nu=0.28, diffusivity=3e-8)
+    >>> contact = mdr.Contact(mdr.FlatPunch(1e-3), mdr.Homogeneous(gel))
+    >>> print(np.round(contact.relaxation([1.0, 10.0, 100.0], drainage="surface"), 1))
+    [199.4 178.6 163.6]
     """
 
     shear_modulus: float = field(metadata={"dimension": MODULUS})
@@ -79,7 +102,29 @@ class Poroelastic(WithParameters):
 
     @classmethod
     def from_permeability(cls, shear_modulus: float, nu: float, permeability: float, viscosity: float) -> Poroelastic:
-        """The gel of a hydraulic permeability > 0 [length^2] and a fluid's viscosity > 0 [modulus time]."""
+        """Return the gel with a given hydraulic permeability and fluid viscosity.
+
+        Parameters
+        ----------
+        shear_modulus : float
+            G > 0 [modulus].
+        nu : float
+            Drained Poisson's ratio, -1 < nu < 0.5 [1].
+        permeability : float
+            Hydraulic permeability > 0 [length^2].
+        viscosity : float
+            Viscosity of the fluid > 0 [modulus time].
+
+        Returns
+        -------
+        Poroelastic
+            The gel.
+
+        Raises
+        ------
+        InvalidArgumentError
+            A number is outside its range.
+        """
         flow, thickness = number("permeability", permeability), number("viscosity", viscosity)
         for name, value in (("permeability", flow), ("viscosity", thickness)):
             if not 0.0 < value < math.inf:
@@ -89,17 +134,17 @@ class Poroelastic(WithParameters):
 
     @property
     def longitudinal_modulus(self) -> float:
-        """M = 2 G (1 - nu)/(1 - 2 nu) [modulus], of the drained skeleton that is compressed along one axis."""
+        """M = 2 G (1 - nu)/(1 - 2 nu), drained modulus of uniaxial strain [modulus]."""
         return 2.0 * self.shear_modulus * (1.0 - self.nu) / (1.0 - 2.0 * self.nu)
 
     @property
     def undrained(self) -> Any:
-        """The elastic material of a sudden load."""
+        """Elastic material of a sudden load, with nu = 0.5."""
         return self._elastic(0.5)
 
     @property
     def drained(self) -> Any:
-        """The elastic material of a load that has lasted."""
+        """Elastic material of a lasting load."""
         return self._elastic(self.nu)
 
     def _elastic(self, nu: float) -> Any:
@@ -234,22 +279,24 @@ def history(
 ) -> History:
     """Follow a contact with a gel along a path in time.
 
-    A flat punch may follow any path of depth or force, exactly; tension is taken as it comes. A paraboloid is pressed in suddenly
-    and held at one contact radius. Its true contact grows by up to 9 % and comes back: at "indenter" its force then differs by up
-    to 0.05 of the part that relaxes.
+    A flat punch can follow any path of depth or force, exactly; the contact supports tension. A paraboloid is pressed in suddenly
+    and held at one contact radius. Its true contact radius increases by up to 9 % and decreases again; with drainage "indenter" its
+    force then differs by up to 0.05 of the part that relaxes.
 
     Parameters
     ----------
     contact : Contact
-        Of a `FlatPunch` or a `Paraboloid` with a gel.
+        Contact of a `FlatPunch` or a `Paraboloid` with a gel.
     time : array_like
-        Strictly ascending, one dimension [time]. Before the first the bodies are at rest.
-    depth, force : array_like, optional
-        Of a flat punch, one of them [length], [modulus length^2]. Linear in time in between; the first is reached in a jump.
+        Strictly ascending times, one dimension [time]. Before the first time the bodies are at rest.
+    depth : array_like, optional
+        Depths of a flat punch at these times, linear in between [length]. The first value is reached in a jump.
+    force : array_like, optional
+        Forces on a flat punch at these times, as `depth` [modulus length^2].
     radius : array_like, optional
-        Of a paraboloid, a constant: the contact radius [length].
-    drainage : str
-        As of `Contact.relaxation`. There is no default.
+        Constant contact radius of a paraboloid, repeated for each time [length].
+    drainage : {"surface", "sealed", "indenter"}
+        As in `Contact.relaxation`. It has no default.
 
     Returns
     -------
@@ -259,11 +306,10 @@ def history(
     Raises
     ------
     InvalidArgumentError
-        The body is not a gel, or the path is not offered.
+        The body is not a gel, the drainage is missing, or the path is not supported.
 
     Examples
     --------
-    >>> import mdrcontact as mdr
     >>> gel = mdr.poroelastic.Poroelastic(shear_modulus=28e3, nu=0.28, diffusivity=3e-8)
     >>> contact = mdr.Contact(mdr.FlatPunch(1e-3), mdr.Homogeneous(gel))
     >>> path = mdr.poroelastic.history(contact, [0.0, 5.0, 60.0], depth=[0.0, 5e-5, 5e-5], drainage="indenter")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Histories of contacts with viscoelastic bodies (docs/time.md)."""
+"""Histories of contacts with viscoelastic bodies."""
 
 from __future__ import annotations
 
@@ -23,21 +23,34 @@ __all__ = ["History"]
 
 
 class History(NamedTuple):
-    """The path of a contact in time: arrays of one length."""
+    """Path of a contact in time; arrays of one length.
+
+    `Contact.history` and `poroelastic.history` return it.
+
+    Examples
+    --------
+    >>> polymer = mdr.Viscoelastic(1e6, [(9e6, 1.0)], nu=0.5)
+    >>> contact = mdr.Contact(mdr.Paraboloid(10e-6), mdr.Homogeneous(polymer))
+    >>> path = contact.history([0.0, 0.1, 10.0], depth=[0.0, 1e-6, 1e-6])
+    >>> print(np.round(path.force * 1e6, 3))
+    [  0.    162.753  16.873]
+    """
 
     time: NDArray[np.float64]
-    """[time]"""
+    """the times of the path [time]"""
     depth: NDArray[np.float64]
     """d, indentation depth [length]"""
     radius: NDArray[np.float64]
-    """a, contact radius, 0 where the bodies are apart [length]"""
+    """a, contact radius, 0 if the bodies are separated [length]"""
     force: NDArray[np.float64]
     """F, normal force [modulus length^2]"""
 
     @property
     def work(self) -> float:
-        """The work of the force along the path, int F dd [modulus length^3], by the trapezoidal rule: over a closed path the energy
-        lost in the body."""
+        """Work of the force along the path, int F dd [modulus length^3].
+
+        It follows from the trapezoidal rule. Over a closed path it is the energy lost in the body.
+        """
         return float(np.sum(0.5 * (self.force[1:] + self.force[:-1]) * np.diff(np.maximum(self.depth, 0.0))))
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Wear of a contact by Archard's law (docs/wear.md): where fretting ends, the track of a tip, a sliding indenter step by step."""
+"""Wear of a contact by Archard's law: limit of fretting, track of a tip, sliding."""
 
 from __future__ import annotations
 
@@ -40,65 +40,113 @@ _ROUNDS, _CLOSE, _PART = 40, 1e-9, 1e-2
 
 
 class WearLimit(NamedTuple):
-    """Where fretting with a given radius of stick ends."""
+    """Final state of fretting with a constant stick radius, from `Wear.limit`.
+
+    Examples
+    --------
+    >>> contact = mdr.Contact(mdr.Paraboloid(1e-2), mdr.Homogeneous(mdr.Elastic(210e9, 0.3)))
+    >>> limit = mdr.wear.Wear(contact, 1e-15).limit(contact.at_radius(1e-4), stick_radius=0.5e-4)
+    >>> print(f"{limit.outer_radius:.4e} {limit.worn_volume:.4e} {limit.state.force:.3f}")
+    1.2298e-04 7.5930e-15 21.154
+    """
 
     state: State
-    """depth, stick radius c, force, stiffness, and as `punch_depth` the depth beyond that of the unworn state at c"""
+    """depth, stick radius c as radius, force, stiffness, and as `punch_depth` the depth beyond that of the unworn state at c"""
     outer_radius: float
-    """b, up to where the indenter is worn [length]"""
+    """b, radius up to which the indenter is worn [length]"""
     worn_volume: float
-    """of both sides together [length^3]"""
+    """worn volume of both sides [length^3]"""
     profile: WornProfile
     """the worn indenter, with the wear of both sides"""
 
 
 class WearState(NamedTuple):
-    """What a history of wear has come to; each entry has the shape of the input, or is a number."""
+    """State of a wear history; each entry has the shape of the input.
+
+    Examples
+    --------
+    >>> contact = mdr.Contact(mdr.Paraboloid(10e-6), mdr.Homogeneous(mdr.Elastic(72e9, 0.3)))
+    >>> state, profile = mdr.wear.Wear(contact, 1e-15).advance(1.0, force=1e-3)
+    >>> print(f"{state.worn_volume:.4e} {state.radius:.4e} {state.error:.0e}")
+    1.0001e-18 1.8938e-06 3e-04
+    """
 
     sliding: FloatOrArray
-    """s since the beginning [length]"""
+    """s, sliding distance since the beginning [length]"""
     depth: FloatOrArray
-    """d from the original apex of the indenter [length]"""
+    """d, from the original apex of the indenter [length]"""
     radius: FloatOrArray
-    """a [length]"""
+    """a, contact radius [length]"""
     force: FloatOrArray
-    """F [modulus length^2]"""
+    """F, normal force [modulus length^2]"""
     pressure: FloatOrArray
-    """p on the axis [modulus]"""
+    """p, pressure on the axis [modulus]"""
     worn_depth: FloatOrArray
-    """what the indenter has lost on the axis [length]"""
+    """wear depth of the indenter on the axis [length]"""
     worn_volume: FloatOrArray
-    """what it has lost as a whole [length^3]"""
+    """worn volume of the indenter [length^3]"""
     body_depth: FloatOrArray
-    """what the body has lost on the axis, where both rub on the same places, else 0 [length]"""
+    """wear depth of the body on the axis, 0 unless both sides rub on the same places [length]"""
     body_volume: FloatOrArray
-    """the same as a whole [length^3]"""
+    """worn volume of the body, 0 unless both sides rub on the same places [length^3]"""
     work: FloatOrArray
     """int F ds [modulus length^3]"""
     error: FloatOrArray
-    """the largest relative error of a, d, F, p and the worn depth: two resolutions differ by so much"""
+    """largest relative error of a, d, F, p and the wear depth, the difference of two resolutions [1]"""
 
 
 class WearFit(NamedTuple):
-    """A coefficient of wear from measurements."""
+    """Wear coefficient from measurements.
+
+    Examples
+    --------
+    >>> fit = mdr.wear.wear_coefficient_from_volume([1.0e-18, 2.1e-18], sliding=[1.0, 2.0], force=1e-3)
+    >>> print(f"{fit.coefficient:.3e} {fit.sd:.1e}")
+    1.040e-15 2.0e-17
+    """
 
     coefficient: float
     """k [1/modulus]"""
     sd: float
-    """its standard deviation from the scatter of the measurements; nan for one measurement"""
+    """standard deviation of k from the scatter of the measurements; NaN for one measurement [1/modulus]"""
 
 
 @dataclass(frozen=True)
 class Wear(Value):
-    """A contact without adhesion that wears by Archard's law, dh = k p ds: the worn volume is k times force times distance.
+    """Contact without adhesion that wears by Archard's law, `dh = k p ds`.
 
-    contact : a `Contact`; a sliding indenter needs a homogeneous or an exact medium
-    coefficient : k > 0 of the indenter [1/modulus]; of a coated one those of its layers from the surface and of what lies below
-    thickness : of the layers of the indenter, one less than coefficients [length]
-    body_coefficient : k >= 0 of the body [1/modulus]
+    The worn volume is k times force times sliding distance. The layers of the body stay as they are, which makes the result exact
+    on coatings.
 
-    The layers of the body stay as they are, which makes all of it exact on coatings; `track` and `history(places="same")` say how
-    far that goes.
+    Parameters
+    ----------
+    contact : Contact
+        Contact without adhesion; a sliding indenter needs a homogeneous or an exact medium.
+    coefficient : float or sequence of float
+        k > 0 of the indenter [1/modulus]; of a coated indenter those of its layers from the surface, and of the material below.
+    thickness : sequence of float, optional
+        Thicknesses of the layers of the indenter, one less than coefficients [length].
+    body_coefficient : float, optional
+        k >= 0 of the body [1/modulus].
+
+    Raises
+    ------
+    ArgumentTypeError
+        `contact` is not a `Contact`.
+    InvalidArgumentError
+        A coefficient is outside its range, the numbers of coefficients and thicknesses do not match, or the contact is adhesive.
+
+    References
+    ----------
+    archard-1953
+
+    Examples
+    --------
+    >>> contact = mdr.Contact(mdr.Paraboloid(10e-6), mdr.Homogeneous(mdr.Elastic(72e9, 0.3)))
+    >>> wear = mdr.wear.Wear(contact, 1e-15)
+    >>> states, profile = wear.advance([0.5, 1.0], force=1e-3)
+    >>> print(states.worn_volume)
+    [4.9998474e-19 1.0000842e-18]
     """
 
     contact: Contact
@@ -131,14 +179,37 @@ class Wear(Value):
         )
 
     def limit(self, state: State, stick_radius: float, constant: str = "depth") -> WearLimit:
-        """Where fretting ends: a disc of radius c sticks for good, all outside slips and wears until it carries nothing.
+        """Return the final state of fretting with a constant stick radius.
 
-        state : one state of the unworn contact
-        stick_radius : c, 0 < c <= a [length]
-        constant : the "depth" or the "force" of the state is held
+        A disc of radius c sticks permanently and the rest slips; wear continues until the slip zone carries no load. The result is
+        exact, also on coatings.
 
-        Exact, on coatings too. What c a prescribed shift leads to is not computed: on homogeneous bodies it is the stick radius of
-        the first cycle (`Friction`), on coatings it is another one.
+        Parameters
+        ----------
+        state : State
+            One state of the unworn contact.
+        stick_radius : float
+            c, 0 < c <= a [length]. On homogeneous bodies a prescribed shift gives the stick radius of the first cycle (`Friction`);
+            on coatings it is another one.
+        constant : {"depth", "force"}, optional
+            Which of the two of the state stays constant.
+
+        Returns
+        -------
+        WearLimit
+            The worn state and indenter.
+
+        Raises
+        ------
+        ArgumentTypeError
+            `state` is not a `State`.
+        InvalidArgumentError
+            The stick radius is outside its range.
+
+        References
+        ----------
+        popov-2014b
+        dimaki-2014
         """
         given = _given(constant)
         c, rows = number("stick_radius", stick_radius), _row(state)
@@ -147,19 +218,74 @@ class Wear(Value):
         return WearLimit(state_of(np.ravel(reached).tolist(), self.contact), rim, volume, profile)
 
     def track(self, y: ArrayLike, state: State, passes: float = 1.0) -> FloatOrArray:
-        """Depth of the track that the sliding indenter leaves in the body after so many passes, k N q(y), at distances y >= 0 from
-        its axis, any shape [length]; up to a tenth of the indentation depth, beyond which groove and indenter conform."""
+        """Return the depth of the track that the sliding indenter leaves in the body.
+
+        The depth is k N q(y) after N passes. It holds up to a tenth of the indentation depth; beyond it groove and indenter
+        conform.
+
+        Parameters
+        ----------
+        y : array_like
+            Distances from the axis of the track, >= 0, any shape [length].
+        state : State
+            One state of the contact.
+        passes : float, optional
+            N, number of passes [1].
+
+        Returns
+        -------
+        float or ndarray
+            Depth of the track, in the shape of `y` [length].
+
+        Raises
+        ------
+        ArgumentTypeError
+            `state` is not a `State`.
+        """
         count, rows = number("passes", passes), _row(state)
         return evaluate("y", y, lambda places: native.wear_track(self._handle, rows, count, places))
 
     def passes_through(self, state: State, depth: float) -> float:
-        """Passes until the track is so deep, > 0 [length]: a coating of this thickness is then worn through on the axis."""
+        """Return the number of passes until the track has a given depth.
+
+        Parameters
+        ----------
+        state : State
+            One state of the contact.
+        depth : float
+            Depth of the track on its axis, > 0 [length]; the thickness of a coating that is worn through.
+
+        Returns
+        -------
+        float
+            Number of passes [1].
+
+        Raises
+        ------
+        InvalidArgumentError
+            The depth is not greater than 0.
+        """
         return float(call(native.wear_passes, self._handle, _row(state), number("depth", depth)))
 
     def running_in_length(self, constant: str = "force") -> float:
-        """l [length]: under a flat punch what the pressure still differs by from that at the end falls as exp(-s/l) after a few l.
+        """Return the running-in length l of a flat punch.
 
-        constant : the "force", where the pressure tends to F/(pi a^2), or the "depth", where it tends to 0
+        After a few lengths l the deviation of the pressure from the final state decays as exp(-s/l).
+
+        Parameters
+        ----------
+        constant : {"force", "depth"}, optional
+            "force": the pressure tends to F/(pi a^2). "depth": it tends to 0.
+
+        Returns
+        -------
+        float
+            l [length].
+
+        Raises
+        ------
+        InvalidArgumentError
+            The indenter is not a flat punch.
         """
         return float(call(native.wear_running_in, self._handle, _given(constant)))
 
@@ -172,13 +298,34 @@ class Wear(Value):
         places: str = "fresh",
         scheme: str = "disc",
     ) -> WearHistory:
-        """The contact pressed on by a force [modulus length^2] or to a depth [length], that has not slid yet.
+        """Return a history of the loaded contact before it slides.
 
-        intervals : a multiple of 4, 16 to 640; errors fall as their square or faster
-        places : "fresh" places of the body, as a tip that goes its way; or the "same", as both sides do that move back and forth by
-            much less than the contact radius: then the body wears too, its coating by a quarter of its thickness at most
-        scheme : "disc", which moves with the edge of a contact that does not shrink, of second order; or "rings" that stay on the
-            indenter, of first order, for any path of load and depth and for flat punches too
+        Parameters
+        ----------
+        force : float, optional
+            Normal force [modulus length^2]. Give one of `force` and `depth`.
+        depth : float, optional
+            Depth [length].
+        intervals : int, optional
+            Resolution, a multiple of 4, 16 to 640; errors decrease as its square or faster.
+        places : {"fresh", "same"}, optional
+            "fresh": the indenter slides over fresh places of the body. "same": both sides move back and forth by much less than the
+            contact radius, so that the body also wears, its coating by at most a quarter of its thickness.
+        scheme : {"disc", "rings"}, optional
+            "disc" moves with the edge of a contact that does not shrink and is of second order. "rings" stay on the indenter and
+            are of first order, for any path of load and depth and for flat punches.
+
+        Returns
+        -------
+        WearHistory
+            The history, at sliding distance 0.
+
+        Raises
+        ------
+        ArgumentTypeError
+            Not exactly one of force and depth is given.
+        InvalidArgumentError
+            An argument is outside its range.
         """
         return WearHistory(self, *_led(force, depth), intervals, places, scheme)
 
@@ -191,8 +338,33 @@ class Wear(Value):
         intervals: int = 80,
         scheme: str = "disc",
     ) -> tuple[WearState, WornProfile]:
-        """States at ascending sliding distances from the unworn contact on, under a constant force [modulus length^2] or depth
-        [length], and the worn indenter at the last one; `history` goes on from state to state, and says what can be chosen."""
+        """Return states at sliding distances under a constant force or depth.
+
+        Parameters
+        ----------
+        sliding : array_like
+            Ascending sliding distances of the unworn contact [length].
+        force : float, optional
+            Normal force [modulus length^2]. Give one of `force` and `depth`.
+        depth : float, optional
+            Depth [length].
+        intervals : int, optional
+            As in `history`.
+        scheme : {"disc", "rings"}, optional
+            As in `history`.
+
+        Returns
+        -------
+        tuple of WearState and WornProfile
+            The states, in the shape of `sliding`, and the worn indenter at the last distance.
+
+        Raises
+        ------
+        ArgumentTypeError
+            Not exactly one of force and depth is given.
+        InvalidArgumentError
+            The distances do not ascend, or an argument is outside its range.
+        """
         history = self.history(force=force, depth=depth, intervals=intervals, scheme=scheme)
         distances = numbers("sliding", sliding)
         states = history.advance(np.diff(distances.ravel(), prepend=0.0), force=force, depth=depth)
@@ -207,12 +379,34 @@ class Wear(Value):
         intervals: int = 80,
         scheme: str = "disc",
     ) -> tuple[WearState, WearState]:
-        """What the wear of a coating, or of the first layer, leaves open: states as of `advance`, where both sides rub on the same
-        places, with the layers as they were, and with a coating that is thinner by what it loses up to the end.
+        """Return bounds of the states of a coating that wears.
 
-        With layers as they were wear of the body is of first order in depth lost over thickness. A coating that is thinner by at
-        most so much, whatever its shape, stores an energy between those of the two uniform ones: the force at a depth, and the
-        depth under a force, lie between. Refused for media without layers, and beyond a loss of a quarter of the thickness.
+        Both sides rub on the same places. The first states keep the layers as they were; the last ones have a coating that is
+        thinner by what it loses up to the end.
+
+        Parameters
+        ----------
+        sliding : array_like
+            As in `advance` [length].
+        force : float, optional
+            As in `advance` [modulus length^2].
+        depth : float, optional
+            As in `advance` [length].
+        intervals : int, optional
+            As in `history`.
+        scheme : {"disc", "rings"}, optional
+            As in `history`.
+
+        Returns
+        -------
+        tuple of WearState and WearState
+            States with the original and with the thinner coating. The force at a depth, and the depth under a force, lie between
+            both.
+
+        Raises
+        ------
+        InvalidArgumentError
+            The medium has no layers, or the coating loses more than a quarter of its thickness.
         """
         distances = numbers("sliding", sliding)
         steps = np.diff(distances.ravel(), prepend=0.0)
@@ -264,11 +458,30 @@ def _row(state: State) -> NDArray[np.float64]:
 
 @dataclass(frozen=True)
 class WornProfile(Profile):
-    """A worn indenter, for new contacts with it: `wear.limit(...).profile`, `history.profile`. Depths count from its new apex.
+    """Worn indenter, for new contacts; depths count from its new apex.
 
-    wear : the contact that wears
-    kind : "limit" of fretting or "history"
-    numbers : what it was made from
+    `Wear.limit` and `WearHistory.profile` return it.
+
+    Parameters
+    ----------
+    wear : Wear
+        The contact that wears.
+    kind : {"limit", "history"}
+        How the indenter was worn.
+    numbers : tuple of float
+        Numbers from which the profile is made again.
+
+    Raises
+    ------
+    InvalidArgumentError
+        The numbers do not belong to the contact.
+
+    Examples
+    --------
+    >>> contact = mdr.Contact(mdr.Paraboloid(10e-6), mdr.Homogeneous(mdr.Elastic(72e9, 0.3)))
+    >>> states, worn = mdr.wear.Wear(contact, 1e-15).advance([0.5, 1.0], force=1e-3)
+    >>> print(f"{worn.worn_depth(0.0):.4e} {states.worn_depth[-1]:.4e}")
+    1.7777e-07 1.7777e-07
     """
 
     _is_table = True
@@ -287,7 +500,23 @@ class WornProfile(Profile):
         self._own((0, made), wear=wear, kind=kind, numbers=tuple(numbers))
 
     def worn_depth(self, r: ArrayLike) -> FloatOrArray:
-        """What wear has taken at radii r >= 0 [length], any shape, measured from the original indenter [length]."""
+        """Return the wear depth at given radii, measured from the original indenter.
+
+        Parameters
+        ----------
+        r : array_like
+            Radii >= 0, any shape [length].
+
+        Returns
+        -------
+        float or ndarray
+            Wear depth, in the shape of `r` [length].
+
+        Raises
+        ------
+        DomainError
+            The indenter has no surface at a radius.
+        """
         return self.height(r) - self.wear.contact.indenter.height(r) + self._worn_on_axis()
 
     def _worn_on_axis(self) -> float:
@@ -313,11 +542,41 @@ def _native_profile(history: WearHistory) -> int:
 
 
 class WearHistory:
-    """A sliding contact and what it has lost so far: `wear.history(force=...)`.
+    """Sliding contact and its wear so far, from `Wear.history`.
 
-    Two resolutions march side by side and their difference is `state.error`; a disc's results are their extrapolation. It changes
-    as it advances: not for several threads at a time. Each `copy()` goes its own way;
-    a pickled one goes on with the same bits.
+    Two resolutions are integrated together; their difference is `state.error`. The results of the scheme "disc" are their
+    extrapolation. The object changes as it advances: do not share it between threads. A `copy()` continues independently; a pickle
+    continues bitwise identically.
+
+    Parameters
+    ----------
+    wear : Wear
+        The contact that wears.
+    constant : {"force", "depth"}
+        What `value` is.
+    value : float
+        Initial force [modulus length^2] or depth [length].
+    intervals : int, optional
+        As in `Wear.history`.
+    places : {"fresh", "same"}, optional
+        As in `Wear.history`.
+    scheme : {"disc", "rings"}, optional
+        As in `Wear.history`.
+
+    Raises
+    ------
+    ArgumentTypeError
+        `wear` is not a `Wear`.
+    InvalidArgumentError
+        An argument is outside its range.
+
+    Examples
+    --------
+    >>> contact = mdr.Contact(mdr.Paraboloid(10e-6), mdr.Homogeneous(mdr.Elastic(72e9, 0.3)))
+    >>> history = mdr.wear.Wear(contact, 1e-15).history(force=1e-3)
+    >>> state = history.advance(0.5, force=1e-3)
+    >>> print(f"{state.worn_volume:.4e} {history.pressure(0.0):.3e}")
+    4.9998e-19 1.266e+08
     """
 
     def __init__(
@@ -340,11 +599,30 @@ class WearHistory:
         self._handle = Handle(made)
 
     def advance(self, sliding: ArrayLike, *, force: ArrayLike | None = None, depth: ArrayLike | None = None) -> WearState:
-        """Slides on by a distance >= 0 [length], while the force [modulus length^2] or the depth from the original apex [length]
-        goes evenly to its value; arrays of one dimension, which broadcast, are parts of the path one after the other.
+        """Slide by a distance while force or depth changes linearly to its value.
 
-        Returns the states at the ends of the parts. After an error the history is as before and can go on with other values. By
-        the scheme "disc" a contact that would shrink, as under a falling force, is refused.
+        Arrays of one dimension, which broadcast, are parts of the path one after the other.
+
+        Parameters
+        ----------
+        sliding : array_like
+            Distances >= 0 of each part [length].
+        force : array_like, optional
+            Force at the end of each part [modulus length^2]. Give one of `force` and `depth`.
+        depth : array_like, optional
+            Depth from the original apex at the end of each part [length].
+
+        Returns
+        -------
+        WearState
+            States at the ends of the parts.
+
+        Raises
+        ------
+        ArgumentTypeError
+            Not exactly one of force and depth is given.
+        InvalidArgumentError
+            The contact would shrink under the scheme "disc", as under a falling force. After an error the history is unchanged.
         """
         if (force is None) == (depth is None):
             raise ArgumentTypeError("a contact that wears needs one of force and depth, and not both")
@@ -359,34 +637,80 @@ class WearHistory:
 
     @property
     def state(self) -> WearState:
-        """What it has come to."""
+        """Present state of the history."""
         return WearState._make(float(value) for value in np.ravel(call(native.wear_history_state, self._handle, [0.0])[0]))
 
     def pressure(self, r: ArrayLike) -> FloatOrArray:
-        """p(r) [modulus] at r >= 0 [length], any shape, with the resolution of the intervals; 0 outside the contact."""
+        """Return the pressure p(r), with the resolution of the intervals.
+
+        Parameters
+        ----------
+        r : array_like
+            Radii >= 0, any shape [length].
+
+        Returns
+        -------
+        float or ndarray
+            p, in the shape of `r`, 0 outside the contact [modulus].
+
+        Raises
+        ------
+        InvalidArgumentError
+            A radius is negative.
+        """
         return evaluate("r", r, lambda radii: native.wear_history_state(self._handle, radii)[::2])
 
     @property
     def profile(self) -> WornProfile:
-        """The indenter as it is now, for new contacts; of the gap, where both sides wear."""
+        """Present worn indenter, for new contacts; of the gap if both sides wear."""
         constant, value, intervals, places, scheme = self._made_from
         chosen = float(intervals), float(_PLACES.index(places)), float(SCHEMES.index(scheme))
         past = (float(constant == "force"), value, *chosen, *self.saved().tolist())
         return WornProfile(self.wear, "history", past, _made=_native_profile(self))
 
     def saved(self) -> NDArray[np.float64]:
-        """The past as numbers, from which `restored` goes on with the same bits."""
+        """Return the past as numbers.
+
+        `restored` continues from them bitwise identically.
+
+        Returns
+        -------
+        ndarray
+            The numbers.
+        """
         values, count = call(native.wear_history_save, self._handle, _LONGEST_PAST)
         return np.array(values[:count])
 
     def restored(self, past: ArrayLike) -> WearHistory:
-        """A history of the same contact and intervals that goes on from a saved past."""
+        """Return a history of the same contact that continues from a saved past.
+
+        Parameters
+        ----------
+        past : array_like
+            What `saved` returned, with the same intervals.
+
+        Returns
+        -------
+        WearHistory
+            The history.
+
+        Raises
+        ------
+        InvalidArgumentError
+            The numbers are not a past of this contact.
+        """
         other = self.copy()
         call(native.wear_history_restore, other._handle, numbers("past", past).ravel())
         return other
 
     def copy(self) -> WearHistory:
-        """The same past, which goes its own way from here."""
+        """Return a history with the same past that continues independently.
+
+        Returns
+        -------
+        WearHistory
+            The copy.
+        """
         other = object.__new__(type(self))
         other.__dict__.update(self.__dict__)
         other._own(native.wear_history_copy(self._handle))
@@ -409,8 +733,39 @@ def _gone_on(wear: Wear, constant: str, value: float, intervals: int, places: st
 
 
 def wear_coefficient_from_volume(volume: ArrayLike, sliding: ArrayLike, force: ArrayLike) -> WearFit:
-    """k from worn volumes [length^3] after sliding distances [length] under forces [modulus length^2]: the straight line through 0,
-    V = k F s, whatever the bodies are."""
+    """Fit the wear coefficient k to worn volumes, `V = k F s`.
+
+    The fit is a straight line through 0 and holds for any bodies.
+
+    Parameters
+    ----------
+    volume : array_like
+        Worn volumes > 0 [length^3].
+    sliding : array_like
+        Sliding distances > 0 [length].
+    force : array_like
+        Normal forces > 0 [modulus length^2]. The three broadcast.
+
+    Returns
+    -------
+    WearFit
+        k and its standard deviation.
+
+    Raises
+    ------
+    InvalidArgumentError
+        The data are empty or not greater than 0.
+
+    References
+    ----------
+    archard-1953
+
+    Examples
+    --------
+    >>> fit = mdr.wear.wear_coefficient_from_volume([1.0e-18, 2.1e-18], sliding=[1.0, 2.0], force=1e-3)
+    >>> print(f"{fit.coefficient:.3e}")
+    1.040e-15
+    """
     found, work = (values.ravel() for values in together(volume=volume, work=np.multiply(sliding, force)))
     if not found.size or not np.all(work > 0.0) or not np.all(found > 0.0):
         raise InvalidArgumentError("volume, sliding and force must not be empty and must be greater than 0")
@@ -419,9 +774,38 @@ def wear_coefficient_from_volume(volume: ArrayLike, sliding: ArrayLike, force: A
 
 
 def wear_coefficient_from_scar(contact: Contact, radius: ArrayLike, sliding: ArrayLike, force: float) -> WearFit:
-    """k of a sliding indenter from radii of its scar, the contact radii [length], at sliding distances > 0 [length].
+    """Fit the wear coefficient k of a sliding indenter to radii of its scar.
 
-    The force [modulus length^2] is constant; least squares of the radii, on layered bodies too."""
+    The scar radii are the contact radii under a constant force. The fit uses least squares of the radii, also on layered bodies.
+
+    Parameters
+    ----------
+    contact : Contact
+        The unworn contact.
+    radius : array_like
+        Radii of the scar, larger than that of the unworn contact [length].
+    sliding : array_like
+        Sliding distances > 0 [length].
+    force : float
+        Constant normal force [modulus length^2].
+
+    Returns
+    -------
+    WearFit
+        k and its standard deviation.
+
+    Raises
+    ------
+    InvalidArgumentError
+        A distance is not greater than 0, or a radius is not larger than that of the unworn contact.
+
+    Examples
+    --------
+    >>> contact = mdr.Contact(mdr.Paraboloid(10e-6), mdr.Homogeneous(mdr.Elastic(72e9, 0.3)))
+    >>> fit = mdr.wear.wear_coefficient_from_scar(contact, [1.60e-6, 1.90e-6], [0.5, 1.0], force=1e-3)
+    >>> print(f"{fit.coefficient:.2e}")
+    1.01e-15
+    """
     radii, distances = (values.ravel() for values in together(radius=radius, sliding=sliding))
     start = float(contact.at_force(force).radius)
     if not radii.size or not np.all(distances > 0.0) or not np.all(radii > start):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Adhesive contacts in time: works of adhesion that depend on speed, and the histories of contacts that attract each other."""
+"""Histories of adhesive contacts: rate-dependent and finite-range adhesion."""
 
 from .cohesive import AdhesiveHistory, adhesive_history
 from .rate import RateAdhesion, RateHistory, RheologicalAdhesion, rate_history

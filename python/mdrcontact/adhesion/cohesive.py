@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Histories of contacts with viscoelastic bodies that attract the indenter over a range (docs/adhesion.md)."""
+"""Histories of contacts with viscoelastic bodies under finite-range adhesion."""
 
 from __future__ import annotations
 
@@ -17,22 +17,33 @@ from ..progress import Progress
 
 
 class AdhesiveHistory(NamedTuple):
-    """The path of a contact with a viscoelastic half-space that attracts the indenter: arrays of one length, then what happened
-    once."""
+    """Path of a contact with a viscoelastic half-space under finite-range adhesion.
+
+    `adhesive_history` returns it. The first five entries are arrays of one length.
+
+    Examples
+    --------
+    >>> rubber = mdr.Homogeneous(mdr.Viscoelastic(1e6, [(9e6, 0.01)], nu=0.5))
+    >>> contact = mdr.Contact(mdr.Paraboloid(10e-6), rubber, work_of_adhesion=0.05, cohesive_stress=2e5)
+    >>> path = mdr.adhesion.adhesive_history(contact, [0.0, 1.0, 2.0], depth=[0.0, 1e-6, 0.5e-6], start="rest")
+    >>> print(np.round(path.force * 1e6, 2))
+    [-2.33 17.73  3.04]
+    """
 
     time: NDArray[np.float64]
-    """[time]"""
+    """the times of the path [time]"""
     depth: NDArray[np.float64]
-    """d, that of the bodies where they are apart [length]"""
+    """d, also that of separated bodies [length]"""
     radius: NDArray[np.float64]
     """a, 0 without contact [length]"""
     zone_radius: NDArray[np.float64]
-    """c, outer radius of the cohesive zone, 0 where the bodies do not attract each other [length]"""
+    """c, outer radius of the cohesive zone, 0 if the bodies do not attract each other [length]"""
     force: NDArray[np.float64]
     """F [modulus length^2]"""
     end: dict[str, float]
-    """pull-off, between the samples, too: "lowest_force", "lowest_time", "lowest_depth", "lowest_radius", "lowest_speed"; of the
-    last time that the bodies came apart "rupture_time" and "rupture_depth"; how often they did, "ruptures"; "work", int F dd"""
+    """pull-off, found between the samples: "lowest_force", "lowest_time", "lowest_depth", "lowest_radius", "lowest_speed"; of the last
+    separation "rupture_time" and "rupture_depth"; the number of separations "ruptures"; and "work", int F dd [modulus length^3]
+    """
 
 
 STATE = _layout.rate_state.names or ()
@@ -52,38 +63,56 @@ def adhesive_history(
     tolerance: float | None = None,
     progress: bool | Progress = False,
 ) -> AdhesiveHistory:
-    """Follow a contact with a viscoelastic half-space that attracts the indenter over a range.
+    """Follow a contact with a viscoelastic half-space under finite-range adhesion.
 
-    Each place of the surface remembers what it bore; contact and cohesive zone move over it.
+    Contact and cohesive zone move over the surface, each point of which has its own loading history. Give one of `depth`, `force`
+    and `position`.
 
     Parameters
     ----------
     contact : Contact
-        With a `cohesive_stress`, on a viscoelastic half-space.
+        Contact with a `cohesive_stress`, on a viscoelastic half-space.
     time : array_like
-        Strictly ascending, one dimension [time]. Before the first the bodies are apart and at rest.
-    depth, force, position : array_like
-        One of them [length], [modulus length^2], [length]; linear in time in between, the first is reached in a jump. `position`
-        is the far end of a spring that presses the indenter, d + F/spring_stiffness.
+        Strictly ascending times, one dimension [time]. Before the first time the bodies are separated and at rest.
+    depth : array_like, optional
+        Depths at these times, linear in between [length]. The first value is reached in a jump.
+    force : array_like, optional
+        Forces at these times, as `depth` [modulus length^2].
+    position : array_like, optional
+        Positions d + F/spring_stiffness of the far end of a spring that presses the indenter, as `depth` [length].
     spring_stiffness : float, optional
-        Of that spring, > 0 [modulus length].
-    start : str, optional
-        "apart", the default, or "rest": in equilibrium with the first value, the body relaxed.
+        Stiffness of that spring, > 0 [modulus length].
+    start : {"apart", "rest"}, optional
+        "apart": separated bodies. "rest": equilibrium with the first value on the relaxed body.
     tolerance : float, optional
-        Of the force, relative to its largest, 1e-7 to 1e-2; default 1e-4.
+        Tolerance of the force relative to its largest value, 1e-7 to 1e-2; default 1e-4 [1].
     progress : bool or Progress, optional
-        True shows a bar on a terminal if it takes more than two seconds; a `Progress` follows each round.
+        True shows a progress bar on a terminal if the work takes more than two seconds. A `Progress` follows each round.
 
     Returns
     -------
     AdhesiveHistory
+        The path, and pull-off.
 
     Raises
     ------
     InvalidArgumentError
-        The contact has no cohesive stress, or the body is elastic or has layers.
+        The contact has no cohesive stress, or the body is elastic or layered.
     UnreachableError
         There is no stable contact from which to start.
+
+    References
+    ----------
+    haiat-2003
+    greenwood-1981
+
+    Examples
+    --------
+    >>> rubber = mdr.Homogeneous(mdr.Viscoelastic(1e6, [(9e6, 0.01)], nu=0.5))
+    >>> contact = mdr.Contact(mdr.Paraboloid(10e-6), rubber, work_of_adhesion=0.05, cohesive_stress=2e5)
+    >>> path = mdr.adhesion.adhesive_history(contact, [0.0, 2.0], depth=[0.5e-6, -2e-6], start="rest")
+    >>> print(f"{path.end['lowest_force']:.3e}")
+    -3.845e-06
     """
     control, stiffness, accuracy, t, s = controlled_path(
         time, {"position": position, "depth": depth, "force": force}, spring_stiffness, tolerance

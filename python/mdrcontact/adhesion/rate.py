@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A work of adhesion that depends on the speed of the contact's edge, and the histories of such contacts (docs/rate.md)."""
+"""Rate-dependent work of adhesion, and histories of contacts with it."""
 
 from __future__ import annotations
 
@@ -32,27 +32,39 @@ class _RateHistoryNumbers(NamedTuple):
     """The numbers of a `RateHistory`."""
 
     time: NDArray[np.float64]
-    """[time]"""
+    """the times of the path [time]"""
     depth: NDArray[np.float64]
-    """d, that of the bodies where they are apart [length]"""
+    """d, also that of separated bodies [length]"""
     radius: NDArray[np.float64]
-    """a, 0 where they are apart [length]"""
+    """a, 0 if the bodies are separated [length]"""
     force: NDArray[np.float64]
     """F [modulus length^2]"""
     speed: NDArray[np.float64]
-    """v = -da/dt of the edge, > 0 where it opens [length/time]"""
+    """v = -da/dt of the contact edge, > 0 if it opens [length/time]"""
     dissipated: NDArray[np.float64]
-    """energy lost at the edge so far, beyond the work of adhesion of an edge at rest [modulus length^3]"""
+    """energy lost at the edge so far, in addition to the work of adhesion at rest [modulus length^3]"""
     work: NDArray[np.float64]
     """int F dd so far [modulus length^3]"""
     end: dict[str, float]
-    """at the last time, from which a history goes on (`start=`): "radius", "depth", "dissipated", "work"; of the lowest force,
-    pull-off, "lowest_force", "lowest_time", "lowest_depth", "lowest_radius", "lowest_speed"; of the last time that the contact
-    broke "rupture_time", "rupture_depth"; and how often it broke, "ruptures" """
+    """state at the last time, from which a history continues (`start=`): "radius", "depth", "dissipated", "work"; pull-off:
+    "lowest_force", "lowest_time", "lowest_depth", "lowest_radius", "lowest_speed"; the last rupture: "rupture_time",
+    "rupture_depth"; their number "ruptures"
+    """
 
 
 class RateHistory(_RateHistoryNumbers, Warned):
-    """The path of a contact whose edge moves at a finite speed: arrays of one length, then what happened once."""
+    """Path of a contact whose edge moves at a finite speed, from `rate_history`.
+
+    The first seven entries are arrays of one length.
+
+    Examples
+    --------
+    >>> law = mdr.adhesion.RateAdhesion(work=0.05, speed=1e-6, exponent=0.5)
+    >>> contact = mdr.Contact(mdr.Paraboloid(10e-6), mdr.Homogeneous(mdr.Elastic(1e6, 0.5)), adhesion=law)
+    >>> path = mdr.adhesion.rate_history(contact, [0.0, 1.0], depth=[0.5e-6, -5e-6], start="rest")
+    >>> print(f"{path.end['lowest_force']:.4e} {contact.pull_off('depth').force:.4e}")
+    -8.8068e-06 -1.3090e-06
+    """
 
 
 class _Rate(Value):
@@ -61,7 +73,23 @@ class _Rate(Value):
     work: float
 
     def at_speed(self, v: ArrayLike) -> FloatOrArray:
-        """G [modulus length] of an edge of speed v [length/time], > 0 where it opens, any shape; `work` at v = 0."""
+        """Return the work of adhesion G(v) of a moving edge.
+
+        Parameters
+        ----------
+        v : array_like
+            Speeds, > 0 if the edge opens, any shape [length/time].
+
+        Returns
+        -------
+        float or ndarray
+            G, in the shape of `v` [modulus length]; `work` at v = 0.
+
+        Raises
+        ------
+        InvalidArgumentError
+            A speed is not finite.
+        """
         options = self._options()
         return evaluate("v", v, lambda values: native.rate_work(options, values)[:2])
 
@@ -77,13 +105,41 @@ class _Rate(Value):
 
 @dataclass(frozen=True)
 class RateAdhesion(_Rate):
-    """A work of adhesion that depends on the speed v of the contact's edge (Gent and Schultz 1972, Maugis and Barquins 1978).
+    """Work of adhesion that depends on the speed v of the contact edge.
 
-    work : gamma0 > 0, of an edge that just opens; `Contact.at_depth` and the like are in equilibrium with it [modulus length]
-    speed : v0 > 0 at which an edge that opens costs twice that: G = work (1 + (v/speed)^exponent) [length/time]
-    exponent : n, 0 < n <= 2 [1]
-    closing_work, closing_speed, closing_exponent : of an edge that closes, G = closing_work/(1 + (|v|/closing_speed)^
-        closing_exponent); closing_work at most `work`: in between the edge stands still. None: those of the opening edge
+    An opening edge costs `G = work (1 + (v/speed)^exponent)`. A closing edge yields `closing_work/(1 +
+    (|v|/closing_speed)^closing_exponent)`.
+
+    Parameters
+    ----------
+    work : float
+        gamma_0 > 0, work of an edge that just opens [modulus length]. States of the contact are in equilibrium with it.
+    speed : float
+        v_0 > 0, speed at which the work is doubled [length/time].
+    exponent : float
+        n, 0 < n <= 2 [1].
+    closing_work : float, optional
+        Work of an edge that closes, > 0 and at most `work` [modulus length]. Between both the edge is at rest. None is `work`.
+    closing_speed : float, optional
+        Speed > 0 of the closing edge [length/time]. None is `speed`.
+    closing_exponent : float, optional
+        Exponent of the closing edge, 0 < n <= 2 [1]. None is `exponent`.
+
+    Raises
+    ------
+    InvalidArgumentError
+        A number is outside its range.
+
+    References
+    ----------
+    gent-1972
+    maugis-1978
+
+    Examples
+    --------
+    >>> law = mdr.adhesion.RateAdhesion(work=0.05, speed=1e-6, exponent=0.5)
+    >>> print(np.round(law.at_speed([0.0, 1e-6, 1e-4]), 3))
+    [0.05 0.1  0.55]
     """
 
     work: float = field(metadata={"dimension": WORK_OF_ADHESION})
@@ -105,21 +161,67 @@ class RateAdhesion(_Rate):
 
     @classmethod
     def from_rheology(cls, material: Viscoelastic, work: float, cohesive_stress: float) -> RheologicalAdhesion:
-        """The law of a viscoelastic surface, see `RheologicalAdhesion`."""
+        """Return the law of a viscoelastic surface.
+
+        Parameters
+        ----------
+        material : Viscoelastic
+            As in `RheologicalAdhesion`.
+        work : float
+            As in `RheologicalAdhesion` [modulus length].
+        cohesive_stress : float
+            As in `RheologicalAdhesion` [modulus].
+
+        Returns
+        -------
+        RheologicalAdhesion
+            The law.
+
+        Raises
+        ------
+        ArgumentTypeError
+            `material` is not a `Viscoelastic`.
+        """
         return RheologicalAdhesion(material, work, cohesive_stress)
 
 
 @dataclass(frozen=True)
 class RheologicalAdhesion(_Rate):
-    """The work of adhesion of a viscoelastic surface whose cohesion does not depend on speed: that of a steady crack (Greenwood
-    and Johnson 1981), from 1 to E_glassy/E_relaxed times `work` where it opens, and down to the inverse where it closes.
+    """Work of adhesion of a viscoelastic surface with a constant cohesive stress.
 
-    material : of the surface layer, with a glassy and a relaxed modulus. The contact's medium has the relaxed ones
-    work : gamma0 > 0 [modulus length]
-    cohesive_stress : sigma > 0; with it the scale of the speed, E* work/(sigma^2 time) [modulus]
+    It is that of a steady crack: it increases from `work` to E_glassy/E_relaxed times `work` as the edge opens faster, and
+    decreases to the inverse as it closes faster.
 
-    It holds while the edge is slow against the material, v time/a <= 0.02, and its cohesive zone short, zone/a <= 0.03: pull-off is
-    then good to 2 %. Histories beyond give an `AdhesionRateWarning`.
+    Parameters
+    ----------
+    material : Viscoelastic
+        Material of the surface layer, with a glassy and a relaxed modulus. The medium of the contact has the relaxed moduli.
+    work : float
+        gamma_0 > 0 [modulus length].
+    cohesive_stress : float
+        sigma_0 > 0 [modulus]. It sets the scale of the speed, E* work/(sigma_0^2 time).
+
+    Raises
+    ------
+    ArgumentTypeError
+        `material` is not a `Viscoelastic`.
+    InvalidArgumentError
+        A number is outside its range, or the material has no glassy or relaxed modulus.
+
+    Notes ----- The law holds if the edge is slow for the material, v time/a <= 0.02, and its cohesive zone is short, zone/a <=
+    0.03. The error of pull-off is then at most 2 %. Histories outside this range issue an `AdhesionRateWarning`.
+
+    References
+    ----------
+    greenwood-1981
+    schapery-1975
+
+    Examples
+    --------
+    >>> rubber = mdr.Viscoelastic(1e6, [(9e6, 1e-3)], nu=0.5)
+    >>> law = mdr.adhesion.RheologicalAdhesion(rubber, work=0.05, cohesive_stress=1e6)
+    >>> print(f"{law.at_speed(0.0):.3f} {law.at_speed(1e3):.3f}")
+    0.050 0.500
     """
 
     material: Viscoelastic
@@ -168,28 +270,35 @@ def rate_history(
 ) -> RateHistory:
     """Follow a contact whose work of adhesion depends on the speed of its edge.
 
+    Give one of `depth`, `force` and `position`.
+
     Parameters
     ----------
     contact : Contact
-        With `adhesion`, on an elastic body (of a viscoelastic one the relaxed moduli).
+        Contact with `adhesion`, on an elastic body (the relaxed moduli of a viscoelastic one).
     time : array_like
-        Strictly ascending, one dimension [time]. Before the first the bodies are apart and at rest.
-    depth, force, position : array_like
-        One of them [length], [modulus length^2], [length]; linear in time in between, the first is reached in a jump. `position`
-        is the far end of a spring that presses the indenter, d + F/spring_stiffness.
+        Strictly ascending times, one dimension [time]. Before the first time the bodies are separated and at rest.
+    depth : array_like, optional
+        Depths at these times, linear in between [length]. The first value is reached in a jump.
+    force : array_like, optional
+        Forces at these times, as `depth` [modulus length^2].
+    position : array_like, optional
+        Positions d + F/spring_stiffness of the far end of a spring that presses the indenter, as `depth` [length].
     spring_stiffness : float, optional
-        Of that spring, > 0 [modulus length].
-    start : str or mapping, optional
-        "apart", the default; "rest": in equilibrium with the first value, the largest stable one; or the `end` of a history that
-        this one continues, whose last time and value are the first of this one. A dict with "radius" alone begins at that radius.
+        Stiffness of that spring, > 0 [modulus length].
+    start : {"apart", "rest"} or mapping, optional
+        "apart": separated bodies. "rest": the largest stable contact in equilibrium with the first value. A mapping is the `end` of
+        a history that this one continues, whose last time and value are the first of this one; with "radius" alone the history
+        begins at that radius.
     tolerance : float, optional
-        Of ln(radius) in each step, 1e-12 to 1e-3; default 1e-9.
+        Tolerance of ln(radius) in each step, 1e-12 to 1e-3; default 1e-9 [1].
     progress : bool or Progress, optional
-        True shows a bar on a terminal if it takes more than two seconds; a `Progress` follows each round.
+        True shows a progress bar on a terminal if the work takes more than two seconds. A `Progress` follows each round.
 
     Returns
     -------
     RateHistory
+        The path, and pull-off.
 
     Raises
     ------
@@ -197,6 +306,17 @@ def rate_history(
         The contact has no `adhesion`.
     UnreachableError
         There is no stable contact from which to start.
+
+    Examples
+    --------
+    >>> law = mdr.adhesion.RateAdhesion(work=0.05, speed=1e-6, exponent=0.5)
+    >>> contact = mdr.Contact(mdr.Paraboloid(10e-6), mdr.Homogeneous(mdr.Elastic(1e6, 0.5)), adhesion=law)
+    >>> slow, fast = (
+    ...     mdr.adhesion.rate_history(contact, [0.0, duration], depth=[0.5e-6, -5e-6], start="rest").end["lowest_force"]
+    ...     for duration in (100.0, 1.0)
+    ... )
+    >>> print(f"{slow:.3e} {fast:.3e}")
+    -3.259e-06 -8.807e-06
     """
     control, stiffness, accuracy, t, s = controlled_path(
         time, {"position": position, "depth": depth, "force": force}, spring_stiffness, tolerance

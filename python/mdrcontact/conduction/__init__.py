@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Conduction of current or heat through a contact: what conducts, spots, and the heat of friction (docs/conduction.md)."""
+"""Conduction of current or heat through a contact, and the heat of friction."""
 
 from ..material import Conductor
 from .bodies import INSULATING, PERFECT, LayeredConductor

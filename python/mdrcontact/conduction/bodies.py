@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Bodies that conduct: stacks of conductors, and the conductors of elastic bodies."""
+"""Bodies that conduct: stacks of conductors, and elastic bodies with conductors."""
 
 from __future__ import annotations
 
@@ -34,10 +34,32 @@ INSULATING: Final = _Base("INSULATING", _layout.BASE_INSULATING)
 
 @dataclass(frozen=True)
 class LayeredConductor(Value):
-    """A body of layers that conduct.
+    """Body of layers that conduct.
 
-    layers : from the surface down, (Conductor, thickness > 0), with Interface(resistance) between two, or above the substrate
+    Parameters
+    ----------
+    layers : sequence
+        Pairs (Conductor, thickness > 0 [length]) from top to bottom. An `Interface(resistance)` may be between two pairs, and above
+        the substrate.
     substrate : Conductor, PERFECT or INSULATING
+        Body below the layers.
+
+    Raises
+    ------
+    ArgumentTypeError
+        A layer or the substrate is of another type.
+    InvalidArgumentError
+        A thickness is not greater than 0, or an interface is at the wrong place or has springs.
+
+    Examples
+    --------
+    >>> gold, steel = mdr.conduction.Conductor(300.0), mdr.conduction.Conductor(15.0)
+    >>> plated = mdr.conduction.LayeredConductor([(gold, 1e-6)], steel)
+    >>> print(f"{mdr.conduction.Conduction(plated).at_radius(1e-6).conductance:.4e}")
+    4.9782e-04
+    >>> cooled = mdr.conduction.LayeredConductor([(steel, 1e-6)], mdr.conduction.PERFECT)
+    >>> print(f"{mdr.conduction.Conduction(cooled).at_radius(1e-6).conductance:.4e}")
+    9.5747e-05
     """
 
     layers: tuple[Any, ...]
@@ -59,7 +81,14 @@ class LayeredConductor(Value):
         return self.replace(layers=[part for pair in zip(layers, below, strict=True) for part in pair])
 
     def rows(self) -> tuple[NDArray[np.float64], int]:
-        """Rows of struct mdr_conductor, and the base."""
+        """Return the layers as rows of struct mdr_conductor, and the code of the base.
+
+        Returns
+        -------
+        tuple
+            Array of thickness [length], conductivities into the body and along it [conductance/length], capacity and resistance
+            below each layer; and the code of the base.
+        """
         rows: list[list[float]] = []
         for layer in self.layers:
             if isinstance(layer, Interface):

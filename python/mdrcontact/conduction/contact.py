@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Conduction of current or heat through a contact (docs/conduction.md): conductors, spots, their answers in time."""
+"""Conduction through a contact: steady, in time and with friction."""
 
 from __future__ import annotations
 
@@ -62,7 +62,19 @@ def _rows(states: State) -> tuple[NDArray[np.float64], tuple[int, ...]]:
 
 
 class ContactConductance(NamedTuple):
-    """Conductance along the loading of a contact; each entry has the shape of the states."""
+    """Conductance along the loading of a contact, from `Conduction.along`.
+
+    Each entry has the shape of the states.
+
+    Examples
+    --------
+    >>> copper = mdr.Elastic(120e9, 0.34, conductor=mdr.conduction.Conductor(400.0))
+    >>> body = mdr.Homogeneous(copper)
+    >>> state = mdr.Contact(mdr.Sphere(1e-3), body).at_force(1.0)
+    >>> found = mdr.conduction.Conduction(body).along(state)
+    >>> print(f"{found.conductance:.4e} {found.by_force:.4e}")
+    2.8289e-02 9.4287e-03
+    """
 
     conductance: FloatOrArray
     """G, flux per potential [conductance]"""
@@ -74,30 +86,61 @@ class ContactConductance(NamedTuple):
 
 @dataclass(frozen=True)
 class FrictionHeat:
-    """The heat that friction makes in states of a contact, and its temperatures over those far away; each number has the shape
-    of the states."""
+    """Heat of friction and its temperatures, from `Conduction.friction_heat`.
+
+    Temperatures are those above the far field. Each number has the shape of the states.
+
+    Examples
+    --------
+    >>> steel = mdr.Elastic(210e9, 0.3, conductor=mdr.conduction.Conductor(45.0, capacity=3.6e6))
+    >>> body = mdr.Homogeneous(steel)
+    >>> state = mdr.Contact(mdr.Sphere(1e-3), body).at_force(1.0)
+    >>> heat = mdr.conduction.Conduction(body).friction_heat(state, mu=0.3, speed=0.1)
+    >>> print(f"{heat.total:.3f} {heat.centre:.3f} {heat.temperature(0.0, 10e-6):.3f}")
+    0.030 16.878 8.028
+    """
 
     total: FloatOrArray
-    """Q, heat per time"""
+    """Q, heat per time, mu F speed for a sliding contact"""
     share: FloatOrArray
-    """part of it that the lower body takes: 1 without an upper one"""
+    """part of the heat that the lower body takes, 1 without an upper body [1]"""
     centre: FloatOrArray
-    """temperature rise at r = 0, to 1e-8; for a moving source that of the lower body, as all below"""
+    """temperature rise at r = 0, accurate to 1e-8; of a moving source that of the lower body, as all below"""
     flux_mean: FloatOrArray
-    """its mean weighted with the heat"""
+    """mean temperature rise weighted with the heat flux"""
     area_mean: FloatOrArray | None
-    """its mean over the contact; None for a moving source"""
+    """mean temperature rise over the contact; None for a moving source"""
     largest: FloatOrArray | None
-    """of a moving source: the largest rise on the line of motion through the centre; else None"""
+    """largest temperature rise on the line of motion through the centre, of a moving source; else None"""
     behind: FloatOrArray | None
-    """how far behind the centre it is [length]; else None"""
+    """distance of that point behind the centre [length]; else None"""
     _field: Any = field(repr=False, compare=False)
 
     def temperature(self, r: ArrayLike, z: ArrayLike, body: str = "lower", side: str = "below") -> FloatOrArray:
-        """Temperature rise in a body at r >= 0 and depth z >= 0 below its surface, of one state; not of a moving source. At the
-        surface near kinks of the indenter it is within 2e-3 of the largest, `centre` is exact.
+        """Return the temperature rise inside a body, of one state and a source at rest.
 
-        side : "below" or "above", of an interface with a resistance; z lies at one to the rounding of a sum of thicknesses
+        At the surface near kinks of the indenter the error is at most 2e-3 of the largest value; `centre` is exact.
+
+        Parameters
+        ----------
+        r : array_like
+            Distances from the axis, >= 0 [length]. `r` and `z` broadcast.
+        z : array_like
+            Depths below the surface of the body, >= 0 [length].
+        body : {"lower", "upper"}, optional
+            The body.
+        side : {"below", "above"}, optional
+            Side of an interface with a resistance, if z is at one.
+
+        Returns
+        -------
+        float or ndarray
+            Temperature rise, in the broadcast shape.
+
+        Raises
+        ------
+        InvalidArgumentError
+            The source moves, or there are several states.
         """
         if self._field is None:
             raise InvalidArgumentError("the temperature of a moving source is not axisymmetric: its centre and its mean are known")
@@ -116,13 +159,46 @@ class FrictionHeat:
 
 @dataclass(frozen=True)
 class Conduction(Value):
-    """One conductor whose spot is held at a potential, or two that touch at a circular spot; no flux passes beside it.
+    """Conduction through a circular contact area into one body, or between two.
 
-    body, other : Conductor, LayeredConductor, or Homogeneous, Coated, Layered of materials with a conductor, whose interfaces
-        have their resistances (a tension or sheet on it conducts nothing); potentials of each count from its own far field
-    film : area resistance >= 0 in the spot itself [length^2/conductance]
-    sink : radius at which the flux leaves a body on an INSULATING base, much larger than spots and layers; None: such a body
-        answers in time alone; other bodies have none [length]
+    One body is held at a potential over the area; two bodies touch there. No flux passes outside the area. The flux is a current or
+    heat.
+
+    Parameters
+    ----------
+    body : Conductor, LayeredConductor, Homogeneous, Coated, Layered or Pair
+        The body. Elastic bodies need materials with a conductor; their interfaces have their resistances. A tension or sheet on the
+        surface conducts nothing. The potential counts from the far field of the body.
+    other : Conductor, LayeredConductor, Homogeneous, Coated or Layered, optional
+        The other body; a `Pair` already has two.
+    film : float, optional
+        Area resistance of a film in the contact area, >= 0 [length^2/conductance].
+    sink : float, optional
+        Radius at which the flux leaves a body on an INSULATING base, much larger than contact areas and layers [length]. None: such
+        a body has transients only. Other bodies have no sink.
+
+    Raises
+    ------
+    ArgumentTypeError
+        A body does not conduct, or a pair is given with `other`.
+    InvalidArgumentError
+        A number is outside its range.
+
+    References
+    ----------
+    holm-1967
+    carslaw-1959
+    barber-2003
+
+    Examples
+    --------
+    >>> copper, steel = mdr.conduction.Conductor(400.0), mdr.conduction.Conductor(45.0)
+    >>> conduction = mdr.conduction.Conduction(copper, steel)
+    >>> print(f"{conduction.at_radius(1e-6).conductance:.4e} {4e-6 / (1 / 400.0 + 1 / 45.0):.4e}")
+    1.6180e-04 1.6180e-04
+    >>> sheet = mdr.conduction.LayeredConductor([(copper, 1e-6)], mdr.conduction.INSULATING)
+    >>> print(f"{mdr.conduction.Conduction(sheet, sink=1e-3).at_radius(1e-6).conductance:.4e}")
+    3.3449e-04
     """
 
     body: Any
@@ -135,61 +211,190 @@ class Conduction(Value):
         self._set(_handle=conduction_of(self.body, self.other, film, sink or 0.0), film=film, sink=sink)
 
     def at_radius(self, radius: ArrayLike) -> Spot:
-        """The steady spot of radius a > 0 [length], any shape: conductance and slope; its fields take one radius."""
+        """Return the steady contact area of a given radius.
+
+        Parameters
+        ----------
+        radius : array_like
+            a > 0, any shape [length].
+
+        Returns
+        -------
+        Spot
+            Conductance and its slope, in the shape of `radius`, and fields of one radius.
+
+        Raises
+        ------
+        InvalidArgumentError
+            A radius is not greater than 0, or a body on an INSULATING base has no sink.
+        """
         handle = self._handle
         conductance, slope = evaluate_all("radius", radius, lambda a: native.conduction_spot(handle, a))
         given = numbers("radius", radius) if np.ndim(radius) else number("radius", radius)
         return Spot(self, given, conductance, slope)
 
     def compliance(self, k: ArrayLike, omega: float = 0.0) -> FloatOrArray | ComplexOrArray:
-        """C(k) [length/conductance]: potential over flux at the surface of a wave, at wavenumbers k > 0 [1/length], any shape; of
-        two bodies the sum of both, without the film. It makes codes that solve conduction by Fourier transforms layered.
+        """Return the compliance C(k), potential per flux of a wave on the surface.
 
-        omega : angular frequency >= 0, at which C is complex; 0: steady [1/time]
+        Codes that solve conduction by Fourier transforms use it to include layers. It is the sum over both bodies, without the
+        film.
+
+        Parameters
+        ----------
+        k : array_like
+            Wavenumbers > 0, any shape [1/length].
+        omega : float, optional
+            Angular frequency >= 0 [1/time]; 0 is the steady state.
+
+        Returns
+        -------
+        float, complex or ndarray
+            C, in the shape of `k` [length/conductance]; complex for omega > 0.
+
+        Raises
+        ------
+        InvalidArgumentError
+            A wavenumber is not greater than 0, or the frequency is negative.
         """
         return flux_compliance(self._handle, k, omega)
 
     def tabulated(self, smallest: float, largest: float, tolerance: float = 1e-8) -> TabulatedConduction:
-        """The same with a table of its conductance between two radii, compared with the solution between its nodes: a conductance
-        then takes some hundred nanoseconds, for codes that integrate motion and have the radius from a `ContactLaw`.
+        """Return the same conduction with a table of its conductance.
 
-        tolerance : relative, 1e-10 to 1e-2
+        A conductance then takes a few hundred nanoseconds, for codes that integrate motion with a `ContactLaw`. The table is
+        compared with the solution between its nodes.
+
+        Parameters
+        ----------
+        smallest : float
+            Smallest radius of the table, > 0 [length].
+        largest : float
+            Largest radius of the table, > `smallest` [length].
+        tolerance : float, optional
+            Relative tolerance, 1e-10 to 1e-2 [1].
+
+        Returns
+        -------
+        TabulatedConduction
+            The conduction.
+
+        Raises
+        ------
+        InvalidArgumentError
+            A number is outside its range.
         """
         return TabulatedConduction(self.body, self.other, self.film, self.sink, smallest, largest, tolerance)
 
     def along(self, states: State) -> ContactConductance:
-        """Conductance of states of a contact, and how it grows with force and depth: G'(a)/F'(a), G'(a)/d'(a)."""
+        """Return the conductance of states, and its derivatives by force and depth.
+
+        Parameters
+        ----------
+        states : State
+            States of a contact.
+
+        Returns
+        -------
+        ContactConductance
+            G, dG/dF = G'(a)/F'(a) and dG/dd = G'(a)/d'(a), in the shape of the states.
+
+        Raises
+        ------
+        ArgumentTypeError
+            The states have no contact.
+        """
         rows, shape = _rows(states)
         status, *values = native.conduction_along(self._handle, states._owner._handle, rows)
         check(status, single=not shape)
         return ContactConductance(*(value.reshape(shape) if shape else float(value[0]) for value in values))
 
     def rough(self, state: State, kappa: float) -> float:
-        """Steady conductance of one state between rough surfaces: area resistance kappa/p(r) in the spot, by the pressure of the
-        state, in place of `film`. Right to 1e-9 under smooth indenters, else to 1e-6; refused with adhesion and where the edge
-        carries a line force.
+        """Return the steady conductance of one state between rough surfaces.
 
-        kappa : > 0, as small as it may be, area resistance times pressure [modulus length^2/conductance]
+        The area resistance kappa/p(r) in the contact area follows the pressure of the state and replaces `film`. The error is 1e-9
+        under smooth indenters and 1e-6 under others.
+
+        Parameters
+        ----------
+        state : State
+            One state of a contact without adhesion, whose edge carries no line force.
+        kappa : float
+            Area resistance times pressure, > 0 [modulus length^2/conductance].
+
+        Returns
+        -------
+        float
+            Conductance [conductance].
+
+        Raises
+        ------
+        InvalidArgumentError
+            `kappa` is not greater than 0, or the contact is adhesive or its edge carries a line force.
         """
         contact = state._owner._handle
         return float(call(native.conduction_rough, self._handle, contact, state._row(), number("kappa", kappa)))
 
     def step_flux(self, r: ArrayLike, time: float, radius: float) -> FloatOrArray:
-        """Flux density through a spot without a film at 0 <= r < a, a time after a step of its potential to 1."""
+        """Return the flux density after a step of the potential to 1, without a film.
+
+        Parameters
+        ----------
+        r : array_like
+            Radii, 0 <= r < a, any shape [length].
+        time : float
+            Time since the step, > 0 [time].
+        radius : float
+            a > 0 [length].
+
+        Returns
+        -------
+        float or ndarray
+            Flux density, in the shape of `r` [conductance/length^2].
+
+        Raises
+        ------
+        InvalidArgumentError
+            The time or the radius is not greater than 0, or there is a film.
+        """
         given = _layout.FLUX, number("radius", radius), _layout.BODY_LOWER, 0, not_zero("time", time)
         return evaluate("r", r, lambda points: native.conduction_field(self._handle, *given, points, None))
 
     def friction_heat(
         self, states: State, mu: float, speed: float, motion: str = "sliding", source_speed: float | None = None
     ) -> FrictionHeat:
-        """The heat of friction of states, any shape, q = mu speed p(r), and its temperatures. Refused where p is a tension, as
-        with adhesion, and where the edge carries a line force, as under a plate: its temperature would be infinite.
+        """Return the heat of friction of states, and its temperatures.
 
-        motion : "sliding", the source resting on both bodies, as in fretting or at low speeds; "spinning", q = mu speed r p(r),
-            speed being the twist rate [1/time]: exact at any speed; "moving", the source moving over the lower body, at
-            v a c/sigma <= 1000, and resting on the upper one. Of two bodies the share is then that of equal
-            flux_mean, an approximation
-        source_speed : speed of a moving source over the lower body; None: speed [length/time]
+        Parameters
+        ----------
+        states : State
+            States of a contact without tension, any shape.
+        mu : float
+            Coefficient of friction, >= 0 [1].
+        speed : float
+            Sliding speed [length/time], or for "spinning" the twist rate [1/time].
+        motion : {"sliding", "spinning", "moving"}, optional
+            "sliding": q = mu speed p(r), the source rests on both bodies, as in fretting or at low speeds. "spinning": q = mu speed
+            r p(r), exact at any speed. "moving": the source moves over the lower body, v a c/sigma <= 1000, and rests on the upper
+            one.
+        source_speed : float, optional
+            Speed of a moving source over the lower body; None is `speed` [length/time].
+
+        Returns
+        -------
+        FrictionHeat
+            Heat and temperatures. Of a moving source on two bodies the share is that of equal `flux_mean`, an approximation.
+
+        Raises
+        ------
+        InvalidArgumentError
+            The pressure is a tension, as with adhesion, or the edge carries a line force, as under a plate; or `source_speed` is
+            given for a source at rest.
+
+        References
+        ----------
+        jaeger-1942
+        tian-1994
+        carslaw-1959
         """
         kind = code("motion", motion, MOTIONS)
         if source_speed is not None and motion != "moving":
@@ -210,23 +415,56 @@ class Conduction(Value):
         return FrictionHeat(total, share, centre, flux_mean, area_mean, None, None, (self, contact, rows, kind, strength))
 
     def step(self, time: ArrayLike, radius: float, answer: str = "conductance") -> FloatOrArray:
-        """What follows a step at time 0, at times with D t/a^2 >= 1e-4 of the surface, any shape.
+        """Return the response to a step at time 0.
 
-        answer : "conductance", flux per potential after a step of the potential of an equipotential spot; potential per flux
-            after a step of flux: "resistance", of an equipotential spot; "mean_potential" or "centre_potential" under a uniform
-            flux; "gaussian_potential", the mean over a Gaussian probe under a Gaussian pump with 1/e^2 radii w0 and w1,
-            radius = sqrt(w0^2 + w1^2); these three are of the bodies, without the film
+        Parameters
+        ----------
+        time : array_like
+            Times with D t/a^2 >= 1e-4 of the surface, any shape [time].
+        radius : float
+            a > 0 [length].
+        answer : {"conductance", "resistance", "mean_potential", "centre_potential", "gaussian_potential"}, optional
+            "conductance": flux per potential after a step of the potential of an equipotential contact area. The others are
+            potential per flux after a step of the flux. "resistance": of an equipotential area. "mean_potential",
+            "centre_potential": under a uniform flux. "gaussian_potential": mean over a Gaussian probe under a Gaussian pump with
+            1/e^2 radii w0 and w1, radius = sqrt(w0^2 + w1^2). The last three exclude the film.
+
+        Returns
+        -------
+        float or ndarray
+            Response, in the shape of `time` [conductance] or [1/conductance].
+
+        Raises
+        ------
+        InvalidArgumentError
+            A time is too small, or the response is unknown.
         """
         wanted, a = code("answer", answer, ANSWERS), number("radius", radius)
         return evaluate("time", time, lambda t: native.conduction_follow(self._handle, wanted, a, t, None))
 
     def follow(self, time: ArrayLike, given: ArrayLike, radius: float, answer: str = "conductance") -> NDArray[np.float64]:
-        """What follows a history of potential, for the answer "conductance" (a flux), else of flux (a potential), that goes evenly
-        from one value to the next.
+        """Return the response to a history that is linear between given values.
 
-        time : ascending, one dimension, apart as `step` takes times
-        given : as many, the first is 0
-        answer : as of `step`
+        Parameters
+        ----------
+        time : array_like
+            Ascending times, one dimension [time].
+        given : array_like
+            Potentials at these times for "conductance", else fluxes; the first is 0.
+        radius : float
+            a > 0 [length].
+        answer : str, optional
+            As in `step`.
+
+        Returns
+        -------
+        ndarray
+            Fluxes for "conductance", else potentials.
+
+        Raises
+        ------
+        InvalidArgumentError
+            The times do not ascend, the first value is not 0, or the response is unknown.
         """
         wanted, a = code("answer", answer, ANSWERS), number("radius", radius)
         _, t, values = one_path(time, given=given)
@@ -235,18 +473,83 @@ class Conduction(Value):
         return np.asarray(found)
 
     def admittance(self, omega: ArrayLike, radius: float, answer: str = "conductance") -> ComplexOrArray:
-        """The same answers to exp(i omega t), at angular frequencies omega >= 0 [1/time], 0: steady."""
+        """Return the responses of `step` to exp(i omega t).
+
+        Parameters
+        ----------
+        omega : array_like
+            Angular frequencies >= 0, any shape [1/time]; 0 is the steady state.
+        radius : float
+            a > 0 [length].
+        answer : str, optional
+            As in `step`.
+
+        Returns
+        -------
+        complex or ndarray
+            Response, in the shape of `omega`.
+
+        Raises
+        ------
+        InvalidArgumentError
+            A frequency is negative, or the response is unknown.
+        """
         wanted, a = code("answer", answer, ANSWERS), number("radius", radius)
         return complex_values("omega", omega, lambda w: native.conduction_admittance(self._handle, wanted, a, w))
 
     def impedance(self, omega: ArrayLike, radius: float) -> ComplexOrArray:
-        """Potential over flux of an equipotential spot at angular frequencies omega >= 0 [1/time]."""
+        """Return the impedance, potential per flux, of an equipotential contact area.
+
+        Parameters
+        ----------
+        omega : array_like
+            Angular frequencies >= 0, any shape [1/time].
+        radius : float
+            a > 0 [length].
+
+        Returns
+        -------
+        complex or ndarray
+            Impedance, in the shape of `omega` [1/conductance].
+
+        Raises
+        ------
+        InvalidArgumentError
+            A frequency is negative.
+        """
         return self.admittance(omega, radius, "resistance")
 
 
 @dataclass(frozen=True)
 class TabulatedConduction(Conduction):
-    """A conduction with a table of its conductance, made by `Conduction.tabulated`; beyond the table it is solved."""
+    """Conduction with a table of its conductance, from `Conduction.tabulated`.
+
+    Outside the table the conductance is solved.
+
+    Parameters
+    ----------
+    body, other, film, sink
+        As in `Conduction`.
+    smallest : float
+        Smallest radius of the table, > 0 [length].
+    largest : float
+        Largest radius of the table, > `smallest` [length].
+    tolerance : float
+        Relative tolerance, 1e-10 to 1e-2 [1].
+
+    Raises
+    ------
+    InvalidArgumentError
+        A number is outside its range.
+
+    Examples
+    --------
+    >>> gold, steel = mdr.conduction.Conductor(300.0), mdr.conduction.Conductor(15.0)
+    >>> plated = mdr.conduction.Conduction(mdr.conduction.LayeredConductor([(gold, 1e-6)], steel))
+    >>> table = plated.tabulated(1e-7, 1e-5)
+    >>> print(f"{table.at_radius(1e-6).conductance:.6e} {plated.at_radius(1e-6).conductance:.6e}")
+    4.978188e-04 4.978188e-04
+    """
 
     smallest: float = 0.0
     largest: float = 0.0
@@ -260,7 +563,27 @@ class TabulatedConduction(Conduction):
 
 @dataclass(frozen=True)
 class Spot:
-    """Steady spots of a conduction."""
+    """Steady contact area through which flux passes, from `Conduction.at_radius`.
+
+    Parameters
+    ----------
+    conduction : Conduction
+        The bodies.
+    radius : float or ndarray
+        a, radius of the contact area [length].
+
+    Raises
+    ------
+    InvalidArgumentError
+        Fields are requested of several radii.
+
+    Examples
+    --------
+    >>> copper = mdr.conduction.Conduction(mdr.conduction.Conductor(400.0))
+    >>> spot = copper.at_radius(1e-6)
+    >>> print(f"{spot.conductance:.3e} {spot.potential(0.0, 1e-6):.4f}")
+    1.600e-03 0.5000
+    """
 
     conduction: Conduction = field(repr=False)
     radius: FloatOrArray
@@ -270,21 +593,78 @@ class Spot:
     """dG/da [conductance/length]"""
 
     def flux(self, r: ArrayLike) -> FloatOrArray:
-        """Flux density through the spot at potential 1, 0 <= r < a [conductance/length^2]; without a film infinite at the edge."""
+        """Return the flux density through the contact area at potential 1.
+
+        Parameters
+        ----------
+        r : array_like
+            Radii, 0 <= r < a, any shape [length].
+
+        Returns
+        -------
+        float or ndarray
+            Flux density, in the shape of `r` [conductance/length^2]; infinite at the edge without a film.
+
+        Raises
+        ------
+        DomainError
+            A radius is not smaller than a.
+        """
         return self._field(_layout.FLUX, r, 0.0, "lower", "above")
 
     def potential(self, r: ArrayLike, z: ArrayLike, body: str = "lower", side: str = "below") -> FloatOrArray:
-        """Potential of a body from its own far field, at total potential 1, r >= 0, depth z >= 0 below its surface [1].
+        """Return the potential inside a body at total potential 1.
 
-        side : "below" or "above", of an interface with a resistance; z lies at one to the rounding of a sum of thicknesses
+        Parameters
+        ----------
+        r : array_like
+            Distances from the axis, >= 0 [length]. `r` and `z` broadcast.
+        z : array_like
+            Depths below the surface of the body, >= 0 [length].
+        body : {"lower", "upper"}, optional
+            The body; its potential counts from its own far field.
+        side : {"below", "above"}, optional
+            Side of an interface with a resistance, if z is at one.
+
+        Returns
+        -------
+        float or ndarray
+            Potential, in the broadcast shape [1].
+
+        Raises
+        ------
+        InvalidArgumentError
+            A coordinate is negative, or the body does not exist.
         """
         return self._field(_layout.POTENTIAL, r, z, body, side)
 
     def flux_inside(
         self, r: ArrayLike, z: ArrayLike, body: str = "lower", side: str = "below"
     ) -> tuple[FloatOrArray, FloatOrArray]:
-        """Flux density into the body and away from the axis at total potential 1 [conductance/length^2]; of a PERFECT base what
-        goes into it, 0 along it."""
+        """Return the flux density inside a body at total potential 1.
+
+        Parameters
+        ----------
+        r : array_like
+            As in `potential` [length].
+        z : array_like
+            As in `potential` [length].
+        body : {"lower", "upper"}, optional
+            As in `potential`.
+        side : {"below", "above"}, optional
+            As in `potential`.
+
+        Returns
+        -------
+        tuple
+            Flux density into the body and away from the axis, in the broadcast shape [conductance/length^2]. In a PERFECT base they
+            are what enters it, and 0.
+
+        Raises
+        ------
+        InvalidArgumentError
+            A coordinate is negative, or the body does not exist.
+        """
         return (
             self._field(_layout.FLUX_Z, r, z, body, side),
             self._field(_layout.FLUX_R, r, z, body, side),

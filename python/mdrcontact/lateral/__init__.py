@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Laterally heterogeneous media: inclusions, fibres, grains, and the map a virtual indenter sees (theory/lateral.md (1.1)).
+"""Laterally heterogeneous media: inclusions, fibres, grains, and maps of them.
 
     from mdrcontact import Elastic, lateral
 
@@ -8,15 +8,15 @@
     composite.modulus(0.0, 0.0, [1e-6, 1e-5])           # E_eff(a, x, y) at two contact radii
     medium = lateral.LateralMedium(composite, 0.0, 0.0, 1e-8, 1e-4)
 
-To first order in the contrast of the moduli, as the Gao weights are for layers; structure.bounds() brackets E_eff
-beyond. Maps of voxel arrays by FFT need SciPy.
+The moduli are averaged to first order in their contrast, as Gao's weights do for layers; `structure.bounds()` gives bounds of E_eff
+at any contrast. Maps of voxel arrays by FFT need SciPy.
 """
 
 from .field import Field
 from .mapping import effective_map, map_memory, tiled_map, weight_beyond
 from .medium import LateralMedium
 from .shapes import Ball, Box, Fibre, HalfSpace, Layer, Pillar, Shapes
-from .sliding import Sliding, indentation_map, slide
+from .sliding import IndentationMap, Sliding, indentation_map, slide
 from .structure import Bounds, Structure
 from .voxels import Voxels
 from .weights import cell_weights, density
@@ -38,6 +38,7 @@ __all__ = [
     "map_memory",
     "tiled_map",
     "weight_beyond",
+    "IndentationMap",
     "indentation_map",
     "slide",
     "Sliding",

@@ -19,14 +19,32 @@ _ORDERS = (8, 16, 32, 64)
 
 @dataclass(frozen=True)
 class Field(Structure):
-    """A structure of moduli E(x, y, z) and nu(x, y, z).
+    """Structure given by functions E(x, y, z) and nu(x, y, z).
 
-    function : takes three arrays x, y, z of the same shape [length] and returns the pair (E, nu), each a number or such an array
-    reference_nu : Poisson's ratio of the weights, -1 < nu <= 1/2
-    tolerance : relative error of G_eff and nu_eff, 1e-10 to 0.1
-    exponent : p of the mean G_eff = [sum of w G^p]^(1/p): 1 in parallel, -1 in series, 0 the mean of the logarithms
+    Smooth functions converge fast. For functions with jumps use `Shapes` or `Voxels`.
 
-    Smooth functions converge fast. For those with jumps Shapes or Voxels are the better description.
+    Parameters
+    ----------
+    function : callable
+        Function of three arrays x, y, z of one shape [length] that returns the pair (E, nu), each a number or an array of that
+        shape.
+    reference_nu : float
+        Poisson's ratio of the weights, -1 < nu <= 0.5 [1].
+    tolerance : float, optional
+        Relative tolerance of G_eff and nu_eff, 1e-10 to 0.1 [1].
+    exponent : float, optional
+        p of the mean `G_eff = [sum of w G^p]^(1/p)`, -1 (series) to 1 (parallel); 0 is the mean of the logarithms [1].
+
+    Raises
+    ------
+    InvalidArgumentError
+        A number is outside its range.
+
+    Examples
+    --------
+    >>> graded = mdr.lateral.Field(lambda x, y, z: (1e9 * (1.0 + np.exp(-z / 1e-6)), 0.3), reference_nu=0.3)
+    >>> print(f"{graded.modulus(0.0, 0.0, 1e-6):.4e}")
+    1.5077e+09
     """
 
     function: Callable[..., Any]
@@ -43,7 +61,27 @@ class Field(Structure):
         self._set(reference_nu=nu, tolerance=wanted, exponent=exponent_of_mean(self.exponent))
 
     def materials(self, x: ArrayLike, y: ArrayLike, z: ArrayLike) -> tuple[Any, Any]:
-        """E and nu at points, which broadcast."""
+        """Return Young's modulus and Poisson's ratio at points.
+
+        Parameters
+        ----------
+        x : array_like
+            Coordinates of the points [length]; the three broadcast.
+        y : array_like
+            Coordinates of the points [length].
+        z : array_like
+            Depths >= 0 of the points [length].
+
+        Returns
+        -------
+        tuple of ndarray
+            E [modulus] and nu [1].
+
+        Raises
+        ------
+        CallbackError
+            The function returns a value that is not finite or outside its range.
+        """
         px, py, pz = together(x=x, y=y, z=z)
         E, nu = (np.broadcast_to(np.asarray(v, dtype=float), px.shape) for v in self.function(px, py, pz))
         if not (np.all(np.isfinite(E)) and np.all(E > 0.0) and np.all((nu > -1.0) & (nu <= 0.5))):

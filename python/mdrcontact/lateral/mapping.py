@@ -40,12 +40,43 @@ class _Job(NamedTuple):
 def effective_map(
     voxels: Voxels, a: ArrayLike, *, threads: int = 0, progress: bool | Progress = False, memory_limit: float | None = None
 ) -> Array:
-    """E_eff [modulus] at all cell centres for all contact radii a > 0 [length], in one pass over the slices: (len(a), ny, nx).
+    """Return E_eff at all cell centres for all contact radii, by FFT.
 
-    threads : at least 1, or 0 for one per core. progress : show a bar, or follow and stop the work
-    memory_limit : bytes; more than this, by `map_memory`, is refused before any work is done
+    One pass over the slices serves all radii. Map and `Voxels.modulus` agree to 1e-7. It needs SciPy.
 
-    The integrals of the weights over the cells are those of Voxels.modulus, so map and points agree to 1e-7.
+    Parameters
+    ----------
+    voxels : Voxels
+        The structure.
+    a : array_like
+        Contact radii > 0, one or more [length].
+    threads : int, optional
+        Number of threads >= 1, or 0 for one per core.
+    progress : bool or Progress, optional
+        True shows a progress bar. A `Progress` follows and stops the work.
+    memory_limit : float, optional
+        Largest memory by `map_memory` [bytes].
+
+    Returns
+    -------
+    ndarray
+        E_eff, (radii, ny, nx) [modulus].
+
+    Raises
+    ------
+    OutOfMemoryError
+        The map needs more than `memory_limit`.
+    InvalidArgumentError
+        A number is outside its range.
+
+    Examples
+    --------
+    >>> labels = np.zeros((4, 8, 8), dtype=np.uint8)
+    >>> labels[:, 2:6, 2:6] = 1
+    >>> cells = mdr.lateral.Voxels(labels, [mdr.Elastic(3e9, 0.3), mdr.Elastic(70e9, 0.3)], 1e-6)
+    >>> moduli = mdr.lateral.effective_map(cells, [0.5e-6, 1e-6])
+    >>> print(moduli.shape, f"{moduli[1, 3, 3]:.4e}")
+    (2, 8, 8) 5.4608e+10
     """
     radii, team = _radii(a), _team(threads)
     needed = map_memory(voxels, radii, threads=team)
@@ -60,7 +91,35 @@ def effective_map(
 
 
 def map_memory(voxels: Voxels, a: ArrayLike, *, threads: int = 0, shape: tuple[int, int] | None = None) -> int:
-    """Bytes that `effective_map` will hold at most beyond the labels; `shape`: of a tile with its halo instead of all."""
+    """Return the memory that `effective_map` needs in addition to the labels.
+
+    Parameters
+    ----------
+    voxels : Voxels
+        The structure.
+    a : array_like
+        Contact radii > 0 [length].
+    threads : int, optional
+        As in `effective_map`.
+    shape : tuple of int, optional
+        Cells (rows, columns) of a tile with its halo; None is the whole map.
+
+    Returns
+    -------
+    int
+        Upper bound of the memory [bytes].
+
+    Raises
+    ------
+    InvalidArgumentError
+        A number is outside its range.
+
+    Examples
+    --------
+    >>> cells = mdr.lateral.Voxels(np.zeros((4, 64, 64), dtype=np.uint8), [mdr.Elastic(3e9, 0.3)], 1e-6)
+    >>> print(mdr.lateral.map_memory(cells, 1e-6, threads=1))
+    700480
+    """
     ny, nx = voxels.labels.shape[1:] if shape is None else shape
     periodic = voxels.beside == "periodic" and shape is None
     my, mx = _sizes((ny, nx), periodic)
@@ -83,13 +142,48 @@ def tiled_map(
     progress: bool = False,
     out: Any = None,
 ) -> Any:
-    """The map in tiles of `tile` = (rows, columns) cells, for arrays larger than memory.
+    """Return the map of E_eff in tiles, for arrays larger than the memory.
 
-    Each tile sees `halo` cells around it; all beyond counts with the slice's mean (periodic) or as what lies beside. The error in
-    E_eff is at most the contrast there times `weight_beyond`, which gives what a halo is worth before it is computed.
+    Each tile includes `halo` cells around it; cells beyond count with the mean of their slice (periodic) or as the material
+    outside. The error in E_eff is at most the contrast there times `weight_beyond`.
 
-    Where voxels.labels is a Dask array the result is one too, computed on demand, tile by tile on any cluster. Else it is an
-    array, or `out` (for instance a numpy.memmap), of shape (len(a), ny, nx).
+    Parameters
+    ----------
+    voxels : Voxels
+        The structure.
+    a : array_like
+        Contact radii > 0 [length].
+    tile : int or tuple of int
+        Rows and columns of a tile, >= 1.
+    halo : int or tuple of int
+        Rows and columns around it, >= 0.
+    threads : int, optional
+        As in `effective_map`.
+    progress : bool, optional
+        True shows a progress bar.
+    out : array, optional
+        Array of shape (radii, ny, nx) for the result, for example a numpy.memmap.
+
+    Returns
+    -------
+    ndarray or dask.array.Array
+        E_eff, (radii, ny, nx) [modulus]. A Dask array of labels gives a Dask array, computed on demand.
+
+    Raises
+    ------
+    InvalidArgumentError
+        A number is outside its range, or `out` has another shape.
+    ArgumentTypeError
+        `tile` or `halo` is not one or two whole numbers.
+
+    Examples
+    --------
+    >>> labels = np.zeros((4, 8, 8), dtype=np.uint8)
+    >>> labels[:, 2:6, 2:6] = 1
+    >>> cells = mdr.lateral.Voxels(labels, [mdr.Elastic(3e9, 0.3), mdr.Elastic(70e9, 0.3)], 1e-6)
+    >>> moduli = mdr.lateral.tiled_map(cells, 1e-6, tile=4, halo=4)
+    >>> print(moduli.shape, f"{moduli[0, 3, 3]:.4e}")
+    (1, 8, 8) 5.4664e+10
     """
     radii, team = _radii(a), _team(threads)
     rows, columns = _pair("tile", tile, 1)
@@ -113,8 +207,34 @@ def tiled_map(
 
 
 def weight_beyond(a: float, distance: float, depth: float = np.inf, nu: float = 0.5) -> float:
-    """Share of E_eff that comes from more than `distance` beside the contact's centre and less than `depth` under the surface; to
-    about 1 %."""
+    """Return the share of E_eff from material far from the axis of the contact.
+
+    Parameters
+    ----------
+    a : float
+        Contact radius > 0 [length].
+    distance : float
+        Distance from the axis beyond which material counts [length].
+    depth : float, optional
+        Depth down to which material counts [length].
+    nu : float, optional
+        Poisson's ratio of the weights, -1 < nu <= 0.5 [1].
+
+    Returns
+    -------
+    float
+        Share, accurate to about 1 % [1].
+
+    Raises
+    ------
+    InvalidArgumentError
+        `nu` is outside its range.
+
+    Examples
+    --------
+    >>> print(f"{mdr.lateral.weight_beyond(1e-6, 10e-6, depth=4e-6):.1e}")
+    2.7e-03
+    """
     order = 24
     points, weights = (rows.T for rows in call(native.lateral_rule, order, nu))
     counts = (np.hypot(points[0], points[1]) > distance / a) & (points[2] < depth / a)

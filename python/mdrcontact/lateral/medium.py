@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The medium an indenter meets at one place of a structure."""
+"""Medium below an indenter at one position of a structure."""
 
 from __future__ import annotations
 
@@ -15,13 +15,41 @@ from .structure import Structure
 
 @dataclass(frozen=True)
 class LateralMedium(Medium):
-    """E_eff(a, x, y) at fixed (x, y), equation (33), for Contact: F(d), a(d), pressure and adhesion as on any other medium.
+    """Medium with E_eff(a, x, y) of a structure at one position, equation (33).
 
+    Parameters
+    ----------
     structure : Shapes, Voxels or Field
-    x, y : place of the contact [length]
-    smallest_radius, largest_radius : contact radii between which E_eff is sampled, evenly in ln a, and interpolated; below the
-        smaller one it is taken as constant [length]
-    points : number of samples, 3 to 1000000
+        The structure.
+    x : float
+        Position of the contact [length].
+    y : float
+        Position of the contact [length].
+    smallest_radius : float
+        Smallest contact radius > 0 [length]. Below it E_eff is constant.
+    largest_radius : float
+        Largest contact radius > `smallest_radius` [length].
+    points : int, optional
+        Number of radii, evenly spaced in ln a, at which E_eff is sampled, 3 to 1000000.
+
+    Raises
+    ------
+    ArgumentTypeError
+        `structure` is not a structure.
+    InvalidArgumentError
+        A number is outside its range.
+
+    References
+    ----------
+    popov-2014, equation (33)
+
+    Examples
+    --------
+    >>> ball = mdr.lateral.Ball((0.0, 0.0, 8e-6), 5e-6, mdr.Elastic(70e9, 0.22))
+    >>> composite = mdr.lateral.Shapes(mdr.Elastic(3e9, 0.35), [ball])
+    >>> medium = mdr.lateral.LateralMedium(composite, 0.0, 0.0, 1e-8, 1e-4)
+    >>> print(f"{mdr.Contact(mdr.Sphere(100e-6), medium).at_depth(100e-9).force:.4e}")
+    6.3053e-03
     """
 
     _is_table = True

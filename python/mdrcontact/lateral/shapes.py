@@ -21,7 +21,29 @@ Vector = tuple[float, float, float]
 
 
 class Layer(NamedTuple):
-    """All between two depths, top < bottom [length]; an infinite `bottom` is allowed."""
+    """Layer between two depths.
+
+    Parameters
+    ----------
+    top : float
+        Upper depth >= 0 [length].
+    bottom : float
+        Lower depth > `top`, may be infinite [length].
+    material : Elastic
+        Material of the layer.
+
+    Raises
+    ------
+    InvalidArgumentError
+        `Shapes` rejects coordinates outside their range.
+
+    Examples
+    --------
+    >>> film = mdr.lateral.Layer(0.0, 1e-6, mdr.Elastic(10e9, 0.35))
+    >>> body = mdr.lateral.Shapes(mdr.Elastic(3e9, 0.35), [film])
+    >>> print(f"{body.modulus(0.0, 0.0, 1e-6):.4e}")
+    6.8369e+09
+    """
 
     top: float
     bottom: float
@@ -29,17 +51,53 @@ class Layer(NamedTuple):
 
     @property
     def parameters(self) -> tuple[float, ...]:
-        """As in mdrcontact/lateral.h, enum mdr_shape."""
+        """Coordinates in the order of enum mdr_shape of mdrcontact/lateral.h [length]."""
         return self.top, self.bottom
 
     def holds(self, x: Any, y: Any, z: Any) -> Any:
-        """Whether points lie inside."""
+        """Return whether points lie inside.
+
+        Parameters
+        ----------
+        x : array_like
+            Coordinates of the points [length]; the three broadcast.
+        y : array_like
+            Coordinates of the points [length].
+        z : array_like
+            Depths of the points [length].
+
+        Returns
+        -------
+        bool or ndarray
+            True inside, in the broadcast shape.
+        """
         return (z > self.top) & (z < self.bottom)
 
 
 class HalfSpace(NamedTuple):
-    """All on one side of a plane interface: `point` (x, y, z) [length] lies on it, `normal` points into the material and has any
-    length."""
+    """Half-space on one side of a plane interface.
+
+    Parameters
+    ----------
+    point : tuple of float
+        A point (x, y, z) of the interface [length].
+    normal : tuple of float
+        A vector into the material, of any length.
+    material : Elastic
+        Material of the half-space.
+
+    Raises
+    ------
+    InvalidArgumentError
+        `Shapes` rejects coordinates outside their range.
+
+    Examples
+    --------
+    >>> half = mdr.lateral.HalfSpace((0.0, 0.0, 0.0), (1.0, 0.0, 0.0), mdr.Elastic(6e9, 0.35))
+    >>> body = mdr.lateral.Shapes(mdr.Elastic(3e9, 0.35), [half])
+    >>> print(f"{body.modulus(0.0, 0.0, 1e-6):.4e}")
+    5.1282e+09
+    """
 
     point: Vector
     normal: Vector
@@ -47,17 +105,54 @@ class HalfSpace(NamedTuple):
 
     @property
     def parameters(self) -> tuple[float, ...]:
-        """As in mdrcontact/lateral.h, enum mdr_shape."""
+        """Coordinates in the order of enum mdr_shape of mdrcontact/lateral.h [length]."""
         return *self.point, *self.normal
 
     def holds(self, x: Any, y: Any, z: Any) -> Any:
-        """Whether points lie inside."""
+        """Return whether points lie inside.
+
+        Parameters
+        ----------
+        x : array_like
+            Coordinates of the points [length]; the three broadcast.
+        y : array_like
+            Coordinates of the points [length].
+        z : array_like
+            Depths of the points [length].
+
+        Returns
+        -------
+        bool or ndarray
+            True inside, in the broadcast shape.
+        """
         (px, py, pz), (nx, ny, nz) = self.point, self.normal
         return (x - px) * nx + (y - py) * ny + (z - pz) * nz > 0.0
 
 
 class Ball(NamedTuple):
-    """A spherical inclusion, whole or cut by the surface: centre (x, y, z), radius > 0 [length]."""
+    """Spherical inclusion, whole or cut by the surface.
+
+    Parameters
+    ----------
+    centre : tuple of float
+        Centre (x, y, z) [length].
+    radius : float
+        Radius > 0 [length].
+    material : Elastic
+        Material of the ball.
+
+    Raises
+    ------
+    InvalidArgumentError
+        `Shapes` rejects coordinates outside their range.
+
+    Examples
+    --------
+    >>> ball = mdr.lateral.Ball((0.0, 0.0, 8e-6), 5e-6, mdr.Elastic(70e9, 0.22))
+    >>> body = mdr.lateral.Shapes(mdr.Elastic(3e9, 0.35), [ball])
+    >>> print(np.round(body.modulus(0.0, 0.0, [1e-6, 10e-6]) / 1e9, 3))
+    [11.3    5.533]
+    """
 
     centre: Vector
     radius: float
@@ -65,17 +160,56 @@ class Ball(NamedTuple):
 
     @property
     def parameters(self) -> tuple[float, ...]:
-        """As in mdrcontact/lateral.h, enum mdr_shape."""
+        """Coordinates in the order of enum mdr_shape of mdrcontact/lateral.h [length]."""
         return *self.centre, self.radius
 
     def holds(self, x: Any, y: Any, z: Any) -> Any:
-        """Whether points lie inside."""
+        """Return whether points lie inside.
+
+        Parameters
+        ----------
+        x : array_like
+            Coordinates of the points [length]; the three broadcast.
+        y : array_like
+            Coordinates of the points [length].
+        z : array_like
+            Depths of the points [length].
+
+        Returns
+        -------
+        bool or ndarray
+            True inside, in the broadcast shape.
+        """
         cx, cy, cz = self.centre
         return (x - cx) ** 2 + (y - cy) ** 2 + (z - cz) ** 2 < self.radius**2
 
 
 class Fibre(NamedTuple):
-    """An endless round cylinder: `point` (x, y, z) lies on its axis, `direction` has any length; radius > 0 [length]."""
+    """Endless round cylinder.
+
+    Parameters
+    ----------
+    point : tuple of float
+        A point (x, y, z) of the axis [length].
+    direction : tuple of float
+        A vector along the axis, of any length.
+    radius : float
+        Radius > 0 [length].
+    material : Elastic
+        Material of the fibre.
+
+    Raises
+    ------
+    InvalidArgumentError
+        `Shapes` rejects coordinates outside their range.
+
+    Examples
+    --------
+    >>> fibre = mdr.lateral.Fibre((0.0, 0.0, 8e-6), (0.0, 1.0, 0.0), 5e-6, mdr.Elastic(70e9, 0.22))
+    >>> body = mdr.lateral.Shapes(mdr.Elastic(3e9, 0.35), [fibre])
+    >>> print(f"{body.modulus(0.0, 0.0, 10e-6):.4e}")
+    1.2398e+10
+    """
 
     point: Vector
     direction: Vector
@@ -84,11 +218,26 @@ class Fibre(NamedTuple):
 
     @property
     def parameters(self) -> tuple[float, ...]:
-        """As in mdrcontact/lateral.h, enum mdr_shape."""
+        """Coordinates in the order of enum mdr_shape of mdrcontact/lateral.h [length]."""
         return *self.point, *self.direction, self.radius
 
     def holds(self, x: Any, y: Any, z: Any) -> Any:
-        """Whether points lie inside."""
+        """Return whether points lie inside.
+
+        Parameters
+        ----------
+        x : array_like
+            Coordinates of the points [length]; the three broadcast.
+        y : array_like
+            Coordinates of the points [length].
+        z : array_like
+            Depths of the points [length].
+
+        Returns
+        -------
+        bool or ndarray
+            True inside, in the broadcast shape.
+        """
         (px, py, pz), (ux, uy, uz) = self.point, self.direction
         length = math.hypot(ux, uy, uz)
         dx, dy, dz = x - px, y - py, z - pz
@@ -97,8 +246,35 @@ class Fibre(NamedTuple):
 
 
 class Pillar(NamedTuple):
-    """An upright round cylinder between two depths, top < bottom: axis at (x, y), radius > 0 [length]; an infinite `bottom` is
-    allowed."""
+    """Upright round cylinder between two depths.
+
+    Parameters
+    ----------
+    x : float
+        Position of the axis [length].
+    y : float
+        Position of the axis [length].
+    radius : float
+        Radius > 0 [length].
+    top : float
+        Upper depth >= 0 [length].
+    bottom : float
+        Lower depth > `top`, may be infinite [length].
+    material : Elastic
+        Material of the pillar.
+
+    Raises
+    ------
+    InvalidArgumentError
+        `Shapes` rejects coordinates outside their range.
+
+    Examples
+    --------
+    >>> pillar = mdr.lateral.Pillar(0.0, 0.0, 5e-6, 0.0, 20e-6, mdr.Elastic(70e9, 0.22))
+    >>> body = mdr.lateral.Shapes(mdr.Elastic(3e9, 0.35), [pillar])
+    >>> print(f"{body.modulus(0.0, 0.0, 1e-6):.4e}")
+    6.5646e+10
+    """
 
     x: float
     y: float
@@ -109,16 +285,55 @@ class Pillar(NamedTuple):
 
     @property
     def parameters(self) -> tuple[float, ...]:
-        """As in mdrcontact/lateral.h, enum mdr_shape."""
+        """Coordinates in the order of enum mdr_shape of mdrcontact/lateral.h [length]."""
         return self.x, self.y, self.radius, self.top, self.bottom
 
     def holds(self, x: Any, y: Any, z: Any) -> Any:
-        """Whether points lie inside."""
+        """Return whether points lie inside.
+
+        Parameters
+        ----------
+        x : array_like
+            Coordinates of the points [length]; the three broadcast.
+        y : array_like
+            Coordinates of the points [length].
+        z : array_like
+            Depths of the points [length].
+
+        Returns
+        -------
+        bool or ndarray
+            True inside, in the broadcast shape.
+        """
         return ((x - self.x) ** 2 + (y - self.y) ** 2 < self.radius**2) & (z > self.top) & (z < self.bottom)
 
 
 class Box(NamedTuple):
-    """A box: ranges (low, high) of x, y and z [length]."""
+    """Box with faces along the axes.
+
+    Parameters
+    ----------
+    x : tuple of float
+        Range (low, high) of x [length].
+    y : tuple of float
+        Range (low, high) of y [length].
+    z : tuple of float
+        Range (low, high) of z, depths [length].
+    material : Elastic
+        Material of the box.
+
+    Raises
+    ------
+    InvalidArgumentError
+        `Shapes` rejects coordinates outside their range.
+
+    Examples
+    --------
+    >>> box = mdr.lateral.Box((-5e-6, 5e-6), (-5e-6, 5e-6), (0.0, 5e-6), mdr.Elastic(70e9, 0.22))
+    >>> body = mdr.lateral.Shapes(mdr.Elastic(3e9, 0.35), [box])
+    >>> print(f"{body.modulus(0.0, 0.0, 1e-6):.4e}")
+    6.2145e+10
+    """
 
     x: tuple[float, float]
     y: tuple[float, float]
@@ -127,11 +342,26 @@ class Box(NamedTuple):
 
     @property
     def parameters(self) -> tuple[float, ...]:
-        """As in mdrcontact/lateral.h, enum mdr_shape."""
+        """Coordinates in the order of enum mdr_shape of mdrcontact/lateral.h [length]."""
         return *self.x, *self.y, *self.z
 
     def holds(self, x: Any, y: Any, z: Any) -> Any:
-        """Whether points lie inside."""
+        """Return whether points lie inside.
+
+        Parameters
+        ----------
+        x : array_like
+            Coordinates of the points [length]; the three broadcast.
+        y : array_like
+            Coordinates of the points [length].
+        z : array_like
+            Depths of the points [length].
+
+        Returns
+        -------
+        bool or ndarray
+            True inside, in the broadcast shape.
+        """
         inside = (x > self.x[0]) & (x < self.x[1]) & (y > self.y[0]) & (y < self.y[1])
         return inside & (z > self.z[0]) & (z < self.z[1])
 
@@ -141,13 +371,40 @@ Shape = Layer | HalfSpace | Ball | Fibre | Pillar | Box
 
 @dataclass(frozen=True)
 class Shapes(Structure):
-    """Bodies in a background half-space; where they overlap, the later one is there.
+    """Half-space with bodies in a background material.
 
-    background : material of the half-space
-    shapes : Layer, HalfSpace, Ball, Fibre, Pillar, Box
-    reference_nu : Poisson's ratio of the weights; None: the background's
-    tolerance : relative error of G_eff and nu_eff by quadrature, 1e-10 to 0.1
-    exponent : p of the mean G_eff = [sum of w G^p]^(1/p): 1 in parallel, -1 in series, 0 the mean of the logarithms
+    Where bodies overlap, the later one counts.
+
+    Parameters
+    ----------
+    background : Elastic
+        Material of the half-space.
+    shapes : sequence of Layer, HalfSpace, Ball, Fibre, Pillar or Box, optional
+        The bodies.
+    reference_nu : float, optional
+        Poisson's ratio of the weights [1]; None is that of the background.
+    tolerance : float, optional
+        Relative tolerance of G_eff and nu_eff, 1e-10 to 0.1 [1].
+    exponent : float, optional
+        p of the mean `G_eff = [sum of w G^p]^(1/p)`, -1 (series) to 1 (parallel); 0 is the mean of the logarithms [1].
+
+    Raises
+    ------
+    ArgumentTypeError
+        A body is not a shape, or a material is not `Elastic`.
+    InvalidArgumentError
+        A coordinate is missing or outside its range.
+
+    References
+    ----------
+    popov-2014, section 6
+
+    Examples
+    --------
+    >>> ball = mdr.lateral.Ball((0.0, 0.0, 8e-6), 5e-6, mdr.Elastic(70e9, 0.22))
+    >>> composite = mdr.lateral.Shapes(mdr.Elastic(3e9, 0.35), [ball])
+    >>> print(np.round(composite.modulus([0.0, 20e-6], 0.0, 5e-6) / 1e9, 3))
+    [11.843  3.484]
     """
 
     background: Elastic
@@ -184,7 +441,22 @@ class Shapes(Structure):
         self._own(created, shapes=bodies, tolerance=tolerance, exponent=exponent)
 
     def materials(self, x: ArrayLike, y: ArrayLike, z: ArrayLike) -> tuple[Any, Any]:
-        """E and nu at points, which broadcast."""
+        """Return Young's modulus and Poisson's ratio at points.
+
+        Parameters
+        ----------
+        x : array_like
+            Coordinates of the points [length]; the three broadcast.
+        y : array_like
+            Coordinates of the points [length].
+        z : array_like
+            Depths >= 0 of the points [length].
+
+        Returns
+        -------
+        tuple of ndarray
+            E [modulus] and nu [1].
+        """
         px, py, pz = np.atleast_1d(*together(x=x, y=y, z=z))
         E, nu = np.full(px.shape, self.background.E), np.full(px.shape, self.background.nu)
         for body in self.shapes:

@@ -32,34 +32,55 @@ class _SlidingNumbers(NamedTuple):
     """The numbers of a `Sliding`."""
 
     x: Array
-    """places of the contact [length]"""
+    """positions of the contact [length]"""
     depth: Array
-    """d [length]"""
+    """d, indentation depth [length]"""
     force: Array
     """F, normal force [modulus length^2]"""
     radius: Array
-    """a [length]"""
+    """a, contact radius [length]"""
     energy: Array
     """U, elastic energy [modulus length^3]"""
     lateral_force: Array
-    """force of the medium on the indenter along x: -dU/dx at constant depth, -d(U - F d)/dx at constant load [modulus length^2]"""
+    """force of the medium on the indenter along x, -dU/dx at constant depth, -d(U - F d)/dx at constant load [modulus length^2]"""
 
 
 class Sliding(_SlidingNumbers, Warned):
-    """A contact that moves along a line without friction; arrays over x."""
+    """Contact that moves along a line without friction, from `slide`; arrays over x.
+
+    Examples
+    --------
+    >>> ball = mdr.lateral.Ball((0.0, 0.0, 8e-6), 5e-6, mdr.Elastic(70e9, 0.22))
+    >>> composite = mdr.lateral.Shapes(mdr.Elastic(3e9, 0.35), [ball])
+    >>> path = mdr.lateral.slide(composite, mdr.Paraboloid(100e-6), np.linspace(-20e-6, 20e-6, 9), depth=200e-9, points=9)
+    >>> print(f"{path.force.max():.3e} {path.force.min():.3e}")
+    1.649e-02 4.128e-03
+    """
 
 
 class IndentationMap(NamedTuple):
-    """What a mapping instrument reports at each place; arrays (ny, nx)."""
+    """Forces and apparent moduli at all cell centres, from `indentation_map`.
+
+    The arrays have the shape (ny, nx).
+
+    Examples
+    --------
+    >>> labels = np.zeros((4, 8, 8), dtype=np.uint8)
+    >>> labels[:, 2:6, 2:6] = 1
+    >>> cells = mdr.lateral.Voxels(labels, [mdr.Elastic(3e9, 0.3), mdr.Elastic(70e9, 0.3)], 1e-6)
+    >>> found = mdr.lateral.indentation_map(cells, mdr.Paraboloid(10e-6), 100e-9, nodes=2)
+    >>> print(found.force.shape, f"{found.force.max():.3e}")
+    (8, 8) 8.403e-03
+    """
 
     depth: float
-    """d [length]"""
+    """d, the given depth [length]"""
     radius: float
-    """a, the same everywhere [length]"""
+    """a, contact radius, equal everywhere [length]"""
     force: Array
     """F at the depth [modulus length^2]"""
     apparent_modulus: Array
-    """contact modulus of the homogeneous body that gives this force at this depth [modulus]"""
+    """contact modulus of the homogeneous body with this force at this depth [modulus]"""
     stiffness: Array
     """dF/dd at the depth [modulus length]"""
 
@@ -67,9 +88,47 @@ class IndentationMap(NamedTuple):
 def indentation_map(
     voxels: Voxels, indenter: Profile, depth: float, *, nodes: int = 8, threads: int = 0, progress: bool = False
 ) -> IndentationMap:
-    """Force and apparent modulus at one depth d > 0 [length] at all cell centres. threads : at least 1, or 0 for one per core.
+    """Compute force and apparent modulus at one depth at all cell centres.
 
-    With the source's rule d = g(a) the force is F = int_0^a 2 s E_eff(s, x, y) g'(s) ds: a sum of `nodes` maps, in one pass.
+    With the rule d = g(a) the force is `F = int_0^a 2 s E_eff(s, x, y) g'(s) ds`, a sum of `nodes` maps in one pass.
+
+    Parameters
+    ----------
+    voxels : Voxels
+        The structure.
+    indenter : Profile
+        The indenter.
+    depth : float
+        Indentation depth > 0 [length].
+    nodes : int, optional
+        Nodes of the quadrature, >= 1.
+    threads : int, optional
+        As in `effective_map`.
+    progress : bool, optional
+        True shows a progress bar.
+
+    Returns
+    -------
+    IndentationMap
+        Depth, contact radius, and maps of force, apparent modulus and stiffness.
+
+    Raises
+    ------
+    InvalidArgumentError
+        A number is outside its range.
+
+    References
+    ----------
+    popov-2014, section 6
+
+    Examples
+    --------
+    >>> labels = np.zeros((4, 8, 8), dtype=np.uint8)
+    >>> labels[:, 2:6, 2:6] = 1
+    >>> cells = mdr.lateral.Voxels(labels, [mdr.Elastic(3e9, 0.3), mdr.Elastic(70e9, 0.3)], 1e-6)
+    >>> found = mdr.lateral.indentation_map(cells, mdr.Paraboloid(10e-6), 100e-9, nodes=2)
+    >>> print(f"{found.apparent_modulus.max():.3e} {found.apparent_modulus.min():.3e}")
+    6.302e+10 4.024e+09
     """
     d = number("depth", depth)
     if not 0.0 < d < np.inf:
@@ -102,11 +161,52 @@ def slide(
     periodic: bool = False,
     points: int = 33,
 ) -> Sliding:
-    """Moves the indenter along y = constant at constant depth or under constant load; give one of `depth` and `force`.
+    """Move an indenter along a line at constant depth or under constant load.
 
-    x : ascending places, at least 4 [length]; close enough to resolve the structure: dU/dx comes from a cubic spline
-    periodic : x is one period without its end, evenly spaced; the spline is then periodic
-    points : radii at which E_eff is sampled, over a factor of 1000 up to the largest contact radius
+    The line is y = constant. Give one of `depth` and `force`. It needs SciPy.
+
+    Parameters
+    ----------
+    structure : Structure
+        The structure.
+    indenter : Profile
+        The indenter.
+    x : array_like
+        Ascending positions, at least 4 [length]. They must resolve the structure: dU/dx follows from a cubic spline.
+    y : float, optional
+        Position of the line [length].
+    depth : float, optional
+        Constant depth > 0 [length].
+    force : float, optional
+        Constant force > 0 [modulus length^2].
+    periodic : bool, optional
+        True if x is one period without its end, evenly spaced; the spline is then periodic.
+    points : int, optional
+        Number of radii at which E_eff is sampled, over a factor of 1000 up to the largest contact radius.
+
+    Returns
+    -------
+    Sliding
+        Depth, force, contact radius, energy and lateral force at each position.
+
+    Raises
+    ------
+    ArgumentTypeError
+        Not exactly one of depth and force is given.
+    InvalidArgumentError
+        `x` does not ascend or is too short, or a number is outside its range.
+
+    References
+    ----------
+    popov-2014, section 6
+
+    Examples
+    --------
+    >>> half = mdr.lateral.HalfSpace((0.0, 0.0, 0.0), (1.0, 0.0, 0.0), mdr.Elastic(6e9, 0.35))
+    >>> body = mdr.lateral.Shapes(mdr.Elastic(3e9, 0.35), [half])
+    >>> path = mdr.lateral.slide(body, mdr.Paraboloid(100e-6), np.linspace(-10e-6, 10e-6, 9), depth=200e-9, points=9)
+    >>> print(f"{path.force[0]:.3e} {path.force[-1]:.3e}")
+    4.338e-03 7.893e-03
     """
     _scipy.require()
     from scipy.interpolate import CubicSpline

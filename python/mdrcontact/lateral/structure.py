@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What every laterally heterogeneous structure can do."""
+"""Base class of laterally heterogeneous structures."""
 
 from __future__ import annotations
 
@@ -16,12 +16,21 @@ from ..material import Elastic
 
 
 class Bounds(NamedTuple):
-    """Between which E_eff lies [modulus]."""
+    """Bounds of E_eff, from `Structure.bounds`.
+
+    Examples
+    --------
+    >>> matrix, glass = mdr.Elastic(3e9, 0.3), mdr.Elastic(70e9, 0.3)
+    >>> composite = mdr.lateral.Shapes(matrix, [mdr.lateral.Ball((0.0, 0.0, 8e-6), 5e-6, glass)])
+    >>> lower, upper = composite.bounds(0.0, 0.0, 5e-6)
+    >>> print(f"{lower:.3e} {upper:.3e}")
+    3.654e+09 1.082e+10
+    """
 
     lower: FloatOrArray
-    """the moduli in series"""
+    """E_eff of the moduli in series [modulus]"""
     upper: FloatOrArray
-    """the moduli in parallel"""
+    """E_eff of the moduli in parallel [modulus]"""
 
 
 class PowerMean:
@@ -46,17 +55,53 @@ class PowerMean:
 
 @dataclass(frozen=True, eq=False)
 class Structure(Value):
-    """A half-space z > 0 whose elastic moduli vary in all three directions. It never changes and may be shared between threads."""
+    """Base class of half-spaces whose elastic moduli vary in all three directions.
+
+    Structures are immutable and may be shared between threads. The surface is z = 0, and z points into the body.
+
+    References
+    ----------
+    popov-2014, section 6
+
+    Examples
+    --------
+    >>> plain = mdr.lateral.Shapes(mdr.Elastic(3e9, 0.35))
+    >>> isinstance(plain, mdr.lateral.Structure)
+    True
+    >>> print(f"{plain.modulus(0.0, 0.0, 1e-6):.4e}")
+    3.4188e+09
+    """
 
     def _own(self, created: tuple[int, int], **values: Any) -> None:
         """Takes over what a compiled constructor returned, and the fields as they were understood."""
         self._set(_handle=Handle(created), **values)
 
     def modulus(self, x: ArrayLike, y: ArrayLike, a: ArrayLike) -> FloatOrArray:
-        """E_eff(a, x, y) = 2 G_eff/(1 - nu_eff) [modulus], equation (33), for contacts of radius a > 0 at (x, y) [length].
+        """Return the effective modulus `E_eff = 2 G_eff/(1 - nu_eff)`, equation (33).
 
-        G_eff = [sum of w G^p]^(1/p) with the structure's `exponent` p: 1 in parallel, -1 in series.
-        The three broadcast: a line is x = array, y = 0; several radii at each of its points are a[:, None].
+        `G_eff = [sum of w G^p]^(1/p)` with the `exponent` p of the structure: 1 in parallel, -1 in series.
+
+        Parameters
+        ----------
+        x : array_like
+            Positions of contacts [length]. `x`, `y` and `a` broadcast: for a line, x = array and y = 0; for several radii, a[:,
+            None].
+        y : array_like
+            Positions of contacts [length].
+        a : array_like
+            Contact radii > 0 [length].
+
+        Returns
+        -------
+        float or ndarray
+            E_eff, in the broadcast shape [modulus].
+
+        Raises
+        ------
+        InvalidArgumentError
+            A position is not finite, or a radius is not greater than 0.
+        NoConvergenceError
+            A quadrature does not reach the tolerance of the structure.
         """
         points = together(x=x, y=y, a=a)
         shape = points[0].shape
@@ -67,9 +112,28 @@ class Structure(Value):
         return values.reshape(shape) if shape else float(values[0])
 
     def bounds(self, x: ArrayLike, y: ArrayLike, a: ArrayLike) -> Bounds:
-        """Between which E_eff(a, x, y) lies [modulus]: the moduli in series below, in parallel above; arguments as of modulus().
+        """Return bounds of E_eff: the moduli in series and in parallel.
 
-        At one Poisson's ratio the exact E_eff lies between the two at any contrast; with several it is a guide.
+        At equal Poisson's ratios the exact E_eff lies between them at any contrast; with several ratios they are a guide.
+
+        Parameters
+        ----------
+        x : array_like
+            As in `modulus` [length].
+        y : array_like
+            As in `modulus` [length].
+        a : array_like
+            As in `modulus` [length].
+
+        Returns
+        -------
+        Bounds
+            Lower and upper bound, in the broadcast shape.
+
+        Raises
+        ------
+        InvalidArgumentError
+            As of `modulus`.
         """
         return Bounds(*(self.replace(exponent=p).modulus(x, y, a) for p in (-1.0, 1.0)))
 
@@ -77,7 +141,22 @@ class Structure(Value):
         return call(native.structure_modulus, self._handle, x, y, a)
 
     def materials(self, x: ArrayLike, y: ArrayLike, z: ArrayLike) -> tuple[Any, Any]:
-        """E and nu at points, which broadcast; z >= 0 [length]."""
+        """Return Young's modulus and Poisson's ratio at points.
+
+        Parameters
+        ----------
+        x : array_like
+            Coordinates of the points [length]; the three broadcast.
+        y : array_like
+            Coordinates of the points [length].
+        z : array_like
+            Depths >= 0 of the points [length].
+
+        Returns
+        -------
+        tuple of ndarray
+            E [modulus] and nu [1].
+        """
         raise NotImplementedError
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Structures given by voxels: a micrograph, a tomogram, or any structure cut into cells."""
+"""Structures made of voxels: a micrograph, a tomogram or a discretized structure."""
 
 from __future__ import annotations
 
@@ -20,18 +20,44 @@ from .structure import Structure, elastic, exponent_of_mean
 
 @dataclass(frozen=True, eq=False)
 class Voxels(Structure):
-    """Cells of one phase each, over a half-space.
+    """Structure of cells of one phase each, on a half-space.
 
-    labels : array (nz, ny, nx) of phase numbers, surface first, as image stacks are; integers 0 ... len(phases) - 1. It is not
-        copied: a memory-mapped file is read slice by slice. Leave it unchanged while the object lives
-    phases : materials
-    spacing : edge lengths (dz, dy, dx) of a cell, or one number for cubes [length]
-    beside : "periodic": the array repeats itself in x and y; or the material that lies beside it
-    below : material of the half-space under the array; None: the most frequent phase of the last slice
-    origin : (x, y) of the array's lower corner: cell (k, j, i) has its centre at x = origin[0] + (i + 1/2) dx [length]
-    images : for "periodic", how many periods count cell by cell; beyond them each slice counts with its mean
-    reference_nu : Poisson's ratio of the weights; None: the mean over all voxels
-    exponent : p of the mean G_eff = [sum of w G^p]^(1/p): 1 in parallel, -1 in series, 0 the mean of the logarithms
+    Parameters
+    ----------
+    labels : array_like
+        Phase numbers 0 ... len(phases) - 1, an integer array (nz, ny, nx) with the surface first. It is not copied: a memory-mapped
+        file is read slice by slice. Do not change it while the object is in use.
+    phases : sequence of Elastic
+        Materials of the phases.
+    spacing : array_like
+        Edge lengths (dz, dy, dx) of a cell, or one number for cubes, > 0 [length].
+    beside : "periodic" or Elastic, optional
+        "periodic": the array repeats in x and y. Otherwise the material outside the array.
+    below : Elastic, optional
+        Material of the half-space below the array; None is the most frequent phase of the last slice.
+    origin : sequence of float, optional
+        (x, y) of the lower corner of the array [length]; the centre of cell (k, j, i) is at x = origin[0] + (i + 1/2) dx.
+    images : int, optional
+        For "periodic": number of periods that count cell by cell, 1 to 100. Further cells count with the mean of their slice.
+    reference_nu : float, optional
+        Poisson's ratio of the weights [1]; None is the mean over all voxels.
+    exponent : float, optional
+        p of the mean `G_eff = [sum of w G^p]^(1/p)`, -1 (series) to 1 (parallel); 0 is the mean of the logarithms [1].
+
+    Raises
+    ------
+    ArgumentTypeError
+        `labels` is not an integer array (nz, ny, nx), or a material is not `Elastic`.
+    InvalidArgumentError
+        A label has no phase, or a number is outside its range.
+
+    Examples
+    --------
+    >>> labels = np.zeros((4, 8, 8), dtype=np.uint8)
+    >>> labels[:, 2:6, 2:6] = 1
+    >>> cells = mdr.lateral.Voxels(labels, [mdr.Elastic(3e9, 0.3), mdr.Elastic(70e9, 0.3)], 1e-6)
+    >>> print(f"{cells.modulus(4e-6, 4e-6, 1e-6):.4e}")
+    5.6121e+10
     """
 
     labels: NDArray[Any]
@@ -89,7 +115,31 @@ class Voxels(Structure):
     def from_shapes(
         cls, shapes: Shapes, spacing: ArrayLike, size: Sequence[int], *, origin: Sequence[float] = (0.0, 0.0), **options: Any
     ) -> Voxels:
-        """Shapes cut into cells: each cell has the material at its centre. size = (nz, ny, nx); options as of Voxels."""
+        """Return shapes discretized into cells; each cell has the material at its centre.
+
+        Parameters
+        ----------
+        shapes : Shapes
+            The structure.
+        spacing : array_like
+            As in `Voxels` [length].
+        size : sequence of int
+            Numbers of cells (nz, ny, nx).
+        origin : sequence of float, optional
+            As in `Voxels` [length].
+        **options
+            Further arguments of `Voxels`.
+
+        Returns
+        -------
+        Voxels
+            The cells.
+
+        Raises
+        ------
+        InvalidArgumentError
+            A number is outside its range.
+        """
         dz, dy, dx = _edges(spacing)
         nz, ny, nx = size
         phases = [shapes.background]
@@ -108,13 +158,25 @@ class Voxels(Structure):
         return cls(labels, phases, (dz, dy, dx), origin=origin, **options)
 
     def centres(self) -> tuple[NDArray[Any], NDArray[Any]]:
-        """x and y of the cells' centres: where maps have their points [length]."""
+        """Return the coordinates of the centres of the cells, the points of maps.
+
+        Returns
+        -------
+        tuple of ndarray
+            x (nx) and y (ny) [length].
+        """
         _, ny, nx = self.labels.shape
         _, dy, dx = self.spacing
         return self.origin[0] + (np.arange(nx) + 0.5) * dx, self.origin[1] + (np.arange(ny) + 0.5) * dy
 
     def slice_shares(self) -> NDArray[np.float64]:
-        """Share of each phase in each slice, (nz, phases)."""
+        """Return the share of each phase in each slice.
+
+        Returns
+        -------
+        ndarray
+            Shares, (nz, phases) [1].
+        """
         shares: NDArray[np.float64] = self._counts / self._counts.sum(axis=1, keepdims=True)
         return shares
 
