@@ -33,6 +33,8 @@ _TITLE = re.compile(r"^```(\w+) file=(\S+)$", re.MULTILINE)
 _FORMULA = re.compile(r"\$\$(?P<displayed>(?:[^$\n]|\n(?!\s*\n))+?)\$\$|(?<![\w$\\])\$(?=\S)(?P<inline>[^$]+?)(?<=\S)\$(?!\w)")
 _NUMBER = re.compile(r"\\tag\{([^{}]+)\}\s*$")
 _LINK = re.compile(r"\]\((\.\./[^)\s#]+)\)")
+_REFERENCES = re.compile(r'(?<=<details class="references" open>).*?(?=</details>)', re.DOTALL)
+_KEY = re.compile(r"(?<=<p>)([a-z]+)-(\d{4}[a-z]?)|(?<=\n)([a-z]+)-(\d{4}[a-z]?)")
 
 
 def on_files(files: Any, config: Any) -> Any:
@@ -80,6 +82,17 @@ def on_page_markdown(markdown: str, page: Any, **_: Any) -> str:
     if DOCS / name in TUTORIALS:
         text = text.replace("\n", f"\n\n[Download this page as a Jupyter notebook.](notebooks/{Path(name).stem}.ipynb)\n", 1)
     return _TITLE.sub(r'```\1 title="\2"', text)
+
+
+def on_page_content(html: str, page: Any, **_: Any) -> str:
+    """The references of docstrings, one a line, with links to the bibliography."""
+    return _REFERENCES.sub(lambda found: _KEY.sub(_cited, found[0]), html) if page.file.src_uri.startswith("python-api/") else html
+
+
+def _cited(found: re.Match[str]) -> str:
+    author, year = found[1] or found[3], found[2] or found[4]
+    link = f'<a href="../bibliography.html#{author}-{year}">{author.capitalize()} ({year})</a>'
+    return link if found[1] else f"<br>{link}"
 
 
 def _in_site(link: str, page: Path) -> str:

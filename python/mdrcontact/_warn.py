@@ -33,7 +33,7 @@ class Warned:
     unpacked as ever, and `warnings` is an attribute."""
 
     warnings: tuple[str, ...] = ()
-    """reasons to doubt these numbers; empty where there are none"""
+    """warnings about these numbers; empty if there are none"""
 
     def _carrying(self: Self, found: Iterable[Caution]) -> Self:
         """Itself, which has just been made, with its warnings."""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""An indenter on a medium: its states from depth, force or radius, its cycles and histories (theory/paper.md (4.1), (4.2))."""
+"""Contact of an indenter with a medium: states, cycles, histories (theory/paper.md (4.1), (4.2))."""
 
 from __future__ import annotations
 

@@ -15,7 +15,7 @@ from mkdocs.exceptions import PluginError
 
 sys.path.insert(0, str(ROOT / "docs"))
 
-from hooks import on_page_markdown  # noqa: E402
+from hooks import on_page_content, on_page_markdown  # noqa: E402
 from make_notebooks import TUTORIALS, notebook  # noqa: E402
 
 DOCUMENTED = """\
@@ -132,3 +132,10 @@ def test_a_notebook(tmp_path):
     title, one, shell = json.loads(notebook(page))["cells"]
     assert "".join(title["source"]) == "# T\n\n\n*c* d" and "".join(shell["source"]) == "%%bash\nls"
     assert one["source"] == ["print(1)"] and one["outputs"][0]["text"] == ["1\n"]
+
+
+def test_references_of_docstrings():
+    html = '<details class="references" open>\n  <summary>References</summary>\n  <p>popov-2014, equation (10)\ngao-1992</p>\n</details>'
+    made = on_page_content(html, page=SimpleNamespace(file=SimpleNamespace(src_uri="python-api/media.md")))
+    assert '<p><a href="../bibliography.html#popov-2014">Popov (2014)</a>, equation (10)\n<br><a href="../bibliography' in made
+    assert made.count("<a ") == 2 and on_page_content(html, page=PAGE) == html

@@ -23,20 +23,6 @@ Vector = tuple[float, float, float]
 class Layer(NamedTuple):
     """Layer between two depths.
 
-    Parameters
-    ----------
-    top : float
-        Upper depth >= 0 [length].
-    bottom : float
-        Lower depth > `top`, may be infinite [length].
-    material : Elastic
-        Material of the layer.
-
-    Raises
-    ------
-    InvalidArgumentError
-        `Shapes` rejects coordinates outside their range.
-
     Examples
     --------
     >>> film = mdr.lateral.Layer(0.0, 1e-6, mdr.Elastic(10e9, 0.35))
@@ -46,8 +32,11 @@ class Layer(NamedTuple):
     """
 
     top: float
+    """upper depth >= 0 [length]"""
     bottom: float
+    """lower depth > `top`, may be infinite [length]"""
     material: Elastic
+    """material of the layer"""
 
     @property
     def parameters(self) -> tuple[float, ...]:
@@ -77,20 +66,6 @@ class Layer(NamedTuple):
 class HalfSpace(NamedTuple):
     """Half-space on one side of a plane interface.
 
-    Parameters
-    ----------
-    point : tuple of float
-        A point (x, y, z) of the interface [length].
-    normal : tuple of float
-        A vector into the material, of any length.
-    material : Elastic
-        Material of the half-space.
-
-    Raises
-    ------
-    InvalidArgumentError
-        `Shapes` rejects coordinates outside their range.
-
     Examples
     --------
     >>> half = mdr.lateral.HalfSpace((0.0, 0.0, 0.0), (1.0, 0.0, 0.0), mdr.Elastic(6e9, 0.35))
@@ -100,8 +75,11 @@ class HalfSpace(NamedTuple):
     """
 
     point: Vector
+    """a point (x, y, z) of the interface [length]"""
     normal: Vector
+    """a vector into the material, of any length"""
     material: Elastic
+    """material of the half-space"""
 
     @property
     def parameters(self) -> tuple[float, ...]:
@@ -132,20 +110,6 @@ class HalfSpace(NamedTuple):
 class Ball(NamedTuple):
     """Spherical inclusion, whole or cut by the surface.
 
-    Parameters
-    ----------
-    centre : tuple of float
-        Centre (x, y, z) [length].
-    radius : float
-        Radius > 0 [length].
-    material : Elastic
-        Material of the ball.
-
-    Raises
-    ------
-    InvalidArgumentError
-        `Shapes` rejects coordinates outside their range.
-
     Examples
     --------
     >>> ball = mdr.lateral.Ball((0.0, 0.0, 8e-6), 5e-6, mdr.Elastic(70e9, 0.22))
@@ -155,8 +119,11 @@ class Ball(NamedTuple):
     """
 
     centre: Vector
+    """centre (x, y, z) [length]"""
     radius: float
+    """radius > 0 [length]"""
     material: Elastic
+    """material of the ball"""
 
     @property
     def parameters(self) -> tuple[float, ...]:
@@ -187,22 +154,6 @@ class Ball(NamedTuple):
 class Fibre(NamedTuple):
     """Endless round cylinder.
 
-    Parameters
-    ----------
-    point : tuple of float
-        A point (x, y, z) of the axis [length].
-    direction : tuple of float
-        A vector along the axis, of any length.
-    radius : float
-        Radius > 0 [length].
-    material : Elastic
-        Material of the fibre.
-
-    Raises
-    ------
-    InvalidArgumentError
-        `Shapes` rejects coordinates outside their range.
-
     Examples
     --------
     >>> fibre = mdr.lateral.Fibre((0.0, 0.0, 8e-6), (0.0, 1.0, 0.0), 5e-6, mdr.Elastic(70e9, 0.22))
@@ -212,9 +163,13 @@ class Fibre(NamedTuple):
     """
 
     point: Vector
+    """a point (x, y, z) of the axis [length]"""
     direction: Vector
+    """a vector along the axis, of any length"""
     radius: float
+    """radius > 0 [length]"""
     material: Elastic
+    """material of the fibre"""
 
     @property
     def parameters(self) -> tuple[float, ...]:
@@ -248,26 +203,6 @@ class Fibre(NamedTuple):
 class Pillar(NamedTuple):
     """Upright round cylinder between two depths.
 
-    Parameters
-    ----------
-    x : float
-        Position of the axis [length].
-    y : float
-        Position of the axis [length].
-    radius : float
-        Radius > 0 [length].
-    top : float
-        Upper depth >= 0 [length].
-    bottom : float
-        Lower depth > `top`, may be infinite [length].
-    material : Elastic
-        Material of the pillar.
-
-    Raises
-    ------
-    InvalidArgumentError
-        `Shapes` rejects coordinates outside their range.
-
     Examples
     --------
     >>> pillar = mdr.lateral.Pillar(0.0, 0.0, 5e-6, 0.0, 20e-6, mdr.Elastic(70e9, 0.22))
@@ -277,11 +212,17 @@ class Pillar(NamedTuple):
     """
 
     x: float
+    """position of the axis [length]"""
     y: float
+    """position of the axis [length]"""
     radius: float
+    """radius > 0 [length]"""
     top: float
+    """upper depth >= 0 [length]"""
     bottom: float
+    """lower depth > `top`, may be infinite [length]"""
     material: Elastic
+    """material of the pillar"""
 
     @property
     def parameters(self) -> tuple[float, ...]:
@@ -311,22 +252,6 @@ class Pillar(NamedTuple):
 class Box(NamedTuple):
     """Box with faces along the axes.
 
-    Parameters
-    ----------
-    x : tuple of float
-        Range (low, high) of x [length].
-    y : tuple of float
-        Range (low, high) of y [length].
-    z : tuple of float
-        Range (low, high) of z, depths [length].
-    material : Elastic
-        Material of the box.
-
-    Raises
-    ------
-    InvalidArgumentError
-        `Shapes` rejects coordinates outside their range.
-
     Examples
     --------
     >>> box = mdr.lateral.Box((-5e-6, 5e-6), (-5e-6, 5e-6), (0.0, 5e-6), mdr.Elastic(70e9, 0.22))
@@ -336,9 +261,13 @@ class Box(NamedTuple):
     """
 
     x: tuple[float, float]
+    """range (low, high) of x [length]"""
     y: tuple[float, float]
+    """range (low, high) of y [length]"""
     z: tuple[float, float]
+    """range (low, high) of z, depths [length]"""
     material: Elastic
+    """material of the box"""
 
     @property
     def parameters(self) -> tuple[float, ...]:
