@@ -30,7 +30,7 @@ class AdhesionResult(Result):
 
 @study
 def adhesion(problem: Problem, *, progress: Progress | None = None) -> AdhesionResult:
-    """Compute pull-off, and a cycle of approach and retraction with the energy it loses.
+    """Compute pull-off and a cycle of approach and retraction with its energy loss.
 
     Parameters
     ----------

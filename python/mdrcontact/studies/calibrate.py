@@ -35,12 +35,12 @@ class CalibrateResult(Result):
 
 @study
 def calibrate(problem: FitFile, tests: Sequence[tuple[str, Data]], *, progress: Progress | None = None) -> CalibrateResult:
-    """Fit tip and frame to all tests together.
+    """Fit the tip and the frame compliance to all tests together.
 
     Parameters
     ----------
     problem : FitFile
-        Tip, known body and what is free, as `mdrcontact.instruments.load_fit_file` returns them.
+        Tip, known body and free parameters, as `mdrcontact.instruments.load_fit_file` returns them.
     tests : sequence of (str, StiffnessDepth)
         Name and data of each indent, unloading curves or CSM curves.
     progress : Progress, optional

@@ -54,12 +54,12 @@ class CompareResult(Result):
 
 @study
 def compare(problem: Problem, *, progress: Progress | None = None) -> CompareResult:
-    """Compute one problem under every model of the effective modulus that applies to its medium.
+    """Compute one problem under every model that supports its medium.
 
     Parameters
     ----------
     problem : Problem
-        A problem with a coated, layered or graded medium; its adhesion is left out.
+        A problem with a coated, layered or graded medium; its adhesion is neglected.
     progress : Progress, optional
         Follows the states of all models, and stops them.
 
@@ -73,7 +73,7 @@ def compare(problem: Problem, *, progress: Progress | None = None) -> CompareRes
     ProblemError
         The medium has one model only.
     MDRError
-        No model answers the problem.
+        No model solves the problem.
 
     Examples
     --------

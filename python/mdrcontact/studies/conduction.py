@@ -47,7 +47,7 @@ class ConductionResult(Result):
 
 @study
 def conduction(problem: Problem, *, section: bool = False, progress: Progress | None = None) -> ConductionResult:
-    """Compute the conductance of a contact along its loading, and temperatures by the heat of friction.
+    """Compute conductance along a loading, and temperatures by the heat of friction.
 
     Parameters
     ----------

@@ -47,7 +47,9 @@ class CurveResult(Result):
 
 @study
 def curve(problem: Problem, *, pressures: bool = False, references: bool = False, progress: Progress | None = None) -> CurveResult:
-    """Compute depth, contact radius, force, stiffness, effective modulus and mean pressure.
+    """Compute the force-depth curve of a problem.
+
+    The table has depth, contact radius, force, stiffness, effective modulus and mean pressure.
 
     The stiffness is dF/dd at constant contact radius. With adhesion the table also has the slope, dF/dd along the branch.
 

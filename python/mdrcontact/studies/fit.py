@@ -67,13 +67,13 @@ def fit(
     Parameters
     ----------
     problem : FitFile
-        Indenter, medium, instrument and what is free, as `mdrcontact.instruments.load_fit_file` returns them.
+        Indenter, medium, instrument and the free parameters, as `mdrcontact.instruments.load_fit_file` returns them.
     data : Data
-        What was measured, as `problem.read_data` reads it from a file, in SI units.
+        The measurement, as `problem.read_data` reads it from a file, in SI units.
     moves : bool, optional
-        Fit to other ranges, branches and contact points as well.
+        Also fit other ranges, branches and contact points.
     interval : str, optional
-        How intervals are found: "normal", "profile" or "monte-carlo".
+        Method of the intervals: "normal", "profile" or "monte-carlo".
     compare : bool, optional
         Fit under every medium model, or drainage of a gel, as well.
     progress : Progress, optional

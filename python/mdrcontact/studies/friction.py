@@ -63,7 +63,7 @@ class PathResult(FrictionResult):
 
 @study
 def friction(problem: Problem, *, loops: bool = False, progress: Progress | None = None) -> FrictionResult:
-    """Displace the indenter along the surface, to and fro or along a path.
+    """Displace the indenter along the surface, in cycles or along a path.
 
     Parameters
     ----------
@@ -84,7 +84,7 @@ def friction(problem: Problem, *, loops: bool = False, progress: Progress | None
     ProblemError
         The table [friction] is missing.
     MDRError
-        The problem cannot be solved, or a step of the path not be reached.
+        The problem cannot be solved, or a step of the path cannot be reached.
 
     Examples
     --------

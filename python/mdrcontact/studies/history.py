@@ -41,19 +41,19 @@ def history(problem: Problem, *, progress: Progress | None = None) -> HistoryRes
     Parameters
     ----------
     problem : Problem
-        A problem with the table [history] and a viscoelastic or poroelastic body, or with adhesion that depends on speed.
+        A problem with the table [history] and a viscoelastic or poroelastic body, or with rate-dependent adhesion.
     progress : Progress, optional
-        Follows the samples of each round where the path is marched through time, and stops them.
+        Follows the samples of each round of the integration in time, and stops them.
 
     Returns
     -------
     HistoryResult
-        `history`; numbers "largest force" and its "time", and what else the notes say.
+        `history`; numbers "largest force" and its "time", and further ones of the notes.
 
     Raises
     ------
     ProblemError
-        The table [history] is missing, or a spring has nothing to lead.
+        The table [history] is missing, or a spring has no path.
     MDRError
         The problem cannot be solved.
 

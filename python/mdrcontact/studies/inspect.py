@@ -42,7 +42,7 @@ class InspectResult(Result):
 
 @study
 def inspect(data: str | Path, *, progress: Progress | None = None) -> InspectResult:
-    """Say what a file of measurements is, and what would be fitted of it.
+    """Identify a file of measurements, and what would be fitted.
 
     Parameters
     ----------
@@ -59,7 +59,7 @@ def inspect(data: str | Path, *, progress: Progress | None = None) -> InspectRes
     Raises
     ------
     MDRError
-        The file cannot be read, or its columns are of no measurement.
+        The file cannot be read, or its columns are not those of a measurement.
 
     Examples
     --------

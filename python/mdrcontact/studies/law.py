@@ -42,15 +42,15 @@ def law(
     largest_depth : float, optional
         End of the law [m]; by default that of [compute].
     smallest_depth : float, optional
-        Begin of the law [m]; by default 1e-4 of the largest depth.
+        Beginning of the law [m]; by default 1e-4 of the largest depth.
     tolerance : float, optional
-        Relative, of force, contact radius and stiffness.
+        Relative tolerance of force, contact radius and stiffness, 1e-12 to 1e-2 [1].
     continue_beyond : bool, optional
         Continue beyond the largest depth along the tangent.
     sliders : int, optional
-        With friction: number of sliders, 4 to 64.
+        Number of sliders with friction, 4 to 64.
     shear_strength : float, optional
-        Constant shear strength of the contact [Pa], in place of [friction].
+        Constant shear strength of the contact, > 0 [Pa], instead of [friction].
     progress : Progress, optional
         Stops the work.
 
@@ -62,7 +62,7 @@ def law(
     Raises
     ------
     MDRError
-        The problem cannot be solved, or the law not be compiled to its tolerance.
+        The problem cannot be solved, or the law does not reach its tolerance.
 
     Examples
     --------

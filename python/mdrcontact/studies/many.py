@@ -71,16 +71,16 @@ class FittedCurves(Result):
 
 @study
 def many(problem: FitFile, curves: Sequence[Curve], *, keep_all: bool = False, progress: Progress | None = None) -> FittedCurves:
-    """Fit each of many curves on its own, and take the mean of those without doubt.
+    """Fit each of many curves, and average the fits without warnings.
 
     Parameters
     ----------
     problem : FitFile
-        Indenter, medium, instrument and what is free, as `mdrcontact.instruments.load_fit_file` returns them.
+        Indenter, medium, instrument and the free parameters, as `mdrcontact.instruments.load_fit_file` returns them.
     curves : sequence of Curve
         Curves that are read when they are fitted, as `problem.curves` finds them in a file.
     keep_all : bool, optional
-        Let doubtful curves into the mean, too.
+        Include fits with warnings in the mean.
     progress : Progress, optional
         Follows the curves, and stops between two of them.
 

@@ -31,16 +31,16 @@ class MapResult(Result):
 
 @study
 def map(problem: MapProblem, *, threads: int = 0, memory_limit: float | None = None, progress: Progress | None = None) -> MapResult:
-    """Compute the effective modulus at every place, and between which bounds the exact one lies.
+    """Compute maps of the effective modulus and of its bounds.
 
     Parameters
     ----------
     problem : MapProblem
         Structure and contact radii, as `mdrcontact.problem.load_map` returns them.
     threads : int, optional
-        At least 1, or 0 for one per core.
+        Number of threads >= 1, or 0 for one per core.
     memory_limit : float, optional
-        Refuse to use more memory [bytes].
+        Largest memory that the maps may use [bytes].
     progress : Progress, optional
         Follows the slices of all maps, and stops between two of them.
 

@@ -29,7 +29,7 @@ class ModulusResult(Result):
 
 @study
 def modulus(problem: FitFile, data: Data, *, progress: Progress | None = None) -> ModulusResult:
-    """Find the film's modulus from each point alone, and by a straight line at zero depth.
+    """Fit the film modulus at each depth, and extrapolate it to zero depth.
 
     Parameters
     ----------

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Results of studies: named numbers, sentences, warnings and tables, without a word on how they are shown."""
+"""Results of studies: named numbers, sentences, warnings and tables."""
 
 from __future__ import annotations
 
@@ -23,11 +23,22 @@ T = TypeVar("T")
 
 
 class Number(NamedTuple):
-    """A quantity of a result."""
+    """Quantity of a result, with its physical dimension.
+
+    Examples
+    --------
+    >>> from mdrcontact import problem, studies
+    >>> ball = {"shape": "sphere", "radius": "10 um"}
+    >>> glass = {"type": "homogeneous", "material": {"E": "72 GPa", "nu": 0.17}}
+    >>> found = studies.curve(problem.read({"indenter": ball, "medium": glass, "compute": {"depths": ["50 nm"]}}))
+    >>> print(found.numbers["force"], f"{found.numbers['force'].value:.4e}")
+    3.4934 mN 3.4934e-03
+    """
 
     value: float
-    """in the SI unit of its dimension"""
+    """value in the SI unit of its dimension"""
     dimension: Dimension
+    """physical dimension, which determines the units"""
 
     def __str__(self) -> str:
         """The value in its practical unit, as in "17.107 mN"."""
@@ -35,50 +46,85 @@ class Number(NamedTuple):
 
 
 class Column(NamedTuple):
-    """A named quantity, SI values, and the unit in which they are written."""
+    """Column of a table: a quantity in SI units, and the unit in which it is written.
+
+    Examples
+    --------
+    >>> from mdrcontact import problem, studies
+    >>> ball = {"shape": "sphere", "radius": "10 um"}
+    >>> glass = {"type": "homogeneous", "material": {"E": "72 GPa", "nu": 0.17}}
+    >>> found = studies.curve(problem.read({"indenter": ball, "medium": glass, "compute": {"depths": ["50 nm", "100 nm"]}}))
+    >>> depth = found.tables["states"][0]
+    >>> print(depth.title, depth.values)
+    depth [nm] [5.e-08 1.e-07]
+    """
 
     name: str
+    """name of the quantity"""
     values: Array
+    """values in the SI unit"""
     unit: Unit
+    """unit in which the values are written"""
     instead: Mapping[int, str] = {}
-    """by row: words that take the place of a number"""
+    """text that replaces a number, by row"""
 
     @property
     def title(self) -> str:
-        """Name and unit."""
+        """Name and unit of the column."""
         return f"{self.name} [{self.unit.name}]" if self.unit.name else self.name
 
 
 class Mixed(NamedTuple):
-    """A named quantity whose values differ so much that each has its own practical unit."""
+    """Column of a table whose values each have their own practical unit.
+
+    Examples
+    --------
+    >>> from mdrcontact import problem, studies
+    >>> ball = {"shape": "sphere", "radius": "10 um"}
+    >>> glass = {"type": "homogeneous", "material": {"E": "72 GPa", "nu": 0.17}}
+    >>> found = studies.stress(problem.read({"indenter": ball, "medium": glass, "compute": {"depths": ["50 nm"]}}))
+    >>> print([type(column).__name__ for column in found.tables["maxima"]])
+    ['Words', 'Words', 'Mixed', 'Column', 'Mixed']
+    """
 
     name: str
+    """name of the quantity"""
     values: Sequence[float]
-    """in the SI unit of the dimension"""
+    """values in the SI unit of the dimension"""
     dimension: Dimension
+    """physical dimension, which determines the units"""
     instead: Mapping[int, str] = {}
-    """by row: words that take the place of a number"""
+    """text that replaces a number, by row"""
 
     @property
     def title(self) -> str:
-        """The name."""
+        """Name of the column."""
         return self.name
 
 
 class Words(NamedTuple):
-    """A column of words."""
+    """Column of text in a table.
+
+    Examples
+    --------
+    >>> from mdrcontact.studies import Words
+    >>> print(Words("model", ["gao", "exact"]).title)
+    model
+    """
 
     name: str
+    """name of the column"""
     values: Sequence[str]
+    """one text for each row"""
 
     @property
     def title(self) -> str:
-        """The name."""
+        """Name of the column."""
         return self.name
 
 
 Table = Sequence["Column | Mixed | Words"]
-"""Columns of the same length, words that name the rows first."""
+"""Columns of one length; columns of text that name the rows come first."""
 
 
 def column(name: str, values: Any, dimension: Dimension) -> Column:
@@ -106,17 +152,31 @@ def spread_over(count: int, most: int) -> list[int]:
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class Result:
-    """What a study found. The objects that a figure draws are further members of the result of each study."""
+    """Result of a study.
+
+    The result of each study has further members: the objects that its figure shows.
+
+    Examples
+    --------
+    >>> from mdrcontact import problem, studies
+    >>> ball = {"shape": "sphere", "radius": "10 um"}
+    >>> glass = {"type": "homogeneous", "material": {"E": "72 GPa", "nu": 0.17}}
+    >>> found = studies.curve(problem.read({"indenter": ball, "medium": glass, "compute": {"depths": ["50 nm"]}}))
+    >>> table: studies.Table = found.tables["states"]
+    >>> print(isinstance(found, studies.Result), len(table), found.warnings)
+    True 6 ()
+    """
 
     title: str
+    """title of the problem"""
     numbers: Mapping[str, Number] = field(default_factory=dict)
-    """single quantities, by name"""
+    """single quantities by name"""
     notes: Mapping[str, str] = field(default_factory=dict)
-    """sentences on the result, by what they are about"""
+    """sentences on the result, by their subject"""
     tables: Mapping[str, Table] = field(default_factory=dict)
-    """by name"""
+    """tables by name"""
     warnings: tuple[str, ...] = ()
-    """reasons to doubt the numbers"""
+    """warnings about the numbers"""
 
 
 def study(function: Callable[P, R]) -> Callable[P, R]:

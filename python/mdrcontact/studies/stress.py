@@ -64,14 +64,14 @@ class StressResult(Result):
 def stress(
     problem: Problem, *, friction: float = 0.0, maps: bool = False, lines: bool = False, progress: Progress | None = None
 ) -> StressResult:
-    """Compute the largest stresses in each layer and at each interface, and the loads at first failure.
+    """Compute the largest stresses in a body and the loads at first failure.
 
     Parameters
     ----------
     problem : Problem
         The state is the last one of [compute]; loads at failure follow from the table [strength], if there is one.
     friction : float, optional
-        Coefficient of friction of an indenter that slides.
+        Coefficient of friction of a sliding indenter, >= 0 [1].
     maps : bool, optional
         Compute displacements and stresses on a grid in each layer as well.
     lines : bool, optional
@@ -89,7 +89,7 @@ def stress(
     ProblemError
         A strength is wrong.
     MDRError
-        The problem cannot be solved, or its body has no layers to look into.
+        The problem cannot be solved, or its body has no layers.
 
     Examples
     --------

@@ -26,12 +26,12 @@ class ValidateResult(Result):
 
 @study
 def validate(*, full: bool = False, only: str | None = None, progress: Progress | None = None) -> ValidateResult:
-    """Compare the library with closed forms, printed tables and programs that share nothing with it.
+    """Compare the library with closed forms, printed tables and other programs.
 
     Parameters
     ----------
     full : bool, optional
-        Run what takes minutes as well.
+        Also run comparisons that take minutes.
     only : str, optional
         Name of the comparison to run; by default all run.
     progress : Progress, optional
