@@ -135,7 +135,8 @@ def test_a_notebook(tmp_path):
 
 
 def test_references_of_docstrings():
-    html = '<details class="references" open>\n  <summary>References</summary>\n  <p>popov-2014, equation (10)\ngao-1992</p>\n</details>'
+    lines = "popov-2014, equation (10)\ngao-1992"
+    html = f'<details class="references" open>\n  <summary>References</summary>\n  <p>{lines}</p>\n</details>'
     made = on_page_content(html, page=SimpleNamespace(file=SimpleNamespace(src_uri="python-api/media.md")))
     assert '<p><a href="../bibliography.html#popov-2014">Popov (2014)</a>, equation (10)\n<br><a href="../bibliography' in made
     assert made.count("<a ") == 2 and on_page_content(html, page=PAGE) == html

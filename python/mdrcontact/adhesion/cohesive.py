@@ -41,8 +41,9 @@ class AdhesiveHistory(NamedTuple):
     force: NDArray[np.float64]
     """F [modulus length^2]"""
     end: dict[str, float]
-    """pull-off, found between the samples: "lowest_force", "lowest_time", "lowest_depth", "lowest_radius", "lowest_speed"; of the last
-    separation "rupture_time" and "rupture_depth"; the number of separations "ruptures"; and "work", int F dd [modulus length^3]
+    """what happened once: pull-off as "lowest_force", "lowest_time", "lowest_depth", "lowest_radius", "lowest_speed"; the last
+    separation as "rupture_time" and "rupture_depth"; the number of separations "ruptures"; and "work", int F dd
+    [modulus length^3]
     """
 
 

@@ -71,7 +71,7 @@ class FittedCurves(Result):
 
 @study
 def many(problem: FitFile, curves: Sequence[Curve], *, keep_all: bool = False, progress: Progress | None = None) -> FittedCurves:
-    """Fit each of many curves, and average the fits without warnings.
+    """Fit each of many curves, and average the sound fits.
 
     Parameters
     ----------
@@ -80,7 +80,7 @@ def many(problem: FitFile, curves: Sequence[Curve], *, keep_all: bool = False, p
     curves : sequence of Curve
         Curves that are read when they are fitted, as `problem.curves` finds them in a file.
     keep_all : bool, optional
-        Include fits with warnings in the mean.
+        Include all fits in the mean, also those that `instruments.rate` does not consider sound.
     progress : Progress, optional
         Follows the curves, and stops between two of them.
 
