@@ -12,9 +12,9 @@ import pytest
 import mdrcontact as mdr
 from mdrcontact import studies
 from mdrcontact.cli import main
-from mdrcontact.cli.many_figure import overview
 from mdrcontact.instruments.files.fit_file import load_fit_file
 from mdrcontact.instruments.reading.afm import AfmCurve, numbered, read_afm
+from mdrcontact.panels import Cells
 
 afmformats = pytest.importorskip("afmformats")
 h5py = pytest.importorskip("h5py")
@@ -199,8 +199,8 @@ def test_a_line_of_places_is_drawn_curve_by_curve_and_a_map_as_one(tmp_path):
         write(tmp_path / f"{columns}.h5", columns, rows)
         found = studies.many(problem, problem.curves(tmp_path / f"{columns}.h5"), keep_all=True)
         assert [curve.place for curve in found.curves] == [(i % columns, i // columns) for i in range(columns * rows)]
-        figure = overview(found)
-        drawn = [image.get_array() for axis in figure.axes for image in axis.images if axis.get_xlabel() == "column"]
+        drawn = [part for panel in found.figure().panels for part in panel.parts if isinstance(part, Cells)]
         assert len(drawn) == images
         if images:
-            assert np.asarray(drawn[0]) == pytest.approx(np.array([[20.0, 40.0, 60.0], [80.0, 100.0, 120.0]]), rel=2e-3)
+            assert found.figure().panels[0].x.title == "column"
+            assert drawn[0].values == pytest.approx(np.array([[20.0, 40.0, 60.0], [80.0, 100.0, 120.0]]), rel=2e-3)

@@ -18,6 +18,7 @@ from test_problem_files import FAULTS, GOOD
 import mdrcontact as mdr
 from mdrcontact.cli import main, make_parser
 from mdrcontact.cli.example import examples
+from mdrcontact.panels import Line
 from mdrcontact.problem import load
 from mdrcontact.studies.curve import homogeneous_forces
 
@@ -161,9 +162,9 @@ def test_a_single_state_is_seen(problem, monkeypatch):
     Path(problem).write_text(GOOD.replace('max_depth = "100 nm"\npoints = 4', 'forces = ["2 mN"]'), encoding="utf-8")
     for command in ("curve", "compare"):
         assert main([command, problem, "--plot", f"{command}.png"]) == 0
-        single = [line for line in drawn.pop().axes[0].lines if len(line.get_xdata()) == 1]
+        single = [part for part in drawn.pop().panels[0].parts if isinstance(part, Line)]
         assert len(single) >= 3
-        assert all(line.get_marker() in ("o", "s", "^") for line in single)
+        assert all(len(line.x) == 1 and line.marker in ("o", "s", "^") for line in single)
 
 
 def test_existing_files_are_safe(problem, capsys):

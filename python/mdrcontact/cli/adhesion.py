@@ -8,7 +8,7 @@ import argparse
 from .._progress import on_terminal
 from ..problem import load
 from ..studies import adhesion
-from . import figures, files
+from . import files
 from .table import as_csv, as_text
 
 HELP = "pull-off, and a loop of approach and retraction"
@@ -27,4 +27,4 @@ def run(arguments: argparse.Namespace) -> None:
         found = adhesion(problem, progress=progress)
     print(f"{found.title}\n\n{found.notes['adhesion']}\n")
     print(f"{as_text(found.tables['pull-off'])}\n\n{as_text(found.tables['jumps'])}\n\n{found.notes['energy']}")
-    files.write(arguments, csv=lambda: as_csv(found.tables["loop"]), plot=lambda: figures.loop_figure(found))
+    files.write(arguments, csv=lambda: as_csv(found.tables["loop"]), plot=found.figure)

@@ -14,7 +14,7 @@ from ..problem import load
 from ..studies import compare
 from ..studies.compare import CompareResult
 from ..studies.result import Array, spread_over
-from . import figures, files
+from . import files
 from .table import as_csv, spread_text
 
 HELP = "one problem under every medium model, and the spread between them"
@@ -41,7 +41,7 @@ def run(arguments: argparse.Namespace) -> None:
     for model, words in found.refusals:
         print(f"\nleft out: {model}: {words}", end="")
     print(end="\n" if found.refusals else "")
-    files.write(arguments, csv=lambda: as_csv(found.tables["states"]), plot=lambda: figures.compare_figure(found))
+    files.write(arguments, csv=lambda: as_csv(found.tables["states"]), plot=found.figure)
 
 
 def _picked(found: CompareResult) -> tuple[list[int], list[str]]:

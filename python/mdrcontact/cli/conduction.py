@@ -8,7 +8,7 @@ import argparse
 from .._progress import on_terminal
 from ..problem import load
 from ..studies import conduction
-from . import conduction_figure, files
+from . import files
 from .table import as_csv, as_text
 
 HELP = "heat or current through a contact along its loading"
@@ -27,4 +27,4 @@ def run(arguments: argparse.Namespace) -> None:
     with on_terminal() as progress:
         found = conduction(problem, section=arguments.plot is not None, progress=progress)
     print(f"{found.title}\n\n{as_text(found.tables['states'], _ROWS)}\n\n{found.notes['conductance']}")
-    files.write(arguments, csv=lambda: as_csv(found.tables["states"]), plot=lambda: conduction_figure.draw(found))
+    files.write(arguments, csv=lambda: as_csv(found.tables["states"]), plot=found.figure)

@@ -9,7 +9,7 @@ from pathlib import Path
 from .._progress import on_terminal
 from ..problem import load
 from ..studies import curve
-from . import figures, files
+from . import files
 from .table import as_csv, as_text
 
 HELP = "force, radius, stiffness and pressure of one problem"
@@ -40,7 +40,7 @@ def run(arguments: argparse.Namespace) -> None:
         arguments,
         csv=lambda: as_csv(found.tables["states"]),
         pressure_csv=lambda: as_csv(found.tables["pressures"]),
-        plot=lambda: figures.curve_figure(found),
+        plot=found.figure,
     )
 
 

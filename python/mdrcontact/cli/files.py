@@ -4,7 +4,6 @@
 from __future__ import annotations
 
 import argparse
-import io
 import json
 import os
 from collections.abc import Callable, Iterator, Mapping, Sequence
@@ -15,6 +14,7 @@ from typing import Any
 from .._files import check_place, replace
 from ..instruments.reading import afm
 from ..instruments.reading.cells import SHEETS
+from ..panels import Figure, matplotlib
 from ..problem import ProblemError
 from ..problem.toml import parse_file
 
@@ -24,12 +24,6 @@ _RESULTS = ("csv", "pressure_csv", "plot", "ranges", "json", "report", "npy", "l
 """Arguments that name a file to be written."""
 _NAMES = ("file", "path", "labels")
 """Keys of problem files that name a file to be read."""
-FIGURE_FORMATS: Mapping[str, dict[str, Any]] = {
-    "png": {"Software": "mdrcontact"},
-    "pdf": {"Creator": "mdrcontact", "CreationDate": None},
-    "svg": {"Date": None},
-}
-"""With what a file says of its origin: a figure is the same file whenever it is drawn."""
 
 
 class OutputError(Exception):
@@ -113,8 +107,8 @@ def _check(paths: Sequence[Path], overwrite: bool) -> None:
 def figure_format(path: Path) -> str:
     """The format that the ending of a figure's file name stands for."""
     suffix = path.suffix.lower().removeprefix(".")
-    if suffix not in FIGURE_FORMATS:
-        raise OutputError(f"{path}: a figure's name must end in " + ", ".join(f".{name}" for name in FIGURE_FORMATS))
+    if suffix not in matplotlib.FORMATS:
+        raise OutputError(f"{path}: a figure's name must end in " + ", ".join(f".{name}" for name in matplotlib.FORMATS))
     return suffix
 
 
@@ -146,12 +140,7 @@ def _content(path: Path, result: Any) -> bytes:
 
 
 def _rendered(figure: Any, form: str) -> bytes:
-    import matplotlib
-
-    buffer = io.BytesIO()
-    with matplotlib.rc_context({"svg.hashsalt": "mdrcontact"}):
-        figure.savefig(buffer, format=form, dpi=160, metadata=FIGURE_FORMATS[form])
-    return buffer.getvalue()
+    return matplotlib.rendered(matplotlib.draw(figure) if isinstance(figure, Figure) else figure, form)
 
 
 def data_files(folder: Path) -> list[Path]:

@@ -9,7 +9,6 @@ from .._progress import on_terminal
 from ..problem import load
 from ..studies import friction
 from . import files
-from .friction_figure import friction_figure
 from .table import as_csv, as_text
 
 HELP = "fretting loops or any path: partial slip, sliding, dissipated energy"
@@ -29,4 +28,4 @@ def run(arguments: argparse.Namespace) -> None:
         found = friction(problem, loops=arguments.plot is not None, progress=progress)
     table = found.tables["states"]
     print("\n\n".join([found.title, *found.notes.values(), as_text(table, _ROWS)]))
-    files.write(arguments, csv=lambda: as_csv(table), plot=lambda: friction_figure(found))
+    files.write(arguments, csv=lambda: as_csv(table), plot=found.figure)

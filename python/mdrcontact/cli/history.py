@@ -8,7 +8,7 @@ import argparse
 from .._progress import on_terminal
 from ..problem import load
 from ..studies import history
-from . import files, history_figure
+from . import files
 from .table import as_csv, as_text
 
 HELP = "a viscoelastic or poroelastic body along a path in time"
@@ -28,4 +28,4 @@ def run(arguments: argparse.Namespace) -> None:
         found = history(problem, progress=progress)
     closing = "\n".join(found.notes.values())
     print(f"{found.title}\n\n{as_text(found.tables['path'], _ROWS)}\n\n{closing}")
-    files.write(arguments, csv=lambda: as_csv(found.tables["path"]), plot=lambda: history_figure.draw(found))
+    files.write(arguments, csv=lambda: as_csv(found.tables["path"]), plot=found.figure)

@@ -10,7 +10,6 @@ from .._progress import on_terminal
 from .._text import listed
 from ..studies import inspect
 from . import files
-from .inspect_figure import inspect_figure
 from .table import as_text
 
 HELP = "say what a file of measurements is, and write a problem file to begin with"
@@ -45,4 +44,4 @@ def run(arguments: argparse.Namespace) -> None:
         print(f"\nA problem file to begin with (--problem writes it):\n\n{found.inspection.problem}", end="")
     if not found.inspection.tests:
         arguments.plot = None
-    files.write(arguments, plot=lambda: inspect_figure(found), problem=lambda: found.inspection.problem)
+    files.write(arguments, plot=found.figure, problem=lambda: found.inspection.problem)

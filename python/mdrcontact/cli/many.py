@@ -11,7 +11,6 @@ from ..instruments.files.curves import Curve, first_notes
 from ..instruments.files.fit_file import FitFile
 from ..studies import many
 from . import files, pages
-from .many_figure import overview
 from .table import as_csv, as_text
 
 _MOST_ROWS = 300
@@ -34,6 +33,6 @@ def run(arguments: argparse.Namespace, problem: FitFile, curves: list[Curve]) ->
         arguments,
         csv=lambda: as_csv(found.tables["estimates"]),
         json=found.to_dict,
-        plot=lambda: overview(found),
+        plot=found.figure,
         report=lambda: pages.many_page(found),
     )

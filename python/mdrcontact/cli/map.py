@@ -15,7 +15,6 @@ from ..problem import load_map
 from ..studies import map
 from ..studies.result import Array
 from . import files
-from .map_figure import map_figure
 from .table import as_text
 
 HELP = "effective modulus at every place of a heterogeneous structure"
@@ -43,7 +42,7 @@ def run(arguments: argparse.Namespace) -> None:
     with on_terminal() as progress:
         found = map(problem, threads=arguments.threads, memory_limit=limit, progress=progress)
     print(f"{as_text(found.tables['moduli'], left=2)}\n\n{found.notes['bounds']}")
-    files.write(arguments, npy=lambda: _as_npy(found.maps), plot=lambda: map_figure(found))
+    files.write(arguments, npy=lambda: _as_npy(found.maps), plot=found.figure)
 
 
 def _as_npy(maps: Array) -> bytes:

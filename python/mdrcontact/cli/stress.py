@@ -10,7 +10,6 @@ from .._progress import on_terminal
 from ..problem import load
 from ..studies import stress
 from . import files
-from .stress_figure import stress_figure
 from .table import as_csv, as_text
 
 HELP = "stresses inside a coated body, and the load at first failure"
@@ -41,7 +40,7 @@ def run(arguments: argparse.Namespace) -> None:
     if "unreached" in notes:
         parts.append(notes["unreached"])
     print("\n\n".join(parts))
-    files.write(arguments, csv=lambda: as_csv(tables["grid"]), plot=lambda: stress_figure(found))
+    files.write(arguments, csv=lambda: as_csv(tables["grid"]), plot=found.figure)
 
 
 def _friction(text: str) -> float:

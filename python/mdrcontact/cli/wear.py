@@ -8,7 +8,7 @@ import argparse
 from .._progress import on_terminal
 from ..problem import load
 from ..studies import wear
-from . import files, wear_figure
+from . import files
 from .table import as_csv, as_text
 
 HELP = "a sliding indenter that wears: radius, depth, worn profile"
@@ -27,4 +27,4 @@ def run(arguments: argparse.Namespace) -> None:
     with on_terminal() as progress:
         found = wear(problem, progress=progress)
     print(f"{found.title}\n\n{found.notes['end']}\n\n{as_text(found.tables['states'], _ROWS)}")
-    files.write(arguments, csv=lambda: as_csv(found.tables["states"]), plot=lambda: wear_figure.draw(found))
+    files.write(arguments, csv=lambda: as_csv(found.tables["states"]), plot=found.figure)

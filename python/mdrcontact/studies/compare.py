@@ -3,23 +3,26 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
 
-from .._units import FORCE, LENGTH, RATIO, Dimension, practical
+from .._units import FORCE, LENGTH, MODULUS, RATIO, Dimension, practical
 from ..contact import Contact
 from ..errors import CancelledError, MDRError
 from ..material import RIGID, Elastic
 from ..medium import Coated, Graded, Homogeneous, Layered, Medium, Pair
 from ..medium.models import MODELS
+from ..panels import Axis, Figure, Line, Panel, Rule, along, marked
 from ..problem import Problem, ProblemError
 from ..progress import Progress
 from .result import Array, Column, Number, Result, Table, Words, study
-from .states import Curve, columns, solve
+from .states import Curve, columns, solve, thickness
 
+_LINEAR = 20.0
+"""Values that differ by more than this factor are drawn on a logarithmic axis."""
 NEARLY_RIGID = 1000.0
 """A substrate this many times stiffer than the coating is also tried as a rigid base, and marked as such."""
 
@@ -50,6 +53,47 @@ class CompareResult(Result):
     """what the models are measured by: "exact", or "median of the models" """
     base: Array
     """the response of the basis"""
+
+    def figure(self) -> Figure:
+        """Return response, effective modulus and deviation of all models."""
+        return Figure(self.title, tuple(_panels(self)), columns=3)
+
+
+def _panels(found: CompareResult) -> Iterator[Panel]:
+    control = found.problem.control
+    x, given = along(control.name, control.dimension, control.values)
+    h = thickness(found.problem.medium)
+    moduli = np.concatenate([answer.curve.modulus for answer in found.answers])
+    radius, length = along("contact radius a", LENGTH, np.concatenate([answer.curve.radius for answer in found.answers]))
+    y, unit = along(f"{found.response}", found.dimension, found.values.ravel(), log=_is_wide(found.values[:, -1]))
+    yield Panel(x, y, _lines(found, lambda i: given.of(control.values), lambda i: unit.of(found.values[i])))
+    modulus, pascal = along("effective modulus E_eff", MODULUS, moduli, log=_is_wide(moduli))
+    lines = _lines(
+        found,
+        lambda i: found.answers[i].curve.radius / h if h else length.of(found.answers[i].curve.radius),
+        lambda i: pascal.of(found.answers[i].curve.modulus),
+    )
+    rule = (Rule(1.0, vertical=True, name="a = h"),) if h else ()
+    yield Panel(Axis("a/h", log=True) if h else radius._replace(log=True), modulus, (*lines, *rule))
+    deviation = found.values / found.base
+    ratio = Axis(f"{found.response} / {found.basis}", log=_is_wide(deviation))
+    lines = _lines(found, lambda i: given.of(control.values), lambda i: deviation[i])
+    yield Panel(x, ratio, lines)
+
+
+def _is_wide(values: Array) -> bool:
+    return bool(values.min() > 0.0 and values.max() > _LINEAR * values.min())
+
+
+def _lines(found: CompareResult, x: Callable[[int], Array], y: Callable[[int], Array]) -> tuple[Line, ...]:
+    """A line for each model; the exact one in black and wide."""
+    names = [answer.model for answer in found.answers]
+    return tuple(
+        Line(x(i), y(i), name, "black", 0, marked(y(i)), 2.6)
+        if name == "exact"
+        else Line(x(i), y(i), name, i % 6, i // 6 % 3, marked(y(i), "os^"[i // 6 % 3]))
+        for i, name in enumerate(names)
+    )
 
 
 @study

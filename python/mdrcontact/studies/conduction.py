@@ -8,9 +8,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from .._units import CONDUCTANCE, LENGTH, RATIO, TEMPERATURE, THERMAL_CONDUCTANCE, Dimension
+from .._units import CONDUCTANCE, FORCE, LENGTH, RATIO, TEMPERATURE, THERMAL_CONDUCTANCE, Dimension
 from ..conduction import Conduction, ContactConductance
 from ..contact import States
+from ..panels import Axis, Cells, Figure, Line, Panel, Rule, along
 from ..problem import Problem
 from ..problem.conduction import THERMAL, Conducting
 from ..progress import Progress
@@ -43,6 +44,29 @@ class ConductionResult(Result):
     """of the conductance"""
     section: SectionField | None = None
     """of the last state"""
+
+    def figure(self) -> Figure:
+        """Return the conductance over the force, and the section through the lower body."""
+        x, force = along("force F", FORCE, self.states.force)
+        values = np.asarray(self.conductance.conductance)
+        y, unit = along("conductance G", self.dimension, values)
+        panels = [Panel(x, y, (Line(force.of(np.asarray(self.states.force)), unit.of(values)),))]
+        return Figure(self.title, tuple(panels + ([_section_panel(self, self.section)] if self.section else [])))
+
+
+def _section_panel(found: ConductionResult, section: SectionField) -> Panel:
+    """What the lower body has at the last state; the contact as a bar, the interfaces as lines."""
+    a, depth = float(found.states[-1].radius), 0.0
+    x, length = along("x", LENGTH, section.x)
+    name = Axis("temperature rise", "K") if section.is_heated else Axis("potential over that of the contact")
+    parts: list[Cells | Rule | Line] = [Cells(length.of(section.x), length.of(section.z), section.values, name)]
+    for _, h in found.problem.medium._stack():
+        depth += h
+        if depth < section.z[-1]:
+            parts.append(Rule(float(length.of(depth)), colour="white", dash=0))
+    parts.append(Line(length.of(np.array([-a, a])), np.zeros(2), "", 5, width=5.0))
+    title = "section: contact (blue), interfaces (white)" if depth else "section: contact (blue)"
+    return Panel(x, Axis("depth z", length.symbol, low=0.0), tuple(parts), title, equal=True, downward=True)
 
 
 @study

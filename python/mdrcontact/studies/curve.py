@@ -10,17 +10,22 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from .._units import FORCE, LENGTH, MODULUS, STIFFNESS, Dimension, shown
+from .._units import FORCE, LENGTH, MODULUS, STIFFNESS, Dimension, practical, shown
 from ..contact import Contact
 from ..errors import InvalidArgumentError, MDRError
 from ..material import Elastic
 from ..medium import Coated, Homogeneous, Pair
+from ..panels import Axis, Figure, Label, Line, Panel, Rule, along, cut, marked
 from ..problem import Problem
 from ..progress import Progress
 from .result import Array, Number, Result, Table, column, spread_over, study
 from .states import Curve, columns, crossing, solve, thickness
 
 _PRESSURE_POINTS = 400
+_COMPARABLE = 10.0
+"""A reference curve that ends further away than this factor would compress the others."""
+_NARROW = 3.0
+"""A range of a/h below this factor is not worth a panel."""
 
 
 class Pressure(NamedTuple):
@@ -43,6 +48,10 @@ class CurveResult(Result):
     """why there are no pressures"""
     references: tuple[tuple[str, Array], ...] = ()
     """"coating" and "substrate", and the forces [N] on bodies of them alone, at the same depths"""
+
+    def figure(self) -> Figure:
+        """Return force, contact radius and stiffness over depth, the effective modulus over a/h, and pressures."""
+        return Figure(self.title, (*_over_depth(self), *_over_radius(self), *_over_r(self)))
 
 
 @study
@@ -106,6 +115,68 @@ def curve(problem: Problem, *, pressures: bool = False, references: bool = False
         refusal=refusal,
         references=tuple(homogeneous_forces(problem, found.depth)) if references else (),
     )
+
+
+def _over_depth(found: CurveResult) -> Iterator[Panel]:
+    curve = found.states
+    x, depth = along("indentation depth d", LENGTH, curve.depth)
+    # from 0 on, unless an adhesive curve begins far from it and would fill a corner only
+    x = x._replace(low=0.0 if 0.0 <= curve.depth[0] < 0.5 * curve.depth[-1] else None)
+    h = thickness(found.problem.medium)
+    at = crossing(curve, h) if h else None
+    quantities: list[tuple[str, Array, Dimension]] = [
+        ("force F", curve.force, FORCE),
+        ("contact radius a", curve.radius, LENGTH),
+        ("contact stiffness k", curve.stiffness, STIFFNESS),
+    ]
+    for name, values, dimension in quantities:
+        y, unit = along(name, dimension, values)
+        y = y._replace(low=0.0 if 0.0 <= values.min() < 0.5 * values.max() else None)
+        name = _model_name(found.problem) if dimension is FORCE else ""
+        parts: list[Line | Label] = [Line(depth.of(curve.depth), unit.of(values), name, marker=marked(values))]
+        if dimension is FORCE:
+            parts += [
+                Line(depth.of(curve.depth), unit.of(forces), f"{body} alone", "grey", 1 + i, marked(forces, "^s"[i]), 1.0)
+                for i, (body, forces) in enumerate(found.references)
+                if 1.0 / _COMPARABLE < abs(forces[-1] / curve.force[-1]) < _COMPARABLE
+            ]
+        if at is not None:
+            parts.append(Label(float(depth.of(at)), float(unit.of(np.interp(at, curve.depth, values))), "a = h", 1))
+        yield Panel(x, y, tuple(parts))
+
+
+def _over_radius(found: CurveResult) -> Iterator[Panel]:
+    """The effective modulus, where the contact grows through a part of the thickness that matters."""
+    h = thickness(found.problem.medium)
+    if not h or found.states.radius[-1] < _NARROW * found.states.radius[0]:
+        return
+    ratio = found.states.radius / h
+    y, unit = along("effective modulus E_eff", MODULUS, found.states.modulus)
+    line = Line(ratio, unit.of(found.states.modulus), marker=marked(ratio))
+    rule = [Rule(1.0, vertical=True, name="a = h")] if ratio[0] < 1.0 < ratio[-1] else []
+    yield Panel(Axis("a/h", log=True), y, (line, *rule))
+
+
+def _over_r(found: CurveResult) -> Iterator[Panel]:
+    if not found.pressures:
+        return
+    x, length = along("distance from the axis r", LENGTH, found.states.radius, low=0.0)
+    depth = practical(LENGTH, found.states.depth)
+    # the pressure half way to the edge is finite under every tip; infinite ones at an apex or an edge are cut off
+    most = 4.0 * max(abs(float(np.interp(0.5 * r[-1], r, p))) for _, r, p in found.pressures)
+    highest = min(most, max(float(p.max(initial=0.0)) for _, _, p in found.pressures))
+    y, unit = along("contact pressure p", MODULUS, [highest])
+    lines = (
+        Line(length.of(r), unit.of(cut(p, -most, most)), f"d = {float(depth.of(d)):.3g} {depth.symbol}", i)
+        for i, (d, r, p) in enumerate(found.pressures)
+    )
+    yield Panel(x, y, tuple(lines))
+
+
+def _model_name(problem: Problem) -> str:
+    model = getattr(problem.medium, "model", None)
+    kind = type(problem.medium).__name__.lower()
+    return f"{kind}, model {model}" if model else kind
 
 
 def _ends(found: Curve) -> Iterator[tuple[str, Array, Dimension]]:

@@ -13,6 +13,7 @@ from .._units import ENERGY, FORCE, LENGTH, RATIO, STIFFNESS, shown
 from ..contact import State
 from ..errors import CancelledError, InvalidArgumentError, MDRError, UnreachableError
 from ..friction import Friction, FrictionHistory
+from ..panels import Axis, Figure, Line, Panel, Rule, along
 from ..problem import Problem
 from ..problem.friction import Sliding, SlidingPath
 from ..progress import Progress
@@ -36,6 +37,10 @@ class FrictionResult(Result):
     shear: ShearState
     """the tangential states at the amplitudes, or after each step"""
 
+    def figure(self) -> Figure:
+        """Return what the cycles or the path look like."""
+        raise NotImplementedError
+
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class CyclesResult(FrictionResult):
@@ -48,6 +53,10 @@ class CyclesResult(FrictionResult):
     loops: tuple[FrictionLoop, ...] = ()
     """some of the cycles"""
 
+    def figure(self) -> Figure:
+        """Return the tangential force along some cycles, and the energy that a cycle dissipates over its amplitude."""
+        return Figure(self.title, (_loops_panel(self), _energies_panel(self)))
+
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class PathResult(FrictionResult):
@@ -59,6 +68,54 @@ class PathResult(FrictionResult):
     """difference of T from that of half the rings, in units of the largest mu F"""
     energy_error: float
     """the same of the dissipated energy, in units of its end value"""
+
+    def figure(self) -> Figure:
+        """Return the tangential force over shift and step, and the dissipated energy."""
+        return Figure(self.title, _path_panels(self), columns=3)
+
+
+def _loops_panel(found: CyclesResult) -> Panel:
+    x, length = along("shift s", LENGTH, found.loops[-1].shift)
+    y, force = along("tangential force T", FORCE, found.loops[-1].tangential_force)
+    lines = [
+        Line(length.of(loop.shift), force.of(loop.tangential_force), f"{float(length.of(loop.turn.shift)):.3g} {length.symbol}", i)
+        for i, loop in enumerate(reversed(found.loops))
+    ]
+    limit = float(force.of(found.friction.coefficient * float(found.state.force)))
+    return Panel(x, y, (*lines, Rule(limit, name="sliding"), Rule(-limit)))
+
+
+def _energies_panel(found: CyclesResult) -> Panel:
+    shifts, lost = np.asarray(found.shear.shift), found.energies > 0.0
+    x, length = along("amplitude of the shift", LENGTH, shifts, log=True)
+    y, energy = along("energy of a cycle", ENERGY, found.energies, log=True)
+    line = Line(length.of(shifts[lost]), energy.of(found.energies[lost]), marker="o")
+    return Panel(x, y, (line, Rule(float(length.of(found.sliding_shift)), vertical=True, name="sliding")))
+
+
+def _path_panels(found: PathResult) -> tuple[Panel, ...]:
+    """T over the shift, T between -mu F and mu F over the steps, and the dissipated energy."""
+    shear = found.shear
+    shift, force, lost = (
+        np.concatenate([[0.0], np.asarray(values, dtype=float)])
+        for values in (shear.shift, shear.tangential_force, shear.dissipated_energy)
+    )
+    limit = found.friction.coefficient * np.concatenate([[0.0], np.asarray(found.state.force)])
+    slides = np.concatenate([[False], np.asarray(shear.sliding)])
+    steps, step = np.arange(float(len(shift))), Axis("step", whole=True)
+    x, length = along("shift s", LENGTH, shift)
+    y, newton = along("tangential force T", FORCE, np.concatenate([force, limit]))
+    z, energy = along("dissipated energy", ENERGY, lost, low=0.0)
+    path = [Line(length.of(shift), newton.of(force))]
+    if slides.any():
+        path.append(Line(length.of(shift[slides]), newton.of(force[slides]), "sliding", 1, -1, "o"))
+    path.append(Line(length.of(shift[-1:]), newton.of(force[-1:]), "end", "black", -1, "s"))
+    limits = (Line(steps, newton.of(limit), "\u00b1\u03bcF", "grey", 2), Line(steps, newton.of(-limit), "", "grey", 2))
+    return (
+        Panel(x, y, tuple(path)),
+        Panel(step, y, (Line(steps, newton.of(force), "T"), *limits)),
+        Panel(step, z, (Line(steps, energy.of(lost), colour=2),)),
+    )
 
 
 @study
@@ -227,9 +284,9 @@ def _exact(pair: Friction) -> FrictionHistory | None:
 def _along(path: SlidingPath, state: State, history: FrictionHistory, progress: Progress, before: int, total: int) -> ShearState:
     """The tangential states after each row; `before` of `total` steps are done."""
     shears = []
-    for row, (depth, along) in enumerate(zip(np.asarray(state.depth), path.along_values, strict=True), start=1):
+    for row, (depth, lateral) in enumerate(zip(np.asarray(state.depth), path.along_values, strict=True), start=1):
         try:
-            history.advance(**{"depth": depth, path.along: along})
+            history.advance(**{"depth": depth, path.along: lateral})
         except CancelledError:
             raise
         except MDRError as problem:

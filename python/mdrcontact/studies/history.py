@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -11,6 +12,7 @@ import numpy as np
 from .._units import ENERGY, FORCE, LENGTH, SPEED, TIME, Dimension, shown
 from ..adhesion import AdhesiveHistory, RateHistory, adhesive_history, rate_history
 from ..contact import Contact
+from ..panels import Figure, Line, Panel, along, marked
 from ..poroelastic import history as gel_history
 from ..poroelastic import is_poroelastic
 from ..problem import Problem, ProblemError
@@ -19,6 +21,8 @@ from ..progress import Progress
 from ..time import History, refuse_drainage
 from .result import Number, Result, columns_of, study
 
+_SUDDEN = 0.02
+"""A path whose first change takes less than this share of the time is drawn over the logarithm of the time."""
 _FEWEST = 60
 """Steps that a path is cut into at least."""
 
@@ -32,6 +36,31 @@ class HistoryResult(Result):
     """at all times that were computed"""
     edge: RateHistory | AdhesiveHistory | None = None
     """the whole answer where adhesion depends on speed, or has a range"""
+
+    def figure(self) -> Figure:
+        """Return what changes in time, and force over depth where both change."""
+        return Figure(self.title, tuple(_panels(self)))
+
+
+def _panels(found: HistoryResult) -> Iterator[Panel]:
+    path = found.history
+    x, time = along("time t", TIME, path.time)
+    moves = [values for values in (path.depth, path.force) if np.ptp(values) > 0.0]
+    first = min(float(path.time[np.argmax(np.abs(values - values[0]) >= 0.9 * np.ptp(values))]) for values in moves)
+    late = path.time > 0.0
+    if first < _SUDDEN * path.time[-1]:
+        x = x._replace(log=True)
+    shown = late if x.log else np.ones(len(path.time), dtype=bool)
+    for i, (name, values, dimension) in enumerate(
+        (("indentation depth d", path.depth, LENGTH), ("contact radius a", path.radius, LENGTH), ("force F", path.force, FORCE))
+    ):
+        if np.ptp(values) > 0.0:  # the radius of a flat punch is constant
+            y, unit = along(name, dimension, values)
+            yield Panel(x, y, (Line(time.of(path.time[shown]), unit.of(values[shown]), colour=i, marker=marked(values)),))
+    if len(moves) == 2:
+        depth, metre = along("indentation depth d", LENGTH, path.depth)
+        force, newton = along("force F", FORCE, path.force)
+        yield Panel(depth, force, (Line(metre.of(path.depth), newton.of(path.force), colour=3),))
 
 
 @study

@@ -14,9 +14,13 @@ from ..instruments.files.fit_file import fit_file_of_text
 from ..instruments.files.inspection import Inspection, Test, inspect_file
 from ..instruments.fitting.causes import by_cause
 from ..instruments.reading.formats import Fact
+from ..panels import Figure, Line, Panel, along
 from ..progress import Progress
 from .result import Array, Number, Result, Table, in_turn, in_words, study
 
+_DRAWN = 12
+"""Tests in the figure."""
+_COLOURS = {"loading": 0, "hold": 4, "unloading": 1}
 _MOST = 60
 """Tests that are looked at."""
 _MARKED = "put in yours"
@@ -38,6 +42,25 @@ class InspectResult(Result):
     """what the file does not say"""
     refusal: MDRError | None = None
     """why no curve would be fitted"""
+
+    def figure(self) -> Figure:
+        """Return force over depth or height of the first tests, coloured by segment."""
+        tests = self.inspection.tests
+        rest = f", {_DRAWN} of {len(tests)} tests" if len(tests) > _DRAWN else ""
+        return Figure(self.title + rest, tuple(map(_panel, tests[:_DRAWN])), columns=3)
+
+
+def _panel(test: Test) -> Panel:
+    """Loading below what comes after it; the first segment of each kind has its name."""
+    x, length = along(test.along_name, LENGTH, test.along)
+    y, newton = along("force F", FORCE, test.force)
+    lines, named = [], set[str]()
+    for part in sorted(test.segments, key=lambda segment: list(_COLOURS).index(segment.kind)):
+        points = slice(max(part.start - 1, 0), part.stop)
+        name = "" if part.kind in named else part.kind
+        named.add(part.kind)
+        lines.append(Line(length.of(test.along[points]), newton.of(test.force[points]), name, _COLOURS[part.kind], width=1.2))
+    return Panel(x, y, tuple(lines), test.name)
 
 
 @study

@@ -5,11 +5,12 @@ from __future__ import annotations
 
 import functools
 import hashlib
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 from .._text import number
 from .._units import ENERGY, FORCE, LENGTH, RATIO, Unit, practical
@@ -21,9 +22,14 @@ from ..instruments.fitting.causes import by_cause
 from ..instruments.fitting.data import Data
 from ..instruments.fitting.misfit import percent
 from ..instruments.fitting.quantities import digits, dimension_of, words_of
+from ..panels import Axis, Bars, Cells, Figure, Line, Panel, along
 from ..progress import Progress
-from .result import Column, Number, Result, Table, Words, in_words, study
+from .result import Array, Column, Number, Result, Table, Words, in_words, study
 
+_MOST_NAMES = 40
+"""Curves whose names are written below the figure."""
+_OFF_GRID = 0.25
+"""Of the step of a grid: positions that far off are on none."""
 _WITHOUT_MODEL = {"jump-in": FORCE, "pull-off": FORCE, "last rupture": LENGTH, "energy lost": ENERGY}
 """What records say without a model, in columns of the table."""
 
@@ -58,6 +64,13 @@ class FittedCurves(Result):
         """The free parameters."""
         return self.fitted[0].fit.names
 
+    def figure(self) -> Figure:
+        """Return each parameter curve by curve, or place by place of a map, and its histogram."""
+        names = tuple(name for name in self.names if name not in self.fitted[0].fit.data.also_free) or self.names
+        grid = _grid(self.fitted)
+        panels = (panel for name in names for panel in _parameter_panels(self.fitted, name, grid))
+        return Figure(self.title, tuple(panels), columns=2)
+
     def to_dict(self) -> dict[str, Any]:
         """The fit of each curve, or why there is none, as plain Python values."""
         return {
@@ -67,6 +80,90 @@ class FittedCurves(Result):
             }
             for curve, result in zip(self.curves, self.results, strict=True)
         }
+
+
+class _Grid(NamedTuple):
+    """The places of a map, as columns and rows from 0 on, and their positions."""
+
+    columns: NDArray[np.int64]
+    rows: NDArray[np.int64]
+    x: Axis
+    y: Axis
+    x_values: Array
+    y_values: Array
+
+
+def _grid(fitted: Sequence[Fitted]) -> _Grid | None:
+    """The map in which the curves lie; positions [um] where they are those of a grid along x and y, else columns and rows."""
+    if len(fitted) <= 3 or any(one.curve.place is None for one in fitted):
+        return None
+    places = np.array([one.curve.place for one in fitted], dtype=int)
+    if (np.ptp(places, axis=0) == 0).any():
+        return None
+    first = places.min(axis=0)
+    steps = [np.arange(first[i], places[:, i].max() + 1.0) for i in range(2)]
+    axes = [Axis("column", whole=True), Axis("row", whole=True)]
+    scale = [_micrometres(fitted, places, i) for i in range(2)]
+    if scale[0] is not None and scale[1] is not None:
+        axes = [Axis("x", "\u00b5m"), Axis("y", "\u00b5m")]
+        steps = [one[0] + one[1] * step for one, step in zip(scale, steps, strict=True) if one is not None]
+    return _Grid(places[:, 0] - first[0], places[:, 1] - first[1], axes[0], axes[1], steps[0], steps[1])
+
+
+def _micrometres(fitted: Sequence[Fitted], places: NDArray[np.int64], i: int) -> tuple[float, float] | None:
+    """Start and step of the positions along x or y, None where they are on no grid."""
+    if any(one.curve.position is None for one in fitted):
+        return None
+    positions = 1e6 * np.array([one.curve.position for one in fitted], dtype=float)[:, i]
+    step, start = np.polyfit(places[:, i], positions, 1)
+    on_grid = step > 0.0 and np.abs(start + step * places[:, i] - positions).max() <= _OFF_GRID * step
+    return (float(start), float(step)) if on_grid else None
+
+
+def _parameter_panels(fitted: Sequence[Fitted], name: str, grid: _Grid | None) -> Iterator[Panel]:
+    axis, unit = along(words_of(name), dimension_of(name), [abs(one.fit.estimates[name]) for one in fitted])
+    values = unit.of(np.array([one.fit.estimates[name] for one in fitted]))
+    counts = np.array([one.counts for one in fitted])
+    chosen = values[counts] if counts.any() else values
+    if grid is None:
+        errors = 1.96 * unit.of(np.array([one.fit.standard_errors[name] for one in fitted]))
+        yield _by_curve(fitted, axis, values, errors, counts)
+    else:
+        yield _by_place(grid, axis, values, chosen, counts)
+    numbers, edges = np.histogram(chosen, "rice")
+    yield Panel(axis, Axis("curves", whole=True), (Bars(edges, numbers.astype(float)),))
+
+
+def _by_curve(fitted: Sequence[Fitted], axis: Axis, values: Array, errors: Array, counts: NDArray[np.bool_]) -> Panel:
+    places = np.arange(1.0, len(values) + 1.0)
+    parts = tuple(
+        Line(places[keep], values[keep], name, colour, -1, "o", error=errors[keep])
+        for keep, colour, name in ((counts, 0, "in the mean"), (~counts, 1, "left out of the mean"))
+        if keep.any()
+    )
+    names = tuple(one.curve.name for one in fitted) if len(fitted) <= _MOST_NAMES else ()
+    low, high = _ends(values[counts] if counts.any() else values, errors[counts] if counts.any() else errors)
+    return Panel(Axis("curve", whole=True, names=names), axis._replace(low=low, high=high), parts)
+
+
+def _ends(values: Array, errors: Array) -> tuple[float, float]:
+    """Limits in which one estimate that is not determined does not take the whole height."""
+    low, high = np.percentile(values, [5.0, 95.0])
+    room = 4.0 * max(high - low, float(np.median(errors)), 1e-3 * abs(high))
+    ends = max(float((values - errors).min()), low - room), min(float((values + errors).max()), high + room)
+    return ends[0] - 0.05 * (ends[1] - ends[0]), ends[1] + 0.05 * (ends[1] - ends[0])
+
+
+def _by_place(grid: _Grid, axis: Axis, values: Array, chosen: Array, counts: NDArray[np.bool_]) -> Panel:
+    """A map whose colours a few bad places do not take; places without a fit are white."""
+    cells = np.full((len(grid.y_values), len(grid.x_values)), np.nan)
+    cells[grid.rows, grid.columns] = values
+    low, high = np.percentile(chosen, [2.0, 98.0])
+    parts: list[Cells | Line] = [Cells(grid.x_values, grid.y_values, cells, axis._replace(low=low, high=high), smooth=False)]
+    if not counts.all():
+        left_out = grid.x_values[grid.columns[~counts]], grid.y_values[grid.rows[~counts]]
+        parts.append(Line(*left_out, "left out of the mean", 1, -1, "x"))
+    return Panel(grid.x, grid.y, tuple(parts))
 
 
 @study

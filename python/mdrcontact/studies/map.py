@@ -3,13 +3,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 
 import numpy as np
 
 from .. import lateral
 from .._units import LENGTH, MODULUS, RATIO, practical
+from ..panels import Axis, Cells, Figure, Line, Panel, Rule
 from ..problem import MapProblem
 from ..progress import Progress
 from .result import Array, Column, Number, Result, Table, Words, column, study
@@ -27,6 +28,39 @@ class MapResult(Result):
     """of the effective modulus under the exponent of the structure [Pa], (radii, ny, nx)"""
     moduli: Mapping[float, Array]
     """by exponent of the mean: least, mean and most of the maps [Pa], (radii, 3)"""
+
+    def figure(self) -> Figure:
+        """Return the structure from above and in section, and a map for each contact radius with the contact to scale."""
+        return Figure(self.title, tuple(_panels(self)), columns=3)
+
+
+def _panels(found: MapResult) -> Iterator[Panel]:
+    voxels = found.problem.voxels
+    nz, ny, nx = voxels.labels.shape
+    dz, dy, dx = voxels.spacing
+    length = practical(LENGTH, [max(nx * dx, ny * dy)])
+    unit = practical(MODULUS, [float(np.max(found.maps))])
+    x, y = (
+        np.asarray(length.of(start + step * (np.arange(count) + 0.5)))
+        for start, step, count in zip(voxels.origin, (dx, dy), (nx, ny), strict=True)
+    )
+    z = np.asarray(length.of(dz * (np.arange(nz) + 0.5)))
+    phases = np.array([material.contact_modulus for material in voxels.phases], dtype=np.float64)
+    of_phase = Axis("E* of the phase", unit.symbol, low=float(unit.of(phases.min())), high=float(unit.of(phases.max())))
+    across, side, deep = (Axis(name, length.symbol) for name in ("x", "y", "depth z"))
+    top, section = (unit.of(phases)[np.asarray(voxels.labels[part])] for part in (0, np.s_[:, ny // 2, :]))
+    surface = Cells(x, y, top, of_phase, smooth=False, bar=False)
+    line = Rule(float(y[ny // 2]), name="section", colour=1, dash=0)
+    yield Panel(across, side, (surface, line), "structure at the surface", equal=True)
+    yield Panel(across, deep, (Cells(x, z, section, of_phase, smooth=False),), "section", equal=True, downward=True)
+    turn = np.linspace(0.0, 2.0 * np.pi, 73)
+    for radius, values in zip(found.problem.radii, found.maps, strict=True):
+        a = float(length.of(radius))
+        middle = x[0] + 0.14 * (x[-1] - x[0]), y[0] + 0.14 * (y[-1] - y[0])
+        circle = Line(middle[0] + a * np.cos(turn), middle[1] + a * np.sin(turn), "", "white")
+        cells = Cells(x, y, unit.of(values), Axis("E_eff", unit.symbol), smooth=False)
+        limits = across._replace(low=x[0], high=x[-1]), side._replace(low=y[0], high=y[-1])
+        yield Panel(*limits, (cells, circle), f"contact radius a = {a:.3g} {length.symbol} (circle)", equal=True)
 
 
 @study

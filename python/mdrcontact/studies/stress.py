@@ -4,17 +4,19 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
 
-from .._units import FORCE, LENGTH, MODULUS, RATIO, shown
+from .._units import FORCE, LENGTH, MODULUS, RATIO, Unit, practical, shown
 from ..contact import Contact, State
 from ..critical import Critical, Maximum, layers_of
 from ..errors import InvalidArgumentError
 from ..failure import Failure
 from ..interior import Interior
+from ..panels import Axis, Cells, Figure, Label, Line, Panel, Part, Rule, along
 from ..problem import Problem, ProblemError
 from ..problem.strength import Strengths
 from ..progress import Progress
@@ -58,6 +60,99 @@ class StressResult(Result):
     maps: tuple[Layer, ...] = ()
     lines: tuple[Face, ...] = ()
     """the fields along `faces`"""
+
+    def figure(self) -> Figure:
+        """Return maps of von Mises stress and largest principal stress, and stresses along axis, surface and interfaces."""
+        first, last = self.maps[0], self.maps[-1]
+        height = float((last.z[-1] - first.z[0]) / (first.x[-1] - first.x[0])) + 0.35
+        panels = (_map_panel(self, "von Mises stress"), _map_panel(self, "largest principal stress"))
+        text = f"{self.title}\n{_state_words(self)}"
+        return Figure(text, (*panels, _axis_panel(self), _faces_panel(self)), heights=(height, 1.0))
+
+
+def _state_words(found: StressResult) -> str:
+    text = ", ".join(
+        f"{name} = {float(unit.of(value)):.4g} {unit.symbol}"
+        for name, value, unit in (
+            (name, value, practical(dimension, [float(value)]))
+            for name, value, dimension in (("F", found.state.force, FORCE), ("a", found.state.radius, LENGTH))
+        )
+    )
+    return f"{text}, sliding to the right with friction {found.friction:g}" if found.friction else text
+
+
+def _map_panel(found: StressResult, what: str) -> Panel:
+    """One quantity in the section, with contact, interfaces and the largest values."""
+    is_tension = what.startswith("largest")
+    values = [np.asarray(layer.field.principal[..., 0] if is_tension else layer.field.von_mises) for layer in found.maps]
+    finite = np.concatenate([v[np.isfinite(v)] for v in values])
+    # a singular edge must not use up all colours
+    top = min(float(finite.max()), 3.0 * float(np.quantile(finite, 0.99)))
+    unit, length = practical(MODULUS, [top]), practical(LENGTH, [found.maps[-1].z[-1]])
+    end = float(unit.of(top))
+    axis = Axis(what, unit.symbol, low=-end if is_tension else 0.0, high=end)
+    count, a = len(found.maps), float(found.state.radius)
+    dark = "black" if is_tension else "white"
+    parts: list[Part] = [
+        Cells(length.of(layer.x), length.of(layer.z), unit.of(value).T, axis, is_tension, bar=i == count - 1)
+        for i, (layer, value) in enumerate(zip(found.maps, values, strict=True))
+    ]
+    parts += [Rule(float(length.of(z)), colour=dark, dash=0) for z in found.faces[1:] if z < found.maps[-1].z[-1]]
+    parts += [
+        Line(length.of(np.array([-a, a])), np.zeros(2), "", "black", width=5.0),
+        *_marks(found, is_tension, length, unit, dark),
+    ]
+    x = Axis("x", length.symbol, low=float(length.of(found.maps[0].x[0])), high=float(length.of(found.maps[0].x[-1])))
+    y = Axis("depth z", length.symbol, low=0.0, high=float(length.of(found.maps[-1].z[-1])))
+    return Panel(x, y, tuple(parts), equal=True, downward=True)
+
+
+def _marks(found: StressResult, is_tension: bool, length: Unit, unit: Unit, colour: str) -> Iterator[Label]:
+    """The largest values that lie in the section."""
+    places = [(layer_name(found.faces, i), part) for i, part in enumerate(found.critical.layers)]
+    maxima = [(name, part.tension if is_tension else part.von_mises) for name, part in places]
+    surface = found.critical.surface
+    if is_tension and surface[1:] != found.critical.layers[0].tension[1:]:
+        maxima.append(("surface", surface))
+    for name, most in maxima:
+        at = -most.r if most.angle else most.r
+        inside = abs(at) <= found.maps[0].x[-1] and most.z <= found.maps[-1].z[-1]
+        if inside and most.value > 0.0:
+            text = f"{name} {float(unit.of(most.value)):.3g} {unit.symbol}"
+            yield Label(float(length.of(at)), float(length.of(most.z)), text, colour)
+
+
+def _axis_panel(found: StressResult) -> Panel:
+    middle = len(found.maps[0].x) // 2
+    fields = (("von Mises", "von_mises"), ("radial", "s_rr"), ("normal to the surface", "s_zz"))
+    columns = [[np.asarray(getattr(layer.field, name))[middle] for layer in found.maps] for _, name in fields]
+    largest = np.concatenate([v for column in columns for v in column])
+    x, length = along("depth z on the axis", LENGTH, [found.maps[-1].z[-1]], low=0.0)
+    y, unit = along("stress", MODULUS, largest[np.isfinite(largest)])
+    lines = (
+        Line(length.of(layer.z), unit.of(values), "" if j else words, i)
+        for i, ((words, _), column) in enumerate(zip(fields, columns, strict=True))
+        for j, (layer, values) in enumerate(zip(found.maps, column, strict=True))
+    )
+    rules = (Rule(float(length.of(z)), vertical=True) for z in found.faces[1:] if z < found.maps[-1].z[-1])
+    return Panel(x, y, (*lines, *rules, Rule(0.0, dash=0)))
+
+
+def _faces_panel(found: StressResult) -> Panel:
+    a, place = float(found.state.radius), found.lines[0].x
+    outside = np.abs(place) > a * (1.0 + 1e-6)
+    lines = []
+    for i, (z, _, field) in enumerate(found.lines):
+        if z == 0.0:
+            lines.append(("radial, free surface", np.where(outside, np.asarray(field.s_rr), np.nan)))
+            continue
+        name = interface_name(found.faces, i - 1)
+        lines += [(f"shear, {name}", np.hypot(field.s_rz, field.s_tz)), (f"normal, {name}", np.asarray(field.s_zz))]
+    x, length = along("x" if found.friction else "distance from the axis r", LENGTH, place)
+    y, unit = along("stress", MODULUS, np.concatenate([v[np.isfinite(v)] for _, v in lines]))
+    drawn = (Line(length.of(place), unit.of(values), name, i) for i, (name, values) in enumerate(lines))
+    edges = (Rule(float(length.of(edge)), vertical=True, name="edge") for edge in ((-a, a) if found.friction else (a,)))
+    return Panel(x, y, (*drawn, *edges, Rule(0.0, dash=0)))
 
 
 @study

@@ -8,11 +8,12 @@ from dataclasses import dataclass
 import numpy as np
 
 from .._units import LENGTH, RATIO, VOLUME, WEAR, shown
+from ..panels import Figure, Line, Panel, along
 from ..problem import Problem
 from ..problem.wear import Rubbing
 from ..progress import Progress
 from ..wear import Wear, WearState, WornProfile
-from .result import Number, Result, column, columns_of, study
+from .result import Mixed, Number, Result, Words, column, columns_of, study
 
 _COLUMNS = ("sliding", "radius", "depth", "force", "pressure", "worn_depth", "worn_volume", "error")
 _POINTS = 200
@@ -27,6 +28,17 @@ class WearResult(Result):
     states: WearState
     profile: WornProfile
     """after the last distance"""
+
+    def figure(self) -> Figure:
+        """Return contact radius over sliding distance, and the profile before and after."""
+        distance, metre = along("sliding distance s", LENGTH, self.states.sliding, log=True)
+        radius, length = along("contact radius a", LENGTH, self.states.radius)
+        r, new, worn = (part.values for part in self.tables["profile"] if not isinstance(part, Words | Mixed))
+        across, side = along("distance from the axis r", LENGTH, r, low=0.0)
+        height, deep = along("profile f", LENGTH, new)
+        lines = (Line(side.of(r), deep.of(new), "new", "grey", 2), Line(side.of(r), deep.of(worn), "worn", 1))
+        path = Line(metre.of(np.asarray(self.states.sliding)), length.of(np.asarray(self.states.radius)), marker="o")
+        return Figure(self.title, (Panel(distance, radius, (path,)), Panel(across, height, lines)))
 
 
 @study

@@ -1,0 +1,145 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""The parts of a figure. Values are in the units of their axes."""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from .._units import Dimension, Unit, practical
+
+Array = NDArray[np.float64]
+FEW = 12
+"""Values that are marked each."""
+
+
+class Axis(NamedTuple):
+    """A quantity with its unit along one side of a panel."""
+
+    name: str
+    unit: str = ""
+    log: bool = False
+    low: float | None = None
+    high: float | None = None
+    whole: bool = False
+    """True if its values are counts"""
+    names: tuple[str, ...] = ()
+    """of the values 1, 2, ..."""
+
+    @property
+    def title(self) -> str:
+        """Name and unit."""
+        return f"{self.name} [{self.unit}]" if self.unit else self.name
+
+
+class Line(NamedTuple):
+    """Points joined by a line, or points alone."""
+
+    x: Array
+    y: Array
+    name: str = ""
+    colour: int | str = 0
+    """number of a colour that is distinct from the others, or "grey", "black", "white" """
+    dash: int = 0
+    """0 solid, 1 dashed, 2 dotted, -1 no line"""
+    marker: str = ""
+    """"o", "s", "^" or "x" """
+    width: float = 1.6
+    error: Array | None = None
+    """half length of the bars of y"""
+
+
+class Rule(NamedTuple):
+    """A straight line across a panel."""
+
+    at: float
+    vertical: bool = False
+    name: str = ""
+    """text at its end"""
+    colour: int | str = "grey"
+    dash: int = 2
+
+
+class Label(NamedTuple):
+    """A point with a text."""
+
+    x: float
+    y: float
+    text: str
+    colour: int | str = "black"
+    marker: str = "o"
+
+
+class Cells(NamedTuple):
+    """A map of values over x and y."""
+
+    x: Array
+    y: Array
+    values: Array
+    """a row for each y; NaN where there is none"""
+    axis: Axis
+    """of the values; beyond its limits the colours end, and the bar has an arrow"""
+    two_sided: bool = False
+    """True if 0 is the middle of the colours"""
+    smooth: bool = True
+    """False for values of pixels"""
+    bar: bool = True
+    """True if the map shows the bar of its colours"""
+
+
+class Bars(NamedTuple):
+    """Counts between edges."""
+
+    edges: Array
+    counts: Array
+    colour: int | str = 0
+
+
+Part = Line | Rule | Label | Cells | Bars
+
+
+class Panel(NamedTuple):
+    """One system of axes and what is drawn in it."""
+
+    x: Axis
+    y: Axis
+    parts: tuple[Part, ...] = ()
+    title: str = ""
+    equal: bool = False
+    """True if both axes have the same scale"""
+    downward: bool = False
+    """True if y is a depth"""
+
+
+class Figure(NamedTuple):
+    """Panels under one title."""
+
+    title: str
+    panels: tuple[Panel, ...]
+    columns: int = 2
+    heights: tuple[float, ...] = ()
+    """of the rows, relative; equal if empty"""
+
+    def _repr_png_(self) -> bytes:
+        """Draw the figure in a notebook."""
+        from .matplotlib import png
+
+        return png(self)
+
+
+def along(name: str, dimension: Dimension, values: Any, **options: Any) -> tuple[Axis, Unit]:
+    """Return an axis in the practical unit of its values, and the unit."""
+    unit = practical(dimension, values)
+    return Axis(name, unit.symbol, **options), unit
+
+
+def marked(values: Any, marker: str = "o") -> str:
+    """Return a marker if the values are few: the line between them only joins them."""
+    return marker if len(values) <= FEW else ""
+
+
+def cut(values: Array, low: float, high: float) -> Array:
+    """Return values with NaN outside the limits."""
+    return np.where((values < low) | (values > high), np.nan, values)

@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""Figures as data, and what matplotlib draws of them."""
+
+import numpy as np
+import pytest
+from conftest import ROOT
+
+from mdrcontact import problem, studies
+from mdrcontact._units import LENGTH
+from mdrcontact.panels import Axis, Bars, Cells, Figure, Label, Line, Panel, Rule, along, cut, marked
+
+pytest.importorskip("matplotlib")
+
+from mdrcontact.panels.matplotlib import draw, rendered
+
+X = np.linspace(0.0, 2.0, 9)
+GRID = Cells(X, X[:5], np.outer(X[:5], X), Axis("stress", "GPa", low=0.5, high=1.5))
+
+
+def figure(*parts, **options):
+    return Figure("a title with $", (Panel(Axis("depth d", "nm"), Axis("force F", "mN"), parts, **options),))
+
+
+def test_what_is_drawn_is_what_is_there():
+    parts = (Line(X, X**2, "model"), Line(X, X, "data", 1, -1, "o", error=0.1 * X), Rule(1.0, vertical=True, name="a = h"))
+    axis = draw(figure(*parts, Label(1.0, 1.0, "here"))).axes[0]
+    assert (axis.get_xlabel(), axis.get_ylabel()) == ("depth d [nm]", "force F [mN]")
+    assert [text.get_text() for text in axis.get_legend().get_texts()] == ["model", "data"]
+    assert {text.get_text() for text in axis.texts} == {"a = h", "here"}
+    assert np.array_equal(axis.lines[0].get_ydata(), X**2)
+
+
+def test_a_map_that_is_cut_off_has_arrows_and_a_quantity():
+    smooth, bar = draw(figure(GRID)).axes
+    assert bar.get_ylabel() == "stress [GPa]" and smooth.collections
+    pixels = draw(figure(GRID._replace(smooth=False), equal=True, downward=True)).axes[0]
+    assert pixels.yaxis_inverted() and pixels.get_aspect() == 1.0
+    for cells, extend in ((GRID, "both"), (GRID._replace(axis=Axis("stress", "GPa")), "neither")):
+        assert draw(figure(cells)).axes[0].collections[0].extend == extend
+
+
+def test_many_names_have_one_legend_below_the_figure():
+    lines = tuple(Line(X, i * X, f"model {i}", i) for i in range(8))
+    drawn = draw(Figure("", (figure(*lines).panels[0],) * 3, columns=3))
+    assert len(drawn.legends) == 1 and not any(axis.get_legend() for axis in drawn.axes)
+
+
+def test_counts_and_names_of_an_axis():
+    drawn = draw(Figure("", (Panel(Axis("curve", names=("a", "b")), Axis("E", "GPa"), (Bars(X[:3], X[:2]),)),)))
+    assert [text.get_text() for text in drawn.axes[0].get_xticklabels()] == ["a", "b"]
+
+
+@pytest.mark.parametrize("form", ["png", "pdf", "svg"])
+def test_a_figure_is_the_same_file_whenever_it_is_drawn(form):
+    assert rendered(draw(figure(GRID)), form) == rendered(draw(figure(GRID)), form)
+
+
+def test_a_notebook_shows_figures_and_drawings():
+    assert figure(GRID)._repr_png_()[:4] == draw(figure(GRID))._repr_png_()[:4] == b"\x89PNG"
+
+
+def test_small_helpers():
+    axis, unit = along("depth d", LENGTH, [2e-9, 5e-8], log=True)
+    assert (axis.title, axis.log, float(unit.of(1e-9))) == ("depth d [nm]", True, 1.0)
+    assert (marked(X), marked(np.arange(99))) == ("o", "")
+    assert np.array_equal(cut(X, 0.5, 1.5), [np.nan, np.nan, 0.5, 0.75, 1.0, 1.25, 1.5, np.nan, np.nan], equal_nan=True)
+
+
+def test_a_study_has_the_numbers_of_its_figure():
+    found = studies.curve(problem.load(ROOT / "examples" / "problems" / "sio2_on_si.toml"), pressures=True, references=True)
+    force, radius, stiffness, modulus, pressure = found.figure().panels
+    assert [panel.y.title for panel in (force, radius, stiffness)] == [
+        "force F [mN]",
+        "contact radius a [\u00b5m]",
+        "contact stiffness k [kN/m]",
+    ]
+    assert 1e-3 * force.parts[0].y == pytest.approx(found.states.force, rel=1e-15)
+    assert modulus.x == Axis("a/h", log=True) and len(pressure.parts) == 3
