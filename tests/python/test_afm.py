@@ -13,7 +13,8 @@ import mdrcontact as mdr
 from mdrcontact import studies
 from mdrcontact.cli import main
 from mdrcontact.instruments.files.fit_file import load_fit_file
-from mdrcontact.instruments.reading.afm import AfmCurve, numbered, read_afm
+from mdrcontact.instruments.reading.afm import numbered, read_afm
+from mdrcontact.instruments.reading.afm_curve import AfmCurve
 from mdrcontact.panels import Cells
 
 afmformats = pytest.importorskip("afmformats")

@@ -241,7 +241,7 @@ def test_a_table_without_titles_is_no_file_of_an_afm(tmp_path):
     ],
 )
 def test_files_that_are_not_read_are_refused_by_name(name, words, tmp_path):
-    with pytest.raises(ProblemError, match=words):
+    with pytest.raises(mdr.MDRError, match=words):
         curves(tmp_path, name)
 
 

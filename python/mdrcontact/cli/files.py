@@ -13,6 +13,7 @@ from typing import Any
 
 from .._files import check_place, replace
 from ..instruments.reading import afm
+from ..instruments.reading.asylum import is_second
 from ..instruments.reading.cells import SHEETS
 from ..panels import Figure, matplotlib
 from ..problem import ProblemError
@@ -80,11 +81,7 @@ def _read_by(arguments: argparse.Namespace) -> list[Path]:
     given = [problem, *(data if isinstance(data, list) else [data])]
     with suppress(ProblemError):  # reported where it is read
         given += [problem.parent / name for name in _named_in(parse_file(problem))]
-    return [
-        path
-        for one in given
-        for path in ([p for p in one.iterdir() if p.suffix.lower() in DATA_SUFFIXES] if one.is_dir() else [one])
-    ]
+    return [path for one in given for path in ([p for p in one.iterdir() if _may_be_data(p)] if one.is_dir() else [one])]
 
 
 def _named_in(table: Mapping[str, Any]) -> Iterator[str]:
@@ -143,9 +140,14 @@ def _rendered(figure: Any, form: str) -> bytes:
     return matplotlib.rendered(matplotlib.draw(figure) if isinstance(figure, Figure) else figure, form)
 
 
+def _may_be_data(path: Path) -> bool:
+    """Whether a file may hold measurements, by its ending, or by its begin where the ending is a number."""
+    return path.suffix.lower() in DATA_SUFFIXES or afm.is_of_afm(path)
+
+
 def data_files(folder: Path) -> list[Path]:
     """The files of a folder that may hold measurements."""
-    paths = sorted(p for p in folder.iterdir() if p.suffix.lower() in DATA_SUFFIXES and p.is_file())
+    paths = sorted(p for p in folder.iterdir() if _may_be_data(p) and p.is_file() and not is_second(p))
     if not paths:
         raise ProblemError(f"{folder}: there is no file that ends in {', '.join(DATA_SUFFIXES)}")
     return paths

@@ -15,7 +15,8 @@ from ..._units import STIFFNESS
 from ...errors import FileError, MDRError
 from ...problem.section import ProblemError, Section
 from ..fitting.data import Data
-from ..reading.afm import SUFFIXES, TEXT_SUFFIXES, AfmCurve, MissingSettings, read_afm
+from ..reading.afm import TEXT_SUFFIXES, is_of_afm, read_afm
+from ..reading.afm_curve import AfmCurve, MissingSettings
 from ..reading.columns import MeasuredTable, read_tables
 from ..reading.formats import Fact
 from .data import OF_A_TABLE, TABLES, column, data_of, has, read_data, record_of, table_options
@@ -48,7 +49,7 @@ def curves(section: Section, cantilever: Cantilever, path: Path) -> list[Curve]:
     """The curves of a file: one or more of a table, or of a binary file of an AFM."""
     if not path.exists():
         raise FileError(f"{path}: it cannot be read: there is no such file")
-    if path.suffix.lower() in SUFFIXES:
+    if is_of_afm(path):
         _check_keys_of_afm(section, path)
         return _afm_curves(section, cantilever, path)
     kind = section.value("kind")

@@ -16,7 +16,8 @@ from ..._units import SENSITIVITY, STIFFNESS, parse
 from ...errors import MDRError
 from ...problem.section import ProblemError, Section
 from ..fitting.unloading import unloading_parts
-from ..reading.afm import SUFFIXES, MissingSettings
+from ..reading.afm import is_of_afm
+from ..reading.afm_curve import MissingSettings
 from ..reading.columns import MeasuredTable, TableOptions, read_tables
 from ..reading.formats import Fact
 from ..records import Segment
@@ -128,7 +129,7 @@ def _options(path: Path, one: Curve, record: Record, test: Test) -> dict[str, ob
     """[data] for a file, from what is in it."""
     is_raw = record.depth is None
     in_time = next((note for note in record.notes if "a test of" in note), "")
-    if path.suffix.lower() in SUFFIXES:
+    if is_of_afm(path):
         return {"kind": "depth-time" if "creep" in in_time else "force-time" if in_time else "force-depth"}
     unloads = unloading_parts(test.segments, test.force, 0.4)
     if not is_raw and _has_stiffness(path):
@@ -167,7 +168,7 @@ def _tables_with(path: Path, role: str) -> list[MeasuredTable]:
 def _further_columns(path: Path, kind: str) -> list[str]:
     """What a kind reads beside depth and force, in the first test of a table."""
     role = "stiffness" if kind == "stiffness-depth" else "time"
-    if path.suffix.lower() in SUFFIXES or kind not in ("stiffness-depth", "force-time", "depth-time"):
+    if is_of_afm(path) or kind not in ("stiffness-depth", "force-time", "depth-time"):
         return []
     return [measured.column(_section({"kind": kind}), table, role).described(role) for table in _tables_with(path, role)[:1]]
 

@@ -1,26 +1,32 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Binary files of atomic force microscopes, read with afmformats."""
+"""Binary files of atomic force microscopes, read with afmformats, or by readers of their own."""
 
 from __future__ import annotations
 
 import importlib
 import logging
 import math
+import re
 import warnings
-from collections.abc import Sequence
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from ...errors import FileError, MDRError
-from ..records.segments import Segment, segments_of_numbers
+from ..records.segments import segments_of_numbers
+from .afm_curve import AfmCurve, Array, Lever, MissingSettings
+from .asylum import read_waves
+from .nanoscope import SIGNS, read_nanoscope
+from .nanosurf import read_nid
 
-Array = NDArray[np.float64]
-
-SUFFIXES = (".jpk-force", ".jpk-force-map", ".jpk-qi-data", ".jpk-qi-series", ".h5", ".ibw", ".tab", ".zip")
-"""Endings of files that are left to afmformats."""
+_OWN: Mapping[str, Callable[[Path, Lever], list[AfmCurve]]] = {".nid": read_nid, ".spm": read_nanoscope}
+"""Readers of files that afmformats does not know."""
+SUFFIXES = (".jpk-force", ".jpk-force-map", ".jpk-qi-data", ".jpk-qi-series", ".h5", ".ibw", ".tab", ".zip", *_OWN)
+"""Endings of files that are no tables."""
+_NUMBERED = re.compile(r"\.\d{3}")
+"""Endings that NanoScope gives its files."""
 TEXT_SUFFIXES = (".csv", ".txt")
 """Endings of files that it may know where they are no plain tables."""
 _HINTS = {
@@ -32,29 +38,14 @@ _MODALITIES = ("force-distance", "creep-compliance", "stress-relaxation")
 _HEIGHTS = ("height (measured)", "height (piezo)")
 
 
-class MissingSettings(FileError):
-    """The file does not say what a cantilever's deflection means."""
-
-
-class AfmCurve(NamedTuple):
-    """One force curve, SI units."""
-
-    height: Array
-    """of the piezo, growing into the sample"""
-    force: Array
-    time: Array | None
-    spring_constant: float | None
-    place: tuple[float, float] | None
-    """column and row in a map, or None"""
-    segments: tuple[Segment, ...] | None
-    """as the file has them; None where it does not separate them"""
-    notes: tuple[str, ...]
-    position: tuple[float, float] | None = None
-    """x and y in a map [m]"""
-    is_in_time: bool = False
-    """whether it is a creep or relaxation test"""
-    number: int = 1
-    """of the curve, as the file counts from 1"""
+def is_of_afm(path: Path) -> bool:
+    """Whether a file is one of an AFM, by its ending, or by its begin where the ending is a number."""
+    if not _NUMBERED.fullmatch(path.suffix):
+        return path.suffix.lower() in SUFFIXES
+    if not path.is_file():
+        return False
+    with path.open("rb") as file:
+        return file.read(max(map(len, SIGNS))).startswith(SIGNS)
 
 
 def read_afm(path: Path, spring_constant: float | None = None, deflection_sensitivity: float | None = None) -> list[AfmCurve]:
@@ -62,16 +53,45 @@ def read_afm(path: Path, spring_constant: float | None = None, deflection_sensit
 
     spring_constant, deflection_sensitivity : [N/m], [m/V]; None: those of the file
     """
+    if not path.is_file():
+        raise FileError(f"{path}: it cannot be read: there is no such file")
+    given = Lever(spring_constant, deflection_sensitivity)
+    own = read_nanoscope if _NUMBERED.fullmatch(path.suffix) else _OWN.get(path.suffix.lower())
+    if own is not None:
+        return _by_own(own, path, given)
+    try:
+        return _by_afmformats(path, given)
+    except MissingSettings:
+        raise
+    except FileError as refusal:
+        if path.suffix.lower() != ".ibw":
+            raise
+        return _by_own(read_waves, path, given, refusal)
+
+
+def _by_own(
+    read: Callable[[Path, Lever], list[AfmCurve]], path: Path, given: Lever, refusal: FileError | None = None
+) -> list[AfmCurve]:
+    """The curves of a reader, with refusals that name the file. refusal : that of another reader, which damage keeps"""
+    try:
+        return read(path, given)
+    except MDRError as problem:
+        fault = MissingSettings if isinstance(problem, MissingSettings) else FileError
+        raise fault(f"{path}: {problem}") from problem
+    except Exception as problem:  # noqa: BLE001 - damage makes readers raise anything
+        words = f"{path}: it cannot be read, it is damaged or of another kind: {type(problem).__name__}"
+        raise refusal or FileError(words) from problem
+
+
+def _by_afmformats(path: Path, lever: Lever) -> list[AfmCurve]:
     try:
         afmformats: Any = importlib.import_module("afmformats")
     except ImportError as problem:
         raise MDRError(f'{path}: files of this kind need afmformats: pip install "mdrcontact[afm]"') from problem
-    if not path.is_file():
-        raise FileError(f"{path}: it cannot be read: there is no such file")
     # they log what they raise, one of them with all of the file
     for name in ("afmformats", "igor2"):
         logging.getLogger(name).setLevel(logging.CRITICAL + 1)
-    given = {"spring constant": spring_constant, "sensitivity": deflection_sensitivity}
+    given = {"spring constant": lever.spring_constant, "sensitivity": lever.sensitivity}
     chosen = {name: value for name, value in given.items() if value is not None}
     try:
         with warnings.catch_warnings():
