@@ -8,6 +8,8 @@ from pathlib import Path
 
 from .._progress import on_terminal
 from .._text import listed
+from ..instruments import schema
+from ..problem.section import Section
 from ..studies import inspect
 from . import files
 from .table import as_text
@@ -20,6 +22,12 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("data", type=Path, metavar="FILE", help="a table, a spreadsheet, or a file of an AFM")
     parser.add_argument("--plot", type=Path, metavar="FILE.png", help="draw the tests and their segments (.png, .pdf or .svg)")
     parser.add_argument("--problem", type=Path, metavar="START.toml", help="write a problem file to begin with")
+    parser.add_argument("--columns", nargs="+", metavar="TITLE", default=(), help='titles with units, as in "depth [nm]"')
+    for name, example in (("spring-constant", "0.2 N/m"), ("deflection-sensitivity", "50 nm/V")):
+        parser.add_argument(f"--{name}", metavar="VALUE", help=f'of the cantilever, as in "{example}"')
+    parser.add_argument(
+        "--like", type=Path, metavar="PROBLEM.toml", help="read the file as [data] and [instrument] of this one say"
+    )
     parser.add_argument("--overwrite", action="store_true", help="replace files that exist")
 
 
@@ -27,8 +35,10 @@ def run(arguments: argparse.Namespace) -> None:
     """Reads, prints, writes."""
     pictures = [arguments.plot] if arguments.plot else []
     files.check_results([*pictures, *([arguments.problem] if arguments.problem else [])], pictures, arguments.overwrite)
+    said = {name: getattr(arguments, name) for name in schema.CANTILEVER if getattr(arguments, name) is not None}
+    cantilever = Section(said, "inspect", schema.INSTRUMENT).given(said)
     with on_terminal() as progress:
-        found = inspect(arguments.data, progress=progress)
+        found = inspect(arguments.data, columns=arguments.columns, **cantilever, like=arguments.like, progress=progress)
     print(listed(arguments.data, found.inspection.notes) + "\n")
     if "tests" in found.tables:
         print("\n".join([as_text(found.tables["tests"], left=1), *found.notes.values()]) + "\n")

@@ -11,7 +11,8 @@ from pathlib import Path
 from .._units import FORCE, LENGTH, RATIO, Dimension, shown
 from ..errors import CancelledError, MDRError
 from ..instruments.files.fit_file import fit_file_of_text
-from ..instruments.files.inspection import Inspection, Test, inspect_file
+from ..instruments.files.inspection import Given, Inspection, Test, given_by, inspect_file
+from ..instruments.files.start_file import MARK
 from ..instruments.fitting.causes import by_cause
 from ..instruments.reading.formats import Fact
 from ..panels import Figure, Line, Panel, along
@@ -23,8 +24,6 @@ _DRAWN = 12
 _COLOURS = {"loading": 0, "hold": 4, "unloading": 1}
 _MOST = 60
 """Tests that are looked at."""
-_MARKED = "put in yours"
-"""In lines of a problem file that are guessed."""
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -64,13 +63,27 @@ def _panel(test: Test) -> Panel:
 
 
 @study
-def inspect(data: str | Path, *, progress: Progress | None = None) -> InspectResult:
+def inspect(
+    data: str | Path,
+    *,
+    columns: Sequence[str] = (),
+    spring_constant: float | None = None,
+    deflection_sensitivity: float | None = None,
+    like: str | Path | None = None,
+    progress: Progress | None = None,
+) -> InspectResult:
     """Identify a file of measurements, and what would be fitted.
 
     Parameters
     ----------
     data : str or Path
         A table, a spreadsheet, or a file of an AFM.
+    columns : sequence of str, optional
+        Titles of the columns with their units, of a table that has none.
+    spring_constant, deflection_sensitivity : float, optional
+        Of the cantilever [N/m], [m/V]; by default those of the file, or usual ones that are marked.
+    like : str or Path, optional
+        A problem file whose [data] and [instrument] state how the table is read.
     progress : Progress, optional
         Follows the tests, and stops between two of them.
 
@@ -101,7 +114,7 @@ def inspect(data: str | Path, *, progress: Progress | None = None) -> InspectRes
     """
     data, progress = Path(data), progress or Progress()
     progress.step(0, None, "file")
-    found = inspect_file(data)
+    found = inspect_file(data, _given(columns, spring_constant, deflection_sensitivity, like))
     tests, tables, notes = found.tests, dict[str, Table](), dict[str, str]()
     if tests:
         tables["tests"] = in_words(_rows(tests[:_MOST]))
@@ -116,7 +129,7 @@ def inspect(data: str | Path, *, progress: Progress | None = None) -> InspectRes
         raise
     except MDRError as words:
         refusal = words
-    missing = [line.split("=")[0].strip() for line in found.problem.splitlines() if _MARKED in line]
+    missing = [line.split("=")[0].strip() for line in found.problem.splitlines() if MARK in line]
     return InspectResult(
         title=data.name,
         numbers={"tests": Number(len(tests), RATIO), "curves": Number(len(curves), RATIO)},
@@ -127,9 +140,17 @@ def inspect(data: str | Path, *, progress: Progress | None = None) -> InspectRes
         facts=tuple(tests[0].facts) if tests else (),
         curves=tuple(curves),
         doubts=tuple(doubts),
-        guessed=(*missing, "the body"),
+        guessed=(*dict.fromkeys(missing), "the body"),
         refusal=refusal,
     )
+
+
+def _given(columns: Sequence[str], spring_constant: float | None, sensitivity: float | None, like: str | Path | None) -> Given:
+    """What the file does not say; arguments come before the problem file."""
+    given = Given() if like is None else given_by(Path(like))
+    said = {"spring_constant": spring_constant, "deflection_sensitivity": sensitivity}
+    cantilever = given.cantilever._replace(**{name: value for name, value in said.items() if value is not None})
+    return Given(cantilever, {**given.data, **({"columns": [*columns]} if columns else {})})
 
 
 def _rows(tests: Sequence[Test]) -> list[list[str]]:

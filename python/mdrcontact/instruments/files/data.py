@@ -65,6 +65,12 @@ _MAKES: Mapping[str, Callable[..., Data]] = {
 }
 TABLES: Mapping[str, tuple[Callable[..., Data], tuple[str, ...]]] = {kind: (_MAKES[kind], roles) for kind, roles in COLUMNS.items()}
 """Kinds whose columns are the data; the others are records of an instrument."""
+
+
+class NoCantilever(ProblemError):
+    """A table has a deflection, and nothing turns it into a force."""
+
+
 _FEWEST_STEPS, _TURNING = 5, 0.25
 """Steps, and the share of them in the rarer direction, by which rows are in no order."""
 OF_A_TABLE = (*ROLES, "columns", "units", "skip", "sheet", "leave_out", "decimal", "sd")
@@ -274,7 +280,7 @@ def record_of(section: Section, cantilever: Cantilever, table: MeasuredTable, ki
     else:
         found["height"] = column(section, table, "height")
         height = found["height"].values
-    if depth is None and "force" not in section and _has_deflection(section, table):
+    if depth is None and "force" not in section and has_deflection(section, table):
         force = _force_of_deflection(section, _with_facts(cantilever, table.facts), table, found)
     else:
         found["force"] = column(section, table, "force")
@@ -381,14 +387,15 @@ def _record_data(section: Section, record: Record, kind: str) -> Data:
     return ForceDepth(record.depth, record.force, sd=record.sd, relative_sd=relative, branch=None if branch == "both" else branch)
 
 
-def _has_deflection(section: Section, table: MeasuredTable) -> bool:
+def has_deflection(section: Section, table: MeasuredTable) -> bool:
+    """Whether a deflection is named, or can be found."""
     return "deflection" in section or any(_is_deflection_in(table, dimension) for dimension in (LENGTH, VOLTAGE))
 
 
 def _force_of_deflection(section: Section, cantilever: Cantilever, table: MeasuredTable, found: _Found) -> Array:
     """Spring constant times deflection, which stands in the file as a length or a voltage."""
     if cantilever.spring_constant is None:
-        raise ProblemError('a deflection becomes a force by the spring constant: give [instrument] spring_constant = "0.2 N/m"')
+        raise NoCantilever('a deflection becomes a force by the spring constant: give [instrument] spring_constant = "0.2 N/m"')
     try:
         found["deflection"] = column(section, table, "deflection")
         return found["deflection"].values * cantilever.spring_constant
@@ -400,6 +407,6 @@ def _force_of_deflection(section: Section, cantilever: Cantilever, table: Measur
         except (ProblemError, UnitError):
             raise of_length from None
     if cantilever.deflection_sensitivity is None:
-        raise ProblemError(f'the deflection {title!r} is a voltage: give [instrument] deflection_sensitivity = "50 nm/V"')
+        raise NoCantilever(f'the deflection {title!r} is a voltage: give [instrument] deflection_sensitivity = "50 nm/V"')
     found["deflection"] = _Column(title, unit, values, VOLTAGE)
     return values * cantilever.deflection_sensitivity * cantilever.spring_constant

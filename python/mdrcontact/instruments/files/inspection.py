@@ -3,43 +3,90 @@
 
 from __future__ import annotations
 
+import math
+import re
 from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass
 from pathlib import Path
-from typing import NamedTuple
+from types import MappingProxyType
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ..._units import SENSITIVITY, STIFFNESS, parse
+from ..._units import LENGTH, SENSITIVITY, STIFFNESS, parse, shown
 from ...errors import MDRError
+from ...problem.roles import ROLES
 from ...problem.section import ProblemError, Section
+from ...problem.toml import parse_file
+from .. import schema
 from ..fitting.unloading import unloading_parts
 from ..reading.afm import is_of_afm
 from ..reading.afm_curve import MissingSettings
 from ..reading.columns import MeasuredTable, TableOptions, read_tables
 from ..reading.formats import Fact
-from ..records import Segment
+from ..records import Segment, depth_from_height, find_baseline, find_contact_point, find_pull
+from ..records.contact_point import METHODS
 from . import data as measured
 from .curves import Curve, curves, fits
 from .data_keys import KNOWN
-from .record import Cantilever, Record
-from .start_file import Size, start_file
+from .record import Cantilever, Record, first_loading
+from .start_file import BERKOVICH, Size, Start
 
 Array = NDArray[np.float64]
 
 _CANTILEVER = {"spring_constant": "0.2 N/m", "deflection_sensitivity": "50 nm/V"}
 """Usual ones, to begin with where a file does not say its own."""
 _DIMENSIONS = {"spring_constant": STIFFNESS, "deflection_sensitivity": SENSITIVITY}
+_UNITS = (("depth", "nm"), ("height", "nm")), (("force", "uN"), ("deflection", "nm"))
+"""What a record has one of, and units to begin with where no title says one."""
+_THICKNESS = 500e-9
+"""Of a film of which the file says nothing [m]."""
+_OVER_THICKNESS = re.compile(r"(a|radius|contact radius)\s*(/|over|_over_|_per_)\s*(h|t|thickness)", re.IGNORECASE)
+_REDUCED = re.compile(r"\s*(e_?r\b|reduced)", re.IGNORECASE)
+"""A modulus of body and tip together; E_eff is that of the body."""
 _FEWEST = 5
 """Stiffnesses that make a record a dynamic one."""
 _SOFT = 1e8
 """Force over depth squared below which a body is a gel, a cell or rubber, under a ball [Pa]."""
 _APART = 0.05
 """Of the largest force: a record that begins with less begins before contact."""
+_FREE_READINGS, _CLEAR = 10, 3.0
+"""Readings before contact that say a force there, and standard errors by which it is not 0, or noises by which it is not level."""
+_MOVED = 0.02
+"""Of the depth: contact that begins so far from 0."""
+_IN_TIME = "time"
+"""Kinds of data in time."""
+_PULLS = 0.05
+"""Of the largest force: a smaller pull needs no work of adhesion."""
 _WIDEST = 9
 """Columns of a table without titles."""
+
+
+class Given(NamedTuple):
+    """What a file does not say itself."""
+
+    cantilever: Cantilever = Cantilever()
+    data: Mapping[str, object] = MappingProxyType({})
+    """keys of [data] that say how a table is read"""
+
+    @property
+    def said(self) -> dict[str, str]:
+        """[instrument]."""
+        values = {name: value for name, value in self.cantilever._asdict().items() if value is not None}
+        return {name: shown(value, _DIMENSIONS[name], 6) for name, value in values.items()}
+
+
+def given_by(path: Path) -> Given:
+    """What a problem file says of how a file of measurements is read."""
+    table = parse_file(path)
+    try:
+        whole = {name: table.get(name, {}) for name in ("data", "instrument")}
+        data, tool = Section(whole["data"], "data", KNOWN), Section(whole["instrument"], "instrument", schema.INSTRUMENT)
+        return Given(Cantilever(**tool.given(_DIMENSIONS)), {key: data.plain(key) for key in measured.OF_A_TABLE if key in data})
+    except ProblemError as problem:
+        raise ProblemError(f"{path}: {problem}") from problem
 
 
 class Test(NamedTuple):
@@ -68,43 +115,75 @@ class Inspection:
     """a problem file for `mdrcontact fit`"""
 
 
-def inspect_file(path: Path) -> Inspection:
+def inspect_file(path: Path, given: Given | None = None) -> Inspection:
     """Reads a file without a problem file; what it cannot be is a `ProblemError` that names its columns."""
+    given = given or Given()
+    units = _missing_units(path, given)
+    given = given._replace(data={**given.data, **({"units": units} if units else {})})
     try:
-        found, guessed = _curves(path)
-        records = [_record(one) for one in found]
+        found, records, guessed = _curves(path, given)
     except ProblemError as problem:
-        return _of_columns(path, problem)
+        return _of_columns(path, given, problem)
     tests = [_test(one, record) for one, record in zip(found, records, strict=True)]
-    options = _options(path, found[0], records[0], tests[0])
-    if records[0].depth is None and not found[0].facts and not guessed:
-        guessed = {"spring_constant": _CANTILEVER["spring_constant"]}
     facts = [fact for fact in found[0].facts if fact.name not in guessed]
     tests = [test._replace(facts=facts) for test in tests] if guessed else tests
-    notes = [*records[0].notes, *(f"not in the file: {name.replace('_', ' ')}, taken as {v}" for name, v in guessed.items())]
-    notes += _further_columns(path, str(options["kind"]))
+    options = {**_options(path, given, found[0], records[0], tests[0]), **given.data}
     size = Size(max(float(np.ptp(test.along)) for test in tests), max(float(np.ptp(test.force)) for test in tests))
-    return Inspection(notes, tests, str(options["kind"]), start_file(path.name, options, facts, size, guessed))
+    cantilever = _with_guesses(given.cantilever, guessed)
+    pull = _pull(records[0], facts, cantilever) if options["kind"] == "force-depth" else 0.0
+    start = Start(path.name, options, size, facts, given.said, guessed, ("units",) if units else ())
+    start = start._replace(work_of_adhesion=pull / (1.5 * math.pi * start.radius))
+    notes = [*records[0].notes, *(f"not in the file: {name.replace('_', ' ')}, taken as {v}" for name, v in guessed.items())]
+    notes += [f"not in the file: the unit of {title!r}, taken as {unit}" for title, unit in units.items()]
+    return Inspection([*notes, *_further_columns(path, given, str(options["kind"]))], tests, str(options["kind"]), start.text())
 
 
-def _curves(path: Path) -> tuple[list[Curve], Mapping[str, str]]:
-    """The curves of a file, and what is taken for settings of the cantilever that it does not say."""
-    section = _section({"kind": "force-depth"})
-    with suppress(MissingSettings):
-        return curves(section, Cantilever(), path), {}
+def _curves(path: Path, given: Given) -> tuple[list[Curve], list[Record], Mapping[str, str]]:
+    """The curves of a file, their records, and what is taken for settings of the cantilever that it does not say."""
+    section = _section(given, "force-depth")
+    missing: MDRError | None = None
     # what a file says itself is not to be guessed
+    for names in ((), ("spring_constant",), ("deflection_sensitivity",), tuple(_CANTILEVER)):
+        guessed = {name: _CANTILEVER[name] for name in names}
+        if any(getattr(given.cantilever, name) is not None for name in names):
+            continue
+        try:
+            found = curves(section, _with_guesses(given.cantilever, guessed), path)
+            records = [_record(one) for one in found]
+        except (MissingSettings, measured.NoCantilever) as problem:
+            missing = problem
+        except MDRError as problem:
+            if not names:
+                raise
+            missing = missing or problem
+        else:
+            if records[0].depth is None and given.cantilever.spring_constant is None and not (found[0].facts or guessed):
+                guessed = {"spring_constant": _CANTILEVER["spring_constant"]}
+            return found, records, guessed
+    assert missing is not None
+    raise missing
+
+
+def _with_guesses(cantilever: Cantilever, guessed: Mapping[str, str]) -> Cantilever:
+    return cantilever._replace(**{name: parse(text, _DIMENSIONS[name]) for name, text in guessed.items()})
+
+
+def _missing_units(path: Path, given: Given) -> dict[str, str]:
+    """Units to begin with of columns whose titles name a quantity without one."""
+    if path.suffix.lower() in SUFFIXES:
+        return {}
+    section, units = _section(given, "force-depth"), dict[str, str]()
     with suppress(MDRError):
-        return _guessing(section, path, "spring_constant")
-    return _guessing(section, path, *_CANTILEVER)
+        table = read_tables(path, measured.table_options(section))[0]
+        for roles in _UNITS:
+            if not any(measured.has(section, table, role) for role, _ in roles) and not measured.has_deflection(section, table):
+                named = ((table.named(ROLES[role][1], ROLES[role][0]), unit) for role, unit in roles)
+                units |= next(({titles[0]: unit} for titles, unit in named if titles), {})
+    return units
 
 
-def _guessing(section: Section, path: Path, *names: str) -> tuple[list[Curve], Mapping[str, str]]:
-    numbers = {name: parse(_CANTILEVER[name], _DIMENSIONS[name]) for name in names}
-    return curves(section, Cantilever(**numbers), path), {name: _CANTILEVER[name] for name in names}
-
-
-def _section(table: Mapping[str, object]) -> Section:
-    return Section(dict(table), "data", KNOWN)
+def _section(given: Given, kind: str) -> Section:
+    return Section({"kind": kind, **given.data}, "data", KNOWN)
 
 
 def _record(one: Curve) -> Record:
@@ -125,26 +204,66 @@ def _test(one: Curve, record: Record) -> Test:
     return Test(one.name, along, name, record.force, segments, said_by, one.facts)
 
 
-def _options(path: Path, one: Curve, record: Record, test: Test) -> dict[str, object]:
+def _options(path: Path, given: Given, one: Curve, record: Record, test: Test) -> dict[str, object]:
     """[data] for a file, from what is in it."""
     is_raw = record.depth is None
     in_time = next((note for note in record.notes if "a test of" in note), "")
     if is_of_afm(path):
         return {"kind": "depth-time" if "creep" in in_time else "force-time" if in_time else "force-depth"}
     unloads = unloading_parts(test.segments, test.force, 0.4)
-    if not is_raw and _has_stiffness(path):
-        return {"kind": "stiffness-depth", "branch": "loading"} if len(test.segments) > 1 else {"kind": "stiffness-depth"}
+    branch = {"branch": "loading"} if len(test.segments) > 1 else {}
+    if not is_raw and _has_stiffness(path, given):
+        return {"kind": "stiffness-depth", **branch}
     says_ball = any(fact.name == "indenter.radius" for fact in one.facts)
     is_soft = not is_raw and not says_ball and _is_soft(test)
     held = max((s for s in test.segments if s.kind == "hold"), key=lambda s: s.stop - s.start, default=None)
-    if is_soft and held is not None and _tables_with(path, "time"):
+    if is_soft and held is not None and _tables_with(path, given, "time"):
         creeps = np.ptp(test.along[held.points]) / np.ptp(test.along) > np.ptp(test.force[held.points]) / np.ptp(test.force)
-        kind: dict[str, object] = {"kind": "depth-time", "branch": "loading"} if creeps else {"kind": "force-time"}
-        begins_apart = abs(test.force[0]) < _APART * np.ptp(test.force)
-        return {**kind, "contact_point": "piecewise"} if begins_apart else kind
+        return {**({"kind": "depth-time", "branch": "loading"} if creeps else {"kind": "force-time"}), **_zero(record, _IN_TIME)}
     if not (is_raw or says_ball or is_soft) and unloads:
-        return {"kind": "unloading"}
-    return {"kind": "force-depth", "branch": "loading"} if len(test.segments) > 1 else {"kind": "force-depth"}
+        return {"kind": "unloading", **_zero(record, "unloading")}
+    return {"kind": "force-depth", **branch, **({} if is_raw else _zero(record, "force-depth"))}
+
+
+def _zero(record: Record, kind: str) -> dict[str, object]:
+    """[data] on the contact point and the baseline of a table of depths, where the force before contact is not 0, or contact does
+    not begin at the depth 0."""
+    assert record.depth is not None
+    part = first_loading(record)
+    depth, force = record.depth[part], record.force[part]
+    try:
+        contact = find_contact_point(depth, force)
+        line = find_baseline(depth, force, contact)
+    except MDRError:
+        return {}
+    before = depth[: round(0.8 * contact)]
+    # a contact that grows as a power begins slowly, and is no baseline
+    if len(before) < _FREE_READINGS or abs(line.tilt) * float(np.ptp(before)) > _CLEAR * line.noise:
+        return {}
+    level = line.at(np.array([before.mean()]))[0]
+    is_off = abs(level) > _CLEAR * line.noise / math.sqrt(len(before))
+    if kind == "force-depth":
+        return {"contact_point": "fit"} if is_off else {}
+    is_moved = kind == _IN_TIME or abs(float(depth[contact])) > _MOVED * float(np.ptp(depth))
+    return {**({"contact_point": METHODS[0]} if is_moved or is_off else {}), **({"baseline": "offset"} if is_off else {})}
+
+
+def _pull(record: Record, facts: Sequence[Fact], cantilever: Cantilever) -> float:
+    """The largest pull up to the largest force; 0 where it needs no work of adhesion [N]."""
+    said = next((fact.value for fact in facts if fact.name == "spring_constant"), None)
+    constant, depth = cantilever.spring_constant or said, record.depth
+    part = slice(0, int(np.argmax(record.force)) + 1)
+    force = record.force[part]
+    with suppress(MDRError):
+        if depth is None and record.height is not None and constant is not None:
+            depth = depth_from_height(record.height, record.force / constant, record.sign)
+        if record.depth is not None and force.max() < 0.0 and not _zero(record, "force-depth"):
+            # in tension from end to end, without a baseline
+            return -float(force.min())
+        found = None if depth is None else find_pull(depth[part], force)
+        if found is not None and found.force > _PULLS * float(np.ptp(record.force)):
+            return found.force
+    return 0.0
 
 
 def _is_soft(test: Test) -> bool:
@@ -152,41 +271,78 @@ def _is_soft(test: Test) -> bool:
     return float(np.ptp(test.force)) < _SOFT * float(np.ptp(test.along)) ** 2
 
 
-def _has_stiffness(path: Path) -> bool:
+def _has_stiffness(path: Path, given: Given) -> bool:
     """Whether a table has stiffnesses beside depths and forces."""
-    section = _section({"kind": "stiffness-depth"})
-    tables = _tables_with(path, "stiffness")
+    section = _section(given, "stiffness-depth")
+    tables = _tables_with(path, given, "stiffness")
     return any(np.isfinite(measured.column(section, table, "stiffness").values).sum() >= _FEWEST for table in tables)
 
 
-def _tables_with(path: Path, role: str) -> list[MeasuredTable]:
+def _tables_with(path: Path, given: Given, role: str) -> list[MeasuredTable]:
     """The tables of tests that have a column of this role, too."""
-    section = _section({"kind": "stiffness-depth"})
-    return [table for table in read_tables(path) if measured.has(section, table, role) and fits(section, table, "unloading")]
+    section = _section(given, "stiffness-depth")
+    tables = read_tables(path, measured.table_options(section))
+    return [table for table in tables if measured.has(section, table, role) and fits(section, table, "unloading")]
 
 
-def _further_columns(path: Path, kind: str) -> list[str]:
+def _further_columns(path: Path, given: Given, kind: str) -> list[str]:
     """What a kind reads beside depth and force, in the first test of a table."""
     role = "stiffness" if kind == "stiffness-depth" else "time"
     if is_of_afm(path) or kind not in ("stiffness-depth", "force-time", "depth-time"):
         return []
-    return [measured.column(_section({"kind": kind}), table, role).described(role) for table in _tables_with(path, role)[:1]]
+    section = _section(given, kind)
+    return [measured.column(section, table, role).described(role) for table in _tables_with(path, given, role)[:1]]
 
 
-def _of_columns(path: Path, problem: ProblemError) -> Inspection:
+def _of_columns(path: Path, given: Given, problem: ProblemError) -> Inspection:
     """A table of another kind, by its columns."""
     try:
-        tables = read_tables(path)
+        tables = read_tables(path, measured.table_options(_section(given, "force-depth")))
     except MDRError:
         tables = _without_titles(path)
         if not tables:
             raise problem from None
     for kind, (_, roles) in measured.TABLES.items():
-        section = _section({"kind": kind})
-        if all(measured.has(section, tables[0], role) for role in roles):
-            notes = [*tables[0].notes, *(measured.column(section, tables[0], role).described(role) for role in roles)]
-            return Inspection(notes, [], kind, start_file(path.name, {"kind": kind}, tables[0].facts, Size(1e-6, 0.0)))
-    raise ProblemError(f"{problem}. {_columns(tables[0])}")
+        options = _of_roles(_section(given, kind), tables[0], kind, roles)
+        if options is not None:
+            # beside the columns, which the user may have named
+            data, notes = measured.read_data(_section(Given(data=options), kind), given.cantilever, tables[0], kind)
+            size = Size(_depth_of(kind, data), modulus=_modulus_of(kind, data))
+            over = "radius_over_thickness" in options
+            marked, thickness = (("thickness",), _THICKNESS) if over else ((), 0.0)
+            start = Start(path.name, options, size, tables[0].facts, given.said, marked=marked, thickness=thickness)
+            if kind == "modulus-radius":
+                title = measured.column(_section(Given(data=options), kind), tables[0], "modulus").title
+                start = start._replace(has_tip=_REDUCED.match(title) is not None)
+            return Inspection(notes, [], kind, start.text())
+    raise ProblemError(
+        f'{problem}. {_columns(tables[0])}. Name all with --columns "depth [nm]" "load [mN]", or give a problem file whose [data] '
+        "names them with --like"
+    )
+
+
+def _of_roles(section: Section, table: MeasuredTable, kind: str, roles: Sequence[str]) -> dict[str, object] | None:
+    """[data] of a table that has the columns of a kind; None where it has not."""
+    given = {key: section.plain(key) for key in ("kind", *measured.OF_A_TABLE) if key in section}
+    missing = [role for role in roles if not measured.has(section, table, role)]
+    if missing == ["radius"] and measured.has(section, table, "area"):
+        return given
+    ratio = next((title for title in table.titles if _OVER_THICKNESS.fullmatch(title.strip())), None)
+    if missing == ["radius"] and ratio is not None:
+        return {**given, "radius_over_thickness": ratio, "thickness": shown(_THICKNESS, LENGTH)}
+    return None if missing else given
+
+
+def _modulus_of(kind: str, data: Any) -> float:
+    """E_eff in the middle of readings that say it; 0: they do not [Pa]."""
+    if kind == "modulus-radius":
+        return float(np.median(data.y))
+    return float(np.median(data.y / (2.0 * data.x))) if kind == "stiffness-radius" else 0.0
+
+
+def _depth_of(kind: str, data: Any) -> float:
+    """How deep a Berkovich tip goes for contacts of these radii; of other data the depth [m]."""
+    return float(np.max(data.x)) if kind == "stiffness-depth" else float(np.max(data.x)) / math.sqrt(BERKOVICH / math.pi)
 
 
 def _without_titles(path: Path) -> list[MeasuredTable]:

@@ -225,7 +225,7 @@ def _approach(record: Record) -> slice:
     return slice(0, int(np.argmax(record.force)) + 1)
 
 
-def _first_loading(record: Record) -> slice:
+def first_loading(record: Record) -> slice:
     """The points up to the first unloading of a record of cycles: later ones lie on other curves."""
     whole = _approach(record)
     first = next((s.start for s in record.parts()[0] if s.kind == "unloading"), whole.stop)
@@ -233,7 +233,7 @@ def _first_loading(record: Record) -> slice:
 
 
 def _find_zero(section: Section, record: Record, is_raw: bool, kind: str) -> None:
-    depth, approach = _depth(record), _approach(record) if is_raw else _first_loading(record)
+    depth, approach = _depth(record), _approach(record) if is_raw else first_loading(record)
     usual = ("fit" if kind == "force-depth" else METHODS[0]) if is_raw else "given"
     method = section.value("contact_point", kind=kind) or usual
     baseline = section.value("baseline") or ("offset" if is_raw else "none")
