@@ -549,3 +549,25 @@ def test_a_stop_is_not_taken_for_a_refusal():
             contact.at_force(np.linspace(0.01, 1.0, 1_000_000))
         went_on.append(True)
     assert went_on and contact.at_depth(0.5).force > 0.0
+
+
+@pytest.mark.parametrize("depths", [["5 nm", "50 nm"], ["10 nm", "30 nm", "80 nm"], ["30 nm", "60 nm"], ["5 nm", "10 nm"]])
+def test_the_contact_is_as_wide_as_the_coating_thick_at_one_depth(depths):
+    """By interpolation between the rows it was 21.218, 21.136 or 20.947 nm, and "always above" it from 30 nm on."""
+    table = {"coating": {"E": "72 GPa", "nu": 0.17, "thickness": "500 nm"}, "substrate": {"E": "163 GPa", "nu": 0.22}}
+    tables = {
+        "indenter": {"shape": "sphere", "radius": "10 um"},
+        "medium": {"type": "coated", **table},
+        "compute": {"depths": depths},
+    }
+    read = problem.read(tables)
+    found = studies.curve(read)
+    h = 500e-9
+    inside = found.states.radius[0] < h < found.states.radius[-1]
+    assert found.at_thickness.radius == pytest.approx(h)
+    assert read.contact().at_depth(found.at_thickness.depth).radius == pytest.approx(h, rel=1e-12)
+    words = found.notes["thickness"]
+    assert words.endswith("at depth 20.946 nm.") and ("equals the coating" in words) == inside
+    assert ("stays above" in words) == (found.states.radius[0] > h) and ("stays below" in words) == (found.states.radius[-1] < h)
+    labels = [part.y for panel in found.figure().panels for part in panel.parts if getattr(part, "text", "") == "a = h"]
+    assert len(labels) == 3 * inside

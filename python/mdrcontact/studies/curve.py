@@ -14,12 +14,13 @@ from .._units import FORCE, LENGTH, MODULUS, STIFFNESS, Dimension, practical, sh
 from ..contact import Contact
 from ..errors import InvalidArgumentError, MDRError
 from ..material import Elastic
-from ..medium import Coated, Homogeneous, Pair
+from ..medium import Coated, Homogeneous, Medium, Pair
 from ..panels import Axis, Figure, Label, Line, Panel, Rule, along, cut, marked
 from ..problem import Problem
 from ..progress import Progress
+from ..state import State
 from .result import Array, Number, Result, Table, column, spread_over, study
-from .states import Curve, columns, crossing, solve, thickness
+from .states import Curve, columns, solve, thickness
 
 _PRESSURE_POINTS = 400
 _COMPARABLE = 10.0
@@ -46,6 +47,8 @@ class CurveResult(Result):
     """at a quarter, half and the end of the curve"""
     refusal: InvalidArgumentError | None = None
     """why there are no pressures"""
+    at_thickness: State | None = None
+    """the state whose contact is as wide as the coating is thick"""
     references: tuple[tuple[str, Array], ...] = ()
     """"coating" and "substrate", and the forces [N] on bodies of them alone, at the same depths"""
 
@@ -99,7 +102,8 @@ def curve(problem: Problem, *, pressures: bool = False, references: bool = False
     total = len(problem.control.values)
     progress.step(0, total, "states")
     found = solve(contact, problem.control, lambda done: progress.step(done, total, "states"))
-    notes = {"thickness": _thickness_note(problem, found), "rigid": _rigid_note(problem, found)}
+    at = _at_thickness(contact, problem.medium)
+    notes = {"thickness": _thickness_note(problem, found, at), "rigid": _rigid_note(problem, found)}
     distributions, refusal = _pressures(contact, found) if pressures else ((), None)
     tables: dict[str, Table] = {"states": columns(found, problem.medium)}
     if distributions:
@@ -113,6 +117,7 @@ def curve(problem: Problem, *, pressures: bool = False, references: bool = False
         states=found,
         pressures=distributions,
         refusal=refusal,
+        at_thickness=at,
         references=tuple(homogeneous_forces(problem, found.depth)) if references else (),
     )
 
@@ -122,14 +127,15 @@ def _over_depth(found: CurveResult) -> Iterator[Panel]:
     x, depth = along("indentation depth d", LENGTH, curve.depth)
     # from 0 on, unless an adhesive curve begins far from it and would fill a corner only
     x = x._replace(low=0.0 if 0.0 <= curve.depth[0] < 0.5 * curve.depth[-1] else None)
-    h = thickness(found.problem.medium)
-    at = crossing(curve, h) if h else None
-    quantities: list[tuple[str, Array, Dimension]] = [
-        ("force F", curve.force, FORCE),
-        ("contact radius a", curve.radius, LENGTH),
-        ("contact stiffness k", curve.stiffness, STIFFNESS),
+    at = found.at_thickness
+    is_inside = at is not None and curve.radius[0] < float(at.radius) < curve.radius[-1]
+    quantities: list[tuple[str, str, Dimension]] = [
+        ("force F", "force", FORCE),
+        ("contact radius a", "radius", LENGTH),
+        ("contact stiffness k", "stiffness", STIFFNESS),
     ]
-    for name, values, dimension in quantities:
+    for name, quantity, dimension in quantities:
+        values = getattr(curve, quantity)
         y, unit = along(name, dimension, values)
         y = y._replace(low=0.0 if 0.0 <= values.min() < 0.5 * values.max() else None)
         name = _model_name(found.problem) if dimension is FORCE else ""
@@ -140,8 +146,8 @@ def _over_depth(found: CurveResult) -> Iterator[Panel]:
                 for i, (body, forces) in enumerate(found.references)
                 if 1.0 / _COMPARABLE < abs(forces[-1] / curve.force[-1]) < _COMPARABLE
             ]
-        if at is not None:
-            parts.append(Label(float(depth.of(at)), float(unit.of(np.interp(at, curve.depth, values))), "a = h", 1))
+        if is_inside:
+            parts.append(Label(float(depth.of(at.depth)), float(unit.of(getattr(at, quantity))), "a = h", 1))
         yield Panel(x, y, tuple(parts))
 
 
@@ -190,17 +196,25 @@ def _ends(found: Curve) -> Iterator[tuple[str, Array, Dimension]]:
     yield "mean pressure", found.mean_pressure, MODULUS
 
 
-def _thickness_note(problem: Problem, found: Curve) -> str | None:
+def _at_thickness(contact: Contact, medium: Medium) -> State | None:
+    """The state whose contact is as wide as the coating is thick; None where no contact is."""
+    h = thickness(medium)
+    with suppress(MDRError):
+        return None if h is None else contact.at_radius(h)
+    return None
+
+
+def _thickness_note(problem: Problem, found: Curve, at: State | None) -> str | None:
     """One sentence on where the contact becomes as wide as the coating is thick."""
     h = thickness(problem.medium)
     if h is None:
         return None
-    thick = shown(h, LENGTH)
-    depth = crossing(found, h)
-    if depth is None:
-        side = "stays below" if found.radius[-1] <= h else "is always above"
-        return f"The contact radius {side} the coating thickness, h = {thick}."
-    return f"The contact radius equals the coating thickness, a = h = {thick}, at depth {shown(depth, LENGTH)}."
+    there = "" if at is None else f", at depth {shown(float(at.depth), LENGTH)}"
+    if at is not None and found.radius.min() <= h <= found.radius.max():
+        return f"The contact radius equals the coating thickness, a = h = {shown(h, LENGTH)}{there}."
+    side = "below" if found.radius.max() < h else "above"
+    where = f"; it equals h{there}" if there else ""
+    return f"In this curve the contact radius stays {side} the coating thickness, h = {shown(h, LENGTH)}{where}."
 
 
 def _rigid_note(problem: Problem, found: Curve) -> str | None:

@@ -73,10 +73,3 @@ def columns(curve: Curve, medium: Medium) -> list[Column]:
         column("effective modulus", curve.modulus, MODULUS),
         column("mean pressure", curve.mean_pressure, MODULUS),
     ]
-
-
-def crossing(curve: Curve, value: float) -> float | None:
-    """Depth at which the contact radius passes `value` [m], None if it does not within the curve."""
-    if not curve.radius[0] < value < curve.radius[-1]:
-        return None
-    return float(np.interp(value, curve.radius, curve.depth))
