@@ -107,6 +107,10 @@ def pictures(rows: Sequence[Row]) -> dict[str, bytes]:
     return drawn
 
 
+CAPTION = "*A panel for each row of the table below. Circles: the source. Crosses: the library. Deviation: the largest one.*"
+"""Below each picture of the page of the guide."""
+
+
 def markdown(rows: Sequence[Row]) -> str:
     """Tables and pictures as a page of the guide."""
     held = sum(row.holds and row.found is not None for row in rows)
@@ -121,7 +125,7 @@ def markdown(rows: Sequence[Row]) -> str:
     ]
     for group, some in sections(rows):
         cells = [[*row.cells()[:-1], f"`{row.cells()[-1]}`"] for row in some]
-        picture = f"![{group.title}: circles are the source, crosses the library](pictures/validation_{group.name}.png)"
+        picture = f"![{group.title}: comparison with other sources](pictures/validation_{group.name}.png)<br>{CAPTION}"
         parts += [f"## {group.title}", "", picture, "", *_table([TITLES, *cells]), ""]
     parts += [f"Programs: {', '.join(programs())}."]
     for title, table in limits.tables():
