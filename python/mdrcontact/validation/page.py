@@ -107,7 +107,7 @@ def pictures(rows: Sequence[Row]) -> dict[str, bytes]:
     return drawn
 
 
-CAPTION = "*A panel for each row of the table below. Circles: the source. Crosses: the library. Deviation: the largest one.*"
+CAPTION = "*A panel for each row of the table below. Circles: reference. Crosses: mdrcontact. Deviation: the largest one.*"
 """Below each picture of the page of the guide."""
 
 
