@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 /**
  * @file mdrcontact.hpp
- * The library in C++17: objects that free themselves, and failures as exceptions. Header only; what each function computes is said in
- * mdrcontact.h.
+ * The library in C++17: objects that free themselves, and failures as exceptions. Header only; mdrcontact.h
+ * describes what each function computes.
  *
  *     auto ball = mdr::make<mdr::Profile>(mdr_profile_paraboloid, 1e-5);
  *     auto glass = mdr_isotropic(72e9, 0.17, 0);
@@ -24,12 +24,12 @@
 
 namespace mdr {
 
-/** A refusal, with the library's words. */
+/** A failure, with the text of the library. */
 class Error : public std::runtime_error {
 public:
     /** @param status   one of enum mdr_status
-     *  @param words    what the library says
-     *  @param argument the argument that it names; empty: none
+     *  @param words    text of the failure
+     *  @param argument the argument at fault; empty: none
      *  @param entry    of an array, from 1; 0: none */
     Error(int status, const std::string &words, std::string argument = "", int entry = 0)
         : std::runtime_error(words), status_(status), argument_(std::move(argument)), entry_(entry)
@@ -45,7 +45,7 @@ private:
     int entry_;
 };
 
-/** Throws unless a status is MDR_SUCCESS. On the thread of the call that gave it: the words belong to that thread. */
+/** Throw unless a status is MDR_SUCCESS. Call it in the thread that received the status, to which the text belongs. */
 inline void check(int status)
 {
     if (status == MDR_SUCCESS) return;
@@ -54,8 +54,8 @@ inline void check(int status)
     throw Error(status, mdr_last_error(), failure.argument, failure.entry);
 }
 
-/** An object of the library, freed with its owner; it moves and does not copy. As an argument it is what it holds. Those of an
- *  extension's header are Handle<mdr_wear> and so on. */
+/** An object of the library, which it frees. It can be moved but not copied, and converts to the handle that it owns. Objects of
+ *  extensions are Handle<mdr_wear> and so on. */
 template <class Object> class Handle {
 public:
     Handle() = default;
@@ -70,7 +70,7 @@ public:
     Handle &operator=(const Handle &) = delete;
     ~Handle() { mdr_free(object_); }
     operator Object *() const noexcept { return object_; }
-    /** Where a function of the library puts the object. What was held before is freed. */
+    /** The address for a function that creates an object. The previous object is freed. */
     Object **receive()
     {
         check(mdr_free(object_));
@@ -93,7 +93,7 @@ using Shear = Handle<mdr_shear>;
 using FrictionHistory = Handle<mdr_friction_history>;
 using LawHandle = Handle<mdr_law>;
 
-/** The object that a function of the library makes into its last argument, from all others. Throws Error. */
+/** Create an object with a function of the library whose last argument receives it. Throws Error. */
 template <class Made, class Function, class... Arguments> Made make(Function function, Arguments &&...arguments)
 {
     Made made;
@@ -110,14 +110,14 @@ public:
     {
         check(mdr_law_view_of(law_, branch, &view_));
     }
-    /** F at a depth. Throws Error where the law refuses it. */
+    /** F at a depth. Throws Error if the law does not cover the depth. */
     double force(double d) const
     {
         double F;
         if (mdr_law_view_force(&view_, d, &F) != MDR_SUCCESS) refuse(d);
         return F;
     }
-    /** All of the state at a depth. Throws Error where the law refuses it. */
+    /** The state at a depth. Throws Error if the law does not cover the depth. */
     mdr_law_point at_depth(double d) const
     {
         mdr_law_point point;

@@ -49,7 +49,7 @@ typedef struct mdr_law_view {
     const double *buffer;   /**< All of the law: an mdr_law_head, and what it describes. */
     int branch;             /**< One of enum mdr_branch. */
     int shift;              /**< Of the bits, to give the panel. */
-    double open;            /**< Up to this depth the bodies are apart [length]. */
+    double open;            /**< Up to this depth the bodies are separated [length]. */
 } mdr_law_view;
 
 /** Return the view of the buffer that a law owns.
@@ -133,7 +133,7 @@ MDR_INLINE int mdr_law_view_from(const double *buffer, int branch, mdr_law_view 
     return mdr_law_view_at(buffer, buffer, branch, view);
 }
 
-/* Whether the bodies are apart at a depth; false of what is no depth. */
+/* Whether the bodies are separated at a depth; false if d is not a depth. */
 MDR_INLINE int mdr_law_is_open(const mdr_law_view *view, double d)
 {
     return d <= view->open && d >= -DBL_MAX;
@@ -175,7 +175,7 @@ MDR_INLINE double mdr_law_polynomial_with_slope(const double c[], double t, doub
     return even + t * odd;
 }
 
-/* x^p for 0 < x <= 1 and p >= 0, by operations that give the same bits on all processors; within 1e-15 (1 + |ln x^p|).
+/* x^p for 0 < x <= 1 and p >= 0, by operations that give bitwise identical results on all processors; within 1e-15 (1 + |ln x^p|).
  * ln m = 2 artanh z between 1/sqrt 2 and sqrt 2, and 2^f, each by its interpolation at Chebyshev's points. */
 MDR_INLINE double mdr_law_power(double x, double p)
 {
@@ -203,7 +203,7 @@ MDR_INLINE double mdr_law_power(double x, double p)
     return (whole + f * part) * one * (n < -1022 ? 5.5511151231257827e-17 : 1.0); /* 2^-54 */
 }
 
-/* The segment, from 1, on which the state of the view's branch lies; 0 if there is none. */
+/* The segment, from 1, on which the state of the view's branch lies; 0 if it does not exist. */
 MDR_INLINE int mdr_law_segment_at(const mdr_law_view *view, int branch, double d)
 {
     const mdr_law_segment *const segments = mdr_law_segments_of(view);
@@ -278,7 +278,7 @@ MDR_INLINE void mdr_law_state_in(const mdr_law_view *view, const mdr_law_interva
     point->beyond = 0.0;
 }
 
-/* F and dF/dd at a depth between first touch and the lowest of the compiled range, without adhesion, from first_force,
+/* F and dF/dd at a depth between initial contact and the lowest of the compiled range, without adhesion, from first_force,
  * force_power and force_roots of the head. */
 MDR_INLINE void mdr_law_first_touch(double lowest, double first, double power, int roots, double d, double *F, double *slope)
 {
@@ -295,7 +295,7 @@ MDR_INLINE void mdr_law_first_touch(double lowest, double first, double power, i
     *slope = rise / lowest * (0.5 * roots * straight + (0.5 * roots + 0.5) * tilt);
 }
 
-/* The integral of F from first touch to such a depth, where F is known. */
+/* The integral of F from initial contact to such a depth, where F is known. */
 MDR_INLINE double mdr_law_first_energy(double lowest, double power, int roots, double d, double F)
 {
     const double bend = 2.0 * power - roots, straight = 1.0 - bend, tilt = bend * sqrt(d / lowest);
@@ -303,7 +303,7 @@ MDR_INLINE double mdr_law_first_energy(double lowest, double power, int roots, d
     return F * d * (straight / (1.0 + 0.5 * roots) + tilt / (1.5 + 0.5 * roots)) / (straight + tilt);
 }
 
-/* The same between first touch and the compiled range, without adhesion. */
+/* The same between initial contact and the compiled range, without adhesion. */
 MDR_INLINE void mdr_law_state_below(const mdr_law_view *view, double d, mdr_law_point *point)
 {
     const mdr_law_head *const head = mdr_law_head_of(view);
@@ -316,7 +316,7 @@ MDR_INLINE void mdr_law_state_below(const mdr_law_view *view, double d, mdr_law_
     point->beyond = 0.0;
 }
 
-/* The same where the bodies are apart. */
+/* The same for separated bodies. */
 MDR_INLINE void mdr_law_state_open(double d, mdr_law_point *point)
 {
     point->force = point->slope = point->radius = point->stiffness = point->energy = point->beyond = 0.0;
@@ -355,7 +355,7 @@ MDR_INLINE void mdr_law_state_on(const mdr_law_view *view, int segment, double d
     }
 }
 
-/* The state where there is none. */
+/* The state if it does not exist. */
 MDR_INLINE int mdr_law_refuse(int status, mdr_law_point *point)
 {
     point->force = point->slope = point->radius = point->stiffness = point->energy = point->beyond = point->depth = (double)NAN;
@@ -462,7 +462,7 @@ MDR_INLINE int mdr_law_view_state(const mdr_law_view *view, double d, mdr_law_po
     return mdr_law_state_anywhere(view, d, point);
 }
 
-/* The next segment beyond the end of one, upwards or downwards; 0 if there is none. */
+/* The next segment beyond the end of one, upwards or downwards; 0 if it does not exist. */
 MDR_INLINE int mdr_law_next_segment(const mdr_law_view *view, int segment, double d)
 {
     const mdr_law_segment *const segments = mdr_law_segments_of(view);

@@ -1,11 +1,11 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The public Fortran surface of the library: `use mdrcontact, only: ...`.
 !>
-!> In comments the unit of each number stands in brackets: [length], [modulus] (that of pressure), [1] for none; any consistent
-!> set does. Angles are in radian. Equation numbers such as (10) are those of the source, Popov (2014). The pages in docs/theory/
-!> state the equations, under numbers such as (3.1).
+!> In comments the unit of each number is in brackets: [length], [modulus] (that of pressure), [1] for none; any consistent set
+!> does. Angles are in radian. Equation numbers such as (10) are those of Popov (2014). The pages in docs/theory/ state the
+!> equations, under numbers such as (3.1).
 !>
-!> The procedures compute in the caller's arithmetic, which must be the default: rounding to nearest.
+!> The procedures compute in the arithmetic of the caller, which must be the default: rounding to nearest.
 module mdrcontact
     use mdrcontact_parameter, only: nature_fraction, nature_not_negative, nature_poisson, nature_positive, nature_signed, &
                                          nature_term, parameter_t

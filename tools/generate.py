@@ -135,7 +135,7 @@ def codes(headers):
 
 def names(headers):
     """The C function of the words."""
-    lines = ["/* SPDX-License-Identifier: GPL-3.0-or-later */", "/* The words of codes. Written by tools/generate.py. */"]
+    lines = ["/* SPDX-License-Identifier: GPL-3.0-or-later */", "/* The names of codes. Written by tools/generate.py. */"]
     lines += ['#include "mdrcontact.h"', "", "const char *mdr_name_of(int code)", "{", "    switch (code) {"]
     lines += [f'    case {code}: return "{word}";' for code, word in words_of(enumerations_of(headers)).items()]
     return [*lines, '    default: return "unknown";', "    }", "}"]

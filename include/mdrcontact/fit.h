@@ -152,7 +152,7 @@ int mdr_fit_parameters(const mdr_fit_problem *problem, int capacity, mdr_fit_par
  *                            unless `sd` is known and absolute
  *  @param x                  [n] see enum mdr_fit_data_kind; in any order, not all equal unless one point suffices
  *  @param y                  [n] see enum mdr_fit_data_kind; not all equal unless one point suffices
- *  @param given              [n] a further quantity of each point, see enum mdr_fit_data_kind; NULL if there is none
+ *  @param given              [n] a further quantity of each point, see enum mdr_fit_data_kind; NULL if the kind has none
  *  @param sd                 [n] standard deviations of y > 0, in its unit; NULL: equal and unknown
  *  @param values             [m] or NULL: all parameters, each in its unit
  *  @param covariance         [m m] or NULL: their covariance, 0 for fixed ones; symmetric

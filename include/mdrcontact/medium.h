@@ -54,9 +54,9 @@ typedef struct mdr_model_facts {
     int takes_graded;        /**< 1: also graded half-spaces. */
     int spherical_only;      /**< 1: valid only under a paraboloid or a sphere. */
     char constant[24];       /**< Name of the member of mdr_medium_options that is a constant of the model, which a fit can
-                                  determine; empty if there is none. */
-    char option[24];         /**< Name of another member that the model uses; empty if there is none. */
-    double default_constant; /**< Default of the member that `constant` names; 0 if there is none. */
+                                  determine; empty if it has none. */
+    char option[24];         /**< Name of another member that the model uses; empty if it has none. */
+    double default_constant; /**< Default of the member that `constant` names; 0 if it has none. */
 } mdr_model_facts;
 
 /** Return the properties of a model.

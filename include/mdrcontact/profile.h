@@ -112,7 +112,7 @@ int mdr_profile_flat_paraboloid(double end_radius, double radius, mdr_profile **
 int mdr_profile_rounded_cone(double blend_radius, double inclination, mdr_profile **out);
 
 /** Create a calibrated nanoindenter tip from its area function A(f) = C0 f^2 + C1 f + C2 f^(1/2) + C3 f^(1/4) + ..., A = pi r^2
- *  (Oliver, Pharr, J. Mater. Res. 7 (1992) 1564). A must increase from min_height (0 if there is none) to max_height.
+ *  (Oliver, Pharr, J. Mater. Res. 7 (1992) 1564). A must increase from min_height (0: none) to max_height.
  *  @param n             number of coefficients, at least 1
  *  @param coefficients  [n] C0 [1], C1 [length], C2 [length^(3/2)], C3 [length^(7/4)], ...
  *  @param min_height    f below which the fitted A is not reliable; there the tip is a paraboloid that meets A at this height. 0:

@@ -36,7 +36,7 @@ static void options_refuse(void)
     }
     options.cohesive_stress = 1.0;
     options.work_of_adhesion = 0.0;
-    CHECK_STATUS(new_contact(&options, &c), MDR_EINVALID, "without a work_of_adhesion");
+    CHECK_STATUS(new_contact(&options, &c), MDR_EINVALID, "it needs a work_of_adhesion");
     options.work_of_adhesion = work;
     options.adhesion_rule = MDR_ADHESION_PAPER;
     CHECK_STATUS(new_contact(&options, &c), MDR_EINVALID, "paper");

@@ -63,7 +63,7 @@ static void strides(void)
     CHECK_FREE(m);
     CHECK_TRUE(one[0] == other[0]);
     longer[1].unknown = 1.0;
-    CHECK_STATUS(medium_of_layers(2, &longer[0].known, &base, MDR_MODEL_EXACT, NULL, &m), MDR_EINVALID, "does not know");
+    CHECK_STATUS(medium_of_layers(2, &longer[0].known, &base, MDR_MODEL_EXACT, NULL, &m), MDR_EINVALID, "unknown to this library");
     longer[0].known.size = 0;
     CHECK_STATUS(medium_of_layers(2, &longer[0].known, &base, MDR_MODEL_EXACT, NULL, &m), MDR_EINVALID, "layer 1->size = 0");
     longer[0].known.size = (size_t)1 << 60;
@@ -81,7 +81,7 @@ static void refusals(void)
 
     CHECK_STATUS(medium_of_layers(1, NULL, &base, MDR_MODEL_EXACT, NULL, &m), MDR_ENULL, "layers is NULL");
     CHECK_STATUS(medium_of_layers(1, &film, &base, MDR_MODEL_EXACT, NULL, NULL), MDR_ENULL, "out is NULL");
-    CHECK_STATUS(medium_of_layers(0, NULL, NULL, MDR_MODEL_EXACT, NULL, &m), MDR_EINVALID, "must carry a layer");
+    CHECK_STATUS(medium_of_layers(0, NULL, NULL, MDR_MODEL_EXACT, NULL, &m), MDR_EINVALID, "a rigid base needs at least one layer");
     CHECK_STATUS(medium_of_layers(-1, &film, &base, MDR_MODEL_EXACT, NULL, &m), MDR_EINVALID, "n = -1");
     CHECK_STATUS(medium_of_layers(1, &film, &base, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "choose from exact");
     film.C13 = 300.0;
@@ -95,7 +95,7 @@ static void refusals(void)
     film.tangential_compliance = INFINITY;
     CHECK_SUCCESS(medium_of_layers(1, &film, &base, MDR_MODEL_EXACT, NULL, &m));
     CHECK_SUCCESS(mdr_medium_values(m, MDR_MODULUS, 1, a, found));
-    CHECK_STATUS(mdr_medium_values(m, MDR_TANGENTIAL_MODULUS, 1, a, found), MDR_EINVALID, "no stiffness along the surface");
+    CHECK_STATUS(mdr_medium_values(m, MDR_TANGENTIAL_MODULUS, 1, a, found), MDR_EINVALID, "sliding interface");
     CHECK_FREE(m);
 }
 

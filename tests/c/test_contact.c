@@ -29,7 +29,7 @@ static void creation_refuses(void)
     CHECK_STATUS(mdr_contact_new(NULL, m, NULL, &c), MDR_ENULL, "profile is NULL");
     CHECK_STATUS(mdr_contact_new(p, NULL, NULL, &c), MDR_ENULL, "medium is NULL");
     CHECK_STATUS(mdr_contact_new(p, m, NULL, NULL), MDR_ENULL, "out is NULL");
-    CHECK_STATUS(mdr_contact_new((mdr_profile *)(void *)m, m, NULL, &c), MDR_EINVALID, "profile is not an mdr_profile");
+    CHECK_STATUS(mdr_contact_new((mdr_profile *)(void *)m, m, NULL, &c), MDR_EINVALID, "profile: it is not a handle of type");
     CHECK_STATUS(mdr_contact_new(p, (mdr_medium *)(void *)p, NULL, &c), MDR_EINVALID, "medium is not an mdr_medium");
     options = MDR_SIZED(mdr_contact_options);
     options.zeta_count = -1;
@@ -114,7 +114,7 @@ static void ends_refuse(void)
     CHECK_SUCCESS(mdr_medium_contact_modulus(1.0, &m));
     c = new_contact(p, m);
     CHECK_STATUS(columns_of(c, MDR_RADIUS, 1, inside, NULL, a, NULL, NULL), MDR_EUNREACHABLE, "radius = 0.2");
-    CHECK_STATUS(columns_of(c, MDR_RADIUS, 1, wall, NULL, a, NULL, NULL), MDR_EUNREACHABLE, "give depth or force");
+    CHECK_STATUS(columns_of(c, MDR_RADIUS, 1, wall, NULL, a, NULL, NULL), MDR_EUNREACHABLE, "Give depth or force");
     CHECK_UNTOUCHED(1, a);
     CHECK_FREE(c);
 }

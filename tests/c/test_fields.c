@@ -134,7 +134,7 @@ static void boussinesq(void)
     CHECK_SUCCESS(mdr_medium_contact_modulus(modulus, &m));
     CHECK_SUCCESS(mdr_contact_new(p, m, NULL, &c));
     fill_untouched(4, out);
-    CHECK_STATUS(field_at(c, MDR_PRESSURE, MDR_RADIUS, b, 4, r, out), MDR_EUNREACHABLE, "give depth or force");
+    CHECK_STATUS(field_at(c, MDR_PRESSURE, MDR_RADIUS, b, 4, r, out), MDR_EUNREACHABLE, "Give depth or force");
     CHECK_UNTOUCHED(4, out);
     CHECK_SUCCESS(field_at(c, MDR_PRESSURE, MDR_DEPTH, d, 4, r, out));
     for (int i = 0; i < 3; i++) CHECK_CLOSE(out[i], modulus * d / (pi * sqrt(b * b - r[i] * r[i])), 1e-10);

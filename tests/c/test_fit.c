@@ -181,8 +181,8 @@ static void bad_input_is_refused(void)
     problem.data_kind = 9;
     CHECK_INT(mdr_fit_solve(&problem, 3, d, F, NULL, NULL, values, NULL, NULL, NULL, NULL, NULL, NULL, NULL), MDR_EINVALID);
     problem.data_kind = MDR_FIT_FORCE_DEPTH;
-    CHECK_STATUS(mdr_fit_quantile(1.0, 5.0, &upper), MDR_EINVALID, "level = 1 ");
-    CHECK_STATUS(mdr_fit_quantile(0.5, 0.0, &upper), MDR_EINVALID, "degrees_of_freedom = 0 ");
+    CHECK_STATUS(mdr_fit_quantile(1.0, 5.0, &upper), MDR_EINVALID, "level = 1:");
+    CHECK_STATUS(mdr_fit_quantile(0.5, 0.0, &upper), MDR_EINVALID, "degrees_of_freedom = 0:");
     CHECK_STATUS(mdr_fit_quantile(0.5, 5.0, NULL), MDR_ENULL, "factor is NULL");
     /* Cauchy's tan(pi level/2); sqrt(2 p^2/(1 - p^2)) of two degrees; the normal distribution */
     CHECK_SUCCESS(mdr_fit_quantile(0.9, 1.0, &upper));
@@ -314,7 +314,7 @@ static void a_body_is_a_pattern(void)
     /* no reading depends on C12; a bonded interface has no stiffness to begin from */
     parameters[C12].is_free = 1;
     CHECK_STATUS(mdr_fit_solve(&problem, POINTS, d, F, NULL, NULL, values, NULL, NULL, NULL, NULL, NULL, NULL, NULL), MDR_EINVALID,
-                 "must not be free: the readings do not depend on it");
+                 "it must not be free, because the readings do not depend on it");
     parameters[C12].is_free = 0;
     parameters[TANGENTIAL].is_free = 1;
     CHECK_STATUS(mdr_fit_solve(&problem, POINTS, d, F, NULL, NULL, values, NULL, NULL, NULL, NULL, NULL, NULL, NULL), MDR_EINVALID,

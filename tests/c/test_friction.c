@@ -257,7 +257,7 @@ static void histories(void)
     CHECK_CLOSE(once.tangential_force, out[POINTS - 1].tangential_force, 1e-9);
     fill_untouched(6, &once.shift);
     CHECK_STATUS(mdr_friction_history_advance(h, MDR_DEPTH, MDR_SHIFT, 1, &(double){0.51}, shift, states, &once), MDR_EDOMAIN,
-                 "beyond the rings");
+                 "the rings of this history reach up to");
     CHECK_UNTOUCHED(6, &once.shift);
     CHECK_FREE(copy);
     CHECK_FREE(h);
@@ -379,7 +379,7 @@ static void laws(void)
     CHECK_SUCCESS(mdr_contact_new(ball, body, NULL, &other));
     options.friction = f;
     options.sliders = 0;
-    CHECK_STATUS(mdr_law_new(other, 0.1, &options, &none), MDR_EINVALID, "friction is not allowed: it must be of the contact");
+    CHECK_STATUS(mdr_law_new(other, 0.1, &options, &none), MDR_EINVALID, "friction: it must belong to the contact");
     CHECK_FREE(other);
     CHECK_FREE(body);
     CHECK_FREE(ball);
@@ -494,7 +494,7 @@ static void law_files(void)
     CHECK_STATUS(mdr_law_save(law, NULL), MDR_ENULL, "path is NULL");
     CHECK_STATUS(mdr_law_load(NULL, &again), MDR_ENULL, "path is NULL");
     CHECK_STATUS(mdr_law_save(NULL, path), MDR_ENULL, "law is NULL");
-    CHECK_STATUS(mdr_law_read(former, (int)strlen(former), &again), MDR_EFILE, "earlier version of the library: make it anew");
+    CHECK_STATUS(mdr_law_read(former, (int)strlen(former), &again), MDR_EFILE, "earlier version of the library. Create it again");
     CHECK_TRUE(again == NULL);
     remove(path);
     free(content);

@@ -130,7 +130,7 @@ static void test_histories(void)
     mixed.thickness = h;
     mixed.material = material;
     mixed.E = 1.0;
-    CHECK_STATUS(medium_of_layers(1, &mixed, NULL, MDR_MODEL_EXACT, NULL, &none), MDR_EINVALID, "beside the material of layer 1");
+    CHECK_STATUS(medium_of_layers(1, &mixed, NULL, MDR_MODEL_EXACT, NULL, &none), MDR_EINVALID, "constants and prestress of layer");
     mdr_layer of_crystal[2] = {MDR_SIZED(mdr_layer), MDR_SIZED(mdr_layer)};
     of_crystal[0].thickness = of_crystal[1].thickness = h;
     of_crystal[0].material = material;

@@ -49,7 +49,7 @@ static void refusals(void)
     CHECK_STATUS(mdr_structure_shapes(1.0, 0.3, 1, kind, good, E, nu, &options, &s), MDR_EINVALID, "reference_nu = 0.7");
     CHECK_STATUS(mdr_structure_voxels(NULL, label, 1, E, nu, spacing, 1.0, 0.3, NULL, &s), MDR_ENULL, "size is NULL");
     CHECK_STATUS(mdr_structure_voxels((const int[3]){1, 0, 1}, label, 1, E, nu, spacing, 1.0, 0.3, NULL, &s), MDR_EINVALID,
-                 "each entry of size must be at least 1");
+                 "size: each entry must be at least 1");
     CHECK_STATUS(mdr_structure_voxels(size, wrong_label, 1, E, nu, spacing, 1.0, 0.3, NULL, &s), MDR_EINVALID, "labels");
     CHECK_STATUS(mdr_structure_voxels(size, label, 0, E, nu, spacing, 1.0, 0.3, NULL, &s), MDR_EINVALID, "phases = 0");
     CHECK_STATUS(mdr_structure_voxels(size, label, 1, E, nu, flat, 1.0, 0.3, NULL, &s), MDR_EINVALID, "spacing 3 = 0");
@@ -59,7 +59,7 @@ static void refusals(void)
     options = MDR_SIZED(mdr_structure_options);
     options.images = 1000000000;
     CHECK_STATUS(mdr_structure_voxels(size, label, 1, E, nu, spacing, 1.0, 0.3, &options, &s), MDR_EINVALID,
-                 "images = 1000000000 is not allowed: it must be from 1 to 100");
+                 "images = 1000000000: it must be from 1 to 100");
     options = MDR_SIZED(mdr_structure_options);
     options.exponent = 1.5;
     CHECK_STATUS(mdr_structure_voxels(size, label, 1, E, nu, spacing, 1.0, 0.3, &options, &s), MDR_EINVALID, "exponent = 1.5");
@@ -226,7 +226,7 @@ static void weights(void)
     CHECK_CLOSE(poisson[0] + poisson[1] + poisson[2] + poisson[3], 1.0, 1e-5);
     CHECK_STATUS(mdr_lateral_cells(0.3, 1.0, top, depth, 2, falling, 2, lines, shear, poisson), MDR_EINVALID, "must ascend");
     CHECK_STATUS(mdr_lateral_cells(0.3, 1.0, top, depth, 2, lines, 2, (const double[3]){0.0, 0.5, 0.5}, shear, poisson),
-                 MDR_EINVALID, "entry 3 of y = 0.5 is not allowed: y must ascend");
+                 MDR_EINVALID, "entry 3 of y = 0.5: y must be strictly ascending");
     CHECK_STATUS(mdr_lateral_cells(0.3, 1.0, depth, top, 2, lines, 2, lines, shear, poisson), MDR_EINVALID, "z_bottom = 0");
     CHECK_STATUS(mdr_lateral_cells(0.3, -1.0, top, depth, 2, lines, 2, lines, shear, poisson), MDR_EINVALID, "a = -1");
     CHECK_STATUS(mdr_lateral_cells(0.3, 1.0, top, depth, 0, lines, 2, lines, shear, poisson), MDR_EINVALID, "nx = 0");

@@ -220,7 +220,7 @@ static void test_conductance(double work_of_adhesion)
     law_options.conduction = (const mdr_conduction *)ball;
     CHECK_STATUS(mdr_law_new(contact, 1.0, &law_options, &none), MDR_EINVALID, "options.conduction");
     none = law_with(work_of_adhesion, 0.0, 0);
-    CHECK_STATUS(mdr_law_conductance(none, MDR_ON_UNLOADING, 1, d, G, slope), MDR_EINVALID, "does not conduct");
+    CHECK_STATUS(mdr_law_conductance(none, MDR_ON_UNLOADING, 1, d, G, slope), MDR_EINVALID, "it has no conductance");
     CHECK_SUCCESS(mdr_law_view_of(none, MDR_ON_UNLOADING, &view));
     CHECK_INT(mdr_law_view_conductance(&view, 0.5, G, slope), MDR_EINVALID);
     CHECK_FREE(none);
@@ -313,7 +313,7 @@ static void test_refusals(void)
     CHECK_STATUS(mdr_law_view_of(NULL, MDR_ON_UNLOADING, &view), MDR_ENULL, "law");
     CHECK_STATUS(mdr_law_view_of(law, 5, &view), MDR_EINVALID, "branch");
     CHECK_STATUS(mdr_law_view_of(law, MDR_ON_UNLOADING, NULL), MDR_ENULL, "view");
-    CHECK_STATUS(mdr_law_buffer(law, 7, d), MDR_EINVALID, "size = 7 is not allowed: the law has");
+    CHECK_STATUS(mdr_law_buffer(law, 7, d), MDR_EINVALID, "size = 7: the law has");
     CHECK_STATUS(mdr_law_buffer(law, 7000000, NULL), MDR_ENULL, "buffer");
     CHECK_STATUS(mdr_law_buffer(NULL, 7, d), MDR_ENULL, "law");
     CHECK_INT(mdr_law_view_from(NULL, MDR_ON_UNLOADING, &view), MDR_ENULL);

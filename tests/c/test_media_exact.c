@@ -17,7 +17,7 @@ static void refusals(void)
     CHECK_STATUS(new_layered(2, E, nu, h, 1.0, 0.3, MDR_MODEL_EXACT, NULL, NULL), MDR_ENULL, "out is NULL");
     CHECK_STATUS(new_layered(2, bad_E, nu, h, 1.0, 0.3, MDR_MODEL_EXACT, NULL, &m), MDR_EINVALID, "layer 2 E = NaN");
     CHECK_STATUS(new_layered(2, E, nu, bad_h, 1.0, 0.3, MDR_MODEL_EXACT, NULL, &m), MDR_EINVALID, "entry 2 of thickness");
-    CHECK_STATUS(medium_of_layers(0, NULL, NULL, MDR_MODEL_EXACT, NULL, &m), MDR_EINVALID, "it must carry a layer");
+    CHECK_STATUS(medium_of_layers(0, NULL, NULL, MDR_MODEL_EXACT, NULL, &m), MDR_EINVALID, "a rigid base needs at least one layer");
     options = MDR_SIZED(mdr_medium_options);
     for (int i = 0; i < 4; i++) {
         options.tolerance = bad_tolerance[i];
@@ -89,7 +89,7 @@ static void surface_with_tension(void)
     for (int i = 0; i < 2; i++) {
         surface.stretching = i;
         surface.tension = -1.15;
-        CHECK_STATUS(mdr_body_layered(0, NULL, &plain, &surface, &body), MDR_EINVALID, "the surface wrinkles under tau_c = ");
+        CHECK_STATUS(mdr_body_layered(0, NULL, &plain, &surface, &body), MDR_EINVALID, "wrinkles at tau_c = ");
         surface.tension = -1.1;
         CHECK_SUCCESS(mdr_body_layered(0, NULL, &plain, &surface, &body));
         MDR_FREE(body);
@@ -184,9 +184,9 @@ static void exact_zeta_of_a_model(void)
     for (int i = 0; i < 3; i++) CHECK_CLOSE(d[i], expected[i], 1e-6);
     CHECK_STATUS(columns_of(c, MDR_RADIUS, 1, (const double[]){5.6}, d, NULL, NULL, NULL), MDR_EDOMAIN, "5.5");
     CHECK_FREE(c);
-    CHECK_STATUS(mdr_contact_new(p, exact, &options, &c), MDR_EINVALID, "under an approximate model");
+    CHECK_STATUS(mdr_contact_new(p, exact, &options, &c), MDR_EINVALID, "with an approximate model");
     options.zeta_count = 3;
-    CHECK_STATUS(mdr_contact_new(p, model, &options, &c), MDR_EINVALID, "zeta_is_exact = 1 is not allowed with a table");
+    CHECK_STATUS(mdr_contact_new(p, model, &options, &c), MDR_EINVALID, "zeta_is_exact = 1: it excludes a table");
     CHECK_FREE(p);
     CHECK_FREE(exact);
     CHECK_FREE(model);
@@ -289,7 +289,7 @@ static void compliances(void)
     CHECK_STATUS(mdr_body_compliance((const mdr_body *)medium, MDR_LOAD_NORMAL, 0.0, 2, k, C, NULL), MDR_EINVALID,
                  "not an mdr_body");
     CHECK_STATUS(mdr_body_compliance(rigid, MDR_LOAD_NORMAL, 0.0, 2, k, C, NULL), MDR_EINVALID, "rigid");
-    CHECK_STATUS(mdr_body_compliance(power, MDR_LOAD_NORMAL, 0.0, 2, k, C, NULL), MDR_EINVALID, "power of the depth");
+    CHECK_STATUS(mdr_body_compliance(power, MDR_LOAD_NORMAL, 0.0, 2, k, C, NULL), MDR_EINVALID, "power-law graded");
     CHECK_STATUS(mdr_body_compliance(tense, MDR_LOAD_SHEAR, 0.0, 2, k, C, NULL), MDR_EINVALID, "under a pressure");
     CHECK_UNTOUCHED(2, C);
     CHECK_SUCCESS(mdr_body_compliance(body, MDR_LOAD_NORMAL, 0.0, 0, NULL, NULL, NULL));

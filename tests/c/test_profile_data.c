@@ -14,14 +14,14 @@ static void area_function_refuses(void)
     CHECK_STATUS(mdr_profile_area_function(2, berkovich, 0.0, 1e-6, NULL), MDR_ENULL, "out is NULL");
     CHECK_STATUS(mdr_profile_area_function(2, NULL, 0.0, 1e-6, &p), MDR_ENULL, "coefficients is NULL");
     CHECK_STATUS(mdr_profile_area_function(-1, berkovich, 0.0, 1e-6, &p), MDR_EINVALID, "n = -1");
-    CHECK_STATUS(mdr_profile_area_function(0, NULL, 0.0, 1e-6, &p), MDR_EINVALID, "coefficients is empty");
+    CHECK_STATUS(mdr_profile_area_function(0, NULL, 0.0, 1e-6, &p), MDR_EINVALID, "coefficients: the array is empty");
     CHECK_STATUS(mdr_profile_area_function(2, bad, 0.0, 1e-6, &p), MDR_EINVALID, "entry 2 of coefficients");
     CHECK_STATUS(mdr_profile_area_function(2, berkovich, -1.0, 1e-6, &p), MDR_EINVALID, "min_height");
     CHECK_STATUS(mdr_profile_area_function(2, berkovich, NAN, 1e-6, &p), MDR_EINVALID, "min_height");
     CHECK_STATUS(mdr_profile_area_function(2, berkovich, 0.0, 0.0, &p), MDR_EINVALID, "max_height");
     CHECK_STATUS(mdr_profile_area_function(2, berkovich, 0.0, INFINITY, &p), MDR_EINVALID, "max_height");
     CHECK_STATUS(mdr_profile_area_function(2, berkovich, 1e-6, 1e-6, &p), MDR_EINVALID, "max_height");
-    CHECK_STATUS(mdr_profile_area_function(1, shrinking, 0.0, 1e-6, &p), MDR_EINVALID, "does not grow");
+    CHECK_STATUS(mdr_profile_area_function(1, shrinking, 0.0, 1e-6, &p), MDR_EINVALID, "does not increase");
     CHECK_TRUE(p == NULL);
 }
 
@@ -39,14 +39,14 @@ static void table_refuses(int of, const char *x_name, const char *y_name)
     CHECK_STATUS(mdr_profile_table(of, -4, x, y, &p), MDR_EINVALID, "n = -4");
     CHECK_STATUS(mdr_profile_table(of, 0, NULL, NULL, &p), MDR_EINVALID, "too short");
     CHECK_STATUS(mdr_profile_table(of, 1, x, y, &p), MDR_EINVALID, "too short");
-    snprintf(text, sizeof text, "entry 3 of %s = 1 is not allowed", x_name);
+    snprintf(text, sizeof text, "entry 3 of %s = 1: ", x_name);
     CHECK_STATUS(mdr_profile_table(of, 4, repeated, y, &p), MDR_EINVALID, text);
     snprintf(text, sizeof text, "entry 2 of %s = NaN", x_name);
     CHECK_STATUS(mdr_profile_table(of, 4, not_a_number, y, &p), MDR_EINVALID, text);
     snprintf(text, sizeof text, "entry 4 of %s = infinity", y_name);
     CHECK_STATUS(mdr_profile_table(of, 4, x, infinite, &p), MDR_EINVALID, text);
     CHECK_STATUS(mdr_profile_table(of, 4, late, y, &p), MDR_EINVALID, "must start at");
-    snprintf(text, sizeof text, "entry 3 of %s = 0.1 is not allowed", y_name);
+    snprintf(text, sizeof text, "entry 3 of %s = 0.1: ", y_name);
     CHECK_STATUS(mdr_profile_table(of, 4, x, falling, &p), MDR_EINVALID, text);
     CHECK_STATUS(mdr_profile_table(of, 4, x, flat, &p), MDR_EINVALID, "0 everywhere");
     CHECK_TRUE(p == NULL);
@@ -120,7 +120,7 @@ static void sum_refuses(void)
     CHECK_STATUS(mdr_profile_sum(1, good, NULL), MDR_ENULL, "out is NULL");
     CHECK_STATUS(mdr_profile_sum(1, NULL, &p), MDR_ENULL, "terms is NULL");
     CHECK_STATUS(mdr_profile_sum(-1, good, &p), MDR_EINVALID, "n = -1");
-    CHECK_STATUS(mdr_profile_sum(0, NULL, &p), MDR_EINVALID, "terms is empty");
+    CHECK_STATUS(mdr_profile_sum(0, NULL, &p), MDR_EINVALID, "terms: the array is empty");
     CHECK_STATUS(mdr_profile_sum(2, hole, &p), MDR_ENULL, "entry 2 of terms is NULL");
     CHECK_STATUS(mdr_profile_sum(1, wrong, &p), MDR_EINVALID, "entry 1 of terms is not an mdr_profile");
     CHECK_TRUE(p == NULL);

@@ -75,7 +75,7 @@ static void evaluations_refuse(void)
         CHECK_STATUS(mdr_profile_values(p, of, 2, negative, out), MDR_EINVALID, name);
         CHECK_STATUS(mdr_profile_values(p, of, 2, not_a_number, out), MDR_EINVALID, name);
         CHECK_STATUS(mdr_profile_values(p, of, 1, infinite, out), MDR_EINVALID, name);
-        CHECK_STATUS(mdr_profile_values(sphere, of, 2, beyond, out), MDR_EDOMAIN, "= 1.5 is not allowed");
+        CHECK_STATUS(mdr_profile_values(sphere, of, 2, beyond, out), MDR_EDOMAIN, "= 1.5: ");
         CHECK_SUCCESS(mdr_profile_values(p, of, 0, NULL, NULL));
     }
     CHECK_UNTOUCHED(2, out);
@@ -92,7 +92,7 @@ static void freeing(void)
     CHECK_FREE(p);
     CHECK_SUCCESS(mdr_medium_contact_modulus(1.0, &medium));
     long long none[8] = {0};
-    CHECK_STATUS(mdr_free(none), MDR_EINVALID, "the handle to free is none");
+    CHECK_STATUS(mdr_free(none), MDR_EINVALID, "handle: it is not a handle");
     CHECK_TRUE(medium != NULL);
     CHECK_FREE(medium);
     CHECK_SUCCESS(mdr_profile_cone(0.2, &p));

@@ -197,7 +197,7 @@ static void every_size(const objects *o, use function, const void *known, size_t
     if (function == use_failure) return;
     other_version newer = version_of(known, full, full + LONGER);
     ((unsigned char *)content(&newer))[full + LONGER - 1] = 1;
-    CHECK_STATUS(function(o, content(&newer)), MDR_EINVALID, "the header of a newer one");
+    CHECK_STATUS(function(o, content(&newer)), MDR_EINVALID, "the header of the program is newer");
     done(&newer);
 }
 

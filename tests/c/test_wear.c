@@ -106,7 +106,7 @@ static void test_history(const mdr_contact *contact)
     CHECK_STATUS(mdr_wear_history_advance(h, MDR_FORCE, 1, sliding, &less, states), MDR_EDOMAIN, "entry 1");
     CHECK_SUCCESS(mdr_wear_history_save(h, MOST, other_numbers, &other_count));
     CHECK_TRUE(!memcmp(numbers, other_numbers, (size_t)count * sizeof *numbers));
-    CHECK_STATUS(mdr_wear_history_restore(h, 3, numbers), MDR_EINVALID, "numbers of a history");
+    CHECK_STATUS(mdr_wear_history_restore(h, 3, numbers), MDR_EINVALID, "do not belong to a history");
     CHECK_STATUS(mdr_wear_history_restore(h, 3, NULL), MDR_ENULL, "numbers");
     CHECK_STATUS(mdr_wear_history_state(h, 1, &less, NULL, NULL), MDR_ENULL, "pressure");
     CHECK_STATUS(mdr_wear_history_advance(h, MDR_FORCE, -1, sliding, force, states), MDR_EINVALID, "n = -1");

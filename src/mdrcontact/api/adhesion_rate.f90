@@ -29,14 +29,14 @@ contains
         if (allocated(error)) return
         speeds = [given%speed, given%exponent, given%closing_work, given%closing_speed, given%closing_exponent]
         if (.not. c_associated(given%material) .and. given%cohesive_stress /= 0.0_c_double) then
-            call raise(error, error_invalid, " is not allowed without a material: it is of the crack that follows from one", &
+            call raise(error, error_invalid, ": it needs a material. Give the material, or set cohesive_stress = 0", &
                        "cohesive_stress")
         else if (.not. c_associated(given%material)) then
             call new_rate_law(law, given%work, given%speed, given%exponent, error, given%closing_work, given%closing_speed, &
                               given%closing_exponent)
         else if (any(speeds /= 0.0_c_double)) then
-            call raise(error, error_invalid, " is not allowed beside speeds, exponents or a closing_work: it determines them", &
-                       "material")
+            call raise(error, error_invalid, ": it determines speeds, exponents and closing_work. Set these to 0, or omit the "// &
+                       "material", "material")
         else
             call open_handle(given%material, "material", material, error)
             if (.not. allocated(error)) call new_surface_law(law, material, given%work, given%cohesive_stress, error)

@@ -13,7 +13,7 @@ module mdrcontact_api_arrays
               check_each_not_negative, check_each_within
     public :: make_room, return_parts, check_results, check_results_or_infinity, check_positive_results
 
-    !> Room for n results, unless there is an error: they are written to the caller's array when all of them are known.
+    !> Room for n results, unless there is an error: they are written to the array of the caller when all of them are known.
     interface make_room
         module procedure :: make_real_room, make_complex_room
     end interface make_room
@@ -45,8 +45,8 @@ contains
         integer(c_int), intent(in) :: n
         integer, intent(in) :: fewest
 
-        if (n == 0) call raise(error, error_invalid, "a table of 0 entries in "//name//" is too short: at least "// &
-                               count_text(fewest)//" are needed")
+        if (n == 0) call raise(error, error_invalid, "a table of 0 entries in "//name//" is too short. Give at least "// &
+                               count_text(fewest))
     end subroutine check_not_empty
 
     !> Raises unless all values are finite.
@@ -105,12 +105,12 @@ contains
         if (present(reason)) end_words = reason
         do i = 1, size(values)
             if (values(i) < smallest) then
-                call raise(error, error_domain, " = "//to_text(values(i))//" is not allowed: "//whose//" is defined from "// &
-                           to_text(smallest)//" on", name, i)
+                call raise(error, error_domain, " = "//to_text(values(i))//": "//whose//" is defined from "//to_text(smallest)// &
+                           " on", name, i)
                 return
             else if (values(i) > largest) then
-                call raise(error, error_domain, " = "//to_text(values(i))//" is not allowed: "//whose//" is defined up to "// &
-                           to_text(largest)//end_words, name, i)
+                call raise(error, error_domain, " = "//to_text(values(i))//": "//whose//" is defined up to "//to_text(largest)// &
+                           end_words, name, i)
                 return
             end if
         end do
@@ -138,8 +138,8 @@ contains
         call check_memory(error, stat)
     end subroutine make_complex_room
 
-    !> Writes complex results to the caller's arrays, unless there is an error or one of them is not finite. All are wanted but the
-    !> imaginary part, which may be missing.
+    !> Writes complex results to the arrays of the caller, unless there is an error or one of them is not finite. All are wanted but
+    !> the imaginary part, which may be missing.
     pure subroutine return_parts(error, values, real_part, imaginary_part)
         type(error_t), allocatable, intent(inout) :: error
         !> not allocated if there is an error
@@ -202,8 +202,8 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         integer, intent(in) :: position
 
-        call raise(error, error_no_convergence, " leaves the number range: the numbers given are too large or "// &
-                   "too small", "the result", position)
+        call raise(error, error_no_convergence, " exceeds the range of double precision: the arguments are too large or too "// &
+                   "small", "the result", position)
     end subroutine raise_range
 
 end module mdrcontact_api_arrays

@@ -43,8 +43,7 @@ contains
         call read_layers(error, n, layers, substrate, layered, relaxing)
         if (allocated(relaxing)) then
             if (.not. is_bare(body%surface)) then
-                call raise(error, error_invalid, "a surface with tension or a sheet is not allowed: the body below it must be "// &
-                           "elastic")
+                call raise(error, error_invalid, "surface: the body below a surface with tension or a sheet must be elastic")
             end if
             ! what does not depend on the materials is checked as of an elastic body
             allocate (unit(n + 1), stat=stat)
@@ -94,14 +93,15 @@ contains
             is_layered = allocated(given%elastic) .and. is_bare(given%surface)
             if (is_layered) is_layered = .not. given%elastic%is_graded
             if (.not. is_layered) then
-                call raise(error, error_invalid, " is not allowed: it must be elastic layers under a bare surface; of a body "// &
-                           "that relaxes take one of its limits", "body")
+                call raise(error, error_invalid, ": it must consist of elastic layers with a bare surface. For a viscoelastic "// &
+                           "body use one of its limits", "body")
             end if
         end if
         if (.not. allocated(error)) call given%elastic%sublayers(layers, error)
         if (.not. allocated(error)) then
             n = size(layers%thickness)
-            call check_choice(error, "layer", int(layer), 1, n, "one of the "//count_text(n)//" layers, 1 at the surface")
+            call check_choice(error, "layer", int(layer), 1, n, "from 1 (at the surface) to "//count_text(n)// &
+                " (the number of layers)")
         end if
         if (.not. allocated(error)) call find_wrinkling(layers%materials(:n), layers%thickness, layers%materials(n + 1), &
                                                         layers%rigid_base, layers%bonds, int(layer), found(1), found(2), error)
@@ -118,7 +118,7 @@ contains
         type(c_ptr), intent(in) :: layers, substrate
         !> without moduli
         type(layers_t), intent(out) :: layered
-        !> the materials from the surface down where one is given by a handle, else not allocated
+        !> the materials top to bottom where one is given by a handle, else not allocated
         type(rheology_t), allocatable, intent(out) :: relaxing(:)
         type(bond_t) :: unused
         type(rheology_t), allocatable :: materials(:)
@@ -129,7 +129,7 @@ contains
         layered%rigid_base = .not. c_associated(substrate)
         if (n > 0) call check_given(error, "layers", c_associated(layers))
         if (n == 0 .and. layered%rigid_base) then
-            call raise(error, error_invalid, "substrate is NULL, a rigid base: it must carry a layer")
+            call raise(error, error_invalid, "substrate = NULL: a rigid base needs at least one layer. Give a layer or a substrate")
         end if
         if (allocated(error)) return
         allocate (layered%materials(n + 1), layered%bonds(n), layered%thickness(n), &
@@ -146,8 +146,8 @@ contains
         if (allocated(error) .or. .not. relaxes) return
         do i = 1, size(materials)
             if (layered%materials(i)%is_plain) cycle
-            call raise(error, error_invalid, "E_z, nu_tz, G_z, C11 to C44 and prestress of layer "//count_text(i)//" are not "// &
-                       "allowed in a body that relaxes: its layers must be isotropic and free of stress")
+            call raise(error, error_invalid, "E_z, nu_tz, G_z, C11 to C44 and prestress of layer "//count_text(i)// &
+                       ": the layers of a viscoelastic body must be isotropic and stress-free. Set these members to 0")
             return
         end do
         call move_alloc(materials, relaxing)
@@ -166,7 +166,7 @@ contains
         element = c_loc(bytes(int(i - 1, c_size_t)*size + 1_c_size_t))
     end function nth
 
-    !> A layer, or a half-space, whose thickness and interface are then not looked at.
+    !> A layer, or a half-space, whose thickness and interface are then not considered.
     subroutine read_layer(error, role, given, material, thickness, bond, rheology, relaxes, alone)
         type(error_t), allocatable, intent(inout) :: error
         !> what it is called in an error message
@@ -176,7 +176,7 @@ contains
         type(material_t), intent(out) :: material
         real(c_double), intent(out) :: thickness
         type(bond_t), intent(out) :: bond
-        !> the material as part of a body that relaxes; set where the layer has a handle
+        !> the material as part of a viscoelastic body; set where the layer has a handle
         type(rheology_t), intent(out) :: rheology
         logical, intent(inout) :: relaxes
         !> whether it is all of the body, whose E then is "E", not the role's
@@ -199,15 +199,14 @@ contains
             if (allocated(error)) return
             rheology = given_material
             if (any([in_plane, axial, stiffness, layer%prestress] /= 0.0_c_double)) then
-                call raise(error, error_invalid, "constants and a prestress beside the material of "//role//" are not allowed: "// &
-                           "they must be 0")
+                call raise(error, error_invalid, "constants and prestress of "//role//": they must be 0 if a material is given")
             end if
             return
         end if
         if (any(stiffness /= 0.0_c_double)) then
             if (any([in_plane, axial] /= 0.0_c_double)) then
-                call raise(error, error_invalid, "E, nu, E_z, nu_tz and G_z beside the stiffness matrix of "//role//" are not "// &
-                           "allowed: they must be 0, or C11 to C44")
+                call raise(error, error_invalid, "E, nu, E_z, nu_tz and G_z of "//role//": they must be 0 if a stiffness "// &
+                           "matrix is given. Give either these or C11 to C44")
                 return
             end if
             call new_transverse(material, by_stiffness, stiffness, error, role)

@@ -62,8 +62,8 @@ contains
                        " at x = "//to_text(x))
             y = ieee_value(y, ieee_quiet_nan)
         else if (.not. ieee_is_finite(y)) then
-            call raise(self%error, error_callback, "the function "//self%name//" gave "//to_text(y)//" at x = "//to_text(x)// &
-                       ": it must give a finite number")
+            call raise(self%error, error_callback, "the function "//self%name//" returned "//to_text(y)//" at x = "//to_text(x)// &
+                       ": it must return a finite number")
         end if
     end function value
 

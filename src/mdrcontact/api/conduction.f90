@@ -62,7 +62,8 @@ contains
         if (field /= spot_flux) call check_array(error, "z", n, present(z))
         call check_not_negative(error, "time", time)
         if (field /= spot_flux .and. time > 0.0_wp) then
-            call raise(error, error_invalid, " is not allowed: after a step only the flux through the spot is known", "time")
+            call raise(error, error_invalid, ": after a step only the flux through the contact area is available. Set time = "// &
+                "0 or field = MDR_FLUX", "time")
         end if
         if (.not. allocated(error)) then
             allocate (values(n, size(inside)), stat=stat)
@@ -87,7 +88,7 @@ contains
     !> Raises unless it is a body of the conduction.
     subroutine check_body(error, conduction, body)
         type(error_t), allocatable, intent(inout) :: error
-        !> not looked at after an error
+        !> not considered after an error
         type(conduction_t), intent(in) :: conduction
         integer, intent(in) :: body
 

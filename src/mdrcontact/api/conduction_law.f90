@@ -31,7 +31,7 @@ contains
         call check_array(error, "d", n, present(d))
         if (.not. allocated(error)) then
             if (.not. allocated(inside%by_depth%conductance)) then
-                call raise(error, error_invalid, "this law does not conduct: make it with options.conduction")
+                call raise(error, error_invalid, "law: it has no conductance. Create it with options.conduction")
             else if (n > 0) then
                 call check_points(error, inside%by_depth, int(branch), d)
             end if

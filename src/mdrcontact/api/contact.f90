@@ -44,8 +44,8 @@ contains
         if (given%adhesion_rule /= 0_c_int) chosen%adhesion_rule = int(given%adhesion_rule)
         chosen%zeta_is_exact = given%zeta_is_exact /= 0_c_int
         if (chosen%zeta_is_exact .and. given%zeta_count /= 0) then
-            call raise(error, error_invalid, "zeta_is_exact = "//count_text(int(given%zeta_is_exact))//" is not allowed with a "// &
-                       "table of zeta: set zeta_count = 0 or zeta_is_exact = 0")
+            call raise(error, error_invalid, "zeta_is_exact = "//count_text(int(given%zeta_is_exact))// &
+                       ": it excludes a table of zeta. Set zeta_count = 0 or zeta_is_exact = 0")
         end if
         if (given%zeta_count /= 0 .and. .not. allocated(error)) call read_zeta(given, chosen%zeta, error)
         if (.not. allocated(error)) call make_contact(object, indenter, body, chosen, error)

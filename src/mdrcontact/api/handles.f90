@@ -148,7 +148,7 @@ contains
         if (.not. c_associated(handle)) return
         call c_f_pointer(handle, inside)
         if (inside%tag /= live_tag) then
-            call raise(error, error_invalid, " is none, or it has been freed", "the handle to free")
+            call raise(error, error_invalid, ": it is not a handle, or it has been freed", "handle")
             status = status_of(error)
             return
         end if
@@ -169,8 +169,8 @@ contains
         if (associated(other)) call let_go(other)
     end subroutine let_go
 
-    !> The object behind a handle that `word`, the name of its kind in C, stands for; null after an error. Which type it has is not
-    !> looked at. `name` is the argument's.
+    !> The object behind a handle that `word`, the name of its kind in C, represents; null after an error. Which type it has is not
+    !> considered. `name` is the argument's.
     subroutine look_inside(handle, name, word, object, error)
         type(c_ptr), intent(in) :: handle
         character(len=*), intent(in) :: name, word
@@ -194,7 +194,7 @@ contains
         character(len=*), intent(in) :: name, word
         type(error_t), allocatable, intent(inout) :: error
 
-        call raise(error, error_invalid, " is not an "//word//" handle, or it has been freed", name)
+        call raise(error, error_invalid, ": it is not a handle of type "//word//", or it has been freed", name)
     end subroutine refuse_kind
 
 end module mdrcontact_api_handles

@@ -33,11 +33,11 @@ contains
         call check_not_negative(error, "z_top", z_top)
         call check_positive(error, "z_bottom", z_bottom)
         if (.not. z_bottom > z_top) call raise(error, error_invalid, "z_bottom = "//to_text(z_bottom)// &
-                                               " is not allowed: it must be greater than z_top = "//to_text(z_top))
+                                               ": it must be greater than z_top = "//to_text(z_top))
         call check_lines(error, "x", nx, x)
         call check_lines(error, "y", ny, y)
         if (real(nx, wp)*real(ny, wp) > real(huge(1), wp)) then
-            call raise(error, error_invalid, "there are more cells than an int counts")
+            call raise(error, error_invalid, "nx, ny: the number of cells exceeds the range of int. Use fewer cells")
         end if
         if (.not. allocated(error)) then
             allocate (weights(nx, ny, 2), stat=stat)
@@ -87,8 +87,8 @@ contains
         call check_each_finite(error, name, lines(:n + 1))
         do i = 1, n
             if (allocated(error)) return
-            if (.not. lines(i + 1) > lines(i)) call raise(error, error_invalid, " = "//to_text(lines(i + 1))// &
-                                                          " is not allowed: "//name//" must ascend", name, i + 1)
+            if (.not. lines(i + 1) > lines(i)) call raise(error, error_invalid, " = "//to_text(lines(i + 1))//": "//name// &
+                                                          " must be strictly ascending", name, i + 1)
         end do
     end subroutine check_lines
 

@@ -103,11 +103,11 @@ contains
             call new_material(beside, chosen%beside_e, chosen%beside_nu, error, "beside")
         end if
         if (.not. allocated(error)) then
-            if (any(size < 1)) call raise(error, error_invalid, "each entry of size must be at least 1")
+            if (any(size < 1)) call raise(error, error_invalid, "size: each entry must be at least 1")
         end if
         if (.not. allocated(error)) then
             if (product(real(size, wp)) > real(huge(1_c_int), wp)) then
-                call raise(error, error_invalid, "the array has more voxels than an int counts")
+                call raise(error, error_invalid, "size: the number of voxels exceeds the range of int. Use fewer voxels")
             end if
         end if
         if (.not. allocated(error)) then

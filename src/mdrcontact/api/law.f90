@@ -60,15 +60,13 @@ contains
         if (c_associated(given%friction)) then
             call open_handle(given%friction, "options.friction", friction, error)
             if (given%shear_strength /= 0.0_c_double) then
-                call raise(error, error_invalid, " is not allowed with options.friction: slip has one law", &
-                           "options.shear_strength")
+                call raise(error, error_invalid, ": it excludes options.friction. Give one of the two", "options.shear_strength")
             end if
             if (.not. allocated(error)) then
                 call new_contact_law(law, inside, friction, largest_depth, error, chosen, sliders, given%twist /= 0_c_int)
             end if
         else if (given%twist /= 0_c_int) then
-            call raise(error, error_invalid, " is not allowed without options.friction: torque is that of friction", &
-                       "options.twist")
+            call raise(error, error_invalid, ": it needs options.friction", "options.twist")
         else if (given%shear_strength /= 0.0_c_double .and. .not. allocated(error)) then
             call new_contact_law(law, inside, largest_depth, given%shear_strength, error, chosen, sliders)
         else if (.not. allocated(error)) then
@@ -110,7 +108,7 @@ contains
         if (.not. allocated(error)) call read_text(given%description, chosen%description, error)
     end subroutine read_law_options
 
-    !> What law_force.c does not do by itself.
+    !> What law_force.c does not do alone.
     function mdrcontact_law_at_depth(law, branch, d, point) result(status) bind(C)
         type(c_ptr), value :: law
         integer(c_int), value :: branch
@@ -157,8 +155,8 @@ contains
         call open_handle(law, "law", inside, error)
         if (.not. allocated(error)) then
             if (size < packed_size(inside%by_depth)) then
-                call raise(error, error_invalid, " = "//count_text(int(size))//" is not allowed: the law has "// &
-                           count_text(packed_size(inside%by_depth))//" numbers, buffer_size of mdr_law_facts", "size")
+                call raise(error, error_invalid, " = "//count_text(int(size))//": the law has "// &
+                           count_text(packed_size(inside%by_depth))//" numbers. Use buffer_size of mdr_law_facts", "size")
             end if
         end if
         status = status_of(error)

@@ -104,7 +104,7 @@ contains
         end do
     end subroutine write_energies
 
-    !> An array, or null where there is none: absent arrays of fixed shape are no valid arguments where a shape is assumed.
+    !> An array, or null if it does not exist: absent arrays of fixed shape are no valid arguments where a shape is assumed.
     subroutine point_to(n, array, pointer)
         integer(c_int), intent(in) :: n
         real(c_double), intent(in), optional, target :: array(n)

@@ -126,7 +126,7 @@ contains
         if (allocated(whole%friction)) then
             inside => whole%friction
         else
-            call raise(error, error_invalid, " has no friction: it is to be made with options.friction", "law")
+            call raise(error, error_invalid, ": it has no friction. Create it with options.friction", "law")
         end if
     end subroutine open_friction
 

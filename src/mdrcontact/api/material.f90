@@ -37,8 +37,8 @@ contains
             else
                 call check_not_negative(error, "t", x(i), i)
                 if (quantity == of_creep .or. x(i) > 0.0_wp .or. material%has_glassy()) cycle
-                call raise(error, error_invalid, " = 0.0 is not allowed: there G(t) of a power law, or with a dashpot in "// &
-                           "parallel, is infinite", "t", i)
+                call raise(error, error_invalid, " = 0.0: G(0) of a power law or with a parallel dashpot is infinite. Use t > 0", &
+                           "t", i)
             end if
         end do
         if (quantity == of_complex_modulus) then

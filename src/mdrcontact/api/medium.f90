@@ -51,15 +51,15 @@ contains
         integer :: stat
 
         if (model /= models%exact) then
-            call raise(error, error_invalid, "model = "//trim(model_text(model))//" is not allowed for a rigid body, or one "// &
-                       "of a power of the depth: choose from "//trim(word_of(models%exact)))
+            call raise(error, error_invalid, "model = "//trim(model_text(model))//": it is not available for rigid and "// &
+                       "power-law graded bodies. Use "//trim(word_of(models%exact)))
             return
         end if
         allocate (medium%solver, source=solved, stat=stat)
         call check_memory(error, stat)
     end subroutine take_solved
 
-    !> A quantity of a deformable medium at radii > 0; nothing is written before all of it is known.
+    !> A quantity of a deformable medium at radii > 0; nothing is written before the whole result is known.
     function mdr_medium_values(m, quantity, n, a, out) result(status) bind(C, name="mdrcontact_entry_medium_values")
         type(c_ptr), value :: m
         integer(c_int), value :: quantity, n
@@ -78,8 +78,7 @@ contains
         if (.not. allocated(error)) call check_elastic(whole, error)
         if (.not. allocated(error)) then
             medium => whole%solver
-            if (medium%is_rigid) call raise(error, error_invalid, " is not allowed: it is rigid; pair it with a deformable "// &
-                                              "body", "m")
+            if (medium%is_rigid) call raise(error, error_invalid, ": it is rigid. Pair it with a deformable body", "m")
         end if
         if (.not. allocated(error) .and. quantity == of_tangential_modulus) then
             call medium%for_load(shear_load, other, error)

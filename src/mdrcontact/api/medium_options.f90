@@ -49,8 +49,8 @@ contains
 
         position = model_position(int(model))
         call check_size(error, "facts", facts, c_sizeof(made), used)
-        if (position == 0) call raise(error, error_invalid, "model = "//trim(code_text(int(model)))//" is not allowed: it must "// &
-                                      "be one of enum mdr_model")
+        if (position == 0) call raise(error, error_invalid, "model = "//trim(code_text(int(model)))// &
+                                      ": it must be one of enum mdr_model")
         status = status_of(error)
         if (allocated(error)) return
         associate (row => model_table(position))

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* The words of codes. Written by tools/generate.py. */
+/* The names of codes. Written by tools/generate.py. */
 #include "mdrcontact.h"
 
 const char *mdr_name_of(int code)

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The codes of words, for C; the words of codes are in names.c.
+!> The codes of names, for C; the names of codes are in names.c.
 module mdrcontact_api_names
     use, intrinsic :: iso_c_binding, only: c_associated, c_int, c_ptr
     use mdrcontact_api_status, only: check_given, status_of

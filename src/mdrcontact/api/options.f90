@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Structures of the caller that grow from version to version. They begin with their size, which the caller's header sets: the
+!> Structures of the caller that grow from version to version. They begin with their size, which the header of the caller sets: the
 !> program may have been compiled with fewer members than the library has, or with more.
 module mdrcontact_api_options
     use, intrinsic :: iso_c_binding, only: c_f_pointer, c_int8_t, c_ptr, c_size_t, c_associated
@@ -19,7 +19,7 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         !> the argument's name
         character(len=*), intent(in) :: name
-        !> the caller's structure, or NULL
+        !> the structure of the caller, or NULL
         type(c_ptr), intent(in) :: given
         !> address of a structure with the defaults
         type(c_ptr), intent(in) :: chosen
@@ -36,7 +36,7 @@ contains
         to = from
     end subroutine read_options
 
-    !> Writes to the caller's structure, which check_size() has let pass, as many members as it has; its size stays.
+    !> Writes to the structure of the caller, which check_size() has let pass, as many members as it has; its size stays.
     subroutine write_facts(given, made, used)
         type(c_ptr), intent(in) :: given
         !> address of the library's structure
@@ -68,15 +68,15 @@ contains
         call c_f_pointer(given, size)
         if (size < smallest .or. size > largest .or. mod(size, step) /= 0) then
             write (found, "(i0)") size
-            call raise(error, error_invalid, name//"->size = "//trim(found)//" is not allowed: it must be that of the "// &
-                       "structure, as MDR_SIZED sets it")
+            call raise(error, error_invalid, name//"->size = "//trim(found)//": it must be the size of the structure. "// &
+                       "Initialize the structure with MDR_SIZED")
             return
         end if
         used = min(size, full)
         call c_f_pointer(given, bytes, [size])
         if (any(bytes(full + 1:) /= 0_c_int8_t)) then
-            call raise(error, error_invalid, name//" has members that this library does not know: the program was "// &
-                       "compiled with the header of a newer one; leave them 0, or use the newer library")
+            call raise(error, error_invalid, name//": it has members that are unknown to this library, because the header of "// &
+                       "the program is newer. Leave them 0, or use the newer library")
         end if
     end subroutine check_size
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * What belongs to the calling thread: the text of its last failure, and how many threads its calls with arrays may use. It lives here
+ * What belongs to the calling thread: the text of its last failure, and the number of threads of its calls with arrays. It is here
  * because Fortran has no thread-local variables: the rest of the library keeps no state between calls.
  */
 #include "mdrcontact.h"
@@ -73,7 +73,7 @@ int mdrcontact_refuse_null(const char *argument)
 int mdrcontact_refuse_count(const char *argument, int count)
 {
     char text[80];
-    snprintf(text, sizeof text, " = %d is not allowed: it must be at least 0", count);
+    snprintf(text, sizeof text, " = %d: it must be at least 0", count);
     return refuse(MDR_EINVALID, argument, text);
 }
 
@@ -81,7 +81,7 @@ int mdr_set_threads(int threads)
 {
     if (threads < 0) {
         char text[128];
-        snprintf(text, sizeof text, " = %d is not allowed: it must be at least 1, or 0 for as many as OpenMP offers", threads);
+        snprintf(text, sizeof text, " = %d: it must be at least 1, or 0 for the number that OpenMP offers", threads);
         return refuse(MDR_EINVALID, "threads", text);
     }
     wanted_threads = threads;

@@ -3,7 +3,7 @@
 #ifndef MDRCONTACT_REFUSE_H
 #define MDRCONTACT_REFUSE_H
 
-/* Each stores the words as the thread's last error and returns the status. */
+/* Each stores the text as the thread's last error and returns the status. */
 int mdrcontact_refuse_null(const char *argument);
 int mdrcontact_refuse_count(const char *argument, int count);
 

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* From the caller's arithmetic to the library's and back. Called by api/entries.c, and by the threads of a team: batch.f90. */
+/* From the arithmetic of the caller to the library's and back. Called by api/entries.c, and by the threads of a team: batch.f90. */
 #include "arithmetic.h"
 
 #include <stdint.h>
@@ -12,7 +12,7 @@ void mdrcontact_set_arithmetic(fenv_t *callers)
     fesetenv(FE_DFL_ENV);
 }
 
-/* Flags of exceptions go to the caller as after any computation. They are set, not raised: a trap of the caller's does not fire. */
+/* Flags of exceptions go to the caller as after any computation. They are set, not raised: a trap of the caller does not fire. */
 void mdrcontact_set_arithmetic_back(const fenv_t *callers)
 {
 #ifdef __SSE2__

@@ -13,8 +13,8 @@ module mdrcontact_batch
     private
     public :: batch_t, map_t, run_batch, run_map, team_size, check_threads
 
-    !> What is to be done with each entry. It is shared by the threads: results go to arrays it points to. (It is passed as
-    !> intent(inout): of an intent(in) argument gfortran 12 takes what its pointers point to as unchanged, too.)
+    !> The operation on each entry. It is shared by the threads: results go to arrays it points to. (It is passed as intent(inout):
+    !> of an intent(in) argument gfortran 12 takes what its pointers point to as unchangedalso.)
     type, abstract :: batch_t
         !> entries of some nanoseconds: the cancel function is not called
         logical :: is_quick = .false.
@@ -118,7 +118,7 @@ contains
         integer, intent(in) :: number, first, last
         !> number of the earliest block that has failed, and its error; both shared by the threads
         integer, intent(inout) :: failed
-        !> whether the caller's thread, the only one with a cancel function, was cancelled
+        !> whether the thread of the caller, the only one with a cancel function, was cancelled
         integer(c_int), intent(inout) :: team_flag
         type(error_t), allocatable, intent(inout) :: error
         type(error_t), allocatable :: found
@@ -189,8 +189,8 @@ contains
         integer, intent(in) :: threads
 
         if (threads < 0) then
-            call raise(error, error_invalid, "threads = "//count_text(threads)//" is not allowed: it must be at least 1, or 0 "// &
-                       "for as many as the runtime offers")
+            call raise(error, error_invalid, "threads = "//count_text(threads)//": it must be at least 1, or 0 for the number "// &
+                       "that OpenMP offers")
         end if
     end subroutine check_threads
 

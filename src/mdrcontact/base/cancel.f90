@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Calls that take long check now and then whether to stop, and report how far they are: see mdr_set_cancel() and
-!> mdr_set_progress() in mdrcontact.h.
+!> Calls that take long check now and then whether to stop, and report their progress: see mdr_set_cancel() and mdr_set_progress()
+!> in mdrcontact.h.
 module mdrcontact_cancel
     use, intrinsic :: iso_c_binding, only: c_double, c_funloc, c_funptr, c_int, c_loc, c_null_funptr, &
                                            c_null_ptr, c_ptr
@@ -10,7 +10,7 @@ module mdrcontact_cancel
     public :: cancel_function, check_cancelled, poll_for_team, report_progress, set_cancel, set_progress
 
     abstract interface
-        !> Nonzero: stop. Once it has said so it must go on saying so until the call has returned.
+        !> Nonzero: stop. After that it must return nonzero until the call has returned.
         function cancel_function(context) result(stop_now) bind(C)
             import :: c_int, c_ptr
             type(c_ptr), value :: context
@@ -51,7 +51,7 @@ module mdrcontact_cancel
 contains
 
     !> From now on every call of the calling thread that takes long calls `cancel`, at least every 0.2 s, and ends with
-    !> error_cancelled where it says so; without arguments none is called any more.
+    !> error_cancelled if it returns nonzero; without arguments none is called any more.
     subroutine set_cancel(cancel, context)
         !> absent: none
         procedure(cancel_function), optional :: cancel
@@ -68,7 +68,7 @@ contains
         status = mdr_set_cancel(entry, handed_on)
     end subroutine set_cancel
 
-    !> From now on histories that the calling thread marches through time, and searches of stresses, write how far they are; null()
+    !> From now on histories that the calling thread marches through time, and searches of stresses, write their progress; null()
     !> ends it.
     subroutine set_progress(part)
         !> receives the number of rounds that are done, each with steps half as long, plus the part of the path that the present one
@@ -90,14 +90,14 @@ contains
         call mdrcontact_poll_for_team(team_flag)
     end subroutine poll_for_team
 
-    !> Raises if the caller wants the call to end. It costs some ten nanoseconds: for anything that is done thousands of times.
+    !> Raises if the caller wants the call to end. It costs about ten nanoseconds: for anything that is done thousands of times.
     subroutine check_cancelled(error)
         type(error_t), allocatable, intent(inout) :: error
 
         if (mdrcontact_is_cancelled() /= 0) call raise(error, error_cancelled, "cancelled by the caller")
     end subroutine check_cancelled
 
-    !> Reports how far the call is.
+    !> Reports the progress of the call.
     subroutine report_progress(part)
         !> rounds that are done, and the part of the present one
         real(c_double), intent(in) :: part

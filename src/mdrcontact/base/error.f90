@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Errors travel as values: an allocated `error_t` means failure and says why in words.
+!> Errors travel as values: an allocated `error_t` means failure and contains the reason.
 !>
 !> The codes are the status values of the C API (`MDR_E...` in mdrcontact.h) and select the
 !> exception class in Python. A message names the argument, its value and what is allowed.
@@ -19,7 +19,7 @@ module mdrcontact_error
     public :: success, error_null, error_invalid, error_domain, error_unreachable, error_no_convergence, &
               error_memory, error_callback, error_file, error_cancelled
 
-    !> A failure: `code` is one of the constants above, `message` the reason in words.
+    !> A failure: `code` is one of the constants above, `message` the reason as text.
     type :: error_t
         !> one of the constants of this module; a status of mdrcontact.h
         integer :: code = success
@@ -29,7 +29,7 @@ module mdrcontact_error
         character(len=:), allocatable :: argument
         !> which entry of it, counted from 1; 0: none,
         integer :: entry = 0
-        !> and the rest of the words
+        !> and the rest of the text
         character(len=:), allocatable :: text
     end type error_t
 
@@ -112,7 +112,7 @@ contains
         integer, intent(in) :: choice, first, last
 
         if (choice >= first .and. choice <= last) return
-        call raise(error, error_invalid, name//" = "//count_text(choice)//" is not allowed: it must be "//allowed)
+        call raise(error, error_invalid, name//" = "//count_text(choice)//": it must be "//allowed)
     end subroutine check_choice
 
     !> Raises unless a code is one of those that are allowed, which it names by number and word.
@@ -130,7 +130,7 @@ contains
             if (i > 1 .and. i == size(allowed)) words = trim(words)//" or"
             words = trim(words)//" "//code_text(allowed(i))
         end do
-        call raise(error, error_invalid, name//" = "//trim(code_text(code))//" is not allowed: it must be"//trim(words))
+        call raise(error, error_invalid, name//" = "//trim(code_text(code))//": it must be"//trim(words))
     end subroutine check_code
 
     !> A code as number and word; of a number below 100, which may be a status by chance, the number.
@@ -170,7 +170,7 @@ contains
 
         if (first == second) return
         call raise(error, error_invalid, "the arrays have "//count_text(first)//" and "//count_text(second)// &
-                   " entries: they must have the same number")
+                   " entries: they must have equal sizes")
     end subroutine check_same_size
 
     !> Raises unless `value` is finite and greater than zero.
@@ -208,7 +208,7 @@ contains
         if (is_finite(value)) then
             if (value >= smallest .and. value <= largest) return
         end if
-        call raise_value(error, name, value, "it must be from "//to_text(smallest)//" to "//to_text(largest))
+        call raise_value(error, name, value, "it must lie in ["//to_text(smallest)//", "//to_text(largest)//"]")
     end subroutine check_within
 
     !> Raises unless `value` is a Poisson's ratio of a stable isotropic body, -1 < nu <= 1/2.
@@ -221,7 +221,7 @@ contains
         if (is_finite(value)) then
             if (value > -1.0_wp .and. value <= 0.5_wp) return
         end if
-        call raise_value(error, name, value, "Poisson's ratio must be greater than -1 and at most 0.5", entry)
+        call raise_value(error, name, value, "Poisson's ratio must lie in (-1, 0.5]", entry)
     end subroutine check_poisson
 
     !> Raises unless `inclination` is the angle between a cone's face and the surface, 0 < phi < pi/2.
@@ -230,8 +230,7 @@ contains
         real(wp), intent(in) :: inclination
 
         if (inclination > 0.0_wp .and. inclination < half_pi) return
-        call raise_value(error, "inclination", inclination, "the angle between face and surface must be greater than 0 "// &
-                         "and less than pi/2 = 1.570796 radian")
+        call raise_value(error, "inclination", inclination, "the angle between face and surface must lie in (0, pi/2) radian")
     end subroutine check_inclination
 
     !> Raises unless a table has at least `fewest` entries, finite values and strictly ascending abscissae.
@@ -243,11 +242,11 @@ contains
         integer :: i
 
         if (size(x) /= size(y)) then
-            call raise(error, error_invalid, x_name//" has "//count_text(size(x))//" and "//y_name//" has "// &
-                       count_text(size(y))//" entries: they must have the same number")
+            call raise(error, error_invalid, x_name//" has "//count_text(size(x))//" and "//y_name//" has "//count_text(size(y))// &
+                       " entries: they must have equal sizes")
         else if (size(x) < fewest) then
             call raise(error, error_invalid, "a table of "//count_text(size(x))//" entries in "//x_name// &
-                       " is too short: at least "//count_text(fewest)//" are needed")
+                       " is too short. Give at least "//count_text(fewest))
         end if
         if (allocated(error)) return
         do i = 1, size(x)
@@ -258,8 +257,8 @@ contains
         end do
         do i = 2, size(x)
             if (x(i) > x(i - 1)) cycle
-            call raise(error, error_invalid, " = "//to_text(x(i))//" is not allowed: "//x_name//" must be strictly "// &
-                       "ascending, and the entry before is "//to_text(x(i - 1)), x_name, i)
+            call raise(error, error_invalid, " = "//to_text(x(i))//": "//x_name//" must be strictly ascending, and the "// &
+                       "previous entry is "//to_text(x(i - 1)), x_name, i)
             return
         end do
     end subroutine check_table
@@ -278,7 +277,7 @@ contains
         real(wp), intent(in) :: value
         integer, intent(in), optional :: entry
 
-        call raise(error, error_invalid, " = "//to_text(value)//" is not allowed: "//allowed, name, entry)
+        call raise(error, error_invalid, " = "//to_text(value)//": "//allowed, name, entry)
     end subroutine raise_value
 
     !> A number as a person would write it: short, up to seven digits.

@@ -36,7 +36,7 @@ static int refuse_by_system(char *reason, size_t space, int number)
     return -1;
 }
 
-/* Opens a regular file for reading; the descriptor, or -1 with the reason. Only called from Fortran, like the next two. */
+/* Opens a regular file for reading; the descriptor, or -1 and the reason. Only called from Fortran, like the next two. */
 int mdrcontact_open_file(const char *path, long long *size, char *reason, size_t space)
 {
     struct stat facts;
@@ -56,7 +56,7 @@ int mdrcontact_open_file(const char *path, long long *size, char *reason, size_t
     return -1;
 }
 
-/* Reads `size` bytes and closes; 0, or -1 with the reason. With `bytes` NULL it closes only. */
+/* Reads `size` bytes and closes; 0, or -1 and the reason. With `bytes` NULL it closes only. */
 int mdrcontact_read_file(int file, char *bytes, size_t size, char *reason, size_t space)
 {
     int status = 0;
@@ -104,7 +104,7 @@ static char *follow(char *link, const struct stat *facts)
     return target;
 }
 
-/* The file that a path means in the end, to be freed; NULL with the reason where nothing may be written. */
+/* The file that a path means in the end, to be freed; NULL and the reason where nothing may be written. */
 static char *place_of(const char *path, mode_t *mode, char *reason, size_t space)
 {
     struct stat facts;
@@ -170,7 +170,7 @@ static int write_all(int file, const char *bytes, size_t size)
     return problem;
 }
 
-/* Makes the file `path` with these bytes, or replaces it; 0, or -1 with the reason and everything as it was. */
+/* Makes the file `path` with these bytes, or replaces it; 0, or -1 and the reason and everything as it was. */
 int mdrcontact_write_file(const char *path, const char *bytes, size_t size, char *reason, size_t space)
 {
     mode_t mode = 0;

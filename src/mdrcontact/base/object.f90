@@ -17,7 +17,7 @@ module mdrcontact_object
     !> What never changes once it is made, and is copied by `room(from%bytes(), error)` and `allocate (to, source=from)`.
     type, abstract :: object_t
     contains
-        !> what a copy takes for a caller's points, layers or cells [byte]; the rest is some MiB at most and is not counted
+        !> what a copy takes for points, layers or cells [byte]; the rest is some MiB at most and is not counted
         procedure :: bytes => none
     end type object_t
 

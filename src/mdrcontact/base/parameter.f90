@@ -20,7 +20,7 @@ module mdrcontact_parameter
         real(wp) :: value = 0.0_wp
         !> one of nature_...
         integer :: nature = nature_positive
-        !> of one of nature_signed: by how much it changes things, > 0; 0: not known, see the data [unit of the value]
+        !> of one of nature_signed: the size of its effect, > 0; 0: not known, see the data [unit of the value]
         real(wp) :: scale = 0.0_wp
     end type parameter_t
 

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The codes of words, as `mdrcontact_codes` has the words of codes.
+!> The codes of names; `mdrcontact_codes` has the names of codes.
 module mdrcontact_words
     use mdrcontact_codes, only: codes_beside, word_of
     use mdrcontact_error, only: count_text, error_invalid, error_t, raise
@@ -9,7 +9,7 @@ module mdrcontact_words
 
 contains
 
-    !> The code of a word. One that its enumeration does not have is answered with the nearest word, and all of them.
+    !> The code of a word. One that its enumeration does not have raises an error that lists the nearest word and all words.
     pure subroutine code_of(enumeration, word, code, error)
         !> any code of the enumeration, models%exact for a model
         integer, intent(in) :: enumeration
@@ -25,8 +25,8 @@ contains
         code = -1
         allocate (codes, source=codes_beside(enumeration))
         if (size(codes) == 0) then
-            call raise(error, error_invalid, "enumeration = "//count_text(enumeration)//" is not allowed: it must be a code of "// &
-                       "the enumeration that has the name")
+            call raise(error, error_invalid, "enumeration = "//count_text(enumeration)// &
+                       ": it must be a code of the enumeration that contains the name")
             return
         end if
         known = ""
@@ -37,7 +37,7 @@ contains
             ! no letter more either, be it a blank
             if (edits(i) == 0) code = codes(i)
         end do
-        if (code == -1) call raise(error, error_invalid, " = "//word(:min(len(word), 40))//" is not allowed: did you mean "// &
+        if (code == -1) call raise(error, error_invalid, " = "//word(:min(len(word), 40))//": did you mean "// &
                                    trim(word_of(codes(minloc(edits, dim=1))))//"? It must be one of "//known(3:), "name")
     end subroutine code_of
 

@@ -15,7 +15,7 @@ module mdrcontact_body
     private
     public :: body_t, copy
 
-    !> A body of which media are made: by a model (mdrcontact_model), or by its exact compliance. Its numbers are to be read only.
+    !> A body of which media are made: by a model (mdrcontact_model), or by its exact compliance. Its numbers must only be read.
     type, abstract, extends(object_t) :: body_t
         !> E [modulus] and nu at the surface
         type(material_t) :: surface_material
@@ -29,7 +29,7 @@ module mdrcontact_body
         real(wp) :: softest = 0.0_wp, stiffest = 0.0_wp
         !> whether the constants vary continuously with depth: it has no layers
         logical :: is_graded = .false.
-        !> whether all of it is isotropic, bonded and free of stress
+        !> whether the whole body is isotropic, bonded and free of stress
         logical :: is_plain = .true.
         !> whether a layer slides on what lies below it: an endless sheet, which opposes nothing to a traction along the surface
         logical :: slides = .false.
@@ -42,7 +42,7 @@ module mdrcontact_body
         procedure(moduli_at), deferred :: moduli
         !> depths between which they are analytic
         procedure(breaks_of), deferred :: add_breaks
-        !> its numbers, from the surface down; none of what is not made of a few
+        !> its numbers, top to bottom; none of what is not made of a few
         procedure :: parameters
         !> the same kind of body with other numbers
         procedure :: with_parameters

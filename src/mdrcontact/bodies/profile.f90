@@ -14,8 +14,8 @@ module mdrcontact_profile
     private
     public :: copy, profile_t, root_after, root_beyond
 
-    !> An axisymmetric indenter. Concrete shapes are made by their `new_...` procedures and never change afterwards: numbers
-    !> are to be read only.
+    !> An axisymmetric indenter. Concrete shapes are made by their `new_...` procedures and never change afterwards: numbers must
+    !> only be read.
     !>
     !> The functions are elemental and do not check their argument: it must lie in [0, largest_radius],
     !> below the end where the profile ends in a vertical tangent (sphere). Beyond it they return NaN or are undefined.
@@ -24,7 +24,7 @@ module mdrcontact_profile
         real(wp) :: largest_radius = huge(1.0_wp)
         !> where g is singular at its end [length]: quadrature is refined towards it; huge() where it is not
         real(wp) :: singular_radius = huge(1.0_wp)
-        !> radius of the flat end [length], 0 if there is none: the contact radius as the depth tends to 0
+        !> radius of the flat end [length], 0 if it does not exist: the contact radius as the depth tends to 0
         real(wp) :: end_radius = 0.0_wp
         !> whether the profile rises vertically at largest_radius, so that the contact radius stays there (flat punch)
         logical :: has_wall = .false.
@@ -41,7 +41,7 @@ module mdrcontact_profile
         procedure :: mdr_at
         !> g'(x) [1]
         procedure(radial_function), deferred :: mdr_slope
-        !> g' at a distance beyond a radius, with all digits beside the edge of a flat end, where it is infinite
+        !> g' at a distance beyond a radius, with full accuracy beside the edge of a flat end, where it is infinite
         procedure :: mdr_slope_beyond
         !> int_0^x s g'(s) ds [length^2]; a homogeneous body's force is 2 E* times it
         procedure(radial_function), deferred :: mdr_moment

@@ -34,21 +34,21 @@ module mdrcontact_contact
         real(wp) :: work_of_adhesion = 0.0_wp
         !> adhesion_automatic, adhesion_paper or adhesion_energy
         integer :: adhesion_rule = adhesion_automatic
-        !> zeta(a) of (9), d = zeta(a) g(a), for a medium with an effective modulus; the source's zeta = 1 if not allocated
+        !> zeta(a) of (9), d = zeta(a) g(a), for a medium with an effective modulus; zeta = 1 if not allocated
         type(radius_law_t), allocatable :: zeta
-        !> whether zeta is that of the same body solved exactly, for radii up to 1000 thicknesses, instead of a given one
+        !> whether zeta is that of this body solved exactly, for radii up to 1000 thicknesses, instead of a given one
         logical :: zeta_is_exact = .false.
-        !> sigma_0 >= 0, under which the bodies pull on each other up to a gap of gamma/sigma_0; 0: a range of nothing [modulus]
+        !> sigma_0 >= 0, under which the bodies attract each other up to a gap of gamma/sigma_0; 0: the JKR limit [modulus]
         real(wp) :: cohesive_stress = 0.0_wp
     end type contact_options_t
 
     !> An indenter on a medium. It holds copies of both and never changes; any number of threads may share it.
     type :: contact_t
-        !> what determines a state once the radius is known; to be read only
+        !> what determines a state once the radius is known; read only
         type(equilibrium_t) :: equilibrium
         !> the adhesive branch; not allocated without adhesion
         class(adhesive_branch_t), allocatable, private :: branch
-        !> a cohesive stress was given whose zone is too short to change a digit: adhesion without a range stands for it
+        !> a cohesive stress was given whose zone is too short to change a digit: the JKR limit represents it
         logical :: has_short_zone = .false.
     contains
         procedure :: at_radius
@@ -133,7 +133,7 @@ contains
         call move_alloc(branch, self%branch)
     end subroutine set_adhesion
 
-    !> Adhesion with a range; none where the zone is too short to change a digit.
+    !> Finite-range adhesion; none where the zone is too short to change a digit.
     subroutine set_cohesion(self, options, error)
         type(contact_t), intent(inout) :: self
         type(contact_options_t), intent(in) :: options
@@ -157,14 +157,14 @@ contains
         call check_not_negative(error, "cohesive_stress", options%cohesive_stress)
         if (allocated(error) .or. .not. options%cohesive_stress > 0.0_wp) return
         if (.not. options%work_of_adhesion > 0.0_wp) then
-            call raise(error, error_invalid, " = "//to_text(options%cohesive_stress)//" is not allowed without a "// &
-                       "work_of_adhesion: the range of adhesion is work_of_adhesion/cohesive_stress", "cohesive_stress")
+            call raise(error, error_invalid, " = "//to_text(options%cohesive_stress)//": it needs a work_of_adhesion, because "// &
+                       "the range of adhesion is work_of_adhesion/cohesive_stress", "cohesive_stress")
         else if (options%adhesion_rule == adhesion_paper) then
-            call raise(error, error_invalid, " = "//to_text(options%cohesive_stress)//" is not allowed with the adhesion "// &
-                       "rule paper: the zone follows from the balance of energy", "cohesive_stress")
+            call raise(error, error_invalid, " = "//to_text(options%cohesive_stress)//": the adhesion rule paper has no "// &
+                       "cohesive zone. Use the rule energy", "cohesive_stress")
         else if (options%zeta_is_exact .or. allocated(options%zeta)) then
-            call raise(error, error_invalid, " = "//to_text(options%cohesive_stress)//" is not allowed with zeta: a contact "// &
-                       "with a zone is solved exactly", "cohesive_stress")
+            call raise(error, error_invalid, " = "//to_text(options%cohesive_stress)//": it excludes zeta, because a contact "// &
+                       "with a cohesive zone is solved exactly. Omit zeta", "cohesive_stress")
         end if
     end subroutine check_cohesion
 
@@ -234,7 +234,7 @@ contains
     !> Between which contact radii the contact is defined, and where it is not analytic in between.
     subroutine radius_range(self, end_radius, smallest, largest, breaks, error)
         class(contact_t), intent(in) :: self
-        !> radius of the indenter's flat end, 0 if there is none [length]
+        !> radius of the indenter's flat end, 0 if it does not exist [length]
         real(wp), intent(out) :: end_radius
         !> smallest and largest contact radius at which there is a state [length]; equal for a flat punch
         real(wp), intent(out) :: smallest, largest
@@ -262,14 +262,14 @@ contains
         if (state%radius /= 0.0_wp) call check_state(self%equilibrium, state, error)
         if (allocated(error)) return
         call find_warnings(self%equilibrium, state, found)
-        if (self%has_short_zone) call add_warning(found, warning_short_zone, "the cohesive zone is too short to change a digit "// &
-                                                  "of this contact: its states are those of adhesion without a range (JKR)")
+        if (self%has_short_zone) call add_warning(found, warning_short_zone, "the cohesive zone is too short to affect the "// &
+                                                  "result: the states are those of the JKR limit")
     end subroutine warnings
 
     !> The state of equilibrium at contact radius a, stable or not.
     subroutine at_radius(self, radius, state, error)
         class(contact_t), intent(in) :: self
-        !> a: at least the radius of the indenter's flat end, at most where indenter and medium are defined; 0 is first touch
+        !> a: at least the radius of the indenter's flat end, at most where indenter and medium are defined; 0 is initial contact
         real(wp), intent(in) :: radius
         type(contact_state_t), intent(out) :: state
         type(error_t), allocatable, intent(out) :: error
@@ -283,17 +283,17 @@ contains
         wall_radius = self%equilibrium%profile%largest_radius
         smallest = self%equilibrium%medium%smallest_radius
         if (radius < end_radius) then
-            call raise(error, error_unreachable, " = "//to_text(radius)//" cannot be reached: the indenter's flat end "// &
-                       "makes contact at radius "//to_text(end_radius)//" at once", "radius")
+            call raise(error, error_unreachable, " = "//to_text(radius)//": the contact radius is at least that of the flat "// &
+                       "end, "//to_text(end_radius), "radius")
         else if (self%equilibrium%profile%has_wall .and. radius >= wall_radius) then
-            call raise(error, error_unreachable, " = "//to_text(radius)//" does not determine a state: at the indenter's "// &
-                       "vertical wall, radius "//to_text(wall_radius)//", the depth is free; give depth or force", "radius")
+            call raise(error, error_unreachable, " = "//to_text(radius)//": it does not determine a state at the vertical "// &
+                       "wall of the indenter, radius "//to_text(wall_radius)//". Give depth or force", "radius")
         else if (radius > self%equilibrium%last_radius) then
-            call raise(error, error_domain, " = "//to_text(radius)//" is not allowed: indenter and medium are defined up to "// &
+            call raise(error, error_domain, " = "//to_text(radius)//": indenter and medium are defined up to "// &
                        to_text(self%equilibrium%last_radius)//trim(self%equilibrium%why_it_ends()), "radius")
         else if (radius < smallest) then
-            call raise(error, error_domain, " = "//to_text(radius)//" is not allowed: the medium is defined from "// &
-                       to_text(smallest)//" on", "radius")
+            call raise(error, error_domain, " = "//to_text(radius)//": the medium is defined from "//to_text(smallest)//" on", &
+                       "radius")
         end if
         if (allocated(error)) return
         if (allocated(self%branch)) then
@@ -368,8 +368,8 @@ contains
         if (self%is_adhesive()) then
             call adhesive_state(self, control, name, s, way, state, error)
         else if (s < 0.0_wp) then
-            call raise(error, error_unreachable, " = "//to_text(s)//" cannot be reached: without adhesion the bodies are apart "// &
-                       "below "//name//" 0 and do not pull on each other", name)
+            call raise(error, error_unreachable, " = "//to_text(s)//": without adhesion there is no contact below "//name// &
+                       " = 0", name)
         else
             call invert(self%equilibrium, control, name, s, state, error, neighbours)
         end if
@@ -406,8 +406,8 @@ contains
         global = minloc(list%lowest, dim=1)
         smallest = self%equilibrium%medium%smallest_radius
         if (smallest > self%equilibrium%profile%end_radius .and. ends(global)%radius <= smallest*(1.0_wp + 1.0e-12_wp)) then
-            call raise(error, error_domain, "the contact does not break at radii for which the medium is defined, from "// &
-                       to_text(smallest)//" on: it is still stable there")
+            call raise(error, error_domain, "pull-off: the contact is still stable at the smallest radius of the medium, "// &
+                       to_text(smallest))
             return
         end if
         state = ends(global)
@@ -473,10 +473,10 @@ contains
         character(len=:), allocatable :: what
         integer :: chosen
 
-        what = " = "//to_text(s)//" cannot be reached"
+        what = " = "//to_text(s)
         if (way == on_loading .and. s < self%branch%first_attraction(control)) then
-            call raise(error, error_unreachable, what//" on loading: the bodies attract each other from "//name//" "// &
-                       to_text(self%branch%first_attraction(control))//" on; below it a contact exists on unloading only", name)
+            call raise(error, error_unreachable, what//" on loading: the bodies attract each other from "//name//" = "// &
+                       to_text(self%branch%first_attraction(control))//" on. Below it a contact exists on unloading only", name)
             return
         end if
         call self%stable_segments(control, list, error)

@@ -58,7 +58,7 @@ contains
         end associate
     end subroutine interior
 
-    !> How far the field inside a body is from what the state has on the surface: at some radii within the contact s_zz from -p(r),
+    !> Difference of the field inside a body from the state on the surface: at some radii within the contact s_zz from -p(r),
     !> relative to the largest pressure there and the mean one, and u_z from d - f(r), of two bodies from the body's part of it,
     !> relative to d and to f(a). Under an approximate model s_zz alone, for its surface does not fit the indenter.
     subroutine interior_error(load, upper, deviation, error)
@@ -92,7 +92,7 @@ contains
         end associate
     end subroutine interior_error
 
-    !> Elastic energy of each layer of a body, from the surface down, the half-space last [modulus length^3].
+    !> Elastic energy of each layer of a body, top to bottom, the half-space last [modulus length^3].
     subroutine layer_energy(load, upper, energies, error)
         type(contact_load_t), intent(in) :: load
         !> whether the upper body is meant
@@ -139,8 +139,7 @@ contains
         call check_body(load%equilibrium, upper, error)
         if (allocated(error)) return
         if (.not. load%surface%is_complete) call refuse(load%equilibrium%medium, "stresses inside are", &
-            "a homogeneous, coated, layered or graded one", &
-            "the body is loaded beside the contact, too, by what the surface hands on", error)
+            "a homogeneous, coated, layered or graded one", "the surface layer also loads the body outside the contact", error)
         call check_known(load%equilibrium, upper, error)
         if (allocated(error)) return
         allocate (own, source=load%surface)
@@ -154,10 +153,10 @@ contains
         type(error_t), allocatable, intent(inout) :: error
 
         if (upper .and. .not. equilibrium%medium%is_pair) then
-            call raise(error, error_invalid, " = upper is not allowed: the indenter is rigid", "body")
+            call raise(error, error_invalid, " = upper: the indenter is rigid. Use lower", "body")
         else if (allocated(equilibrium%cohesion)) then
-            call raise(error, error_invalid, "stresses and energies inside are not known of a contact with a "// &
-                       "cohesive_stress: leave it out for adhesion without a range")
+            call raise(error, error_invalid, "cohesive_stress: subsurface stresses and energies are not available with a "// &
+                       "cohesive zone. Omit it: the JKR limit applies")
         end if
     end subroutine check_body
 
@@ -170,8 +169,7 @@ contains
 
         is_known = allocated(equilibrium%medium%pressed)
         if (upper) is_known = allocated(equilibrium%medium%counterbody)
-        if (.not. is_known) call raise(error, error_invalid, "stresses inside are not known for this medium: E and nu of its "// &
-                                       "layers are needed")
+        if (.not. is_known) call raise(error, error_invalid, "medium: subsurface stresses need E and nu of its layers")
     end subroutine check_known
 
     !> Raises unless a contact can slide with a coefficient of friction.
@@ -184,8 +182,8 @@ contains
         call check_not_negative(error, "friction", friction)
         if (allocated(error)) return
         if (friction > 0.0_wp .and. load%edge < 0.0_wp) then
-            call raise(error, error_invalid, " = "//to_text(friction)//" is not allowed with adhesion: Coulomb's "// &
-                       "law knows no tension, use friction = 0", "friction")
+            call raise(error, error_invalid, " = "//to_text(friction)//": it must be 0 with adhesion, because Coulomb's law "// &
+                       "is not defined under tension", "friction")
         end if
     end subroutine check_friction
 

@@ -2,9 +2,9 @@
 !> A compiled contact law: F(d), a(d), k(d) and d(F), a(F), k(F) of one contact over a range of depths, for the price of a short
 !> polynomial.
 !>
-!> It is made once from any contact and verified against it. Evaluating it allocates nothing and locks nothing; any number
-!> of threads may share it. Unlike the contact it is made from, the law has an answer for bodies that are apart: force,
-!> radius, stiffness and slope are 0 below first touch, and with adhesion below pull-off (on loading: below the first attraction).
+!> It is made once from any contact and verified against it. Evaluating it allocates nothing and locks nothing; any number of
+!> threads may share it. Unlike the contact it is made from, the law has an answer for separated bodies: force, radius, stiffness
+!> and slope are 0 below initial contact, and with adhesion below pull-off (on loading: below the first attraction).
 module mdrcontact_law
     use, intrinsic :: iso_c_binding, only: c_double
     use mdrcontact_nonfinite, only: is_finite, quiet_nan
@@ -38,11 +38,11 @@ module mdrcontact_law
         real(c_double) :: radius = 0.0_c_double
         !> k = 2 a E_eff(a), the stiffness at constant radius [modulus length]; without adhesion it equals the slope
         real(c_double) :: stiffness = 0.0_c_double
-        !> U = int F dd along the branch from first touch on, without adhesion the elastic energy; with adhesion from pull-off
-        !> on, with a cohesive stress from bodies that are apart [modulus length^3]
+        !> U = int F dd along the branch from initial contact on, without adhesion the elastic energy; with adhesion from pull-off
+        !> on, with a cohesive stress from separated bodies [modulus length^3]
         real(c_double) :: energy = 0.0_c_double
-        !> how far d lies beyond the largest depth, where the law is continued along its tangent: the numbers are then no longer
-        !> those of the contact; 0 within the range [length]
+        !> d minus the largest depth, where the law is continued along its tangent: the numbers are then no longer those of the
+        !> contact; 0 within the range [length]
         real(c_double) :: beyond = 0.0_c_double
     end type law_point_t
 
@@ -56,7 +56,7 @@ module mdrcontact_law
         integer :: solutions = 0
         !> R of the paraboloid it was made for [length]; 0 for any other indenter
         real(wp) :: radius = 0.0_wp
-        !> the problem in words, as given in the options
+        !> the problem as text, as given in the options
         character(len=:), allocatable :: description
         !> the sliders that T follows from; not allocated in a law without friction
         type(friction_law_t), allocatable :: friction
@@ -89,16 +89,16 @@ contains
         call check_positive(error, "radius", radius)
         if (allocated(error)) return
         if (self%by_depth%adhesive) then
-            call raise(error, error_invalid, " = "//to_text(radius)//" is not allowed: with adhesion a law holds for "// &
-                       "other radii only where work of adhesion times R^2 stays the same; make a law for each radius", "radius")
+            call raise(error, error_invalid, " = "//to_text(radius)//": a law with adhesion applies to other radii only at "// &
+                       "constant work of adhesion times R^2. Create a law for each radius", "radius")
         else if (.not. self%radius > 0.0_wp) then
-            call raise(error, error_invalid, " = "//to_text(radius)//" is not allowed: the law was not made for a "// &
-                       "paraboloid, or comes from a file that does not hold its radius; make a law for each indenter", "radius")
+            call raise(error, error_invalid, " = "//to_text(radius)//": the law is not that of a paraboloid, or its file does "// &
+                       "not contain the radius. Create a law for each indenter", "radius")
         else
             power = exponent(self%radius) - exponent(radius)
             if (min(power, power + exponent(min(self%by_depth%lowest, self%by_force%lowest))) < -largest_power .or. &
                 max(power, power + exponent(max(self%by_depth%highest, self%by_force%highest))) > largest_power) then
-                call raise(error, error_invalid, " = "//to_text(radius)//" is not allowed: it is too far from the law's radius "// &
+                call raise(error, error_invalid, " = "//to_text(radius)//": it is too far from the radius of the law, "// &
                            to_text(self%radius), "radius")
             end if
         end if
@@ -111,7 +111,7 @@ contains
         if (allocated(law%friction)) call law%friction%scale(self%radius/radius)
     end subroutine with_radius
 
-    !> The state at depth d; all but d is 0 where the bodies are apart.
+    !> The state at depth d; all but d is 0 for separated bodies.
     pure subroutine at_depth(self, depth, point, error, branch)
         class(contact_law_t), intent(in) :: self
         !> at most the largest depth, unless the law continues beyond; any value below [length]
@@ -156,7 +156,7 @@ contains
         call add_energy(self, interval_at_radius(self%by_depth, point), point)
     end subroutine at_force
 
-    !> Energy, and how far beyond the range, of a state on an interval of the depths.
+    !> Energy, and distance beyond the range, of a state on an interval of the depths.
     pure subroutine add_energy(self, interval, point)
         type(contact_law_t), intent(in) :: self
         integer, intent(in) :: interval
@@ -246,8 +246,8 @@ contains
         if (allocated(error)) value = quiet_nan
     end function energy
 
-    !> G at depth d of a law that conducts, and its slope along the branch: 0 where the bodies are apart, beyond the range G at its
-    !> end; NaN where at_depth has an error.
+    !> G at depth d of a law that conducts, and its slope along the branch: 0 for separated bodies, beyond the range G at its end;
+    !> NaN where at_depth has an error.
     elemental subroutine conductance(self, depth, value, slope, branch)
         class(contact_law_t), intent(in) :: self
         !> [length]
@@ -395,8 +395,8 @@ contains
         integer :: interval
 
         if (segment < 0 .or. segment > size(self%by_depth%segments)) then
-            call raise(error, error_invalid, "segment = "//count_text(segment)//" is not allowed: it must be 0 (open) "// &
-                       "or what the last call returned")
+            call raise(error, error_invalid, "segment = "//count_text(segment)//": it must be 0 (open) or the value of the "// &
+                       "last call")
         end if
         call check_point(error, self%by_depth, on_unloading, depth)
         if (allocated(error)) return
@@ -461,13 +461,13 @@ contains
         if (.not. is_finite(s)) then
             call check_finite(error, name_of(table), s)
         else if (s > table%highest) then
-            if (.not. table%continued) call raise(error, error_domain, " = "//to_text(s)//" is not allowed: the law was "// &
-                                                  "compiled up to "//to_text(table%highest), name_of(table))
+            if (.not. table%continued) call raise(error, error_domain, " = "//to_text(s)//": the law is compiled up to "// &
+                                                  to_text(table%highest), name_of(table))
         else if (.not. table%by_depth) then
             lowest = 0.0_wp
             if (table%adhesive .and. branch == on_unloading) lowest = table%lowest
-            if (s < lowest) call raise(error, error_unreachable, " = "//to_text(s)//" cannot be reached: no contact carries "// &
-                                       "less than "//to_text(lowest), name_of(table))
+            if (s < lowest) call raise(error, error_unreachable, " = "//to_text(s)//": the lowest force of a contact is "// &
+                                       to_text(lowest), name_of(table))
         end if
     end subroutine check_point
 

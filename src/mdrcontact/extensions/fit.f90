@@ -1,8 +1,8 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The inversion: from measured data to the numbers of indenter, medium and instrument, with their uncertainty.
 !>
-!> Nonlinear least squares of the same forward model that computes contacts, over GSL's trust region. A value known beforehand
-!> enters as one more datum, and with it its uncertainty into that of everything else.
+!> Nonlinear least squares of the forward model that computes contacts, over GSL's trust region. A value known beforehand enters as
+!> one more datum, and with it its uncertainty into that of everything else.
 module mdrcontact_fit
     use mdrcontact_error, only: check_memory, error_cancelled, error_invalid, error_t, explain, raise
     use mdrcontact_fit_correlation, only: correlated_spread
@@ -39,8 +39,8 @@ module mdrcontact_fit
         real(wp), allocatable :: values(:)
         !> positions of the free ones
         integer, allocatable :: free(:)
-        !> of the free ones; where the data do not determine a combination of them, `weakest` = 0, its variance is beyond all
-        !> measure: standard errors of about a thousand times the values
+        !> of the free ones; where the data do not determine a combination of them, `weakest` = 0, its variance is not determined:
+        !> standard errors of about a thousand times the values
         real(wp), allocatable :: covariance(:, :)
         !> of the free ones: -1 or 1 where the estimate lies at its lower or upper bound, whose covariance is then 0
         integer, allocatable :: at_bound(:)
@@ -61,8 +61,8 @@ module mdrcontact_fit
         real(wp) :: log_likelihood = 0.0_wp
         !> probability that random residuals follow each other as smoothly along the curve
         real(wp) :: pattern_probability = 1.0_wp
-        !> correlation of neighbouring residuals along the curve, and by how much it has widened the standard error of each free
-        !> number, which the covariance holds already
+        !> correlation of neighbouring residuals along the curve, and the factor by which it has increased the standard error of
+        !> each free number, which the covariance holds already
         real(wp) :: lag_correlation = 0.0_wp
         !> see `lag_correlation`
         real(wp), allocatable :: widening(:)
@@ -76,7 +76,8 @@ module mdrcontact_fit
 
 contains
 
-    !> Fits. An error means that there was nothing to fit; a search that did not converge returns its best point and says so.
+    !> Fits. An error means that there was nothing to fit; a search that did not converge returns its best point with `converged`
+    !> false.
     subroutine solve_fit(problem, data, fit, error)
         type(fit_problem_t), intent(in) :: problem
         type(fit_data_t), intent(in), target :: data
@@ -133,22 +134,22 @@ contains
         call residuals%fitted(u, y, error)
         if (allocated(error)) then
             if (error%code == error_cancelled) return
-            call explain(error, "the model has no answer at the start of the search: ", &
-                         "; check the units of the data and the starting values")
+            call explain(error, "the model fails at the start of the search: ", ". Check the units of the data and the "// &
+                         "starting values")
             return
         end if
         if (.not. norm2(y) > 0.0_wp) then
-            call raise(error, error_invalid, "at the start of the search the indenter touches at none of the points: check "// &
-                       "depth_offset, the depth at first contact, and the sign of the depths")
+            call raise(error, error_invalid, "at the start of the search no point is in contact. Check depth_offset, the "// &
+                       "depth at initial contact, and the sign of the depths")
             return
         end if
         ratio = norm2(residuals%data%y)/norm2(y)
         if (ratio <= wrong_units .and. ratio >= 1.0_wp/wrong_units) return
-        call raise(error, error_invalid, "the data are "//trim(rounded(ratio))//" times the model at the start of the search: "// &
-                   "check the units of the data, or whether contact begins where depth_offset says, or begin closer")
+        call raise(error, error_invalid, "the data are "//trim(rounded(ratio))//" times the model at the start of the search. "// &
+                   "Check the units of the data and depth_offset, or start closer")
     end subroutine check_units_at_start
 
-    !> A ratio in words: two digits.
+    !> A ratio as text, two digits.
     function rounded(value) result(text)
         real(wp), intent(in) :: value
         character(len=12) :: text
@@ -383,8 +384,8 @@ contains
         do i = 1, size(fit%free)
             if (fit%at_bound(i) /= 0 .or. any(abs(outcome%jacobian(n + 1:, i)) > 0.0_wp)) cycle
             if (norm2(outcome%jacobian(:n, i)) > least) cycle
-            call raise(error, error_invalid, " must not be free: the readings do not depend on it; fix it, or give it a prior", &
-                       "parameters", fit%free(i))
+            call raise(error, error_invalid, ": it must not be free, because the readings do not depend on it. Fix it, or "// &
+                       "give it a prior", "parameters", fit%free(i))
         end do
     end subroutine check_felt
 

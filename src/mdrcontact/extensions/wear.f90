@@ -59,7 +59,8 @@ contains
         if (present(body_coefficient)) self%body_coefficient = body_coefficient
         call check_not_negative(error, "body_coefficient", self%body_coefficient)
         if (.not. allocated(error) .and. contact%is_adhesive()) then
-            call raise(error, error_invalid, "wear is not allowed with adhesion: there is no law of wear where surfaces pull")
+            call raise(error, error_invalid, "wear: it is not available with adhesion, because Archard's law is not defined "// &
+                "under tension. Set work_of_adhesion = 0")
         end if
         if (allocated(error)) return
         self%contact = contact
@@ -155,8 +156,8 @@ contains
         if (allocated(error)) return
         associate (profile => self%contact%equilibrium%profile)
             if (.not. profile%has_wall .or. profile%end_radius < profile%largest_radius) then
-                call raise(error, error_invalid, "running_in_length is that of a flat punch: the contact of other indenters "// &
-                           "grows, and a sliding history follows it")
+                call raise(error, error_invalid, "indenter: running_in_length needs a flat punch. For other indenters use a "// &
+                           "sliding history")
                 return
             end if
             call slowest_decay(self%contact%equilibrium%medium, profile%largest_radius, &
@@ -169,7 +170,7 @@ contains
         type(error_t), allocatable, intent(inout) :: error
 
         if (self%body_coefficient > 0.0_wp) return
-        call raise(error, error_invalid, "body_coefficient = 0: a body that does not wear shows no track; give its coefficient")
+        call raise(error, error_invalid, "body_coefficient = 0: it must be greater than 0 for a track")
     end subroutine check_body
 
     !> Raises where a track is so deep that the contact is no longer that with a flat.
@@ -179,9 +180,9 @@ contains
         type(error_t), allocatable, intent(inout) :: error
 
         if (depth <= deepest_track*state%depth) return
-        call raise(error, error_domain, "a track of depth "//to_text(depth)//" is too deep: beyond "//to_text(deepest_track)// &
-                   " of the indentation depth, "//to_text(state%depth)//", the groove conforms to the tip, and the contact "// &
-                   "is no longer that with a flat")
+        call raise(error, error_domain, "a track of depth "//to_text(depth)//" is too deep: it must be at most "// &
+                   to_text(deepest_track)//" of the indentation depth, "//to_text(state%depth)// &
+                   ". A deeper groove conforms to the tip")
     end subroutine check_shallow
 
 end module mdrcontact_wear

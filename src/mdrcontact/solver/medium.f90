@@ -18,11 +18,11 @@ module mdrcontact_medium
     private
     public :: medium_t, new_medium, new_pair, check_elastic, refuse_states
 
-    !> Either a solver or a body that relaxes; both are to be read only.
+    !> Either a solver or a viscoelastic body; both must only be read.
     type, extends(object_t) :: medium_t
         !> of an elastic body, or of two
         class(solver_t), allocatable :: solver
-        !> the materials of a body that relaxes
+        !> the materials of a viscoelastic body
         type(viscoelastic_t), allocatable :: relaxing
         !> the model of its one body
         integer :: model = models%exact
@@ -163,13 +163,12 @@ contains
         if (allocated(self%relaxing)) call refuse_states(error)
     end subroutine check_elastic
 
-    !> Raises what is said of states of a body that relaxes, wherever they are requested.
+    !> Raises what is said of states of a viscoelastic body, wherever they are requested.
     pure subroutine refuse_states(error)
         type(error_t), allocatable, intent(inout) :: error
 
-        call raise(error, error_invalid, "the body is viscoelastic, so that stiffness and states depend on time: use its "// &
-                   "history (a path in time) or its dynamic stiffness (an oscillation) under a rigid indenter, or take the "// &
-                   "glassy or the relaxed material")
+        call raise(error, error_invalid, "medium: states and stiffness of a viscoelastic body depend on time. Use a history "// &
+                   "or the dynamic stiffness with a rigid indenter, or use the glassy or the relaxed material")
     end subroutine refuse_states
 
     pure recursive function bytes(self)

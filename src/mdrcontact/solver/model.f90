@@ -102,7 +102,7 @@ module mdrcontact_model
 
 contains
 
-    !> Where a model stands in the table; 0 for a code that does not exist.
+    !> Index of a model in the table; 0 for a code that does not exist.
     pure function model_position(code) result(position)
         integer, intent(in) :: code
         integer :: position
@@ -229,7 +229,7 @@ contains
         if (model /= models%exact) then
             call refuse(model, " for a surface with tension or a sheet", model_table%code == models%exact, error)
         else if (body%is_graded) then
-            call raise(error, error_invalid, "a surface with tension or a sheet is not allowed on a graded body: use layers")
+            call raise(error, error_invalid, "surface: tension and sheets are not available on a graded body. Use layers")
         end if
         if (allocated(error)) return
         if (has_springs(surface)) then
@@ -283,8 +283,8 @@ contains
             else if (layers%rigid_base .and. model_table(i)%base == base_elastic) then
                 call refuse(model, " on a rigid base (substrate E = infinity)", model_table%base /= base_elastic, error)
             else if (model_table(i)%base == base_rigid .and. .not. layers%rigid_base) then
-                call raise(error, error_invalid, "substrate E = "//to_text(layers%materials(n + 1)%young)//" is not allowed: "// &
-                           "the model "//trim(word_of(model))//" is for a layer on a rigid base, substrate E = infinity")
+                call raise(error, error_invalid, "substrate E = "//to_text(layers%materials(n + 1)%young)//": the model "// &
+                           trim(word_of(model))//" needs a layer on a rigid base, substrate E = infinity")
             end if
         end if
     end subroutine check_model
@@ -302,7 +302,7 @@ contains
         do i = 1, size(model_table)
             if (allowed(i)) names = trim(names)//", "//trim(word_of(model_table(i)%code))
         end do
-        call raise(error, error_invalid, "model = "//trim(model_text(model))//" is not allowed"//what//": choose from "// &
+        call raise(error, error_invalid, "model = "//trim(model_text(model))//": it is not available"//what//". Use one of "// &
                    trim(names(3:)))
     end subroutine refuse
 

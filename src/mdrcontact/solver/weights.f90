@@ -120,9 +120,8 @@ contains
         i1 = 0.0_wp
     end subroutine all_weights
 
-    !> I0 of a load along the surface, the weight of the shear modulus in the tangential stiffness:
-    !> I1 + [xi L - xi/(1 + xi^2)]/(2 pi (2 - nu)), L = ln(1 + 1/xi^2) (theory/friction.md (4.1)). Poisson's ratio has
-    !> the weight I1 there too.
+    !> I0 of a load along the surface, the weight of the shear modulus in the tangential stiffness: I1 + [xi L - xi/(1 + xi^2)]/(2
+    !> pi (2 - nu)), L = ln(1 + 1/xi^2) (theory/friction.md (4.1)). Poisson's ratio has the weight I1 also there.
     elemental function weight_i0_tangential(xi, nu) result(weight)
         !> as in weight_i0
         real(wp), intent(in) :: xi, nu
@@ -248,7 +247,7 @@ contains
         weight = (2.0_wp/pi)*atan(1.0_wp/x) - x*log_term(x)/pi
     end function j1_inside
 
-    !> Clamping and the value at 0 stand in loops of their own: a branch would keep atan and log from being vectorised.
+    !> Clamping and the value at 0 are in loops of their own: a branch would keep atan and log from being vectorised.
     pure subroutine weight_values(self, x, y)
         class(weight_map_t), intent(in) :: self
         !> xi >= 0

@@ -14,7 +14,7 @@ contains
 
     !> The layer at a depth, and the distance from its top; an interface belongs to the layer below it if `below`.
     pure subroutine find_layer(thickness, z, below, layer, distance)
-        !> from the surface down, > 0 [length]
+        !> top to bottom, > 0 [length]
         real(wp), intent(in) :: thickness(:)
         !> >= 0 [length]
         real(wp), intent(in) :: z

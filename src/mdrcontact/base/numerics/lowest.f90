@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Where a function is lowest: looked for at given places, then by golden section between the neighbours of the lowest of them.
+!> Where a function is lowest: searched for at given places, then by golden section between the neighbours of the lowest of them.
 module mdrcontact_numerics_lowest
     use mdrcontact_kinds, only: wp
     use mdrcontact_numerics_scalar_function, only: scalar_function_t

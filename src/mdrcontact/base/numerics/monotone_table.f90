@@ -44,13 +44,13 @@ contains
         call disable_gsl_abort()
         spline = gsl_spline_alloc(gsl_interp_steffen, int(size(x), c_size_t))
         if (.not. c_associated(spline)) then
-            call raise(error, error_memory, "no memory to interpolate a table")
+            call raise(error, error_memory, "not enough memory to interpolate a table")
             return
         end if
         status = gsl_spline_init(spline, x, y, int(size(x), c_size_t))
         if (status /= gsl_success) call raise(error, error_invalid, "the table cannot be interpolated")
         allocate (self%x(size(x)), self%y(size(x)), self%slopes(size(x)), stat=stat)
-        if (stat /= 0) call raise(error, error_memory, "no memory to interpolate a table")
+        if (stat /= 0) call raise(error, error_memory, "not enough memory to interpolate a table")
         if (allocated(error)) then
             call gsl_spline_free(spline)
             return

@@ -12,7 +12,7 @@ contains
     !> The x above or below a limit; nothing happens after an error.
     pure subroutine pick(x, places, picked, values, error, above, below)
         real(wp), intent(in) :: x(:)
-        !> where they stand in x, in ascending order
+        !> where they are in x, in ascending order
         integer, allocatable, intent(out) :: places(:)
         !> they themselves, and room for as many results
         real(wp), allocatable, intent(out) :: picked(:), values(:)

@@ -57,8 +57,8 @@ contains
         type(error_t), allocatable, intent(inout) :: error
 
         if (.not. abs(exponent) <= 1.0_wp) then
-            call raise(error, error_invalid, "exponent = "//to_text(exponent)//" is not allowed: that of a mean must be at "// &
-                       "least -1 (series) and at most 1 (parallel)")
+            call raise(error, error_invalid, "exponent = "//to_text(exponent)//": the exponent of a power mean must lie in "// &
+                       "[-1, 1], from series to parallel")
             return
         end if
         self%exponent = exponent

@@ -26,7 +26,7 @@ module mdrcontact_numerics_quadrature
     real(wp), parameter :: panel_growth = 4.0_wp
     !> Panels are not refined below this length, relative to the upper limit.
     real(wp), parameter :: shortest_panel = 1.0e-12_wp
-    !> Where panels end towards the origin, relative to the upper limit; what lies below is for the caller's leading-order term.
+    !> Where panels end towards the origin, relative to the upper limit; what lies below is for the leading-order term.
     real(wp), parameter :: smallest_panel_ratio = panel_growth**(-20)
 
 contains

@@ -21,12 +21,12 @@ module mdrcontact_numerics_radius_law
 
     !> What the slope of an interpolated quantity may lack, relative: a function that is itself computed to 1e-9 has no better one.
     real(wp), parameter :: interpolation_roughness = 1.0e-6_wp
-    !> Relative, of the values of a caller's function, which may itself have been solved with ever more unknowns.
+    !> Relative, of the values of a user function, which may itself have been solved with ever more unknowns.
     real(wp), parameter :: noise_of_values = 1.0e-10_wp
 
     !> The interpolated quantity. Beyond its largest radius it is not evaluated.
     type :: radius_law_t
-        !> of the table or the range; to be read only [length]
+        !> of the table or the range; read only [length]
         real(wp) :: smallest_radius = 0.0_wp, largest_radius = 0.0_wp
         !> one of the two
         type(monotone_table_t), allocatable, private :: table
@@ -75,7 +75,7 @@ contains
         self%largest_radius = radius(size(radius))
         allocate (self%table, self%breaks(size(radius)), logarithms(size(radius)), stat=stat)
         if (stat /= 0) then
-            call raise(error, error_memory, "no memory for a table")
+            call raise(error, error_memory, "not enough memory for a table")
             return
         end if
         self%breaks(:) = radius
@@ -106,8 +106,8 @@ contains
         call check_positive(error, "largest_radius", largest)
         if (allocated(error)) return
         if (largest <= smallest) then
-            call raise(error, error_invalid, "largest_radius = "//to_text(largest)//" is not allowed: it must be greater than "// &
-                       "smallest_radius = "//to_text(smallest))
+            call raise(error, error_invalid, "largest_radius = "//to_text(largest)// &
+                       ": it must be greater than smallest_radius = "//to_text(smallest))
             return
         end if
         logarithmic%f => f

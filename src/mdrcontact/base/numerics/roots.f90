@@ -21,16 +21,16 @@ module mdrcontact_numerics_roots
     real(wp), parameter :: widest_step = 50.0_wp
     !> A slope between points that are not farther apart is one of the function near them.
     real(wp), parameter :: nearby = 0.1_wp
-    !> Steps that shrink less do not converge yet; how far from the root they end.
+    !> Steps that shrink less do not converge yet; the distance from the root at which they end.
     real(wp), parameter :: largest_ratio = 0.1_wp, negligible = 0.1_wp*epsilon(1.0_wp)
-    !> A function that takes an accuracy takes steps of this length at most, begins with this accuracy, and is
-    !> looked at with this part of the distance that is left to the root; Newton's steps leave this part of their square.
+    !> A function that takes an accuracy takes steps of this length at most, begins with this accuracy, and is considered with this
+    !> part of the distance that is left to the root; Newton's steps leave this part of their square.
     real(wp), parameter :: careful_step = 2.0_wp, first_accuracy = 1.0e-2_wp, share = 0.1_wp, curvature = 0.3_wp
     !> Square of a distance of values, and length of a step, below which a cubic does not pay.
     real(wp), parameter :: closest = 1.0e-8_wp, close_by = 1.0e-3_wp
     !> Steps that f takes as near enough must leave no more of f than at this slope.
     real(wp), parameter :: steepest = 10.0_wp
-    !> Points at which a cubic is looked at for its first root.
+    !> Points at which a cubic is considered for its first root.
     integer, parameter :: probes = 32
 
     !> Lets a polymorphic function travel through GSL's `void *params`.
@@ -56,7 +56,7 @@ contains
         call disable_gsl_abort()
         solver = gsl_root_fsolver_alloc(gsl_root_fsolver_brent)
         if (.not. c_associated(solver)) then
-            call raise(error, error_memory, "no memory for a root finder")
+            call raise(error, error_memory, "not enough memory for a root finder")
             return
         end if
         carrier%f => f
@@ -96,7 +96,7 @@ contains
         real(wp), intent(out) :: root
         logical, intent(out) :: found
         type(error_t), allocatable, intent(out) :: error
-        !> how far the guess may be from the root; default 1
+        !> largest distance of the guess from the root; default 1
         real(wp), intent(in), optional :: distance
         real(wp) :: x, y, x_before, y_before, slope_before, accuracy_before, low, high, left, remaining, step_before
         real(wp) :: ratio_before
@@ -274,7 +274,7 @@ contains
     end function inverse_cubic
 
     !> The first root, from the second point as far as `last`, of the cubic of y over x that has the values and slopes at two
-    !> points; the second point where there is none.
+    !> points; the second point if it does not exist.
     pure function first_root(x, y, slopes, last) result(root)
         real(wp), intent(in) :: x(2), y(2), slopes(2), last
         real(wp) :: root
@@ -299,7 +299,7 @@ contains
         end do
     end function first_root
 
-    !> How far from the root the cubic in y may be.
+    !> Largest distance from the root at which the cubic in y may be.
     pure function cubic_error(root, x) result(distance)
         real(wp), intent(in) :: root, x(2)
         real(wp) :: distance

@@ -69,7 +69,7 @@ module mdrcontact_numerics_sampler
         integer :: most_panels = 400
         !> the last terms of a panel, by which its accuracy is judged
         integer :: last_terms = 2
-        !> by how much more than its last terms a series may miss its functions
+        !> factor by which more than its last terms a series may miss its functions
         real(wp) :: margin = 30.0_wp
         !> a panel of the shortest length is kept though it misses its functions, near a kink between its edges, but by no more
         !> than this
@@ -325,8 +325,8 @@ contains
             left = stack(1, waiting)
             right = stack(2, waiting)
             if (count + waiting > sampling%most_panels .or. waiting == size(root_stack)) then
-                call raise(error, error_no_convergence, trim(source%what)//" is not smooth enough, or not accurate enough, "// &
-                           "to be sampled near "//trim(source%argument)//" = "//to_text(source%radius(left)))
+                call raise(error, error_no_convergence, trim(source%what)//" is not smooth or not accurate enough to be "// &
+                           "sampled near "//trim(source%argument)//" = "//to_text(source%radius(left)))
                 return
             end if
             call check_cancelled(error)
@@ -338,7 +338,7 @@ contains
                 cycle
             end if
             if (.not. all(is_finite(panel(:source%counted, :)))) then
-                call raise(error, error_no_convergence, trim(source%what)//" leaves the number range near "// &
+                call raise(error, error_no_convergence, trim(source%what)//" exceeds the range of double precision near "// &
                            trim(source%argument)//" = "//to_text(source%radius(left)))
                 return
             end if
@@ -375,8 +375,8 @@ contains
             if (missed > max(sampling%largest_miss, sampling%margin*allowed) .and. right < edges(size(edges)) .and. &
                 right - left > negligible*sampling%shortest_length) then
                 call raise(error, error_no_convergence, trim(source%what)//" jumps near "//trim(source%argument)//" = "// &
-                           to_text(source%radius(left))//": samples of it are "//to_text(missed)// &
-                           " off; give the indenter or the medium no steps there")
+                           to_text(source%radius(left))//": the error of its samples is "//to_text(missed)// &
+                           ". Smooth the indenter or the medium there")
                 return
             end if
             if (sampling%steps > 0.0_wp .and. right - left < narrow_panel*distance .and. &
@@ -477,7 +477,7 @@ contains
         end if
     end subroutine sample_panel
 
-    !> How far a panel's series is from its functions at some places where they were not sampled.
+    !> Error of a panel's series at some places where they were not sampled.
     subroutine compare(source, left, right, root, panel, places, basis, missed, error)
         class(column_source_t), intent(inout) :: source
         real(wp), intent(in) :: left, right
@@ -522,8 +522,8 @@ contains
                                              row=1, source%continuous)]
             missed = maxval(abs(before - next)/unit)
             if (missed <= margin*maxval(reached(i:i + 1))) cycle
-            call raise(error, error_no_convergence, "samples of the contact differ by "//to_text(missed)//" from one another "// &
-                       "near radius = "//to_text(source%radius(self%edges(i + 1))))
+            call raise(error, error_no_convergence, "samples of the contact differ by "//to_text(missed)//" near radius = "// &
+                       to_text(source%radius(self%edges(i + 1))))
             return
         end do
     end subroutine compare_neighbours

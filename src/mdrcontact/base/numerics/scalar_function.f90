@@ -8,14 +8,14 @@ module mdrcontact_numerics_scalar_function
     private
     public :: scalar_function_t, watched_function_t
 
-    !> Extend it with the data that the function needs. A failed evaluation allocates `error` and
-    !> returns any number; the caller looks at `error` before using the number.
+    !> Extend it with the data that the function needs. A failed evaluation allocates `error` and returns any number; the caller
+    !> considers `error` before using the number.
     type, abstract :: scalar_function_t
         !> allocated by an evaluation that failed
         type(error_t), allocatable :: error
         !> df/dx at the x of the last evaluation, if the function knows it; 0 if it does not
         real(wp) :: known_slope = 0.0_wp
-        !> f is rough at the level of its rounding errors: a root counts only if f was looked at there
+        !> f is rough at the level of its rounding errors: a root counts only if f was considered there
         logical :: is_rough = .false.
         !> distance from the root within which the search goes the rest of the way alone; 0: as near as rounding allows
         real(wp) :: near_enough = 0.0_wp

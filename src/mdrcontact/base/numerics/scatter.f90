@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> How far the computed values of a function scatter about a smooth one: rounding, cancellation, an inner iteration.
+!> Scatter of the computed values of a function about a smooth one: rounding, cancellation, an inner iteration.
 !>
 !> High differences of values at close points keep the scatter and lose the shape. Hamming, Introduction to Applied Numerical
 !> Analysis (1971), 6; More, Wild, SIAM J. Sci. Comput. 33 (2011) 1292.
@@ -23,7 +23,7 @@ contains
         class(scalar_function_t), intent(inout) :: f
         !> > 0
         real(wp), intent(in) :: x
-        !> relative to f(x): a scatter below it at the widest distance is not looked at more closely
+        !> relative to f(x): a scatter below it at the widest distance is not considered more closely
         real(wp), intent(in) :: enough
         real(wp) :: deviation
         real(wp) :: values(points), found(size(distances))

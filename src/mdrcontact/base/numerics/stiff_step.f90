@@ -2,8 +2,8 @@
 !> One step of a stiff equation dy/dt = f(t, y) of one unknown, by the L-stable diagonally implicit Runge-Kutta method of order 4
 !> with 5 stages and an error estimate of order 3 (Hairer, Wanner, Solving Ordinary Differential Equations II, 1996, section IV.6).
 !>
-!> Each stage is one equation of one unknown, solved by Newton's method within a bracket: f may stand still, jump in its slope
-!> or grow by powers of 10, as the speed of a contact's edge does. GSL's implicit methods solve their stages without a bracket.
+!> Each stage is one equation of one unknown, solved by Newton's method within a bracket: f may be constant, jump in its slope or
+!> grow by powers of 10, as the speed of a contact's edge does. GSL's implicit methods solve their stages without a bracket.
 module mdrcontact_numerics_stiff_step
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
@@ -27,7 +27,7 @@ module mdrcontact_numerics_stiff_step
     !> Weights less those of the method of order 3.
     real(wp), parameter :: excess(stages) = [-3.0_wp/16.0_wp, -27.0_wp/32.0_wp, 25.0_wp/32.0_wp, 0.0_wp, diagonal]
     integer, parameter :: most_iterations = 100
-    !> A Newton step below this is the last; a root closer to an end of the range is none.
+    !> A Newton step below this is the last; a root closer to an end of the range is not used.
     real(wp), parameter :: negligible = 1.0e-8_wp, smallest = 4.0_wp*epsilon(1.0_wp), margin = 1.0e-9_wp
 
     !> dy/dt = f(t, y) for lowest <= y <= highest.

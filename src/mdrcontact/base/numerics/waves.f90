@@ -56,9 +56,8 @@ contains
         call gauss_legendre(node, w, error)
         if (allocated(error)) return
         if (last*farthest > most_nodes/panel_nodes*longest_phase) then
-            call raise(error, error_domain, "points so far away are sums of "// &
-                       to_text(panel_nodes*last*farthest/longest_phase)//" waves, "//to_text(most_nodes)//" are allowed: take "// &
-                       "points closer to the contact")
+            call raise(error, error_domain, "points at this distance need "//to_text(panel_nodes*last*farthest/longest_phase)// &
+                       " waves, and the limit is "//to_text(most_nodes)//". Choose points closer to the contact")
             return
         end if
         call panel_ends(min(first, last), last, longest_phase/farthest, ends)

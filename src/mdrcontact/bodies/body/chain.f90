@@ -29,7 +29,7 @@ module mdrcontact_body_chain
         class(element_t), allocatable :: element
     end type link_t
 
-    !> Elements from the surface down, none if the body is homogeneous, at one Laplace variable.
+    !> Elements top to bottom, none if the body is homogeneous, at one Laplace variable.
     type, extends(plane_compliance_t) :: chain_t
         private
         type(link_t), allocatable :: links(:)
@@ -57,7 +57,7 @@ module mdrcontact_body_chain
 
 contains
 
-    !> Layers from the surface down under a load.
+    !> Layers top to bottom under a load.
     pure subroutine new_chain(self, load, thickness, moduli, rigid_base, error, bonds)
         type(chain_t), intent(out) :: self
         integer, intent(in) :: load

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> What the surface of a body answers to one load in Hankel space: u(k) = S(k) p(k), k S(k) = (2/S0)(1 + chi(k)).
+!> Response of the surface of a body to one load in Hankel space: u(k) = S(k) p(k), k S(k) = (2/S0)(1 + chi(k)).
 !>
 !> S0 is the modulus of the surface material under this load, so that chi vanishes for short waves, which do not reach beyond it:
 !> E0* = 2 G0/(1 - nu0) of a normal load; G0* = 4 G0/(2 - nu0) of a load of one direction along the surface, as far as its
@@ -20,7 +20,7 @@ module mdrcontact_body_compliance
     !> Directions in the plane of a wave: along the surface and normal to it.
     integer, parameter :: along = 1, normal_to = 2
 
-    !> The compliance under one load. Its numbers are to be read only.
+    !> The compliance under one load. Its numbers must only be read.
     type, abstract, extends(object_t) :: compliance_t
         !> S0 [modulus]
         complex(wp) :: scale = 1.0_wp

@@ -20,7 +20,7 @@ module mdrcontact_body_gradation
     !> Waves see sublayers through one series while k times their depth is at most `longest`, and nothing below `deepest`/k.
     real(wp), parameter :: longest = 0.5_wp, deepest = 25.0_wp
 
-    !> Series of the transfer matrices of one wave, from the surface down.
+    !> Series of the transfer matrices of one wave, top to bottom.
     type :: transfers_t
         !> of each sublayer, and of all from the surface to its end (m, m, 0:order, sublayer)
         real(wp), allocatable :: series(:, :, :, :), from_surface(:, :, :, :)

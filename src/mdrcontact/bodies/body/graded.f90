@@ -61,8 +61,8 @@ contains
         call check_table(error, "z", z, "E", young, 2)
         call check_table(error, "z", z, "nu", poisson, 2)
         if (allocated(error)) return
-        if (z(1) /= 0.0_wp) call raise(error, error_invalid, " = "//to_text(z(1))//" is not allowed: depths start at the "// &
-                                       "surface, z = 0", "z", 1)
+        if (z(1) /= 0.0_wp) call raise(error, error_invalid, " = "//to_text(z(1))//": depths must start at the surface, z = 0", &
+                                       "z", 1)
         do i = 1, size(z)
             call check_positive(error, "E", young(i), i)
             call check_poisson(error, "nu", poisson(i), i)
@@ -282,8 +282,8 @@ contains
         associate (unused => self)
         end associate
         layers%rigid_base = .false.
-        call raise(error, error_invalid, "a graded body has no layers, whose energies and largest stresses could be given: use "// &
-                   "interior for its stresses")
+        call raise(error, error_invalid, "body: a graded body has no layers, so energies and largest stresses of layers are "// &
+                   "not available. Use interior for its stresses")
     end subroutine sublayers
 
 end module mdrcontact_body_graded

@@ -10,7 +10,7 @@ module mdrcontact_body_layers
     private
     public :: layers_t
 
-    !> Layers from the surface down, on a half-space or a rigid base.
+    !> Layers top to bottom, on a half-space or a rigid base.
     type :: layers_t
         !> thicknesses > 0 [length]
         real(wp), allocatable :: thickness(:)

@@ -22,7 +22,7 @@ module mdrcontact_body_membrane
     real(wp), parameter :: finest = 2.0_wp**(-40)
     !> The wave number at which the body counts as what very long waves meet [1/depth of all layers].
     real(wp), parameter :: long_wave = 1.0e-3_wp
-    !> How far apart l and the layers may be.
+    !> Largest ratio of l and the layers.
     real(wp), parameter :: farthest = 1.0e12_wp
 
     !> A chain under a sheet. Made by new_membrane.
@@ -65,7 +65,7 @@ contains
             call room(body%bytes(), error)
             if (.not. allocated(error)) allocate (self%body, source=body)
         class default
-            call raise(error, error_invalid, "surface stretching is not allowed on a graded body: use layers")
+            call raise(error, error_invalid, "surface stretching: it is not available on a graded body. Use layers")
             return
         end select
         if (allocated(error)) return
@@ -89,8 +89,8 @@ contains
             longest = max(longest, body%last_depth)
         end if
         if (.not. (longest < farthest*shortest .and. shortest > tiny(1.0_wp)/finest)) then
-            call raise(error, error_invalid, "surface stretching = "//to_text(stretching)//" is not allowed: its length "// &
-                       "2 K_m/E* = "//to_text(self%length)//" must be greater than 0, and within a factor 1e12 of the layers'")
+            call raise(error, error_invalid, "surface stretching = "//to_text(stretching)//": its length 2 K_m/E* = "// &
+                       to_text(self%length)//" must be greater than 0, and within a factor 1e12 of the thicknesses")
         end if
         if (.not. (abs(self%excess) > 0.0_wp .and. has_springs)) return
         self%faded = finest*shortest

@@ -16,7 +16,7 @@ module mdrcontact_body_stability
     private
     public :: check_stable, softest_wave
 
-    !> Octaves of k h below and above 1 that are looked at, further above it if a layer is thinner than that at the surface, and
+    !> Octaves of k h below and above 1 that are considered, further above it if a layer is thinner than that at the surface, and
     !> waves in each.
     integer, parameter :: lowest = -30, highest = 5, in_octave = 8
 
@@ -38,8 +38,8 @@ contains
         if (allocated(error) .or. .not. body%first_depth > 0.0_wp) return
         call softest_wave(body, k, stiffness, error)
         if (allocated(error) .or. stiffness > 0.0_wp) return
-        call raise(error, error_invalid, "prestress is not allowed: under so much compression the surface wrinkles, at the "// &
-                   "wavelength "//to_text(in_six_digits(2.0_wp*pi/k)))
+        call raise(error, error_invalid, "prestress: under this compression the surface wrinkles, at the wavelength "// &
+                   to_text(in_six_digits(2.0_wp*pi/k)))
     end subroutine check_stable
 
     !> The wave that the body opposes least: at the surface beside a half-space of its material, 1/one_plus_chi(k), or inside.

@@ -21,7 +21,7 @@ module mdrcontact_body_stack
 
     !> Layers on a half-space or on a rigid base.
     type, extends(body_t) :: stack_t
-        !> materials from the surface down
+        !> materials top to bottom
         type(material_t), allocatable :: layers(:)
         !> their thicknesses [length]
         real(wp), allocatable :: thickness(:)
@@ -49,7 +49,7 @@ contains
     !> A stack of layers. Equal neighbours are one layer to the compliance: a stack of equal layers is a homogeneous body.
     subroutine new_stack(self, layers, thickness, substrate, error, rigid_base, bonds)
         type(stack_t), intent(out) :: self
-        !> materials from the surface down, as made by new_material
+        !> materials top to bottom, as made by new_material
         type(material_t), intent(in) :: layers(:)
         !> thicknesses, same size, > 0 [length]
         real(wp), intent(in) :: thickness(:)
@@ -73,7 +73,7 @@ contains
             call raise(error, error_invalid, "thickness must have as many values as there are layers, "// &
                        to_text(real(size(layers), wp))//", not "//to_text(real(size(thickness), wp)))
         else if (rigid .and. size(layers) == 0) then
-            call raise(error, error_invalid, "layers is empty: a rigid base must carry at least one layer")
+            call raise(error, error_invalid, "layers: a rigid base needs at least one layer")
         end if
         do i = 1, size(layers)
             if (allocated(error)) return

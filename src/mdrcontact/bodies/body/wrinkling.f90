@@ -18,21 +18,21 @@ module mdrcontact_body_wrinkling
 
 contains
 
-    !> The stress of one layer, all else as it is, at which a wave has no stiffness. The stress of that layer itself is not used.
-    !> Where a constant of the layer or the stiffness of its surface vanishes first there is no such wave: all short ones lose
-    !> their stiffness at once.
+    !> The stress of one layer, with everything else unchanged, at which a wave has no stiffness. The stress of that layer itself is
+    !> not used. Where a constant of the layer or the stiffness of its surface vanishes first there is no such wave: all short ones
+    !> lose their stiffness simultaneously.
     subroutine find_wrinkling(layers, thickness, substrate, rigid_base, bonds, which, stress, wavelength, error)
-        !> from the surface down, each free of stress or under one that is stable
+        !> top to bottom, each free of stress or under one that is stable
         type(material_t), intent(in) :: layers(:)
         !> > 0 [length]
         real(wp), intent(in) :: thickness(:)
         !> the half-space below, unless the base is rigid
         type(material_t), intent(in) :: substrate
-        !> in place of the half-space
+        !> instead of the half-space
         logical, intent(in) :: rigid_base
         !> below each layer
         type(bond_t), intent(in) :: bonds(:)
-        !> number of the layer from the surface down
+        !> number of the layer top to bottom
         integer, intent(in) :: which
         !> < 0: compression [modulus], and the wavelength of the wrinkles [length]
         real(wp), intent(out) :: stress, wavelength
@@ -80,8 +80,8 @@ contains
             call constants%stretched(trial, stressed, refused, "")
             if (allocated(error) .or. .not. allocated(refused)) return
             call stressed%vanishing(words)
-            call raise(error, error_unreachable, "layer "//count_text(which)//" does not wrinkle at a wavelength: at a stress "// &
-                       "of "//to_text(trial)//" "//words//" vanishes first, for all short waves at once")
+            call raise(error, error_unreachable, "layer "//count_text(which)//" has no wrinkling wavelength: at a stress of "// &
+                       to_text(trial)//" "//words//" vanishes first, for all short waves together")
         end subroutine check_layer
 
         !> Raises where that cannot be known.

@@ -217,8 +217,8 @@ contains
         call gather_slow(series, longest)
     end function power_law_series
 
-    !> Replaces the terms that hardly decay within a time by few others of the same first moments: Gauss's rule for their weights,
-    !> by Lanczos's recursion (Golub, Welsch, Math. Comp. 23 (1969) 221). The error is that of exp(-x), 0 <= x <= 1.
+    !> Replaces the terms that hardly decay within a time by few others with equal first moments: Gauss's rule for their weights, by
+    !> Lanczos's recursion (Golub, Welsch, Math. Comp. 23 (1969) 221). The error is that of exp(-x), 0 <= x <= 1.
     subroutine gather_slow(series, longest)
         type(prony_t), intent(inout) :: series
         real(wp), intent(in) :: longest

@@ -84,9 +84,9 @@ contains
         end if
         if (allocated(error)) return
         if (.not. relaxed + sum(moduli) > 0.0_wp) then
-            call raise(error, error_invalid, "relaxed_shear_modulus = 0 is not allowed without terms: a liquid bears no indenter")
+            call raise(error, error_invalid, "relaxed_shear_modulus = 0: it must be greater than 0 if there are no terms")
         else if (bulk > 0.0_wp .and. viscosity > 0.0_wp) then
-            call raise(error, error_invalid, "viscosity = "//to_text(viscosity)//" is not allowed with a bulk modulus: give nu")
+            call raise(error, error_invalid, "viscosity = "//to_text(viscosity)//": it excludes a bulk modulus. Give nu")
         end if
         if (allocated(error)) return
         series%limit = relaxed
@@ -115,8 +115,8 @@ contains
         call check_positive(error, "time", time)
         call check_poisson(error, "nu", poisson)
         if (.not. (exponent > 0.0_wp .and. exponent < 1.0_wp)) then
-            call raise(error, error_invalid, " = "//to_text(exponent)//" is not allowed: it must be greater than 0 (elastic) "// &
-                       "and less than 1 (viscous)", "exponent")
+            call raise(error, error_invalid, " = "//to_text(exponent)//": it must be greater than 0 (elastic) and less than 1 "// &
+                       "(viscous)", "exponent")
         end if
         if (allocated(error)) return
         self%modulus = modulus
@@ -287,10 +287,10 @@ contains
         type(error_t), allocatable, intent(out) :: error
 
         if (self%is_power_law()) then
-            call raise(error, error_invalid, "a power law has no glassy modulus: it grows without end towards short times")
+            call raise(error, error_invalid, "limit: a power law has no glassy modulus, because its modulus diverges at short "// &
+                "times")
         else if (self%shear%viscosity > 0.0_wp) then
-            call raise(error, error_invalid, "a material with a dashpot in parallel has no glassy "// &
-                       "modulus: it bears any sudden load")
+            call raise(error, error_invalid, "limit: a material with a parallel dashpot has no glassy modulus")
         else
             call self%of_shear(self%shear%instant(), material, error)
         end if
@@ -303,7 +303,7 @@ contains
         type(error_t), allocatable, intent(out) :: error
 
         if (self%is_power_law() .or. .not. self%shear%limit > 0.0_wp) then
-            call raise(error, error_invalid, "this material has no relaxed modulus: it flows without end")
+            call raise(error, error_invalid, "limit: this material has no relaxed modulus, because it is a liquid")
         else
             call self%of_shear(self%shear%limit, material, error)
         end if
@@ -392,7 +392,7 @@ contains
         if (.not. solid%shear%limit > 0.0_wp) solid%shear%limit = hardly/maxval(self%creep([longest]))
     end function between
 
-    !> Whether two materials relax in proportion, each at a constant Poisson's ratio.
+    !> Whether two materials relax proportionally, each at a constant Poisson's ratio.
     pure function same_shape(one, other) result(answer)
         type(rheology_t), intent(in) :: one, other
         logical :: answer

@@ -144,8 +144,7 @@ contains
         real(wp), intent(in) :: value
 
         if (allocated(error) .or. holds) return
-        call raise(error, error_invalid, name//" = "//to_text(value)//" is not allowed: a strain would cost no energy unless "// &
-                   condition)
+        call raise(error, error_invalid, name//" = "//to_text(value)//": a positive strain energy needs "//condition)
     end subroutine check_condition
 
     !> Those of an isotropic medium.
@@ -180,15 +179,15 @@ contains
         if (is_stable) is_stable = stressed%root_square_sum() + 2.0_wp*stressed%root_product() > 0.0_wp
         if (is_stable) is_stable = stressed%contact() > 0.0_wp
         if (allocated(error) .or. is_stable) return
-        words = " is not allowed: a surface of this material is unstable under so much compression"
-        if (.not. abs(prestress) <= huge(1.0_wp)) words = " is not allowed: it must be finite"
+        words = ": a surface of this material is unstable under this compression"
+        if (.not. abs(prestress) <= huge(1.0_wp)) words = ": it must be finite"
         call raise(error, error_invalid, prefix//"prestress = "//to_text(prestress)//words)
     end subroutine stretched
 
     !> Of constants that are refused: what is 0 or less.
     pure subroutine vanishing(self, words)
         class(transverse_t), intent(in) :: self
-        !> which stiffness, as it stands in a sentence
+        !> which stiffness, as part of a sentence
         character(len=:), allocatable, intent(out) :: words
 
         if (.not. self%c66 + self%prestress > 0.0_wp) then

@@ -52,8 +52,8 @@ contains
         type(area_function_t), intent(out) :: self
         !> C0, C1, C2, ... of f^2, f, f^(1/2), f^(1/4), ... [length^0, length^1, length^(3/2), ...], at least C0
         real(wp), intent(in) :: coefficients(:)
-        !> height below which the fitted area function is not to be trusted, 0 if there is none [length]; below it the
-        !> tip is a paraboloid that meets the area function there
+        !> height below which the fitted area function is not to be trusted, 0 if it does not exist [length]; below it the tip is a
+        !> paraboloid that meets the area function there
         real(wp), intent(in) :: min_height
         !> height up to which the tip is used; a contact cannot be deeper [length]
         real(wp), intent(in) :: max_height
@@ -65,14 +65,14 @@ contains
         call disable_gsl_abort()
         call check_not_negative(error, "min_height", min_height)
         call check_positive(error, "max_height", max_height)
-        if (size(coefficients) == 0) call raise(error, error_invalid, "coefficients is empty: at least C0 is needed")
+        if (size(coefficients) == 0) call raise(error, error_invalid, "coefficients: the array is empty. Give at least C0")
         do i = 1, size(coefficients)
             call check_finite(error, "coefficients", coefficients(i), i)
         end do
         if (allocated(error)) return
         if (max_height <= min_height) then
-            call raise(error, error_invalid, "max_height = "//to_text(max_height)//" is not allowed: it must be greater "// &
-                       "than min_height = "//to_text(min_height))
+            call raise(error, error_invalid, "max_height = "//to_text(max_height)//": it must be greater than min_height = "// &
+                       to_text(min_height))
             return
         end if
         call check_growing(coefficients, min_height, max_height, error)
@@ -150,9 +150,8 @@ contains
             height = max_height*(low/max_height)**(real(i, wp)/monotony_samples)
             area = projected_area(coefficients, height)
             if (.not. area > area_before) then
-                call raise(error, error_invalid, "coefficients are not allowed: the area A(f) = "//to_text(area)// &
-                           " does not grow at height f = "//to_text(height)//"; give a min_height above it, where the "// &
-                           "tip shape is trusted")
+                call raise(error, error_invalid, "coefficients: the area A(f) = "//to_text(area)// &
+                           " does not increase at height f = "//to_text(height)//". Give a min_height above it")
                 return
             end if
             area_before = area

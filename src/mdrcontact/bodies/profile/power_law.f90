@@ -49,7 +49,7 @@ contains
         call check_positive(error, "exponent", exponent)
         call check_positive(error, "coefficient", coefficient)
         if (exponent > 100.0_wp) call raise(error, error_invalid, "exponent = "//to_text(exponent)// &
-                                            " is not allowed: at most 100, beyond it use a flat punch")
+                                            ": it must be at most 100. For larger exponents use a flat punch")
         if (allocated(error)) return
 
         self%exponent = exponent

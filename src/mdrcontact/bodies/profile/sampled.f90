@@ -43,7 +43,7 @@ module mdrcontact_profile_sampled
     !> The uppermost edge of the panels towards the axis, relative to where they begin: the others are halves of it. No corner of a
     !> user's function comes to lie on one by chance, where it would go unseen.
     real(wp), parameter :: first_edge = 0.7390851332151607_wp
-    !> Keeps the radii of looks at f off the edges of panels.
+    !> Keeps the radii of considers f off the edges of panels.
     real(wp), parameter :: irrational = 0.8603335890193797_wp
     !> What scatter of f leaves of the accuracy of f and g at most.
     real(wp), parameter :: height_roughness = 20.0_wp, transform_roughness = 30.0_wp
@@ -267,7 +267,7 @@ contains
         call merge_breaks(radii, self%breaks, error)
     end subroutine add_breaks
 
-    !> What is lost to rounding behind a flat end: relative accuracy of the transform at the first break.
+    !> What is lost by rounding behind a flat end: relative accuracy of the transform at the first break.
     function flat_noise(transform, flat_radius, first) result(noise)
         class(scalar_function_t), intent(inout) :: transform
         real(wp), intent(in) :: flat_radius, first
@@ -292,8 +292,8 @@ contains
             do j = 1, checks_in_panel
                 here = heights(j)
                 if (here < before - rounding) then
-                    call raise(error, error_invalid, "the profile decreases between "//to_text(left)//" and "// &
-                               to_text(right)//": it must not")
+                    call raise(error, error_invalid, "the profile decreases between "//to_text(left)//" and "//to_text(right)// &
+                               ": it must not decrease")
                     return
                 end if
                 before = here
@@ -316,8 +316,8 @@ contains
             height = f%value(flat_radius + (first - flat_radius)*scale)
             if (allocated(f%error)) error = f%error
             if (height <= 0.0_wp .and. outside > smallest_value*top .and. flat_radius <= 0.0_wp) then
-                call raise(error, error_invalid, "f = "//to_text(height)//" at r = "//to_text(first*scale)//" is not allowed: "// &
-                           "f must be greater than 0 from the axis on; a flat end is made by a table with leading zeros of f")
+                call raise(error, error_invalid, "f = "//to_text(height)//" at r = "//to_text(first*scale)// &
+                           ": f must be greater than 0 for r > 0. For a flat end use a table with leading zeros of f")
             end if
             if (allocated(error)) return
             if (.not. height > least_value*top .or. first*scale < smallest_length) exit
@@ -338,8 +338,8 @@ contains
 
         do i = 1, size(lengths)
             if (lengths(i) >= smallest_length .and. lengths(i) <= 1.0_wp/smallest_length) cycle
-            call raise(error, error_invalid, "the length "//to_text(lengths(i))//" in this profile is not allowed: radii and "// &
-                       "heights must be between "//to_text(smallest_length)//" and "//to_text(1.0_wp/smallest_length))
+            call raise(error, error_invalid, "the length "//to_text(lengths(i))//" in this profile: radii and heights must "// &
+                       "lie between "//to_text(smallest_length)//" and "//to_text(1.0_wp/smallest_length))
             return
         end do
     end subroutine check_sizes

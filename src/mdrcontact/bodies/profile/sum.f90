@@ -42,9 +42,9 @@ contains
         type(error_t), allocatable, intent(out) :: error
         integer :: i
 
-        if (size(terms) == 0) call raise(error, error_invalid, "terms is empty: a sum needs at least one profile")
+        if (size(terms) == 0) call raise(error, error_invalid, "terms: the array is empty. Give at least one profile")
         do i = 1, size(terms)
-            if (.not. allocated(terms(i)%profile)) call raise(error, error_invalid, "a term of the sum holds no profile")
+            if (.not. allocated(terms(i)%profile)) call raise(error, error_invalid, "terms: each term must contain a profile")
         end do
         if (.not. allocated(error)) call room(bytes_of(terms), error)
         if (allocated(error)) return

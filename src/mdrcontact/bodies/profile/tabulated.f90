@@ -89,12 +89,12 @@ contains
         end if
         do i = 2, size(y)
             if (y(i) < y(i - 1)) then
-                call raise(error, error_invalid, " = "//to_text(y(i))//" is not allowed: "//y_name// &
-                           " must not decrease, and the entry before is "//to_text(y(i - 1)), y_name, i)
+                call raise(error, error_invalid, " = "//to_text(y(i))//": "//y_name//" must not decrease, and the previous "// &
+                           "entry is "//to_text(y(i - 1)), y_name, i)
                 return
             end if
         end do
-        if (.not. y(size(y)) > 0.0_wp) call raise(error, error_invalid, y_name//" is 0 everywhere: use a flat punch")
+        if (.not. y(size(y)) > 0.0_wp) call raise(error, error_invalid, y_name//": it is 0 everywhere. Use a flat punch")
     end subroutine check_profile_table
 
     pure function last_zero(y) result(i)

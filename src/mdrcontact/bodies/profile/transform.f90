@@ -3,9 +3,9 @@
 !>
 !>     g(x) = x int_0^x f'(r)/sqrt(x^2 - r^2) dr,    f(r) = (2/pi) int_0^r g(x)/sqrt(r^2 - x^2) dx.
 !>
-!> The cost of a value does not grow with the number of panels, so that tables of many points are transformed in linear time: in
-!> v = x^2, u = r^2 the kernel 1/sqrt(v - u) is a power series in (u - c)/(v - c) away from u = c, a few of whose moments stand for
-!> all panels of a group that lies far enough below (a tree of groups, each of two smaller ones). Between two edges the far groups
+!> The cost of a value does not grow with the number of panels, so that tables of many points are transformed in linear time: in v =
+!> x^2, u = r^2 the kernel 1/sqrt(v - u) is a power series in (u - c)/(v - c) away from u = c, a few of whose moments represent all
+!> panels of a group that lies far enough below (a tree of groups, each of two smaller ones). Between two edges the far groups
 !> together are one short polynomial; near panels are integrated one by one in sqrt(x - r), where the integrand is smooth.
 module mdrcontact_profile_transform
     use mdrcontact_error, only: check_memory, error_t
@@ -241,7 +241,7 @@ contains
         end do
     end subroutine enter_block
 
-    !> A group goes to the far ones as a whole, to the near ones if it is a panel, or is looked at by halves.
+    !> A group goes to the far ones as a whole, to the near ones if it is a panel, or is considered by halves.
     recursive subroutine sort_group(self, level, group)
         class(transform_t), intent(inout) :: self
         integer, intent(in) :: level, group

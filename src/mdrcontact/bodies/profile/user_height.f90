@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> A user's f(r) as the height of an indenter, down to the axis.
+!> A user-defined f(r) as the height of an indenter, down to the axis.
 !>
 !> A formula such as R - sqrt(R^2 - r^2) loses its digits towards the axis. Below the radius where that shows as scatter of the
 !> values, f is continued by the series r^s (c_0 + c_1 r^k + c_2 r^2k + ...), k = 2 or 1, that agrees with the values there within
@@ -24,7 +24,7 @@ module mdrcontact_profile_user_height
         class(scalar_function_t), pointer, private :: f => null()
         !> f at the axis
         real(wp), private :: lowest = 0.0_wp
-        !> where the series begins, 0 if there is none
+        !> where the series begins, 0 if it does not exist
         real(wp), private :: radius = 0.0_wp
         !> of the series: s and k, and Chebyshev coefficients of (r/radius)^k
         integer, private :: first_power = 2, step = 2
@@ -37,13 +37,13 @@ module mdrcontact_profile_user_height
     real(wp), parameter :: start_tolerance = 1.0e-12_wp
     !> Scatter relative to the value from which on it is a loss of digits; a formula without cancellation has 1e-16 to 1e-15.
     real(wp), parameter :: lost = 1.0e-13_wp
-    !> Where lost digits are looked for: down to this radius and height, relative to the largest.
+    !> Where lost digits are searched for: down to this radius and height, relative to the largest.
     real(wp), parameter :: smallest_radius = 1.0e-10_wp, smallest_value = 1.0e-20_wp
     !> What the height may be off close to the axis, relative, when it is continued by a series.
     real(wp), parameter :: series_accuracy = 3.0e-10_wp
     !> Values of which every other one is fitted and the others are compared, and terms of a series in r^2 and in r at most.
     integer, parameter :: samples = 128, most_terms(2) = [12, 6]
-    !> Where the scatter is looked at, relative to the radius of the series.
+    !> Where the scatter is considered, relative to the radius of the series.
     real(wp), parameter :: places(4) = [1.0_wp, 0.87_wp, 0.61_wp, 0.52_wp]
     !> Standard deviations of the values within which a series agrees with them: in the mean, and at every one.
     real(wp), parameter :: mean_limit = 3.0_wp, single_limit = 10.0_wp
@@ -52,7 +52,7 @@ module mdrcontact_profile_user_height
 
 contains
 
-    !> Looks how far down f keeps its digits.
+    !> Finds the radius down to which f is accurate.
     subroutine new_user_height(self, f, largest, error)
         type(user_height_t), intent(out) :: self
         !> f(r) on [0, largest] [length]
@@ -80,10 +80,10 @@ contains
         type(error_t), allocatable, intent(inout) :: error
 
         if (abs(lowest) > start_tolerance*abs(top)) then
-            call raise(error, error_invalid, "f(0) = "//to_text(lowest)//" is not allowed: heights are counted from the "// &
-                       "indenter's lowest point, f(0) = 0")
+            call raise(error, error_invalid, "f(0) = "//to_text(lowest)//": heights are relative to the lowest point of the "// &
+                       "indenter, f(0) = 0")
         else if (.not. top > lowest) then
-            call raise(error, error_invalid, "f at the largest radius = "//to_text(top)//" is not allowed: the profile must rise")
+            call raise(error, error_invalid, "f at the largest radius = "//to_text(top)//": the profile must increase")
         end if
     end subroutine check_start
 
@@ -109,7 +109,7 @@ contains
     end function series_at
 
     !> The largest radius, by octaves, at which the values scatter by more than `lost`, the scatter and the exponent of r there;
-    !> scatter is 0 if there is none.
+    !> scatter is 0 if it does not exist.
     subroutine find_loss(self, largest, radius, scatter, exponent)
         type(user_height_t), intent(inout) :: self
         real(wp), intent(in) :: largest
@@ -155,11 +155,11 @@ contains
         if (allocated(self%f%error)) then
             error = self%f%error
         else if (.not. found) then
-            call raise(error, error_no_convergence, "the profile function f loses digits towards the axis: at r = "// &
+            call raise(error, error_no_convergence, "the profile function f is inaccurate near the axis: at r = "// &
                        to_text(irrational*radius)//", of "//to_text(largest)//", its values scatter by "// &
                        to_text(scatter/(self%f%value(irrational*radius) - self%lowest))//" of themselves, and they do not "// &
-                       "determine f closer to the axis; write it without differences of large terms, "// &
-                       "r^2/(R + sqrt(R^2 - r^2)) rather than R - sqrt(R^2 - r^2)")
+                       "determine f closer to the axis. Write it without differences of large terms, r^2/(R + sqrt(R^2 - "// &
+                       "r^2)) rather than R - sqrt(R^2 - r^2)")
         end if
     end subroutine continue_to_axis
 

@@ -49,7 +49,7 @@ module mdrcontact_contact_adhesive_branch
 
     !> Where the search for a state begins.
     type :: search_t
-        !> a coordinate, how far it may be from that of the state, and the expected slope there
+        !> a coordinate, its largest distance from that of the state, and the expected slope there
         real(wp) :: x = 0.0_wp, distance = 1.0_wp, slope = 0.0_wp
         !> whether beyond the samples, where s follows a power of the radius: ln s is searched for
         logical :: is_logarithmic = .false.
@@ -63,7 +63,7 @@ module mdrcontact_contact_adhesive_branch
         type(equilibrium_t), pointer :: equilibrium => null()
         type(control_t) :: control
         real(wp) :: offset = 0.0_wp
-        !> ln(s/offset) in place of s - offset
+        !> ln(s/offset) instead of s - offset
         logical :: is_logarithmic = .false.
     contains
         procedure :: value => quantity_at
@@ -164,7 +164,7 @@ contains
         call move_alloc(of_force, self%of_force)
     end subroutine keep_segments
 
-    !> The segments between the ends and extrema of the samples on which s grows; beyond the samples s goes on to grow, to the end
+    !> The segments between the ends and extrema of the samples on which s grows; beyond the samples s continues to grow, to the end
     !> of the indenter or medium if there is one.
     subroutine segments_between(self, equilibrium, control, turns, end_coordinate, list, error)
         class(adhesive_branch_t), intent(in) :: self

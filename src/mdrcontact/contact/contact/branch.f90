@@ -16,10 +16,10 @@ module mdrcontact_contact_branch
     private
     public :: branch_t, new_branch
 
-    !> The equilibria of adhesion without a range from where it is all to where it is nothing.
+    !> The equilibria in the JKR limit, from adhesion alone to elasticity alone.
     type, extends(adhesive_branch_t) :: branch_t
         private
-        !> not allocated without a range of radii (flat punch): there are wall states only
+        !> not allocated if there is a single radius (flat punch): there are wall states only
         type(curve_t), allocatable :: curve
     contains
         procedure :: find_segments

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The source's closed forms for an incompressible coating on an incompressible half-space (theory/paper.md (4.5), (4.6), (5.5),
+!> Closed forms of Popov (2014) for an incompressible coating on an incompressible half-space (theory/paper.md (4.5), (4.6), (5.5),
 !> (5.6)), nu = 1/2: Popov 2014, equations (24), (27) without and (29), (31), (32) with adhesion.
 module mdrcontact_contact_closed_forms
     use mdrcontact_kinds, only: half_pi, pi, wp
@@ -34,7 +34,7 @@ contains
                 *(coating_shear*atan(thickness/a) + substrate_shear*atan(a/thickness))/half_pi
     end function coated_cone_force
 
-    !> d(a) of an adhesive paraboloid by the source's rule, equation (29): a^2/R - sqrt(2 pi a gamma/E_eff(a)).
+    !> d(a) of an adhesive paraboloid with the edge condition (28), equation (29): a^2/R - sqrt(2 pi a gamma/E_eff(a)).
     elemental function coated_paraboloid_adhesive_depth(a, radius, coating_shear, substrate_shear, thickness, &
                                                         work_of_adhesion) result(depth)
         !> a and R [length], G0 and G1 [modulus], h [length], gamma [modulus length]

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Adhesion with a range: bodies whose surfaces pull on each other with a constant cohesive stress sigma_0 up to a gap of
+!> Finite-range adhesion: bodies whose surfaces attract each other with a constant cohesive stress sigma_0 up to a gap of
 !> gamma/sigma_0 (Dugdale; Maugis, J. Colloid Interface Sci. 150 (1992) 243), at one contact radius or, without contact, one radius
 !> of the zone: theory/adhesion.md (2.5), (2.7), (2.10).
 module mdrcontact_contact_cohesion
@@ -46,7 +46,7 @@ module mdrcontact_contact_cohesion
         real(wp) :: depth_rate = 0.0_wp, force_rate = 0.0_wp
         !> the slopes are good to some digits: a guess that is nearly right is mended by them
         logical :: is_close = .false.
-        !> unknowns that the springs took, where the body's constants vary from the surface down
+        !> unknowns that the springs took, where the body's constants vary with depth
         integer :: unknowns = 0
     end type zone_guess_t
 
@@ -58,7 +58,7 @@ module mdrcontact_contact_cohesion
         procedure :: value => gap_at
     end type gap_t
 
-    !> A zone is looked for in this range of ln l around the first guess.
+    !> A zone is searched for in this range of ln l around the first guess.
     real(wp), parameter :: widest = 80.0_wp
     !> Newton's steps from a guess, which end where ln h is so close to its value.
     integer, parameter :: most_steps = 6
@@ -88,9 +88,8 @@ contains
         type(zone_guess_t) :: guess
 
         if (profile%has_wall) then
-            call raise(error, error_invalid, " is not allowed with this indenter: beside a vertical wall there is no gap "// &
-                       "across which the bodies could pull on each other; leave it out for adhesion without a range", &
-                       "cohesive_stress")
+            call raise(error, error_invalid, ": an indenter with a vertical wall has no gap next to the contact. Omit it: the "// &
+                       "JKR limit applies", "cohesive_stress")
         end if
         call check_springs(medium, "the load of a cohesive zone (cohesive_stress) is", error)
         if (allocated(error)) return
@@ -274,8 +273,8 @@ contains
         type(zone_guess_t) :: guess
 
         if (self%kernel%is_graded()) then
-            call raise(error, error_invalid, "fields of a contact with a cohesive zone (cohesive_stress) are not known on a "// &
-                       "body whose constants vary from the surface down; its states, branches, loops and laws are")
+            call raise(error, error_invalid, "fields: they are not available on a graded body with a cohesive_stress. Use its "// &
+                       "states, branches, loops and laws")
             return
         end if
         call new_zoned_springs(springs, self%kernel, self%tolerance, profile, state%radius, error, at_points=.true.)
@@ -294,8 +293,8 @@ contains
         type(error_t), allocatable, intent(inout) :: error
 
         if (zone%first_opening >= -negligible*self%range) return
-        call raise(error, error_domain, " = "//to_text(self%stress)//" is not allowed: it closes the gap beside a contact of "// &
-                   "radius "//to_text(radius)//" before the contact grows there; the contact is not one disc", "cohesive_stress")
+        call raise(error, error_domain, " = "//to_text(self%stress)//": it closes the gap outside a contact of radius "// &
+                   to_text(radius)//", so that the contact is not a single area. Use a smaller cohesive_stress", "cohesive_stress")
     end subroutine check_opening
 
     function gap_at(self, x) result(y)

@@ -179,8 +179,8 @@ contains
         class(cohesive_load_t), intent(in) :: self
         type(error_t), allocatable, intent(inout) :: error
 
-        if (.not. self%is_shared) call raise(error, error_invalid, "what each of two bodies takes of a cohesive zone is known "// &
-                                             "for homogeneous ones only: leave out the body, for both together")
+        if (.not. self%is_shared) call raise(error, error_invalid, "field: with a cohesive zone the displacement of each of "// &
+                                             "two bodies is available for homogeneous bodies only. Use that of both together")
     end subroutine check_share
 
     !> int_a^min(r,c) sqrt(c^2 - x^2)/sqrt(r^2 - x^2) dx, as elliptic integrals of x = min(r, c) sin t.

@@ -35,7 +35,7 @@ contains
         s = self%depth_weight*depth + self%force_weight*force
     end function of
 
-    !> How far a state is from a given s: s - offset, or ln(s/offset).
+    !> Distance of a state from a given s: s - offset, or ln(s/offset).
     elemental function distance(self, depth, force, offset, is_logarithmic) result(y)
         class(control_t), intent(in) :: self
         !> d [length], F [modulus length^2], the given s

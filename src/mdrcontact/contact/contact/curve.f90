@@ -112,8 +112,8 @@ contains
             call self%control_of(depth_control, right, dv, unused, slopes(2))
             if (above%depth < below%depth .and. all(slopes < 0.0_wp)) cycle
             call raise(error, error_no_convergence, "the contact modulus has a kink at radius = "// &
-                       to_text(self%end_radius + exp(self%edges(i)))//": by the energy balance the contact's edge "// &
-                       "rests there while depth and force change; smooth the modulus, or take the source's rule of adhesion")
+                       to_text(self%end_radius + exp(self%edges(i)))//": by the energy balance the contact edge rests there "// &
+                       "while depth and force change. Smooth the modulus, or use the adhesion rule paper")
             return
         end do
     end subroutine check_kinks
@@ -215,9 +215,8 @@ contains
         call equilibrium%at(self%end_radius + exp(x), state, error)
     end subroutine state_at
 
-    !> Puts in place of depth and stiffness the shift S = int dF/k_t under which the contact would begin to slide if its coefficient
-    !> of friction were 1, and the tangential stiffness k_t = dF/dS: those of superposed punches
-    !> (theory/friction.md (4.4)).
+    !> Puts instead of depth and stiffness the shift S = int dF/k_t under which the contact would begin to slide if its coefficient
+    !> of friction were 1, and the tangential stiffness k_t = dF/dS: those of superposed punches (theory/friction.md (4.4)).
     subroutine shear(self, tangential, error)
         class(curve_t), intent(inout) :: self
         !> its modulus is G_t(a)

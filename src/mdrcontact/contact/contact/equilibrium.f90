@@ -78,12 +78,12 @@ contains
         type(scaled_profile_t), allocatable :: scaled
 
         if (medium%is_rigid) then
-            call raise(error, error_invalid, " is not allowed: it is rigid; pair it with a deformable body", "medium")
+            call raise(error, error_invalid, ": it is rigid. Pair it with a deformable body", "medium")
             return
         end if
         if (medium%spherical_only .and. .not. profile%is_spherical()) then
-            call raise(error, error_invalid, "this indenter is not allowed: the models dimitriadis and garcia are series for a "// &
-                       "paraboloid or a sphere; take the model exact for any other")
+            call raise(error, error_invalid, "indenter: the models dimitriadis and garcia apply to a paraboloid or a sphere. "// &
+                       "For other indenters use the model exact")
             return
         end if
         if (profile%end_radius > medium%largest_radius) then
@@ -132,7 +132,7 @@ contains
         integer :: i
 
         if (medium%is_exact) then
-            call raise(error, error_invalid, "zeta is not allowed: this medium determines its depth exactly")
+            call raise(error, error_invalid, "zeta: this medium determines its depth exactly. Omit zeta")
             return
         end if
         call zeta%add_breaks(radii, error)
@@ -140,8 +140,8 @@ contains
         do i = 1, count(radii <= profile%largest_radius)
             depth = zeta%at(radii(i))*profile%mdr(radii(i))
             if (depth < before) then
-                call raise(error, error_invalid, "zeta is not allowed: the depth zeta(a) g(a) decreases between a = "// &
-                           to_text(radii(i - 1))//" and a = "//to_text(radii(i)))
+                call raise(error, error_invalid, "zeta: the depth zeta(a) g(a) decreases between a = "//to_text(radii(i - 1))// &
+                           " and a = "//to_text(radii(i)))
                 return
             end if
             before = depth
@@ -208,7 +208,8 @@ contains
         end if
         if (.not. modulus > 0.0_wp) then
             call raise(error, error_no_convergence, "the contact stiffness of this medium does not grow with the radius at a = "// &
-                       to_text(radius)//": the energy balance has no adhesive state there; use the source's rule or another model")
+                       to_text(radius)//": the energy balance has no adhesive state there. Use the adhesion rule paper or "// &
+                       "another model")
             return
         end if
         state%punch_depth = -sqrt(2.0_wp*pi*radius*self%work_of_adhesion/modulus)
@@ -240,8 +241,8 @@ contains
         if (self%last_radius >= self%medium%largest_radius) words = self%medium%why_it_ends
     end function why_it_ends
 
-    !> How far the contact radius goes: to a vertical wall, or one rounding below the profile's end, which may be a vertical
-    !> tangent that media with a unit of length of their own must not reach by rounding; far below the end of the number range.
+    !> Largest contact radius: to a vertical wall, or one rounding below the profile's end, which may be a vertical tangent that
+    !> media with a unit of length of their own must not reach by rounding; far below the end of the number range.
     pure function largest_contact_radius(profile, medium) result(radius)
         class(profile_t), intent(in) :: profile
         class(solver_t), intent(in) :: medium

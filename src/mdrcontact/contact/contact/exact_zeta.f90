@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The exact zeta(a) = d/g(a), theory/paper.md (4.1), for an approximate medium: that of the same body solved exactly.
+!> The exact zeta(a) = d/g(a), theory/paper.md (4.1), for an approximate medium: that of the body solved exactly.
 module mdrcontact_contact_exact_zeta
     use mdrcontact_contact_equilibrium, only: equilibrium_t, new_equilibrium
     use mdrcontact_error, only: error_invalid, error_t, raise
@@ -38,8 +38,8 @@ contains
         if (allocated(error)) return
         radii = sampled_radii(profile%end_radius, truth%last_radius, thickness)
         if (size(radii) < 3) then
-            call raise(error, error_invalid, "the exact zeta is not allowed here: this indenter has but one contact radius, or "// &
-                       "ends within a thousandth of the coating thickness")
+            call raise(error, error_invalid, "zeta = exact: this indenter has only one contact radius, or ends within a "// &
+                       "thousandth of the coating thickness")
             return
         end if
         allocate (values(size(radii)), zeta)
@@ -47,7 +47,7 @@ contains
         if (.not. allocated(error)) call new_radius_law_from_table(zeta, radii, "zeta", values, error)
     end subroutine exact_zeta
 
-    !> The exact medium of the same body, or of the same two bodies.
+    !> The exact medium of this body, or of these two bodies.
     subroutine solve_exactly(medium, exact, thickness, error)
         class(solver_t), intent(in) :: medium
         type(layered_exact_t), intent(out) :: exact
@@ -60,8 +60,7 @@ contains
         if (allocated(medium%pressed)) thickness = medium%pressed%last_depth
         if (allocated(medium%counterbody)) thickness = max(thickness, medium%counterbody%last_depth)
         if (medium%is_exact .or. .not. thickness > 0.0_wp) then
-            call raise(error, error_invalid, "the exact zeta is not allowed here: it needs a coated, layered or graded body "// &
-                       "under an approximate model")
+            call raise(error, error_invalid, "zeta = exact: it needs a coated, layered or graded body with an approximate model")
         else if (.not. medium%is_pair) then
             call new_layered_exact(exact, medium%pressed, error)
         else if (allocated(medium%pressed) .and. allocated(medium%counterbody)) then
@@ -72,8 +71,8 @@ contains
             ! the lower body is rigid
             call new_layered_exact(exact, medium%counterbody, error)
         else
-            call raise(error, error_invalid, "the exact zeta is not allowed here: one of the two bodies is "// &
-                       "known by its modulus alone, not by its materials")
+            call raise(error, error_invalid, "zeta = exact: one of the two bodies is given by its modulus alone. Give its "// &
+                       "materials")
         end if
     end subroutine solve_exactly
 

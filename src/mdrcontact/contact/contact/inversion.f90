@@ -20,7 +20,7 @@ module mdrcontact_contact_inversion
         type(equilibrium_t), pointer :: equilibrium => null()
         type(control_t) :: control
         real(wp) :: target_value = 0.0_wp
-        !> the last state looked at, and dk/da there; not found where only the depth was needed
+        !> the last state considered, and dk/da there; not found where only the depth was needed
         type(contact_state_t) :: state
         real(wp) :: stiffness_slope = 0.0_wp
         !> its coordinate and the mismatch there
@@ -116,12 +116,12 @@ contains
             return
         end if
         if (control%of(state%depth, state%force) > s) then
-            call raise(error, error_unreachable, " = "//to_text(s)//" cannot be reached: at radius "//to_text(state%radius)// &
+            call raise(error, error_unreachable, " = "//to_text(s)//": at radius "//to_text(state%radius)// &
                        ", where the medium begins, the "//name//" is "//to_text(control%of(state%depth, state%force)), name)
         else
-            call raise(error, error_unreachable, " = "//to_text(s)//" cannot be reached: at radius "//to_text(state%radius)// &
-                       ", where the indenter or the medium ends, the "//name//" is "// &
-                       to_text(control%of(state%depth, state%force))//trim(equilibrium%why_it_ends()), name)
+            call raise(error, error_unreachable, " = "//to_text(s)//": at radius "//to_text(state%radius)// &
+                       ", where the indenter or the medium ends, the "//name//" is "//to_text(control%of(state%depth, &
+                       state%force))//trim(equilibrium%why_it_ends()), name)
         end if
     end subroutine invert
 
@@ -130,7 +130,7 @@ contains
         type(contact_state_t), intent(inout) :: state
         type(control_t), intent(in) :: control
         real(wp), intent(in) :: s
-        !> by how much deeper than the state reached [length]
+        !> depth minus that of the state reached [length]
         real(wp), intent(out) :: missing
 
         missing = (s - control%of(state%depth, state%force))/control%of(1.0_wp, state%stiffness)
@@ -138,7 +138,7 @@ contains
         state%force = state%force + state%stiffness*missing
     end subroutine extend_at_constant_radius
 
-    !> Whether the last state looked at differs from that at `radius` by so little that squares do not show.
+    !> Whether the last state considered differs from that at `radius` by so little that squares do not show.
     pure function is_close(mismatch, radius) result(answer)
         type(mismatch_t), intent(in) :: mismatch
         real(wp), intent(in) :: radius
@@ -154,7 +154,7 @@ contains
         end associate
     end function is_close
 
-    !> The state at `radius` from the last one looked at: dk = k' da, and by property B (theory/exact.md (1.7)) dF = k dd, k
+    !> The state at `radius` from the last one considered: dk = k' da, and by property B (theory/exact.md (1.7)) dF = k dd, k
     !> halfway.
     pure subroutine shift(mismatch, radius, state)
         type(mismatch_t), intent(in) :: mismatch
@@ -173,8 +173,8 @@ contains
         state%radius = radius
     end subroutine shift
 
-    !> The smallest contact radius that has s: the one to which the contact has grown from first touch. Where depth and force fall
-    !> larger radii have it too, and pressures below 0.
+    !> The smallest contact radius that has s: the one to which the contact has grown from initial contact. Where depth and force
+    !> fall larger radii have it too, and pressures below 0.
     subroutine find_radius(mismatch, radius, found, error, neighbours)
         type(mismatch_t), intent(inout) :: mismatch
         real(wp), intent(out) :: radius
@@ -285,7 +285,7 @@ contains
         end associate
     end subroutine guess_of_surface
 
-    !> Where the next state lies, and how far from there it may be.
+    !> Guess of the next state, and its largest distance.
     pure subroutine guess_from_neighbours(self, mismatch, guess, distance, guessed)
         class(neighbours_t), intent(in) :: self
         type(mismatch_t), intent(in) :: mismatch
@@ -315,7 +315,7 @@ contains
         guessed = distance < 1.0_wp
     end subroutine guess_from_neighbours
 
-    !> Keeps the state looked at last, in place of the older of two.
+    !> Keeps the state considered last, instead of the older of two.
     pure subroutine add_neighbour(self, mismatch)
         class(neighbours_t), intent(inout) :: self
         type(mismatch_t), intent(in) :: mismatch
@@ -360,7 +360,7 @@ contains
                 end if
                 if (.not. (guess + step >= low .and. guess + step <= high)) step = 0.5_wp*(low + high) - guess
                 guess = guess + step
-                ! where a state is a formula too it is as cheap to go on with it
+                ! where a state is a formula too it is as cheap to continue with it
                 if (abs(step) < short_step .or. equilibrium%is_formula) exit
             end do
         end associate

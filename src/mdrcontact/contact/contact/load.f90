@@ -16,7 +16,7 @@ module mdrcontact_contact_load
 
     !> The axis of a zone without contact, where the displacement is a limit [c].
     real(wp), parameter :: smallest_ratio = 1.0e-9_wp
-    !> Where the lowest pressure is looked for: so many radii, and again as many between the neighbours of the lowest.
+    !> Where the lowest pressure is searched for: so many radii, and again as many between the neighbours of the lowest.
     integer, parameter :: pressure_probes = 32, pressure_rounds = 3
     !> A pressure that is at least this part of the largest one is not negative by rounding.
     real(wp), parameter :: rounding = 1.0e-9_wp
@@ -79,8 +79,8 @@ contains
         if (.not. allocated(error)) call self%surface%line_load(x, values, error)
     end subroutine line_load
 
-    !> p(r), the contact pressure, equation (6) [modulus]. Infinite where theory says so: at the edge of a flat punch, at the
-    !> apex of a cone; minus infinity at an adhesive edge without a range.
+    !> p(r), the contact pressure, equation (6) [modulus]. Infinite at the edge of a flat punch, at the apex of a cone; minus
+    !> infinity at an adhesive edge in the JKR limit.
     subroutine pressure(self, r, values, error)
         class(contact_load_t), intent(in) :: self
         !> positions 0 <= r <= a, or to the end c of a cohesive zone, where it is -sigma_0 [length]
@@ -111,7 +111,7 @@ contains
         call check_positions(error, "r", r)
         call pick(r, places, outside, found, error, above=self%state%radius)
         if (allocated(error)) return
-        ! attracted without contact: the axis, too, lies outside
+        ! attracted without contact: the axisalso, lies outside
         if (.not. self%state%radius > 0.0_wp) then
             outside = max(r, smallest_ratio*self%state%zone_radius)
             found = outside
@@ -128,7 +128,7 @@ contains
         if (present(body)) call self%surface%displacement_of_body(body, r, values, error)
     end subroutine displacement
 
-    !> Elastic energy of the lower and of the upper body; without adhesion together int F dd from first touch.
+    !> Elastic energy of the lower and of the upper body; without adhesion together int F dd from initial contact.
     subroutine energy(self, values, error)
         class(contact_load_t), intent(in) :: self
         !> of the lower and of the upper body [modulus length^3]
@@ -140,13 +140,13 @@ contains
         call self%surface%energies(found, error)
         if (allocated(found)) values = found
         if (allocated(found) .or. allocated(error)) return
-        call refuse(self%equilibrium%medium, "the elastic energy of a body is", "one that is homogeneous or solved exactly, or "// &
-                    "an effective modulus", "the surface holds a part of it; int F dd is that of both", error)
+        call refuse(self%equilibrium%medium, "the elastic energy of a body is", "a homogeneous body, the model exact, or an "// &
+                    "effective modulus", "the surface contains part of it. int F dd is the sum of both", error)
     end subroutine energy
 
-    !> The lowest pressure in a contact without adhesion. Below 0 the bodies would have to pull on each other: the contact is then
-    !> not one disc, its pressure is not that of the true contact, and F(d) is a little off (theory/exact.md (1.4)). On stiff
-    !> coatings only.
+    !> The lowest pressure in a contact without adhesion. Below 0 the bodies would have to attract each other: the contact is then
+    !> not a single contact area, its pressure is not that of the true contact, and F(d) is a little off (theory/exact.md (1.4)). On
+    !> stiff coatings only.
     subroutine lowest_pressure(self, pressure, radius, error)
         class(contact_load_t), intent(in) :: self
         !> the smallest p(r), 0 <= r <= a, and the r that has it: 0 at the edge where no pressure is negative [modulus], [length]
@@ -158,8 +158,8 @@ contains
         pressure = 0.0_wp
         radius = self%state%radius
         if (self%equilibrium%work_of_adhesion > 0.0_wp) then
-            call raise(error, error_invalid, "lowest_pressure is not allowed: under adhesion the bodies pull on "// &
-                       "each other at the edge")
+            call raise(error, error_invalid, "lowest_pressure: it is defined without adhesion only, because the edge of an "// &
+                       "adhesive contact is under tension")
             return
         end if
         from = 0.0_wp
@@ -194,9 +194,9 @@ contains
         call self%lowest_pressure(pressure, radius, error)
         if (allocated(error)) return
         if (.not. pressure*self%state%radius**2 < -noticeable*self%state%force/pi) return
-        call raise(error, error_domain, "this contact is not one disc: without adhesion its pressure would be "// &
-                   to_text(pressure)//" at r = "//to_text(radius)//" (contact radius "//to_text(self%state%radius)// &
-                   "); "//what//" needs a pressure that is nowhere negative")
+        call raise(error, error_domain, "this contact is not a single area: without adhesion its pressure would be "// &
+                   to_text(pressure)//" at r = "//to_text(radius)//" (contact radius "//to_text(self%state%radius)//"). "//what// &
+                   " needs a pressure that is nowhere negative")
     end subroutine check_one_disc
 
     !> Raises unless a state can be one of this contact.
@@ -235,8 +235,8 @@ contains
             if (allocated(error)) return
             call check_not_negative(error, name, positions(i), i)
             if (.not. present(radius)) cycle
-            if (positions(i) > radius) call raise(error, error_domain, " = "//to_text(positions(i))//" is not allowed: it must "// &
-                                                  "be at most the contact radius, "//to_text(radius), name, i)
+            if (positions(i) > radius) call raise(error, error_domain, " = "//to_text(positions(i))// &
+                                                  ": it must be at most the contact radius, "//to_text(radius), name, i)
         end do
     end subroutine check_positions
 

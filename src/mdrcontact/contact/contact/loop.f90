@@ -17,20 +17,20 @@ module mdrcontact_contact_loop
     type :: loop_t
         !> what the machine controls: depth [length], force [modulus length^2], or the far end of the spring [length]
         real(wp), allocatable :: position(:)
-        !> the states at these positions; radius 0 where the bodies are apart
+        !> the states at these positions; radius 0 for separated bodies
         type(contact_state_t), allocatable :: state(:)
         !> index of the last point of the approach
         integer :: turning_point = 0
         !> indices of the points just before each jump
         integer, allocatable :: jumps(:)
-        !> energy lost in the cycle, the area of the loop; under a prescribed force up to pull-off, for how far the bodies then fly
-        !> apart under it is not known [modulus length^3]
+        !> energy lost in the cycle, the area of the loop; under a prescribed force up to pull-off, because the distance of the
+        !> bodies is unknown afterwards [modulus length^3]
         real(wp) :: dissipated_energy = 0.0_wp
         !> number of points so far
         integer, private :: points = 0
     end type loop_t
 
-    !> How far before pull-off a drawn loop begins, relative to the pull-off position.
+    !> Distance before pull-off at which a drawn loop begins, relative to the pull-off position.
     real(wp), parameter :: margin = 1.25_wp
     integer, parameter :: most_points = 1000000
 
@@ -47,7 +47,7 @@ contains
         if (.not. allocated(error)) control = control_t(1.0_wp, 1.0_wp/stiffness)
     end subroutine spring_control
 
-    !> Approaches from afar to `largest` and retracts until the bodies are apart again.
+    !> Approaches from afar to `largest` and retracts until the bodies are separated again.
     subroutine new_loop(self, contact, control, largest, count, error)
         type(loop_t), intent(out) :: self
         type(contact_t), intent(in) :: contact
@@ -90,8 +90,8 @@ contains
         attracted = contact%first_attraction(control)
         current = findloc(list%lowest <= attracted .and. attracted <= list%highest, .true., dim=1)
         if (current == 0) then
-            call raise(error, error_unreachable, "the bodies do not stick when they meet: there is no stable "// &
-                       "contact at position "//to_text(attracted))
+            call raise(error, error_unreachable, "the bodies do not adhere on contact: there is no stable state at position "// &
+                       to_text(attracted))
             return
         end if
         start = margin*min(minval(list%lowest), attracted, 0.0_wp)
@@ -103,7 +103,7 @@ contains
         call unload(self, contact, control, list, current, largest, count, entered, error)
         if (allocated(error)) return
         call add_jump(self)
-        ! not handed over as it stands in an array that grows
+        ! not handed over as an element of an array that grows
         pull_off = self%position(self%points)
         call add_apart(self, control, pull_off, error)
         if (.not. allocated(error)) call add_apart(self, control, start, error)
@@ -136,8 +136,8 @@ contains
             from = to
             step = findloc(list(current + 1:)%lowest <= from .and. from <= list(current + 1:)%highest, .true., dim=1)
             if (step == 0) then
-                call raise(error, error_unreachable, "the position where the motion turns back cannot be reached: the indenter "// &
-                           "or the medium ends before"//trim(contact%equilibrium%why_it_ends()))
+                call raise(error, error_unreachable, "largest: the turning point cannot be reached, because the indenter or "// &
+                           "the medium ends before it"//trim(contact%equilibrium%why_it_ends()))
                 return
             end if
             current = current + step
@@ -239,7 +239,7 @@ contains
         self%turning_point = count
     end subroutine elastic_way
 
-    !> The bodies apart: no force, and the depth that the machine leaves them.
+    !> Separated bodies: no force, and the depth that the machine leaves them.
     subroutine add_apart(self, control, position, error)
         type(loop_t), intent(inout) :: self
         type(control_t), intent(in) :: control
@@ -291,7 +291,7 @@ contains
         call move_alloc(state, self%state)
     end subroutine resize
 
-    !> Points for a part of the way, in proportion to its length.
+    !> Points for a part of the way, proportionally to its length.
     pure function share(from, to, whole, count) result(points)
         real(wp), intent(in) :: from, to, whole
         integer, intent(in) :: count

@@ -28,7 +28,7 @@ module mdrcontact_contact_range
     real(wp), parameter :: adhesion_over = 0.05_wp
     !> Extrema lie less than this far below the radius where d0 = dl (in ln a).
     real(wp), parameter :: room_below = 10.0_wp
-    !> The smallest ln a that is looked at, and where the search for a radius begins.
+    !> The smallest ln a that is considered, and where the search for a radius begins.
     real(wp), parameter :: smallest_log = -200.0_wp, first_guess = -35.0_wp
     !> Closer to a flat end, as a part of its radius, a - b has no digits left.
     real(wp), parameter :: closest = 1.0e-12_wp
@@ -124,7 +124,7 @@ contains
     !> A coordinate at which the depth is at least `depth`, or the last one, and the depth there.
     subroutine coordinate_beyond(equilibrium, depth, scale, x, found, solutions, error)
         type(equilibrium_t), intent(in) :: equilibrium
-        !> with adhesion of any sign, else > 0; and the depth > 0 of the non-adhesive state from which on it is looked for
+        !> with adhesion of any sign, else > 0; and the depth > 0 of the non-adhesive state from which on it is searched for
         real(wp), intent(in) :: depth, scale
         real(wp), intent(out) :: x, found
         integer, intent(inout) :: solutions

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The contact of a rigid indenter with a body that relaxes. Its states depend on time.
+!> The contact of a rigid indenter with a viscoelastic body. Its states depend on time.
 module mdrcontact_contact_relaxing_contact
     use mdrcontact_object, only: room
     use mdrcontact_contact, only: check_adhesion, check_cohesion, contact_options_t
@@ -12,13 +12,13 @@ module mdrcontact_contact_relaxing_contact
     private
     public :: relaxing_contact_t, new_relaxing_contact, refuse_attraction
 
-    !> An indenter on a body that relaxes. It holds copies of both and never changes.
+    !> An indenter on a viscoelastic body. It holds copies of both and never changes.
     type :: relaxing_contact_t
         !> the body
         type(viscoelastic_t), allocatable :: medium
         !> of the indenter with the body's elastic reference: how large contacts can be
         type(equilibrium_t) :: equilibrium
-        !> gamma [modulus length] and sigma_0 [modulus] of an adhesion with a range; 0: none
+        !> gamma [modulus length] and sigma_0 [modulus] of an finite-range adhesion; 0: none
         real(wp) :: work_of_adhesion = 0.0_wp, cohesive_stress = 0.0_wp
     end type relaxing_contact_t
 
@@ -42,7 +42,7 @@ contains
                 self%work_of_adhesion = options%work_of_adhesion
                 self%cohesive_stress = options%cohesive_stress
             else if (options%zeta_is_exact) then
-                call raise(error, error_invalid, "the exact zeta is not allowed here: it needs an elastic body")
+                call raise(error, error_invalid, "zeta = exact: it needs an elastic body")
             end if
             if (allocated(error)) return
             call new_equilibrium(self%equilibrium, profile, medium%reference, error, options%zeta)
@@ -60,8 +60,8 @@ contains
         type(error_t), allocatable, intent(inout) :: error
 
         if (allocated(error) .or. .not. contact%cohesive_stress > 0.0_wp) return
-        call raise(error, error_invalid, "a viscoelastic contact with a cohesive_stress is followed by its adhesive history "// &
-                   "alone, in which its zone moves")
+        call raise(error, error_invalid, "cohesive_stress: a viscoelastic contact with a cohesive zone has an adhesive "// &
+                   "history only. Use the adhesive history")
     end subroutine refuse_attraction
 
     !> Raises unless the adhesion has a range and the body is a half-space that creeps from one modulus to another.
@@ -74,20 +74,19 @@ contains
         call check_cohesion(options, error)
         if (allocated(error)) return
         if (.not. options%cohesive_stress > 0.0_wp) then
-            call raise(error, error_invalid, " = "//to_text(options%work_of_adhesion)//" is not allowed with a "// &
-                       "viscoelastic body: how much its edge holds depends on how fast it moves; give the cohesive_stress of a "// &
-                       "half-space, or take its relaxed moduli and a work of adhesion that depends on speed", "work_of_adhesion")
+            call raise(error, error_invalid, " = "//to_text(options%work_of_adhesion)//": on a viscoelastic body adhesion "// &
+                       "depends on the speed of the edge. Give the cohesive_stress of a half-space, or use the relaxed moduli "// &
+                       "with a rate-dependent work of adhesion", "work_of_adhesion")
         else if (size(medium%thickness) > 0) then
-            call raise(error, error_invalid, " = "//to_text(options%cohesive_stress)//" is not allowed with layers that "// &
-                       "relax: their zone has no second solution that it could be compared with; take the relaxed moduli and a "// &
-                       "work of adhesion that depends on speed", "cohesive_stress")
+            call raise(error, error_invalid, " = "//to_text(options%cohesive_stress)//": a cohesive zone is not available on "// &
+                       "viscoelastic layers. Use the relaxed moduli with a rate-dependent work of adhesion", "cohesive_stress")
         else if (profile%has_wall .or. profile%end_radius > 0.0_wp) then
-            call raise(error, error_invalid, " = "//to_text(options%cohesive_stress)//" is not allowed with a flat end or a "// &
-                       "vertical wall on a body that relaxes: the edge of the contact could not move", "cohesive_stress")
+            call raise(error, error_invalid, " = "//to_text(options%cohesive_stress)//": on a viscoelastic body it needs an "// &
+                       "indenter without a flat end or vertical wall, so that the contact edge can move", "cohesive_stress")
         else if (.not. medium%materials(1)%has_glassy() .or. .not. medium%materials(1)%shear%limit > 0.0_wp &
                  .or. medium%materials(1)%is_power_law()) then
-            call raise(error, error_invalid, " = "//to_text(options%cohesive_stress)//" is not allowed with this material: it "// &
-                       "needs a glassy and a relaxed modulus", "cohesive_stress")
+            call raise(error, error_invalid, " = "//to_text(options%cohesive_stress)//": it needs a material with a glassy "// &
+                       "and a relaxed modulus", "cohesive_stress")
         end if
     end subroutine check_attraction
 

@@ -20,7 +20,7 @@ module mdrcontact_contact_samples
     integer, parameter :: rows = lanes
     !> Nodes in a panel of the integral of work.
     integer, parameter :: work_nodes = 20
-    !> Where s is looked at for extrema in each panel, denser towards its ends: extrema lie close to touch where the range is long.
+    !> Where s is considered for extrema in each panel, denser towards its ends: extrema lie close to touch where the range is long.
     integer, parameter :: probes = 48
     integer, parameter :: most_steps = 100
     !> A step of Newton's method that is so short leaves less than rounding.

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> An indenter whose depth is corrected, d = zeta(a) g(a), equation (9): zeta g stands for g in all that follows from it.
+!> An indenter whose depth is corrected, d = zeta(a) g(a), equation (9): zeta g represents g in all that follows from it.
 module mdrcontact_contact_scaled_profile
     use, intrinsic :: iso_fortran_env, only: int64
     use mdrcontact_nonfinite, only: quiet_nan
@@ -38,7 +38,7 @@ module mdrcontact_contact_scaled_profile
 
 contains
 
-    !> The profile with zeta(x) g(x) in place of g(x).
+    !> The profile with zeta(x) g(x) instead of g(x).
     subroutine new_scaled_profile(self, profile, zeta, error)
         type(scaled_profile_t), intent(out) :: self
         class(profile_t), intent(in) :: profile

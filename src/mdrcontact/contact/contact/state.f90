@@ -6,7 +6,7 @@ module mdrcontact_contact_state
     private
     public :: contact_state_t
 
-    !> A point of F(d), C's struct mdr_state: a datum that fields read and histories start from. All zero is first touch.
+    !> A point of F(d), C's struct mdr_state: a datum that fields read and histories start from. All zero is initial contact.
     type, bind(C) :: contact_state_t
         !> d, positive into the medium [length]
         real(c_double) :: depth = 0.0_c_double
@@ -19,7 +19,7 @@ module mdrcontact_contact_state
         !> depth beyond that of the non-adhesive state at this radius [length]: 0 without adhesion, -dl(a) with it, the whole depth
         !> under a flat punch, anything above 0 at another vertical wall of the indenter
         real(c_double) :: punch_depth = 0.0_c_double
-        !> c, outer radius of the cohesive zone [length]: the bodies pull on each other where a < r < c; 0 without a cohesive stress
+        !> c, outer radius of the cohesive zone [length]: the bodies attract each other where a < r < c; 0 without a cohesive stress
         real(c_double) :: zone_radius = 0.0_c_double
     end type contact_state_t
 

@@ -16,10 +16,10 @@ module mdrcontact_contact_unstable_ranges
     private
     public :: find_unstable_ranges
 
-    !> Contrasts of surface and body from which on depths are looked at: they have been seen to fall from 80 on under cones, where
+    !> Contrasts of surface and body from which on depths are considered: they have been seen to fall from 80 on under cones, where
     !> E0*/E_eff is 31, and from 12 on at the corner of a flat end 30 thicknesses wide.
     real(wp), parameter :: least_contrast = 30.0_wp, least_at_flat_end = 7.0_wp
-    !> Radii looked at, as parts of the medium's largest one.
+    !> Radii considered, as parts of the medium's largest one.
     real(wp), parameter :: smallest = 1.0e-7_wp, largest = 1.0e-2_wp
     !> Relative tolerance of the samples, and the noise up to which they are taken: what falls by less may be missed.
     real(wp), parameter :: tolerance = 1.0e-6_wp, largest_noise = 1.0e-2_wp

@@ -68,7 +68,7 @@ contains
             if (.not. (holds > 0.0_wp .and. gamma > largest_wetting*holds)) return
             call add(found, warning_wetting, "the work of adhesion is "//to_text(gamma/holds)//" of "// &
                      trim(merge("the surface tension         ", "what bends the plate, B/L^2,", holds <= sheet%tension))// &
-                     ": the surface meets the indenter at an angle that is not small, and it is taken for small slopes")
+                     ": the slope of the surface at the edge is not small, and the theory assumes small slopes")
         end associate
     end subroutine check_wetting
 
@@ -81,9 +81,9 @@ contains
         if (equilibrium%profile%has_wall .and. state%radius >= equilibrium%profile%largest_radius) return
         slope = equilibrium%profile%slope(state%radius)
         if (slope <= largest_slope) return
-        call add(found, warning_slope, "the indenter's surface has a slope of "//to_text(slope)//" at the edge of the contact "// &
-                 "(contact radius "//to_text(state%radius)//"): linear elasticity is for small slopes, and a paraboloid stands "// &
-                 "for a sphere at radii well below R only")
+        call add(found, warning_slope, "the indenter's surface has a slope of "//to_text(slope)// &
+                 " at the edge of the contact (contact radius "//to_text(state%radius)//"): linear elasticity assumes small "// &
+                 "slopes, and a paraboloid represents a sphere only at radii much smaller than R")
     end subroutine look_at_slope
 
     pure subroutine look_at_pressure(equilibrium, state, found)
@@ -96,8 +96,8 @@ contains
         ratio = state%force/(pi*state%radius**2*max(0.5_wp*state%stiffness/state%radius, surface_modulus(equilibrium)))
         if (ratio <= largest_pressure) return
         call add(found, warning_pressure, "the mean pressure is "//to_text(ratio)//" times the contact modulus (depth "// &
-                 to_text(state%depth)//", contact radius "//to_text(state%radius)//"): strains are not small, and linear "// &
-                 "elasticity does not hold")
+                 to_text(state%depth)//", contact radius "//to_text(state%radius)//"): strains are not small, so linear "// &
+                 "elasticity is not valid")
     end subroutine look_at_pressure
 
     !> That of the surface of one body or two, 0 where it is not known [modulus].
@@ -151,8 +151,8 @@ contains
         if (allocated(error)) return
         if (depth(1) - base <= largest_compression*body%last_depth) return
         call add(found, warning_compression, "layers of thickness "//to_text(body%last_depth)//" would be compressed by "// &
-                 to_text(depth(1) - base)//" or more (depth "//to_text(state%depth)//"): linear elasticity is for small parts "// &
-                 "of the thickness")
+                 to_text(depth(1) - base)//" or more (depth "//to_text(state%depth)//"): linear elasticity assumes a small "// &
+                 "fraction of the thickness")
     end subroutine look_at_body
 
     pure subroutine look_at_moduli(equilibrium, found)
@@ -165,8 +165,8 @@ contains
         if (allocated(equilibrium%medium%pressed)) call widen(equilibrium%medium%pressed, softest, stiffest)
         if (allocated(equilibrium%medium%counterbody)) call widen(equilibrium%medium%counterbody, softest, stiffest)
         if (stiffest < largest_contrast*softest) return
-        call add(found, warning_contrast, "Young's moduli from "//to_text(softest)//" to "//to_text(stiffest)//" stand beside "// &
-                 "each other: are all of them given in one unit?")
+        call add(found, warning_contrast, "Young's moduli from "//to_text(softest)//" to "//to_text(stiffest)// &
+                 " are combined: check that all have the same unit")
     end subroutine look_at_moduli
 
     pure subroutine widen(body, softest, stiffest)

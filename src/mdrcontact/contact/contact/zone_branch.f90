@@ -34,8 +34,8 @@ module mdrcontact_contact_zone_branch
     real(wp), parameter :: shortest_zone = 1.0e-12_wp
     !> Sampled up to so many radii of the zone at touch: beyond, depth and force grow.
     real(wp), parameter :: far_from_touch = 10.0_wp
-    !> and to so many of the radius at which adhesion without a range hands over to elasticity: extrema lie where dl/d0 >= n/4 for a
-    !> shape r^n, and d0/dl grows as a^(n - 1/2).
+    !> and to so many of the radius at which elasticity exceeds JKR adhesion: extrema lie where dl/d0 >= n/4 for a shape r^n, and
+    !> d0/dl grows as a^(n - 1/2).
     real(wp), parameter :: far_from_handover = 20.0_wp
     !> Where indenter or medium end before, the samples end at this part of the radius, so many times.
     real(wp), parameter :: nearer = 0.7_wp
@@ -76,7 +76,7 @@ contains
         if (.not. allocated(error)) call self%keep_segments(equilibrium, error)
     end subroutine new_zone_branch
 
-    !> Up to where adhesion is over, with or without a range, or the last state that indenter and medium allow.
+    !> Up to where adhesion is over, of finite or zero range, or the last state that indenter and medium allow.
     subroutine last_coordinate(equilibrium, over, last, error)
         type(equilibrium_t), intent(in) :: equilibrium
         real(wp), intent(in) :: over

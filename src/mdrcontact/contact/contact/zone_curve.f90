@@ -52,7 +52,7 @@ module mdrcontact_contact_zone_curve
         procedure :: radius
     end type zone_source_t
 
-    !> How far beyond a radius the zone ends, as a function of the coordinate.
+    !> Length of the zone beyond a radius, as a function of the coordinate.
     type, extends(scalar_function_t) :: zone_end_t
         type(equilibrium_t), pointer :: equilibrium => null()
         real(wp) :: radius = 0.0_wp
@@ -178,7 +178,7 @@ contains
         end do
     end subroutine first_edges
 
-    !> The coordinate at which the zone ends at a radius, `last` if there is none before.
+    !> The coordinate at which the zone ends at a radius, `last` if it does not exist before.
     subroutine zone_ends_at(equilibrium, radius, last, x, error)
         type(equilibrium_t), intent(in), target :: equilibrium
         real(wp), intent(in) :: radius, last
@@ -253,7 +253,7 @@ contains
         type(zone_guess_t) :: guess
 
         guess = self%guess_at(x)
-        ! the last digits are the contact's own
+        ! the last significant digits are the contact's own
         guess%is_close = .false.
         call zone_state(equilibrium, x, state, error, guess)
     end subroutine state_at

@@ -51,7 +51,7 @@ contains
             if (halving > most_halvings .and. value <= huge(value)) return
             t = trial
         end do
-        call raise(error, error_no_convergence, "the tractions of a step with friction could not be found")
+        call raise(error, error_no_convergence, "the tractions of a step with friction were not found")
     end subroutine minimise_in_box
 
     !> Newton's step of the free ones, 0 for the others.
@@ -77,7 +77,7 @@ contains
         call dpotrf("L", n, factor, n, info)
         if (info == 0) call dpotrs("L", n, 1, factor, n, step, n, info)
         if (info /= 0) then
-            call raise(error, error_no_convergence, "rings with friction are too narrow: take fewer of them")
+            call raise(error, error_no_convergence, "rings: they are too narrow. Use fewer rings")
             return
         end if
         direction = 0.0_wp

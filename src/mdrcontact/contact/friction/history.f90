@@ -81,8 +81,8 @@ contains
         if (count == 0) count = usual_rings
         call check_not_negative(error, "largest_depth", deepest)
         if (count < fewest_rings .or. count > most_rings) then
-            call raise(error, error_invalid, "rings = "//count_text(count)//" is not allowed: it must be from "// &
-                       count_text(fewest_rings)//" to "//count_text(most_rings))
+            call raise(error, error_invalid, "rings = "//count_text(count)//": it must be from "//count_text(fewest_rings)// &
+                       " to "//count_text(most_rings))
         end if
         if (allocated(error)) return
         call room(friction%bytes(), error)
@@ -102,13 +102,13 @@ contains
                 self%modulus = shear(1)
                 self%past%springs%limit = friction%coefficient*normal(1)/shear(1)
             else
-                call raise(error, error_invalid, "largest_depth is missing: where springs interact, a history of friction "// &
-                           "needs the depth up to which it is led")
+                call raise(error, error_invalid, "largest_depth is missing: on a layered body a history of friction needs the "// &
+                           "largest depth of its rings")
             end if
         end associate
     end subroutine new_friction_history
 
-    !> One step of the path, in which depth and shift change in proportion; after a failure all is as before.
+    !> One step of the path, in which depth and shift change proportionally; after a failure all is as before.
     subroutine advance(self, normal_given, normal, tangential_given, tangential, error)
         class(friction_history_t), intent(inout) :: self
         !> given_depth or given_force, and d [length] or F [modulus length^2] at the end of the step, >= 0
@@ -139,8 +139,8 @@ contains
             if (allocated(error)) return
             if (allocated(self%grid)) then
                 if (state%depth > self%grid%largest_depth) then
-                    call raise(error, error_domain, "depth = "//to_text(state%depth)//" is beyond the rings of this history: "// &
-                               "they reach up to largest_depth = "//to_text(self%grid%largest_depth))
+                    call raise(error, error_domain, "depth = "//to_text(state%depth)//": the rings of this history reach up "// &
+                               "to largest_depth = "//to_text(self%grid%largest_depth))
                     return
                 end if
             end if
@@ -232,8 +232,8 @@ contains
         call check_finite(error, "tangential_force", force)
         if (allocated(error)) return
         if (abs(force) >= self%friction%coefficient*state%force .and. abs(force) > 0.0_wp) then
-            call raise(error, error_unreachable, " = "//to_text(force)//" cannot be reached: the contact slides at coefficient "// &
-                       "times normal force, "//to_text(self%friction%coefficient*state%force)//", and its shift is then free", &
+            call raise(error, error_unreachable, " = "//to_text(force)//": the contact slides at coefficient times normal "// &
+                       "force, "//to_text(self%friction%coefficient*state%force)//", at which the shift is undetermined", &
                        "tangential_force")
             return
         end if

@@ -33,7 +33,7 @@ module mdrcontact_friction_law
     real(wp), parameter :: depths(*) = [0.01_wp, 0.1_wp, 0.5_wp, 0.6_wp, 0.7_wp, 0.85_wp, 1.0_wp], &
                            parts(*) = [0.05_wp, 0.13_wp, 0.2_wp, 0.3_wp, 0.6_wp, 0.9_wp, 0.96_wp]
     integer, parameter :: steps = 100
-    !> How far states of one contact may differ that was made twice.
+    !> Largest difference between states of a contact that was created twice.
     real(wp), parameter :: same = 1.0e-9_wp
     real(wp), parameter :: amplitudes(*) = [0.3_wp, 1.0_wp, 3.0_wp], cycles(*) = [0.5_wp, 1.0_wp, 2.0_wp]
 
@@ -51,7 +51,7 @@ contains
         type(law_options_t), intent(in), optional :: options
         !> 4 to 64 vector sliders for the springs of the contact; default 8
         integer, intent(in), optional :: sliders
-        !> whether they bear a twist about the normal, with its torque, in place of the shift; of a paraboloid on homogeneous bodies
+        !> whether they bear a twist about the normal, with its torque, instead of the shift; of a paraboloid on homogeneous bodies
         logical, intent(in), optional :: twist
 
         if (present(sliders)) call check_sliders(error, sliders)
@@ -83,9 +83,8 @@ contains
             if (.not. allocated(error)) call friction%contact%at_depth(depths(i)*largest_depth, other, error)
             if (allocated(error)) return
             if (abs(one%force - other%force) <= same*abs(one%force) .and. abs(one%radius - other%radius) <= same*one%radius) cycle
-            call raise(error, error_invalid, " is not allowed: it must be of the contact that the law is made from; at depth "// &
-                       to_text(one%depth)//" its contact bears "//to_text(other%force)//" in place of "//to_text(one%force), &
-                       "friction")
+            call raise(error, error_invalid, ": it must belong to the contact of the law. At depth "//to_text(one%depth)// &
+                       " the force of its contact is "//to_text(other%force)//" instead of "//to_text(one%force), "friction")
             return
         end do
     end subroutine check_same_contact

@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> A contact under Coulomb's law of friction: partial slip at constant normal force (theory/friction.md (3.4), (3.5), (3.7)).
 !>
-!> The indenter is displaced by the shift s along the surface. A disc of stick shrinks from the contact radius to 0, where sliding
+!> The indenter is displaced by the shift s along the surface. A stick zone shrinks from the contact radius to 0, where sliding
 !> begins. Neglected are the displacement that varies as cos 2 phi around the axis and the effect of the shear on the pressure.
 !>
 !> Twisted about its axis by the angle phi, Lubkin's problem, the disc shrinks towards the axis, and the same two functions of its
@@ -28,14 +28,14 @@ module mdrcontact_friction_partial_slip
     !> ln(a^2/c^2 - 1) at least, below which no double changes, and at most: c = 1e-10 a.
     real(wp), parameter :: least = -700.0_wp, most = 46.0_wp
 
-    !> What a contact is sheared by, and the words for it: a shift under a force, or a twist under a torque.
+    !> What a contact is sheared by, and its names: a shift under a force, or a twist under a torque.
     integer, parameter :: along_surface = 1, about_axis = 2
     character(len=*), parameter :: ways(*) = [character(len=5) :: "shift", "twist"], &
                                    loads(*) = [character(len=16) :: "tangential_force", "torque"], &
                                    states(*) = [character(len=16) :: "tangential state", "torsional state"]
 
-    !> A state of partial slip, C's struct mdr_shear_state; of a twist, C's struct mdr_shear_state, with phi [radian] in
-    !> the place of s, M [modulus length^3] in that of T, and dM/dphi [modulus length^3] in that of dT/ds.
+    !> A state of partial slip, C's struct mdr_shear_state; of a twist, C's struct mdr_shear_state, with phi [radian] instead of s,
+    !> M [modulus length^3] in that of T, and dM/dphi [modulus length^3] in that of dT/ds.
     type, bind(C) :: tangential_state_t
         !> s, of the indenter along the surface [length]
         real(c_double) :: shift = 0.0_c_double
@@ -53,7 +53,7 @@ module mdrcontact_friction_partial_slip
 
     !> A contact and its coefficient of friction. It never changes; any number of threads may share it.
     type, extends(object_t) :: friction_t
-        !> to be read only
+        !> read only
         type(contact_t) :: contact
         !> of friction, > 0 [1]
         real(wp) :: coefficient = 0.0_wp
@@ -106,8 +106,8 @@ contains
 
         call check_positive(error, "coefficient", coefficient)
         if (contact%is_adhesive()) then
-            call raise(error, error_invalid, "friction is not allowed with adhesion: Coulomb's law knows no tension, and the "// &
-                       "rim of an adhesive contact is under tension; set work_of_adhesion = 0")
+            call raise(error, error_invalid, "friction: it is not available with adhesion, because Coulomb's law is not "// &
+                       "defined under tension. Set work_of_adhesion = 0")
         end if
         if (allocated(error)) return
         call room(contact%equilibrium%bytes(), error)
@@ -138,8 +138,8 @@ contains
         if (.not. allocated(error)) call new_first_shear(shear, slip, self%coefficient)
     end subroutine first_shear
 
-    !> What happens to a normal state of a homogeneous medium as its indenter is twisted: twists and torques in the place of shifts
-    !> and forces.
+    !> What happens to a normal state of a homogeneous medium as its indenter is twisted: twists and torques instead of shifts and
+    !> forces.
     subroutine first_twist(self, load, shear, error)
         class(friction_t), intent(in) :: self
         !> of a state of the contact
@@ -224,12 +224,12 @@ contains
         call check_finite(error, trim(loads(self%way)), force)
         if (allocated(error)) return
         if (self%way == about_axis .and. abs(force) >= self%sliding_force) then
-            call raise(error, error_unreachable, " = "//to_text(force)//" cannot be reached: a growing twist approaches that "// &
-                       "of sliding, "//to_text(self%sliding_force)//"; it must be below", "torque")
+            call raise(error, error_unreachable, " = "//to_text(force)//": it must be less than the torque of sliding, "// &
+                       to_text(self%sliding_force), "torque")
             return
         else if (abs(force) > self%sliding_force) then
-            call raise(error, error_unreachable, " = "//to_text(force)//" cannot be reached: the contact slides at coefficient "// &
-                       "times normal force, "//to_text(self%sliding_force), "tangential_force")
+            call raise(error, error_unreachable, " = "//to_text(force)//": the contact slides at coefficient times normal "// &
+                       "force, "//to_text(self%sliding_force), "tangential_force")
         else if (abs(force) >= self%sliding_force) then
             call slide(self, state, error)
         else
@@ -439,7 +439,7 @@ contains
         if (.not. allocated(error)) values = load_factor(self, state)*values
     end subroutine traction
 
-    !> The sign of the shear times the coefficient; where nothing slips yet the load is in proportion to the shift.
+    !> The sign of the shear times the coefficient; where nothing slips yet the load is proportionally to the shift.
     pure function load_factor(self, state) result(factor)
         type(first_shear_t), intent(in) :: self
         type(tangential_state_t), intent(in) :: state

@@ -125,7 +125,7 @@ contains
         self%dissipated = dissipated
     end subroutine advance
 
-    !> The first touch: a flat end does so with all of its rings at once, which carry nothing yet.
+    !> The initial contact: a flat end does so with all of its rings simultaneously, which carry nothing yet.
     subroutine touch(self, grid, end_radius)
         type(rings_t), intent(inout) :: self
         type(ring_grid_t), intent(in) :: grid
@@ -355,9 +355,9 @@ contains
         if (.not. allocated(error)) call load%pressure(sqrt(max(state%radius**2 - root**2, 0.0_wp)), pressure, error)
         if (allocated(error)) return
         if (minval(pressure) < -noticeable*state%force/(pi*state%radius**2)) then
-            call raise(error, error_domain, "this contact is not one disc: without adhesion its pressure would be "// &
+            call raise(error, error_domain, "this contact is not a single area: without adhesion its pressure would be "// &
                        to_text(minval(pressure))//" somewhere (contact radius "//to_text(state%radius)// &
-                       "); friction needs a pressure that is nowhere negative")
+                       "). Friction needs a pressure that is nowhere negative")
             return
         end if
         do j = 1, size(edges)

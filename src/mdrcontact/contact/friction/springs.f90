@@ -1,9 +1,9 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Friction of springs that do not interact, along any path of depth d and shift s, exactly (theory/friction.md (6.1)).
 !>
-!> Every spring obeys Coulomb's law by itself: w <- clip(w + ds, +-m (d - y)), w = q_t/G*, m = mu E*/G*, y = g(x) the depth at
-!> which it comes into contact. As long as d and s change in proportion, spring and limit are straight lines in time, so that a step
-!> of any size is exact; and w is a straight line in y between a few values of y, which are all that has to be remembered.
+!> Every spring obeys Coulomb's law independently: w <- clip(w + ds, +-m (d - y)), w = q_t/G*, m = mu E*/G*, y = g(x) the depth at
+!> which it comes into contact. As long as d and s change proportionally, spring and limit are straight lines in time, so that a
+!> step of any size is exact; and w is a straight line in y between a few values of y, which are all that has to be remembered.
 module mdrcontact_friction_springs
     use mdrcontact_contact, only: contact_t
     use mdrcontact_contact_state, only: contact_state_t

@@ -14,13 +14,14 @@ module mdrcontact_inside_critical
     private
     public :: check_deviation, critical, largest_of, new_stressed
 
-    !> Maxima are looked for up to so many times a + z from the axis: the ring of tension on a coating need not lie at the edge.
+    !> Maxima are searched for up to so many times a + z from the axis: the ring of tension on a coating need not lie at the edge.
     real(wp), parameter :: farthest = 3.0_wp
-    !> Nothing is looked for nearer to a singular edge of the free surface [a].
+    !> Nothing is searched for nearer to a singular edge of the free surface [a].
     real(wp), parameter :: off_edge = 1.0e-3_wp
-    !> The face below n layers is looked at from n times this part of its depth inside a layer, where nothing takes it for the face.
+    !> The face below n layers is considered from n times this part of its depth inside a layer, where nothing takes it for the
+    !> face.
     real(wp), parameter :: inside = 2.0_wp*rounding
-    !> By how much the field may deviate from the contact on the surface; beyond, no maxima are given [1].
+    !> Largest deviation of the field from the contact on the surface; beyond, no maxima are given [1].
     real(wp), parameter :: largest_deviation = 1.0e-3_wp
     integer, parameter :: of_layer(3) = [von_mises, tresca, tension]
     integer, parameter :: of_interface(2) = [interface_shear, interface_tension]
@@ -34,13 +35,13 @@ contains
         logical, intent(in) :: upper
         !> f >= 0: see interior
         real(wp), intent(in) :: friction
-        !> of each layer from the surface down von_mises, tresca and tension, the half-space last; of each interface
-        !> interface_shear and interface_tension; free_surface_tension
+        !> of each layer top to bottom von_mises, tresca and tension, the half-space last; of each interface interface_shear and
+        !> interface_tension; free_surface_tension
         type(maximum_t), allocatable, intent(out) :: maxima(:)
         type(error_t), allocatable, intent(out) :: error
         !> how many threads may share the work, 0: as many as OpenMP offers; default 1
         integer, intent(in), optional :: threads
-        !> nothing is looked for: how many there are is all that is wanted
+        !> nothing is searched for: how many there are is all that is wanted
         logical, intent(in), optional :: counted_only
         type(stressed_t) :: body
         integer :: i, n, stat
@@ -98,9 +99,9 @@ contains
         if (allocated(error)) return
         call interior_error(load, upper, deviation, error)
         if (allocated(error) .or. deviation <= largest_deviation) return
-        call raise(error, error_no_convergence, "displacements and stresses inside are off by about "//to_text(deviation)// &
-                   " of the depth and of the largest pressure: by that they differ on the surface from the displacement "// &
-                   "and the pressure of the contact")
+        call raise(error, error_no_convergence, "subsurface displacements and stresses have an error of about "// &
+                   to_text(deviation)//" relative to the depth and the largest pressure, by comparison with displacement and "// &
+                   "pressure at the surface")
     end subroutine check_deviation
 
     !> The largest values of quantities that belong to one layer, one interface or the free surface.
@@ -121,7 +122,7 @@ contains
         if (any(quantities(1) == of_interface)) found%z = body%layers%top(place + 2)
     end subroutine largest_of
 
-    !> Where the largest value of a quantity is looked for.
+    !> Where the largest value of a quantity is searched for.
     pure function box_of(body, quantity, place) result(box)
         type(stressed_t), intent(in) :: body
         integer, intent(in) :: quantity, place

@@ -21,7 +21,7 @@ module mdrcontact_inside_energy
 
 contains
 
-    !> Energy of every layer from the surface down, the half-space last (0 where the base is rigid) [modulus length^3].
+    !> Energy of every layer top to bottom, the half-space last (0 where the base is rigid) [modulus length^3].
     function layer_energies(load, layers, error) result(energies)
         class(load_t), intent(in) :: load
         type(layers_t), intent(in) :: layers

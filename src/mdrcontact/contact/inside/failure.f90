@@ -31,7 +31,7 @@ module mdrcontact_inside_failure
 
     !> A strength that is reached.
     type :: failure_load_t
-        !> the state at which it is; the smallest one looked at where it is at any load, as under a sharp tip
+        !> the state at which it is; the smallest one considered where it is at any load, as under a sharp tip
         type(contact_state_t) :: state
         !> the strength itself, as it was given
         type(strength_t) :: strength
@@ -74,7 +74,7 @@ contains
         logical, intent(in) :: upper
         !> f >= 0: see interior
         real(wp), intent(in) :: friction
-        !> contact radii are looked at up to this one, or where indenter and medium end; 0: 30 times the thickness of all layers
+        !> contact radii are considered up to this one, or where indenter and medium end; 0: 30 times the thickness of all layers
         !> [length]. A flat punch has only one
         real(wp), intent(in) :: largest_radius
         type(strength_t), intent(in) :: strengths(:)
@@ -164,10 +164,9 @@ contains
         last = largest_radius
         if (.not. last > 0.0_wp) last = widest*sum(layers%thickness)
         if (.not. last > 0.0_wp) then
-            call raise(error, error_invalid, " must be given, greater than 0: a body without layers has no length of its own", &
-                       "largest_radius")
+            call raise(error, error_invalid, ": it must be greater than 0 for a body without layers", "largest_radius")
         else if (largest_radius > 0.0_wp .and. last <= end_radius) then
-            call raise(error, error_invalid, " = "//to_text(last)//" is not allowed: it must be larger than the flat end, "// &
+            call raise(error, error_invalid, " = "//to_text(last)//": it must be larger than the flat end, "// &
                        to_text(end_radius), "largest_radius")
         end if
         if (allocated(error)) return
@@ -290,7 +289,7 @@ contains
         end do
     end subroutine close_in
 
-    !> By how much the largest stress exceeds the strength at a radius, relative to it; -1 beside a singular edge.
+    !> Excess of the largest stress over the strength at a radius, relative to it; -1 beside a singular edge.
     subroutine find_excess(search, strength, radius, failure, excess, error)
         type(search_t), intent(in) :: search
         type(strength_t), intent(in) :: strength
@@ -354,27 +353,26 @@ contains
         integer :: i, places
         character(len=:), allocatable :: whose
 
-        if (size(strengths) == 0) call raise(error, error_invalid, "n = 0 is not allowed: there must be at least one strength")
+        if (size(strengths) == 0) call raise(error, error_invalid, "n = 0: there must be at least one strength")
         do i = 1, size(strengths)
             if (allocated(error)) return
             associate (strength => strengths(i))
                 call find_places(layers, strength%quantity, places, whose)
                 if (places < 0) then
-                    call raise(error, error_invalid, ": quantity = "//count_text(strength%quantity)//" is not allowed: it must "// &
-                               "be from "//count_text(von_mises)//" to "//count_text(free_surface_tension), "strengths", i)
+                    call raise(error, error_invalid, ": quantity = "//count_text(strength%quantity)//": it must be from "// &
+                               count_text(von_mises)//" to "//count_text(free_surface_tension), "strengths", i)
                 else if (strength%place < 0 .or. strength%place >= places) then
-                    call raise(error, error_invalid, ": place = "//count_text(strength%place)//" is not allowed: the number "// &
-                               "of "//whose//" is "//count_text(places)//", and 0 is the first one from the surface", &
-                               "strengths", i)
+                    call raise(error, error_invalid, ": place = "//count_text(strength%place)//": the number of "//whose//" is "// &
+                               count_text(places)//", and 0 is the first one from the surface", "strengths", i)
                 else if (.not. (is_finite(strength%value) .and. strength%value > 0.0_wp)) then
-                    call raise(error, error_invalid, ": value = "//to_text(strength%value)//" is not allowed: it must be "// &
-                               "finite and greater than 0", "strengths", i)
+                    call raise(error, error_invalid, ": value = "//to_text(strength%value)//": it must be finite and greater "// &
+                               "than 0", "strengths", i)
                 end if
             end associate
         end do
     end subroutine check_strengths
 
-    !> How many layers, interfaces or free surfaces a quantity can belong to; -1: it is none.
+    !> How many layers, interfaces or free surfaces a quantity can belong to; -1: not one.
     pure subroutine find_places(layers, quantity, places, whose)
         type(layers_t), intent(in) :: layers
         integer, intent(in) :: quantity

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The states of a body whose constants vary with depth, and the images that stand for its short waves near the surface.
+!> The states of a body whose constants vary with depth, and the images that represent its short waves near the surface.
 !>
 !> The equation of the state is integrated (theory/stress.md (2.5)), by the power series in k of mdrcontact_body_elements_gradient:
 !> compliances go up, tractions down. Near the surface what remains beside the homogeneous half-space falls only as 1/k. It is a
@@ -30,12 +30,12 @@ module mdrcontact_inside_gradient_states
     real(wp), parameter :: longest = 0.5_wp
     !> The first step is at most so deep [a].
     real(wp), parameter :: first_step = 1.0e-10_wp
-    !> Images stand for waves from the first number on, or from the second at most, to the third [1/a].
+    !> Images represent waves from the first number on, or from the second at most, to the third [1/a].
     real(wp), parameter :: first_cutoff = 800.0_wp, last_cutoff = 2.0e5_wp, shortest_wave = 1.0e6_wp
     !> Shifts and wavenumbers of the fit: each so many times as large as the one before.
     real(wp), parameter :: shift_ratio = 1.4_wp, wave_ratio = 1.12_wp
-    !> Misfit of the images, weighted with (k/cutoff)^(-1/2), that is looked for and that is refused, and what the amplitudes count
-    !> in the fit. Under a smooth load a stress is off by 1/20 of the misfit.
+    !> Misfit of the images, weighted with (k/cutoff)^(-1/2), that is searched for and that is refused, and what the amplitudes
+    !> count in the fit. Under a smooth load the error of a stress is 1/20 of the misfit.
     real(wp), parameter :: tolerance = 3.0e-9_wp, refused = 2.0e-7_wp, ridge = 1.0e-13_wp
 
     !> States of a graded body.
@@ -172,9 +172,9 @@ contains
             self%cutoff = 2.0_wp*self%cutoff
         end do
         if (misfit > refused) then
-            call raise(error, error_no_convergence, "stresses in this graded body nearer to the surface than "// &
-                       to_text(faded/self%cutoff)//" contact radii are off by about "//to_text(0.05_wp*misfit)// &
-                       " of the largest: its constants vary too steeply there, take points deeper")
+            call raise(error, error_no_convergence, "z: above a depth of "//to_text(faded/self%cutoff)// &
+                       " contact radii the stresses in this graded body have an error of about "//to_text(0.05_wp*misfit)// &
+                       " of the largest, because its constants vary too steeply. Use deeper points")
             return
         end if
         do i = 1, size(depths)

@@ -1,9 +1,9 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Stresses and displacements inside a homogeneous half-space under a line load q(x), by closed kernels integrated by parts.
 !>
-!> A wave exp(-lambda k z) stands for a function f of zeta = lambda z + i x under the integral I[f] = (1/pi) int_0^a q Re f dx, and
-!> I[f] = (1/pi) {q(a) Im P(lambda z + i a) - int_0^a q' Im P dx} with dP/dzeta = f (theory/stress.md (4.1), (4.8)): no factor
-!> a/z is lost near the surface. Which functions P, the extensions know: mdrcontact_inside_isotropic, mdrcontact_inside_transverse.
+!> A wave exp(-lambda k z) represents a function f of zeta = lambda z + i x under the integral I[f] = (1/pi) int_0^a q Re f dx, and
+!> I[f] = (1/pi) {q(a) Im P(lambda z + i a) - int_0^a q' Im P dx} with dP/dzeta = f (theory/stress.md (4.1), (4.8)): no factor a/z
+!> is lost near the surface. Which functions P, the extensions know: mdrcontact_inside_isotropic, mdrcontact_inside_transverse.
 module mdrcontact_inside_half_space
     use mdrcontact_medium_load, only: load_t, panel_t
     use mdrcontact_error, only: check_memory, error_t
@@ -44,7 +44,7 @@ module mdrcontact_inside_half_space
         real(wp) :: r = 0.0_wp
         !> its ends
         real(wp) :: low = 0.0_wp, high = 0.0_wp
-        !> the last kink up to its beginning and the one before; far away if there is none
+        !> the last kink up to its beginning and the one before; far away if it does not exist
         real(wp) :: kink = -0.5_wp*huge(1.0_wp), kink_before = -0.5_wp*huge(1.0_wp)
         !> from where distances are given to the load, that kink or the axis [length], and relative to r
         real(wp) :: start = 0.0_wp, origin = 0.0_wp
@@ -181,7 +181,7 @@ contains
         segment%first_panel = rule%first(passed)
         segment%last_panel = rule%first(passed + 1) - 1
         if (segment%first_panel /= segment%last_panel) return
-        ! one polynomial for all of it: there is nothing to look for
+        ! one polynomial for the whole: no search is needed
         if (2.0_wp*(segment%high - segment%low) <= rule%longest(segment%first_panel)) segment%last_panel = segment%first_panel - 1
     end function new_segment
 
@@ -222,7 +222,7 @@ contains
     !> How long a panel from `low` to `high` may be: its distance to the nearest singularity.
     pure function reach(segment, z, aside, low, high) result(length)
         type(segment_t), intent(in) :: segment
-        !> how far singularities lie from the real axis, and at most from r along it, and ends of the panel relative to r [a]
+        !> distance of singularities from the real axis, and at most from r along it, and ends of the panel relative to r [a]
         real(wp), intent(in) :: z, aside, low, high
         real(wp) :: length
         logical :: at_kink, at_r, ends_at_r

@@ -72,7 +72,7 @@ contains
         self%all_load(:) = self%all_load*weight/load%radius**2
     end subroutine new_hankel
 
-    !> Goes to the next part of the wavenumbers; false where there is none, or an error.
+    !> Goes to the next part of the wavenumbers; false if it does not exist, or an error.
     function next_part(self, error) result(found)
         class(hankel_t), intent(inout) :: self
         type(error_t), allocatable, intent(inout) :: error

@@ -32,7 +32,7 @@ module mdrcontact_inside_interior
     !> Where the pressure is infinite, what is finite is taken this far below the surface: halfway if it jumps there [a].
     real(wp), parameter :: just_below = 1.0e-15_wp
 
-    !> Points whose sums are to be found; `order` lists those of one prepared integral.
+    !> Points whose sums must be found; `order` lists those of one prepared integral.
     type, extends(batch_t) :: points_t
         class(load_t), pointer :: load => null()
         type(half_space_rule_t) :: rule
@@ -137,8 +137,8 @@ contains
             call check_not_negative(error, "z", z(i), i)
             if (allocated(error)) return
             if (max(r(i), z(i)) > farthest_point*load%radius) then
-                call raise(error, error_domain, " = "//to_text(r(i))//", "//to_text(z(i))//" is too far away: "// &
-                           "stresses are offered within 1e12 contact radii, a = "//to_text(load%radius), "r, z", i)
+                call raise(error, error_domain, " = "//to_text(r(i))//", "//to_text(z(i))//": stresses are available within "// &
+                           "1e12 contact radii, a = "//to_text(load%radius), "r, z", i)
                 return
             end if
         end do
@@ -156,8 +156,8 @@ contains
         do i = 1, size(r)
             if (allocated(error)) return
             if (layers%layer_at(z(i), below) == 0) then
-                call raise(error, error_domain, " = "//to_text(z(i))//" lies in the rigid base, which begins at z = "// &
-                           to_text(sum(layers%thickness))//" (its surface belongs to the side above)", "z", i)
+                call raise(error, error_domain, " = "//to_text(z(i))//": the rigid base begins at z = "// &
+                           to_text(sum(layers%thickness))//". Use the side above for points on its surface", "z", i)
             end if
         end do
     end subroutine check_points

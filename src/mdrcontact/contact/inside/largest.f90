@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The largest value of a stress in a part of a loaded body, in the plane of symmetry: of all azimuths without friction, of sliding
-!> with it. It is looked for on a grid, and from its highest peaks on ever smaller ones.
+!> with it. It is searched for on a grid, and from its highest peaks on ever smaller ones.
 module mdrcontact_inside_largest
     use, intrinsic :: iso_c_binding, only: c_size_t
     use mdrcontact_nonfinite, only: infinity, is_finite
@@ -23,7 +23,7 @@ module mdrcontact_inside_largest
         integer :: quantity = 0
         !> which layer or interface, 0 is the first one from the surface; 0 of the free surface
         integer :: place = 0
-        !> [modulus]; negative where all of it is compression
+        !> [modulus]; negative if the whole region is under compression
         real(wp) :: value = -huge(1.0_wp)
         !> distance from the axis and depth [length]
         real(wp) :: r = 0.0_wp, z = 0.0_wp
@@ -31,7 +31,7 @@ module mdrcontact_inside_largest
         real(wp) :: angle = 0.0_wp
     end type maximum_t
 
-    !> Where a largest value is looked for; at an interface the side above is meant.
+    !> Where a largest value is searched for; at an interface the side above is meant.
     type :: box_t
         !> distances from the axis and depths, from and to [length]
         real(wp) :: r(2) = 0.0_wp, z(2) = 0.0_wp
@@ -58,7 +58,7 @@ module mdrcontact_inside_largest
                           shear_outward = 7, shear_inward = 8, across = 9, size_of_parts = 9
     !> Radii of a grid over its length, as many beside the edge of the contact, and depths.
     integer, parameter :: grid_r = 20, grid_z = 25
-    !> How far from the edge the former lie [a].
+    !> Distance of the former from the edge [a].
     real(wp), parameter :: beside_edge = 0.3_wp
     !> Points in each direction of a smaller grid, a quarter as long as the one before; the last one is shorter by `smallest`.
     integer, parameter :: points = 9
@@ -68,9 +68,9 @@ module mdrcontact_inside_largest
     !> So many peaks of the grid are followed, which fall short of the highest one by no more than this part of the range of values.
     integer, parameter :: most_peaks = 4
     real(wp), parameter :: noticed = 0.2_wp
-    !> Nothing is looked for nearer than this to where stresses are infinite [a].
+    !> Nothing is searched for nearer than this to where stresses are infinite [a].
     real(wp), parameter :: off_singular = 1.0e-3_wp, rounding = 1.0e-9_wp
-    !> Distances from there at which a grid has points, too [a].
+    !> Distances from there at which a grid also has points [a].
     real(wp), parameter :: close_by(6) = off_singular*[1.0_wp, 2.0_wp, 4.0_wp, 8.0_wp, 16.0_wp, 32.0_wp]
 
 contains
@@ -102,7 +102,7 @@ contains
         answer = any(self%singular >= self%load%radius)
     end function has_singular_edge
 
-    !> Whether a point is so far from where stresses are infinite that maxima are looked for there.
+    !> Whether a point is so far from where stresses are infinite that maxima are searched for there.
     pure function is_off_singular(self, r, z) result(answer)
         class(stressed_t), intent(in) :: self
         !> [length]

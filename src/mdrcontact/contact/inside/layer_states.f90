@@ -1,7 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The states of layers that are isotropic in their planes, and of interfaces that give, in Hankel space under a traction on their
-!> surface, carried up and down without a positive exponent (theory/stress.md (2.2)-(2.4), (6.2);
-!> theory/surfaces.md (1.8), (3.1)).
+!> The states of layers that are isotropic in their planes, and of compliant interfaces, in Hankel space under a traction on their
+!> surface, carried up and down without a positive exponent (theory/stress.md (2.2)-(2.4), (6.2); theory/surfaces.md (1.8), (3.1)).
 !>
 !> Per unit p_hat the state is (y1, y2, T, S) = (k U, k W, T, S) for displacements U, W and stresses T = sigma_rz, S = sigma_zz;
 !> a load normal to the surface has T = 0, S = -1 there. A load along it adds y5 = k V and N. With Q and Z of a layer
@@ -75,7 +74,8 @@ contains
 
         if (allocated(layers%materials)) then
             if (any(layers%materials%constants%prestress /= 0.0_wp)) then
-                call raise(error, error_invalid, "stresses and energies inside are not known of layers under a prestress")
+                call raise(error, error_invalid, "prestress: subsurface stresses and energies are not available for layers "// &
+                    "with a prestress")
                 return
             end if
         end if
@@ -172,8 +172,8 @@ contains
         end associate
         self%along_surface = along_surface
         if (.not. along_surface .or. .not. self%slides) return
-        call raise(error, error_invalid, "friction must be 0 on a layer that slides on what lies below it: it has no stiffness "// &
-                   "along the surface; give the interface a tangential stiffness")
+        call raise(error, error_invalid, "friction: it must be 0 on a layer with a sliding interface. Give the interface a "// &
+                   "tangential stiffness")
     end subroutine turn
 
     subroutine prepare(self, k, error)

@@ -15,7 +15,7 @@ module mdrcontact_law_evaluate
 
     !> struct mdr_law_view of include/mdrcontact_law.h.
     type, bind(C) :: law_view_t
-        !> s at the ends of the interval in which nothing has to be looked for; lowest > highest if there is none
+        !> s at the ends of the interval in which nothing has to be searched for; lowest > highest if it does not exist
         real(c_double) :: lowest = 1.0_c_double, highest = -1.0_c_double
         real(c_double) :: scale = 0.0_c_double, offset = 0.0_c_double
         !> bits of y that number the panel, and the bit of its middle
@@ -25,7 +25,7 @@ module mdrcontact_law_evaluate
         !> all of the law, as contact/law/pack.f90 writes it; not needed within the interval
         type(c_ptr) :: buffer = c_null_ptr
         integer(c_int) :: branch = on_unloading, shift = 0_c_int
-        !> up to where the bodies are apart
+        !> up to for separated bodies
         real(c_double) :: open = -huge(1.0_c_double)
     end type law_view_t
 
@@ -65,7 +65,7 @@ module mdrcontact_law_evaluate
 
 contains
 
-    !> The interval of a table, which must outlive the view, in which nothing has to be looked for.
+    !> The interval of a table, which must outlive the view, in which nothing has to be searched for.
     function direct_view(table, branch) result(view)
         type(law_table_t), intent(in), target :: table
         !> on_loading or on_unloading
@@ -85,7 +85,7 @@ contains
         view%contact = c_loc(table%contact(1)%radius%c)
     end function direct_view
 
-    !> The largest s at which the bodies are apart.
+    !> The largest s at which the bodies are separated.
     pure function last_open(table, branch) result(s)
         type(law_table_t), intent(in) :: table
         integer, intent(in) :: branch
@@ -96,8 +96,8 @@ contains
         s = nearest(max(table%lowest, merge(table%first_attraction, table%lowest, branch == on_loading)), -1.0_wp)
     end function last_open
 
-    !> F or d, its slope, a and k at finite s, which is at most the highest unless the table is continued; all 0 where the bodies
-    !> are apart. Beyond the range a and k are those at its end.
+    !> F or d, its slope, a and k at finite s, which is at most the highest unless the table is continued; all 0 for separated
+    !> bodies. Beyond the range a and k are those at its end.
     pure subroutine point_at(table, branch, s, other, slope, radius, stiffness)
         type(law_table_t), intent(in) :: table
         integer, intent(in) :: branch
@@ -129,7 +129,7 @@ contains
         end if
     end subroutine point_in
 
-    !> int F dd along the branch, from first touch or, with adhesion, from pull-off; 0 where the bodies are apart.
+    !> int F dd along the branch, from initial contact or, with adhesion, from pull-off; 0 for separated bodies.
     pure function energy_at(table, interval, s) result(energy)
         !> by depth
         type(law_table_t), intent(in) :: table

@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> A compiled law, with or without friction, as a file: a first line that names the format and its version, the problem it was
-!> made from in words, the numbers in hexadecimal (every bit, on any machine), and a checksum.
+!> A compiled law, with or without friction, as a file: a first line that names the format and its version, the problem it was made
+!> from as text, the numbers in hexadecimal (every bit, on any machine), and a checksum.
 module mdrcontact_law_file
     use, intrinsic :: iso_fortran_env, only: int64
     use mdrcontact_error, only: explain, check_memory, count_text, error_file, error_t, raise
@@ -25,7 +25,7 @@ module mdrcontact_law_file
     !> Numbers of a law beside its two tables and its friction; those of its friction beside tables and shares, and those in their
     !> place where the shear strength is constant.
     integer, parameter :: own_numbers = 5, friction_numbers = 4, radius_numbers = 3
-    !> A coefficient of a share that is larger is none.
+    !> A larger coefficient of a share is not valid.
     real(wp), parameter :: largest_share = 1.0e3_wp
     character(len=*), parameter :: of_description = " characters of description, then ", of_numbers = " numbers"
     character(len=*), parameter :: checksum_name = "crc32 "
@@ -56,7 +56,7 @@ contains
         call read_file(path, text, error)
         if (allocated(error)) return
         call law_from_text(law, text, error)
-        if (allocated(error)) call explain(error, "the file "//path(:path_length(path))//" is refused: ", "")
+        if (allocated(error)) call explain(error, "file "//path(:path_length(path))//": ", "")
     end subroutine load_law
 
     !> The content of a law's file.
@@ -84,7 +84,7 @@ contains
         call frame(words, law%description, text, error)
     end subroutine law_to_text
 
-    !> How many words the friction of a law takes; the first of them, the number of sliders, is 0 where there is none, and negative
+    !> How many words the friction of a law takes; the first of them, the number of sliders, is 0 if it does not exist, and negative
     !> where they are twisted.
     pure function friction_count(friction) result(count)
         type(friction_law_t), intent(in) :: friction
@@ -273,16 +273,16 @@ contains
         line_end = index(text, new_line_character)
         if (line_end == 0) line_end = len(text) + 1
         if (index(text, former_title) == 1) then
-            call raise(error, error_file, "it holds a law with friction of an earlier version of the library: make it anew")
+            call raise(error, error_file, "it contains a law with friction of an earlier version of the library. Create it again")
         else if (index(text, title) /= 1) then
             call raise(error, error_file, "it is not a compiled contact law of mdrcontact")
         else if (text(len(title) + 1:line_end - 1) /= version) then
             call raise(error, error_file, "its format has version "//text(len(title) + 1:min(line_end - 1, len(title) + 20))// &
-                       ", and this library reads version "//version//": make it anew")
+                       ", and this library reads version "//version//". Create it again")
         else if (body < line_end) then
-            call raise(error, error_file, "it is cut off")
+            call raise(error, error_file, "it is truncated")
         else if (text(body + 1:body + len(checksum_name)) /= checksum_name .or. text(len(text):) /= new_line_character) then
-            call raise(error, error_file, "it does not end with its checksum: it is cut off or was changed")
+            call raise(error, error_file, "its checksum is missing, so it is truncated or modified")
         else if (text(len(text) - 8:len(text) - 1) /= crc32_text(text(:body))) then
             call raise(error, error_file, "its checksum does not match its content: it is damaged")
         end if

@@ -34,13 +34,13 @@ module mdrcontact_law_friction
     private
     public :: friction_law_t, contact_steps_t, default_sliders, find_levels, check_sliders
 
-    !> How many sliders stand for the springs of a contact where the caller does not say.
+    !> How many sliders represents the springs of a contact where the caller does not say.
     integer, parameter :: default_sliders = 8
 
-    !> The law of a contact with friction. It never changes. The memory of a contact is a record of the caller's, an array of
+    !> The law of a contact with friction. It never changes. The memory of a contact is a record of the caller, an array of
     !> memory_size() numbers, all 0 before the first step.
     type :: friction_law_t
-        !> Coulomb's law: F and k_t over S = int dF/k_t, which stands in the place of the depth, and S over F
+        !> Coulomb's law: F and k_t over S = int dF/k_t, which replaces the depth, and S over F
         type(law_table_t) :: by_shift, by_force
         !> mu [1]; 0 where the shear strength is constant
         real(wp) :: coefficient = 0.0_wp
@@ -52,10 +52,10 @@ module mdrcontact_law_friction
         real(wp) :: modulus = 0.0_wp, radii(2) = 0.0_wp
         !> whether a radius may be larger
         logical :: continued = .false.
-        !> how many sliders stand for the springs
+        !> how many sliders represents the springs
         integer :: sliders = default_sliders
         !> largest error of T found, relative to mu F: in first shear; along cycles of depth and shift against the exact history,
-        !> relative to the largest mu F, -1 where there is none
+        !> relative to the largest mu F, -1 if it does not exist
         real(wp) :: first_shear_error = 0.0_wp, path_error = -1.0_wp
         !> strengths and stiffnesses of the sliders over S
         type(levels_t) :: levels
@@ -75,7 +75,7 @@ module mdrcontact_law_friction
         !> F at the end of the step, >= 0 [modulus length^2], or the contact radius where the shear strength is constant [length]; 0
         !> parts the bodies (n)
         real(wp), pointer, contiguous :: force(:) => null()
-        !> by how much the indenter moves along the surface in this step [length] (3, n)
+        !> displacement of the indenter along the surface in this step [length] (3, n)
         real(wp), pointer, contiguous :: shift(:, :) => null()
         !> the records (memory_size(), n)
         real(wp), pointer, contiguous :: memory(:, :) => null()
@@ -94,14 +94,14 @@ module mdrcontact_law_friction
         procedure :: work => do_steps
     end type work_t
 
-    !> Contacts for which the law is evaluated at a time, and below how many each by itself is quicker; from how many on several
-    !> threads pay.
+    !> Contacts for which the law is evaluated at a time, and below how many each alone is quicker; from how many on several threads
+    !> pay.
     integer, parameter :: block_size = 256, few = 6, smallest_parallel = 16*block_size
     !> Forces, shifts and records of larger size are refused: their squares are no numbers.
     real(wp), parameter :: largest = 1.0e150_wp
-    !> A normal force of this part of the largest is none: slopes there are no numbers.
+    !> A normal force of less than this part of the largest counts as 0: slopes there are no numbers.
     real(wp), parameter :: nothing = 1.0e-100_wp
-    !> How far from 1 the length of a normal may be.
+    !> Largest deviation of the length of a normal from 1.
     real(wp), parameter :: loose = 1.0e-6_wp
     character(len=*), parameter :: must_be_moderate = " must be finite, at most 1e150 in size"
 
@@ -156,8 +156,8 @@ contains
         self%levels%mark = 2.0_wp**33 + digits
     end subroutine find_levels
 
-    !> The sliders of the same bodies where F and S at each contact radius are a factor times what they were, and k_t is as it was:
-    !> shares of springs that interact are those of contact radii, and so is what a constant shear strength bears.
+    !> The sliders of these bodies if F and S at each contact radius are a factor times what they were, and k_t is as it was: shares
+    !> of springs that interact are those of contact radii, and so is what a constant shear strength bears.
     subroutine scale(self, factor)
         class(friction_law_t), intent(inout) :: self
         !> > 0
@@ -177,14 +177,14 @@ contains
         call move_alloc(share, self%levels%share)
     end subroutine scale
 
-    !> Raises unless so many sliders can stand for the springs.
+    !> Raises unless so many sliders can represents the springs.
     pure subroutine check_sliders(error, sliders)
         type(error_t), allocatable, intent(inout) :: error
         integer, intent(in) :: sliders
 
         if (sliders < fewest_sliders .or. sliders > most_sliders) then
-            call raise(error, error_invalid, "sliders = "//count_text(sliders)//" is not allowed: it must be "// &
-                       count_text(fewest_sliders)//" to "//count_text(most_sliders))
+            call raise(error, error_invalid, "sliders = "//count_text(sliders)//": it must be "//count_text(fewest_sliders)// &
+                       " to "//count_text(most_sliders))
         end if
     end subroutine check_sliders
 
@@ -194,7 +194,7 @@ contains
         !> F at the end of the step, >= 0 [modulus length^2], or the contact radius where the shear strength is constant [length]; 0
         !> parts the bodies
         real(wp), intent(in) :: force
-        !> by how much the indenter moves along the surface in this step [length]
+        !> displacement of the indenter along the surface in this step [length]
         real(wp), intent(in) :: shift(3)
         !> of this contact, of memory_size() numbers
         real(wp), intent(inout), contiguous :: memory(:)
@@ -274,7 +274,8 @@ contains
         end associate
     end function valid_steps
 
-    !> Steps of contacts first to last; the law is evaluated for many points at a time, which is quicker, and gives the same bits.
+    !> Steps of contacts first to last; the law is evaluated for many points at a time, which is quicker, and gives bitwise
+    !> identical results.
     subroutine do_steps(self, first, last, error)
         class(work_t), intent(inout) :: self
         integer, intent(in) :: first, last
@@ -431,8 +432,7 @@ contains
         type(error_t), allocatable, intent(out) :: error
 
         if (.not. abs(norm2(normal) - 1.0_wp) <= loose) then
-            call raise(error, error_invalid, " of length "//to_text(norm2(normal))//" is not allowed: its length must be 1", &
-                       "normal")
+            call raise(error, error_invalid, " of length "//to_text(norm2(normal))//": its length must be 1", "normal")
         end if
         if (.not. abs(spin) <= largest) call raise(error, error_invalid, must_be_moderate, "spin")
         call check_memory(self, memory, error)
@@ -452,8 +452,8 @@ contains
         real(wp) :: stiffest
 
         if (.not. (force >= 0.0_wp .and. force <= largest)) then
-            call raise(error, error_invalid, " = "//to_text(force)//" is not allowed: it must be 0, where the bodies part, or "// &
-                       "greater, at most 1e150", "force")
+            call raise(error, error_invalid, " = "//to_text(force)//": it must be 0 (separated bodies) or greater, at most "// &
+                       "1e150", "force")
         end if
         stiffest = max(self%levels%stiffness(self%levels%count), 1.0_wp)
         if (.not. (abs(shift(1)) + abs(shift(2)) + abs(shift(3)))*stiffest <= largest) then
@@ -462,12 +462,12 @@ contains
         if (.not. allocated(error)) call check_memory(self, memory, error)
         if (.not. (force > highest_given(self) .and. force <= largest)) return
         if (self%shear_strength > 0.0_wp) then
-            call raise(error, error_domain, " = "//to_text(force)//" is beyond the law's largest contact radius, "// &
-                       to_text(self%radii(2))//" (its force is the contact radius): give it a larger largest_depth, or let "// &
-                       "it continue beyond", "force")
+            call raise(error, error_domain, " = "//to_text(force)//": the largest contact radius of the law is "// &
+                       to_text(self%radii(2))//" (`force` is the contact radius). Increase largest_depth, or set "// &
+                       "continue_beyond", "force")
         else
-            call raise(error, error_domain, " = "//to_text(force)//" is beyond the law's largest force, "// &
-                       to_text(largest_given(self))//": give it a larger largest_depth, or let it continue beyond", "force")
+            call raise(error, error_domain, " = "//to_text(force)//": the largest force of the law is "// &
+                       to_text(largest_given(self))//". Increase largest_depth, or set continue_beyond", "force")
         end if
     end subroutine check_step
 
@@ -481,8 +481,7 @@ contains
         valid = size(memory) == record_size(self%sliders)
         if (valid) valid = is_record(self%levels, memory)
         if (valid) return
-        call raise(error, error_invalid, " is not allowed: it must be all 0 before the first step, and then as this law left it", &
-                   "memory")
+        call raise(error, error_invalid, ": it must be 0 before the first step, and a record of this law later", "memory")
     end subroutine check_memory
 
 end module mdrcontact_law_friction

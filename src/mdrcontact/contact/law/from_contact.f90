@@ -33,12 +33,12 @@ module mdrcontact_law_from_contact
     real(wp), parameter :: largest_part_below = 0.5_wp
     !> Shares of the tolerance: of the samples, and of the polynomials through them.
     real(wp), parameter :: sample_share = 0.1_wp, sample_share_of_zone = 1.0e-2_wp, fit_share = 0.3_wp
-    !> Noise of the contact's states with which it is worth to go on to verification.
+    !> Noise of the contact's states with which it is worth to continue with verification.
     real(wp), parameter :: largest_noise = 1.0e-6_wp
 
     !> A law ends at this part of the depth at which a contact jumps, at most: the radius has a root's singularity there.
     real(wp), parameter :: largest_part = 0.99_wp
-    !> By so much in the coordinate a law goes on beyond its largest depth, for rounding.
+    !> By so much in the coordinate a law continues beyond its largest depth, for rounding.
     real(wp), parameter :: beyond = 1.0e-6_wp
 
     !> The stable parts of a sampled branch.
@@ -54,25 +54,25 @@ module mdrcontact_law_from_contact
     !> The options of a law.
     type :: law_options_t
         !> Without adhesion: the depth down to which the tolerance holds [length]; 0: 1e-4 of the largest, or where the medium
-        !> begins. Nearer to first touch the law continues value and slope. With adhesion the law begins at pull-off.
+        !> begins. Nearer to initial contact the law continues value and slope. With adhesion the law begins at pull-off.
         real(wp) :: smallest_depth = 0.0_wp
         !> whether no smallest depth is given: the law's own one gives way to the medium's
         logical, private :: begins_with_medium = .false.
         !> of F, a and k, relative; 1e-12 to 1e-2. With adhesion relative to |F| + |d dF/dd|: at pull-off the slope is infinite.
         real(wp) :: tolerance = default_law_tolerance
-        !> whether the law answers beyond its largest depth and force too, along the tangent there, and says so in `beyond`: one
-        !> hard collision then does not end a run. Else it refuses
+        !> whether the law continues along its tangent beyond its largest depth and force, with `beyond` > 0, so that one hard
+        !> collision does not end a run. Otherwise it raises an error there
         logical :: continue_beyond = .false.
-        !> G(a), for a law that conducts: a function of the caller's, which lives as long as the options
+        !> G(a), for a law that conducts: a function of the caller, which lives as long as the options
         class(scalar_function_t), pointer :: conductance => null()
-        !> the problem the law is made from, in words
+        !> the problem the law is made from, as text
         character(len=:), allocatable :: description
     end type law_options_t
 
 contains
 
-    !> Compiles a contact up to `largest_depth`. With `tangential` the law is that of a shift: in place of the depth it has
-    !> S = int dF/k_t, in place of the stiffness k_t; `error` is then left to the caller.
+    !> Compiles a contact up to `largest_depth`. With `tangential` the law is that of a shift: instead of the depth it has S = int
+    !> dF/k_t, instead of the stiffness k_t; `error` is then left to the caller.
     subroutine new_contact_law(self, contact, largest_depth, error, options, tangential)
         type(contact_law_t), intent(out) :: self
         type(contact_t), intent(in) :: contact
@@ -96,8 +96,8 @@ contains
         call check_positive(error, "smallest_depth", chosen%smallest_depth)
         if (allocated(error)) return
         if (chosen%smallest_depth > largest_part_below*largest_depth) then
-            call raise(error, error_invalid, "smallest_depth = "//to_text(chosen%smallest_depth)//" is not allowed: it must be "// &
-                       "at most half the largest depth, "//to_text(largest_depth))
+            call raise(error, error_invalid, "smallest_depth = "//to_text(chosen%smallest_depth)// &
+                       ": it must be at most half the largest depth, "//to_text(largest_depth))
             return
         end if
         self%tolerance = chosen%tolerance
@@ -148,7 +148,7 @@ contains
             stiffness = 2.0_wp*state%radius*modulus(1)
         end if
         share = state%stiffness/stiffness
-        ! where there is none the null pointer is an absent argument
+        ! if it does not exist the null pointer is an absent argument
         call compile_straight(self%by_depth, state%radius, stiffness, share*low, share*largest_depth, options%conductance)
         if (associated(options%conductance)) then
             if (allocated(options%conductance%error)) call move_alloc(options%conductance%error, error)
@@ -182,8 +182,8 @@ contains
         end if
         if (allocated(error)) return
         if (found < largest_depth) then
-            call raise(error, error_unreachable, "largest_depth = "//to_text(largest_depth)//" cannot be reached: indenter or "// &
-                       "medium end at depth "//to_text(found)//trim(contact%equilibrium%why_it_ends()))
+            call raise(error, error_unreachable, "largest_depth = "//to_text(largest_depth)// &
+                       ": indenter or medium end at depth "//to_text(found)//trim(contact%equilibrium%why_it_ends()))
             return
         end if
         if (contact%is_adhesive()) then
@@ -195,8 +195,8 @@ contains
             of_force = pack(of_force, of_force%first < last)
             first = min(minval(of_depth%first), minval(of_force%first)) - fold_margin
             if (end_radius > 0.0_wp .or. size(of_depth) == 0 .or. size(of_force) == 0) then
-                call raise(error, error_invalid, "this adhesive contact cannot be compiled: its branch does not begin at an "// &
-                           "extremum of depth and force within the range")
+                call raise(error, error_invalid, "contact: its branch does not begin at an extremum of depth and force within "// &
+                           "the range, so it cannot be compiled")
                 return
             end if
             if (smallest > end_radius) first = max(first, log(smallest - end_radius) + 8.0_wp*epsilon(1.0_wp))
@@ -238,11 +238,11 @@ contains
         type(error_t), allocatable, intent(inout) :: error
 
         if (.not. options%begins_with_medium) then
-            call raise(error, error_unreachable, "smallest_depth = "//to_text(smallest_depth)//" cannot be reached: the "// &
-                       "medium begins at depth "//to_text(beginning)//"; without a smallest depth the law begins there")
+            call raise(error, error_unreachable, "smallest_depth = "//to_text(smallest_depth)//": the medium begins at depth "// &
+                       to_text(beginning)//". Omit smallest_depth to begin there")
         else if (beginning > largest_part_below*largest_depth) then
-            call raise(error, error_unreachable, "largest_depth = "//to_text(largest_depth)//" is not allowed: the medium "// &
-                       "begins at depth "//to_text(beginning)//"; compile up to at least twice that")
+            call raise(error, error_unreachable, "largest_depth = "//to_text(largest_depth)//": the medium begins at depth "// &
+                       to_text(beginning)//". Compile up to at least twice that depth")
         end if
     end subroutine check_beginning
 
@@ -283,8 +283,8 @@ contains
         branch%of_force_fold = branch%of_force%last < curve%edges(size(curve%edges))
         branch%start = curve%edges(1)
         if (size(branch%of_depth) == 0 .or. size(branch%of_force) == 0) then
-            call raise(error, error_invalid, "largest_depth = "//to_text(largest_depth)//" is not allowed: up to it no "// &
-                       "state is stable under a force")
+            call raise(error, error_invalid, "largest_depth = "//to_text(largest_depth)// &
+                       ": up to this depth no state is stable under force control")
             return
         end if
         call compile_tables(self, contact%equilibrium, curve, branch, curve%breaks(), options, .false., error)
@@ -304,7 +304,7 @@ contains
         integer :: i
 
         associate (tolerance => fit_share*self%tolerance)
-            ! where there is none the null pointer is an absent argument
+            ! if it does not exist the null pointer is an absent argument
             call compile_segments(self%by_depth, curve, branch%of_depth, branch%of_depth_fold, breaks, tolerance, error, &
                                   options%conductance)
             if (.not. allocated(error)) call compile_segments(self%by_force, curve, branch%of_force, branch%of_force_fold, breaks, &
@@ -325,7 +325,7 @@ contains
         end if
         if (.not. self%error <= self%tolerance) then
             call raise(error, error_no_convergence, "the compiled law misses the tolerance "//to_text(self%tolerance)// &
-                       ": its error is "//to_text(self%error)//"; the contact itself may not be computed more accurately")
+                       ": its error is "//to_text(self%error)//". The contact itself may not be more accurate")
         end if
     end subroutine compile_tables
 
@@ -342,9 +342,9 @@ contains
         last = 0.0_wp
         associate (equilibrium => contact%equilibrium, top => contact%equilibrium%unstable_ranges(1)%top)
             if (largest_depth > largest_part*top%depth) then
-                call raise(error, error_unreachable, "largest_depth = "//to_text(largest_depth)//" is not allowed: the surface "// &
-                           "bends so much that the contact jumps at depth "//to_text(top%depth)//", contact radius "// &
-                           to_text(top%radius)//"; compile up to depth "//to_text(largest_part*top%depth)//" at most")
+                call raise(error, error_unreachable, "largest_depth = "//to_text(largest_depth)//": the contact jumps at depth "// &
+                           to_text(top%depth)//", contact radius "//to_text(top%radius)//", because the surface bends "// &
+                           "strongly. Compile up to depth "//to_text(largest_part*top%depth))
                 return
             end if
             call contact%at_depth(smallest_depth, smallest, error)

@@ -4,7 +4,7 @@
 !> An interval covers s between two ends by y = scale s + offset, or scale sqrt(side (s - origin)) + offset where the branch has a
 !> fold or a break at its origin; y runs from 1 to a little below a power of two times a short fraction. Every octave of y is cut
 !> into 2^bits equal panels: exponent and leading mantissa bits of y are the panel's number, and t = y less the panel's middle is
-!> the place in it. Panels so shrink in proportion to the distance from the origin, where the laws of contact have their only
+!> the place in it. Panels so shrink proportionally to the distance from the origin, where the laws of contact have their only
 !> singularity, and one low degree serves for all of them. Coefficients are those of powers of t.
 module mdrcontact_law_interval
     use, intrinsic :: iso_fortran_env, only: int64
@@ -192,7 +192,7 @@ contains
         ends(2) = transfer(bits_of_one + shiftl(int(i, int64), shift_of(self)), 1.0_wp)
     end function panel_ends
 
-    !> The coefficients of the same polynomial in powers of unit*t, where unit is a power of two: no bit is lost.
+    !> The coefficients of this polynomial in powers of unit*t, where unit is a power of two: no bit is lost.
     pure function in_units_of(c, unit) result(scaled)
         real(wp), intent(in) :: c(coefficient_count), unit
         real(wp) :: scaled(coefficient_count)
@@ -214,7 +214,7 @@ contains
     end function u_of_y
 
     !> c(1) + c(2) t + ...; even and odd powers apart, which a processor computes side by side. The same operations in the same
-    !> order as in include/mdrcontact_law.h: the same bits.
+    !> order as in include/mdrcontact_law.h: bitwise identical results.
     pure function polynomial(c, t) result(y)
         real(wp), intent(in) :: c(coefficient_count), t
         real(wp) :: y

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Part of kernel.c, for LANES = 2 or 4 points at a time: the inline functions of mdrcontact_law.h with vectors in place of numbers. A
- * row of coefficients is loaded as it lies in memory, and the rows of all lanes are transposed.
+ * Part of kernel.c, for LANES = 2 or 4 points at a time: the inline functions of mdrcontact_law.h with vectors instead of numbers.
+ * A row of coefficients is loaded as it lies in memory, and the rows of all lanes are transposed.
  */
 #define number NAME(number)
 #define whole NAME(whole)
@@ -74,7 +74,7 @@ INSIDE number NAME(either)(whole set, number a, number b)
     return (number)((set & (whole)a) | (~set & (whole)b));
 }
 
-/* Panels and places of the points from s on. The view is the caller's copy: what is written to the outputs cannot change it. */
+/* Panels and places of the points from s on. The view is a copy: what is written to the outputs cannot change it. */
 INSIDE whole NAME(panels)(const mdr_law_view *view, const double *s, number *t)
 {
     const number lowest = view->lowest - (number){0}, highest = view->highest - (number){0};

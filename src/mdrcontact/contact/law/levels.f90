@@ -29,14 +29,14 @@ module mdrcontact_law_levels
     !> The same where S is the contact radius: the load of springs bends most slowly at the edge.
     real(wp), parameter :: spread_of_radii = 0.1_wp, least_of_radii = 0.008_wp
 
-    !> Levels 0, at first touch, to `count`; one more, never reached.
+    !> Levels 0, at initial contact, to `count`; one more, never reached.
     type :: levels_t
         integer :: count = 0
         !> S_l [length], F_l [modulus length^2] and k_l = dF/dS there [modulus length], (0:count + 1)
         real(wp), allocatable :: shift(:), force(:), stiffness(:)
-        !> k at first touch: a flat end touches with all of its springs at once
+        !> k at initial contact: a flat end touches with all of its springs simultaneously
         real(wp) :: first_stiffness = 0.0_wp
-        !> how far below the next level the lower ends of sliders best stand, in levels, ascending
+        !> distance below the next level at which the lower ends of sliders best stand, in levels, ascending
         integer, allocatable :: places(:)
         !> the same together, with 1/(S_l+1 - S_l), 0 for the last: (4, 0:count + 1)
         real(wp), allocatable :: row(:, :)
@@ -62,7 +62,7 @@ contains
     !> The levels for a number of sliders under Coulomb's law, without shares: down to where the range of the law begins.
     pure subroutine new_levels(self, by_shift, by_force, sliders, shared)
         type(levels_t), intent(out) :: self
-        !> with S in place of the depth and k_t in place of the stiffness
+        !> with S instead of the depth and k_t instead of the stiffness
         type(law_table_t), intent(in) :: by_shift, by_force
         !> fewest_sliders to most_sliders
         integer, intent(in) :: sliders
@@ -196,7 +196,7 @@ contains
 
     end subroutine find_places
 
-    !> Room for shares, all whole; stat is not 0 where there is none.
+    !> Room for shares, all whole; stat is not 0 if it does not exist.
     pure subroutine allocate_shares(self, stat)
         type(levels_t), intent(inout) :: self
         integer, intent(out) :: stat

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> How far along an adhesive branch a law must reach, so that its states are those of the contact at every depth and force that it
+!> The part of an adhesive branch that a law needs, so that its states are those of the contact at every depth and force that it
 !> answers.
 !>
 !> Depth and force fall over some radii where a contact jumps: a machine that unloads from far beyond is then on a segment that

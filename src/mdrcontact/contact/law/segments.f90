@@ -84,8 +84,8 @@ contains
         low = x - search_width
         high = x + search_width
         if (side*curve%slope(control_of(table), low) >= 0.0_wp .or. side*curve%slope(control_of(table), high) <= 0.0_wp) then
-            call raise(error, error_invalid, "this adhesive contact cannot be compiled: a stable segment of its "// &
-                       "branch does not begin at an extremum of depth or force")
+            call raise(error, error_invalid, "contact: a stable segment of its branch does not begin at an extremum of depth "// &
+                       "or force, so it cannot be compiled")
             return
         end if
         call curve%turn(control_of(table), low, high, x, error)

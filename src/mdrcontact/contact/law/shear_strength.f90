@@ -40,8 +40,8 @@ contains
         if (present(sliders)) call check_sliders(error, sliders)
         if (allocated(error)) return
         if (.not. contact%equilibrium%medium%has_free_springs) then
-            call raise(error, error_invalid, " = "//to_text(shear_strength)//" is not allowed on this medium: how far springs "// &
-                       "slip is known on homogeneous bodies alone", "shear_strength")
+            call raise(error, error_invalid, " = "//to_text(shear_strength)//": it is available on homogeneous bodies only", &
+                       "shear_strength")
             return
         end if
         call new_law_of_contact(self, contact, largest_depth, error, options)

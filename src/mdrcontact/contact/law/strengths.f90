@@ -5,7 +5,7 @@
 !> T(s) first shear. Where springs do not interact that is, under Coulomb's law and at constant shear strength,
 !>     F - F_l - k_l (S - S_l),    2 (a^2 arccos(c/a) - c sqrt(a^2 - c^2)),
 !> 0 for S <= S_l; where they do it is Coulomb's times a share, which tables hold. P_0 is F, and pi a^2. Of a twist M and phi stand
-!> in the place of T and s: mdrcontact_law_twist.
+!> instead of T and s: mdrcontact_law_twist.
 module mdrcontact_law_strengths
     use, intrinsic :: iso_c_binding, only: c_double
     use mdrcontact_kinds, only: pi, wp
@@ -97,7 +97,7 @@ contains
     end subroutine radius_loads
 
     !> Sliders follow tangents of first shear, which they do not fall short of anywhere: P of each level less an eighth of what a
-    !> chord over it is above it halves the error; less than an eighth where its neighbours are not as far, so that P goes on to
+    !> chord over it is above it halves the error; less than an eighth where its neighbours are not as far, so that P continues to
     !> fall from level to level. Above the last level chords end at the edge, where P is 0.
     pure subroutine halve_lack(levels, count, level, place, loads, slopes)
         type(levels_t), intent(in) :: levels

@@ -47,8 +47,8 @@ module mdrcontact_law_table
         !> without adhesion, at the lowest s: F or d, a less the end radius; and the powers of s they follow below it, p the first
         real(wp) :: end_values(2) = 0.0_wp
         real(wp) :: powers(2) = 0.0_wp
-        !> F as s^(m/2) (1 - b + b s^(1/2)), s by the lowest and b = 2 p - m, in place of s^p: m, or 0. Of a table by force its
-        !> inverse, with 1/p in place of p
+        !> F as s^(m/2) (1 - b + b s^(1/2)), s by the lowest and b = 2 p - m, instead of s^p: m, or 0. Of a table by force its
+        !> inverse, with 1/p instead of p
         integer :: roots = 0
         type(table_segment_t), allocatable :: segments(:)
         type(interval_t), allocatable :: intervals(:)
@@ -59,7 +59,7 @@ module mdrcontact_law_table
         real(wp), allocatable :: energy(:)
         !> of each panel, of a law that conducts: G
         type(row_t), allocatable :: conductance(:)
-        !> the interval in which nothing has to be looked for: no root, one segment, the first panels; empty if there is none
+        !> the interval in which nothing has to be searched for: no root, one segment, the first panels; empty if it does not exist
         type(interval_t) :: direct = interval_t(lowest=1.0_wp, highest=-1.0_wp)
     end type law_table_t
 
@@ -71,7 +71,7 @@ module mdrcontact_law_table
             real(c_double) :: power
         end function power_of
 
-        !> F below the range and its slope: there too.
+        !> F below the range and its slope: also there.
         pure subroutine first_touch(lowest, first, power, roots, s, other, slope) bind(C, name="mdrcontact_law_touch")
             import :: c_double, c_int
             real(c_double), intent(in), value :: lowest, first, power, s
@@ -79,7 +79,7 @@ module mdrcontact_law_table
             real(c_double), intent(out) :: other, slope
         end subroutine first_touch
 
-        !> int F dd from first touch to a depth below the range: there too.
+        !> int F dd from initial contact to a depth below the range: also there.
         pure function first_energy(lowest, power, roots, d, force) result(energy) bind(C, name="mdrcontact_law_touch_energy")
             import :: c_double, c_int
             real(c_double), intent(in), value :: lowest, power, d, force
@@ -90,7 +90,7 @@ module mdrcontact_law_table
 
 contains
 
-    !> The interval in which the state of a branch at s <= highest lies; below_range or no_contact where there is none.
+    !> The interval in which the state of a branch at s <= highest lies; below_range or no_contact if it does not exist.
     pure function interval_for(self, branch, s) result(interval)
         type(law_table_t), intent(in) :: self
         !> on_loading or on_unloading
@@ -109,7 +109,7 @@ contains
         end if
     end function interval_for
 
-    !> The segment on which the state of a branch at s lies, 0 if there is none.
+    !> The segment on which the state of a branch at s lies, 0 if it does not exist.
     pure function segment_for(self, branch, s) result(segment)
         type(law_table_t), intent(in) :: self
         integer, intent(in) :: branch
@@ -259,7 +259,7 @@ contains
         energy = self%energy(number) + energy_from_middle(self, interval, place_t(number, t(2)))
     end subroutine add_energy
 
-    !> The interval that callers may evaluate by themselves.
+    !> The interval that callers may evaluate independently.
     pure subroutine find_direct(self)
         type(law_table_t), intent(inout) :: self
 
@@ -303,7 +303,7 @@ contains
         slope = self%end_values(1)/(self%lowest*slope)
     end subroutine inverse_below
 
-    !> The same between first touch and the compiled range: what continues value and slope.
+    !> The same between initial contact and the compiled range: what continues value and slope.
     pure subroutine values_below(self, s, other, slope, radius, stiffness)
         type(law_table_t), intent(in) :: self
         real(wp), intent(in) :: s
@@ -315,7 +315,7 @@ contains
         if (.not. self%by_depth) stiffness = 1.0_wp/slope
     end subroutine values_below
 
-    !> int F dd from first touch to a depth below the compiled range.
+    !> int F dd from initial contact to a depth below the compiled range.
     pure function energy_below(self, s) result(energy)
         type(law_table_t), intent(in) :: self
         real(wp), intent(in) :: s

@@ -4,7 +4,7 @@
 !>     phi(c) = (2 a/pi) [K - E],    K, E of the modulus sqrt(1 - (c/a)^2)
 !> (Lubkin, J. Appl. Mech. 18 (1951) 183), and bear M - k phi, k = k_a (c/a)^3, dM = k dphi:
 !>     P(c) = k_a a p(c/a),    p(y) = (6/pi) int_y^1 t^2 [K - E] dt,
-!> p(0) = 3 pi/32. The integral is none of complete integrals: p is a table of cubic pieces that have its derivatives, too.
+!> p(0) = 3 pi/32. The integral is not an elliptic one: p is a table of cubic pieces that have its derivativesalso.
 module mdrcontact_law_twist
     use, intrinsic :: iso_c_binding, only: c_int
     use mdrcontact_gsl, only: gsl_sf_ellint_rd
@@ -13,7 +13,7 @@ module mdrcontact_law_twist
     private
     public :: new_twist_loads, twist_load
 
-    !> Pieces of the table; it is off by 1e-9 at most.
+    !> Pieces of the table; its error is at most 1e-9.
     integer, parameter :: pieces = 256
     !> Nodes and weights of Gauss in a piece, of -1 to 1.
     real(wp), parameter :: near = sqrt(3.0_wp/7.0_wp - 2.0_wp/7.0_wp*sqrt(1.2_wp)), &

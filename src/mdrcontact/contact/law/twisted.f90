@@ -34,8 +34,7 @@ contains
         real(wp) :: force, slope, radius, stiffness
 
         if (.not. (contact%equilibrium%medium%has_free_springs .and. contact%equilibrium%profile%paraboloid_radius > 0.0_wp)) then
-            call raise(error, error_invalid, "a twist is not allowed with this contact: how far its springs slip is known "// &
-                       "under a paraboloid on homogeneous bodies", "")
+            call raise(error, error_invalid, "options.twist: it is available for a paraboloid on homogeneous bodies only", "")
             return
         end if
         self%sliders = default_sliders

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> How far a compiled law is from the contact it was made from, at states that were no part of making it.
+!> Error of a compiled law against its contact, at states that were no part of making it.
 module mdrcontact_law_verify
     use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_contact_adhesive_branch, only: stable_segment_t

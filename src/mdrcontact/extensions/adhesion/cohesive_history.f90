@@ -59,13 +59,13 @@ contains
         type(relaxing_contact_t), intent(in) :: contact
         !> what s is: depth, force, or the far end of a spring
         type(control_t), intent(in) :: control
-        !> before the first time: in equilibrium with the first value, as large as it is stable; else the bodies are apart
+        !> before the first time: in equilibrium with the first value, as large as it is stable; else the bodies are separated
         logical, intent(in) :: at_rest
         !> strictly ascending [time]
         real(wp), intent(in) :: time(:)
         !> as many
         real(wp), intent(in) :: s(:)
-        !> (cohesive_columns, size(time)): depth, radius, zone radius, 0 where the bodies are apart, and force
+        !> (cohesive_columns, size(time)): depth, radius, zone radius, 0 for separated bodies, and force
         real(wp), intent(out) :: path(:, :)
         !> where it ends: lowest force, last rupture, work
         type(rate_state_t), intent(out) :: state
@@ -83,8 +83,7 @@ contains
         call check_within(error, "tolerance", accuracy, smallest_tolerance, largest_tolerance)
         call check_table(error, "time", time, "in", s, 1)
         if (.not. contact%cohesive_stress > 0.0_wp .and. .not. allocated(error)) then
-            call raise(error, error_invalid, " = 0 is not allowed here: adhesive histories are those of a contact with a "// &
-                       "cohesive zone", "cohesive_stress")
+            call raise(error, error_invalid, " = 0: an adhesive history needs a contact with a cohesive zone", "cohesive_stress")
         end if
         do one = 1, 2
             if (.not. allocated(error)) call make_room(rounds(one), size(time), error)
@@ -119,9 +118,9 @@ contains
         call check_memory(error, stat)
     end subroutine make_room
 
-    !> What a round and that of twice its steps tend to, and by how much the force changes, relative to its largest: from the round
-    !> itself where it is the first that has one before, else from what was extrapolated before. Samples at which the bodies attract
-    !> each other in one of the rounds alone are taken as they come.
+    !> What a round and that of twice its steps tend to, and the change of the force, relative to its largest: from the round itself
+    !> where it is the first that has one before, else from what was extrapolated before. Samples at which the bodies attract each
+    !> other in one of the rounds alone are taken as they come.
     pure subroutine extrapolate(self, before, is_first, change)
         type(estimate_t), intent(inout) :: self
         type(estimate_t), intent(in) :: before
@@ -209,8 +208,7 @@ contains
             if (at_rest) then
                 call rest_march(march, control, s, error)
                 if (march%is_apart .and. .not. allocated(error)) then
-                    call raise(error, error_unreachable, " = "//to_text(s)//" cannot be reached: there is no stable adhesive "// &
-                               "state", "in")
+                    call raise(error, error_unreachable, " = "//to_text(s)//": there is no stable adhesive state", "in")
                 end if
             else if (control%depth_weight > 0.0_wp) then
                 march%depth = s
@@ -221,10 +219,10 @@ contains
             if (allocated(error)) return
             associate (zone => march%springs%c(2) - march%springs%a(2))
                 if (march%springs%a(2) > 0.0_wp .and. zone < shortest_zone*march%springs%a(2)) then
-                    call raise(error, error_invalid, " = "//to_text(0.5_wp*march%springs%stress)//" is not allowed with this "// &
-                               "body: its zone of length "//to_text(zone)//" is too short to be followed around a contact of "// &
-                               "radius "//to_text(march%springs%a(2))//"; the relaxed body with the work of adhesion that "// &
-                               "follows from its rheology holds there", "cohesive_stress")
+                    call raise(error, error_invalid, " = "//to_text(0.5_wp*march%springs%stress)// &
+                               ": its cohesive zone of length "//to_text(zone)//" is too short to be resolved at a contact "// &
+                               "radius of "//to_text(march%springs%a(2))//". Use the relaxed body with the rate-dependent "// &
+                               "work of adhesion of the material", "cohesive_stress")
                 end if
             end associate
         end associate
@@ -354,7 +352,7 @@ contains
         round%count = 0
     end subroutine jump
 
-    !> Bodies that are apart, until they attract each other; the part of the step that has passed.
+    !> Separated bodies, until they attract each other; the part of the step that has passed.
     subroutine wait(march, control, s, slope, part, error)
         type(cohesive_march_t), intent(inout) :: march
         type(control_t), intent(in) :: control

@@ -29,7 +29,7 @@ module mdrcontact_adhesion_cohesive_march
     real(wp), parameter :: usual_slope = 1.1_wp
     !> Trials nearer to each other say nothing of a slope but their rounding [ln l].
     real(wp), parameter :: same_slope = 1.0e-8_wp
-    !> How far the place may go in one step [zone], at first [of that], and in a jump from one trial to the next [1].
+    !> Largest displacement of the place in one step [zone], at first [of that], and in a jump from one trial to the next [1].
     real(wp), parameter :: farthest = 0.6_wp, first_part = 1.0e-3_wp, stride = 0.03_wp
     integer, parameter :: most_strides = 5000, halvings = 50
     !> Radii nearer to each other than this are one, and no zone without contact is smaller [zone at touch].
@@ -222,7 +222,7 @@ contains
         self%is_apart = .true.
     end subroutine step_apart
 
-    !> The depth at which bodies that are apart begin to attract each other.
+    !> The depth at which separated bodies begin to attract each other.
     function first_attraction(self) result(depth)
         type(cohesive_march_t), intent(in) :: self
         real(wp) :: depth
@@ -232,8 +232,8 @@ contains
         depth = sum(self%springs%creep%weight*past(1, 2:)) - self%range
     end function first_attraction
 
-    !> From here to the nearest state that is controlled, at once: the body answers as it does at first. Towards larger contacts (1)
-    !> or smaller ones (-1); where there is none smaller the bodies come apart.
+    !> From here to the nearest state that is controlled, instantaneously: the body has its glassy response. Towards larger contacts
+    !> (1) or smaller ones (-1); if it does not exist smaller the bodies separate.
     subroutine jump_march(self, control, s, direction, error)
         type(cohesive_march_t), intent(inout) :: self
         type(control_t), intent(in) :: control
@@ -324,8 +324,8 @@ contains
         if (.not. allocated(error)) call remember(self, trial, trial%c, error)
         if (allocated(error)) return
         if (trial%least < -negligible) then
-            call raise(error, error_invalid, "the surface beside a contact of radius "//to_text(trial%a)//" comes back to the "// &
-                       "indenter: the contact is not one disc any more")
+            call raise(error, error_invalid, "the surface outside a contact of radius "//to_text(trial%a)// &
+                       " touches the indenter: the contact is no longer a single area")
             return
         end if
         self%is_apart = .false.

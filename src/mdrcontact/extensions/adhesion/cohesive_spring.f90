@@ -138,7 +138,7 @@ contains
         end if
     end subroutine hold
 
-    !> In the zone from one part of the step to another. What is integrated is how far q is from its end: of short times little is
+    !> In the zone from one part of the step to another. The integrand is the distance of q from its end: of short times little is
     !> left, whatever the rule makes of them.
     pure subroutine attract(self, x, parts, q_to, z)
         type(spring_step_t), intent(in) :: self

@@ -85,8 +85,7 @@ contains
         call check_positive(error, "largest_radius", largest_radius)
         call check_not_negative(error, "smallest_radius", smallest)
         if (allocated(contact%equilibrium%cohesion)) then
-            call raise(error, error_invalid, "a cohesive_stress is not allowed with a work of adhesion that depends on "// &
-                       "speed: the edge has no range")
+            call raise(error, error_invalid, "cohesive_stress: it excludes a rate-dependent work of adhesion. Omit it")
         end if
         if (allocated(error)) return
         call room(contact%equilibrium%bytes(), error)
@@ -104,8 +103,8 @@ contains
             if (allocated(error)) return
         end if
         if (exp(self%first) < equilibrium%medium%smallest_radius) then
-            call raise(error, error_domain, "the contact begins and ends at radius "//to_text(exp(self%first))// &
-                       ", but the medium is defined from "//to_text(equilibrium%medium%smallest_radius)//" on", "smallest_radius")
+            call raise(error, error_domain, " = "//to_text(exp(self%first))//": the medium is defined from "// &
+                       to_text(equilibrium%medium%smallest_radius)//" on", "smallest_radius")
             return
         end if
         from = max(self%first - margin, equilibrium%coordinate_of(equilibrium%medium%smallest_radius))
@@ -121,11 +120,11 @@ contains
         type(error_t), allocatable, intent(inout) :: error
 
         if (equilibrium%profile%end_radius > 0.0_wp) then
-            call raise(error, error_invalid, "an indenter with a flat end, radius "//to_text(equilibrium%profile%end_radius)// &
-                       ", is not allowed with a work of adhesion that depends on speed: its edge would go on under the flat end")
+            call raise(error, error_invalid, "indenter: it has a flat end of radius "//to_text(equilibrium%profile%end_radius)// &
+                       ", which excludes a rate-dependent work of adhesion. Use an indenter without a flat end")
         else if (largest_radius > equilibrium%last_radius) then
-            call raise(error, error_domain, " = "//to_text(largest_radius)//" is not allowed: indenter and medium are defined "// &
-                       "up to "//to_text(equilibrium%last_radius)//trim(equilibrium%why_it_ends()), "largest_radius")
+            call raise(error, error_domain, " = "//to_text(largest_radius)//": indenter and medium are defined up to "// &
+                       to_text(equilibrium%last_radius)//trim(equilibrium%why_it_ends()), "largest_radius")
         end if
     end subroutine check_profile
 

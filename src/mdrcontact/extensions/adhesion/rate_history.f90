@@ -94,8 +94,8 @@ contains
         end do
         do i = 2, size(time)
             if (time(i) > time(i - 1)) cycle
-            call raise(error, error_invalid, " = "//to_text(time(i))//" is not allowed: times must be strictly "// &
-                       "ascending, and the one before is "//to_text(time(i - 1)), "time", i)
+            call raise(error, error_invalid, " = "//to_text(time(i))//": times must be strictly ascending, and the previous "// &
+                       "one is "//to_text(time(i - 1)), "time", i)
         end do
     end subroutine check_path
 
@@ -120,8 +120,8 @@ contains
             now%touches = .true.
             now%x = contact%coordinate_of(real(state%radius, wp))
             if (now%x > contact%last .or. now%x < contact%first) then
-                call raise(error, error_domain, " = "//to_text(real(state%radius, wp))//" is not allowed: this "// &
-                           "contact goes from "//to_text(exp(contact%first))//" to "//to_text(exp(contact%last)), "radius")
+                call raise(error, error_domain, " = "//to_text(real(state%radius, wp))//": this contact extends from "// &
+                           to_text(exp(contact%first))//" to "//to_text(exp(contact%last)), "radius")
                 return
             end if
             call start_edge(contact, control, s, state, now, error)
@@ -130,7 +130,7 @@ contains
         end if
     end subroutine begin
 
-    !> The bodies meet, and gain the adhesion of the smallest contact at once: it is lost.
+    !> The bodies meet, and gain the adhesion of the smallest contact immediately; it is dissipated.
     subroutine touch(contact, control, s, state, now, error)
         type(rate_contact_t), intent(in), target :: contact
         type(control_t), intent(in) :: control
@@ -146,7 +146,7 @@ contains
         call start_edge(contact, control, s, state, now, error)
     end subroutine touch
 
-    !> Where the edge is compressed the contact grows at once to where it is not. Then the speed of the edge is known.
+    !> Where the edge is compressed the contact grows instantly to where it is not. Then the speed of the edge is known.
     subroutine start_edge(contact, control, s, state, now, error)
         type(rate_contact_t), intent(in), target :: contact
         type(control_t), intent(in) :: control
@@ -192,7 +192,7 @@ contains
         type(rate_contact_t), intent(in) :: contact
         type(error_t), allocatable, intent(inout) :: error
 
-        call raise(error, error_domain, " = "//to_text(exp(contact%last))//" is too small: the contact grows beyond it", &
+        call raise(error, error_domain, " = "//to_text(exp(contact%last))//": the contact grows beyond it. Increase it", &
                    "largest_radius")
     end subroutine refuse_radius
 
@@ -216,8 +216,7 @@ contains
             above = x
             x = x - stride
             if (x < contact%first) then
-                call raise(error, error_unreachable, " = "//to_text(s)//" cannot be reached: there is no stable adhesive "// &
-                           "state", "in")
+                call raise(error, error_unreachable, " = "//to_text(s)//": there is no stable adhesive state", "in")
                 return
             end if
         end do
@@ -264,7 +263,7 @@ contains
         t = 0.0_wp
         do while (t < whole)
             if (.not. now%touches) then
-                ! where a force is controlled, bodies that are apart have no distance
+                ! where a force is controlled, separated bodies have no distance
                 if (.not. (control%depth_weight > 0.0_wp .and. s(1) + equation%speed*t <= 0.0_wp .and. s(2) >= 0.0_wp)) return
                 if (equation%speed > 0.0_wp) t = min(max(t, -s(1)/equation%speed), whole)
                 call touch(contact, control, 0.0_wp, state, now, error)

@@ -3,7 +3,7 @@
 !> their own, theory/adhesion.md (3.1), (3.2); Gent, Schultz, J. Adhesion 3 (1972) 281; Maugis, Barquins, J. Phys. D 11 (1978) 1989:
 !>     v > 0:  G = work (1 + (v/speed)^exponent)
 !>     v < 0:  G = closing_work/(1 + (|v|/closing_speed)^closing_exponent)
-!> Between closing_work and work the edge stands still. Or both follow from how the surface relaxes, see
+!> Between closing_work and work the edge is at rest. Or both follow from how the surface relaxes, see
 !> extensions/adhesion/steady_crack.f90.
 module mdrcontact_adhesion_rate_law
     use mdrcontact_error, only: check_positive, error_invalid, error_t, raise, to_text
@@ -27,7 +27,7 @@ module mdrcontact_adhesion_rate_law
         real(wp) :: speed = 0.0_wp, closing_speed = 0.0_wp
         !> [1]
         real(wp) :: exponent = 0.0_wp, closing_exponent = 0.0_wp
-        !> in place of speeds and exponents
+        !> instead of speeds and exponents
         type(steady_crack_t), allocatable :: crack
         !> work over the square of the cohesive stress [length/modulus]
         real(wp) :: crack_scale = 0.0_wp
@@ -61,8 +61,8 @@ contains
         call check_positive(error, "closing_speed", self%closing_speed)
         call check_exponent(error, "closing_exponent", self%closing_exponent)
         if (self%closing_work > work) then
-            call raise(error, error_invalid, " = "//to_text(self%closing_work)//" is not allowed: an edge that closes gains at "// &
-                       "most what one that opens costs, work = "//to_text(work), "closing_work")
+            call raise(error, error_invalid, " = "//to_text(self%closing_work)//": it must be at most the work of an opening "// &
+                       "edge, work = "//to_text(work), "closing_work")
         end if
     end subroutine new_rate_law
 
@@ -110,7 +110,7 @@ contains
         real(wp), intent(in) :: value
 
         if (value > 0.0_wp .and. value <= 2.0_wp) return
-        call raise(error, error_invalid, " = "//to_text(value)//" is not allowed: it must be greater than 0 and at most 2", name)
+        call raise(error, error_invalid, " = "//to_text(value)//": it must be greater than 0 and at most 2", name)
     end subroutine check_exponent
 
     !> G of an edge of speed v, > 0 where it opens [modulus length]; work at v = 0.

@@ -10,9 +10,9 @@ module mdrcontact_adhesion_rate_state
     private
     public :: rate_state_t, account, break_edge, force_rate, note_force, note_lowest
 
-    !> C's struct mdr_rate_state: a datum from which a history goes on. All zero: apart, and nothing has happened yet.
+    !> C's struct mdr_rate_state: a datum from which a history continues. All zero: apart, and nothing has happened yet.
     type, bind(C) :: rate_state_t
-        !> a, 0 where the bodies are apart; less than 0 at the beginning: in equilibrium with the first value [length]
+        !> a, 0 for separated bodies; less than 0 at the beginning: in equilibrium with the first value [length]
         real(c_double) :: radius = 0.0_c_double
         !> d [length]
         real(c_double) :: depth = 0.0_c_double
@@ -110,7 +110,7 @@ contains
         rate = here%force_by_x*slope + here%force_by_s*equation%speed
     end function force_rate
 
-    !> The bodies come apart; what is left of the elastic energy at the smallest radius is lost.
+    !> The bodies separate; what is left of the elastic energy at the smallest radius is lost.
     pure subroutine break_edge(state, contact, here, x, time)
         type(rate_state_t), intent(inout) :: state
         type(rate_contact_t), intent(in) :: contact

@@ -25,7 +25,7 @@ module mdrcontact_adhesion_steady_crack
     real(wp), parameter :: span = 22.0_wp
     !> Beyond this the speed does not grow: an edge under more than the glassy work has no steady speed.
     real(wp), parameter :: fastest = 60.0_wp
-    !> Smallest and largest l/v looked at, in the shortest and longest time of creep, as logarithms.
+    !> Smallest and largest l/v considered, in the shortest and longest time of creep, as logarithms.
     real(wp), parameter :: reach = 30.0_wp
     real(wp), parameter :: tolerance = 1.0e-10_wp
 
@@ -41,7 +41,7 @@ module mdrcontact_adhesion_steady_crack
     type, extends(scalar_function_t) :: crack_integrals_t
         type(creep_t) :: creep
         real(wp), private :: u(points) = 0.0_wp, weight_a(points) = 0.0_wp, weight_b(points) = 0.0_wp
-        !> opening (1) or closing (2), and the place that is looked for
+        !> opening (1) or closing (2), and the place that is searched for
         integer, private :: side = 1
         real(wp), private :: wanted = 0.0_wp
     contains
@@ -177,8 +177,7 @@ contains
 
         if (material%is_power_law() .or. .not. material%has_glassy() .or. .not. material%shear%limit > 0.0_wp &
             .or. material%is_elastic()) then
-            call raise(error, error_invalid, " is not allowed: the work of adhesion of its surface has both limits only where "// &
-                       "it has a glassy and a relaxed modulus", "material")
+            call raise(error, error_invalid, ": it needs a glassy and a relaxed modulus", "material")
             return
         end if
         creep = creep_of(material%contact_series(1.0_wp, 1.0_wp))

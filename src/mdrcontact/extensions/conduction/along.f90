@@ -2,7 +2,7 @@
 !> Conductance along the loading of a contact: G at the radius of each state, dG/dd = G'(a)/d'(a) and dG/dF = G'(a)/F'(a)
 !> (theory/conduction.md (8.1)).
 !>
-!> Without adhesion d' is the solver's own and F' = k d'. With it the opening of the edge is differentiated, of which a central
+!> Without adhesion d' is the solver's own and F' = k d'. With it the elongation at the edge is differentiated, of which a central
 !> difference of fourth order takes some 1e-9.
 module mdrcontact_conduction_along
     use mdrcontact_conduction_bodies, only: conduction_t
@@ -36,12 +36,12 @@ contains
         by_depth = 0.0_wp
         if (allocated(error)) return
         if (.not. state%radius > 0.0_wp) then
-            call raise(error, error_invalid, "the state has the radius 0: nothing passes")
+            call raise(error, error_invalid, "state: its radius is 0, so that no flux passes")
             return
         end if
         if (state%zone_radius > 0.0_wp) then
-            call raise(error, error_invalid, "how the conductance of a contact with a cohesive stress grows is not "// &
-                       "offered: take the conductance at its radius")
+            call raise(error, error_invalid, "cohesive_stress: the derivative of the conductance is not available. Use the "// &
+                       "conductance at the contact radius")
             return
         end if
         call conductance_at(conduction, state%radius, conductance, slope, error)

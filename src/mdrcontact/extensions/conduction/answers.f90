@@ -23,7 +23,7 @@ module mdrcontact_conduction_answers
     !> fewer.
     real(wp), parameter :: span = 4.0_wp
     integer, parameter :: shared_nodes = 28, own_nodes = 16
-    !> By how much of themselves steps of time may differ to be taken as one.
+    !> Largest relative difference of time steps that count as equal.
     real(wp), parameter :: even = 1.0e-9_wp
     !> D t/a^2 from which on answers are solved, D the largest diffusivity at the surface, and omega a^2/D up to which.
     real(wp), parameter :: first_time = 1.0e-4_wp, last_frequency = 1.0e5_wp
@@ -58,9 +58,8 @@ contains
             call check_not_negative(error, "omega", omega(i), i)
             if (allocated(error)) return
             if (omega(i)*a**2*fastest > last_frequency) then
-                call raise(error, error_domain, " = "//to_text(omega(i))//" is not allowed: omega a^2/D of the surface must be "// &
-                           "at most "//to_text(last_frequency)//"; beyond, heat flows one-dimensionally, "// &
-                           "G = pi a^2 sqrt(s kappa c)", "omega", i)
+                call raise(error, error_domain, " = "//to_text(omega(i))//": omega a^2/D of the surface must be at most "// &
+                           to_text(last_frequency)//". Beyond, the flow is one-dimensional: G = pi a^2 sqrt(s kappa c)", "omega", i)
                 return
             end if
             call check_cancelled(error)
@@ -78,9 +77,8 @@ contains
 
         call check_positive(error, "time", time, entry)
         if (allocated(error) .or. time >= first_time*a**2*diffusivity_limit(conduction)) return
-        call raise(error, error_domain, " = "//to_text(time)//" is not allowed: D t/a^2 of the surface must be at least "// &
-                   to_text(first_time)//"; before, heat flows one-dimensionally, "// &
-                   "G = pi a^2 sqrt(kappa c/(pi t)) + pi a kappa", "time", entry)
+        call raise(error, error_domain, " = "//to_text(time)//": D t/a^2 of the surface must be at least "//to_text(first_time)// &
+                   ". Before, the flow is one-dimensional: G = pi a^2 sqrt(kappa c/(pi t)) + pi a kappa", "time", entry)
     end subroutine check_time
 
     subroutine check_answer(answer, a, error)
@@ -257,13 +255,13 @@ contains
         end do
         if (allocated(error) .or. size(time) == 0) return
         if (abs(given(1)) > 0.0_wp) then
-            call raise(error, error_invalid, " = "//to_text(given(1))//" is not allowed: a history begins with 0, let it "// &
-                       "rise within a short time", "given", 1)
+            call raise(error, error_invalid, " = "//to_text(given(1))//": a history must begin with 0. Use a short rise "// &
+                       "instead of a step", "given", 1)
             return
         end if
         do i = 2, size(time)
             if (time(i) > time(i - 1)) cycle
-            call raise(error, error_invalid, " = "//to_text(time(i))//" is not allowed: times must ascend", "time", i)
+            call raise(error, error_invalid, " = "//to_text(time(i))//": times must be strictly ascending", "time", i)
             return
         end do
     end subroutine check_history
@@ -322,7 +320,7 @@ contains
         call check_answer(spot_conductance_answer, a, error)
         call check_time(conduction, a, time, 1, error)
         if (conduction%film > 0.0_wp .and. .not. allocated(error)) then
-            call raise(error, error_invalid, "the flux density through a film in time is not offered")
+            call raise(error, error_invalid, "film: the transient flux density is not available with a film. Omit the film")
         end if
         call check_inside(r, a, error)
         if (allocated(error)) return
@@ -359,7 +357,7 @@ contains
         n = merge(shared_nodes, own_nodes, maxval(time) > minval(time))
         allocate (s(n), weight(n, size(time)), answered(n))
         call inverse_laplace(time, s, weight)
-        ! beyond, exp(s t) leaves nothing of the last digits
+        ! beyond, exp(s t) leaves nothing of the last significant digits
         largest = maxval(abs(s), mask=real(s, wp)*minval(time) > -20.0_wp)
         call find_waves(conduction, answer, a, abs(s(1)), largest, waves, error)
         do i = 1, n

@@ -96,14 +96,14 @@ contains
             if (sink > 0.0_wp) self%largest_radius = min(self%largest_radius, sink - nearest_sink*bodies(i)%depth())
         end do
         if (sink > 0.0_wp .and. .not. self%is_insulated) then
-            call raise(error, error_invalid, " = "//to_text(sink)//" is not allowed: flux leaves at a sink from a body on an "// &
-                       "insulating base alone, and none is here. Leave it out", "sink")
+            call raise(error, error_invalid, " = "//to_text(sink)//": only a body on an insulating base has a sink. Omit it", &
+                       "sink")
             return
         end if
         if (self%is_insulated .and. .not. sink > 0.0_wp) return
         if (.not. self%largest_radius > 0.0_wp) then
-            call raise(error, error_domain, " = "//to_text(sink)//" is not allowed: it must be more than "// &
-                       to_text(nearest_sink)//" times the thickness of the layers on the insulating base", "sink")
+            call raise(error, error_domain, " = "//to_text(sink)//": it must be more than "//to_text(nearest_sink)// &
+                       " times the thickness of the layers on the insulating base", "sink")
             return
         end if
         call tabulate(self, error)
@@ -205,7 +205,7 @@ contains
 
         call check_positive(error, "radius", a)
         if (allocated(error) .or. a <= self%largest_radius) return
-        call raise(error, error_domain, " = "//to_text(a)//" is not allowed: it must be at most "//to_text(self%largest_radius)// &
+        call raise(error, error_domain, " = "//to_text(a)//": it must be at most "//to_text(self%largest_radius)// &
                    ", 10000 times the thickness of the layers, and well within the sink of an insulating base", "radius")
     end subroutine check_radius
 
@@ -215,8 +215,8 @@ contains
         type(error_t), allocatable, intent(inout) :: error
 
         if (allocated(error) .or. .not. self%is_insulated .or. self%sink > 0.0_wp) return
-        call raise(error, error_invalid, "layers on an insulating base lead nothing away for ever, they have no steady "// &
-                   "conductance: give the radius of a sink, or take steps and admittances")
+        call raise(error, error_invalid, "sink = 0: layers on an insulating base have no steady conductance. Give the radius "// &
+                   "of a sink, or use steps and admittances")
     end subroutine check_steady
 
 end module mdrcontact_conduction_bodies

@@ -1,9 +1,9 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The steady surface compliance of a conductor as the solver of the springs takes it: E_0* stands for 2 S_0
-!> (theory/conduction.md (1.4), (2.1)).
+!> The steady surface compliance of a conductor as the solver of the springs takes it: E_0* represents 2 S_0 (theory/conduction.md
+!> (1.4), (2.1)).
 !>
-!> Unbounded layers on an insulating base have no finite conductance, chi grows as 1/(H_s k). What they are less one sheet of the
-!> same conductance along the surface, coth(k H_s), is tabulated instead (mdrcontact_conduction_sink has the rest).
+!> Unbounded layers on an insulating base have no finite conductance, chi grows as 1/(H_s k). What they are less one sheet of equal
+!> conductance along the surface, coth(k H_s), is tabulated instead (mdrcontact_conduction_sink has the rest).
 module mdrcontact_conduction_compliance
     use mdrcontact_body_compliance, only: compliance_t
     use mdrcontact_conduction_conductors, only: conductors_t, half_space_base, insulating_base
@@ -15,7 +15,7 @@ module mdrcontact_conduction_compliance
     !> Terms of the power series in k^2 of long waves over an insulating base.
     integer, parameter :: terms = 8
 
-    !> Its numbers are to be read only.
+    !> Its numbers must only be read.
     type, extends(compliance_t) :: flux_compliance_t
         private
         type(conductors_t) :: body

@@ -17,7 +17,8 @@ module mdrcontact_conduction_conductors
     private
     public :: conductor_t, conductors_t, new_conductors, half_space_base, perfect_base, insulating_base, layer_at
 
-    !> C of an insulating base: all else is lost beside it, so that what comes of it is the limit to the last digit.
+    !> C of an insulating base: all other terms are negligible compared with it, so that what comes of it is the limit to the last
+    !> digit.
     real(wp), parameter :: without_end = 1.0e100_wp
 
     !> A layer and the interface below it.
@@ -32,7 +33,7 @@ module mdrcontact_conduction_conductors
         real(wp) :: resistance = 0.0_wp
     end type conductor_t
 
-    !> A body that conducts, from the surface down; made by new_conductors, to be read only.
+    !> A body that conducts, top to bottom; made by new_conductors, read only.
     type :: conductors_t
         !> half_space_base, perfect_base or insulating_base
         integer :: base = half_space_base
@@ -52,7 +53,7 @@ contains
     !> Checks and keeps a stack.
     pure subroutine new_conductors(self, layers, base, error)
         type(conductors_t), intent(out) :: self
-        !> from the surface down; on half_space_base the last one is the half-space
+        !> top to bottom; on half_space_base the last one is the half-space
         type(conductor_t), intent(in) :: layers(:)
         !> half_space_base, perfect_base or insulating_base
         integer, intent(in) :: base
@@ -62,7 +63,7 @@ contains
         if (allocated(error)) return
         call check_code(error, "base", base, [half_space_base, perfect_base, insulating_base])
         n = size(layers)
-        if (n == 0 .and. .not. allocated(error)) call raise(error, error_invalid, "a conductor has no layer: give at least one")
+        if (n == 0 .and. .not. allocated(error)) call raise(error, error_invalid, "conductor: it has no layer. Give at least one")
         if (allocated(error)) return
         self%base = base
         self%layers = n

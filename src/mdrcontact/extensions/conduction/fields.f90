@@ -55,7 +55,7 @@ contains
         call self%check_steady(error)
         call self%check_radius(a, error)
         if (allocated(error) .or. .not. (self%film > 0.0_wp .and. self%is_insulated)) return
-        call raise(error, error_domain, "a film in the spot on layers with an insulating base is not offered")
+        call raise(error, error_domain, "film: it is not available on layers with an insulating base. Omit the film")
     end subroutine check
 
     !> Raises unless points lie in a spot.
@@ -70,8 +70,8 @@ contains
         do i = 1, size(r)
             if (allocated(error)) return
             if (r(i) >= 0.0_wp .and. r(i) < a) cycle
-            call raise(error, error_domain, " = "//to_text(r(i))//" is not allowed: it must be at least 0 and less than the "// &
-                       "spot's radius "//to_text(a), "r", i)
+            call raise(error, error_domain, " = "//to_text(r(i))//": it must be at least 0 and less than the contact radius "// &
+                       to_text(a), "r", i)
         end do
     end subroutine check_inside
 

@@ -3,8 +3,8 @@
 !>
 !>     j(r) = sum c_n P_n(1 - 2 r^2/a^2),  j_hat = a^2 sum c_n J_(2n+1)(ka)/(ka),  A c = V (a^2/2) e_0,  G = pi a^2 c_0/V
 !>     A_mn = (a^3/S_0) [N_mn + int_0^inf chi(z/a) J_(2m+1)(z) J_(2n+1)(z) z^-2 dz] + R_c (a^2/2) delta_mn/(2n + 1)
-!> The flux is finite at the edge with (a - r) ln(a - r), so that G by n terms is off by n^-6, which one extrapolation removes:
-!> theory/conduction.md (4.1)-(4.8).
+!> The flux is finite at the edge with (a - r) ln(a - r), so that the error of G by n terms is n^-6, which one extrapolation
+!> removes: theory/conduction.md (4.1)-(4.8).
 module mdrcontact_conduction_film
     use, intrinsic :: iso_c_binding, only: c_int
     use mdrcontact_conduction_bodies, only: conduction_t, tolerance
@@ -22,7 +22,7 @@ module mdrcontact_conduction_film
 
     !> Terms of the steady spot at first and at most, and in time.
     integer, parameter :: first_terms = 40, most_terms = 1280, terms_in_time = 96
-    !> Terms from which on values of the flux, off by n^-4, are right.
+    !> Terms from which on values of the flux, with an error n^-4, are accurate.
     integer, parameter, public :: terms_of_flux = 320
     !> What the extrapolation may change, relative.
     real(wp), parameter :: allowed = 50.0_wp*tolerance, allowed_in_time = 1.0e-8_wp
@@ -76,7 +76,7 @@ contains
             if (allocated(error)) return
             if (max(abs(real(change, wp)/real(total, wp)), abs(aimag(change)/aimag(total))) <= allowed) exit
             if (n >= most_terms) then
-                call raise_missed(conduction, a, change/total, "", "without a film the spot has almost the same conductance", error)
+                call raise_missed(conduction, a, change/total, "", "omit the film: the conductance is almost equal", error)
                 return
             end if
             n = 2*n
@@ -182,7 +182,7 @@ contains
             solution(1, 1) = 0.5_wp*a**2
             call zgesv(m, 1, leading, m, pivots, solution, n, info)
             if (info /= 0) then
-                call raise(error, error_no_convergence, "the layers of these bodies nearly cancel at spot radius "// &
+                call raise(error, error_no_convergence, "the contributions of the layers nearly cancel at contact radius "// &
                            to_text(real(a, wp)))
                 return
             end if
@@ -201,8 +201,8 @@ contains
         type(error_t), allocatable, intent(inout) :: error
 
         call raise(error, error_no_convergence, "the flux through a film of resistance "//to_text(conduction%film)// &
-                   " in a spot of radius "//to_text(a)//" is off by about "//to_text(abs(change))//where// &
-                   ": its edge is too thin; "//remedy)
+                   " in a contact area of radius "//to_text(a)//" has an error of about "//to_text(abs(change))//where// &
+                   ", because its edge zone is too thin. Remedy: "//remedy)
     end subroutine raise_missed
 
     !> N_mn = int_0^inf J_(2m+1) J_(2n+1) z^-2 dz.

@@ -31,7 +31,8 @@ module mdrcontact_conduction_heat
         real(wp) :: total = 0.0_wp, share = 1.0_wp
         !> temperature rise in the centre, its mean over the flux, and over the area of the contact
         real(wp) :: centre = 0.0_wp, flux_mean = 0.0_wp, area_mean = 0.0_wp
-        !> of a source that moves, along the line through the centre: the largest temperature rise, and how far behind the centre
+        !> of a source that moves, along the line through the centre: the largest temperature rise, and its distance behind the
+        !> centre
         real(wp) :: largest = 0.0_wp, behind = 0.0_wp
     end type heat_t
 
@@ -59,8 +60,7 @@ contains
         call conduction%check_steady(error)
         call conduction%check_radius(state%radius, error)
         if (conduction%film > 0.0_wp .and. size(conduction%bodies) > 1 .and. .not. allocated(error)) then
-            call raise(error, error_invalid, "friction heat that two bodies share through a film in the spot is not offered: "// &
-                       "leave the film out")
+            call raise(error, error_invalid, "film: frictional heat of two bodies is not available with a film. Omit the film")
         end if
         if (allocated(error)) return
         n = unknowns_for(conduction, state%radius)
@@ -80,8 +80,8 @@ contains
             if (allocated(error)) return
             if (reached <= settled) exit
             if (n >= most_unknowns) then
-                call raise(error, error_no_convergence, "the temperature under the heat of friction at contact radius "// &
-                           to_text(state%radius)//" is off by about "//to_text(reached))
+                call raise(error, error_no_convergence, "the temperature due to frictional heat at contact radius "// &
+                           to_text(state%radius)//" has an error of about "//to_text(reached))
                 return
             end if
             n = n + n/2
@@ -164,7 +164,7 @@ contains
             end do
             call factorize(n, n, upper, done)
             if (.not. done) then
-                call raise(error, error_no_convergence, "the heat of friction could not be shared out between these bodies")
+                call raise(error, error_no_convergence, "the partition of the frictional heat between the bodies was not found")
                 return
             end if
             call solve_lower(n, n, 1, upper, c)

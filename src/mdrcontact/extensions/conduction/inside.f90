@@ -103,8 +103,8 @@ contains
 
         if (allocated(error)) return
         if (body%base == insulating_base) then
-            call raise(error, error_invalid, "fields in layers on an insulating base are not offered: their potential counts "// &
-                       "from the sink")
+            call raise(error, error_invalid, "field: it is not available in layers on an insulating base, whose potential is "// &
+                       "relative to the sink")
             return
         end if
         do i = 1, size(r)
@@ -113,8 +113,7 @@ contains
             if (allocated(error)) return
             call layer_at(body, z(i), .false., layer, distance)
             if (layer <= size(body%s)) cycle
-            call raise(error, error_domain, " = "//to_text(z(i))//" is not allowed: the layers end at "// &
-                       to_text(sum(body%h/body%stretch)), "z", i)
+            call raise(error, error_domain, " = "//to_text(z(i))//": the layers end at "//to_text(sum(body%h/body%stretch)), "z", i)
             return
         end do
     end subroutine check_points

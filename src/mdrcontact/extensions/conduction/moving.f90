@@ -2,7 +2,7 @@
 !> The heat of friction of a source that moves over the lower body at any speed: what it adds to the source at rest,
 !>     T(x) - T_static(x) = (1/S_0) int j_hat(k) (2/pi) int_0^(pi/2) Re[dchi exp(i k x cos phi)] dphi dk,
 !>     dchi = chi(k, i v k cos phi) - chi(k, 0)
-!> at a distance x behind the centre; with J_0 in the place of the last factor, means
+!> at a distance x behind the centre; with J_0 instead of the last factor, means
 !> (theory/conduction.md (10.5), (10.6), (10.8)).
 module mdrcontact_conduction_moving
     use mdrcontact_cancel, only: check_cancelled
@@ -30,7 +30,7 @@ module mdrcontact_conduction_moving
     real(wp), parameter :: cutoff_factor = 1.0e7_wp, own_waves = 4.0_wp, fewest_waves = 60.0_wp
     !> Waves of the means: chi falls as Pe^2/k^2.
     real(wp), parameter :: waves_of_means = 2000.0_wp
-    !> Places between two nodes of the series at which the largest value is looked for.
+    !> Places between two nodes of the series at which the largest value is searched for.
     integer, parameter :: places = 400
     !> Waves up to this over a show where the largest value lies, to a tenth of a.
     real(wp), parameter :: waves_of_search = 40.0_wp
@@ -158,8 +158,8 @@ contains
 
         peclet = speed*a*maxval(body%rate)
         if (peclet > fastest) then
-            call raise(error, error_domain, " = "//to_text(speed)//" is not allowed: speed a c/kappa must be at most "// &
-                       to_text(fastest)//"; beyond, heat flows one-dimensionally", "source speed")
+            call raise(error, error_domain, " = "//to_text(speed)//": speed a c/kappa must be at most "//to_text(fastest)// &
+                       ". Beyond, the heat flow is one-dimensional", "source speed")
             return
         end if
         waves%last = max(fewest_waves, (cutoff_factor*peclet)**(2.0_wp/7.0_wp), own_waves*peclet)

@@ -26,7 +26,7 @@ module mdrcontact_conduction_rough
 
     !> Terms of the series, fewer of them that must agree, and nodes of the rules.
     integer, parameter :: terms = 28, fewer = 20, nodes = 96
-    !> By how much two results may differ, relative: of the series, else panels are taken, and of these.
+    !> Largest relative difference of two results: of the series, else panels are taken, and of these.
     real(wp), parameter :: settled = 1.0e-9_wp, allowed = 1.0e-6_wp
 
 contains
@@ -51,9 +51,9 @@ contains
         call conduction%check_radius(state%radius, error)
         if (allocated(error)) return
         if (has_line_force(contact%equilibrium, state)) then
-            call raise(error, error_invalid, "a conductance that goes with the pressure is not offered where the edge of "// &
-                       "the contact carries a line force, under a plate or a flat end on a surface with tension: leave the "// &
-                       "plate or the tension out")
+            call raise(error, error_invalid, "contact: a conductance proportional to the pressure is not available with a "// &
+                       "line force at the edge, as under a plate or a flat end on a surface with tension. Omit the plate or "// &
+                       "the tension")
             return
         end if
         call contact%load(state, load, error)
@@ -64,11 +64,11 @@ contains
         if (left < reached) conductance = by_panels
         reached = min(left, reached)
         if (reached <= allowed) return
-        call raise(error, error_no_convergence, "the flux through this rough contact is off by about "//to_text(reached)// &
-                   ": its pressure is not smooth")
+        call raise(error, error_no_convergence, "the flux through this rough contact has an error of about "//to_text(reached)// &
+                   ", because its pressure is not smooth")
     end subroutine rough_conductance
 
-    !> G by the series, and by how much fewer terms make it smaller, relative.
+    !> G by the series, and its relative decrease with fewer terms.
     subroutine conductance_by_series(conduction, load, kappa, conductance, reached, error)
         type(conduction_t), intent(in) :: conduction
         type(contact_load_t), intent(in) :: load
@@ -161,8 +161,8 @@ contains
         call load%pressure(min(load%state%radius*sin(angle), load%state%radius), pressure, error)
         if (allocated(error)) return
         if (.not. all(pressure > 0.0_wp)) then
-            call raise(error, error_domain, "the pressure of this contact is not greater than 0 everywhere: its conductance "// &
-                       "cannot go with it")
+            call raise(error, error_domain, "the pressure of this contact is not greater than 0 everywhere: a conductance "// &
+                       "proportional to it is not defined")
             return
         end if
         p = legendre(size(p, 2), 1.0_wp - 2.0_wp*sin(angle)**2)

@@ -53,7 +53,7 @@ module mdrcontact_conduction_rough_panels
 
 contains
 
-    !> G of a state, from below, and by how much fewer polynomials make it smaller, relative.
+    !> G of a state, from below, and its relative decrease with fewer polynomials.
     subroutine conductance_by_panels(conduction, load, kappa, conductance, reached, error)
         type(conduction_t), intent(in) :: conduction
         type(contact_load_t), intent(in) :: load
@@ -249,8 +249,8 @@ contains
         call load%pressure(load%state%radius*sqrt((1.0_wp - taken)*(1.0_wp + taken)), pressure, error)
         if (allocated(error)) return
         if (.not. all(pressure > 0.0_wp)) then
-            call raise(error, error_domain, "the pressure of this contact is not greater than 0 everywhere: its conductance "// &
-                       "cannot go with it")
+            call raise(error, error_domain, "the pressure of this contact is not greater than 0 everywhere: a conductance "// &
+                       "proportional to it is not defined")
             return
         end if
         power = log(pressure(2)/pressure(1))/log(2.0_wp)

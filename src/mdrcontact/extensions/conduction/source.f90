@@ -29,7 +29,7 @@ module mdrcontact_conduction_source
     !> What the last coefficients of a series may be, relative to their mean square.
     real(wp), parameter :: negligible = 1.0e-5_wp
 
-    !> A line load of heat, and what is made of it by itself.
+    !> A line load of heat, and what is made of it alone.
     type :: source_t
         !> a [length], and the heat Q [conductance potential]
         real(wp) :: radius = 0.0_wp, total = 0.0_wp
@@ -93,14 +93,14 @@ contains
 
         if (allocated(error)) return
         if (.not. state%radius > 0.0_wp) then
-            call raise(error, error_invalid, "friction heat needs a contact: the state has the radius 0")
+            call raise(error, error_invalid, "state: its radius is 0. Frictional heat needs a contact")
         else if (contact%is_adhesive()) then
-            call raise(error, error_invalid, "friction heat is not allowed with adhesion: Coulomb's law knows no tension, and "// &
-                       "the rim of an adhesive contact is under tension; set work_of_adhesion = 0")
+            call raise(error, error_invalid, "frictional heat: it is not available with adhesion, because Coulomb's law is "// &
+                       "not defined under tension. Set work_of_adhesion = 0")
         else if (has_line_force(contact%equilibrium, state)) then
-            call raise(error, error_invalid, "friction heat is not offered where the edge of the contact carries a line force, "// &
-                       "under a plate or a flat end on a surface with tension: the temperature would be infinite there; leave "// &
-                       "the plate or the tension out")
+            call raise(error, error_invalid, "frictional heat: it is not available with a line force at the edge, as under a "// &
+                       "plate or a flat end on a surface with tension, because the temperature would be infinite. Omit the "// &
+                       "plate or the tension")
         end if
         if (allocated(error)) return
         call check_state(contact%equilibrium, state, error)

@@ -58,7 +58,8 @@ contains
                 if (.not. allocated(error)) call new_equation(equation, kernel, a, n, n, 4*n + 4, 4*n, solved, error)
                 if (allocated(error)) return
                 if (.not. solved) then
-                    call raise(error, error_no_convergence, "the layers of these bodies nearly cancel at spot radius "//to_text(a))
+                    call raise(error, error_no_convergence, "the contributions of the layers nearly cancel at contact radius "// &
+                        to_text(a))
                     return
                 end if
                 c = equation%rhs(:, :1)
@@ -69,8 +70,8 @@ contains
                 n = min(next_unknowns(n, reached/settled), most_unknowns)
             end do
             if (reached > tolerance .and. .not. kernel%vanishes) then
-                call raise(error, error_no_convergence, "the flux through a spot of radius "//to_text(a)// &
-                           " is off by about "//to_text(reached))
+                call raise(error, error_no_convergence, "the flux through a contact area of radius "//to_text(a)// &
+                           " has an error of about "//to_text(reached))
             end if
         end associate
         call set_series(load, a, normalisation(n)*c(:, 1), sum(equation%rhs(:, 2)*c(:, 1)))

@@ -67,7 +67,7 @@ contains
         c(1, 1) = 1.0_wp
         call zgesv(n, 1, matrix, n, pivots, c, n, info)
         if (info /= 0) then
-            call raise(error, error_no_convergence, "the conductance of a spot in time could not be solved for")
+            call raise(error, error_no_convergence, "the transient conductance of a contact area was not found")
             return
         end if
         conductance = 4.0_wp*conduction%scale*a*c(1, 1)

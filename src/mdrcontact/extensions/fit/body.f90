@@ -15,7 +15,7 @@ module mdrcontact_fit_body
     private
     public :: fit_body_t, new_fit_body, make_body
 
-    !> Which indenter on which medium; made by new_fit_body and to be read only.
+    !> Which indenter on which medium; made by new_fit_body and read only.
     type :: fit_body_t
         !> what trials are like: the indenter
         class(profile_t), allocatable :: profile
@@ -38,7 +38,7 @@ contains
         !> of one body, or of two that stay as they are
         type(medium_t), intent(in) :: medium
         type(error_t), allocatable, intent(out) :: error
-        !> of one body; the medium is then of one, too
+        !> of one body; the medium is then of onealso
         type(medium_t), intent(in), optional :: counterbody
         type(parameter_t), allocatable :: of_medium(:), of_counterbody(:)
 

@@ -50,7 +50,7 @@ contains
         class(profile_t), intent(in), target :: profile
         class(solver_t), intent(in) :: medium
         real(wp), intent(in) :: instrument(:)
-        !> whether the indenter itself lies in the indent, and not the one that epsilon stands for
+        !> whether the indenter itself lies in the indent, and not the one that epsilon represents
         logical, intent(in) :: is_elastic
         type(fit_data_t), intent(in) :: data
         real(wp), allocatable, intent(out) :: a(:), modulus(:)
@@ -92,8 +92,8 @@ contains
             readings%recovery(i) = load*compliance
             if (.not. compliance > 0.0_wp) then
                 call raise(error, error_domain, "the stiffness at depth "//to_text(data%x(i))//" is "//to_text(data%y(i))// &
-                           ": it must be less than that of the frame alone; check units and frame compliance, or leave out "// &
-                           "tests in which contact began at another depth")
+                           ": it must be less than that of the frame alone. Check units and frame compliance, or omit tests "// &
+                           "in which contact began at another depth")
                 return
             end if
             if (readings%depth(i) > 0.0_wp) cycle
@@ -107,7 +107,7 @@ contains
         type(error_t), allocatable, intent(inout) :: error
 
         call raise(error, error_domain, "the contact depth at depth "//to_text(depth)//" is "//to_text(height)// &
-                   ": it must be greater than 0; leave out the first points, or check units, offset and frame compliance")
+                   ": it must be greater than 0. Omit the first points, or check units, offset and frame compliance")
     end subroutine refuse_depth
 
     pure subroutine refuse_height(height, error)
@@ -272,7 +272,7 @@ contains
             call refuse_depth(depth, height, error)
         else if (side < 0 .or. balance%sink_in%largest >= medium%largest_radius*(1.0_wp - last_part)) then
             call raise(error, error_domain, "the contact radius at depth "//to_text(depth)// &
-                       " leaves the range in which the medium is known"//trim(medium%why_it_ends))
+                       " is outside the range of the medium"//trim(medium%why_it_ends))
         else
             call refuse_height(height, error)
         end if

@@ -19,7 +19,7 @@ module mdrcontact_fit_correlation
     real(wp), parameter :: smallest_eigenvalue = 1.0e-10_wp
     !> Fewer points and priors above the number of parameters say nothing about rho.
     integer, parameter :: fewest_contrasts = 5
-    !> More cannot come out at the largest rho; only rounding in a direction that nothing determines would say so.
+    !> More cannot come out at the largest rho; only rounding in a direction that nothing determines would exceed it.
     real(wp), parameter :: most_widening = 20.0_wp
 
     !> Sums over neighbours x(i-1), x(i) along a curve, of products of each two columns: of x(1), of the rises x(i) - x(i-1), of
@@ -31,7 +31,7 @@ module mdrcontact_fit_correlation
 
 contains
 
-    !> The mean rho, and by how much the standard error of each parameter is larger than for independent noise, at least 1.
+    !> The mean rho, and the factor by which the standard error of each parameter is larger than for independent noise, at least 1.
     subroutine correlated_spread(r, jacobian, order, prior_r, prior_jacobian, inverse, noise_is_known, rho, widening)
         !> residuals of the data in their standard deviations
         real(wp), intent(in) :: r(:)

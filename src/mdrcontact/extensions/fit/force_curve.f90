@@ -63,7 +63,8 @@ contains
             return
         end if
         if (.not. (abs(smallest) + abs(largest) <= huge(1.0_wp) .and. max(abs(smallest), largest) > 0.0_wp)) then
-            call raise(error, error_unreachable, "depths from "//to_text(smallest)//" to "//to_text(largest)//" make no curve")
+            call raise(error, error_unreachable, "depths from "//to_text(smallest)//" to "//to_text(largest)// &
+                " do not define a curve")
             return
         end if
         solutions = 0
@@ -73,8 +74,8 @@ contains
         if (allocated(error)) return
         if (found < largest) then
             if (.not. equilibrium%profile%has_wall) then
-                call raise(error, error_unreachable, " = "//to_text(largest)//" cannot be reached: the indenter or the medium "// &
-                           "ends at depth "//to_text(found)//trim(equilibrium%why_it_ends()), "depth")
+                call raise(error, error_unreachable, " = "//to_text(largest)//": the indenter or the medium ends at depth "// &
+                           to_text(found)//trim(equilibrium%why_it_ends()), "depth")
                 return
             end if
             allocate (self%wall)

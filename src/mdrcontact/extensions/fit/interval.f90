@@ -1,6 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Profile-likelihood intervals: how far one parameter can be moved, all others refitted, before the sum
-!> of squares rises by its quantile.
+!> Profile-likelihood intervals: the range of one parameter, all others refitted, before the sum of squares rises by its quantile.
 module mdrcontact_fit_interval
     use, intrinsic :: iso_c_binding, only: c_double
     use mdrcontact_object, only: room
@@ -51,9 +50,9 @@ contains
 
         factor = 0.0_wp
         if (.not. (level > 0.0_wp .and. level < 1.0_wp)) then
-            call raise(error, error_invalid, " = "//to_text(level)//" is not allowed: it must be between 0 and 1", "level")
+            call raise(error, error_invalid, " = "//to_text(level)//": it must be greater than 0 and less than 1", "level")
         else if (.not. degrees_of_freedom > 0.0_wp) then
-            call raise(error, error_invalid, " = "//to_text(degrees_of_freedom)//" is not allowed: it must be greater than 0", &
+            call raise(error, error_invalid, " = "//to_text(degrees_of_freedom)//": it must be greater than 0", &
                        "degrees_of_freedom")
         else if (degrees_of_freedom > huge(1.0_wp)) then
             factor = gsl_cdf_ugaussian_pinv(0.5_wp*(1.0_wp + level))
@@ -79,7 +78,7 @@ contains
         integer, intent(in) :: position
         !> of confidence, 0 < level < 1
         real(wp), intent(in) :: level
-        !> ends of the interval, in the unit of the parameter; infinite where there is none
+        !> ends of the interval, in the unit of the parameter; infinite if it does not exist
         real(wp), intent(out) :: lower, upper
         type(error_t), allocatable, intent(out) :: error
         type(fit_problem_t) :: fixed
@@ -90,7 +89,7 @@ contains
         lower = 0.0_wp
         upper = 0.0_wp
         if (.not. any(fit%free == position)) call raise(error, error_invalid, "parameter "//count_text(position)// &
-                                                        " is not free: it has no interval")
+                                                        ": it is not free, so it has no interval. Choose a free parameter")
         if (allocated(error)) return
         i = findloc(fit%free, position, dim=1)
         freedom = max(fit%degrees_of_freedom/fit%widening(i)**2, 1.0_wp)

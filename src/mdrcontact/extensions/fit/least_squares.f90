@@ -53,7 +53,7 @@ module mdrcontact_fit_least_squares
     end type residuals_t
 
     abstract interface
-        !> Writes r(u) (n); allocates self%error where there is none.
+        !> Writes r(u) (n); allocates self%error if it does not exist.
         subroutine residual_vector(self, u, r)
             import :: residuals_t, wp
             class(residuals_t), intent(inout) :: self

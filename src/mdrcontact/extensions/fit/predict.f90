@@ -47,7 +47,7 @@ contains
         !> what exact media have in common from one call to the next, which then costs less
         type(kernel_cache_t), intent(inout), optional :: shared
         !> that of ascending_points: the readings y of the data then say which points of an adhesive curve are in contact; without
-        !> it the model does: from first touch on approach, until pull-off on retract
+        !> it the model does: from initial contact on approach, until pull-off on retract
         integer, intent(in), optional, target :: order(:)
         !> same size as data%x: the contact radii, 0 out of contact [length]
         real(wp), intent(out), optional :: radius(:)
@@ -146,7 +146,7 @@ contains
         call check_finite(error, "frame_compliance", instrument(at_frame_compliance))
         if (.not. instrument(at_indenter_modulus) > 0.0_wp) then
             call raise(error, error_invalid, "indenter_modulus = "//to_text(instrument(at_indenter_modulus))// &
-                       " is not allowed: it must be greater than 0, or infinite for a rigid indenter")
+                       ": it must be greater than 0, or infinite for a rigid indenter")
         end if
         call check_finite(error, "contact_depth_factor", instrument(at_contact_depth_factor))
         call check_positive(error, "stiffness_factor", instrument(at_stiffness_factor))
@@ -218,8 +218,8 @@ contains
                 end do
             end if
         end if
-        if (.not. everywhere) call raise(error, error_unreachable, "depth = "//to_text(maxval(d))//" cannot be reached by "// &
-                                           "this indenter on this medium")
+        if (.not. everywhere) call raise(error, error_unreachable, "depth = "//to_text(maxval(d))// &
+                                           ": this indenter on this medium does not reach it")
     end subroutine predict_force
 
     subroutine make_equilibrium(problem, instrument, profile, medium, equilibrium, error)
@@ -249,7 +249,7 @@ contains
 
         if (maxval(a) > medium%largest_radius .or. minval(a) < medium%smallest_radius) then
             call raise(error, error_domain, "the contact radii "//to_text(minval(a))//" to "//to_text(maxval(a))// &
-                       " leave the range in which the medium is known"//trim(medium%why_it_ends))
+                       " are outside the range of the medium"//trim(medium%why_it_ends))
             return
         end if
         allocate (modulus(size(a)), stat=stat)

@@ -43,13 +43,15 @@ contains
         if (allocated(error)) return
         a(:) = 0.0_wp
         if (instrument(at_work_of_adhesion) > 0.0_wp) then
-            call raise(error, error_invalid, "work_of_adhesion is not allowed: the body is viscoelastic")
+            call raise(error, error_invalid, "work_of_adhesion: it is not available with a viscoelastic body. Fix it at 0")
         else if (instrument(at_indenter_modulus) <= huge(1.0_wp)) then
-            call raise(error, error_invalid, "indenter_modulus is not allowed: against a viscoelastic body the indenter is rigid")
+            call raise(error, error_invalid, "indenter_modulus: with a viscoelastic body the indenter must be rigid. Set it "// &
+                "to infinity")
         else if (.not. allocated(medium%relaxing)) then
-            call raise(error, error_invalid, "the body is elastic: its states do not depend on time")
+            call raise(error, error_invalid, "medium: an elastic body has no history. Use states")
         else if (instrument(at_frame_compliance) /= 0.0_wp .and. data_kind /= data_dynamic_stiffness) then
-            call raise(error, error_invalid, "frame_compliance is not allowed: take the give of the frame off the depths")
+            call raise(error, error_invalid, "frame_compliance: it must be 0 with a viscoelastic body. Subtract the "// &
+                "deflection of the frame from the depths")
         end if
         if (.not. allocated(error)) call new_relaxing_contact(contact, profile, medium%relaxing, error)
         if (allocated(error)) return

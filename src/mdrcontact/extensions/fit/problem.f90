@@ -28,12 +28,11 @@ module mdrcontact_fit_problem
               at_contact_depth_factor, at_stiffness_factor, at_contact_depth_scale, at_area_factor, at_cohesive_stress, &
               instrument_numbers
 
-    !> Positions of the instrument's parameters behind those of indenter and medium:
-    !> gamma [modulus length]; depth and force at which the instrument reads first contact [length], [force]; compliance of the
-    !> frame [length/force]; contact modulus E*_i of the indenter, infinite for a rigid one [modulus]; epsilon of Oliver and
-    !> Pharr's contact depth h - epsilon P/S on a half-space; beta of S = 2 beta a E_r; factor of the contact depth, 1.2 with
-    !> epsilon = 1 for Loubet's (N. X. Randall et al., J. Mater. Res. 24 (2009) 679); true over assumed projected contact area;
-    !> sigma_0, adhesion with a range [modulus].
+    !> Positions of the instrument's parameters behind those of indenter and medium: gamma [modulus length]; depth and force at
+    !> which the instrument reads first contact [length], [force]; compliance of the frame [length/force]; contact modulus E*_i of
+    !> the indenter, infinite for a rigid one [modulus]; epsilon of Oliver and Pharr's contact depth h - epsilon P/S on a
+    !> half-space; beta of S = 2 beta a E_r; factor of the contact depth, 1.2 with epsilon = 1 for Loubet's (N. X. Randall et al.,
+    !> J. Mater. Res. 24 (2009) 679); true over assumed projected contact area; sigma_0, finite-range adhesion [modulus].
     integer, parameter :: at_work_of_adhesion = 1, at_depth_offset = 2, at_force_offset = 3, at_frame_compliance = 4, &
                           at_indenter_modulus = 5, at_contact_depth_factor = 6, at_stiffness_factor = 7, &
                           at_contact_depth_scale = 8, at_area_factor = 9, at_cohesive_stress = 10, instrument_numbers = 10
@@ -187,12 +186,12 @@ contains
         expected = instrument_numbers
         if (allocated(self%body%parameters)) expected = expected + size(self%body%parameters)
         if (.not. allocated(self%body%medium)) then
-            call raise(error, error_invalid, "the body is missing: new_fit_body makes it")
+            call raise(error, error_invalid, "body is missing: create it with new_fit_body")
         else if (.not. allocated(self%parameters)) then
-            call raise(error, error_invalid, "the parameters are missing")
+            call raise(error, error_invalid, "parameters are missing")
         else if (size(self%parameters) /= expected) then
-            call raise(error, error_invalid, "there are "//count_text(size(self%parameters))//" parameters: this indenter, "// &
-                       "this medium and the instrument have "//count_text(expected)//" together")
+            call raise(error, error_invalid, "there are "//count_text(size(self%parameters))// &
+                       " parameters: indenter, medium and instrument together have "//count_text(expected))
         end if
         call check_code(error, "data_kind", self%data_kind, [data_force_depth, data_stiffness_depth, data_modulus_radius, &
                                                              data_stiffness_radius, data_force_time, data_depth_time, &
@@ -205,7 +204,7 @@ contains
                 call raise(error, error_invalid, "prior_weights has "//count_text(size(self%prior_weights, 2))// &
                            " columns: it must have one for each of the "//count_text(expected)//" parameters")
             else if (.not. all(is_finite(self%prior_weights))) then
-                call raise(error, error_invalid, "prior_weights is not allowed: its entries must be finite")
+                call raise(error, error_invalid, "prior_weights: its entries must be finite")
             end if
         end if
         if (allocated(error)) return
@@ -227,11 +226,11 @@ contains
         if (parameter%prior_sd > 0.0_wp) call check_finite(error, name//": prior", parameter%prior, i)
         if (allocated(error)) return
         if (.not. parameter%lower < parameter%upper) then
-            call raise(error, error_invalid, ": lower = "//to_text(parameter%lower)//" is not allowed: it must be less "// &
-                       "than upper = "//to_text(parameter%upper), name, i)
+            call raise(error, error_invalid, ": lower = "//to_text(parameter%lower)//": it must be less than upper = "// &
+                       to_text(parameter%upper), name, i)
         else if (parameter%value < parameter%lower .or. parameter%value > parameter%upper) then
-            call raise(error, error_invalid, " = "//to_text(parameter%value)//" is not allowed: the search must begin "// &
-                       "between the bounds "//to_text(parameter%lower)//" and "//to_text(parameter%upper), name, i)
+            call raise(error, error_invalid, " = "//to_text(parameter%value)//": the search must begin between the bounds "// &
+                       to_text(parameter%lower)//" and "//to_text(parameter%upper), name, i)
         end if
     end subroutine check_parameter
 
@@ -253,7 +252,7 @@ contains
         ! what the scatter of the points must show needs one more of them
         if (.not. known) fewest = fewest + 1
         if (free == 0) then
-            call raise(error, error_invalid, "no parameter is free: there is nothing to fit")
+            call raise(error, error_invalid, "parameters: none is free. Free at least one")
         else if (size(self%x) < fewest) then
             call raise(error, error_invalid, "too few points: "//count_text(size(self%x))//" for "//count_text(free)// &
                        " free parameters, of which "//count_text(priors)//" have priors; at least "//count_text(fewest)// &
@@ -261,10 +260,9 @@ contains
         else if (fewest == 1) then
             return
         else if (maxval(self%x) <= minval(self%x) .and. problem%data_kind /= data_dynamic_stiffness) then
-            call raise(error, error_invalid, " is the same at all points, "//to_text(self%x(1))//": they determine no curve", "x")
+            call raise(error, error_invalid, ": it is "//to_text(self%x(1))//" at all points, which do not determine a curve", "x")
         else if (maxval(self%y) <= minval(self%y)) then
-            call raise(error, error_invalid, " is the same at all points, "//to_text(self%y(1))//": data without variance "// &
-                       "determine no curve", "y")
+            call raise(error, error_invalid, ": it is "//to_text(self%y(1))//" at all points, which do not determine a curve", "y")
         end if
     end subroutine check_data
 
@@ -292,17 +290,17 @@ contains
             if (allocated(self%given)) then
                 call check_column(self%given, "given", size(self%x), error)
             else
-                call raise(error, error_invalid, "given is missing: what is known of each point beside x")
+                call raise(error, error_invalid, "given is missing: this kind of data needs a second quantity at each point")
             end if
             if (problem%data_kind == data_dynamic_stiffness .and. .not. allocated(self%branch)) then
-                call raise(error, error_invalid, "branch is missing: it says which points are of the storage and which of the loss")
+                call raise(error, error_invalid, "branch is missing: it must select storage or loss for each point")
             end if
         end if
         if (allocated(error)) return
         if (problem%data_kind == data_force_time .or. problem%data_kind == data_depth_time) then
             do i = 2, size(self%x)
                 if (self%x(i) > self%x(i - 1)) cycle
-                call raise(error, error_invalid, " = "//to_text(self%x(i))//" is not allowed: times must ascend", "x", i)
+                call raise(error, error_invalid, " = "//to_text(self%x(i))//": times must be strictly ascending", "x", i)
                 return
             end do
         end if
@@ -356,7 +354,7 @@ contains
         type(error_t), allocatable, intent(inout) :: error
 
         if (size(values) /= expected) call raise(error, error_invalid, name//" has "//count_text(size(values))// &
-                                                 " entries and x "//count_text(expected)//": they must have the same number")
+                                                 " entries and x "//count_text(expected)//": they must have equal sizes")
     end subroutine check_column
 
 end module mdrcontact_fit_problem

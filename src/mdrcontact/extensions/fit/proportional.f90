@@ -13,7 +13,7 @@ module mdrcontact_fit_proportional
 
 contains
 
-    !> Position, among all parameters, of the modulus to which forces less their offset are proportional; 0: there is none.
+    !> Position, among all parameters, of the modulus to which forces less their offset are proportional; 0: not one.
     pure function proportional_modulus(problem) result(position)
         type(fit_problem_t), intent(in) :: problem
         integer :: position
@@ -57,7 +57,8 @@ contains
         end associate
     end function is_plain
 
-    !> Lets the search begin at the modulus that fits best where all else is as it begins: wherever the guess was, it is near.
+    !> Lets the search begin at the modulus that fits best with everything else at its start value: wherever the guess was, it is
+    !> near.
     subroutine divide_modulus(problem, data, error)
         type(fit_problem_t), intent(inout) :: problem
         type(fit_data_t), intent(in) :: data

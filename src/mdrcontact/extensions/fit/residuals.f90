@@ -160,8 +160,8 @@ contains
                  .or. (self%problem%parameters(i)%is_free .or. self%problem%parameters(i)%value /= 0.0_wp)
     end function readings_enter_model
 
-    !> Standard deviations of y - model where the model is computed from y too: a reading that is off by e moves the residual by
-    !> e (1 - d model/dy).
+    !> Standard deviations of y - model where the model is computed from y too: an error e of a reading moves the residual by e (1 -
+    !> d model/dy).
     subroutine propagate_readings(self, u, error)
         class(fit_residuals_t), intent(inout) :: self
         real(wp), intent(in) :: u(:)

@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> How far the surface sinks in at the edge of a contact: h_s = d - f(a) = sink(a) F/k.
+!> Sink-in of the surface at the edge of a contact: h_s = d - f(a) = sink(a) F/k.
 !>
-!> At one contact radius d, f and F of an indenter f = c r^n grow in proportion to c, so that sink depends on radius and body
+!> At one contact radius d, f and F of an indenter f = c r^n grow proportionally to c, so that sink depends on radius and body
 !> alone. On a half-space it is Oliver and Pharr's epsilon: 2 (pi - 2)/pi of a cone, 0.75 of a paraboloid, 1 of a punch. An indent
 !> that has yielded unloads as if a smooth indenter c r^n lay in it (Pharr, Bolshakov, J. Mater. Res. 17 (2002) 2660); a film lets
 !> that indenter sink in more or less deeply than a half-space does, and the exact contact says how deeply.
@@ -31,8 +31,8 @@ module mdrcontact_fit_sink_in
         private
         type(equilibrium_t) :: equilibrium
         type(curve_t) :: curve
-        !> sink = share*(that of the equilibrium's indenter) + rest: beyond the sharpest and the flattest indenter epsilon's
-        !> effect goes on in proportion, to 0 and to the punch
+        !> sink = share*(that of the equilibrium's indenter) + rest: beyond the sharpest and the flattest indenter epsilon's effect
+        !> continues proportionally, to 0 and to the punch
         real(wp) :: share = 1.0_wp, rest = 0.0_wp
         !> the radii between which it is known [length]
         real(wp), public :: smallest = 0.0_wp, largest = 0.0_wp
@@ -42,14 +42,14 @@ module mdrcontact_fit_sink_in
 
 contains
 
-    !> The sink-in of an indenter, or of the one that epsilon stands for.
+    !> The sink-in of an indenter, or of the one that epsilon represents.
     subroutine new_sink_in(self, medium, smallest, largest, error, epsilon_factor, indenter)
         type(sink_in_t), intent(out) :: self
         class(solver_t), intent(in) :: medium
         !> contact radii, 0 < smallest < largest; cut where medium and indenter end [length]
         real(wp), intent(in) :: smallest, largest
         type(error_t), allocatable, intent(out) :: error
-        !> h_s/(F/k) on a half-space, which stands for an indenter c r^n [1]; either this or the indenter
+        !> h_s/(F/k) on a half-space, which represents an indenter c r^n [1]; either this or the indenter
         real(wp), intent(in), optional :: epsilon_factor
         class(profile_t), intent(in), optional :: indenter
         type(power_law_t) :: power
@@ -74,7 +74,7 @@ contains
         self%largest = min(largest, self%equilibrium%last_radius)
         if (.not. self%smallest < self%largest) then
             call raise(error, error_domain, "the contact radii "//to_text(smallest)//" to "//to_text(largest)// &
-                       " leave the range in which the medium is known"//trim(medium%why_it_ends))
+                       " are outside the range of the medium"//trim(medium%why_it_ends))
             return
         end if
         associate (first => self%equilibrium%coordinate_of(self%smallest), last => self%equilibrium%coordinate_of(self%largest))

@@ -73,8 +73,8 @@ contains
         end do
     end function inverse
 
-    !> A variance beyond all measure, of unknowns of order one, along the directions that are not determined. Their eigenvalues
-    !> show none: they are rounding, and noise that is estimated from too few data is, too.
+    !> A variance not determined, of unknowns of order one, along the directions that are not determined. Their eigenvalues show
+    !> none: they are rounding, and noise that is estimated from too few data isalso.
     pure function undetermined_spread(self) result(matrix)
         class(spectrum_t), intent(in) :: self
         real(wp) :: matrix(size(self%scale), size(self%scale))

@@ -66,8 +66,8 @@ contains
                 self%lower(i) = max(self%lower(i), smallest_poisson)
                 self%upper(i) = min(self%upper(i), largest_poisson)
                 if (self%start(i) < self%lower(i) .or. self%start(i) > self%upper(i)) then
-                    call raise(error, error_invalid, " = "//to_text(self%start(i))//" is not allowed: Poisson's ratio "// &
-                               "must be greater than -1 and at most 0.5", "parameters", j)
+                    call raise(error, error_invalid, " = "//to_text(self%start(i))//": Poisson's ratio must lie in (-1, 0.5]", &
+                               "parameters", j)
                 end if
             case (fraction)
                 self%scale(i) = 1.0_wp
@@ -91,8 +91,8 @@ contains
                     self%lower(i) = max(problem%parameters(j)%lower, 0.0_wp)
                 end if
                 if (.not. self%start(i) > 0.0_wp) then
-                    call raise(error, error_invalid, " = "//to_text(self%start(i))//" is not allowed: the search for a "// &
-                               "positive quantity must begin above 0", "parameters", j)
+                    call raise(error, error_invalid, " = "//to_text(self%start(i))//": the search for a positive quantity "// &
+                               "must begin above 0", "parameters", j)
                 end if
             end select
             if (allocated(error)) return
@@ -219,7 +219,7 @@ contains
 
         p = self%number_at(i, u)
         side = 0
-        ! a bound that has been through logarithms and roots has lost its last digits
+        ! a bound that has been through logarithms and roots has lost its last significant digits
         if (abs(self%lower(i)) <= huge(p)) then
             if (p - self%lower(i) <= rounding*max(abs(self%lower(i)), self%scale(i))) side = -1
         end if

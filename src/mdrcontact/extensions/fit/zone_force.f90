@@ -13,11 +13,11 @@ module mdrcontact_fit_zone_force
 
 contains
 
-    !> F and a at depths on loading or unloading; where the bodies are apart, `apart` says so. Below pull-off F goes on as above it,
-    !> up to 0: readings of bodies that still touch there show a search where pull-off should be.
+    !> F and a at depths on loading or unloading; for separated bodies, `apart` is true. Below pull-off F continues as above it, up
+    !> to 0: readings of bodies that still touch there show a search where pull-off should be.
     subroutine zone_forces(equilibrium, depth, is_loading, force, radius, apart, error)
         type(equilibrium_t), intent(in), target :: equilibrium
-        !> [length], and the same size: whether the bodies approach, F [modulus length^2], a [length], whether they are apart
+        !> [length], and the same size: whether the bodies approach, F [modulus length^2], a [length], whether they are separated
         real(wp), intent(in) :: depth(:)
         logical, intent(in) :: is_loading(:)
         real(wp), intent(out) :: force(:), radius(:)

@@ -12,7 +12,7 @@ module mdrcontact_lateral_breaks
     private
     public :: depths_between, radii_between
 
-    !> The depth, over a, at which the sections at the surface are looked at.
+    !> The depth, over a, at which the sections at the surface are considered.
     real(wp), parameter :: surface = 1.0e-6_wp
     !> Balls whose centres lie so nearly above each other, by the sine, cross at one depth.
     real(wp), parameter :: upright = 1.0e-6_wp

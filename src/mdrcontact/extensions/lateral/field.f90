@@ -104,7 +104,7 @@ contains
             order = 2*order
             if (order > highest_order) then
                 call raise(error, error_no_convergence, "E_eff at x = "//to_text(x)//", y = "//to_text(y)//", a = "//to_text(a)// &
-                           " is known to "//to_text(maxval(difference))//" only: the tolerance is "//to_text(self%tolerance))
+                           " has an error of "//to_text(maxval(difference))//", and the tolerance is "//to_text(self%tolerance))
                 return
             end if
         end do
@@ -199,7 +199,7 @@ contains
                 end do
             end do
         end do
-        ! the last digits of a finite order: the mean of a constant is that constant
+        ! the last significant digits of a finite order: the mean of a constant is that constant
         weights(1, :) = weights(1, :)/sum(weights(1, :))
         weights(2, :) = weights(2, :)/sum(weights(2, :))
     end subroutine space_rule

@@ -34,8 +34,8 @@ contains
         call check_positive(error, "largest_radius", largest_radius)
         call check_count_within(error, "points", count, 3, most_points)
         if (largest_radius <= smallest_radius) then
-            call raise(error, error_invalid, "largest_radius = "//to_text(largest_radius)//" is not allowed: it must be "// &
-                       "greater than smallest_radius = "//to_text(smallest_radius))
+            call raise(error, error_invalid, "largest_radius = "//to_text(largest_radius)// &
+                       ": it must be greater than smallest_radius = "//to_text(smallest_radius))
         end if
         if (allocated(error)) return
         allocate (radii(count), modulus(count), stat=stat)

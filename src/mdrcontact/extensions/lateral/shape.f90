@@ -66,8 +66,8 @@ contains
             call check_interval(error, "y_low", parameters(3), "y_high", parameters(4))
             call check_interval(error, "z_top", parameters(5), "z_bottom", parameters(6))
         case default
-            call raise(error, error_invalid, "kind = "//count_text(kind)//" is not allowed: layer (0), half-space (1), "// &
-                       "ball (2), fibre (3), pillar (4) or box (5)")
+            call raise(error, error_invalid, "kind = "//count_text(kind)//": it must be layer (0), half-space (1), ball (2), "// &
+                       "fibre (3), pillar (4) or box (5)")
         end select
     end subroutine new_shape
 
@@ -178,10 +178,10 @@ contains
         real(wp), intent(in) :: low, high
 
         if (is_nan(low) .or. is_nan(high)) then
-            call raise(error, error_invalid, low_name//" and "//high_name//" must be numbers, not NaN")
+            call raise(error, error_invalid, low_name//" and "//high_name//": they must not be NaN")
         else if (.not. low < high) then
-            call raise(error, error_invalid, high_name//" = "//to_text(high)//" is not allowed: it must be greater than "// &
-                       low_name//" = "//to_text(low))
+            call raise(error, error_invalid, high_name//" = "//to_text(high)//": it must be greater than "//low_name//" = "// &
+                       to_text(low))
         end if
     end subroutine check_interval
 
@@ -196,8 +196,7 @@ contains
         if (is_finite(length) .and. length > 0.0_wp) then
             direction = direction/length
         else
-            call raise(error, error_invalid, name//" of length "//to_text(length)//" is not allowed: it must be finite and "// &
-                       "greater than 0")
+            call raise(error, error_invalid, name//" of length "//to_text(length)//": the length must be finite and greater than 0")
         end if
     end subroutine normalize
 

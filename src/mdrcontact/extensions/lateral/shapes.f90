@@ -92,7 +92,7 @@ contains
             if (all(abs(excess - before) <= self%tolerance*scale)) exit
             if (2*nodes > most_nodes) then
                 call raise(error, error_no_convergence, "E_eff at x = "//to_text(x)//", y = "//to_text(y)//", a = "//to_text(a)// &
-                           " is known to "//to_text(maxval(abs(excess - before)/scale))//" only: the tolerance is "// &
+                           " has an error of "//to_text(maxval(abs(excess - before)/scale))//", and the tolerance is "// &
                            to_text(self%tolerance))
                 return
             end if

@@ -79,7 +79,7 @@ contains
             self%polynomials(:, 0, panel) = self%polynomials(:, 0, panel) + running
             running = running + matmul(samples, w)
         end do
-        ! what quadrature left of the whole, put right in proportion: a homogeneous slab must count exactly once
+        ! what quadrature left of the whole, put right proportionally: a homogeneous slab must count exactly once
         total = merge(self%whole/running, 1.0_wp, running > 0.0_wp)
         do i = 1, 2
             self%polynomials(i, :, :) = total(i)*self%polynomials(i, :, :)
@@ -88,7 +88,7 @@ contains
     end subroutine new_slab
 
     !> Weights (shear, poisson) beyond distance rho from the axis. `panel` is where the last call ended: neighbours are found
-    !> at once.
+    !> immediately.
     pure subroutine outside(self, rho, panel, weights)
         type(slab_t), intent(in) :: self
         real(wp), intent(in) :: rho

@@ -73,7 +73,7 @@ contains
         if (allocated(error)) return
         if (.not. shear > 0.0_wp) then
             call raise(error, error_no_convergence, "E_eff at x = "//to_text(x)//", y = "//to_text(y)//", a = "//to_text(a)// &
-                       " is lost in rounding: the moduli are too far apart for the weights")
+                       " is not determined: the moduli differ by too many orders of magnitude")
             return
         end if
         value = 2.0_wp*shear/(1.0_wp - poisson)
@@ -82,7 +82,7 @@ contains
     !> E_eff(a, x, y) at several places and radii: along a line, at one place for many radii, ...
     subroutine modulus(self, x, y, a, values, error, exponent)
         class(structure_t), intent(in) :: self
-        !> all of the same size [length]
+        !> all of equal size [length]
         real(wp), intent(in) :: x(:), y(:), a(:)
         !> E_eff [modulus], same size
         real(wp), intent(out) :: values(:)
@@ -102,7 +102,7 @@ contains
     !> exact E_eff lies between them, whatever the contrast (theory/lateral.md (3.1)).
     subroutine bounds(self, x, y, a, lower, upper, error)
         class(structure_t), intent(in) :: self
-        !> all of the same size [length]
+        !> all of equal size [length]
         real(wp), intent(in) :: x(:), y(:), a(:)
         !> same size [modulus]
         real(wp), intent(out) :: lower(:), upper(:)

@@ -32,7 +32,7 @@ contains
     !> E_eff(a, x, y) [modulus]. A structure that is a user's function is evaluated on the calling thread alone.
     subroutine structure_values(structure, x, y, a, values, threads, error)
         class(structure_t), intent(in), target :: structure
-        !> all of the same size [length]
+        !> all of equal size [length]
         real(wp), intent(in), target, contiguous :: x(:), y(:), a(:)
         !> same size [modulus]
         real(wp), intent(inout), target, contiguous :: values(:)

@@ -62,11 +62,11 @@ contains
         do i = 1, 3
             call check_positive(error, "spacing "//count_text(i), spacing(i))
         end do
-        if (size(labels) == 0 .or. size(phases) == 0) call raise(error, error_invalid, "the array of voxels or phases is empty")
+        if (size(labels) == 0 .or. size(phases) == 0) call raise(error, error_invalid, "voxels or phases: the array is empty")
         if (allocated(error)) return
         if (minval(labels) < 1 .or. maxval(labels) > size(phases)) then
             call raise(error, error_invalid, "labels from "//count_text(minval(labels))//" to "//count_text(maxval(labels))// &
-                       " are not allowed: there are phases 1 to "//count_text(size(phases)))
+                       ": there are phases 1 to "//count_text(size(phases)))
         end if
         if (allocated(error)) return
         allocate (self%labels, source=labels, stat=stat)
@@ -90,8 +90,8 @@ contains
         end do
         call check_count_within(error, "images", self%images, 1, most_images)
         if (4.0_wp*real(self%images, wp)**2*size(labels, 1)*size(labels, 2) > most_cells) then
-            call raise(error, error_invalid, "images = "//count_text(self%images)//" is not allowed: so many periods have more "// &
-                       "cells than can be summed")
+            call raise(error, error_invalid, "images = "//count_text(self%images)//": this number of periods has too many "// &
+                       "cells. Use fewer images")
         end if
         self%reference_nu = 0.0_wp
         do i = 1, size(phases)

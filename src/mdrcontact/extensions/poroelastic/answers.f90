@@ -15,9 +15,9 @@ module mdrcontact_poroelastic_answers
     public :: columns, relaxation, creep, paraboloid, mean_relaxation, mean_creep, storage, loss
 
     !> What is tabulated. In time tau, per its value on an incompressible half-space: the force after a step of a flat punch's
-    !> depth, the depth after a step of its force, the force of a paraboloid pressed in at once whose contact radius is held, the
-    !> means of the first two since the step, which answer ramps; of the frequency omega a^2/D: the two parts of a flat punch's
-    !> dynamic stiffness.
+    !> depth, the depth after a step of its force, the force of a paraboloid pressed in instantaneously whose contact radius is
+    !> held, the means of the first two since the step, which answer ramps; of the frequency omega a^2/D: the two parts of a flat
+    !> punch's dynamic stiffness.
     integer, parameter :: columns = 7, relaxation = 1, creep = 2, paraboloid = 3, mean_relaxation = 4, mean_creep = 5, &
                           storage = 6, loss = 7
     !> of the inverse Laplace transform
@@ -90,7 +90,7 @@ contains
         values = [real(q(1), wp), aimag(q(1))]
     end subroutine at_frequency
 
-    !> All columns of the elastic body that a gel is at once, or at last.
+    !> All columns of the elastic body that a gel is initially, or finally.
     subroutine at_end(gel, basis, is_drained, values, error)
         type(gel_t), intent(in) :: gel
         type(basis_t), intent(in) :: basis

@@ -10,7 +10,7 @@ module mdrcontact_poroelastic_compliance
     private
     public :: poroelastic_compliance
 
-    !> What stands for 0 in units of the gel's own.
+    !> What represents 0 in units of the gel's own.
     real(wp), parameter :: lowest_frequency = 1.0e-30_wp
 
 contains
@@ -44,8 +44,8 @@ contains
         call check_positive(error, "diffusivity", diffusivity)
         call check_not_negative(error, "omega", omega)
         if (.not. allocated(error) .and. drainage == sealed_by_indenter) then
-            call raise(error, error_invalid, "drainage = 3 (indenter) is not allowed: where the surface drains depends on the "// &
-                       "contact then, and it has no compliance of its own; take 1 (surface) or 2 (sealed)")
+            call raise(error, error_invalid, "drainage = 3 (indenter): a compliance needs drainage that does not depend on "// &
+                       "the contact. Use 1 (surface) or 2 (sealed)")
         end if
         if (allocated(error)) return
         ! relative_compliance() takes lengths in units of the thickness

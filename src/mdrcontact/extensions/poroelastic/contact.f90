@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> One contact of a gel at one Laplace variable s: the line load of a flat punch or a paraboloid at depth 1, in units of
-!> 4 G. Below, 1 stands for the shape.
+!> One contact of a gel at one Laplace variable s: the line load of a flat punch or a paraboloid at depth 1, in units of 4 G. Below,
+!> 1 represents the shape.
 !>
 !> With q the line load of the total pressure, m that of the pore pressure where the indenter seals, w = q - m, R and P the cosine
 !> integrals with r and Phi/k:  q + R w = 1,  m = P w - (P w)(1). A surface that drains, or is sealed, everywhere has no m in the
@@ -27,7 +27,7 @@ contains
     subroutine solve_contact(gel, basis, shape, s, q, w, error)
         type(gel_t), intent(in) :: gel
         type(basis_t), intent(in) :: basis
-        !> the first two coefficients of what is prescribed on the line: flat or parabolic
+        !> the first two coefficients of the prescribed quantity on the line: flat or parabolic
         real(wp), intent(in) :: shape(2)
         complex(wp), intent(in) :: s
         !> (order)
@@ -51,7 +51,7 @@ contains
         end if
     end subroutine solve_contact
 
-    !> The same of an elastic body, the gel at once (nu = 1/2) or at last.
+    !> The same of an elastic body, the gel initially (nu = 1/2) or finally.
     subroutine solve_elastic(gel, basis, is_drained, q, error)
         type(gel_t), intent(in) :: gel
         type(basis_t), intent(in) :: basis

@@ -56,7 +56,7 @@ contains
             b(i, :) = values(i, :)/sqrt(tau(i))
         end do
         call dgels("N", size(tau), early_terms, size(b, 2), a, size(tau), b, size(tau), work, size(work), info)
-        if (info /= 0) call raise(error, error_no_convergence, "the early answers of a gel could not be found")
+        if (info /= 0) call raise(error, error_no_convergence, "the early responses of a gel were not found")
         coefficients = b(:early_terms, :)
     end subroutine fit_early
 

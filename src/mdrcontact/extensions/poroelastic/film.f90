@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The surface of a gel film of thickness 1, bonded to a rigid base that lets no fluid through: three waves that decay from the
-!> surface down and their mirrors that decay from the base up, under six conditions at one k and s
-!> (theory/poroelastic.md (1.1), (1.2), (4.1)).
+!> The surface of a gel film of thickness 1, bonded to a rigid base that lets no fluid through: three waves that decay downwards
+!> from the surface and their mirrors that decay from the base up, under six conditions at one k and s (theory/poroelastic.md (1.1),
+!> (1.2), (4.1)).
 module mdrcontact_poroelastic_film
     use mdrcontact_kinds, only: wp
     implicit none (type, external)

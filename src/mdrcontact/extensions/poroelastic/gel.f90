@@ -41,18 +41,17 @@ contains
         type(error_t), allocatable, intent(out) :: error
 
         if (.not. (poisson > -1.0_wp .and. poisson < 0.5_wp)) then
-            call raise(error, error_invalid, " = "//to_text(poisson)//" is not allowed: the drained Poisson's ratio of a gel "// &
-                       "must be greater than -1 and less than 0.5, at which nothing drains", "nu")
+            call raise(error, error_invalid, " = "//to_text(poisson)//": the drained Poisson's ratio of a gel must lie in "// &
+                       "(-1, 0.5)", "nu")
         end if
         call check_code(error, "drainage", drainage, [drains_by_surface, sealed, sealed_by_indenter])
         call check_not_negative(error, "ratio", ratio)
         if (allocated(error)) return
         if (ratio > largest_ratio) then
-            call raise(error, error_invalid, " = "//to_text(ratio)//" is not allowed: contacts of gels are computed up to "// &
-                       to_text(largest_ratio)//" thicknesses of a film", "ratio")
+            call raise(error, error_invalid, " = "//to_text(ratio)//": it must be at most "//to_text(largest_ratio), "ratio")
         else if (ratio > 0.0_wp .and. drainage == sealed_by_indenter) then
-            call raise(error, error_invalid, "drainage = indenter is not allowed on a film: it is computed on a half-space "// &
-                       "only; on a film take surface or sealed, between which it lies")
+            call raise(error, error_invalid, "drainage = indenter: it is available on a half-space only. On a film use "// &
+                       "surface and sealed, which bound the result")
         end if
         self = gel_t(poisson, drainage, ratio)
     end subroutine new_gel

@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> What the surface of a gel answers to waves of pressure, at the Laplace variable s: 2 G k C(k; s) = 1 + r
-!> (theory/poroelastic.md (2.1), (2.2), (3.5), (5.6)).
+!> Response of the surface of a gel to waves of pressure, at the Laplace variable s: 2 G k C(k; s) = 1 + r (theory/poroelastic.md
+!> (2.1), (2.2), (3.5), (5.6)).
 !>
 !> Agbezuge, Deresiewicz, Israel J. Technol. 12 (1974) 322; McNamee, Gibson, Q. J. Mech. Appl. Math. 13 (1960) 98.
 module mdrcontact_poroelastic_kernel

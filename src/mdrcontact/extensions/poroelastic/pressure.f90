@@ -39,7 +39,7 @@ contains
         values = 0.0_wp
         if (is_pore .and. gel%drainage == drains_by_surface) return
         if (is_pore .and. gel%ratio > 0.0_wp) then
-            call raise(error, error_invalid, "the pore pressure under an indenter is computed on a half-space only, not on a film")
+            call raise(error, error_invalid, "kind: the pore pressure is available on a half-space only")
         end if
         call basis_for(gel, tau, tau, basis, error)
         if (allocated(error)) return
@@ -146,8 +146,8 @@ contains
             off = max(off, abs(sum(terms, mask=shorter)))
         end do
         if (.not. (allocated(error) .or. off <= allowed*maxval(abs(values)))) then
-            call raise(error, error_no_convergence, " is not allowed: the pore pressure is not found so near the edge of "// &
-                       "contact, where the shortest waves add "//to_text(off)//" to it", "r")
+            call raise(error, error_no_convergence, ": the pore pressure is not accurate this close to the edge of contact, "// &
+                       "where the shortest waves add "//to_text(off), "r")
         end if
     end subroutine sum_waves
 

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> What a gel answers, in the caller's units: theory/poroelastic.md (5.1)-(5.6).
+!> Responses of a gel, in the units of the caller: theory/poroelastic.md (5.1)-(5.6).
 module mdrcontact_poroelastic_response
     use mdrcontact_codes, only: creep, mean_creep, mean_relaxation, paraboloid => paraboloid_relaxation, pore_pressure, &
                                 relaxation, total_pressure
@@ -107,14 +107,13 @@ contains
             call check_not_negative(error, "r", r(i), i)
             if (allocated(error)) return
             if (r(i) < radius) cycle
-            call raise(error, error_domain, " = "//to_text(r(i))//" is not allowed: it must be less than the contact radius "// &
-                       to_text(radius), "r", i)
+            call raise(error, error_domain, " = "//to_text(r(i))//": it must be less than the contact radius "//to_text(radius), &
+                       "r", i)
         end do
         if (allocated(error)) return
         tau = diffusivity*time/radius**2
         if (tau < shortest_pressure) then
-            call raise(error, error_domain, " = "//to_text(time)//" is not allowed: D t/a^2 must be at least "// &
-                       to_text(shortest_pressure), "time")
+            call raise(error, error_domain, " = "//to_text(time)//": D t/a^2 must be at least "//to_text(shortest_pressure), "time")
             return
         end if
         call gel_pressure(table%gel, merge(flat, parabolic, is_flat), kind == pore_pressure, tau, r/radius, values, error)

@@ -19,7 +19,7 @@ module mdrcontact_poroelastic_table
 
     !> Up to where series go.
     real(wp), parameter :: last_time = 1.0e8_wp
-    !> A table that is off by more than this part of the force is none.
+    !> A table that has an error of more than this part of the force is not valid.
     real(wp), parameter :: allowed = 2.0e-5_wp
     !> Where the early answers are fitted, and compared, in units of where the series begin.
     real(wp), parameter :: early(*) = [0.1_wp, 0.2_wp, 0.45_wp], joined(*) = [1.0_wp, 1.6_wp, 2.5_wp, 4.0_wp], &
@@ -39,7 +39,7 @@ module mdrcontact_poroelastic_table
         real(wp), allocatable :: series(:, :, :)
         !> what follows below the first decade
         real(wp) :: early(early_terms, columns) = 0.0_wp
-        !> by how much the table is off between its nodes
+        !> the error of the table between its nodes
         real(wp) :: error = 0.0_wp
     contains
         procedure :: value
@@ -73,8 +73,8 @@ contains
             if (allocated(error)) return
         end do
         call fill_early(self, error)
-        if (.not. self%error <= allowed) call raise(error, error_no_convergence, "the table of this gel is off by "// &
-                                                    to_text(self%error)//": more than is allowed, "//to_text(allowed))
+        if (.not. self%error <= allowed) call raise(error, error_no_convergence, "the table of this gel has an error of "// &
+                                                    to_text(self%error)//", more than "//to_text(allowed))
     end subroutine new_poroelastic
 
     !> What comes before the first decade: fitted to a few answers there and to the beginning of the decade, compared between them.
@@ -124,7 +124,7 @@ contains
 
         do j = 1, columns
             misfit = abs(values(j) - exact(j))/max(abs(exact(j)), self%drained(1))
-            ! NaN is none
+            ! A NaN counts as an error
             if (.not. misfit <= self%error) self%error = misfit
         end do
     end subroutine compare
@@ -181,7 +181,8 @@ contains
 
         y = self%undrained(column)
         if (.not. is_finite(tau)) then
-            call raise(error, error_no_convergence, "D t/a^2 leaves the number range: the numbers given are too large or too small")
+            call raise(error, error_no_convergence, "D t/a^2 exceeds the range of double precision: the arguments are too "// &
+                "large or too small")
             return
         end if
         if (tau <= 0.0_wp) return

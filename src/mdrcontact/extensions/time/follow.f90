@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Histories of a body whose materials relax in proportion, from its elastic curve (theory/time.md (3.1), (3.2)): while the contact
+!> Histories of a body whose materials relax proportionally, from its elastic curve (theory/time.md (3.1), (3.2)): while the contact
 !> grows, F(t) = int phi(t - u) dF_el(d(u)) (Lee, Radok, J. Appl. Mech. 27 (1960) 438); after the one maximum of d the contact is as
 !> large as it was at the time t1 at which int_t1^t phi(t - u) d'(u) du = 0, and F(t) = int_0^t1 (Ting, J. Appl. Mech. 33 (1966)
 !> 845).
@@ -43,9 +43,10 @@ contains
         type(contact_t), intent(in), target :: contact
         !> what its modulus is multiplied by, phi(t) [1]
         type(prony_t), intent(in) :: phi
-        !> ascending; before the first the bodies are apart and at rest, and if the first depth is positive it is reached in a jump
+        !> ascending; before the first the bodies are separated and at rest, and if the first depth is positive it is reached in a
+        !> jump
         real(wp), intent(in) :: time(:)
-        !> d; the bodies are apart before it is positive [length]
+        !> d; the bodies are separated before it is positive [length]
         real(wp), intent(in) :: depth(:)
         !> a contact that grows again by less, relative to the largest depth, only shrinks
         real(wp), intent(in) :: tolerance
@@ -123,7 +124,7 @@ contains
         type(prony_t), intent(in) :: phi
         type(elastic_curve_t), intent(inout) :: curve
         real(wp), intent(in) :: time(:), depth(:)
-        !> growing again by less, in terms of the depth of the elastic contact, is none
+        !> growing again by less, in terms of the depth of the elastic contact, does not count
         real(wp), intent(in) :: tolerance
         real(wp), intent(inout) :: radius(:), force(:)
         logical, intent(out) :: covered
@@ -151,7 +152,7 @@ contains
             call check_cancelled(error)
             if (allocated(error)) return
             rate = (depth(i) - depth(i - 1))/(time(i) - time(i - 1))
-            ! grows again at once, or would have to at the end of the step?
+            ! grows again immediately, or would have to at the end of the step?
             steady = .true.
             if (i > 2) steady = retreats(phi, behind, rate)
             ! steps are known to the rounding of the times
@@ -180,7 +181,7 @@ contains
                 force(i) = phi%limit*load(n + 1) + sum(phi%weight*load(:n)*z)
             end if
             if (.not. (steady .and. retreats(phi, behind, rate))) then
-                ! by how much, in the middle of the step?
+                ! the rate in the middle of the step
                 z = 0.5_wp*phi%rate*step
                 rise_before = exp(-min(z, 700.0_wp))*rise_before + 0.5_wp*(depth(i) - depth(i - 1))*mean_decay(z)
                 call find_edge(path, phi, rise_before, rate, 0.5_wp*(time(i) + time(i - 1)), 0.5_wp*(depth(i) + depth(i - 1)), &

@@ -17,20 +17,21 @@ module mdrcontact_time_history
     public :: contact_history
 
     real(wp), parameter :: default_tolerance = 1.0e-5_wp, smallest_tolerance = 1.0e-9_wp, largest_tolerance = 1.0e-2_wp
-    !> How much better power laws are followed than that, which costs little: to rounding at tolerances that are not coarse.
+    !> How much better power laws are followed than that, which costs little: to machine precision at tolerances that are not
+    !> coarse.
     real(wp), parameter :: of_power_laws = 1.0e-7_wp
 
 contains
 
-    !> Depth, radius and force at each time, of which one is prescribed. Before the first time the bodies are apart and at rest;
-    !> what is prescribed then is reached in a jump. In between it is linear in time.
+    !> Depth, radius and force at each time, of which one is prescribed. Before the first time the bodies are separated and at rest;
+    !> the first prescribed value is applied as a step. In between it is linear in time.
     subroutine contact_history(contact, given, time, values, depth, radius, force, error, tolerance, depth_alone)
         type(relaxing_contact_t), intent(in) :: contact
         !> given_depth, given_force or given_radius
         integer, intent(in) :: given
         !> strictly ascending [time]
         real(wp), intent(in) :: time(:)
-        !> what is prescribed: d, negative where the bodies are apart [length], or F >= 0 [modulus length^2], or a >= 0 [length]
+        !> the prescribed quantity: d, negative for separated bodies [length], or F >= 0 [modulus length^2], or a >= 0 [length]
         real(wp), intent(in) :: values(:)
         !> same size as time
         real(wp), intent(out) :: depth(:), radius(:), force(:)
@@ -62,8 +63,8 @@ contains
         if (allocated(error)) return
         associate (medium => contact%medium)
             if (given /= given_force .and. values(1) > 0.0_wp .and. .not. medium%materials(1)%has_glassy()) then
-                call raise(error, error_invalid, " = "//to_text(values(1))//" is not allowed: a surface of a power law or with "// &
-                           "a dashpot in parallel bears any jump; begin with 0", trim(word(given)), 1)
+                call raise(error, error_invalid, " = "//to_text(values(1))//": with a power law or a parallel dashpot a step "// &
+                           "of the depth needs an infinite force. Begin with 0", trim(word(given)), 1)
                 return
             end if
             covered = medium%is_proportional
@@ -83,7 +84,7 @@ contains
         if (given == given_force) name = "force"
     end function word
 
-    !> A body whose materials relax in proportion, as far as its history follows from the elastic curve.
+    !> A body whose materials relax proportionally, as far as its history follows from the elastic curve.
     subroutine of_proportional(contact, medium, given, time, values, tolerance, depth, radius, force, covered, error, depth_alone)
         type(relaxing_contact_t), intent(in) :: contact
         type(viscoelastic_t), intent(in) :: medium

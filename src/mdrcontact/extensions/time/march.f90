@@ -41,7 +41,7 @@ module mdrcontact_time_march
         real(wp) :: gap = 0.0_wp
         !> 1: grew in the last step, -1: shrank
         integer :: direction = 1
-        !> radii where the contact has turned, or where what is prescribed bends, ascending
+        !> radii where the contact has turned, or where the prescribed quantity has a kink, ascending
         real(wp), allocatable :: turns(:)
         !> q and z_l (nodes, l)
         type(panels_t) :: panels
@@ -88,7 +88,7 @@ contains
     subroutine step_march(self, h, given, value, error)
         type(march_t), intent(inout) :: self
         real(wp), intent(in) :: h
-        !> given_depth, given_force or given_radius, and what is prescribed at the end of the step
+        !> given_depth, given_force or given_radius, and the prescribed quantity at the end of the step
         integer, intent(in) :: given
         real(wp), intent(in) :: value
         type(error_t), allocatable, intent(inout) :: error
@@ -204,7 +204,7 @@ contains
         if (h <= 0.0_wp .and. radius > 0.0_wp) call add_turn(self%turns, radius, self%limit)
     end subroutine commit
 
-    !> What is prescribed has a kink here: memories keep it at the edge as it is.
+    !> The prescribed quantity has a kink here: memories keep it at the edge as it is.
     pure subroutine mark_kink(self)
         type(march_t), intent(inout) :: self
 
@@ -232,7 +232,7 @@ contains
             allocate (z, source=interpolate(self%panels, self%z, x))
             allocate (q, source=interpolate(self%panels, self%q, x))
             where (x > self%radius) q(:, 1) = 0.0_wp
-            ! how long each place is in contact during the step; a flat end comes and goes at once
+            ! how long each place is in contact during the step; a flat end appears and disappears instantly
             allocate (held(n), local(n), history(n), decay(n), g(n))
             low = min(radius, self%radius)
             high = max(radius, self%radius)
@@ -310,7 +310,8 @@ contains
                 edge_one = 1.0_wp - sum(edge(:inner - 1)*right(:inner - 1, 1))
                 edge_g = g(inner) + history(inner) - sum(edge(:inner - 1)*right(:inner - 1, 2))
                 if (.not. (abs(edge_one) <= huge(1.0_wp) .and. abs(edge_g) <= huge(1.0_wp))) then
-                    call raise(error, error_no_convergence, "the springs of this body nearly cancel at radius "//to_text(radius))
+                    call raise(error, error_no_convergence, "the springs of this body are nearly singular at radius "// &
+                        to_text(radius))
                     return
                 end if
                 if (given /= given_depth) trial%depth = edge_g/edge_one

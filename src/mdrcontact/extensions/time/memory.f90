@@ -20,14 +20,14 @@ module mdrcontact_time_memory
     !> Nodes in a panel of wavenumbers, the phase that a panel resolves, and what chi may be beyond the last one.
     integer, parameter :: panel_nodes = 16
     real(wp), parameter :: largest_phase = 8.0_wp, negligible = 1.0e-15_wp
-    !> By how much a panel may differ from its halves, relative; panels at most; and at how many s that is seen.
+    !> Largest difference of a panel from its halves, relative; panels at most; and at how many s that is seen.
     real(wp), parameter :: allowed_difference = 1.0e-12_wp
     integer, parameter :: most_panels = 400, looks = 8
     !> Beyond all times of all materials.
     real(wp), parameter :: at_once = 1.0e18_wp
     !> Longest panel of x, of so many nodes too, in thicknesses of the first layer.
     real(wp), parameter :: in_thicknesses = 2.0_wp
-    !> Numbers of common times to try, and how far beyond them and how densely the transform is sampled.
+    !> Numbers of common times to try, and the range beyond them and the density with which the transform is sampled.
     integer, parameter :: counts(*) = [6, 10, 14, 18, 24, 32, 40, 52, 64, 80]
     integer, parameter :: samples_per_time = 4
     real(wp), parameter :: beyond = 30.0_wp
@@ -253,7 +253,7 @@ contains
         end do
     end function misfit_between
 
-    !> What an error of c~ at s counts against: its largest value there or at once, and no less than `smallest_chi` of 1/E0*.
+    !> What an error of c~ at s counts against: its largest value there or initially, and no less than `smallest_chi` of 1/E0*.
     pure function size_at(self, s, values) result(size_of)
         type(memory_t), intent(in) :: self
         real(wp), intent(in) :: s, values(:)

@@ -291,7 +291,7 @@ contains
         end if
     end function mean_decay
 
-    !> 1 - (1 - exp(-x))/x, accurate for small x: what a load that rises in proportion to time leaves in a spring's memory.
+    !> 1 - (1 - exp(-x))/x, accurate for small x: what a load that rises linearly in time leaves in a spring's memory.
     elemental function mean_rise(x) result(value)
         real(wp), intent(in) :: x
         real(wp) :: value
@@ -303,7 +303,7 @@ contains
         end if
     end function mean_rise
 
-    !> (1 - exp(-x))/x - exp(-x), accurate for small x: of a load that falls to 0 in proportion to time.
+    !> (1 - exp(-x))/x - exp(-x), accurate for small x: of a load that falls linearly to 0.
     elemental function mean_lag(x) result(value)
         real(wp), intent(in) :: x
         real(wp) :: value

@@ -56,10 +56,11 @@ contains
         integer :: i
 
         if (medium%model /= models%exact) then
-            call raise(error, error_invalid, "this history needs the model exact: it does not follow from elastic curves")
+            call raise(error, error_invalid, "model: this history needs the model exact, because it does not follow from "// &
+                "elastic curves")
         else if (medium%materials(1)%shear%viscosity > 0.0_wp) then
-            call raise(error, error_invalid, "this history is not offered for a surface with a dashpot in parallel: where its "// &
-                       "contact grows the pressure at the edge is infinite")
+            call raise(error, error_invalid, "material: this history is not available for a surface with a parallel dashpot, "// &
+                       "because the edge pressure of a growing contact is infinite")
         end if
         if (allocated(error)) return
         span = 1.0_wp
@@ -173,7 +174,7 @@ contains
             if (level == 1) change = largest_change(now, best)
             ! the error of `best` falls at most as fast as the fourth power of the step: what falls faster falls by chance
             if (level > 1) change = max(change/fastest, largest_change(best, best_before))
-            ! how far an indenter was away before does not count
+            ! the previous distance of the indenter has no effect
             nearest = max(tolerance, 1.0e-6_wp, change)*max(maxval(now(:, 1)), 0.0_wp)
             if (level > 0 .and. change <= tolerance) then
                 if (gap < -nearest) exit
@@ -196,8 +197,8 @@ contains
             before = now
         end do
         if (gap < -nearest) then
-            call raise(error, error_invalid, "the surface that was touched before comes back to the indenter outside "// &
-                       "the contact: it is not one disc any more")
+            call raise(error, error_invalid, "the free surface touches the indenter outside the contact: the contact is no "// &
+                       "longer a single area")
             return
         end if
         call raise(error, error_no_convergence, "the history did not reach the relative tolerance "//to_text(tolerance)// &
@@ -215,7 +216,7 @@ contains
         end do
     end function largest_change
 
-    !> A radius that the contact hardly exceeds: more than that of the body at once and after a long time.
+    !> A radius that the contact hardly exceeds: more than that of the body initially and after a long time.
     subroutine widest(contact, medium, solid, span, given, largest, radius, error)
         type(relaxing_contact_t), intent(in) :: contact
         type(viscoelastic_t), intent(in) :: medium

@@ -24,8 +24,8 @@ module mdrcontact_time_stiffness
     !> Nodes of the inverse Laplace transform.
     integer, parameter :: nodes = 16
     real(wp), parameter :: tolerance = 1.0e-13_wp
-    !> By how much the table of chi may miss it. Beside a dashpot, at times far below its own, layers are millions of times stiffer
-    !> than others, and the rounding of their waves is as much larger.
+    !> Largest error of the table of chi. Beside a dashpot, at times far below its own, layers are millions of times stiffer than
+    !> others, and the rounding of their waves is as much larger.
     real(wp), parameter :: allowed_misfit = 1.0e-7_wp
     !> Parts of the sum that may be left out where a body has no kernel: the last nodes lie near the negative axis, where springs
     !> and dashpots nearly cancel.
@@ -119,7 +119,7 @@ contains
         call check_positive(error, "radius", radius, entry)
         if (allocated(error)) return
         if (radius > contact%equilibrium%medium%largest_radius) then
-            call raise(error, error_domain, " = "//to_text(radius)//" is not allowed: the medium is defined up to "// &
+            call raise(error, error_domain, " = "//to_text(radius)//": the medium is defined up to "// &
                        to_text(contact%equilibrium%medium%largest_radius), "radius", entry)
         end if
     end subroutine check_radius
@@ -146,8 +146,8 @@ contains
                 value = 2.0_wp*radius*modulus(1)*top%complex_shear(s) &
                         /merge(top%modulus, top%shear%instant(), top%is_power_law())
             else if (medium%model /= models%exact) then
-                call raise(error, error_invalid, "this model is real: use the model exact for a body whose materials do not "// &
-                           "relax in proportion")
+                call raise(error, error_invalid, "model: the materials of this body do not relax proportionally. Use the "// &
+                           "model exact")
             else
                 if (abs(at%s - s) > 0.0_wp) call prepare(medium, at, s, error)
                 if (.not. allocated(error)) call relative_stiffness(at%parts, radius, tolerance, .false., value, error)

@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Histories under a prescribed force of a body whose materials relax in proportion, from its elastic curve: whenever the contact is
-!> as large as it ever was, F_el(t) = int j(t - u) dF(u), j the creep function (Lee, Radok, J. Appl. Mech. 27 (1960) 438), whatever
-!> it did before: the springs outside carried nothing then, so that the sum of their displacements over the contact is F_el
+!> Histories under a prescribed force of a body whose materials relax proportionally, from its elastic curve: whenever the contact
+!> is as large as it ever was, F_el(t) = int j(t - u) dF(u), j the creep function (Lee, Radok, J. Appl. Mech. 27 (1960) 438),
+!> whatever it did before: the springs outside carried nothing then, so that the sum of their displacements over the contact is F_el
 !> (theory/time.md (3.3), (3.4)).
 !>
 !> In between, where a force that wavers lets the contact shrink, F_el misses what the springs between a and the largest radius A
@@ -33,7 +33,8 @@ contains
         type(contact_t), intent(in) :: contact
         !> what its modulus is multiplied by, phi(t) [1]
         type(prony_t), intent(in) :: phi
-        !> ascending; before the first the bodies are apart and at rest, and if the first force is positive it is reached in a jump
+        !> ascending; before the first the bodies are separated and at rest, and if the first force is positive it is reached in a
+        !> jump
         real(wp), intent(in) :: time(:)
         !> F >= 0 [modulus length^2]
         real(wp), intent(in) :: force(:)
@@ -107,7 +108,7 @@ contains
         slope = creep%instant*rate + creep%fluidity*force + sum(creep%weight*creep%rate*rise)
     end function growth
 
-    !> R: by how much the body creeps between the shortest step and the whole time; huge where a dashpot makes it rigid at once.
+    !> R: the creep of the body between the shortest step and the whole time; huge where a dashpot makes it initially rigid.
     pure function creep_ratio(creep, time) result(ratio)
         type(creep_t), intent(in) :: creep
         real(wp), intent(in) :: time(:)

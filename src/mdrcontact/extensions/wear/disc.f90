@@ -84,14 +84,14 @@ contains
         if (.not. abs(miss) <= tolerated) then
             if (high >= profile%largest_radius) then
                 call raise(error, error_domain, "the contact would grow beyond where the indenter ends, "// &
-                           to_text(profile%largest_radius)//": the history stays where it was")
+                           to_text(profile%largest_radius)//". The history is unchanged")
             else
                 call raise(error, error_no_convergence, "no contact radius found for "//to_text(target)//" at this step of wear")
             end if
         else if (next%radius < disc%radius*(1.0_wp - shrinks/real(hats%n, wp))) then
             call raise(error, error_domain, "the contact would shrink from radius "//to_text(disc%radius)//" to "// &
-                       to_text(next%radius)//": a disc that moves with its edge does not keep the wear outside it; hold the "// &
-                       "load, let it grow, or choose rings as the scheme")
+                       to_text(next%radius)//": the scheme disc does not keep the wear outside the contact. Use the scheme "// &
+                       "rings, or do not decrease the load")
         end if
     end subroutine step_disc
 

@@ -3,8 +3,8 @@
 !>
 !> Two discs of n/2 and n intervals march side by side, the first with steps twice as long. Both are of second order: results are
 !> their extrapolation, and their difference states the error; it holds at the apex of a cone too, which wears off with errors of
-!> first order. Rings in place of discs are of first order: results are those of the n intervals, and the difference states the
-!> error as well.
+!> first order. Rings instead of discs are of first order: results are those of the n intervals, and the difference states the error
+!> as well.
 module mdrcontact_wear_history
     use, intrinsic :: iso_c_binding, only: c_double
     use mdrcontact_nonfinite, only: infinity, is_finite
@@ -86,7 +86,7 @@ module mdrcontact_wear_history
         type(wear_rate_t) :: rate
         !> k of the body where it does, else 0 [1/modulus]
         real(wp) :: body_coefficient = 0.0_wp
-        !> E0* [modulus], and thickness of the coating that may wear; infinite where there is none [length]
+        !> E0* [modulus], and thickness of the coating that may wear; infinite if it does not exist [length]
         real(wp) :: modulus = 0.0_wp, thickness = infinity
         !> a copy of it goes back to it
         type(wear_past_t), public :: past
@@ -149,7 +149,7 @@ contains
         if (n == 0) n = usual_intervals
         call check_count_within(error, "intervals", n, fewest_intervals, most_intervals)
         if (.not. allocated(error) .and. modulo(n, 4) /= 0) then
-            call raise(error, error_invalid, "intervals = "//count_text(n)//" is not allowed: it must be a multiple of 4")
+            call raise(error, error_invalid, "intervals = "//count_text(n)//": it must be a multiple of 4")
         end if
         if (.not. present(scheme)) return
         if (scheme /= 0) call check_code(error, "scheme", scheme, [moving_disc, fixed_rings])
@@ -208,15 +208,14 @@ contains
         type(error_t), allocatable, intent(inout) :: error
 
         if (wear%contact%equilibrium%has_zeta) then
-            call raise(error, error_invalid, "zeta is not allowed with the wear of a sliding indenter, whose shape "// &
-                       "follows from the body itself: leave it out")
+            call raise(error, error_invalid, "zeta: it is not available with the wear of a sliding indenter. Omit it")
             return
         end if
         if (has_rings) return
         associate (profile => wear%contact%equilibrium%profile)
             if (profile%has_wall .and. profile%end_radius >= profile%largest_radius) then
-                call raise(error, error_invalid, "a flat punch ends in a wall, where the pressure is infinite: the wear of a "// &
-                           "sliding indenter is followed by rings there; choose them as the scheme, or give it a rounded rim")
+                call raise(error, error_invalid, "scheme: a flat punch, whose edge pressure is infinite, needs the scheme "// &
+                           "rings. Use it, or an indenter with a rounded edge")
             end if
         end associate
     end subroutine check_indenter
@@ -284,7 +283,7 @@ contains
 
         self%body_coefficient = self%wear%body_coefficient
         if (.not. self%body_coefficient > 0.0_wp) then
-            call raise(error, error_invalid, "body_coefficient = 0: give the coefficient of a body that wears too")
+            call raise(error, error_invalid, "body_coefficient = 0: it must be greater than 0 for a body that wears")
             return
         end if
         call self%rate%add(self%body_coefficient)
@@ -342,8 +341,8 @@ contains
 
         most = farthest*self%past%discs(2)%radius/(self%modulus*maxval(self%rate%coefficients))
         if (sliding <= most) return
-        call raise(error, error_domain, "sliding = "//to_text(sliding)//" is too far for one part of a path: at most "// &
-                   to_text(most)//", "//to_text(farthest)//" contact radii over coefficient times contact modulus")
+        call raise(error, error_domain, "sliding = "//to_text(sliding)//": it must be at most "//to_text(most)// &
+                   " in one part of a path, "//to_text(farthest)//" contact radii over coefficient times contact modulus")
     end subroutine check_length
 
     !> How much of a distance is done.
@@ -422,13 +421,13 @@ contains
         end associate
         if (allocated(error)) return
         if (lowest(next%pressure) < -noticeable*next%force/(pi*next%radius**2)) then
-            call raise(error, error_domain, "the worn contact is no longer one disc: its pressure would be "// &
-                       to_text(lowest(next%pressure))//" somewhere (contact radius "//to_text(next%radius)//"); choose rings "// &
-                       "as the scheme, or other intervals")
+            call raise(error, error_domain, "the worn contact is no longer a single area: its pressure would be "// &
+                       to_text(lowest(next%pressure))//" somewhere (contact radius "//to_text(next%radius)// &
+                       "). Use the scheme rings, or another number of intervals")
         else if (self%body_coefficient*maxval(next%load) > deepest_loss*self%thickness) then
             call raise(error, error_domain, "the coating would lose "//to_text(self%body_coefficient*maxval(next%load))// &
-                       " of its thickness "//to_text(self%thickness)//": its layers are taken as they were, which holds up to "// &
-                       "a quarter of it")
+                       " of its thickness "//to_text(self%thickness)//": the layers are treated as unworn, which is valid up "// &
+                       "to a quarter of it")
         end if
     end subroutine one_step
 
@@ -564,7 +563,7 @@ contains
         count = saved_numbers + 2*(self%hats(1)%n + self%hats(2)%n) + 12
     end function saved_size
 
-    !> The past as numbers, from which another history of the same contact goes on with the same bits.
+    !> The past as numbers, from which another history of the same contact continues with bitwise identical results.
     pure subroutine save(self, numbers)
         class(wear_history_t), intent(in) :: self
         !> of saved_size()
@@ -585,7 +584,7 @@ contains
         end do
     end subroutine save
 
-    !> Goes on from saved numbers.
+    !> Continues from saved numbers.
     subroutine restore(self, numbers, error)
         class(wear_history_t), intent(inout) :: self
         !> by save(), of a history with as many intervals
@@ -594,15 +593,15 @@ contains
         integer :: i, n, at
 
         if (size(numbers) /= self%saved_size() .or. .not. all(is_finite(numbers))) then
-            call raise(error, error_invalid, "these are not the numbers of a history of this contact: they must be "// &
-                       count_text(self%saved_size())//" finite ones, saved by a history with "// &
-                       count_text(self%hats(2)%n)//" intervals")
+            call raise(error, error_invalid, "numbers: they do not belong to a history of this contact. There must be "// &
+                       count_text(self%saved_size())//" finite ones, saved by a history with "//count_text(self%hats(2)%n)// &
+                       " intervals")
             return
         end if
         if (nint(numbers(1)) /= self%hats(2)%n .or. (numbers(saved_numbers) > 0.0_wp .neqv. self%has_rings) &
             .or. any(.not. numbers(saved_numbers + [1, 4]) > 0.0_wp) &
             .or. any(.not. numbers(saved_numbers + 2*self%hats(1)%n + [7, 10]) > 0.0_wp)) then
-            call raise(error, error_invalid, "these are not the numbers of a history of this contact")
+            call raise(error, error_invalid, "numbers: they do not belong to a history of this contact")
             return
         end if
         self%past%sliding = numbers(2)

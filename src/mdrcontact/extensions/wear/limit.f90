@@ -26,7 +26,7 @@ module mdrcontact_wear_limit
     private
     public :: check_carries, check_control, find_limit, wear_limit_t
 
-    !> Nodes of the rule for the worn volume, radii of the worn profile, and radii at which the pressure is looked at.
+    !> Nodes of the rule for the worn volume, radii of the worn profile, and radii at which the pressure is considered.
     integer, parameter :: nodes = 48, profile_points = 120, probes = 48
     !> Pressures below minus this part of the mean one are no rounding errors.
     real(wp), parameter :: noticeable = 1.0e-6_wp
@@ -47,7 +47,7 @@ module mdrcontact_wear_limit
         real(wp) :: worn_volume = 0.0_wp
     end type wear_limit_t
 
-    !> How far the unworn surface lies below the limit: positive where it is worn, divided by the distance from the axis.
+    !> Distance of the unworn surface below the limit: positive where it is worn, divided by the distance from the axis.
     type, extends(scalar_function_t) :: gap_t
         type(contact_load_t) :: load
     contains
@@ -62,7 +62,7 @@ contains
         type(contact_t), intent(in), target :: contact
         !> of the unworn contact
         type(contact_state_t), intent(in) :: state
-        !> c, 0 < c <= a: of the disc that sticks as long as wear goes on [length]
+        !> c, 0 < c <= a: of the disc that sticks as long as wear continues [length]
         real(wp), intent(in) :: stick_radius
         !> given_depth or given_force
         integer, intent(in) :: control
@@ -103,13 +103,14 @@ contains
         call check_control(error, control)
         call check_positive(error, "stick_radius", stick_radius)
         if (.not. allocated(error) .and. contact%is_adhesive()) then
-            call raise(error, error_invalid, "wear is not allowed with adhesion: there is no law of wear where surfaces pull")
+            call raise(error, error_invalid, "wear: it is not available with adhesion, because Archard's law is not defined "// &
+                "under tension. Set work_of_adhesion = 0")
         end if
         if (.not. allocated(error)) call check_state(contact%equilibrium, state, error)
         if (allocated(error)) return
         if (stick_radius > state%radius) then
-            call raise(error, error_domain, "stick_radius = "//to_text(stick_radius)//" is not allowed: it must be at most "// &
-                       "the contact radius, "//to_text(state%radius))
+            call raise(error, error_domain, "stick_radius = "//to_text(stick_radius)//": it must be at most the contact "// &
+                       "radius, "//to_text(state%radius))
         end if
     end subroutine check_input
 
@@ -139,9 +140,9 @@ contains
         if (allocated(error)) return
         lowest = minloc(pressure, dim=1)
         if (pressure(lowest) >= -noticeable*load%state%force/(pi*load%state%radius**2)) return
-        call raise(error, error_domain, "this contact is not one disc: without adhesion its pressure would be "// &
+        call raise(error, error_domain, "this contact is not a single area: without adhesion its pressure would be "// &
                    to_text(pressure(lowest))//" at r = "//to_text(r(lowest))//" (contact radius "//to_text(load%state%radius)// &
-                   "); wear needs a pressure that is nowhere negative")
+                   "). Wear needs a pressure that is nowhere negative")
     end subroutine check_carries
 
     !> W(r)/r outside the disc that sticks.
@@ -202,8 +203,8 @@ contains
         do i = 1, most_doublings
             if (worn <= 0.0_wp .or. allocated(gap%error)) exit
             if (to >= last) then
-                call raise(error, error_domain, "the indenter ends at radius "//to_text(last)//" within the scar that wear "// &
-                           "would make: give a profile that goes on")
+                call raise(error, error_domain, "the indenter ends at radius "//to_text(last)// &
+                           ", inside the worn area. Give a larger profile")
                 return
             end if
             from = to

@@ -7,7 +7,7 @@
 !>     sum_j B_ij p_j + int phi_i f_0 2 pi r dr + A_i [W(int p ds + ds p_i) - d] >= 0,   p_i >= 0,   one of both 0,
 !>
 !> B_ij = int phi_i S phi_j 2 pi r dr, is one contact under an added layer of springs: it has one solution, whatever the load does.
-!> What is worn off is sum A_i k p_i ds = k F ds to rounding.
+!> What is worn off is sum A_i k p_i ds = k F ds to machine precision.
 module mdrcontact_wear_rings
     use mdrcontact_error, only: error_domain, error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: pi, wp
@@ -82,7 +82,7 @@ contains
         real(wp), intent(in) :: sliding, target
         logical, intent(in) :: by_depth
         type(disc_t), intent(inout) :: disc
-        !> whether few rings are left that do not touch, though the indenter goes on
+        !> whether few rings are left that do not touch, though the indenter continues
         logical, intent(out) :: is_full
         type(error_t), allocatable, intent(inout) :: error
         real(wp) :: matrix(0:hats%n, 0:hats%n), heights(0:hats%n), areas(0:hats%n), modulus
@@ -181,7 +181,7 @@ contains
         radius = touching_radius(matrix, areas, sliding*k*areas, gap, touching, pressure)
     end subroutine settle
 
-    !> Rings that pull or overlap change; all at once as long as their number falls, else the outermost one alone.
+    !> Rings that pull or overlap change; all together as long as their number falls, else the outermost one alone.
     pure subroutine exchange(wrong, fewest, tries, touching)
         logical, intent(in) :: wrong(0:)
         integer, intent(inout) :: fewest, tries
@@ -262,11 +262,10 @@ contains
 
         last = last_of(reachable)
         if (.not. any(touching)) then
-            call raise(error, error_domain, "the indenter would lift off at depth "//to_text(target)//": the history stays "// &
-                       "where it was")
+            call raise(error, error_domain, "the indenter would lift off at depth "//to_text(target)//". The history is unchanged")
         else if (last < 0 .or. .not. profile%has_wall .and. touching(max(last, 0))) then
             call raise(error, error_domain, "the contact would grow beyond where the indenter ends, "// &
-                       to_text(profile%largest_radius)//": the history stays where it was")
+                       to_text(profile%largest_radius)//". The history is unchanged")
         end if
     end subroutine check_touch
 

@@ -77,7 +77,7 @@ contains
                       second%octaves() + exponent(nearest(ratios(2), -1.0_wp)))
         if (octaves > most_octaves) then
             call raise(error, error_domain, "the thinnest layers of the two bodies, "//to_text(first%unit)//" and "// &
-                       to_text(second%unit)//", differ by too much: leave out the thinner one")
+                       to_text(second%unit)//", differ by too much. Omit the thinner one")
             return
         end if
         allocate (kernel%coefficients(0:degree, 0:parts*octaves))

@@ -30,14 +30,14 @@ module mdrcontact_line_fields
     integer, parameter :: panel_nodes = 32
     !> From so far on, in units of the contact radius or the kernel, displacements fall as 1/r.
     real(wp), parameter :: farthest = 1.0e15_wp
-    !> The constants of a body whose layers are all thinner than this vary from the surface down.
+    !> The constants of a body whose layers are all thinner than this vary with depth.
     real(wp), parameter :: largest_resolved = 0.5_wp*huge(1.0_wp)
 
     !> q/E0* on the contact [length].
     type :: line_load_t
         !> contact radius [length], d, and q/E0* at its edge [length]
         real(wp) :: a = 0.0_wp, depth = 0.0_wp, edge = 0.0_wp
-        !> d less the mean of v: by itself, for on stiff films both are far greater than q/E0* [length]
+        !> d less the mean of v: separate, because on stiff films both are far greater than q/E0* [length]
         real(wp) :: level = 0.0_wp
         !> coefficients of P_2j(x/a), j = 0, 1, ..., in q/E0*, and in v [length]
         real(wp), allocatable :: q(:), v(:)

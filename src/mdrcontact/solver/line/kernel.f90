@@ -76,7 +76,7 @@ contains
         count = 2*2**self%halvings
     end function parts
 
-    !> Whether the body's constants vary from the surface down, and X at all lengths above `unit`.
+    !> Whether the body's constants vary with depth, and X at all lengths above `unit`.
     pure function is_graded(self) result(answer)
         class(kernel_t), intent(in) :: self
         logical :: answer
@@ -167,8 +167,8 @@ contains
         part = part*scale(0.25_wp, (panel - 1)/self%parts() - self%halvings)
     end function on_panel
 
-    !> By how much y X(y) differs at most between two neighbouring panels where they meet, at no node of either: what that does to
-    !> chi at the waves that see it.
+    !> Largest difference of y X(y) between two neighbouring panels where they meet, at no node of either: what that does to chi at
+    !> the waves that see it.
     pure function misfit(self) result(largest)
         class(kernel_t), intent(in) :: self
         real(wp) :: largest

@@ -1,10 +1,10 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The springs under a kink of the indenter on a body whose constants vary from the surface down.
+!> The springs under a kink of the indenter on a body whose constants vary with depth.
 !>
 !> There chi falls as 1/k only and X is a logarithm near y = 0: v = K q/E0* is one degree smoother than q, no more, and its Legendre
-!> series over the contact falls slowly. On panels that shrink towards every kink and the edge it is a polynomial on each:
-!> v + K v = K (d - g) at Gauss nodes. A constant in X is one in v: it is left out, and d without it follows from F, which the
-!> series gives with all digits. That the last spring then carries what the edge does is a check of the whole.
+!> series over the contact falls slowly. On panels that shrink towards every kink and the edge it is a polynomial on each: v + K v =
+!> K (d - g) at Gauss nodes. A constant in X is one in v: it is left out, and d without it follows from F, which the series gives
+!> with full accuracy. That the last spring then carries what the edge does is a check of the whole.
 module mdrcontact_line_panels
     use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_error, only: check_memory, error_t
@@ -26,7 +26,7 @@ module mdrcontact_line_panels
     real(wp), parameter :: shortest = 1.0e-8_wp
     !> The same for the quadrature of X.
     real(wp), parameter :: shortest_near = 1.0e-13_wp
-    !> A place as close to the axis, relative to the contact radius, stands for it.
+    !> A place as close to the axis, relative to the contact radius, represents it.
     real(wp), parameter :: on_axis = 1.0e-12_wp
     !> More panels are not tried.
     integer, parameter :: most_panels = 75

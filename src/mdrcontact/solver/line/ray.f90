@@ -124,8 +124,8 @@ contains
         rest = rest*ratio/(1.0_wp - ratio)
     end function rest_below
 
-    !> How far values on an octave are from being resolved: the larger of their two last Legendre coefficients on any
-    !> panel, relative to the largest value, or to what rounding of one_plus_chi leaves of it.
+    !> Resolution error of values on an octave: the larger of their two last Legendre coefficients on any panel, relative to the
+    !> largest value, or to what rounding of one_plus_chi leaves of it.
     pure function roughness_of(values, last, one_plus_chi_zero) result(roughness)
         complex(wp), intent(in) :: values(:)
         real(wp), intent(in) :: last(:, :), one_plus_chi_zero

@@ -41,7 +41,7 @@ contains
         class(compliance_t), intent(in) :: surface
         type(kernel_t), intent(out) :: kernel
         type(error_t), allocatable, intent(out) :: error
-        !> by how much the table may miss chi, in parts of its largest value; default: as little as of an elastic body
+        !> largest error of the table of chi, in parts of its largest value; default: as little as of an elastic body
         real(wp), intent(in), optional :: allowed
         real(wp), allocatable :: key(:)
         real(wp) :: misfit

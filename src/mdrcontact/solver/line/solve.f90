@@ -93,8 +93,8 @@ contains
             call solve_with(kernel, a, n, max(nodes, 2*n), edge_load, solution, solved, error, profile, series)
             if (allocated(error)) return
             if (.not. solved) then
-                call raise(error, error_no_convergence, "the springs of this body nearly cancel at contact radius "//to_text(a)// &
-                           ": rounding errors are larger than what is left of them")
+                call raise(error, error_no_convergence, "the springs of this body are nearly singular at contact radius "// &
+                           to_text(a)//": rounding errors dominate")
                 return
             end if
             reached = maxval(solution%errors, mask=[.true., to_edge, .true., .true.])
@@ -127,7 +127,7 @@ contains
 
         call raise(error, error_no_convergence, what//" of the exact layered medium did not reach the relative tolerance "// &
                    to_text(tolerance)//" at contact radius "//to_text(a)//": it reached "//to_text(min(reached, 1.0_wp))// &
-                   "; where that is enough, make the medium with a larger tolerance")
+                   ". If this suffices, increase the tolerance of the medium")
     end subroutine raise_missed
 
     !> n such that the estimate meets the tolerance at the first attempt, for films: fitted to what 5 films take.
@@ -260,7 +260,7 @@ contains
                 solution%depth_slope = (profile%mdr_slope(a) + solution%depth_slope)/solution%punch_edge
                 if (present(series)) series = reshape([rhs(:, 1), beyond*rhs(:, 1) - rhs(:, 3)], [m, 2])
             end if
-            ! a relative error of the kernel changes E_eff by itself times magnitude times E_eff/E0*
+            ! a relative error of the kernel changes E_eff by this error times magnitude times E_eff/E0*
             solution%rounding = rounding*(2.0_wp + moments%magnitude*max(1.0_wp, solution%modulus))
             ! stiff layers bend at waves of so many thicknesses, where their compliance is a difference and loses as much
             solution%rounding = solution%rounding + epsilon(1.0_wp)*max(1.0_wp, kernel%one_plus_chi_zero)**(1.0_wp/3.0_wp) &

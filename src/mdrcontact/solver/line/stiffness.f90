@@ -95,7 +95,8 @@ contains
         do j = 1, n
             if (j == fewer + 1) before = y
             if (.not. real(matrix(j, j), wp) > 0.0_wp) then
-                call raise(error, error_no_convergence, "the springs of this body nearly cancel at contact radius "//to_text(a))
+                call raise(error, error_no_convergence, "the springs of this body are nearly singular at contact radius "// &
+                    to_text(a))
                 return
             end if
             do i = j + 1, n

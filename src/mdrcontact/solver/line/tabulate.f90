@@ -1,10 +1,10 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Tabulates the kernel X(y) from the surface compliance chi(k).
 !>
-!> X(y) = Re int chi(k) exp(iky) dk along a ray k = t exp(i theta) in the sector where chi is analytic: the integrand decays
-!> and hardly oscillates, at every y. For y > 0 the constant chi(0) contributes nothing, so that chi(k) - chi(0) may stand for
-!> chi(k): X keeps its relative precision in its tail. Near the origin X(y) - X(0) is integrated instead, along the real axis.
-!> Wavenumbers and positions both run in octaves, so one small table of exp(iky) serves all pairs of octaves.
+!> X(y) = Re int chi(k) exp(iky) dk along a ray k = t exp(i theta) in the sector where chi is analytic: the integrand decays and
+!> hardly oscillates, at every y. For y > 0 the constant chi(0) contributes nothing, so that chi(k) - chi(0) may represent chi(k): X
+!> keeps its relative precision in its tail. Near the origin X(y) - X(0) is integrated instead, along the real axis. Wavenumbers and
+!> positions both run in octaves, so one small table of exp(iky) serves all pairs of octaves.
 module mdrcontact_line_tabulate
     use mdrcontact_body_compliance, only: compliance_t
     use mdrcontact_cancel, only: check_cancelled
@@ -24,9 +24,9 @@ module mdrcontact_line_tabulate
     !> From this 1 + chi(0) on rounding of X(0) would be seen in d and F; and octaves of y in which X may be X(0) and little less.
     real(wp), parameter :: stiff = 1.0e3_wp
     integer, parameter :: most_plateau = 40
-    !> A body deeper than so many octaves of its first layer varies from the surface down: its X varies all over the plateau.
+    !> A body deeper than so many octaves of its first layer varies with depth: its X varies all over the plateau.
     integer, parameter :: deepest_plateau = 36
-    !> By how much the table of an elastic body may miss chi, in parts of its largest value.
+    !> Largest error of chi in the table of an elastic body, in parts of its largest value.
     real(wp), parameter :: elastic_misfit = 1.0e-10_wp
     !> A body no deeper than so many thicknesses of its first layer is one of layers, not a grading.
     real(wp), parameter :: coarse = 100.0_wp
@@ -46,7 +46,7 @@ contains
         class(compliance_t), intent(in) :: surface
         !> what bodies share; filled as far as it is needed
         type(wave_table_t), intent(inout) :: tables(attempts)
-        !> by how much it may miss chi, in parts of its largest value
+        !> largest error of chi, in parts of its largest value
         real(wp), intent(in) :: allowed
         type(error_t), allocatable, intent(out) :: error
         type(ray_t) :: ray

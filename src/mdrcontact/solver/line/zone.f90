@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> A contact of radius a with a cohesive zone a < r < c, in which the bodies pull on each other with a constant stress sigma_0
+!> A contact of radius a with a cohesive zone a < r < c, in which the bodies attract each other with a constant stress sigma_0
 !> (Dugdale 1960, Maugis 1992), on any layered body: theory/adhesion.md (2.1)-(2.6). The zone's line load is known,
 !> q = -2 sigma_0 sqrt(c^2 - x^2), and the pressure is finite at a if q is continuous there:
 !>     x < a:  q + K_a q = E0* (d - g) - K q_zone,     q(a) = -2 sigma_0 sqrt(c^2 - a^2)
@@ -33,7 +33,7 @@ module mdrcontact_line_zone
     real(wp), parameter :: share = 0.01_wp
     !> Neighbouring states by different numbers of unknowns are to differ by less than a curve through them shows.
     real(wp), parameter :: loosest = 1.0e-8_wp
-    !> Rules of all sizes up to this are known to all digits.
+    !> Rules of all sizes up to this are known to machine precision.
     integer, parameter :: largest_small_rule = 20
     !> Sums that are taken side by side.
     integer, parameter :: at_once = 8
@@ -72,7 +72,7 @@ module mdrcontact_line_zone
         real(wp) :: depth = 0.0_wp, stiffness = 0.0_wp
         type(kernel_t), pointer, private :: kernel => null()
         class(profile_t), pointer, private :: profile => null()
-        !> where the body's constants vary from the surface down; all up to `breaks` is for other bodies
+        !> where the body's constants vary with depth; all up to `breaks` is for other bodies
         type(fine_springs_t), allocatable, private :: fine
         !> the factorized equation, and its solutions for 1 and g less its mean
         type(equation_t), private :: equation
@@ -175,7 +175,7 @@ contains
         call raise_missed(error, "a cohesive zone", tolerance, self%a, reached)
     end subroutine factorize_equation
 
-    !> Where the body's constants vary from the surface down.
+    !> Where the body's constants vary with depth.
     subroutine factorize_fine(self, tolerance, error)
         type(zoned_springs_t), intent(inout) :: self
         !> see new_zoned_springs
@@ -366,7 +366,7 @@ contains
         allocate (among(0:size(z)))
         call within_zone(self, rule, rule%dx*z, shift, among)
         if (.not. self%a > 0.0_wp) then
-            ! no contact: w at the axis stands for the depth
+            ! no contact: w at the axis represents the depth
             opening = opening + (among(1:) - among(0))
             state%depth = state%edge + among(0)
             return
@@ -393,7 +393,7 @@ contains
         if (present(load)) call contact_load(self, q, mean + beyond, state, load%contact)
     end subroutine interact
 
-    !> The same where the body's constants vary from the surface down, and the gap.
+    !> The same where the body's constants vary with depth, and the gap.
     subroutine interact_finely(self, rule, length, stress, z, state, opening, error)
         class(zoned_springs_t), intent(in) :: self
         type(zone_rule_t), intent(in) :: rule

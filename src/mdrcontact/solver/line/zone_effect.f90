@@ -75,7 +75,7 @@ contains
         !> c
         real(wp), intent(in) :: end
         real(wp), intent(in) :: node(nodes), weight(nodes)
-        !> how far c lies behind the place; default: at `to`
+        !> distance of c behind the place; default: at `to`
         real(wp), intent(in), optional :: behind
         real(wp) :: here, step, left(nodes)
         logical :: at_root

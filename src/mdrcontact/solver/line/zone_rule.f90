@@ -109,10 +109,10 @@ contains
         real(wp), intent(in) :: end, left, long
         !> the panel is one in y, with y^2 the distance from an end
         logical, intent(in) :: has_root
-        !> how far behind the panel the last kink is, 0 at its beginning
+        !> distance of the last kink behind the panel, 0 at its beginning
         real(wp), intent(in) :: passed
         real(wp), intent(in) :: unit
-        !> how far behind the panel the kernel may be singular, beside what the unit says
+        !> distance behind the panel at which the kernel may be singular, beside what the unit says
         real(wp), intent(in) :: away
         real(wp), intent(in) :: tolerance
         integer :: nodes
@@ -133,7 +133,7 @@ contains
         if (rho < huge(1.0_wp)) nodes = max(nodes, min(ceiling(digits/max(log(rho), digits/most_nodes)), most_nodes))
     end function nodes_for
 
-    !> How far before x g was not analytic last; huge() where it is on all that is before.
+    !> Distance from x to the last point at which g is not analytic; huge() where it is on all that is before.
     pure function behind(breaks, x) result(distance)
         real(wp), intent(in) :: breaks(:), x
         real(wp) :: distance

@@ -51,15 +51,14 @@ contains
 
         call check_positive(error, "thickness", thickness)
         if (layer%poisson /= 0.5_wp) then
-            call raise(error, error_invalid, "coating nu = "//to_text(layer%poisson)//" is not allowed: the series of this "// &
-                       "model hold for nu = 0.5 only")
+            call raise(error, error_invalid, "coating nu = "//to_text(layer%poisson)//": this model needs nu = 0.5")
         end if
         if (allocated(error)) return
         self%contact_modulus = layer%contact()
         self%thickness = thickness
         self%spherical_only = .true.
         self%largest_radius = bottom_effect_ratio*thickness
-        self%why_it_ends = "; the models dimitriadis and garcia hold for a < h: take the model exact for larger contacts"
+        self%why_it_ends = ". The models dimitriadis and garcia are valid for a < h. For larger contacts use the model exact"
         self%coefficients = series*[(1.0_wp + k/3.0_wp, k=0, 4)]
     end subroutine new_bottom_effect
 

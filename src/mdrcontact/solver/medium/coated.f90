@@ -12,7 +12,7 @@ module mdrcontact_medium_coated
 
     !> A coated half-space. Each extension is one published model of E_eff(a).
     type, abstract, extends(effective_medium_t) :: coated_t
-        !> index 0 and 1 of the source
+        !> index 0 and 1 of Popov (2014)
         type(material_t) :: coating, substrate
         !> h > 0 [length]
         real(wp) :: thickness = 0.0_wp

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> What the surface of a body answers to a wave of load: C(k) = displacement over traction.
+!> Response of the surface of a body to a wave of load: C(k) = displacement over traction.
 module mdrcontact_medium_compliance
     use mdrcontact_nonfinite, only: is_finite
     use mdrcontact_body, only: body_t
@@ -63,7 +63,7 @@ contains
         call check_values(error, values)
     end subroutine of_elastic
 
-    !> The same of a body that relaxes, at an angular frequency.
+    !> The same of a viscoelastic body, at an angular frequency.
     subroutine of_relaxing(body, load, omega, k, values, error)
         type(viscoelastic_t), intent(in) :: body
         !> as above
@@ -83,8 +83,8 @@ contains
         call check_values(error, values)
     end subroutine of_relaxing
 
-    !> Of the body as it is under the sheet's stiffness in its plane, 1/C + tau k^2 + B k^4 in place of 1/C
-    !> (theory/surfaces.md (5.1)).
+    !> Of the body as it is under the sheet's stiffness in its plane, 1/C + tau k^2 + B k^4 instead of 1/C (theory/surfaces.md
+    !> (5.1)).
     pure subroutine add_sheet(sheet, load, k, values, error)
         type(surface_t), intent(in) :: sheet
         integer, intent(in) :: load
@@ -95,8 +95,8 @@ contains
         if (load == normal_load) then
             values = values/(1.0_wp + (sheet%tension + sheet%bending*k**2)*k**2*values)
         else if (.not. allocated(error)) then
-            call raise(error, error_invalid, " is not allowed: under a surface with tension or a sheet the compliance is known "// &
-                       "under a pressure", "load")
+            call raise(error, error_invalid, ": under a surface with tension or a sheet the compliance is available for a "// &
+                       "pressure only", "load")
         end if
     end subroutine add_sheet
 
@@ -105,8 +105,7 @@ contains
         complex(wp), intent(in) :: values(:)
 
         if (allocated(error) .or. all(is_finite(abs(values)))) return
-        call raise(error, error_domain, " is not allowed: there the body flows, or its compliance is beyond the range of numbers", &
-                   "omega or k")
+        call raise(error, error_domain, ": the body flows, or its compliance exceeds the range of double precision", "omega or k")
     end subroutine check_values
 
     subroutine add_body(body, load, k, values, error, stretching)

@@ -128,7 +128,7 @@ contains
         end associate
     end subroutine find_series
 
-    !> d = g(a), F = int_0^a 2 s E_eff(s) g'(s) ds. Below the lowest panel E_eff is constant to rounding.
+    !> d = g(a), F = int_0^a 2 s E_eff(s) g'(s) ds. Below the lowest panel E_eff is constant to machine precision.
     subroutine depth_and_force(self, profile, a, depth, force, error)
         class(effective_medium_t), intent(in) :: self
         class(profile_t), intent(in) :: profile
@@ -150,7 +150,7 @@ contains
     end subroutine depth_and_force
 
     !> The share of a below which the modulus may be taken as constant: what lies there is too little of the force for its
-    !> variation, even by a factor of a thousand between the radii looked at, to show.
+    !> variation, even by a factor of a thousand between the radii considered, to show.
     pure function negligible_part(self, profile, a) result(part)
         class(effective_medium_t), intent(in) :: self
         class(profile_t), intent(in) :: profile

@@ -61,7 +61,7 @@ contains
         if (body%last_depth > 0.0_wp) self%largest_radius = self%largest_radius*(body%last_depth/membrane%last_depth)
         if (membrane%excess > 0.0_wp .and. most_lengths*membrane%length < self%largest_radius) then
             self%largest_radius = most_lengths*membrane%length
-            self%why_it_ends = ": beyond 1000 lengths 2 K_m/E* of the sheet it adds less than 0.2 %: leave it out"
+            self%why_it_ends = ". Beyond 1000 lengths 2 K_m/E* the sheet contributes less than 0.2 %: omit it"
         end if
         call copy(body, self%pressed, error)
     end subroutine new_elastic_sheet

@@ -107,8 +107,8 @@ contains
         class(compliance_t), allocatable :: compliance
 
         if (load /= normal_load .and. body%slides) then
-            call raise(error, error_invalid, "a tangential contact is not allowed: a sheet over a sliding interface has no "// &
-                       "stiffness along the surface; give the interface a tangential stiffness")
+            call raise(error, error_invalid, "medium: a layer over a sliding interface has no tangential stiffness. Give the "// &
+                       "interface a tangential stiffness")
             return
         end if
         call body%compliance(load, compliance, error)
@@ -340,8 +340,7 @@ contains
             medium%springs%tolerance = tolerance
             call solve_body(medium, body, load, error)
         else if (share > 0.0_wp) then
-            call raise(error, error_invalid, "the tangential stiffness of a body that is known by its contact modulus alone is "// &
-                       "not known: give E and nu")
+            call raise(error, error_invalid, "medium: the tangential stiffness needs E and nu")
         else
             medium%springs%modulus = infinity
             medium%springs%tolerance = largest_tolerance
@@ -362,7 +361,7 @@ contains
         class is (exact_load_t)
             call load%take_series(springs, error)
         class default
-            call raise(error, error_invalid, "the load is not one of this medium")
+            call raise(error, error_invalid, "load: it does not belong to this medium")
         end select
         if (allocated(error)) return
         allocate (sheared, mold=springs%q)

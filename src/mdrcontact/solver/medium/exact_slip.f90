@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> First shear of a layered body, exactly in the axisymmetric part (theory/friction.md (3.1)-(3.6)): with a disc of stick of
-!> radius c the load q* = q_n - q_t is that of a contact of radius c without adhesion, with the kernel of shear and the profile
-!> [R(0) - R(x)]/G0*. Its depth is R(0)/G0* - s, its force F - T.
+!> First shear of a layered body, exactly in the axisymmetric part (theory/friction.md (3.1)-(3.6)): with a stick zone of radius c
+!> the load q* = q_n - q_t is that of a contact of radius c without adhesion, with the kernel of shear and the profile [R(0) -
+!> R(x)]/G0*. Its depth is R(0)/G0* - s, its force F - T.
 module mdrcontact_medium_exact_slip
     use mdrcontact_error, only: check_memory, error_domain, error_t, raise
     use mdrcontact_medium_slip, only: slip_t, thin
@@ -20,7 +20,7 @@ module mdrcontact_medium_exact_slip
 
     !> Nodes in a panel, of springs that slip and of stick radii.
     integer, parameter :: nodes = 12
-    !> By how much the first shift may seem to exceed that of sliding where they are equal, as under a punch on a homogeneous body.
+    !> Largest apparent excess of the first shift over that of sliding where they are equal, as under a punch on a homogeneous body.
     real(wp), parameter :: largest_excess = 1.0e-9_wp
 
     !> One normal state, the medium that answers to shear, and the profile above.
@@ -93,8 +93,8 @@ contains
         if (allocated(error) .or. punch_depth <= 0.0_wp) return
         self%first_shift = self%sliding_shift - depth
         if (self%first_shift > self%sliding_shift*(1.0_wp + largest_excess)) then
-            call raise(error, error_domain, "slip would begin inside this contact and not at its edge, as under a flat punch "// &
-                       "on a stiff coating: partial slip is known only where it is an annulus at the edge")
+            call raise(error, error_domain, "slip would begin inside this contact, as under a flat punch on a stiff coating. "// &
+                       "Partial slip is available only if it begins at the edge")
         end if
     end subroutine new_layered_slip
 

@@ -24,8 +24,8 @@ module mdrcontact_medium_gao
 
     !> The choices that Gao's weights leave.
     type :: gao_options_t
-        !> p of the power mean [sum w G^p]^(1/p), -1 <= p <= 1: 1 the moduli in parallel (the source's), -1 the compliances in
-        !> series, which is far closer to the exact solution at large contrast; 0 their logarithms
+        !> p of the power mean [sum w G^p]^(1/p), -1 <= p <= 1: 1 the moduli in parallel (Popov 2014), -1 the compliances in series,
+        !> which is far closer to the exact solution at large contrast; 0 their logarithms
         real(wp) :: exponent = 1.0_wp
         !> one of gao_nu_...
         integer :: weight_nu_choice = gao_nu_surface
@@ -33,7 +33,7 @@ module mdrcontact_medium_gao
         real(wp) :: weight_nu = 0.5_wp
     end type gao_options_t
 
-    !> Layers 1, 2, ... from the surface down on a substrate, which is the last entry of each array.
+    !> Layers 1, 2, ... top to bottom on a substrate, which is the last entry of each array.
     type, extends(effective_medium_t) :: gao_t
         private
         !> G as the mean takes it, and nu
@@ -73,7 +73,7 @@ contains
     !> Layers on a substrate.
     subroutine new_gao_layered(self, layers, thickness, substrate, error, options)
         type(gao_t), intent(out) :: self
-        !> from the surface down, at least one
+        !> top to bottom, at least one
         type(material_t), intent(in) :: layers(:)
         !> thicknesses > 0, same size [length]
         real(wp), intent(in) :: thickness(:)
@@ -84,8 +84,8 @@ contains
         integer :: i, n, stat
 
         if (size(layers) == 0 .or. size(layers) /= size(thickness)) then
-            call raise(error, error_invalid, "there are "//count_text(size(layers))//" layers and "// &
-                       count_text(size(thickness))//" thicknesses: there must be at least one, and as many of each")
+            call raise(error, error_invalid, "there are "//count_text(size(layers))//" layers and "//count_text(size(thickness))// &
+                       " thicknesses: there must be at least one layer, and one thickness for each")
             return
         end if
         do i = 1, size(layers)

@@ -52,7 +52,7 @@ module mdrcontact_medium_graded
     end type average_t
 
     !> Range of contact radii around the depths of the gradient, times the contrast; outside, E_eff is that of the surface or of the
-    !> bottom to rounding.
+    !> bottom to machine precision.
     real(wp), parameter :: range_factor = 1.0e13_wp
     real(wp), parameter :: sampling_tolerance = 1.0e-13_wp
     !> Nodes between two depths that differ by a factor 4 at most, and between neighbours in a fine table.
@@ -67,7 +67,7 @@ contains
         class(body_t), intent(in) :: body
         type(error_t), allocatable, intent(out) :: error
         type(gao_options_t), intent(in), optional :: options
-        !> G_t in place of E_eff; default false
+        !> G_t instead of E_eff; default false
         logical, intent(in), optional :: under_shear
         type(average_t) :: average
         real(wp), allocatable :: knots(:)
@@ -141,7 +141,7 @@ contains
         if (allocated(self%pressed)) then
             call new_graded(own, self%pressed, error, self%options, under_shear=.true.)
         else
-            call raise(error, error_invalid, "the tangential stiffness is not known for this medium: its body was not kept")
+            call raise(error, error_invalid, "medium: its tangential stiffness is not available")
         end if
         if (.not. allocated(error)) call move_alloc(own, other)
     end subroutine for_load

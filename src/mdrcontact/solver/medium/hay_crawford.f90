@@ -18,7 +18,7 @@ module mdrcontact_medium_hay_crawford
         procedure :: effective_modulus_slope
     end type hay_crawford_t
 
-    !> how much of the film acts in parallel with the substrate, fitted to finite elements by the source
+    !> how much of the film acts in parallel with the substrate, fitted to finite elements by Hay and Crawford
     real(wp), parameter :: mixing = 0.0626_wp
 
 contains

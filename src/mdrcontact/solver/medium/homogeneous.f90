@@ -48,7 +48,7 @@ contains
         if (.not. allocated(error)) allocate (self%pressed, source=body)
     end subroutine new_homogeneous
 
-    !> A rigid half-space: one body of a pair, no medium by itself.
+    !> A rigid half-space: one body of a pair, not a medium alone.
     subroutine new_rigid(self)
         type(homogeneous_t), intent(out) :: self
 

@@ -139,8 +139,8 @@ contains
         values = -huge(1.0_wp)
     end subroutine least_pressure
 
-    !> q' [modulus] at distances beyond a position: all digits beside a kink, and +-infinity where it is infinite there. Here it is
-    !> not known: see is_complete.
+    !> q' [modulus] at distances beyond a position: full accuracy next to a kink, and +-infinity where it is infinite there. Here it
+    !> is not known: see is_complete.
     pure function slope(self, start, distance) result(y)
         class(load_t), intent(in) :: self
         !> 0 <= start <= start + distance <= a [length]
@@ -242,9 +242,9 @@ contains
         end do
         list = list(:n)
         if (missed > refused*mean*self%radius) then
-            call raise(error, error_no_convergence, "stresses and energies under this indenter are off by about "// &
-                       to_text(missed/(mean*self%radius))//": the slope of its line load is not smooth on "// &
-                       to_text(real(n, wp))//" panels")
+            call raise(error, error_no_convergence, "stresses and energies under this indenter have an error of about "// &
+                       to_text(missed/(mean*self%radius))//": the slope of its line load is not smooth on "//to_text(real(n, &
+                       wp))//" panels")
         end if
     end subroutine panels
 

@@ -39,15 +39,15 @@ contains
         type(homogeneous_t) :: homogeneous
         type(power_graded_t) :: power_graded
 
-        if (lower%is_pair) call raise(error, error_invalid, " is not allowed: it is a pair of bodies already", "lower")
-        if (upper%is_pair) call raise(error, error_invalid, " is not allowed: it is a pair of bodies already", "upper")
+        if (lower%is_pair) call raise(error, error_invalid, ": it is already a pair of bodies", "lower")
+        if (upper%is_pair) call raise(error, error_invalid, ": it is already a pair of bodies", "upper")
         if (lower%is_rigid .and. upper%is_rigid) then
-            call raise(error, error_invalid, " is not allowed: one of the two bodies must be deformable", "upper")
+            call raise(error, error_invalid, ": one of the two bodies must be deformable", "upper")
         end if
         if (allocated(error)) return
         if (.not. (is_bare(lower%sheet) .or. upper%is_rigid) .or. .not. is_bare(upper%sheet)) then
-            call raise(error, error_invalid, "a pair is not allowed of bodies whose surface has a tension or a sheet: what the "// &
-                       "surfaces in contact do to each other is not known; take the other body as rigid")
+            call raise(error, error_invalid, "medium: a pair is not available for surfaces with tension or a sheet. Use a "// &
+                       "rigid body for the other one")
             return
         end if
         if (upper%is_rigid) then
@@ -162,8 +162,8 @@ contains
                 if (.not. allocated(error)) allocate (effective, source=homogeneous)
             end if
         class default
-            call raise(error, error_invalid, " is not allowed: the springs of a power-law graded body and those of another "// &
-                       "kind do not add; take a graded body for the power law", "upper")
+            call raise(error, error_invalid, ": a power-law graded body pairs only with its own kind. Use a graded body with "// &
+                       "layers instead", "upper")
         end select
     end subroutine as_effective
 

@@ -92,8 +92,7 @@ contains
         call check_positive(error, "z0", reference_depth)
         call check_poisson(error, "nu", poisson)
         if (.not. (exponent > -1.0_wp .and. exponent < 1.0_wp)) then
-            call raise(error, error_invalid, "exponent = "//to_text(exponent)//" is not allowed: it must be greater than "// &
-                       "-1 and less than 1")
+            call raise(error, error_invalid, "exponent = "//to_text(exponent)//": it must be greater than -1 and less than 1")
         end if
         if (allocated(error)) return
         self%power_law = [young, reference_depth, exponent, poisson]
@@ -124,8 +123,8 @@ contains
         type(error_t), allocatable, intent(out) :: error
 
         if (lower%exponent /= upper%exponent) then
-            call raise(error, error_invalid, "upper is not allowed: two power-law graded bodies act as springs on a line only "// &
-                       "with the same exponent, here "//to_text(lower%exponent)//" and "//to_text(upper%exponent))
+            call raise(error, error_invalid, "upper: two power-law graded bodies need equal exponents, here "// &
+                       to_text(lower%exponent)//" and "//to_text(upper%exponent))
             return
         end if
         self%exponent = lower%exponent

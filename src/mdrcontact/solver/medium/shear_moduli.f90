@@ -25,8 +25,7 @@ contains
         if (allocated(medium%counterbody)) moduli = in_series(moduli, of(medium%counterbody%surface_material))
         if ((.not. allocated(medium%pressed) .and. medium%share_of_upper < 1.0_wp) .or. &
             (.not. allocated(medium%counterbody) .and. medium%share_of_upper > 0.0_wp)) then
-            call raise(error, error_invalid, "the tangential stiffness of a body that is known by its contact modulus alone is "// &
-                       "not known: give E and nu")
+            call raise(error, error_invalid, "medium: the tangential stiffness needs E and nu")
         end if
 
     contains

@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> First shear of a contact under constant normal force, for a coefficient of friction of 1: the disc of stick shrinks from the
-!> contact radius a while the indenter is displaced by s along the surface, and the tangential force T rises.
+!> First shear of a contact under constant normal force, for a coefficient of friction of 1: the stick zone shrinks from the contact
+!> radius a while the indenter is displaced by s along the surface, and the tangential force T rises.
 !>
 !> In terms of the stick radius c everything follows from two functions, eta(c) = -ds/dc and the stiffness of a full contact of
 !> that radius, k_t(c), because dT/ds = k_t(c):
@@ -178,7 +178,7 @@ contains
             call self%rates(b, known, rate, stiffness, slope, error)
             if (.not. allocated(error) .and. any(b*slope < -falling*stiffness)) then
                 call raise(error, error_domain, "the tangential stiffness of this model falls with the contact radius near "// &
-                           to_text(b(minloc(b*slope/stiffness, dim=1)))//": its slip would yield energy; the exact model does not")
+                           to_text(b(minloc(b*slope/stiffness, dim=1)))//": slip would produce energy. Use the model exact")
             end if
             if (allocated(error)) return
             ! from the lower end of the panel to each node, and to its upper end
@@ -209,8 +209,8 @@ contains
         if (rho > 1.0_wp) nodes = ceiling(min(max(-0.5_wp*log(negligible)/log(rho), real(fewest_nodes, wp)), real(most, wp)))
     end function nodes_for
 
-    !> Where a traction that is the difference of two pressures is taken in the disc of stick: beside the apex and the edge of a
-    !> flat end, where both may be infinite.
+    !> Where a traction that is the difference of two pressures is taken in the stick zone: beside the apex and the edge of a flat
+    !> end, where both may be infinite.
     elemental function beside(r, c, end_radius) result(near)
         !> position, stick radius and radius of the flat end [length]
         real(wp), intent(in) :: r, c, end_radius

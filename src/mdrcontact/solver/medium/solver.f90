@@ -25,7 +25,7 @@ module mdrcontact_medium_solver
     public :: check_springs, refuse, refuse_load
     public :: reason_length, solved_t
 
-    !> Room for the words of why_it_ends.
+    !> Length of the text of why_it_ends.
     integer, parameter :: reason_length = 120
 
     !> The non-adhesive contact at one radius.
@@ -45,7 +45,7 @@ module mdrcontact_medium_solver
         type(springs_t), allocatable :: springs
         !> tension and plate of the surface; bare for most
         type(surface_t) :: sheet
-        !> whether it stands for two deformable bodies, and whether it holds for paraboloids and spheres alone
+        !> whether it represents two deformable bodies, and whether it holds for paraboloids and spheres alone
         logical :: is_pair = .false., spherical_only = .false.
         !> what the upper body takes of a change of depth, where that is the same at all radii: 0 if the indenter is rigid [1]
         real(wp) :: share_of_upper = 0.0_wp
@@ -69,7 +69,7 @@ module mdrcontact_medium_solver
         logical :: is_modulus_formula = .true.
         !> whether the load of a spring depends on its own displacement alone, by one factor for all of them
         logical :: has_free_springs = .false.
-        !> whether it does not deform: one body of a pair, no medium by itself; and whether the lower body of a pair does not
+        !> whether it does not deform: one body of a pair, not a medium alone; and whether the lower body of a pair does not
         logical :: is_rigid = .false., lower_is_rigid = .false.
     contains
         !> E_eff(a), equation (10) [modulus], and its slope
@@ -226,7 +226,7 @@ contains
 
         associate (unused => self, also_unused => tangential, unused_too => load, this_too => found)
         end associate
-        call raise(error, error_invalid, "friction is not known for this medium")
+        call raise(error, error_invalid, "medium: friction is not available")
     end subroutine slip
 
     !> What is not known of most media.
@@ -250,12 +250,12 @@ contains
         type(error_t), allocatable, intent(inout) :: error
 
         if (load == twist_load) then
-            call refuse(self, "the torsional stiffness is", "a homogeneous one with E and nu, or a coated, layered or graded "// &
-                        "one with the model exact", "what the surface does to a twist is not part of the theory", error)
+            call refuse(self, "the torsional stiffness is", "a homogeneous medium with E and nu, or a coated, layered or "// &
+                        "graded one with the model exact", "the theory does not include a twist", error)
         else
             call refuse(self, "the tangential stiffness is", "a homogeneous one with E and nu, or a coated, layered or graded "// &
                         "one with the model exact or one of the weighted means (gao, gao-series, gao-power)", &
-                        "what the surface does to a shift is not part of the theory", error)
+                        "the theory does not include a shift", error)
         end if
     end subroutine refuse_load
 
@@ -268,7 +268,7 @@ contains
 
         if (allocated(self%springs) .or. allocated(error)) return
         call refuse(self, what, "a homogeneous one, or a coated, layered or graded one with the model exact: an effective "// &
-                    "modulus has no equation for springs", "it has no springs, or nearly singular ones", error)
+                    "modulus has no equation for springs", "its springs do not exist or are nearly singular", error)
     end subroutine check_springs
 
     !> The refusal of what only other media answer.
@@ -279,9 +279,9 @@ contains
         type(error_t), allocatable, intent(inout) :: error
 
         if (is_bare(self%sheet)) then
-            call raise(error, error_invalid, what//" not known for this medium: use "//instead)
+            call raise(error, error_invalid, what//" not available for this medium. Use "//instead)
         else
-            call raise(error, error_invalid, what//" not known under a surface with tension or a sheet: "//under_sheet)
+            call raise(error, error_invalid, what//" not available under a surface with tension or a sheet: "//under_sheet)
         end if
     end subroutine refuse
 

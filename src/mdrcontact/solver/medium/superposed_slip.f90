@@ -153,7 +153,7 @@ contains
     !> p of a load less p of a contact of radius c without adhesion, at positions up to the radius of the load.
     subroutine traction_between(whole, stick, of_stick, c, r, values, error)
         class(load_t), intent(in) :: whole
-        !> the medium of the disc of stick and the profile on it
+        !> the medium of the stick zone and the profile on it
         class(solver_t), intent(in), target :: stick
         class(profile_t), intent(in), target :: of_stick
         !> stick radius [length]

@@ -130,14 +130,14 @@ contains
         call check_lengths(self, l, b, error)
         if (allocated(error)) return
         largest = most_tension_lengths*l
-        self%why_it_ends = ": beyond 1000 lengths 2 tau/E* of the tension it adds less than 0.3 %: leave it out"
+        self%why_it_ends = ". Beyond 1000 lengths 2 tau/E* the tension contributes less than 0.3 %: omit it"
         if (b > 0.0_wp) then
             largest = most_plate_lengths*b**(1.0_wp/3.0_wp)
-            self%why_it_ends = ": beyond 200 lengths (2 B/E*)^(1/3) of the plate it adds next to nothing: leave it out"
+            self%why_it_ends = ". Beyond 200 lengths (2 B/E*)^(1/3) the contribution of the plate is negligible: omit it"
             if (l > b**(1.0_wp/3.0_wp)) then
                 largest = most_plate_lengths*sqrt(b/l)
-                self%why_it_ends = ": beyond 200 lengths (B/tau)^(1/2) of the plate under tension it adds next to nothing: "// &
-                                   "leave it out"
+                self%why_it_ends = ". Beyond 200 lengths (B/tau)^(1/2) the contribution of the plate under tension is "// &
+                                   "negligible: omit it"
             end if
         end if
         if (self%compliance%first_depth > 0.0_wp .and. most_thicknesses*self%compliance%first_depth < largest) then
@@ -166,8 +166,8 @@ contains
         end if
         if (shortest > 1.0_wp/extreme_length .and. longest < extreme_length) return
         call raise(error, error_invalid, "surface tension = "//to_text(self%sheet%tension)//" with surface bending = "// &
-                   to_text(self%sheet%bending)//" is not allowed: the lengths 2 tau/E*, (2 B/E*)^(1/3) and (B/tau)^(1/2) must "// &
-                   "be between 1e-90 and 1e90")
+                   to_text(self%sheet%bending)//": the lengths 2 tau/E*, (2 B/E*)^(1/3) and (B/tau)^(1/2) must lie between "// &
+                   "1e-90 and 1e90")
     end subroutine check_lengths
 
     pure recursive function bytes(self)

@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> First twist of a contact of homogeneous half-spaces about its axis (theory/friction.md (5.1)-(5.6)): the twist phi stands
-!> for the shift, the torque for the tangential force, the torsional stiffness (16/3) G c^3 for k_t.
+!> First twist of a contact of homogeneous half-spaces about its axis (theory/friction.md (5.1)-(5.6)): the twist phi represents the
+!> shift, the torque for the tangential force, the torsional stiffness (16/3) G c^3 for k_t.
 !>
 !> The load of a spring is q(x) = 2 x int_x^a tau dr/sqrt(r^2 - x^2): 4 G phi x where it sticks, mu B(x) where tau = mu p. Each
 !> increment of depth adds a flat punch's pressure, so that with K and B = [E - kappa^2 K]/(1 - kappa^2) of the complementary
@@ -24,7 +24,7 @@ module mdrcontact_medium_twisted_slip
     private
     public :: twisted_slip_t, new_twisted_slip
 
-    !> A disc of stick of this part of the radius carries 1e-18 of the torque: the contact slides.
+    !> A stick zone of this part of the radius carries 1e-18 of the torque: the contact slides.
     real(wp), parameter :: smallest = 1.0e-6_wp
     !> Panels of stick radii grow by the first factor, or by the second where the torque does not see them, below this part of a.
     real(wp), parameter :: growth = 1.6_wp, far_growth = 8.0_wp, far = 0.003_wp
@@ -70,7 +70,7 @@ contains
 
         if (.not. normal%has_free_springs) then
             call refuse(normal, "torsion with friction is", "a homogeneous one with E and nu, or a pair of them", &
-                        "what the surface does to a twist is not part of the theory", error)
+                        "the theory does not include a twist", error)
             return
         end if
         call moduli_under_shear(normal, shear, error)
@@ -81,9 +81,9 @@ contains
         call merge_breaks(self%breaks, breaks(:count(breaks < a)), error)
         if (allocated(error)) return
         if (size(self%breaks) > most_pieces) then
-            call raise(error, error_invalid, "torsion with friction is not known under an indenter of "// &
-                       count_text(size(self%breaks))//" pieces below the contact radius, as tables make them: "// &
-                       count_text(most_pieces)//" are allowed; take fewer points, or a shape with a formula")
+            call raise(error, error_invalid, "indenter: torsion with friction is available for up to "//count_text(most_pieces)// &
+                       " pieces below the contact radius, and this indenter has "//count_text(size(self%breaks))// &
+                       ". Use fewer points, or a shape with a formula")
             return
         end if
         self%radius = a
@@ -159,7 +159,7 @@ contains
         here = c
         do while (here < self%radius)
             next = here*merge(growth, far_growth, here > far*self%radius)
-            ! a root of b - break behind: panels in proportion to the distance from it
+            ! a root of b - break behind: panels proportionally to the distance from it
             length = minval(here - self%breaks, mask=self%breaks < here)
             next = min(next, here + max(length, shortest*self%radius))
             if (self%radius - next < 0.5_wp*(next - here)) next = self%radius
@@ -207,7 +207,7 @@ contains
         values = 4.0_wp*self%shear*r*values
     end subroutine line_load
 
-    !> p where it slips; in the disc of stick the sum of (4 G r/pi) dphi/sqrt(b^2 - r^2) over the stick radii b of its past.
+    !> p where it slips; in the stick zone the sum of (4 G r/pi) dphi/sqrt(b^2 - r^2) over the stick radii b of its past.
     subroutine traction(self, c, r, values, error)
         class(twisted_slip_t), intent(in), target :: self
         real(wp), intent(in) :: c

@@ -21,21 +21,21 @@ module mdrcontact_medium_viscoelastic
     private
     public :: viscoelastic_t, new_viscoelastic_medium
 
-    !> Materials from the surface down, the substrate last, unless the base is rigid.
+    !> Materials top to bottom, the substrate last, unless the base is rigid.
     type, extends(object_t) :: viscoelastic_t
-        !> from the surface down
+        !> top to bottom
         type(rheology_t), allocatable :: materials(:)
         !> of the layers [length]
         real(wp), allocatable :: thickness(:)
         !> how each layer holds to what lies below it
         type(bond_t), allocatable :: bonds(:)
-        !> below the last layer, in place of a half-space
+        !> below the last layer, instead of a half-space
         logical :: rigid_base = .false.
         !> the model by which elastic bodies of this shape are solved
         integer :: model = models%exact
         !> the model's options
         type(model_options_t) :: options
-        !> whether all materials relax in proportion: every state then follows from the elastic ones (theory/time.md (3.1))
+        !> whether all materials relax proportionally: every state then follows from the elastic ones (theory/time.md (3.1))
         logical :: is_proportional = .false.
         !> the elastic body whose contact modulus is multiplied by `relaxation_shape`, where they do: the glassy one without
         !> dashpots, with power laws at their unit of time
@@ -53,11 +53,11 @@ contains
     !> Layers on a substrate, or on a rigid base.
     subroutine new_viscoelastic_medium(self, materials, thickness, rigid_base, model, options, error, shared, bonds)
         type(viscoelastic_t), intent(out) :: self
-        !> from the surface down, then, unless the base is rigid, the half-space's
+        !> top to bottom, then, unless the base is rigid, the half-space's
         type(rheology_t), intent(in) :: materials(:)
         !> of the layers, > 0: none for a homogeneous half-space [length]
         real(wp), intent(in) :: thickness(:)
-        !> below the last layer, in place of a half-space
+        !> below the last layer, instead of a half-space
         logical, intent(in) :: rigid_base
         !> one of models%..., and its options
         integer, intent(in) :: model
@@ -106,8 +106,8 @@ contains
         end if
     end subroutine new_viscoelastic_medium
 
-    !> Of each material from the surface down its numbers, and behind those of a layer its thickness, and K_n and K_t of the
-    !> interface below it.
+    !> Of each material top to bottom its numbers, and behind those of a layer its thickness, and K_n and K_t of the interface below
+    !> it.
     pure subroutine parameters(self, list)
         class(viscoelastic_t), intent(in) :: self
         type(parameter_t), allocatable, intent(out) :: list(:)
@@ -171,8 +171,8 @@ contains
         if (allocated(self%reference)) bytes = bytes + self%reference%bytes()
     end function bytes
 
-    !> The elastic material that stands for a relaxing one; of a power law its modulus at the time for which that of the first
-    !> is given.
+    !> The elastic material that represents a relaxing one; of a power law its modulus at the time for which that of the first is
+    !> given.
     subroutine reference_material(rheology, first, material, error)
         type(rheology_t), intent(in) :: rheology, first
         type(material_t), intent(out) :: material
@@ -191,7 +191,7 @@ contains
         end if
     end subroutine reference_material
 
-    !> What multiplies the reference body's contact modulus, where all materials relax in proportion [1].
+    !> What multiplies the reference body's contact modulus, where all materials relax proportionally [1].
     function relaxation_shape(self, shortest, longest, tolerance) result(series)
         class(viscoelastic_t), intent(in) :: self
         !> times between which it is needed, > 0 [time], and how well, relative, if a power law

@@ -13,7 +13,7 @@ module mdrcontact_tension_auxiliary
 
     real(wp), parameter :: euler = 0.57721566490153286061_wp
     complex(wp), parameter :: i_unit = (0.0_wp, 1.0_wp)
-    !> |w| below which the series is used everywhere; |s| from which on the asymptotic series has all digits; terms of the rest.
+    !> |w| below which the series is used everywhere; |s| from which on the asymptotic series has full accuracy; terms of the rest.
     real(wp), parameter :: near = 2.0_wp, far = 40.0_wp
     integer, parameter :: most_terms = 400
 
@@ -43,7 +43,7 @@ contains
         f = 0.5_wp*i_unit*(first - second)
     end subroutine auxiliary
 
-    !> f and g with another number in place of ln w: they are f - sin w (ln w - logarithm) and g + cos w (ln w - logarithm).
+    !> f and g with another number instead of ln w: they are f - sin w (ln w - logarithm) and g + cos w (ln w - logarithm).
     elemental subroutine regular_parts(w, logarithm, f, g)
         complex(wp), intent(in) :: w, logarithm
         complex(wp), intent(out) :: f, g

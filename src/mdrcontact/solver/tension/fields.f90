@@ -24,7 +24,7 @@ module mdrcontact_tension_fields
         !> of the ring couple, 0 without a plate, and of the line force on the edge, 2 a f/E0* [length^2]
         real(wp) :: couple = 0.0_wp
         real(wp), public :: line_force = 0.0_wp
-        !> what the series leaves of a line force where there is none: its error, without which force and displacement lose digits
+        !> what the series leaves of a line force if it does not exist: its error, without which force and displacement lose digits
         real(wp) :: remainder = 0.0_wp
         !> of the cosines [length^2]
         real(wp), allocatable :: cosines(:)

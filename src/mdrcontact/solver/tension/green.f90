@@ -43,7 +43,7 @@ module mdrcontact_tension_green
         real(wp) :: rate = 0.0_wp
         !> y up to which `split` holds, and beyond which there is no table [length]
         real(wp) :: near = 0.0_wp, last = 0.0_wp
-        !> -k_r [1/length] and R, twice that of a pole that stands for a pair [1/length]
+        !> -k_r [1/length] and R, twice that of a pole that represents a pair [1/length]
         complex(wp), allocatable, private :: rho(:), residue(:)
         !> ascending ends of the panels [length], and their series: (column, term, panel)
         real(wp), allocatable, private :: edges(:), series(:, :, :)

@@ -10,10 +10,10 @@ module mdrcontact_tension_grid
     public :: grid_t, new_grid, order_for
 
     !> Nodes of a panel without waves, and more of them for each radian of a wave; beside 0, where weights for the logarithm hold
-    !> for polynomials of the degree n - 1 only, in place of 2 n - 1, for twice as many.
+    !> for polynomials of the degree n - 1 only, instead of 2 n - 1, for twice as many.
     real(wp), parameter :: fewest = 14.0_wp, per_radian = 0.29_wp, per_radian_beside = 2.0_wp*per_radian
 
-    !> Numbers of nodes for which GSL has them to all digits; others it computes to ten.
+    !> Numbers of nodes for which GSL has them to machine precision; others it computes to ten.
     integer, parameter :: orders(*) = [16, 20, 32, 64, 96, 128, 256, 512, 1024]
 
     !> Made by new_grid.
@@ -50,7 +50,7 @@ contains
         end do
     end subroutine new_grid
 
-    !> The next larger number of nodes that is known to all digits.
+    !> The next larger number of nodes that is known to machine precision.
     pure function order_for(wanted) result(order)
         integer, intent(in) :: wanted
         integer :: order

@@ -121,7 +121,7 @@ contains
         end do
     end subroutine take_entries
 
-    !> F' of y Phi' in place of F: y Phi' = tan alpha dPhi/d alpha, and by parts, for cos 2 m alpha + cos 2 (m + 1) alpha has the
+    !> F' of y Phi' instead of F: y Phi' = tan alpha dPhi/d alpha, and by parts, for cos 2 m alpha + cos 2 (m + 1) alpha has the
     !> factor cos alpha,
     !>     F'(m + 1, n) + F'(m, n) = 2 m F(m, n) - 2 (m + 1) F(m + 1, n),   F'(0, n) = F'(n, 0).
     pure subroutine take_slope(transform, first)

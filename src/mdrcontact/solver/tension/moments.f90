@@ -107,8 +107,8 @@ contains
         call profile%add_breaks(radii, error)
         if (allocated(error)) return
         if (size(radii) > 0 .or. (1.0_wp + 3.0_wp*step)*a > profile%largest_radius) then
-            call raise(error, error_invalid, "a plate on the surface (bending) is for smooth indenters, well within their "// &
-                       "largest radius: this one has a corner, a flat end or an end there")
+            call raise(error, error_invalid, "surface bending: a plate needs a smooth indenter and contacts well inside its "// &
+                       "largest radius. This one has a corner, a flat end or an end there")
             return
         end if
         do i = 1, size(factors)

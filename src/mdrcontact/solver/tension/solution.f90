@@ -88,8 +88,8 @@ contains
         n = size(self%factor, 1)
         call dpotrf("L", n, self%factor, n, info)
         if (info /= 0) then
-            call raise(error, error_no_convergence, "the contact of radius "//to_text(a)//" on a surface with tension or a "// &
-                       "plate could not be solved: its matrix is not positive definite")
+            call raise(error, error_no_convergence, "the contact of radius "//to_text(a)// &
+                       " on a surface with tension or a plate was not found: its matrix is not positive definite")
             return
         end if
         call punch_of(self, n, self%punch)

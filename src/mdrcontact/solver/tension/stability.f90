@@ -13,7 +13,7 @@ module mdrcontact_tension_stability
     private
     public :: check_stability, critical_tension
 
-    !> Wavenumbers looked at: those of a half-space under the plate times this much, both ways, in so many steps.
+    !> Wavenumbers considered: those of a half-space under the plate times this much, both ways, in so many steps.
     real(wp), parameter :: widest = 1.0e6_wp
     integer, parameter :: steps = 400
     !> Part of the critical tension that is allowed: beyond it the compliance is nearly infinite at k_c.
@@ -40,9 +40,9 @@ contains
         if (allocated(error) .or. .not. surface%tension < 0.0_wp) return
         call critical_tension(surface%bending, compliance, tension, wave)
         if (surface%tension > largest_part*tension) return
-        call raise(error, error_invalid, "surface tension = "//to_text(surface%tension)//" is not allowed: the surface "// &
-                   "wrinkles under tau_c = "//to_text(tension)//", at the wavenumber k_c = "//to_text(in_six_digits(wave))// &
-                   "; it must be greater than 0.95 tau_c")
+        call raise(error, error_invalid, "surface tension = "//to_text(surface%tension)// &
+                   ": it must be greater than 0.95 tau_c. The surface wrinkles at tau_c = "//to_text(tension)// &
+                   " and the wavenumber k_c = "//to_text(in_six_digits(wave)))
     end subroutine check_stability
 
     !> tau_c < 0 [modulus length] and k_c [1/length].

@@ -9,7 +9,7 @@ module mdrcontact_tension_surface
     private
     public :: surface_t, check_surface, has_springs, is_bare
 
-    !> What a surface adds to the compliance C(k) of its body: 1/C + tau k^2 + B k^4 in place of 1/C, of a body whose surface moves
+    !> What a surface adds to the compliance C(k) of its body: 1/C + tau k^2 + B k^4 instead of 1/C, of a body whose surface moves
     !> sideways against K_m k^2.
     type, bind(C) :: surface_t
         !> tau, tension > 0 [modulus length]; less than 0 with a plate only
@@ -22,7 +22,7 @@ module mdrcontact_tension_surface
 
 contains
 
-    !> Whether it adds nothing; not so where a number is none.
+    !> Whether it adds nothing; false if a number is NaN.
     elemental function is_bare(self) result(answer)
         type(surface_t), intent(in) :: self
         logical :: answer
@@ -30,7 +30,7 @@ contains
         answer = has_springs(self) .and. self%stretching == 0.0_wp
     end function is_bare
 
-    !> Whether short waves meet springs: it has neither tension nor a plate; not so where a number is none.
+    !> Whether short waves meet springs: it has neither tension nor a plate; false if a number is NaN.
     elemental function has_springs(self) result(answer)
         type(surface_t), intent(in) :: self
         logical :: answer
@@ -48,8 +48,8 @@ contains
         call check_not_negative(error, "surface stretching", self%stretching)
         if (allocated(error)) return
         if (self%tension < 0.0_wp .and. .not. self%bending > 0.0_wp) then
-            call raise(error, error_invalid, "surface tension < 0 is not allowed without a plate (bending > 0): under any "// &
-                       "compression the surface wrinkles, tau_c = 0 at k_c = infinity")
+            call raise(error, error_invalid, "surface tension: it must not be negative without a plate (bending > 0), because "// &
+                       "the surface wrinkles under any compression")
         end if
     end subroutine check_surface
 

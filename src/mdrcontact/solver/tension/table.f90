@@ -14,7 +14,7 @@ module mdrcontact_tension_table
 
     !> Decades of a/l, one a panel: from 10^first on, so many.
     integer, parameter :: first_decade = -3, decades = 5
-    !> Values in a panel, analytic for |Im ln(a/l)| < pi, and how far it may be off where it was not sampled, relative.
+    !> Values in a panel, analytic for |Im ln(a/l)| < pi, and its largest error between the samples, relative.
     integer, parameter :: terms = 18
     real(wp), parameter :: allowed = 1.0e-10_wp, between = 0.31_wp
 
@@ -58,7 +58,7 @@ contains
                              abs(again%rate(1)/extrapolated(solution%rate(1), solution%fewer_rate(1)) - 1.0_wp))
         end do
         if (self%error > allowed) then
-            call raise(error, error_no_convergence, "the table of flat punches under surface tension misses their solution by "// &
+            call raise(error, error_no_convergence, "the table of flat punches under surface tension has an error of "// &
                        to_text(self%error))
         end if
     end subroutine new_punch_table

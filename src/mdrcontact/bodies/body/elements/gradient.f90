@@ -10,7 +10,7 @@ module mdrcontact_body_elements_gradient
     private
     public :: order, gradient_series, in_plane_rate, anti_plane_rate, multiply_series, series_value
 
-    !> Order of the series: exact to rounding for k times thickness up to 1/2.
+    !> Order of the series: exact to machine precision for k times thickness up to 1/2.
     integer, parameter :: order = 20
 
 contains

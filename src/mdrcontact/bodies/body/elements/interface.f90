@@ -11,8 +11,8 @@ module mdrcontact_body_elements_interface
     private
     public :: interface_t, bond_t, bond_of, check_bond, new_interface
 
-    !> What a sliding interface adds to the compliance along the surface: all else is lost beside it, so that what comes of it is
-    !> the limit to the last digit.
+    !> What a sliding interface adds to the compliance along the surface: all other terms are negligible compared with it, so that
+    !> what comes of it is the limit to the last digit.
     real(wp), parameter :: sliding_compliance = 1.0e100_wp
 
     !> How two layers hold together: compliances per area, 0 where they are bonded.

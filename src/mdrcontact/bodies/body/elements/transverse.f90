@@ -267,7 +267,7 @@ contains
         complex(wp) :: even(0:1), odd(0:1), power(0:1), next, factor
         integer :: n
 
-        ! of K^n = power(0) + power(1) K, by its characteristic equation, which is that of B A, too
+        ! of K^n = power(0) + power(1) K, by its characteristic equation, which is that of B Aalso
         power = [one, (0.0_wp, 0.0_wp)]
         even = power
         odd = x*power

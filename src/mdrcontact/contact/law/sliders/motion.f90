@@ -28,8 +28,8 @@ module mdrcontact_law_sliders_motion
     type, bind(C) :: motion_t
         !> sliders, those of the record among them; the level below S, where there are shares, and where these begin
         integer(c_int32_t) :: used, before, cell, first_share
-        !> whether S is the contact radius, and P that of it; whether springs bear at once what they are sheared by; whether S
-        !> passes the upper end of the last slider, and whether P is settled
+        !> whether S is the contact radius, and P that of it; whether springs respond immediately to the shear; whether S passes the
+        !> upper end of the last slider, and whether P is settled
         integer(c_int32_t) :: of_radius, at_once, grows, is_settled
         !> S, F and k at the upper end of the last slider before the step, and S before it
         real(c_double) :: top(3), old
@@ -64,7 +64,7 @@ module mdrcontact_law_sliders_motion
         end subroutine mdrcontact_sliders_step
 
         !> Steps of n contacts under Coulomb's law up to the first whose record gets other sliders; how many these are. Arguments
-        !> are those of contact_steps_t, with S and dS/dF at the end of each step, and what force is none.
+        !> are those of contact_steps_t, with S and dS/dF at the end of each step, and the force that counts as 0.
         ! allow(assumed-size)
         function mdrcontact_sliders_steps(row, share, count, sliders, strength, nothing, n, is_trial, force, level, compliance, &
                                           shift, memory, traction, tangent) result(done) bind(C)
@@ -174,7 +174,7 @@ contains
         end do
     end subroutine find_loads
 
-    !> Puts one slider in the place of another.
+    !> Puts one slider instead of another.
     pure subroutine copy_slider(motion, from, to)
         type(motion_t), intent(inout) :: motion
         integer, intent(in) :: from, to

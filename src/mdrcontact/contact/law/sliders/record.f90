@@ -9,10 +9,10 @@ module mdrcontact_law_sliders_record
     public :: record_size, is_record, part, stored_energy
     public :: at_law, at_next, at_used, at_shift, at_top, at_lost, at_normal, head
 
-    !> Places in a record: the mark of its law, 0 before the first step; number of the next level above the sliders, 0 where the
-    !> bodies are apart, and of sliders; S; S, F and k at the upper end of the last slider; energy dissipated so far; normal of the
-    !> tangent plane, 0 while it is not known. Behind that the levels at the lower ends of the sliders, of which the first has
-    !> none, and x, y and z of the sliders' t.
+    !> Places in a record: the mark of its law, 0 before the first step; number of the next level above the sliders, 0 for separated
+    !> bodies, and of sliders; S; S, F and k at the upper end of the last slider; energy dissipated so far; normal of the tangent
+    !> plane, 0 while it is not known. Behind that the levels at the lower ends of the sliders, of which the first has none, and x,
+    !> y and z of the sliders' t.
     integer, parameter :: at_law = 1, at_next = 2, at_used = 3, at_shift = 4, at_top = 5, at_lost = 8, at_normal = 9, head = 11
 
     !> Numbers of larger size are refused.

@@ -40,8 +40,8 @@ contains
         end do
     end subroutine shrink
 
-    !> The slider to be divided, -1 if there is none, and at which level: among those that stick the one that lacks most; else the
-    !> core.
+    !> The slider to be divided, -1 if it does not exist, and at which level: among those that stick the one that lacks most; else
+    !> the core.
     pure subroutine choose(levels, motion, place, level)
         type(levels_t), intent(in) :: levels
         type(motion_t), intent(in) :: motion

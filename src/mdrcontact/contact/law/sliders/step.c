@@ -31,7 +31,7 @@ typedef struct place {
     double force, shift, stiffness, rate, load;
 } place;
 
-/* Of levels_t; a force that is none. */
+/* Of levels_t; the force that counts as 0. */
 typedef struct given {
     const double *row, *share;
     double strength, nothing;
@@ -68,7 +68,7 @@ typedef struct growth {
     double g[3], by_force[3], e[3], one, turned;
 } growth;
 
-/* Springs that touch at constant shear strength bear at once what they are sheared by. */
+/* Springs that touch at constant shear strength respond immediately to the shear. */
 static growth growth_of(const motion *m, const place *at, double mu)
 {
     growth of = {{0.0}, {0.0}, {0.0}, 0.0, 0.0};

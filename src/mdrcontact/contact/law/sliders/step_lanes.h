@@ -421,7 +421,7 @@ INSIDE int NAME(is_begun)(const given *of, double mark, const double record[])
     if (!(record[AT_USED] >= 1.0 && record[AT_USED] <= of->sliders)) return 0;
     const int used = (int)record[AT_USED];
     if (!(record[AT_SHIFT] >= 0.0 && record[AT_TOP] >= record[AT_SHIFT] && record[AT_TOP + 2] >= 0.0 && level[0] == 0.0)) return 0;
-    /* of a NaN and of infinity, too */
+    /* also for NaN and infinity */
     UNROLLED for (int j = 0; j < NAME(PARTS); ++j) {
         const double *head = record + AT_SHIFT + j * LANES;
         part[j] = NAME(size)(NAME(load)(head)) + NAME(size)(NAME(load)(head + 4));
