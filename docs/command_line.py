@@ -16,7 +16,6 @@ from mdrcontact.cli.keys import FILES, TITLE
 from mdrcontact.instruments import schema as measured
 from mdrcontact.problem.schema import MAP, PROBLEM, TABLES, Field, Range, Table
 
-DOCS = Path(__file__).resolve().parent
 ALL = {**TABLES, **measured.TABLES}
 """Every table of all kinds of files by its path."""
 _WIDTH = 132
@@ -44,7 +43,9 @@ def _command(name: str, parser: argparse.ArgumentParser) -> Iterator[str]:
     arguments = [one for one in parser._actions if one.dest != "help"]
     required = [_spelling(one) for one in arguments if one.required]
     yield from ("```text", " ".join(["mdrcontact", name, *required, "[options]"]), "```", "", "| Argument | Meaning |", "|---|---|")
-    yield from (f"| `{_spelling(one)}` | {one.help} |" for one in arguments)
+    for one in arguments:
+        words = {**vars(one), "choices": ", ".join(map(str, one.choices or ()))}
+        yield f"| `{_spelling(one)}` | {(one.help or '') % words} |"
     for title, names, text in zip(parts[1::3], parts[2::3], parts[3::3], strict=True):
         yield ""
         if title in FILES:
@@ -108,12 +109,12 @@ def _table(places: list[str], table: Table) -> Iterator[str]:
     yield ""
     meaning = f"{table.meaning[0].upper()}{table.meaning[1:]}."
     if table.guide:
-        page = DOCS.parent / table.guide
-        meaning += f" See [{page.read_text(encoding='utf-8').partition(chr(10))[0].strip('# ')}]({page.name})."
+        page = Path(table.guide)
+        meaning += f" See [{page.stem}]({page.name})."
     if table.extends:
         base = next(path for path, one in ALL.items() if one is table.extends and not path.startswith("indenter."))
         meaning += f" The keys of {_head(base, table.extends)} also belong to it."
-    yield meaning
+    yield _filled(meaning)
     own = table.fields[len(table.extends.fields) if table.extends else 0 :]
     for many, groups in (("Exactly", table.one_of), ("At most", table.at_most_one_of)):
         for group in groups:

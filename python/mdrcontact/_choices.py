@@ -21,6 +21,12 @@ def nearest(wrong: str, right: Iterable[str]) -> str:
     return "choose from " + ", ".join(repr(name) for name in by_lower.values())
 
 
+def suggestion(wrong: str, right: Iterable[str]) -> str:
+    """Return the same as a sentence."""
+    words = nearest(wrong, right)
+    return f"{words[0].upper()}{words[1:]}" + "." * (not words.endswith("?"))
+
+
 def code(name: str, value: Any, codes: dict[str, int], *allowed: str) -> int:
     """The code of a word; wrong words are answered with the nearest right one."""
     known = allowed or tuple(codes)

@@ -384,12 +384,12 @@ def test_command(tmp_path, capsys):
 @pytest.mark.parametrize(
     ("change", "words"),
     [
-        (('control = "spring"', 'control = "force"'), "spring_stiffness belongs to"),
+        (('control = "spring"', 'control = "force"'), "spring_stiffness needs control"),
         (('"50 mJ/m^2"', "0.05"), "has no unit"),
-        (('"50 mJ/m^2"', '"-1 J/m^2"'), "work_of_adhesion = '-1 J/m^2' is not allowed"),
+        (('"50 mJ/m^2"', '"-1 J/m^2"'), "work_of_adhesion = '-1 J/m^2': it must be"),
         (('"0.2 N/m"', '"0.2 N"'), "is not a unit of a stiffness"),
-        (("[adhesion]", "[adhesive]"), "did you mean 'adhesion'"),
-        (("[adhesion]", '[adhesion]\nadhesion_rule = "energi"'), "did you mean 'energy'"),
+        (("[adhesion]", "[adhesive]"), "Did you mean 'adhesion'"),
+        (("[adhesion]", '[adhesion]\nadhesion_rule = "energi"'), "Did you mean 'energy'"),
     ],
 )
 def test_wrong_problem_files(change, words, tmp_path, capsys):

@@ -205,7 +205,7 @@ def test_mean_of_dynamic_curves():
             2,
         ),
         (lambda f: (f / "calibrate.toml").write_text(CALIBRATE.replace("unloading", "force-depth")), "kind must be", 2),
-        (lambda f: [p.unlink() for p in (f / "silica").iterdir()], "there is no file that ends", 2),
+        (lambda f: [p.unlink() for p in (f / "silica").iterdir()], "there is no file of measurements", 2),
         (lambda f: (f / "tip.toml").write_text(""), "exists", 1),
     ],
 )

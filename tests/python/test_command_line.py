@@ -175,7 +175,7 @@ def test_existing_files_are_safe(problem, capsys):
         for command in ("curve", "compare"):
             assert main([command, problem, *arguments]) == 1
             out, err = capsys.readouterr()
-            assert out == "" and "exists; --overwrite replaces it" in err
+            assert out == "" and "the file exists. Use --overwrite to replace it." in err
     assert Path("curve.csv").read_text() == "mine"
     assert _files() == ["curve.csv", "curve.png", "problem.toml"]
     assert main(["curve", problem, "--csv", "curve.csv", "--plot", "curve.png", "--overwrite"]) == 0
@@ -196,7 +196,7 @@ def test_what_a_command_reads_is_not_overwritten(problem, capsys, tmp_path):
         ("friction", "led.toml", "path.csv"),
     ):
         assert main([command, file, "--csv", result, "--overwrite"]) == 1
-        assert f"{result} is what this command reads: give the result another name" in capsys.readouterr().err
+        assert f"{result}: this command reads it. Give the result another name." in capsys.readouterr().err
     assert {name: Path(name).read_bytes() for name in _files()} == before
     Path("round").symlink_to("round")
     assert main(["curve", problem, "--csv", "round", "--overwrite"]) == 1
@@ -221,7 +221,7 @@ def _umask():
         (["--csv", "."], "is a folder"),
         (["--plot", "curve.gif"], "must end in .png, .pdf, .svg"),
         (["--plot", "curve"], "must end in .png, .pdf, .svg"),
-        (["--csv", "same.png", "--plot", "same.png"], "cannot go to the same file"),
+        (["--csv", "same.png", "--plot", "same.png"], "two results have the same file name"),
     ],
 )
 def test_places_where_nothing_can_be_written(problem, capsys, arguments, words):
@@ -310,7 +310,7 @@ def test_examples_are_printed(capsys):
         assert capsys.readouterr().out == path.read_text(encoding="utf-8")
     assert list(examples()) == [path.stem for path in PROBLEMS]
     assert main(["example", "sio2_on_s"]) == 2
-    assert "did you mean 'sio2_on_si'?" in capsys.readouterr().err
+    assert "name = 'sio2_on_s': there is no such example. Did you mean 'sio2_on_si'?" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("command", sorted(make_parser()[1]))
@@ -425,4 +425,4 @@ def test_too_little_memory_is_one_line(problem, capsys, monkeypatch):
 
     monkeypatch.setattr("mdrcontact.cli.curve.run", none_left)
     assert main(["curve", str(problem)]) == 1
-    assert capsys.readouterr().err == "mdrcontact: there is not enough memory for this: give fewer points or fewer rows of data\n"
+    assert capsys.readouterr().err == "mdrcontact: there is not enough memory. Use fewer points or fewer rows of data.\n"

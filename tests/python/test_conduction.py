@@ -571,19 +571,19 @@ def test_command_line(name, tmp_path, capsys):
     ("old", "new", "words"),
     [
         ('kind = "electrical"', 'kind = "wet"', "wet"),
-        ('kind = "electrical"', 'kind = "electrical"\nspeed = "1 m/s"', "thermal"),
+        ('kind = "electrical"', 'kind = "electrical"\nspeed = "1 m/s"', "speed and friction_coefficient do not belong"),
         ('electrical_conductivity = "9.17 MS/m"', 'electrical_conductivity = "9.17 W/(m*K)"', "an electrical conductivity"),
         ('electrical_conductivity = "9.17 MS/m"\n', "", "no conductivity"),
-        ('electrical_conductivity = "9.17 MS/m"', 'heat_capacity = "3 MJ/(m^3*K)"', "heat_capacity is not allowed without thermal"),
+        ('electrical_conductivity = "9.17 MS/m"', 'heat_capacity = "3 MJ/(m^3*K)"', "heat_capacity needs thermal"),
         (
             'electrical_conductivity = "9.17 MS/m"',
             'electrical_conductivity_along = "9 MS/m"',
-            "electrical_conductivity_along is not allowed without electrical_conductivity,",
+            "electrical_conductivity_along needs electrical_conductivity",
         ),
         (
             'electrical_conductivity = "9.17 MS/m"',
             'electrical_conductivity = "9.17 MS/m"\nthermal_conductivity_along = "9 W/(m*K)"',
-            "thermal_conductivity_along is not allowed without thermal_conductivity,",
+            "thermal_conductivity_along needs thermal_conductivity",
         ),
         ('kind = "electrical"', 'kind = "electrical"\ninterfaces = ["0 ohm*m^2", "1 ohm*m^2"]', "interfaces has 2"),
         ('[conduction]\nkind = "electrical"\n', "", r"\[conduction\] is missing"),

@@ -34,7 +34,7 @@ def test_page(path, installed, tmp_path, tmp_path_factory, monkeypatch):
         ("```python\nprint(1)\n```\n```text\n2\n```\n", "prints"),
         ("```python\nundefined\n```\n", "line 1: name 'undefined' is not defined"),
         ("```sh\nfalse\n```\n", "status 1"),
-        ('```toml\n[indenter]\nshape = "ball"\n```\n', "'ball' is not allowed"),
+        ('```toml\n[indenter]\nshape = "ball"\n```\n', "'ball': unknown word"),
     ],
 )
 def test_what_does_not_run_is_found(page, words, tmp_path):

@@ -82,7 +82,7 @@ def test_folder_reports_bad_curves_and_fits_the_rest(tmp_path, capsys):
         (
             "[fit.free]",
             '[fit]\nsd_is_absolute = "no"\n[fit.free]',
-            "sd_is_absolute = 'no' is not allowed: it must be true or false",
+            "sd_is_absolute = 'no': it must be true or false",
         ),
     ],
 )

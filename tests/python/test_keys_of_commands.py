@@ -38,16 +38,16 @@ def _failed(tmp_path, capsys, command, text, *more):
 def test_commands_without_time_refuse_a_work_that_depends_on_speed(command, tmp_path, capsys):
     """They took the work of an edge at rest, and in the loop of approach and retraction the closing work for the opening one."""
     more = [str(tmp_path / "found.law")] if command == "law" else []
-    assert "use mdrcontact history" in _failed(tmp_path, capsys, command, ELASTIC + RATE, *more)
+    assert "Use mdrcontact history" in _failed(tmp_path, capsys, command, ELASTIC + RATE, *more)
 
 
 @pytest.mark.parametrize(
     ("kind", "key", "right"),
     [
-        ("electrical", 'thermal_film = "1e-8 m^2*K/W"', "write film"),
-        ("electrical", 'thermal_interfaces = ["1e-8 m^2*K/W"]', "write interfaces"),
-        ("thermal", 'film = "1e-15 ohm*m^2"', "write thermal_film"),
-        ("thermal", 'interfaces = ["1e-15 ohm*m^2"]', "write thermal_interfaces"),
+        ("electrical", 'thermal_film = "1e-8 m^2*K/W"', "Write film"),
+        ("electrical", 'thermal_interfaces = ["1e-8 m^2*K/W"]', "Write interfaces"),
+        ("thermal", 'film = "1e-15 ohm*m^2"', "Write thermal_film"),
+        ("thermal", 'interfaces = ["1e-15 ohm*m^2"]', "Write thermal_interfaces"),
     ],
 )
 def test_resistances_belong_to_what_flows(kind, key, right, tmp_path, capsys):

@@ -187,7 +187,7 @@ def test_a_text_opens_what_is_given_and_nothing_else(key, tmp_path, monkeypatch)
     names = ["/etc/passwd", "../x", "/dev/zero", ".", str(tmp_path / good), f"./{good}", good.upper(), ""]
     for files in ({}, {"a.csv": b"", "b.csv": b""}):
         for name in [*names, good]:
-            with pytest.raises(ProblemError, match="not among the files given") as refusal:
+            with pytest.raises(ProblemError, match="not among the given files") as refusal:
                 opened(key, naming(key, name), None, files)
             assert ("a.csv, b.csv" in str(refusal.value)) == bool(files) and f"= {name!r}" in str(refusal.value)
     for files in ({good: SOUND[good]}, {good: tmp_path / good}, [tmp_path / good], [str(tmp_path / good)]):
@@ -204,7 +204,7 @@ def test_tables_of_a_program_name_nothing_unless_it_says_where(tmp_path, monkeyp
         "medium": {"type": "homogeneous", "material": {"E": "1 GPa", "nu": 0.3}},
         "history": {"path": "file", "file": "path.csv"},
     }
-    with pytest.raises(ProblemError, match="not among the files given, which are none"):
+    with pytest.raises(ProblemError, match="not among the given files. There are none"):
         read(tables)
     assert len(read(tables, folder=tmp_path).history.time) == 3
     assert len(read(tables, files={"path.csv": SOUND["path.csv"], "tip.toml": tmp_path / "tip.toml"}).history.time) == 3
@@ -226,5 +226,5 @@ def test_lists_of_files_that_cannot_be():
 def test_a_tip_names_no_further_file(tmp_path):
     (tmp_path / "tip.toml").write_text('[indenter]\nfile = "other.toml"\n')
     (tmp_path / "other.toml").write_bytes(SOUND["tip.toml"])
-    with pytest.raises(ProblemError, match="does not describe a tip"):
+    with pytest.raises(ProblemError, match="is not a tip"):
         load(written(tmp_path, "[indenter] file", "tip.toml"))

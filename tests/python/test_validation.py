@@ -44,7 +44,7 @@ def test_a_wrong_number_is_seen(monkeypatch, capsys):
     monkeypatch.setattr(module, "CHECKS", (dataclasses.replace(first, run=spoiled),))
     assert main(["validate"]) == 1
     shown = capsys.readouterr()
-    assert "BEYOND" in shown.out and "explains: hertz" in shown.err
+    assert "BEYOND" in shown.out and "exceeds the error of the source: hertz" in shown.err
 
 
 def test_missing_programs_are_named(monkeypatch, capsys):
@@ -52,7 +52,7 @@ def test_missing_programs_are_named(monkeypatch, capsys):
     assert main(["validate", "--only", "elements-bonded"]) == 0
     assert "not run: scikit-fem is not installed" in capsys.readouterr().out
     assert main(["validate", "--only", "hertzz"]) == 2
-    assert "did you mean 'hertz'" in capsys.readouterr().err
+    assert "Did you mean 'hertz'" in capsys.readouterr().err
 
 
 def test_the_files_that_are_written(tmp_path, capsys):

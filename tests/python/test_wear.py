@@ -458,7 +458,7 @@ intervals = 40
         ('"1e-6 mm^3/(N*m)"', "1e-15", "has no unit"),
         ('"1e-6 mm^3/(N*m)"', '"1e-15 mm^2"', "not a unit of a coefficient of wear"),
         ('"1e-6 mm^3/(N*m)"', '"0 Pa^-1"', "greater than 0"),
-        ("intervals = 40", 'scheme = "disk"', "did you mean 'disc'"),
+        ("intervals = 40", 'scheme = "disk"', "Did you mean 'disc'"),
     ):
         wrong = tmp_path / "wrong.toml"
         wrong.write_text(problem.read_text().replace(before, after))

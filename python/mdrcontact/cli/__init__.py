@@ -54,14 +54,13 @@ COMMANDS = (
     map_,
     validate,
 )
-"""Each command is a module of its name with HELP, `add_arguments(parser)` and `run(arguments)`, and a text help/<name>.txt."""
+"""Each command is a module with its name, HELP, `add_arguments(parser)` and `run(arguments)`, and a text help/<name>.txt."""
 _FORMAT = argparse.RawDescriptionHelpFormatter
 
 _DESCRIPTION = """\
 Contact of an indenter with a coated, layered or graded body: force, contact radius, stiffness and pressure.
 
-A problem is a text file that says what the indenter and the medium are and what to compute, units written out. Begin with a
-ready-made one:
+A problem file is a text file that describes the indenter, the medium and what to compute, with units. Start from a ready-made one:
 
     mdrcontact example sio2_on_si > problem.toml
     mdrcontact curve problem.toml --plot curve.png
@@ -70,7 +69,7 @@ ready-made one:
 
 
 class _Warnings:
-    """Prints each warning of a command once, whichever of its contacts gave it."""
+    """Prints each warning of a command once, also if several contacts give it."""
 
     def __init__(self) -> None:
         self._printed: set[str] = set()
@@ -82,7 +81,7 @@ class _Warnings:
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Runs the command; returns its exit status. Faults are printed in one line on standard error."""
+    """Run a command and return its exit status. An error is one line on the standard error stream."""
     chosen = make_parser()[0].parse_args(arguments)
     try:
         with reported_to(_Warnings()):
@@ -95,11 +94,15 @@ def main(arguments: Sequence[str] | None = None) -> int:
     except OSError as problem:
         if problem.filename is not None:
             return _fail(f"{problem.filename}: {problem.strerror}", 1)
-        # our output goes to a full disk, or its reader has gone (| head), which is not our fault: what is left of it goes nowhere
+        # the disk is full, or the reader of the output has closed it (| head), which is no error: discard the rest
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        return 1 if isinstance(problem, BrokenPipeError) else _fail(f"the output cannot be written: {problem.strerror}", 1)
+        return (
+            1
+            if isinstance(problem, BrokenPipeError)
+            else _fail(f"the output cannot be written: {problem.strerror}. Free space or write elsewhere.", 1)
+        )
     except MemoryError:
-        return _fail("there is not enough memory for this: give fewer points or fewer rows of data", 1)
+        return _fail("there is not enough memory. Use fewer points or fewer rows of data.", 1)
     except KeyboardInterrupt:
         return _fail("interrupted; nothing was written", 130)
     return 0

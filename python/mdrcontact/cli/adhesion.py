@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`mdrcontact adhesion`: the cycle of approach and retraction of an adhesive contact, and where it breaks."""
+"""`mdrcontact adhesion`: pull-off, and a loop of approach and retraction."""
 
 from __future__ import annotations
 
@@ -11,16 +11,16 @@ from ..studies import adhesion
 from . import files
 from .table import as_csv, as_text
 
-HELP = "pull-off, and a loop of approach and retraction"
+HELP = "compute pull-off, and a loop of approach and retraction"
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """What the command takes."""
-    files.add_problem(parser, "the loop", "it has a table [adhesion]")
+    """Add the arguments of the command to a parser."""
+    files.add_problem(parser, "the loop", "needs the table [adhesion]")
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Computes, prints, writes."""
+    """Compute, print and write the results."""
     files.check(arguments)
     problem = load(arguments.problem)
     with on_terminal() as progress:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`mdrcontact calibrate`: tip and frame from indents into a known body, as a file that [indenter] reads."""
+"""`mdrcontact calibrate`: find tip and frame from indents into a known body, and write a file for [indenter]."""
 
 from __future__ import annotations
 
@@ -12,21 +12,23 @@ from ..instruments.files.fit_file import load_fit_file
 from ..studies import calibrate
 from . import files
 
-HELP = "area function, tip radius and frame compliance from indents into a known body"
+HELP = "find area function, tip radius and frame compliance from indents into a known body"
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """What the command takes."""
-    parser.add_argument("data", type=Path, nargs="+", metavar="DATA", help="tables of one indent each, or folders of them")
-    parser.add_argument("--problem", type=Path, required=True, metavar="PROBLEM.toml", help="tip, known body, data and fit")
-    parser.add_argument("--output", type=Path, required=True, metavar="TIP.toml", help="write the calibrated tip")
+    """Add the arguments of the command to a parser."""
+    parser.add_argument("data", type=Path, nargs="+", metavar="DATA", help="measurements of one indent each, or folders of them")
+    parser.add_argument(
+        "--problem", type=Path, required=True, metavar="PROBLEM.toml", help="problem file: tip, known body, data and fit"
+    )
+    parser.add_argument("--output", type=Path, required=True, metavar="TIP.toml", help="write the calibrated tip to this file")
     parser.add_argument("--plot", type=Path, metavar="FILE.png", help="draw the fit (.png, .pdf or .svg)")
-    parser.add_argument("--report", type=Path, metavar="FILE.html", help="write all of it as one HTML file")
-    parser.add_argument("--overwrite", action="store_true", help="replace files that exist")
+    parser.add_argument("--report", type=Path, metavar="FILE.html", help="write the complete result to one HTML file")
+    parser.add_argument("--overwrite", action="store_true", help="replace existing output files")
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Reads all curves, fits them together, writes the tip."""
+    """Read all curves, fit them together and write the tip."""
     files.check(arguments)
     problem = load_fit_file(arguments.problem)
     print(f"{problem.title}\n")

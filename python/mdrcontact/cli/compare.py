@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`mdrcontact compare`: the same problem under every medium model that applies to it."""
+"""`mdrcontact compare`: one problem under every model that applies to its medium."""
 
 from __future__ import annotations
 
@@ -17,17 +17,17 @@ from ..studies.result import Array, spread_over
 from . import files
 from .table import as_csv, spread_text
 
-HELP = "one problem under every medium model, and the spread between them"
+HELP = "compute one problem under every model of its medium, and the spread between them"
 _SHOWN = 5
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """What the command takes."""
-    files.add_problem(parser, "all states of all models", "its medium is coated, layered or graded")
+    """Add the arguments of the command to a parser."""
+    files.add_problem(parser, "all states of all models", "needs a coated, layered or graded medium")
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Computes, prints, writes."""
+    """Compute, print and write the results."""
     files.check(arguments)
     problem = load(arguments.problem)
     with on_terminal() as progress:
@@ -45,14 +45,14 @@ def run(arguments: argparse.Namespace) -> None:
 
 
 def _picked(found: CompareResult) -> tuple[list[int], list[str]]:
-    """A few prescribed values: their places, and how they are written."""
+    """Return the places of a few prescribed values, and these values as text."""
     control = found.problem.control
     picked, unit = spread_over(len(control.values), _SHOWN), practical(control.dimension, control.values)
     return picked, [f"{number(float(unit.of(control.values[i])))} {unit.name}" for i in picked]
 
 
 def _side_by_side(found: CompareResult, name: str, values: Array, dimension: Dimension) -> str:
-    """A row for each model and one for the spread, a column for each of a few prescribed values."""
+    """Return a row for each model and one for the spread, a column for each of a few prescribed values."""
     (picked, at), unit = _picked(found), practical(dimension, values.ravel())
     head = [f"{name} [{unit.name}] at {found.problem.control.name}", *at]
     rows = [[a.model, *(number(float(unit.of(v[i]))) for i in picked)] for a, v in zip(found.answers, values, strict=True)]
@@ -61,7 +61,7 @@ def _side_by_side(found: CompareResult, name: str, values: Array, dimension: Dim
 
 
 def _measured(found: CompareResult) -> str:
-    """How far every model is from the exact one or, without it, from the median."""
+    """Return the deviation of every model from the exact one or, without it, from the median."""
     picked, at = _picked(found)
     rows = [[f"{found.response} against {found.basis}, at {found.problem.control.name}", *at]]
     for answer, row in zip(found.answers, found.values / found.base, strict=True):
@@ -71,5 +71,5 @@ def _measured(found: CompareResult) -> str:
 
 
 def _deviation_text(ratio: float) -> str:
-    """A ratio as a deviation in percent, or as a factor where percents say little."""
+    """Return a ratio as a deviation in percent, or as a factor if it is large."""
     return f"{100.0 * (ratio - 1.0):+.1f} %" if 0.1 < ratio < 3.0 else f"factor {ratio:.3g}"

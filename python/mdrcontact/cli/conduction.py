@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`mdrcontact conduction`: heat or current through a contact along its loading."""
+"""`mdrcontact conduction`: conductance of a contact along a load curve, and temperatures by friction."""
 
 from __future__ import annotations
 
@@ -11,17 +11,17 @@ from ..studies import conduction
 from . import files
 from .table import as_csv, as_text
 
-HELP = "heat or current through a contact along its loading"
+HELP = "compute the conductance of heat or current through a contact along its loading"
 _ROWS = 12
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """What the command takes."""
-    files.add_problem(parser, "all rows of the table", "it has a table [conduction]")
+    """Add the arguments of the command to a parser."""
+    files.add_problem(parser, "all rows of the table", "needs the table [conduction]")
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Computes, prints, writes."""
+    """Compute, print and write the results."""
     files.check(arguments)
     problem = load(arguments.problem)
     with on_terminal() as progress:

@@ -12,18 +12,22 @@ from ..studies import curve
 from . import files
 from .table import as_csv, as_text
 
-HELP = "force, radius, stiffness and pressure of one problem"
+HELP = "compute force, contact radius, stiffness and pressure of one problem"
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """What the command takes."""
+    """Add the arguments of the command to a parser."""
     files.add_problem(parser, "all rows of the table")
-    parser.add_argument("--pressure-csv", type=Path, metavar="FILE.csv", help="write the pressure distributions to a CSV file")
-    parser.add_argument("--rows", type=_rows, default=10, metavar="N", help="rows of the table on the screen (default: 10)")
+    parser.add_argument(
+        "--pressure-csv", type=Path, metavar="FILE.csv", help="write pressure distributions at a few depths to a CSV file"
+    )
+    parser.add_argument(
+        "--rows", type=_rows, default=10, metavar="N", help="number of table rows to print (default: 10); the CSV file has all rows"
+    )
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Computes, prints, writes."""
+    """Compute, print and write the results."""
     files.check(arguments)
     problem = load(arguments.problem)
     draws = arguments.plot is not None
@@ -46,5 +50,5 @@ def run(arguments: argparse.Namespace) -> None:
 
 def _rows(text: str) -> int:
     if not text.isdecimal() or int(text) < 1:
-        raise argparse.ArgumentTypeError(f"{text!r} is not a number of rows: it must be a whole number, at least 1")
+        raise argparse.ArgumentTypeError(f"rows = {text!r}: it must be a whole number, at least 1")
     return int(text)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Results into files: all of them or none, and never over an existing file unless the user says so."""
+"""Write results to files: all or none, and over an existing file only with --overwrite."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ from ..problem import ProblemError
 from ..problem.toml import parse_file
 
 DATA_SUFFIXES = (".csv", ".tsv", ".txt", ".dat", ".hld", *SHEETS, *afm.SUFFIXES)
-"""Endings of files that hold measurements."""
+"""File extensions of measurements."""
 _RESULTS = ("csv", "pressure_csv", "plot", "ranges", "json", "report", "npy", "law", "output")
 """Arguments that name a file to be written."""
 _NAMES = ("file", "path", "labels")
@@ -32,39 +32,41 @@ class OutputError(Exception):
 
 
 def add_problem(parser: argparse.ArgumentParser, results: str, has: str = "") -> None:
-    """What every command on a contact takes. results : in the CSV file; has : what the problem file must have"""
-    parser.add_argument("problem", metavar="PROBLEM.toml", help=f"the problem file; {has}" if has else "the problem file")
+    """Add the arguments of a command on a contact. results : in the CSV file; has : what the problem file needs"""
+    parser.add_argument("problem", metavar="PROBLEM.toml", help=f"problem file; {has}" if has else "problem file")
     add_options(parser, results)
 
 
-def add_fit(parser: argparse.ArgumentParser, results: str, data: str, says: str) -> None:
-    """What fits of one measurement take. data : what is measured; says : what the problem file says"""
+def add_fit(parser: argparse.ArgumentParser, results: str, data: str, tables: str) -> None:
+    """Add the arguments of a fit of measurements. data : their meaning; tables : those of the problem file"""
     parser.add_argument("data", type=Path, metavar="DATA", help=data)
-    parser.add_argument("--problem", type=Path, required=True, metavar="PROBLEM.toml", help=says)
+    parser.add_argument("--problem", type=Path, required=True, metavar="PROBLEM.toml", help=f"problem file: {tables}")
     add_options(parser, results)
-    parser.add_argument("--json", type=Path, metavar="FILE.json", help="write everything about the result as JSON")
-    parser.add_argument("--report", type=Path, metavar="FILE.html", help="write all of it, picture included, as one HTML file")
+    parser.add_argument("--json", type=Path, metavar="FILE.json", help="write the complete result to a JSON file")
+    parser.add_argument(
+        "--report", type=Path, metavar="FILE.html", help="write the complete result, with figures, to one HTML file"
+    )
 
 
 def add_options(parser: argparse.ArgumentParser, what: str) -> None:
-    """The options that every command with results has."""
-    parser.add_argument("--csv", type=Path, metavar="FILE.csv", help=f"write {what} to a CSV file, units in its header")
-    parser.add_argument("--plot", type=Path, metavar="FILE.png", help="draw the figure (.png, .pdf or .svg)")
-    parser.add_argument("--overwrite", action="store_true", help="replace files that exist")
+    """Add the options of a command with results."""
+    parser.add_argument("--csv", type=Path, metavar="FILE.csv", help=f"write {what} to a CSV file, with units in the header")
+    parser.add_argument("--plot", type=Path, metavar="FILE.png", help="draw the figure (.png, .pdf or .svg); needs matplotlib")
+    parser.add_argument("--overwrite", action="store_true", help="replace existing output files")
 
 
 def check(arguments: argparse.Namespace) -> None:
-    """Raises before any work is done if a result could not be written afterwards."""
+    """Raise an error before the computation if a result could not be written afterwards."""
     results = [path for path in (getattr(arguments, name, None) for name in _RESULTS) if path is not None]
     pictures = [path for name in ("plot", "ranges") if (path := getattr(arguments, name, None))]
     check_results(results, pictures, arguments.overwrite, draws=bool(getattr(arguments, "report", None)))
     for path in results:
         if path.exists() and any(path.samefile(read) for read in _read_by(arguments) if read.exists()):
-            raise OutputError(f"{path} is what this command reads: give the result another name")
+            raise OutputError(f"{path}: this command reads it. Give the result another name.")
 
 
 def check_results(results: Sequence[Path], pictures: Sequence[Path], overwrite: bool, *, draws: bool = False) -> None:
-    """Raises if results cannot be written, pictures among them, or, if `draws`, within another of them."""
+    """Raise an error if results cannot be written. draws : whether another result than `pictures` has figures"""
     _check(results, overwrite)
     for path in pictures:
         figure_format(path)
@@ -72,11 +74,11 @@ def check_results(results: Sequence[Path], pictures: Sequence[Path], overwrite: 
         try:
             import matplotlib.figure  # noqa: F401
         except ImportError as problem:
-            raise OutputError('figures need matplotlib: pip install "mdrcontact[plot]"') from problem
+            raise OutputError('figures need matplotlib. Install it with pip install "mdrcontact[plot]".') from problem
 
 
 def _read_by(arguments: argparse.Namespace) -> list[Path]:
-    """The files that the command line and the problem file name to be read."""
+    """Return the files that the command reads, by its arguments and its problem file."""
     data, problem = getattr(arguments, "data", []), Path(arguments.problem)
     given = [problem, *(data if isinstance(data, list) else [data])]
     with suppress(ProblemError):  # reported where it is read
@@ -94,23 +96,23 @@ def _named_in(table: Mapping[str, Any]) -> Iterator[str]:
 
 def _check(paths: Sequence[Path], overwrite: bool) -> None:
     if len({os.path.realpath(path) for path in paths}) < len(paths):
-        raise OutputError("two results cannot go to the same file")
+        raise OutputError("two results have the same file name. Give each its own.")
     for path in paths:
         check_place(path)
         if path.exists() and not overwrite:
-            raise OutputError(f"{path} exists; --overwrite replaces it")
+            raise OutputError(f"{path}: the file exists. Use --overwrite to replace it.")
 
 
 def figure_format(path: Path) -> str:
-    """The format that the ending of a figure's file name stands for."""
+    """Return the format of a figure by its file extension."""
     suffix = path.suffix.lower().removeprefix(".")
     if suffix not in matplotlib.FORMATS:
-        raise OutputError(f"{path}: a figure's name must end in " + ", ".join(f".{name}" for name in matplotlib.FORMATS))
+        raise OutputError(f"{path}: the name of a figure must end in {', '.join(f'.{name}' for name in matplotlib.FORMATS)}.")
     return suffix
 
 
 def write(arguments: argparse.Namespace, **results: Callable[[], Any]) -> None:
-    """Writes the results whose options are given, and says so; the command's last act.
+    """Write the results whose options are given, and report their files.
 
     results : by option what makes one: bytes, text, a figure, or a dictionary for JSON
     """
@@ -119,7 +121,7 @@ def write(arguments: argparse.Namespace, **results: Callable[[], Any]) -> None:
 
 
 def save(contents: Mapping[Path, bytes], overwrite: bool) -> None:
-    """Writes each file, and says so."""
+    """Write each file, and report it."""
     _check(list(contents), overwrite)
     if contents:
         print()
@@ -146,8 +148,8 @@ def _may_be_data(path: Path) -> bool:
 
 
 def data_files(folder: Path) -> list[Path]:
-    """The files of a folder that may hold measurements."""
+    """Return the files of a folder that may be measurements."""
     paths = sorted(p for p in folder.iterdir() if _may_be_data(p) and p.is_file() and not is_second(p))
     if not paths:
-        raise ProblemError(f"{folder}: there is no file that ends in {', '.join(DATA_SUFFIXES)}")
+        raise ProblemError(f"{folder}: there is no file of measurements. Its name must end in one of {', '.join(DATA_SUFFIXES)}.")
     return paths

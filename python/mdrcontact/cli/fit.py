@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`mdrcontact fit`: film properties from measured curves."""
+"""`mdrcontact fit`: find film properties from measured curves."""
 
 from __future__ import annotations
 
@@ -15,27 +15,27 @@ from ..studies import fit
 from . import files, many, pages
 from .table import as_csv, as_text, with_errors
 
-HELP = "film properties from measured curves, with intervals"
+HELP = "find film properties with intervals from measured curves"
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """What the command takes."""
-    data, says = "a table, an AFM file, or a folder of them", "indenter, medium, data and fit"
-    files.add_fit(parser, "points and residuals, or for a folder the estimates", data, says)
-    words = "draw how far the modulus moves with range, branch and contact point, of one curve"
+    """Add the arguments of the command to a parser."""
+    data, tables = "table of measurements, AFM file, or folder of these", "indenter, medium, data and fit"
+    files.add_fit(parser, "points and residuals, or for a folder the estimates,", data, tables)
+    words = "draw the modulus of one curve against range, branch and contact point"
     parser.add_argument("--ranges", type=Path, metavar="FILE.png", help=words)
-    parser.add_argument("--keep-all", action="store_true", help="of a folder or map: let doubtful curves into the mean, too")
-    parser.add_argument("--compare", action="store_true", help="fit under every medium model as well, and rank them")
+    parser.add_argument("--keep-all", action="store_true", help="include curves with warnings in the mean of a folder or map")
+    parser.add_argument("--compare", action="store_true", help="also fit with every model of the medium, and rank them")
     parser.add_argument(
         "--interval",
         choices=("normal", "profile", "monte-carlo"),
         default="normal",
-        help="how intervals are found (default: normal, from the standard error)",
+        help="method for the intervals (default: normal, from the standard error)",
     )
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Fits, prints, writes."""
+    """Fit, print and write the results."""
     files.check(arguments)
     problem = load_fit_file(arguments.problem)
     print(f"{problem.title}\n")
@@ -55,7 +55,7 @@ def _one(arguments: argparse.Namespace, problem: FitFile, curve: Curve) -> None:
     of_gel = problem.drainage is not None
     for name in ("plot", "report", "ranges") if of_gel else ():
         if getattr(arguments, name):
-            raise ProblemError(f"--{name} is not offered for gels: --csv has the points, --json the numbers")
+            raise ProblemError(f"--{name}: fits of gels do not support it. Use --csv for the points, --json for the numbers.")
     options = {"moves": bool(arguments.ranges or arguments.report), "interval": arguments.interval, "compare": arguments.compare}
     with on_terminal() as progress:
         found = fit(problem, data, **options, progress=progress)

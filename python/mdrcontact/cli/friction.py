@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`mdrcontact friction`: fretting loops or a path of a contact with friction, and the energy it dissipates."""
+"""`mdrcontact friction`: fretting loops or a path of a contact with friction, and the dissipated energy."""
 
 from __future__ import annotations
 
@@ -11,17 +11,17 @@ from ..studies import friction
 from . import files
 from .table import as_csv, as_text
 
-HELP = "fretting loops or any path: partial slip, sliding, dissipated energy"
+HELP = "compute fretting loops or a path: partial slip, sliding, dissipated energy"
 _ROWS = 24
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """What the command takes."""
-    files.add_problem(parser, "forces, stick radii and energies of amplitudes or steps", "it has a table [friction]")
+    """Add the arguments of the command to a parser."""
+    files.add_problem(parser, "forces, stick radii and energies of all amplitudes or steps", "needs the table [friction]")
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Computes, prints, writes."""
+    """Compute, print and write the results."""
     files.check(arguments)
     problem = load(arguments.problem)
     with on_terminal() as progress:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`mdrcontact history`: a contact with a viscoelastic body along a path in time."""
+"""`mdrcontact history`: the contact of a viscoelastic body or a gel along a path in time."""
 
 from __future__ import annotations
 
@@ -11,17 +11,17 @@ from ..studies import history
 from . import files
 from .table import as_csv, as_text
 
-HELP = "a viscoelastic or poroelastic body along a path in time"
+HELP = "compute the contact of a viscoelastic body or a gel along a path in time"
 _ROWS = 12
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """What the command takes."""
-    files.add_problem(parser, "the whole path", "it has a table [history]")
+    """Add the arguments of the command to a parser."""
+    files.add_problem(parser, "the whole path", "needs the table [history]")
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Computes, prints, writes."""
+    """Compute, print and write the results."""
     files.check(arguments)
     problem = load(arguments.problem)
     with on_terminal() as progress:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`mdrcontact inspect`: what a file of measurements is, and what would be fitted."""
+"""`mdrcontact inspect`: report what a file of measurements contains."""
 
 from __future__ import annotations
 
@@ -14,25 +14,25 @@ from ..studies import inspect
 from . import files
 from .table import as_text
 
-HELP = "say what a file of measurements is, and write a problem file to begin with"
+HELP = "report what a file of measurements contains, and write a problem file to start from"
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """What the command takes."""
-    parser.add_argument("data", type=Path, metavar="FILE", help="a table, a spreadsheet, or a file of an AFM")
+    """Add the arguments of the command to a parser."""
+    parser.add_argument("data", type=Path, metavar="FILE", help="table, spreadsheet or AFM file")
     parser.add_argument("--plot", type=Path, metavar="FILE.png", help="draw the tests and their segments (.png, .pdf or .svg)")
-    parser.add_argument("--problem", type=Path, metavar="START.toml", help="write a problem file to begin with")
+    parser.add_argument("--problem", type=Path, metavar="START.toml", help="write a problem file to start from")
     parser.add_argument("--columns", nargs="+", metavar="TITLE", default=(), help='titles with units, as in "depth [nm]"')
     for name, example in (("spring-constant", "0.2 N/m"), ("deflection-sensitivity", "50 nm/V")):
         parser.add_argument(f"--{name}", metavar="VALUE", help=f'of the cantilever, as in "{example}"')
     parser.add_argument(
-        "--like", type=Path, metavar="PROBLEM.toml", help="read the file as [data] and [instrument] of this one say"
+        "--like", type=Path, metavar="PROBLEM.toml", help="read the file as [data] and [instrument] of this file state"
     )
-    parser.add_argument("--overwrite", action="store_true", help="replace files that exist")
+    parser.add_argument("--overwrite", action="store_true", help="replace existing output files")
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Reads, prints, writes."""
+    """Read the file, print and write the results."""
     pictures = [arguments.plot] if arguments.plot else []
     files.check_results([*pictures, *([arguments.problem] if arguments.problem else [])], pictures, arguments.overwrite)
     said = {name: getattr(arguments, name) for name in schema.CANTILEVER if getattr(arguments, name) is not None}

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`mdrcontact law`: the compiled law of a problem, in a file that codes in C and Fortran read."""
+"""`mdrcontact law`: compile the contact of a problem into a law, in a file that other codes read."""
 
 from __future__ import annotations
 
@@ -18,31 +18,41 @@ HELP = "compile the contact into a file that other codes read"
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """What the command takes."""
-    parser.add_argument("problem", metavar="PROBLEM.toml", help="the problem file")
-    parser.add_argument("law", type=Path, metavar="FILE.law", help="the file to write")
-    parser.add_argument("--largest-depth", metavar="DEPTH", help='up to which depth, as in "300 nm"')
-    parser.add_argument("--smallest-depth", metavar="DEPTH", help="from which depth on; 1e-4 of the largest")
-    parser.add_argument("--tolerance", type=float, default=1e-9, help="relative, of F, a and k; %(default)s")
-    parser.add_argument("--continue-beyond", action="store_true", help="answer beyond the largest depth too, along the tangent")
+    """Add the arguments of the command to a parser."""
+    parser.add_argument("problem", metavar="PROBLEM.toml", help="problem file")
+    parser.add_argument("law", type=Path, metavar="FILE.law", help="file of the law, or of the table")
+    parser.add_argument("--largest-depth", metavar="DEPTH", help='largest depth of the law, as in "300 nm"')
+    parser.add_argument("--smallest-depth", metavar="DEPTH", help="smallest depth of the law (default: 1e-4 of the largest)")
     parser.add_argument(
-        "--sliders", type=int, default=8, help="with [friction]: for the springs of a contact, 4 to 64; %(default)s"
+        "--tolerance", type=float, default=1e-9, metavar="T", help="relative tolerance of F, a and k (default: %(default)s)"
     )
-    parser.add_argument("--table", choices=tuple(FORMATS), metavar="FORM", help="write a table in place of the law: %(choices)s")
-    parser.add_argument("--table-error", type=float, default=1e-3, help="of F by linear interpolation; %(default)s of the largest")
-    parser.add_argument("--millimetres", action="store_true", help="the table in mm and N; without it in m and N")
-    parser.add_argument("--touch", metavar="DISTANCE", help='of "lammps": the distance at first touch, as in "10 mm"')
+    parser.add_argument("--continue-beyond", action="store_true", help="extrapolate beyond the largest depth along the tangent")
     parser.add_argument(
-        "--area", metavar="AREA", help='of "overclosure": of the surface that one contact stands for, as in "1 mm^2"'
+        "--sliders", type=int, default=8, metavar="N", help="number of sliders with [friction], 4 to 64 (default: %(default)s)"
     )
+    parser.add_argument("--table", choices=tuple(FORMATS), metavar="FORM", help="write a table instead of the law: %(choices)s")
     parser.add_argument(
-        "--shear-strength", metavar="STRESS", help='of the contact, constant, in place of [friction], as in "20 MPa"; homogeneous'
+        "--table-error",
+        type=float,
+        default=1e-3,
+        metavar="E",
+        help="error of F by linear interpolation, divided by the largest F (default: %(default)s)",
     )
-    parser.add_argument("--overwrite", action="store_true", help="replace a file that exists")
+    parser.add_argument("--millimetres", action="store_true", help="write the table in mm and N instead of m and N")
+    parser.add_argument(
+        "--touch", metavar="DISTANCE", help='distance of the centres at initial contact, for "lammps", as in "10 mm"'
+    )
+    parser.add_argument("--area", metavar="AREA", help='area of the surface per contact, for "overclosure", as in "1 mm^2"')
+    parser.add_argument(
+        "--shear-strength",
+        metavar="STRESS",
+        help='constant shear strength instead of [friction], for homogeneous bodies, as in "20 MPa"',
+    )
+    parser.add_argument("--overwrite", action="store_true", help="replace existing output files")
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Compiles, writes, and says what the law is."""
+    """Compile the law, print its data and write it."""
     files.check(arguments)
     problem = load(arguments.problem)
     largest, smallest = (_given(arguments, name, LENGTH) for name in ("largest_depth", "smallest_depth"))
@@ -64,7 +74,7 @@ def run(arguments: argparse.Namespace) -> None:
 
 
 def _table(compiled: ContactLaw, arguments: argparse.Namespace) -> str:
-    """The table in place of the law."""
+    """Return the table that replaces the law."""
     length = 1e-3 if arguments.millimetres else 1.0
     touch, area = _given(arguments, "touch", LENGTH, length), _given(arguments, "area", AREA, length**2)
     text = compiled.table(arguments.table, error=arguments.table_error, length=length, touch=touch, area=area)
@@ -73,7 +83,7 @@ def _table(compiled: ContactLaw, arguments: argparse.Namespace) -> str:
 
 
 def _given(arguments: argparse.Namespace, name: str, dimension: Dimension, unit: float = 1.0) -> float | None:
-    """The quantity of an option in a unit, None where it is not given."""
+    """Return the value of an option in a unit, None without it."""
     text = getattr(arguments, name)
     try:
         return None if text is None else parse(text, dimension) / unit

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`mdrcontact fit` on many curves: a folder, or a file with a map."""
+"""`mdrcontact fit` of many curves: a folder, or a file with a map."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ from . import files, pages
 from .table import as_csv, as_text
 
 _MOST_ROWS = 300
-"""On the screen."""
+"""Largest number of table rows on the screen."""
 
 
 def run(arguments: argparse.Namespace, problem: FitFile, curves: list[Curve]) -> None:
-    """Fits, prints, writes."""
+    """Fit, print and write the results."""
     print(listed(f"{len(curves)} curves in {arguments.data}; as in", first_notes(curves)))
     with on_terminal() as progress:
         found = many(problem, curves, keep_all=arguments.keep_all, progress=progress)

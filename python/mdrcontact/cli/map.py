@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`mdrcontact map`: effective modulus of a laterally heterogeneous structure at every place, for several contact radii."""
+"""`mdrcontact map`: effective modulus at every place of a laterally heterogeneous structure."""
 
 from __future__ import annotations
 
@@ -17,21 +17,25 @@ from ..studies.result import Array
 from . import files
 from .table import as_text
 
-HELP = "effective modulus at every place of a heterogeneous structure"
+HELP = "compute the effective modulus at every place of a heterogeneous structure"
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """What the command takes."""
-    parser.add_argument("problem", metavar="MAP.toml", help="the map file")
-    parser.add_argument("--npy", type=Path, metavar="FILE.npy", help="write the maps as a NumPy array (radii, ny, nx) [Pa]")
-    parser.add_argument("--plot", type=Path, metavar="FILE.png", help="draw structure and maps (.png, .pdf or .svg)")
-    parser.add_argument("--overwrite", action="store_true", help="replace files that exist")
-    parser.add_argument("--threads", type=int, default=0, metavar="N", help="how many threads (default: 0, one per core)")
-    parser.add_argument("--memory", type=float, metavar="GIB", help="refuse to use more memory than this [GiB]")
+    """Add the arguments of the command to a parser."""
+    parser.add_argument("problem", metavar="MAP.toml", help="map file: structure and contact radii")
+    parser.add_argument(
+        "--npy", type=Path, metavar="FILE.npy", help="write the maps to a NumPy file, as an array (radii, ny, nx) [Pa]"
+    )
+    parser.add_argument(
+        "--plot", type=Path, metavar="FILE.png", help="draw structure and maps (.png, .pdf or .svg); needs matplotlib"
+    )
+    parser.add_argument("--overwrite", action="store_true", help="replace existing output files")
+    parser.add_argument("--threads", type=int, default=0, metavar="N", help="number of threads (default: 0, one per core)")
+    parser.add_argument("--memory", type=float, metavar="GIB", help="stop with an error if more memory is needed [GiB]")
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Computes, prints, writes."""
+    """Compute, print and write the results."""
     files.check(arguments)
     problem = load_map(arguments.problem)
     needed = lateral.map_memory(problem.voxels, problem.radii, threads=arguments.threads)

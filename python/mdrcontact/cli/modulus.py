@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`mdrcontact modulus`: the film's modulus at every depth of a dynamic measurement, and at zero depth."""
+"""`mdrcontact modulus`: film modulus at every depth of a dynamic measurement, and at zero depth."""
 
 from __future__ import annotations
 
@@ -12,17 +12,17 @@ from ..studies import modulus
 from . import files, pages
 from .table import as_csv, as_text
 
-HELP = "film modulus against depth from dynamic (CSM) data, and at zero depth"
+HELP = "find the film modulus at each depth of dynamic (CSM) data, and at zero depth"
 _ROWS = 20
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """What the command takes."""
-    files.add_fit(parser, "the modulus at each depth", "a table of depth, force and stiffness", "tip, medium, data and fit")
+    """Add the arguments of the command to a parser."""
+    files.add_fit(parser, "the modulus at each depth", "table of depth, force and stiffness", "indenter, medium, data and fit")
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Computes, prints, writes."""
+    """Compute, print and write the results."""
     files.check(arguments)
     problem = load_fit_file(arguments.problem)
     print(f"{problem.title}\n")

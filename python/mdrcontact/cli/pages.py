@@ -18,7 +18,7 @@ ANALYSIS = "Oliver and Pharr on the fitted body, standard errors of the stiffnes
 
 
 def fit_page(found: FittedCurve, read: Sequence[str]) -> str:
-    """Everything about one fit, with the other choices and models that were tried. read : what was understood of the file"""
+    """Return the page of one fit, with other choices and models. read : notes on the file"""
     blocks = report.blocks_of(found.fit, read)
     if found.analysis is not None:
         blocks += [report.heading(ANALYSIS), report.table(as_rows(with_errors(found.tables["points"])))]
@@ -30,7 +30,7 @@ def fit_page(found: FittedCurve, read: Sequence[str]) -> str:
 
 
 def many_page(found: FittedCurves) -> str:
-    """Everything about the fits of many curves."""
+    """Return the page of the fits of many curves."""
     blocks = [report.paragraph(words) for words in found.notes.values()]
     blocks += [report.table(as_rows(found.tables["spread"]))] if "spread" in found.tables else []
     blocks += [report.picture(draw(found.figure()), "estimates of all curves")]
@@ -40,7 +40,7 @@ def many_page(found: FittedCurves) -> str:
 
 
 def modulus_page(found: ModulusResult, read: Sequence[str]) -> str:
-    """Everything about a modulus against depth. read : what was understood of the file"""
+    """Return the page of a modulus against depth. read : notes on the file"""
     problem, profile = found.problem, found.profile
     columns = [c for c in found.tables["points"] if isinstance(c, Column)]
     rows = [[c.title for c in columns]]

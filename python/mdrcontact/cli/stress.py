@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`mdrcontact stress`: stresses inside a coated body, where they are largest, and the load at first failure."""
+"""`mdrcontact stress`: largest stresses inside a body, and the load at first failure."""
 
 from __future__ import annotations
 
@@ -12,20 +12,20 @@ from ..studies import stress
 from . import files
 from .table import as_csv, as_text
 
-HELP = "stresses inside a coated body, and the load at first failure"
+HELP = "compute stresses inside a body, and the load at first failure"
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """What the command takes."""
-    parser.add_argument("problem", metavar="PROBLEM.toml", help="the problem file")
+    """Add the arguments of the command to a parser."""
+    parser.add_argument("problem", metavar="PROBLEM.toml", help="problem file")
     parser.add_argument(
-        "--friction", type=_friction, default=0.0, metavar="F", help="coefficient of friction of a sliding indenter"
+        "--friction", type=_friction, default=0.0, metavar="F", help="coefficient of friction of a sliding indenter (default: 0)"
     )
     files.add_options(parser, "displacements and stresses on a grid")
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Computes, prints, writes."""
+    """Compute, print and write the results."""
     files.check(arguments)
     problem = load(arguments.problem)
     draws = arguments.plot is not None
@@ -49,5 +49,5 @@ def _friction(text: str) -> float:
     except ValueError:
         value = math.nan
     if not 0.0 <= value < math.inf:
-        raise argparse.ArgumentTypeError(f"{text!r} is not a coefficient of friction: it must be a number, at least 0")
+        raise argparse.ArgumentTypeError(f"friction = {text!r}: it must be a number, at least 0")
     return value

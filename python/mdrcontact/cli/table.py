@@ -13,21 +13,21 @@ from ..studies.result import Column, Mixed, Table, Words, spread_over
 
 
 def spread_text(ratio: float) -> str:
-    """How far the largest of some values is above the smallest, by their ratio."""
+    """Return the ratio of the largest to the smallest value as text."""
     if ratio < 3.0:
         return f"{100.0 * (ratio - 1.0):.1f} %"
     return f"factor {ratio:.1f}" if ratio < 100.0 else f"factor {ratio:.0f}"
 
 
 def as_text(table: Table, rows: int | None = None, left: int | None = None) -> str:
-    """A table for the screen with at most `rows` rows. The first `left` columns begin flush left: by default those of words."""
+    """Return a table as text with at most `rows` rows. The first `left` columns are flush left; default: those of words."""
     if left is None:
         left = next((i for i, c in enumerate(table) if not isinstance(c, Words)), len(table))
     return aligned(as_rows(table, rows), left=left)
 
 
 def as_rows(table: Table, rows: int | None = None) -> list[list[str]]:
-    """The titles and at most `rows` rows of a table as words."""
+    """Return the titles and at most `rows` rows of a table as text."""
     count = len(table[0].values)
     picked = range(count) if rows is None else spread_over(count, rows)
     return [[c.title for c in table], *([_cell(c, i) for c in table] for i in picked)]
@@ -44,7 +44,7 @@ def _cell(column: Column | Mixed | Words, row: int) -> str:
 
 
 def with_errors(table: Table) -> list[Words]:
-    """Columns of numbers as words, each with the standard errors that stand in the column behind it."""
+    """Return columns of numbers as text, each with the standard errors of the next column."""
     columns = [c for c in table if isinstance(c, Column)]
     found = []
     for c, error in zip(columns, [*columns[1:], None], strict=True):
@@ -60,7 +60,7 @@ def with_errors(table: Table) -> list[Words]:
 
 
 def as_csv(table: Table) -> bytes:
-    """All rows as CSV with full precision."""
+    """Return all rows as CSV with full precision."""
     text = io.StringIO(newline="")
     writer = csv.writer(text, lineterminator="\n")
     writer.writerow([c.title for c in table])
@@ -70,7 +70,7 @@ def as_csv(table: Table) -> bytes:
 
 
 def _full(column: Column | Mixed | Words, row: int) -> str:
-    """A cell with all digits."""
+    """Return a cell with all digits."""
     if isinstance(column, Column) and row not in column.instead:
         return repr(float(column.unit.of(column.values[row])))
     return _cell(column, row)

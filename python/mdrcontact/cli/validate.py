@@ -1,12 +1,12 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`mdrcontact validate`: the library against formulas, tables and programs of others."""
+"""`mdrcontact validate`: compare the library with formulas, tables and other programs."""
 
 from __future__ import annotations
 
 import argparse
 from pathlib import Path
 
-from .._choices import nearest
+from .._choices import suggestion
 from .._progress import on_terminal
 from ..errors import MDRError
 from ..problem import ProblemError
@@ -16,24 +16,24 @@ from ..validation.page import html, markdown, pictures
 from . import files
 from .table import as_text
 
-HELP = "compare the library with formulas, tables and programs of others"
+HELP = "compare the library with formulas, tables and other programs"
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """What the command takes."""
-    parser.add_argument("--full", action="store_true", help="run what takes longer, too")
-    parser.add_argument("--only", metavar="NAME", help="run one comparison")
-    parser.add_argument("--html", type=Path, metavar="FILE.html", help="write one HTML file, with a picture of each row")
-    parser.add_argument("--markdown", type=Path, metavar="FILE.md", help="write a page of the guide, its pictures into pictures/")
-    parser.add_argument("--overwrite", action="store_true", help="replace files that exist")
+    """Add the arguments of the command to a parser."""
+    parser.add_argument("--full", action="store_true", help="also run long comparisons")
+    parser.add_argument("--only", metavar="NAME", help="run only this comparison")
+    parser.add_argument("--html", type=Path, metavar="FILE.html", help="write one HTML file with figures")
+    parser.add_argument("--markdown", type=Path, metavar="FILE.md", help="write a page of the guide, and its figures to pictures/")
+    parser.add_argument("--overwrite", action="store_true", help="replace existing output files")
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Runs, prints, writes."""
+    """Run, print and write the comparisons."""
     files.check_results([path for path in (arguments.html, arguments.markdown) if path], [], arguments.overwrite)
     names = [check.name for check in CHECKS]
     if arguments.only is not None and arguments.only not in names:
-        raise ProblemError(f"--only {arguments.only}: {nearest(arguments.only, names)}")
+        raise ProblemError(f"--only {arguments.only}: there is no such comparison. {suggestion(arguments.only, names)}")
     with on_terminal() as progress:
         found = validate(full=arguments.full, only=arguments.only, progress=progress)
     print(f"{as_text(found.tables['comparisons'])}\n\n{found.notes['programs']}")
@@ -47,4 +47,4 @@ def run(arguments: argparse.Namespace) -> None:
         contents.update({folder / name: drawn for name, drawn in pictures(found.rows).items()})
     files.save(contents, arguments.overwrite)
     if found.beyond:
-        raise MDRError(f"beyond what the source's own error explains: {', '.join(found.beyond)}")
+        raise MDRError(f"the deviation exceeds the error of the source: {', '.join(found.beyond)}")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""`mdrcontact wear`: a sliding indenter that wears, at constant force or depth."""
+"""`mdrcontact wear`: wear of a sliding indenter at constant force or depth."""
 
 from __future__ import annotations
 
@@ -11,17 +11,17 @@ from ..studies import wear
 from . import files
 from .table import as_csv, as_text
 
-HELP = "a sliding indenter that wears: radius, depth, worn profile"
+HELP = "compute the wear of a sliding indenter: radius, depth, worn profile"
 _ROWS = 24
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """What the command takes."""
-    files.add_problem(parser, "radii, depths and forces of the sliding distances", "it has a table [wear]")
+    """Add the arguments of the command to a parser."""
+    files.add_problem(parser, "radii, depths and forces of the sliding distances", "needs the table [wear]")
 
 
 def run(arguments: argparse.Namespace) -> None:
-    """Computes, prints, writes."""
+    """Compute, print and write the results."""
     files.check(arguments)
     problem = load(arguments.problem)
     with on_terminal() as progress:

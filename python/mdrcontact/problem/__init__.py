@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Problem files: an indenter, a medium and what to compute, in TOML with units written out."""
+"""Problem files: an indenter, a medium and what to compute, in TOML with units."""
 
 from __future__ import annotations
 
@@ -30,12 +30,12 @@ __all__ = ["MapProblem", "Problem", "ProblemError", "load", "load_map", "read", 
 
 
 class _Part(NamedTuple):
-    """A table that not every problem has."""
+    """A table that only some problems have."""
 
     read: Callable[[Section], Any]
     known: schema.Table
     example: str
-    """how it begins"""
+    """an example of its contents"""
 
 
 _PARTS: Mapping[str, _Part] = {
@@ -49,7 +49,7 @@ _PARTS: Mapping[str, _Part] = {
 
 
 class Problem(NamedTuple):
-    """What a problem file says."""
+    """The contents of a problem file."""
 
     title: str
     indenter: Profile
@@ -62,17 +62,17 @@ class Problem(NamedTuple):
     wear: Rubbing | None = None
     conduction: Conducting | None = None
     path: Path | None = None
-    """the file; None: tables of a program"""
+    """the file; None: the problem is not from a file"""
 
     def check_elastic(self) -> None:
-        """Refuses a medium whose states depend on time, for a command that knows no time."""
+        """Raise an error for a medium whose states depend on time."""
         if is_poroelastic(self.medium):
-            raise self._refusal("[medium] is a poroelastic gel, and this command takes elastic bodies: use mdrcontact history")
+            raise self._refusal("[medium]: this command does not support gels. Use mdrcontact history.")
         if is_viscoelastic(self.medium):
-            raise self._refusal("[medium] is viscoelastic, and this command takes elastic bodies: use mdrcontact history")
+            raise self._refusal("[medium]: this command does not support viscoelastic bodies. Use mdrcontact history.")
 
     def contact(self, in_time: bool = False) -> Contact:
-        """The contact of the indenter with the medium, with adhesion if the file has it; viscoelastic only if led `in_time`."""
+        """Return the contact of indenter and medium, with adhesion if the file has it. in_time : for a history"""
         if not in_time:
             self.check_elastic()
         if self.adhesion is None:
@@ -80,12 +80,12 @@ class Problem(NamedTuple):
         adhesion = self.adhesion
         if adhesion.rate is not None and not in_time:
             raise self._refusal(
-                "[adhesion]: speed makes the work of adhesion depend on the speed of the edge, and this command knows no time: use "
-                "mdrcontact history, or leave out speed, exponent and closing_..."
+                "[adhesion]: this command does not support a work of adhesion that depends on speed. Use mdrcontact history, or "
+                "leave out speed, exponent and closing_..."
             )
         if adhesion.rate is not None:
             if adhesion.cohesive_stress:
-                raise self._refusal("[adhesion]: cohesive_stress and speed exclude each other")
+                raise self._refusal("[adhesion]: cohesive_stress and speed exclude each other. Keep one.")
             return Contact(self.indenter, self.medium, adhesion_rule=adhesion.adhesion_rule, adhesion=adhesion.rate)
         return Contact(
             self.indenter,
@@ -96,10 +96,10 @@ class Problem(NamedTuple):
         )
 
     def part(self, name: str) -> Any:
-        """What the table of this name says; refuses a problem without it."""
+        """Return the contents of a table; an error if the problem has none."""
         part = getattr(self, name)
         if part is None:
-            raise self._refusal(f"the table [{name}] is missing: write it with {_PARTS[name].example}")
+            raise self._refusal(f"the table [{name}] is missing. Write it with {_PARTS[name].example}.")
         return part
 
     def _refusal(self, words: str) -> ProblemError:
@@ -107,7 +107,7 @@ class Problem(NamedTuple):
 
 
 def load(path: str | Path) -> Problem:
-    """Reads a problem file; a fault in it is a `ProblemError` that names the file."""
+    """Return the contents of a problem file; a `ProblemError` names the file."""
     path = Path(path)
     try:
         return _read(parse_file(path), path.stem, Folder(path.parent))._replace(path=path)
@@ -116,7 +116,7 @@ def load(path: str | Path) -> Problem:
 
 
 def read_text(text: str, title: str = "", files: Given = ()) -> Problem:
-    """The problem that a text from elsewhere describes: it may name the files that are given with it, and no other.
+    """Return the problem of a text from another source. It may only name files that are given with it.
 
     files : a dict of their names and contents, or places; or a list of places, named as the files there are
     """
@@ -124,7 +124,7 @@ def read_text(text: str, title: str = "", files: Given = ()) -> Problem:
 
 
 def read(table: dict[str, Any], title: str = "", folder: Path | None = None, files: Given = ()) -> Problem:
-    """The problem that the tables of a problem file describe.
+    """Return the problem that the tables of a problem file describe.
 
     folder : where files that it names lie, any that it names; None: it may name those of `files` alone, as in `read_text`
     """
@@ -141,7 +141,7 @@ def _read(table: dict[str, Any], title: str, files: Files) -> Problem:
         if name in table:
             sections[name] = Section(table[name], name, known)
         elif name != "compute" or path is None:
-            raise ProblemError(f"the table [{name}] is missing: a problem has [indenter], [medium] and [compute]")
+            raise ProblemError(f"the table [{name}] is missing. A problem needs [indenter], [medium] and [compute].")
     if "compute" in sections or path is None:
         control = compute.read_control(sections["compute"])
     else:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The table [compute] of a problem file: at which depths, forces or radii."""
+"""The table [compute] of a problem file: the depths, forces or radii of the results."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ _LARGEST: dict[str, tuple[str, ...]] = {f"max_{name}": () for name in DIMENSIONS
 _EACH = DIMENSIONS.items()
 
 KNOWN = Table(
-    "where to compute; without min_... the first value is the largest/points, or the largest/1000 if spacing is log",
+    "depths, forces or radii of the results; default of min_...: the largest divided by points, or by 1000 if spacing is log",
     (
         *(Field(f"max_{name}", f"largest {name}", one, range=POSITIVE) for name, one in _EACH),
         *(Field(f"min_{name}", f"smallest {name}", one, None, True, (), POSITIVE, {f"max_{name}": ()}) for name, one in _EACH),
@@ -35,36 +35,36 @@ KNOWN = Table(
 
 
 class Control(NamedTuple):
-    """What is prescribed: "depth", "force" or "radius", and its values in SI units, ascending."""
+    """The prescribed quantity, "depth", "force" or "radius", and its values in SI units, ascending."""
 
     name: str
     values: NDArray[np.float64]
 
     @property
     def dimension(self) -> Dimension:
-        """Of the prescribed quantity."""
+        """Dimension of the prescribed quantity."""
         return DIMENSIONS[self.name]
 
     def states(self, contact: Contact, part: slice = slice(None)) -> States:
-        """The states of a contact at the prescribed values, or at part of them."""
+        """Return the states of a contact at the prescribed values, or at part of them."""
         at: Any = getattr(contact, f"at_{self.name}")
         try:
             states: States = at(self.values[part])
         except MDRError:
             for value in self.values[part]:
-                at(float(value))  # refused alone, with no number of its place in the part
+                at(float(value))  # a single value: the error has no index of the part
             raise
         return states
 
 
 def read_control(section: Section) -> Control:
-    """The values that [compute] prescribes."""
+    """Return the values that [compute] prescribes."""
     starts = [key for key in KNOWN.one_of[0] if key in section]
     if len(starts) != 1:
-        said = " and ".join(starts) if starts else "none of them is there"
+        said = f"it has {' and '.join(starts) if starts else 'none'}"
         raise ProblemError(
-            f'[{section.path}]: give one of max_depth, max_force, max_radius (as in max_depth = "100 nm") or a list '
-            f"depths, forces, radii; {said}"
+            f"[{section.path}]: it needs exactly one of max_depth, max_force, max_radius, depths, forces and radii; {said}. Write "
+            'it as in max_depth = "100 nm".'
         )
     key = starts[0]
     if not key.startswith("max_"):
@@ -85,7 +85,7 @@ def _range(section: Section, name: str) -> NDArray[np.float64]:
     if not 0.0 < smallest <= largest < math.inf:
         given = " and ".join(f"{key} = {section.plain(key)!r}" for key in (f"min_{name}", f"max_{name}") if key in section)
         raise ProblemError(
-            f"[{section.path}]: {given} is not allowed: max_{name} must be finite and greater than 0, min_{name} between 0 and it"
+            f"[{section.path}]: {given}: max_{name} must be greater than 0 and finite, and min_{name} between 0 and max_{name}."
         )
     space = np.geomspace if logarithmic else np.linspace
     return space(smallest, largest, points) if points > 1 else np.array([largest])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The table [conduction] of a problem file: resistances, and the heat of friction; materials have their conductivities."""
+"""The table [conduction] of a problem file: resistances, and the heat of friction. Materials have the conductivities."""
 
 from __future__ import annotations
 
@@ -14,74 +14,78 @@ from .section import ProblemError, Section
 
 THERMAL, ELECTRICAL = "thermal", "electrical"
 
-_FILM, _INTERFACES = "resistance in the contact area", "resistance below each layer, from the surface down"
+_FILM, _INTERFACES = "resistance in the contact area", "resistance below each layer, top to bottom"
 _CURRENT, _HEAT = {"kind": (ELECTRICAL,)}, {"kind": (THERMAL,)}
 KNOWN = Table(
-    "conduction of heat or current; the materials have conductivities",
+    "conduction of heat or current; each material needs a conductivity",
     (
-        Field("kind", "what is conducted", choices=(THERMAL, ELECTRICAL)),
+        Field("kind", "heat or current", choices=(THERMAL, ELECTRICAL)),
         Field("film", _FILM, AREA_RESISTANCE, 0.0, range=NOT_NEGATIVE, when=_CURRENT),
         Field("interfaces", _INTERFACES, AREA_RESISTANCE, optional=True, range=NOT_NEGATIVE, when=_CURRENT, many=True),
         Field("thermal_film", _FILM, THERMAL_AREA_RESISTANCE, 0.0, range=NOT_NEGATIVE, when=_HEAT),
         Field("thermal_interfaces", _INTERFACES, THERMAL_AREA_RESISTANCE, optional=True, range=NOT_NEGATIVE, when=_HEAT, many=True),
         Field(
             "friction_coefficient",
-            "coefficient of friction, for the heat of friction; goes with speed",
+            "coefficient of friction, for the heat of friction; needs speed",
             RATIO,
             optional=True,
             when=_HEAT,
         ),
-        Field("speed", "sliding speed; goes with friction_coefficient", SPEED, optional=True, when=_HEAT),
+        Field("speed", "sliding speed; needs friction_coefficient", SPEED, optional=True, when=_HEAT),
     ),
     "docs/conduction.md",
 )
 
 
 class Conducting(NamedTuple):
-    """What [conduction] says."""
+    """The contents of [conduction]."""
 
     kind: str
     """ "thermal" or "electrical" """
     film: float
     interfaces: tuple[float, ...]
-    """below each layer of the lower body, from the surface down"""
+    """below each layer of the lower body, top to bottom"""
     heat: tuple[float, float] | None
     """friction coefficient and speed"""
 
     def conduction(self, medium: Any) -> Conduction:
-        """Of the conductors of a medium."""
+        """Return the conduction between the bodies of a medium."""
         lower, upper = (medium.lower, medium.upper) if isinstance(medium, Pair) else (medium, None)
         return Conduction(self._with_interfaces(lower), upper, self.film)
 
     def _with_interfaces(self, body: Any) -> Any:
         layers = len(body._stack())
         if len(self.interfaces) > layers:
-            raise ProblemError(f"[conduction]: interfaces has {len(self.interfaces)} entries, and the medium {layers} layers")
+            raise ProblemError(
+                f"[conduction]: interfaces has {len(self.interfaces)} entries for {layers} layers. Give at most one for each layer."
+            )
         return conducting(body)._with_resistances(self.interfaces) if self.interfaces else body
 
 
 def check_kind(kind: str, table: Any, path: str) -> None:
-    """Refuses materials that conduct the other kind."""
+    """Raise an error for materials with the other kind of conductivity."""
     other = ELECTRICAL if kind == THERMAL else THERMAL
     for key, value in table.items() if isinstance(table, dict) else ():
         if key.startswith(f"{other}_conductivity"):
-            raise ProblemError(f'[{path}]: {key} does not belong to [conduction] kind = "{kind}": give {kind}_conductivity')
+            raise ProblemError(f'[{path}]: {key} does not belong to [conduction] kind = "{kind}". Give {kind}_conductivity.')
         for one in value if isinstance(value, list) else [value]:
             check_kind(kind, one, f"{path}.{key}")
 
 
 def read_conduction(section: Section) -> Conducting:
-    """What [conduction] describes."""
+    """Return the contents of [conduction]."""
     kind = section.value("kind")
     prefix, other = ("thermal_", "") if kind == THERMAL else ("", "thermal_")
     for key in ("film", "interfaces"):
         if f"{other}{key}" in section:
-            raise ProblemError(f"[{section.path}]: {other}{key} does not belong to kind = {kind!r}: write {prefix}{key}")
+            raise ProblemError(f"[{section.path}]: {other}{key} does not belong to kind = {kind!r}. Write {prefix}{key}.")
     film = section.quantity(f"{prefix}film", 0.0)
     interfaces = tuple(section.quantities(f"{prefix}interfaces")) if f"{prefix}interfaces" in section else ()
     heat = None
     if "speed" in section or "friction_coefficient" in section:
         if kind != THERMAL:
-            raise ProblemError(f'[{section.path}]: speed and friction_coefficient belong to kind = "thermal"')
+            raise ProblemError(
+                f'[{section.path}]: speed and friction_coefficient do not belong to kind = "electrical". Leave them out.'
+            )
         heat = section.number("friction_coefficient"), section.quantity("speed")
     return Conducting(kind, film, interfaces, heat)

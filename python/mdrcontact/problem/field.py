@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Fields and tables of problem files as data: readers check by them, `--help` and the guide list them, forms are made from them."""
+"""Fields and tables of problem files as data, for readers, `--help`, the guide and forms."""
 
 from __future__ import annotations
 
@@ -78,8 +78,8 @@ class Table(Mapping[str, Dimension | None]):
     """A table of a problem file. As a mapping it gives the dimension of every key that its reader recognizes.
 
     Of each group in `one_of` exactly one key is given, of each in `at_most_one_of` one or none. The fields of the table that it
-    `extends` are the first of its own. The keys of its `inner` table are recognized only to be refused with words. Other keys
-    stand in the place of the `replaced` ones when it is read. If a file has several such tables, each with its own name, `name` is
+    `extends` are the first of its own. The keys of its `inner` table are errors with a message of their own. Other keys
+    replace the `replaced` ones before the table is read. If a file has several such tables, each with its own name, `name` is
     an example of one.
     """
 

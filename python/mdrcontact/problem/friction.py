@@ -23,19 +23,19 @@ _TANGENTIAL = {
     "shift": (LENGTH, ("shift", "s", "tangential displacement", "lateral displacement")),
     "tangential_force": (FORCE, ("tangential force", "lateral force", "t", "ft")),
 }
-"""What columns hold, and their names."""
+"""Dimension and names of the columns of a path."""
 _RINGS, _PATH = Range(20, 1000, True, True), {"path": ()}
 
 KNOWN = Table(
-    "friction, in cycles without a path; without amplitudes these are 1 % to 150 % of the shift of sliding",
+    "friction along a path, or in cycles; without amplitudes the cycles have 1 % to 150 % of the shift at sliding",
     (
         Field("coefficient", "coefficient of friction", RATIO, range=POSITIVE),
         Field("shifts", "amplitudes, ascending", LENGTH, optional=True, range=POSITIVE, many=True),
         Field("tangential_forces", "amplitudes, ascending", FORCE, optional=True, range=POSITIVE, many=True),
         Field("path", "table of a path", optional=True, is_file=True, example='"path.csv"'),
-        Field("normal", "what a table with both prescribes", optional=True, choices=tuple(_NORMAL), when=_PATH),
-        Field("tangential", "what a table with both prescribes", optional=True, choices=tuple(_TANGENTIAL), when=_PATH),
-        Field("rings", "rings of interacting springs, without it 100", RATIO, None, True, (), _RINGS, _PATH, step=1),
+        Field("normal", "prescribed quantity, if the table has both", optional=True, choices=tuple(_NORMAL), when=_PATH),
+        Field("tangential", "prescribed quantity, if the table has both", optional=True, choices=tuple(_TANGENTIAL), when=_PATH),
+        Field("rings", "rings of interacting springs; default: 100", RATIO, None, True, (), _RINGS, _PATH, step=1),
     ),
     "docs/friction.md",
     at_most_one_of=(("shifts", "tangential_forces", "path"),),
@@ -43,7 +43,7 @@ KNOWN = Table(
 
 
 class SlidingPath(NamedTuple):
-    """A path of normal and tangential loading, row by row from the bodies' first touch on; SI units."""
+    """A path of normal and tangential loading, row by row from initial contact; SI units."""
 
     file: Path
     name: str
@@ -53,7 +53,7 @@ class SlidingPath(NamedTuple):
     """"shift" or "tangential_force": what is prescribed along the surface"""
     along_values: NDArray[np.float64]
     rings: int | None
-    """None: 100 where the springs interact, none elsewhere"""
+    """None: 100 if the springs interact"""
 
 
 class Sliding(NamedTuple):
@@ -68,16 +68,16 @@ class Sliding(NamedTuple):
 
 
 def read_friction(section: Section) -> Sliding:
-    """What [friction] says."""
+    """Return the contents of [friction]."""
     coefficient = section.value("coefficient")
     given = [key for key in KNOWN.at_most_one_of[0] if key in section]
     if len(given) > 1:
         raise ProblemError(
-            f"[{section.path}]: give amplitudes as shifts or as tangential_forces, or a path, not as both {given[0]} and {given[1]}"
+            f"[{section.path}]: {given[0]} and {given[1]} exclude each other. Keep one of shifts, tangential_forces and path."
         )
     if given == ["path"]:
         return Sliding(coefficient, "shift", (), _read_path(section))
-    section.only(("coefficient", "shifts", "tangential_forces"), "amplitudes of cycles, it goes with path")
+    section.only(("coefficient", "shifts", "tangential_forces"), "cycles without a path")
     if not given:
         return Sliding(coefficient, "shift", ())
     return Sliding(coefficient, "shift" if given[0] == "shifts" else "force", tuple(section.value(given[0])))
@@ -93,43 +93,42 @@ def _read_path(section: Section) -> SlidingPath:
     values, along_values = (column[: int(last.sum())] for column in (values, along_values))
     for what, column in ((normal, values), (along, along_values)):
         for row in np.flatnonzero(~np.isfinite(column))[:1]:
-            raise ProblemError(f"{table.path}: row {row + 1} of the numbers has no {what}: each row is a step and needs one")
+            raise ProblemError(f"{table.path}: row {row + 1} of the numbers has no {what}. Each row is a step and needs one.")
     for row in np.flatnonzero(values < 0.0)[:1]:
         raise ProblemError(
-            f"{table.path}: {normal} = {shown(values[row], _NORMAL[normal][0])} in row {row + 1} of the numbers is not allowed: it "
-            "must be 0 or more, 0 where the bodies part"
+            f"{table.path}: {normal} = {shown(values[row], _NORMAL[normal][0])} in row {row + 1} of the numbers: it must be at "
+            "least 0. Write 0 for separated bodies."
         )
     if not np.any(values > 0.0):
-        raise ProblemError(f"{table.path}: the bodies never touch: at least one {normal} must be greater than 0")
+        raise ProblemError(f"{table.path}: the bodies never touch. At least one {normal} must be greater than 0.")
     return SlidingPath(table.path, normal, values, along, along_values, rings)
 
 
 def _column(
     section: Section, table: MeasuredTable, key: str, kinds: Mapping[str, tuple[Dimension, tuple[str, ...]]]
 ) -> tuple[str, NDArray[np.float64]]:
-    """Which of two quantities a table prescribes, and its values."""
+    """Return which of two quantities a table prescribes, and its values."""
     there = {kind: [*_titles(table, aliases, dimension)] for kind, (dimension, aliases) in kinds.items()}
     named = [kind for kind in kinds if there[kind]]
     first, second = kinds
     if key not in section and len(named) > 1:
         raise ProblemError(
-            f"{table.path}: it has both {first} and {second}: say which one leads the path, as in [{section.path}] "
-            f'{key} = "{first}"'
+            f'{table.path}: it has both {first} and {second}. Choose the prescribed one, as in [{section.path}] {key} = "{first}".'
         )
     kind = section.choice(key, kinds, default=named[0] if named else first)
     dimension, aliases = kinds[kind]
     if not there[kind]:
         wanted = kind if key in section else f"{first} or {second}"
         raise ProblemError(
-            f'{table.path}: no column is the {wanted}: name one so, with its unit, as in "{kind} '
-            f'[{dimension.example.split()[-1]}]"; {table.those()}'
+            f'{table.path}: no column is the {wanted}. Give it a title with the unit, as in "{kind} '
+            f'[{dimension.example.split()[-1]}]"; {table.those()}.'
         )
     values, _ = table.column(table.find(kind, aliases, dimension), dimension)
     return kind, values
 
 
 def _titles(table: MeasuredTable, aliases: Sequence[str], dimension: Dimension) -> Iterator[str]:
-    """Columns of one of these names, but for those that a row of units makes another quantity: t may be a time."""
+    """Yield columns with one of these names, except those with the unit of another quantity: t may be a time."""
     for title in table.named(aliases, dimension):
         if title not in table.units or table.unit_of(title, dimension) is not None:
             yield title

@@ -24,18 +24,18 @@ KNOWN = Table(
     (
         *(Field(name, f"largest {name}", one, range=POSITIVE, when=_GIVEN) for name, one in DIMENSIONS.items()),
         Field("path", "form of the path", choices=(*_GIVEN["path"], "file")),
-        Field("rise_time", "time of the rise", TIME, range=POSITIVE, when=_RAMP),
-        Field("hold_time", "time at the largest value", TIME, range=POSITIVE, when=_STEP),
-        Field("hold_time", "time at the largest value", TIME, None, True, range=POSITIVE, when=_RAMP),
-        Field("fall_time", "time of the fall", TIME, None, True, range=POSITIVE, when=_RAMP),
-        Field("duration", "time of the path", TIME, range=POSITIVE, when={"path": ("triangle", "sine")}),
+        Field("rise_time", "duration of the rise", TIME, range=POSITIVE, when=_RAMP),
+        Field("hold_time", "duration of the hold at the largest value", TIME, range=POSITIVE, when=_STEP),
+        Field("hold_time", "duration of the hold at the largest value", TIME, None, True, range=POSITIVE, when=_RAMP),
+        Field("fall_time", "duration of the fall", TIME, None, True, range=POSITIVE, when=_RAMP),
+        Field("duration", "duration of the path", TIME, range=POSITIVE, when={"path": ("triangle", "sine")}),
         Field("points", "number of steps", RATIO, 200, range=Range(1, MOST_POINTS, True, True), step=1, when=_GIVEN),
         Field("file", "table of a path", is_file=True, example='"path.csv"', when=_FILE),
-        Field("time", "title of the column of times", optional=True, example='"time [s]"', when=_FILE),
+        Field("time", "title of the column: time", optional=True, example='"time [s]"', when=_FILE),
         Field("control", "column of the prescribed quantity", default="depth", choices=tuple(DIMENSIONS), when=_FILE),
         Field(
             "drainage",
-            "where the fluid of a gel may leave: everywhere, nowhere, or outside the contact",
+            "where the fluid of a gel may leave: on the whole surface, nowhere, or outside the contact",
             None,
             None,
             True,
@@ -49,7 +49,7 @@ KNOWN = Table(
 
 
 class HistoryPath(NamedTuple):
-    """What is prescribed, "depth", "force" or "radius", and its path in SI units."""
+    """The prescribed quantity, "depth", "force" or "radius", and its path in SI units."""
 
     name: str
     time: NDArray[np.float64]
@@ -59,7 +59,7 @@ class HistoryPath(NamedTuple):
 
 
 def read_history(section: Section) -> HistoryPath:
-    """The path that [history] describes."""
+    """Return the path that [history] describes."""
     drainage = section.value("drainage")
     return _read_path(section)._replace(drainage=drainage)
 
@@ -72,7 +72,9 @@ def _read_path(section: Section) -> HistoryPath:
         return _from_file(section)
     given = [name for name in DIMENSIONS if name in section]
     if len(given) != 1:
-        raise ProblemError(f'[{section.path}]: give one of depth, force and radius, the largest value, as in depth = "200 nm"')
+        raise ProblemError(
+            f'[{section.path}]: give exactly one of depth, force and radius, the largest value, as in depth = "200 nm".'
+        )
     name = given[0]
     section.only([key for key in keys if key == name or key not in DIMENSIONS], f"path = {kind!r}")
     largest, points = section.value(name), section.value("points")
@@ -91,7 +93,10 @@ def _read_path(section: Section) -> HistoryPath:
     if "retract_to" in section:
         end_of_fall = section.quantity("retract_to")
         if name != "depth" or "fall_time" not in section or not end_of_fall < largest:
-            raise ProblemError(f"[{section.path}]: retract_to is a depth below the largest one, reached in fall_time")
+            raise ProblemError(
+                f"[{section.path}]: retract_to = {section.plain('retract_to')!r}: it must be less than the largest depth. "
+                "Give depth and fall_time with it."
+            )
     for key, end in (("hold_time", largest), ("fall_time", end_of_fall)):
         if key in section:
             times.append(times[-1] + section.value(key))
@@ -100,7 +105,7 @@ def _read_path(section: Section) -> HistoryPath:
 
 
 def _pieces(times: list[float], values: list[float], points: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Straight pieces. Half of the points go by duration, half to the pieces alike: a short rise is a curve, too."""
+    """Return linear pieces. Half of the points are distributed by duration, half equally, so that a short rise has enough."""
     alike = 1.0 / (len(times) - 1)
     steps = [max(1, round(0.5 * points * ((b - a) / times[-1] + alike))) for a, b in pairwise(times)]
     pieces = [np.linspace(a, b, n + 1)[1:] for (a, b), n in zip(pairwise(times), steps, strict=True)]
@@ -116,5 +121,5 @@ def _from_file(section: Section) -> HistoryPath:
     values, _ = table.column(table.find(control, ROLES[control][1], DIMENSIONS[control]), DIMENSIONS[control])
     whole = np.isfinite(time) & np.isfinite(values)
     if not whole.any():
-        raise ProblemError(f"{table.path}: it has no row with both a time and a {control}")
+        raise ProblemError(f"{table.path}: no row has both a time and a {control}. Add such rows.")
     return HistoryPath(control, time[whole], values[whole])

@@ -44,15 +44,15 @@ def _elastic(
     thermal = thermal_conductivity, thermal_conductivity_along
     electrical = electrical_conductivity, electrical_conductivity_along
     if None not in (thermal[0], electrical[0]):
-        raise InvalidArgumentError("give thermal_conductivity or electrical_conductivity: one problem conducts one of them")
+        raise InvalidArgumentError("thermal_conductivity and electrical_conductivity exclude each other. Keep one.")
     for name, (into, along) in (("thermal_conductivity", thermal), ("electrical_conductivity", electrical)):
         if along is not None and into is None:
-            raise InvalidArgumentError(f"{name}_along is not allowed without {name}, that into the body")
+            raise InvalidArgumentError(f"{name}_along needs {name}. Give both.")
     sigma, along = thermal if electrical[0] is None else electrical
     if sigma is not None:
         return Elastic(E, nu, Conductor(sigma, along, heat_capacity or 0.0))
     if heat_capacity is not None:
-        raise InvalidArgumentError("heat_capacity is not allowed without thermal_conductivity or electrical_conductivity")
+        raise InvalidArgumentError("heat_capacity needs thermal_conductivity or electrical_conductivity. Give one of them.")
     return Elastic(E, nu)
 
 
@@ -65,7 +65,7 @@ def _prony(
     viscosity: float = 0.0,
 ) -> Viscoelastic:
     if len(moduli) != len(times):
-        raise InvalidArgumentError(f"moduli has {len(moduli)} and times has {len(times)} entries: give as many of both")
+        raise InvalidArgumentError(f"moduli has {len(moduli)} and times has {len(times)} entries. Give the same number of both.")
     return Viscoelastic(relaxed_shear_modulus, zip(moduli, times, strict=True), nu, bulk_modulus, viscosity)
 
 
@@ -78,7 +78,7 @@ _KINDS: Mapping[str, tuple[str, Callable[..., Any], Iterable[str]]] = {
     "axis": ("a material with an axis", TransverselyIsotropic, dimensions(TransverselyIsotropic)),
     "axis by engineering constants": ("a material with an axis", TransverselyIsotropic.from_engineering, _ENGINEERING),
 }
-"""What a material is, what makes it, and keys that no kind below has. One without any is elastic."""
+"""By kind: its name, its constructor, and keys that no later kind has. Without any of these keys a material is elastic."""
 _MATERIAL_DIMENSIONS: Mapping[str, Dimension] = {
     **dimensions(Elastic, TransverselyIsotropic, Viscoelastic, PowerLawRheology, Poroelastic),
     **_ENGINEERING,
@@ -89,10 +89,10 @@ _MATERIAL_DIMENSIONS: Mapping[str, Dimension] = {
 _CRYSTALS = tuple(CRYSTALS)
 _CONSTANTS = (
     Field("E", "Young's modulus", range=POSITIVE),
-    Field("nu", "Poisson's ratio, of a gel drained", range=_POISSON),
+    Field("nu", "Poisson's ratio; of a gel that of the drained body", range=_POISSON),
     Field("C11", "stiffness in the plane", range=POSITIVE),
-    Field("C12", "stiffness in the plane, of the other direction"),
-    Field("C13", "stiffness of plane and axis"),
+    Field("C12", "stiffness between both directions in the plane"),
+    Field("C13", "stiffness between plane and axis"),
     Field("C33", "stiffness along the axis z", range=POSITIVE),
     Field("C44", "shear modulus of planes that contain z", range=POSITIVE),
     Field("E_t", "Young's modulus in the plane", range=POSITIVE),
@@ -100,9 +100,9 @@ _CONSTANTS = (
     Field("nu_t", "Poisson's ratio in the plane", range=Range(-1.0, 1.0)),
     Field("nu_tz", "contraction along z over strain in the plane"),
     Field("G_z", "shear modulus of planes that contain z", range=POSITIVE),
-    Field("relaxed_shear_modulus", "shear modulus after a long time; 0: it flows", range=NOT_NEGATIVE),
-    Field("bulk_modulus", "bulk modulus, elastic", range=POSITIVE),
-    Field("viscosity", "of a dashpot in parallel; of the fluid of a gel", range=NOT_NEGATIVE),
+    Field("relaxed_shear_modulus", "shear modulus after a long time; 0: a fluid", range=NOT_NEGATIVE),
+    Field("bulk_modulus", "bulk modulus, which does not relax", range=POSITIVE),
+    Field("viscosity", "viscosity of a dashpot in parallel, or of the fluid of a gel", range=NOT_NEGATIVE),
     Field("modulus", "shear modulus at time", range=POSITIVE),
     Field("time", "time at which modulus is given", range=POSITIVE),
     Field("exponent", "n of the shear modulus (t/time)^-n", range=Range(0.0, 1.0)),
@@ -110,12 +110,12 @@ _CONSTANTS = (
     Field("diffusivity", "diffusivity of the fluid", range=POSITIVE),
     Field("material", "crystal with its axis along z, instead of constants", optional=True, choices=_CRYSTALS),
     Field("moduli", "shear moduli that relax", range=POSITIVE),
-    Field("times", "relaxation times, as many", range=POSITIVE),
+    Field("times", "relaxation times, one for each modulus", range=POSITIVE),
     Field("permeability", "hydraulic permeability", range=POSITIVE),
     Field("thermal_conductivity", "thermal conductivity into the body", range=POSITIVE),
-    Field("thermal_conductivity_along", "along the surface; without it the same", range=POSITIVE),
+    Field("thermal_conductivity_along", "conductivity along the surface; default: isotropic", range=POSITIVE),
     Field("electrical_conductivity", "electrical conductivity into the body", range=POSITIVE),
-    Field("electrical_conductivity_along", "along the surface; without it the same", range=POSITIVE),
+    Field("electrical_conductivity_along", "conductivity along the surface; default: isotropic", range=POSITIVE),
     Field("heat_capacity", "heat capacity per volume", range=NOT_NEGATIVE),
 )
 MATERIAL = Table(
@@ -127,28 +127,27 @@ MATERIAL = Table(
 )
 
 _INTERFACE = Table(
-    "springs between two layers",
+    "a compliant interface below a layer",
     (
-        Field("normal", "stiffness across per area", MODULUS_PER_LENGTH, optional=True, range=POSITIVE),
-        Field("tangential", "stiffness along per area; 0: it slides", MODULUS_PER_LENGTH, optional=True, range=NOT_NEGATIVE),
+        Field("normal", "normal stiffness per area", MODULUS_PER_LENGTH, optional=True, range=POSITIVE),
+        Field("tangential", "tangential stiffness per area; 0: sliding", MODULUS_PER_LENGTH, optional=True, range=NOT_NEGATIVE),
     ),
     "docs/coatings.md",
 )
 _PLACE = (
     Field("thickness", "thickness", LENGTH, range=POSITIVE),
-    Field("prestress", "equibiaxial stress in the plane, tension > 0", MODULUS, optional=True),
-    Field("interface", "to what lies below; without it bonded", optional=True, choices=("sliding",), table=_INTERFACE),
+    Field("prestress", "equibiaxial stress in the plane; positive: tension", MODULUS, optional=True),
+    Field("interface", "interface below the layer; default: bonded", optional=True, choices=("sliding",), table=_INTERFACE),
 )
 _ALONE = tuple(one.name for one in _PLACE)
-"""Keys of a layer that are not of its material."""
+"""Keys of a layer that do not belong to its material."""
 LAYER = Table(
     "a layer", (*MATERIAL.fields, *_PLACE), "docs/coatings.md", MATERIAL.one_of, MATERIAL.at_most_one_of, extends=MATERIAL
 )
 
 
 def read_material(section: Section) -> Any:
-    """The material of a table: the name of a crystal as `material` of one with its axis along z, or what a class makes of keys
-    of which one is its own."""
+    """Return the material of a table: a crystal by its name, with its axis along z, or a material by its constants."""
     if "material" in section:
         section.only(("material", *_ALONE), "a material with a name")
         return CRYSTALS[section.value("material")].material
@@ -183,7 +182,7 @@ def _surface(section: Section) -> medium.Surface | None:
 
 
 def _homogeneous(section: Section) -> medium.Medium:
-    section.plain("material")  # refused where it is missing
+    section.plain("material")  # an error if it is missing
     found = section.value("material")
     return medium.Homogeneous(CRYSTALS[found].material if isinstance(found, str) else read_material(found), _surface(section))
 
@@ -224,7 +223,7 @@ _BASES: Mapping[str, Any] = {"rigid": RIGID, "smooth": SMOOTH, **{name: crystal.
 _MEANINGS = {
     "alpha": "factor of the exponent of the weight",
     "exponent": "exponent of the mean of the moduli",
-    "tolerance": "relative tolerance of the solution, without it 1e-10",
+    "tolerance": "relative tolerance of the solution; default: 1e-10",
     "wave_factor": "factor of the contact radius in the wave",
     "weight_nu": "Poisson's ratio of the weight, a number or a word",
 }
@@ -243,20 +242,20 @@ _SURFACE = tuple(
     Field(f"surface_{name}", meaning, dimensions(medium.Surface)[name], 0.0, when=_WITH_SURFACE)
     for name, meaning in {
         "tension": "surface tension",
-        "bending": "bending stiffness of a plate that slides on the surface",
-        "stretching": "stiffness in the plane of a bonded sheet",
+        "bending": "bending stiffness of a plate that slides freely on the surface",
+        "stretching": "stiffness in the plane of a sheet bonded to the surface",
     }.items()
 )
 _GRADIENTS = {"graded": medium.Graded, "power-law-graded": medium.PowerLawGraded, "table": medium.TabulatedMedium}
 _OF_GRADIENTS = (
     Field("z", "depths, from 0, ascending"),
-    Field("E", "Young's moduli there", range=POSITIVE),
-    Field("nu", "Poisson's ratio; for graded one number or one for each z", range=_POISSON),
+    Field("E", "Young's moduli at these depths", range=POSITIVE),
+    Field("nu", "Poisson's ratio; of a graded medium one number or one for each depth", range=_POISSON),
     Field("E0", "Young's modulus at depth z0", range=POSITIVE),
-    Field("z0", "a depth", range=POSITIVE),
+    Field("z0", "reference depth", range=POSITIVE),
     Field("exponent", "m of E = E0 (z/z0)^m", range=Range(-1.0, 1.0)),
     Field("a", "contact radii, ascending, at least three", range=POSITIVE),
-    Field("moduli", "effective contact moduli there", range=POSITIVE),
+    Field("moduli", "effective contact moduli at these radii", range=POSITIVE),
 )
 KNOWN = Table(
     "the body that is indented",
@@ -265,8 +264,8 @@ KNOWN = Table(
         Field("model", "model of the effective modulus", default="exact", choices=tuple(MODELS), when=_UNDER_MODEL),
         Field("material", "material of the half-space", choices=_CRYSTALS, table=MATERIAL, when={"type": ("homogeneous",)}),
         Field("coating", "the coating", table=LAYER, when={"type": ("coated",)}),
-        Field("layer", "layers from the surface down", table=LAYER, many=True, when={"type": ("layered",)}),
-        Field("substrate", "what is below the layers", choices=tuple(_BASES), table=MATERIAL, when=_LAYERED),
+        Field("layer", "layers, top to bottom", table=LAYER, many=True, when={"type": ("layered",)}),
+        Field("substrate", "body below the layers", choices=tuple(_BASES), table=MATERIAL, when=_LAYERED),
         *map(_option, OPTIONS),
         *_SURFACE,
         *arguments(_GRADIENTS, "type", dimensions(*_GRADIENTS.values()), _OF_GRADIENTS),
@@ -277,11 +276,11 @@ KNOWN = Table(
 
 
 def read_medium(section: Section, indenter: Section) -> medium.Medium:
-    """The medium that [medium] describes, paired with the body of [indenter] where that is not rigid."""
+    """Return the medium that [medium] describes, paired with the body of [indenter] if that is not rigid."""
     body = _read_body(section)
     upper: medium.Medium | None = None
     if "material" in indenter and "body" in indenter:
-        raise ProblemError(f"[{indenter.path}]: material and body say the same thing twice: keep one")
+        raise ProblemError(f"[{indenter.path}]: material and body exclude each other. Keep one.")
     if "material" in indenter:
         upper = medium.Homogeneous(read_material(indenter.value("material")))
     if "body" in indenter:
@@ -298,7 +297,7 @@ def _read_body(section: Section) -> medium.Medium:
     tables = [key for key in keys if KNOWN.field(key).table is not None]
     for key in LAYER:
         if tables and key not in keys and key in section:
-            raise ProblemError(f"[{section.path}]: {key} is not the medium's: write it in [{section.path}.{tables[0]}]")
+            raise ProblemError(f"[{section.path}]: {key} is a key of another table. Write it in [{section.path}.{tables[0]}].")
     section.only(keys, f"a medium of type {kind!r}")
     with section.words():
         return _TYPES[kind](section)

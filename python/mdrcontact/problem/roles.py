@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the columns of tables are, and the names that instruments give them, in small letters."""
+"""The quantities of columns of tables, and their names in files of instruments, in lower case."""
 
 from __future__ import annotations
 

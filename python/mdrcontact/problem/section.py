@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Checked reading of the tables of a problem file: every fault is one sentence that says where it is and what is expected."""
+"""Read the tables of a problem file with checks. An error names the place, the rule and the remedy."""
 
 from __future__ import annotations
 
@@ -9,10 +9,10 @@ from contextlib import contextmanager
 from inspect import Parameter, signature
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from .._choices import nearest
+from .._choices import suggestion
 from .._units import RATIO, Dimension, UnitError, parse, to_si
 from ..errors import MDRError
-from .field import Field, Table
+from .field import NOT_NEGATIVE, POSITIVE, Field, Range, Table
 from .named import Files, GivenFiles, NamedFile, ProblemError
 
 if TYPE_CHECKING:
@@ -24,41 +24,48 @@ __all__ = ["ProblemError", "Section"]
 
 
 def _real(number: float) -> float:
-    """A number as a float; a whole number beyond all floats is infinite, which the library then refuses by name."""
+    """Return a number as a float. An integer beyond the largest float is infinite, which the library does not accept."""
     try:
         return float(number)
     except OverflowError:
         return math.inf if number > 0 else -math.inf
 
 
+def _bounds(allowed: Range) -> str:
+    plain = {POSITIVE: "greater than 0 and finite", NOT_NEGATIVE: "at least 0 and finite"}
+    return plain.get(allowed, str(allowed))
+
+
 class Section:
     """One table of a problem file.
 
-    `known` names its keys: a `Table` of the schema, or a mapping with a `Dimension` for quantities, None or `RATIO` for everything
-    else. A quantity is written with its unit in the value, radius = "500 nm", or in the key, radius_nm = 500. Files that it names
-    are among `files`; None: none are.
+    `known` has its keys: a `Table` of the schema, or a mapping with a `Dimension` for quantities, None or `RATIO` for all else. A
+    quantity has its unit in the value, radius = "500 nm", or in the key, radius_nm = 500. Files that it names are among `files`;
+    None: it may not name files.
     """
 
     def __init__(self, table: Any, path: str, known: Mapping[str, Dimension | None], files: Files | None = None) -> None:
         if not isinstance(table, dict):
-            raise ProblemError(f"{path} must be a table: write a line [{path}] and its keys below it")
+            raise ProblemError(f"{path}: it must be a table. Write a line [{path}] and its keys below it.")
         self.path, self._files = path, files or GivenFiles()
         self._table = table
         self._schema = known if isinstance(known, Table) else None
         self._known = {key: dimension if dimension != RATIO else None for key, dimension in known.items()}
         for key in table:
             if key not in known and not any(d and key.startswith(f"{k}_") for k, d in self._known.items()):
-                raise ProblemError(f"[{path}]: unknown key {key!r}: {nearest(key, known)}")
+                raise ProblemError(f"[{path}]: unknown key {key!r}. {suggestion(key, known)}")
 
     def __contains__(self, key: str) -> bool:
         return self._spelling(key) is not None
 
     def only(self, keys: Iterable[str], because: str) -> None:
-        """Refuses keys that are known but make no sense here."""
+        """Raise an error for keys of the table that do not belong to this kind."""
         allowed = set(keys)
         for key in self._known:
             if key not in allowed and key in self:
-                raise ProblemError(f"[{self.path}]: the key {key!r} does not belong to {because}: {nearest(key, sorted(allowed))}")
+                raise ProblemError(
+                    f"[{self.path}]: the key {key!r} does not belong to {because}. {suggestion(key, sorted(allowed))}"
+                )
 
     def value(self, key: str, **words: str) -> Any:
         """Return the value of a key in SI units, checked by its field of the schema; if it is absent, the default.
@@ -82,8 +89,7 @@ class Section:
         value = self.number(key) if field.kind == "number" else self.quantity(key)
         if field.range is not None and not field.range.holds(value):
             shown = value if field.kind == "number" else self.plain(key)
-            bound = "at least 0" if field.range.has_least else "greater than 0"
-            raise ProblemError(f"[{self.path}]: {key} = {shown!r} is not allowed: it must be {bound} and finite")
+            raise ProblemError(f"[{self.path}]: {key} = {shown!r}: it must be {_bounds(field.range)}.")
         return value
 
     def _whole(self, field: Field) -> int:
@@ -92,86 +98,92 @@ class Section:
         value = self.count(field.name, field.default, largest)
         if value < least or value % field.step:
             rule = f"multiple of {field.step}" if field.step > 1 else "whole number"
-            raise ProblemError(
-                f"[{self.path}]: {field.name} = {value} is not allowed: it must be a {rule} from {least} to {largest}"
-            )
+            raise ProblemError(f"[{self.path}]: {field.name} = {value}: it must be a {rule} from {least} to {largest}.")
         return value
 
     def quantity(self, key: str, default: float | None = None) -> float:
-        """A quantity in SI units."""
+        """Return a quantity in SI units."""
         if default is not None and key not in self:
             return default
         value, suffix = self._found(key)
         return self._convert(key, value, suffix)
 
     def quantities(self, key: str) -> list[float]:
-        """A list of quantities in SI units."""
+        """Return a list of quantities in SI units."""
         value, suffix = self._found(key)
         if not isinstance(value, list):
-            raise ProblemError(f"[{self.path}]: {key} must be a list, as in {self._example(key, many=True)}")
+            raise ProblemError(
+                f"[{self.path}]: {key} = {value!r}: it must be a list. Write it as in {self._example(key, many=True)}."
+            )
         return [self._convert(key, entry, suffix) for entry in value]
 
     def ascending(self, key: str, positive: bool = False) -> list[float]:
-        """A list of at least one quantity in SI units, each greater than the one before it, and if `positive` than 0."""
+        """Return a list of at least one quantity in SI units, each greater than the one before it, and if `positive` than 0."""
         values = self.quantities(key)
         if not values:
-            raise ProblemError(f"[{self.path}]: {key} is empty: give at least one value, as in {self._example(key, many=True)}")
+            raise ProblemError(
+                f"[{self.path}]: {key} = []: it needs at least one value. Write it as in {self._example(key, many=True)}."
+            )
         for i, value in enumerate(values):
             before = values[i - 1] if i else 0.0 if positive else -math.inf
             if not before < value < math.inf:
                 bound = "finite" + (" and greater than the one before it" if i else " and greater than 0" if positive else "")
-                raise ProblemError(
-                    f"[{self.path}]: entry {i + 1} of {key}, {self.plain(key)[i]!r}, is not allowed: it must be {bound}"
-                )
+                raise ProblemError(f"[{self.path}]: entry {i + 1} of {key} = {self.plain(key)[i]!r}: it must be {bound}.")
         return values
 
     def number(self, key: str, default: float | None = None) -> float:
-        """A number without unit."""
+        """Return a number without unit."""
         if default is not None and key not in self:
             return default
         value, _ = self._found(key, "0.3")
         if isinstance(value, bool) or not isinstance(value, (int, float)):
-            raise ProblemError(f"[{self.path}]: {key} = {value!r} is not a number: write it without quotes and without a unit")
+            raise ProblemError(
+                f"[{self.path}]: {key} = {value!r}: it must be a number. Write it without quotes and without a unit."
+            )
         return _real(value)
 
     def numbers(self, key: str) -> list[float]:
-        """A list of numbers without unit."""
+        """Return a list of numbers without unit."""
         value, _ = self._found(key)
         if not isinstance(value, list) or any(isinstance(v, bool) or not isinstance(v, (int, float)) for v in value):
-            raise ProblemError(f"[{self.path}]: {key} must be a list of numbers, as in {key} = [0.2, 0.3]")
+            raise ProblemError(
+                f"[{self.path}]: {key} = {value!r}: it must be a list of numbers. Write it as in {key} = [0.2, 0.3]."
+            )
         return [_real(v) for v in value]
 
     def count(self, key: str, default: int, largest: int) -> int:
-        """A whole number from 1 to `largest`."""
+        """Return a whole number from 1 to `largest`."""
         value = self._table.get(key, default)
         if isinstance(value, bool) or not isinstance(value, int) or not 1 <= value <= largest:
-            raise ProblemError(f"[{self.path}]: {key} = {value!r} is not allowed: it must be a whole number from 1 to {largest}")
+            raise ProblemError(f"[{self.path}]: {key} = {value!r}: it must be a whole number from 1 to {largest}.")
         return value
 
     def choice(self, key: str, choices: Iterable[str], default: str | None = None) -> str:
-        """One of several words."""
+        """Return one of several words."""
         if default is not None and key not in self:
             return default
         choices = list(choices)
         value, _ = self._found(key, f'"{choices[0]}"')
         if not isinstance(value, str) or value not in choices:
-            raise ProblemError(f"[{self.path}]: {key} = {value!r} is not allowed: {nearest(str(value), choices)}")
+            raise ProblemError(f"[{self.path}]: {key} = {value!r}: unknown word. {suggestion(str(value), choices)}")
         return value
 
     def truth(self, key: str) -> bool:
-        """true or false."""
+        """Return true or false."""
         value, _ = self._found(key, "true")
         if not isinstance(value, bool):
-            raise ProblemError(f"[{self.path}]: {key} = {value!r} is not allowed: it must be true or false, without quotes")
+            raise ProblemError(f"[{self.path}]: {key} = {value!r}: it must be true or false. Write it without quotes.")
         return value
 
     def arguments(self, call: Callable[..., Any]) -> dict[str, Parameter]:
-        """The arguments of a constructor that are keys of this table."""
+        """Return the arguments of a constructor that are keys of this table."""
         return {name: one for name, one in signature(call).parameters.items() if name in self._known}
 
     def make(self, call: Callable[..., Made], what: str = "", further: Iterable[str] = ()) -> Made:
-        """What a constructor makes of the keys that are its arguments; one without a default must be there. Where `what` says what
-        it makes, other keys are refused but for `further` ones."""
+        """Return the object that a constructor makes of the keys that are its arguments; one without a default must be there.
+
+        If `what` describes the object, other keys than these and `further` ones are errors.
+        """
         parameters = self.arguments(call)
         if what:
             self.only((*parameters, *further), what)
@@ -181,11 +193,11 @@ class Section:
             return call(**given)
 
     def given(self, keys: Iterable[str]) -> dict[str, float]:
-        """Those of some numbers and quantities that are there, in SI units."""
+        """Return those of some numbers and quantities that are there, in SI units."""
         return {key: self._value(key, "float") for key in keys if key in self}
 
     def _value(self, key: str, kind: str) -> Any:
-        """A word, a number or a list of numbers, as an argument's annotation says; in SI units where it is a quantity."""
+        """Return a word, a number or a list of numbers, by the annotation of an argument; quantities in SI units."""
         if kind == "str":
             return self.plain(key)
         one = kind.startswith("float")
@@ -194,40 +206,42 @@ class Section:
         return self.quantity(key) if one else self.quantities(key)
 
     def plain(self, key: str, default: Any = None) -> Any:
-        """A value as it stands in the file."""
+        """Return a value as it is in the file."""
         return default if default is not None and key not in self else self._found(key)[0]
 
     def file(self, key: str, what: str, example: str) -> NamedFile:
-        """The file that a key names."""
+        """Return the file that a key names."""
         name = self.plain(key)
         if not isinstance(name, str):
-            raise ProblemError(f'[{self.path}]: {key} = {name!r} is not the name of {what}: write it as in {key} = "{example}"')
+            raise ProblemError(
+                f'[{self.path}]: {key} = {name!r}: it must be the name of {what}. Write it as in {key} = "{example}".'
+            )
         return self._files.find(f"[{self.path}]: {key}", name)
 
     def table(self, key: str, example: str) -> MeasuredTable:
-        """The table in the file that a key names. Its reader belongs to `instruments`, which a problem loads for this alone."""
+        """Return the table in the file that a key names. Only this loads the reader, which belongs to `instruments`."""
         from ..instruments.reading.columns import read_named
 
         return read_named(self.file(key, "a table", example))
 
     def child(self, key: str, known: Mapping[str, Dimension | None]) -> Section:
-        """A table inside this one."""
+        """Return a table inside this one."""
         path = f"{self.path}.{key}"
         if key not in self:
-            raise ProblemError(f"[{path}] is missing: write such a table, with the keys {', '.join(list(known)[:2])} or others")
+            raise ProblemError(f"the table [{path}] is missing. Write it with the keys {', '.join(list(known)[:2])} or others.")
         return Section(self._table[key], path, known, self._files)
 
     def children(self, key: str, known: Mapping[str, Dimension | None]) -> list[Section]:
-        """The tables [[...]] inside this one."""
+        """Return the tables [[...]] inside this one."""
         path = f"{self.path}.{key}"
         tables = self._table.get(key)
         if not isinstance(tables, list) or not tables:
-            raise ProblemError(f"[[{path}]] is missing: write one such table for each {key.replace('_', ' ')}")
+            raise ProblemError(f"the table [[{path}]] is missing. Write one for each {key.replace('_', ' ')}.")
         return [Section(table, f"{path} {i}", known, self._files) for i, table in enumerate(tables, start=1)]
 
     @contextmanager
     def words(self) -> Iterator[None]:
-        """Says in which table the numbers stand that the library refuses."""
+        """Add the name of the table to errors of the library."""
         try:
             yield
         except ProblemError:
@@ -238,13 +252,13 @@ class Section:
     def _spelling(self, key: str) -> str | None:
         found = [k for k in self._table if k == key or (self._known.get(key) and k not in self._known and k.startswith(f"{key}_"))]
         if len(found) > 1:
-            raise ProblemError(f"[{self.path}]: {' and '.join(found)} say the same thing twice: keep one")
+            raise ProblemError(f"[{self.path}]: {' and '.join(found)} give the same quantity twice. Keep one.")
         return found[0] if found else None
 
     def _found(self, key: str, example: str = "...") -> tuple[Any, str]:
         spelling = self._spelling(key)
         if spelling is None:
-            raise ProblemError(f"[{self.path}]: the key {key!r} is missing: write it as in {self._example(key, example)}")
+            raise ProblemError(f"[{self.path}]: the key {key!r} is missing. Write it as in {self._example(key, example)}.")
         return self._table[spelling], spelling[len(key) + 1 :]
 
     def _convert(self, key: str, value: Any, suffix: str) -> float:
@@ -255,14 +269,16 @@ class Section:
             if suffix and is_number:
                 return to_si(_real(value), suffix, dimension)
             if suffix:
-                raise UnitError(f"{value!r} is not a number: the unit stands in the key already")
+                raise UnitError(f"{value!r} must be a number. The key has the unit already.")
             if isinstance(value, str):
                 return parse(value, dimension)
         except UnitError as problem:
             raise ProblemError(f"[{self.path}]: {key}: {problem}") from None
         if is_number:
-            raise ProblemError(f"[{self.path}]: {key} = {value!r} has no unit: write {dimension.name} as in {self._example(key)}")
-        raise ProblemError(f"[{self.path}]: {key} = {value!r} is not {dimension.name}: write it as in {self._example(key)}")
+            raise ProblemError(
+                f"[{self.path}]: {key} = {value!r}: it has no unit. Write {dimension.name} as in {self._example(key)}."
+            )
+        raise ProblemError(f"[{self.path}]: {key} = {value!r}: it must be {dimension.name}. Write it as in {self._example(key)}.")
 
     def _example(self, key: str, plain: str = "...", many: bool = False) -> str:
         dimension = self._known.get(key)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The table [strength] of a problem file: what layers and interfaces bear."""
+"""The table [strength] of a problem file: the strengths of layers and interfaces."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ _MEANINGS = {
     "interface_tension": "largest tension of each interface",
 }
 KNOWN = Table(
-    'strengths, from the surface down, the substrate last; "none": no failure of that layer',
+    'strengths of layers, top to bottom, the substrate last, and of interfaces; "none": no failure there',
     tuple(
         Field(name, meaning, MODULUS, optional=True, choices=("none",), range=POSITIVE, many=True)
         for name, meaning in _MEANINGS.items()
@@ -26,19 +26,21 @@ Strengths = dict[str, list[float | None]]
 
 
 def read_strength(section: Section) -> Strengths:
-    """The strengths as `Contact.first_failure` takes them, SI units; "none" where no failure is looked for."""
+    """Return the strengths for `Contact.first_failure` in SI units; None for "none"."""
     strengths = {}
     for key in KNOWN:
         if key not in section:
             continue
         values = section.plain(key)
         if not isinstance(values, list):
-            raise ProblemError(f'[{section.path}]: {key} must be a list from the surface down, as in {key} = ["3 GPa", "none"]')
+            raise ProblemError(
+                f'[{section.path}]: {key} = {values!r}: it must be a list, top to bottom. Write it as in {key} = ["3 GPa", "none"].'
+            )
         known = [Section({key: value}, section.path, KNOWN).quantity(key) if value != "none" else None for value in values]
         for value, number in zip(values, known, strict=True):
             if number is not None and not number > 0.0:
-                raise ProblemError(f'[{section.path}]: {key} = {value!r} is not allowed: a strength is greater than 0, or "none"')
+                raise ProblemError(f'[{section.path}]: {key} = {value!r}: a strength must be greater than 0, or "none".')
         strengths[key] = known
     if not strengths:
-        raise ProblemError(f"[{section.path}]: it is empty: give at least one of {', '.join(KNOWN)}")
+        raise ProblemError(f"[{section.path}]: it is empty. Give at least one of {', '.join(KNOWN)}.")
     return strengths

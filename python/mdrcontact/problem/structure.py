@@ -49,7 +49,7 @@ KNOWN = Table(
 
 
 class MapProblem(NamedTuple):
-    """What a map file says."""
+    """The contents of a map file."""
 
     title: str
     voxels: lateral.Voxels
@@ -58,7 +58,7 @@ class MapProblem(NamedTuple):
 
 
 def load_map(path: str | Path) -> MapProblem:
-    """Reads a map file; a fault in it is a `ProblemError` that names the file."""
+    """Return the contents of a map file; a `ProblemError` names the file."""
     path = Path(path)
     try:
         return _problem(parse_file(path), path)
@@ -70,7 +70,7 @@ def _problem(table: dict[str, Any], path: Path) -> MapProblem:
     whole = Section(table, "the file", KNOWN)
     for name in ("structure", "map"):
         if name not in whole:
-            raise ProblemError(f"the table [{name}] is missing: a map has [structure] and [map]")
+            raise ProblemError(f"the table [{name}] is missing. A map file needs [structure] and [map].")
     structure = Section(table["structure"], "structure", STRUCTURE, Folder(path.parent))
     phases = []
     for section in structure.value("phase"):
@@ -85,20 +85,22 @@ def _problem(table: dict[str, Any], path: Path) -> MapProblem:
         )  # fmt: skip
     radii = np.array(Section(table["map"], "map", MAP).quantities("radii"))
     if not radii.size or not np.all(radii > 0.0):
-        raise ProblemError("[map]: radii must be at least one length, all greater than 0")
+        raise ProblemError(f"[map]: radii = {radii.tolist()!r} m: they must be at least one length, each greater than 0.")
     return MapProblem(str(whole.plain("title", path.stem)), voxels, radii)
 
 
 def _labels(structure: Section) -> Any:
     file = structure.file("labels", "a file", "labels.npy")
-    words = f"[structure]: labels = {file.path.name!r} cannot be read as a NumPy array (.npy)"
+    words = f"[structure]: labels = {file.path.name!r}: it cannot be read as a NumPy array (.npy)"
     assert file.place is not None
     try:
         with file.open():
-            # mapped, not read: slices come from the file when they are needed
+            # a memory map: slices are read on demand
             return np.lib.format.open_memmap(file.place, mode="r")
     except OSError as problem:
         raise ProblemError(f"{words}: {reason_of(problem)}") from None
     except (ValueError, EOFError) as problem:
-        # NumPy repeats the begin of what is no array
-        raise ProblemError(f"{words}: {problem if str(problem).endswith(IRREGULAR) else 'write it with numpy.save'}") from None
+        # the message of NumPy repeats the begin of the file
+        raise ProblemError(
+            f"{words}: {problem if str(problem).endswith(IRREGULAR) else 'it is no such array. Write it with numpy.save'}."
+        ) from None

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""[indenter] file = "tip.toml": a calibrated tip, and what its calibration knows of tip and frame."""
+"""[indenter] file = "tip.toml": a calibrated tip, and its calibration of tip and frame."""
 
 from __future__ import annotations
 
@@ -14,9 +14,11 @@ from .toml import parse_named
 
 
 def with_calibration(table: dict[str, Any], files: Files) -> dict[str, Any]:
-    """The tables of a problem file with [indenter] file = "tip.toml" replaced by what that file says: the indenter, the frame
-    compliance unless [instrument] has one, and for a fit the joint prior. Moduli against contact radii depend on neither tip nor
-    frame: what the calibration knows of these stays out of their fits."""
+    """Return the tables of a problem file with [indenter] file = "tip.toml" replaced by the contents of that file.
+
+    These are the indenter, the frame compliance unless [instrument] has one, and for a fit the joint prior. Moduli against contact
+    radii depend on neither tip nor frame: their fits do not take the joint prior.
+    """
     indenter = table.get("indenter")
     if not isinstance(indenter, dict) or "file" not in indenter:
         return table
@@ -26,16 +28,16 @@ def with_calibration(table: dict[str, Any], files: Files) -> dict[str, Any]:
     except ProblemError as problem:
         raise ProblemError(f"[indenter]: file {problem}") from problem
     if not isinstance(found.get("indenter"), dict):
-        raise ProblemError(f"[indenter]: file {file.path}: it has no table [indenter]: write it with mdrcontact calibrate")
+        raise ProblemError(f"[indenter]: file {file.path}: it has no table [indenter]. Write the file with mdrcontact calibrate.")
     twice = [key for key in indenter if key not in ("file", "material", "body")]
     if twice:
-        raise ProblemError(f"[indenter]: {twice[0]} stands in the file {file.path} already: keep one")
+        raise ProblemError(f"[indenter]: {twice[0]} is also in the file {file.path}. Keep one.")
     try:
         read_indenter(Section(found["indenter"], "indenter", KNOWN))
     except MDRError:
-        # its words would repeat what stands in the file, which need not be one of a tip
+        # its message would repeat the contents of a file that need not be one of a tip
         raise ProblemError(
-            f"[indenter]: file {file.path}: its table [indenter] does not describe a tip: copy it into the problem file to read why"
+            f"[indenter]: file {file.path}: its table [indenter] is not a tip. Copy it into the problem file to see the error."
         ) from None
     changed = dict(table)
     changed["indenter"] = {**found["indenter"], **{key: value for key, value in indenter.items() if key != "file"}}
@@ -44,7 +46,7 @@ def with_calibration(table: dict[str, Any], files: Files) -> dict[str, Any]:
     if prior is None or "fit" not in table or isinstance(data, dict) and data.get("kind") == "modulus-radius":
         return changed
     instrument, fit = table.get("instrument", {}), table["fit"]
-    # what is no table or list here is refused where it is read
+    # the readers check later whether these are tables and lists
     if not isinstance(fit, dict) or not isinstance(instrument, dict) or not isinstance(fit.get("joint_prior", []), list):
         return changed
     changed["fit"] = {**fit, "joint_prior": [*fit.get("joint_prior", []), prior]}

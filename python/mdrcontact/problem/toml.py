@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""TOML files as tables; what is no TOML is a `ProblemError`."""
+"""Read TOML files as tables; a `ProblemError` reports what is not valid TOML."""
 
 from __future__ import annotations
 
@@ -16,21 +16,21 @@ else:
     import tomli as tomllib
 
 _LARGEST = 10_000_000
-"""Bytes of a problem file."""
+"""Largest size of a problem file [bytes]."""
 
 
 def parse_file(path: Path) -> dict[str, Any]:
-    """The tables of a file of the user's; the words of an error do not name it, the caller does."""
+    """Return the tables of a file of the user. The message of an error does not contain its name."""
     try:
         with path.open("rb") as file:
-            content = file.read(_LARGEST + 1)  # of a device there is no end
+            content = file.read(_LARGEST + 1)  # a device has no end
     except (OSError, ValueError) as problem:
         raise ProblemError(f"it cannot be read: {reason_of(problem)}") from problem
     return parse_bytes(content)
 
 
 def parse_named(file: NamedFile) -> dict[str, Any]:
-    """The tables of a file that a problem names, of which no error repeats anything."""
+    """Return the tables of a file that a problem names. No error repeats its contents."""
     content = file.content()
     try:
         return parse_bytes(content)
@@ -41,32 +41,32 @@ def parse_named(file: NamedFile) -> dict[str, Any]:
 
 
 def parse_bytes(content: bytes) -> dict[str, Any]:
-    """The tables of what stands in a file."""
+    """Return the tables of the contents of a file."""
     if len(content) > _LARGEST:
-        raise ProblemError(f"it has more than {_LARGEST // 1_000_000} MB: that is no problem file")
+        raise ProblemError(f"it has more than {_LARGEST // 1_000_000} MB, too large for a problem file. Name another file.")
     try:
         text = content.decode("utf-8-sig")
     except UnicodeDecodeError as problem:
-        raise ProblemError("it is not a text file in UTF-8: save it as one") from problem
+        raise ProblemError("it is not a text file in UTF-8. Save it in UTF-8.") from problem
     return parse_text(text.replace("\r\n", "\n").replace("\r", "\n"))
 
 
 def parse_text(text: str) -> dict[str, Any]:
-    """The tables of a text."""
+    """Return the tables of a text."""
     try:
         return tomllib.loads(text)
     except RecursionError as problem:
-        raise ProblemError("it is not a problem file: its brackets are nested too deeply") from problem
+        raise ProblemError("its brackets are nested too deeply. Write a problem file without such brackets.") from problem
     except ValueError as problem:
-        # TOMLDecodeError, or Python's own refusal of a whole number with thousands of digits
+        # TOMLDecodeError, or the error of Python for an integer with thousands of digits
         place = re.search(r"\(at [^()]*\)$", str(problem))
         words = f"it is not valid TOML: {problem}{_line(text, str(problem))}"
         raise ContentError(words, f"it is not valid TOML{f' {place[0]}' if place else ''}") from problem
 
 
 def _line(text: str, words: str) -> str:
-    """The line that the words of an error point to, and how numbers and quantities are written if it sets one."""
+    """Return the line of an error, and how to write numbers and quantities if the line sets a value."""
     place = re.search(r"\(at line (\d+), column \d+\)$", words)
     line = text.split("\n")[int(place[1]) - 1].strip() if place else ""
-    rule = "; a number has a decimal point, words and quantities stand in straight quotes" if "=" in line else ""
+    rule = ". Write numbers with a decimal point, words and quantities in straight quotes." if "=" in line else ""
     return f": {line[:80]}{rule}" if line else ""

@@ -13,7 +13,7 @@ from .section import Section
 KNOWN = Table(
     "wear by Archard's law at the largest depth, force or radius of [compute]",
     (
-        Field("coefficient", "worn volume per force and distance", WEAR, range=POSITIVE),
+        Field("coefficient", "worn volume divided by force and distance", WEAR, range=POSITIVE),
         Field("sliding", "sliding distances, ascending", LENGTH, range=POSITIVE, many=True),
         Field("intervals", "intervals of the profile", RATIO, 80, range=Range(16, 640, True, True), step=4),
         Field("scheme", "discretization; a flat punch needs rings", default=SCHEMES[0], choices=SCHEMES),
@@ -34,6 +34,6 @@ class Rubbing(NamedTuple):
 
 
 def read_wear(section: Section) -> Rubbing:
-    """What [wear] says."""
+    """Return the contents of [wear]."""
     intervals, scheme, coefficient, sliding = map(section.value, ("intervals", "scheme", "coefficient", "sliding"))
     return Rubbing(coefficient, tuple(sliding), intervals, scheme)
