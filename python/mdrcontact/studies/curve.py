@@ -128,7 +128,8 @@ def _over_depth(found: CurveResult) -> Iterator[Panel]:
     # from 0 on, unless an adhesive curve begins far from it and would fill a corner only
     x = x._replace(low=0.0 if 0.0 <= curve.depth[0] < 0.5 * curve.depth[-1] else None)
     at = found.at_thickness
-    is_inside = at is not None and curve.radius[0] < float(at.radius) < curve.radius[-1]
+    if at is not None and not curve.radius[0] < float(at.radius) < curve.radius[-1]:
+        at = None
     quantities: list[tuple[str, str, Dimension]] = [
         ("force F", "force", FORCE),
         ("contact radius a", "radius", LENGTH),
@@ -146,7 +147,7 @@ def _over_depth(found: CurveResult) -> Iterator[Panel]:
                 for i, (body, forces) in enumerate(found.references)
                 if 1.0 / _COMPARABLE < abs(forces[-1] / curve.force[-1]) < _COMPARABLE
             ]
-        if is_inside:
+        if at is not None:
             parts.append(Label(float(depth.of(at.depth)), float(unit.of(getattr(at, quantity))), "a = h", 1))
         yield Panel(x, y, tuple(parts))
 

@@ -170,7 +170,7 @@ def _with_guesses(cantilever: Cantilever, guessed: Mapping[str, str]) -> Cantile
 
 def _missing_units(path: Path, given: Given) -> dict[str, str]:
     """Units to begin with of columns whose titles name a quantity without one."""
-    if path.suffix.lower() in SUFFIXES:
+    if is_of_afm(path):
         return {}
     section, units = _section(given, "force-depth"), dict[str, str]()
     with suppress(MDRError):
