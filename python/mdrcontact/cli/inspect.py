@@ -25,9 +25,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument("--columns", nargs="+", metavar="TITLE", default=(), help='titles with units, as in "depth [nm]"')
     for name, example in (("spring-constant", "0.2 N/m"), ("deflection-sensitivity", "50 nm/V")):
         parser.add_argument(f"--{name}", metavar="VALUE", help=f'of the cantilever, as in "{example}"')
-    parser.add_argument(
-        "--like", type=Path, metavar="PROBLEM.toml", help="read the file as [data] and [instrument] of this file state"
-    )
+    parser.add_argument("--like", type=Path, metavar="PROBLEM.toml", help="read the file by [data] and [instrument] of this one")
     parser.add_argument("--overwrite", action="store_true", help="replace existing output files")
 
 

@@ -11,6 +11,7 @@ from typing import Any
 
 import hypothesis
 import numpy as np
+from conftest import numbers_of
 from hypothesis import HealthCheck, Phase, given, settings
 
 import mdrcontact as mdr
@@ -32,10 +33,15 @@ class Tally:
 _tally = Tally()
 
 
+def numbers_in(value: Any) -> Any:
+    """The numbers of a state or of several, a row for each member; any other value as an array."""
+    return np.asarray(numbers_of(value) if isinstance(value, mdr.State) else value)
+
+
 def near(found: Any, expected: Any, tolerance: float, size: Any = None, what: str = "") -> None:
     """|found - expected| <= tolerance |size| everywhere; size: of the expected numbers themselves, or the one given. Equal
     infinities are near, NaN is not."""
-    found, expected = np.broadcast_arrays(np.asarray(found), np.asarray(expected))
+    found, expected = np.broadcast_arrays(numbers_in(found), numbers_in(expected))
     room = tolerance * np.broadcast_to(np.abs(expected if size is None else size), found.shape)
     with np.errstate(invalid="ignore", divide="ignore", over="ignore"):
         distance = np.where(found == expected, 0.0, np.abs(found - expected) / room)
@@ -52,7 +58,7 @@ def near(found: Any, expected: Any, tolerance: float, size: Any = None, what: st
 
 def same(found: Any, expected: Any) -> None:
     """The same bits."""
-    np.testing.assert_array_equal(found, expected, strict=True)
+    np.testing.assert_array_equal(numbers_in(found), numbers_in(expected), strict=True)
 
 
 def grows(values: Any, what: str = "values") -> None:
