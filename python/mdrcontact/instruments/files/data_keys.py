@@ -154,7 +154,7 @@ KNOWN = Table(
         *(Field(name, what, LENGTH, optional=True, when=when) for name, (what, when) in _LIMITS.items()),
         *_PREPARED,
     ),
-    "docs/instruments.md",
+    "docs/read-files.md",
     at_most_one_of=(
         ("depth", "height"),
         ("depth", "deflection"),
