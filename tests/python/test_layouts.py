@@ -270,6 +270,18 @@ def test_the_export_of_nanoscope(name, instrument, data, tmp_path):
     assert found == pytest.approx(1.5e6, rel=1e-3)
 
 
+def test_an_export_of_nanoscope_with_its_header(tmp_path):
+    """The header begins as that of the binary file, and gives sensitivity and spring constant."""
+    head = "\\*Force file list\r\n\\Version: 0x0920\r\n\\*Ciao scan list\r\n\\@Sens. DeflSens: V 60.00000 nm/V\r\n"
+    head += '\\@4:Image Data: S [DeflectionError] "Deflection Error"\r\n\\@2:TMSetPhase: V (0.005493164 \xba/LSB)       0 \xba\r\n'
+    head += "\\Spring Constant: 0.4\r\n\\*File list end\r\n"
+    path = tmp_path / "curve.spm.txt"
+    path.write_bytes(head.encode("latin-1") + (CASES / "nanoscope_volts.txt").read_bytes())
+    problem = BRUKER.format(instrument="", data="").replace('spring_constant = "0.4 N/m"', "")
+    (found,) = fitted(path, problem.replace('"sphere"', '"paraboloid"'), tmp_path)
+    assert found == pytest.approx(1.5e6, rel=1e-3)
+
+
 @pytest.mark.parametrize("turned", [False, True])
 @pytest.mark.parametrize(("into", "out"), [("Ex", "Rt"), ("Extend", "Retract"), ("Approach", "Retract"), ("Trace", "Retrace")])
 def test_the_way_out_beside_the_way_in(into, out, turned, tmp_path):

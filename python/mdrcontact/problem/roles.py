@@ -11,7 +11,7 @@ _NAMES: Mapping[str, tuple[str, ...]] = {
     "depth": (
         *("depth", "d", "h", "displacement", "indentation", "indentation depth", "displacement into surface", "pd"),
         *("penetration depth", "penetration", "disp", "displ", "indent depth"),
-        *("eindringtiefe", "tiefe", "eindringweg", "profondeur", "enfoncement", "profundidad", "profondit\xe0"),
+        *("eindringtiefe", "tiefe", "eindringweg", "weg", "profondeur", "enfoncement", "profundidad", "profondit\xe0"),
     ),
     "force": (
         *("force", "load", "f", "p", "load on sample", "fn", "normal force", "normal load", "indent load", "standard force"),

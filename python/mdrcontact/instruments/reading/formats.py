@@ -91,6 +91,14 @@ FORMATS = (
     ),
     Format("Hysitron text", r"Number of Points ="),
     Format(
+        "NanoScope text",
+        r"^\\\*Force file list|Calc_Ramp_Ex",
+        numbers=(
+            ("spring_constant", r"\\Spring Constant", 1.0, STIFFNESS),
+            ("deflection_sensitivity", r"\\@Sens\. DeflSens: V", 1e-9, SENSITIVITY),
+        ),
+    ),
+    Format(
         "JPK text",
         r"fancyNames:",
         numbers=(
@@ -142,5 +150,6 @@ def refuse_foreign(path: Path, content: bytes) -> None:
     """Raises for a file of a format that is not read, and says how to export it."""
     for one in _FOREIGN:
         is_named = re.fullmatch(one.suffixes, path.suffix.lower()) and (not one.begins or b"\0" in content[:4096])
-        if is_named or one.begins and content.startswith(one.begins):
+        # a header may stand above numbers in text
+        if is_named or one.begins and content.startswith(one.begins) and b"\0" in content:
             raise ProblemError(f"{path}: {one.name} is not read: {one.remedy}")
