@@ -208,6 +208,13 @@ def test_a_column_that_stands_twice(tmp_path):
         tables(tmp_path, head + rows(TIME, FORCE, TIME + 1.0, DEPTH))
 
 
+def test_two_times_of_a_test_of_anton_paar(tmp_path):
+    """The title that stands in the file is named."""
+    head = "X_A_Time_[s]\tY_A_Fn_[mN]\tX_A_Time_[s]\tY_A_Pd_[nm]\n"
+    with pytest.raises(ProblemError, match=r"same title, 'X_A_Time_\[s\]', and other numbers"):
+        tables(tmp_path, head + rows(TIME, FORCE, TIME + 1.0, DEPTH))
+
+
 ANTON_PAAR = """
 [indenter]
 shape = "sphere"

@@ -77,7 +77,8 @@ def _by_own(
         return read(path, given)
     except MDRError as problem:
         fault = MissingSettings if isinstance(problem, MissingSettings) else FileError
-        raise fault(f"{path}: {problem}") from problem
+        # of words of the file an end of line is none
+        raise fault(f"{path}: {' '.join(str(problem).split())}") from problem
     except Exception as problem:  # noqa: BLE001 - damage makes readers raise anything
         words = f"{path}: it cannot be read, it is damaged or of another kind: {type(problem).__name__}"
         raise refusal or FileError(words) from problem

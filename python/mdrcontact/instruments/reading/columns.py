@@ -334,8 +334,9 @@ def _others(table: MeasuredTable, tests: Sequence[layouts.Test]) -> dict[str, st
     return {own: title for own, title in pairs if own != title}
 
 
-def _two_of_a_title(table: MeasuredTable, title: str) -> ProblemError:
+def _two_of_a_title(table: MeasuredTable, place: int) -> ProblemError:
     """That two columns of a test have one title; with the list that tells them apart."""
+    title = table.titles[place]
     seen: dict[str, int] = {}
     apart: list[str] = []
     for one in table.titles:

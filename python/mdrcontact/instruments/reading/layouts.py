@@ -102,14 +102,14 @@ def _number_of(title: str) -> tuple[str, str]:
     return match[0], (before + (" " if before and after and after[0] not in " _" else "") + after).strip(" _.-:#")
 
 
-def without_copies(test: Test, values: Array) -> tuple[Test, list[str]]:
-    """A test without columns that repeat another of its title and its numbers, and the titles of columns that do not."""
+def without_copies(test: Test, values: Array) -> tuple[Test, list[int]]:
+    """A test without columns that repeat another of its title and its numbers, and the places of columns that do not."""
     kept: dict[str, int] = {}
     differing = []
     for title, place in zip(test.titles, test.columns, strict=True):
         first = kept.setdefault(title, place)
         if first != place and not _are_equal(values[:, first], values[:, place]):
-            differing.append(title)
+            differing.append(place)
     return Test(test.name, list(kept), list(kept.values())), differing
 
 
