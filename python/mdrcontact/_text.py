@@ -3,7 +3,9 @@
 
 from __future__ import annotations
 
+import itertools
 import math
+import textwrap
 from collections.abc import Iterable, Sequence
 
 
@@ -16,6 +18,20 @@ def aligned(rows: Sequence[Sequence[str]], left: int | None = None) -> str:
         cells = [cell.ljust(w) if i < begin else cell.rjust(w) for i, (cell, w) in enumerate(zip(row, widths, strict=True))]
         lines.append("  ".join(cells).rstrip())
     return "\n".join(lines)
+
+
+def wrapped(rows: Sequence[Sequence[str]], width: int) -> list[list[str]]:
+    """Rows of a table of at most `width` characters: what is wider than the other columns goes on in further rows."""
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    room = width - 2 * (len(widths) - 1)
+    most = max(widths)
+    while sum(min(w, most) for w in widths) > room and most > 1:
+        most -= 1
+    found: list[list[str]] = []
+    for row in rows:
+        cells = [textwrap.wrap(cell, most) or [""] for cell in row]
+        found += [list(line) for line in itertools.zip_longest(*cells, fillvalue="")]
+    return found
 
 
 def listed(title: object, lines: Iterable[str]) -> str:

@@ -47,10 +47,30 @@ def test_a_wrong_number_is_seen(monkeypatch, capsys):
     assert "BEYOND" in shown.out and "exceeds the error of the source: hertz" in shown.err
 
 
+def test_what_is_printed_fits_the_screen_and_ends_with_the_count(monkeypatch, capsys):
+    """The lines had 228 characters, and nothing said whether all was well."""
+    module = sys.modules["mdrcontact.studies.validate"]
+    done = comparison("x", np.array([1.0]), np.array([1.0]), np.array([1.0]))
+    quick = tuple(dataclasses.replace(check, run=lambda: done, needs="") for check in CHECKS)
+    monkeypatch.setattr(module, "CHECKS", quick)
+    assert main(["validate", "--full"]) == 0
+    out = capsys.readouterr().out
+    assert max(map(len, out.splitlines())) <= 120
+    assert out.endswith(f"\n{len(CHECKS)} of {len(CHECKS)} within their bounds\n")
+    assert main(["validate"]) == 0
+    long = sum(check.is_long for check in CHECKS)
+    assert f"\n{len(CHECKS) - long} of {len(CHECKS) - long} within their bounds; {long} not run\n" in capsys.readouterr().out
+    spoiled = dataclasses.replace(quick[0], run=lambda: comparison("x", np.ones(1), 2.0 * np.ones(1), np.ones(1)))
+    monkeypatch.setattr(module, "CHECKS", (spoiled, *quick[1:3]))
+    assert main(["validate", "--full"]) == 1
+    assert capsys.readouterr().out.endswith("2 of 3 within their bounds\n")
+
+
 def test_missing_programs_are_named(monkeypatch, capsys):
     monkeypatch.setattr(pages, "is_installed", lambda module: False)
     assert main(["validate", "--only", "elements-bonded"]) == 0
-    assert "not run: scikit-fem is not installed" in capsys.readouterr().out
+    out = capsys.readouterr().out
+    assert "not run: scikit-fem" in out and "scikit-fem is not installed" in out and "0 of 0 within their bounds; 1 not run" in out
     assert main(["validate", "--only", "hertzz"]) == 2
     assert "Did you mean 'hertz'" in capsys.readouterr().err
 

@@ -8,15 +8,19 @@ from pathlib import Path
 
 from .._choices import suggestion
 from .._progress import on_terminal
+from .._text import aligned, wrapped
 from ..errors import MDRError
 from ..problem import ProblemError
 from ..studies import validate
 from ..validation import CHECKS
 from ..validation.page import html, markdown, pictures
 from . import files
-from .table import as_text
+from .table import as_rows
 
 HELP = "compare the library with formulas, tables and other programs"
+
+_WIDTH = 120
+"""Characters of a line."""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
@@ -36,7 +40,7 @@ def run(arguments: argparse.Namespace) -> None:
         raise ProblemError(f"--only {arguments.only}: there is no such comparison. {suggestion(arguments.only, names)}")
     with on_terminal() as progress:
         found = validate(full=arguments.full, only=arguments.only, progress=progress)
-    print(f"{as_text(found.tables['comparisons'])}\n\n{found.notes['programs']}")
+    print(f"{aligned(wrapped(as_rows(found.tables['comparisons']), _WIDTH))}\n\n{found.notes['programs']}")
     contents = {}
     if arguments.html:
         contents[arguments.html] = html(found.rows).encode()
@@ -46,5 +50,6 @@ def run(arguments: argparse.Namespace) -> None:
         folder.mkdir(exist_ok=True)
         contents.update({folder / name: drawn for name, drawn in pictures(found.rows).items()})
     files.save(contents, arguments.overwrite)
+    print(found.notes["bounds"])
     if found.beyond:
         raise MDRError(f"the deviation exceeds the error of the source: {', '.join(found.beyond)}")

@@ -3,6 +3,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 from .._choices import nearest
@@ -64,8 +65,16 @@ def validate(*, full: bool = False, only: str | None = None, progress: Progress 
     return ValidateResult(
         title="Validation",
         numbers={"comparisons": Number(len(rows), RATIO), "comparisons beyond": Number(len(beyond), RATIO)},
-        notes={"programs": f"programs: {', '.join(programs())}"},
+        notes={"programs": f"programs: {', '.join(programs())}", "bounds": _bounds(rows)},
         tables={"comparisons": in_words([TITLES[:5], *(row.cells()[:5] for row in rows)])},
         rows=tuple(rows),
         beyond=beyond,
     )
+
+
+def _bounds(rows: Sequence[Row]) -> str:
+    """How many comparisons hold, of those that were run."""
+    were_run = [row for row in rows if row.found is not None]
+    left = len(rows) - len(were_run)
+    held = sum(row.holds for row in were_run)
+    return f"{held} of {len(were_run)} within their bounds" + (f"; {left} not run" if left else "")
