@@ -200,3 +200,12 @@ def test_printed_moduli_become_contact_moduli_by_the_nu_that_the_instrument_assu
     data, _ = load_fit_file(tmp_path / "problem.toml").read_data(path)
     plain, _ = load_fit_file(FOLDER / "modulus_of_oxide.toml").read_data(path)
     assert data.y == pytest.approx(plain.y / (1.0 - 0.25**2))
+
+
+@pytest.mark.parametrize("command", ["fit", "modulus", "calibrate"])
+def test_without_a_problem_file_the_command_that_writes_one_is_named(command, capsys):
+    with pytest.raises(SystemExit) as ended:
+        main([command, "curve.csv"])
+    words = capsys.readouterr().err
+    assert ended.value.code == 2
+    assert "--problem" in words and '"mdrcontact inspect DATA --problem PROBLEM.toml" writes one to start from' in words

@@ -7,6 +7,7 @@ import argparse
 import re
 import textwrap
 from collections.abc import Iterable, Iterator, Mapping
+from typing import NoReturn
 
 from .._units import RATIO, shown
 from ..instruments import schema as measured
@@ -37,6 +38,12 @@ class Parser(argparse.ArgumentParser):
             keys = listing(title[2].split(), FILES[title[1]]) if title[2] else ""
             self.description, self.epilog = text[: title.start()], f"{title[1]}:\n{keys}{text[title.end() :]}\n{EXIT_STATUS}"
         return super().format_help()
+
+    def error(self, message: str) -> NoReturn:
+        """Exit with what is wrong; where a problem file for a fit is missing, with the command that writes one."""
+        if "required" in message and "--problem" in message:
+            message += '; "mdrcontact inspect DATA --problem PROBLEM.toml" writes one to start from'
+        super().error(message)
 
 
 def listing(names: Iterable[str], file: Table = PROBLEM) -> str:
