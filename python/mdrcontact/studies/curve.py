@@ -11,6 +11,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from .._units import FORCE, LENGTH, MODULUS, STIFFNESS, Dimension, practical, shown
+from .._warn import silence
 from ..contact import Contact
 from ..errors import InvalidArgumentError, MDRError
 from ..material import Elastic
@@ -200,7 +201,7 @@ def _ends(found: Curve) -> Iterator[tuple[str, Array, Dimension]]:
 def _at_thickness(contact: Contact, medium: Medium) -> State | None:
     """The state whose contact is as wide as the coating is thick; None where no contact is."""
     h = thickness(medium)
-    with suppress(MDRError):
+    with suppress(MDRError), silence():
         return None if h is None else contact.at_radius(h)
     return None
 
