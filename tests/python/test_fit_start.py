@@ -5,6 +5,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from conftest import ROOT
 
 import mdrcontact as mdr
 import mdrcontact.instruments as mdi
@@ -121,3 +122,18 @@ def test_wrong_weights_are_refused(distance):
         mdi.fit(approach(), BALL, GEL, FREE, contact_weight=distance)
     with pytest.raises(mdr.errors.InvalidArgumentError, match="forces against depth"):
         mdi.fit(mdi.ModulusRadius([1e-7, 2e-7, 3e-7], [1e9, 2e9, 1e9]), BALL, GEL, ["E"], contact_weight=1e-9)
+
+
+def test_a_missing_offset_is_named_where_a_search_loses_a_parameter():
+    """A flat punch that touches at 1 mm: terms[0].time was blamed alone."""
+    time, depth, force = np.loadtxt(ROOT / "tests" / "data" / "cases" / "prony_start.txt", skiprows=1, unpack=True)
+    data, punch = mdi.ForceTime(time, 1e-3 * depth, force), mdr.FlatPunch(4e-3)
+    body = mdr.Homogeneous(mdr.Viscoelastic(5e3, [(5e3, 1.0), (5e3, 10.0)], nu=0.49))
+    free = ["relaxed_shear_modulus", *(f"terms[{i}].{name}" for i in (0, 1) for name in ("modulus", "time"))]
+    with pytest.raises(mdr.MDRError, match="do not depend on it.*if contact does not begin at depth 0, let depth_offset be free"):
+        mdi.fit(data, punch, body, free)
+    with pytest.raises(mdr.MDRError, match="give it a prior$"):
+        mdi.fit(data, punch, body, free, instrument=mdi.Instrument(depth_offset=1e-6))
+    found = mdi.fit(data, punch, body, [*free, "depth_offset"])
+    for name, value in zip([*free, "depth_offset"], (2e3, 3e3, 0.4, 2e3, 5.0, 1e-3), strict=True):
+        assert found.estimates[name] == pytest.approx(value, rel=0.06), name

@@ -236,10 +236,21 @@ def _is_elastic(data: Data, instrument: Instrument, free: Mapping[str, Free]) ->
     return data.elastic
 
 
+def _missing_offset(refusal: Refusal, problem: Problem) -> str:
+    """What to try where a search lost a parameter, though it began with it, of a curve that may begin before contact."""
+    begun = problem.table[0, refusal.entry - 1] > 0.0
+    lost = "do not depend on it" in refusal.text or begun and "must begin above 0" in refusal.text
+    is_curve = isinstance(problem.data, (ForceDepth, ForceTime, DepthTime))
+    if not (lost and is_curve) or _set_or_free("depth_offset", problem.pattern.instrument, problem.free):
+        return ""
+    return "; if contact does not begin at depth 0, let depth_offset be free"
+
+
 def _named(refusal: Refusal, problem: Problem) -> Refusal:
     """The library counts parameters and knows x and y; people know their names."""
     of_library, _, part = refusal.argument.partition(":")
     if of_library == "parameters" and refusal.entry:
+        refusal.text += _missing_offset(refusal, problem)
         refusal.argument = problem.names[refusal.entry - 1] + (f":{part}" if part else "")
         refusal.entry = 0
     elif of_library in ("x", "y", "given"):
