@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import dataclasses
+import re
 import sys
 
 import numpy as np
@@ -85,10 +86,21 @@ def test_the_files_that_are_written(tmp_path, capsys):
     assert main(given) == 1 and "exists" in capsys.readouterr().err
 
 
+def test_every_source_is_in_the_bibliography():
+    """But those of programs, and what is added to a work."""
+    anchors = set(re.findall(r'<a id="([\w-]+)">', (ROOT / "docs" / "bibliography.md").read_text(encoding="utf-8")))
+    for check in CHECKS:
+        linked = re.findall(r"\]\(bibliography\.md#([\w-]+)\)", pages.cited(check.source))
+        assert set(linked) <= anchors and (linked or check.needs), check.source
+    assert pages.cited("Dupré 1869; Style et al. 2013, fit") == (
+        "[Dupré 1869](bibliography.md#dupre-1869); [Style et al. 2013](bibliography.md#style-2013), fit"
+    )
+
+
 def test_the_page_of_the_guide():
     """Each comparison with its command and its picture, each limit in the words and constants of the library."""
     for check in CHECKS:
-        assert f"| {check.capability} | {check.source} | " in PAGE and f"--only {check.name}`" in PAGE
+        assert f"| {check.capability} | {pages.cited(check.source)} | " in PAGE and f"--only {check.name}`" in PAGE
     for group in GROUPS:
         picture = ROOT / "docs" / "pictures" / f"validation_{group.name}.png"
         assert f"](pictures/{picture.name})" in PAGE and picture.read_bytes().startswith(b"\x89PNG")

@@ -115,14 +115,14 @@ LIMITS: tuple[Limit, ...] = (
 
 def tables() -> list[tuple[str, list[list[str]]]]:
     """Titles and rows of the map."""
-    return [("What each model is good for", models()), ("Map of validity: where the library ends", refusals())]
+    return [("Errors of the approximate models", models()), ("Limits of validity", refusals())]
 
 
 def models() -> list[list[str]]:
     """A row for each model: bodies, and its largest error of the force within a factor 2 of equal moduli."""
     found = accuracy_map(_RATIOS, _RADII)
     errors = dict(zip(found.models, (float(np.abs(error).max()) for error in found.force_error), strict=True))
-    rows = [["model", "bodies", "largest error of F, film over base 0.5 to 2, a/h 0.1 to 10"]]
+    rows = [["model", "bodies", "largest error of F for moduli of film over base from 0.5 to 2 and a/h from 0.1 to 10"]]
     for name, model in MODELS.items():
         base = "rigid base only" if model.needs_rigid_base else "any base" if model.allows_rigid_base else "elastic base"
         more = [words for words, holds in (("several layers", model.layers), ("graded", model.graded)) if holds]
@@ -133,7 +133,7 @@ def models() -> list[list[str]]:
 
 def refusals() -> list[list[str]]:
     """What is tried beyond each limit, and the library's own sentence: an error, or a warning."""
-    rows = [["capability", "its numbers are", "beyond", "what the library says"]]
+    rows = [["capability", "accuracy", "beyond the limit", "message"]]
     for limit in LIMITS:
         rows.append([limit.capability, limit.kind, limit.beyond, _answer(limit.step)])
     return rows

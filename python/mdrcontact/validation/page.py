@@ -6,6 +6,8 @@ from __future__ import annotations
 import importlib
 import importlib.util
 import io
+import re
+import unicodedata
 from collections.abc import Sequence
 from importlib import metadata
 from typing import Any, NamedTuple
@@ -40,7 +42,7 @@ class Row(NamedTuple):
         return [one.capability, one.source, deviation, f"{one.error:.0e}", one.whose, f"{COMMAND} {one.name}"]
 
 
-TITLES = ["capability", "compared with", "largest deviation", "bound", "whose error", "command"]
+TITLES = ["quantity", "compared with", "largest deviation", "bound", "origin of the deviation", "command"]
 
 
 def run(checks: Sequence[Check], full: bool) -> list[Row]:
@@ -111,20 +113,36 @@ CAPTION = "*A panel for each row of the table below. Circles: reference. Crosses
 """Below each picture of the page of the guide."""
 
 
+_WORK = re.compile(r"(?P<author>[A-Z]\w+)(?:, [A-Z]\w+| et al\.)* (?P<year>\d{4})")
+
+
+def cited(source: str) -> str:
+    """Link each work of a source to its entry in the bibliography."""
+
+    def linked(found: re.Match[str]) -> str:
+        author = unicodedata.normalize("NFKD", found["author"].lower()).encode("ascii", "ignore").decode()
+        return f"[{found[0]}](bibliography.md#{author}-{found['year']})"
+
+    return _WORK.sub(linked, source)
+
+
 def markdown(rows: Sequence[Row]) -> str:
     """Tables and pictures as a page of the guide."""
     held = sum(row.holds and row.found is not None for row in rows)
     parts = [
         "# Validation",
         "",
-        f"**{held} of {len(rows)} comparisons** with formulas, tables and programs that share nothing with the library are within",
-        "what their source's own error explains. `mdrcontact validate --full --markdown FILE` writes this page, `--html FILE`",
-        'the same as one HTML file; `pip install "mdrcontact[validate]"` brings the programs. The command at the end of a row',
-        "repeats it.",
+        "This page compares the library with closed forms, published tables and other programs, none of which shares code with it.",
+        f"**{held} of {len(rows)} comparisons** are within the bound, the known error of the reference or of the library.",
+        "`mdrcontact validate --full --markdown FILE` writes this page, and the command in a row repeats its comparison.",
+        '`pip install "mdrcontact[validate]"` installs the other programs.',
         "",
     ]
     for group, some in sections(rows):
-        cells = [[*row.cells()[:-1], f"`{row.cells()[-1]}`"] for row in some]
+        cells = [
+            [quantity, cited(source), *numbers, f"`{command}`"]
+            for quantity, source, *numbers, command in (row.cells() for row in some)
+        ]
         picture = f"![{group.title}: comparison with other sources](pictures/validation_{group.name}.png)<br>{CAPTION}"
         parts += [f"## {group.title}", "", picture, "", *_table([TITLES, *cells]), ""]
     parts += [f"Programs: {', '.join(programs())}."]
