@@ -52,14 +52,14 @@ def number(name: str, value: Any) -> float:
     """`value` as a float. Range and sign are the library's business, the type is checked here."""
     array = np.asarray(value)
     if array.ndim or array.dtype.kind not in "iuf":
-        raise ArgumentTypeError(f"{name} = {value!r} is not allowed: it must be a real number")
+        raise ArgumentTypeError(f"{name} = {value!r}: it must be a real number")
     return float(array)
 
 
 def not_zero(name: str, value: Any) -> float:
     """`value` as a float; the library takes 0 for the default."""
     if number(name, value) == 0.0:
-        raise InvalidArgumentError(f"{name} = {value!r} is not allowed: it must not be 0")
+        raise InvalidArgumentError(f"{name} = {value!r}: it must not be 0")
     return float(value)
 
 
@@ -68,7 +68,7 @@ def whole(name: str, value: Any, smallest: int, largest: int | None = None) -> i
     is_whole = isinstance(value, (int, np.integer)) and not isinstance(value, bool)
     if not is_whole or not smallest <= value <= (value if largest is None else largest):
         allowed = f", at least {smallest}" if largest is None else f" from {smallest} to {largest}"
-        words = f"{name} = {value!r} is not allowed: it must be a whole number{allowed}"
+        words = f"{name} = {value!r}: it must be a whole number{allowed}"
         raise InvalidArgumentError(words) if is_whole else ArgumentTypeError(words)
     return int(value)
 
@@ -76,20 +76,20 @@ def whole(name: str, value: Any, smallest: int, largest: int | None = None) -> i
 def thread_count(threads: Any) -> int:
     """`threads` as a whole number. Its range is the library's business."""
     if isinstance(threads, bool) or not isinstance(threads, int):
-        raise ArgumentTypeError(f"threads = {threads!r} is not allowed: it must be a whole number")
+        raise ArgumentTypeError(f"threads = {threads!r}: it must be a whole number")
     return threads
 
 
 def numbers(name: str, values: ArrayLike) -> NDArray[np.float64]:
     """`values` as a contiguous array of float64 of unchanged shape; integers and shorter floats are widened."""
     if np.ma.is_masked(values):
-        raise ArgumentTypeError(f"{name} is not allowed: it has masked elements; fill or remove them first")
+        raise ArgumentTypeError(f"{name}: it has masked elements; fill or remove them first")
     try:
         array = np.asarray(values)
     except ValueError as problem:
-        raise ArgumentTypeError(f"{name} is not allowed: it must be a rectangular array of real numbers") from problem
+        raise ArgumentTypeError(f"{name}: it must be a rectangular array of real numbers") from problem
     if array.dtype.kind not in "iuf" and array.size:
-        raise ArgumentTypeError(f"{name} is not allowed: it must hold real numbers, not {array.dtype}")
+        raise ArgumentTypeError(f"{name}: it must hold real numbers, not {array.dtype}")
     # ascontiguousarray alone would turn a number into an array of one dimension
     return np.ascontiguousarray(array, dtype=np.float64).reshape(array.shape)
 
@@ -108,9 +108,9 @@ def row(name: str, values: ArrayLike) -> tuple[float, ...]:
     """`values` as a tuple of floats: for tables that belong to an object. They must have one dimension and not be empty."""
     array = numbers(name, values)
     if array.ndim != 1:
-        raise ArgumentTypeError(f"{name} is not allowed: it must have one dimension, not {array.ndim}")
+        raise ArgumentTypeError(f"{name}: it must have one dimension, not {array.ndim}")
     if not array.size:
-        raise InvalidArgumentError(f"{name} is not allowed: it is empty")
+        raise InvalidArgumentError(f"{name}: it is empty")
     return tuple(array.tolist())
 
 

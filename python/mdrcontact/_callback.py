@@ -22,7 +22,7 @@ class Callback:
 
     def __init__(self, name: str, function: Callable[[float], float]) -> None:
         if not callable(function):
-            raise ArgumentTypeError(f"{name} = {function!r} is not allowed: it must be a function of one number")
+            raise ArgumentTypeError(f"{name} = {function!r}: it must be a function of one number")
         self._name = name
         self._function = function
         self._exception: BaseException | None = None

@@ -75,5 +75,5 @@ def code(name: str, value: Any, codes: dict[str, int], *allowed: str) -> int:
     """The code of a word; wrong words are answered with the nearest right one."""
     known = allowed or tuple(codes)
     if not isinstance(value, str) or value not in known:
-        raise InvalidArgumentError(f"{name} = {value!r} is not allowed: {nearest(str(value), known)}")
+        raise InvalidArgumentError(f"{name} = {value!r}: {nearest(str(value), known)}")
     return codes[value]

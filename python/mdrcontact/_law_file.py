@@ -143,10 +143,10 @@ def law_options(
     """Struct mdr_law_options."""
     words = otherwise if description is None else description
     if not isinstance(words, str) or "\0" in words:
-        raise ArgumentTypeError(f"description = {description!r} is not allowed: it must be a text without null characters")
+        raise ArgumentTypeError(f"description = {description!r}: it must be a text without null characters")
     smallest = 0.0 if smallest_depth is None else number("smallest_depth", smallest_depth)
     if smallest_depth is not None and smallest == 0.0:
-        raise InvalidArgumentError("smallest_depth = 0.0 is not allowed: it must be greater than 0")
+        raise InvalidArgumentError("smallest_depth = 0.0: it must be greater than 0")
     text = np.frombuffer(words.encode() + b"\0", np.uint8)
     return record(_layout.law_options, smallest_depth=smallest,
                     tolerance=not_zero("tolerance", tolerance), description=text,

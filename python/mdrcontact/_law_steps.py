@@ -175,7 +175,7 @@ class LawSteps(LawFile):
         allowed = ((n,),) if self.twists else ((n, 2), (n, 3))
         if forces.shape != (n,) or shifts.shape not in allowed:
             raise ArgumentTypeError(
-                f"force of shape {forces.shape} and shift of shape {shifts.shape} are not allowed: they must be ({n},) "
+                f"force of shape {forces.shape} and shift of shape {shifts.shape}: they must be ({n},) "
                 f"and {' or '.join(map(str, allowed))}"
             )
         axes: Any = 0 if self.twists else slice(shifts.shape[1])
@@ -236,8 +236,7 @@ class LawSteps(LawFile):
         angles = np.zeros(n) if spin is None else numbers("spin", spin)
         if directions.shape != (n, 3) or angles.shape != (n,):
             raise ArgumentTypeError(
-                f"normals of shape {directions.shape} and spin of shape {angles.shape} are not allowed: they must be ({n}, 3) and "
-                f"({n},)"
+                f"normals of shape {directions.shape} and spin of shape {angles.shape}: they must be ({n}, 3) and ({n},)"
             )
         if n:
             call(native.law_turn, self._handle, directions, angles, memory)
@@ -245,7 +244,5 @@ class LawSteps(LawFile):
     def _count(self, memory: Reals) -> int:
         if not (self.sliders and isinstance(memory, np.ndarray) and memory.dtype == np.float64 and memory.ndim == 2
                 and memory.shape[1] == self.memory_size and memory.flags.c_contiguous and memory.flags.writeable):  # fmt: skip
-            raise ArgumentTypeError(
-                "memory is not allowed: it must be an array made by ContactLaw.contacts, or some of its rows in a row"
-            )
+            raise ArgumentTypeError("memory: it must be an array made by ContactLaw.contacts, or some of its rows in a row")
         return len(memory)

@@ -40,22 +40,18 @@ class Table(NamedTuple):
 def table_text(law: Any, form: str, error: float, branch: str, length: float, touch: float | None, area: float | None) -> str:
     """See `ContactLaw.table`."""
     if form not in FORMATS:
-        raise InvalidArgumentError(f"form = {form!r} is not allowed: {nearest(form, FORMATS)}")
+        raise InvalidArgumentError(f"form = {form!r}: {nearest(form, FORMATS)}")
     if not SMALLEST_ERROR <= number("error", error) <= LARGEST_ERROR:
-        raise InvalidArgumentError(
-            f"error = {error:g} is not allowed: it must lie between {SMALLEST_ERROR:g} and {LARGEST_ERROR:g}"
-        )
+        raise InvalidArgumentError(f"error = {error:g}: it must lie between {SMALLEST_ERROR:g} and {LARGEST_ERROR:g}")
     if not number("length", length) > 0.0:
-        raise InvalidArgumentError(f"length = {length:g} is not allowed: it must be greater than 0")
+        raise InvalidArgumentError(f"length = {length:g}: it must be greater than 0")
     for name, value, its_form in (("touch", touch, "lammps"), ("area", area, "overclosure")):
         if value is not None and form != its_form:
-            raise InvalidArgumentError(
-                f"{name} = {value!r} is not allowed with form = {form!r}: it is of {its_form!r}. Leave it out"
-            )
+            raise InvalidArgumentError(f"{name} = {value!r}: it belongs to form = {its_form!r}, not to {form!r}. Omit it")
     table = _table(law, error, branch, length)
     if form != "csv" and table.adhesive:
         raise InvalidArgumentError(
-            f"form = {form!r} is not allowed with adhesion: such a table has one force at each depth; csv has one branch"
+            f"form = {form!r}: it has one force at each depth, so it excludes adhesion. Use csv, which has one branch"
         )
     return FORMATS[form](table, touch, area)
 
@@ -140,7 +136,7 @@ def _csv(table: Table, touch: float | None, area: float | None) -> str:
 def _lammps(table: Table, touch: float | None, area: float | None) -> str:
     at = _required("touch", touch, "the distance of two centres, or of a bond, at first touch, in the unit of the table")
     if not at > table.depth[-1]:
-        raise InvalidArgumentError(f"touch = {at:g} is not allowed: it must exceed the largest depth {table.depth[-1]:g}")
+        raise InvalidArgumentError(f"touch = {at:g}: it must exceed the largest depth {table.depth[-1]:g}")
     r = _rounded(at - table.depth[::-1])
     head = f"MDRCONTACT\nN {r.size}\n\n"
     return _about(table, "#") + "\n" + head + _rows((r, table.energy[::-1], table.force[::-1]), " ", 1)
@@ -163,7 +159,7 @@ def _overclosure(table: Table, touch: float | None, area: float | None) -> str:
 
 def _required(name: str, value: float | None, meaning: str) -> float:
     if value is None or not number(name, value) > 0.0:
-        raise InvalidArgumentError(f"{name} = {value!r} is not allowed: it must be given and greater than 0, {meaning}")
+        raise InvalidArgumentError(f"{name} = {value!r}: it must be given and greater than 0, {meaning}")
     return float(value)
 
 

@@ -57,11 +57,11 @@ class WithParameters(Value):
             A name is unknown, or the object does not allow a value.
         """
         if not isinstance(values, Mapping):
-            raise ArgumentTypeError(f"values = {values!r} is not allowed: it must map names of parameters to numbers")
+            raise ArgumentTypeError(f"values = {values!r}: it must map names of parameters to numbers")
         known = self.parameters()
         for name in values:
             if name not in known:
-                raise InvalidArgumentError(f"the parameter {name!r} is not allowed: {nearest(str(name), known)}")
+                raise InvalidArgumentError(f"the parameter {name!r}: {nearest(str(name), known)}")
         given = {name: number(name, value) for name, value in values.items()}
         return self._rebuilt({key: _changed(key, part, given) for key, part in self._constants().items()}) if given else self
 

@@ -93,10 +93,10 @@ def accuracy_map(
     chosen = tuple(known if models is None else models)
     for name in chosen:
         if name not in known:
-            raise InvalidArgumentError(f"model = {name!r} is not allowed: {nearest(str(name), known)}")
+            raise InvalidArgumentError(f"model = {name!r}: {nearest(str(name), known)}")
     shape = Paraboloid(1.0) if indenter is None else indenter
     if not isinstance(shape, Profile):
-        raise ArgumentTypeError(f"indenter = {indenter!r} is not allowed: it must be an indenter profile")
+        raise ArgumentTypeError(f"indenter = {indenter!r}: it must be an indenter profile")
     ratios = np.array(row("modulus_ratio", np.atleast_1d(np.asarray(modulus_ratio))))
     a = np.array(row("radius_ratio", np.atleast_1d(np.asarray(radius_ratio))))
     substrate, nu = Elastic(1.0, number("substrate_nu", substrate_nu)), number("coating_nu", coating_nu)

@@ -112,13 +112,13 @@ class Contact(Value):
         adhesion: RateAdhesion | RheologicalAdhesion | None = None,
     ) -> None:
         if not isinstance(indenter, Profile):
-            raise ArgumentTypeError(f"indenter = {indenter!r} is not allowed: it must be an indenter profile")
+            raise ArgumentTypeError(f"indenter = {indenter!r}: it must be an indenter profile")
         if not isinstance(medium, Medium):
-            raise ArgumentTypeError(f"medium = {medium!r} is not allowed: it must be a medium")
+            raise ArgumentTypeError(f"medium = {medium!r}: it must be a medium")
         gamma = rate.work("work_of_adhesion", work_of_adhesion, adhesion)
         rule, sigma = code("adhesion_rule", adhesion_rule, RULES), number("cohesive_stress", cohesive_stress)
         if adhesion is not None and sigma != 0.0:
-            raise InvalidArgumentError("cohesive_stress is not allowed beside adhesion=, whose edge has no range")
+            raise InvalidArgumentError("cohesive_stress: it excludes adhesion=, which is a JKR limit. Omit one of them")
         is_exact = isinstance(zeta, str) and zeta == "exact"
         given: Any = zeta if zeta is None or is_exact else _table(zeta)
         columns = [np.array(column) for column in (((), ()) if is_exact or given is None else given)]
@@ -130,9 +130,7 @@ class Contact(Value):
             created = native.contact_new(indenter._handle, medium._handle, options)
             handle = Handle(created)
         elif gamma != 0.0 or sigma != 0.0 or given is not None:
-            raise InvalidArgumentError(
-                "work_of_adhesion, cohesive_stress and zeta are not allowed on a gel: they belong to elastic contacts"
-            )
+            raise InvalidArgumentError("work_of_adhesion, cohesive_stress and zeta: they are not available on a gel. Omit them")
         self._set(_handle=handle, indenter=indenter, medium=medium)
         self._set(work_of_adhesion=gamma, adhesion_rule=adhesion_rule, zeta=given, cohesive_stress=sigma)
         self._set(adhesion=adhesion, _rates=[])
@@ -284,11 +282,9 @@ class Contact(Value):
         ting-1966
         """
         if self.adhesion is not None:
-            raise InvalidArgumentError("adhesion is not allowed here: call mdrcontact.adhesion.rate_history(contact, ...)")
+            raise InvalidArgumentError("adhesion: call mdrcontact.adhesion.rate_history(contact, ...)")
         if self.cohesive_stress > 0.0:
-            raise InvalidArgumentError(
-                "cohesive_stress is not allowed here: call mdrcontact.adhesion.adhesive_history(contact, ...)"
-            )
+            raise InvalidArgumentError("cohesive_stress: call mdrcontact.adhesion.adhesive_history(contact, ...)")
         return history(self._handle, time, depth, force, radius, tolerance, progress)
 
     def dynamic_stiffness(
@@ -335,7 +331,7 @@ class Contact(Value):
         """
         if poroelastic.is_poroelastic(self.medium):
             if depth is not None or force is not None:
-                raise ArgumentTypeError("depth and force are not allowed on a gel: give the contact radius, radius=")
+                raise ArgumentTypeError("depth and force: they are not available on a gel. Give the contact radius, radius=")
             return poroelastic.dynamic_stiffness(self, omega, radius, drainage)  # type: ignore[arg-type]
         refuse_drainage(drainage)
         return dynamic_stiffness(self, omega, radius, depth, force)
@@ -563,7 +559,7 @@ def _table(zeta: Any) -> Table:
     try:
         radii, values = zeta
     except (TypeError, ValueError) as problem:
-        raise ArgumentTypeError(f'zeta = {zeta!r} is not allowed: it must be a pair (radii, values) or "exact"') from problem
+        raise ArgumentTypeError(f'zeta = {zeta!r}: it must be a pair (radii, values) or "exact"') from problem
     pair = row("radii of zeta", radii), row("values of zeta", values)
     if len(pair[0]) != len(pair[1]):
         raise InvalidArgumentError(f"radii and values of zeta must have the same length; it is {len(pair[0])} and {len(pair[1])}")

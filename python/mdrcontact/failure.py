@@ -86,18 +86,14 @@ def _wanted(contact: Any, strengths: Mapping[str, Sequence[float | None]], body:
     """Mode, place and strength of every failure to look for."""
     interfaces, rigid = layers_of(contact.medium, body)
     if not isinstance(strengths, Mapping):
-        raise ArgumentTypeError(
-            f"strengths = {strengths!r} is not allowed: it must be a dict of lists, as in {{'von_mises': [1e9, None]}}"
-        )
+        raise ArgumentTypeError(f"strengths = {strengths!r}: it must be a dict of lists, as in {{'von_mises': [1e9, None]}}")
     wanted = []
     for mode, given in strengths.items():
         if mode not in _MODES:
             raise InvalidArgumentError(f"strengths: {mode!r} is not a way to fail: choose from {', '.join(map(repr, _MODES))}")
         count, of = (len(interfaces), "interfaces") if "interface" in mode else (len(interfaces) + (not rigid), "layers")
         if isinstance(given, str) or not isinstance(given, Iterable):
-            raise ArgumentTypeError(
-                f"strengths: {mode!r} = {given!r} is not allowed: it must be a list, one for each of the {count} {of}"
-            )
+            raise ArgumentTypeError(f"strengths: {mode!r} = {given!r}: it must be a list, one for each of the {count} {of}")
         values = list(given)
         if len(values) != count:
             raise InvalidArgumentError(
@@ -105,5 +101,5 @@ def _wanted(contact: Any, strengths: Mapping[str, Sequence[float | None]], body:
             )
         wanted += [(mode, i, number(f"strengths: {mode!r}", value)) for i, value in enumerate(values) if value is not None]
     if not wanted:
-        raise InvalidArgumentError("strengths is not allowed: it names no strength")
+        raise InvalidArgumentError("strengths: it names no strength")
     return wanted

@@ -68,7 +68,7 @@ class Friction(Value):
 
     def __init__(self, contact: Contact, coefficient: float) -> None:
         if not isinstance(contact, Contact):
-            raise ArgumentTypeError(f"contact = {contact!r} is not allowed: it must be a Contact")
+            raise ArgumentTypeError(f"contact = {contact!r}: it must be a Contact")
         mu = number("coefficient", coefficient)
         created = native.friction_new(contact._handle, mu)
         self._set(_handle=Handle(created), contact=contact, coefficient=mu, _looked_at=set())
@@ -181,11 +181,11 @@ class FrictionHistory:
 
     def __init__(self, friction: Friction, largest_depth: float | None = None, rings: int | None = None) -> None:
         if not isinstance(friction, Friction):
-            raise ArgumentTypeError(f"friction = {friction!r} is not allowed: it must be a Friction")
+            raise ArgumentTypeError(f"friction = {friction!r}: it must be a Friction")
         deepest = 0.0 if largest_depth is None else number("largest_depth", largest_depth)
         count = 0 if rings is None else whole("rings", rings, 1)
         if deepest == 0.0 and (largest_depth is not None or count):
-            raise InvalidArgumentError(f"largest_depth = {largest_depth!r} is not allowed: rings need a largest_depth > 0")
+            raise InvalidArgumentError(f"largest_depth = {largest_depth!r}: rings need a largest_depth > 0")
         self._own(native.friction_history_new(friction._handle, deepest, count))
         self._given = friction, largest_depth, rings
         self._steps = array("d")

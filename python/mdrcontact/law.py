@@ -148,9 +148,9 @@ class ContactLaw(LawSteps):
         conduction: Conduction | None = None,
     ) -> None:
         if not isinstance(contact, Contact):
-            raise ArgumentTypeError(f"contact = {contact!r} is not allowed: it must be a Contact")
+            raise ArgumentTypeError(f"contact = {contact!r}: it must be a Contact")
         if friction is not None and not isinstance(friction, Friction):
-            raise ArgumentTypeError(f"friction = {friction!r} is not allowed: it must be a Friction")
+            raise ArgumentTypeError(f"friction = {friction!r}: it must be a Friction")
         options = law_options(description, repr(friction or contact), smallest_depth, tolerance, continue_beyond)
         options["sliders"] = whole("sliders", sliders, 1)
         options["twist"] = bool(twist)
@@ -160,7 +160,7 @@ class ContactLaw(LawSteps):
             from .conduction import Conduction
 
             if not isinstance(conduction, Conduction):
-                raise ArgumentTypeError(f"conduction = {conduction!r} is not allowed: it must be a Conduction")
+                raise ArgumentTypeError(f"conduction = {conduction!r}: it must be a Conduction")
             options["conduction"] = conduction._handle
         if shear_strength is not None:
             options["shear_strength"] = not_zero("shear_strength", shear_strength)

@@ -100,7 +100,7 @@ class Elastic(WithParameters):
     def __post_init__(self) -> None:
         self._set(E=number("E", self.E), nu=number("nu", self.nu))
         if self.conductor is not None and not isinstance(self.conductor, Conductor):
-            raise ArgumentTypeError(f"conductor = {self.conductor!r} is not allowed: it must be a Conductor")
+            raise ArgumentTypeError(f"conductor = {self.conductor!r}: it must be a Conductor")
         # the library's half-space of this material checks E and nu, and knows E*
         self._set(_handle=_half_space(self))
 
@@ -164,7 +164,7 @@ class TransverselyIsotropic(WithParameters):
         else:
             beside = [name for name in _STIFFNESSES if number(name, getattr(self, name)) != 0.0]
             if beside:
-                raise InvalidArgumentError(f"{beside[0]} is not allowed beside engineering, which determines it: give one of both")
+                raise InvalidArgumentError(f"{beside[0]}: it follows from engineering. Give one of the two")
             given = tuple(number(name, value) for name, value in zip(_ENGINEERING, self.engineering, strict=True))
             self._set(engineering=given)
         # the library's half-space of this material checks the numbers, and knows E*
@@ -401,7 +401,7 @@ class Viscoelastic(_Rheology):
         ratio = 0.0 if nu is None else number("nu", nu)
         bulk = 0.0 if bulk_modulus is None else number("bulk_modulus", bulk_modulus)
         if bulk_modulus is not None and bulk == 0.0:
-            raise InvalidArgumentError("bulk_modulus = 0.0 is not allowed: it must be greater than 0")
+            raise InvalidArgumentError("bulk_modulus = 0.0: it must be greater than 0")
         pairs = _pairs("terms", terms)
         moduli, times = (np.ascontiguousarray(pairs[:, i]) for i in (0, 1))
         relaxed, dashpot = number("relaxed_shear_modulus", relaxed_shear_modulus), number("viscosity", viscosity)
@@ -460,18 +460,18 @@ class Viscoelastic(_Rheology):
         given = [row if isinstance(row, Iterable) else () for row in (rows if isinstance(rows, Iterable) else ())]
         table = [[number("rows", value) for value in row] for row in given]
         if not table or {len(row) for row in table} not in ({2}, {3}):
-            raise InvalidArgumentError("rows is not allowed: it must hold rows (g, tau), or rows (g, k, tau)")
+            raise InvalidArgumentError("rows: it must hold rows (g, tau), or rows (g, k, tau)")
         fractions, times = np.array([row[0] for row in table]), np.array([row[-1] for row in table])
         if len(table[0]) == 3:
             bulk_fractions = np.array([row[1] for row in table])
             elastic_bulk = not bulk_fractions.any()
             if not elastic_bulk and not np.allclose(bulk_fractions, fractions, rtol=1e-9, atol=0.0):
-                raise InvalidArgumentError("the fractions k are not allowed: they must all be 0, or all equal the fractions g")
+                raise InvalidArgumentError("the fractions k: they must all be 0, or all equal the fractions g")
         if fractions.sum() > 1.0 + 1e-12:
-            raise InvalidArgumentError(f"the fractions g are not allowed: their sum {fractions.sum():.7g} is greater than 1")
+            raise InvalidArgumentError(f"the fractions g: their sum {fractions.sum():.7g} is greater than 1")
         stiff, ratio = number("instant_modulus", instant_modulus), number("nu", nu)
         if modulus not in ("young", "shear"):
-            raise InvalidArgumentError(f"modulus = {modulus!r} is not allowed: it must be 'young' or 'shear'")
+            raise InvalidArgumentError(f"modulus = {modulus!r}: it must be 'young' or 'shear'")
         instant = Elastic(stiff if modulus == "young" else 2.0 * stiff * (1.0 + ratio), ratio)  # checks both
         shear = stiff if modulus == "shear" else 0.5 * instant.E / (1.0 + ratio)
         relaxed = max(shear * (1.0 - fractions.sum()), 0.0)
@@ -515,7 +515,7 @@ class Viscoelastic(_Rheology):
         for line in text.splitlines():
             words = re.split("[#!]", line.upper())[0].replace(",", " ").split()
             if words[:2] == ["TB", "PRONY"] and "BULK" in words:
-                raise InvalidArgumentError("the table of a bulk modulus is not allowed: give that of the shear modulus alone")
+                raise InvalidArgumentError("the table of a bulk modulus: give that of the shear modulus alone")
             data = words[:1] == ["TBDATA"]
             try:
                 row = [float(word.replace("D", "E")) for word in (words[2:] if data else words)]
@@ -527,7 +527,7 @@ class Viscoelastic(_Rheology):
                 rows.append(row)
         rows += [listed[i : i + 2] for i in range(0, len(listed), 2)]
         if not rows:
-            raise InvalidArgumentError("the text is not allowed: no line of it holds numbers g, tau or g, k, tau alone")
+            raise InvalidArgumentError("the text: no line of it holds numbers g, tau or g, k, tau alone")
         return cls.from_fractions(instant_modulus, rows, nu, modulus=modulus, elastic_bulk=elastic_bulk)
 
 
@@ -580,7 +580,7 @@ def material(name: str, value: object) -> Any:
     """`value` if it is a material; an exception if it is anything else."""
     if not isinstance(value, Material):
         words = "it must be an Elastic(E, nu), a TransverselyIsotropic(...), a Viscoelastic(...) or a PowerLawRheology(...)"
-        raise ArgumentTypeError(f"{name} = {value!r} is not allowed: {words}")
+        raise ArgumentTypeError(f"{name} = {value!r}: {words}")
     return value
 
 
@@ -589,7 +589,7 @@ def _pairs(name: str, values: Iterable[tuple[float, float]]) -> NDArray[np.float
     if isinstance(values, Iterable) and not array.size:
         return np.empty((0, 2))
     if array.ndim != 2 or array.shape[1] != 2:
-        raise ArgumentTypeError(f"{name} is not allowed: it must be a list of pairs (modulus, time)")
+        raise ArgumentTypeError(f"{name}: it must be a list of pairs (modulus, time)")
     return array
 
 

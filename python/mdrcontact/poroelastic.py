@@ -93,10 +93,10 @@ class Poroelastic(WithParameters):
         for name in ("shear_modulus", "diffusivity"):
             value = getattr(self, name)
             if not 0.0 < value < math.inf:
-                raise InvalidArgumentError(f"{name} = {value!r} is not allowed: it must be finite and greater than 0")
+                raise InvalidArgumentError(f"{name} = {value!r}: it must be finite and greater than 0")
         if not -1.0 < self.nu < 0.5:
             raise InvalidArgumentError(
-                f"nu = {self.nu!r} is not allowed: the drained Poisson's ratio of a gel must be greater than -1 and less than 0.5, "
+                f"nu = {self.nu!r}: the drained Poisson's ratio of a gel must be greater than -1 and less than 0.5, "
                 "at which nothing drains"
             )
 
@@ -128,7 +128,7 @@ class Poroelastic(WithParameters):
         flow, thickness = number("permeability", permeability), number("viscosity", viscosity)
         for name, value in (("permeability", flow), ("viscosity", thickness)):
             if not 0.0 < value < math.inf:
-                raise InvalidArgumentError(f"{name} = {value!r} is not allowed: it must be finite and greater than 0")
+                raise InvalidArgumentError(f"{name} = {value!r}: it must be finite and greater than 0")
         probe = cls(shear_modulus, nu, 1.0)
         return cls(shear_modulus, nu, probe.longitudinal_modulus * flow / thickness)
 
@@ -180,9 +180,9 @@ def table(nu: float, drainage: int, ratio: float) -> Handle:
 def drainage_code(drainage: str | None) -> int:
     """The number of a drainage, which has no default."""
     if drainage is None or drainage not in DRAINAGES:
-        given = "drainage is missing" if drainage is None else f"drainage = {drainage!r} is not allowed"
+        given = "drainage is missing" if drainage is None else f"drainage = {drainage!r}"
         raise InvalidArgumentError(
-            f'{given}: it matters more than anything else and must be "surface" (the whole surface drains, under the indenter '
+            f'{given}: it must be "surface" (the whole surface drains, under the indenter '
             'too), "sealed" (no flux anywhere) or "indenter" (no flux under the indenter, drained beside it)'
         )
     return DRAINAGES[drainage]
@@ -214,7 +214,7 @@ def _answers(medium: Any, radius: float, drainage: str | None) -> tuple[Handle, 
     gel, code = gel_of(medium), drainage_code(drainage)
     thickness = getattr(medium, "thickness", None)
     if not 0.0 < radius < math.inf:
-        raise InvalidArgumentError(f"radius = {radius!r} is not allowed: it must be finite and greater than 0")
+        raise InvalidArgumentError(f"radius = {radius!r}: it must be finite and greater than 0")
     handle = table(gel.nu, code, radius / thickness if thickness else 0.0)
     return handle, gel.shear_modulus, gel.diffusivity, radius
 
@@ -250,7 +250,7 @@ def pressure(
     if is_flat and depth is None:
         raise ArgumentTypeError("depth is missing: that of the step")
     if not is_flat and depth is not None:
-        raise ArgumentTypeError("depth is not allowed with a paraboloid: it follows from the radius that is held")
+        raise ArgumentTypeError("depth: under a paraboloid it follows from the radius. Omit it")
     d = number("depth", depth) if depth is not None else held**2 / contact.indenter.radius
     handle, modulus, diffusivity, a = _answers(contact.medium, held, drainage)
     at = number("time", time)
@@ -263,7 +263,7 @@ def _check_held(indenter: Profile) -> None:
     """Refuses an indenter for which a held radius is not solved."""
     if not isinstance(indenter, (FlatPunch, Paraboloid)):
         raise InvalidArgumentError(
-            f"indenter = {indenter!r} is not allowed here: contacts with gels are solved for FlatPunch(...), and for "
+            f"indenter = {indenter!r}: contacts with gels are solved for FlatPunch(...), and for "
             "Paraboloid(...) at a held contact radius, which a sphere is while its contact is small"
         )
 
@@ -317,14 +317,12 @@ def history(
     [ 0.   10.24  8.36]
     """
     if not is_poroelastic(contact.medium):
-        raise InvalidArgumentError(
-            f"medium = {contact.medium!r} is not allowed: it must be of a gel. Call contact.history(...) for other bodies"
-        )
+        raise InvalidArgumentError(f"medium = {contact.medium!r}: it must be of a gel. Call contact.history(...) for other bodies")
     given, t, values = one_path(time, depth=depth, force=force, radius=radius)
     _check_held(contact.indenter)
     is_flat = isinstance(contact.indenter, FlatPunch)
     if is_flat and given == "radius":
-        raise InvalidArgumentError("radius is not allowed here: that of a flat punch is its own; give depth or force")
+        raise InvalidArgumentError("radius: that of a flat punch is its own; give depth or force")
     if not is_flat and (given != "radius" or not (values == values[:1]).all()):
         raise InvalidArgumentError(
             "this path is not offered: under a paraboloid on a gel the contact radius changes with the fluid's pressure, and the "
@@ -340,7 +338,7 @@ def history(
         depths, forces = (values.copy(), other) if given == "depth" else (other, values.copy())
     else:
         if not (np.isfinite(t).all() and (np.diff(t) > 0.0).all()):
-            raise InvalidArgumentError("time is not allowed: it must be finite and strictly ascending")
+            raise InvalidArgumentError("time: it must be finite and strictly ascending")
         depths = np.full(t.shape, held**2 / contact.indenter.radius)
         forces = depths * call(native.poroelastic_response, constants[0], _layout.PARABOLOID_RELAXATION, *constants[1:], t - t[0])
     return History(t, depths, np.full(t.shape, held), forces)

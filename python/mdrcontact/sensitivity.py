@@ -42,13 +42,13 @@ def gradient(state: Any) -> dict[str, float]:
     contact = state._owner
     surface_layer = _surface_layer(contact.medium)
     if contact.work_of_adhesion:
-        raise InvalidArgumentError("work_of_adhesion is not allowed: derivatives are known of contacts without adhesion")
+        raise InvalidArgumentError("work_of_adhesion: derivatives are known of contacts without adhesion")
     if any(np.ndim(value) for value in state._numbers()) or not state.radius > 0.0:
-        raise InvalidArgumentError("state is not allowed: it must be one state, of closed bodies")
+        raise InvalidArgumentError("state: it must be one state, of closed bodies")
     thinnest = math.inf if surface_layer is None else surface_layer.thickness
     if thinnest < SMALLEST_LAYER * state.radius:
         raise InvalidArgumentError(
-            f"state is not allowed: its radius {state.radius:g} is above {1 / SMALLEST_LAYER:g} thicknesses of the top layer"
+            f"state: its radius {state.radius:g} is above {1 / SMALLEST_LAYER:g} thicknesses of the top layer"
         )
     top = 25.0 / thinnest / (1.0 if surface_layer is None else _decay(surface_layer.material))
     x, q, q1 = _line_loads(state, top)
@@ -78,14 +78,12 @@ def gradient(state: Any) -> dict[str, float]:
 def _surface_layer(medium: Any) -> Layer | None:
     """The layer at the surface; None of a half-space. Refuses media without derivatives."""
     if not isinstance(medium, (Homogeneous, Coated, Layered)):
-        raise InvalidArgumentError(
-            f"{type(medium).__name__} is not allowed: derivatives are known of Homogeneous, Coated and Layered"
-        )
+        raise InvalidArgumentError(f"{type(medium).__name__}: derivatives are known of Homogeneous, Coated and Layered")
     if medium.surface is not None:
-        raise InvalidArgumentError("surface is not allowed: derivatives are known of bodies without tension or plate")
+        raise InvalidArgumentError("surface: derivatives are known of bodies without tension or plate")
     model = getattr(medium, "model", "exact")
     if model != "exact":
-        raise InvalidArgumentError(f"model = {model!r} is not allowed: derivatives are known of the model 'exact'")
+        raise InvalidArgumentError(f"model = {model!r}: derivatives are known of the model 'exact'")
     layers = medium._stack()
     below = medium.material if isinstance(medium, Homogeneous) else medium.substrate
     bodies = [material for material, _ in layers] + ([] if below in (RIGID, SMOOTH) else [below])

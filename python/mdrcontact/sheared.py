@@ -191,13 +191,13 @@ class ShearedContact:
     def __post_init__(self) -> None:
         contact = getattr(self.friction, "contact", None)
         if contact is None:
-            raise ArgumentTypeError(f"friction = {self.friction!r} is not allowed: it must be a Friction")
+            raise ArgumentTypeError(f"friction = {self.friction!r}: it must be a Friction")
         if not isinstance(self.state, State):
-            raise ArgumentTypeError(f"state = {self.state!r} is not allowed: it must be a State")
+            raise ArgumentTypeError(f"state = {self.state!r}: it must be a State")
         if self.state.contact is None:
             object.__setattr__(self, "state", state_of(self.state._numbers(), contact))
         elif self.state.contact is not contact and self.state.contact != contact:
-            raise ArgumentTypeError("state is not allowed: it must be a State of the contact with friction")
+            raise ArgumentTypeError("state: it must be a State of the contact with friction")
 
     def at_shift(self, shift: ArrayLike) -> ShearState:
         """Return the states after a displacement along the surface, or a twist.
@@ -400,7 +400,7 @@ class ShearedContact:
     def _field(self, field: int, name: str, points: ArrayLike, at: ShearState) -> FloatOrArray:
         self.state._row()  # one state
         if not isinstance(at, ShearState):
-            raise ArgumentTypeError(f"at = {at!r} is not allowed: it must be a ShearState")
+            raise ArgumentTypeError(f"at = {at!r}: it must be a ShearState")
         members = [number(f"{member} of the state of shear", value) for member, value in list(at._asdict().items())[:-1]]
         members.append(float(at.sliding))
         return evaluate(name, points, lambda x: native.shear_field(self._handle, members, field, x))

@@ -109,15 +109,13 @@ def step(contact: Any, kind: int, time: ArrayLike, radius: float | None) -> Floa
 def check_radius(indenter: Profile, radius: ArrayLike) -> None:
     """Refuses a contact radius of a flat punch that is not its own."""
     if isinstance(indenter, FlatPunch) and not np.allclose(radius, indenter.radius, rtol=1e-12, atol=0.0):
-        raise InvalidArgumentError(
-            f"radius = {radius!r} is not allowed: that of a flat punch is its own, {indenter.radius!r}. Leave it out"
-        )
+        raise InvalidArgumentError(f"radius = {radius!r}: that of a flat punch is its own, {indenter.radius!r}. Leave it out")
 
 
 def refuse_drainage(drainage: str | None) -> None:
     """Of a body that does not drain."""
     if drainage is not None:
-        raise ArgumentTypeError(f"drainage = {drainage!r} is not allowed: the body is not poroelastic")
+        raise ArgumentTypeError(f"drainage = {drainage!r}: the body is not poroelastic")
 
 
 def _radius(contact: Any, given: dict[str, ArrayLike]) -> Any:
@@ -151,7 +149,7 @@ def _at_rest(medium: Any, needs_modulus: bool) -> Any:
         rest = relaxed(material)
         if rest is RIGID:
             raise InvalidArgumentError(
-                "a depth is not allowed here: a layer that does not relax, or relaxes by a smaller power, becomes rigid beside a "
+                "a depth: a layer that does not relax, or relaxes by a smaller power, becomes rigid beside a "
                 "power law in the end; give the contact radius, radius="
             )
         return rest

@@ -162,7 +162,7 @@ class Wear(Value):
         body_coefficient: float = 0.0,
     ) -> None:
         if not isinstance(contact, Contact):
-            raise ArgumentTypeError(f"contact = {contact!r} is not allowed: it must be a Contact")
+            raise ArgumentTypeError(f"contact = {contact!r}: it must be a Contact")
         k = row("coefficient", np.atleast_1d(numbers("coefficient", coefficient)))
         layers = numbers("thickness", thickness).ravel()
         if layers.size != len(k) - 1:
@@ -439,7 +439,7 @@ def _shaped(values: FloatOrArray, shape: tuple[int, ...]) -> FloatOrArray:
 
 def _given(constant: str) -> int:
     if constant not in ("depth", "force"):
-        raise InvalidArgumentError(f"constant = {constant!r} is not allowed: it must be 'depth' or 'force'")
+        raise InvalidArgumentError(f"constant = {constant!r}: it must be 'depth' or 'force'")
     return _layout.FORCE if constant == "force" else _layout.DEPTH
 
 
@@ -452,7 +452,7 @@ def _led(force: Any, depth: Any) -> tuple[str, float]:
 
 def _row(state: State) -> NDArray[np.float64]:
     if not isinstance(state, State):
-        raise ArgumentTypeError(f"state = {state!r} is not allowed: it must be a State of the contact")
+        raise ArgumentTypeError(f"state = {state!r}: it must be a State of the contact")
     return np.array(state._row())
 
 
@@ -583,10 +583,10 @@ class WearHistory:
         self, wear: Wear, constant: str, value: float, intervals: int = 80, places: str = "fresh", scheme: str = "disc"
     ) -> None:
         if not isinstance(wear, Wear):
-            raise ArgumentTypeError(f"wear = {wear!r} is not allowed: it must be a Wear")
+            raise ArgumentTypeError(f"wear = {wear!r}: it must be a Wear")
         for name, word, words in (("places", places, _PLACES), ("scheme", scheme, SCHEMES)):
             if word not in words:
-                raise InvalidArgumentError(f"{name} = {word!r} is not allowed: {nearest(str(word), words)}")
+                raise InvalidArgumentError(f"{name} = {word!r}: {nearest(str(word), words)}")
         count = whole("intervals", intervals, 1)
         options = record(_layout.wear_options, intervals=count, places=_layout.WEAR_FRESH + _PLACES.index(places),
                          scheme=_layout.WEAR_DISC + SCHEMES.index(scheme))  # fmt: skip

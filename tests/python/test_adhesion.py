@@ -270,7 +270,7 @@ def test_pull_off_lies_where_the_medium_is_defined(control):
         if reaches:
             assert contact.pull_off(control)[:3] == pytest.approx(expected[:3], rel=1e-6)
         else:
-            with pytest.raises(mdr.errors.DomainError, match="does not break at radii"):
+            with pytest.raises(mdr.errors.DomainError, match="still stable at the smallest radius"):
                 contact.pull_off(control)
 
 

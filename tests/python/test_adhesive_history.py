@@ -237,7 +237,7 @@ def test_refusals():
         mdr.Contact(TIP, mdr.Coated(RUBBER, 1.0, mdr.Elastic(1.0, 0.3)), work_of_adhesion=WORK, cohesive_stress=STRESS)
     with pytest.raises(mdr.errors.InvalidArgumentError, match="cohesive_stress of a half-space"):
         mdr.Contact(TIP, mdr.Homogeneous(RUBBER), work_of_adhesion=WORK)
-    with pytest.raises(mdr.errors.InvalidArgumentError, match="without a work_of_adhesion"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="it needs a work_of_adhesion"):
         mdr.Contact(TIP, mdr.Homogeneous(RUBBER), cohesive_stress=STRESS)
     with pytest.raises(mdr.errors.InvalidArgumentError, match="flat end"):
         mdr.Contact(mdr.FlatEndedCone(0.1, 0.2), mdr.Homogeneous(RUBBER), work_of_adhesion=WORK, cohesive_stress=STRESS)

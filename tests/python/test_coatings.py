@@ -207,7 +207,7 @@ def test_biot_and_wrinkling():
     film = mdr.Elastic(1e4, 0.3)
     stiff = mdr.Layered([(film, 1e-3)], mdr.Elastic(1.0, 0.5))
     found = stiff.wrinkling()
-    with pytest.raises(mdr.errors.InvalidArgumentError, match="layer = 1 is not allowed: it must be a whole number from 0 to 0"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="layer = 1: it must be a whole number from 0 to 0"):
         stiff.wrinkling(1)
     with pytest.raises(mdr.errors.InvalidArgumentError, match="bare surface"):
         stiff.replace(surface=mdr.Surface(tension=1.0)).wrinkling()
@@ -237,7 +237,7 @@ def test_no_wrinkles_where_the_layer_itself_gives_way(constants, base, stress, w
     """All short waves lose their stiffness at once: there is no wavelength to answer with."""
     film = mdr.TransverselyIsotropic.from_engineering(*constants)
     body = mdr.Layered([mdr.Layer(film, 1.0)], base)
-    with pytest.raises(mdr.errors.UnreachableError, match=f"layer 1 does not wrinkle at a wavelength: .* {words}") as refused:
+    with pytest.raises(mdr.errors.UnreachableError, match=f"layer 1 has no wrinkling wavelength: .* {words}") as refused:
         body.wrinkling()
     assert float(str(refused.value).split("stress of ")[1].split()[0]) == pytest.approx(stress, rel=1e-6)
     mdr.Layered([mdr.Layer(film, 1.0, prestress=0.5 * stress)], base)
@@ -291,27 +291,27 @@ def test_stiffnesses_and_engineering_constants_are_one_material():
         (lambda: mdr.TransverselyIsotropic(2.0, 1.0, 0.1, 1.0, 0.0), "C44 = 0"),
         (lambda: mdr.TransverselyIsotropic(2.0, 1.0, 0.1, -1.0, 1.0), "C33 = -1"),
         (lambda: mdr.TransverselyIsotropic(2.0, 1.0, math.nan, 1.0, 1.0), "C13 = NaN"),
-        (lambda: ENGINEERED.replace(C33=5.0), "C33 is not allowed beside engineering"),
-        (lambda: mdr.TransverselyIsotropic.from_engineering(1.0, 1.0, 1.0, 0.1, 1.0), "nu_t = 1 .* -1 < nu_t < 1"),
+        (lambda: ENGINEERED.replace(C33=5.0), "C33: it follows from engineering"),
+        (lambda: mdr.TransverselyIsotropic.from_engineering(1.0, 1.0, 1.0, 0.1, 1.0), "nu_t = 1: .* -1 < nu_t < 1"),
         (
             lambda: mdr.TransverselyIsotropic.from_engineering(1.0, 4.0, 0.3, 0.5, 1.0),
             r"nu_tz = 0.5.* 2 nu_tz\^2 E_z/E_t <= 1 - nu_t",
         ),
-        (lambda: mdr.Interface(normal=0.0), "normal = 0.0 .* > 0"),
-        (lambda: mdr.Interface(tangential=-1.0), "tangential = -1.0 .* >= 0"),
+        (lambda: mdr.Interface(normal=0.0), "normal = 0.0: .* > 0"),
+        (lambda: mdr.Interface(tangential=-1.0), "tangential = -1.0: .* >= 0"),
         (lambda: mdr.Layered([mdr.Layer(GAN, 1.0, prestress=math.nan)], GAN), "prestress = NaN"),
         (lambda: mdr.Layered([mdr.Layer(GAN, 1.0, prestress=-1e3)], GAN), "prestress = -1000.* unstable"),
-        (lambda: mdr.Coated(GAN, 1.0, mdr.Elastic(1.0, 0.3), "gao"), "not isotropic, bonded and free of stress: choose from exact"),
-        (lambda: mdr.Layered([(GAN, 1.0)], mdr.Viscoelastic(1.0, [(1.0, 1.0)], 0.3)), "not allowed in a body that relaxes"),
+        (lambda: mdr.Coated(GAN, 1.0, mdr.Elastic(1.0, 0.3), "gao"), "not isotropic, bonded and free of stress. Use one of exact"),
+        (lambda: mdr.Layered([(GAN, 1.0)], mdr.Viscoelastic(1.0, [(1.0, 1.0)], 0.3)), "must be isotropic and stress-free"),
         (lambda: mdr.Layer(mdr.PowerLawRheology(1.0, 1.0, 0.2, 0.5), 1.0, prestress=1.0), "a layer that relaxes"),
         (lambda: mdr.Layered([mdr.Layer(GAN, 1.0, interface=mdr.SLIDING)], mdr.SMOOTH), "slides by itself"),
         (
             lambda: mdr.Layered([mdr.Layer(GAN, 1.0, interface=mdr.SLIDING)], GAN).tangential_modulus(1.0),
-            "no stiffness along the surface",
+            "no tangential stiffness",
         ),
         (
             lambda: mdr.Friction(mdr.Contact(mdr.Paraboloid(1.0), mdr.Coated(GAN, 1.0, mdr.SMOOTH)), 0.3),
-            "no stiffness along the surface",
+            "no tangential stiffness",
         ),
         (lambda: mdi.fit(RECORD, mdr.Paraboloid(2.0), CONTACT.medium, ["coating.E"]), "coating.E"),
     ],

@@ -138,7 +138,7 @@ def test_refusals():
         mdr.Layer(FILM, 1.0, prestress=0.1)
     with pytest.raises(mdr.errors.InvalidArgumentError, match="prestress of layer 2"):
         mdr.Layered([(FILM, 1.0), mdr.Layer(BASE, 1.0, prestress=0.1)], BASE)
-    with pytest.raises(mdr.errors.InvalidArgumentError, match="layer 1 are not allowed in a body that relaxes"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="layer 1: the layers of a viscoelastic body"):
         mdr.Layered([(crystal, 1.0)], FILM)
     with pytest.raises(mdr.errors.InvalidArgumentError, match="not isotropic, bonded"):
         mdr.Layered([mdr.Layer(FILM, 1.0, interface=mdr.SLIDING)], BASE, model="gao")

@@ -183,11 +183,11 @@ def test_surface_is_the_contact():
 
 def test_what_is_refused():
     film = mdr.Contact(mdr.Paraboloid(1.0), mdr.Layered([mdr.Layer(GAN, 1.0, prestress=1.0)], GAN))
-    with pytest.raises(ValueError, match="layers under a prestress"):
+    with pytest.raises(ValueError, match="layers with a prestress"):
         film.at_depth(0.01).interior(0.0, 0.5)
     sliding = mdr.Contact(mdr.Paraboloid(1.0), mdr.Layered([mdr.Layer(GAN, 1.0, interface=mdr.SLIDING)], GAN))
     assert sliding.at_depth(0.01).interior(0.0, 0.5).s_zz < 0.0
-    with pytest.raises(ValueError, match="friction must be 0 on a layer that slides"):
+    with pytest.raises(ValueError, match="it must be 0 on a layer with a sliding"):
         sliding.at_depth(0.01).interior(0.0, 0.5, friction=0.1)
 
 

@@ -190,7 +190,7 @@ def test_bodies_attract_each_other_before_they_touch():
     gaps = first.displacement([0.0, 0.5 * first.zone_radius, first.zone_radius])
     gaps = gaps - first.depth + PARABOLOID.height(np.array([0.0, 0.5, 1.0]) * first.zone_radius)
     assert np.all(np.diff(gaps) > 0.0) and gaps[-1] == pytest.approx(0.5 / 0.05, rel=1e-9)
-    with pytest.raises(mdr.errors.UnreachableError, match="attract each other from depth -10 on"):
+    with pytest.raises(mdr.errors.UnreachableError, match="attract each other from depth = -10 on"):
         contact.at_depth(-10.001, branch="loading")
     sharp = mdr.Contact(mdr.Cone(0.2), HALF_SPACE, work_of_adhesion=0.5, cohesive_stress=0.05)
     assert sharp.at_depth(-10.0 + 1e-6, branch="loading").zone_radius < 1e-5
@@ -210,7 +210,7 @@ def test_inversion_gives_the_state_back(control):
 def test_refusals():
     with pytest.raises(mdr.errors.InvalidArgumentError, match="cohesive_stress"):
         mdr.Contact(PARABOLOID, FILM, work_of_adhesion=0.5, cohesive_stress=-1.0)
-    with pytest.raises(mdr.errors.InvalidArgumentError, match="without a work_of_adhesion"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="it needs a work_of_adhesion"):
         mdr.Contact(PARABOLOID, FILM, cohesive_stress=1.0)
     for model in ("gao", "perriot-barthel"):
         with pytest.raises(mdr.errors.InvalidArgumentError, match="an effective modulus has no equation"):
@@ -233,7 +233,7 @@ def test_refusals():
 
 def test_a_zone_too_short_is_none_and_says_so():
     jkr = mdr.Contact(PARABOLOID, FILM, work_of_adhesion=0.5)
-    with pytest.warns(mdr.errors.ShortZoneWarning, match="without a range"):
+    with pytest.warns(mdr.errors.ShortZoneWarning, match="JKR limit"):
         state = mdr.Contact(PARABOLOID, FILM, work_of_adhesion=0.5, cohesive_stress=1e7).at_depth(0.5)
     assert numbers_of(state) == numbers_of(jkr.at_depth(0.5))
     with warnings.catch_warnings():

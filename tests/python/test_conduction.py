@@ -145,7 +145,7 @@ CASES = {
     "perfect base": Conduction(LayeredConductor([(Conductor(1.0), 1.0), mdr.Interface(0.2)], PERFECT)),
     "insulating base": Conduction(LayeredConductor([(Conductor(1.0), 1.0)], INSULATING), sink=100.0),
     "pair": PAIR,
-    "film in the spot": PAIR.replace(film=0.2),
+    "film: ": PAIR.replace(film=0.2),
 }
 
 
@@ -335,7 +335,7 @@ def test_any_history():
     for wrong, words in (([0.0, 1.0, 1.0], "ascend"), ([0.0, 1e-7, 1.0], "time"), ([0.0, 1.0], "same length")):
         with pytest.raises(mdr.MDRError, match=words):
             spot.follow(wrong, [0.0, 1.0, 1.0], 1.0)
-    with pytest.raises(mdr.MDRError, match="begins with 0"):
+    with pytest.raises(mdr.MDRError, match="begin with 0"):
         spot.follow([0.0, 1.0], [1.0, 1.0], 1.0)
 
 
@@ -522,11 +522,11 @@ def test_mechanical_bodies_conduct():
         (lambda: Conduction(Conductor(1.0), film=-1.0), "film = -1"),
         (lambda: Conduction(mdr.Homogeneous(mdr.Elastic(1.0, 0.3))), "no conductivity"),
         (lambda: Conduction(LayeredConductor([(Conductor(1.0), 1.0)], INSULATING)).at_radius(1.0), "sink"),
-        (lambda: Conduction(Conductor(1.0), sink=30.0), "sink = 30 .* insulating base alone"),
+        (lambda: Conduction(Conductor(1.0), sink=30.0), "sink = 30: only a body on an insulating base"),
         (lambda: Conduction(LayeredConductor([(Conductor(1.0), 1.0)], PERFECT), sink=30.0), "sink = 30"),
-        (lambda: Conduction(Conductor(1.0)).friction_heat(None, 0.1, 1.0, source_speed=2.0), "source_speed = 2.0 .* rests"),
+        (lambda: Conduction(Conductor(1.0)).friction_heat(None, 0.1, 1.0, source_speed=2.0), "source_speed = 2.0: .* rests"),
         (lambda: Conduction(Conductor(1.0)).at_radius(-1.0), "radius = -1"),
-        (lambda: Conduction(Conductor(1.0, None, 1.0)).step(1e-6, 1.0), "time = 1e-06 is not allowed"),
+        (lambda: Conduction(Conductor(1.0, None, 1.0)).step(1e-6, 1.0), "time = 1e-06:"),
         (lambda: Conduction(Conductor(1.0, None, 1.0)).admittance(1e6, 1.0), r"omega = 1e\+06"),
         (lambda: Conduction(Conductor(1.0), film=1e-7).at_radius(1.0), "too thin"),
         (lambda: CASES["stack"].at_radius(1.0).flux(1.0), "r = 1"),
@@ -648,7 +648,7 @@ def test_a_law_conducts(gamma):
         assert law.conductance(0.5 * lowest)[0] == pytest.approx(small, rel=2e-2)
     plain = mdr.ContactLaw(contact, 0.5, tolerance=1e-8)
     assert plain.force(0.3) == pytest.approx(law.force(0.3), rel=2e-8)
-    with pytest.raises(mdr.MDRError, match="does not conduct"):
+    with pytest.raises(mdr.MDRError, match="has no conductance"):
         plain.conductance(0.3)
     with pytest.raises(TypeError, match="conduction = 3"):
         mdr.ContactLaw(contact, 0.5, conduction=3.0)
@@ -819,16 +819,16 @@ def test_heat_is_not_made_by_tension(motion):
     sticky = {"work_of_adhesion": 0.01}
     tense, plate = (mdr.Homogeneous(body, surface) for surface in (mdr.Surface(0.1), mdr.Surface(0.0, 0.1)))
     for words, profile, medium, adhesion in (
-        ("friction heat is not allowed with adhesion", mdr.Paraboloid(1.0), mdr.Homogeneous(body), sticky),
+        ("frictional heat: it is not available with adhesion", mdr.Paraboloid(1.0), mdr.Homogeneous(body), sticky),
         (
-            "friction heat is not allowed with adhesion",
+            "frictional heat: it is not available with adhesion",
             mdr.Paraboloid(1.0),
             mdr.Homogeneous(body),
             {**sticky, "cohesive_stress": 0.3},
         ),
-        ("carries a line force", mdr.Paraboloid(10.0), plate, {}),
-        ("carries a line force", mdr.FlatPunch(0.5), tense, {}),
-        ("is not one disc", mdr.Cone(0.01), mdr.Coated(mdr.Elastic(1e3, 0.3), 0.3, body), {}),
+        ("with a line force", mdr.Paraboloid(10.0), plate, {}),
+        ("with a line force", mdr.FlatPunch(0.5), tense, {}),
+        ("is not a single area", mdr.Cone(0.01), mdr.Coated(mdr.Elastic(1e3, 0.3), 0.3, body), {}),
     ):
         contact = mdr.Contact(profile, medium, **adhesion)
         flat = isinstance(profile, mdr.FlatPunch)
@@ -837,7 +837,7 @@ def test_heat_is_not_made_by_tension(motion):
             state = contact.at_depth(0.01) if flat else contact.at_radius(0.5)
         with pytest.raises(mdr.MDRError, match=words):
             conduction.friction_heat(state, 0.3, 1.0, motion)
-        if words != "is not one disc":
+        if words != "is not a single area":
             with pytest.raises(mdr.MDRError, match="line force|not greater than 0 everywhere"):
                 conduction.rough(state, 1.0)
     if motion == "sliding":
@@ -854,7 +854,7 @@ def test_the_command_makes_no_heat_by_tension(tmp_path, capsys):
     text = re.sub(r'kind = "thermal"', 'kind = "thermal"\nfriction_coefficient = 0.2\nspeed = "1 mm/s"', text)
     problem.write_text(text + '\n[adhesion]\nwork_of_adhesion = "0.05 J/m^2"\n', encoding="utf-8")
     assert main(["conduction", str(problem)]) in (1, 2)
-    assert "friction heat is not allowed with adhesion" in capsys.readouterr().err
+    assert "frictional heat: it is not available with adhesion" in capsys.readouterr().err
 
 
 def by_series(state, kappa, terms):

@@ -148,9 +148,9 @@ def test_what_the_caller_says_of_the_contact_counts():
     assert 1.01 < found[False] / OXIDE.E < 1.04, "a paraboloid's epsilon for the cone's"
     cone = mdi.Instrument(contact_depth_factor=2.0 * (math.pi - 2.0) / math.pi)
     assert mdi.fit(elastic(body, tip), tip, body, free, instrument=cone).estimates["coating.E"] == pytest.approx(OXIDE.E, rel=1e-6)
-    with pytest.raises(mdr.errors.InvalidArgumentError, match="contact_depth_factor is not allowed with elastic = True"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="contact_depth_factor: with elastic = True"):
         mdi.fit(elastic(body, tip, elastic=True), tip, body, free, instrument=cone)
-    with pytest.raises(mdr.errors.ArgumentTypeError, match="elastic = 1 is not allowed"):
+    with pytest.raises(mdr.errors.ArgumentTypeError, match="elastic = 1:"):
         elastic(body, tip, elastic=1)
 
 

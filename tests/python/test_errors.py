@@ -12,64 +12,67 @@ import mdrcontact as mdr
 NAN, INF = math.nan, math.inf
 
 INVALID = [
-    (lambda: mdr.Elastic(-1.0, 0.2), r"E = -1 .*greater than 0"),
-    (lambda: mdr.Elastic(0.0, 0.2), r"E = 0 "),
+    (lambda: mdr.Elastic(-1.0, 0.2), r"E = -1: .*greater than 0"),
+    (lambda: mdr.Elastic(0.0, 0.2), r"E = 0:"),
     (lambda: mdr.Elastic(NAN, 0.2), r"E = NaN"),
     (lambda: mdr.Elastic(INF, 0.2), r"E = infinity"),
-    (lambda: mdr.Elastic(1.0, 0.51), r"nu = 0.51 .*at most 0.5"),
-    (lambda: mdr.Elastic(1.0, -1.0), r"nu = -1 .*greater than -1"),
-    (lambda: mdr.Paraboloid(0.0), r"radius = 0 "),
-    (lambda: mdr.Sphere(-2.0), r"radius = -2 "),
-    (lambda: mdr.Cone(2.0), r"inclination = 2 "),
-    (lambda: mdr.Cone(half_angle=0.0, degrees=True), r"^half_angle = 0 .*90 degrees$"),
-    (lambda: mdr.Cone(half_angle=-3.0, degrees=True), r"^half_angle = -3 "),
-    (lambda: mdr.Cone(half_angle=1.6), r"^half_angle = 1.6 .*radian$"),
-    (lambda: mdr.Cone(90.0, degrees=True), r"^inclination = 90 .*90 degrees$"),
+    (lambda: mdr.Elastic(1.0, 0.51), r"nu = 0.51: .*0.5]"),
+    (lambda: mdr.Elastic(1.0, -1.0), r"nu = -1: .*\(-1"),
+    (lambda: mdr.Paraboloid(0.0), r"radius = 0:"),
+    (lambda: mdr.Sphere(-2.0), r"radius = -2:"),
+    (lambda: mdr.Cone(2.0), r"inclination = 2:"),
+    (lambda: mdr.Cone(half_angle=0.0, degrees=True), r"^half_angle = 0: .*90 degrees$"),
+    (lambda: mdr.Cone(half_angle=-3.0, degrees=True), r"^half_angle = -3:"),
+    (lambda: mdr.Cone(half_angle=1.6), r"^half_angle = 1.6: .*radian$"),
+    (lambda: mdr.Cone(90.0, degrees=True), r"^inclination = 90: .*90 degrees$"),
     (lambda: mdr.FlatEndedCone(1.0, NAN), r"^inclination = nan "),
-    (lambda: mdr.CallableProfile(lambda r: r, r_max=-1.0), r"^r_max = -1 .*greater than 0"),
+    (lambda: mdr.CallableProfile(lambda r: r, r_max=-1.0), r"^r_max = -1: .*greater than 0"),
     (lambda: mdr.CallableProfile(lambda r: r, r_max=math.inf), r"^r_max = inf "),
-    (lambda: mdr.PowerLaw(0.0, 1.0), r"exponent = 0 "),
-    (lambda: mdr.PowerLaw(1.0, NAN), r"coefficient = NaN "),
-    (lambda: mdr.FlatPunch(NAN), r"radius = NaN "),
-    (lambda: mdr.FlatEndedCone(0.0, 0.2), r"end_radius = 0 "),
-    (lambda: mdr.FlatEndedParaboloid(1.0, 0.0), r"radius = 0 "),
-    (lambda: mdr.RoundedCone(-1.0, 0.2), r"blend_radius = -1 "),
-    (lambda: mdr.TabulatedProfile([0.0, 1.0, 1.0], [0.0, 1.0, 2.0]), r"entry 3 of r = 1 .*ascending"),
+    (lambda: mdr.PowerLaw(0.0, 1.0), r"exponent = 0:"),
+    (lambda: mdr.PowerLaw(1.0, NAN), r"coefficient = NaN:"),
+    (lambda: mdr.FlatPunch(NAN), r"radius = NaN:"),
+    (lambda: mdr.FlatEndedCone(0.0, 0.2), r"end_radius = 0:"),
+    (lambda: mdr.FlatEndedParaboloid(1.0, 0.0), r"radius = 0:"),
+    (lambda: mdr.RoundedCone(-1.0, 0.2), r"blend_radius = -1:"),
+    (lambda: mdr.TabulatedProfile([0.0, 1.0, 1.0], [0.0, 1.0, 2.0]), r"entry 3 of r = 1: .*ascending"),
     (lambda: mdr.TabulatedProfile([0.0, 1.0, 2.0], [0.0, NAN, 2.0]), r"f = NaN|entry 2 of f"),
     (lambda: mdr.TabulatedProfile([0.0, 1.0], [0.0]), r"r and f must have the same length; it is 2 and 1"),
-    (lambda: mdr.TabulatedProfile([], []), r"r is not allowed: it is empty"),
+    (lambda: mdr.TabulatedProfile([], []), r"r: it is empty"),
     (lambda: mdr.AreaFunction([-1.0], max_height=1.0), r"."),
-    (lambda: mdr.SumProfile([]), r"terms is not allowed: it is empty"),
-    (lambda: mdr.Coated(OXIDE, 0.0, SILICON), r"thickness = 0 "),
-    (lambda: mdr.Coated(OXIDE, NAN, SILICON), r"thickness = NaN "),
+    (lambda: mdr.SumProfile([]), r"terms: it is empty"),
+    (lambda: mdr.Coated(OXIDE, 0.0, SILICON), r"thickness = 0:"),
+    (lambda: mdr.Coated(OXIDE, NAN, SILICON), r"thickness = NaN:"),
     (lambda: mdr.Coated(OXIDE, 1.0, SILICON, "goa"), r"model = 'goa' .*did you mean 'gao'\?"),
     (lambda: mdr.Coated(OXIDE, 1.0, SILICON, "Doerner-Nix"), r"did you mean 'doerner-nix'\?"),
     (lambda: mdr.Coated(OXIDE, 1.0, SILICON, "doerner-nix", alpa=1.0), r"alpa is not an option .*did you mean 'alpha'\?"),
     (lambda: mdr.Coated(OXIDE, 1.0, SILICON, "bec", alpha=1.0), r"alpha is not an option of the model 'bec'"),
-    (lambda: mdr.Coated(OXIDE, 1.0, SILICON, "doerner-nix", alpha=-1.0), r"alpha = -1 "),
+    (lambda: mdr.Coated(OXIDE, 1.0, SILICON, "doerner-nix", alpha=-1.0), r"alpha = -1:"),
     (lambda: mdr.Coated(OXIDE, 1.0, SILICON, "gao", weight_nu="surfaces"), r"did you mean 'surface'\?"),
     (lambda: mdr.Coated(OXIDE, 1.0, SILICON, "gao", weight_nu=0.7), r"0\.7"),
     (lambda: mdr.Coated(OXIDE, 1.0, mdr.RIGID, "gao"), r"."),
     (lambda: mdr.Coated(RUBBER, 1.0, OXIDE, "garcia"), r"rigid base"),
     (lambda: mdr.Coated(OXIDE, 1.0, mdr.RIGID, "garcia"), r"nu = 0.17"),
-    (lambda: mdr.Contact(mdr.Cone(0.1), mdr.Coated(RUBBER, 1.0, mdr.RIGID, "garcia")), r"for a paraboloid or a sphere; take the"),
-    (lambda: mdr.Layered([], SILICON), r"layers is not allowed: it is empty"),
-    (lambda: mdr.Layered([(OXIDE, -1.0)], SILICON), r"thickness.* = -1 "),
-    (lambda: mdr.Layered([(OXIDE, 1.0)], SILICON, "bec"), r"model = 'bec' is not allowed"),
+    (
+        lambda: mdr.Contact(mdr.Cone(0.1), mdr.Coated(RUBBER, 1.0, mdr.RIGID, "garcia")),
+        r"apply to a paraboloid or a sphere. For other",
+    ),
+    (lambda: mdr.Layered([], SILICON), r"layers: it is empty"),
+    (lambda: mdr.Layered([(OXIDE, -1.0)], SILICON), r"thickness.* = -1:"),
+    (lambda: mdr.Layered([(OXIDE, 1.0)], SILICON, "bec"), r"model = 'bec':"),
     (lambda: mdr.Graded([0.0, 1.0], [1.0, 2.0, 3.0], 0.2), r"same length; it is 2, 3 and 2"),
-    (lambda: mdr.Graded([0.0, 1.0], [1.0, 0.0], 0.2), r"E.* = 0 "),
+    (lambda: mdr.Graded([0.0, 1.0], [1.0, 0.0], 0.2), r"E.* = 0:"),
     (lambda: mdr.Graded([1.0, 2.0], [1.0, 2.0], 0.2), r"z"),
-    (lambda: mdr.Graded(-1.0, lambda z: 1.0, 0.2), r"depth = -1 "),
-    (lambda: mdr.PowerLawGraded(1.0, 1.0, 1.0, 0.2), r"exponent = 1 "),
-    (lambda: mdr.TabulatedMedium([1.0, 2.0, 3.0], [1.0, -1.0, 1.0]), r"moduli.* = -1 "),
+    (lambda: mdr.Graded(-1.0, lambda z: 1.0, 0.2), r"depth = -1:"),
+    (lambda: mdr.PowerLawGraded(1.0, 1.0, 1.0, 0.2), r"exponent = 1:"),
+    (lambda: mdr.TabulatedMedium([1.0, 2.0, 3.0], [1.0, -1.0, 1.0]), r"moduli.* = -1:"),
     (lambda: mdr.TabulatedMedium([1.0, 2.0], [1.0]), r"same length; it is 2 and 1"),
     (lambda: mdr.CallableMedium(lambda a: 1.0, 2.0, 1.0), r"radius"),
     (lambda: mdr.Contact(mdr.Cone(0.2), mdr.Homogeneous(OXIDE), zeta=([1.0], [1.0, 2.0])), r"same length; it is 1 and 2"),
-    (lambda: mdr.Contact(mdr.Cone(0.2), mdr.Homogeneous(OXIDE), zeta=([1.0, 2.0, 3.0], [1.0, -2.0, 1.0])), r"zeta.* = -2 "),
-    (lambda: mdr.weights.weight_i0(-1.0), r"xi.* = -1 "),
-    (lambda: mdr.weights.weight_i0(1.0, 0.6), r"nu = 0.6 "),
+    (lambda: mdr.Contact(mdr.Cone(0.2), mdr.Homogeneous(OXIDE), zeta=([1.0, 2.0, 3.0], [1.0, -2.0, 1.0])), r"zeta.* = -2:"),
+    (lambda: mdr.weights.weight_i0(-1.0), r"xi.* = -1:"),
+    (lambda: mdr.weights.weight_i0(1.0, 0.6), r"nu = 0.6:"),
     (lambda: mdr.weights.weight_phi([1.0, NAN]), r"xi.*NaN"),
-    (lambda: mdr.Homogeneous(OXIDE).modulus(0.0), r"a.* = 0 "),
+    (lambda: mdr.Homogeneous(OXIDE).modulus(0.0), r"a.* = 0:"),
     (lambda: mdr.Homogeneous(OXIDE).stiffness([1.0, NAN]), r"a.*NaN"),
     (lambda: mdr.Cone(0.2).mdr(INF), r"x.* = infinity"),
 ]
@@ -123,10 +126,10 @@ def test_things_of_the_wrong_kind(number):
 
 def test_states_that_do_not_exist(coated):
     for make, words in (
-        (lambda: coated.at_depth(-1e-9), r"^depth = -1e-09 cannot be reached"),
-        (lambda: coated.at_force([1e-3, -1.0]), r"^entry 2 of force = -1 cannot be reached"),
-        (lambda: coated.at_force([-1.0]), r"^entry 1 of force = -1 cannot be reached"),
-        (lambda: coated.at_depth(1e-3), r"depth = .*cannot be reached"),
+        (lambda: coated.at_depth(-1e-9), r"^depth = -1e-09: without adhesion"),
+        (lambda: coated.at_force([1e-3, -1.0]), r"^entry 2 of force = -1: without adhesion"),
+        (lambda: coated.at_force([-1.0]), r"^entry 1 of force = -1: without adhesion"),
+        (lambda: coated.at_depth(1e-3), r"depth = .*: at radius"),
         (lambda: mdr.Contact(mdr.FlatPunch(1.0), mdr.Homogeneous(OXIDE)).at_radius(1.0), r"radius = 1 does not determine a state"),
     ):
         with pytest.raises(mdr.errors.UnreachableError, match=words) as caught:
@@ -138,18 +141,24 @@ def test_models_outside_their_range():
     """The series of dimitriadis and garcia: under a paraboloid or a sphere, a < h."""
     for model in "dimitriadis", "garcia":
         layer = mdr.Coated(RUBBER, 1.0, mdr.RIGID, model)
-        with pytest.raises(mdr.errors.DomainError, match=r"^a = 1.1 .* hold for a < h: take the model exact"):
+        with pytest.raises(mdr.errors.DomainError, match=r"^a = 1.1: .* valid for a < h. For larger contacts use the model exact"):
             layer.modulus(1.1)
         for tip in mdr.Paraboloid(9.0), mdr.Sphere(9.0):
             contact = mdr.Contact(tip, layer)
             assert contact.at_depth(0.1).radius < 1.0
-            with pytest.raises(mdr.errors.UnreachableError, match=r"^depth = 0.12 .* hold for a < h: take the model exact"):
+            with pytest.raises(
+                mdr.errors.UnreachableError, match=r"^depth = 0.12: .* valid for a < h. For larger contacts use the model exact"
+            ):
                 contact.at_depth(0.12)
         adhesive = mdr.Contact(tip, layer, work_of_adhesion=1e-3 * RUBBER.E)
-        with pytest.raises(mdr.errors.UnreachableError, match=r"^depth = 0.12 .* hold for a < h: take the model exact"):
+        with pytest.raises(
+            mdr.errors.UnreachableError, match=r"^depth = 0.12: .* valid for a < h. For larger contacts use the model exact"
+        ):
             adhesive.at_depth(0.12)
         for tip in mdr.Cone(0.1), mdr.FlatPunch(0.5), mdr.PowerLaw(4.0, 1.0), mdr.Paraboloid(9.0) + mdr.Cone(0.1):
-            with pytest.raises(mdr.errors.InvalidArgumentError, match="for a paraboloid or a sphere; take the model exact"):
+            with pytest.raises(
+                mdr.errors.InvalidArgumentError, match="apply to a paraboloid or a sphere. For other indenters use the model exact"
+            ):
                 mdr.Contact(tip, layer)
         mdr.Contact(mdr.PowerLaw(2.0, 0.1) + mdr.Paraboloid(9.0), layer)
 
@@ -163,7 +172,7 @@ def test_points_outside_the_domain(coated):
         lambda: mdr.CallableProfile(lambda r: r, 1.0).height(1.1),
         lambda: coated.at_radius(1e-3),
     ):
-        with pytest.raises(mdr.errors.DomainError, match="not allowed") as caught:
+        with pytest.raises(mdr.errors.DomainError, match="must be at most") as caught:
             make()
         assert isinstance(caught.value, ValueError)
 
@@ -171,15 +180,15 @@ def test_points_outside_the_domain(coated):
 def test_nan_is_found_anywhere_in_an_array(coated):
     depth = np.full(1000, 1e-8)
     depth[777] = NAN
-    with pytest.raises(mdr.errors.InvalidArgumentError, match="^entry 778 of depth = NaN "):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="^entry 778 of depth = NaN:"):
         coated.at_depth(depth)
 
 
 def test_a_number_has_no_first_entry(coated):
     for make, words in (
-        (lambda a: coated.medium.modulus(a), "a = -1 is not allowed"),
-        (lambda r: mdr.Cone(0.3).height(r), "r = -1 is not allowed"),
-        (lambda xi: mdr.weights.weight_i0(xi), "xi = -1 is not allowed"),
+        (lambda a: coated.medium.modulus(a), "a = -1:"),
+        (lambda r: mdr.Cone(0.3).height(r), "r = -1:"),
+        (lambda xi: mdr.weights.weight_i0(xi), "xi = -1:"),
     ):
         with pytest.raises(mdr.errors.InvalidArgumentError, match=f"^{words}"):
             make(-1.0)

@@ -237,10 +237,10 @@ BAD = [
     (lambda: mdi.ForceDepth(DEPTH, np.where(DEPTH > 9e-8, np.nan, FORCE)), "rows are not finite"),
     (lambda: mdi.ForceDepth(DEPTH[:2], FORCE[:2]), "too few points: 2"),
     (lambda: mdi.ForceDepth([], []), "too few points"),
-    (lambda: mdi.ForceDepth(DEPTH, 1e3 * FORCE), "check the units"),
-    (lambda: mdi.ForceDepth(1e-3 * DEPTH, FORCE), "check the units"),
-    (lambda: mdi.ForceDepth(DEPTH, np.full_like(FORCE, 1e-3)), "force is the same"),
-    (lambda: mdi.ForceDepth(np.full_like(DEPTH, 1e-8), FORCE), "depth is the same"),
+    (lambda: mdi.ForceDepth(DEPTH, 1e3 * FORCE), "Check the units"),
+    (lambda: mdi.ForceDepth(1e-3 * DEPTH, FORCE), "Check the units"),
+    (lambda: mdi.ForceDepth(DEPTH, np.full_like(FORCE, 1e-3)), "force: it is .* at all points"),
+    (lambda: mdi.ForceDepth(np.full_like(DEPTH, 1e-8), FORCE), "depth: it is .* at all points"),
     (lambda: mdi.ForceDepth(DEPTH, FORCE[:-1]), "same length"),
     (lambda: mdi.ForceDepth(DEPTH, FORCE, sd=0.0), "sd"),
     (lambda: mdi.ForceDepth(DEPTH, FORCE, relative_sd=2.0), "relative_sd"),
@@ -259,7 +259,7 @@ def test_bad_arguments_are_refused_in_words():
         mdi.fit(data, BALL, FILM, ["coatin.E"])
     with pytest.raises(mdr.errors.InvalidArgumentError, match="coating.E"):
         mdi.fit(data, BALL, FILM, {"coating.E": mdi.Free(lower=80e9)})
-    with pytest.raises(mdr.errors.InvalidArgumentError, match="no parameter is free"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="none is free"):
         mdi.fit(data, BALL, FILM, [])
     with pytest.raises(mdr.errors.InvalidArgumentError, match="loss"):
         mdi.fit(data, BALL, FILM, ["coating.E"], loss="square")

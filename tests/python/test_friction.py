@@ -193,7 +193,7 @@ def test_history_copies_and_refusals():
         history.advance(depth=[[1.0]], shift=0.0)
     with pytest.raises(mdr.errors.InvalidArgumentError, match="largest_depth is missing"):
         friction().history()
-    with pytest.raises(mdr.errors.InvalidArgumentError, match="rings = 5 is not allowed"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="rings = 5:"):
         friction().history(0.1, 5)
     with pytest.raises(mdr.errors.InvalidArgumentError, match="rings need a largest_depth"):
         friction().history(rings=50)
@@ -215,7 +215,7 @@ def test_history_on_a_film():
     assert lost == pytest.approx(loop.dissipated_energy, rel=0.02)
     back = twin.advance(depth=0.1, tangential_force=loop.tangential_force)
     np.testing.assert_allclose(back.shift, loop.shift, atol=1e-3 * loop.shift[0])
-    with pytest.raises(mdr.errors.DomainError, match="beyond the rings"):
+    with pytest.raises(mdr.errors.DomainError, match="the rings of this history"):
         history.advance(depth=0.11, shift=0.0)
 
 
@@ -250,7 +250,7 @@ def test_flat_ends_along_paths_by_rings():
 def test_viscoelastic_bodies_say_why_they_are_refused():
     body = mdr.Homogeneous(mdr.Viscoelastic(500.0, [(300.0, 0.05)], bulk_modulus=5e3))
     for refused in (lambda: friction(body), lambda: body.tangential_stiffness(1.0), lambda: body.torsional_stiffness(1.0)):
-        with pytest.raises(mdr.errors.InvalidArgumentError, match="the body is viscoelastic, so that stiffness.* relaxed material"):
+        with pytest.raises(mdr.errors.InvalidArgumentError, match="viscoelastic body depend on time.* relaxed material"):
             refused()
     relaxed = mdr.Homogeneous(body.material.relaxed)
     assert relaxed.torsional_stiffness(1.0) == pytest.approx(16.0 / 3.0 * 500.0, rel=1e-12)
@@ -340,7 +340,7 @@ def test_law_files(tmp_path):
         forces.append([each.advance(contacts, [largest * 0.5], [step]).tolist() for step in path_of_shift])
     assert forces[0] == forces[1]
     for former in (b"friction law, format 3\n", b"contact law, format 2\n"):
-        with pytest.raises(mdr.errors.FileError, match="make it anew"):
+        with pytest.raises(mdr.errors.FileError, match="Create it again"):
             mdr.ContactLaw.from_bytes(b"mdrcontact compiled " + former)
 
 
@@ -353,7 +353,7 @@ def test_law_refusals():
     with pytest.raises(mdr.errors.InvalidArgumentError, match="shift must be finite"):
         law.advance(contacts, [1.0, 1.0], [[0.0, 0.0], [np.inf, 0.0]])
     for shape in ((2,), (2, 4), (3, 2)):
-        with pytest.raises(mdr.errors.ArgumentTypeError, match="are not allowed"):
+        with pytest.raises(mdr.errors.ArgumentTypeError, match="must be"):
             law.advance(contacts, [1.0, 1.0], np.zeros(shape))
     with pytest.raises(mdr.errors.ArgumentTypeError, match="ContactLaw.contacts"):
         law.advance(np.zeros((2, 3)), [1.0, 1.0], np.zeros((2, 2)))
@@ -367,13 +367,13 @@ def test_law_refusals():
         mdr.ContactLaw(pair.contact, 0.1, friction=0.3)
     with pytest.raises(mdr.errors.InvalidArgumentError, match="entry 1 of force = -1"):
         law.advance(contacts, [-1.0, 1.0], np.zeros((2, 2)))
-    with pytest.raises(mdr.errors.InvalidArgumentError, match="sliders = 3 is not allowed"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="sliders = 3:"):
         mdr.ContactLaw(pair.contact, 0.1, friction=pair, sliders=3)
     assert not contacts.any()
     law.advance(contacts, [0.01, 0.01], np.zeros((2, 2)))
     with pytest.raises(mdr.errors.InvalidArgumentError, match="entry 1 of memory"):
         mdr.ContactLaw(pair.contact, 0.2, friction=pair).advance(contacts, [0.01, 0.01], np.zeros((2, 2)))
-    with pytest.raises(mdr.errors.InvalidArgumentError, match="friction is not allowed: it must be of the contact"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="friction: it must belong to the contact"):
         mdr.ContactLaw(friction().contact, 0.1, friction=pair)
     plain = mdr.ContactLaw(pair.contact, 0.1)
     assert (plain.coefficient, plain.sliders, plain.memory_size, plain.path_error) == (None, 0, 0, None)
@@ -389,7 +389,7 @@ def test_torsional_stiffness():
     np.testing.assert_allclose(mdr.Homogeneous(STEEL).torsional_stiffness(radii), 16.0 / 3.0 * shear * radii**3, rtol=1e-14)
     film = mdr.Coated(HARD, 1.0, STEEL)
     np.testing.assert_allclose(mdr.Pair(film, film).torsional_stiffness(radii), 0.5 * film.torsional_stiffness(radii), rtol=1e-10)
-    with pytest.raises(mdr.errors.InvalidArgumentError, match="torsional stiffness is not known for this medium"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="torsional stiffness is not available for this medium"):
         mdr.Coated(HARD, 1.0, STEEL, "gao").torsional_stiffness(1.0)
 
 
@@ -404,13 +404,13 @@ def test_refusals():
     pair = friction()
     state = pair.contact.at_radius(1.0)
     sticky = mdr.Contact(BALL, mdr.Homogeneous(STEEL), work_of_adhesion=1e-3)
-    with pytest.raises(mdr.errors.InvalidArgumentError, match="no tension"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="not defined under tension"):
         mdr.Friction(sticky, MU)
     with pytest.raises(mdr.errors.InvalidArgumentError, match="coefficient = -1"):
         mdr.Friction(pair.contact, -1.0)
     with pytest.raises(mdr.errors.ArgumentTypeError, match="must be a Contact"):
         mdr.Friction(BALL, MU)
-    with pytest.raises(mdr.errors.InvalidArgumentError, match="tangential stiffness is not known for this medium"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="tangential stiffness is not available for this medium"):
         friction(mdr.Coated(HARD, 1.0, STEEL, "doerner-nix"))
     with pytest.raises(mdr.errors.ArgumentTypeError, match="it must be a State"):
         pair.shear(1.0)
@@ -424,12 +424,12 @@ def test_refusals():
         pair.shear(state).loop(0.1, points=2)
     with pytest.raises(mdr.errors.ArgumentTypeError, match="ShearState"):
         pair.shear(state).traction(0.1, 0.2)
-    with pytest.raises(mdr.errors.ArgumentTypeError, match="one is needed"):
+    with pytest.raises(mdr.errors.ArgumentTypeError, match="one"):
         pair.shear(pair.contact.at_force([1.0, 2.0])).loop(0.1)
     with pytest.raises(mdr.errors.DomainError, match="at most the contact radius"):
         pair.shear(state).traction(1.1, pair.shear(state).at_shift(1e-3))
     stiff = friction(mdr.Coated(mdr.Elastic(100.0, 0.3), 1.0, mdr.Elastic(1.0, 0.3)), mdr.PowerLaw(4.0, 1.0))
-    with pytest.raises(mdr.errors.DomainError, match="not one disc"), pytest.warns(mdr.errors.SeparationInsideWarning):
+    with pytest.raises(mdr.errors.DomainError, match="not a single area"), pytest.warns(mdr.errors.SeparationInsideWarning):
         stiff.shear(stiff.contact.at_radius(2.0)).at_shift(0.1)
 
 

@@ -303,7 +303,7 @@ def test_gradients_too_steep_for_images_are_refused_near_the_surface():
     """Deeper the field is given, and not refused because there is nothing to compare it with."""
     contact = mdr.Contact(mdr.Paraboloid(1.0), mdr.Graded([0.0, 1e-6], [1e3, 1.0], 0.3, "gao"))
     state = contact.at_radius(1.0)
-    with pytest.raises(mdr.errors.NoConvergenceError, match="too steeply there, take points deeper"):
+    with pytest.raises(mdr.errors.NoConvergenceError, match="too steeply. Use deeper points"):
         state.interior(0.3, 0.0)
     with warnings.catch_warnings():
         warnings.simplefilter("error")
@@ -367,7 +367,7 @@ def test_a_field_that_deviates_warns_once_and_is_refused_beyond():
         ({"friction": -0.1}, "friction"),
         ({"friction": np.nan}, "friction"),
         ({"angle": np.inf}, "angle"),
-        ({"r": 1e14}, "far"),
+        ({"r": 1e14}, "1e12 contact radii"),
         ({"r": [0.1, 0.2], "z": [0.1, 0.2, 0.3]}, "shape"),
     ],
 )
@@ -379,7 +379,7 @@ def test_bad_input_is_refused(options, words):
 def test_media_without_elastic_constants_are_refused():
     for medium in (mdr.TabulatedMedium([1.0, 2.0, 3.0], [1.0, 1.1, 1.2]), mdr.PowerLawGraded(1.0, 1.0, 0.3, 0.3)):
         contact = mdr.Contact(mdr.Paraboloid(10.0), medium)
-        with pytest.raises(mdr.MDRError, match="stresses inside"):
+        with pytest.raises(mdr.MDRError, match="subsurface stresses"):
             contact.at_radius(1.5).interior(0.1, 0.1)
 
 
@@ -452,17 +452,17 @@ def test_wrong_strengths_and_friction_are_refused_by_name():
     for options, words in (
         (
             {"strengths": {"von_mises": [None, np.nan]}},
-            "strengths: 'von_mises': value = NaN is not allowed: it must be finite and greater",
+            "strengths: 'von_mises': value = NaN: it must be finite and greater",
         ),
-        ({"strengths": {"interface_shear": [-3.0]}}, "strengths: 'interface_shear': value = -3 is not allowed"),
-        ({"friction": -0.1}, "friction = -0.1 is not allowed: it must be finite and at least 0"),
+        ({"strengths": {"interface_shear": [-3.0]}}, "strengths: 'interface_shear': value = -3:"),
+        ({"friction": -0.1}, "friction = -0.1: it must be finite and at least 0"),
         ({"body": "upper"}, "body"),
-        ({"largest_radius": 0.0}, "largest_radius = 0.0 is not allowed"),
-        ({"largest_radius": -1.0}, "largest_radius = -1 is not allowed"),
+        ({"largest_radius": 0.0}, "largest_radius = 0.0:"),
+        ({"largest_radius": -1.0}, "largest_radius = -1:"),
     ):
         with pytest.raises(mdr.errors.InvalidArgumentError, match=words):
             CONTACT.first_failure(**{"strengths": {"von_mises": [None, 60.0]}, **options})
-    with pytest.raises(mdr.errors.InvalidArgumentError, match="friction = -0.1 is not allowed"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="friction = -0.1:"):
         STATE.critical(friction=-0.1)
     graded = mdr.Contact(mdr.Paraboloid(1.0), mdr.Graded([0.0, 1.0], [1.0, 2.0], [0.3, 0.3]))
     with pytest.raises(mdr.errors.InvalidArgumentError, match="a graded body has no layers"):
@@ -513,7 +513,7 @@ def test_points_too_far_away_for_layers_are_refused():
     near, far = (float(state.interior(r, 2.0).u_z) for r in (1e3, 1e4))
     assert near / far == pytest.approx(10.0, rel=0.01)
     for r in (1e6, 1e9, 1e12):
-        with pytest.raises(mdr.MDRError, match=r"points so far away are sums of .* waves, 1e\+06 are allowed"):
+        with pytest.raises(mdr.MDRError, match=r"points at this distance need .* waves, and the limit is 1e\+06"):
             state.interior(r, 2.0)
 
 

@@ -271,7 +271,7 @@ def test_bad_input_is_refused():
         (lambda: lateral.Voxels(labels, [MATRIX], [1e-6, 1e-6]), "spacing"),
         (lambda: lateral.density([0.1, 0.2], [0.1, 0.2, 0.3]), r"do not broadcast: rho \(2,\), z \(3,\)"),
         (lambda: lateral.Voxels(labels, [MATRIX], 1e-6, images=0), "images"),
-        (lambda: lateral.Voxels(labels, [MATRIX], 1e-6, beside=MATRIX, images=2), "images = 2 .* no periods"),
+        (lambda: lateral.Voxels(labels, [MATRIX], 1e-6, beside=MATRIX, images=2), "images = 2: .* no periods"),
         (lambda: lateral.Voxels(labels, [], 1e-6), "phases"),
         (lambda: lateral.Voxels(labels, [MATRIX], 1e-6, reference_nu=0.6), "reference_nu"),
         (lambda: lateral.Voxels(labels[0], [MATRIX], 1e-6), "nz, ny, nx"),

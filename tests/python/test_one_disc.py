@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Contacts on stiff coatings that are not one disc: the warning, and where it stays away."""
+"""Contacts on stiff coatings that are not a single area: the warning, and where it stays away."""
 
 import warnings
 from pathlib import Path
@@ -78,7 +78,7 @@ points = 3
     from mdrcontact.cli import main
 
     assert main(["curve", str(problem)]) == 0
-    assert "warning: this contact is not one disc" in capsys.readouterr().err
+    assert "warning: this contact is not a single area" in capsys.readouterr().err
 
 
 def test_the_look_at_pressures_of_tiny_contacts():

@@ -137,7 +137,7 @@ def test_history_is_a_superposition_of_steps(given):
 
 def test_history_names_what_is_wrong():
     for t, depth, words in (
-        ([0.0, 1.0, 1.0], [0.0, 1.0, 1.0], "entry 3 of time = 1 is not allowed: time must be strictly ascending"),
+        ([0.0, 1.0, 1.0], [0.0, 1.0, 1.0], "entry 3 of time = 1: time must be strictly ascending"),
         ([0.0, 1.0], [0.0, np.nan], "entry 2 of depth"),
     ):
         with pytest.raises(mdr.errors.InvalidArgumentError, match=words):
@@ -229,8 +229,8 @@ def on_film(a, drainage):
         (lambda: mdi.fit(mdi.ForceTime([0.0, 1.0], [1.0, 1.0], [2.0, 1.0]), mdr.FlatPunch(1.0), FILM, ["coating.nu"]), "fit_gel"),
         (lambda: mdr.Pair(FILM, mdr.Homogeneous(mdr.Elastic(1.0, 0.2))), "poroelastic"),
         (lambda: mdr.Friction(punch(), 0.1), "poroelastic"),
-        (lambda: punch().relaxation(1.0, 0.3, "surface"), "radius = 0.3 .* flat punch is its own"),
-        (lambda: punch().dynamic_stiffness(1.0, radius=0.3, drainage="surface"), "radius = 0.3 .* flat punch is its own"),
+        (lambda: punch().relaxation(1.0, 0.3, "surface"), "radius = 0.3: .* flat punch is its own"),
+        (lambda: punch().dynamic_stiffness(1.0, radius=0.3, drainage="surface"), "radius = 0.3: .* flat punch is its own"),
         (lambda: on_film(9.0, "surface"), "ratio = 9"),
         (lambda: on_film(1.0, "indenter"), "film"),
         (

@@ -107,9 +107,9 @@ def is_modulus(name):
 @pytest.mark.parametrize(
     ("contact", "words"),
     [
-        (lambda: mdr.Contact(mdr.Paraboloid(1.0), coated().with_model("gao")), "model = 'gao' is not allowed"),
-        (lambda: mdr.Contact(mdr.Paraboloid(1.0), coated(), work_of_adhesion=0.01), "work_of_adhesion is not allowed"),
-        (lambda: mdr.Contact(mdr.Paraboloid(1.0), mdr.PowerLawGraded(1.0, 1.0, 0.2, 0.3)), "PowerLawGraded is not allowed"),
+        (lambda: mdr.Contact(mdr.Paraboloid(1.0), coated().with_model("gao")), "model = 'gao':"),
+        (lambda: mdr.Contact(mdr.Paraboloid(1.0), coated(), work_of_adhesion=0.01), "work_of_adhesion: "),
+        (lambda: mdr.Contact(mdr.Paraboloid(1.0), mdr.PowerLawGraded(1.0, 1.0, 0.2, 0.3)), "PowerLawGraded: "),
         (lambda: mdr.Contact(mdr.Paraboloid(1.0), coated(h=1e-3)), "100 thicknesses of the top layer"),
     ],
 )

@@ -115,16 +115,16 @@ def test_first_error_is_named(threads):
     depth = SOME.copy()
     depth[[40, 41, 149]] = [-2.0, -1.0, np.nan]
     for contact in (GAO, EXACT):
-        with pytest.raises(mdr.errors.UnreachableError, match="entry 41 of depth = -2 "):
+        with pytest.raises(mdr.errors.UnreachableError, match="entry 41 of depth = -2: "):
             on(threads, lambda contact=contact: contact.at_depth(depth))
-    with pytest.raises(mdr.errors.DomainError, match="r = 5 "):
+    with pytest.raises(mdr.errors.DomainError, match="r = 5:"):
         on(threads, lambda: GAO.at_radius(1e-6).pressure(np.r_[np.zeros(131), 5.0, 6.0, np.zeros(80)]))
     with pytest.raises(mdr.errors.InvalidArgumentError, match="entry 41 of xi"):
         on(threads, lambda: mdr.weights.weight_i0(depth))
 
 
 def test_what_is_no_number_of_threads_is_refused():
-    with pytest.raises(ValueError, match="threads = -1 is not allowed"):
+    with pytest.raises(ValueError, match="threads = -1:"):
         mdr.set_threads(-1)
     for wrong in (1.5, "2", True, None):
         with pytest.raises(TypeError, match="threads"):

@@ -86,7 +86,7 @@ func main() {
 					wrong[i] = "another force"
 				}
 				tooDeep := fmt.Sprintf("%d", i+2) // m
-				if _, err := force(law, float64(i+2)); err == nil || !strings.Contains(err.Error(), " = "+tooDeep+" is not allowed") {
+				if _, err := force(law, float64(i+2)); err == nil || !strings.Contains(err.Error(), " = "+tooDeep+": ") {
 					wrong[i] = fmt.Sprintf("the words of another goroutine: %v", err)
 				}
 				runtime.Gosched()

@@ -119,9 +119,9 @@ def adhesive_history(
         time, {"position": position, "depth": depth, "force": force}, spring_stiffness, tolerance
     )
     if not contact.cohesive_stress > 0.0:
-        raise InvalidArgumentError("contact is not allowed: it must have a cohesive_stress > 0")
+        raise InvalidArgumentError("contact: it must have a cohesive_stress > 0")
     if start not in ("apart", "rest"):
-        raise InvalidArgumentError(f'start = {start!r} is not allowed: it must be "apart" or "rest"')
+        raise InvalidArgumentError(f'start = {start!r}: it must be "apart" or "rest"')
     row = np.zeros(len(STATE))
     row[0] = -1.0 if start == "rest" else 0.0
     with marching(t.size, progress):

@@ -154,9 +154,7 @@ class RateAdhesion(_Rate):
         self._set(**given)
         for name in ("closing_work", "closing_speed", "closing_exponent"):
             if given[name] == 0.0:
-                raise InvalidArgumentError(
-                    f"{name} = 0 is not allowed: it must be greater than 0; None is that of the opening edge"
-                )
+                raise InvalidArgumentError(f"{name} = 0: it must be greater than 0; None is that of the opening edge")
         self.at_speed(0.0)
 
     @classmethod
@@ -230,7 +228,7 @@ class RheologicalAdhesion(_Rate):
 
     def __post_init__(self) -> None:
         if not isinstance(self.material, Viscoelastic):
-            raise ArgumentTypeError(f"material = {self.material!r} is not allowed: it must be a Viscoelastic")
+            raise ArgumentTypeError(f"material = {self.material!r}: it must be a Viscoelastic")
         stress = number("cohesive_stress", self.cohesive_stress)
         self._set(work=number("work", self.work), cohesive_stress=stress)
         self.at_speed(0.0)
@@ -245,9 +243,9 @@ def work(name: str, value: Any, adhesion: Any) -> float:
     if adhesion is None:
         return number(name, value)
     if not isinstance(adhesion, _Rate):
-        raise ArgumentTypeError(f"adhesion = {adhesion!r} is not allowed: it must be a RateAdhesion")
+        raise ArgumentTypeError(f"adhesion = {adhesion!r}: it must be a RateAdhesion")
     if number(name, value) not in (0.0, adhesion.work):
-        raise InvalidArgumentError(f"{name} = {value!r} is not allowed beside adhesion=, which has work = {adhesion.work!r}")
+        raise InvalidArgumentError(f"{name} = {value!r}: adhesion= has work = {adhesion.work!r}. Omit {name}")
     return adhesion.work
 
 
@@ -322,7 +320,7 @@ def rate_history(
         time, {"position": position, "depth": depth, "force": force}, spring_stiffness, tolerance
     )
     if contact.adhesion is None:
-        raise InvalidArgumentError("contact is not allowed: it must have an adhesion, as RateAdhesion(...)")
+        raise InvalidArgumentError("contact: it must have an adhesion, as RateAdhesion(...)")
     row = _start(start)
     handle = contact._rate_handle(contact.adhesion, max(row[0], _largest(contact, control, float(np.max(s)))) * _ROOM)
     with marching(t.size, progress):
@@ -362,7 +360,7 @@ def _start(start: Any) -> list[float]:
     elif start == "rest":
         row["radius"] = -1.0
     elif start != "apart":
-        raise InvalidArgumentError(f'start = {start!r} is not allowed: it must be "apart", "rest" or the `end` of a history')
+        raise InvalidArgumentError(f'start = {start!r}: it must be "apart", "rest" or the `end` of a history')
     return list(row.values())
 
 

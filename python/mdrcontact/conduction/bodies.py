@@ -93,21 +93,21 @@ class LayeredConductor(Value):
         for layer in self.layers:
             if isinstance(layer, Interface):
                 if not rows or rows[-1][4]:
-                    raise InvalidArgumentError("an Interface is not allowed there: it lies below a layer, one at most")
+                    raise InvalidArgumentError("Interface: it must follow a layer, at most one for each layer")
                 if layer.normal is not None or layer.tangential is not None:
                     raise InvalidArgumentError(
-                        f"{layer!r} is not allowed: normal and tangential are springs of elastic layers; give a resistance alone"
+                        f"{layer!r}: normal and tangential are springs of elastic layers; give a resistance alone"
                     )
                 rows[-1][4] = layer.resistance
             elif len(layer) == 2 and isinstance(layer[0], Conductor):
                 rows.append(list(layer[0]._row(number("thickness", layer[1]))))
             else:
-                raise ArgumentTypeError(f"{layer!r} is not allowed: it must be (Conductor, thickness) or an Interface")
+                raise ArgumentTypeError(f"{layer!r}: it must be (Conductor, thickness) or an Interface")
         if isinstance(self.substrate, Conductor):
             rows.append(list(self.substrate._row()))
             return np.array(rows), _layout.BASE_HALF_SPACE
         if not isinstance(self.substrate, _Base):
-            raise ArgumentTypeError(f"substrate = {self.substrate!r} is not allowed: it must be a Conductor, PERFECT or INSULATING")
+            raise ArgumentTypeError(f"substrate = {self.substrate!r}: it must be a Conductor, PERFECT or INSULATING")
         return np.array(rows).reshape(-1, 5), self.substrate._code
 
 
@@ -137,7 +137,7 @@ def conducting(body: Any) -> LayeredConductor:
         return LayeredConductor((), _conductor(body.material))
     if hasattr(body, "substrate"):
         return LayeredConductor(tuple(part for layer in body._stack() for part in _parts(layer)), _conductor(body.substrate))
-    raise ArgumentTypeError(f"{body!r} is not allowed: it must be a Conductor, a LayeredConductor or an elastic body of materials "
+    raise ArgumentTypeError(f"{body!r}: it must be a Conductor, a LayeredConductor or an elastic body of materials "
                             "with conductors")  # fmt: skip
 
 
@@ -145,7 +145,7 @@ def _bodies(body: Any, other: Any) -> tuple[LayeredConductor, LayeredConductor |
     """Both sides: a `Pair` has two."""
     if hasattr(body, "lower") and hasattr(body, "upper"):
         if other is not None:
-            raise ArgumentTypeError("other is not allowed beside a Pair, which has two bodies")
+            raise ArgumentTypeError("other: a Pair already has two bodies. Omit it")
         return conducting(body.lower), conducting(body.upper)
     return conducting(body), None if other is None else conducting(other)
 

@@ -398,9 +398,7 @@ class Conduction(Value):
         """
         kind = code("motion", motion, MOTIONS)
         if source_speed is not None and motion != "moving":
-            raise InvalidArgumentError(
-                f"source_speed = {source_speed!r} is not allowed with motion = {motion!r}: the source rests. Leave it out"
-            )
+            raise InvalidArgumentError(f"source_speed = {source_speed!r}: with motion = {motion!r} the source is at rest. Omit it")
         strength = number("mu", mu) * number("speed", speed)
         over = strength and (number("speed", speed) if source_speed is None else number("source_speed", source_speed))
         rows, shape = _rows(states)

@@ -34,7 +34,7 @@ def function(law: ContactLaw, quantity: str, branch: str) -> Any:
 
     def evaluate(d: Any) -> Any:
         if not isinstance(d, torch.Tensor) or d.dtype != torch.float64:
-            raise ArgumentTypeError("d is not allowed: it must be a tensor of torch.float64")
+            raise ArgumentTypeError("d: it must be a tensor of torch.float64")
         if d.device not in on:
             on[d.device] = _TorchBranch(law, quantity, branch, d.device)
         return on[d.device](d)

@@ -55,9 +55,9 @@ class Field(Structure):
     def __post_init__(self) -> None:
         nu, wanted = number("reference_nu", self.reference_nu), number("tolerance", self.tolerance)
         if not 1e-10 <= wanted <= 0.1:
-            raise InvalidArgumentError(f"tolerance = {wanted!r} is not allowed: it must be from 1e-10 to 0.1")
+            raise InvalidArgumentError(f"tolerance = {wanted!r}: it must be from 1e-10 to 0.1")
         if not -1.0 < nu <= 0.5:
-            raise InvalidArgumentError(f"reference_nu = {nu!r} is not allowed: it must be greater than -1 and at most 0.5")
+            raise InvalidArgumentError(f"reference_nu = {nu!r}: it must be greater than -1 and at most 0.5")
         self._set(reference_nu=nu, tolerance=wanted, exponent=exponent_of_mean(self.exponent))
 
     def materials(self, x: ArrayLike, y: ArrayLike, z: ArrayLike) -> tuple[Any, Any]:

@@ -351,14 +351,14 @@ def _needs_poisson(voxels: Voxels) -> bool:
 def _radii(a: ArrayLike) -> Array:
     radii = np.array(row("a", np.atleast_1d(a)))
     if not (np.all(np.isfinite(radii)) and np.all(radii > 0.0)):
-        raise InvalidArgumentError("a is not allowed: contact radii must be finite and greater than 0")
+        raise InvalidArgumentError("a: contact radii must be finite and greater than 0")
     return radii
 
 
 def _team(threads: int) -> int:
     """How many threads `threads` stands for; 0: one per core."""
     if thread_count(threads) < 0:
-        raise InvalidArgumentError(f"threads = {threads!r} is not allowed: it must be at least 1, or 0 for one per core")
+        raise InvalidArgumentError(f"threads = {threads!r}: it must be at least 1, or 0 for one per core")
     if threads:
         return threads
     return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
@@ -367,9 +367,9 @@ def _team(threads: int) -> int:
 def _pair(name: str, value: Any, least: int) -> tuple[int, int]:
     pair = (value, value) if isinstance(value, int) else tuple(value)
     if len(pair) != 2 or not all(isinstance(n, int) for n in pair):
-        raise ArgumentTypeError(f"{name} = {value!r} is not allowed: it must be one or two whole numbers")
+        raise ArgumentTypeError(f"{name} = {value!r}: it must be one or two whole numbers")
     if min(pair) < least:
-        raise InvalidArgumentError(f"{name} = {value!r} is not allowed: it must be at least {least}")
+        raise InvalidArgumentError(f"{name} = {value!r}: it must be at least {least}")
     return pair
 
 

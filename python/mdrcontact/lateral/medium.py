@@ -64,13 +64,11 @@ class LateralMedium(Medium):
     def __post_init__(self) -> None:
         structure, points = self.structure, self.points
         if not isinstance(structure, Structure):
-            raise ArgumentTypeError(f"structure = {structure!r} is not allowed: it must be Shapes, Voxels or Field")
+            raise ArgumentTypeError(f"structure = {structure!r}: it must be Shapes, Voxels or Field")
         place = number("x", self.x), number("y", self.y)
         first, last = number("smallest_radius", self.smallest_radius), number("largest_radius", self.largest_radius)
         if not 0.0 < first < last < np.inf:
-            raise InvalidArgumentError(
-                f"smallest_radius = {first!r}, largest_radius = {last!r} are not allowed: 0 < smallest < largest is needed"
-            )
+            raise InvalidArgumentError(f"smallest_radius = {first!r}, largest_radius = {last!r}: 0 < smallest < largest is needed")
         a = np.geomspace(first, last, whole("points", points, 3, 1_000_000))
         created = native.medium_table(a, np.asarray(structure.modulus(*place, a)))
         self._own(created, x=place[0], y=place[1], smallest_radius=first, largest_radius=last)

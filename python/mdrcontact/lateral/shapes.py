@@ -348,7 +348,7 @@ class Shapes(Structure):
         exponent = exponent_of_mean(self.exponent)
         for body in bodies:
             if not isinstance(body, Shape):
-                raise ArgumentTypeError(f"{body!r} is not allowed: a shape is a Layer, HalfSpace, Ball, Fibre, Pillar or Box")
+                raise ArgumentTypeError(f"{body!r}: a shape is a Layer, HalfSpace, Ball, Fibre, Pillar or Box")
             elastic(f"material of {type(body).__name__}", body.material)
         # f2py takes no empty arrays: a layer of the background above the surface is nothing
         known: tuple[Shape, ...] = bodies or (Layer(-2.0, -1.0, base),)
@@ -357,9 +357,9 @@ class Shapes(Structure):
             try:
                 row = numbers("the shape", np.hstack([np.asarray(p) for p in body.parameters]))
             except ValueError as problem:
-                raise InvalidArgumentError(f"{body!r} is not allowed: a coordinate is missing or too many") from problem
+                raise InvalidArgumentError(f"{body!r}: a coordinate is missing or too many") from problem
             if row.shape != (len(_LENGTHS[type(body)]),):
-                raise InvalidArgumentError(f"{body!r} is not allowed: a coordinate is missing or too many")
+                raise InvalidArgumentError(f"{body!r}: a coordinate is missing or too many")
             table[i, : row.size] = row
         nu = base.nu if self.reference_nu is None else number("reference_nu", self.reference_nu)
         chosen = {"reference_nu": nu, "tolerance": not_zero("tolerance", tolerance), "exponent": exponent}

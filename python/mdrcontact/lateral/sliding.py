@@ -132,7 +132,7 @@ def indentation_map(
     """
     d = number("depth", depth)
     if not 0.0 < d < np.inf:
-        raise InvalidArgumentError(f"depth = {d!r} is not allowed: it must be finite and greater than 0")
+        raise InvalidArgumentError(f"depth = {d!r}: it must be finite and greater than 0")
     ideal = Contact(indenter, _UNIT)
     with silence():
         state = ideal.at_depth(d)
@@ -213,12 +213,12 @@ def slide(
 
     places = numbers("x", x)
     if places.ndim != 1 or places.size < 4 or not np.all(np.diff(places) > 0.0):
-        raise InvalidArgumentError("x is not allowed: it must be ascending, of one dimension, with at least 4 entries")
+        raise InvalidArgumentError("x: it must be ascending, of one dimension, with at least 4 entries")
     if (depth is None) == (force is None):
         raise ArgumentTypeError("slide needs one of depth and force")
     value = number("depth", depth) if force is None else number("force", force)
     if not 0.0 < value < np.inf:
-        raise InvalidArgumentError(f"depth or force = {value!r} is not allowed: it must be finite and greater than 0")
+        raise InvalidArgumentError(f"depth or force = {value!r}: it must be finite and greater than 0")
     largest = _largest_radius(structure, indenter, places, number("y", y), depth, force)
     radii = np.geomspace(1e-3 * largest, largest, points)
     moduli = np.asarray(structure.modulus(places[:, None], y, radii))

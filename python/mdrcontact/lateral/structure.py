@@ -163,7 +163,7 @@ class Structure(Value):
 def elastic(name: str, material: Any) -> Elastic:
     """`material` if it is one."""
     if not isinstance(material, Elastic):
-        raise ArgumentTypeError(f"{name} = {material!r} is not allowed: it must be a material, Elastic(E, nu)")
+        raise ArgumentTypeError(f"{name} = {material!r}: it must be a material, Elastic(E, nu)")
     return material
 
 
@@ -171,9 +171,7 @@ def exponent_of_mean(value: Any) -> float:
     """`value` if it is a number from -1 to 1."""
     p = number("exponent", value)
     if not abs(p) <= 1.0:
-        raise InvalidArgumentError(
-            f"exponent = {p!r} is not allowed: that of a mean must be at least -1 (series) and at most 1 (parallel)"
-        )
+        raise InvalidArgumentError(f"exponent = {p!r}: that of a mean must be at least -1 (series) and at most 1 (parallel)")
     return p
 
 

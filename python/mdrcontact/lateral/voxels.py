@@ -86,7 +86,7 @@ class Voxels(Structure):
     ) -> None:
         cells = labels if hasattr(labels, "ndim") and hasattr(labels, "dtype") else np.asarray(labels)
         if cells.ndim != 3 or cells.dtype.kind not in "iu" or not cells.size:
-            raise ArgumentTypeError(f"labels is not allowed: it must be an array (nz, ny, nx) of integers, not {cells.dtype} "
+            raise ArgumentTypeError(f"labels: it must be an array (nz, ny, nx) of integers, not {cells.dtype} "
                                     f"of shape {cells.shape}")  # fmt: skip
         materials = tuple(elastic("a phase", phase) for phase in phases)
         counts = _census(cells, len(materials))
@@ -95,19 +95,17 @@ class Voxels(Structure):
             elastic("beside", beside)
         corner: Any = row("origin", origin)
         if len(corner) != 2 or not np.all(np.isfinite(corner)):
-            raise InvalidArgumentError(f"origin = {origin!r} is not allowed: it must be two finite numbers (x, y)")
+            raise InvalidArgumentError(f"origin = {origin!r}: it must be two finite numbers (x, y)")
         base = materials[int(np.argmax(counts[-1]))] if below is None else elastic("below", below)
         poisson = np.array([m.nu for m in materials])
         share = counts.sum(axis=0) / counts.sum()
         mean = float(np.clip(share @ poisson, poisson.min(), poisson.max()))
         nu = mean if reference_nu is None else number("reference_nu", reference_nu)
         if not -1.0 < nu <= 0.5:
-            raise InvalidArgumentError(f"reference_nu = {nu!r} is not allowed: it must be greater than -1 and at most 0.5")
+            raise InvalidArgumentError(f"reference_nu = {nu!r}: it must be greater than -1 and at most 0.5")
         periods = whole("images", images, 1, 100)
         if beside != "periodic" and periods != 1:
-            raise InvalidArgumentError(
-                f"images = {images!r} is not allowed: what lies beside is a material, no periods; leave it out"
-            )
+            raise InvalidArgumentError(f"images = {images!r}: what lies beside is a material, no periods; leave it out")
         self._set(labels=cells, phases=materials, spacing=steps, beside=beside, below=base, origin=corner, reference_nu=nu,
                   images=periods, exponent=exponent_of_mean(exponent), _counts=counts)  # fmt: skip
 
@@ -208,13 +206,13 @@ class Voxels(Structure):
 def _census(cells: Any, phases: int) -> NDArray[np.float64]:
     """Voxels of each phase in each slice, slice by slice."""
     if not phases:
-        raise InvalidArgumentError("phases is not allowed: it is empty")
+        raise InvalidArgumentError("phases: it is empty")
     counts = np.zeros((cells.shape[0], phases))
     for k in range(cells.shape[0]):
         layer = np.asarray(cells[k]).ravel()
         low, high = int(layer.min()), int(layer.max())
         if low < 0 or high >= phases:
-            raise InvalidArgumentError(f"labels from {low} to {high} are not allowed: there are phases 0 to {phases - 1}")
+            raise InvalidArgumentError(f"labels from {low} to {high}: there are phases 0 to {phases - 1}")
         counts[k] = np.bincount(layer, minlength=phases)
     return counts
 
@@ -224,7 +222,6 @@ def _edges(spacing: ArrayLike) -> tuple[float, ...]:
     given = numbers("spacing", spacing)
     if given.shape not in ((), (3,)) or not np.all(np.isfinite(given) & (given > 0.0)):
         raise InvalidArgumentError(
-            f"spacing = {spacing!r} is not allowed: it must be three edge lengths (dz, dy, dx), or one for cubes, finite and "
-            "greater than 0"
+            f"spacing = {spacing!r}: it must be three edge lengths (dz, dy, dx), or one for cubes, finite and greater than 0"
         )
     return row("spacing", np.broadcast_to(given, 3))

@@ -80,7 +80,7 @@ class Medium(WithParameters):
 
     def _with_thinner_coating(self: Self, lost: float) -> Self:
         """The same body with a first layer that is thinner by so much [length]; all else stays."""
-        raise InvalidArgumentError(f"medium = {self!r} is not allowed: it must be Coated or Layered, with a coating to lose")
+        raise InvalidArgumentError(f"medium = {self!r}: it must be Coated or Layered, with a coating to lose")
 
     def _tolerance(self) -> float:
         """The tolerance that was given for its solution, 0 where none was."""
@@ -196,13 +196,13 @@ class Medium(WithParameters):
             return flux_compliance(conduction_of(self), k, omega)
         if load not in _LOADS:
             words = nearest(str(load), [*_LOADS, "flux"])
-            raise InvalidArgumentError(f"load = {load!r} is not allowed: {words}")
+            raise InvalidArgumentError(f"load = {load!r}: {words}")
         if is_poroelastic(self):
             if load != "normal":
-                raise InvalidArgumentError(f"load = {load!r} is not allowed: of a gel the answer to a normal load is known")
+                raise InvalidArgumentError(f"load = {load!r}: of a gel the answer to a normal load is known")
             return gel_compliance(self, k, omega, drainage)
         if drainage is not None:
-            raise InvalidArgumentError(f"drainage = {drainage!r} is not allowed: this medium has no pores")
+            raise InvalidArgumentError(f"drainage = {drainage!r}: this medium has no pores")
         both = sum(
             complex_values("k", k, partial(native.body_compliance, body, _LOADS[load], number("omega", omega)))
             for body in self._bodies()

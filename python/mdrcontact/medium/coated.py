@@ -25,7 +25,7 @@ def substrate_material(substrate: object) -> Any:
         return substrate
     if not isinstance(substrate, Material):
         words = "it must be an Elastic, TransverselyIsotropic, Viscoelastic or PowerLawRheology material, RIGID or SMOOTH"
-        raise ArgumentTypeError(f"substrate = {substrate!r} is not allowed: {words}")
+        raise ArgumentTypeError(f"substrate = {substrate!r}: {words}")
     return substrate
 
 
@@ -118,7 +118,7 @@ class Coated(UnderModel):
         thickness, chosen = number("thickness", thickness), settings(model, options)
         if check_body(coating, substrate, model, options, RIGID):
             if not 0.0 < thickness < math.inf:
-                raise InvalidArgumentError(f"thickness = {thickness!r} is not allowed: it must be finite and greater than 0")
+                raise InvalidArgumentError(f"thickness = {thickness!r}: it must be finite and greater than 0")
             self._set(
                 _handle=NoElasticStates(),
                 coating=coating,

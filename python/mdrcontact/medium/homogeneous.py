@@ -20,7 +20,7 @@ from .viscoelastic import is_elastic
 def elastic(name: str, value: object) -> Elastic:
     """`value` if it is an elastic material; an exception if it is anything else."""
     if not isinstance(value, Elastic):
-        raise ArgumentTypeError(f"{name} = {value!r} is not allowed: it must be an Elastic(E, nu)")
+        raise ArgumentTypeError(f"{name} = {value!r}: it must be an Elastic(E, nu)")
     return value
 
 

@@ -61,7 +61,7 @@ class Interface(WithParameters):
                 continue
             value = number(name, value)
             if not value >= 0.0 or (name == "normal" and value == 0.0):
-                raise InvalidArgumentError(f"{name} = {value!r} is not allowed: a spring's stiffness must be {least}")
+                raise InvalidArgumentError(f"{name} = {value!r}: a spring's stiffness must be {least}")
             self._set(**{name: value})
 
     def _layer(self) -> dict[str, float]:
@@ -118,9 +118,9 @@ class Layer(WithParameters):
         self._set(prestress=number("prestress", self.prestress))
         if self.interface is not None and not isinstance(self.interface, Interface):
             words = "it must be an Interface(normal=..., tangential=...), SLIDING or None"
-            raise ArgumentTypeError(f"interface = {self.interface!r} is not allowed: {words}")
+            raise ArgumentTypeError(f"interface = {self.interface!r}: {words}")
         if self.prestress and not isinstance(self.material, (Elastic, TransverselyIsotropic)):
-            raise InvalidArgumentError("a layer that relaxes is not allowed to have a prestress")
+            raise InvalidArgumentError("prestress: it must be 0 in a viscoelastic layer")
 
     def __iter__(self) -> Iterator[Any]:
         return iter((self.material, self.thickness))
@@ -159,7 +159,7 @@ def _structures(layers: Sequence[Layer], substrate: Any) -> tuple[Record, Record
         below = layer.interface
         if substrate is SMOOTH and layer is layers[-1]:
             if below is not None:
-                raise InvalidArgumentError("an interface above a SMOOTH base is not allowed: the base slides by itself")
+                raise InvalidArgumentError("an interface above a SMOOTH base: the base slides by itself")
             below = SLIDING
         springs = {} if below is None else below._layer()
         rows.append({**layer.material._layer(), "thickness": layer.thickness, "prestress": layer.prestress, **springs})

@@ -145,8 +145,8 @@ def _layers(layers: Iterable[Layer | tuple[Material, float]]) -> tuple[Layer | t
             body, thickness = layer
         except (TypeError, ValueError) as problem:
             words = "it must be a Layer or a pair (material, thickness)"
-            raise ArgumentTypeError(f"layer {i} = {layer!r} is not allowed: {words}") from problem
+            raise ArgumentTypeError(f"layer {i} = {layer!r}: {words}") from problem
         stack.append((material(f"material of layer {i}", body), number(f"thickness of layer {i}", thickness)))
     if not stack:
-        raise InvalidArgumentError("layers is not allowed: it is empty; a body without layers is Homogeneous(material)")
+        raise InvalidArgumentError("layers: it is empty; a body without layers is Homogeneous(material)")
     return tuple(stack)

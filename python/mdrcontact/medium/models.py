@@ -71,7 +71,7 @@ def settings(model: str, options: Mapping[str, Any], *, layers: bool = False, gr
     """Checks a model's name and its options; wrong names are answered with the nearest right one."""
     known = {name: row for name, row in MODELS.items() if row.layers >= layers and row.graded >= graded}
     if not isinstance(model, str) or model not in known:
-        raise InvalidArgumentError(f"model = {model!r} is not allowed: {nearest(str(model), known)}")
+        raise InvalidArgumentError(f"model = {model!r}: {nearest(str(model), known)}")
     values = record(_layout.medium_options, model=known[model].code)
     given: dict[str, float | str] = {}
     for name, value in options.items():
@@ -94,7 +94,7 @@ def settings(model: str, options: Mapping[str, Any], *, layers: bool = False, gr
 def _weight_nu(value: str) -> int:
     if value not in _WEIGHT_NU:
         words = nearest(value, _WEIGHT_NU)
-        raise InvalidArgumentError(f"weight_nu = {value!r} is not allowed: {words}; a number is allowed as well")
+        raise InvalidArgumentError(f"weight_nu = {value!r}: {words}; a number is allowed as well")
     return _WEIGHT_NU[value]
 
 

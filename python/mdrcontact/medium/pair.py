@@ -112,4 +112,4 @@ def _body(name: str, body: Any) -> Any:
         return Homogeneous(body)
     if body is RIGID or isinstance(body, Medium):
         return body
-    raise ArgumentTypeError(f"{name} = {body!r} is not allowed: it must be a medium, an Elastic(E, nu) or RIGID")
+    raise ArgumentTypeError(f"{name} = {body!r}: it must be a medium, an Elastic(E, nu) or RIGID")

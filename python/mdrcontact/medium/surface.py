@@ -67,15 +67,11 @@ def given_surface(surface: object, *, elastic: bool) -> Surface | None:
     if surface is None:
         return None
     if not isinstance(surface, Surface):
-        raise ArgumentTypeError(
-            f"surface = {surface!r} is not allowed: it must be a Surface(tension=..., bending=..., stretching=...) or None"
-        )
+        raise ArgumentTypeError(f"surface = {surface!r}: it must be a Surface(tension=..., bending=..., stretching=...) or None")
     if surface == Surface():
         return None
     if not elastic:
-        raise InvalidArgumentError(
-            "surface is not allowed: under a surface with tension or a sheet all materials must be Elastic(E, nu)"
-        )
+        raise InvalidArgumentError("surface: under a surface with tension or a sheet all materials must be Elastic(E, nu)")
     return surface
 
 

@@ -166,10 +166,10 @@ class SumProfile(Profile):
     def __post_init__(self) -> None:
         terms = tuple(self.terms)
         if not terms:
-            raise InvalidArgumentError("terms is not allowed: it is empty")
+            raise InvalidArgumentError("terms: it is empty")
         for term in terms:
             if not isinstance(term, Profile):
-                raise ArgumentTypeError(f"terms is not allowed: {term!r} is not an indenter profile")
+                raise ArgumentTypeError(f"terms: {term!r} is not an indenter profile")
         self._own(native.profile_sum([term._handle for term in terms]), terms=terms)
 
 

@@ -146,7 +146,7 @@ class CallableProfile(Profile):
         callback, r_max = Callback("f", self.f), number("r_max", self.r_max)
         # the library calls it largest_radius
         if not 0.0 < r_max < math.inf:
-            raise InvalidArgumentError(f"r_max = {r_max:g} is not allowed: it must be finite and greater than 0")
+            raise InvalidArgumentError(f"r_max = {r_max:g}: it must be finite and greater than 0")
         created = native.profile_function(callback.entry, None, r_max)
         callback.reraise()
         self._own(created, r_max=r_max)

@@ -78,13 +78,12 @@ class Paraboloid(Profile):
         """
         upper, lower = number("upper_radius", upper_radius), number("lower_radius", lower_radius)
         if not 0.0 < upper < math.inf:
-            raise InvalidArgumentError(f"upper_radius = {upper:g} is not allowed: it must be finite and greater than 0")
+            raise InvalidArgumentError(f"upper_radius = {upper:g}: it must be finite and greater than 0")
         if math.isnan(lower) or lower == 0.0:
-            raise InvalidArgumentError(f"lower_radius = {lower:g} is not allowed: it must be a number other than 0")
+            raise InvalidArgumentError(f"lower_radius = {lower:g}: it must be a number other than 0")
         if -1.1 * upper < lower < 0.0:
             raise InvalidArgumentError(
-                f"lower_radius = {lower:g} is not allowed: a socket must be a tenth wider than the ball, {upper:g}, or the "
-                "contact is conformal"
+                f"lower_radius = {lower:g}: a socket must be a tenth wider than the ball, {upper:g}, or the contact is conformal"
             )
         return cls(1.0 / (1.0 / upper + 1.0 / lower))
 
@@ -326,5 +325,5 @@ def _acute(name: str, angle: float, degrees: bool) -> float:
     """`angle` if it is one of a cone. The library knows the inclination in radian only, and would name that one."""
     right, unit = (90.0, "90 degrees") if degrees else (math.pi / 2, "pi/2 = 1.570796 radian")
     if not 0.0 < angle < right:
-        raise InvalidArgumentError(f"{name} = {angle:g} is not allowed: it must be greater than 0 and less than {unit}")
+        raise InvalidArgumentError(f"{name} = {angle:g}: it must be greater than 0 and less than {unit}")
     return angle

@@ -119,11 +119,9 @@ def fit(
     progress.step(0, None, "fit")
     if problem.drainage is not None:
         if interval != "normal":
-            raise InvalidArgumentError(
-                f"interval = {interval!r} is not allowed: a gel has intervals from its standard errors alone"
-            )
+            raise InvalidArgumentError(f"interval = {interval!r}: a gel has intervals from its standard errors alone")
         if moves:
-            raise InvalidArgumentError("moves = True is not allowed: a gel is fitted to its whole curve alone")
+            raise InvalidArgumentError("moves = True: a gel is fitted to its whole curve alone")
         return _of_gel(problem, data, problem.drainage, compare, progress)
     found = fitting.fit(data, **problem.arguments)
     analysis = None

@@ -158,7 +158,7 @@ contains
         if (.not. allocated(error)) call choose_control(chosen, control, spring_stiffness, .true., error)
         if (.not. allocated(error)) then
             if (start%radius > 0.0_c_double) call raise(error, error_invalid, " = "//to_text(start%radius)// &
-                " is not allowed: it must be 0 (apart) or less (at rest)", "start")
+                ": it must be 0 (separated bodies) or less than 0 (equilibrium)", "start")
         end if
         if (.not. allocated(error)) then
             allocate (path(cohesive_columns, n), stat=stat)

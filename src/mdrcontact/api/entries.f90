@@ -231,7 +231,7 @@ contains
         type(error_t), allocatable :: error
 
         allocate (made)
-        if (n == 0) call raise(error, error_invalid, "coefficients is empty: at least C0 is needed")
+        if (n == 0) call raise(error, error_invalid, "coefficients: the array is empty. Give at least C0")
         if (.not. allocated(error) .and. n > 0) then
             call new_area_function_profile(made, coefficients(:n), min_height, max_height, error)
         end if
@@ -293,7 +293,7 @@ contains
         type(error_t), allocatable :: error
 
         allocate (made)
-        if (n == 0) call raise(error, error_invalid, "terms is empty: at least one is needed")
+        if (n == 0) call raise(error, error_invalid, "terms: the array is empty. Give at least one term")
         if (.not. allocated(error)) call check_array(error, "terms", n, present(terms))
         if (.not. allocated(error) .and. n > 0) call copy_terms(terms(:n), copies, error)
         if (.not. allocated(error)) call new_profile_sum(made, copies, error)
@@ -488,7 +488,7 @@ contains
         end if
         if (.not. allocated(error)) then
             if (allocated(body_inside%solved)) call raise(error, error_invalid, &
-                " is not allowed: the compliance of a rigid body, or of one of a "// "power of the depth, is not known", "body")
+                ": the compliance of rigid and of power-law graded bodies "// "is not available. Use another body", "body")
         end if
         call return_parts(error, out_values, out, imaginary)
         status = status_of(error)

@@ -66,8 +66,7 @@ contains
         if (.not. allocated(error)) call read_data(branch, n, x, y, given, sd, data, error)
         if (.not. allocated(error)) then
             if (position < 0 .or. position >= size(chosen%parameters)) call raise(error, error_invalid, "position = "// &
-                count_text(position)//" is not allowed: it must be at least 0 and less than "//count_text(size( &
-                chosen%parameters)))
+                count_text(position)//": it must be at least 0 and less than "//count_text(size(chosen%parameters)))
         end if
         if (.not. allocated(error)) call solve_fit(chosen, data, fit, error)
         lower_value = 0.0_c_double

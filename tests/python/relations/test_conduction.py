@@ -162,7 +162,7 @@ def test_heat_warms(body, tip, work):
     try:
         heat = conduction.friction_heat(state, 0.3, 1.0)
     except mdr.MDRError as refusal:
-        assert "is not one disc" in str(refusal), refusal
+        assert "is not a single area" in str(refusal), refusal
     else:
         assert min(heat.total, heat.share, heat.centre, heat.flux_mean, heat.area_mean) > 0.0
         assert np.all(heat.temperature(radius * R, 0.1 * radius) > 0.0)
@@ -184,7 +184,7 @@ def test_rough_spots_lie_between_bounds(stack, body, tip, parts):
     try:
         heat = conduction.friction_heat(state, 1.0, 1.0)
     except mdr.MDRError as refusal:
-        assert "is not one disc" in str(refusal), refusal
+        assert "is not a single area" in str(refusal), refusal
         return
     smooth, meant = 1.0 / conduction.at_radius(state.radius).conductance, heat.flux_mean / heat.total
     found = []

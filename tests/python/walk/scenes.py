@@ -117,7 +117,7 @@ def _elastic() -> list[Scene]:
     )
     blunt = mdr.FlatEndedParaboloid(0.6, 4.0)
     stiff = mdr.Contact(blunt, mdr.Coated(mdr.Elastic(100.0, 0.25), 0.3, BASE))
-    scenes.append(Scene("not one disc", stiff, ("lowest_pressure",)))
+    scenes.append(Scene("not a single area", stiff, ("lowest_pressure",)))
     return scenes
 
 

@@ -302,7 +302,7 @@ def test_a_range_needs_adhesion_that_follows_the_balance_of_energy():
     data = mdi.ForceDepth(**_force_depth())
     ranged = mdi.Instrument(cohesive_stress=3e8)
     for free, instrument in ((FREE, ranged), ({**FREE, "cohesive_stress": 3e8}, None)):
-        with pytest.raises(mdr.errors.InvalidArgumentError, match="without a work_of_adhesion"):
+        with pytest.raises(mdr.errors.InvalidArgumentError, match="it needs a work_of_adhesion"):
             make_problem(data, TIP, BODY, free, instrument)
     make_problem(data, TIP, BODY, {**FREE, "work_of_adhesion": 0.9}, ranged)
     with pytest.raises(mdr.errors.InvalidArgumentError, match="balance of energy"):

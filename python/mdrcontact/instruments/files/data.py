@@ -112,7 +112,7 @@ def table_options(section: Section) -> TableOptions:
         raise ProblemError('[data]: units must be a table of units by title, as in units = { Depth = "nm" }')
     skip = section.plain("skip", 0)
     if isinstance(skip, bool) or not isinstance(skip, int) or skip < 0:
-        raise ProblemError(f"[data]: skip = {skip!r} is not allowed: it must be a number of lines, at least 0")
+        raise ProblemError(f"[data]: skip = {skip!r}: it must be a number of lines, at least 0")
     sheet = str(section.plain("sheet", ""))
     decimal = section.value("decimal") or ""
     return TableOptions(tuple(columns), units, skip, sheet, decimal)

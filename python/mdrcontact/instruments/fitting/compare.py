@@ -79,7 +79,7 @@ def compare_models(
     models : their names; default: all that know this medium
     """
     if not isinstance(medium, (media.Coated, media.Layered)):
-        raise ArgumentTypeError(f"medium = {medium!r} is not allowed: only coated and layered media have several models")
+        raise ArgumentTypeError(f"medium = {medium!r}: only coated and layered media have several models")
     chosen = list(models) if models is not None else _candidates(medium)
     found: dict[str, FitResult] = {}
     refused: dict[str, str] = {}

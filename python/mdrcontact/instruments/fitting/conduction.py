@@ -41,7 +41,7 @@ class ConductanceForce(Value):
     def __post_init__(self) -> None:
         self._set(force=numbers("force", self.force), conductance=numbers("conductance", self.conductance))
         if self.force.shape != self.conductance.shape or self.force.ndim != 1:
-            raise InvalidArgumentError("conductance is not allowed: it must have one dimension and as many entries as force")
+            raise InvalidArgumentError("conductance: it must have one dimension and as many entries as force")
 
     def _readings(self) -> NDArray[np.float64]:
         return self.conductance
@@ -72,9 +72,9 @@ class Impedance(Value):
     def __post_init__(self) -> None:
         self._set(omega=numbers("omega", self.omega), values=np.asarray(self.values, complex), radius=number("radius", self.radius))
         if self.omega.shape != self.values.shape or self.omega.ndim != 1:
-            raise InvalidArgumentError("values is not allowed: it must have one dimension and as many entries as omega")
+            raise InvalidArgumentError("values: it must have one dimension and as many entries as omega")
         if self.answer not in ANSWERS:
-            raise InvalidArgumentError(f"answer = {self.answer!r} is not allowed: {nearest(self.answer, ANSWERS)}")
+            raise InvalidArgumentError(f"answer = {self.answer!r}: {nearest(self.answer, ANSWERS)}")
 
     def _readings(self) -> NDArray[np.float64]:
         return np.concatenate([self.values.real, self.values.imag])
@@ -131,7 +131,7 @@ def _weights(part: Any) -> NDArray[np.float64]:
 def _body(conduction: Conduction) -> LayeredConductor:
     body = LayeredConductor((), conduction.body) if isinstance(conduction.body, Conductor) else conduction.body
     if not isinstance(body, LayeredConductor):
-        raise ArgumentTypeError("body of the conduction is not allowed in a fit: it must be a Conductor or a LayeredConductor")
+        raise ArgumentTypeError("body of the conduction: in a fit it must be a Conductor or a LayeredConductor")
     return body
 
 
@@ -148,7 +148,7 @@ def _place(body: LayeredConductor, name: str) -> tuple[int | None, str]:
     known = [f"{p}.{k}" for p in (*layers, "substrate") for k in keys] + [
         f"{p}.{k}" for p in layers for k in ("thickness", "resistance")
     ]
-    raise InvalidArgumentError(f"free = {name!r} is not allowed: {nearest(name, [*known, 'film'])}")
+    raise InvalidArgumentError(f"free = {name!r}: {nearest(name, [*known, 'film'])}")
 
 
 def _parts(body: LayeredConductor) -> list[list[Any]]:

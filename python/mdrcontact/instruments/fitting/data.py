@@ -50,7 +50,7 @@ class Data:
         self, x: ArrayLike, y: ArrayLike, given: ArrayLike | None, sd: ArrayLike | None, relative_sd: float | None, missing: str
     ) -> None:
         if missing not in ("raise", "drop"):
-            raise InvalidArgumentError(f"missing = {missing!r} is not allowed: choose from 'raise', 'drop'")
+            raise InvalidArgumentError(f"missing = {missing!r}: choose from 'raise', 'drop'")
         if sd is not None and relative_sd is not None:
             raise InvalidArgumentError("sd and relative_sd say the same thing twice: keep one")
         columns = {self.x_name: column_of(self.x_name, x), self.y_name: column_of(self.y_name, y)}
@@ -59,13 +59,13 @@ class Data:
         if relative_sd is not None:
             relative = number("relative_sd", relative_sd)
             if not 0.0 < relative < 1.0:
-                raise InvalidArgumentError(f"relative_sd = {relative!r} is not allowed: it must be between 0 and 1")
+                raise InvalidArgumentError(f"relative_sd = {relative!r}: it must be between 0 and 1")
             sd = relative * np.abs(columns[self.y_name])
             zeros = np.flatnonzero(sd == 0.0)
             if len(zeros):
                 raise InvalidArgumentError(
-                    f"relative_sd is not allowed where the {self.y_name} is 0, as in entry {zeros[0]}, counted from 0: leave such "
-                    "readings out, or give sd"
+                    f"relative_sd: the {self.y_name} must not be 0, as in entry {zeros[0]}, counted from 0. Omit such readings, or "
+                    "give sd"
                 )
         if sd is not None:
             errors = numbers("sd", sd)
@@ -84,7 +84,7 @@ class Data:
             fine = np.flatnonzero((self.sd > 0.0) & (self.sd < _FINEST * np.abs(self.y)))
             if len(fine):
                 raise InvalidArgumentError(
-                    f"entry {fine[0]} of sd = {self.sd[fine[0]]:.3g}, counted from 0, is not allowed: no reading of "
+                    f"entry {fine[0]} of sd = {self.sd[fine[0]]:.3g}, counted from 0,: no reading of "
                     f"{self.y[fine[0]]:.4g} is that fine; check its units"
                 )
         self._check_order()
@@ -157,7 +157,7 @@ def column_of(name: str, values: ArrayLike) -> Array:
     """`values` as an array of one dimension."""
     array = numbers(name, values)
     if array.ndim != 1:
-        raise ArgumentTypeError(f"{name} is not allowed: it must have one dimension, not {array.ndim}")
+        raise ArgumentTypeError(f"{name}: it must have one dimension, not {array.ndim}")
     return array
 
 
@@ -189,7 +189,7 @@ class ForceDepth(Data):
             words = [branch] * np.size(depth) if isinstance(branch, str) else list(branch)
             for word in words:
                 if word not in BRANCHES:
-                    raise InvalidArgumentError(f"branch = {word!r} is not allowed: choose from 'loading', 'unloading'")
+                    raise InvalidArgumentError(f"branch = {word!r}: choose from 'loading', 'unloading'")
             if len(words) != np.size(depth):
                 raise InvalidArgumentError(f"branch has {len(words)} entries and depth {np.size(depth)}: they must be as many")
             self._given = np.array([BRANCHES[word] for word in words], dtype=np.int32)
@@ -210,7 +210,7 @@ class ForceDepth(Data):
     def on(self, branch: str) -> ForceDepth:
         """The points of one branch, "loading" or "unloading"; all points of a curve that has one branch only."""
         if branch not in BRANCHES:
-            raise InvalidArgumentError(f"branch = {branch!r} is not allowed: choose from 'loading', 'unloading'")
+            raise InvalidArgumentError(f"branch = {branch!r}: choose from 'loading', 'unloading'")
         if self.branch is None:
             return self
         keep = self.branch == BRANCHES[branch]
@@ -267,7 +267,7 @@ class StiffnessDepth(Data):
     ) -> None:
         super().__init__(depth, stiffness, force, sd, relative_sd, missing)
         if elastic is not None and not isinstance(elastic, bool):
-            raise ArgumentTypeError(f"elastic = {elastic!r} is not allowed: it must be True, False or None")
+            raise ArgumentTypeError(f"elastic = {elastic!r}: it must be True, False or None")
         self.elastic = elastic
         self.seems_elastic = abs(self._reversibility() - 1.0) < REVERSIBLE
 

@@ -155,7 +155,7 @@ def modulus_at_depths(
     progress : called with the number of points done
     """
     if not isinstance(data, StiffnessDepth) or data.force is None:
-        raise ArgumentTypeError(f"data = {data!r} is not allowed: it must be StiffnessDepth(...)")
+        raise ArgumentTypeError(f"data = {data!r}: it must be StiffnessDepth(...)")
     if data.sd is None:
         raise InvalidArgumentError(
             "the data have no standard deviations, which one point alone cannot show: give sd or relative_sd"
@@ -168,7 +168,7 @@ def modulus_at_depths(
     wanted = [name for name, entry in problem.free.items() if entry.prior is None and name not in joined]
     if len(wanted) != 1:
         raise InvalidArgumentError(
-            f"free is not allowed: one parameter without a prior is found at each point; here are {', '.join(wanted) or 'none'}"
+            f"free: one parameter without a prior is found at each point; here are {', '.join(wanted) or 'none'}"
         )
     (name,) = wanted
     place = problem.names.index(name)

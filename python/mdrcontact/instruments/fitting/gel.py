@@ -80,7 +80,7 @@ def fit_gel(
     """
     names = _names(free)
     if not is_poroelastic(medium):
-        raise ArgumentTypeError(f"medium = {medium!r} is not allowed: it must be a body of Poroelastic(...)")
+        raise ArgumentTypeError(f"medium = {medium!r}: it must be a body of Poroelastic(...)")
     drainage_code(drainage)
     gel = gel_of(medium)
     answers = partial(_shape, _case(data, indenter), data, indenter, medium, drainage)
@@ -118,7 +118,7 @@ def _case(data: Any, indenter: Any) -> str:
     """What kind of answer the data are; refuses what is not solved."""
     if isinstance(data, DynamicStiffness):
         if data.given is None or not len(data) or not (data.given == data.given[0]).all():
-            raise InvalidArgumentError("radius is not allowed: oscillations of gels are fitted at one contact radius")
+            raise InvalidArgumentError("radius: oscillations of gels are fitted at one contact radius")
         return "dynamic"
     if isinstance(indenter, FlatPunch) and isinstance(data, (ForceTime, DepthTime)):
         return "depth" if isinstance(data, ForceTime) else "force"
@@ -144,7 +144,7 @@ def _time_scale(data: Any, indenter: Any) -> float:
     a = _radius(data, indenter)
     duration = 1.0 / float(data.x.max()) if isinstance(data, DynamicStiffness) else float(np.ptp(data.x))
     if not duration > 0.0:
-        raise InvalidArgumentError("time is not allowed: a fit needs readings at several times")
+        raise InvalidArgumentError("time: a fit needs readings at several times")
     return a**2 / duration
 
 

@@ -172,5 +172,5 @@ def names_of(free: Iterable[str], known: Sequence[str] = ()) -> tuple[str, ...]:
     names = tuple(free)
     if isinstance(free, str) or not names or len(set(names)) != len(names) or (known and not set(names) <= set(known)):
         words = f"choose from {', '.join(map(repr, known))}, each once" if known else "give names, each once"
-        raise InvalidArgumentError(f"free = {free!r} is not allowed: {words}")
+        raise InvalidArgumentError(f"free = {free!r}: {words}")
     return names

@@ -43,7 +43,7 @@ def fit_many(
     """
     tasks = list(curves)
     if thread_count(threads) < 0:
-        raise InvalidArgumentError(f"threads = {threads!r} is not allowed: it must be at least 1, or 0 for one per core")
+        raise InvalidArgumentError(f"threads = {threads!r}: it must be at least 1, or 0 for one per core")
     results: list[FitResult | FailedFit] = []
 
     def one(index: int) -> FitResult | FailedFit:

@@ -62,10 +62,10 @@ def oliver_pharr(
     medium : the body, best the one that a fit has found: sigma is that of its exact contact. None: a half-space, sigma = epsilon
     """
     if not isinstance(data, StiffnessDepth):
-        raise ArgumentTypeError(f"data = {data!r} is not allowed: it must be StiffnessDepth(...) or Unloading(...)")
+        raise ArgumentTypeError(f"data = {data!r}: it must be StiffnessDepth(...) or Unloading(...)")
     tip_sd = number("area_sd", area_sd)
     if not 0.0 <= tip_sd < 1.0:
-        raise InvalidArgumentError(f"area_sd = {area_sd!r} is not allowed: it must be at least 0 and less than 1")
+        raise InvalidArgumentError(f"area_sd = {area_sd!r}: it must be at least 0 and less than 1")
     given = instrument or Instrument()
     body = Homogeneous(Elastic(1.0, 0.0)) if medium is None else medium
     problem = make_problem(data, indenter, body, ["area_factor"], replace(given, indenter=None) if is_paired(body) else given)

@@ -46,10 +46,10 @@ class Free(Value):
         try:
             mean, sd = self.prior
         except (TypeError, ValueError) as problem:
-            raise ArgumentTypeError(f"prior = {self.prior!r} is not allowed: it must be (value, standard deviation)") from problem
+            raise ArgumentTypeError(f"prior = {self.prior!r}: it must be (value, standard deviation)") from problem
         prior = number("prior value", mean), number("prior standard deviation", sd)
         if not (math.isfinite(prior[0]) and 0.0 < prior[1] < math.inf):
-            raise InvalidArgumentError(f"prior = {prior!r} is not allowed: its standard deviation must be greater than 0")
+            raise InvalidArgumentError(f"prior = {prior!r}: its standard deviation must be greater than 0")
         self._set(prior=prior)
 
 
@@ -74,7 +74,7 @@ class JointPrior(Value):
                 f"({len(names)},) and ({len(names)}, {len(names)})"
             )
         if not (np.isfinite(values).all() and np.isfinite(covariance).all()):
-            raise InvalidArgumentError("values and covariance are not allowed: they must be finite")
+            raise InvalidArgumentError("values and covariance: they must be finite")
         self._set(names=names, values=tuple(values.tolist()), covariance=tuple(map(tuple, covariance.tolist())))
         self.weights()
 
@@ -83,10 +83,10 @@ class JointPrior(Value):
         covariance = np.array(self.covariance)
         scale = np.sqrt(np.maximum(np.diag(covariance), 0.0))
         if not (scale > 0.0).all():
-            raise InvalidArgumentError("covariance is not allowed: its diagonal must be greater than 0")
+            raise InvalidArgumentError("covariance: its diagonal must be greater than 0")
         variances, axes = np.linalg.eigh(covariance / np.outer(scale, scale))
         if variances[0] < -1e-8 or not np.allclose(covariance, covariance.T, rtol=1e-6):
-            raise InvalidArgumentError("covariance is not allowed: it must be symmetric and positive definite")
+            raise InvalidArgumentError("covariance: it must be symmetric and positive definite")
         # rounding of a covariance that was written to a file must not fix a direction
         return np.asarray((axes / np.sqrt(np.maximum(variances, 1e-12))).T / scale)
 
@@ -127,7 +127,7 @@ class Instrument(Value):
 
     def __post_init__(self) -> None:
         if self.indenter is not None and not isinstance(self.indenter, Elastic):
-            raise ArgumentTypeError(f"indenter = {self.indenter!r} is not allowed: it must be an Elastic(E, nu) or None")
+            raise ArgumentTypeError(f"indenter = {self.indenter!r}: it must be an Elastic(E, nu) or None")
         self._set(**{name: number(name, value) for name, value in self._given().items() if name != "indenter"})
 
 
@@ -162,11 +162,11 @@ _TIP, _UPPER, _MODULUS = "indenter.", "upper.", "indenter_modulus"
 def pattern_of(indenter: Any, medium: Any, instrument: Instrument) -> Pattern:
     """The parameters of these objects; tables, functions, sums and pyramids have none."""
     if not isinstance(indenter, profiles.Profile):
-        raise ArgumentTypeError(f"indenter = {indenter!r} is not allowed: it must be an indenter profile")
+        raise ArgumentTypeError(f"indenter = {indenter!r}: it must be an indenter profile")
     if not isinstance(medium, media.Medium):
-        raise ArgumentTypeError(f"medium = {medium!r} is not allowed: it must be a medium")
+        raise ArgumentTypeError(f"medium = {medium!r}: it must be a medium")
     if not isinstance(instrument, Instrument):
-        raise ArgumentTypeError(f"instrument = {instrument!r} is not allowed: it must be an Instrument(...)")
+        raise ArgumentTypeError(f"instrument = {instrument!r}: it must be an Instrument(...)")
     if is_poroelastic(medium):
         raise InvalidArgumentError("a poroelastic gel is fitted by fit_gel(data, indenter, medium, free, drainage=...)")
     listed = _listed(record(_layout.fit_problem, **handles_of(indenter, medium)))
@@ -229,7 +229,7 @@ def _of_relaxing(known: Mapping[str, float]) -> list[str]:
     times = [(name.split("terms[")[0], value) for name, value in known.items() if name.endswith("].time")]
     if len(set(times)) < len(times):
         words = "two terms of equal time are one, which has no two moduli to be fitted"
-        raise InvalidArgumentError(f"terms is not allowed: {words}")
+        raise InvalidArgumentError(f"terms: {words}")
     names: list[str] = []
     for name in known:
         if not any(part in name for part in ("conductor.", "prestress", "interface.")):
@@ -259,7 +259,7 @@ def with_indenter(instrument: Instrument, medium: Any) -> Instrument:
     if not has_homogeneous_indenter(medium):
         return instrument
     if instrument.indenter is not None:
-        raise InvalidArgumentError("Instrument(indenter=...) is not allowed with a Pair: its upper body is the indenter")
+        raise InvalidArgumentError("Instrument(indenter=...): the upper body of a Pair is the indenter. Omit it")
     return instrument.replace(indenter=medium.upper.material)
 
 
@@ -271,11 +271,11 @@ def read_free(free: Any, names: Sequence[str]) -> dict[str, Free]:
     known = [name for name in names if name]
     for name, entry in chosen.items():
         if name not in known:
-            raise InvalidArgumentError(f"free parameter {name!r} is not allowed: {nearest(str(name), known)}")
+            raise InvalidArgumentError(f"free parameter {name!r}: {nearest(str(name), known)}")
         if isinstance(entry, Free):
             continue
         if entry is not None and not isinstance(entry, (int, float)):
-            raise ArgumentTypeError(f"free[{name!r}] = {entry!r} is not allowed: it must be Free(...), a starting value or None")
+            raise ArgumentTypeError(f"free[{name!r}] = {entry!r}: it must be Free(...), a starting value or None")
         chosen[name] = Free(entry)
     return chosen
 
@@ -286,10 +286,10 @@ def read_known(known: Iterable[JointPrior], names: Sequence[str], free: dict[str
     taken: set[str] = set()
     for prior in known:
         if not isinstance(prior, JointPrior):
-            raise ArgumentTypeError(f"known = {prior!r} is not allowed: it must hold JointPrior(...)")
+            raise ArgumentTypeError(f"known = {prior!r}: it must hold JointPrior(...)")
         for name in prior.names:
             if not name or name not in names:
-                raise InvalidArgumentError(f"joint prior of {name!r} is not allowed: {nearest(str(name), [n for n in names if n])}")
+                raise InvalidArgumentError(f"joint prior of {name!r}: {nearest(str(name), [n for n in names if n])}")
             if name in taken or (name in free and free[name].prior is not None):
                 raise InvalidArgumentError(f"{name} has two priors: keep one")
             taken.add(name)

@@ -108,12 +108,12 @@ def _check_time(data: Data, medium: Any) -> None:
     in_time = isinstance(data, _IN_TIME)
     if is_viscoelastic(medium) and not in_time:
         raise InvalidArgumentError(
-            f"data = {type(data).__name__}(...) is not allowed: the body is viscoelastic; its data are ForceTime, DepthTime or "
+            f"data = {type(data).__name__}(...): the body is viscoelastic; its data are ForceTime, DepthTime or "
             'DynamicStiffness, in problem files the kinds "force-time", "depth-time" and "dynamic-stiffness"'
         )
     if in_time and not is_viscoelastic(medium):
         raise InvalidArgumentError(
-            f"data = {type(data).__name__}(...) is not allowed: the body is elastic and does not depend on time; begin with a "
+            f"data = {type(data).__name__}(...): the body is elastic and does not depend on time; begin with a "
             "Viscoelastic or a PowerLawRheology, or take the forces against depth"
         )
 
@@ -134,7 +134,7 @@ def make_problem(
 ) -> Problem:
     """Checks the arguments of `fit` and translates them."""
     if not isinstance(data, Data):
-        raise ArgumentTypeError(f"data = {data!r} is not allowed: it must be ForceDepth(...), StiffnessDepth(...), ...")
+        raise ArgumentTypeError(f"data = {data!r}: it must be ForceDepth(...), StiffnessDepth(...), ...")
     _check_time(data, medium)
     instrument, known = instrument or Instrument(), tuple(known)
     rule, loss_code = code("adhesion_rule", adhesion_rule, RULES), code("loss", loss, LOSSES)
@@ -191,10 +191,7 @@ def _check_seen(data: Data, instrument: Instrument, free: Mapping[str, Free]) ->
             continue
         given = f"free parameter {name!r}" if name in free else f"{name} = {getattr(instrument, name)!r}"
         known = ", ".join(n for n in dimensions(Instrument) if n in seen)
-        raise InvalidArgumentError(
-            f"{given} is not allowed with {type(data).__name__} data, which do not depend on it: of the instrument they know "
-            f"{known}; leave it out"
-        )
+        raise InvalidArgumentError(f"{given}: {type(data).__name__} data do not depend on it, but on {known}. Omit it")
 
 
 def _check_adhesion(data: Data, instrument: Instrument, free: Mapping[str, Free], rule: str) -> None:
@@ -203,17 +200,14 @@ def _check_adhesion(data: Data, instrument: Instrument, free: Mapping[str, Free]
     has_range = _set_or_free("cohesive_stress", instrument, free)
     if has_range and not adheres:
         raise InvalidArgumentError(
-            "cohesive_stress is not allowed without a work_of_adhesion: the range of adhesion is work_of_adhesion/cohesive_stress; "
-            "give that too, or let it be free"
+            "cohesive_stress: it needs a work_of_adhesion, because the range of adhesion is work_of_adhesion/cohesive_stress. "
+            "Give it, or make it free"
         )
     if has_range and rule == "paper":
-        raise InvalidArgumentError(
-            "cohesive_stress is not allowed with adhesion_rule = 'paper': the zone follows from the balance of energy"
-        )
+        raise InvalidArgumentError("cohesive_stress: adhesion_rule = 'paper' has no cohesive zone. Use 'energy'")
     if rule != "automatic" and not adheres:
         raise InvalidArgumentError(
-            f"adhesion_rule = {rule!r} is not allowed where nothing adheres: leave it out, or fit ForceDepth data with a "
-            "work_of_adhesion"
+            f"adhesion_rule = {rule!r}: it needs adhesion. Omit it, or fit ForceDepth data with a work_of_adhesion"
         )
 
 
@@ -230,9 +224,7 @@ def _is_elastic(data: Data, instrument: Instrument, free: Mapping[str, Free]) ->
     if data.elastic is None:
         return data.seems_elastic and not changed
     if data.elastic and changed:
-        raise InvalidArgumentError(
-            f"{changed[0]} is not allowed with elastic = True: the indenter itself says how far the surface sinks in; leave one out"
-        )
+        raise InvalidArgumentError(f"{changed[0]}: with elastic = True the sink-in follows from the indenter. Omit one of them")
     return data.elastic
 
 

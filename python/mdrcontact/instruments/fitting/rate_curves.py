@@ -164,9 +164,9 @@ class _Problem:
 
     def __init__(self, curves: tuple[RateCurve, ...], contact: Contact, names: tuple[str, ...]) -> None:
         if not curves or not all(isinstance(curve, RateCurve) for curve in curves):
-            raise ArgumentTypeError("curves is not allowed: it must be a list of RateCurve")
+            raise ArgumentTypeError("curves: it must be a list of RateCurve")
         if contact.adhesion is None:
-            raise ArgumentTypeError("contact is not allowed: it must have adhesion=, the start of the fit")
+            raise ArgumentTypeError("contact: it must have adhesion=, the start of the fit")
         self.curves, self.contact, self.names = curves, contact, names
         sizes = {"position_offset": float(max(np.ptp(c.position) for c in curves)),
                  "force_offset": float(max(np.ptp(c.force) for c in curves))}  # fmt: skip
@@ -174,7 +174,7 @@ class _Problem:
         known = (*_numbers(contact), *_OFFSETS)
         for name in names:
             if name not in known:
-                raise InvalidArgumentError(f"free = {name!r} is not allowed: {nearest(name, known)}")
+                raise InvalidArgumentError(f"free = {name!r}: {nearest(name, known)}")
 
     def start(self) -> NDArray[np.float64]:
         """The parameters of the contact."""

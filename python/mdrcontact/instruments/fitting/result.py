@@ -150,7 +150,7 @@ class FitResult:
             raise InvalidArgumentError(f"{name!r} is not a free parameter: {nearest(str(name), self.names)}")
         level = number("level", level)
         if not 0.0 < level < 1.0:
-            raise InvalidArgumentError(f"level = {level!r} is not allowed: it must be between 0 and 1")
+            raise InvalidArgumentError(f"level = {level!r}: it must be between 0 and 1")
         if method == "normal":
             # correlated residuals are worth so many independent ones
             freedom = max(self.degrees_of_freedom / self.widening[name] ** 2, 1.0)
@@ -167,7 +167,7 @@ class FitResult:
             lower, upper = np.quantile(values, [0.5 * (1.0 - level), 0.5 * (1.0 + level)])
             return Interval(float(lower), float(upper))
         known = ("normal", "profile", "monte-carlo")
-        raise InvalidArgumentError(f"method = {method!r} is not allowed: {nearest(str(method), known)}")
+        raise InvalidArgumentError(f"method = {method!r}: {nearest(str(method), known)}")
 
     def simulate(self, draws: int = 200, seed: int | None = None) -> Array:
         """Estimates from simulated data: the fitted curve plus noise, and priors drawn about their estimates; (draws, parameters).

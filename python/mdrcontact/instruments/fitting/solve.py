@@ -70,11 +70,11 @@ def fit(
     options = (instrument, loss, loss_scale, adhesion_rule, sd_is_absolute, max_iterations, check_units, tuple(known))
     distance = number("contact_weight", contact_weight)
     if not 0.0 <= distance < math.inf:
-        raise InvalidArgumentError(f"contact_weight = {contact_weight!r} is not allowed: it must be at least 0 and finite")
+        raise InvalidArgumentError(f"contact_weight = {contact_weight!r}: it must be at least 0 and finite")
     moves = bool(code("contact_weight_rule", contact_weight_rule, RULES))
     if distance > 0.0:
         if not isinstance(data, ForceDepth):
-            raise InvalidArgumentError("contact_weight is not allowed: it belongs to forces against depth")
+            raise InvalidArgumentError("contact_weight: it belongs to forces against depth")
         first = _fitted(make_problem(data, indenter, medium, free, *options))
         # weights beside standard deviations that are not known are their ratios
         absolute = bool(sd_is_absolute) and data.sd is not None

@@ -27,7 +27,7 @@ class _InTime(Data):
     def _check_order(self) -> None:
         back = np.flatnonzero(np.diff(self.x) <= 0.0)
         if len(back):
-            raise InvalidArgumentError(f"entry {back[0] + 2} of time = {self.x[back[0] + 1]:.7g} is not allowed: times must ascend")
+            raise InvalidArgumentError(f"entry {back[0] + 2} of time = {self.x[back[0] + 1]:.7g}: times must ascend")
 
     def _follow_path(self) -> tuple[float, float]:
         """Puts straight pieces in the place of prescribed readings whose noise goes back and forth; how far the pieces lie from the
@@ -75,7 +75,7 @@ class ForceTime(_InTime):
         off, share = self._follow_path()
         if share > _ROUGH:
             raise InvalidArgumentError(
-                f"depth is not allowed: it must rise to one largest value and fall; the closest such path is {off:.3g} from the "
+                f"depth: it must rise to one largest value and fall; the closest such path is {off:.3g} from the "
                 "readings. Give the path that was prescribed, or a part of the record"
             )
 

@@ -233,9 +233,7 @@ class Unloading(StiffnessDepth):
     ) -> None:
         h, p = curve(depth, force, fewest=_FEWEST)
         if not (len(upper_part) == 2 and 0.0 < upper_part[0] < upper_part[1] <= 1.0):
-            raise InvalidArgumentError(
-                f"upper_part = {upper_part!r} is not allowed: it must be two numbers with 0 < lower < upper <= 1"
-            )
+            raise InvalidArgumentError(f"upper_part = {upper_part!r}: it must be two numbers with 0 < lower < upper <= 1")
         parts = list(find_segments(h, p) if segments is None else segments)
         points: list[UnloadingPoint] = []
         self.unused_unloadings: list[tuple[Segment, str]] = []

@@ -95,7 +95,7 @@ class _Weighted:
             step *= _GROWTH
             behind, contact, here, x = contact, x, y, x + step
         else:
-            raise InvalidArgumentError("contact_weight_rule = 'moving' is not allowed: the contact point leaves the curve")
+            raise InvalidArgumentError("contact_weight_rule = 'moving': the contact point leaves the curve")
         low, high = sorted((behind, x))
         left, right = high - _GOLDEN * (high - low), low + _GOLDEN * (high - low)
         at_left, at_right = height(left), height(right)

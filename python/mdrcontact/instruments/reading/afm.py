@@ -125,7 +125,7 @@ def _curve(data: Any, chosen: dict[str, float]) -> AfmCurve:
     meta = data.metadata
     if "sensitivity" in chosen and not meta.get("sensitivity"):
         raise MissingSettings(
-            "deflection_sensitivity is not allowed: the file has forces and does not say by which sensitivity; leave it out, and "
+            "deflection_sensitivity: the file has forces and does not say by which sensitivity; leave it out, and "
             "correct the spring_constant"
         )
     # forces are deflection [V] times sensitivity times spring constant

@@ -51,7 +51,7 @@ def find_contact_point(depth: ArrayLike, force: ArrayLike, method: str = "piecew
     """
     d, f = curve(depth, force, fewest=FEWEST)
     if method not in METHODS:
-        raise InvalidArgumentError(f"method = {method!r} is not allowed: {nearest(str(method), METHODS)}")
+        raise InvalidArgumentError(f"method = {method!r}: {nearest(str(method), METHODS)}")
     return _piecewise(d, f, number("power", power)) if method == "piecewise" else _ratio_of_variances(f)
 
 

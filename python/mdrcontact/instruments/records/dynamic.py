@@ -28,9 +28,9 @@ def without_oscillation(
     h, p, s = (numbers(name, v) for name, v in (("depth", depth), ("force", force), ("stiffness", stiffness)))
     rms, m = number("oscillation", oscillation), number("exponent", exponent)
     if not 0.0 < rms < math.inf:
-        raise InvalidArgumentError(f"oscillation = {oscillation!r} is not allowed: it must be greater than 0 and finite")
+        raise InvalidArgumentError(f"oscillation = {oscillation!r}: it must be greater than 0 and finite")
     if not 1.0 <= m <= 2.0:
-        raise InvalidArgumentError(f"exponent = {exponent!r} is not allowed: it must be between 1 and 2")
+        raise InvalidArgumentError(f"exponent = {exponent!r}: it must be between 1 and 2")
     top, span = p + math.sqrt(2.0) * rms * s, 2.0 * math.sqrt(2.0) * rms
     share = s * span / top
     keeps = (share < 1.0) & (s > 0.0)

@@ -85,7 +85,7 @@ def curve(depth: ArrayLike, force: ArrayLike, fewest: int = 2) -> tuple[Array, A
             f"depth and force have the shapes {d.shape} and {f.shape}: they must be two columns of one length"
         )
     if not (np.isfinite(d).all() and np.isfinite(f).all()):
-        raise InvalidArgumentError("depth and force are not allowed: they must be finite")
+        raise InvalidArgumentError("depth and force: they must be finite")
     if len(d) < fewest:
         raise InvalidArgumentError(f"too few points: {len(d)}; at least {fewest} are needed")
     if np.ptp(d) == 0.0 or np.ptp(f) == 0.0:
