@@ -72,7 +72,7 @@ def test_a_number_beyond_all_floats(tmp_path):
 @pytest.mark.parametrize(
     ("depth", "words"),
     [
-        ('max_depth = "1e999 nm"', "must be finite and greater than 0"),
+        ('max_depth = "1e999 nm"', "must be greater than 0 and finite"),
         ('max_depth = "1e999 nr"', "there is no unit 'nr'"),
         ('depths = ["1 nm", "1e999 nm"]', "must be finite and greater than the one before"),
     ],

@@ -357,4 +357,4 @@ def test_command_line(tmp_path, capsys):
         assert main(["fit", str(folder / "punch_on_hydrogel.csv"), "--problem", str(wrong)]) == 2
         assert words in capsys.readouterr().err
     assert main(["curve", str(ROOT / "examples" / "problems" / "relaxation_of_gel.toml")]) == 2
-    assert "use mdrcontact history" in capsys.readouterr().err
+    assert "Use mdrcontact history" in capsys.readouterr().err

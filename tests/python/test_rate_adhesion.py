@@ -324,7 +324,7 @@ def test_the_command(tmp_path, capsys):
 
 
 @pytest.mark.parametrize(("old", "new", "words"), [
-    ("exponent = 0.4", "", "exponent is missing"), ("exponent = 0.4", "exponent = 3", "exponent = 3"),
+    ("exponent = 0.4", "", "speed needs the key 'exponent'"), ("exponent = 0.4", "exponent = 3", "exponent = 3"),
     ('speed = "1 um/s"', 'speed = "1 um"', "speed"), ('fall_time = "10 s"', "", "retract_to"),
 ])  # fmt: skip
 def test_problem_files_that_cannot_be(tmp_path, capsys, old, new, words):

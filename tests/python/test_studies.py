@@ -323,7 +323,7 @@ def test_pressures_and_references_of_a_curve(tmp_path, monkeypatch, capfd):
 
 @pytest.mark.parametrize("name", ["adhesion", "friction", "wear", "conduction", "history"])
 def test_a_table_that_is_missing_is_named(name):
-    with pytest.raises(ProblemError, match=rf"^the table \[{name}\] is missing: write it with"):
+    with pytest.raises(ProblemError, match=rf"^the table \[{name}\] is missing. Write it with"):
         STUDIES[name](problem.read(BODY))
 
 
