@@ -87,8 +87,8 @@ class StateWarnings:
                     else "F(d) is off by at most a few per cent where the coating is up to 200 times stiffer than the body"
                 )
                 text = (
-                    f"this contact is not a single area: {fault} (contact radius {radii[place]:.3g}). Its pressure is not that of the "
-                    f"true contact; {off}"
+                    f"this contact is not a single area: {fault} (contact radius {radii[place]:.3g}). Its pressure is not "
+                    f"that of the true contact; {off}"
                 )
                 return [Caution(text, SeparationInsideWarning)], looked_at
         return [], looked_at

@@ -199,7 +199,7 @@ def _ends(found: Curve) -> Iterator[tuple[str, Array, Dimension]]:
 
 
 def _at_thickness(contact: Contact, medium: Medium) -> State | None:
-    """The state whose contact is as wide as the coating is thick; None where no contact is."""
+    """Return the state at a = h, None if there is none. It may lie beyond the curve: its warnings do not belong to the result."""
     h = thickness(medium)
     with suppress(MDRError), silence():
         return None if h is None else contact.at_radius(h)
