@@ -360,7 +360,8 @@ def test_output_to_a_full_disk(problem, tmp_path):
     limited = ["bash", "-c", 'ulimit -f 0; trap "" XFSZ; exec "$0" "$@" > screen', sys.executable, "-m", "mdrcontact"]
     for arguments in (["example"], ["curve", problem]):
         failed = subprocess.run([*limited, *arguments], cwd=tmp_path, capture_output=True, text=True, check=False)
-        assert (failed.returncode, failed.stderr) == (1, "mdrcontact: the output cannot be written: File too large\n")
+        words = "mdrcontact: the output cannot be written: File too large. Free space or write elsewhere.\n"
+        assert (failed.returncode, failed.stderr) == (1, words)
 
 
 def test_plain_import_is_light():

@@ -20,12 +20,16 @@ HELP = "report what a file of measurements contains, and write a problem file to
 def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Add the arguments of the command to a parser."""
     parser.add_argument("data", type=Path, metavar="FILE", help="table, spreadsheet or AFM file")
-    parser.add_argument("--plot", type=Path, metavar="FILE.png", help="draw the tests and their segments (.png, .pdf or .svg)")
+    parser.add_argument(
+        "--plot", type=Path, metavar="FILE.png", help="draw the tests and their segments (.png, .pdf or .svg); needs matplotlib"
+    )
     parser.add_argument("--problem", type=Path, metavar="START.toml", help="write a problem file to start from")
-    parser.add_argument("--columns", nargs="+", metavar="TITLE", default=(), help='titles with units, as in "depth [nm]"')
+    parser.add_argument(
+        "--columns", nargs="+", metavar="TITLE", default=(), help='titles of the columns with units, as in "depth [nm]"'
+    )
     for name, example in (("spring-constant", "0.2 N/m"), ("deflection-sensitivity", "50 nm/V")):
-        parser.add_argument(f"--{name}", metavar="VALUE", help=f'of the cantilever, as in "{example}"')
-    parser.add_argument("--like", type=Path, metavar="PROBLEM.toml", help="read the file by [data] and [instrument] of this one")
+        parser.add_argument(f"--{name}", metavar="VALUE", help=f'{name.replace("-", " ")} of the cantilever, as in "{example}"')
+    parser.add_argument("--like", type=Path, metavar="PROBLEM.toml", help="read the file with [data] and [instrument] of this file")
     parser.add_argument("--overwrite", action="store_true", help="replace existing output files")
 
 

@@ -6,6 +6,7 @@ from __future__ import annotations
 import argparse
 import contextlib
 import csv
+import dataclasses
 import functools
 import io
 import math
@@ -71,6 +72,8 @@ def numbers_of(value: Any, name: str = "") -> Answer:
         return {name: np.atleast_1d(np.asarray(value))}
     if isinstance(value, Mapping):
         parts = value.items()
+    elif isinstance(value, mdr.State):
+        parts = ((field.name, getattr(value, field.name)) for field in dataclasses.fields(value))
     elif hasattr(value, "_fields"):
         parts = ((field, getattr(value, field)) for field in value._fields)
     else:
