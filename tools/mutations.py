@@ -335,5 +335,8 @@ MUTATIONS = [
      "test_schema.py"),
     ("python:state.py", 'self.__dict__.setdefault("_kept", self._load_of(self._row()))', "self._load_of(self._row())",
      "test_load.py"),
+    ("python:instruments/files/data_keys.py", '("force", _with("force", *RECORDS))', '("force", _of(*RECORDS))', "test_schema.py"),
+    ("python:instruments/schema.py", "signature(Instrument).parameters[name].default", "0.0", "test_schema.py"),
+    ("python:problem/structure.py", "Range(-1.0, 1.0, True, True)", "Range(-1.0, 2.0, True, True)", "test_schema.py"),
 ]  # fmt: skip
 """files of src/mdrcontact, or of the Python package after "python:"; tests: patterns of ctest's names, files of tests/python"""
