@@ -63,9 +63,8 @@ def _filled(text: str) -> str:
 
 def _spelling(one: argparse.Action) -> str:
     value = one.metavar or ("{" + ",".join(map(str, one.choices)) + "}" if one.choices else one.dest)
-    if not one.option_strings:
-        return f"{value} ..." if one.nargs == "+" else f"[{value}]" if one.nargs == "?" else str(value)
-    return one.option_strings[0] if one.nargs == 0 else f"{one.option_strings[0]} {value}"
+    value = f"{value} ..." if one.nargs == "+" else f"[{value}]" if one.nargs == "?" else str(value)
+    return " ".join([*one.option_strings[:1], *([] if one.nargs == 0 else [value])])
 
 
 def _reference(line: str) -> str:

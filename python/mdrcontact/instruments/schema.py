@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The tables of a problem file for a fit as data, besides those of `mdrcontact.problem.schema`.
+"""The tables of a problem file for a fit as data, in addition to those of `mdrcontact.problem.schema`.
 
 Examples
 --------

@@ -47,10 +47,10 @@ class SlidingPath(NamedTuple):
 
     file: Path
     name: str
-    """"depth" or "force": what is prescribed of the normal load"""
+    """"depth" or "force": the prescribed normal quantity"""
     values: NDArray[np.float64]
     along: str
-    """"shift" or "tangential_force": what is prescribed along the surface"""
+    """"shift" or "tangential_force": the prescribed tangential quantity"""
     along_values: NDArray[np.float64]
     rings: int | None
     """None: 100 if the springs interact"""

@@ -29,7 +29,7 @@ STRUCTURE = Table(
     (
         Field("labels", "NumPy array (nz, ny, nx) of phase numbers, surface first", is_file=True, example='"labels.npy"'),
         Field("spacing", "edge lengths of a cell: z, y, x", LENGTH, range=POSITIVE, many=True, example='["1 um", "1 um", "1 um"]'),
-        Field("beside", "what surrounds the array; padded: the first phase", default="periodic", choices=("periodic", "padded")),
+        Field("beside", "surroundings of the array; padded: the first phase", default="periodic", choices=("periodic", "padded")),
         Field("exponent", "exponent of the mean: 1 in parallel, -1 in series", RATIO, 1.0, range=Range(-1.0, 1.0, True, True)),
         Field("phase", "the phases, in the order of their numbers", table=_PHASE, many=True),
     ),
