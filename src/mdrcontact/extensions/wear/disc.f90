@@ -30,17 +30,40 @@ module mdrcontact_wear_disc
     real(wp), parameter :: tolerated = 1.0e-4_wp
     !> How often the coefficient is adapted to the depth that a place reaches.
     integer, parameter :: most_changes = 40
+    !> Steps of the trapezoidal rule are at most so many times a/n in k E0* s: the pressure oscillates under longer ones.
+    real(wp), parameter :: longest_trapezoid = 4.01_wp
+    !> The part of a long step that its first stage takes, and the weight of the pressure at the end.
+    real(wp), parameter :: first_part = 1.0_wp - 0.5_wp*sqrt(2.0_wp)
+    integer, parameter :: trapezoid = 0, first_stage = 1, second_stage = 2
+    !> A search begins at no more than so many of the last radii.
+    real(wp), parameter :: farthest_guess = 1.5_wp
     !> Edges that move by less than this part of their distance; exponents below which p is a step.
     real(wp), parameter :: at_rest = 1.0e-4_wp, least_exponent = 1.0e-3_wp
     !> The contact may shrink by this part of an interval in a step, which is error of the scheme.
     real(wp), parameter :: shrinks = 0.1_wp
     !> An edge is slow that moves by less than so many of the last intervals in a step; so many of them are beside it.
     real(wp), parameter :: slow = 4.0_wp, zone = 16.0_wp
+    !> Over so many of them beyond the edge of the step before the weights go over from those of places in contact to those of fresh
+    !> ones.
+    real(wp), parameter :: fading = 2.0_wp
+
+    !> What a place loses in a step, or up to a stage of it.
+    type :: stage_t
+        integer :: kind = trapezoid
+        !> distance up to its end, and radius at the beginning [length]
+        real(wp) :: sliding = 0.0_wp, radius = 0.0_wp
+        !> at the beginning of the step, and after its first stage, with the radius there [length]
+        type(wear_history_on_disc_t) :: before, middle
+        real(wp) :: middle_radius = 0.0_wp
+    contains
+        procedure :: known
+    end type stage_t
 
 contains
 
-    !> The disc after a step, from the disc before it.
-    subroutine step_disc(hats, solver, profile, rate, disc, sliding, by_depth, target, next, error)
+    !> The disc after a step, from the disc before it: by the trapezoidal rule, or over a long step under a force, in which the
+    !> pressure would oscillate, by two implicit stages (theory/wear.md (5.7)).
+    subroutine step_disc(hats, solver, profile, rate, disc, sliding, by_depth, target, next, work, error)
         type(hats_t), intent(in) :: hats
         class(solver_t), intent(in) :: solver
         !> unworn
@@ -55,32 +78,88 @@ contains
         !> see by_depth
         real(wp), intent(in) :: target
         type(disc_t), intent(out) :: next
+        !> int F ds of the step [modulus length^3]
+        real(wp), intent(out) :: work
         type(error_t), allocatable, intent(inout) :: error
-        type(wear_history_on_disc_t) :: on_disc
-        real(wp) :: a, low, high, before, miss_before, miss, further
+        type(stage_t) :: stage
+        type(disc_t) :: middle
+        real(wp) :: from, unit
+
+        work = 0.0_wp
+        stage%sliding = sliding
+        stage%radius = disc%radius
+        call new_wear_history_on_disc(stage%before, disc)
+        unit = disc%radius/(solver%springs%modulus*maxval(rate%coefficients)*real(hats%n, wp))
+        if (by_depth .or. sliding <= longest_trapezoid*unit) then
+            call find_radius(hats, solver, profile, rate, stage, disc, by_depth, target, next, error)
+            work = 0.5_wp*sliding*(disc%force + next%force)
+            return
+        end if
+        from = merge(disc%depth, disc%force, by_depth)
+        stage%kind = first_stage
+        stage%sliding = first_part*sliding
+        call find_radius(hats, solver, profile, rate, stage, disc, by_depth, from + first_part*(target - from), middle, error)
+        if (allocated(error)) return
+        stage%kind = second_stage
+        stage%sliding = sliding
+        call new_wear_history_on_disc(stage%middle, middle)
+        stage%middle_radius = middle%radius
+        middle%radius = disc%radius
+        call find_radius(hats, solver, profile, rate, stage, middle, by_depth, target, next, error)
+        work = sliding*((1.0_wp - first_part)*middle%force + first_part*next%force)
+    end subroutine step_disc
+
+    !> The radius at which the target is met, from that to which the contact would grow on as before.
+    subroutine find_radius(hats, solver, profile, rate, stage, disc, by_depth, target, next, error)
+        type(hats_t), intent(in) :: hats
+        class(solver_t), intent(in) :: solver
+        class(profile_t), intent(in) :: profile
+        type(wear_rate_t), intent(in) :: rate
+        type(stage_t), intent(in) :: stage
+        !> at the beginning of the stage
+        type(disc_t), intent(in) :: disc
+        logical, intent(in) :: by_depth
+        real(wp), intent(in) :: target
+        type(disc_t), intent(out) :: next
+        type(error_t), allocatable, intent(inout) :: error
+        real(wp) :: a, low, high, before, miss_before, miss, response
         integer :: i
 
-        call new_wear_history_on_disc(on_disc, disc)
-        a = disc%radius
         low = 0.0_wp
         high = profile%largest_radius
+        a = min(disc%radius + disc%growth*stage%sliding, farthest_guess*disc%radius)
+        if (a >= high) a = disc%radius
+        response = disc%response
         before = 0.0_wp
         miss_before = 0.0_wp
         do i = 1, most_rounds
-            call disc_at(hats, solver, profile, rate, disc, on_disc, sliding, a, next, error)
+            call disc_at(hats, solver, profile, rate, stage, a, next, error)
             if (allocated(error)) return
             miss = merge(next%depth, next%force, by_depth)/target - 1.0_wp
+            if (i > 1 .and. abs(miss - miss_before) > 0.0_wp) response = (miss - miss_before)/(1.0_wp - before/a)
             if (abs(miss) <= close_enough) exit
             if (miss > 0.0_wp) high = a
             if (miss < 0.0_wp) low = a
-            further = -0.3_wp*miss
-            if (i > 1 .and. abs(miss - miss_before) > 0.0_wp) further = -miss*(1.0_wp - before/a)/(miss - miss_before)
             before = a
             miss_before = miss
-            a = a*(1.0_wp + min(max(further, -0.3_wp), 0.5_wp))
+            a = a*(1.0_wp + min(max(-miss/response, -0.3_wp), 0.5_wp))
             if (a <= low .or. a >= high) a = 0.5_wp*(max(low, 0.5_wp*before) + min(high, 2.0_wp*before))
             if (abs(a - before) <= epsilon(a)*a) exit
         end do
+        call check_radius(hats, profile, disc, target, miss, high, next, error)
+        if (stage%sliding > 0.0_wp) next%growth = max(next%radius - disc%radius, 0.0_wp)/stage%sliding
+        if (response > 0.0_wp) next%response = response
+    end subroutine find_radius
+
+    !> Raises unless the target is met by a contact that does not shrink.
+    pure subroutine check_radius(hats, profile, disc, target, miss, high, next, error)
+        type(hats_t), intent(in) :: hats
+        class(profile_t), intent(in) :: profile
+        type(disc_t), intent(in) :: disc, next
+        !> what was searched for, the relative error of it, and the radius below which its place is
+        real(wp), intent(in) :: target, miss, high
+        type(error_t), allocatable, intent(inout) :: error
+
         if (.not. abs(miss) <= tolerated) then
             if (high >= profile%largest_radius) then
                 call raise(error, error_domain, "the contact would grow beyond where the indenter ends, "// &
@@ -93,36 +172,36 @@ contains
                        to_text(next%radius)//": the scheme disc does not keep the wear outside the contact. Use the scheme "// &
                        "rings, or do not decrease the load")
         end if
-    end subroutine step_disc
+    end subroutine check_radius
 
     !> Pressure, depth and force where the new radius is a.
-    subroutine disc_at(hats, solver, profile, rate, disc, on_disc, sliding, a, next, error)
+    subroutine disc_at(hats, solver, profile, rate, stage, a, next, error)
         type(hats_t), intent(in) :: hats
         class(solver_t), intent(in) :: solver
         class(profile_t), intent(in) :: profile
         type(wear_rate_t), intent(in) :: rate
-        type(disc_t), intent(in) :: disc
-        type(wear_history_on_disc_t), intent(in) :: on_disc
-        real(wp), intent(in) :: sliding, a
+        type(stage_t), intent(in) :: stage
+        real(wp), intent(in) :: a
         type(disc_t), intent(out) :: next
         type(error_t), allocatable, intent(inout) :: error
-        real(wp) :: matrix(0:hats%n, 0:hats%n), system(0:hats%n, 0:hats%n), rhs(0:hats%n), modulus
-        real(wp), dimension(hat_points, hats%n) :: height, load, pressure, weight, further
-        integer :: pivots(hats%n + 1), i, info, round, n
+        real(wp) :: matrix(0:hats%n, 0:hats%n), system(0:hats%n, 0:hats%n), rhs(0:hats%n), share_at_nodes(0:hats%n), modulus
+        real(wp), dimension(hat_points, hats%n) :: height, load, share, further, unused
+        integer :: pivots(hats%n + 1), info, round, n
         real(wp) :: exponent
 
         n = hats%n
         call line_compliance(hats, solver, a, matrix, modulus, error)
         if (allocated(error)) return
-        exponent = atan(2.0_wp*max(a - disc%radius, 0.0_wp)/(modulus*rate%coefficients(1)*max(sliding, tiny(a))))/pi
+        exponent = atan(2.0_wp*max(a - stage%radius, 0.0_wp) &
+                        /(modulus*rate%coefficients(1)*max(stage%sliding, tiny(a))))/pi
         height = profile%height(a*hats%radii)
-        call on_disc%at(a*hats%radii, load, pressure)
-        weight = steadied(new_weight(a*hats%radii, disc%radius, a, exponent), a*hats%radii, disc%radius, a, n)
-        load = load + sliding*(1.0_wp - weight)*pressure
-        further = sliding*weight*pressure
+        call stage%known(a*hats%radii, a, exponent, n, load, share)
+        ! as if the pressure stayed
+        call stage%before%at(a*hats%radii, unused, further)
+        further = share*further
         do round = 1, most_changes
             system = matrix
-            call add_wear(hats, rate, load, further, sliding*weight, a, height, system, rhs)
+            call add_wear(hats, rate, load, further, share, a, height, system, rhs)
             system(:, n) = -hats%areas*a**2
             call dgesv(n + 1, 1, system, n + 1, pivots, rhs, n + 1, info)
             if (info /= 0) then
@@ -132,7 +211,7 @@ contains
             next%depth = rhs(n)
             rhs(n) = 0.0_wp
             if (size(rate%coefficients) == 1) exit
-            if (is_settled(hats, rate, load, sliding*weight, rhs, further)) exit
+            if (is_settled(hats, rate, load, share, rhs, further)) exit
         end do
         next%radius = a
         next%extent = a
@@ -140,14 +219,41 @@ contains
         next%force = dot_product(hats%areas, rhs)*a**2
         allocate (next%pressure(0:n), next%load(0:n))
         next%pressure = rhs
-        call on_disc%at(a*hats%nodes, next%load, rhs)
-        do i = 0, n - 1
-            associate (w => steadied(new_weight(a*hats%nodes(i), disc%radius, a, exponent), a*hats%nodes(i), disc%radius, a, n))
-                next%load(i) = next%load(i) + sliding*((1.0_wp - w)*rhs(i) + w*next%pressure(i))
-            end associate
-        end do
+        call stage%known(a*hats%nodes, a, exponent, n, next%load, share_at_nodes)
+        next%load = next%load + share_at_nodes*next%pressure
         next%load(n) = 0.0_wp
     end subroutine disc_at
+
+    !> int p ds at the end of the stage without the pressure there, and what that pressure is multiplied by: continuous functions of
+    !> the place.
+    elemental subroutine known(self, r, a, exponent, n, load, share)
+        class(stage_t), intent(in) :: self
+        !> place, radius at the end [length], exponent of the pressure at the edge, and number of intervals
+        real(wp), intent(in) :: r, a, exponent
+        integer, intent(in) :: n
+        real(wp), intent(out) :: load, share
+        real(wp) :: pressure, unused, weight, fresh, length
+
+        call self%before%at(r, load, pressure)
+        if (self%kind == trapezoid) then
+            weight = more_at_end(new_weight(r, self%radius, a, exponent), r, self%radius, a, n)
+            load = load + self%sliding*(1.0_wp - weight)*pressure
+            share = self%sliding*weight
+            return
+        end if
+        share = self%sliding
+        if (r >= self%radius) share = self%sliding*(a - r)/(a - self%radius)
+        if (self%kind == first_stage) return
+        call self%middle%at(r, unused, pressure)
+        fresh = 0.0_wp
+        if (r > self%radius) then
+            length = min(self%middle_radius - self%radius, fading*last_interval(a, n))
+            fresh = min((r - self%radius)/max(length, tiny(r)), 1.0_wp)
+        end if
+        weight = more_at_end(first_part, r, self%radius, a, n)
+        load = load + share*(1.0_wp - fresh)*(1.0_wp - weight)*pressure
+        share = share*((1.0_wp - fresh)*weight + fresh/(1.0_wp + max(exponent, least_exponent)))
+    end subroutine known
 
     !> w_n: of the pressure at the end of the step in int p ds over it, where the edge moves evenly from one radius to the other.
     elemental function new_weight(r, from, to, exponent) result(weight)
@@ -172,16 +278,25 @@ contains
 
     !> More of the end of the step beside an edge that moves by less than some of the intervals there: the hats at it, which wear
     !> fastest, would swing about the pressure from step to step.
-    elemental function steadied(weight, r, from, to, n) result(more)
+    elemental function more_at_end(weight, r, from, to, n) result(more)
         real(wp), intent(in) :: weight, r, from, to
         integer, intent(in) :: n
         real(wp) :: more
         real(wp) :: width
 
-        width = 0.125_wp*to*(pi/real(n, wp))**2
+        width = last_interval(to, n)
         more = weight + (1.0_wp - weight)*max(1.0_wp - max(to - from, 0.0_wp)/(slow*width), 0.0_wp) &
                /(1.0_wp + ((to - r)/(zone*width))**2)
-    end function steadied
+    end function more_at_end
+
+    !> About the length of the last of n intervals up to a radius.
+    elemental function last_interval(radius, n) result(length)
+        real(wp), intent(in) :: radius
+        integer, intent(in) :: n
+        real(wp) :: length
+
+        length = 0.125_wp*radius*(pi/real(n, wp))**2
+    end function last_interval
 
     !> What wear adds to the matrix, and the right-hand sides -int phi_i f 2 pi r dr, f the profile as far as it is known.
     pure subroutine add_wear(hats, rate, load, further, share, a, height, matrix, rhs)

@@ -12,7 +12,7 @@ module mdrcontact_wear_history
     use mdrcontact_codes, only: fixed_rings => wear_rings, moving_disc => wear_disc
     use mdrcontact_contact_load, only: contact_load_t
     use mdrcontact_contact_state, only: contact_state_t
-    use mdrcontact_contact_values, only: given_depth
+    use mdrcontact_contact_values, only: given_depth, given_force
     use mdrcontact_error, only: check_code, check_count_within, check_not_negative, check_positive, count_text, error_domain, &
                                 error_invalid, error_t, raise, to_text
     use mdrcontact_kinds, only: pi, wp
@@ -33,21 +33,22 @@ module mdrcontact_wear_history
     integer, parameter :: usual_intervals = 80, fewest_intervals = 16, most_intervals = 640
     !> Legendre polynomials in which a film's springs act on each other at most.
     integer, parameter :: most_waves = 128
-    !> A history begins with steps to (i/n)^1.5 of the contact radius; later ones grow with distance, up to this multiple of a/n,
-    !> beyond which the pressure rings.
+    !> A history begins with steps to (i/n)^1.5 of the contact radius; later ones grow with the distance. Soon after the force began
+    !> to change, or ceased to, they are at most this multiple of a/n in k E0* s, and so are all those under a given depth, where the
+    !> force falls exponentially, and of coated tips, where the pressure jumps at the end of the coating.
     real(wp), parameter :: step_power = 1.5_wp, longest_step = 4.0_wp
     !> Pressures below minus this part of the mean one are no errors of the hats.
     real(wp), parameter :: noticeable = 1.0e-2_wp
     !> The part of the thickness of its coating that the body may lose at most: its layers stay as they are.
     real(wp), parameter :: deepest_loss = 0.25_wp
-    !> A part of a path is so long at most: contact radii over k E0*.
+    !> A part of a path of a coated tip is so long at most: contact radii over k E0*.
     real(wp), parameter :: farthest = 1.0e3_wp
     !> A target that differs from what there is by less than this part is the same.
     real(wp), parameter :: unchanged = 1.0e-9_wp
     !> Part of a radius that is close to the axis.
     real(wp), parameter :: apex = 1.0e-3_wp
-    !> Numbers before those of the discs in a saved past.
-    integer, parameter :: saved_numbers = 4
+    !> Numbers of a saved past before those of the discs, and of each disc before its pressures.
+    integer, parameter :: saved_numbers = 5, saved_of_disc = 6
 
     !> What a history has come to, C's struct mdr_wear_state.
     type, bind(C) :: wear_state_t
@@ -71,6 +72,8 @@ module mdrcontact_wear_history
     type :: wear_past_t
         !> s [length] and int F ds [modulus length^3] since the beginning
         real(wp) :: sliding = 0.0_wp, work = 0.0_wp
+        !> s at which the target last began to change or ceased to [length]
+        real(wp) :: steady_from = 0.0_wp
         !> of n/2 and of n intervals
         type(disc_t) :: discs(2)
     end type wear_past_t
@@ -164,7 +167,7 @@ contains
         real(wp), intent(in) :: radius, target
         type(error_t), allocatable, intent(inout) :: error
         type(disc_t) :: seed
-        real(wp) :: extent
+        real(wp) :: extent, unused
         integer :: i, power
 
         extent = first_extent(self%wear%contact%equilibrium%profile, radius)
@@ -181,7 +184,7 @@ contains
             else
                 call make_seed(self%hats(i), 0.9_wp*radius, seed)
             end if
-            call one_step(self, i, seed, 0.0_wp, control, target, self%past%discs(i), error)
+            call one_step(self, i, seed, 0.0_wp, control, target, self%past%discs(i), unused, error)
             if (allocated(error)) return
         end do
     end subroutine begin
@@ -315,11 +318,12 @@ contains
         if (.not. (sliding > 0.0_wp .or. abs(from - target) > 0.0_wp)) return
         call check_length(self, sliding, error)
         if (allocated(error)) return
+        if (abs(from - target) > 0.0_wp) past%steady_from = past%sliding
         done = 0.0_wp
         do
             call check_cancelled(error)
             if (allocated(error)) exit
-            call plan_step(self, past, sliding - done, middle, next)
+            call plan_step(self, past, control, sliding - done, middle, next)
             call pair_step(self, past, [middle, next], control, from + (target - from)*part(done + [middle, next], sliding), &
                            error)
             if (allocated(error)) exit
@@ -329,10 +333,11 @@ contains
         end do
         if (allocated(error)) return
         past%sliding = self%past%sliding + sliding
+        if (abs(from - target) > 0.0_wp) past%steady_from = past%sliding
         self%past = past
     end subroutine advance
 
-    !> Raises for a distance that would take very many steps.
+    !> Raises for a distance under which a coated tip would take very many steps.
     subroutine check_length(self, sliding, error)
         class(wear_history_t), intent(in) :: self
         real(wp), intent(in) :: sliding
@@ -340,9 +345,10 @@ contains
         real(wp) :: most
 
         most = farthest*self%past%discs(2)%radius/(self%modulus*maxval(self%rate%coefficients))
-        if (sliding <= most) return
+        if (sliding <= most .or. size(self%rate%coefficients) == 1) return
         call raise(error, error_domain, "sliding = "//to_text(sliding)//": it must be at most "//to_text(most)// &
-                   " in one part of a path, "//to_text(farthest)//" contact radii over coefficient times contact modulus")
+                   " in one part of a path of a coated tip, "//to_text(farthest)// &
+                   " contact radii over coefficient times contact modulus. Divide the path")
     end subroutine check_length
 
     !> How much of a distance is done.
@@ -355,21 +361,26 @@ contains
     end function part
 
     !> The next step of the coarser disc, and where it is halved for the finer one.
-    pure subroutine plan_step(self, past, left, middle, next)
+    pure subroutine plan_step(self, past, control, left, middle, next)
         class(wear_history_t), intent(in) :: self
         type(wear_past_t), intent(in) :: past
+        integer, intent(in) :: control
         !> distance that is left [length]
         real(wp), intent(in) :: left
         !> from here [length]
         real(wp), intent(out) :: middle, next
-        real(wp) :: scale, here, there, early
+        real(wp) :: scale, here, there, early, longest
         integer :: n
 
         n = self%hats(1)%n
         scale = past%discs(2)%radius/(self%modulus*maxval(self%rate%coefficients))
         here = past%sliding/scale
         early = (here**(1.0_wp/step_power) + 1.0_wp/real(n, wp))**step_power - here
-        next = scale*min(max(early, here*step_power/real(n, wp)), longest_step/real(n, wp))
+        longest = longest_step/real(n, wp)
+        if (control == given_force .and. size(self%rate%coefficients) == 1) then
+            longest = max(longest, step_power*(past%sliding - past%steady_from)/scale/real(n, wp))
+        end if
+        next = scale*min(max(early, here*step_power/real(n, wp)), longest)
         if (next >= left*(1.0_wp - 1.0e-9_wp)) next = left
         if (left - next < 0.5_wp*next .and. next < left) next = 0.5_wp*left
         there = here + next/scale
@@ -387,36 +398,37 @@ contains
         real(wp), intent(in) :: targets(2)
         type(error_t), allocatable, intent(inout) :: error
         type(disc_t) :: coarse, middle, fine
-        real(wp) :: share
+        real(wp) :: works(3)
 
-        call one_step(self, 1, past%discs(1), distances(2), control, targets(2), coarse, error)
-        if (.not. allocated(error)) call one_step(self, 2, past%discs(2), distances(1), control, targets(1), middle, error)
-        if (.not. allocated(error)) call one_step(self, 2, middle, distances(2) - distances(1), control, targets(2), fine, error)
+        call one_step(self, 1, past%discs(1), distances(2), control, targets(2), coarse, works(1), error)
         if (allocated(error)) return
-        ! rings take the pressure at the end of a step
-        share = merge(0.0_wp, 0.5_wp, self%has_rings)
-        past%work = past%work + distances(1)*(share*past%discs(2)%force + (1.0_wp - share)*middle%force) &
-                    + (distances(2) - distances(1))*(share*middle%force + (1.0_wp - share)*fine%force)
+        call one_step(self, 2, past%discs(2), distances(1), control, targets(1), middle, works(2), error)
+        if (allocated(error)) return
+        call one_step(self, 2, middle, distances(2) - distances(1), control, targets(2), fine, works(3), error)
+        if (allocated(error)) return
+        past%work = past%work + works(2) + works(3)
         past%sliding = past%sliding + distances(2)
         past%discs(1) = coarse
         past%discs(2) = fine
     end subroutine pair_step
 
-    subroutine one_step(self, level, disc, sliding, control, target, next, error)
+    subroutine one_step(self, level, disc, sliding, control, target, next, work, error)
         class(wear_history_t), intent(in) :: self
         integer, intent(in) :: level, control
         type(disc_t), intent(in) :: disc
         real(wp), intent(in) :: sliding, target
         type(disc_t), intent(out) :: next
+        !> int F ds [modulus length^3]
+        real(wp), intent(out) :: work
         type(error_t), allocatable, intent(inout) :: error
 
         associate (equilibrium => self%wear%contact%equilibrium)
             if (self%has_rings) then
                 call step_rings(self%hats(level), equilibrium%medium, equilibrium%profile, self%rate, disc, sliding, &
-                                control == given_depth, target, next, error)
+                                control == given_depth, target, next, work, error)
             else
                 call step_disc(self%hats(level), equilibrium%medium, equilibrium%profile, self%rate, disc, sliding, &
-                               control == given_depth, target, next, error)
+                               control == given_depth, target, next, work, error)
             end if
         end associate
         if (allocated(error)) return
@@ -560,7 +572,7 @@ contains
         class(wear_history_t), intent(in) :: self
         integer :: count
 
-        count = saved_numbers + 2*(self%hats(1)%n + self%hats(2)%n) + 12
+        count = saved_numbers + 2*(self%hats(1)%n + self%hats(2)%n + saved_of_disc + 2)
     end function saved_size
 
     !> The past as numbers, from which another history of the same contact continues with bitwise identical results.
@@ -571,15 +583,16 @@ contains
         integer :: i, n, at
 
         numbers(:saved_numbers) = [real(self%hats(2)%n, wp), self%past%sliding, self%past%work, &
-                                   merge(1.0_wp, 0.0_wp, self%has_rings)]
+                                   self%past%steady_from, merge(1.0_wp, 0.0_wp, self%has_rings)]
         at = saved_numbers
         do i = 1, 2
             associate (disc => self%past%discs(i))
                 n = self%hats(i)%n + 1
-                numbers(at + 1:at + 4) = [disc%radius, disc%depth, disc%force, disc%extent]
-                numbers(at + 5:at + 4 + n) = disc%pressure
-                numbers(at + 5 + n:at + 4 + 2*n) = disc%load
-                at = at + 4 + 2*n
+                numbers(at + 1:at + saved_of_disc) = [disc%radius, disc%depth, disc%force, disc%extent, disc%growth, disc%response]
+                at = at + saved_of_disc
+                numbers(at + 1:at + n) = disc%pressure
+                numbers(at + n + 1:at + 2*n) = disc%load
+                at = at + 2*n
             end associate
         end do
     end subroutine save
@@ -599,13 +612,14 @@ contains
             return
         end if
         if (nint(numbers(1)) /= self%hats(2)%n .or. (numbers(saved_numbers) > 0.0_wp .neqv. self%has_rings) &
-            .or. any(.not. numbers(saved_numbers + [1, 4]) > 0.0_wp) &
-            .or. any(.not. numbers(saved_numbers + 2*self%hats(1)%n + [7, 10]) > 0.0_wp)) then
+            .or. any(.not. numbers(saved_numbers + [1, 4, 6]) > 0.0_wp) &
+            .or. any(.not. numbers(saved_numbers + 2*self%hats(1)%n + 2 + saved_of_disc + [1, 4, 6]) > 0.0_wp)) then
             call raise(error, error_invalid, "numbers: they do not belong to a history of this contact")
             return
         end if
         self%past%sliding = numbers(2)
         self%past%work = numbers(3)
+        self%past%steady_from = numbers(4)
         at = saved_numbers
         do i = 1, 2
             associate (disc => self%past%discs(i))
@@ -614,9 +628,12 @@ contains
                 disc%depth = numbers(at + 2)
                 disc%force = numbers(at + 3)
                 disc%extent = numbers(at + 4)
-                disc%pressure(:) = numbers(at + 5:at + 4 + n)
-                disc%load(:) = numbers(at + 5 + n:at + 4 + 2*n)
-                at = at + 4 + 2*n
+                disc%growth = numbers(at + 5)
+                disc%response = numbers(at + 6)
+                at = at + saved_of_disc
+                disc%pressure(:) = numbers(at + 1:at + n)
+                disc%load(:) = numbers(at + n + 1:at + 2*n)
+                at = at + 2*n
             end associate
         end do
     end subroutine restore

@@ -11,6 +11,8 @@ module mdrcontact_wear_history_on_disc
     type :: disc_t
         !> a [length], d [length], F [modulus length^2]
         real(wp) :: radius = 0.0_wp, depth = 0.0_wp, force = 0.0_wp
+        !> da/ds of the last step [1], and its dln F/dln a, or of d where that is given: where the search for the next radius begins
+        real(wp) :: growth = 0.0_wp, response = 1.0_wp/0.3_wp
         !> the last one of the radii, a of a disc [length]
         real(wp) :: extent = 0.0_wp
         !> whether the radii are those of rings that stay on the indenter

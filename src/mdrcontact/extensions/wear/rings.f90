@@ -48,7 +48,7 @@ contains
     end function first_extent
 
     !> The rings after a step, from those before it.
-    subroutine step_rings(hats, solver, profile, rate, disc, sliding, by_depth, target, next, error)
+    subroutine step_rings(hats, solver, profile, rate, disc, sliding, by_depth, target, next, work, error)
         type(hats_t), intent(in) :: hats
         class(solver_t), intent(in) :: solver
         !> unworn
@@ -62,12 +62,15 @@ contains
         !> see by_depth
         real(wp), intent(in) :: target
         type(disc_t), intent(out) :: next
+        !> int F ds of the step [modulus length^3]
+        real(wp), intent(out) :: work
         type(error_t), allocatable, intent(inout) :: error
         logical :: is_full
 
         next = disc
         do
             call step_on(hats, solver, profile, rate, sliding, by_depth, target, next, is_full, error)
+            work = sliding*next%force
             if (allocated(error) .or. .not. is_full) return
             call widen(hats, next)
         end do
