@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""States of a contact and their fields, on the surface and inside (theory/paper.md (4.1), (4.2))."""
+"""States of a contact and their fields (theory/paper.md (4.1), (4.2))."""
 
 from __future__ import annotations
 
@@ -39,9 +39,28 @@ class Columns(dict[str, NDArray[np.float64]]):
 
 @dataclass(frozen=True, init=False, repr=False, eq=False)
 class State:
-    """A state of a contact, as `Contact.at_depth` and the like return it, and its fields.
+    """State of a contact, as `Contact.at_depth` returns it, with its fields.
 
-    A record: six numbers, read by their names. Several states are `States`.
+    Several states are `States`.
+
+    Parameters
+    ----------
+    contact : Contact, optional
+        The contact of the state. Without it the state has numbers and no fields.
+
+    Raises
+    ------
+    ArgumentTypeError
+        Fields of a state without a contact are requested.
+
+    Examples
+    --------
+    >>> film = mdr.Coated(mdr.Elastic(72e9, 0.17), 500e-9, mdr.Elastic(165e9, 0.22))
+    >>> state = mdr.Contact(mdr.Sphere(10e-6), film).at_depth(50e-9)
+    >>> print(f"{state.force:.4e} {state.radius:.4e} {state.stiffness:.4e}")
+    5.6227e-03 7.7873e-07 1.8262e+05
+    >>> print(f"{state.pressure(0.0):.4e}")
+    4.6080e+09
     """
 
     depth: FloatOrArray
@@ -51,15 +70,17 @@ class State:
     force: FloatOrArray
     """F, normal force, positive in compression [modulus length^2]"""
     stiffness: FloatOrArray
-    """k = 2 a E_eff(a), dF/dd at constant contact radius [modulus length]: under adhesion dF/dd is `slope`"""
+    """k = 2 a E_eff(a), dF/dd at constant contact radius [modulus length]; with adhesion dF/dd is `slope`"""
     punch_depth: FloatOrArray
-    """depth beyond that of the non-adhesive state of this radius [length]: 0 without adhesion, less than 0 with it, the whole depth
-    under a flat punch"""
+    """depth beyond that of the non-adhesive state of this radius [length]: 0 without adhesion, negative with it, the whole depth
+    under a flat punch
+    """
     zone_radius: FloatOrArray
-    """c, outer radius of the cohesive zone [length]: the bodies attract each other where a < r < c; 0 without a cohesive stress.
-    With radius 0 they attract each other without contact"""
+    """c, outer radius of the cohesive zone [length]: the bodies attract each other at a < r < c; 0 without a cohesive stress. With
+    radius 0 they attract each other without contact
+    """
     contact: ClassVar[Any] = None
-    """the contact whose state it is; None: numbers without fields"""
+    """the contact of the state; None for numbers without fields"""
 
     def __new__(
         cls,
@@ -91,59 +112,124 @@ class State:
 
     @property
     def slope(self) -> FloatOrArray:
-        """dF/dd [modulus length] along the branch of equilibria, on which the contact radius changes with the depth.
+        """dF/dd along the branch of equilibria [modulus length].
 
-        Without adhesion it is `stiffness`. With adhesion it is smaller: for a paraboloid on a half-space k/3 at depth 0, 0 at
-        pull-off under force, infinite at pull-off under depth, and negative between the two. It has about eight significant
-        digits, seven with a cohesive stress. At a vertical wall, as under a flat punch, the radius stays and it is `stiffness`.
+        The radius changes with depth on this branch. Without adhesion it is `stiffness`. With adhesion it is smaller: for a
+        paraboloid on a half-space k/3 at depth 0, 0 at pull-off under force, infinite at pull-off under depth, and negative between
+        the two. It has about eight significant digits, seven with a cohesive stress. At a vertical wall, as under a flat punch, the
+        radius is constant and it is `stiffness`.
         """
         rows = self._rows()
         found = call(native.contact_slope, self._owner._handle, rows.reshape(-1, len(NAMES))) if rows.size else np.empty(0)
         return np.reshape(found, rows.shape[:-1]) if rows.ndim > 1 else float(found[0])
 
     def table(self) -> Columns:
-        """The numbers as named columns, a row for each state, with `slope`; `units` of the result has their units.
+        """Return the numbers as named columns, a row for each state, with `slope`.
+
+        Returns
+        -------
+        dict
+            Columns of one length, as `pandas.DataFrame` takes them; the attribute `units` has the unit of each.
 
         Examples
         --------
-        >>> import mdrcontact as mdr
         >>> contact = mdr.Contact(mdr.Paraboloid(1e-5), mdr.Homogeneous(mdr.Elastic(72e9, 0.17)))
         >>> table = contact.at_depth([1e-8, 2e-8]).table()
-        >>> table["force"].shape, table.units["force"]
-        ((2,), 'modulus length^2')
+        >>> print(table["force"].shape, table.units["force"])
+        (2,) modulus length^2
         """
         values = dict(zip(NAMES, self._rows().reshape(-1, len(NAMES)).T, strict=True)) | {"slope": np.ravel(self.slope)}
         return Columns({name: np.array(values[name]) for name in Columns.units})
 
     def pressure(self, r: ArrayLike) -> FloatOrArray:
-        """Contact pressure p(r) [modulus], equation (6), at 0 <= r <= a, any shape.
+        """Return the contact pressure p(r), equation (6).
 
-        Infinite where theory says so: at the edge of a flat punch, at the apex of a cone; minus infinity at an adhesive edge.
-        With a cohesive stress sigma r goes up to the zone's end c; p is finite at a and -sigma where a < r < c.
+        Parameters
+        ----------
+        r : array_like
+            Radii, 0 <= r <= a, or up to c with a cohesive stress, any shape [length]. Of several states the shape begins with
+            theirs.
+
+        Returns
+        -------
+        float or ndarray
+            p, in the shape of `r` [modulus]. It is infinite at the edge of a flat punch and at the apex of a cone, and minus
+            infinity at an adhesive edge. With a cohesive stress it is finite at a and -sigma_0 at a < r < c.
+
+        Raises
+        ------
+        DomainError
+            A radius is larger than the contact radius.
         """
         return self._field(_layout.PRESSURE, "r", r)
 
     def displacement(self, r: ArrayLike, body: str | None = None) -> FloatOrArray:
-        """Surface displacement u(r) [length], positive into the medium, at r >= 0, any shape. Inside the contact it is d - f(r),
-        outside it is the free surface, with the neck of an adhesive contact.
+        """Return the surface displacement u(r), positive into the medium.
 
-        body : of two deformable bodies (`Pair`) "lower" or "upper", each positive into its own body; None: their sum. u(0) of
-            each is its part of the approach. Where the lower surface was flat, "lower" is the shape of the interface for r <= a
+        Inside the contact it is d - f(r); outside it is the free surface, with the neck of an adhesive contact.
+
+        Parameters
+        ----------
+        r : array_like
+            Radii >= 0, any shape [length]. Of several states the shape begins with theirs.
+        body : {"lower", "upper"}, optional
+            Body of a pair; the displacement is positive into this body. None is the sum of both. u(0) of each body is its part of
+            the approach. If the lower surface is flat, "lower" is the shape of the interface for r <= a.
+
+        Returns
+        -------
+        float or ndarray
+            u, in the shape of `r` [length].
+
+        Raises
+        ------
+        InvalidArgumentError
+            The body does not exist, or the displacement of the medium is not known.
         """
         field = _layout.DISPLACEMENT if body is None else code("body", body, _DISPLACEMENTS)
         return self._field(field, "r", r)
 
     def line_load(self, x: ArrayLike) -> FloatOrArray:
-        """Line load q(x) [modulus length] of the one-dimensional springs, equations (5), (21), at 0 <= x <= a, or up to the end of
-        a cohesive zone, any shape."""
+        """Return the line load q(x) of the one-dimensional springs, equations (5), (21).
+
+        Parameters
+        ----------
+        x : array_like
+            Positions, 0 <= x <= a, or up to the end of a cohesive zone, any shape [length]. Of several states the shape begins with
+            theirs.
+
+        Returns
+        -------
+        float or ndarray
+            q, in the shape of `x` [modulus length].
+
+        Raises
+        ------
+        DomainError
+            A position is larger than the contact radius.
+        """
         return self._field(_layout.LINE_LOAD, "x", x)
 
     def energy(self, body: str | None = None) -> FloatOrArray:
-        """Elastic energy [modulus length^3] of each state: the work of the force from first touch; with adhesion the energy gained
-        by the surfaces, pi a^2 work_of_adhesion, comes on top. With a cohesive stress the energy of the zone is
-        int (sigma h - gamma) over it, h its gap.
+        """Return the elastic energy of each state.
 
-        body : as of `displacement`; None: of both
+        It is the work of the force from initial contact. With adhesion the energy gained by the surfaces, pi a^2 work_of_adhesion,
+        is additional. With a cohesive stress the energy of the zone is int (sigma_0 h - gamma) dA, with its gap h.
+
+        Parameters
+        ----------
+        body : {"lower", "upper"}, optional
+            Body of a pair; None is both.
+
+        Returns
+        -------
+        float or ndarray
+            Energy, in the shape of the states [modulus length^3].
+
+        Raises
+        ------
+        InvalidArgumentError
+            The energy of the medium is not known.
         """
         if body is not None:
             code("body", body, BODIES)
@@ -154,8 +240,16 @@ class State:
         return np.reshape(found, shape) if shape else found[0]
 
     def lowest_pressure(self) -> tuple[float, float]:
-        """The smallest p(r) [modulus] of one state without adhesion, and its r [length]: 0, at the edge, where none is negative.
-        Below 0 the contact is not one disc and its pressure not that of the true contact (see `SeparationInsideWarning`)."""
+        """Return the smallest pressure of one state without adhesion, and its radius.
+
+        If it is negative, the contact is not a single contact area, and the pressure is not the true one; see
+        `SeparationInsideWarning`.
+
+        Returns
+        -------
+        tuple of float
+            p [modulus] and r [length]; 0 at the edge if no pressure is negative.
+        """
         pressure, r = call(native.load_lowest_pressure, self._load)
         return float(pressure), float(r)
 
@@ -168,23 +262,50 @@ class State:
         friction: float = 0.0,
         angle: ArrayLike = 0.0,
     ) -> Interior:
-        """Displacements and stresses inside a homogeneous, coated, layered or graded body.
+        """Return displacements and stresses inside a body.
 
-        r, z : distance from the axis and depth into the body, >= 0 [length], any shapes that broadcast; grids of few distinct r and
-            z, as r[:, None] and z[None, :], cost far less than as many scattered points
-        body : "lower", or "upper" of two deformable bodies
-        side : at an interface s_rr, s_tt and s_rt jump: the values "below" it (larger z) or "above"
-        friction : f >= 0; the contact slides with traction f p(r) in +x on the lower body and -f p(r) on the upper one, p being
-            that of the contact without friction (Goodman); not with adhesion
-        angle : azimuth of the points from +x [radian]
+        The body is homogeneous, coated, layered or graded.
 
-        Infinite where theory says so: on the surface at the edge of a flat punch or an adhesive contact, at the apex of a cone, at
-        the edge of a flat end. Under an approximate model it is the field in the body under the model's own pressure, whose surface
-        does not fit the indenter. Graded bodies take up to some seconds for each 64 depths.
+        Parameters
+        ----------
+        r : array_like
+            Distances from the axis, >= 0 [length]. `r`, `z` and `angle` broadcast. Grids of few distinct r and z, as r[:, None] and
+            z[None, :], cost far less than scattered points.
+        z : array_like
+            Depths into the body, >= 0 [length].
+        body : {"lower", "upper"}, optional
+            Body of a pair.
+        side : {"below", "above"}, optional
+            Side of an interface, where s_rr, s_tt and s_rt jump; "below" is that of larger z.
+        friction : float, optional
+            Coefficient f >= 0 of a sliding contact without adhesion [1]: the traction is f p(r) in +x on the lower body and -f p(r)
+            on the upper body, with the pressure of the contact without friction (Goodman).
+        angle : array_like, optional
+            Azimuth of the points from +x [radian].
 
-        A field of 1000 points or more is compared with the contact's pressure and displacement on the surface: an
-        `InteriorAccuracyWarning` where it deviates by more than 1e-8 and 10 times the medium's tolerance, refused beyond 1e-3.
-        Of fewer points at a time the warning comes once they are as many; `warnings` of the result compares at any number.
+        Returns
+        -------
+        Interior
+            Displacements [length] and stresses [modulus], in the broadcast shape.
+
+        Raises
+        ------
+        InvalidArgumentError
+            The medium does not support stresses inside, or a coordinate is negative.
+        NoConvergenceError
+            A field of 1000 points or more deviates from the contact at the surface by more than 1e-3.
+
+        Notes ----- Stresses are infinite at the surface at the edge of a flat punch, of a flat end or of an adhesive contact, and
+        at the apex of a cone. Under an approximate model the field belongs to the pressure of the model, and its surface does not
+        fit the indenter. Graded bodies take up to a few seconds for 64 depths. A field of 1000 points or more is compared with the
+        pressure and the displacement of the contact at the surface. If it deviates by more than 1e-8 and 10 times the tolerance of
+        the medium, an `InteriorAccuracyWarning` is issued. For fewer points the warning comes once they add to 1000; `warnings` of
+        the result compares for any number.
+
+        References
+        ----------
+        goodman-1962
+        hamilton-1983
         """
         contact, found = self._owner, interior.interior(self, r, z, body, side, friction, angle)
         if np.size(found.s_zz) >= interior.ENOUGH_POINTS:
@@ -195,29 +316,62 @@ class State:
         return found._comparable(self, body)
 
     def critical(self, body: str = "lower", friction: float = 0.0) -> Critical:
-        """What decides whether a coating cracks, yields or peels: the largest stresses in each layer, at the surface outside the
-        contact and at each interface, where they are, and the elastic energy of each layer. Arguments as of `interior`; with
-        friction in the plane of sliding."""
+        """Return the largest stresses in each layer, at the surface and at interfaces.
+
+        They show whether a coating cracks, yields or delaminates.
+
+        Parameters
+        ----------
+        body : {"lower", "upper"}, optional
+            Body of a pair.
+        friction : float, optional
+            Coefficient of a sliding contact, >= 0 [1]; the search is in the plane of sliding.
+
+        Returns
+        -------
+        Critical
+            Largest stresses with their positions, and the elastic energy of each layer.
+
+        Raises
+        ------
+        InvalidArgumentError
+            The body has no layers and is not homogeneous, or it is rigid.
+        """
         return critical.critical(self, body, friction)
 
     def gradient(self) -> dict[str, float]:
-        """dF/dp at the depth of the state, for the constants p of the bodies and R of a paraboloid: by reciprocity, exact, without
-        solving a contact again; for fits, design and propagation of errors. At a given force the depth changes by -dF/dp/k.
+        """Return dF/dp at the depth of the state, for the constants p of the bodies.
 
-        The names are those of `medium.parameters()`: "E", "nu" of a homogeneous body; "coating.E", "coating.C44", "thickness",
-        "substrate.nu"; "layers[0].E", "layers[0].prestress", "layers[0].interface.normal" and so on, but for those that are 0; and
-        "radius". Of homogeneous, coated and layered elastic bodies under the model "exact", without adhesion, up to contact radii
-        of 100 thicknesses of the top layer; all else is refused (InvalidArgumentError), and indenters whose line load has kinks
-        (NoConvergenceError).
+        It also has the radius of a paraboloid. It follows from reciprocity, exactly, without further solutions. At a given force
+        the depth changes by -dF/dp/k.
+
+        Returns
+        -------
+        dict
+            Derivatives by the names of `medium.parameters()`, as "E", "coating.E", "layers[0].prestress", except for constants that
+            are 0; and "radius" of a paraboloid.
+
+        Raises
+        ------
+        InvalidArgumentError
+            The body is not homogeneous, coated or layered and elastic under the model "exact", the contact is adhesive, or its
+            radius exceeds 100 thicknesses of the top layer.
+        NoConvergenceError
+            The line load of the indenter has kinks.
         """
         return sensitivity.gradient(self)
 
     def warnings(self) -> tuple[str, ...]:
-        """Doubts about the numbers of the state: slopes and strains that are not small, moduli in two units, a contact that is not
-        one disc; empty where there are none. They follow from the state alone, whatever was computed before and in which thread,
-        while Python's `warnings` give each kind once for each contact, as states are made.
+        """Return the warnings about the numbers of the state.
 
-        Of several states those of the deepest, and whether the largest and some smaller ones are one disc.
+        They concern slopes and strains, moduli in two units, and contacts that are not a single contact area. They depend on the
+        state alone, while Python's `warnings` issue each kind once for each contact, as states are made. Of several states they are
+        those of the deepest, and whether the largest and some smaller ones are single contact areas.
+
+        Returns
+        -------
+        tuple of str
+            The texts; empty if there are none.
         """
         doubts = self._owner._doubts
         return texts_of([*doubts.about(self), *doubts.one_disc(self)[0]])
@@ -229,7 +383,18 @@ class State:
         return self.contact
 
     def replace(self, **changes: Any) -> State:
-        """A copy with other numbers, or with another contact."""
+        """Return a copy with other numbers, or with another contact.
+
+        Parameters
+        ----------
+        **changes
+            Numbers by name, or `contact`.
+
+        Returns
+        -------
+        State
+            The copy.
+        """
         return State(**{**dict(zip(NAMES, self._numbers(), strict=True)), "contact": self.contact, **changes})
 
     def _numbers(self) -> tuple[Any, ...]:
@@ -288,8 +453,27 @@ class State:
 class States(State):
     """Several states of a contact: arrays of one shape, and a sequence of states.
 
-    `len` and iteration follow the first axis, `states[3]` and `states[mask]` are some of them. Fields take places of shape
-    (*shape of the states, ...); what is of one state needs one.
+    `len` and iteration follow the first axis; `states[3]` and `states[mask]` select states. Fields take positions of shape
+    (*shape of the states, ...). A method of one state needs one.
+
+    Parameters
+    ----------
+    contact : Contact, optional
+        As in `State`.
+
+    Raises
+    ------
+    ArgumentTypeError
+        A method of one state is called, or fields of states without a contact.
+
+    Examples
+    --------
+    >>> contact = mdr.Contact(mdr.Paraboloid(10e-6), mdr.Homogeneous(mdr.Elastic(72e9, 0.17)))
+    >>> states = contact.at_depth([20e-9, 50e-9, 100e-9])
+    >>> print(len(states), np.round(states.force * 1e3, 3))
+    3 [0.884 3.495 9.886]
+    >>> print([f"{state.radius:.2e}" for state in states])
+    ['4.47e-07', '7.07e-07', '1.00e-06']
     """
 
     __hash__ = None  # type: ignore[assignment]
