@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import copy
+import doctest
 import re
 
 import pytest
@@ -18,7 +19,7 @@ from mdrcontact._units import RATIO, dimensions
 from mdrcontact.cli import main
 from mdrcontact.cli.keys import TITLE
 from mdrcontact.instruments import schema as measured
-from mdrcontact.problem import read, schema
+from mdrcontact.problem import read, schema, structure
 from mdrcontact.problem.field import Field, Range, Table
 
 EVERY = {id(one): one for one in (*schema.TABLES.values(), schema.MAP, *measured.TABLES.values())}
@@ -258,6 +259,12 @@ def test_help_lists_the_keys_of_the_tables_that_a_command_reads(command, capsys)
     if foreign:
         foreign |= {"adhesion"} if command in ("friction", "wear") else set()  # refused
         assert {*READ[command]} == {one.name for one in schema.PROBLEM.fields if one.table} - foreign
+
+
+@pytest.mark.parametrize("module", [mdr.problem, structure, schema, measured], ids=lambda module: module.__name__)
+def test_examples_of_docstrings_run(module):
+    found = doctest.testmod(module)
+    assert found.attempted and not found.failed
 
 
 def test_conditions_may_depend_on_conditions():

@@ -107,7 +107,31 @@ class Problem(NamedTuple):
 
 
 def load(path: str | Path) -> Problem:
-    """Return the contents of a problem file; a `ProblemError` names the file."""
+    """Read a problem file.
+
+    Parameters
+    ----------
+    path
+        The file. Names of other files in it are relative to its folder.
+
+    Returns
+    -------
+    Problem
+        Its contents, in SI units.
+
+    Raises
+    ------
+    ProblemError
+        If the file cannot be read, or its contents are wrong. The message names the file.
+
+    Examples
+    --------
+    >>> from pathlib import Path
+    >>> import mdrcontact as mdr
+    >>> problem = mdr.problem.load(Path(mdr.__file__).parent / "problems" / "sio2_on_si.toml")
+    >>> problem.indenter
+    Sphere(radius=1e-05)
+    """
     path = Path(path)
     try:
         return _read(parse_file(path), path.stem, Folder(path.parent))._replace(path=path)
@@ -116,17 +140,72 @@ def load(path: str | Path) -> Problem:
 
 
 def read_text(text: str, title: str = "", files: Given = ()) -> Problem:
-    """Return the problem of a text from another source. It may only name files that are given with it.
+    """Read the text of a problem file from another source.
 
-    files : a dict of their names and contents, or places; or a list of places, named as the files there are
+    Parameters
+    ----------
+    text
+        The text. It may only name files that are given with it.
+    title
+        The title, if the text has none.
+    files
+        A dict from names of files to contents (bytes) or paths, or a list of paths.
+
+    Returns
+    -------
+    Problem
+        Its contents, in SI units.
+
+    Raises
+    ------
+    ProblemError
+        If the text is wrong, or names a file that is not given.
+
+    Examples
+    --------
+    >>> from mdrcontact.problem import read_text
+    >>> text = '''
+    ... indenter = { shape = "cone", inclination = "20 deg" }
+    ... medium = { type = "homogeneous", material = { E = "3 GPa", nu = 0.4 } }
+    ... compute = { depths = ["10 nm", "50 nm"] }
+    ... '''
+    >>> read_text(text).control.values
+    array([1.e-08, 5.e-08])
     """
     return _read(parse_text(text), title, GivenFiles(files))
 
 
 def read(table: dict[str, Any], title: str = "", folder: Path | None = None, files: Given = ()) -> Problem:
-    """Return the problem that the tables of a problem file describe.
+    """Read the tables of a problem file.
 
-    folder : where files that it names lie, any that it names; None: it may name those of `files` alone, as in `read_text`
+    Parameters
+    ----------
+    table
+        The tables, as a TOML reader returns them.
+    title
+        The title, if the tables have none.
+    folder
+        The folder of files that the tables name. Without it they may only name `files`.
+    files
+        Given files, as in `read_text`.
+
+    Returns
+    -------
+    Problem
+        Its contents, in SI units.
+
+    Raises
+    ------
+    ProblemError
+        If a table, a key or a value is wrong.
+
+    Examples
+    --------
+    >>> from mdrcontact.problem import read
+    >>> body = {"type": "homogeneous", "material": {"E": "3 GPa", "nu": 0.4}}
+    >>> found = read({"indenter": {"shape": "berkovich"}, "medium": body, "compute": {"depths": ["50 nm"]}})
+    >>> round(float(found.contact().at_depth(found.control.values[0]).force), 9)
+    1.5875e-05
     """
     return _read(table, title, GivenFiles(files) if folder is None else Folder(folder))
 

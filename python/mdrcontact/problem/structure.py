@@ -58,7 +58,38 @@ class MapProblem(NamedTuple):
 
 
 def load_map(path: str | Path) -> MapProblem:
-    """Return the contents of a map file; a `ProblemError` names the file."""
+    """Read a map file.
+
+    Parameters
+    ----------
+    path
+        The file. The name of the array of labels is relative to its folder.
+
+    Returns
+    -------
+    MapProblem
+        Its contents, in SI units.
+
+    Raises
+    ------
+    ProblemError
+        If the file cannot be read, or its contents are wrong. The message names the file.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> from pathlib import Path
+    >>> import numpy as np
+    >>> from mdrcontact.problem import load_map
+    >>> folder = Path(tempfile.mkdtemp())
+    >>> np.save(folder / "labels.npy", np.zeros((2, 4, 4), dtype=int))
+    >>> _ = (folder / "map.toml").write_text('''
+    ... map = { radii = ["1 um"] }
+    ... structure = { labels = "labels.npy", spacing = ["1 um", "1 um", "1 um"], phase = [{ E = "3 GPa", nu = 0.35 }] }
+    ... ''')
+    >>> load_map(folder / "map.toml").radii
+    array([1.e-06])
+    """
     path = Path(path)
     try:
         return _problem(parse_file(path), path)
