@@ -197,7 +197,7 @@ TRUE = {
     "jump_in.txt": {"radius": "7.5 um", "spring_constant": "3 N/m"},
     "modulus_of_oxide.csv": {"thickness": "500 nm", "nu": "0.2", "E": "163 GPa"},
     "micro_sign.txt": {"radius": "1 um"},
-    "nanoscope.spm.txt": {"radius": "2.5 um", "spring_constant": "0.4 N/m"},
+    "nanoscope.spm.txt": {"radius": "2.5 um"},
     "nanoscope_volts.txt": {"radius": "2.5 um", "spring_constant": "0.4 N/m", "deflection_sensitivity": "60 nm/V"},
     "prony_start.txt": {"radius": "4 mm"},
     "punch_on_hydrogel.csv": {"radius": "1 mm"},

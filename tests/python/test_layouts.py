@@ -261,6 +261,7 @@ free = ["E", "depth_offset"]
     ("name", "instrument", "data"),
     [
         ("nanoscope.spm.txt", "", ""),
+        ("nanoscope.spm.txt", 'deflection_sensitivity = "60 nm/V"', 'deflection = "Defl_V_Ex"'),
         ("nanoscope.spm.txt", "", 'height = "Calc_Ramp_Ex_nm"\ndeflection = "Defl_nm_Ex"'),
         ("nanoscope.spm.txt", "", 'height = "Calc_Ramp_Ex_nm"\nforce = "Defl_pN_Ex"'),
         ("nanoscope.spm.txt", "", 'deflection = "Defl_nm_Ex"\nunits = { "Defl_nm_Ex" = "nm" }'),
@@ -275,6 +276,15 @@ def test_the_export_of_nanoscope(name, instrument, data, tmp_path):
     assert found == pytest.approx(1.513e6, rel=2e-3)
     (found,) = fitted(path, BRUKER.format(instrument=instrument, data=data).replace('"sphere"', '"paraboloid"'), tmp_path)
     assert found == pytest.approx(1.5e6, rel=1e-3)
+
+
+def test_one_deflection_in_three_units_says_the_lever():
+    """Of 0.4 N/m and 60 nm/V."""
+    (table,) = read_tables(CASES / "nanoscope.spm.txt")
+    said = {fact.name: fact.value for fact in table.facts}
+    assert said == {"spring_constant": pytest.approx(0.4, rel=1e-3), "deflection_sensitivity": pytest.approx(60e-9, rel=1e-3)}
+    (table,) = read_tables(CASES / "nanoscope_volts.txt")
+    assert table.facts == ()
 
 
 def test_an_export_of_nanoscope_with_its_header(tmp_path):

@@ -95,7 +95,7 @@ def test_the_walk_has_every_key_that_names_a_file():
     openers = {name for name, text in sources.items() if opening.search(text)}
     # the command line's own files: the problem, the data, the examples and texts of the package; and the array that is mapped
     assert openers == {
-        *("problem/named.py", "problem/toml.py", "instruments/reading/columns.py", "instruments/files/curves.py"),
+        *("problem/named.py", "problem/toml.py", "instruments/reading/content.py"),
         *("cli/__init__.py", "cli/example.py", "problem/structure.py"),
     }
 

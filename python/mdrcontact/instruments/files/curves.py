@@ -18,6 +18,7 @@ from ..fitting.data import Data
 from ..reading.afm import TEXT_SUFFIXES, is_of_afm, read_afm
 from ..reading.afm_curve import AfmCurve, MissingSettings
 from ..reading.columns import MeasuredTable, read_tables
+from ..reading.content import begin_of
 from ..reading.formats import Fact
 from .data import OF_A_TABLE, TABLES, column, data_of, has, read_data, record_of, table_options
 from .data_keys import KNOWN, RECORDS
@@ -152,9 +153,7 @@ def _known_to_afmformats(section: Section, cantilever: Cantilever, path: Path) -
 
 def _may_be_of_afm(path: Path) -> bool:
     """Whether a text has words, or is the bare table of NT-MDT, whose first column, the height, goes by equal steps."""
-    with path.open("rb") as file:
-        begin = file.read(20_000)
-    rows = [line.replace(b",", b".").split() for line in begin.splitlines()[:-1]]
+    rows = [line.replace(b",", b".").split() for line in begin_of(path, 20_000).splitlines()[:-1]]
     try:
         height = np.array([float(row[0]) for row in rows])
         bare = len({len(row) for row in rows}) == 1 and bool([float(cell) for row in rows for cell in row])

@@ -18,6 +18,7 @@ from ...errors import FileError, MDRError
 from ..records.segments import segments_of_numbers
 from .afm_curve import AfmCurve, Array, Lever, MissingSettings
 from .asylum import read_waves
+from .content import begin_of
 from .nanoscope import SIGNS, read_nanoscope
 from .nanosurf import read_nid
 
@@ -42,10 +43,7 @@ def is_of_afm(path: Path) -> bool:
     """Whether a file is one of an AFM, by its ending, or by its begin where the ending is a number."""
     if not _NUMBERED.fullmatch(path.suffix):
         return path.suffix.lower() in SUFFIXES
-    if not path.is_file():
-        return False
-    with path.open("rb") as file:
-        return file.read(max(map(len, SIGNS))).startswith(SIGNS)
+    return path.is_file() and begin_of(path, max(map(len, SIGNS))).startswith(SIGNS)
 
 
 def read_afm(path: Path, spring_constant: float | None = None, deflection_sensitivity: float | None = None) -> list[AfmCurve]:

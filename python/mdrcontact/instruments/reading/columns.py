@@ -5,7 +5,9 @@ encoding, separator and decimal sign, and sheets of spreadsheets."""
 from __future__ import annotations
 
 import hashlib
+import math
 from collections.abc import Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import NamedTuple
@@ -14,11 +16,13 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..._choices import nearest
-from ..._units import Dimension, UnitError
-from ...problem.named import LARGEST_FILE, ContentError, NamedFile, ProblemError
+from ..._units import FORCE, LENGTH, SENSITIVITY, STIFFNESS, VOLTAGE, Dimension, UnitError
+from ...problem.named import ContentError, NamedFile, ProblemError
+from ...problem.roles import ROLES
 from . import layouts
 from .block import Block, find_block
 from .cells import Cells, Sheet, Text, is_spreadsheet, read_sheets
+from .content import content_of
 from .formats import Fact, Format, recognise, refuse_foreign, tip_facts
 from .header import Header, above, read_header, titles_above
 from .marks import Mark, find_marks
@@ -27,6 +31,8 @@ from .units import factor
 from .values import read_values
 
 _NO_NUMBER = 1e300
+_ROUNDED = 1e-3
+"""Of the largest deflection: what digits that are left out may do."""
 _SETTINGS = 200
 """Rows of a sheet in which an area function of the tip may stand."""
 _MANY_REPEATED, _MANY_OUTSIDE = 0.02, 0.05
@@ -155,7 +161,7 @@ def read_table(path: Path, options: TableOptions | None = None) -> MeasuredTable
 def read_tables(path: Path, options: TableOptions | None = None) -> list[MeasuredTable]:
     """Reads all tests of a file: sheets, tables one below the other with the same titles, or side by side with the same titles."""
     try:
-        return _read(path, options or TableOptions())
+        return _parsed(path, content_of(path), options or TableOptions())
     except MemoryError:
         size = path.stat().st_size / 1e6
         raise ProblemError(
@@ -173,17 +179,6 @@ def read_named(file: NamedFile) -> MeasuredTable:
         raise ProblemError(problem.without) from None
     except MemoryError:
         raise ProblemError(f"{file.path}: there is not enough memory to read it: leave out rows or columns") from None
-
-
-def _read(path: Path, options: TableOptions) -> list[MeasuredTable]:
-    try:
-        with path.open("rb") as file:
-            content = file.read(LARGEST_FILE + 1)  # of a device there is no end
-    except (OSError, ValueError) as problem:
-        raise ProblemError(f"{path}: it cannot be read: {getattr(problem, 'strerror', None) or problem}") from problem
-    if len(content) > LARGEST_FILE:
-        raise ProblemError(f"{path}: it has more than {LARGEST_FILE // 1_000_000} MB: that is no measured curve")
-    return _parsed(path, content, options)
 
 
 class _Kept(NamedTuple):
@@ -358,9 +353,41 @@ def _joined(table: MeasuredTable, pairs: Mapping[int, int]) -> MeasuredTable:
     notes = [f"{table.notes[0]}; {count} rows of the way in, {len(values) - count} of the way out from the columns beside them"]
     units = {title: unit for title, unit in table.units.items() if title in titles}
     marks = (Mark(0, "segment: extend"), Mark(count, "segment: retract")) if 0 < count < len(values) else ()
-    return table._replace(
+    whole = table._replace(
         titles=titles, values=values, notes=notes, units=units, others=others, warnings=_doubts(values), marks=marks
     )
+    return whole._replace(facts=(*whole.facts, *_lever_of(whole)))
+
+
+def _lever_of(table: MeasuredTable) -> list[Fact]:
+    """Spring constant and sensitivity, where columns have one deflection as a force, a length, or a voltage."""
+    columns = {}
+    for dimension in (FORCE, LENGTH, VOLTAGE):
+        with suppress(ProblemError):
+            columns[dimension] = table.column(table.find("deflection", ROLES["deflection"][1], dimension), dimension)[0]
+    found = []
+    said = {fact.name for fact in table.facts}
+    for name, upper, lower, dimension in (
+        ("spring_constant", FORCE, LENGTH, STIFFNESS),
+        ("deflection_sensitivity", LENGTH, VOLTAGE, SENSITIVITY),
+    ):
+        if name not in said and upper in columns and lower in columns:
+            factor = _ratio(columns[upper], columns[lower])
+            found += [Fact(name, factor, dimension)] if factor > 0.0 else []
+    return found
+
+
+def _ratio(one: NDArray[np.float64], other: NDArray[np.float64]) -> float:
+    """By how much one column is a multiple of another; 0 where it is none."""
+    finite = np.isfinite(one) & np.isfinite(other)
+    if not finite.any():
+        return 0.0
+    one, other = one[finite], other[finite]
+    top = int(np.abs(other).argmax())
+    with np.errstate(all="ignore"):
+        factor = float(one[top] / other[top])
+        is_multiple = math.isfinite(factor) and np.abs(one - factor * other).max() < _ROUNDED * np.abs(one).max()
+    return float(f"{factor:.4g}") if is_multiple else 0.0
 
 
 def _check_rows(cells: Cells, block: Block) -> None:

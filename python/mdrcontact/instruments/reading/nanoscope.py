@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from ...errors import FileError
 from .afm_curve import AfmCurve, Lever, Phase, joined
+from .content import content_of
 
 Array = NDArray[np.float64]
 
@@ -35,7 +36,7 @@ class _List(NamedTuple):
 
 def read_nanoscope(path: Path, given: Lever) -> list[AfmCurve]:
     """The force curve of a file. given : what the problem says of the cantilever"""
-    content = path.read_bytes()
+    content = content_of(path)
     head, mark, _ = content.partition(_END)
     if not mark or not content.startswith(SIGNS):
         raise FileError(f"it is no file of NanoScope with a whole header: {_EXPORT}")

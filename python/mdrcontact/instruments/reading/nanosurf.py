@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from ...errors import FileError
 from .afm_curve import AfmCurve, Lever, Phase, joined
+from .content import content_of
 
 Array = NDArray[np.float64]
 
@@ -48,7 +49,7 @@ class _Channel(NamedTuple):
 
 def read_nid(path: Path, given: Lever) -> list[AfmCurve]:
     """The force curves of a file. given : what the problem says of the cantilever"""
-    head, mark, numbers = path.read_bytes().partition(_BEGIN)
+    head, mark, numbers = content_of(path).partition(_BEGIN)
     if not mark or not head.startswith(b"[DataSet]"):
         raise FileError("it is no .nid file: it does not begin with data sets")
     header = _header(head.decode("latin-1"))
