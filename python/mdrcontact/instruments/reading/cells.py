@@ -318,10 +318,13 @@ def _best_separator(lines: Sequence[str]) -> str:
         if not any(separator in line for line in lines):
             continue
         try:
-            block = find_block([Stretch((), 0, list(_reader(lines, separator)))])
+            rows = list(_reader(lines, separator))
         except csv.Error:  # a cell without end
             continue
-        if separator in "\t;" and block.width > 1 and block.pure[block.first : block.last].all():
+        block = find_block([Stretch((), 0, rows)])
+        # commas may be decimal ones, unless they separate the titles too
+        is_clear = separator in "\t;" or separator == "," and block.first > 0 and len(rows[block.first - 1]) == block.width
+        if is_clear and block.width > 1 and block.pure[block.first : block.last].all():
             # blanks and commas within its cells make groups of thousands
             return separator
         # a wrong separator leaves cells that are no numbers
