@@ -317,3 +317,21 @@ def test_units_that_the_file_lacks_are_marked(tmp_path, capsys):
     filled(start, {"radius": "1 mm", "units": '{ "Depth" = "um", "Load" = "mN" }'})
     assert main(["fit", str(data), "--problem", str(start)]) == 0
     assert "depth from column 'Depth' in um: 0 m to 390 um" in capsys.readouterr().out
+
+
+@pytest.mark.parametrize(("begin", "words"), [(-20e-6, 'radius = "5 um"'), (-3e-9, 'baseline = "none"')])
+def test_a_record_of_heights_far_from_the_surface_and_next_to_it(begin, words, tmp_path):
+    """The way through the air was taken for a depth, and a record with two readings before contact was refused."""
+    depth = np.concatenate([np.linspace(begin, 0.0, 3 if begin > -1e-8 else 800), np.linspace(2e-9, 400e-9, 200)])
+    force = np.zeros(depth.size)
+    body = mdr.Homogeneous(mdr.Elastic(50e3, 0.5))
+    force[depth > 0.0] = mdr.Contact(mdr.Sphere(5e-6), body).at_depth(depth[depth > 0.0]).force
+    deflection = force / 0.2 + 0.02e-9 * np.random.default_rng(1).standard_normal(depth.size)
+    data, start, result = tmp_path / "curve.txt", tmp_path / "start.toml", tmp_path / "fit.json"
+    table = np.column_stack([1e9 * (depth + deflection), 1e9 * deflection])
+    np.savetxt(data, table, header="Height [nm] Deflection [nm]", comments="")
+    assert main(["inspect", str(data), "--spring-constant", "0.2 N/m", "--problem", str(start)]) == 0
+    assert words in start.read_text()
+    filled(start, {"radius": "5 um"})
+    assert main(["fit", str(data), "--problem", str(start), "--json", str(result)]) == 0
+    assert json.loads(result.read_text())["parameters"]["E"]["value"] == pytest.approx(50e3, rel=0.01)

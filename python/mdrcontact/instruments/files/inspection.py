@@ -128,10 +128,11 @@ def inspect_file(path: Path, given: Given | None = None) -> Inspection:
     facts = [fact for fact in found[0].facts if fact.name not in guessed]
     tests = [test._replace(facts=facts) for test in tests] if guessed else tests
     options = {**_options(path, given, found[0], records[0], tests[0]), **given.data}
-    size = Size(max(float(np.ptp(test.along)) for test in tests), max(float(np.ptp(test.force)) for test in tests))
-    cantilever = _with_guesses(given.cantilever, guessed)
-    pull = _pull(records[0], facts, cantilever) if options["kind"] == "force-depth" else 0.0
-    start = Start(path.name, options, size, facts, given.said, guessed, ("units",) if units else ())
+    depth = _depth(records[0], facts, _with_guesses(given.cantilever, guessed))
+    if records[0].depth is None:
+        options |= _baseline(depth, records[0].force)
+    pull = _pull(depth, records[0]) if options["kind"] == "force-depth" else 0.0
+    start = Start(path.name, options, _size(tests), facts, given.said, guessed, ("units",) if units else ())
     start = start._replace(work_of_adhesion=pull / (1.5 * math.pi * start.radius))
     notes = [*records[0].notes, *(f"not in the file: {name.replace('_', ' ')}, taken as {v}" for name, v in guessed.items())]
     notes += [f"not in the file: the unit of {title!r}, taken as {unit}" for title, unit in units.items()]
@@ -248,19 +249,42 @@ def _zero(record: Record, kind: str) -> dict[str, object]:
     return {**({"contact_point": METHODS[0]} if is_moved or is_off else {}), **({"baseline": "offset"} if is_off else {})}
 
 
-def _pull(record: Record, facts: Sequence[Fact], cantilever: Cantilever) -> float:
-    """The largest pull up to the largest force; 0 where it needs no work of adhesion [N]."""
-    said = next((fact.value for fact in facts if fact.name == "spring_constant"), None)
-    constant, depth = cantilever.spring_constant or said, record.depth
-    part = slice(0, int(np.argmax(record.force)) + 1)
-    force = record.force[part]
+def _depth(record: Record, facts: Sequence[Fact], cantilever: Cantilever) -> Array:
+    """The depth of a record, from any zero."""
+    if record.depth is not None:
+        return record.depth
+    said = next((fact.value for fact in facts if fact.name == "spring_constant"), math.inf)
+    assert record.height is not None
+    return depth_from_height(record.height, record.force / (cantilever.spring_constant or said), record.sign)
+
+
+def _size(tests: Sequence[Test]) -> Size:
+    """Of all tests; a height says how far the piezo moved, mostly without contact."""
+    reached = (0.0 if test.along_name == "height" else float(test.along.max()) for test in tests)
+    return Size(max(float(np.ptp(t.along)) for t in tests), max(float(np.ptp(t.force)) for t in tests), max(reached))
+
+
+def _baseline(depth: Array, force: Array) -> dict[str, object]:
+    """[data] on the baseline of a record of heights that has too few readings before contact for one."""
+    rise = slice(0, int(np.argmax(force)) + 1)
     with suppress(MDRError):
-        if depth is None and record.height is not None and constant is not None:
-            depth = depth_from_height(record.height, record.force / constant, record.sign)
+        contact = find_contact_point(depth[rise], force[rise])
+        try:
+            find_baseline(depth[rise], force[rise], contact)
+        except MDRError:
+            return {"baseline": "none"}
+    return {}
+
+
+def _pull(depth: Array, record: Record) -> float:
+    """The largest pull up to the largest force; 0 where it needs no work of adhesion [N]."""
+    rise = slice(0, int(np.argmax(record.force)) + 1)
+    force = record.force[rise]
+    with suppress(MDRError):
         if record.depth is not None and force.max() < 0.0 and not _zero(record, "force-depth"):
             # in tension from end to end, without a baseline
             return -float(force.min())
-        found = None if depth is None else find_pull(depth[part], force)
+        found = find_pull(depth[rise], force)
         if found is not None and found.force > _PULLS * float(np.ptp(record.force)):
             return found.force
     return 0.0

@@ -40,6 +40,8 @@ class Size(NamedTuple):
     """[m]"""
     force: float = 0.0
     """[N]"""
+    reached: float = 0.0
+    """depth of the contact, at most [m]"""
     modulus: float = 0.0
     """E_eff that the readings say without a model [Pa]"""
 
@@ -100,7 +102,7 @@ class Start(NamedTuple):
     @property
     def radius(self) -> float:
         """Of a ball, as the file says, or one that can go as deep [m]."""
-        guess = _RADIUS if self.size.depth <= _RADIUS else float(f"{_HEIGHTS * self.size.depth:.1g}")
+        guess = _RADIUS if self.size.reached <= _RADIUS else float(f"{_HEIGHTS * self.size.reached:.1g}")
         return guess if self._said_radius is None else self._said_radius
 
     @property
