@@ -123,7 +123,7 @@ class LawFile:
         try:
             return cls.from_bytes(Path(path).read_bytes())
         except FileError as problem:
-            raise FileError(f"the file {os.fspath(path)} is refused: {problem}") from problem
+            raise FileError(f"the file {os.fspath(path)} cannot be used: {problem}") from problem
         except OSError as problem:
             raise FileError(f"the file {os.fspath(path)} cannot be read: {problem.strerror or problem}") from problem
 

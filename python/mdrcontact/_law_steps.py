@@ -87,7 +87,7 @@ class LawSteps(LawFile):
             The law has no friction.
         """
         if not self.sliders:
-            raise InvalidArgumentError("the law has no friction: it is to be made with friction=Friction(...) or shear_strength")
+            raise InvalidArgumentError("the law has no friction. Make it with friction=Friction(...) or shear_strength")
         return np.zeros((whole("count", count, 0), self.memory_size))
 
     @overload

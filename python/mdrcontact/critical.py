@@ -116,7 +116,7 @@ def layers_of(medium: Any, body: str = "lower") -> tuple[list[float], bool]:
         return [thickness for _, thickness in medium._stack()], getattr(medium, "substrate", None) in (RIGID, SMOOTH)
     if medium is RIGID:
         raise InvalidArgumentError(f"body = {body!r}: it is rigid")
-    raise InvalidArgumentError(f"a {type(medium).__name__} has no layers to look into: use interior(...) for its stresses")
+    raise InvalidArgumentError(f"a {type(medium).__name__} has no layers. Use interior(...) for its stresses")
 
 
 def critical(state: Any, body: str, friction: float) -> Critical:

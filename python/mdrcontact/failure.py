@@ -90,14 +90,14 @@ def _wanted(contact: Any, strengths: Mapping[str, Sequence[float | None]], body:
     wanted = []
     for mode, given in strengths.items():
         if mode not in _MODES:
-            raise InvalidArgumentError(f"strengths: {mode!r} is not a way to fail: choose from {', '.join(map(repr, _MODES))}")
+            raise InvalidArgumentError(f"strengths: {mode!r} is not a mode of failure: choose from {', '.join(map(repr, _MODES))}")
         count, of = (len(interfaces), "interfaces") if "interface" in mode else (len(interfaces) + (not rigid), "layers")
         if isinstance(given, str) or not isinstance(given, Iterable):
             raise ArgumentTypeError(f"strengths: {mode!r} = {given!r}: it must be a list, one for each of the {count} {of}")
         values = list(given)
         if len(values) != count:
             raise InvalidArgumentError(
-                f"strengths: {mode!r} has {len(values)} values: one for each of the {count} {of} is needed, from the surface down"
+                f"strengths: {mode!r} has {len(values)} values: give one for each of the {count} {of}, from top to bottom"
             )
         wanted += [(mode, i, number(f"strengths: {mode!r}", value)) for i, value in enumerate(values) if value is not None]
     if not wanted:

@@ -235,7 +235,7 @@ class FrictionHistory:
             The tangential force is larger than friction supports. After an error the history is unchanged.
         """
         if (depth is None) == (force is None) or (shift is None) == (tangential_force is None):
-            raise ArgumentTypeError("a step needs one of depth and force, and one of shift and tangential_force")
+            raise ArgumentTypeError("give exactly one of depth and force, and exactly one of shift and tangential_force")
         given, normal = (_layout.FORCE, ("force", force)) if depth is None else (_layout.DEPTH, ("depth", depth))
         along_given, along = _layout.SHIFT, ("shift", shift)
         if shift is None:

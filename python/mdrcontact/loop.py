@@ -148,7 +148,7 @@ def loop(contact: Any, control: str, largest: Any, points: Any, spring_stiffness
     """A cycle of a contact."""
     chosen = code("control", control, CONTROLS)
     if (spring_stiffness is not None) != (control == "spring"):
-        raise ArgumentTypeError('spring_stiffness is needed under control "spring", and only there')
+        raise ArgumentTypeError('spring_stiffness belongs to control "spring". Give both or none')
     stiffness = 0.0 if spring_stiffness is None else number("spring_stiffness", spring_stiffness)
     count = whole("points", points, 2, 1_000_000)
     created = native.loop_new(contact._handle, chosen, number("largest", largest), count, stiffness)

@@ -206,7 +206,7 @@ def contact_radius(indenter: Profile, radius: float | None) -> float:
         return float(radius)
     if isinstance(indenter, FlatPunch):
         return float(indenter.radius)
-    raise ArgumentTypeError("radius is missing: only a flat punch has one of its own; for other indenters give the contact radius")
+    raise ArgumentTypeError("radius is missing: only a flat punch has its own. Give the contact radius")
 
 
 def _answers(medium: Any, radius: float, drainage: str | None) -> tuple[Handle, float, float, float]:
@@ -248,7 +248,7 @@ def pressure(
     _check_held(contact.indenter)
     held = contact_radius(contact.indenter, radius)
     if is_flat and depth is None:
-        raise ArgumentTypeError("depth is missing: that of the step")
+        raise ArgumentTypeError("depth is missing. Give the depth of the step")
     if not is_flat and depth is not None:
         raise ArgumentTypeError("depth: under a paraboloid it follows from the radius. Omit it")
     d = number("depth", depth) if depth is not None else held**2 / contact.indenter.radius

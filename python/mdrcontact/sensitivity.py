@@ -44,7 +44,7 @@ def gradient(state: Any) -> dict[str, float]:
     if contact.work_of_adhesion:
         raise InvalidArgumentError("work_of_adhesion: derivatives are known of contacts without adhesion")
     if any(np.ndim(value) for value in state._numbers()) or not state.radius > 0.0:
-        raise InvalidArgumentError("state: it must be one state, of closed bodies")
+        raise InvalidArgumentError("state: it must be one state, with a contact radius > 0")
     thinnest = math.inf if surface_layer is None else surface_layer.thickness
     if thinnest < SMALLEST_LAYER * state.radius:
         raise InvalidArgumentError(

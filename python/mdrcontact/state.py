@@ -379,7 +379,7 @@ class State:
     @property
     def _owner(self) -> Any:
         if self.contact is None:
-            raise ArgumentTypeError("this State has no contact: only those that a contact gives have fields")
+            raise ArgumentTypeError("this State has no contact and no fields. Use a state that a contact returned")
         return self.contact
 
     def replace(self, **changes: Any) -> State:

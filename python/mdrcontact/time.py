@@ -83,7 +83,7 @@ def dynamic_stiffness(
     """See `Contact.dynamic_stiffness`."""
     given = {name: value for name, value in (("radius", radius), ("depth", depth), ("force", force)) if value is not None}
     if len(given) > 1:
-        raise ArgumentTypeError(f"a stiffness needs one of radius, depth and force, not {' and '.join(given)}")
+        raise ArgumentTypeError(f"give only one of radius, depth and force, not {' and '.join(given)}")
     if radius is None:
         radius = _radius(contact, given)
     w, a = together(omega=omega, radius=radius)
@@ -123,9 +123,7 @@ def _radius(contact: Any, given: dict[str, ArrayLike]) -> Any:
     if isinstance(contact.indenter, FlatPunch):
         return contact.indenter.radius
     if not given:
-        raise ArgumentTypeError(
-            "radius is missing: only a flat punch has one of its own; for other indenters give the contact radius"
-        )
+        raise ArgumentTypeError("radius is missing: only a flat punch has its own. Give the contact radius")
     resting = contact.replace(medium=_at_rest(contact.medium, needs_modulus="force" in given))
     return (resting.at_force(given["force"]) if "force" in given else resting.at_depth(given["depth"])).radius
 

@@ -446,7 +446,7 @@ def _given(constant: str) -> int:
 def _led(force: Any, depth: Any) -> tuple[str, float]:
     """What is given, and its value."""
     if (force is None) == (depth is None):
-        raise ArgumentTypeError("a contact that wears needs one of force and depth, and not both")
+        raise ArgumentTypeError("give exactly one of force and depth")
     return ("depth", number("depth", depth)) if force is None else ("force", number("force", force))
 
 
@@ -625,7 +625,7 @@ class WearHistory:
             The contact would shrink under the scheme "disc", as under a falling force. After an error the history is unchanged.
         """
         if (force is None) == (depth is None):
-            raise ArgumentTypeError("a contact that wears needs one of force and depth, and not both")
+            raise ArgumentTypeError("give exactly one of force and depth")
         name, values = ("depth", depth) if force is None else ("force", force)
         distances, targets = together(**{"sliding": sliding, name: np.asarray(values)})
         if distances.ndim > 1:

@@ -108,7 +108,7 @@ def test_damage_is_refused_with_its_reason(law, tmp_path):
     content = bytearray(law.to_bytes())
     content[len(content) // 3] ^= 1
     (tmp_path / "law").write_bytes(content)
-    with pytest.raises(mdr.errors.FileError, match="law is refused: its checksum"):
+    with pytest.raises(mdr.errors.FileError, match="law cannot be used: its checksum"):
         mdr.ContactLaw.load(tmp_path / "law")
     with pytest.raises(mdr.errors.FileError, match="none cannot be read: No such file"):
         mdr.ContactLaw.load(tmp_path / "none")

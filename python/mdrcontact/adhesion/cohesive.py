@@ -137,7 +137,7 @@ def controlled_path(
     """The library's code of what is controlled, the stiffness of a spring, the tolerance (0: the library's), times and values."""
     name, t, s = one_path(time, **given)
     if (name == "position") != (spring_stiffness is not None):
-        raise ArgumentTypeError("spring_stiffness is needed with position=, the far end of the spring, and only there")
+        raise ArgumentTypeError("spring_stiffness belongs to position=, the far end of the spring. Give both or none")
     stiffness = 0.0 if spring_stiffness is None else number("spring_stiffness", spring_stiffness)
     if not t.size:
         raise InvalidArgumentError("time must not be empty")

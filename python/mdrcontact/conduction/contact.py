@@ -143,10 +143,10 @@ class FrictionHeat:
             The source moves, or there are several states.
         """
         if self._field is None:
-            raise InvalidArgumentError("the temperature of a moving source is not axisymmetric: its centre and its mean are known")
+            raise InvalidArgumentError("the temperature of a moving source is not axisymmetric. Use centre and flux_mean")
         conduction, contact, rows, motion, strength = self._field
         if np.ndim(self.total):
-            raise InvalidArgumentError("temperatures are those of one state: give friction_heat one of them")
+            raise InvalidArgumentError("temperatures inside need one state. Give friction_heat one state")
         row = rows[0]
         which, below = code("body", body, BODIES), code("side", side, SIDES)
 

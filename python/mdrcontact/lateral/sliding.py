@@ -215,7 +215,7 @@ def slide(
     if places.ndim != 1 or places.size < 4 or not np.all(np.diff(places) > 0.0):
         raise InvalidArgumentError("x: it must be ascending, of one dimension, with at least 4 entries")
     if (depth is None) == (force is None):
-        raise ArgumentTypeError("slide needs one of depth and force")
+        raise ArgumentTypeError("give exactly one of depth and force")
     value = number("depth", depth) if force is None else number("force", force)
     if not 0.0 < value < np.inf:
         raise InvalidArgumentError(f"depth or force = {value!r}: it must be finite and greater than 0")

@@ -150,7 +150,7 @@ class Cone(Profile):
 
     def __init__(self, inclination: float | None = None, *, half_angle: float | None = None, degrees: bool = False) -> None:
         if (inclination is None) == (half_angle is None):
-            raise ArgumentTypeError("a cone needs one of inclination and half_angle, and not both")
+            raise ArgumentTypeError("give exactly one of inclination and half_angle")
         if inclination is not None:
             phi = _radians("inclination", inclination, degrees)
         else:

@@ -134,7 +134,7 @@ def compare(problem: Problem, *, progress: Progress | None = None) -> CompareRes
     names = candidates(problem.medium)
     if not names:
         kind = type(problem.medium).__name__
-        raise ProblemError(f"there is nothing to compare: a {kind} medium has one model; use a coated, layered or graded one")
+        raise ProblemError(f"a {kind} medium has one model. Use a coated, layered or graded medium")
     answers, refusals = [], []
     total, done = len(names) * len(problem.control.values), 0
 
@@ -152,7 +152,7 @@ def compare(problem: Problem, *, progress: Progress | None = None) -> CompareRes
         except MDRError as refusal:
             refusals.append((label, str(refusal)))
     if not answers:
-        raise MDRError("no model answers this problem: " + "; ".join(f"{model}: {words}" for model, words in refusals))
+        raise MDRError("no model solves this problem: " + "; ".join(f"{model}: {words}" for model, words in refusals))
     by_depth = problem.control.name == "force"
     values = np.array([a.curve.depth if by_depth else a.curve.force for a in answers])
     basis, base_values = _reference(answers, values)
