@@ -24,7 +24,7 @@ _ONE_POINT = np.ones(1)
 
 
 class Refusal(Exception):
-    """What the library says of a failure, in parts."""
+    """What the library reports about a failure, in parts."""
 
     def __init__(self, status: int) -> None:
         failure = record(_layout.failure)
@@ -121,7 +121,7 @@ def outcome(function: Callable[..., Any], *arguments: Any) -> tuple[Any, ...]:
 
 
 def call(function: Callable[..., Any], *arguments: Any) -> Any:
-    """What a compiled function gives beside its status: nothing, its one output, or a list of them."""
+    """What a compiled function returns in addition to its status: nothing, its one output, or a list of them."""
     status, *results = outcome(function, *arguments)
     check(status)
     return results[0] if len(results) == 1 else results

@@ -64,7 +64,7 @@ def suggestion(wrong: str, right: Iterable[str]) -> str:
 
 
 def _meant(wrong: str) -> Iterator[str]:
-    """Names in small letters that a word of the field stands for, part by part of a name with dots."""
+    """Names in small letters that a term of the field means, part by part of a name with dots."""
     parts = []
     for part in wrong.lower().replace("'", "").replace("-", "_").replace(" ", "_").split("."):
         parts.append([*(name for name, words in _SYNONYMS.items() if part in words.split()), part])

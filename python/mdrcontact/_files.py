@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """The one way in which results get into files.
 
-A file is written beside its place, flushed, closed and then moved there: a reader of the name finds the old content or the new,
+A file is written next to its place, flushed, closed and then moved there: a reader of the name finds the old content or the new,
 and a full disk costs nothing but an error. A symbolic link is followed, its target replaced. What exists and is not a regular file
 (a folder, a device, a pipe) or is write-protected is left alone.
 """

@@ -14,7 +14,7 @@ from ._warn import heir
 
 _MDR_CANCEL = ctypes.CFUNCTYPE(ctypes.c_int, ctypes.c_void_p)
 
-# Python answers signals in its main thread alone, which is the one that imports.
+# Python handles signals in its main thread alone, which is the one that imports.
 if threading.current_thread() is threading.main_thread():
     call(native.set_cancel, _MDR_CANCEL(native.interrupted), None)
 

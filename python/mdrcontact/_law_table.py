@@ -80,7 +80,7 @@ def _rounded(values: Reals) -> Reals:
 
 
 def _nodes(force: Callable[[Reals], Reals], lowest: float, highest: float, tolerance: float) -> Reals:
-    """Depths between which a straight line is off by at most the tolerance."""
+    """Depths between which a straight line has at most the error of the tolerance."""
     nodes = [highest]
     while nodes[-1] > lowest:
         far, near = nodes[-1] - lowest, 0.0
@@ -134,7 +134,7 @@ def _csv(table: Table, touch: float | None, area: float | None) -> str:
 
 
 def _lammps(table: Table, touch: float | None, area: float | None) -> str:
-    at = _required("touch", touch, "the distance of two centres, or of a bond, at first touch, in the unit of the table")
+    at = _required("touch", touch, "the distance of two centres, or of a bond, at initial contact, in the unit of the table")
     if not at > table.depth[-1]:
         raise InvalidArgumentError(f"touch = {at:g}: it must exceed the largest depth {table.depth[-1]:g}")
     r = _rounded(at - table.depth[::-1])
@@ -151,7 +151,7 @@ def _spring(table: Table, touch: float | None, area: float | None) -> str:
 
 def _overclosure(table: Table, touch: float | None, area: float | None) -> str:
     each = _required(
-        "area", area, "the area of the surface that one contact stands for, in the unit of length of the table squared"
+        "area", area, "the area of the surface that one contact represents, in the unit of length of the table squared"
     )
     rows = _rows((table.force / each, table.depth), ", ")
     return _about(table, "**") + "*SURFACE BEHAVIOR, PRESSURE-OVERCLOSURE=TABULAR\n" + rows

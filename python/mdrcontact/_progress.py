@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Progress bars: of loops, and of calls that are marched through time, of which the library writes how far they are."""
+"""Progress bars: of loops, and of calls that are integrated in time, whose progress the library writes."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from .progress import Progress
 PATIENCE = 2.0
 """Seconds before a progress bar is shown."""
 LOOK = 0.2
-"""Seconds between two looks at how far it is."""
+"""Seconds between two readings of the progress."""
 
 
 def bar(total: int, unit: str) -> Any:
@@ -80,7 +80,7 @@ def marching(samples: int, progress: bool | Progress) -> Iterator[None]:
 
 @contextmanager
 def waiting(what: str) -> Iterator[None]:
-    """The time that a call takes of which nothing says how far it is."""
+    """The time of a call without a known progress."""
     from tqdm import tqdm
 
     done = threading.Event()

@@ -7,7 +7,7 @@ from .errors import MDRError
 
 
 def require() -> None:
-    """An exception that says how to install it where it is missing."""
+    """An exception that states how to install it if it is missing."""
     try:
         import scipy  # noqa: F401
     except ImportError as problem:

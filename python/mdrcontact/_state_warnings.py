@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a contact has warned about: large strains, moduli in two units, contacts that are not one disc, poor fields inside."""
+"""What a contact has warned about: large strains, moduli in two units, contacts that are not a single area, poor fields inside."""
 
 from __future__ import annotations
 
@@ -28,9 +28,9 @@ __all__: list[str] = []
 _NOTICEABLE = 1e-4
 """A negative pressure of this part of the mean pressure is more than the solver's error; of the depth, an overlap."""
 _DEEPER = 1.2
-"""States this much deeper than those looked at before are checked for doubts."""
+"""States this much deeper than those examined before are checked for warnings."""
 _BEYOND = np.geomspace(1.1, 60.0, 30)
-"""Radii, in contact radii, at which the surface beyond the contact is looked at."""
+"""Radii, in contact radii, at which the surface outside the contact is examined."""
 
 _WARNINGS = {
     _layout.WARNING_SLOPE: LargeStrainWarning,
@@ -40,7 +40,7 @@ _WARNINGS = {
     _layout.WARNING_SHORT_ZONE: ShortZoneWarning,
     _layout.WARNING_WETTING: LargeStrainWarning,
 }
-"""Doubts about a state, in the order of the library's sentences."""
+"""Warnings about a state, in the order of the library."""
 _DEVIATES = (
     "displacements and stresses inside are off by about {:.1e} of the depth and of the largest pressure: by that they differ on "
     "the surface from the displacement and the pressure of the contact"
@@ -48,15 +48,15 @@ _DEVIATES = (
 
 
 class StateWarnings:
-    """Finds the doubts about the states of one contact: what it finds follows from the state alone."""
+    """Finds the warnings about the states of one contact. They depend on the state alone."""
 
     def __init__(self, contact: Any) -> None:
         may_bend = getattr(contact.medium, "model", None) == "exact" or _has_plate(contact.medium)
         self.may_open = contact.work_of_adhesion == 0.0 and may_bend and not isinstance(contact.indenter, Paraboloid)
-        """whether its states may not be one disc, which a look at each of them decides"""
+        """whether its states may not be a single contact area, which an examination of each decides"""
 
     def about(self, states: Any) -> list[Caution]:
-        """Doubts about the deepest of the states, one of each kind at most."""
+        """Warnings about the deepest of the states, one of each kind at most."""
         shape = np.shape(states.depth)
         if shape and not np.size(states.depth):
             return []
@@ -66,8 +66,8 @@ class StateWarnings:
         return [Caution(text, kind) for text, kind in zip(texts, kinds, strict=True)]
 
     def one_disc(self, states: Any, skipped: Collection[int] = ()) -> tuple[list[Caution], set[int]]:
-        """Whether the contact is one disc: of the largest of the states and of some smaller ones, but for those of sizes that are
-        skipped. Also the sizes that were looked at."""
+        """Whether the contact is a single area: of the largest of the states and of some smaller ones, except for skipped sizes.
+        Also the sizes that were examined."""
         looked_at: set[int] = set()
         radii = np.ravel(states.radius)
         if not self.may_open or not radii.size:
@@ -94,14 +94,14 @@ class StateWarnings:
         return [], looked_at
 
     def inside(self, state: Any, body: str) -> tuple[list[Caution], float]:
-        """Whether a field inside deviates from the surface of its contact; and by how much."""
+        """Whether a field inside deviates from the surface of its contact, and the deviation."""
         deviation = interior.deviation(state, body)
         if deviation <= max(interior.USUAL, interior.TOLERANCES * state._owner.medium._tolerance()):
             return [], deviation
         return [Caution(_DEVIATES.format(deviation), InteriorAccuracyWarning)], deviation
 
     def inside_or_refused(self, state: Any, body: str) -> list[Caution]:
-        """The same; a field that is wrong is refused."""
+        """The same; a field that is wrong raises."""
         found, deviation = self.inside(state, body)
         if deviation > interior.WRONG:
             raise NoConvergenceError(_DEVIATES.format(deviation))
@@ -109,18 +109,18 @@ class StateWarnings:
 
 
 class Reported:
-    """What the user has read about one contact already: a warning of each kind once. Nothing that a contact answers, nor the
-    warnings that its results carry, depends on it."""
+    """What the user has already read about one contact: a warning of each kind once. Neither results of a contact nor
+    their warnings depend on it."""
 
     def __init__(self) -> None:
         self._lock = threading.Lock()
         self._seen = -math.inf
-        """depth up to which no state needs to be looked at"""
+        """depth up to which no state needs to be examined"""
         self._kinds: set[type[Warning]] = set()
         self._sizes: set[int] = set()
-        """of contacts that were looked at for whether they are one disc"""
+        """of contacts examined for a single contact area"""
         self._points: tuple[tuple[str | float, ...], int] = ((), 0)
-        """of the last body and state looked into with few points: how many so far"""
+        """of the last body and state evaluated at few points: how many so far"""
 
     def report(self, cautions: Iterable[Caution]) -> None:
         """Warns of what is new; of all to a computation that collects."""
@@ -133,7 +133,7 @@ class Reported:
                 warn(*caution)
 
     def of(self, states: Any) -> None:
-        """Doubts about states that were just made, where they are deeper than those before."""
+        """Warnings about states that were just made, if they are deeper than those before."""
         if is_collected():
             if not is_silent():
                 self.report(states.contact._doubts.about(states))
@@ -146,7 +146,7 @@ class Reported:
                 self._seen = max(self._seen, _DEEPER * deepest, 0.0)
 
     def one_disc(self, states: Any) -> None:
-        """The same of contacts that are not one disc, at a radius of about the same size once."""
+        """The same of contacts that are not a single area, once at a radius of about that size."""
         doubts = states.contact._doubts
         if not doubts.may_open or is_silent():
             return
@@ -175,7 +175,7 @@ def _size(radius: float) -> int | None:
 
 
 def _fault(state: Any) -> str:
-    """Where the one disc of a state pulls, or the surface beyond it passes through the indenter; empty if neither."""
+    """Where the contact area of a state is under tension, or the surface outside passes through the indenter; empty if neither."""
     try:
         pressure, r = state.lowest_pressure()
         if pressure * math.pi * float(state.radius) ** 2 < -_NOTICEABLE * float(state.force):
@@ -191,5 +191,5 @@ def _fault(state: Any) -> str:
 
 
 def _has_plate(medium: Any) -> bool:
-    """Whether its surface carries a plate."""
+    """Whether its surface has a plate."""
     return getattr(getattr(medium, "surface", None), "bending", 0.0) > 0.0

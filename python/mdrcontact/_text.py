@@ -21,7 +21,7 @@ def aligned(rows: Sequence[Sequence[str]], left: int | None = None) -> str:
 
 
 def wrapped(rows: Sequence[Sequence[str]], width: int) -> list[list[str]]:
-    """Rows of a table of at most `width` characters: what is wider than the other columns goes on in further rows."""
+    """Rows of a table of at most `width` characters: what is wider than the other columns continues in further rows."""
     widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
     room = width - 2 * (len(widths) - 1)
     most = max(widths)

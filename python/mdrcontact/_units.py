@@ -29,7 +29,7 @@ class Dimension(NamedTuple):
     practical: tuple[tuple[str, float], ...]
     others: tuple[str, ...] = ()
     hint: str = ""
-    """what else a message says of a unit that does not fit"""
+    """what else a message states about a unit that does not match"""
 
 
 LENGTH = Dimension("a length", "m", "500 nm", (("pm", 1e-12), ("nm", 1e-9), ("um", 1e-6), ("mm", 1e-3), ("m", 1.0)), ("angstrom",))
@@ -62,7 +62,7 @@ TIME = Dimension("a time", "s", "10 s", (("us", 1e-6), ("ms", 1e-3), ("s", 1.0))
 FREQUENCY = Dimension(
     "an angular frequency", "rad/s", "10 rad/s", (("rad/s", 1.0),), ("Hz", "kHz"), ', or "Hz" where cycles per time are counted'
 )
-"""Units of cycles per time are taken times 2 pi; 1/s says neither cycles nor radians and is refused."""
+"""Units of cycles per time are taken times 2 pi; 1/s is neither cycles nor radians and raises."""
 SPEED = Dimension("a speed", "m/s", "0.05 nm/s", (("pm/s", 1e-12), ("nm/s", 1e-9), ("um/s", 1e-6), ("m/s", 1.0)))
 VOLTAGE = Dimension("a voltage", "V", "1 V", (("mV", 1e-3), ("V", 1.0)))
 SENSITIVITY = Dimension("a deflection sensitivity", "m/V", "50 nm/V", (("nm/V", 1e-9), ("um/V", 1e-6), ("m/V", 1.0)))

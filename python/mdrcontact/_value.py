@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Objects that are what their fields say, and hold an object of the compiled library where one stands behind them."""
+"""Objects that are defined by their fields, and hold an object of the compiled library if they have one."""
 
 from __future__ import annotations
 

@@ -29,8 +29,8 @@ class Caution(NamedTuple):
 
 
 class Warned:
-    """What a result that carries its warnings has beside its numbers. It comes behind a named tuple among the bases: numbers are
-    unpacked as ever, and `warnings` is an attribute."""
+    """Base of results with warnings. It follows a named tuple among the bases: numbers unpack as usual, and `warnings` is an
+    attribute."""
 
     warnings: tuple[str, ...] = ()
     """warnings about these numbers; empty if there are none"""
@@ -50,7 +50,7 @@ _CHANNEL: ContextVar[Channel | None] = ContextVar("mdrcontact_channel", default=
 
 
 class _Silence(list[Caution]):
-    """A collector that keeps nothing, so that nothing need be looked for."""
+    """A collector that keeps nothing, so that no search is needed."""
 
     def append(self, _caution: Caution) -> None:
         """Forgets it."""
@@ -83,7 +83,7 @@ def is_silent() -> bool:
 
 
 def is_collected() -> bool:
-    """Whether a computation listens, which takes the warnings of each result, whatever was said before."""
+    """Whether a computation collects warnings, which it takes of each result, also repeated ones."""
     return _COLLECTOR.get() is not None
 
 
@@ -110,7 +110,7 @@ def kept() -> Iterator[list[Caution]]:
 
 @contextmanager
 def silence() -> Iterator[None]:
-    """Trial evaluations, and contacts in units of their own that no user sees: warnings are dropped. Decorates functions too."""
+    """Trial evaluations, and contacts in units of their own that no user sees: warnings are dropped. Also a decorator."""
     with _kept_by(_Silence()):
         yield
 

@@ -99,7 +99,7 @@ class Contact(Value):
     """the library's contact with a rate and its largest radius, once there was a history"""
     _doubts: StateWarnings = field(init=False, repr=False, compare=False)
     _reported: Reported = field(init=False, repr=False, compare=False)
-    """what the user has read about it, which changes nothing that it answers"""
+    """what the user has read about it, which changes no result"""
 
     def __init__(
         self,

@@ -109,7 +109,7 @@ class Critical(_CriticalNumbers, Warned):
 
 
 def layers_of(medium: Any, body: str = "lower") -> tuple[list[float], bool]:
-    """Thicknesses from the surface down [length], and whether the base is rigid."""
+    """Thicknesses from top to bottom [length], and whether the base is rigid."""
     if isinstance(medium, Pair):
         return layers_of(medium.upper if body == "upper" else medium.lower)
     if isinstance(medium, (Homogeneous, Coated, Layered)):

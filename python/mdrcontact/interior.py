@@ -64,9 +64,9 @@ class Interior(_InteriorNumbers):
     """
 
     _doubts: tuple[str, ...] | None = None
-    """None: not looked for yet"""
+    """None: not examined yet"""
     _asked_of: tuple[Any, str] | None = None
-    """the state and the body, while they are not"""
+    """the state and the body, until they are"""
 
     @property
     def warnings(self) -> tuple[str, ...]:
@@ -82,12 +82,12 @@ class Interior(_InteriorNumbers):
         return _with_doubts, (tuple(self), self.warnings)
 
     def _compared(self, found: Iterable[Caution]) -> Interior:
-        """Itself, whose doubts are known."""
+        """Itself, whose warnings are known."""
         self._doubts, self._asked_of = texts_of(found), None
         return self
 
     def _comparable(self, state: Any, body: str) -> Interior:
-        """Itself, whose doubts are looked for where `warnings` is read."""
+        """Itself, whose warnings are found when `warnings` is read."""
         self._asked_of = state, body
         return self
 

@@ -304,7 +304,7 @@ class ContactLaw(LawSteps):
         beyond = np.count_nonzero(values > largest)
         if not beyond:
             return []
-        text = f"{beyond} of {values.size} values of {name} lie beyond {largest:.4g}: the law goes on along its tangent"
+        text = f"{beyond} of {values.size} values of {name} lie beyond {largest:.4g}: the law continues along its tangent"
         found = [Caution(text, BeyondRangeWarning)]
         warn_all(found)
         return found

@@ -101,7 +101,7 @@ class Elastic(WithParameters):
         self._set(E=number("E", self.E), nu=number("nu", self.nu))
         if self.conductor is not None and not isinstance(self.conductor, Conductor):
             raise ArgumentTypeError(f"conductor = {self.conductor!r}: it must be a Conductor")
-        # the library's half-space of this material checks E and nu, and knows E*
+        # the library's half-space of this material checks E and nu, and computes E*
         self._set(_handle=_half_space(self))
 
     def __repr__(self) -> str:
@@ -167,7 +167,7 @@ class TransverselyIsotropic(WithParameters):
                 raise InvalidArgumentError(f"{beside[0]}: it follows from engineering. Give one of the two")
             given = tuple(number(name, value) for name, value in zip(_ENGINEERING, self.engineering, strict=True))
             self._set(engineering=given)
-        # the library's half-space of this material checks the numbers, and knows E*
+        # the library's half-space of this material checks the numbers, and computes E*
         self._set(_handle=_half_space(self))
         if self.engineering is not None:
             self._set(**_stiffnesses(*self.engineering))

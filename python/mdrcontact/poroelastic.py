@@ -157,13 +157,13 @@ def is_poroelastic(medium: object) -> bool:
 
 
 def check_body(coating: object, substrate: object, model: str, options: object, rigid: object) -> bool:
-    """Whether one of the materials of a coated body is a gel; refuses what is not offered."""
+    """Whether one of the materials of a coated body is a gel; raises for unsupported bodies."""
     if not isinstance(coating, Poroelastic) and not isinstance(substrate, Poroelastic):
         return False
     if not isinstance(coating, Poroelastic) or substrate is not rigid:
         raise InvalidArgumentError(
-            "a gel beside another deformable material is not offered: a gel is a half-space, or a film on a RIGID base that lets "
-            "no fluid through"
+            "a gel next to another deformable material is not supported: a gel is a half-space, or a film on a RIGID "
+            "base that lets no fluid through"
         )
     if model != "exact" or options:
         raise InvalidArgumentError("a film of a gel is solved exactly: it has no other model and no options")
@@ -172,7 +172,7 @@ def check_body(coating: object, substrate: object, model: str, options: object, 
 
 @lru_cache(maxsize=64)
 def table(nu: float, drainage: int, ratio: float) -> Handle:
-    """The answers of a gel; those of a half-space, ratio = 0, serve all radii, times and diffusivities."""
+    """The responses of a gel; those of a half-space, ratio = 0, serve all radii, times and diffusivities."""
     status, _, created = native.poroelastic_new(nu, drainage, ratio)
     return Handle((status, created))
 
@@ -183,7 +183,7 @@ def drainage_code(drainage: str | None) -> int:
         given = "drainage is missing" if drainage is None else f"drainage = {drainage!r}"
         raise InvalidArgumentError(
             f'{given}: it must be "surface" (the whole surface drains, under the indenter '
-            'too), "sealed" (no flux anywhere) or "indenter" (no flux under the indenter, drained beside it)'
+            'too), "sealed" (no flux anywhere) or "indenter" (no flux under the indenter, drained outside it)'
         )
     return DRAINAGES[drainage]
 

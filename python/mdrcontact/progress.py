@@ -75,7 +75,7 @@ class Progress:
             try:
                 if self._stop():
                     raised.append(CancelledError(_STOPPED))
-            except BaseException as problem:  # noqa: BLE001 - Ctrl-C too: it goes on where the call returns
+            except BaseException as problem:  # noqa: BLE001 - also Ctrl-C: it continues where the call returns
                 raised.append(problem)
             return int(bool(raised))
 

@@ -30,7 +30,7 @@ SMALLEST_LAYER = 1e-2
 """of the contact radius: thinner top layers take too many waves"""
 TOLERANCE = 1e-10
 _CENTRAL = ((1, 0.75), (-1, -0.75), (2, -0.15), (-2, 0.15), (3, 1 / 60), (-3, -1 / 60))
-# beside a bound, as of Poisson's ratio
+# next to a bound, as of Poisson's ratio
 _BACKWARD = ((0, 49 / 20), (-1, -6.0), (-2, 7.5), (-3, -20 / 3), (-4, 3.75), (-5, -1.2), (-6, 1 / 6))
 
 _MECHANICAL = {"E", "nu", "thickness", "prestress", "normal", "tangential", "C11", "C12", "C13", "C33", "C44"}

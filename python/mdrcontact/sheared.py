@@ -24,13 +24,13 @@ _INSIDE = np.array([0.01, 0.3, 0.6, 0.9])
 _NOTICEABLE = 1e-3
 """Traction beyond coefficient times pressure by this part of the mean is more than the solver's error."""
 _NEARLY = 0.98
-"""Part of the sliding shift, at which a contact that slides is looked at."""
+"""Part of the sliding shift, at which a contact that slides is examined."""
 _MOST_POINTS = 1_000_000
 
 _CONTROLS = {"shift": 0, "force": 1}
 """What is prescribed."""
 _NAMES = (("shift", "tangential_force"), ("twist", "torque"))
-"""The same in words, along the surface and around the axis."""
+"""Their names, along the surface and around the axis."""
 _GIVEN = ((_layout.SHIFT, _layout.TANGENTIAL_FORCE), (_layout.TWIST, _layout.TORQUE))
 
 
@@ -406,8 +406,8 @@ class ShearedContact:
         return evaluate(name, points, lambda x: native.shear_field(self._handle, members, field, x))
 
     def _looked(self, found: ShearState) -> ShearState:
-        """`found`, with a warning where the stuck disc would need more than coefficient times pressure: of states of about the same
-        size the user reads it once."""
+        """`found`, with a warning if the stick zone would need more than coefficient times pressure. The user reads it once for
+        states of about equal size."""
         found._asked_of = self
         sizes, shear = self.friction._looked_at, self._doubtful(found)
         if shear is None or is_silent():
@@ -420,7 +420,7 @@ class ShearedContact:
         return found
 
     def _doubtful(self, found: ShearState) -> tuple[ShearState, State] | None:
-        """The state with the smallest stuck disc, and its normal state; None where there is no doubt."""
+        """The state with the smallest stick zone, and its normal state; None if slip cannot begin inside."""
         contact = self.friction.contact
         if self.around or isinstance(contact.medium, Homogeneous) or not np.size(found.shift):
             return None
@@ -454,8 +454,8 @@ class ShearedContact:
         return ShearedContact(self.friction, normal, self.around)
 
     def _fault(self, shear: ShearState) -> str:
-        """Where the stuck disc of one state has more traction than coefficient times pressure; empty if nowhere, or if either is
-        refused."""
+        """Where the stick zone of one state has more traction than coefficient times pressure; empty if nowhere, or if either is
+        not available."""
         state, mu = self.state, self.friction.coefficient
         try:
             if shear.sliding:

@@ -129,8 +129,8 @@ def _radius(contact: Any, given: dict[str, ArrayLike]) -> Any:
 
 
 def _at_rest(medium: Any, needs_modulus: bool) -> Any:
-    """The relaxed body. A power law relaxes without end: under a force there is none; at a depth the radius follows from the
-    ratios of the moduli, in which what relaxes less is rigid at last, springs too."""
+    """The relaxed body. A power law relaxes without end: under a force it has no relaxed state; at a depth the radius follows from
+    the ratios of the moduli, in which what relaxes less is rigid at last, springs too."""
     below = getattr(medium, "material", getattr(medium, "substrate", None))
     materials = [*(material for material, _ in medium._stack()), below]
     exponent = max((m.exponent for m in materials if isinstance(m, PowerLawRheology)), default=0.0)
@@ -147,7 +147,7 @@ def _at_rest(medium: Any, needs_modulus: bool) -> Any:
         rest = relaxed(material)
         if rest is RIGID:
             raise InvalidArgumentError(
-                "a depth: a layer that does not relax, or relaxes by a smaller power, becomes rigid beside a "
+                "a depth: a layer that does not relax, or relaxes by a smaller power, becomes rigid next to a "
                 "power law in the end; give the contact radius, radius="
             )
         return rest

@@ -365,7 +365,7 @@ def _start(start: Any) -> list[float]:
 
 
 def _largest(contact: Any, control: int, highest: float) -> float:
-    """A contact radius that equilibrium does not exceed: the force of a spring is none or pushes where it is pressed in."""
+    """A contact radius that equilibrium does not exceed: the force of a spring is 0 or compressive if it is pressed in."""
     free = contact._solve("force", _layout.FORCE, 0.0)
     if control == CONTROLS["force"]:
         return max(float(contact._solve("force", _layout.FORCE, max(highest, 0.0)).radius), float(free.radius))

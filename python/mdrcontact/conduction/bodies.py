@@ -29,7 +29,7 @@ class _Base(Named):
 PERFECT: Final = _Base("PERFECT", _layout.BASE_PERFECT)
 """A perfect conductor at potential 0 below all layers."""
 INSULATING: Final = _Base("INSULATING", _layout.BASE_INSULATING)
-"""No flux below all layers: a body that answers in time, and with a sink in a steady state."""
+"""No flux below all layers: a body with a transient response, and with a sink also a steady one."""
 
 
 @dataclass(frozen=True)
@@ -73,7 +73,7 @@ class LayeredConductor(Value):
         check_rows(rows)
 
     def _with_resistances(self, resistances: Sequence[float]) -> LayeredConductor:
-        """The same with further area resistances below its layers, from the surface down."""
+        """The same with further area resistances below its layers, from top to bottom."""
         layers = [layer for layer in self.layers if not isinstance(layer, Interface)]
         further = [*resistances, *[0.0] * (len(layers) - len(resistances))]
         own = self.rows()[0][: len(layers), 4]

@@ -38,9 +38,9 @@ from .bodies import conduction_of, flux_compliance
 ANSWERS = words_of(
     _layout.CONDUCTANCE, _layout.RESISTANCE, _layout.MEAN_POTENTIAL, _layout.CENTRE_POTENTIAL, _layout.GAUSSIAN_POTENTIAL
 )
-"""What a spot answers in time."""
+"""Responses of a contact area in time."""
 MOTIONS = words_of(_layout.HEAT_SLIDING, _layout.HEAT_SPINNING, _layout.HEAT_MOVING)
-"""How the heat of friction is made."""
+"""Motions that make the heat of friction."""
 SIDES: dict[str, int] = {"below": 1, "above": 0}
 """Of an interface."""
 

@@ -15,7 +15,7 @@ __all__ = ["jax_function", "numba_function", "torch_function"]
 
 def numba_function(law: ContactLaw, branch: str = "unloading") -> Any:
     """A function of numba that takes one depth d [length] and returns F [modulus length^2] and dF/dd [modulus length], to be called
-    from compiled functions; both are NaN where the law refuses. Its bits are those of the law.
+    from compiled functions; both are NaN where the law raises. It is bitwise identical to the law.
 
     branch : "loading" or "unloading", as in `ContactLaw.force`
     """
@@ -26,7 +26,7 @@ def numba_function(law: ContactLaw, branch: str = "unloading") -> Any:
 
 def jax_function(law: ContactLaw, quantity: str = "force", branch: str = "unloading") -> Any:
     """A function of JAX that takes depths of any shape and returns F [modulus length^2], or U [modulus length^3], to the last
-    digits of the law's; NaN where the law refuses. It has derivatives of any order and passes through jit, vmap, grad and hessian.
+    digits of the law's; NaN where the law raises. It has derivatives of any order and passes through jit, vmap, grad and hessian.
 
     quantity : "force" or "energy", whose gradient is F to the tolerance of the law
     branch : as in `numba_function`

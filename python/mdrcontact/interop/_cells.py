@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A branch of a compiled law as cells of the depth: which interval answers in each."""
+"""A branch of a compiled law as cells of the depth: which interval is valid in each."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from ..loop import BRANCHES
 SMALLEST = float(np.finfo(float).tiny)
 """compilers of devices take smaller numbers for 0"""
 OPEN, BELOW = -1, -2
-"""In place of an interval: the bodies are apart; between first touch and the compiled range."""
+"""Instead of an interval: separated bodies; between initial contact and the compiled range."""
 
 
 class Cells(NamedTuple):
@@ -39,7 +39,7 @@ def cells_of(arrays: LawArrays, branch: str) -> Cells:
 
 
 def _interval_at(arrays: LawArrays, loading: bool, d: float) -> int:
-    """The interval that answers at a depth: on loading that of the smallest contact, on unloading of the largest."""
+    """The interval that is valid at a depth: on loading that of the smallest contact, on unloading of the largest."""
     on = [segment for segment in arrays.segments if segment["lowest"] <= d <= segment["highest"] and not (loading and d < 0.0)]
     if not on:
         return OPEN if d <= 0.0 or arrays.head["adhesive"] else BELOW

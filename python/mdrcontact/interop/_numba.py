@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Compiled laws as functions of numba: the inline functions of mdrcontact_law.h once more, with the same bits."""
+"""Compiled laws as functions of numba: the inline functions of mdrcontact_law.h again, bitwise identical."""
 
 from __future__ import annotations
 

@@ -320,7 +320,7 @@ def _sizes(shape: tuple[int, int], periodic: bool) -> tuple[int, int]:
 
 
 def _bases(voxels: Voxels) -> Array:
-    """What each slice is compared with: its mean, or what lies beside it; exactly the common value where all are equal."""
+    """What each slice is compared with: its mean, or the material outside; exactly the common value if all are equal."""
     beside, mean = voxels.beside, _mean(voxels)
     if isinstance(beside, Elastic):
         return np.tile(_row(beside, mean), (voxels.labels.shape[0], 1))
@@ -356,7 +356,7 @@ def _radii(a: ArrayLike) -> Array:
 
 
 def _team(threads: int) -> int:
-    """How many threads `threads` stands for; 0: one per core."""
+    """Number of threads that `threads` means; 0: one per core."""
     if thread_count(threads) < 0:
         raise InvalidArgumentError(f"threads = {threads!r}: it must be at least 1, or 0 for one per core")
     if threads:

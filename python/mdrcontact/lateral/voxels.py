@@ -105,7 +105,7 @@ class Voxels(Structure):
             raise InvalidArgumentError(f"reference_nu = {nu!r}: it must be greater than -1 and at most 0.5")
         periods = whole("images", images, 1, 100)
         if beside != "periodic" and periods != 1:
-            raise InvalidArgumentError(f"images = {images!r}: what lies beside is a material, no periods; leave it out")
+            raise InvalidArgumentError(f"images = {images!r}: a material is outside the array, and no periods. Omit it")
         self._set(labels=cells, phases=materials, spacing=steps, beside=beside, below=base, origin=corner, reference_nu=nu,
                   images=periods, exponent=exponent_of_mean(exponent), _counts=counts)  # fmt: skip
 

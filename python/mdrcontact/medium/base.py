@@ -63,7 +63,7 @@ class Medium(WithParameters):
         return {name: value for name, value in super()._given().items() if name != "surface" or value is not None}
 
     def _stack(self) -> tuple[Any, ...]:
-        """Each layer from the surface down as a `Layer`, whole: what unpacks it as (material, thickness) leaves out prestress and
+        """Each layer from top to bottom as a complete `Layer`: what unpacks it as (material, thickness) leaves out prestress and
         interface. Of a pair those of the lower body; of a gel a pair (material, thickness)."""
         return ()
 

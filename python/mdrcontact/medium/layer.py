@@ -147,7 +147,7 @@ class Wrinkling(NamedTuple):
 
 
 def stack(layers: Sequence[Layer], substrate: Any, surface: Surface | None = None) -> Handle:
-    """The library's body of layers of any kind from the surface down."""
+    """The library's body of layers of any kind from top to bottom."""
     rows, base = _structures(layers, substrate)
     return Handle(native.body_layered(len(layers), rows, base, structure_of(surface)))
 
@@ -159,7 +159,7 @@ def _structures(layers: Sequence[Layer], substrate: Any) -> tuple[Record, Record
         below = layer.interface
         if substrate is SMOOTH and layer is layers[-1]:
             if below is not None:
-                raise InvalidArgumentError("an interface above a SMOOTH base: the base slides by itself")
+                raise InvalidArgumentError("an interface above a SMOOTH base: the base already slides. Omit the interface")
             below = SLIDING
         springs = {} if below is None else below._layer()
         rows.append({**layer.material._layer(), "thickness": layer.thickness, "prestress": layer.prestress, **springs})

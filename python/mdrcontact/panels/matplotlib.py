@@ -36,9 +36,9 @@ FORMATS: dict[str, dict[str, Any]] = {
 """With what a file states of its origin: a figure is the same file whenever it is drawn."""
 _WIDTH, _HEIGHT, _DOTS = 4.6, 3.5, 160
 _FLAT = 0.3
-"""Height over width of a map below which its bar does not fit beside it."""
+"""Height over width of a map below which its bar does not fit next to it."""
 _LEGEND_BELOW = 6
-"""More names than this stand below the figure."""
+"""More names than this are below the figure."""
 
 
 def colour(of: int | str) -> str:

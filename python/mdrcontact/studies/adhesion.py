@@ -26,7 +26,7 @@ class AdhesionResult(Result):
     problem: Problem
     loop: Loop
     pull_offs: tuple[tuple[str, PullOff], ...]
-    """by what is prescribed, as "pull-off, force prescribed" """
+    """by the prescribed quantity, as "pull-off, force prescribed" """
 
     def figure(self) -> Figure:
         """Return force and contact radius along the cycle, with the pull-offs."""

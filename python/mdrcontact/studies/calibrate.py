@@ -29,7 +29,7 @@ class CalibrateResult(Result):
     """about how the tests agree; `warnings` has them too"""
 
     def tip_file(self) -> str:
-        """The content of a file that [indenter] reads; refuses a calibration that has fitted the body."""
+        """The content of a file that [indenter] reads; raises for a calibration that has fitted the body."""
         return calibration_text(self.fit, self.title, self.problem.tip, self.tests)
 
 

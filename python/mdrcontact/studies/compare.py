@@ -28,7 +28,7 @@ NEARLY_RIGID = 1000.0
 
 
 class Answer(NamedTuple):
-    """What one model says."""
+    """Result of one model."""
 
     model: str
     medium: Medium
@@ -37,7 +37,7 @@ class Answer(NamedTuple):
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class CompareResult(Result):
-    """The answers of all models. Table: "states", those of all models below each other."""
+    """Results of all models. Table: "states", those of all models below each other."""
 
     problem: Problem
     answers: tuple[Answer, ...]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The study `fit`: what one measured curve says of a body."""
+"""The study `fit`: a body, tip or instrument from one measured curve."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ class FittedCurve(Result):
     analysis: OliverPharr | None = None
     """contact depth and area on the body that was found, of unloading curves"""
     moves: Moves | None = None
-    """how far a modulus moves with other choices"""
+    """change of a modulus with other choices"""
     interval: str = "normal"
     """how `intervals` were found"""
     intervals: Mapping[str, Interval] = field(default_factory=dict)
@@ -142,7 +142,7 @@ def fit(
             notes["models"] = ranking.summary()
     except MDRError as words:
         refusal = words
-    # a stop within one of these fits may have been taken for its refusal
+    # a stop within one of these fits may have been taken for its failure
     progress.step(0, None, "end")
     return FittedCurve(
         title=problem.title,

@@ -132,7 +132,7 @@ def _follow(contact: Contact, path: HistoryPath, progress: Progress) -> tuple[Hi
     wrong."""
     cuts = max(1, -(-_FEWEST // max(1, len(path.time) - 1)))
     if path.drainage is not None or np.any(np.diff(path.time) <= 0.0) or (path.name != "depth" and np.any(path.values < 0.0)):
-        cuts = 1  # refused, by the entry that the user knows
+        cuts = 1  # raises, with the entry that the user gave
     samples = np.arange(len(path.time))
     places = np.arange((len(path.time) - 1) * cuts + 1) / cuts
     time, values = (np.interp(places, samples, column) for column in (path.time, path.values))

@@ -23,7 +23,7 @@ _DRAWN = 12
 """Tests in the figure."""
 _COLOURS = {"loading": 0, "hold": 4, "unloading": 1}
 _MOST = 60
-"""Tests that are looked at."""
+"""Tests that are examined."""
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
@@ -32,7 +32,7 @@ class InspectResult(Result):
 
     inspection: Inspection
     facts: tuple[Fact, ...]
-    """what the file says of the instrument"""
+    """what the file states about the instrument"""
     curves: tuple[str, ...] = ()
     """what would be fitted of each curve, or why it would not be"""
     doubts: tuple[str, ...] = ()

@@ -396,7 +396,7 @@ def _estimates(curves: Sequence[Curve], results: Sequence[FitResult | FailedFit]
 
 
 def _marks(one: Fitted) -> list[str]:
-    """What there is to say of a fit beside its estimates."""
+    """Remarks on a fit in addition to its estimates."""
     r, rating = one.fit, one.rating
     ratio = repr(r.reduced_chi_square) if r.noise_is_known and r.degrees_of_freedom >= 1.0 else ""
     sizes = [repr(r.misfit.rms), repr(r.misfit.noise), f"{rating.score:.2f}", str(int(rating.is_sound))]

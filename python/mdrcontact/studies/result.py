@@ -180,7 +180,7 @@ class Result:
 
 
 def study(function: Callable[P, R]) -> Callable[P, R]:
-    """Make a study of a function: its result carries the warnings, the `stop` of its keyword `progress` ends it."""
+    """Make a study of a function: its result contains the warnings, the `stop` of its keyword `progress` ends it."""
 
     @functools.wraps(function)
     def whole(*arguments: P.args, **options: P.kwargs) -> R:

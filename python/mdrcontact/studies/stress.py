@@ -348,7 +348,7 @@ def _failures_table(faces: tuple[float, ...], failures: tuple[Failure, ...]) -> 
 
 
 def _failure_place(faces: tuple[float, ...], failure: Failure) -> str:
-    """Which layer or interface fails; a film that cracks from its surface beside the contact has a ring crack."""
+    """Which layer or interface fails; a film that cracks from its surface outside the contact has a ring crack."""
     if failure.mode.startswith("interface"):
         return interface_name(faces, failure.place)
     name = layer_name(faces, failure.place)

@@ -22,7 +22,7 @@ class ValidateResult(Result):
     rows: tuple[Row, ...]
     """each comparison and what came out"""
     beyond: tuple[str, ...]
-    """names of those that deviate by more than the source's own error explains"""
+    """names of those that deviate by more than the error of the source"""
 
 
 @study

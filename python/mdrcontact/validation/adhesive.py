@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Adhesion: of no range, with a range, and of a rate."""
+"""Adhesion: JKR limit, finite range, and rate."""
 
 from __future__ import annotations
 

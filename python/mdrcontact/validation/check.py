@@ -15,7 +15,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Comparison:
-    """Numbers of the library beside those of a source that shares nothing with it."""
+    """Numbers of the library next to those of an independent source."""
 
     x_name: str
     x: Array
@@ -40,7 +40,7 @@ class Check:
     source: str
     """publication or program with which it is compared"""
     error: float
-    """the largest deviation that the source's own error explains, relative"""
+    """the largest relative deviation that the error of the source explains"""
     whose: str
     """whose error that is"""
     run: Callable[[], Comparison]

@@ -21,7 +21,7 @@ from .elements_slip import Sheared
 _FAR = 60.0
 """Where a half-space ends, in contact radii."""
 _FINEST, _RATIO = 2e-4, 1.35
-"""Cells beside the edge of the contact, in contact radii, and how they grow away from it."""
+"""Cells next to the edge of the contact, in contact radii, and how they grow away from it."""
 
 
 def _lines(points: list[float], finest: float, ratio: float) -> Array:
@@ -304,7 +304,7 @@ ELEMENTS = (
     Check("elements-adhesion", "adhesion on a bonded layer", "finite elements (scikit-fem)", 4e-3,
           "the elements': stiffness differentiated over 20 % of a", sticking, needs="skfem"),
     Check("elements-pressed", "pressure and surface of a coated body", "finite elements (scikit-fem)", 2e-3,
-          "the elements': cells beside the edge, end of the mesh", pressed, is_long=True, needs="skfem"),
+          "the elements': cells next to the edge, end of the mesh", pressed, is_long=True, needs="skfem"),
     Check("elements-inside", "stresses inside a coated body", "finite elements (scikit-fem)", 1e-2,
           "the elements': derivatives between nodes", inside, is_long=True, needs="skfem"),
     Check("elements-slip", "partial slip of a coated body", "finite elements (scikit-fem)", 1e-2,

@@ -55,7 +55,7 @@ class Sheared:
         return forces[on[np.argsort(places[0][on])]]
 
     def tangential_force(self, shift: float, limits: Array) -> float:
-        """Of a shift of all rings, of which none bears more than its limit: the energy's smallest value under these bounds."""
+        """Of a shift of all rings, of which none supports more than its limit: the smallest energy under these bounds."""
         root = np.linalg.cholesky(np.linalg.inv(self.stiffness))
         wanted = np.linalg.solve(root, np.full(self.radii.size, shift))
         solve: Any = importlib.import_module("scipy.optimize").lsq_linear

@@ -28,7 +28,7 @@ def axis() -> Comparison:
 
 
 def edge() -> Comparison:
-    """s_rr on the surface, inside the contact and beside it, where it opens ring cracks."""
+    """s_rr on the surface, inside the contact and outside it, where it opens ring cracks."""
     contact = ball()
     state = contact.at_radius(0.1)
     r = np.concatenate([np.linspace(0.05, 0.99, 13), np.linspace(1.01, 3.0, 12)])

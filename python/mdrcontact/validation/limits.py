@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The map of validity: what is exact, what is a model, and what the library itself says where it ends."""
+"""The map of validity: what is exact, what is a model, and what the library reports at its limits."""
 
 from __future__ import annotations
 

@@ -50,7 +50,7 @@ def punch() -> Comparison:
 
 
 def surface() -> Comparison:
-    """u(r) = ((2 a^2 - r^2) arcsin(a/r) + a sqrt(r^2 - a^2))/(pi R) beside the contact."""
+    """u(r) = ((2 a^2 - r^2) arcsin(a/r) + a sqrt(r^2 - a^2))/(pi R) outside the contact."""
     contact = ball()
     a, r = 0.1, np.linspace(0.101, 0.6, 25)
     there = ((2.0 * a**2 - r**2) * np.arcsin(a / r) + a * np.sqrt(r**2 - a**2)) / (math.pi * RADIUS)
@@ -109,7 +109,7 @@ NORMAL = (
     Check("pair", "force against depth, two elastic balls", "Hertz 1882", ROUNDING, LIBRARY, pair),
     Check("cone", "force against depth, cone", "Love 1939; Sneddon 1965", ROUNDING, LIBRARY, cone),
     Check("punch", "pressure, flat punch", "Boussinesq 1885", ROUNDING, LIBRARY, punch),
-    Check("surface", "displacement beside the contact", "Huber 1904; Johnson 1985, (3.42)", ROUNDING, LIBRARY, surface),
+    Check("surface", "displacement outside the contact", "Huber 1904; Johnson 1985, (3.42)", ROUNDING, LIBRARY, surface),
     Check("equal", "coated bodies, exact, of equal materials", "Hertz 1882", ROUNDING, LIBRARY, equal),
     Check("crystals", "transversely isotropic half-space", "Hanson 1992; Delafargue, Ulm 2004", ROUNDING, LIBRARY, with_an_axis),
     Check("gibson", "power-law graded body", "Gibson 1967", 5e-3, "the limit's: exponent 0.999 in place of 1", gibson),

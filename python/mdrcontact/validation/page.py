@@ -32,7 +32,7 @@ class Row(NamedTuple):
 
     @property
     def holds(self) -> bool:
-        """Whether the deviation is within what the source's own error explains; true where nothing was run."""
+        """Whether the deviation is within the error of the source; True if nothing was run."""
         return self.found is None or self.found.deviation <= self.check.error
 
     def cells(self) -> list[str]:
