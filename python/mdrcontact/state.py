@@ -43,16 +43,6 @@ class State:
 
     Several states are `States`.
 
-    Parameters
-    ----------
-    contact : Contact, optional
-        The contact of the state. Without it the state has numbers and no fields.
-
-    Raises
-    ------
-    ArgumentTypeError
-        Fields of a state without a contact are requested.
-
     Examples
     --------
     >>> film = mdr.Coated(mdr.Elastic(72e9, 0.17), 500e-9, mdr.Elastic(165e9, 0.22))
@@ -455,16 +445,6 @@ class States(State):
 
     `len` and iteration follow the first axis; `states[3]` and `states[mask]` select states. Fields take positions of shape
     (*shape of the states, ...). A method of one state needs one.
-
-    Parameters
-    ----------
-    contact : Contact, optional
-        As in `State`.
-
-    Raises
-    ------
-    ArgumentTypeError
-        A method of one state is called, or fields of states without a contact.
 
     Examples
     --------
