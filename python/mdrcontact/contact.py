@@ -270,11 +270,13 @@ class Contact(Value):
         NoConvergenceError
             The integration does not reach its tolerance.
 
-        Notes ----- If all materials relax proportionally at constant Poisson's ratios, or the body is homogeneous, the history
-        follows from elastic curves to machine precision: Lee and Radok (1960) while the contact grows, Ting (1966) after the
-        largest depth. Any other body or path is integrated in time under the model "exact", unless a dashpot is in parallel at the
-        surface. For gels use `poroelastic.history`, for contacts with `adhesion` use `adhesion.rate_history`, and with a
-        `cohesive_stress` use `adhesion.adhesive_history`.
+        Notes
+        -----
+        If all materials relax proportionally at constant Poisson's ratios, or the body is homogeneous, the history follows from
+        elastic curves to machine precision: Lee and Radok (1960) while the contact grows, Ting (1966) after the largest depth. Any
+        other body or path is integrated in time under the model "exact", unless a dashpot is in parallel at the surface. For gels
+        use `poroelastic.history`, for contacts with `adhesion` use `adhesion.rate_history`, and with a `cohesive_stress` use
+        `adhesion.adhesive_history`.
 
         References
         ----------
@@ -326,8 +328,10 @@ class Contact(Value):
         ArgumentTypeError
             More than one of radius, depth and force is given.
 
-        Notes ----- The result is exact for any materials under the model "exact". Under other models the materials must relax
-        proportionally. Each new frequency of a layered body costs two kernels; further radii at the same frequency cost little.
+        Notes
+        -----
+        The result is exact for any materials under the model "exact". Under other models the materials must relax proportionally.
+        Each new frequency of a layered body costs two kernels; further radii at the same frequency cost little.
         """
         if poroelastic.is_poroelastic(self.medium):
             if depth is not None or force is not None:
@@ -512,8 +516,10 @@ class Contact(Value):
         ArgumentTypeError
             `strengths` is not a mapping of lists.
 
-        Notes ----- If a strength is reached at any load, as below a sharp tip, the failure is that of the smallest contact
-        examined, with `at_once` set.
+        Notes
+        -----
+        If a strength is reached at any load, as below a sharp tip, the failure is that of the smallest contact examined, with
+        `at_once` set.
         """
         return failure.first_failure(self, strengths, body, friction, largest_radius)
 

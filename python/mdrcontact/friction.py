@@ -40,11 +40,13 @@ class Friction(Value):
     InvalidArgumentError
         The coefficient is not greater than 0, or the contact is adhesive or of a medium without a tangential stiffness.
 
-    Notes ----- The normal force is constant, and the shear does not change the pressure (Cattaneo, Mindlin); the tangential force
-    would be 1 to 6 % higher with this coupling. The displacement that varies as cos 2 phi around the axis is neglected, at most
-    0.25 % of the force. Otherwise homogeneous and exact media are exact; Gao's models superpose punches. A negative pressure, or
-    slip that begins inside the contact immediately (a flat punch on a stiff coating), raises `DomainError`; slip that begins inside
-    later raises a `SlipInsideWarning`.
+    Notes
+    -----
+    The normal force is constant, and the shear does not change the pressure (Cattaneo, Mindlin); the tangential force would be 1 to
+    6 % higher with this coupling. The displacement that varies as cos 2 phi around the axis is neglected, at most 0.25 % of the
+    force. Otherwise homogeneous and exact media are exact; Gao's models superpose punches. A negative pressure, or slip that begins
+    inside the contact immediately (a flat punch on a stiff coating), raises `DomainError`; slip that begins inside later raises a
+    `SlipInsideWarning`.
 
     References
     ----------
@@ -159,11 +161,13 @@ class FrictionHistory:
     InvalidArgumentError
         `rings` or `largest_depth` is outside its range, or missing.
 
-    Notes ----- The springs of homogeneous bodies do not interact: every step in which depth and shift change proportionally is
-    exact, of any size. On other bodies rings of the surface each follow Coulomb's law. With 100 rings the error of T is 2e-4
-    coefficient F, that of the stick radius a third of a ring and that of the energy 2e-3; twice the rings at least halve it. Steps
-    are divided where the contact edge reaches the edge of a ring, so that a long step equals many short ones. A pickle contains the
-    steps, 32 bytes each, and repeats them.
+    Notes
+    -----
+    The springs of homogeneous bodies do not interact: every step in which depth and shift change proportionally is exact, of any
+    size. On other bodies rings of the surface each follow Coulomb's law. With 100 rings the error of T is 2e-4 coefficient F, that
+    of the stick radius a third of a ring and that of the energy 2e-3; twice the rings at least halve it. Steps are divided where
+    the contact edge reaches the edge of a ring, so that a long step equals many short ones. A pickle contains the steps, 32 bytes
+    each, and repeats them.
 
     References
     ----------

@@ -103,11 +103,13 @@ class ContactLaw(LawSteps):
     NoConvergenceError
         The tolerance cannot be reached.
 
-    Notes ----- With friction, `contacts` makes the memory of contacts, and `advance` takes one step of each along any path of shift
-    and normal force. It returns the tangential forces of stick, partial slip and sliding. No path yields energy, T is continuous in
-    F and in the shift, and each step has a derivative. With 8 sliders the error of T is 1 % of mu F, with 16 sliders 0.5 %,
-    relative to the springs of the body; springs in the plane are a model. See `first_shear_error` and `path_error`. Slip of small
-    amplitude, below the strength of the slider at the edge, is elastic: use `Friction` for fretting.
+    Notes
+    -----
+    With friction, `contacts` makes the memory of contacts, and `advance` takes one step of each along any path of shift and normal
+    force. It returns the tangential forces of stick, partial slip and sliding. No path yields energy, T is continuous in F and in
+    the shift, and each step has a derivative. With 8 sliders the error of T is 1 % of mu F, with 16 sliders 0.5 %, relative to the
+    springs of the body; springs in the plane are a model. See `first_shear_error` and `path_error`. Slip of small amplitude, below
+    the strength of the slider at the edge, is elastic: use `Friction` for fretting.
 
     References
     ----------

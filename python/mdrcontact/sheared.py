@@ -168,7 +168,9 @@ class ShearedContact:
     ArgumentTypeError
         `friction` is not a `Friction`, or `state` is not a state of its contact.
 
-    Notes ----- A twist is Lubkin's problem, solved exactly: a disc around the axis sticks at any angle, and the torque approaches
+    Notes
+    -----
+    A twist is Lubkin's problem, solved exactly: a disc around the axis sticks at any angle, and the torque approaches
     `sliding_force`.
 
     References

@@ -285,12 +285,14 @@ class State:
         NoConvergenceError
             A field of 1000 points or more deviates from the contact at the surface by more than 1e-3.
 
-        Notes ----- Stresses are infinite at the surface at the edge of a flat punch, of a flat end or of an adhesive contact, and
-        at the apex of a cone. Under an approximate model the field belongs to the pressure of the model, and its surface does not
-        fit the indenter. Graded bodies take up to a few seconds for 64 depths. A field of 1000 points or more is compared with the
-        pressure and the displacement of the contact at the surface. If it deviates by more than 1e-8 and 10 times the tolerance of
-        the medium, an `InteriorAccuracyWarning` is issued. For fewer points the warning comes once they add to 1000; `warnings` of
-        the result compares for any number.
+        Notes
+        -----
+        Stresses are infinite at the surface at the edge of a flat punch, of a flat end or of an adhesive contact, and at the apex
+        of a cone. Under an approximate model the field belongs to the pressure of the model, and its surface does not fit the
+        indenter. Graded bodies take up to a few seconds for 64 depths. A field of 1000 points or more is compared with the pressure
+        and the displacement of the contact at the surface. If it deviates by more than 1e-8 and 10 times the tolerance of the
+        medium, an `InteriorAccuracyWarning` is issued. For fewer points the warning comes once they add to 1000; `warnings` of the
+        result compares for any number.
 
         References
         ----------

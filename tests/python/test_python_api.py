@@ -68,6 +68,8 @@ class Docstring:
         found = []
         if not summary.endswith(".") or len(summary) > 79 or rest and not rest.startswith("\n"):
             found.append(f"the summary must be one line of at most 79 characters with a full stop: {summary!r}")
+        if re.search(r"\S -{4,}", self.text):
+            found.append("the title of a section must have a line of its own")
         order = ["Parameters", "Returns", "Yields", "Raises", "Notes", "References", "Examples"]
         unknown = set(self.sections) - set(order)
         if unknown or list(self.sections) != [name for name in order if name in self.sections]:
@@ -233,6 +235,7 @@ def scaled(x, factor=2.0):
         ("    Raises\n    ------\n", "the section Raises is missing"),
         ("    Examples\n    --------\n", "the section Examples is missing"),
         ("Scale a number.", "the summary must be"),
+        ("\n    ------\n    TypeError", "the section Raises is missing"),
     ],
 )
 def test_what_is_removed_is_found(removed, fault):

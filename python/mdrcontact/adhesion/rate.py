@@ -206,8 +206,10 @@ class RheologicalAdhesion(_Rate):
     InvalidArgumentError
         A number is outside its range, or the material has no glassy or relaxed modulus.
 
-    Notes ----- The law holds if the edge is slow for the material, v time/a <= 0.02, and its cohesive zone is short, zone/a <=
-    0.03. The error of pull-off is then at most 2 %. Histories outside this range issue an `AdhesionRateWarning`.
+    Notes
+    -----
+    The law holds if the edge is slow for the material, v time/a <= 0.02, and its cohesive zone is short, zone/a <= 0.03. The error
+    of pull-off is then at most 2 %. Histories outside this range issue an `AdhesionRateWarning`.
 
     References
     ----------

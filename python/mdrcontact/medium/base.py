@@ -150,9 +150,11 @@ class Medium(WithParameters):
         InvalidArgumentError
             The tangential stiffness of the medium is not known, or a radius is not finite and greater than 0.
 
-        Notes ----- It is known for homogeneous media with E and nu, for the model "exact", for Gao's models ("gao", "gao-series",
-        "gao-power") with their weights for a tangential load, and for pairs of these. The exact solution neglects the displacement
-        that varies as cos 2 phi around the axis; its result is low by at most 0.35 %.
+        Notes
+        -----
+        It is known for homogeneous media with E and nu, for the model "exact", for Gao's models ("gao", "gao-series", "gao-power")
+        with their weights for a tangential load, and for pairs of these. The exact solution neglects the displacement that varies
+        as cos 2 phi around the axis; its result is low by at most 0.35 %.
         """
         return evaluate("a", a, lambda radii: native.medium_values(self._handle, _layout.TANGENTIAL_MODULUS, radii))
 
@@ -187,8 +189,10 @@ class Medium(WithParameters):
         InvalidArgumentError
             The medium is given by its modulus alone, is graded by a power law or is rigid, or an argument is outside its range.
 
-        Notes ----- C(k) belongs to the bodies and does not depend on the model by which the medium solves contacts. Under a
-        traction along the wave it is twice that of "shear" minus that of "twist".
+        Notes
+        -----
+        C(k) belongs to the bodies and does not depend on the model by which the medium solves contacts. Under a traction along the
+        wave it is twice that of "shear" minus that of "twist".
         """
         if load == "flux":
             from ..conduction.bodies import conduction_of, flux_compliance

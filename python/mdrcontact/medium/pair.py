@@ -32,9 +32,11 @@ class Pair(Medium):
     InvalidArgumentError
         Both bodies are rigid, or power-law graded bodies differ in their exponent.
 
-    Notes ----- The indenter of a contact with a pair is the gap before contact, the sum of both shapes (`SumProfile`,
-    `Paraboloid.between`). The depth is the approach of distant points of the two bodies. Homogeneous bodies and bodies under the
-    model "exact" add exactly. Otherwise the moduli add in series, `1/E_eff = 1/E_eff,1 + 1/E_eff,2`, which is 0 to 1 % too stiff.
+    Notes
+    -----
+    The indenter of a contact with a pair is the gap before contact, the sum of both shapes (`SumProfile`, `Paraboloid.between`).
+    The depth is the approach of distant points of the two bodies. Homogeneous bodies and bodies under the model "exact" add
+    exactly. Otherwise the moduli add in series, `1/E_eff = 1/E_eff,1 + 1/E_eff,2`, which is 0 to 1 % too stiff.
 
     Examples
     --------

@@ -71,9 +71,11 @@ class CallableMedium(Medium):
     CallbackError
         The function returns NaN, infinity or no number. An exception that it raises is passed on unchanged.
 
-    Notes ----- The function is called while the object is made and never later. The interpolation is checked between its samples;
-    peaks narrower than 0.5 % of the radius may be missed, and steps below 1e-10 of the modulus count as noise. If the modulus has a
-    kink at a radius of stable contacts, adhesion by the energy balance is not possible. The object pickles if the function does: a
+    Notes
+    -----
+    The function is called while the object is made and never later. The interpolation is checked between its samples; peaks
+    narrower than 0.5 % of the radius may be missed, and steps below 1e-10 of the modulus count as noise. If the modulus has a kink
+    at a radius of stable contacts, adhesion by the energy balance is not possible. The object pickles if the function does: a
     function of a module does, a lambda does not.
 
     Examples

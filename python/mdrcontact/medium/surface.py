@@ -36,9 +36,11 @@ class Surface(WithParameters):
     ArgumentTypeError
         An argument is not a number. The medium that uses the surface checks the ranges.
 
-    Notes ----- Contacts support states, adhesion, surface displacement, laws and fits to 1e-9 (cones 1e-8), and the pressure to
-    2e-7. Friction, subsurface stresses, energies, histories and pairs of deformable bodies are not supported. Slopes are assumed
-    small. Describe a stiff bonded film, or one of known thickness, as a layer.
+    Notes
+    -----
+    Contacts support states, adhesion, surface displacement, laws and fits to 1e-9 (cones 1e-8), and the pressure to 2e-7. Friction,
+    subsurface stresses, energies, histories and pairs of deformable bodies are not supported. Slopes are assumed small. Describe a
+    stiff bonded film, or one of known thickness, as a layer.
 
     References
     ----------

@@ -125,10 +125,12 @@ class CallableProfile(Profile):
     NoConvergenceError
         The values of f lose too many digits near the axis.
 
-    Notes ----- The function is called while the object is made and never later. A formula such as R - sqrt(R^2 - r^2) loses digits
-    near the axis. It is continued there by a power series in r that its values determine to 3e-10; if that is not possible, the
-    constructor raises `NoConvergenceError`. The form r^2/(R + sqrt(R^2 - r^2)) loses no digits. The object pickles if f does: a
-    function of a module does, a lambda does not.
+    Notes
+    -----
+    The function is called while the object is made and never later. A formula such as R - sqrt(R^2 - r^2) loses digits near the
+    axis. It is continued there by a power series in r that its values determine to 3e-10; if that is not possible, the constructor
+    raises `NoConvergenceError`. The form r^2/(R + sqrt(R^2 - r^2)) loses no digits. The object pickles if f does: a function of a
+    module does, a lambda does not.
 
     Examples
     --------
