@@ -15,16 +15,16 @@ from . import _layout, _native
 from .errors import ArgumentTypeError, InvalidArgumentError, MDRError, error_class
 
 FloatOrArray = float | NDArray[np.float64]
-"""What an evaluation returns: a float for a number, an array of the same shape for an array."""
+"""Result of an evaluation: a float for a number, an array of the same shape for an array."""
 
 ComplexOrArray = complex | NDArray[np.complex128]
-"""The same where it is complex."""
+"""Result of a complex evaluation."""
 
 _ONE_POINT = np.ones(1)
 
 
 class Refusal(Exception):
-    """What the library reports about a failure, in parts."""
+    """Report of a failure of the library, in parts."""
 
     def __init__(self, status: int) -> None:
         failure = record(_layout.failure)
@@ -121,7 +121,7 @@ def outcome(function: Callable[..., Any], *arguments: Any) -> tuple[Any, ...]:
 
 
 def call(function: Callable[..., Any], *arguments: Any) -> Any:
-    """What a compiled function returns in addition to its status: nothing, its one output, or a list of them."""
+    """Return the outputs of a compiled function without its status: nothing, its one output, or a list of them."""
     status, *results = outcome(function, *arguments)
     check(status)
     return results[0] if len(results) == 1 else results
@@ -134,7 +134,7 @@ def evaluate(name: str, values: ArrayLike, function: Callable[[NDArray[np.float6
 
 
 def evaluate_all(name: str, values: ArrayLike, function: Callable[[NDArray[np.float64]], Any]) -> list[FloatOrArray]:
-    """The same for a function that gives several results, as arrays or as the columns of one."""
+    """Evaluate a function with several results, as arrays or as the columns of one."""
     points = numbers(name, values)
     # f2py takes no empty arrays: for them one harmless point shows how many results there are
     status, *results = function(points.ravel() if points.size else _ONE_POINT)
@@ -172,7 +172,7 @@ class Record(np.ndarray):
 
 
 def _is_owner(value: Any, kind: np.dtype[Any]) -> bool:
-    """Whether a member of a record points to the value."""
+    """Return whether a member of a record points to the value."""
     return (value is None or isinstance(value, (Handle, np.ndarray))) and kind == np.uintp
 
 
@@ -226,7 +226,7 @@ class Handle:
 
 
 def _address(value: Any) -> int:
-    """Where a handle, a contiguous array, a function of ctypes or None lies, for one call whose arguments hold it."""
+    """Return the address of a handle, a contiguous array, a function of ctypes or None, for one call whose arguments hold it."""
     if isinstance(value, Handle):
         return value._address
     if value is None:
@@ -268,7 +268,7 @@ else:
 
 
 def one_path(time: ArrayLike, **given: ArrayLike | None) -> tuple[str, NDArray[np.float64], NDArray[np.float64]]:
-    """Which one of some quantities is prescribed, at which times, and its values; one dimension, same length."""
+    """Return the name of the one prescribed quantity, the times and the values; one dimension, same length."""
     names = [name for name, values in given.items() if values is not None]
     if len(names) != 1:
         choice = ", ".join(list(given)[:-1]) + f" and {list(given)[-1]}"

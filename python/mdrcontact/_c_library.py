@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Where the C library of this package lies, for programs that link it and for ctypes, cffi and the like."""
+"""Paths of the C library of this package, for linkers, ctypes and cffi."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the compiled laws have in common: the content of their file, which is also how they are compared, copied and pickled."""
+"""Base of compiled laws: the content of their file, by which they are also compared, copied and pickled."""
 
 from __future__ import annotations
 

@@ -21,7 +21,7 @@ _FIGURES = "%.9g"
 
 
 class Table(NamedTuple):
-    """What the formats write, in the units of the table."""
+    """Content of a table, in its units."""
 
     description: str
     length: float
@@ -98,7 +98,7 @@ def _nodes(force: Callable[[Reals], Reals], lowest: float, highest: float, toler
 
 
 def _deviation(force: Callable[[Reals], Reals], low: float, high: float) -> float:
-    """How far F is from its chord."""
+    """Return the largest distance of F from its chord."""
     F = force(np.r_[low, low + (high - low) * _INSIDE, high])
     return float(np.abs(F[1:-1] - (F[0] + (F[-1] - F[0]) * _INSIDE)).max())
 

@@ -66,7 +66,7 @@ class WithParameters(Value):
         return self._rebuilt({key: _changed(key, part, given) for key, part in self._constants().items()}) if given else self
 
     def _constants(self) -> dict[str, Any]:
-        """What contains the numbers: constructor arguments, unless the class overrides it."""
+        """Return the arguments that contain the numbers: those of the constructor, unless the class overrides it."""
         return {} if self._is_table else self._given()
 
     def _rebuilt(self: Self, constants: dict[str, Any]) -> Self:

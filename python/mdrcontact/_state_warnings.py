@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a contact has warned about: large strains, moduli in two units, contacts that are not a single area, poor fields inside."""
+"""Warnings about the states of a contact: large strains, moduli in two units, several contact areas, inaccurate fields."""
 
 from __future__ import annotations
 
@@ -66,7 +66,7 @@ class StateWarnings:
         return [Caution(text, kind) for text, kind in zip(texts, kinds, strict=True)]
 
     def one_disc(self, states: Any, skipped: Collection[int] = ()) -> tuple[list[Caution], set[int]]:
-        """Whether the contact is a single area: of the largest of the states and of some smaller ones, except for skipped sizes.
+        """Examine whether the contact is a single area, in the largest of the states and some smaller ones, except skipped sizes.
         Also the sizes that were examined."""
         looked_at: set[int] = set()
         radii = np.ravel(states.radius)
@@ -94,14 +94,14 @@ class StateWarnings:
         return [], looked_at
 
     def inside(self, state: Any, body: str) -> tuple[list[Caution], float]:
-        """Whether a field inside deviates from the surface of its contact, and the deviation."""
+        """Return warnings about a field inside, and its deviation from the contact at the surface."""
         deviation = interior.deviation(state, body)
         if deviation <= max(interior.USUAL, interior.TOLERANCES * state._owner.medium._tolerance()):
             return [], deviation
         return [Caution(_DEVIATES.format(deviation), InteriorAccuracyWarning)], deviation
 
     def inside_or_refused(self, state: Any, body: str) -> list[Caution]:
-        """The same; a field that is wrong raises."""
+        """Return the warnings of `inside`; raise for a wrong field."""
         found, deviation = self.inside(state, body)
         if deviation > interior.WRONG:
             raise NoConvergenceError(_DEVIATES.format(deviation))
@@ -109,7 +109,7 @@ class StateWarnings:
 
 
 class Reported:
-    """What the user has already read about one contact: a warning of each kind once. Neither results of a contact nor
+    """Warnings that the user has already read about one contact, each kind once. Neither results of a contact nor
     their warnings depend on it."""
 
     def __init__(self) -> None:
@@ -146,7 +146,7 @@ class Reported:
                 self._seen = max(self._seen, _DEEPER * deepest, 0.0)
 
     def one_disc(self, states: Any) -> None:
-        """The same of contacts that are not a single area, once at a radius of about that size."""
+        """Report contacts that are not a single area, once at a radius of about that size."""
         doubts = states.contact._doubts
         if not doubts.may_open or is_silent():
             return
@@ -175,7 +175,7 @@ def _size(radius: float) -> int | None:
 
 
 def _fault(state: Any) -> str:
-    """Where the contact area of a state is under tension, or the surface outside passes through the indenter; empty if neither."""
+    """Describe where a state is under tension, or its surface outside passes through the indenter; empty if neither."""
     try:
         pressure, r = state.lowest_pressure()
         if pressure * math.pi * float(state.radius) ** 2 < -_NOTICEABLE * float(state.force):
@@ -191,5 +191,5 @@ def _fault(state: Any) -> str:
 
 
 def _has_plate(medium: Any) -> bool:
-    """Whether its surface has a plate."""
+    """Return whether the surface of a medium has a plate."""
     return getattr(getattr(medium, "surface", None), "bending", 0.0) > 0.0

@@ -92,7 +92,7 @@ QUANTITIES: Mapping[str, Dimension] = {
     **dict.fromkeys(("modulus", "pressure"), MODULUS),
     **{"area": AREA, "worn_volume": VOLUME, "time": TIME, "omega": FREQUENCY, "dissipated_energy": ENERGY, "error": RATIO},
 }
-"""What states, histories and measurements hold, by its name."""
+"""Dimensions of states, histories and measurements by name."""
 _USUAL = (LENGTH, FORCE, STIFFNESS, MODULUS, TIME, AREA, VOLTAGE)
 """Of the columns of tables."""
 
@@ -122,7 +122,7 @@ def to_si(value: float | str, unit: str, dimension: Dimension) -> float:
 
 @functools.lru_cache(maxsize=1000)
 def _factor(unit: str, dimension: Dimension) -> Decimal:
-    """How many SI units of `dimension` one `unit` is.
+    """Return the number of SI units of `dimension` in one `unit`.
 
     pint takes radians, turns and counts for plain numbers. Here they are units of their own: an angle is no ratio.
     """
@@ -158,13 +158,13 @@ def _as_turns(unit: Any) -> Any:
 
 
 def is_cyclic(unit: str) -> bool:
-    """Whether a unit that fits an angular frequency counts cycles per time: its numbers are taken times 2 pi."""
+    """Return whether a unit of angular frequency counts cycles per time: its numbers are multiplied by 2 pi."""
     parsed = _registry().Unit(unit)
     return bool(_as_turns(parsed) != parsed)
 
 
 def is_unit(text: str) -> bool:
-    """Whether a text is a unit of anything, "%" and "-" for plain numbers included."""
+    """Return whether a text is a unit, "%" and "-" for plain numbers included."""
     if text == "%" or text in _PLAIN or any(text == name for dimension in _USUAL for name, _ in dimension.practical):
         return True
     if len(text) > _LONGEST_UNIT:

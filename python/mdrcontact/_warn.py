@@ -78,12 +78,12 @@ def warn_all(cautions: Iterable[Caution]) -> None:
 
 
 def is_silent() -> bool:
-    """Whether warnings are dropped."""
+    """Return whether warnings are dropped."""
     return isinstance(_COLLECTOR.get(), _Silence)
 
 
 def is_collected() -> bool:
-    """Whether a computation collects warnings, which it takes of each result, also repeated ones."""
+    """Return whether a computation collects warnings, which it takes of each result, also repeated ones."""
     return _COLLECTOR.get() is not None
 
 
@@ -94,7 +94,7 @@ def texts_of(cautions: Iterable[Caution]) -> tuple[str, ...]:
 
 @contextmanager
 def collected() -> Iterator[list[Caution]]:
-    """What is warned of in the block, in this thread, as a list; the user reads nothing of it."""
+    """Collect the warnings of the block in this thread as a list, hidden from the user."""
     found: list[Caution] = []
     with _kept_by(found):
         yield found
@@ -102,7 +102,7 @@ def collected() -> Iterator[list[Caution]]:
 
 @contextmanager
 def kept() -> Iterator[list[Caution]]:
-    """What is warned of in the block, in this thread, as a list; `warn_all` of it lets the one that listens read it afterwards."""
+    """Collect the warnings of the block in this thread as a list, which `warn_all` reports afterwards."""
     found: list[Caution] = []
     with _kept_by(found) if is_collected() else reported_to(lambda text, kind: found.append(Caution(text, kind))):
         yield found

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What decides inside a coated body: the largest stresses and where they are."""
+"""Largest stresses inside a coated body and their positions."""
 
 from __future__ import annotations
 
@@ -120,7 +120,7 @@ def layers_of(medium: Any, body: str = "lower") -> tuple[list[float], bool]:
 
 
 def critical(state: Any, body: str, friction: float) -> Critical:
-    """What `State.critical` returns."""
+    """Return the result of `State.critical`."""
     contact, which, mu = state._owner, code("body", body, BODIES), number("friction", friction)
     found = np.zeros(call(native.load_critical, state._load, which, mu, 0, None), _layout.maximum)
     call(native.load_critical, state._load, which, mu, len(found), found)

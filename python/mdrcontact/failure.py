@@ -56,7 +56,7 @@ class Failure(_FailureNumbers, Warned):
 def first_failure(
     contact: Any, strengths: Mapping[str, Sequence[float | None]], body: str, friction: float, largest_radius: float | None
 ) -> tuple[Failure, ...]:
-    """What `Contact.first_failure` returns."""
+    """Return the result of `Contact.first_failure`."""
     side = code("body", body, BODIES)
     wanted = _wanted(contact, strengths, body)
     given = np.array([(_MODES[mode], place, value) for mode, place, value in wanted], _layout.strength)

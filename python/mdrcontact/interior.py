@@ -135,7 +135,7 @@ def _with_doubts(numbers: tuple[Any, ...], doubts: tuple[str, ...]) -> Interior:
 
 
 def interior(state: Any, r: ArrayLike, z: ArrayLike, body: str, side: str, friction: float, angle: ArrayLike) -> Interior:
-    """What `State.interior` returns."""
+    """Return the result of `State.interior`."""
     radii, depths, angles = together(r=r, z=z, angle=angle)
     if not radii.size:
         return Interior(*(np.empty(radii.shape) for _ in Interior._fields))
@@ -147,7 +147,7 @@ def interior(state: Any, r: ArrayLike, z: ArrayLike, body: str, side: str, frict
 
 
 def deviation(state: Any, body: str) -> float:
-    """By how much the field of a state differs from its contact on the surface; 0 where it is not known there, as near the surface
+    """Return the deviation of the field of a state from its contact at the surface; 0 if it is not known, as near the surface
     of a gradient that is too steep."""
     try:
         return float(call(native.load_interior_error, state._load, code("body", body, BODIES)))

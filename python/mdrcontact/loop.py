@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What adhesive contacts have beyond their states: where they break, and the whole cycle of approach and retraction.
+"""Pull-off of adhesive contacts, and cycles of approach and retraction.
 
 See theory/paper.md (5.1).
 """
@@ -22,7 +22,7 @@ RULES = words_of(_layout.ADHESION_AUTOMATIC, _layout.ADHESION_PAPER, _layout.ADH
 BRANCHES = words_of(_layout.ON_LOADING, _layout.ON_UNLOADING)
 """Names and codes of the branches of an adhesive contact."""
 CONTROLS = words_of(_layout.FORCE, _layout.DEPTH, _layout.SPRING)
-"""What a machine may prescribe."""
+"""Names and codes of prescribed quantities."""
 
 _FIRST_ROOM = 16
 """Stable segments of a branch for which there is room at first; there are hardly ever more than three."""

@@ -62,7 +62,7 @@ class Conductor(WithParameters):
         check_rows(np.array([self._row(1.0)]))
 
     def _row(self, thickness: float = 0.0, resistance: float = 0.0) -> tuple[float, ...]:
-        """Of struct mdr_conductor."""
+        """Return a row of struct mdr_conductor."""
         return thickness, self.sigma, self.sigma if self.along is None else self.along, self.capacity, resistance
 
 
@@ -258,7 +258,7 @@ def _stiffnesses(E_t: float, E_z: float, nu_t: float, nu_tz: float, G_z: float) 
 
 
 class _Rheology(WithParameters):
-    """What viscoelastic materials have in common."""
+    """Base of viscoelastic materials."""
 
     def relaxation(self, t: ArrayLike) -> FloatOrArray:
         """Return the shear relaxation modulus G(t).
@@ -573,7 +573,7 @@ class PowerLawRheology(_Rheology):
 
 
 Material = Elastic | TransverselyIsotropic | Viscoelastic | PowerLawRheology
-"""What a body can be made of."""
+"""Materials of a body."""
 
 
 def material(name: str, value: object) -> Any:

@@ -24,7 +24,7 @@ from .time import History, check_radius
 __all__ = ["Poroelastic", "history"]
 
 DRAINAGES = words_of(_layout.DRAINAGE_SURFACE, _layout.DRAINAGE_SEALED, _layout.DRAINAGE_INDENTER)
-"""What the fluid may do at the surface."""
+"""Names and codes of the drainage at the surface."""
 
 _GIVEN = words_of(_layout.DEPTH, _layout.FORCE)
 
@@ -152,12 +152,12 @@ class Poroelastic(WithParameters):
 
 
 def is_poroelastic(medium: object) -> bool:
-    """Whether a medium is a gel."""
+    """Return whether a medium is a gel."""
     return isinstance(getattr(medium, "material", getattr(medium, "coating", None)), Poroelastic)
 
 
 def check_body(coating: object, substrate: object, model: str, options: object, rigid: object) -> bool:
-    """Whether one of the materials of a coated body is a gel; raises for unsupported bodies."""
+    """Return whether one of the materials of a coated body is a gel; raise for unsupported bodies."""
     if not isinstance(coating, Poroelastic) and not isinstance(substrate, Poroelastic):
         return False
     if not isinstance(coating, Poroelastic) or substrate is not rigid:
@@ -189,13 +189,13 @@ def drainage_code(drainage: str | None) -> int:
 
 
 def gel_of(medium: Any) -> Poroelastic:
-    """What a half-space or a film is made of."""
+    """Return the gel of a half-space or a film."""
     gel: Poroelastic = getattr(medium, "material", None) or medium.coating
     return gel
 
 
 def body_of(medium: Any, gel: Poroelastic) -> Any:
-    """The same body of another gel."""
+    """Return the same body of another gel."""
     return medium.replace(material=gel) if hasattr(medium, "material") else medium.replace(coating=gel)
 
 
@@ -210,7 +210,7 @@ def contact_radius(indenter: Profile, radius: float | None) -> float:
 
 
 def _answers(medium: Any, radius: float, drainage: str | None) -> tuple[Handle, float, float, float]:
-    """What the library's functions begin with: the table, G, D and a."""
+    """Return the first arguments of the functions of the library: the table, G, D and a."""
     gel, code = gel_of(medium), drainage_code(drainage)
     thickness = getattr(medium, "thickness", None)
     if not 0.0 < radius < math.inf:

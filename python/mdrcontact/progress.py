@@ -94,5 +94,5 @@ class Progress:
 
 
 def _usual() -> Any:
-    """What ends calls of this thread otherwise: Ctrl-C in the main one."""
+    """Return the usual cancel function of this thread: Ctrl-C in the main one."""
     return _CANCEL(native.interrupted) if threading.current_thread() is threading.main_thread() else None

@@ -28,7 +28,7 @@ _NEARLY = 0.98
 _MOST_POINTS = 1_000_000
 
 _CONTROLS = {"shift": 0, "force": 1}
-"""What is prescribed."""
+"""Prescribed quantities."""
 _NAMES = (("shift", "tangential_force"), ("twist", "torque"))
 """Their names, along the surface and around the axis."""
 _GIVEN = ((_layout.SHIFT, _layout.TANGENTIAL_FORCE), (_layout.TWIST, _layout.TORQUE))
@@ -359,7 +359,7 @@ class ShearedContact:
 
     @cached_property
     def _handle(self) -> Handle:
-        """Of its one state: slip is solved once."""
+        """Handle of its one state: slip is solved once."""
         self.state._row()  # one state
         return self._sheared(self.state._load)
 
@@ -434,7 +434,7 @@ class ShearedContact:
         return smallest, self._at(shape, place).state
 
     def _doubts(self, found: ShearState) -> list[Caution]:
-        """Whether slip would begin inside the contact."""
+        """Return a warning if slip would begin inside the contact."""
         doubtful = self._doubtful(found)
         if doubtful is None or not any(value != 0.0 for value in tuple(doubtful[0])[:3]):
             return []
@@ -448,7 +448,7 @@ class ShearedContact:
         return [Caution(text, SlipInsideWarning)]
 
     def _at(self, shape: tuple[int, ...], index: Any) -> ShearedContact:
-        """The same of some of the states of this shape."""
+        """Return the sheared contact of some of the states of this shape."""
         if not np.shape(self.state.depth):
             return self
         columns = [np.broadcast_to(value, shape)[index] for value in self.state._numbers()]
@@ -456,8 +456,8 @@ class ShearedContact:
         return ShearedContact(self.friction, normal, self.around)
 
     def _fault(self, shear: ShearState) -> str:
-        """Where the stick zone of one state has more traction than coefficient times pressure; empty if nowhere, or if either is
-        not available."""
+        """Describe where the stick zone of one state has more traction than coefficient times pressure; empty if nowhere, or
+        if either is not available."""
         state, mu = self.state, self.friction.coefficient
         try:
             if shear.sliding:

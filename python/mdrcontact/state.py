@@ -398,7 +398,7 @@ class State:
         return np.stack(together(**{f"{name} of the state": getattr(self, name) for name in NAMES}), axis=-1)
 
     def _row(self) -> list[float]:
-        """The same of what must be one state."""
+        """Return the numbers of one state; raise for several."""
         row = list(self._numbers())
         if all(type(value) is float for value in row):
             return row

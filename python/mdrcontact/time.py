@@ -113,7 +113,7 @@ def check_radius(indenter: Profile, radius: ArrayLike) -> None:
 
 
 def refuse_drainage(drainage: str | None) -> None:
-    """Of a body that does not drain."""
+    """Raise if a body without pores has a drainage."""
     if drainage is not None:
         raise ArgumentTypeError(f"drainage = {drainage!r}: the body is not poroelastic")
 

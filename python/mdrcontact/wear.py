@@ -428,7 +428,7 @@ class Wear(Value):
 
 
 def _thinner(wear: Wear, lost: float) -> Wear:
-    """The same with a first layer that is thinner."""
+    """Return the same contact with a thinner first layer."""
     contact = wear.contact
     return wear.replace(contact=contact.replace(medium=contact.medium._with_thinner_coating(lost)))
 
@@ -444,7 +444,7 @@ def _given(constant: str) -> int:
 
 
 def _led(force: Any, depth: Any) -> tuple[str, float]:
-    """What is given, and its value."""
+    """Return the name of the given quantity, and its value."""
     if (force is None) == (depth is None):
         raise ArgumentTypeError("give exactly one of force and depth")
     return ("depth", number("depth", depth)) if force is None else ("force", number("force", force))

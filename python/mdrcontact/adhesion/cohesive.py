@@ -48,7 +48,7 @@ class AdhesiveHistory(NamedTuple):
 
 
 STATE = _layout.rate_state.names or ()
-"""What the library remembers of an adhesive history."""
+"""Members of the state of an adhesive history."""
 _HAPPENED = [name for name in STATE if name.startswith(("lowest", "rupture")) or name == "work"]
 
 

@@ -68,7 +68,7 @@ class RateHistory(_RateHistoryNumbers, Warned):
 
 
 class _Rate(Value):
-    """What works of adhesion that depend on speed have in common."""
+    """Base of rate-dependent works of adhesion."""
 
     work: float
 
@@ -334,7 +334,7 @@ def rate_history(
 
 
 def _doubts_of(adhesion: _Rate, found: RateHistory) -> list[Caution]:
-    """Whether a law that follows from a material is beyond its range: at the lowest force, and while the contact is larger than
+    """Return a warning if a law from rheology is outside its range: at the lowest force, and while the contact is larger than
     half of its largest radius."""
     time, zone = adhesion._scales()
     large = found.radius > 0.5 * np.max(found.radius)

@@ -19,7 +19,7 @@ from ..medium.layer import Interface
 
 
 class _Base(Named):
-    """What layers lie on where it is no half-space."""
+    """Base below layers that is not a half-space."""
 
     def __init__(self, name: str, number: int) -> None:
         super().__init__(name)
@@ -73,7 +73,7 @@ class LayeredConductor(Value):
         check_rows(rows)
 
     def _with_resistances(self, resistances: Sequence[float]) -> LayeredConductor:
-        """The same with further area resistances below its layers, from top to bottom."""
+        """Return the same body with further area resistances below its layers, from top to bottom."""
         layers = [layer for layer in self.layers if not isinstance(layer, Interface)]
         further = [*resistances, *[0.0] * (len(layers) - len(resistances))]
         own = self.rows()[0][: len(layers), 4]
@@ -112,7 +112,7 @@ class LayeredConductor(Value):
 
 
 def _conductor(material: Any) -> Conductor:
-    """What a material of an elastic body conducts with."""
+    """Return the conductor of a material of an elastic body."""
     found = material if isinstance(material, Conductor) else getattr(material, "conductor", None)
     if not isinstance(found, Conductor):
         raise ArgumentTypeError(f"{material!r} has no conductivity: give Elastic(E, nu, conductor=Conductor(...))")

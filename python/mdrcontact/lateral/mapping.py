@@ -320,7 +320,7 @@ def _sizes(shape: tuple[int, int], periodic: bool) -> tuple[int, int]:
 
 
 def _bases(voxels: Voxels) -> Array:
-    """What each slice is compared with: its mean, or the material outside; exactly the common value if all are equal."""
+    """Return the reference of each slice: its mean, or the material outside; exactly the common value if all are equal."""
     beside, mean = voxels.beside, _mean(voxels)
     if isinstance(beside, Elastic):
         return np.tile(_row(beside, mean), (voxels.labels.shape[0], 1))
@@ -337,7 +337,7 @@ def _mean(voxels: Voxels) -> PowerMean:
 
 
 def _row(material: Elastic, mean: PowerMean) -> list[float]:
-    """What is summed: phi(G) and nu."""
+    """Return the summands: phi(G) and nu."""
     return [float(mean.transformed(shear(material))), material.nu]
 
 
@@ -381,7 +381,7 @@ def _window(low: int, high: int, n: int, margin: int, periodic: bool) -> Any:
 
 
 def _inside(low: int, indices: Any, margin: int, periodic: bool) -> int:
-    """Where the tile begins in its window."""
+    """Return the position of the tile in its window."""
     return margin if periodic else int(low - indices[0])
 
 

@@ -397,6 +397,6 @@ class Shapes(Structure):
 _LENGTHS: dict[type[Any], range] = {
     Layer: range(2), HalfSpace: range(6), Ball: range(4), Fibre: range(7), Pillar: range(5), Box: range(6),
 }  # fmt: skip
-"""How many parameters a shape has."""
+"""Number of parameters of each shape."""
 _KINDS = list(_LENGTHS)
 """In the order of enum mdr_shape in mdrcontact/lateral.h."""

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What every medium can do."""
+"""Base class of media."""
 
 from __future__ import annotations
 
@@ -70,16 +70,16 @@ class Medium(WithParameters):
     def _with_materials(
         self: Self, layer: Callable[[Any], Any], substrate: Callable[[Any], Any], interface: Callable[[Any], Any] | None = None
     ) -> Self:
-        """The same body of other materials, by what makes them of that of a layer and of that below all layers; interfaces too,
+        """Return the same body of other materials, by functions of the material of a layer and of the substrate; interfaces also,
         where that is given. All else stays: thickness, prestress, surface, model and options."""
         return self
 
     def _relaxes(self) -> bool:
-        """Whether a material of it is viscoelastic."""
+        """Return whether one of its materials is viscoelastic."""
         return is_viscoelastic(self)
 
     def _with_thinner_coating(self: Self, lost: float) -> Self:
-        """The same body with a first layer that is thinner by so much [length]; all else stays."""
+        """Return the same body with a first layer that is thinner by `lost` [length]."""
         raise InvalidArgumentError(f"medium = {self!r}: it must be Coated or Layered, with a coating to lose")
 
     def _tolerance(self) -> float:

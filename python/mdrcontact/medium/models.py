@@ -62,7 +62,7 @@ class Settings(NamedTuple):
     given: dict[str, float | str]
 
     def medium_of(self, body: Handle) -> tuple[int, int]:
-        """What the library's constructor returns for a body under the model."""
+        """Return the result of the constructor of the library for a body under the model."""
         created: tuple[int, int] = native.medium_new(body, self.record)
         return created
 

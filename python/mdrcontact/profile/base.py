@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What every indenter profile can do."""
+"""Base class of indenter profiles."""
 
 from __future__ import annotations
 

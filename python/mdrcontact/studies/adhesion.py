@@ -117,7 +117,7 @@ def adhesion(problem: Problem, *, progress: Progress | None = None) -> AdhesionR
 
 
 def _law(given: Adhesion) -> str:
-    """What holds the surfaces together at the edge."""
+    """Describe the adhesion at the edge."""
     if not given.cohesive_stress:
         return f"adhesion rule: {given.adhesion_rule}"
     reach = given.work_of_adhesion / given.cohesive_stress
@@ -159,7 +159,7 @@ def _states(pull_offs: Sequence[tuple[str, PullOff]]) -> Table:
 
 
 def _jumps(loop: Loop) -> Table:
-    """Where the contact jumps, and from where to where."""
+    """Return a table of the jumps, with the states before and after."""
     position = practical(FORCE if loop.control == "force" else LENGTH, loop.position)
     ways = ["on approach" if i < loop.turning_point else "on retraction" for i in loop.jumps]
     table: list[Column | Words] = [

@@ -205,7 +205,7 @@ def _under(medium: Any, model: str, base: Any) -> Medium:
 
 
 def _reference(answers: Sequence[Answer], values: Array) -> tuple[str, Array]:
-    """What the models are measured by: the exact one, without it their median; `values` has one row for each answer."""
+    """Return the reference of the models: the exact one, or their median; `values` has one row for each result."""
     for answer, row in zip(answers, values, strict=True):
         if answer.model == "exact":
             return "exact", row

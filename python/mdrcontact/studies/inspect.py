@@ -28,7 +28,7 @@ _MOST = 60
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class InspectResult(Result):
-    """What a file of measurements is. Table: "tests", of records of an instrument."""
+    """Content of a file of measurements. Table: "tests", of records of an instrument."""
 
     inspection: Inspection
     facts: tuple[Fact, ...]
@@ -146,7 +146,7 @@ def inspect(
 
 
 def _given(columns: Sequence[str], spring_constant: float | None, sensitivity: float | None, like: str | Path | None) -> Given:
-    """What the file does not say; arguments come before the problem file."""
+    """Return what the file does not contain; arguments override the problem file."""
     given = Given() if like is None else given_by(Path(like))
     said = {"spring_constant": spring_constant, "deflection_sensitivity": sensitivity}
     cantilever = given.cantilever._replace(**{name: value for name, value in said.items() if value is not None})
@@ -169,7 +169,7 @@ def _span(values: Array, dimension: Dimension) -> str:
 
 
 def _would_be_fitted(path: Path, found: Inspection, progress: Progress) -> tuple[list[str], list[str]]:
-    """What the problem file to begin with makes of each curve, and the doubts about them."""
+    """Return how the start file reads each curve, and the warnings about them."""
     lines: list[str] = []
     warned: list[tuple[str, str]] = []
     curves = fit_file_of_text(found.problem).curves(path)[:_MOST]

@@ -31,7 +31,7 @@ _MOST_NAMES = 40
 _OFF_GRID = 0.25
 """Of the step of a grid: positions that far off are on none."""
 _WITHOUT_MODEL = {"jump-in": FORCE, "pull-off": FORCE, "last rupture": LENGTH, "energy lost": ENERGY}
-"""What records say without a model, in columns of the table."""
+"""Columns of the table from records, without a model."""
 
 
 class Fitted(NamedTuple):
@@ -291,7 +291,7 @@ def _rated(curve: Curve, result: FitResult, keep_all: bool) -> Fitted:
 
 
 def _verdict(count: int, fitted: Sequence[Fitted]) -> dict[str, str]:
-    """How many curves are described, and which do not count."""
+    """Return how many fits describe their data, and which do not count."""
     described = sum(one.fit.describes_data is True and one.fit.converged for one in fitted)
     unknown = sum(one.fit.describes_data is None for one in fitted)
     line = f"{len(fitted)} of {count} curves fitted; {described} of {count} fits describe their data to 5 % or better"

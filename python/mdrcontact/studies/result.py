@@ -139,7 +139,7 @@ def in_words(rows: Iterable[Sequence[str]]) -> list[Words]:
 
 
 def columns_of(states: Any, *names: str) -> list[Column]:
-    """What states hold, by the names of their fields."""
+    """Return columns of states by the names of their fields."""
     return [column(name.replace("_", " "), getattr(states, name), QUANTITIES[name]) for name in names]
 
 

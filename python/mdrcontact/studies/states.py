@@ -31,7 +31,7 @@ class Curve(NamedTuple):
 
     @property
     def has_slope(self) -> bool:
-        """Whether the slope is another number than the stiffness."""
+        """Return whether the slope differs from the stiffness."""
         return not np.array_equal(self.slope, self.stiffness)
 
     @property
@@ -63,7 +63,7 @@ def thickness(medium: Medium) -> float | None:
 
 
 def columns(curve: Curve, medium: Medium) -> list[Column]:
-    """What the tables show of a curve."""
+    """Return the columns of a curve."""
     h = thickness(medium)
     return [
         *columns_of(curve, "depth", "radius"),

@@ -24,7 +24,7 @@ from .result import Array, Column, Mixed, Number, Result, Table, Words, column, 
 
 _POINTS = 121
 _FARTHEST = 2.0
-"""How far a map goes beyond the axis, in units of a."""
+"""Largest distance of a map from the axis, in units of a."""
 _PLACES = 301
 """Points along the surface and the interfaces, as far as 3 a."""
 
@@ -281,14 +281,14 @@ def _line(state: State, friction: float, z: float) -> Face:
 
 
 def layer_name(faces: tuple[float, ...], i: int) -> str:
-    """What a layer is called."""
+    """Return the name of a layer."""
     if i == len(faces) - 1:
         return "substrate" if i else "body"
     return "film" if len(faces) == 2 else f"layer {i + 1}"
 
 
 def interface_name(faces: tuple[float, ...], i: int) -> str:
-    """What an interface is called."""
+    """Return the name of an interface."""
     return "interface" if len(faces) == 2 else f"interface {i + 1}"
 
 
@@ -307,7 +307,7 @@ def _energy_note(faces: tuple[float, ...], critical: Critical) -> str:
 
 
 def _maxima(state: State, faces: tuple[float, ...], critical: Critical) -> list[tuple[str, str, Maximum]]:
-    """What is largest, where, and its value and place."""
+    """Return the largest stresses with body, value and position."""
     found = []
     for i, layer in enumerate(critical.layers):
         name = layer_name(faces, i)
@@ -348,7 +348,7 @@ def _failures_table(faces: tuple[float, ...], failures: tuple[Failure, ...]) -> 
 
 
 def _failure_place(faces: tuple[float, ...], failure: Failure) -> str:
-    """Which layer or interface fails; a film that cracks from its surface outside the contact has a ring crack."""
+    """Return the name of what fails; a film that cracks at its surface outside the contact has a ring crack."""
     if failure.mode.startswith("interface"):
         return interface_name(faces, failure.place)
     name = layer_name(faces, failure.place)

@@ -73,7 +73,7 @@ def validate(*, full: bool = False, only: str | None = None, progress: Progress 
 
 
 def _bounds(rows: Sequence[Row]) -> str:
-    """How many comparisons hold, of those that were run."""
+    """Return the number of comparisons that hold, of those that were run."""
     were_run = [row for row in rows if row.found is not None]
     left = len(rows) - len(were_run)
     held = sum(row.holds for row in were_run)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the library computes, against formulas, tables and programs of others."""
+"""Results of the library, compared with formulas, tables and other programs."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a row of the validation holds."""
+"""A row of the validation."""
 
 from __future__ import annotations
 

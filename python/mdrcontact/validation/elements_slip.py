@@ -42,7 +42,7 @@ class Sheared:
         self.radii = places[0][contact]
 
     def normal_forces(self, pressure: Callable[[Array], Array]) -> Array:
-        """What a pressure puts on each ring."""
+        """Return the load of a pressure on each ring."""
         fem: Any = importlib.import_module("skfem")
         facets = self.mesh.facets_satisfying(lambda x: (x[1] < 1e-12) & (x[0] < self.a))
         top = fem.FacetBasis(self.mesh, fem.ElementQuad2(), facets=facets, intorder=8)

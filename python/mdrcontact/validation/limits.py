@@ -132,7 +132,7 @@ def models() -> list[list[str]]:
 
 
 def refusals() -> list[list[str]]:
-    """What is tried beyond each limit, and the library's own sentence: an error, or a warning."""
+    """Return a trial beyond each limit, and the message of the library: an error or a warning."""
     rows = [["capability", "accuracy", "beyond the limit", "message"]]
     for limit in LIMITS:
         rows.append([limit.capability, limit.kind, limit.beyond, _answer(limit.step)])

@@ -32,7 +32,7 @@ class Row(NamedTuple):
 
     @property
     def holds(self) -> bool:
-        """Whether the deviation is within the error of the source; True if nothing was run."""
+        """Return whether the deviation is within the error of the source; True if nothing was run."""
         return self.found is None or self.found.deviation <= self.check.error
 
     def cells(self) -> list[str]:
@@ -59,7 +59,7 @@ def run(checks: Sequence[Check], full: bool) -> list[Row]:
 
 
 def is_installed(module: str) -> bool:
-    """Whether a program can be imported."""
+    """Return whether a program can be imported."""
     return importlib.util.find_spec(module) is not None
 
 

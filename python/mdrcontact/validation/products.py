@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What is made from contacts: compiled laws, fits, effective moduli of composites."""
+"""Objects made from contacts: compiled laws, fits, effective moduli of composites."""
 
 from __future__ import annotations
 
