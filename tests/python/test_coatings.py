@@ -303,7 +303,10 @@ def test_stiffnesses_and_engineering_constants_are_one_material():
         (lambda: mdr.Layered([mdr.Layer(GAN, 1.0, prestress=-1e3)], GAN), "prestress = -1000.* unstable"),
         (lambda: mdr.Coated(GAN, 1.0, mdr.Elastic(1.0, 0.3), "gao"), "not isotropic, bonded and free of stress. Use one of exact"),
         (lambda: mdr.Layered([(GAN, 1.0)], mdr.Viscoelastic(1.0, [(1.0, 1.0)], 0.3)), "must be isotropic and stress-free"),
-        (lambda: mdr.Layer(mdr.PowerLawRheology(1.0, 1.0, 0.2, 0.5), 1.0, prestress=1.0), "a layer that relaxes"),
+        (
+            lambda: mdr.Layer(mdr.PowerLawRheology(1.0, 1.0, 0.2, 0.5), 1.0, prestress=1.0),
+            "prestress: it must be 0 in a viscoelastic layer",
+        ),
         (lambda: mdr.Layered([mdr.Layer(GAN, 1.0, interface=mdr.SLIDING)], mdr.SMOOTH), "slides by itself"),
         (
             lambda: mdr.Layered([mdr.Layer(GAN, 1.0, interface=mdr.SLIDING)], GAN).tangential_modulus(1.0),

@@ -25,9 +25,9 @@ INVALID = [
     (lambda: mdr.Cone(half_angle=-3.0, degrees=True), r"^half_angle = -3:"),
     (lambda: mdr.Cone(half_angle=1.6), r"^half_angle = 1.6: .*radian$"),
     (lambda: mdr.Cone(90.0, degrees=True), r"^inclination = 90: .*90 degrees$"),
-    (lambda: mdr.FlatEndedCone(1.0, NAN), r"^inclination = nan "),
+    (lambda: mdr.FlatEndedCone(1.0, NAN), r"^inclination = nan:"),
     (lambda: mdr.CallableProfile(lambda r: r, r_max=-1.0), r"^r_max = -1: .*greater than 0"),
-    (lambda: mdr.CallableProfile(lambda r: r, r_max=math.inf), r"^r_max = inf "),
+    (lambda: mdr.CallableProfile(lambda r: r, r_max=math.inf), r"^r_max = inf:"),
     (lambda: mdr.PowerLaw(0.0, 1.0), r"exponent = 0:"),
     (lambda: mdr.PowerLaw(1.0, NAN), r"coefficient = NaN:"),
     (lambda: mdr.FlatPunch(NAN), r"radius = NaN:"),
@@ -42,7 +42,7 @@ INVALID = [
     (lambda: mdr.SumProfile([]), r"terms: it is empty"),
     (lambda: mdr.Coated(OXIDE, 0.0, SILICON), r"thickness = 0:"),
     (lambda: mdr.Coated(OXIDE, NAN, SILICON), r"thickness = NaN:"),
-    (lambda: mdr.Coated(OXIDE, 1.0, SILICON, "goa"), r"model = 'goa' .*did you mean 'gao'\?"),
+    (lambda: mdr.Coated(OXIDE, 1.0, SILICON, "goa"), r"model = 'goa': did you mean 'gao'\?"),
     (lambda: mdr.Coated(OXIDE, 1.0, SILICON, "Doerner-Nix"), r"did you mean 'doerner-nix'\?"),
     (lambda: mdr.Coated(OXIDE, 1.0, SILICON, "doerner-nix", alpa=1.0), r"alpa is not an option .*did you mean 'alpha'\?"),
     (lambda: mdr.Coated(OXIDE, 1.0, SILICON, "bec", alpha=1.0), r"alpha is not an option of the model 'bec'"),
@@ -130,7 +130,10 @@ def test_states_that_do_not_exist(coated):
         (lambda: coated.at_force([1e-3, -1.0]), r"^entry 2 of force = -1: without adhesion"),
         (lambda: coated.at_force([-1.0]), r"^entry 1 of force = -1: without adhesion"),
         (lambda: coated.at_depth(1e-3), r"depth = .*: at radius"),
-        (lambda: mdr.Contact(mdr.FlatPunch(1.0), mdr.Homogeneous(OXIDE)).at_radius(1.0), r"radius = 1 does not determine a state"),
+        (
+            lambda: mdr.Contact(mdr.FlatPunch(1.0), mdr.Homogeneous(OXIDE)).at_radius(1.0),
+            r"radius = 1: it does not determine a state",
+        ),
     ):
         with pytest.raises(mdr.errors.UnreachableError, match=words) as caught:
             make()
@@ -172,7 +175,7 @@ def test_points_outside_the_domain(coated):
         lambda: mdr.CallableProfile(lambda r: r, 1.0).height(1.1),
         lambda: coated.at_radius(1e-3),
     ):
-        with pytest.raises(mdr.errors.DomainError, match="must be at most") as caught:
+        with pytest.raises(mdr.errors.DomainError, match="must be at most|defined up to") as caught:
             make()
         assert isinstance(caught.value, ValueError)
 

@@ -136,7 +136,7 @@ def test_force_depth_data_of_a_deformable_indenter(said):
         result = mdi.fit(data, tip, START, ["coating.E", "substrate.E"], instrument=mdi.Instrument(indenter=diamond))
     assert result.estimates["coating.E"] == pytest.approx(OXIDE.E, rel=1e-6)
     assert result.estimates["substrate.E"] == pytest.approx(SILICON.E, rel=1e-6)
-    with pytest.raises(mdr.errors.InvalidArgumentError, match="its upper body is the indenter"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="the upper body of a Pair is the indenter"):
         mdi.fit(data, tip, mdr.Pair(START, diamond), ["coating.E"], instrument=mdi.Instrument(indenter=diamond))
 
 

@@ -150,7 +150,9 @@ def test_all_data_tips_pairs_and_adhesion(make):
 def test_what_the_readings_do_not_depend_on_is_refused():
     rng = np.random.default_rng(3)
     for medium, name in [(FILM, "layers[0].C12"), (mdr.Homogeneous(GAN), "C12")]:
-        with pytest.raises(mdr.errors.InvalidArgumentError, match=r"C12 must not be free: the readings do not depend on it"):
+        with pytest.raises(
+            mdr.errors.InvalidArgumentError, match=r"C12: it must not be free, because the readings do not depend on it"
+        ):
             mdi.fit(curve(medium, rng), TIP, medium, [name])
         known = mdi.Free(prior=(145e9, 5e9))
         assert mdi.fit(curve(medium, rng), TIP, medium, {name: known}).standard_errors[name] == pytest.approx(5e9, rel=1e-3)
@@ -187,7 +189,7 @@ def test_problem_files_and_the_command_line(tmp_path, capsys):
     assert main(["fit", str(measured), "--problem", str(problem)]) == 0
     problem.write_text(PROBLEM.split("[fit.free")[0] + '[fit]\nfree = ["layers[0].C12"]\n')
     assert main(["fit", str(measured), "--problem", str(problem)]) == 1
-    assert "layers[0].C12 must not be free: the readings do not depend on it" in capsys.readouterr().err
+    assert "layers[0].C12: it must not be free, because the readings do not depend on it" in capsys.readouterr().err
 
 
 PROBLEM = """

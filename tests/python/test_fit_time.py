@@ -158,7 +158,7 @@ def test_bad_input():
     refused("viscoelastic", medium=start, instrument=mdi.Instrument(work_of_adhesion=0.05))
     refused("frame_compliance", instrument=mdi.Instrument(frame_compliance=1e-3))
     refused("rigid", instrument=mdi.Instrument(indenter=mdr.Elastic(1e9, 0.3)))
-    refused("elastic body has no history", medium=mdr.Homogeneous(mdr.Elastic(1e3, 0.5)), free=("E",))
+    refused("body is elastic", medium=mdr.Homogeneous(mdr.Elastic(1e3, 0.5)), free=("E",))
     refused(
         "ForceTime, DepthTime or DynamicStiffness", data=mdi.ForceDepth(np.linspace(1e-8, 6e-7, 50), np.linspace(0.0, 1e-9, 50))
     )
@@ -167,7 +167,7 @@ def test_bad_input():
     refused("equal time", medium=mdr.Homogeneous(mdr.Viscoelastic(1.0, [(1.0, 2.0), (1.0, 2.0)], nu=0.5)))
     refused("above 0", medium=mdr.Homogeneous(mdr.Viscoelastic(0.0, [(1.0, 2.0)], nu=0.5)), free=("relaxed_shear_modulus",))
     refused("bounds", free={"exponent": mdi.Free(0.2, lower=0.3)})
-    with pytest.raises(mdr.errors.InvalidArgumentError, match="entry 3 of time = 1: times must be strictly ascending"):
+    with pytest.raises(mdr.errors.InvalidArgumentError, match="entry 3 of time = 1: times must ascend"):
         mdi.ForceTime([0.0, 1.0, 1.0], [0.0, 1.0, 2.0], [0.0, 1.0, 2.0])
     with pytest.raises(mdr.errors.InvalidArgumentError, match="same length"):
         mdi.ForceTime([0.0, 1.0], [0.0, 1.0, 2.0], [0.0, 1.0])

@@ -199,7 +199,7 @@ FAULTS = [
     (
         'radius = "10 um"',
         'radius = "10 um"\nbody = {type = "power-law-graded", E0 = "1 GPa", z0 = "1 um", exponent = 0.3, nu = 0.3}',
-        r"\[indenter\]: upper: the springs of a power-law graded body",
+        r"\[indenter\]: upper: a power-law graded body pairs only",
     ),
     ('type = "coated"', 'type = "caoted"', r"Did you mean 'coated'\?"),
     ('type = "coated"', "", r"\[medium\]: the key 'type' is missing"),

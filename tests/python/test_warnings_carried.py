@@ -72,7 +72,7 @@ def at_speed(speed):
 CASES = {
     mdr.errors.LargeStrainWarning: (at_radius, 3.0, 0.1, "slope of 3"),
     mdr.errors.UnitsWarning: (in_units, 72.0, 72e9, "from 72 to"),
-    mdr.errors.ShortZoneWarning: (short_zone, 1e7, 0.1, "without a range"),
+    mdr.errors.ShortZoneWarning: (short_zone, 1e7, 0.1, "JKR limit"),
     mdr.errors.SeparationInsideWarning: (on_a_film, STIFF, STIFF.with_model("gao"), "not a single area"),
     mdr.errors.InteriorAccuracyWarning: (inside, 1e-6, 0.0, "off by about 1.0e-06"),
     mdr.errors.SlipInsideWarning: (sheared, 3.5, 3.57, "slip would begin inside"),

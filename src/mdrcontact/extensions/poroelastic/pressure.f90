@@ -39,7 +39,7 @@ contains
         values = 0.0_wp
         if (is_pore .and. gel%drainage == drains_by_surface) return
         if (is_pore .and. gel%ratio > 0.0_wp) then
-            call raise(error, error_invalid, "kind: the pore pressure is available on a half-space only")
+            call raise(error, error_invalid, "kind: the pore pressure is available on a half-space only, not on a film")
         end if
         call basis_for(gel, tau, tau, basis, error)
         if (allocated(error)) return
