@@ -138,7 +138,7 @@ contains
 
         call check_body(load%equilibrium, upper, error)
         if (allocated(error)) return
-        if (.not. load%surface%is_complete) call refuse(load%equilibrium%medium, "stresses inside are", &
+        if (.not. load%surface%is_complete) call refuse(load%equilibrium%medium, "subsurface stresses are", &
             "a homogeneous, coated, layered or graded one", "the surface layer also loads the body outside the contact", error)
         call check_known(load%equilibrium, upper, error)
         if (allocated(error)) return
