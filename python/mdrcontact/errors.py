@@ -23,6 +23,7 @@ __all__ = [
     "ShortZoneWarning",
     "InteriorAccuracyWarning",
     "AdhesionRateWarning",
+    "PathEndsWarning",
 ]
 
 
@@ -337,6 +338,11 @@ class AdhesionRateWarning(MDRWarning):
     >>> print({one.category.__name__ for one in issued})
     {'AdhesionRateWarning'}
     """
+
+
+class PathEndsWarning(MDRWarning):
+    """A path of wear ends before its last part, as where the contact would grow beyond the end of the indenter. The states are
+    those of the parts before it, and the history stays at the last of them."""
 
 
 _BY_STATUS: dict[int, type[MDRError]] = {

@@ -11,11 +11,27 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _layout
-from ._boundary import FloatOrArray, Handle, call, evaluate, native, number, numbers, record, row, together, whole, words_of
+from ._boundary import (
+    FloatOrArray,
+    Handle,
+    Refusal,
+    call,
+    evaluate,
+    native,
+    number,
+    numbers,
+    outcome,
+    record,
+    row,
+    together,
+    whole,
+    words_of,
+)
 from ._choices import nearest
 from ._value import Value
+from ._warn import Caution, Warned, collected, warn
 from .contact import Contact
-from .errors import ArgumentTypeError, InvalidArgumentError
+from .errors import ArgumentTypeError, DomainError, InvalidArgumentError, NoConvergenceError, PathEndsWarning
 from .profile.base import Profile
 from .state import State, state_of
 
@@ -60,16 +76,8 @@ class WearLimit(NamedTuple):
     """the worn indenter, with the wear of both sides"""
 
 
-class WearState(NamedTuple):
-    """State of a wear history; each entry has the shape of the input.
-
-    Examples
-    --------
-    >>> contact = mdr.Contact(mdr.Paraboloid(10e-6), mdr.Homogeneous(mdr.Elastic(72e9, 0.3)))
-    >>> state, profile = mdr.wear.Wear(contact, 1e-15).advance(1.0, force=1e-3, intervals=16)
-    >>> print(f"{state.worn_volume:.4e} {state.radius:.4e} {state.error:.0e}")
-    1.0012e-18 1.8909e-06 8e-03
-    """
+class _WearNumbers(NamedTuple):
+    """The numbers of a `WearState`."""
 
     sliding: FloatOrArray
     """s, sliding distance since the beginning [length]"""
@@ -93,6 +101,18 @@ class WearState(NamedTuple):
     """int F ds [modulus length^3]"""
     error: FloatOrArray
     """largest relative error of a, d, F, p and the wear depth, the difference of two resolutions [1]"""
+
+
+class WearState(_WearNumbers, Warned):
+    """State of a wear history; each entry has the shape of the input.
+
+    Examples
+    --------
+    >>> contact = mdr.Contact(mdr.Paraboloid(10e-6), mdr.Homogeneous(mdr.Elastic(72e9, 0.3)))
+    >>> state, profile = mdr.wear.Wear(contact, 1e-15).advance(1.0, force=1e-3, intervals=16)
+    >>> print(f"{state.worn_volume:.4e} {state.radius:.4e} {state.error:.0e}")
+    1.0012e-18 1.8909e-06 8e-03
+    """
 
 
 class WearFit(NamedTuple):
@@ -356,7 +376,8 @@ class Wear(Value):
         Returns
         -------
         tuple of WearState and WornProfile
-            The states, in the shape of `sliding`, and the worn indenter at the last distance.
+            The states, in the shape of `sliding`, and the worn indenter at the last distance. If the path ends before its last
+            distance, the states of the distances before, in one dimension, with a `PathEndsWarning`.
 
         Raises
         ------
@@ -367,8 +388,9 @@ class Wear(Value):
         """
         history = self.history(force=force, depth=depth, intervals=intervals, scheme=scheme)
         distances = numbers("sliding", sliding)
-        states = history.advance(np.diff(distances.ravel(), prepend=0.0), force=force, depth=depth)
-        return WearState._make(_shaped(values, distances.shape) for values in states), history.profile
+        states, doubts = history._advance(np.diff(distances.ravel(), prepend=0.0), force, depth)
+        shape = distances.shape if not doubts else np.shape(states.sliding)
+        return WearState._make(_shaped(values, shape) for values in states)._carrying(doubts), history.profile
 
     def bracket(
         self,
@@ -413,7 +435,7 @@ class Wear(Value):
 
         def run(wear: Wear) -> WearState:
             history = wear.history(force=force, depth=depth, intervals=intervals, places="same", scheme=scheme)
-            return history.advance(steps, force=force, depth=depth)
+            return history._advance_all(steps, force, depth)
 
         first = last = run(_thinner(self, 0.0))
         lost = 0.0
@@ -530,6 +552,16 @@ class WornProfile(Profile):
         return float(self.wear.contact.indenter.height(edge) - self.height(edge))
 
 
+def _where_it_ends(refusal: Refusal, sliding: NDArray[np.float64]) -> Caution:
+    """The warning of a path that ends before its last part; raises where nothing was possible, or the input is wrong."""
+    error = refusal.error(single=sliding.size == 1)
+    if refusal.entry < 2 or not isinstance(error, (DomainError, NoConvergenceError)):
+        raise error
+    done = float(np.sum(sliding[: refusal.entry - 1]))
+    text = f"the path ends after {refusal.entry - 1} of {sliding.size} parts, {done:g} further: {refusal.argument}{refusal.text}"
+    return Caution(text, PathEndsWarning)
+
+
 def _restored(wear: Wear, past: Sequence[float]) -> WearHistory:
     kind, value, intervals, places, scheme, *saved = past
     chosen = int(intervals), _PLACES[int(places)], SCHEMES[int(scheme)]
@@ -615,7 +647,8 @@ class WearHistory:
         Returns
         -------
         WearState
-            States at the ends of the parts.
+            States at the ends of the parts. If a part after the first one is not possible, the states of the parts before it with a
+            `PathEndsWarning`; the history is then at the last of them.
 
         Raises
         ------
@@ -624,6 +657,10 @@ class WearHistory:
         InvalidArgumentError
             The contact would shrink under the scheme "disc", as under a falling force. After an error the history is unchanged.
         """
+        return self._advance(sliding, force, depth)[0]
+
+    def _advance(self, sliding: ArrayLike, force: ArrayLike | None, depth: ArrayLike | None) -> tuple[WearState, list[Caution]]:
+        """The states, and why there are fewer than parts."""
         if (force is None) == (depth is None):
             raise ArgumentTypeError("give exactly one of force and depth")
         name, values = ("depth", depth) if force is None else ("force", force)
@@ -631,9 +668,25 @@ class WearHistory:
         if distances.ndim > 1:
             raise ArgumentTypeError("parts of a path are numbers or arrays of one dimension")
         if not distances.size:
-            return WearState._make([np.empty(0)] * len(WearState._fields))
-        found = call(native.wear_history_advance, self._handle, _given(name), distances.ravel(), targets.ravel())
-        return WearState._make(float(values[0]) if not distances.ndim else values for values in found.T)
+            return WearState._make([np.empty(0)] * len(WearState._fields)), []
+        parts = distances.ravel(), targets.ravel()
+        status, found = outcome(native.wear_history_advance, self._handle, _given(name), *parts)
+        doubts: list[Caution] = []
+        if status:
+            refusal = Refusal(status)
+            doubts, done = [_where_it_ends(refusal, parts[0])], refusal.entry - 1
+            found = call(native.wear_history_advance, self._handle, _given(name), *(part[:done] for part in parts))
+            warn(*doubts[0])
+        states = WearState._make(float(values[0]) if not distances.ndim else values for values in found.T)
+        return states._carrying(doubts), doubts
+
+    def _advance_all(self, sliding: NDArray[np.float64], force: float | None, depth: float | None) -> WearState:
+        """The states of all parts, where those of some are of no use."""
+        with collected():
+            states, doubts = self._advance(sliding, force, depth)
+        if doubts:
+            raise DomainError(doubts[0].text)
+        return states
 
     @property
     def state(self) -> WearState:
@@ -816,7 +869,8 @@ def wear_coefficient_from_scar(contact: Contact, radius: ArrayLike, sliding: Arr
     unit = Wear(contact, 1.0)
 
     def model(k: float) -> NDArray[np.float64]:
-        return np.asarray(unit.advance(k * distances, force=force)[0].radius)
+        history = unit.history(force=force)
+        return np.asarray(history._advance_all(np.diff(k * distances, prepend=0.0), force, None).radius)
 
     # uniform pressure under the unworn profile, without its elastic part: the volume inside the scar
     r = np.linspace(0.0, float(radii[-1]), 401)

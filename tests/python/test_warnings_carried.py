@@ -69,7 +69,13 @@ def at_speed(speed):
     return mdr.adhesion.rate_history(ADHESIVE, [0.0, (start + 1.0) / speed], depth=[start, -1.0], start="rest")
 
 
+def worn(distance):
+    sphere = mdr.Contact(mdr.Sphere(1.0), HALF_SPACE)
+    return mdr.wear.Wear(sphere, 1.0).history(force=0.1, intervals=16, scheme="rings").advance([0.1, distance], force=[0.1, 0.1])
+
+
 CASES = {
+    mdr.errors.PathEndsWarning: (worn, 60.0, 0.1, "ends after 1 of 2 parts"),
     mdr.errors.LargeStrainWarning: (at_radius, 3.0, 0.1, "slope of 3"),
     mdr.errors.UnitsWarning: (in_units, 72.0, 72e9, "from 72 to"),
     mdr.errors.ShortZoneWarning: (short_zone, 1e7, 0.1, "JKR limit"),

@@ -5,10 +5,12 @@ import copy
 import csv
 import math
 import pickle
+import time
 
 import numpy as np
 import pytest
 from conftest import ROOT
+from scipy import optimize
 
 import mdrcontact as mdr
 from mdrcontact.cli import main
@@ -420,6 +422,124 @@ def test_bad_input_is_refused_with_the_reason():
         history.advance(0.1, force=0.1)
     assert np.array_equal(history.saved(), before)
     history.advance(0.1, force=1.0)
+
+
+STEEL = mdr.Elastic(210e9, 0.3)
+BALL_ON_DISC = mdr.Contact(mdr.Paraboloid(3e-3), mdr.Pair(mdr.Homogeneous(STEEL), mdr.Homogeneous(STEEL)))
+DISTANCES = np.array([10.0, 100.0, 400.0, 700.0, 1000.0])
+
+
+def late_radii(force, sliding):
+    """theory/wear.md (4.3), solved for the radius; k = 1e-14 m^2/N."""
+
+    def miss(a, s):
+        return math.pi * a**4 / (4.0 * 3e-3) - 4.0 * force * a / (3.0 * math.pi * STEEL.E / (2.0 * 0.91)) - 1e-14 * force * s
+
+    return np.array([optimize.brentq(miss, 1e-5, 1e-2, args=(s,), xtol=1e-15) for s in sliding])
+
+
+@pytest.mark.parametrize(("intervals", "accuracy"), [(40, 3e-4), (80, 3e-5), (160, 3e-5)])
+def test_the_distances_of_a_tribometer(intervals, accuracy):
+    """A steel ball over 1000 m at 1e-5 mm^3/(N m), 25,000 radii in k E* s: the late law, good to 3e-4 at 30 radii."""
+    started = time.process_time()
+    states, _ = Wear(BALL_ON_DISC, 1e-14).advance(DISTANCES, force=5.0, intervals=intervals)
+    spent = time.process_time() - started
+    np.testing.assert_allclose(states.radius, [209.45e-6, 371.88e-6, 525.80e-6, 604.73e-6, 661.12e-6], rtol=max(2e-5, accuracy))
+    np.testing.assert_allclose(states.radius, late_radii(5.0, DISTANCES), rtol=accuracy)
+    np.testing.assert_allclose(states.worn_volume, 1e-14 * states.work, rtol=3e-4 if intervals == 40 else 5e-5)
+    np.testing.assert_allclose(states.force, 5.0, rtol=1e-11)
+    np.testing.assert_allclose(states.pressure * math.pi * states.radius**2, 5.0, rtol=1e-2)
+    assert np.all(np.abs(states.radius / late_radii(5.0, DISTANCES) - 1.0) < states.error)
+    assert spent < 10.0  # 0.3 s with 80 intervals
+
+
+def test_halved_steps_converge():
+    """Parts of the path add ends of steps, and change no more than the error that is stated."""
+    wear = Wear(BALL_ON_DISC, 1e-14)
+    whole, _ = wear.advance([300.0], force=5.0)
+    parts, _ = wear.advance(np.geomspace(0.1, 300.0, 200), force=5.0)
+    assert parts.radius[-1] == pytest.approx(whole.radius[0], rel=5e-5)
+    assert parts.depth[-1] == pytest.approx(whole.depth[0], rel=1e-4)
+    radii = [wear.advance([300.0], force=5.0, intervals=n)[0].radius[0] for n in (24, 40, 80, 160)]
+    assert np.all(np.abs(np.array(radii) / late_radii(5.0, [300.0]) - 1.0) < [4e-3, 3e-4, 6e-5, 3e-5])
+
+
+def test_a_load_that_changes_after_a_long_way():
+    """Steps are short again where the force begins to change: against parts of a path that are prescribed short."""
+    histories = [Wear(BALL_ON_DISC, 1e-14).history(force=5.0) for _ in range(2)]
+    for history in histories:
+        history.advance(100.0, force=5.0)
+    one = histories[0].advance(20.0, force=10.0)
+    other = histories[1].advance(np.full(400, 0.05), force=np.linspace(5.0, 10.0, 401)[1:])
+    assert one.radius == pytest.approx(other.radius[-1], rel=1e-4)
+    assert one.work == pytest.approx(100.0 * 5.0 + 20.0 * 7.5, rel=1e-9) == other.work[-1]
+    assert one.worn_volume == pytest.approx(1e-14 * one.work, rel=2e-4)
+    after = histories[0].advance(900.0, force=10.0)
+    a = after.radius
+    late = math.pi * a**4 / (4.0 * 3e-3) - 4.0 * 10.0 * a / (3.0 * math.pi * STEEL.E / (2.0 * 0.91))
+    assert late == pytest.approx(1e-14 * after.work, rel=3e-4)
+
+
+def test_a_history_after_a_long_way_goes_on_with_the_same_bits():
+    history = Wear(BALL_ON_DISC, 1e-14).history(force=5.0, intervals=40)
+    history.advance([100.0, 1.0, 50.0], force=[5.0, 6.0, 6.0])
+    again = pickle.loads(pickle.dumps(history))
+    assert again.advance(500.0, force=6.0) == history.advance(500.0, force=6.0)
+    assert np.array_equal(again.saved(), history.saved())
+
+
+def test_rows_before_the_end_of_a_path_are_kept():
+    """A sphere that wears to its equator: the states before are returned, and say why there are no more."""
+    wear = Wear(mdr.Contact(mdr.Sphere(1.0), mdr.Homogeneous(HARD)), 1.0)
+    for scheme in ("disc", "rings"):
+        history = wear.history(force=0.1, intervals=16, scheme=scheme)
+        with pytest.warns(mdr.errors.PathEndsWarning, match=r"ends after 2 of 4 parts, 0.6 further: .*indenter ends") as caught:
+            states = history.advance([0.1, 0.5, 60.0, 1.0], force=np.full(4, 0.1))
+        assert len(caught) == 1 and states.warnings == (str(caught[0].message),)
+        alone = wear.history(force=0.1, intervals=16, scheme=scheme).advance([0.1, 0.5], force=np.full(2, 0.1))
+        assert not alone.warnings and all(np.array_equal(one, two) for one, two in zip(states, alone, strict=True))
+        assert history.state.sliding == 0.6
+        with pytest.warns(mdr.errors.PathEndsWarning):
+            states, profile = wear.advance([[0.1, 0.6], [60.6, 61.6]], force=0.1, intervals=16, scheme=scheme)
+        assert states.radius.tolist() == alone.radius.tolist() and states.warnings and profile.worn_depth(0.0) > 0.0
+        before = history.saved()
+        with pytest.raises(mdr.errors.InvalidArgumentError, match="entry 2 of sliding = -1"):
+            history.advance([0.1, -1.0], force=np.full(2, 0.1))
+        assert np.array_equal(history.saved(), before)
+        with pytest.raises(mdr.errors.DomainError, match="indenter ends"):
+            history.advance([60.0, 0.1], force=np.full(2, 0.1))
+    with pytest.raises(mdr.errors.DomainError, match="ends after 1 of 2 parts"):
+        wear_coefficient_from_scar(wear.contact, [0.9, 0.99999], [1.0, 1e6], 0.1)
+
+
+TRIBOMETER = """title = "steel ball on flat, ball-on-disc"
+[indenter]
+shape = "paraboloid"
+radius = "3 mm"
+material = { E = "210 GPa", nu = 0.3 }
+[medium]
+type = "homogeneous"
+material = { E = "210 GPa", nu = 0.3 }
+[wear]
+coefficient = "1e-5 mm^3/(N*m)"
+sliding = ["10 m", "100 m", "400 m", "700 m", "1000 m"]
+[compute]
+forces = ["5 N"]
+"""
+
+
+def test_command_over_a_tribometers_distances(tmp_path, capsys):
+    problem, table = tmp_path / "ball.toml", tmp_path / "wear.csv"
+    problem.write_text(TRIBOMETER)
+    assert main(["wear", str(problem), "--csv", str(table)]) == 0
+    rows = [line.split(",") for line in table.read_text().splitlines() if line[:1].isdigit()]
+    assert [float(row[0]) for row in rows] == [10.0, 100.0, 400.0, 700.0, 1000.0]
+    assert [float(row[1]) for row in rows] == pytest.approx([209.1, 371.7, 525.7, 604.6, 661.1], rel=3e-3)
+    problem.write_text(TRIBOMETER.replace('"paraboloid"', '"sphere"').replace('"1000 m"', '"1e15 m"'))
+    assert main(["wear", str(problem), "--csv", str(table), "--overwrite"]) == 0
+    rows = [line.split(",") for line in table.read_text().splitlines() if line[:1].isdigit()]
+    assert [float(row[0]) for row in rows] == [10.0, 100.0, 400.0, 700.0]
+    assert "the path ends after 4 of 5 parts" in capsys.readouterr().err
 
 
 def test_command(tmp_path, capsys):

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> One step of gross sliding on a disc that moves with the edge of the contact (theory/wear.md (5.1)-(5.6)): of second order in
+!> One step of gross sliding on a disc that moves with the edge of the contact (theory/wear.md (5.1)-(5.7)): of second order in
 !> the step and in the intervals, the contact radius included.
 !>
 !> With hats phi_i in the disc of the new radius the contact is int phi_i (S p + f - d) 2 pi r dr = 0, i = 0 ... n, of which the
@@ -28,6 +28,8 @@ module mdrcontact_wear_disc
     !> What is accepted where force and depth change steeply with the radius by less than the error of the scheme, as a point of its
     !> rules passes the edge of the step before; it does not add up, as each step meets the target anew.
     real(wp), parameter :: tolerated = 1.0e-4_wp
+    !> Targets that differ by less than this part are the same.
+    real(wp), parameter :: same_target = 2.0_wp*tolerated
     !> How often the coefficient is adapted to the depth that a place reaches.
     integer, parameter :: most_changes = 40
     !> Steps of the trapezoidal rule are at most so many times a/n in k E0* s: the pressure oscillates under longer ones.
@@ -39,8 +41,9 @@ module mdrcontact_wear_disc
     real(wp), parameter :: farthest_guess = 1.5_wp
     !> Edges that move by less than this part of their distance; exponents below which p is a step.
     real(wp), parameter :: at_rest = 1.0e-4_wp, least_exponent = 1.0e-3_wp
-    !> The contact may shrink by this part of an interval in a step, which is error of the scheme.
-    real(wp), parameter :: shrinks = 0.1_wp
+    !> The contact may shrink by this part of an interval in a step under a target that falls, and under any other, where it only
+    !> seems to: that is error of the scheme.
+    real(wp), parameter :: shrinks = 0.1_wp, seems_to_shrink = 1.0_wp
     !> An edge is slow that moves by less than so many of the last intervals in a step; so many of them are beside it.
     real(wp), parameter :: slow = 4.0_wp, zone = 16.0_wp
     !> Over so many of them beyond the edge of the step before the weights go over from those of places in contact to those of fresh
@@ -52,9 +55,8 @@ module mdrcontact_wear_disc
         integer :: kind = trapezoid
         !> distance up to its end, and radius at the beginning [length]
         real(wp) :: sliding = 0.0_wp, radius = 0.0_wp
-        !> at the beginning of the step, and after its first stage, with the radius there [length]
+        !> at the beginning of the step, and after its first stage
         type(wear_history_on_disc_t) :: before, middle
-        real(wp) :: middle_radius = 0.0_wp
     contains
         procedure :: known
     end type stage_t
@@ -103,7 +105,6 @@ contains
         stage%kind = second_stage
         stage%sliding = sliding
         call new_wear_history_on_disc(stage%middle, middle)
-        stage%middle_radius = middle%radius
         middle%radius = disc%radius
         call find_radius(hats, solver, profile, rate, stage, middle, by_depth, target, next, error)
         work = sliding*((1.0_wp - first_part)*middle%force + first_part*next%force)
@@ -146,19 +147,24 @@ contains
             if (a <= low .or. a >= high) a = 0.5_wp*(max(low, 0.5_wp*before) + min(high, 2.0_wp*before))
             if (abs(a - before) <= epsilon(a)*a) exit
         end do
-        call check_radius(hats, profile, disc, target, miss, high, next, error)
+        call check_radius(hats, profile, disc, by_depth, target, miss, high, next, error)
         if (stage%sliding > 0.0_wp) next%growth = max(next%radius - disc%radius, 0.0_wp)/stage%sliding
         if (response > 0.0_wp) next%response = response
     end subroutine find_radius
 
     !> Raises unless the target is met by a contact that does not shrink.
-    pure subroutine check_radius(hats, profile, disc, target, miss, high, next, error)
+    pure subroutine check_radius(hats, profile, disc, by_depth, target, miss, high, next, error)
         type(hats_t), intent(in) :: hats
         class(profile_t), intent(in) :: profile
         type(disc_t), intent(in) :: disc, next
+        logical, intent(in) :: by_depth
         !> what was searched for, the relative error of it, and the radius below which its place is
         real(wp), intent(in) :: target, miss, high
         type(error_t), allocatable, intent(inout) :: error
+        real(wp) :: before, most
+
+        before = merge(disc%depth, disc%force, by_depth)
+        most = merge(shrinks, seems_to_shrink, target < before*(1.0_wp - same_target))/real(hats%n, wp)
 
         if (.not. abs(miss) <= tolerated) then
             if (high >= profile%largest_radius) then
@@ -167,7 +173,7 @@ contains
             else
                 call raise(error, error_no_convergence, "no contact radius found for "//to_text(target)//" at this step of wear")
             end if
-        else if (next%radius < disc%radius*(1.0_wp - shrinks/real(hats%n, wp))) then
+        else if (next%radius < disc%radius*(1.0_wp - most)) then
             call raise(error, error_domain, "the contact would shrink from radius "//to_text(disc%radius)//" to "// &
                        to_text(next%radius)//": the scheme disc does not keep the wear outside the contact. Use the scheme "// &
                        "rings, or do not decrease the load")
@@ -232,7 +238,7 @@ contains
         real(wp), intent(in) :: r, a, exponent
         integer, intent(in) :: n
         real(wp), intent(out) :: load, share
-        real(wp) :: pressure, unused, weight, fresh, length
+        real(wp) :: pressure, unused, weight, fresh
 
         call self%before%at(r, load, pressure)
         if (self%kind == trapezoid) then
@@ -246,10 +252,7 @@ contains
         if (self%kind == first_stage) return
         call self%middle%at(r, unused, pressure)
         fresh = 0.0_wp
-        if (r > self%radius) then
-            length = min(self%middle_radius - self%radius, fading*last_interval(a, n))
-            fresh = min((r - self%radius)/max(length, tiny(r)), 1.0_wp)
-        end if
+        if (r > self%radius) fresh = min((r - self%radius)/(fading*last_interval(a, n)), 1.0_wp)
         weight = more_at_end(first_part, r, self%radius, a, n)
         load = load + share*(1.0_wp - fresh)*(1.0_wp - weight)*pressure
         share = share*((1.0_wp - fresh)*weight + fresh/(1.0_wp + max(exponent, least_exponent)))

@@ -34,9 +34,12 @@ module mdrcontact_wear_history
     !> Legendre polynomials in which a film's springs act on each other at most.
     integer, parameter :: most_waves = 128
     !> A history begins with steps to (i/n)^1.5 of the contact radius; later ones grow with the distance. Soon after the force began
-    !> to change, or ceased to, they are at most this multiple of a/n in k E0* s, and so are all those under a given depth, where the
+    !> to change, or ceased to, they are at most this multiple of a/n in k E0* s. So are all those under a given depth, where the
     !> force falls exponentially, and of coated tips, where the pressure jumps at the end of the coating.
     real(wp), parameter :: step_power = 1.5_wp, longest_step = 4.0_wp
+    !> A place's int p ds has errors in proportion to the step, which a much shorter one after it would turn into pressures. Long
+    !> steps are at least this part of the one before, and at most this part of what is left, down to a part of their length.
+    real(wp), parameter :: shrinking = 0.5_wp, last_part = 0.05_wp
     !> Pressures below minus this part of the mean one are no errors of the hats.
     real(wp), parameter :: noticeable = 1.0e-2_wp
     !> The part of the thickness of its coating that the body may lose at most: its layers stay as they are.
@@ -48,7 +51,7 @@ module mdrcontact_wear_history
     !> Part of a radius that is close to the axis.
     real(wp), parameter :: apex = 1.0e-3_wp
     !> Numbers of a saved past before those of the discs, and of each disc before its pressures.
-    integer, parameter :: saved_numbers = 5, saved_of_disc = 6
+    integer, parameter :: saved_numbers = 6, saved_of_disc = 6
 
     !> What a history has come to, C's struct mdr_wear_state.
     type, bind(C) :: wear_state_t
@@ -74,6 +77,8 @@ module mdrcontact_wear_history
         real(wp) :: sliding = 0.0_wp, work = 0.0_wp
         !> s at which the target last began to change or ceased to [length]
         real(wp) :: steady_from = 0.0_wp
+        !> of the coarser disc [length]
+        real(wp) :: last_step = 0.0_wp
         !> of n/2 and of n intervals
         type(disc_t) :: discs(2)
     end type wear_past_t
@@ -369,18 +374,19 @@ contains
         real(wp), intent(in) :: left
         !> from here [length]
         real(wp), intent(out) :: middle, next
-        real(wp) :: scale, here, there, early, longest
+        real(wp) :: scale, here, there, early, longest, steady
         integer :: n
 
         n = self%hats(1)%n
         scale = past%discs(2)%radius/(self%modulus*maxval(self%rate%coefficients))
         here = past%sliding/scale
         early = (here**(1.0_wp/step_power) + 1.0_wp/real(n, wp))**step_power - here
-        longest = longest_step/real(n, wp)
+        longest = longest_step*scale/real(n, wp)
         if (control == given_force .and. size(self%rate%coefficients) == 1) then
-            longest = max(longest, step_power*(past%sliding - past%steady_from)/scale/real(n, wp))
+            steady = step_power*(past%sliding - past%steady_from)/real(n, wp)
+            longest = max(longest, shrinking*past%last_step, min(steady, max(shrinking*left, last_part*steady)))
         end if
-        next = scale*min(max(early, here*step_power/real(n, wp)), longest)
+        next = min(scale*max(early, here*step_power/real(n, wp)), longest)
         if (next >= left*(1.0_wp - 1.0e-9_wp)) next = left
         if (left - next < 0.5_wp*next .and. next < left) next = 0.5_wp*left
         there = here + next/scale
@@ -408,6 +414,7 @@ contains
         if (allocated(error)) return
         past%work = past%work + works(2) + works(3)
         past%sliding = past%sliding + distances(2)
+        past%last_step = distances(2)
         past%discs(1) = coarse
         past%discs(2) = fine
     end subroutine pair_step
@@ -583,7 +590,7 @@ contains
         integer :: i, n, at
 
         numbers(:saved_numbers) = [real(self%hats(2)%n, wp), self%past%sliding, self%past%work, &
-                                   self%past%steady_from, merge(1.0_wp, 0.0_wp, self%has_rings)]
+                                   self%past%steady_from, self%past%last_step, merge(1.0_wp, 0.0_wp, self%has_rings)]
         at = saved_numbers
         do i = 1, 2
             associate (disc => self%past%discs(i))
@@ -620,6 +627,7 @@ contains
         self%past%sliding = numbers(2)
         self%past%work = numbers(3)
         self%past%steady_from = numbers(4)
+        self%past%last_step = numbers(5)
         at = saved_numbers
         do i = 1, 2
             associate (disc => self%past%discs(i))
