@@ -132,8 +132,9 @@ enum mdr_wear_scheme {
     MDR_WEAR_DISC = 2101, /**< A disc that moves with the contact edge; second order with extrapolation: with 80 intervals the
                                errors of a, d and F are about 1e-4 on bodies of any layers. For contacts that do not shrink; not for
                                a flat punch. */
-    MDR_WEAR_RINGS = 2102 /**< Rings fixed to the indenter; first order: errors about 1e-2 with 80 intervals, but the worn volume k
-                               F s is exact to machine precision. For any path of load and depth, and for a flat punch. */
+    MDR_WEAR_RINGS = 2102 /**< Rings fixed to the indenter; first order: with 80 intervals the error of a is some 1e-3, that of p 1e-2,
+                               but the worn volume k F s is exact to machine precision. For any path of load and depth, and for
+                               a flat punch. */
 };
 
 /** Options of mdr_wear_history_new(). Initialize with MDR_SIZED. */

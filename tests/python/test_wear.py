@@ -453,6 +453,14 @@ def test_the_distances_of_a_tribometer(intervals, accuracy):
     assert spent < 10.0  # 0.3 s with 80 intervals
 
 
+@pytest.mark.parametrize(("intervals", "accuracy"), [(40, 1e-2), (80, 3e-3), (160, 1e-3)])
+def test_the_distances_of_a_tribometer_by_rings(intervals, accuracy):
+    states, _ = Wear(BALL_ON_DISC, 1e-14).advance(DISTANCES, force=5.0, intervals=intervals, scheme="rings")
+    np.testing.assert_allclose(states.radius, late_radii(5.0, DISTANCES), rtol=accuracy)
+    np.testing.assert_allclose(states.worn_volume, 1e-14 * states.work, rtol=1e-12)
+    assert np.all(np.abs(states.radius / late_radii(5.0, DISTANCES) - 1.0) < states.error)
+
+
 def test_halved_steps_converge():
     """Parts of the path add ends of steps, and change no more than the error that is stated."""
     wear = Wear(BALL_ON_DISC, 1e-14)

@@ -422,8 +422,8 @@ module mdrcontact_codes
     !> MDR_WEAR_DISC. A disc that moves with the contact edge; second order with extrapolation: with 80 intervals the errors of a, d
     !> and F are about 1e-4 on bodies of any layers. For contacts that do not shrink; not for a flat punch.
     integer, parameter :: wear_disc = 2101
-    !> MDR_WEAR_RINGS. Rings fixed to the indenter; first order: errors about 1e-2 with 80 intervals, but the worn volume k F s is
-    !> exact to machine precision. For any path of load and depth, and for a flat punch.
+    !> MDR_WEAR_RINGS. Rings fixed to the indenter; first order: with 80 intervals the error of a is some 1e-3, that of p 1e-2, but
+    !> the worn volume k F s is exact to machine precision. For any path of load and depth, and for a flat punch.
     integer, parameter :: wear_rings = 2102
 
     ! enum mdr_weight_kind

@@ -48,6 +48,8 @@ module mdrcontact_wear_history
     real(wp), parameter :: farthest = 1.0e3_wp
     !> A target that differs from what there is by less than this part is the same.
     real(wp), parameter :: unchanged = 1.0e-9_wp
+    !> The error of rings, which falls a little less than their width, over the difference of two resolutions.
+    real(wp), parameter :: first_order = 1.25_wp
     !> Part of a radius that is close to the axis.
     real(wp), parameter :: apex = 1.0e-3_wp
     !> Numbers of a saved past before those of the discs, and of each disc before its pressures.
@@ -495,6 +497,7 @@ contains
             if (disc%extent > disc%radius) now%error = max(now%error, disc%extent/(real(self%hats(2)%n, wp)*disc%radius))
         end associate
         if (best(5) > 0.0_wp) now%error = max(now%error, abs(values(5, 2) - values(5, 1))/best(5))
+        if (self%has_rings) now%error = first_order*now%error
     end subroutine state
 
     !> int int p ds 2 pi r dr.

@@ -30,6 +30,9 @@ module mdrcontact_wear_rings
     !> The rings reach so far at first, in contact radii, and twice as far each time that the contact has come to this part of them.
     real(wp), parameter :: ahead = 1.5_wp, nearly_all = 0.9_wp
 
+    !> The exponent at the edge is that of the pressures between the last ring but one and the one so many before the last.
+    integer, parameter :: inner_ring = 6
+
 contains
 
     !> Radius of the last ring for a contact that begins with a radius; of an indenter with a wall, half as far some times.
@@ -98,8 +101,8 @@ contains
         call find_heights(hats, profile, disc%extent, heights, reachable)
         touching = disc%pressure > 0.0_wp .and. reachable
         if (.not. any(touching)) touching = disc%extent*hats%nodes <= disc%radius .and. reachable
-        call settle(matrix, heights, areas, reachable, rate, disc%load, sliding, by_depth, target, touching, disc%pressure, &
-                    disc%depth, disc%radius, error)
+        call settle(matrix, disc%extent*hats%nodes, heights, areas, reachable, rate, disc%load, sliding, by_depth, target, &
+                    touching, disc%pressure, disc%depth, disc%radius, error)
         if (allocated(error)) return
         is_full = disc%extent < profile%largest_radius .and. last_of(touching) >= nint(nearly_all*real(hats%n, wp))
         if (.not. is_full) call check_touch(profile, reachable, touching, target, error)
@@ -139,9 +142,9 @@ contains
     end subroutine find_heights
 
     !> The rings that touch, their pressures, and the depth.
-    subroutine settle(matrix, heights, areas, reachable, rate, load, sliding, by_depth, target, touching, pressure, depth, radius, &
-                      error)
-        real(wp), intent(in) :: matrix(0:, 0:), heights(0:), areas(0:)
+    subroutine settle(matrix, radii, heights, areas, reachable, rate, load, sliding, by_depth, target, touching, pressure, depth, &
+                      radius, error)
+        real(wp), intent(in) :: matrix(0:, 0:), radii(0:), heights(0:), areas(0:)
         logical, intent(in) :: reachable(0:)
         type(wear_rate_t), intent(in) :: rate
         real(wp), intent(in) :: load(0:), sliding, target
@@ -153,7 +156,7 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         real(wp), dimension(0:ubound(load, 1)) :: further, next, k, known, gap
         logical :: wrong(0:ubound(load, 1)), is_settled
-        integer :: round, fewest, tries, n
+        integer :: round, fewest, tries, n, beyond(2)
 
         n = ubound(load, 1)
         fewest = n + 2
@@ -182,7 +185,42 @@ contains
         end if
         pressure = max(pressure, 0.0_wp)
         radius = touching_radius(matrix, areas, sliding*k*areas, gap, touching, pressure)
+        beyond = last_of(touching) + [2, 3]
+        if (is_one_disc(touching, beyond(2), n)) then
+            if (all(reachable(beyond)) .and. all(load(beyond(1) - 1:) <= 0.0_wp)) then
+                call move_edge(gap(beyond)/areas(beyond), beyond(1), pressure, radii, radius)
+            end if
+        end if
     end subroutine settle
+
+    !> Whether a disc of some rings touches, and no other, with two more rings before the last one.
+    pure function is_one_disc(touching, beyond, n) result(answer)
+        logical, intent(in) :: touching(0:)
+        integer, intent(in) :: beyond, n
+        logical :: answer
+
+        answer = beyond <= n .and. count(touching) == last_of(touching) + 1 .and. count(touching) > inner_ring + 2
+    end function is_one_disc
+
+    !> Moves the edge to where the gap over unworn rings vanishes, as far as the pressure ends in a step there. With p ~ rho^lambda
+    !> the gap follows rho^(1 + lambda) (theory/wear.md (6.2)). At lambda = 1/2, without wear, the area that touches is better.
+    pure subroutine move_edge(gaps, ring, pressure, radii, radius)
+        !> of a ring beyond the edge and the next one [length]
+        real(wp), intent(in) :: gaps(2)
+        integer, intent(in) :: ring
+        real(wp), intent(in) :: pressure(0:), radii(0:)
+        real(wp), intent(inout) :: radius
+        real(wp) :: exponent, edge, roots(2)
+        integer :: last, inner
+
+        last = ring - 3
+        inner = last - inner_ring
+        exponent = log(pressure(inner)/pressure(last))/log((radius - radii(inner))/(radius - radii(last)))
+        exponent = min(max(exponent, 0.0_wp), 0.5_wp)
+        roots = gaps**(1.0_wp/(1.0_wp + exponent))
+        edge = radii(ring) - (radii(ring + 1) - radii(ring))*roots(1)/(roots(2) - roots(1))
+        if (abs(edge - radius) < radii(ring + 1) - radii(ring - 1)) radius = radius + (1.0_wp - 2.0_wp*exponent)*(edge - radius)
+    end subroutine move_edge
 
     !> Rings that pull or overlap change; all together as long as their number falls, else the outermost one alone.
     pure subroutine exchange(wrong, fewest, tries, touching)
