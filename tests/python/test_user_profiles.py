@@ -188,3 +188,28 @@ def test_a_corner_far_below_the_largest_radius(largest):
     half_space = mdr.Homogeneous(mdr.Elastic(1.0, 0.3))
     of_user, of_shape = (mdr.Contact(profile, half_space).at_radius(x).force for profile in (tip, known))
     assert np.max(np.abs(of_user / of_shape - 1.0)) < 1e-9
+
+
+def calibration(terms, seed):
+    """Coefficients [m] as an instrument fits them to 14 areas of a rounded Berkovich tip that scatter by 2 %."""
+    random = np.random.default_rng(seed)
+    h = np.linspace(60.0, 300.0, 14)
+    areas = 24.5 * (h + 15.0) ** 2 * (1.0 + 0.02 * random.standard_normal(14))
+    powers = np.array([2.0, *(0.5**i for i in range(terms - 1))])
+    fitted = np.linalg.lstsq(h[:, None] ** powers / areas[:, None], np.ones(14), rcond=None)[0]
+    return fitted * 1e-9 ** (2.0 - powers), powers
+
+
+@pytest.mark.parametrize(("terms", "seed"), [(5, 0), (6, 0), (6, 1), (6, 2)])
+@pytest.mark.parametrize("min_height", [60e-9, 100e-9])
+def test_area_functions_whose_terms_cancel(terms, seed, min_height):
+    """Calibrations of six terms with coefficients of both signs were "not smooth enough": their areas are accurate to 1e-10."""
+    coefficients, powers = calibration(terms, seed)
+    heights = np.linspace(1.01 * min_height, 299e-9, 50)
+    areas = np.array([math.fsum(c * float(f) ** power for c, power in zip(coefficients, powers, strict=True)) for f in heights])
+    assert np.all(np.diff(areas) > 0.0) and np.any(coefficients < 0.0)
+    tip = mdr.AreaFunction(coefficients, min_height=min_height, max_height=300e-9)
+    assert np.asarray(tip.height(np.sqrt(areas / math.pi))) == pytest.approx(heights, rel=1e-8)
+    # a tip within 10 % of a cone needs a depth within 10 % of pi/2 times its height
+    state = mdr.Contact(tip, BODY).at_radius(math.sqrt(areas[-1] / math.pi))
+    assert state.depth == pytest.approx(0.5 * math.pi * heights[-1], rel=0.1)

@@ -295,7 +295,7 @@ def _verdict(count: int, fitted: Sequence[Fitted]) -> dict[str, str]:
     described = sum(one.fit.describes_data is True and one.fit.converged for one in fitted)
     unknown = sum(one.fit.describes_data is None for one in fitted)
     line = f"{len(fitted)} of {count} curves fitted; {described} of {count} fits describe their data to 5 % or better"
-    notes = {"fitted": line + (f", {unknown} have too few points to say" if unknown else "")}
+    notes = {"fitted": line + (f", {unknown} cannot tell a misfit from noise" if unknown else "")}
     out = [(one.curve.name, ", ".join(one.rating.reasons)) for one in fitted if not one.counts]
     if out:
         left_out = "1 curve is" if len(out) == 1 else f"{len(out)} curves are"

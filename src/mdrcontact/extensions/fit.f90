@@ -11,7 +11,7 @@ module mdrcontact_fit
     use mdrcontact_fit_proportional, only: divide_modulus
     use mdrcontact_fit_residuals, only: bend_slope, bent, fit_residuals_t, new_fit_residuals
     use mdrcontact_fit_order, only: median
-    use mdrcontact_fit_pattern, only: pattern_test
+    use mdrcontact_fit_pattern, only: difference_test, pattern_test
     use mdrcontact_fit_spectrum, only: new_spectrum, products, spectrum_t
     use mdrcontact_fit_variables, only: new_variables, variables_t
     use mdrcontact_kinds, only: pi, wp
@@ -22,6 +22,8 @@ module mdrcontact_fit
     !> Rounds in which unknown noise and estimates are brought into agreement.
     integer, parameter :: most_rounds = 12
     real(wp), parameter :: noise_tolerance = 1.0e-3_wp
+    !> Fewer residuals are tested for a pattern with their exact distribution, whose cost grows with the cube of their number.
+    integer, parameter :: few_points = 50
     !> Median of |z| of a normal distribution.
     real(wp), parameter :: normal_median = 0.6744897501960817_wp
     integer, parameter :: most_releases = 5
@@ -61,8 +63,8 @@ module mdrcontact_fit
         real(wp) :: log_likelihood = 0.0_wp
         !> probability that random residuals follow each other as smoothly along the curve
         real(wp) :: pattern_probability = 1.0_wp
-        !> correlation of neighbouring residuals along the curve, and the factor by which it has increased the standard error of
-        !> each free number, which the covariance holds already
+        !> correlation of neighbouring residuals along the curve, and the factor of the standard error of each free number that
+        !> allows for it, which the covariance holds already
         real(wp) :: lag_correlation = 0.0_wp
         !> see `lag_correlation`
         real(wp), allocatable :: widening(:)
@@ -293,6 +295,7 @@ contains
         type(fit_result_t), intent(inout) :: fit
         type(error_t), allocatable, intent(out) :: error
         real(wp), allocatable :: data_sd(:), along(:)
+        integer, allocatable :: inner(:)
         integer :: i, n, stat
 
         n = size(residuals%data%x)
@@ -316,7 +319,13 @@ contains
         do i = 1, n
             along(i) = fit%residuals(residuals%order(i))
         end do
-        call pattern_test(along, fit%pattern_probability, error)
+        if (residuals%loss == loss_linear .and. n < few_points) then
+            inner = pack([(i, i=1, size(u))], fit%at_bound == 0)
+            call difference_test(along, outcome%jacobian(residuals%order, inner), outcome%jacobian(n + 1:, inner), &
+                                 fit%pattern_probability)
+        else
+            call pattern_test(along, fit%pattern_probability, error)
+        end if
         if (.not. allocated(error)) call describe_spread(residuals, u, outcome, fit, error)
     end subroutine describe
 
@@ -357,7 +366,8 @@ contains
         end if
         allocate (widening(size(inner)))
         call correlated_spread(outcome%r, jacobian, residuals%order, outcome%r(n + 1:), jacobian(n + 1:, :), inverse, &
-                               allocated(residuals%data%sd) .and. residuals%problem%sd_is_absolute, fit%lag_correlation, widening)
+                               allocated(residuals%data%sd) .and. residuals%problem%sd_is_absolute, fit%degrees_of_freedom, &
+                               fit%lag_correlation, widening)
         fit%widening(inner) = widening
         slope = residuals%variables%slope_at([(i, i=1, size(u))], u)
         undetermined = spectrum%undetermined_spread()

@@ -173,6 +173,11 @@ def _pattern(result: FitResult) -> list[str]:
             f"the model {result.misfit_words()}. What this does to the estimates is not in their standard errors{errors}: see "
             "how far they move with the range that is fitted"
         )
+    if result.hidden:
+        words.append(
+            f"{result.hidden_words()}: the model may be wrong. Take more readings, or give the standard deviations of the "
+            "readings, sd or relative_sd"
+        )
     ratio = f"chi-square/dof = {result.reduced_chi_square:.3g}"
     if result.scatter > 0:
         words.append(f"the data lie further from the fit than their standard deviations say: {ratio}")

@@ -18,6 +18,8 @@ _STRETCHES = 40
 """Equal parts of the way along the curve, so that a long baseline counts no more than the contact behind it."""
 LARGE = 0.05
 """Of the force: a model that departs further misses its data."""
+_LEAST = 0.01
+"""Percent that people write."""
 SMALL = 0.01
 """Less is not worth a warning."""
 
@@ -74,5 +76,11 @@ def _stretches(x: Array, y: Array, branch: NDArray[np.int32]) -> NDArray[np.intp
 
 
 def percent(share: float) -> str:
-    """A part of one in words, two digits."""
-    return f"{100.0 * share:.2g} %"
+    """A part of one as people write it: two digits, no power of ten."""
+    part = 100.0 * share
+    if not math.isfinite(part):
+        return f"{part} %"
+    if part < _LEAST:
+        return f"less than {_LEAST} %" if part > 0.0 else "0 %"
+    rounded = float(f"{part:.2g}")
+    return f"{rounded:.0f} %" if rounded >= 10.0 else f"{rounded:.2g} %"

@@ -13,6 +13,8 @@ from ..._units import MODULUS, RATIO, Dimension, Unit, dimensions, practical
 from ...material import _ENGINEERING
 from .parameters import Instrument
 
+_EXACT = 1e-6
+"""Standard error, as a part of the value, below which a number is exact to people."""
 _WORDS = {
     "coating.E": "film modulus E",
     "coating.nu": "film Poisson's ratio nu",
@@ -121,9 +123,23 @@ def digits(value: float, error: float) -> str:
     return f"{value:.3g}"
 
 
+def plain(value: float) -> str:
+    """A number with four digits as people write it: no power of ten between a thousandth and ten millions."""
+    if not math.isfinite(value) or not 1e-3 <= abs(value) < 1e7:
+        return f"{value:.3g}"
+    return f"{value:.0f}" if abs(value) >= 1e3 else f"{value:.4g}"
+
+
+def probability(value: float) -> str:
+    """A probability as people write it: "p = 0.03", "p < 0.001"."""
+    return "p < 0.001" if value < 1e-3 else f"p = {value:.2g}"
+
+
 def measured(name: str, value: float, error: float) -> str:
     """A value with its standard error and unit: "72.1 +- 1.0 GPa"."""
     unit = practical(dimension_of(name), [value if abs(value) > error else error])
+    if 0.0 < error < _EXACT * abs(value):
+        return f"{value / unit.factor:.6g} {unit.symbol}".rstrip() + f", error less than {100.0 * _EXACT:.4f} %"
     text = f"{digits(value / unit.factor, error / unit.factor)} ± {digits(error / unit.factor, error / unit.factor)}"
     return f"{text} {unit.symbol}".rstrip()
 

@@ -15,8 +15,8 @@ from .result import FitResult
 
 _MISFIT, _NOISE, _ERROR = 0.1, 0.5, 0.5
 """At which nothing is left of the rating: parts of the force, of the force, of the estimate."""
-_LOUD, _VAGUE, _FEWEST = 0.2, 0.3, 10
-"""Noise, standard error and readings in contact beyond which a curve says too little."""
+_LOUD, _VAGUE, _FEWEST, _HIDDEN = 0.2, 0.3, 10, 0.1
+"""Noise, standard error, readings in contact and misfit that may be noise, beyond which a curve says too little."""
 
 
 class Rating(NamedTuple):
@@ -36,7 +36,7 @@ def rate(result: FitResult) -> Rating:
     force), noise (at 50 %) and the largest relative standard error (at 50 %). A curve is sound where the search has converged, the
     model lies within 5 % of the data, noise is less than 20 % of the force, no standard error is larger than 30 % of its estimate,
     no estimate lies at a bound, no film that began stiffer than its base has ended
-    softer, and 10 readings or more are in contact."""
+    softer, noise hides no misfit of more than 10 % of the force, and 10 readings or more are in contact."""
     error = max((_relative(result, name) for name in result.names), default=0.0)
     misfit, noise = (v if math.isfinite(v) else 1.0 for v in (result.misfit.rms, result.misfit.noise))
     shares = ((misfit, _MISFIT), (noise, _NOISE), (error, _ERROR))
@@ -50,6 +50,8 @@ def _reasons(result: FitResult, noise: float, error: float) -> list[str]:
         words.append("not converged")
     if result.departure > LARGE:
         words.append(f"misses by {percent(result.departure)}")
+    if result.hidden > _HIDDEN:
+        words.append(result.verdict)
     if noise > _LOUD:
         words.append(f"noise {percent(noise)}")
     if error > _VAGUE:

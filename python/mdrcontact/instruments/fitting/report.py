@@ -15,7 +15,7 @@ import numpy as np
 
 from ..._boundary import native
 from ..._units import shown
-from .quantities import dimension_of, measured, unit_of, words_of
+from .quantities import dimension_of, measured, plain, probability, words_of
 
 _STYLE = """
 body { font: 15px/1.5 system-ui, sans-serif; color: #1a1a1a; max-width: 62em; margin: 2em auto; padding: 0 1em; }
@@ -100,13 +100,11 @@ def blocks_of(result: Any, notes: Sequence[str] = (), level: float = 0.95) -> li
 def _estimates(result: Any, level: float) -> list[list[str]]:
     rows = [["", "estimate", f"{100.0 * level:g} % interval", "known beforehand", "doubts"]]
     for name in result.names:
-        value, error = result.estimates[name], result.standard_errors[name]
-        unit = unit_of(name, max(abs(value), error))
         ends = result.interval_as_text(name, level)
         prior = result.problem.free[name].prior
         known = "in a joint prior" if _in_joint_prior(result, name) else measured(name, *prior) if prior else ""
         doubts = "; ".join(result.doubts(name))
-        rows.append([f"{words_of(name)} ({name})", result.as_text(name), f"{ends} {unit.symbol}".rstrip(), known, doubts])
+        rows.append([f"{words_of(name)} ({name})", result.as_text(name), ends, known, doubts])
     return rows
 
 
@@ -146,13 +144,13 @@ def _quality(result: Any) -> list[str]:
     lines = [f"{len(result.data)} points, {result.iterations} iterations, {result.evaluations} evaluations of the model"]
     lines.append(f"the model {result.misfit_words()}")
     if result.noise_is_known and dof >= 1.0:
-        lines.append(f"chi-square {result.chi_square:.4g} for {dof:.4g} degrees of freedom")
+        lines.append(f"chi-square {plain(result.chi_square)} for {plain(dof)} degrees of freedom")
     if len(result.data) > 2:
         lines.append(
-            f"residuals in order along the curve: correlation of neighbours {result.lag_correlation:.2f}, random with p = "
-            f"{result.pattern_probability:.2g} (Bartels' test)"
+            f"residuals in order along the curve: correlation of neighbours {result.lag_correlation:.2f}, random with "
+            f"{probability(result.pattern_probability)}"
         )
-        lines.append(f"AIC {result.aic:.5g}, BIC {result.bic:.5g}")
+        lines.append(f"AIC {plain(result.aic)}, BIC {plain(result.bic)}")
     names = result.names
     correlation = result.correlation
     for i, one in enumerate(names):

@@ -25,7 +25,7 @@ from .data import StiffnessDepth
 from .misfit import LARGE, Misfit, measure_misfit, percent
 from .picture import draw
 from .problem import Problem
-from .quantities import digits, dimension_of, measured, unit_of, words_of
+from .quantities import digits, dimension_of, measured, plain, probability, unit_of, words_of
 from .report import blocks_of, page
 from .scatter import compare_scatter
 
@@ -40,6 +40,10 @@ _NUMBERS = (
     *("pattern_probability", "lag_correlation", "converged", "iterations", "evaluations", "warnings"),
 )
 """What a dictionary of a result holds by the names of its attributes."""
+_SHOWS = 3.09
+"""Standard errors beyond which a pattern is unlikely."""
+_FEWEST_FREE = 2.0
+"""Degrees of freedom from which on residuals say something of the model."""
 _ROUNDING = 1e-8
 """Of the largest reading: the model itself is no more accurate."""
 
@@ -62,8 +66,9 @@ class FitResult:
         where the model is computed from it too (contact depths, frame compliance)
     noise : factor of the standard deviations of the data: 1 if they are known, else estimated; without `sd` the standard deviation
     chi_square, degrees_of_freedom, log_likelihood, aic, bic
-    pattern_probability : that random residuals follow each other as smoothly (Bartels 1982)
-    lag_correlation, widening : correlation of neighbouring residuals, and by how much it has made each standard error larger;
+    pattern_probability : that random residuals follow each other as smoothly (Durbin and Watson 1950; from 50 points on Bartels
+        1982)
+    lag_correlation, widening : correlation of neighbouring residuals, and the factor by which it changes each standard error;
         covariance and intervals hold it already (restricted likelihood of a first-order autoregression, Cheang, Reinsel 2000)
     misfit : how far the model departs from the data, as parts of the largest force: `Misfit`
     converged, iterations, evaluations, warnings
@@ -152,9 +157,8 @@ class FitResult:
         if not 0.0 < level < 1.0:
             raise InvalidArgumentError(f"level = {level!r}: it must be between 0 and 1")
         if method == "normal":
-            # correlated residuals are worth so many independent ones
-            freedom = max(self.degrees_of_freedom / self.widening[name] ** 2, 1.0)
-            reach = call(native.fit_quantile, level, math.inf if self.noise_is_known else freedom)
+            # the widening of a standard error allows for correlated residuals: their number counts once
+            reach = call(native.fit_quantile, level, math.inf if self.noise_is_known else self.degrees_of_freedom)
             half = reach * self.standard_errors[name]
             return Interval(self.estimates[name] - half, self.estimates[name] + half)
         if method == "profile":
@@ -171,9 +175,10 @@ class FitResult:
 
     def simulate(self, draws: int = 200, seed: int | None = None) -> Array:
         """Estimates from simulated data: the fitted curve plus noise, and priors drawn about their estimates; (draws, parameters).
-        Simulations that fail are left out."""
+        Noise of unknown size has a size drawn from its distribution. Simulations that fail are left out."""
         random = np.random.default_rng(seed)
         sd = self.noise * (np.ones_like(self.fitted) if self.data.sd is None else self.data.sd)
+        freedom = self.degrees_of_freedom
         errors = self.problem.table[4]
         # joint priors: W (p - value) is drawn with variance 1
         weights = self.problem.weights
@@ -181,7 +186,11 @@ class FitResult:
         joint = np.abs(weights).sum(axis=0) > 0.0
         trials = [
             self.problem.changed(
-                self.data.with_y(self.fitted + sd * self._noise(random)),
+                # noise that is estimated from few residuals may be larger
+                self.data.with_y(
+                    self.fitted
+                    + sd * self._noise(random) * (1.0 if self.noise_is_known else math.sqrt(freedom / random.chisquare(freedom)))
+                ),
                 priors=self._values
                 + np.where(joint, back @ random.standard_normal(len(weights)), errors * random.standard_normal(errors.shape)),
                 start=self._values,
@@ -229,19 +238,22 @@ class FitResult:
             lines.append(f"the model {self.misfit_words()}")
         dof = self.degrees_of_freedom
         if self.noise_is_known and dof >= 1.0:
-            lines.append(f"chi-square {self.chi_square:.4g} for {dof:.4g} degrees of freedom: ratio {self.reduced_chi_square:.3g}")
+            lines.append(
+                f"chi-square {plain(self.chi_square)} for {plain(dof)} degrees of freedom: ratio {plain(self.reduced_chi_square)}"
+            )
         elif self.data.sd is None and not self.noise_is_known:
             unit = practical(QUANTITIES[self.data.y_name], [self.noise])
-            lines.append(f"noise, estimated from the residuals: {self.noise / unit.factor:.3g} {unit.symbol}")
+            size = "no more than rounding" if self.is_without_noise else f"{plain(self.noise / unit.factor)} {unit.symbol}"
+            lines.append(f"noise, estimated from the residuals: {size}")
         elif not self.noise_is_known:
-            lines.append(f"standard deviations of the data, estimated: {self.noise:.3g} times the given ones")
+            lines.append(f"standard deviations of the data, estimated: {plain(self.noise)} times the given ones")
         lines += self.contact_depth_words()
         if self.prior_chi_square > 0.0:
-            lines.append(f"chi-square of the priors {self.prior_chi_square:.3g}")
+            lines.append(f"chi-square of the priors {plain(self.prior_chi_square)}")
         if len(self.data) > 2:
             lines.append(
-                f"residuals in order along the curve: correlation of neighbours {self.lag_correlation:.2f}, random with p = "
-                f"{self.pattern_probability:.2g}; AIC {self.aic:.5g}, BIC {self.bic:.5g}"
+                f"residuals in order along the curve: correlation of neighbours {self.lag_correlation:.2f}, random with "
+                f"{probability(self.pattern_probability)}; AIC {plain(self.aic)}, BIC {plain(self.bic)}"
             )
         correlation = self.correlation
         for i, one in enumerate(self.names):
@@ -292,7 +304,8 @@ class FitResult:
             return "-"
         error = self.standard_errors[name]
         unit = unit_of(name, max(abs(self.estimates[name]), error))
-        return " to ".join(digits(end / unit.factor, error / unit.factor) for end in self.interval(name, level))
+        ends = " to ".join(digits(end / unit.factor, error / unit.factor) for end in self.interval(name, level))
+        return f"{ends} {unit.symbol}".rstrip()
 
     def doubts(self, name: str) -> list[str]:
         """Doubts about an estimate, in a few words for each."""
@@ -304,6 +317,8 @@ class FitResult:
             return [*words, self.bound_words(name)]
         if self.widening[name] > 1.3:
             words.append(f"error widened {self.widening[name]:.2g} times for correlated residuals")
+        if self.hidden:
+            words.append(self.hidden_words())
         if self.describes_data is False:
             words.append(f"THE MODEL MISSES THE DATA BY {percent(self.departure)}")
         if self.scatter < 0:
@@ -330,7 +345,7 @@ class FitResult:
             return self.scatter < 0
         if self.pattern_probability < UNLIKELY:
             return self.is_without_noise
-        return True if len(self.data) >= 8 or (self.noise_is_known and self.degrees_of_freedom >= 2.0) else None
+        return True if self.degrees_of_freedom >= _FEWEST_FREE else None
 
     @property
     def departure(self) -> float:
@@ -342,15 +357,31 @@ class FitResult:
         return self.misfit.whole if self.scatter > 0 else self.misfit.rms
 
     @property
+    def hidden(self) -> float:
+        """The largest misfit that the pattern of the residuals would not show, as a part of the largest force; infinite with less
+        than two degrees of freedom, 0 where it is at most 5 % or the noise is known."""
+        if self.is_random is None:
+            return math.inf
+        if self.departure or self.noise_is_known or self.is_without_noise:
+            return 0.0
+        # a smooth part of the variance lowers the ratio of Durbin and Watson by so much of 2, whose standard error is 2/sqrt(n)
+        share = min(_SHOWS / math.sqrt(len(self.data)), 1.0)
+        # parameters take a part of the residuals away
+        size = self.misfit.whole * math.sqrt(share * len(self.data) / self.degrees_of_freedom)
+        return size if size > LARGE else 0.0
+
+    @property
     def describes_data(self) -> bool | None:
-        """Whether the model lies within 5 % of the data, or its departures may be chance; None with too few points to say."""
-        return None if self.is_random is None else self.departure <= LARGE
+        """Whether the model lies within 5 % of the data; None where the points are too few to tell more from noise."""
+        return None if self.hidden else self.departure <= LARGE
 
     @property
     def verdict(self) -> str:
-        """In a few words: "describes", "describes to 2 %", "misses by 12 %", "too few points"."""
+        """In a few words: "describes", "describes to 2 %", "misses by 12 %", "cannot tell 24 % from noise", "too few points"."""
         if self.is_random is None:
             return "too few points"
+        if self.hidden:
+            return f"cannot tell {percent(self.hidden)} from noise"
         if self.departure == 0.0:
             return "describes"
         return f"describes to {percent(self.departure)}" if self.departure <= LARGE else f"misses by {percent(self.departure)}"
@@ -362,9 +393,18 @@ class FitResult:
         place = f"{data.x_name} {found.at / unit.factor:.3g} {unit.symbol}"
         rest = f"largest {percent(found.largest)} at {place}, noise {percent(found.noise)}"
         size = f"{percent(self.departure or found.rms)} of the {data.y_name} ({rest})"
+        if self.hidden:
+            return f"may miss the data: {self.hidden_words()} ({rest})"
         if self.describes_data is False:
             return f"misses the data by {size}"
         return f"describes the data to {size}" if self.departure else f"describes the data: misfit {size}"
+
+    def hidden_words(self) -> str:
+        """What so few readings cannot tell; empty where they can."""
+        if not self.hidden:
+            return ""
+        share = f" of {percent(self.hidden)}" if math.isfinite(self.hidden) else ""
+        return f"{len(self.data)} readings cannot tell a misfit{share} from noise"
 
     @property
     def scatter(self) -> int:
@@ -442,7 +482,7 @@ class FitResult:
             "medium": repr(self.medium),
             "instrument": repr(self.instrument),
         }
-        return _plain(found)  # type: ignore[no-any-return]
+        return _as_json(found)  # type: ignore[no-any-return]
 
     def report(self, path: str | os.PathLike[str] | None = None, notes: Sequence[str] = (), title: str = "Fit") -> str:
         """One HTML file with estimates, picture, warnings, what was assumed and the versions, readable without a network; written
@@ -464,11 +504,11 @@ class FitResult:
         return f"<FitResult: {inside}{'' if self.converged else ', not converged'}>"
 
 
-def _plain(value: Any) -> Any:
+def _as_json(value: Any) -> Any:
     if isinstance(value, dict):
-        return {key: _plain(entry) for key, entry in value.items()}
+        return {key: _as_json(entry) for key, entry in value.items()}
     if isinstance(value, list):
-        return [_plain(entry) for entry in value]
+        return [_as_json(entry) for entry in value]
     if isinstance(value, float) and not math.isfinite(value):
         return None
     return value

@@ -17,7 +17,7 @@ from ...errors import InvalidArgumentError, MDRError
 from ...material import Elastic
 from ...medium import Homogeneous
 from ...profile import PowerLaw
-from ..records.segments import Segment, curve, find_segments
+from ..records.segments import Segment, curve, effective_points, find_segments
 from .causes import by_cause
 from .data import REVERSIBLE, ForceDepth, StiffnessDepth, UnloadingPoint
 from .parameters import Free
@@ -32,6 +32,10 @@ _BEGINS, _ZERO, _GAIN = (0.01, 0.05), 0.03, 0.01
 """Of the largest force, of the depth, of their product: where loading begins, what is a zero, and what drift may do to the work."""
 _EXPONENTS = 1.1, 2.0
 """The power of unloading curves of homogeneous bodies is between those of a punch and a cone."""
+_VAGUE, _NONE, _STEEPEST = 0.03, 0.5, 4.0
+"""Standard errors of the stiffness, as parts of it, beyond which readings determine no power, and no stiffness; the largest power."""
+_LEAST = 1e-12
+"""Slope, in parts of the force over the depth."""
 _SHARPEST = 0.3
 """Least exponent of the indenter whose force the curve follows: soft films on stiff bodies have powers of 2 to 4, a cone 2."""
 
@@ -54,7 +58,7 @@ def _unloading_point(h: Array, p: Array, largest: float, upper_part: tuple[float
             "unloading, or "
             "correct the drift"
         )
-    law = _power_law(h_part, p_part, largest)
+    law = _law(h_part, p_part, largest)
     return UnloadingPoint(
         law.depth,
         largest,
@@ -85,6 +89,46 @@ class _Law(NamedTuple):
     error: float
     final: float
     exponent: float
+
+
+def _law(h: Array, p: Array, largest: float) -> _Law:
+    """A power law where the readings determine its power. Where they do not, its stiffness is too large in the mean, or there is
+    none: there a parabola, whose stiffness is linear in the readings, and so without a bias from their noise."""
+    parabola = _parabola(h, p, largest)
+    if not parabola.error < _NONE * parabola.stiffness:
+        raise InvalidArgumentError(
+            f"the {len(h)} readings of an unloading curve do not determine a stiffness: it is too short, or too noisy"
+        )
+    if parabola.error > _VAGUE * parabola.stiffness:
+        return parabola
+    try:
+        return _power_law(h, p, largest)
+    except InvalidArgumentError:
+        return parabola
+
+
+def _parabola(h: Array, p: Array, largest: float) -> _Law:
+    """Least squares of P = a + b h + c h^2, and the power law that has its slope and curvature at the largest force."""
+    scale, lowest = float(np.ptp(h)), float(h.min())
+    x, y = (h - lowest) / scale, p / largest
+    design = np.column_stack([np.ones_like(x), x, x**2])
+    inverse = np.linalg.pinv(design)
+    # to the largest force along the straight line: a parabola need not reach it
+    line = np.polyfit(x, y, 1)
+    top = float((1.0 - line[1]) / line[0])
+    a, b, c = inverse @ y
+    row = np.array([0.0, 1.0, 2.0 * top]) @ inverse
+    left = y - design @ (a, b, c)
+    worth = effective_points(left[np.argsort(x)])
+    noise = float(left @ left) / max(len(x) - design.shape[1], 1) * len(x) / worth
+    slope, bend = float(b + 2.0 * c * top), float(2.0 * c)
+    # m/(m - 1) = S^2/(P P''): a straight line where it does not bend upward
+    part = min(max(bend / slope**2, 0.0), 1.0 - 1.0 / _STEEPEST) if slope > 0.0 else 0.0
+    power = 1.0 / (1.0 - part)
+    final = top - power / max(slope, _LEAST)
+    unit = largest / scale
+    error = math.sqrt(noise * float(row @ row))
+    return _Law(lowest + scale * top, slope * unit, error * unit, lowest + scale * final, power)
 
 
 @silence()
@@ -148,7 +192,7 @@ def _doubts(law: _Law, low: float, high: float, h: Array, p: Array, largest: flo
     if len(h_half) < _FEWEST:
         return words
     try:
-        upper = _power_law(h_half, p_half, largest)
+        upper = _law(h_half, p_half, largest)
     except MDRError:
         return words
     shift, spread = upper.stiffness / law.stiffness - 1.0, math.hypot(upper.error, law.error) / law.stiffness

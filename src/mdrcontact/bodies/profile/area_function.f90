@@ -87,7 +87,7 @@ contains
         allocate (breaks(0))
         if (min_height > 0.0_wp) breaks = [radius_at(coefficients, min_height)]
         call sample_from_height(self%sampled_profile_t, height, radius_at(coefficients, max_height), 0.0_wp, breaks, &
-                                epsilon(pi), error)
+                                scatter_of_heights(coefficients, min_height, max_height), error)
     end subroutine new_area_function_profile
 
     !> Its coefficients. The last one is the area beside the apex, unless another shape is below min_height.
@@ -129,6 +129,24 @@ contains
             power = sqrt(power)
         end do
     end function projected_area
+
+    !> Largest relative rounding of the height at a radius: large coefficients of both signs cancel in the area.
+    pure function scatter_of_heights(coefficients, min_height, max_height) result(scatter)
+        real(wp), intent(in) :: coefficients(:), min_height, max_height
+        real(wp) :: scatter
+        real(wp) :: low, height, step
+        integer :: i
+
+        scatter = epsilon(scatter)
+        low = max(min_height, 1.0e-12_wp*max_height)
+        step = (max_height/low)**(1.0_wp/monotony_samples)
+        do i = 0, monotony_samples - 1
+            height = low*step**i
+            ! d ln A: what a step of ln f changes
+            scatter = max(scatter, epsilon(scatter)*projected_area(abs(coefficients), height)*log(step) &
+                          /max(projected_area(coefficients, height*step) - projected_area(coefficients, height), tiny(1.0_wp)))
+        end do
+    end function scatter_of_heights
 
     pure function radius_at(coefficients, height) result(radius)
         real(wp), intent(in) :: coefficients(:), height

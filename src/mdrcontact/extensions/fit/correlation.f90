@@ -1,24 +1,37 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> What correlation of neighbouring residuals does to standard errors.
+!> What correlation of neighbouring residuals does to intervals.
 !>
 !> The noise is taken as a first-order autoregression of unknown coefficient rho. Its likelihood is that of the error contrasts
 !> only (restricted likelihood), which the fitted parameters do not bias: H. D. Patterson, R. Thompson, Biometrika 58 (1971) 545;
-!> D. A. Harville, Biometrika 61 (1974) 383; W.-K. Cheang, G. C. Reinsel, J. Am. Stat. Assoc. 95 (2000) 1173. The covariance of
-!> the estimates is averaged over rho with that likelihood as weight: one best rho would make it too small for short records.
+!> D. A. Harville, Biometrika 61 (1974) 383; W.-K. Cheang, G. C. Reinsel, J. Am. Stat. Assoc. 95 (2000) 1173. One best rho would
+!> make intervals too short for few readings. So the distribution of an estimate is the mean over rho of Student's, each with all
+!> degrees of freedom and the variance at that rho, under likelihood times prior (A. Zellner, G. C. Tiao, J. Am. Stat. Assoc. 59
+!> (1964) 763). Few readings hardly limit rho. The prior is partly flat, partly a normal density about 0: noise is either correlated
+!> to an unknown degree, or nearly independent, which the fewer readings support the less.
 module mdrcontact_fit_correlation
+    use, intrinsic :: iso_c_binding, only: c_double
     use mdrcontact_fit_spectrum, only: new_spectrum, spectrum_t
+    use mdrcontact_gsl, only: disable_gsl_abort
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
     public :: correlated_spread
 
-    !> Values of rho: 0, 0.02, ... 0.98.
-    integer, parameter :: values = 50
-    real(wp), parameter :: spacing = 0.02_wp
+    !> Values of rho: -0.96, -0.94, ... 0.98.
+    integer, parameter :: values = 98
+    real(wp), parameter :: spacing = 0.02_wp, first = -0.96_wp
+    !> Of the prior: the standard deviation of its normal part, the largest share of this part, and from how many contrasts.
+    real(wp), parameter :: nearly = 0.25_wp, most_share = 0.5_wp
+    integer, parameter :: enough_contrasts = 18
+    !> A rho of less probability, relative to the best, is left out.
+    real(wp), parameter :: least_weight = 1.0e-6_wp
+    !> The interval that is made exact, and how well.
+    real(wp), parameter :: level = 0.95_wp, reach_tolerance = 1.0e-6_wp
+    integer, parameter :: most_steps = 100
     !> Directions with smaller eigenvalues, of the matrix scaled to a unit diagonal, are determined by nothing.
     real(wp), parameter :: smallest_eigenvalue = 1.0e-10_wp
     !> Fewer points and priors above the number of parameters say nothing about rho.
-    integer, parameter :: fewest_contrasts = 5
+    integer, parameter :: fewest_contrasts = 2
     !> More cannot come out at the largest rho; only rounding in a direction that nothing determines would exceed it.
     real(wp), parameter :: most_widening = 20.0_wp
 
@@ -29,10 +42,36 @@ module mdrcontact_fit_correlation
         real(wp), allocatable :: first(:, :), rises(:, :), mixed(:, :), before(:, :)
     end type neighbours_t
 
+    interface
+        function gsl_cdf_ugaussian_q(x) result(q) bind(C, name="gsl_cdf_ugaussian_Q")
+            import :: c_double
+            real(c_double), value :: x
+            real(c_double) :: q
+        end function gsl_cdf_ugaussian_q
+
+        function gsl_cdf_ugaussian_qinv(q) result(x) bind(C, name="gsl_cdf_ugaussian_Qinv")
+            import :: c_double
+            real(c_double), value :: q
+            real(c_double) :: x
+        end function gsl_cdf_ugaussian_qinv
+
+        function gsl_cdf_tdist_q(x, nu) result(q) bind(C, name="gsl_cdf_tdist_Q")
+            import :: c_double
+            real(c_double), value :: x, nu
+            real(c_double) :: q
+        end function gsl_cdf_tdist_q
+
+        function gsl_cdf_tdist_qinv(q, nu) result(x) bind(C, name="gsl_cdf_tdist_Qinv")
+            import :: c_double
+            real(c_double), value :: q, nu
+            real(c_double) :: x
+        end function gsl_cdf_tdist_qinv
+    end interface
+
 contains
 
-    !> The mean rho, and the factor by which the standard error of each parameter is larger than for independent noise, at least 1.
-    subroutine correlated_spread(r, jacobian, order, prior_r, prior_jacobian, inverse, noise_is_known, rho, widening)
+    !> The mean rho, and by how much the interval of each parameter is longer than for independent noise.
+    subroutine correlated_spread(r, jacobian, order, prior_r, prior_jacobian, inverse, noise_is_known, freedom, rho, widening)
         !> residuals of the data in their standard deviations
         real(wp), intent(in) :: r(:)
         !> (residuals, parameters): their derivatives
@@ -45,38 +84,97 @@ contains
         real(wp), intent(in) :: inverse(:, :)
         !> whether the residuals would have variance 1
         logical, intent(in) :: noise_is_known
+        !> degrees of freedom of the noise
+        real(wp), intent(in) :: freedom
         real(wp), intent(out) :: rho
         !> one for each parameter
         real(wp), intent(out) :: widening(:)
         type(neighbours_t) :: sums
-        real(wp) :: likelihood(values), variance(values), weight(values), middle(size(jacobian, 2), size(jacobian, 2))
-        real(wp) :: spread(size(jacobian, 2), size(jacobian, 2))
-        integer :: i, p, n
+        real(wp) :: at(values), weight(values), variance(values), ratio(values, size(widening))
+        real(wp) :: change(size(widening), size(widening)), independent(size(widening), size(widening))
+        integer :: i, j, p, contrasts
 
         rho = 0.0_wp
         widening = 1.0_wp
-        n = size(order)
         p = size(jacobian, 2)
-        if (n + size(prior_r) < p + fewest_contrasts .or. .not. sum(r(:n)**2) > 0.0_wp) return
+        contrasts = size(order) + size(prior_r) - p
+        if (contrasts < fewest_contrasts .or. .not. sum(r(:size(order))**2) > 0.0_wp) return
+        at = [(first + (i - 1)*spacing, i=1, values)]
         sums = neighbours_of(r, jacobian, order)
         do i = 1, values
-            call restricted_likelihood(sums, n, prior_r, prior_jacobian, (i - 1)*spacing, noise_is_known, likelihood(i), &
-                                       variance(i))
+            call restricted_likelihood(sums, size(order), prior_r, prior_jacobian, at(i), noise_is_known, weight(i), variance(i))
         end do
-        weight = exp(likelihood - maxval(likelihood))
+        weight = weight + log(prior(at, contrasts))
+        weight = exp(weight - maxval(weight))
+        where (weight < least_weight) weight = 0.0_wp
         weight = weight/sum(weight)
-        middle = 0.0_wp
+        rho = sum(weight*at)
+        independent = correlated(jacobian, order, 0.0_wp)
+        ratio = 1.0_wp
         do i = 1, values
-            if (weight(i) < 1.0e-6_wp) cycle
-            rho = rho + weight(i)*(i - 1)*spacing
-            middle = middle + weight(i)*variance(i)*correlated(jacobian, order, (i - 1)*spacing)
+            if (.not. weight(i) > 0.0_wp) cycle
+            ! inverse = (independent + priors)^-1; the priors stay as they are
+            change = matmul(inverse, matmul(variance(i)*correlated(jacobian, order, at(i)) - independent, inverse))
+            do j = 1, p
+                if (inverse(j, j) > 0.0_wp) ratio(i, j) = sqrt(max(1.0_wp + change(j, j)/inverse(j, j), 0.0_wp))
+            end do
         end do
-        ! inverse = (independent + priors)^-1; the priors stay as they are
-        spread = inverse + matmul(inverse, matmul(middle - correlated(jacobian, order, 0.0_wp), inverse))
-        do i = 1, p
-            if (inverse(i, i) > 0.0_wp) widening(i) = min(sqrt(max(spread(i, i)/inverse(i, i), 1.0_wp)), most_widening)
+        do j = 1, p
+            widening(j) = mean_reach(pack(weight, weight > 0.0_wp), pack(ratio(:, j), weight > 0.0_wp), freedom, noise_is_known)
         end do
     end subroutine correlated_spread
+
+    !> The probability of values of rho before the data are seen.
+    pure function prior(at, contrasts) result(density)
+        real(wp), intent(in) :: at(:)
+        integer, intent(in) :: contrasts
+        real(wp) :: density(size(at)), share
+
+        share = most_share*min(real(contrasts, wp)/enough_contrasts, 1.0_wp)
+        density = exp(-0.5_wp*(at/nearly)**2)
+        density = share*density/sum(density) + (1.0_wp - share)/size(at)
+    end function prior
+
+    !> Half the interval of a mean of Student's distributions, over that of one of unit width.
+    function mean_reach(weight, width, freedom, noise_is_known) result(reach)
+        !> of each distribution, in sum 1, and its width
+        real(wp), intent(in) :: weight(:), width(:)
+        real(wp), intent(in) :: freedom
+        !> whether they are normal
+        logical, intent(in) :: noise_is_known
+        real(wp) :: reach
+        real(wp) :: low, high, quantile, outside
+        integer :: i, step
+
+        call disable_gsl_abort()
+        if (noise_is_known) then
+            quantile = gsl_cdf_ugaussian_qinv(0.5_wp*(1.0_wp - level))
+        else
+            quantile = gsl_cdf_tdist_qinv(0.5_wp*(1.0_wp - level), freedom)
+        end if
+        low = minval(width)
+        high = min(maxval(width), most_widening)
+        low = min(low, high)
+        reach = min(max(sum(weight*width), low), high)
+        do step = 1, most_steps
+            if (high - low <= reach_tolerance*high) exit
+            outside = 0.0_wp
+            do i = 1, size(weight)
+                if (.not. width(i) > 0.0_wp) cycle
+                if (noise_is_known) then
+                    outside = outside + 2.0_wp*weight(i)*gsl_cdf_ugaussian_q(quantile*reach/width(i))
+                else
+                    outside = outside + 2.0_wp*weight(i)*gsl_cdf_tdist_q(quantile*reach/width(i), freedom)
+                end if
+            end do
+            if (outside > 1.0_wp - level) then
+                low = reach
+            else
+                high = reach
+            end if
+            reach = 0.5_wp*(low + high)
+        end do
+    end function mean_reach
 
     !> The sums for [jacobian, r] along the curve.
     pure function neighbours_of(r, jacobian, order) result(self)

@@ -92,11 +92,11 @@ contains
                                                         ": it is not free, so it has no interval. Choose a free parameter")
         if (allocated(error)) return
         i = findloc(fit%free, position, dim=1)
-        freedom = max(fit%degrees_of_freedom/fit%widening(i)**2, 1.0_wp)
+        freedom = fit%degrees_of_freedom
         if (allocated(data%sd) .and. problem%sd_is_absolute) freedom = infinity
         call interval_quantile(level, freedom, threshold, error)
         if (allocated(error)) return
-        ! correlated residuals weigh less than so many independent ones
+        ! correlated residuals weigh less than as many independent ones
         threshold = threshold*fit%widening(i)
         ! the noise stays that of the best fit
         call room(data%bytes(), error)

@@ -1,17 +1,26 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Whether residuals along a curve are random: Bartels' rank version of von Neumann's ratio of mean square successive difference
-!> to variance. R. Bartels, J. Am. Stat. Assoc. 77 (1982) 40; its beta approximation, section 3.
+!> Whether residuals along a curve are random. Few of them: the exact distribution of the ratio of squared successive differences
+!> to squares, given the derivatives of the model, for independent normal noise. J. Durbin, G. S. Watson, Biometrika 37 (1950) 409;
+!> J. P. Imhof, Biometrika 48 (1961) 419. Many: Bartels' rank version of von Neumann's ratio. R. Bartels, J. Am. Stat. Assoc. 77
+!> (1982) 40; its beta approximation, section 3.
 module mdrcontact_fit_pattern
     use, intrinsic :: iso_c_binding, only: c_double
     use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_fit_order, only: ascending
-    use mdrcontact_kinds, only: wp
+    use mdrcontact_fit_spectrum, only: new_spectrum, products, spectrum_t
+    use mdrcontact_kinds, only: pi, wp
+    use mdrcontact_lapack, only: dsyev
     implicit none (type, external)
     private
-    public :: pattern_test
+    public :: difference_test, pattern_test
 
     !> With fewer points no order of the residuals is improbable.
     integer, parameter :: fewest_points = 8
+
+    !> Eigenvalues of a quadratic form that are smaller, relative to the largest, are rounding.
+    real(wp), parameter :: smallest_form = 1.0e-12_wp
+    !> Of the trapezoidal rule in the logarithm of Imhof's variable: its step, where it begins and ends, a negligible integrand.
+    real(wp), parameter :: step = 0.25_wp, begin = -40.0_wp, end = 200.0_wp, negligible = 1.0e-17_wp
 
     interface
         pure function gsl_cdf_beta_p(x, a, b) result(p) bind(C, name="gsl_cdf_beta_P")
@@ -22,6 +31,60 @@ module mdrcontact_fit_pattern
     end interface
 
 contains
+
+    !> The probability that independent normal noise leaves residuals that follow each other as smoothly; 1 where fewer than two
+    !> directions of them are left.
+    subroutine difference_test(residuals, jacobian, prior_jacobian, probability)
+        !> in their order along the curve, in their standard deviations
+        real(wp), intent(in) :: residuals(:)
+        !> (residuals, parameters) and (priors, parameters): the derivatives
+        real(wp), intent(in) :: jacobian(:, :), prior_jacobian(:, :)
+        real(wp), intent(out) :: probability
+        real(wp) :: root(size(residuals), size(residuals)), form(size(residuals), size(residuals)), eigenvalues(size(residuals))
+        real(wp) :: work(34*size(residuals)), ratio
+        type(spectrum_t) :: spectrum
+        integer :: i, n, info
+
+        probability = 1.0_wp
+        n = size(residuals)
+        if (n < 3 .or. .not. sum(residuals**2) > 0.0_wp) return
+        ratio = sum((residuals(2:) - residuals(:n - 1))**2)/sum(residuals**2)
+        ! the covariance of the residuals, and its root
+        spectrum = new_spectrum(products(jacobian) + products(prior_jacobian))
+        root = -matmul(jacobian, matmul(spectrum%inverse(), transpose(jacobian)))
+        do i = 1, n
+            root(i, i) = root(i, i) + 1.0_wp
+        end do
+        call dsyev("V", "U", n, root, n, eigenvalues, work, size(work), info)
+        if (info /= 0) return
+        do i = 1, n
+            root(:, i) = root(:, i)*sqrt(max(eigenvalues(i), 0.0_wp))
+        end do
+        form = products(root(2:, :) - root(:n - 1, :)) - ratio*products(root)
+        call dsyev("N", "U", n, form, n, eigenvalues, work, size(work), info)
+        if (info /= 0) return
+        associate (left => pack(eigenvalues, abs(eigenvalues) > smallest_form*maxval(abs(eigenvalues))))
+            if (size(left) >= 2) probability = negative_form(left)
+        end associate
+    end subroutine difference_test
+
+    !> The probability that a sum of squares of independent normal variates, times these factors, is less than 0.
+    pure function negative_form(factors) result(probability)
+        real(wp), intent(in) :: factors(:)
+        real(wp) :: probability
+        real(wp) :: x, u(size(factors)), damping, total
+
+        total = 0.0_wp
+        x = begin
+        do while (x < end)
+            u = factors/maxval(abs(factors))*exp(x)
+            damping = exp(-0.25_wp*sum(log(1.0_wp + u**2)))
+            total = total + sin(0.5_wp*sum(atan(u)))*damping
+            if (damping < negligible) exit
+            x = x + step
+        end do
+        probability = min(max(0.5_wp - step*total/pi, 0.0_wp), 1.0_wp)
+    end function negative_form
 
     !> The probability that random residuals follow each other as smoothly as these; 1 for fewer than 8.
     pure subroutine pattern_test(residuals, probability, error)
