@@ -25,8 +25,8 @@ from recovery import autoregression
 import mdrcontact as mdr
 import mdrcontact.instruments as mdi
 
-READINGS = (5, 6, 8, 12, 20, 50, 100, 500)
-LAGS = (0.0, 0.3, 0.5, 0.9)
+READINGS = (5, 8, 12, 20, 50, 100, 500)
+LAGS = (0.0, 0.5, 0.9)
 NOISE = 0.02
 OXIDE, SILICON, DIAMOND = mdr.Elastic(72e9, 0.17), mdr.Elastic(163e9, 0.22), mdr.Elastic(1141e9, 0.07)
 BALL, THICKNESS, DEEPEST = mdr.Paraboloid(10e-6), 500e-9, 100e-9
@@ -61,12 +61,12 @@ def intervals(readings: int, lag: float, known: bool, draws: int, seed: int = 0)
     found = fits(*curve(readings), FILM, lag=lag, known=known, noise=NOISE, draws=draws, seed=seed)
     ends = np.array([one.interval("coating.E") for one in found])
     estimates = np.array([one.estimates["coating.E"] for one in found])
-    inside = (ends[:, 0] <= OXIDE.E) & (OXIDE.E <= ends[:, 1])
+    inside = (ends[:, 0] <= OXIDE.E) & (ends[:, 1] >= OXIDE.E)
     return float(inside.mean()), float(np.mean(0.5 * np.ptp(ends, axis=1)) / (1.96 * estimates.std(ddof=1)))
 
 
 def plastic(depth: np.ndarray, force: np.ndarray) -> np.ndarray:
-    """Loading that yields from a third of the depth on: at a mean pressure that stays, the force rises in proportion to the depth."""
+    """Loading that yields from a third of the depth on: at a constant mean pressure, the force rises linearly."""
     yields = depth[-1] / 3.0
     at = float(np.interp(yields, depth, force))
     return np.where(depth < yields, force, at * (1.0 + 1.5 * (depth - yields) / yields))

@@ -34,7 +34,7 @@ def lengths(readings, draws=200):
     found = [fit(*noisy(readings, seed, 0.01), FILM) for seed in range(draws)]
     ends = np.array([one.interval("coating.E") for one in found])
     spread = np.std([one.estimates["coating.E"] for one in found])
-    return np.mean(0.5 * np.ptp(ends, axis=1)) / (1.96 * spread), np.mean((ends[:, 0] < OXIDE.E) & (OXIDE.E < ends[:, 1]))
+    return np.mean(0.5 * np.ptp(ends, axis=1)) / (1.96 * spread), np.mean((ends[:, 0] < OXIDE.E) & (ends[:, 1] > OXIDE.E))
 
 
 def test_intervals_of_few_readings_are_no_longer_than_they_must_be():

@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 import math
+import re
 
 import numpy as np
 import pytest
@@ -83,3 +84,33 @@ def test_a_wrong_body_is_missed():
     force = np.asarray(mdr.Contact(mdr.Paraboloid(1e-5), film).at_depth(depth).force)
     result = mdi.fit(mdi.ForceDepth(depth, force), mdr.Paraboloid(1e-5), mdr.Homogeneous(OXIDE), ["E"])
     assert result.describes_data is False and result.verdict.startswith("misses by")
+
+
+def indented(power, stays, noise=2e-3):
+    """Loading as a power of the depth to 200 nm, and unloading to a part of it; depth and force of both."""
+    way = np.linspace(0.0, 1.0, 150)
+    back = 1.0 - way
+    force = np.r_[way**power, back] + noise * np.random.default_rng(0).standard_normal(300)
+    return 200e-9 * np.r_[way, 1.0 - (1.0 - stays) * (1.0 - back ** (1.0 / power))], 1e-2 * force
+
+
+def warnings_of(depth, force, branch):
+    data = mdi.ForceDepth(depth, force) if branch == "both" else mdi.ForceDepth(depth[:150], force[:150], branch="loading")
+    if branch == "loading":
+        data.unused = depth[150:], force[150:]
+    return [words for words in mdi.fit(data, BALL, mdr.Homogeneous(OXIDE), ["E"]).warnings if "work of loading" in words]
+
+
+@pytest.mark.parametrize("branch", ["loading", "both"])
+def test_an_indent_that_stays_is_told(branch):
+    """By the triangle of a linear loading: unloading to 60 % of the depth gives back 40 % of the work."""
+    (words,) = warnings_of(*indented(1.0, 0.6), branch)
+    back, left = (float(re.search(rf"([\d.]+) % of the {what}", words)[1]) for what in ("work", "depth"))
+    assert back == pytest.approx(40.0, abs=1.0) and left == pytest.approx(57.0, abs=2.0), "57 % at a twentieth of the force"
+    assert warnings_of(*indented(1.5, 0.0), branch) == [], "an elastic loading"
+
+
+def test_a_pull_is_no_indent():
+    depth, force = indented(1.0, 0.6)
+    force[-20:] = -2e-3
+    assert warnings_of(depth, force, "loading") == [], "what adheres"

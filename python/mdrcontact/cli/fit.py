@@ -61,6 +61,8 @@ def _one(arguments: argparse.Namespace, problem: FitFile, curve: Curve) -> None:
         found = fit(problem, data, **options, progress=progress)
     if found.analysis is not None:
         print(f"{pages.ANALYSIS}:\n{as_text(with_errors(found.tables['points']), left=0)}\n")
+    if "ranges" in found.tables:
+        print(f"{as_text(with_errors(found.tables['ranges']), left=0)}\n")
     for about, words in found.notes.items():
         print(f"\n{words}" if about == "models" else words)
     if found.refusal:

@@ -8,14 +8,15 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Any
 
-from .._text import number
+import numpy as np
+
 from .._units import AREA, FORCE, LENGTH, MODULUS, QUANTITIES, RATIO, STIFFNESS, practical
 from ..errors import InvalidArgumentError, MDRError
 from ..instruments import fitting
 from ..instruments.files.fit_file import FitFile
 from ..instruments.fitting import FitResult, GelFit, ModelRanking, Moves, OliverPharr, StiffnessDepth
 from ..instruments.fitting.data import Data
-from ..instruments.fitting.quantities import dimension_of
+from ..instruments.fitting.quantities import dimension_of, words_of
 from ..instruments.fitting.result import Interval
 from ..progress import Progress
 from .estimates import estimates
@@ -49,6 +50,8 @@ class FittedCurve(Result):
         found: dict[str, Any] = self.fit.to_dict()
         for name, ends in self.intervals.items():
             found["parameters"][name][f"{self.interval}_interval"] = [v if math.isfinite(v) else None for v in ends]
+        if self.moves:
+            found["ranges"] = [move._asdict() for move in self.moves.ranges]
         return found
 
 
@@ -135,7 +138,7 @@ def fit(
         notes |= {"moves": "\n".join(moved.summary())} if moved.summary() else {}
     try:
         intervals = _intervals(found, interval, progress)
-        notes |= {"intervals": "\n".join(_words_of(interval, intervals))} if intervals else {}
+        notes["fit"] = found.summary(method=interval, intervals=intervals)
         if compare:
             progress.step(0, None, "models")
             ranking = fitting.compare_models(data, **problem.arguments)
@@ -148,7 +151,7 @@ def fit(
         title=problem.title,
         numbers=estimates(found),
         notes=notes,
-        tables={"points": _points(found) if analysis is None else _analysed(analysis)},
+        tables={"points": _points(found) if analysis is None else _analysed(analysis), **_ranges(moved)},
         warnings=tuple(found.warnings),
         problem=problem,
         fit=found,
@@ -196,8 +199,14 @@ def _intervals(found: FitResult, method: str, progress: Progress) -> dict[str, I
     return {name: found.interval(name, method=method, seed=0) for name in names}
 
 
-def _words_of(method: str, intervals: Mapping[str, Interval]) -> list[str]:
-    return [f"{method} 95 % interval of {name}: {number(low)} to {number(high)}" for name, (low, high) in intervals.items()]
+def _ranges(moves: Moves | None) -> dict[str, list[Column]]:
+    """The estimate against the end of the range that is fitted: that of a modulus against the depth."""
+    if moves is None or not moves.ranges:
+        return {}
+    ends, values, errors = (np.array([getattr(move, key) for move in moves.ranges]) for key in ("end", "value", "standard_error"))
+    x, unit = moves.result.data.x_name, practical(dimension_of(moves.name), values)
+    columns = [column(f"end of the {x}", ends, QUANTITIES[x]), Column(words_of(moves.name), values, unit)]
+    return {"ranges": [*columns, Column("standard error", errors, unit)]}
 
 
 def _points(found: FitResult) -> list[Column]:

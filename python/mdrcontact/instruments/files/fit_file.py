@@ -142,6 +142,11 @@ def fit_file_of_text(text: str, title: str = "", files: Given = ()) -> FitFile:
 
 
 def _read(table: dict[str, Any], title: str) -> FitFile:
+    if "adhesion" in table:
+        raise ProblemError(
+            "[adhesion]: a fit takes adhesion from the instrument. Write work_of_adhesion in [instrument], and name it in [fit] free "
+            "to find it."
+        )
     whole = Section(table, "the file", schema.FIT)
     for name in ("indenter", "medium", "data", "fit"):
         if name not in table:

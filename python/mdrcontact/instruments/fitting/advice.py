@@ -11,6 +11,7 @@ from ... import medium as media
 from ... import profile as profiles
 from ..._units import LENGTH, MODULUS, shown
 from ...errors import MDRError
+from ...loop import BRANCHES
 from .contradictions import contradictions
 from .data import ForceDepth, ModulusRadius, StiffnessDepth, StiffnessRadius
 from .misfit import SMALL, percent
@@ -26,6 +27,12 @@ _STRAYS, _STRAY_SHARE = 3, 0.01
 """Readings about a jump that noise may put on the wrong side of it."""
 _PLASTIC = 0.7
 """Part of the depth that stays, from which on surfaces may pile up."""
+_LOST, _LEFT = 0.15, 0.1
+"""Of the work of loading and of its depth: what an elastic body does not keep, by more than noise and drift."""
+_LEVELS, _FEWEST_BACK = (0.05, 0.95, 19), 20
+"""Of the largest force: the levels at which loading and unloading are compared; the fewest readings of unloading."""
+_PULLS = 0.05
+"""Of the largest force: unloading that pulls by more adheres."""
 _SMALL_CONTACT, _LARGE_CONTACT = 0.1, 3.0
 
 
@@ -257,7 +264,7 @@ def _branches(result: FitResult, alone: np.ndarray) -> list[str]:
     if not isinstance(data, ForceDepth):
         return []
     if not result.values["work_of_adhesion"] > 0.0:
-        return _apart(data)
+        return _indent(result, data) or _apart(data)
     scale = result.noise * (1.0 if data.sd is None else data.sd)
     differs = int(np.sum(np.abs(alone - result.fitted) > 3.0 * scale))
     if differs <= max(_STRAYS, _STRAY_SHARE * len(data)):
@@ -283,3 +290,47 @@ def _apart(data: ForceDepth) -> list[str]:
         f"loading and unloading differ by {percent(share)} of the force (root mean square) and are fitted as one elastic curve "
         'without adhesion: fit one of them, branch = "loading", or let work_of_adhesion be free'
     ]
+
+
+def _indent(result: FitResult, data: ForceDepth) -> list[str]:
+    """Loading whose unloading, fitted or not, gives back too little work and ends too deep."""
+    offset, (low, high, count) = result.values["force_offset"], _LEVELS
+    loading, unloading = _ways(data)
+    if unloading is None or len(loading[0]) < _FEWEST_BACK:
+        return []
+    largest = float(np.max(loading[1])) - offset
+    depth, force = unloading[0], unloading[1] - offset
+    # readings out of contact are below, a hold is above
+    beyond = (force > 0.5 * low * largest) & (force < 0.5 * (1.0 + high) * largest)
+    if np.sum(beyond) < _FEWEST_BACK or np.min(force) < -_PULLS * largest:
+        return []
+    level = np.linspace(low, high, count) * largest
+    way, back = _depths_at(level, loading[0], loading[1] - offset), _depths_at(level, depth[beyond], force[beyond])
+    lost = 1.0 - float(np.trapezoid(level, back) / np.trapezoid(level, way))
+    left = float(back[0] - way[0])
+    share = left / float(data.x.max() - result.values["depth_offset"])
+    if not (lost > _LOST and share > _LEFT):
+        return []
+    return [
+        f"unloading gives back {percent(1.0 - lost)} of the work of loading and ends {shown(left, LENGTH, 3)} deeper, "
+        f"{percent(share)} of the depth: the body has yielded, or creeps. Its loading is fitted as elastic, so the modulus is too "
+        'low. Fit the shallow part, or the unloading curve, branch = "unloading" or kind = "unloading"'
+    ]
+
+
+def _ways(data: ForceDepth) -> tuple[tuple[np.ndarray, np.ndarray], tuple[np.ndarray, ...] | None]:
+    """Depth and force of loading and of unloading, the latter of what is fitted or of what is not; None without it."""
+    branches = np.unique(data.branch) if data.branch is not None else np.array([BRANCHES["loading"]])
+    if len(branches) > 1:
+        loading, unloading = data.on("loading"), data.on("unloading")
+        return (loading.x, loading.y), (unloading.x, unloading.y)
+    return (data.x, data.y), data.unused if branches[0] == BRANCHES["loading"] else None
+
+
+def _depths_at(level: np.ndarray, depth: np.ndarray, force: np.ndarray) -> np.ndarray:
+    """Depths at these forces, of readings in any order."""
+    order = np.argsort(force, kind="stable")
+    width = max(len(order) // (2 * _FEWEST_BACK), 1)
+    # means over neighbours in force, whose noise would put them in another order
+    weights = np.ones(width) / width
+    return np.interp(level, np.convolve(force[order], weights, "valid"), np.convolve(depth[order], weights, "valid"))

@@ -7,7 +7,8 @@ import functools
 import json
 import math
 import os
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+from types import MappingProxyType
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -224,12 +225,13 @@ class FitResult:
         along[self.data.order()] = noise
         return along
 
-    def summary(self, level: float = 0.95) -> str:
+    def summary(self, level: float = 0.95, method: str = "normal", intervals: Mapping[str, Interval] = MappingProxyType({})) -> str:
         """Estimates with units, doubts about each beside it, quality of the fit, correlations, warnings. The numbers of the
-        problem are taken as SI."""
-        rows = [["", "estimate", f"{100.0 * level:g} % interval", ""]]
+        problem are taken as SI. intervals : those that another `method` has found at this level"""
+        how = "" if method == "normal" else f" ({method})"
+        rows = [["", "estimate ± standard error", f"{100.0 * level:g} % interval{how}", ""]]
         for name in self.names:
-            ends = self.interval_as_text(name, level)
+            ends = self.interval_as_text(name, level, intervals.get(name))
             rows.append([f"{words_of(name)} ({name})", self.as_text(name), ends, "; ".join(self.doubts(name))])
         lines = [f"Fit of {len(self.data)} points: " + ("converged" if self.converged else "NOT CONVERGED, best point found")]
         lines[0] += f" after {self.iterations} iterations"
@@ -298,13 +300,13 @@ class FitResult:
             return "not determined"
         return measured(name, value, error)
 
-    def interval_as_text(self, name: str, level: float = 0.95) -> str:
-        """The interval in the unit of the estimate; "-" where the estimate is refused."""
+    def interval_as_text(self, name: str, level: float = 0.95, given: Interval | None = None) -> str:
+        """The interval, or the one that is given, in the unit of the estimate; "-" where the estimate is refused."""
         if name in contradictions(self):
             return "-"
         error = self.standard_errors[name]
         unit = unit_of(name, max(abs(self.estimates[name]), error))
-        ends = " to ".join(digits(end / unit.factor, error / unit.factor) for end in self.interval(name, level))
+        ends = " to ".join(digits(end / unit.factor, error / unit.factor) for end in given or self.interval(name, level))
         return f"{ends} {unit.symbol}".rstrip()
 
     def doubts(self, name: str) -> list[str]:

@@ -33,7 +33,7 @@ _BEGINS, _ZERO, _GAIN = (0.01, 0.05), 0.03, 0.01
 _EXPONENTS = 1.1, 2.0
 """The power of unloading curves of homogeneous bodies is between those of a punch and a cone."""
 _VAGUE, _NONE, _STEEPEST = 0.03, 0.5, 4.0
-"""Standard errors of the stiffness, as parts of it, beyond which readings determine no power, and no stiffness; the largest power."""
+"""Standard errors of the stiffness, as parts of it, beyond which readings determine no power, and none; the largest power."""
 _LEAST = 1e-12
 """Slope, in parts of the force over the depth."""
 _SHARPEST = 0.3

@@ -20,8 +20,9 @@ module mdrcontact_fit_correlation
     !> Values of rho: -0.96, -0.94, ... 0.98.
     integer, parameter :: values = 98
     real(wp), parameter :: spacing = 0.02_wp, first = -0.96_wp
-    !> Of the prior: the standard deviation of its normal part, the largest share of this part, and from how many contrasts.
-    real(wp), parameter :: nearly = 0.25_wp, most_share = 0.5_wp
+    !> Of the prior: the standard deviation of its normal part, the largest share of this part where the size of the noise is unknown
+    !> and where it is known, which limits what correlation can do, and from how many contrasts.
+    real(wp), parameter :: nearly = 0.25_wp, most_share = 0.7_wp, known_share = 0.2_wp
     integer, parameter :: enough_contrasts = 18
     !> A rho of less probability, relative to the best, is left out.
     real(wp), parameter :: least_weight = 1.0e-6_wp
@@ -104,7 +105,7 @@ contains
         do i = 1, values
             call restricted_likelihood(sums, size(order), prior_r, prior_jacobian, at(i), noise_is_known, weight(i), variance(i))
         end do
-        weight = weight + log(prior(at, contrasts))
+        weight = weight + log(prior(at, contrasts, noise_is_known))
         weight = exp(weight - maxval(weight))
         where (weight < least_weight) weight = 0.0_wp
         weight = weight/sum(weight)
@@ -125,12 +126,13 @@ contains
     end subroutine correlated_spread
 
     !> The probability of values of rho before the data are seen.
-    pure function prior(at, contrasts) result(density)
+    pure function prior(at, contrasts, noise_is_known) result(density)
         real(wp), intent(in) :: at(:)
         integer, intent(in) :: contrasts
+        logical, intent(in) :: noise_is_known
         real(wp) :: density(size(at)), share
 
-        share = most_share*min(real(contrasts, wp)/enough_contrasts, 1.0_wp)
+        share = merge(known_share, most_share, noise_is_known)*min(real(contrasts, wp)/enough_contrasts, 1.0_wp)
         density = exp(-0.5_wp*(at/nearly)**2)
         density = share*density/sum(density) + (1.0_wp - share)/size(at)
     end function prior
