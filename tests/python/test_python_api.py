@@ -40,11 +40,7 @@ def _public() -> dict[str, object]:
 
 
 NAMES = _public()
-LATER = ("mdrcontact.instruments.",)
-"""Names without such docstrings so far."""
-DOCUMENTED = {
-    name: thing for name, thing in NAMES.items() if isinstance(thing, (type, FunctionType)) and not name.startswith(LATER)
-}
+DOCUMENTED = {name: thing for name, thing in NAMES.items() if isinstance(thing, (type, FunctionType))}
 CONSTANTS = sorted(name for name, thing in NAMES.items() if not isinstance(thing, (type, FunctionType)))
 
 

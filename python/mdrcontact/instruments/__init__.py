@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What measures: files of instruments, the parts of their records, and fits with uncertainties."""
+"""Measured data: files, parts of records, and fits with uncertainties."""
 
 from . import fitting, records, schema
 from .files.fit_file import FitFile, fit_file_of_text, load_fit_file

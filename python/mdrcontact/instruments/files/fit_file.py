@@ -40,34 +40,90 @@ _APART = 0.01
 
 
 class FitFile(NamedTuple):
-    """What a problem file for a fit says."""
+    """Content of a problem file for a fit, from `load_fit_file`.
+
+    Examples
+    --------
+    >>> text = '''
+    ... [indenter]
+    ... shape = "paraboloid"
+    ... radius = "10 um"
+    ... [medium]
+    ... type = "homogeneous"
+    ... material = { E = "50 GPa", nu = 0.17 }
+    ... [data]
+    ... kind = "force-depth"
+    ... [fit]
+    ... free = ["E"]
+    ... '''
+    >>> problem = mdr.instruments.fit_file_of_text(text, "Silica")
+    >>> print(problem.title, list(problem.free), sorted(problem.arguments))
+    Silica ['E'] ['free', 'indenter', 'instrument', 'medium']
+    """
 
     title: str
+    """title of the problem"""
     indenter: Any
+    """the indenter"""
     medium: Any
+    """the body, with fixed and starting values"""
     instrument: Instrument
+    """properties of the instrument"""
     cantilever: Cantilever
+    """properties of the cantilever, for AFM files"""
     free: dict[str, Free]
+    """free parameters by name"""
     options: dict[str, Any]
+    """further arguments of `fit`"""
     data: Section
+    """the table [data], which describes how to read files"""
     drainage: str | None = None
-    """of a gel"""
+    """drainage of a gel, else None"""
     tip: Mapping[str, Any] = {}
-    """the table [indenter], that of a calibrated tip in place of its file"""
+    """the table [indenter]; of a calibrated tip the table of its file"""
 
     @property
     def arguments(self) -> dict[str, Any]:
-        """What `fit` takes besides the data."""
+        """Arguments of `fit` except the data."""
         known = {"indenter": self.indenter, "medium": self.medium, "free": self.free, "instrument": self.instrument}
         return {**known, **self.options}
 
     def curves(self, path: str | Path) -> list[files.Curve]:
-        """The curves of one file, with a warning where it says another instrument than the problem."""
+        """Return the curves of one file.
+
+        Parameters
+        ----------
+        path : str or Path
+            The file.
+
+        Returns
+        -------
+        list of Curve
+            Curves that are read on demand, with a warning if the file contradicts the problem.
+
+        Raises
+        ------
+        MDRError
+            The file cannot be read.
+        """
         found = files.curves(self.data, self.cantilever, Path(path))
         return [one._replace(read=partial(self._read, one)) for one in found]
 
     def all_curves(self, paths: Sequence[Path], progress: Progress) -> list[files.Curve]:
-        """The curves of several files; one that is refused is a curve that cannot be read."""
+        """Return the curves of several files.
+
+        Parameters
+        ----------
+        paths : sequence of Path
+            The files. A file that cannot be read becomes a curve that cannot be read.
+        progress : Progress
+            Follows the files, and stops between two of them.
+
+        Returns
+        -------
+        list of Curve
+            Curves that are read on demand.
+        """
         found: list[files.Curve] = []
         for done, path in enumerate(paths, start=1):
             try:
@@ -119,7 +175,23 @@ class FitFile(NamedTuple):
         ]
 
     def read_data(self, path: str | Path) -> tuple[Data, list[str]]:
-        """The data of a file with one curve, or of its first, and what was understood."""
+        """Read the data of a file with one curve, or of its first.
+
+        Parameters
+        ----------
+        path : str or Path
+            The file.
+
+        Returns
+        -------
+        tuple
+            The data, and notes on how the file was interpreted.
+
+        Raises
+        ------
+        MDRError
+            The file cannot be read.
+        """
         return self.curves(path)[0].read()
 
 
@@ -128,7 +200,46 @@ def _refuse(refusal: MDRError) -> Any:
 
 
 def load_fit_file(path: str | Path) -> FitFile:
-    """Reads a problem file; a fault in it is a `ProblemError` that names the file."""
+    """Read a problem file for a fit.
+
+    Parameters
+    ----------
+    path : str or Path
+        The file (TOML).
+
+    Returns
+    -------
+    FitFile
+        Its content.
+
+    Raises
+    ------
+    ProblemError
+        The file has an error; the message names it.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> from pathlib import Path
+    >>> text = '''
+    ... [indenter]
+    ... shape = "paraboloid"
+    ... radius = "10 um"
+    ... [medium]
+    ... type = "homogeneous"
+    ... material = { E = "50 GPa", nu = 0.17 }
+    ... [data]
+    ... kind = "force-depth"
+    ... [fit]
+    ... free = ["E"]
+    ... '''
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     path = Path(folder) / "silica.toml"
+    ...     _ = path.write_text(text)
+    ...     problem = mdr.instruments.load_fit_file(path)
+    >>> print(problem.title, problem.indenter)
+    silica Paraboloid(radius=1e-05)
+    """
     path = Path(path)
     try:
         return _read(with_calibration(parse_file(path), Folder(path.parent)), path.stem)
@@ -137,15 +248,52 @@ def load_fit_file(path: str | Path) -> FitFile:
 
 
 def fit_file_of_text(text: str, title: str = "", files: Given = ()) -> FitFile:
-    """What the text of a problem file for a fit says; of `files`, as in `read_text`, it may name a tip."""
+    """Read the text of a problem file for a fit.
+
+    Parameters
+    ----------
+    text : str
+        The text (TOML).
+    title : str, optional
+        Title if the text has none.
+    files : mapping or sequence, optional
+        Files by name that the text may name, as the file of a calibrated tip.
+
+    Returns
+    -------
+    FitFile
+        Its content.
+
+    Raises
+    ------
+    ProblemError
+        The text has an error.
+
+    Examples
+    --------
+    >>> text = '''
+    ... [indenter]
+    ... shape = "paraboloid"
+    ... radius = "10 um"
+    ... [medium]
+    ... type = "homogeneous"
+    ... material = { E = "50 GPa", nu = 0.17 }
+    ... [data]
+    ... kind = "force-depth"
+    ... [fit]
+    ... free = ["E"]
+    ... '''
+    >>> print(mdr.instruments.fit_file_of_text(text).medium)
+    Homogeneous(material=Elastic(E=50000000000.0, nu=0.17))
+    """
     return _read(with_calibration(parse_text(text), GivenFiles(files)), title)
 
 
 def _read(table: dict[str, Any], title: str) -> FitFile:
     if "adhesion" in table:
         raise ProblemError(
-            "[adhesion]: a fit takes adhesion from the instrument. Write work_of_adhesion in [instrument], and name it in [fit] free "
-            "to find it."
+            "[adhesion]: a fit takes adhesion from the instrument. Write work_of_adhesion in [instrument], and name it in [fit] "
+            "free to find it."
         )
     whole = Section(table, "the file", schema.FIT)
     for name in ("indenter", "medium", "data", "fit"):

@@ -116,7 +116,37 @@ class Inspection:
 
 
 def inspect_file(path: Path, given: Given | None = None) -> Inspection:
-    """Reads a file without a problem file; what it cannot be is a `ProblemError` that names its columns."""
+    r"""Identify a file of measurements without a problem file.
+
+    Parameters
+    ----------
+    path : Path
+        The file.
+    given : Given, optional
+        What the file does not contain: settings of the cantilever, and keys of [data] that state how a table is read.
+
+    Returns
+    -------
+    Inspection
+        Notes, tests, kind of the data, and a problem file for a fit.
+
+    Raises
+    ------
+    ProblemError
+        The file is not a measurement; the message names its columns.
+
+    Examples
+    --------
+    >>> import tempfile
+    >>> from pathlib import Path
+    >>> rows = "".join(f"{10 * i},{i**1.5:.4f}\n" for i in range(40))
+    >>> with tempfile.TemporaryDirectory() as folder:
+    ...     path = Path(folder) / "ball.csv"
+    ...     _ = path.write_text("depth [nm],load [uN]\n" + rows)
+    ...     found = mdr.instruments.inspect_file(path)
+    >>> print(found.kind, len(found.tests))
+    force-depth 1
+    """
     given = given or Given()
     units = _missing_units(path, given)
     given = given._replace(data={**given.data, **({"units": units} if units else {})})

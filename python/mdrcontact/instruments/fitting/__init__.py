@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""From measured data to film properties with their uncertainty."""
+"""Fits of measured data, with uncertainties."""
 
 from .between import MeanOfTests, mean_of_tests
 from .calibration import as_prior

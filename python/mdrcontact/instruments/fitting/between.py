@@ -22,30 +22,79 @@ _LEAST = 1e-9
 
 
 class MeanOfTests(NamedTuple):
-    """A parameter over several tests, in its own unit."""
+    """Mean of a parameter over several tests, from `mean_of_tests`.
+
+    Examples
+    --------
+    >>> depth = np.linspace(10e-9, 100e-9, 20)
+    >>> def fitted(E):
+    ...     contact = mdr.Contact(mdr.Paraboloid(10e-6), mdr.Homogeneous(mdr.Elastic(E, 0.17)))
+    ...     data = mdr.instruments.ForceDepth(depth, contact.at_depth(depth).force, sd=1e-6)
+    ...     return mdr.instruments.fit(data, mdr.Paraboloid(10e-6), contact.medium, ["E"])
+    >>> mean = mdr.instruments.mean_of_tests([fitted(E) for E in (70e9, 72e9, 74e9)], "E")
+    >>> print(f"{mean.value / 1e9:.2f} {mean.between / 1e9:.2f}")
+    72.00 2.00
+    """
 
     name: str
+    """name of the parameter"""
     value: float
+    """mean, in the unit of the parameter"""
     standard_error: float
+    """standard error of the mean"""
     interval: Interval
-    """95 %, or the level that was given"""
+    """interval of the mean, 95 % or the given level"""
     between: float
     """standard deviation of the true values of the tests"""
     common: float
-    """standard error from what has a prior, which all tests share: tip, thickness, ..."""
+    """standard error from parameters with a prior, which all tests share, as tip or thickness"""
     tests: int
+    """number of tests"""
 
 
 def mean_of_tests(results: Sequence[FitResult], name: str, level: float = 0.95) -> MeanOfTests:
-    """The mean of a fitted parameter over tests that differ by more than their errors, as a random effect.
+    """Average a fitted parameter over tests that differ by more than their errors.
 
-    The variance between tests is that of Paule and Mandel (J. Res. NBS 87 (1982) 377); the interval has Student's quantile and the
-    variance of Hartung and Knapp (Stat. Med. 20 (2001) 3875), and is never narrower than the errors of the tests alone. What has a
-    prior is the same in all tests: its error is not averaged, and added.
+    Parameters
+    ----------
+    results : sequence of FitResult
+        At least two fits with the parameter free and a standard error.
+    name : str
+        Name of the parameter, as "E".
+    level : float, optional
+        Level of the interval, 0 < level < 1 [1].
 
-    results : at least two fits with the parameter free and a standard error
-    name : of the parameter, "E"
-    level : of the interval, between 0 and 1
+    Returns
+    -------
+    MeanOfTests
+        Mean, standard error and interval.
+
+    Raises
+    ------
+    InvalidArgumentError
+        Fewer than two fits have a standard error of the parameter.
+
+    Notes
+    -----
+    The tests are a random effect. The variance between tests is that of Paule and Mandel (1982). The interval has Student's
+    quantile and the variance of Hartung and Knapp (2001), and is at least as wide as the errors of the tests alone. Parameters with
+    a prior are equal in all tests: their error is not averaged, and is added.
+
+    References
+    ----------
+    paule-1982
+    hartung-2001
+
+    Examples
+    --------
+    >>> depth = np.linspace(10e-9, 100e-9, 20)
+    >>> def fitted(E):
+    ...     contact = mdr.Contact(mdr.Paraboloid(10e-6), mdr.Homogeneous(mdr.Elastic(E, 0.17)))
+    ...     data = mdr.instruments.ForceDepth(depth, contact.at_depth(depth).force, sd=1e-6)
+    ...     return mdr.instruments.fit(data, mdr.Paraboloid(10e-6), contact.medium, ["E"])
+    >>> mean = mdr.instruments.mean_of_tests([fitted(E) for E in (70e9, 72e9, 74e9)], "E")
+    >>> print(f"{mean.interval.lower / 1e9:.1f} {mean.interval.upper / 1e9:.1f}")
+    67.0 77.0
     """
     sound = [r for r in results if name in r.names and r.standard_errors[name] > 0.0 and math.isfinite(r.standard_errors[name])]
     if len(sound) < 2:

@@ -64,9 +64,41 @@ def _mean(curves: Sequence[StiffnessDepth]) -> StiffnessDepth:
 
 
 def as_prior(result: FitResult) -> JointPrior:
-    """What a calibration has found, as what later fits know beforehand: `fit(..., known=[as_prior(calibration)])`. Where
-    the data scatter more than their standard deviations say, the covariance is larger by chi-square over the degrees of freedom; of
-    several tests that differ as wholes by that of the tests, of which there are fewer."""
+    """Return the result of a calibration as a joint prior for later fits.
+
+    Use it as `fit(..., known=[as_prior(calibration)])`.
+
+    Parameters
+    ----------
+    result : FitResult
+        A calibration whose free parameters all have a standard error.
+
+    Returns
+    -------
+    JointPrior
+        Values and covariance. If the data scatter more than their standard deviations, the covariance is multiplied by chi-square
+        over the degrees of freedom; of several tests that differ systematically by that of the tests.
+
+    Raises
+    ------
+    InvalidArgumentError
+        A parameter has no standard error.
+
+    References
+    ----------
+    birge-1932
+
+    Examples
+    --------
+    >>> depth = np.linspace(10e-9, 100e-9, 20)
+    >>> silica = mdr.Homogeneous(mdr.Elastic(72e9, 0.17))
+    >>> force = mdr.Contact(mdr.Paraboloid(10e-6), silica).at_depth(depth).force
+    >>> data = mdr.instruments.ForceDepth(depth, force, sd=1e-6)
+    >>> calibration = mdr.instruments.fit(data, mdr.Paraboloid(9e-6), silica, ["indenter.radius"])
+    >>> prior = mdr.instruments.as_prior(calibration)
+    >>> print(prior.names, f"{prior.values[0]:.3e}")
+    ('indenter.radius',) 1.000e-05
+    """
     vague = [name for name in result.names if result.at_bound[name] or not result.standard_errors[name] > 0.0]
     if vague:
         raise InvalidArgumentError(f"{', '.join(vague)} has no standard error: fix it, and calibrate again")

@@ -20,22 +20,35 @@ from .solve import fit
 
 
 class RankedModel(NamedTuple):
-    """One model's fit."""
+    """Fit under one model, with its rank, from `compare_models`.
+
+    Examples
+    --------
+    >>> film = mdr.Coated(mdr.Elastic(72e9, 0.17), 500e-9, mdr.Elastic(165e9, 0.22))
+    >>> depth = np.linspace(10e-9, 100e-9, 20)
+    >>> force = mdr.Contact(mdr.Paraboloid(10e-6), film).at_depth(depth).force
+    >>> data = mdr.instruments.ForceDepth(depth, force, relative_sd=0.01)
+    >>> ranking = mdr.instruments.compare_models(data, mdr.Paraboloid(10e-6), film, ["coating.E"], models=["exact", "gao"])
+    >>> print([(entry.model, entry.is_wrong) for entry in ranking.models])
+    [('exact', False), ('gao', True)]
+    """
 
     model: str
+    """name of the model"""
     result: FitResult
+    """fit under this model"""
     delta_aic: float
-    """AIC above the lowest one; over 10 the model has no support from the data"""
+    """AIC minus the lowest one; above 10 the data do not support the model [1]"""
     weight: float
-    """Akaike weight: the model's share of the evidence"""
+    """Akaike weight, the share of the model in the evidence [1]"""
     bias: dict[str, float]
-    """relative deviation of each free parameter from that of the exact model; empty without it"""
+    """relative deviation of each free parameter from that of the exact model; empty without it [1]"""
     error: float | None
-    """of the model's E_eff against the exact one of the same body, the largest at the contact radii of the data; None without it"""
+    """largest error of E_eff at the contact radii of the data, against the exact solution of the same body; None without it [1]"""
 
     @property
     def is_wrong(self) -> bool:
-        """Whether the model's E_eff is off by more than 5 % at the contact radii of the data."""
+        """True if the error of E_eff exceeds 5 % at the contact radii of the data."""
         return self.error is not None and abs(self.error) > _WRONG
 
 
@@ -50,13 +63,32 @@ _CAUTION = (
 
 
 class ModelRanking(NamedTuple):
-    """The models, best first, and those that refused."""
+    """Models of a coated or layered body, best fit first, from `compare_models`.
+
+    Examples
+    --------
+    >>> film = mdr.Coated(mdr.Elastic(72e9, 0.17), 500e-9, mdr.Elastic(165e9, 0.22))
+    >>> depth = np.linspace(10e-9, 100e-9, 20)
+    >>> force = mdr.Contact(mdr.Paraboloid(10e-6), film).at_depth(depth).force
+    >>> data = mdr.instruments.ForceDepth(depth, force, relative_sd=0.01)
+    >>> ranking = mdr.instruments.compare_models(data, mdr.Paraboloid(10e-6), film, ["coating.E"], models=["exact", "garcia"])
+    >>> print([entry.model for entry in ranking.models], list(ranking.refused))
+    ['exact'] ['garcia']
+    """
 
     models: list[RankedModel]
+    """fits by ascending AIC"""
     refused: dict[str, str]
+    """reasons why other models cannot be fitted, by name"""
 
     def summary(self) -> str:
-        """The ranking as a table."""
+        """Return the ranking as a table.
+
+        Returns
+        -------
+        str
+            A row for each model.
+        """
         names = list(self.models[0].result.names) if self.models else []
         rows = [["model", "AIC - best", "BIC", "weight", "error of E_eff", *(f"{n} (bias)" for n in names)]]
         for entry in self.models:
@@ -74,9 +106,44 @@ class ModelRanking(NamedTuple):
 def compare_models(
     data: Data, indenter: Any, medium: Any, free: Any, *, models: Iterable[str] | None = None, **options: Any
 ) -> ModelRanking:
-    """Fits the same data under every model of a coated or layered medium; takes the arguments of `fit`.
+    """Fit the same data under every model of a coated or layered medium.
 
-    models : their names; default: all that know this medium
+    Parameters
+    ----------
+    data : ForceDepth, StiffnessDepth, ModulusRadius or StiffnessRadius
+        As in `fit`.
+    indenter : Profile
+        As in `fit`.
+    medium : Coated or Layered
+        As in `fit`.
+    free : mapping or iterable of str
+        As in `fit`.
+    models : iterable of str, optional
+        Names of models; None is all that support the medium.
+    **options
+        Further arguments of `fit`.
+
+    Returns
+    -------
+    ModelRanking
+        The fits by ascending AIC. A low AIC does not show that a model is right; see `RankedModel.error`.
+
+    Raises
+    ------
+    ArgumentTypeError
+        The medium has one model only.
+    MDRError
+        No model can be fitted.
+
+    Examples
+    --------
+    >>> film = mdr.Coated(mdr.Elastic(72e9, 0.17), 500e-9, mdr.Elastic(165e9, 0.22))
+    >>> depth = np.linspace(10e-9, 100e-9, 20)
+    >>> force = mdr.Contact(mdr.Paraboloid(10e-6), film).at_depth(depth).force
+    >>> data = mdr.instruments.ForceDepth(depth, force, relative_sd=0.01)
+    >>> ranking = mdr.instruments.compare_models(data, mdr.Paraboloid(10e-6), film, ["coating.E"], models=["exact", "gao"])
+    >>> print(f"{ranking.models[1].bias['coating.E']:.3f}")
+    -0.068
     """
     if not isinstance(medium, (media.Coated, media.Layered)):
         raise ArgumentTypeError(f"medium = {medium!r}: only coated and layered media have several models")

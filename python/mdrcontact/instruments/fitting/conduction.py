@@ -25,12 +25,30 @@ __all__ = ["ConductanceForce", "Impedance", "ConductionFit", "fit_conduction"]
 
 @dataclass(frozen=True, eq=False)
 class ConductanceForce(Value):
-    """Conductances of a contact under normal forces.
+    """Measured conductances of a contact under normal forces.
 
-    force : > 0 [modulus length^2]
-    conductance : > 0, as many
-    contact : the contact, whose elastic constants are known: it gives the contact radii
-    sd : standard deviation of the conductances, one or as many; None: all alike and not known, relative
+    Parameters
+    ----------
+    force : array_like
+        Forces > 0 [modulus length^2].
+    conductance : array_like
+        Conductances > 0, as many as forces [conductance].
+    contact : Contact
+        The contact with known elastic constants, which determines the contact radii.
+    sd : float or array_like, optional
+        Standard deviation of the conductances [conductance]. None: unknown and equal, relative to the readings.
+
+    Raises
+    ------
+    InvalidArgumentError
+        The two columns differ in length.
+
+    Examples
+    --------
+    >>> contact = mdr.Contact(mdr.Sphere(1e-3), mdr.Homogeneous(mdr.Elastic(120e9, 0.34)))
+    >>> data = mdr.instruments.ConductanceForce([0.1, 1.0], [1.3e-2, 2.8e-2], contact)
+    >>> print(len(data.force))
+    2
     """
 
     force: NDArray[np.float64]
@@ -53,14 +71,33 @@ class ConductanceForce(Value):
 
 @dataclass(frozen=True, eq=False)
 class Impedance(Value):
-    """Answers of a spot to oscillations.
+    """Measured response of a contact area to oscillations.
 
-    omega : angular frequencies > 0 [1/time]
-    values : complex, as many
-    radius : of the spot, or sqrt(w0^2 + w1^2) of Gaussian pump and probe [length]
-    answer : "resistance" (default: the impedance), "conductance", "mean_potential", "centre_potential" or
-        "gaussian_potential", as of `Conduction.admittance`
-    sd : standard deviation of real and imaginary part, one or as many; None: all alike and not known, relative
+    Parameters
+    ----------
+    omega : array_like
+        Angular frequencies > 0 [1/time].
+    values : array_like
+        Complex responses, as many as frequencies.
+    radius : float
+        Radius of the contact area, or sqrt(w0^2 + w1^2) of Gaussian pump and probe, > 0 [length].
+    answer : {"resistance", "conductance", "mean_potential", "centre_potential", "gaussian_potential"}, optional
+        The response, as in `Conduction.admittance`.
+    sd : float or array_like, optional
+        Standard deviation of real and imaginary part. None: unknown and equal, relative to the readings.
+
+    Raises
+    ------
+    InvalidArgumentError
+        The two columns differ in length, or the response is unknown.
+
+    Examples
+    --------
+    >>> conduction = mdr.conduction.Conduction(mdr.conduction.Conductor(150.0, capacity=1.6e6))
+    >>> omega = np.array([1e5, 1e6])
+    >>> data = mdr.instruments.Impedance(omega, conduction.impedance(omega, 1e-6), 1e-6)
+    >>> print(data.answer, len(data.values))
+    resistance 2
     """
 
     omega: NDArray[np.float64]
@@ -86,19 +123,65 @@ class Impedance(Value):
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class ConductionFit(ParameterFit):
-    """The conductors that were found; where no standard deviations are known the residuals are relative."""
+    """Result of `fit_conduction`.
+
+    If the standard deviations are unknown, the residuals are relative.
+
+    Examples
+    --------
+    >>> gold, steel = mdr.conduction.Conductor(300.0), mdr.conduction.Conductor(15.0)
+    >>> body = mdr.conduction.LayeredConductor([(gold, 1e-6)], steel)
+    >>> contact = mdr.Contact(mdr.Sphere(1e-3), mdr.Homogeneous(mdr.Elastic(210e9, 0.3)))
+    >>> force = np.array([1e-4, 1e-3, 1e-2])
+    >>> radius = contact.at_force(force).radius
+    >>> data = mdr.instruments.ConductanceForce(force, mdr.conduction.Conduction(body).at_radius(radius).conductance, contact)
+    >>> start = mdr.conduction.Conduction(mdr.conduction.LayeredConductor([(mdr.conduction.Conductor(200.0), 1e-6)], steel))
+    >>> found = mdr.instruments.fit_conduction(data, start, ["layer1.sigma"])
+    >>> print(f"{found.values['layer1.sigma']:.1f}")
+    300.0
+    """
 
     conduction: Conduction
-    """with the parameters found"""
+    """the conduction with the fitted parameters"""
 
 
 def fit_conduction(data: Any, conduction: Conduction, free: Iterable[str]) -> ConductionFit:
-    """Finds numbers of conductors by least squares (SciPy's `least_squares`).
+    """Fit conductivities, capacities, thicknesses or resistances of conductors.
 
-    data : ConductanceForce, Impedance, or several of them
-    conduction : the bodies, with a start for the free numbers: positive
-    free : of the lower body "layer1.sigma", "layer1.along", "layer1.capacity", "layer1.thickness", "layer1.resistance" (of the
-        interface below it), ..., "substrate.sigma", ...; "film" of the spot
+    It needs SciPy.
+
+    Parameters
+    ----------
+    data : ConductanceForce, Impedance or sequence of these
+        The measurements.
+    conduction : Conduction
+        The bodies. Free numbers must have starting values > 0.
+    free : iterable of str
+        Names of the lower body: "layer1.sigma", "layer1.along", "layer1.capacity", "layer1.thickness", "layer1.resistance" (of the
+        interface below), and so on, "substrate.sigma"; and "film".
+
+    Returns
+    -------
+    ConductionFit
+        Estimates, uncertainties and notes.
+
+    Raises
+    ------
+    InvalidArgumentError
+        A name is unknown, or a starting value is not greater than 0.
+    ArgumentTypeError
+        The body is not a `Conductor` or a `LayeredConductor`.
+
+    Examples
+    --------
+    >>> contact = mdr.Contact(mdr.Sphere(1e-3), mdr.Homogeneous(mdr.Elastic(120e9, 0.34)))
+    >>> force = np.array([0.01, 0.1, 1.0])
+    >>> G = mdr.conduction.Conduction(mdr.conduction.Conductor(400.0)).at_radius(contact.at_force(force).radius).conductance
+    >>> data = mdr.instruments.ConductanceForce(force, G, contact)
+    >>> start = mdr.conduction.Conduction(mdr.conduction.Conductor(100.0))
+    >>> found = mdr.instruments.fit_conduction(data, start, ["substrate.sigma"])
+    >>> print(f"{found.values['substrate.sigma']:.1f}")
+    400.0
     """
     sets = [data] if isinstance(data, (ConductanceForce, Impedance)) else list(data)
     names = names_of(free)

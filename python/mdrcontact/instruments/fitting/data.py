@@ -106,12 +106,29 @@ class Data:
         return f"<{type(self).__name__}: {len(self)} points, {ranges}>"
 
     def order(self) -> NDArray[np.intp]:
-        """Positions of the points along the curve: by branch, and within a branch by ascending x."""
+        """Return the positions of the points along the curve.
+
+        Returns
+        -------
+        ndarray
+            Positions by branch, and within a branch by ascending x.
+        """
         branch = np.zeros(len(self)) if self.branch is None else self.branch
         return np.lexsort((self.x, branch))
 
     def with_y(self: Self, y: Array) -> Self:
-        """The same points with other values, for simulations."""
+        """Return the same points with other values, for simulations.
+
+        Parameters
+        ----------
+        y : ndarray
+            The values.
+
+        Returns
+        -------
+        Data
+            Data of the same class.
+        """
         copy = object.__new__(type(self))
         copy.__dict__.update(self.__dict__, y=np.asarray(y, dtype=float))
         return copy
@@ -162,15 +179,39 @@ def column_of(name: str, values: ArrayLike) -> Array:
 
 
 class ForceDepth(Data):
-    """Elastic force-depth curve: loading, unloading, or both, baseline and pull-off included.
+    """Measured elastic force-depth curve.
 
-    depth, force : what the instrument reads [length], [modulus length^2]; n numbers each
-    branch : "loading" or "unloading", for all points or one for each; None: a curve whose depth rises and falls again turns where
-        it is deepest. Matters with adhesion: on each branch the readings say where contact begins or ends, and the model is held
-        against both parts
-    sd : standard deviation of the force, a number or n numbers; relative_sd: the same as a part of the force. Without either it is
-        estimated from the scatter about the fit, and taken to be the same for all points
-    missing : "raise" or "drop" rows with NaN or infinity
+    It may contain loading, unloading or both, with baseline and pull-off.
+
+    Parameters
+    ----------
+    depth : array_like
+        Depth readings [length].
+    force : array_like
+        Force readings [modulus length^2].
+    sd : float or array_like, optional
+        Standard deviation of the force [modulus length^2]. Without `sd` and `relative_sd` it is estimated from the scatter about
+        the fit and equal for all points.
+    relative_sd : float, optional
+        Standard deviation of the force relative to the force, 0 < relative_sd < 1 [1].
+    missing : {"raise", "drop"}, optional
+        What to do with rows that contain NaN or infinity.
+    branch : str or sequence of str, optional
+        "loading" or "unloading", for all points or for each. None: a curve whose depth rises and falls again turns at its largest
+        depth. It matters with adhesion: the readings of each branch show where contact begins or ends.
+
+    Raises
+    ------
+    InvalidArgumentError
+        The columns differ in length, a row is not finite, or both standard deviations are given.
+
+    Examples
+    --------
+    >>> depth = np.linspace(10e-9, 100e-9, 20)
+    >>> silica = mdr.Contact(mdr.Paraboloid(10e-6), mdr.Homogeneous(mdr.Elastic(72e9, 0.17)))
+    >>> data = mdr.instruments.ForceDepth(depth, silica.at_depth(depth).force, relative_sd=0.01)
+    >>> print(len(data), f"{data.sd[-1]:.2e}")
+    20 9.89e-05
     """
 
     code, x_name, y_name = _layout.FIT_FORCE_DEPTH, "depth", "force"
@@ -208,7 +249,23 @@ class ForceDepth(Data):
         self.branch = np.where(np.arange(len(self)) <= top, BRANCHES["loading"], BRANCHES["unloading"]).astype(np.int32)
 
     def on(self, branch: str) -> ForceDepth:
-        """The points of one branch, "loading" or "unloading"; all points of a curve that has one branch only."""
+        """Return the points of one branch; all points of a curve with one branch.
+
+        Parameters
+        ----------
+        branch : {"loading", "unloading"}
+            The branch.
+
+        Returns
+        -------
+        ForceDepth
+            The points.
+
+        Raises
+        ------
+        InvalidArgumentError
+            The branch is unknown.
+        """
         if branch not in BRANCHES:
             raise InvalidArgumentError(f"branch = {branch!r}: choose from 'loading', 'unloading'")
         if self.branch is None:
@@ -218,40 +275,94 @@ class ForceDepth(Data):
 
 
 class UnloadingPoint(NamedTuple):
-    """What one unloading curve says: P = B (h - h_f)^m in its upper part, and S = dP/dh where it begins."""
+    """Result of one unloading curve, with P = B (h - h_f)^m in its upper part.
+
+    S = dP/dh is the stiffness at the beginning of unloading.
+    `Unloading.unloadings` contains them.
+
+    Examples
+    --------
+    >>> depth = np.concatenate([np.linspace(0.0, 100e-9, 60), np.linspace(100e-9, 60e-9, 60)])
+    >>> force = 1e-3 * np.concatenate([np.linspace(0.0, 1.0, 60) ** 2, np.linspace(1.0, 0.0, 60) ** 1.5])
+    >>> point = mdr.instruments.Unloading(depth, force).unloadings[0]
+    >>> print(f"{point.stiffness:.4e} {point.exponent:.3f} {point.final_depth * 1e9:.1f}")
+    3.7500e+04 1.500 60.0
+    """
 
     depth: float
-    """at the beginning of unloading, h_max"""
+    """h_max, depth at the beginning of unloading [length]"""
     force: float
-    """there, P_max"""
+    """P_max, force at the beginning of unloading [modulus length^2]"""
     stiffness: float
+    """S, stiffness at the beginning of unloading [modulus length]"""
     stiffness_error: float
-    """standard error, widened for correlated residuals"""
+    """standard error of the stiffness, widened for correlated residuals [modulus length]"""
     final_depth: float
-    """h_f"""
+    """h_f [length]"""
     exponent: float
-    """m"""
+    """m [1]"""
     fitted_depth: Array
+    """depths of the fitted part [length]"""
     fitted_force: Array
+    """forces of the fitted part [modulus length^2]"""
     warnings: tuple[str, ...]
+    """warnings about the stiffness"""
 
 
 class StiffnessDepth(Data):
-    """Contact stiffness against depth: dynamic (CSM) nanoindentation. The contact radius of each point is that of the tip at the
-    contact depth h - sigma P/S, where sigma P/S is how far the surface sinks in at the edge of the exact contact: plastic contacts
-    are fine as long as they do not pile up.
+    """Measured contact stiffness against depth.
 
-    depth, force, stiffness : h [length], P [modulus length^2], S [modulus length]; n numbers each
-    sd, relative_sd : of the stiffness, as in ForceDepth
-    elastic : True: nothing has yielded, and the surface sinks in as under the indenter itself; False: it sinks in as under the
-        smooth indenter that `Instrument(contact_depth_factor=...)` stands for; None: True where the force rises along the curve as
-        the stiffness says, dP/dh = S to 5 %, unless the instrument's contact depth is changed
+    An example is dynamic (CSM) nanoindentation. The contact radius of each point is that of the tip at the contact depth h - sigma
+    P/S, where sigma P/S is how deep the surface sinks in at the edge of the exact contact. Plastic contacts are possible if they do
+    not pile up.
+
+    Parameters
+    ----------
+    depth : array_like
+        h [length].
+    force : array_like
+        P [modulus length^2].
+    stiffness : array_like
+        S [modulus length].
+    sd : float or array_like, optional
+        Standard deviation of the stiffness, as in `ForceDepth` [modulus length].
+    relative_sd : float, optional
+        As in `ForceDepth` [1].
+    missing : {"raise", "drop"}, optional
+        As in `ForceDepth`.
+    elastic : bool, optional
+        True: nothing has yielded, and the surface sinks in as under the indenter itself. False: as under the smooth indenter of
+        `Instrument(contact_depth_factor=...)`. None: True if the force rises along the curve as the stiffness, dP/dh = S to 5 %,
+        unless the contact depth of the instrument is changed.
+
+    Raises
+    ------
+    InvalidArgumentError
+        As of `ForceDepth`.
+    ArgumentTypeError
+        `elastic` is not True, False or None.
+
+    References
+    ----------
+    oliver-1992
+    oliver-2004
+
+    Examples
+    --------
+    >>> film = mdr.Coated(mdr.Elastic(72e9, 0.17), 500e-9, mdr.Elastic(163e9, 0.22))
+    >>> states = mdr.Contact(mdr.Paraboloid(1e-6), film).at_depth(np.linspace(10e-9, 60e-9, 8))
+    >>> data = mdr.instruments.StiffnessDepth(states.depth, states.force, states.stiffness, relative_sd=0.01)
+    >>> start = film.with_parameters({"coating.E": 90e9})
+    >>> result = mdr.instruments.fit(data, mdr.Paraboloid(1e-6), start, ["coating.E"])
+    >>> print(f"{result.estimates['coating.E'] / 1e9:.2f}")
+    72.00
     """
 
     code, x_name, y_name, given_name = _layout.FIT_STIFFNESS_DEPTH, "depth", "stiffness", "force"
     unloadings: tuple[UnloadingPoint, ...] = ()
+    """results of the unloading curves, if the data are of `Unloading`"""
     record: tuple[Array, Array] | None = None
-    """depth and force of the whole test, where the stiffness is that of unloading curves"""
+    """depth and force of the whole test, if the data are of `Unloading`"""
     elastic: bool | None = None
 
     def __init__(
@@ -287,12 +398,36 @@ class StiffnessDepth(Data):
 
 
 class ModulusRadius(Data):
-    """Effective contact modulus against contact radius, as instruments export it.
+    """Measured effective contact modulus against contact radius.
 
-    radius : contact radius a [length]; where the export has a/h, multiply with the thickness entered at the instrument
-    modulus : E_eff = k/(2a) [modulus]. If the indenter's own compliance is still in it (reduced modulus), say
-        Instrument(indenter=...). A Young's modulus that was printed for an assumed nu: E_eff = E/(1 - nu^2)
-    sd, relative_sd : of the modulus, as in ForceDepth
+    Parameters
+    ----------
+    radius : array_like
+        Contact radii a [length]. If the export has a/h, multiply by the thickness entered at the instrument.
+    modulus : array_like
+        E_eff = k/(2 a) [modulus]. If it is a reduced modulus, which includes the compliance of the indenter, use
+        `Instrument(indenter=...)`. Of a Young's modulus for an assumed nu use E/(1 - nu^2).
+    sd : float or array_like, optional
+        Standard deviation of the modulus, as in `ForceDepth` [modulus].
+    relative_sd : float, optional
+        As in `ForceDepth` [1].
+    missing : {"raise", "drop"}, optional
+        As in `ForceDepth`.
+
+    Raises
+    ------
+    InvalidArgumentError
+        As of `ForceDepth`.
+
+    Examples
+    --------
+    >>> film = mdr.Coated(mdr.Elastic(72e9, 0.17), 500e-9, mdr.Elastic(165e9, 0.22))
+    >>> radius = np.linspace(50e-9, 500e-9, 10)
+    >>> data = mdr.instruments.ModulusRadius(radius, film.modulus(radius), relative_sd=0.01)
+    >>> start = film.with_parameters({"coating.E": 90e9})
+    >>> result = mdr.instruments.fit(data, mdr.Paraboloid(10e-6), start, ["coating.E"])
+    >>> print(f"{result.estimates['coating.E'] / 1e9:.2f}")
+    72.00
     """
 
     code, x_name, y_name = _layout.FIT_MODULUS_RADIUS, "radius", "modulus"
@@ -310,10 +445,35 @@ class ModulusRadius(Data):
 
 
 class StiffnessRadius(Data):
-    """Contact stiffness against contact radius.
+    """Measured contact stiffness against contact radius.
 
-    radius, stiffness : a [length], k = dF/dd at constant a [modulus length]; n numbers each
-    sd, relative_sd : of the stiffness, as in ForceDepth
+    Parameters
+    ----------
+    radius : array_like
+        Contact radii a [length].
+    stiffness : array_like
+        k = dF/dd [modulus length].
+    sd : float or array_like, optional
+        Standard deviation of the stiffness, as in `ForceDepth` [modulus length].
+    relative_sd : float, optional
+        As in `ForceDepth` [1].
+    missing : {"raise", "drop"}, optional
+        As in `ForceDepth`.
+
+    Raises
+    ------
+    InvalidArgumentError
+        As of `ForceDepth`.
+
+    Examples
+    --------
+    >>> film = mdr.Coated(mdr.Elastic(72e9, 0.17), 500e-9, mdr.Elastic(165e9, 0.22))
+    >>> radius = np.linspace(50e-9, 500e-9, 10)
+    >>> data = mdr.instruments.StiffnessRadius(radius, film.stiffness(radius), relative_sd=0.01)
+    >>> start = film.with_parameters({"coating.E": 90e9})
+    >>> result = mdr.instruments.fit(data, mdr.Paraboloid(10e-6), start, ["coating.E"])
+    >>> print(f"{result.estimates['coating.E'] / 1e9:.2f}")
+    72.00
     """
 
     code, x_name, y_name = _layout.FIT_STIFFNESS_RADIUS, "radius", "stiffness"

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The film's modulus from every point of a dynamic measurement, and its extrapolation to zero depth."""
+"""Modulus of a film at each depth of a dynamic measurement, and at zero depth."""
 
 from __future__ import annotations
 
@@ -29,33 +29,44 @@ _BLUE, _RED, _GREY = "#0072B2", "#D55E00", "#707070"
 
 
 class DepthProfile(NamedTuple):
-    """A modulus at every depth, and at zero depth."""
+    """Modulus at each depth and at zero depth, from `modulus_at_depths`.
+
+    Examples
+    --------
+    >>> film = mdr.Coated(mdr.Elastic(72e9, 0.17), 500e-9, mdr.Elastic(163e9, 0.22))
+    >>> states = mdr.Contact(mdr.Paraboloid(1e-6), film).at_depth(np.linspace(10e-9, 60e-9, 8))
+    >>> data = mdr.instruments.StiffnessDepth(states.depth, states.force, states.stiffness, relative_sd=0.01)
+    >>> profile = mdr.instruments.modulus_at_depths(data, mdr.Paraboloid(1e-6), film, ["coating.E"])
+    >>> print(f"{profile.at_zero / 1e9:.2f} {profile.modulus[-1] / 1e9:.2f}")
+    72.00 72.00
+    """
 
     name: str
-    """of the parameter, "coating.E\""""
+    """name of the parameter, as "coating.E" """
     analysis: OliverPharr
     """depths, contact radii, reduced moduli and hardness, on the body with the modulus at zero depth"""
     modulus: Array
-    """one for each point; NaN where there is none"""
+    """modulus at each point, NaN if there is none [modulus]"""
     standard_error: Array
-    """of the stiffness alone"""
+    """standard error from the stiffness alone [modulus]"""
     common_error: Array
-    """what tip, thickness and all else that has a prior adds, the same way at neighbouring points"""
+    """error from tip, thickness and other parameters with a prior, similar at neighbouring points [modulus]"""
     at_zero: float
-    """of a straight line through the moduli against depth"""
+    """value at zero depth of a straight line through the moduli [modulus]"""
     at_zero_error: float
-    """its standard error: scatter, correlated points counted for less, and common errors"""
+    """standard error of this value: scatter with correlation, and common errors [modulus]"""
     interval: Interval
-    """of the modulus at zero depth, 95 %"""
+    """95 % interval of the modulus at zero depth [modulus]"""
     slope: float
-    """of the line [modulus/length]; the exact model leaves none where the film is elastic and homogeneous"""
+    """slope of the line, 0 within its error for an elastic homogeneous film [modulus/length]"""
     slope_error: float
+    """standard error of the slope [modulus/length]"""
     failures: dict[int, str]
-    """position of a point -> why it has no modulus, or no common error; the line to zero depth leaves it out"""
+    """reason why a point has no modulus or no common error, by its number; the line excludes these points"""
 
     @property
     def warnings(self) -> list[str]:
-        """Doubts about the modulus at zero depth."""
+        """Warnings about the modulus at zero depth."""
         words = []
         for what, values in (("modulus", self.modulus), ("common error", self.modulus + self.common_error)):
             places = [i for i in self.failures if np.isnan(values[i]) and (what == "modulus" or np.isfinite(self.modulus[i]))]
@@ -72,7 +83,13 @@ class DepthProfile(NamedTuple):
         return words
 
     def summary(self) -> str:
-        """The modulus at zero depth in one line, numbers taken as SI."""
+        """Return the modulus at zero depth as one line of text, numbers taken as SI.
+
+        Returns
+        -------
+        str
+            The line.
+        """
         unit = practical(dimension_of(self.name), [self.at_zero])
         low, high = (end / unit.factor for end in self.interval)
         return (
@@ -81,7 +98,13 @@ class DepthProfile(NamedTuple):
         )
 
     def to_dict(self) -> dict[str, Any]:
-        """Everything but the contact depths, as plain Python values; numbers that are not finite become None."""
+        """Return the results except the contact depths as plain Python values.
+
+        Returns
+        -------
+        dict
+            The results; None for numbers that are not finite.
+        """
 
         def numbers(values: Array) -> list[float | None]:
             return [float(v) if math.isfinite(v) else None for v in values]
@@ -103,7 +126,15 @@ class DepthProfile(NamedTuple):
         }
 
     def plot(self) -> Any:
-        """The modulus at each depth, what a homogeneous body would be taken for, and the line to zero depth, as a figure."""
+        """Draw the moduli against depth, and the line to zero depth, with matplotlib.
+
+        The figure also shows the modulus that a homogeneous body would have.
+
+        Returns
+        -------
+        matplotlib.figure.Figure
+            The figure.
+        """
         from matplotlib.figure import Figure
 
         figure = Figure(figsize=(6.4, 4.4), layout="constrained")
@@ -146,13 +177,48 @@ def modulus_at_depths(
     known: Iterable[JointPrior] = (),
     progress: Callable[[int], Any] | None = None,
 ) -> DepthProfile:
-    """At each point of dynamic (CSM) data alone the modulus under which the exact contact has the measured stiffness, and a
-    straight line through them to zero depth.
+    """Fit a modulus to each point of dynamic data, and extrapolate to zero depth.
 
-    data : StiffnessDepth with standard deviations
-    indenter, medium, free, instrument, known : as in `fit`; one parameter of `free` has no prior: it is found at each point. The
-        others stay at their priors, and what moving each by its standard deviation does is the common error
-    progress : called with the number of points done
+    The data are also known as CSM data. At each point it is the modulus under which the exact contact has the measured stiffness.
+
+    Parameters
+    ----------
+    data : StiffnessDepth
+        At least 5 points, with standard deviations.
+    indenter : Profile
+        As in `fit`.
+    medium : Medium
+        As in `fit`.
+    free : mapping or iterable of str
+        As in `fit`. One parameter has no prior: it is fitted at each point. The others stay at their priors; the effect of their
+        standard deviations is the common error.
+    instrument : Instrument, optional
+        As in `fit`.
+    known : iterable of JointPrior, optional
+        As in `fit`.
+    progress : callable, optional
+        Function of the number of completed points.
+
+    Returns
+    -------
+    DepthProfile
+        Moduli, and the modulus at zero depth.
+
+    Raises
+    ------
+    ArgumentTypeError
+        The data are not `StiffnessDepth`.
+    InvalidArgumentError
+        There are too few points, no standard deviations, or not exactly one parameter without a prior.
+
+    Examples
+    --------
+    >>> film = mdr.Coated(mdr.Elastic(72e9, 0.17), 500e-9, mdr.Elastic(163e9, 0.22))
+    >>> states = mdr.Contact(mdr.Paraboloid(1e-6), film).at_depth(np.linspace(10e-9, 60e-9, 8))
+    >>> data = mdr.instruments.StiffnessDepth(states.depth, states.force, states.stiffness, relative_sd=0.01)
+    >>> profile = mdr.instruments.modulus_at_depths(data, mdr.Paraboloid(1e-6), film, ["coating.E"])
+    >>> print(profile.summary())
+    film modulus E at zero depth: 72.00 ± 0.59 GPa, 95 % interval 64.55 to 79.45 GPa
     """
     if not isinstance(data, StiffnessDepth) or data.force is None:
         raise ArgumentTypeError(f"data = {data!r}: it must be StiffnessDepth(...)")

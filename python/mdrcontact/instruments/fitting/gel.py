@@ -43,17 +43,36 @@ _STEP = 1e-5
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class GelFit(ParameterFit):
-    """The gel that was found."""
+    """Result of `fit_gel`.
+
+    Examples
+    --------
+    >>> gel = mdr.poroelastic.Poroelastic(shear_modulus=28e3, nu=0.28, diffusivity=3e-8)
+    >>> contact = mdr.Contact(mdr.FlatPunch(1e-3), mdr.Homogeneous(gel))
+    >>> time = np.linspace(0.0, 60.0, 30)
+    >>> path = mdr.poroelastic.history(contact, time, depth=np.full(30, 5e-5), drainage="surface")
+    >>> data = mdr.instruments.ForceTime(time, path.depth, path.force)
+    >>> start = mdr.Homogeneous(gel.replace(shear_modulus=10e3, diffusivity=1e-8))
+    >>> found = mdr.instruments.fit_gel(data, mdr.FlatPunch(1e-3), start, drainage="surface")
+    >>> print(found.drainage, f"{found.values['shear_modulus']:.0f} {found.values['diffusivity']:.2e}")
+    surface 28000 3.00e-08
+    """
 
     medium: Any
-    """the body with the parameters found"""
+    """the body with the fitted parameters"""
     drainage: str
-    """under which they were found: it cannot be fitted"""
+    """the drainage of the fit, which is not a fit parameter"""
     fitted: Array
-    """what the model says of each reading"""
+    """the model at each reading"""
 
     def to_dict(self) -> dict[str, Any]:
-        """The numbers and notes as plain Python values."""
+        """Return numbers and notes as plain Python values.
+
+        Returns
+        -------
+        dict
+            Drainage, sum of squares, notes and parameters.
+        """
         return {"drainage": self.drainage, **super().to_dict()}
 
     def _head(self) -> str:
@@ -68,15 +87,50 @@ def fit_gel(
     *,
     drainage: str,
 ) -> GelFit:
-    """Finds shear modulus, drained Poisson's ratio and diffusivity of a gel by least squares.
+    """Fit shear modulus, drained Poisson's ratio and diffusivity of a gel.
 
-    data : ForceTime(...) or DepthTime(...) of a flat punch along any path from the first time on, which is reached in a jump;
-        ForceTime of a paraboloid that is pressed in at once and held: one constant depth; DynamicStiffness(...) at one radius
-    indenter : FlatPunch(...) or Paraboloid(...)
-    medium : Homogeneous(Poroelastic(...)), or Coated(Poroelastic(...), h, RIGID): its numbers are those that are not free
-    free : of "shear_modulus", "nu", "diffusivity"; a start is sought for all of them. nu from 0 to 0.499; it takes nine tables,
-        some seconds the first time
-    drainage : "surface", "sealed" or "indenter". It is no number and cannot be fitted: `compare_drainages` shows all three
+    Parameters
+    ----------
+    data : ForceTime, DepthTime or DynamicStiffness
+        `ForceTime` or `DepthTime` of a flat punch along any path, whose first value is reached in a jump; `ForceTime` of a
+        paraboloid that is pressed in suddenly and held at one depth; or `DynamicStiffness` at one radius.
+    indenter : FlatPunch or Paraboloid
+        The indenter.
+    medium : Homogeneous or Coated
+        A half-space of a `Poroelastic`, or a film of it on a RIGID base. Its numbers are the fixed values.
+    free : iterable of str, optional
+        Names out of "shear_modulus", "nu" and "diffusivity"; starting values are searched for. nu lies in 0 to 0.499 and needs nine
+        tables, which take a few seconds the first time.
+    drainage : {"surface", "sealed", "indenter"}
+        As in `Contact.relaxation`. It is not a fit parameter; see `compare_drainages`.
+
+    Returns
+    -------
+    GelFit
+        Estimates, uncertainties and notes.
+
+    Raises
+    ------
+    ArgumentTypeError
+        The body is not of a gel.
+    InvalidArgumentError
+        The data are of another kind, or a name or the drainage is unknown.
+
+    References
+    ----------
+    hu-2010
+
+    Examples
+    --------
+    >>> gel = mdr.poroelastic.Poroelastic(shear_modulus=28e3, nu=0.28, diffusivity=3e-8)
+    >>> contact = mdr.Contact(mdr.FlatPunch(1e-3), mdr.Homogeneous(gel))
+    >>> time = np.linspace(0.0, 60.0, 30)
+    >>> path = mdr.poroelastic.history(contact, time, depth=np.full(30, 5e-5), drainage="surface")
+    >>> data = mdr.instruments.ForceTime(time, path.depth, path.force)
+    >>> start = mdr.Homogeneous(gel.replace(shear_modulus=10e3, diffusivity=1e-8))
+    >>> found = mdr.instruments.fit_gel(data, mdr.FlatPunch(1e-3), start, drainage="surface")
+    >>> print(f"{found.values['shear_modulus']:.0f}")
+    28000
     """
     names = _names(free)
     if not is_poroelastic(medium):
@@ -103,7 +157,40 @@ def compare_drainages(
     medium: Any,
     free: Iterable[str] = ("shear_modulus", "diffusivity"),
 ) -> tuple[GelFit, ...]:
-    """The fits under each drainage, the one that is closest to the data first; of a film without "indenter"."""
+    """Fit a gel under each drainage, best fit first.
+
+    Parameters
+    ----------
+    data : ForceTime, DepthTime or DynamicStiffness
+        As in `fit_gel`.
+    indenter : FlatPunch or Paraboloid
+        As in `fit_gel`.
+    medium : Homogeneous or Coated
+        As in `fit_gel`.
+    free : iterable of str, optional
+        As in `fit_gel`.
+
+    Returns
+    -------
+    tuple of GelFit
+        The fits by ascending sum of squares; of a film without "indenter".
+
+    Raises
+    ------
+    InvalidArgumentError
+        As of `fit_gel`.
+
+    Examples
+    --------
+    >>> gel = mdr.poroelastic.Poroelastic(shear_modulus=28e3, nu=0.28, diffusivity=3e-8)
+    >>> contact = mdr.Contact(mdr.FlatPunch(1e-3), mdr.Homogeneous(gel))
+    >>> time = np.linspace(0.0, 60.0, 30)
+    >>> path = mdr.poroelastic.history(contact, time, depth=np.full(30, 5e-5), drainage="surface")
+    >>> data = mdr.instruments.ForceTime(time, path.depth, path.force)
+    >>> fits = mdr.instruments.compare_drainages(data, mdr.FlatPunch(1e-3), mdr.Homogeneous(gel))
+    >>> print([fit.drainage for fit in fits])
+    ['surface', 'sealed', 'indenter']
+    """
     wanted = [name for name in DRAINAGES if name != "indenter" or not hasattr(medium, "thickness")]
     names = _names(free)
     return tuple(sorted((fit_gel(data, indenter, medium, names, drainage=name) for name in wanted), key=lambda fit: fit.chi_square))

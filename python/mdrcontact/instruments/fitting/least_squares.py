@@ -58,22 +58,28 @@ class ParameterFit:
     """What was found. Intervals are of 95 %, of positive parameters in their logarithms."""
 
     values: Mapping[str, float]
-    """the free parameters"""
+    """estimates of the free parameters by name"""
     errors: Mapping[str, float]
-    """their standard errors"""
+    """standard errors by name"""
     intervals: Mapping[str, tuple[float, float]]
-    """of 95 %"""
+    """95 % intervals by name; of positive parameters in their logarithm"""
     correlation: Array
-    """of the free parameters, in the order of `values`"""
+    """correlation of the free parameters, in the order of `values` [1]"""
     chi_square: float
-    """sum of the squared residuals, in standard deviations where those are known"""
+    """sum of the squared residuals, in standard deviations if those are known"""
     points: int
-    """readings"""
+    """number of readings"""
     notes: tuple[str, ...]
-    """what the data do not determine, and determine together only"""
+    """what the data do not determine, or determine only together"""
 
     def summary(self) -> str:
-        """All of it in words."""
+        """Return the result as text.
+
+        Returns
+        -------
+        str
+            Estimates, standard errors, intervals and notes.
+        """
         lines = [self._head()]
         for name, value in self.values.items():
             low, high = self.intervals[name]
@@ -81,7 +87,13 @@ class ParameterFit:
         return "\n".join([*lines, *self.notes])
 
     def to_dict(self) -> dict[str, Any]:
-        """The numbers and notes as plain Python values; None for what is infinite."""
+        """Return numbers and notes as plain Python values.
+
+        Returns
+        -------
+        dict
+            Sum of squares, notes and parameters; None for infinite numbers.
+        """
 
         def plain(*numbers: float) -> list[float | None]:
             return [number if math.isfinite(number) else None for number in numbers]

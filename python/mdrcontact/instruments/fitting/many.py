@@ -16,13 +16,25 @@ from .solve import fit
 
 
 class FailedFit(NamedTuple):
-    """A curve that could not be fitted, and why."""
+    """Curve that could not be fitted, from `fit_many`.
+
+    Examples
+    --------
+    >>> def damaged():
+    ...     return mdr.instruments.ForceDepth([1e-9, 2e-9], [1e-3, float("nan")])
+    >>> body = mdr.Homogeneous(mdr.Elastic(50e9, 0.17))
+    >>> (failed,) = mdr.instruments.fit_many([damaged], mdr.Paraboloid(10e-6), body, ["E"], threads=1)
+    >>> print(failed.position, failed.converged, type(failed.error).__name__)
+    0 False InvalidArgumentError
+    """
 
     position: int
-    """of the curve, from 0"""
+    """number of the curve, from 0"""
     error: MDRError
+    """the exception"""
 
     converged: bool = False
+    """always False, as of a `FitResult` that did not converge"""
 
 
 def fit_many(
@@ -35,11 +47,47 @@ def fit_many(
     progress: Callable[[int], Any] | None = None,
     **options: Any,
 ) -> list[FitResult | FailedFit]:
-    """Fits each curve on its own; takes the arguments of `fit`. A curve that cannot be fitted becomes a `FailedFit` and does not
-    stop the others.
+    """Fit each of many curves independently, in several threads.
 
-    curves : data, or functions that make them (a curve with NaN is then one failure and not the end)
-    threads : at least 1, or 0 for one per core. progress : called with the number of curves done after each
+    A curve that cannot be fitted becomes a `FailedFit` and does not stop the others.
+
+    Parameters
+    ----------
+    curves : iterable
+        Data as for `fit`, or functions that return them; an error in such a function is one failure.
+    indenter : Profile
+        As in `fit`.
+    medium : Medium
+        As in `fit`.
+    free : mapping or iterable of str
+        As in `fit`.
+    threads : int, optional
+        Number of threads >= 1, or 0 for one per core.
+    progress : callable, optional
+        Function of the number of completed curves, called after each.
+    **options
+        Further arguments of `fit`.
+
+    Returns
+    -------
+    list of FitResult or FailedFit
+        One result for each curve, in their order.
+
+    Raises
+    ------
+    InvalidArgumentError
+        `threads` is negative.
+
+    Examples
+    --------
+    >>> depth = np.linspace(10e-9, 100e-9, 20)
+    >>> def measured(E):
+    ...     contact = mdr.Contact(mdr.Paraboloid(10e-6), mdr.Homogeneous(mdr.Elastic(E, 0.17)))
+    ...     return mdr.instruments.ForceDepth(depth, contact.at_depth(depth).force, sd=1e-6)
+    >>> body = mdr.Homogeneous(mdr.Elastic(50e9, 0.17))
+    >>> results = mdr.instruments.fit_many([measured(70e9), measured(72e9)], mdr.Paraboloid(10e-6), body, ["E"])
+    >>> print([f"{result.estimates['E'] / 1e9:.1f}" for result in results])
+    ['70.0', '72.0']
     """
     tasks = list(curves)
     if thread_count(threads) < 0:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How far an estimate moves with what was chosen before the fit: the range, the branch, the contact point."""
+"""Change of an estimate with the fitted range, the branch and the contact point."""
 
 from __future__ import annotations
 
@@ -28,30 +28,62 @@ _BLUE, _RED, _GREY = "#0072B2", "#D55E00", "#707070"
 
 
 class Move(NamedTuple):
-    """An estimate after another choice."""
+    """Estimate of a fit with another choice, from `find_moves`.
+
+    Examples
+    --------
+    >>> depth = np.linspace(10e-9, 100e-9, 40)
+    >>> silica = mdr.Homogeneous(mdr.Elastic(72e9, 0.17))
+    >>> force = mdr.Contact(mdr.Paraboloid(10e-6), silica).at_depth(depth).force
+    >>> result = mdr.instruments.fit(mdr.instruments.ForceDepth(depth, force), mdr.Paraboloid(10e-6), silica, ["E"])
+    >>> move = mdr.instruments.find_moves(result).ranges[0]
+    >>> print(move.choice, f"{move.value / 1e9:.1f}")
+    up to depth 40 nm 72.0
+    """
 
     choice: str
-    """ "up to 50 nm", "unused readings", "contact point by piecewise", ..."""
+    """the choice, as "up to 50 nm", "unused readings" or "contact point by piecewise" """
     end: float
-    """of the range [unit of x]"""
+    """end of the range [unit of x]"""
     value: float
+    """the estimate, in the unit of the parameter"""
     standard_error: float
+    """its standard error, in the unit of the parameter"""
 
 
 class Moves(NamedTuple):
-    """An estimate under other choices than those of its fit."""
+    """Estimates of a parameter with other choices than those of its fit.
+
+    Examples
+    --------
+    >>> depth = np.linspace(10e-9, 100e-9, 40)
+    >>> silica = mdr.Homogeneous(mdr.Elastic(72e9, 0.17))
+    >>> force = mdr.Contact(mdr.Paraboloid(10e-6), silica).at_depth(depth).force
+    >>> result = mdr.instruments.fit(mdr.instruments.ForceDepth(depth, force), mdr.Paraboloid(10e-6), silica, ["E"])
+    >>> moves = mdr.instruments.find_moves(result)
+    >>> print(moves.name, len(moves.ranges), len(moves.branches))
+    E 7 0
+    """
 
     result: FitResult
+    """the fit"""
     name: str
+    """name of the parameter"""
     ranges: tuple[Move, ...]
     """fits up to 30, 40, ... 100 % of the largest depth or radius"""
     branches: tuple[Move, ...]
-    """each branch alone, or the readings that were not used"""
+    """fits of each branch, or of the readings that were not used"""
     contact_points: tuple[Move, ...]
-    """contact held where each estimator puts it"""
+    """fits with the contact point of each estimator"""
 
     def summary(self) -> list[str]:
-        """One line for each choice, empty where there is none."""
+        """Return the changes as text.
+
+        Returns
+        -------
+        list of str
+            One line for each kind of choice.
+        """
         value = self.result.estimates[self.name]
         words = {
             "the range that is fitted": self.ranges,
@@ -67,7 +99,15 @@ class Moves(NamedTuple):
         return lines
 
     def plot(self) -> Any:
-        """The estimate against the end of the range that is fitted, and under the other choices, as a figure."""
+        """Draw the estimate against the end of the fitted range, with matplotlib.
+
+        The figure also shows the estimates with the other choices.
+
+        Returns
+        -------
+        matplotlib.figure.Figure
+            The figure.
+        """
         from matplotlib.figure import Figure
 
         figure = Figure(figsize=(6.4, 4.2), layout="constrained")
@@ -103,10 +143,34 @@ def _named(moves: tuple[Move, ...]) -> list[str]:
 
 
 def find_moves(result: FitResult, name: str | None = None) -> Moves:
-    """Fits again with other choices, everything else as it was.
+    """Repeat a fit with other ranges, branches and contact points.
 
-    result : of elastic data; in time there is no range to choose
-    name : of the parameter; None: the first modulus without a prior
+    Parameters
+    ----------
+    result : FitResult
+        Fit of elastic data; data in time have no range to choose.
+    name : str, optional
+        Name of the parameter; None is the first modulus without a prior.
+
+    Returns
+    -------
+    Moves
+        Estimates with each choice.
+
+    Raises
+    ------
+    InvalidArgumentError
+        The parameter is not free.
+
+    Examples
+    --------
+    >>> depth = np.linspace(10e-9, 100e-9, 40)
+    >>> film = mdr.Coated(mdr.Elastic(72e9, 0.17), 500e-9, mdr.Elastic(165e9, 0.22))
+    >>> force = mdr.Contact(mdr.Paraboloid(10e-6), film).at_depth(depth).force
+    >>> body = mdr.Homogeneous(mdr.Elastic(72e9, 0.17))
+    >>> result = mdr.instruments.fit(mdr.instruments.ForceDepth(depth, force), mdr.Paraboloid(10e-6), body, ["E"])
+    >>> print(mdr.instruments.find_moves(result).summary()[0])
+    modulus E moves by -10 % to +0 % with the range that is fitted (up to depth 40 nm, up to depth 100 nm)
     """
     if name is not None and name not in result.names:
         raise InvalidArgumentError(f"{name!r} is not a free parameter: {nearest(str(name), result.names)}")

@@ -23,25 +23,45 @@ Array = NDArray[np.float64]
 
 
 class OliverPharr(NamedTuple):
-    """One number for each point; `..._error` are standard errors, which share the errors of stiffness and tip."""
+    """Contact depth, area, reduced modulus and hardness of each point.
+
+    `oliver_pharr` returns it. Standard errors of one point share the errors of stiffness and tip.
+
+    Examples
+    --------
+    >>> depth = np.concatenate([np.linspace(0.0, 100e-9, 60), np.linspace(100e-9, 60e-9, 60)])
+    >>> force = 1e-3 * np.concatenate([np.linspace(0.0, 1.0, 60) ** 2, np.linspace(1.0, 0.0, 60) ** 1.5])
+    >>> found = mdr.instruments.oliver_pharr(mdr.instruments.Unloading(depth, force), mdr.Berkovich())
+    >>> print(f"{found.contact_depth[0] * 1e9:.2f} {found.hardness[0] / 1e9:.2f}")
+    80.00 6.38
+    """
 
     depth: Array
+    """h [length]"""
     force: Array
+    """P [modulus length^2]"""
     stiffness: Array
-    """of the contact, freed of the frame"""
+    """S of the contact, without the frame [modulus length]"""
     stiffness_error: Array
+    """standard error of S [modulus length]"""
     contact_depth: Array
+    """h_c [length]"""
     contact_depth_error: Array
+    """standard error of h_c [length]"""
     radius: Array
-    """of contact, sqrt(A/pi)"""
+    """contact radius, sqrt(A/pi) [length]"""
     area: Array
+    """A, projected contact area [length^2]"""
     area_error: Array
+    """standard error of A [length^2]"""
     reduced_modulus: Array
-    """E_r = S/(2 beta a), that of sample and indenter in series"""
+    """E_r = S/(2 beta a), of sample and indenter in series [modulus]"""
     reduced_modulus_error: Array
+    """standard error of E_r [modulus]"""
     hardness: Array
-    """P/A"""
+    """H = P/A [modulus]"""
     hardness_error: Array
+    """standard error of H [modulus]"""
 
 
 def oliver_pharr(
@@ -52,14 +72,48 @@ def oliver_pharr(
     area_sd: float = 0.0,
     medium: Any = None,
 ) -> OliverPharr:
-    """h_c = h - sigma P/S, A = pi a^2 of the tip at height h_c, E_r = S/(2 beta a) and H = P/A (Oliver and Pharr 1992, 2004).
+    """Compute contact depth, area, reduced modulus and hardness.
 
-    data : StiffnessDepth (CSM) or Unloading; without standard deviations the errors are those of the tip alone
-    indenter : the tip, best an AreaFunction
-    instrument : epsilon (contact_depth_factor), beta (stiffness_factor), contact_depth_scale, frame_compliance, offsets,
-        area_factor
-    area_sd : relative standard deviation of the tip's area [1]
-    medium : the body, best the one that a fit has found: sigma is that of its exact contact. None: a half-space, sigma = epsilon
+    The formulas are h_c = h - sigma P/S, A = pi a^2 of the tip at the height h_c, E_r = S/(2 beta a) and H = P/A.
+
+    Parameters
+    ----------
+    data : StiffnessDepth
+        Dynamic data, or an `Unloading`. Without standard deviations the errors are those of the tip alone.
+    indenter : Profile
+        The tip, as an `AreaFunction`.
+    instrument : Instrument, optional
+        epsilon (`contact_depth_factor`), beta (`stiffness_factor`), `contact_depth_scale`, `frame_compliance`, offsets,
+        `area_factor`.
+    area_sd : float, optional
+        Relative standard deviation of the area of the tip, 0 <= area_sd < 1 [1].
+    medium : Medium, optional
+        The body, as from a fit: sigma is that of its exact contact. None is a half-space with sigma = epsilon.
+
+    Returns
+    -------
+    OliverPharr
+        One number for each point.
+
+    Raises
+    ------
+    ArgumentTypeError
+        The data are not `StiffnessDepth`.
+    InvalidArgumentError
+        `area_sd` is outside its range.
+
+    References
+    ----------
+    oliver-1992
+    oliver-2004
+
+    Examples
+    --------
+    >>> depth = np.concatenate([np.linspace(0.0, 100e-9, 60), np.linspace(100e-9, 60e-9, 60)])
+    >>> force = 1e-3 * np.concatenate([np.linspace(0.0, 1.0, 60) ** 2, np.linspace(1.0, 0.0, 60) ** 1.5])
+    >>> found = mdr.instruments.oliver_pharr(mdr.instruments.Unloading(depth, force), mdr.Berkovich(), area_sd=0.02)
+    >>> print(f"{found.reduced_modulus[0] / 1e9:.1f}")
+    83.9
     """
     if not isinstance(data, StiffnessDepth):
         raise ArgumentTypeError(f"data = {data!r}: it must be StiffnessDepth(...) or Unloading(...)")

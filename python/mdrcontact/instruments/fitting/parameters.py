@@ -26,11 +26,36 @@ from ...poroelastic import is_poroelastic
 
 @dataclass(frozen=True)
 class Free(Value):
-    """A parameter that the fit is to find.
+    """Free parameter of a fit.
 
-    start : where the search begins; default: the value in the indenter, medium or instrument
-    lower, upper : bounds, in the unit of the parameter
-    prior : (value, standard deviation) known beforehand; enters the fit as one more measurement
+    Parameters
+    ----------
+    start : float, optional
+        Starting value; None is the value in the indenter, medium or instrument [unit of the parameter].
+    lower : float, optional
+        Lower bound [unit of the parameter].
+    upper : float, optional
+        Upper bound [unit of the parameter].
+    prior : tuple of float, optional
+        (value, standard deviation > 0), which enters the fit as an additional measurement [unit of the parameter].
+
+    Raises
+    ------
+    InvalidArgumentError
+        The standard deviation of the prior is not greater than 0.
+    ArgumentTypeError
+        The prior is not a pair.
+
+    Examples
+    --------
+    >>> depth = np.linspace(10e-9, 100e-9, 20)
+    >>> silica = mdr.Homogeneous(mdr.Elastic(72e9, 0.17))
+    >>> force = mdr.Contact(mdr.Paraboloid(10e-6), silica).at_depth(depth).force
+    >>> data = mdr.instruments.ForceDepth(depth, force, sd=1e-6)
+    >>> free = {"E": None, "indenter.radius": mdr.instruments.Free(prior=(10e-6, 0.5e-6))}
+    >>> result = mdr.instruments.fit(data, mdr.Paraboloid(10e-6), silica, free)
+    >>> print(f"{result.standard_errors['E'] / 1e9:.2f}")
+    1.80
     """
 
     start: float | None = None
@@ -55,10 +80,27 @@ class Free(Value):
 
 @dataclass(frozen=True)
 class JointPrior(Value):
-    """What is known beforehand of several parameters together, such as the coefficients of a calibrated tip.
+    """Joint prior of several parameters, as of the coefficients of a calibrated tip.
 
-    names : of the parameters, which become free
-    values, covariance : (n,) and (n, n), symmetric and positive definite, in the units of the parameters
+    Parameters
+    ----------
+    names : sequence of str
+        Names of n parameters, which become free.
+    values : sequence of float
+        Values, n [units of the parameters].
+    covariance : array_like
+        Covariance, (n, n), symmetric and positive definite [products of the units].
+
+    Raises
+    ------
+    InvalidArgumentError
+        The shapes do not match, a number is not finite, or the covariance is not positive definite.
+
+    Examples
+    --------
+    >>> prior = mdr.instruments.JointPrior(["indenter.C0", "indenter.C1"], [24.5, 1e-6], [[0.04, 0.0], [0.0, 1e-14]])
+    >>> print(prior.weights()[0, 0] != 0.0, len(prior.names))
+    True 2
     """
 
     names: tuple[str, ...]
@@ -79,7 +121,13 @@ class JointPrior(Value):
         self.weights()
 
     def weights(self) -> NDArray[np.float64]:
-        """W with W^T W the inverse of the covariance: W (p - values) has independent entries of variance 1."""
+        """Return W, with W^T W the inverse of the covariance.
+
+        Returns
+        -------
+        ndarray
+            (n, n); W (p - values) has independent entries of variance 1.
+        """
         covariance = np.array(self.covariance)
         scale = np.sqrt(np.maximum(np.diag(covariance), 0.0))
         if not (scale > 0.0).all():
@@ -93,25 +141,60 @@ class JointPrior(Value):
 
 @dataclass(frozen=True, kw_only=True)
 class Instrument(Value):
-    """What stands between the contact and the data. A fit refuses what its data do not depend on.
+    """Properties of an instrument that connect contact and data.
 
-    work_of_adhesion : gamma >= 0 [modulus length]; for ForceDepth
-    cohesive_stress : sigma >= 0 [modulus], under which the surfaces pull on each other up to a gap of work_of_adhesion/sigma; 0: a
-        range of nothing. Free, with work_of_adhesion, where data show the range: bodies that part slowly, or jump in from afar
-    depth_offset, force_offset : what the instrument reads at first contact [length], [modulus length^2]; for data with depths
-    frame_compliance : of frame and holder, beyond what the instrument has already taken off [1/(modulus length)]; for ForceDepth
-        and stiffnesses
-    indenter : material of the indenter, an Elastic, or None for a rigid one: the contact is that of `Pair(medium, indenter)`. An
-        indenter that is layered itself stands in the medium, a Pair; its parameters are then called "upper.coating.E" and the like
-    contact_depth_factor : epsilon of the contact depth h_c = h - epsilon P/S on a half-space: 0.75, that of a paraboloid, as which
-        an indent that has yielded unloads; 0.727 of a cone, 1 of a punch; 0 or less where the surface piles up. On any other body
-        the surface sinks in as under the same indenter
-        (for StiffnessDepth)
-    stiffness_factor : beta of S = 2 beta a E_r; for stiffnesses
-    contact_depth_scale : factor of h_c; 1.2 with contact_depth_factor = 1: Loubet's contact depth, the same on all bodies
-        (for StiffnessDepth)
-    area_factor : true over assumed projected area of contact, as a prior on which the uncertainty of the tip enters; for
-        stiffnesses and moduli
+    A fit rejects parameters that its data do not depend on.
+
+    Parameters
+    ----------
+    work_of_adhesion : float, optional
+        gamma >= 0 [modulus length]; for `ForceDepth`.
+    depth_offset : float, optional
+        Reading of the depth at initial contact [length]; for data with depths.
+    force_offset : float, optional
+        Reading of the force without contact [modulus length^2]; for data with depths.
+    frame_compliance : float, optional
+        Compliance of frame and holder that the instrument has not removed [1/(modulus length)]; for `ForceDepth` and stiffnesses.
+    indenter : Elastic, optional
+        Material of the indenter; None is a rigid one. The contact is that of `Pair(medium, indenter)`. If the indenter is layered,
+        give a `Pair` as the medium; its parameters are then "upper.coating.E" and so on.
+    contact_depth_factor : float, optional
+        epsilon of the contact depth h_c = h - epsilon P/S on a half-space [1]; for `StiffnessDepth`. 0.75 is that of a paraboloid,
+        as which a yielded indent unloads; 0.727 of a cone, 1 of a punch, 0 or less for pile-up. On other bodies the surface sinks
+        in as under the same indenter.
+    stiffness_factor : float, optional
+        beta of S = 2 beta a E_r [1]; for stiffnesses.
+    contact_depth_scale : float, optional
+        Factor of h_c [1]; for `StiffnessDepth`. 1.2 with `contact_depth_factor` = 1 is Loubet's contact depth, equal on all bodies.
+    area_factor : float, optional
+        True over assumed projected area of contact [1], whose prior represents the uncertainty of the tip; for stiffnesses and
+        moduli.
+    cohesive_stress : float, optional
+        sigma_0 >= 0 [modulus]; the surfaces attract each other up to a gap of work_of_adhesion/cohesive_stress. 0 is the JKR limit.
+        Fit it, with `work_of_adhesion`, if data show the range: slow separation, or a jump from afar.
+
+    Raises
+    ------
+    InvalidArgumentError
+        A number is outside its range.
+    ArgumentTypeError
+        `indenter` is not an `Elastic`.
+
+    References
+    ----------
+    oliver-1992
+    oliver-2004
+
+    Examples
+    --------
+    >>> depth = np.linspace(10e-9, 100e-9, 20)
+    >>> silica = mdr.Homogeneous(mdr.Elastic(72e9, 0.17))
+    >>> force = mdr.Contact(mdr.Paraboloid(10e-6), silica).at_depth(depth).force
+    >>> data = mdr.instruments.ForceDepth(depth + 2e-9, force, sd=1e-6)
+    >>> tool = mdr.instruments.Instrument(depth_offset=0.0)
+    >>> result = mdr.instruments.fit(data, mdr.Paraboloid(10e-6), silica, ["E", "depth_offset"], instrument=tool)
+    >>> print(f"{result.estimates['depth_offset'] * 1e9:.2f}")
+    2.00
     """
 
     work_of_adhesion: float = field(default=0.0, metadata={"dimension": WORK_OF_ADHESION})

@@ -37,11 +37,32 @@ _LAGS = np.concatenate([np.linspace(0.0, 0.9, 91), np.linspace(0.9025, 0.99, 36)
 
 @dataclass(frozen=True, eq=False)
 class RateCurve(Value):
-    """One retraction: readings from rest in contact to a little beyond the lowest force; a rupture is a jump: those behind it are
-    not fitted.
+    """Retraction curve for `fit_rate`.
 
-    time, position, force : readings in the order of time [time, length, modulus length^2]
-    spring_stiffness : of the cantilever or frame, > 0, `position` being its far end; None: `position` is the indentation depth
+    The readings go from rest in contact to beyond the lowest force. A rupture is a jump; readings after it are not fitted.
+
+    Parameters
+    ----------
+    time : array_like
+        Strictly ascending times, at least 5 [time].
+    position : array_like
+        Position of the far end of the spring, or the indentation depth without a spring [length].
+    force : array_like
+        Forces [modulus length^2].
+    spring_stiffness : float, optional
+        Stiffness of the cantilever or frame, > 0 [modulus length]. None: `position` is the indentation depth.
+
+    Raises
+    ------
+    InvalidArgumentError
+        The columns differ in length, are too short or not finite, or the times do not ascend.
+
+    Examples
+    --------
+    >>> position, force = [0.0, -1e-7, -2e-7, -3e-7, -4e-7], [0.0, -1e-7, -2e-7, -1e-7, 0.0]
+    >>> curve = mdr.instruments.RateCurve([0.0, 1.0, 2.0, 3.0, 4.0], position, force)
+    >>> print(curve.count, f"{curve.speed:.1e}")
+    5 1.0e-07
     """
 
     time: NDArray[np.float64]
@@ -61,41 +82,81 @@ class RateCurve(Value):
 
     @property
     def count(self) -> int:
-        """Readings that are fitted: a little beyond the lowest force. To end with the reading that is the lowest by chance would
-        make the pull-off too large."""
+        """Number of fitted readings, which end shortly after the lowest force."""
         at = int(np.argmin(self.force))
         risen = np.flatnonzero(self.force[at:] > _RISEN * self.force[at])
         return max(at + (int(risen[0]) if risen.size else len(self.force) - at), _FEWEST)
 
     @property
     def speed(self) -> float:
-        """Of the machine, from the first to the last reading; > 0 where it pulls [length/time]."""
+        """Mean speed of the position, > 0 for a retraction [length/time]."""
         return float((self.position[0] - self.position[-1]) / (self.time[-1] - self.time[0]))
 
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class RateFit(ParameterFit):
-    """The law that was found; its intervals know the correlation of the noise."""
+    """Result of `fit_rate`; its intervals include the correlation of the noise.
+
+    Examples
+    --------
+    >>> law = mdr.adhesion.RateAdhesion(work=0.05, speed=1e-6, exponent=0.5)
+    >>> contact = mdr.Contact(mdr.Paraboloid(10e-6), mdr.Homogeneous(mdr.Elastic(1e6, 0.5)), adhesion=law)
+    >>> def pulled(duration):
+    ...     time = np.linspace(0.0, duration, 40)
+    ...     depth = np.linspace(0.5e-6, -1.5e-6, 40)
+    ...     return mdr.instruments.RateCurve(time, depth, mdr.adhesion.rate_history(contact, time, depth=depth, start="rest").force)
+    >>> start = contact.replace(adhesion=law.replace(work=0.04), work_of_adhesion=0.0)
+    >>> found = mdr.instruments.fit_rate([pulled(10.0), pulled(1.0)], start, ["work"])
+    >>> print(f"{found.values['work']:.4f}")
+    0.0500
+    """
 
     contact: Contact
-    """with the parameters found"""
+    """the contact with the fitted parameters"""
     curves: tuple[RateCurve, ...]
+    """the fitted curves"""
     fitted: tuple[NDArray[np.float64], ...]
-    """forces of the model, of each curve as far as it is fitted"""
+    """forces of the model at the fitted readings of each curve [modulus length^2]"""
     lag: float
-    """correlation of the noise of neighbouring readings"""
+    """correlation of the noise of neighbouring readings [1]"""
     warnings: tuple[str, ...] = ()
-    """doubts about the histories that were found"""
+    """warnings about the histories of the fit"""
 
     def summary(self) -> str:
-        """All of it in words."""
+        """Return the result as text.
+
+        Returns
+        -------
+        str
+            Estimates, standard errors, intervals, notes and warnings.
+        """
         return "\n".join([super().summary(), *(f"warning: {words}" for words in self.warnings)])
 
     def _head(self) -> str:
         return f"{len(self.curves)} curves, correlation of neighbouring readings {self.lag:.2f}"
 
     def pull_off(self, speed: float, spring_stiffness: float | None = None, index: int = 0) -> float:
-        """The lowest force of the model at another speed of the machine, from the first reading of a curve on."""
+        """Return the lowest force of the model at another speed.
+
+        Parameters
+        ----------
+        speed : float
+            Speed of the retraction, > 0 [length/time].
+        spring_stiffness : float, optional
+            Stiffness of the spring [modulus length]; None is that of the curve.
+        index : int, optional
+            Number of the curve from whose first reading the retraction starts.
+
+        Returns
+        -------
+        float
+            Lowest force [modulus length^2].
+
+        Raises
+        ------
+        NoConvergenceError
+            The contact does not break.
+        """
         curve, offset = self.curves[index], self.values.get("position_offset", 0.0)
         start = float(curve.position[0]) - offset
         reach = abs(start)
@@ -108,7 +169,20 @@ class RateFit(ParameterFit):
         raise NoConvergenceError(f"the contact does not break within {reach:.3g} of retraction")
 
     def plot(self, axes: Any = None, points: int = 25) -> Any:
-        """Draws pull-off against the speed of the machine: readings, and the fit. Returns the axes."""
+        """Draw the pull-off force against the speed: readings and fit.
+
+        Parameters
+        ----------
+        axes : matplotlib.axes.Axes, optional
+            Axes to draw on; None makes a new figure.
+        points : int, optional
+            Number of speeds of the curve of the fit.
+
+        Returns
+        -------
+        matplotlib.axes.Axes
+            The axes.
+        """
         if axes is None:
             import matplotlib.pyplot as plt
 
@@ -124,16 +198,48 @@ class RateFit(ParameterFit):
 
 
 def fit_rate(curves: Sequence[RateCurve], contact: Contact, free: Iterable[str] = ("work", "speed", "exponent")) -> RateFit:
-    """Finds modulus, work of adhesion and its dependence on speed from retract curves at several speeds together, by least squares.
+    """Fit a modulus and a rate-dependent work of adhesion to retraction curves.
 
-    curves : RateCurve(...) from rest in contact; one speed alone does not determine both `speed` and `work`
-    contact : Contact(tip, medium, adhesion=...), whose numbers are the start, and stay where they are not free
-    free : fields of the adhesion ("work", "speed", "exponent"; "work", "cohesive_stress" of a rheology), "E" of a homogeneous body,
-        "coating.E", "substrate.E" of a coated one, and the offsets "position_offset", "force_offset", which are subtracted from the
-        readings
+    All curves, at several speeds, are fitted together. The noise of neighbouring readings may be correlated; the fit estimates and
+    removes this correlation. It needs SciPy.
 
-    Noise of neighbouring readings may be correlated: its lag is estimated and taken out (a generalised fit of first order). Needs
-    SciPy.
+    Parameters
+    ----------
+    curves : sequence of RateCurve
+        Curves from rest in contact. One speed alone does not determine both `speed` and `work`.
+    contact : Contact
+        Contact with `adhesion`. Its numbers are the starting values, and the fixed values of other parameters.
+    free : iterable of str, optional
+        Numbers of the adhesion ("work", "speed", "exponent"; "work", "cohesive_stress" of a rheology), "E" of a homogeneous body,
+        "coating.E" and "substrate.E" of a coated one, and "position_offset" and "force_offset", which are subtracted from the
+        readings.
+
+    Returns
+    -------
+    RateFit
+        Estimates, uncertainties and notes.
+
+    Raises
+    ------
+    ArgumentTypeError
+        The curves or the contact are of another type, or the contact has no `adhesion`.
+    InvalidArgumentError
+        A name is unknown.
+
+    References
+    ----------
+    patterson-1971
+
+    Examples
+    --------
+    >>> law = mdr.adhesion.RateAdhesion(work=0.05, speed=1e-6, exponent=0.5)
+    >>> contact = mdr.Contact(mdr.Paraboloid(10e-6), mdr.Homogeneous(mdr.Elastic(1e6, 0.5)), adhesion=law)
+    >>> time, depth = np.linspace(0.0, 10.0, 40), np.linspace(0.5e-6, -1.5e-6, 40)
+    >>> force = mdr.adhesion.rate_history(contact, time, depth=depth, start="rest").force
+    >>> start = contact.replace(adhesion=law.replace(work=0.04), work_of_adhesion=0.0)
+    >>> found = mdr.instruments.fit_rate([mdr.instruments.RateCurve(time, depth, force)], start, ["work"])
+    >>> print(f"{found.values['work']:.4f}")
+    0.0500
     """
     _scipy.require()
     from scipy.stats import t as student

@@ -20,23 +20,62 @@ _LOUD, _VAGUE, _FEWEST, _HIDDEN = 0.2, 0.3, 10, 0.1
 
 
 class Rating(NamedTuple):
-    """From 0 to 10, and why the curve should not count."""
+    """Rating of a fitted curve, from `rate`.
+
+    Examples
+    --------
+    >>> depth = np.linspace(10e-9, 100e-9, 20)
+    >>> silica = mdr.Homogeneous(mdr.Elastic(72e9, 0.17))
+    >>> force = mdr.Contact(mdr.Paraboloid(10e-6), silica).at_depth(depth).force
+    >>> result = mdr.instruments.fit(mdr.instruments.ForceDepth(depth, force, sd=1e-6), mdr.Paraboloid(10e-6), silica, ["E"])
+    >>> rating = mdr.instruments.rate(result)
+    >>> print(f"{rating.score:.1f} {rating.is_sound}")
+    10.0 True
+    """
 
     score: float
+    """0 to 10; 10 for sharp numbers without misfit and noise"""
     reasons: tuple[str, ...]
+    """reasons why the curve should not count in a mean"""
 
     @property
     def is_sound(self) -> bool:
-        """Whether there is no doubt about it."""
+        """True if there are no reasons against it."""
         return not self.reasons
 
 
 def rate(result: FitResult) -> Rating:
-    """10 for a curve without misfit and noise whose numbers are sharp; less in proportion to misfit (none is left at 10 % of the
-    force), noise (at 50 %) and the largest relative standard error (at 50 %). A curve is sound where the search has converged, the
-    model lies within 5 % of the data, noise is less than 20 % of the force, no standard error is larger than 30 % of its estimate,
-    no estimate lies at a bound, no film that began stiffer than its base has ended
-    softer, noise hides no misfit of more than 10 % of the force, and 10 readings or more are in contact."""
+    """Rate a fitted curve from 0 to 10.
+
+    The score decreases proportionally to the misfit (0 at 10 % of the force), to the noise (0 at 50 %) and to the largest relative
+    standard error (0 at 50 %). A curve is sound if the search has converged, the misfit is at most 5 %, the noise at most 20 % of
+    the force, every standard error at most 30 % of its estimate, no estimate is at a bound, no film that began stiffer than its
+    base has become softer, noise hides no misfit above 10 % of the force, and at least 10 readings are in contact.
+
+    Parameters
+    ----------
+    result : FitResult
+        A fit.
+
+    Returns
+    -------
+    Rating
+        Score and reasons.
+
+    Raises
+    ------
+    AttributeError
+        `result` is not a `FitResult`.
+
+    Examples
+    --------
+    >>> depth = np.linspace(10e-9, 100e-9, 20)
+    >>> silica = mdr.Homogeneous(mdr.Elastic(72e9, 0.17))
+    >>> force = mdr.Contact(mdr.Paraboloid(10e-6), silica).at_depth(depth).force
+    >>> result = mdr.instruments.fit(mdr.instruments.ForceDepth(depth, force, sd=1e-6), mdr.Paraboloid(10e-6), silica, ["E"])
+    >>> print(f"{mdr.instruments.rate(result).score:.1f}")
+    10.0
+    """
     error = max((_relative(result, name) for name in result.names), default=0.0)
     misfit, noise = (v if math.isfinite(v) else 1.0 for v in (result.misfit.rms, result.misfit.noise))
     shares = ((misfit, _MISFIT), (noise, _NOISE), (error, _ERROR))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a fit says: estimates, their uncertainty, and whether to believe them."""
+"""Result of a fit: estimates, their uncertainty, and its quality."""
 
 from __future__ import annotations
 
@@ -50,29 +50,52 @@ _ROUNDING = 1e-8
 
 
 class Interval(NamedTuple):
-    """A confidence interval; an end is infinite where the data set none."""
+    """Confidence interval; an end is infinite if the data do not limit it."""
 
     lower: float
     upper: float
 
 
 class FitResult:
-    """The result of `fit`.
+    """Result of `fit`.
 
-    estimates : best values of the free parameters by name; values: of all parameters
-    standard_errors : by name, from the covariance
-    covariance, correlation : arrays, in the order of `names`
-    indenter, medium, instrument : the objects with the best values, for further computing
-    fitted, residuals : the model at the data, and (data - model) in its standard deviations; the error of a reading counts once
-        where the model is computed from it too (contact depths, frame compliance)
-    noise : factor of the standard deviations of the data: 1 if they are known, else estimated; without `sd` the standard deviation
-    chi_square, degrees_of_freedom, log_likelihood, aic, bic
-    pattern_probability : that random residuals follow each other as smoothly (Durbin and Watson 1950; from 50 points on Bartels
-        1982)
-    lag_correlation, widening : correlation of neighbouring residuals, and the factor by which it changes each standard error;
-        covariance and intervals hold it already (restricted likelihood of a first-order autoregression, Cheang, Reinsel 2000)
-    misfit : how far the model departs from the data, as parts of the largest force: `Misfit`
-    converged, iterations, evaluations, warnings
+    Attributes, by the names of parameters unless stated otherwise: `estimates` (free parameters), `values` (all),
+    `standard_errors`, `widening` (factor of the standard error for correlated residuals), `at_bound` (-1, 0, 1); `names` of the
+    free parameters; `covariance` and `correlation`, in their order; `indenter`, `medium`, `instrument` with the best values;
+    `fitted`, the model at the data; `residuals`, (data - model) in standard deviations of the model; `noise`, factor of the
+    standard deviations of the data (1 if they are known), or their standard deviation if none is given; `chi_square`,
+    `prior_chi_square`, `degrees_of_freedom`, `log_likelihood`; `pattern_probability`, that random residuals follow each other as
+    smoothly (Durbin and Watson 1950; from 50 points on Bartels 1982); `lag_correlation` of neighbouring residuals, which covariance and intervals include (Cheang and Reinsel
+    2000); `converged`, `iterations`, `evaluations`, `warnings`.
+
+    Parameters
+    ----------
+    problem, values, covariance, widening, at_bound, weakest_direction, fitted, residuals, summary
+        What the search returned; `fit` makes the object.
+
+    Raises
+    ------
+    KeyError
+        `summary` is incomplete.
+
+    References
+    ----------
+    bartels-1982
+    cheang-2000
+
+    Examples
+    --------
+    >>> depth = np.linspace(10e-9, 100e-9, 20)
+    >>> silica = mdr.Homogeneous(mdr.Elastic(72e9, 0.17))
+    >>> force = mdr.Contact(mdr.Paraboloid(10e-6), silica).at_depth(depth).force
+    >>> noise = 1e-4 * np.random.default_rng(1).standard_normal(20)
+    >>> data = mdr.instruments.ForceDepth(depth, force + noise, sd=1e-4)
+    >>> result = mdr.instruments.fit(data, mdr.Paraboloid(10e-6), silica, ["E"])
+    >>> print(result.as_text("E"), result.verdict, result.converged)
+    71.89 ± 0.45 GPa describes True
+    >>> interval = result.interval("E")
+    >>> print(f"{interval.lower / 1e9:.2f} {interval.upper / 1e9:.2f}")
+    71.00 72.78
     """
 
     def __init__(
@@ -113,31 +136,31 @@ class FitResult:
 
     @functools.cached_property
     def misfit(self) -> Misfit:
-        """How far the model departs from the data."""
+        """Departure of the model from the data."""
         offset = {"force": "force_offset", "depth": "depth_offset"}.get(self.data.y_name, "")
         return measure_misfit(self.data, self.fitted, self.values.get(offset, 0.0))
 
     @property
     def noise_is_known(self) -> bool:
-        """Whether the standard deviations of the data were given as absolute ones."""
+        """True if the standard deviations of the data are given as absolute ones."""
         return self.data.sd is not None and not self.problem.record["sd_is_relative"][0]
 
     @property
     def correlation(self) -> Array:
-        """Correlation of the free parameters; 0 for one at its bound."""
+        """Correlation of the free parameters, 0 for one at its bound [1]."""
         errors = np.array([self.standard_errors[name] for name in self.names])
         scale = np.where(errors > 0.0, errors, 1.0)
         return np.asarray(self.covariance / np.outer(scale, scale))
 
     @property
     def aic(self) -> float:
-        """Akaike's information criterion, corrected for few points."""
+        """Akaike's information criterion, corrected for few points [1]."""
         n, k = self._counts()
         return -2.0 * self.log_likelihood + 2.0 * k + 2.0 * k * (k + 1) / max(n - k - 1, 1)
 
     @property
     def bic(self) -> float:
-        """Bayesian (Schwarz) information criterion."""
+        """Bayesian (Schwarz) information criterion [1]."""
         n, k = self._counts()
         return -2.0 * self.log_likelihood + k * math.log(n)
 
@@ -147,10 +170,31 @@ class FitResult:
     def interval(
         self, name: str, level: float = 0.95, method: str = "normal", *, draws: int = 200, seed: int | None = None
     ) -> Interval:
-        """The confidence interval of one free parameter.
+        """Return the confidence interval of one free parameter.
 
-        method : "normal" from the standard error; "profile": as far as the parameter can be moved, all others following, before
-            chi-square rises by its quantile; "monte-carlo": quantiles of fits of `draws` simulated data sets (`seed`)
+        Parameters
+        ----------
+        name : str
+            Name of the parameter.
+        level : float, optional
+            Level, 0 < level < 1 [1].
+        method : {"normal", "profile", "monte-carlo"}, optional
+            "normal": from the standard error. "profile": the range in which chi-square, minimized over the other parameters,
+            increases by at most its quantile. "monte-carlo": quantiles of the fits of simulated data.
+        draws : int, optional
+            Number of simulated data sets, >= 2.
+        seed : int, optional
+            Seed of their random numbers.
+
+        Returns
+        -------
+        Interval
+            Lower and upper end, in the unit of the parameter.
+
+        Raises
+        ------
+        InvalidArgumentError
+            The name or the method is unknown, or the level is outside its range.
         """
         if name not in self.names:
             raise InvalidArgumentError(f"{name!r} is not a free parameter: {nearest(str(name), self.names)}")
@@ -175,8 +219,27 @@ class FitResult:
         raise InvalidArgumentError(f"method = {method!r}: {nearest(str(method), known)}")
 
     def simulate(self, draws: int = 200, seed: int | None = None) -> Array:
-        """Estimates from simulated data: the fitted curve plus noise, and priors drawn about their estimates; (draws, parameters).
-        Noise of unknown size has a size drawn from its distribution. Simulations that fail are left out."""
+        """Return estimates from simulated data: the fitted curve plus noise.
+
+        Priors are drawn about their estimates, an unknown size of the noise from its distribution. Failed simulations are omitted.
+
+        Parameters
+        ----------
+        draws : int, optional
+            Number of data sets, >= 2.
+        seed : int, optional
+            Seed of the random numbers.
+
+        Returns
+        -------
+        ndarray
+            Estimates, (draws, parameters).
+
+        Raises
+        ------
+        MDRError
+            Fewer than 90 % of the data sets can be fitted.
+        """
         random = np.random.default_rng(seed)
         sd = self.noise * (np.ones_like(self.fitted) if self.data.sd is None else self.data.sd)
         freedom = self.degrees_of_freedom
@@ -225,11 +288,22 @@ class FitResult:
         along[self.data.order()] = noise
         return along
 
-    def summary(self, level: float = 0.95, method: str = "normal", intervals: Mapping[str, Interval] = MappingProxyType({})) -> str:
-        """Estimates with units, doubts about each beside it, quality of the fit, correlations, warnings. The numbers of the
-        problem are taken as SI. intervals : those that another `method` has found at this level"""
-        how = "" if method == "normal" else f" ({method})"
-        rows = [["", "estimate ± standard error", f"{100.0 * level:g} % interval{how}", ""]]
+    def summary(self, level: float = 0.95) -> str:
+        """Return estimates, intervals, quality of the fit and warnings as text.
+
+        The numbers of the problem are taken as SI.
+
+        Parameters
+        ----------
+        level : float, optional
+            Level of the intervals, 0 < level < 1 [1].
+
+        Returns
+        -------
+        str
+            Several lines.
+        """
+        rows = [["", "estimate", f"{100.0 * level:g} % interval", ""]]
         for name in self.names:
             ends = self.interval_as_text(name, level, intervals.get(name))
             rows.append([f"{words_of(name)} ({name})", self.as_text(name), ends, "; ".join(self.doubts(name))])
@@ -264,7 +338,13 @@ class FitResult:
         return "\n".join(lines + [f"warning: {words}" for words in self.warnings])
 
     def contact_depth_words(self) -> list[str]:
-        """How far the surface sinks in, where contact depths are found from depth, force and stiffness."""
+        """Return how deep the surface sinks in, for contact depths from depth and force.
+
+        Returns
+        -------
+        list of str
+            One sentence, or none.
+        """
         data, tool = self.data, self.instrument
         if not isinstance(data, StiffnessDepth) or data.force is None:
             return []
@@ -286,7 +366,18 @@ class FitResult:
         return [f"the surface sinks in by {low if low == high else f'{low} to {high}'} P/S under {under}"]
 
     def as_text(self, name: str) -> str:
-        """An estimate with its standard error and unit, or what else there is to say of it."""
+        """Return an estimate with its standard error and unit as text.
+
+        Parameters
+        ----------
+        name : str
+            Name of the parameter.
+
+        Returns
+        -------
+        str
+            The text; it states if there is no standard error or if the data do not determine the parameter.
+        """
         value, error = self.estimates[name], self.standard_errors[name]
         if name in contradictions(self):
             return "refused"
@@ -300,8 +391,21 @@ class FitResult:
             return "not determined"
         return measured(name, value, error)
 
-    def interval_as_text(self, name: str, level: float = 0.95, given: Interval | None = None) -> str:
-        """The interval, or the one that is given, in the unit of the estimate; "-" where the estimate is refused."""
+    def interval_as_text(self, name: str, level: float = 0.95) -> str:
+        """Return the interval of an estimate as text, in the unit of the estimate.
+
+        Parameters
+        ----------
+        name : str
+            Name of the parameter.
+        level : float, optional
+            Level, 0 < level < 1 [1].
+
+        Returns
+        -------
+        str
+            The text; "-" for an estimate that is rejected.
+        """
         if name in contradictions(self):
             return "-"
         error = self.standard_errors[name]
@@ -310,7 +414,18 @@ class FitResult:
         return f"{ends} {unit.symbol}".rstrip()
 
     def doubts(self, name: str) -> list[str]:
-        """Doubts about an estimate, in a few words for each."""
+        """Return the warnings about an estimate.
+
+        Parameters
+        ----------
+        name : str
+            Name of the parameter.
+
+        Returns
+        -------
+        list of str
+            A few words for each.
+        """
         words = [f"it would be {measured(name, self.estimates[name], self.standard_errors[name])}, softer than its base"]
         words = words if name in contradictions(self) else []
         if not self.converged:
@@ -328,7 +443,18 @@ class FitResult:
         return words
 
     def bound_words(self, name: str) -> str:
-        """Which bound an estimate lies at: one that was given, or the end of the range that the search covers."""
+        """Return at which bound an estimate is, as text.
+
+        Parameters
+        ----------
+        name : str
+            Name of the parameter.
+
+        Returns
+        -------
+        str
+            A given bound, or the end of the range of the search.
+        """
         side, entry = self.at_bound[name], self.problem.free[name]
         end = "upper" if side > 0 else "lower"
         if math.isfinite(entry.upper if side > 0 else entry.lower):
@@ -341,8 +467,10 @@ class FitResult:
 
     @property
     def is_random(self) -> bool | None:
-        """Whether the residuals are random, and no larger than they should be; None where neither can be said. Residuals that lie
-        well within the standard deviations given, or are of rounding, speak for the model, whatever their pattern."""
+        """True if the residuals are random and not too large; None if neither can be shown.
+
+        Residuals well within the given standard deviations, or of rounding, support the model, with any pattern.
+        """
         if self.scatter != 0:
             return self.scatter < 0
         if self.pattern_probability < UNLIKELY:
@@ -351,8 +479,10 @@ class FitResult:
 
     @property
     def departure(self) -> float:
-        """How far the model departs from the data where that is no chance, root mean square, as a part of the largest force; else
-        0."""
+        """Systematic departure of the model, root mean square over the largest force [1].
+
+        It is 0 if the residuals may be random.
+        """
         if self.is_random is not False:
             return 0.0
         # a scatter beyond the standard deviations is a departure, too
@@ -374,12 +504,12 @@ class FitResult:
 
     @property
     def describes_data(self) -> bool | None:
-        """Whether the model lies within 5 % of the data; None where the points are too few to tell more from noise."""
-        return None if self.hidden else self.departure <= LARGE
+        """True if the departure is at most 5 %; None with too few points."""
+        return None if self.is_random is None else self.departure <= LARGE
 
     @property
     def verdict(self) -> str:
-        """In a few words: "describes", "describes to 2 %", "misses by 12 %", "cannot tell 24 % from noise", "too few points"."""
+        """ "describes", "describes to 2 %", "misses by 12 %" or "too few points"."""
         if self.is_random is None:
             return "too few points"
         if self.hidden:
@@ -389,7 +519,13 @@ class FitResult:
         return f"describes to {percent(self.departure)}" if self.departure <= LARGE else f"misses by {percent(self.departure)}"
 
     def misfit_words(self) -> str:
-        """The verdict with its numbers."""
+        """Return the verdict with its numbers as text.
+
+        Returns
+        -------
+        str
+            One sentence.
+        """
         data, found = self.data, self.misfit
         unit = practical(QUANTITIES[data.x_name], data.x)
         place = f"{data.x_name} {found.at / unit.factor:.3g} {unit.symbol}"
@@ -410,35 +546,57 @@ class FitResult:
 
     @property
     def scatter(self) -> int:
-        """1 where the data scatter more than their standard deviations say, -1 where they scatter less; 0: as they say, or the
-        standard deviations are not known, or the points too few to say."""
+        """1 if the data scatter more than their standard deviations, -1 if less, else 0.
+
+        It is also 0 if the standard deviations are unknown or the points are too few.
+        """
         return compare_scatter(self.chi_square, self.degrees_of_freedom) if self.noise_is_known else 0
 
     @property
     def excess_of_errors(self) -> float:
-        """How many times larger the standard deviations given are than those of the data about the fit; infinite for a fit through
-        all points, NaN with less than one degree of freedom."""
+        """Ratio of the given standard deviations to those of the data about the fit [1].
+
+        It is infinite for a fit through all points and NaN with less than one degree of freedom.
+        """
         ratio = self.reduced_chi_square
         return math.sqrt(1.0 / ratio) if ratio > 0.0 else math.inf if ratio == 0.0 else math.nan
 
     def excess_words(self) -> str:
-        """`excess_of_errors` in words."""
+        """Return `excess_of_errors` as text.
+
+        Returns
+        -------
+        str
+            The factor.
+        """
         return f"{self.excess_of_errors:.3g} times" if math.isfinite(self.excess_of_errors) else "infinitely many times"
 
     @property
     def reduced_chi_square(self) -> float:
-        """Chi-square over the degrees of freedom; NaN with less than one of them."""
+        """Chi-square over the degrees of freedom; NaN with less than one of them [1]."""
         return self.chi_square / self.degrees_of_freedom if self.degrees_of_freedom >= 1.0 else math.nan
 
     @property
     def is_without_noise(self) -> bool:
-        """Whether the residuals are no larger than the rounding of data and model."""
+        """True if the residuals are at most the rounding of data and model."""
         rest = float(np.sqrt(np.mean((self.data.y - self.fitted) ** 2)))
         return rest <= _ROUNDING * float(np.max(np.abs(self.data.y)))
 
     def plot(self, path: str | os.PathLike[str] | None = None) -> Any:
-        """Data, fit and residuals as a matplotlib figure with units (the numbers of the problem are taken as SI); written to `path`
-        (.png, .pdf, .svg) if one is given."""
+        """Draw data, fit and residuals with matplotlib.
+
+        The numbers of the problem are taken as SI.
+
+        Parameters
+        ----------
+        path : str or path-like, optional
+            File (.png, .pdf, .svg) for the figure.
+
+        Returns
+        -------
+        matplotlib.figure.Figure
+            The figure.
+        """
         title = [f"{words_of(name)} = {self.as_text(name)}" for name in self.names]
         if len(self.data) > 2:
             title.append(self.misfit_words())
@@ -451,7 +609,18 @@ class FitResult:
         return draw(self.data, self.noise, self.fitted, self.residuals, label, title, doubts, path, contact)
 
     def to_dict(self, level: float = 0.95) -> dict[str, Any]:
-        """Everything but the objects, as plain Python values; numbers that are not finite become None."""
+        """Return all results except the objects as plain Python values.
+
+        Parameters
+        ----------
+        level : float, optional
+            Level of the intervals, 0 < level < 1 [1].
+
+        Returns
+        -------
+        dict
+            The results; None for numbers that are not finite.
+        """
         parameters = {
             name: {
                 "words": words_of(name),
@@ -487,15 +656,44 @@ class FitResult:
         return _as_json(found)  # type: ignore[no-any-return]
 
     def report(self, path: str | os.PathLike[str] | None = None, notes: Sequence[str] = (), title: str = "Fit") -> str:
-        """One HTML file with estimates, picture, warnings, what was assumed and the versions, readable without a network; written
-        to `path` if one is given. notes : what else to say of the data, one line each."""
+        """Return a report as one HTML file, readable without a network.
+
+        It has estimates, figure, warnings, assumptions and versions.
+
+        Parameters
+        ----------
+        path : str or path-like, optional
+            File for the report.
+        notes : sequence of str, optional
+            Further notes on the data, one line each.
+        title : str, optional
+            Title of the report.
+
+        Returns
+        -------
+        str
+            The HTML text.
+        """
         text = page(title, blocks_of(self, notes))
         if path is not None:
             replace(path, text.encode())
         return text
 
     def to_json(self, path: str | os.PathLike[str] | None = None, level: float = 0.95) -> str:
-        """`to_dict` as JSON text; written to `path` if one is given."""
+        """Return `to_dict` as JSON text.
+
+        Parameters
+        ----------
+        path : str or path-like, optional
+            File for the text.
+        level : float, optional
+            Level of the intervals, 0 < level < 1 [1].
+
+        Returns
+        -------
+        str
+            The text.
+        """
         text = json.dumps(self.to_dict(level), indent=2, allow_nan=False) + "\n"
         if path is not None:
             replace(path, text.encode())

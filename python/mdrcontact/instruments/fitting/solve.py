@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The fit."""
+"""Fit of a contact to measured data by nonlinear least squares."""
 
 from __future__ import annotations
 
@@ -41,31 +41,69 @@ def fit(
     contact_weight: float = 0.0,
     contact_weight_rule: str = "held",
 ) -> FitResult:
-    """Finds the parameters under which indenter and medium explain the data best: nonlinear least squares of the same forward model
-    that `Contact` computes, over GSL's trust region.
+    """Fit parameters of indenter, medium and instrument to measured data.
 
-    data : ForceDepth(...), StiffnessDepth(...), ModulusRadius(...) or StiffnessRadius(...); of a viscoelastic medium
-        ForceTime(...), DepthTime(...) or DynamicStiffness(...)
-    indenter, medium : any of the library; their parameters are the fixed values, and the start of the free ones
-    free : names of the free parameters, or a mapping from names to Free(start, lower=, upper=, prior=(value, sd)), a starting
-        value or None. Names: those of `medium.parameters()`, as coating.E, thickness, substrate.E, alpha, layers[0].C44,
-        layers[0].prestress, layers[0].interface.normal, E; indenter.radius, indenter.C0 of an AreaFunction, ...; work_of_adhesion,
-        depth_offset, force_offset, frame_compliance, indenter_modulus, contact_depth_factor, area_factor
-    instrument : Instrument(...): adhesion, offsets, frame compliance, the indenter's material
-    loss : "linear"; "huber" or "cauchy" are robust against outliers beyond loss_scale standard deviations
-    adhesion_rule : "automatic" (energy balance for the exact medium, the source's rule else), "paper" or "energy", which are for
-        ForceDepth with adhesion
-    sd_is_absolute : whether the standard deviations of the data are known, or their ratios only
-    max_iterations : of one search, at least 1
-    check_units : refuses data more than 300 times larger or smaller than the model at the start
-    known : JointPrior(...) of several parameters together, as a tip's calibration gives them
-    contact_weight : of ForceDepth: within this distance of first contact residuals count in proportion to their distance from it,
-        for forces of other kinds act there; 0: all count alike [length]
-    contact_weight_rule : "held": the weights are those at the contact point that is found, and stay while the residuals are made
-        small; "moving": they follow the contact point while it is sought, so that it goes where it leaves large residuals out. That
-        is the sum of squares of other programs, and between 0 and 60 % off "held" where other forces act at contact
+    The fit is a nonlinear least-squares problem with the forward model of `Contact`.
 
-    Bad data raise an exception; a search that does not converge returns its best point, and says so in `converged` and `warnings`.
+    Parameters
+    ----------
+    data : ForceDepth, StiffnessDepth, ModulusRadius, StiffnessRadius, ForceTime, DepthTime or DynamicStiffness
+        The measurement; the last three belong to viscoelastic media.
+    indenter : Profile
+        The indenter. Its numbers are the fixed values, and the starting values of free ones.
+    medium : Medium
+        The body. Its numbers are the fixed values, and the starting values of free ones.
+    free : mapping or iterable of str
+        Names of the free parameters, or a mapping from names to `Free`, a starting value or None. Names are those of
+        `medium.parameters()`, as "coating.E", "thickness", "layers[0].C44"; "indenter.radius", "indenter.C0" and the like; and of
+        the instrument "work_of_adhesion", "depth_offset", "force_offset", "frame_compliance", "indenter_modulus",
+        "contact_depth_factor", "area_factor".
+    instrument : Instrument, optional
+        Adhesion, offsets, frame compliance and material of the indenter.
+    loss : {"linear", "huber", "cauchy"}, optional
+        The last two are robust against outliers beyond `loss_scale` standard deviations.
+    loss_scale : float, optional
+        Scale of a robust loss, > 0 [standard deviations].
+    adhesion_rule : {"automatic", "paper", "energy"}, optional
+        As in `Contact`; the last two need `ForceDepth` with adhesion.
+    sd_is_absolute : bool, optional
+        False if only the ratios of the standard deviations of the data are known.
+    max_iterations : int, optional
+        Largest number of iterations of one search, >= 1.
+    check_units : bool, optional
+        True rejects data more than 300 times larger or smaller than the model at the start.
+    known : iterable of JointPrior, optional
+        Joint priors of several parameters, as from the calibration of a tip.
+    contact_weight : float, optional
+        Of `ForceDepth`: within this distance of initial contact residuals are weighted proportionally to their distance from it,
+        because other forces act there [length]. 0 weights all residuals equally.
+    contact_weight_rule : {"held", "moving"}, optional
+        "held": the weights belong to the contact point found and stay constant during the minimization. "moving": they follow the
+        contact point during the search, which then moves to where it excludes large residuals. Other programs use that sum of
+        squares; it differs by 0 to 60 % if other forces act at contact.
+
+    Returns
+    -------
+    FitResult
+        Estimates, uncertainties and quality of the fit. If the search does not converge, it is the best point found, with
+        `converged` False and a warning.
+
+    Raises
+    ------
+    InvalidArgumentError
+        A name is unknown, a number is outside its range, or the data do not determine anything.
+    ArgumentTypeError
+        An object is of another type.
+
+    Examples
+    --------
+    >>> depth = np.linspace(10e-9, 100e-9, 20)
+    >>> silica = mdr.Contact(mdr.Paraboloid(10e-6), mdr.Homogeneous(mdr.Elastic(72e9, 0.17)))
+    >>> noise = 1e-4 * np.random.default_rng(1).standard_normal(20)
+    >>> data = mdr.instruments.ForceDepth(depth, silica.at_depth(depth).force + noise, sd=1e-4)
+    >>> result = mdr.instruments.fit(data, mdr.Paraboloid(10e-6), mdr.Homogeneous(mdr.Elastic(50e9, 0.17)), ["E"])
+    >>> print(f"{result.estimates['E'] / 1e9:.2f} {result.standard_errors['E'] / 1e9:.2f}")
+    71.89 0.45
     """
     options = (instrument, loss, loss_scale, adhesion_rule, sd_is_absolute, max_iterations, check_units, tuple(known))
     distance = number("contact_weight", contact_weight)

@@ -49,14 +49,43 @@ class _InTime(Data):
 
 
 class ForceTime(_InTime):
-    """Force against time of a viscoelastic body whose indentation depth is prescribed: approach, hold, retract; a relaxation test.
+    """Measured force against time of a viscoelastic body at a prescribed depth.
 
-    time : ascending [time]
-    depth : that the instrument reads, the deflection of a cantilever taken off: rises to one largest value, may be held there, and
-        falls; in between linear in time. Readings whose noise goes back and forth are replaced by the straight pieces that they
-        follow; the error of those is not in the standard errors [length]
-    force : [modulus length^2]
-    sd, relative_sd : of the force, as in ForceDepth
+    The test is approach, hold and retract, or a relaxation test.
+
+    Parameters
+    ----------
+    time : array_like
+        Ascending times [time].
+    depth : array_like
+        Depth without the deflection of a cantilever [length]. It rises to one largest value, may be held there, and falls, linear
+        in between. Readings whose noise goes back and forth are replaced by straight pieces; the standard errors do not include the
+        error of these.
+    force : array_like
+        Forces [modulus length^2].
+    sd : float or array_like, optional
+        Standard deviation of the force, as in `ForceDepth` [modulus length^2].
+    relative_sd : float, optional
+        As in `ForceDepth` [1].
+    missing : {"raise", "drop"}, optional
+        As in `ForceDepth`.
+
+    Raises
+    ------
+    InvalidArgumentError
+        The times do not ascend, or the depth does not rise to one largest value and fall.
+
+    Examples
+    --------
+    >>> polymer = mdr.Viscoelastic(1e6, [(9e6, 1.0)], nu=0.5)
+    >>> contact = mdr.Contact(mdr.Paraboloid(10e-6), mdr.Homogeneous(polymer))
+    >>> time = np.linspace(0.0, 5.0, 40)
+    >>> path = contact.history(time, depth=np.minimum(time, 1.0) * 1e-6)
+    >>> data = mdr.instruments.ForceTime(time, path.depth, path.force)
+    >>> start = mdr.Homogeneous(mdr.Viscoelastic(2e6, [(5e6, 1.0)], nu=0.5))
+    >>> result = mdr.instruments.fit(data, mdr.Paraboloid(10e-6), start, ["relaxed_shear_modulus", "terms[0].modulus"])
+    >>> print(f"{result.estimates['relaxed_shear_modulus'] / 1e6:.3f} {result.estimates['terms[0].modulus'] / 1e6:.3f}")
+    1.000 9.000
     """
 
     code, x_name, y_name, given_name = _layout.FIT_FORCE_TIME, "time", "force", "depth"
@@ -81,14 +110,43 @@ class ForceTime(_InTime):
 
 
 class DepthTime(_InTime):
-    """Indentation depth against time of a viscoelastic body under a prescribed force: creep.
+    """Measured depth against time of a viscoelastic body under a given force.
 
-    time : ascending [time]
-    force : in between linear in time; readings below force_offset are taken as none. Readings whose noise goes back and forth about
-        a path that rises to one largest value, may be held there, and falls, are replaced by the straight pieces that they follow;
-        the error of those is not in the standard errors [modulus length^2]
-    depth : [length]
-    sd, relative_sd : of the depth, as in ForceDepth
+    The test is a creep test.
+
+    Parameters
+    ----------
+    time : array_like
+        Ascending times [time].
+    force : array_like
+        Forces, linear in between [modulus length^2]; readings below `force_offset` count as none. Readings whose noise goes back
+        and forth about a path that rises to one largest value, may be held there, and falls, are replaced by straight pieces; the
+        standard errors do not include the error of these.
+    depth : array_like
+        Depths [length].
+    sd : float or array_like, optional
+        Standard deviation of the depth, as in `ForceDepth` [length].
+    relative_sd : float, optional
+        As in `ForceDepth` [1].
+    missing : {"raise", "drop"}, optional
+        As in `ForceDepth`.
+
+    Raises
+    ------
+    InvalidArgumentError
+        The times do not ascend, or as of `ForceDepth`.
+
+    Examples
+    --------
+    >>> polymer = mdr.Viscoelastic(1e6, [(9e6, 1.0)], nu=0.5)
+    >>> contact = mdr.Contact(mdr.Paraboloid(10e-6), mdr.Homogeneous(polymer))
+    >>> time = np.linspace(0.0, 5.0, 40)
+    >>> path = contact.history(time, force=np.minimum(time, 1.0) * 1e-5)
+    >>> data = mdr.instruments.DepthTime(time, path.force, path.depth)
+    >>> start = mdr.Homogeneous(mdr.Viscoelastic(2e6, [(9e6, 1.0)], nu=0.5))
+    >>> result = mdr.instruments.fit(data, mdr.Paraboloid(10e-6), start, ["relaxed_shear_modulus"])
+    >>> print(f"{result.estimates['relaxed_shear_modulus'] / 1e6:.3f}")
+    1.000
     """
 
     code, x_name, y_name, given_name = _layout.FIT_DEPTH_TIME, "time", "depth", "force"
@@ -108,14 +166,40 @@ class DepthTime(_InTime):
 
 
 class DynamicStiffness(Data):
-    """Storage and loss of the contact stiffness against frequency.
+    """Measured storage and loss stiffness of a contact against frequency.
 
-    omega : angular frequencies > 0 [1/time]
-    stiffness : k* = k' + i k'', complex [modulus length]
-    radius : contact radius, a number or one for each point [length]
-    sd, relative_sd : of the real and of the imaginary part alike, as in ForceDepth
+    Each frequency makes two data points, storage and loss.
 
-    As data they are two points each, the storage and the loss.
+    Parameters
+    ----------
+    omega : array_like
+        Angular frequencies > 0 [1/time].
+    stiffness : array_like
+        Complex stiffness k* = k' + i k'' [modulus length].
+    radius : float or array_like
+        Contact radius, one or one for each point [length].
+    sd : float or array_like, optional
+        Standard deviation of real and imaginary part, as in `ForceDepth` [modulus length].
+    relative_sd : float, optional
+        Standard deviation relative to |k*| [1].
+    missing : {"raise", "drop"}, optional
+        As in `ForceDepth`.
+
+    Raises
+    ------
+    InvalidArgumentError
+        The columns differ in length.
+
+    Examples
+    --------
+    >>> polymer = mdr.Viscoelastic(1e6, [(9e6, 1.0)], nu=0.5)
+    >>> contact = mdr.Contact(mdr.Paraboloid(10e-6), mdr.Homogeneous(polymer))
+    >>> omega = np.geomspace(0.1, 10.0, 8)
+    >>> data = mdr.instruments.DynamicStiffness(omega, contact.dynamic_stiffness(omega, radius=2e-6), 2e-6, relative_sd=0.01)
+    >>> start = mdr.Homogeneous(mdr.Viscoelastic(2e6, [(9e6, 1.0)], nu=0.5))
+    >>> result = mdr.instruments.fit(data, mdr.Paraboloid(10e-6), start, ["relaxed_shear_modulus"])
+    >>> print(len(data), f"{result.estimates['relaxed_shear_modulus'] / 1e6:.3f}")
+    16 1.000
     """
 
     code, x_name, y_name, given_name = _layout.FIT_DYNAMIC_STIFFNESS, "omega", "stiffness", "radius"

@@ -252,18 +252,41 @@ def _gives_back(h: Array, p: Array, segments: list[Segment]) -> bool:
 
 
 class Unloading(StiffnessDepth):
-    """Unloading curves, one point each: the contact stiffness S = dP/dh where unloading begins, at the largest depth and force,
-    from a power law through the upper part (Oliver and Pharr 1992). In a fit they are StiffnessDepth data.
+    """Contact stiffness S = dP/dh at the beginning of unloading curves.
 
-    depth, force : one curve, or a whole record with loading, holds and one or more unloadings, in the order of measurement
-        [length], [modulus length^2]; n numbers each
-    upper_part : the part of the unloading curve that is fitted, in units of its largest force
-    elastic : as in StiffnessDepth; None: True where loading is in the record and unloading gives back its work to 5 %
+    Each curve is one point. S follows from a power law through the upper part of each curve. In a fit the points are
+    `StiffnessDepth` data. `unloadings` are the results of each curve; `unused_unloadings` are the curves without a result, with the
+    reason.
 
-    segments : the parts of the record, where the file marks them; None: found from the readings, see `segmentation`
+    Parameters
+    ----------
+    depth : array_like
+        Depths of one curve, or of a record with loading, holds and one or more unloadings, in the order of measurement [length].
+    force : array_like
+        Forces, as many [modulus length^2].
+    upper_part : tuple of float, optional
+        Lower and upper end of the fitted part, in units of the largest force of the curve, 0 < lower < upper <= 1 [1].
+    elastic : bool, optional
+        As in `StiffnessDepth`; None: True if the record includes loading, and unloading returns its work to 5 %.
+    segments : sequence of Segment, optional
+        Segments of the record, if the file marks them; None finds them with `segmentation`.
 
-    unloadings : what each unloading curve says, `UnloadingPoint`
-    unused_unloadings : unloading curves that say nothing, with the reason, by the segment
+    Raises
+    ------
+    InvalidArgumentError
+        No unloading curve can be used, or `upper_part` is outside its range.
+
+    References
+    ----------
+    oliver-1992
+
+    Examples
+    --------
+    >>> depth = np.concatenate([np.linspace(0.0, 100e-9, 60), np.linspace(100e-9, 60e-9, 60)])
+    >>> force = 1e-3 * np.concatenate([np.linspace(0.0, 1.0, 60) ** 2, np.linspace(1.0, 0.0, 60) ** 1.5])
+    >>> data = mdr.instruments.Unloading(depth, force)
+    >>> print(data.found_and_used(), f"{data.y[0]:.4e}")
+    ['1 unloadings, 1 used'] 3.7500e+04
     """
 
     def __init__(
@@ -300,7 +323,13 @@ class Unloading(StiffnessDepth):
         self.warnings += [*_doubts_of_record(h, p, parts[0]), *(by_cause(several) if len(points) > 1 else points[0].warnings)]
 
     def found_and_used(self) -> list[str]:
-        """How many unloading curves there are and how many are used, with the reasons."""
+        """Return how many unloading curves are found and used, with the reasons.
+
+        Returns
+        -------
+        list of str
+            One line for each fact.
+        """
         count = len(self.unloadings)
         words = [f"{count + len(self.unused_unloadings)} unloadings, {count} used"]
         words += [f"unloading of readings {s.start}-{s.stop - 1} is not used: {why}" for s, why in self.unused_unloadings]

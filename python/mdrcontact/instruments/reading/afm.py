@@ -47,9 +47,39 @@ def is_of_afm(path: Path) -> bool:
 
 
 def read_afm(path: Path, spring_constant: float | None = None, deflection_sensitivity: float | None = None) -> list[AfmCurve]:
-    """All force curves of a file; `FileError` where it holds none or cannot be read.
+    """Read all force curves of a file of an AFM.
 
-    spring_constant, deflection_sensitivity : [N/m], [m/V]; None: those of the file
+    It needs afmformats: `pip install "mdrcontact[afm]"`.
+
+    Parameters
+    ----------
+    path : Path
+        The file.
+    spring_constant : float, optional
+        Spring constant of the cantilever [N/m]; None is that of the file.
+    deflection_sensitivity : float, optional
+        Deflection sensitivity [m/V]; None is that of the file.
+
+    Returns
+    -------
+    list of AfmCurve
+        Heights [m], forces [N], times [s] and segments.
+
+    Raises
+    ------
+    FileError
+        The file contains no force curves or cannot be read.
+    MDRError
+        afmformats is not installed.
+
+    Examples
+    --------
+    >>> from pathlib import Path
+    >>> try:
+    ...     mdr.instruments.read_afm(Path("no-such-file.jpk-force"))
+    ... except mdr.MDRError as problem:
+    ...     print(type(problem).__name__)
+    FileError
     """
     if not path.is_file():
         raise FileError(f"{path}: it cannot be read: there is no such file")

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""From an instrument's record to a curve: segments, drift, pop-ins, contact point and baseline."""
+"""Parts of records: segments, drift, pop-ins, contact point and baseline."""
 
 from .contact_point import Baseline, depth_from_height, find_baseline, find_contact_point
 from .dynamic import without_oscillation

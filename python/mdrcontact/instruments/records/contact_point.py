@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Contact point and baseline of an approach, found before a fit, and depth from what a cantilever reads."""
+"""Contact point and baseline of an approach, and depth from piezo height."""
 
 from __future__ import annotations
 
@@ -29,25 +29,78 @@ _CLEAR = 0.8
 
 
 class Baseline(NamedTuple):
-    """Force without contact: force = offset + tilt depth."""
+    """Force without contact, offset + tilt depth, from `find_baseline`.
+
+    Examples
+    --------
+    >>> depth = np.linspace(-500e-9, 200e-9, 141)
+    >>> force = 1e-9 + 1e-2 * np.maximum(depth, 0.0) ** 1.5
+    >>> contact = mdr.instruments.find_contact_point(depth, force)
+    >>> baseline = mdr.instruments.find_baseline(depth, force, contact)
+    >>> print(f"{baseline.offset:.2e} {baseline.at(0.0):.2e}")
+    1.00e-09 1.00e-09
+    """
 
     offset: float
+    """force at depth 0 [force]"""
     tilt: float
+    """slope of the force against depth [force/length]"""
     noise: float
-    """standard deviation of the readings about it"""
+    """standard deviation of the readings about it [force]"""
 
     def at(self, depth: Array) -> Array:
-        """Its force at these depths."""
+        """Return the force of the baseline at given depths.
+
+        Parameters
+        ----------
+        depth : ndarray
+            Depths [length].
+
+        Returns
+        -------
+        ndarray
+            Forces [force].
+        """
         return self.offset + self.tilt * depth
 
 
 def find_contact_point(depth: ArrayLike, force: ArrayLike, method: str = "piecewise", *, power: float = 1.5) -> int:
-    """Position of the first point in contact, on an approach whose points stand in the order of measurement.
+    """Find the first point in contact on an approach.
 
-    method : "piecewise": a straight baseline and force = c (depth - d0)^power, least squares over d0 (Lin, Dimitriadis, Horkay
-        2007, J. Biomech. Eng. 129, 430); "ratio-of-variances": where the forces behind a point vary most against those before it
-        (Gavara 2016, Sci. Rep. 6, 21267)
-    power : of the contact for "piecewise": 1.5 for spheres and paraboloids, 2 for cones and pyramids
+    Parameters
+    ----------
+    depth : array_like
+        Depths in the order of measurement, at least 20 [length].
+    force : array_like
+        Forces, as many [force].
+    method : {"piecewise", "ratio-of-variances"}, optional
+        "piecewise": a straight baseline and force = c (depth - d0)^power, by least squares over d0. "ratio-of-variances": the point
+        after which the forces vary most, compared with those before.
+    power : float, optional
+        Power for "piecewise": 1.5 for spheres and paraboloids, 2 for cones and pyramids [1].
+
+    Returns
+    -------
+    int
+        Position of the point.
+
+    Raises
+    ------
+    InvalidArgumentError
+        There are too few points, or the method is unknown.
+
+    References
+    ----------
+    lin-2007
+    gavara-2016
+
+    Examples
+    --------
+    >>> depth = np.linspace(-500e-9, 200e-9, 141)
+    >>> force = 1e-9 + 1e-2 * np.maximum(depth, 0.0) ** 1.5
+    >>> contact = mdr.instruments.find_contact_point(depth, force)
+    >>> print(f"{abs(depth[contact]) * 1e9:.0f}")
+    0
     """
     d, f = curve(depth, force, fewest=FEWEST)
     if method not in METHODS:
@@ -93,10 +146,38 @@ def _misfits(d: Array, f: Array, places: NDArray[np.int64], power: float) -> Arr
 
 
 def find_baseline(depth: ArrayLike, force: ArrayLike, contact: int, *, tilt: bool = True) -> Baseline:
-    """The baseline before the contact point; its last 20 % are left out, where forces of longer range may act.
+    """Fit the baseline before the contact point.
 
-    contact : position of the first point in contact, see `find_contact_point`
-    tilt : whether it has a slope, or an offset only
+    The last 20 % before contact are excluded, because forces of longer range may act there.
+
+    Parameters
+    ----------
+    depth : array_like
+        Depths in the order of measurement [length].
+    force : array_like
+        Forces, as many [force].
+    contact : int
+        Position of the first point in contact.
+    tilt : bool, optional
+        False fits an offset only.
+
+    Returns
+    -------
+    Baseline
+        Offset, tilt and noise.
+
+    Raises
+    ------
+    InvalidArgumentError
+        Fewer than 5 points are before contact.
+
+    Examples
+    --------
+    >>> depth = np.linspace(-500e-9, 200e-9, 141)
+    >>> force = 1e-9 + 1e-2 * np.maximum(depth, 0.0) ** 1.5
+    >>> baseline = mdr.instruments.find_baseline(depth, force, 100, tilt=False)
+    >>> print(f"{baseline.offset:.2e}")
+    1.00e-09
     """
     d, f = curve(depth, force)
     last = int(_CLEAR * contact)
@@ -129,10 +210,33 @@ def deflection_sign(height: ArrayLike, deflection: ArrayLike) -> int:
 
 
 def depth_from_height(height: ArrayLike, deflection: ArrayLike, sign: int | None = None) -> Array:
-    """Indentation depth from the height of the piezo and the deflection of the cantilever, both lengths: the way that the piezo
-    goes into the sample less the deflection.
+    """Return the indentation depth from piezo height and cantilever deflection.
 
-    sign : 1 if the height grows into the sample, -1 if it falls; None: as the deflection grows with it
+    The depth is the motion of the piezo into the sample minus the deflection.
+
+    Parameters
+    ----------
+    height : array_like
+        Heights of the piezo [length].
+    deflection : array_like
+        Deflections of the cantilever [length].
+    sign : int, optional
+        1 if the height grows into the sample, -1 if it falls; None: as the deflection grows with it.
+
+    Returns
+    -------
+    ndarray
+        Depths [length].
+
+    Raises
+    ------
+    InvalidArgumentError
+        The columns differ in length or are not finite.
+
+    Examples
+    --------
+    >>> print(mdr.instruments.depth_from_height([0.0, 100e-9, 200e-9], [0.0, 10e-9, 30e-9]))
+    [0.0e+00 9.0e-08 1.7e-07]
     """
     z, x = numbers("height", height), numbers("deflection", deflection)
     z, x = curve(z, x)

@@ -17,13 +17,44 @@ Array = NDArray[np.float64]
 def without_oscillation(
     depth: ArrayLike, force: ArrayLike, stiffness: ArrayLike, oscillation: float, exponent: float = 1.5
 ) -> tuple[Array, Array, Array, NDArray[np.bool_]]:
-    """Depth, force and contact stiffness at the top of the oscillation, and which points keep contact all the time.
+    """Return depth, force and stiffness at the top of an oscillation.
 
-    While the indenter oscillates it unloads along P = B (h - h_f)^m, so instruments read a secant for the slope, and means for
-    largest values (Pharr, Strader, Oliver 2009, J. Mater. Res. 24, 653). With Delta the range of the oscillation, 2 sqrt(2) of its
-    rms: S = m P/Delta (1 - (1 - S_read Delta/P)^(1/m)), P the largest force. Where S_read Delta > P contact is lost.
+    An oscillating indenter unloads along P = B (h - h_f)^m, so that instruments read a secant instead of the slope, and means
+    instead of largest values. With Delta = 2 sqrt(2) rms, S = m P/Delta (1 - (1 - S_read Delta/P)^(1/m)). If S_read Delta > P,
+    contact is lost.
 
-    oscillation : rms amplitude of the displacement [length]; exponent : m of the unloading curve [1]
+    Parameters
+    ----------
+    depth : array_like
+        Depth readings [length].
+    force : array_like
+        Force readings [modulus length^2].
+    stiffness : array_like
+        Stiffness readings [modulus length].
+    oscillation : float
+        Root-mean-square amplitude of the displacement, > 0 [length].
+    exponent : float, optional
+        m of the unloading curve, 1 <= m <= 2 [1].
+
+    Returns
+    -------
+    tuple of ndarray
+        Depth, force and stiffness, and True for points that stay in contact.
+
+    Raises
+    ------
+    InvalidArgumentError
+        The amplitude or the exponent is outside its range.
+
+    References
+    ----------
+    pharr-2009
+
+    Examples
+    --------
+    >>> depth, force, stiffness, keeps = mdr.instruments.without_oscillation([50e-9], [1e-4], [1e4], 1e-9)
+    >>> print(f"{stiffness[0]:.4e}", keeps[0])
+    1.0466e+04 True
     """
     h, p, s = (numbers(name, v) for name, v in (("depth", depth), ("force", force), ("stiffness", stiffness)))
     rms, m = number("oscillation", oscillation), number("exponent", exponent)

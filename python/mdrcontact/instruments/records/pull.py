@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How hard a tip was pulled, on its way in and out: numbers of the record, without a model."""
+"""Adhesion forces of a record on approach and retract, without a model."""
 
 from __future__ import annotations
 
@@ -16,21 +16,53 @@ _FEWEST = 20
 
 
 class Pull(NamedTuple):
-    """The lowest force of a branch below the force far away: jump into contact on approach, pull-off on retract."""
+    """Lowest force of a branch: jump-in on approach, pull-off on retract.
+
+    `find_pull` returns it.
+
+    Examples
+    --------
+    >>> depth = np.linspace(-500e-9, 100e-9, 121)
+    >>> force = np.where(depth > -50e-9, (depth - 50e-9) * 1e-2, 0.0)
+    >>> pull = mdr.instruments.find_pull(depth, force)
+    >>> print(f"{pull.force:.2e}")
+    9.50e-10
+    """
 
     force: float
-    """how far below, greater than 0"""
+    """force below the level without contact, > 0 [force]"""
     depth: float
-    """where"""
+    """depth of the lowest force [length]"""
     noise: float
-    """standard deviation of the force far away"""
+    """standard deviation of the force without contact [force]"""
 
 
 def find_pull(depth: ArrayLike, force: ArrayLike) -> Pull | None:
-    """The largest pull on one branch, approach or retract; None where it is less than five times the noise, or the curve has fewer
-    than 20 points.
+    """Find the largest adhesion force on one branch.
 
-    depth, force : of the branch, in any order, baseline included [length], [force]; n numbers each
+    Parameters
+    ----------
+    depth : array_like
+        Depths of the branch in any order, baseline included [length].
+    force : array_like
+        Forces, as many [force].
+
+    Returns
+    -------
+    Pull or None
+        The lowest force; None if it is less than five times the noise, or there are fewer than 20 points.
+
+    Raises
+    ------
+    InvalidArgumentError
+        The columns differ in length, or depth or force is constant.
+
+    Examples
+    --------
+    >>> depth = np.linspace(-500e-9, 100e-9, 121)
+    >>> force = np.where(depth > -50e-9, (depth - 50e-9) * 1e-2, 0.0)
+    >>> print(f"{mdr.instruments.find_pull(depth, force).depth * 1e9:.0f}")
+    -50
     """
     d, f = curve(depth, force)
     if len(d) < _FEWEST:
@@ -44,20 +76,51 @@ def find_pull(depth: ArrayLike, force: ArrayLike) -> Pull | None:
 
 
 class Parting(NamedTuple):
-    """How a tip came off, and what the cycle cost."""
+    """Last rupture of a retract and energy lost in the cycle, from `find_parting`.
+
+    Examples
+    --------
+    >>> approach, retract = np.linspace(-5e-7, 1e-7, 121), np.linspace(1e-7, -5e-7, 121)
+    >>> pushed, pulled = np.maximum(approach, 0.0) * 1e-2, np.where(retract > -1e-7, retract * 1e-2, 0.0)
+    >>> parting = mdr.instruments.find_parting(np.concatenate([approach, retract]), np.concatenate([pushed, pulled]))
+    >>> print(f"{parting.rupture_depth * 1e9:.0f} {parting.energy:.2e}")
+    -95 4.75e-17
+    """
 
     rupture_depth: float
-    """where the force last rises from below the noise of the baseline to it: the last rupture"""
+    """depth at which the force last rises from below the noise of the baseline [length]"""
     energy: float
-    """lost in the cycle, the area between approach and retract"""
+    """energy lost in the cycle, the area between approach and retract [force length]"""
 
 
 def find_parting(depth: ArrayLike, force: ArrayLike) -> Parting | None:
-    """The last rupture and the energy lost of a cycle of approach and retract; None where the retract does not pull more than five
-    times the noise, or a branch has fewer than 20 points.
+    """Find the last rupture and the energy lost of a cycle of approach and retract.
 
-    depth, force : of the cycle in the order of time, both branches from the baseline on [length], [force]; n numbers each. It turns
-        at the largest force. Each branch has the median of its own farthest readings as its zero of the force
+    Parameters
+    ----------
+    depth : array_like
+        Depths of the cycle in the order of time, both branches from the baseline on [length].
+    force : array_like
+        Forces, as many [force]. The cycle turns at the largest force. The zero of each branch is the median of its farthest
+        readings.
+
+    Returns
+    -------
+    Parting or None
+        Rupture and energy; None if the retract does not pull more than five times the noise, or a branch has fewer than 20 points.
+
+    Raises
+    ------
+    InvalidArgumentError
+        The columns differ in length, or depth or force is constant.
+
+    Examples
+    --------
+    >>> approach, retract = np.linspace(-5e-7, 1e-7, 121), np.linspace(1e-7, -5e-7, 121)
+    >>> pushed, pulled = np.maximum(approach, 0.0) * 1e-2, np.where(retract > -1e-7, retract * 1e-2, 0.0)
+    >>> parting = mdr.instruments.find_parting(np.concatenate([approach, retract]), np.concatenate([pushed, pulled]))
+    >>> print(f"{parting.energy:.2e}")
+    4.75e-17
     """
     d, f = curve(depth, force)
     top = int(np.argmax(f))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The parts of a measured curve: loading, holds and unloading, thermal drift, pop-ins."""
+"""Parts of a measured curve: loading, holds, unloading, drift and pop-ins."""
 
 from __future__ import annotations
 
@@ -48,33 +48,68 @@ _FAR, _FAR_STEPS, _FAR_NOISE = 0.02, 5.0, 10.0
 
 
 class Segment(NamedTuple):
-    """A part of a curve: "loading" (approach), "hold" or "unloading" (retract), and its points start ... stop - 1."""
+    """Part of a curve, from `find_segments`.
+
+    Examples
+    --------
+    >>> depth = np.concatenate([np.linspace(0.0, 1e-7, 100), np.linspace(1e-7, 5e-8, 100)])
+    >>> force = np.concatenate([np.linspace(0.0, 1e-3, 100), np.linspace(1e-3, 0.0, 100)])
+    >>> segment = mdr.instruments.find_segments(depth, force)[0]
+    >>> print(segment.kind, segment.points)
+    loading slice(0, 101, None)
+    """
 
     kind: str
+    """"loading" (approach), "hold" or "unloading" (retract)"""
     start: int
+    """position of the first point"""
     stop: int
+    """position after the last point"""
 
     @property
     def points(self) -> slice:
-        """Its place in the arrays."""
+        """The segment as a slice of the arrays."""
         return slice(self.start, self.stop)
 
 
 class PopIn(NamedTuple):
-    """A jump in depth at constant load, or in load at constant depth: the last point before it, and what stands there."""
+    """Jump in depth at constant load, or in load at constant depth.
+
+    `find_pop_in` returns it.
+
+    Examples
+    --------
+    >>> depth = np.linspace(0.0, 100e-9, 100) + np.where(np.arange(100) >= 50, 30e-9, 0.0)
+    >>> pop_in = mdr.instruments.find_pop_in(depth, np.linspace(0.0, 1e-3, 100))
+    >>> print(pop_in.position, f"{pop_in.jump * 1e9:.1f}")
+    49 33.0
+    """
 
     position: int
+    """position of the last point before the jump"""
     depth: float
+    """depth at this point [length]"""
     force: float
+    """force at this point [force]"""
     jump: float
-    """of the depth"""
+    """jump of the depth [length]"""
 
 
 class Drift(NamedTuple):
-    """Thermal drift: slope of the depth against time during a hold, and its standard error."""
+    """Thermal drift, from `drift_rate`.
+
+    Examples
+    --------
+    >>> time = np.linspace(0.0, 60.0, 61)
+    >>> drift = mdr.instruments.drift_rate(time, 50e-9 + 0.05e-9 * time)
+    >>> print(f"{drift.rate * 1e9:.3f}")
+    0.050
+    """
 
     rate: float
+    """slope of the depth against time during a hold [length/time]"""
     standard_error: float
+    """standard error of the rate [length/time]"""
 
 
 def curve(depth: ArrayLike, force: ArrayLike, fewest: int = 2) -> tuple[Array, Array]:
@@ -94,29 +129,90 @@ def curve(depth: ArrayLike, force: ArrayLike, fewest: int = 2) -> tuple[Array, A
 
 
 class Segmentation(NamedTuple):
-    """Segments found from readings, and how far they can be trusted."""
+    """Segments found from readings, and their reliability, from `segmentation`.
+
+    Examples
+    --------
+    >>> depth = np.concatenate([np.linspace(0.0, 1e-7, 100), np.linspace(1e-7, 5e-8, 100)])
+    >>> force = np.concatenate([np.linspace(0.0, 1e-3, 100), np.linspace(1e-3, 0.0, 100)])
+    >>> found = mdr.instruments.segmentation(depth, force)
+    >>> print([segment.kind for segment in found.segments], found.unsure)
+    ['loading', 'unloading'] []
+    """
 
     segments: list[Segment]
+    """the segments in the order of measurement"""
     noise: tuple[float, float]
-    """standard deviations of depth and force from reading to reading"""
+    """standard deviations of depth and force from reading to reading [length], [force]"""
     unsure: list[int]
-    """segments whose way is less than twice what counts as a turn, by their places in `segments`"""
+    """positions in `segments` of those that move less than twice the threshold of a turn"""
 
 
 def find_segments(depth: ArrayLike, force: ArrayLike) -> list[Segment]:
-    """Loading, holds and unloading in the order in which they were measured; see `segmentation`."""
+    """Find loading, holds and unloading in the order of measurement.
+
+    Parameters
+    ----------
+    depth : array_like
+        Depths in the order of measurement [length].
+    force : array_like
+        Forces, as many [force].
+
+    Returns
+    -------
+    list of Segment
+        The segments; see `segmentation` for their reliability.
+
+    Raises
+    ------
+    InvalidArgumentError
+        There are too few points, or depth or force is constant.
+
+    Examples
+    --------
+    >>> depth = np.concatenate([np.linspace(0.0, 1e-7, 100), np.full(50, 1e-7), np.linspace(1e-7, 5e-8, 100)])
+    >>> force = np.concatenate([np.linspace(0.0, 1e-3, 100), np.full(50, 1e-3), np.linspace(1e-3, 0.0, 100)])
+    >>> print([segment.kind for segment in mdr.instruments.find_segments(depth, force)])
+    ['loading', 'hold', 'unloading']
+    """
     return segmentation(depth, force).segments
 
 
 def segmentation(depth: ArrayLike, force: ArrayLike) -> Segmentation:
-    """Loading, holds and unloading in the order in which they were measured, cycles of any size.
+    """Find loading, holds and unloading, cycles of any size, with their reliability.
 
-    The standard deviation of the noise from reading to reading follows from second differences. The curve turns where depth and
-    force, as parts of their ranges, together go back by 10 standard deviations of their sum; both must go the same way, and for
-    more points than a jump has. Two or more ways in a row, each of less than 5 % of the force, that make no progress are a hold
-    that wanders. Between turns a point belongs to a hold where depth and force each change by less than 15 % of the rate at which
-    they usually change in that part, at an almost constant force or depth; rates are taken over more readings where neighbouring
-    readings share their errors.
+    Parameters
+    ----------
+    depth : array_like
+        Depths in the order of measurement [length].
+    force : array_like
+        Forces, as many [force].
+
+    Returns
+    -------
+    Segmentation
+        Segments, noise and unreliable segments.
+
+    Raises
+    ------
+    InvalidArgumentError
+        There are too few points, or depth or force is constant.
+
+    Notes
+    -----
+    The noise from reading to reading follows from second differences. The curve turns where depth and force, relative to their
+    ranges, together go back by 10 standard deviations of their sum; both must go the same way, and for more points than a jump. Two
+    or more ways in a row, each of less than 5 % of the force, without progress are a hold that wanders. Between turns a point
+    belongs to a hold if depth and force each change by less than 15 % of their usual rate in that part, at an almost constant force
+    or depth. Rates are taken over more readings if neighbouring readings share their errors.
+
+    Examples
+    --------
+    >>> depth = np.concatenate([np.linspace(0.0, 1e-7, 100), np.linspace(1e-7, 5e-8, 100)])
+    >>> force = np.concatenate([np.linspace(0.0, 1e-3, 100), np.linspace(1e-3, 0.0, 100)])
+    >>> found = mdr.instruments.segmentation(depth, force)
+    >>> print([(segment.kind, segment.start, segment.stop) for segment in found.segments])
+    [('loading', 0, 101), ('unloading', 101, 200)]
     """
     d, f = curve(depth, force, fewest=3)
     noise = _noise(d), _noise(f)
@@ -344,9 +440,31 @@ def _noise(values: Array, lag: int = 1) -> float:
 
 
 def find_strays(values: ArrayLike, *, ends: bool = False) -> NDArray[np.intp]:
-    """Positions of single readings that lie far from both of their neighbours: where a curve jumps away and back at once.
+    """Find single readings that lie far from both neighbours.
 
-    ends : search the first two and the last two readings as well, of a quantity that does not begin or end with a step
+    Parameters
+    ----------
+    values : array_like
+        Readings in the order of measurement.
+    ends : bool, optional
+        True also searches the first two and the last two readings, of a quantity that does not begin or end with a step.
+
+    Returns
+    -------
+    ndarray
+        Positions of the readings.
+
+    Raises
+    ------
+    ArgumentTypeError
+        The readings are not numbers.
+
+    Examples
+    --------
+    >>> values = np.linspace(0.0, 1.0, 50)
+    >>> values[20] = 5.0
+    >>> print(mdr.instruments.find_strays(values))
+    [20]
     """
     v = numbers("values", values)
     if len(v) < 5:
@@ -374,9 +492,40 @@ def _runs(state: NDArray[np.int64]) -> list[tuple[int, int, int]]:
 
 
 def drift_rate(time: ArrayLike, depth: ArrayLike) -> Drift:
-    """The thermal drift during a hold at small load: slope of the depth against time over its last 80 % (Oliver and Pharr 1992).
-    The standard error allows for neighbouring readings that share their errors (effective number of points, see
-    `effective_points`)."""
+    """Fit the thermal drift during a hold at small load.
+
+    It is the slope of the depth against time over the last 80 % of the hold.
+
+    Parameters
+    ----------
+    time : array_like
+        Times of the hold, at least 5 [time].
+    depth : array_like
+        Depths, as many [length].
+
+    Returns
+    -------
+    Drift
+        Rate and standard error, which includes the correlation of neighbouring readings.
+
+    Raises
+    ------
+    InvalidArgumentError
+        There are too few points, or the time or the depth is constant.
+
+    References
+    ----------
+    oliver-1992
+    bartlett-1935
+
+    Examples
+    --------
+    >>> time = np.linspace(0.0, 60.0, 61)
+    >>> noise = 0.1e-9 * np.random.default_rng(1).standard_normal(61)
+    >>> drift = mdr.instruments.drift_rate(time, 50e-9 + 0.05e-9 * time + noise)
+    >>> print(f"{drift.rate * 1e9:.3f} {drift.standard_error * 1e9:.3f}")
+    0.050 0.001
+    """
     t, d = curve(time, depth, fewest=5)
     t, d = t[len(t) // 5 :], d[len(d) // 5 :]
     if np.ptp(t) == 0.0:
@@ -403,19 +552,65 @@ def effective_points(residuals: ArrayLike) -> float:
 
 
 def without_drift(time: ArrayLike, depth: ArrayLike, rate: float) -> Array:
-    """The depths freed of a drift that began with the first reading."""
+    """Return the depths without a drift that began with the first reading.
+
+    Parameters
+    ----------
+    time : array_like
+        Times [time].
+    depth : array_like
+        Depths [length].
+    rate : float
+        Drift rate [length/time].
+
+    Returns
+    -------
+    ndarray
+        depth - rate (time - time[0]) [length].
+
+    Raises
+    ------
+    ArgumentTypeError
+        An argument is not numeric.
+
+    Examples
+    --------
+    >>> print(mdr.instruments.without_drift([0.0, 10.0], [50e-9, 51e-9], 0.05e-9))
+    [5.00e-08 5.05e-08]
+    """
     t, d = numbers("time", time), numbers("depth", depth)
     return np.asarray(d - number("rate", rate) * (t - t[0]))
 
 
 def find_pop_in(depth: ArrayLike, force: ArrayLike) -> PopIn | None:
-    """The first pop-in of a loading curve, None without one; up to there the contact was elastic.
+    """Find the first pop-in of a loading curve; before it the contact was elastic.
 
-    It is a step of the depth 5 times larger than those about it and at least 1 % of the largest depth, at a force that does not
-    grow faster than before, and it stays: the ten readings behind it are deeper than the ten before it by half of the step at
-    least. A reading that strays and comes back is none. Nor is a jump into contact, which begins without load or ends under
-    tension: the force before a pop-in is larger than at the first ten readings, and that behind it not less, by 5 standard
-    deviations of its noise.
+    A pop-in is a step of the depth 5 times larger than those around it and at least 1 % of the largest depth, at a force that does
+    not grow faster than before. It must last: the ten readings after it are deeper than the ten before it by at least half of the
+    step.
+
+    Parameters
+    ----------
+    depth : array_like
+        Depths in the order of measurement [length].
+    force : array_like
+        Forces, as many [force].
+
+    Returns
+    -------
+    PopIn or None
+        The pop-in; None if there is none.
+
+    Raises
+    ------
+    InvalidArgumentError
+        The columns differ in length, or depth or force is constant.
+
+    Examples
+    --------
+    >>> depth = np.linspace(0.0, 100e-9, 100)
+    >>> print(mdr.instruments.find_pop_in(depth, depth**1.5))
+    None
     """
     d, f = curve(depth, force)
     if len(d) < 2 * _NEIGHBOURS:
