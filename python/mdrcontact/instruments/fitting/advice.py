@@ -333,4 +333,4 @@ def _depths_at(level: np.ndarray, depth: np.ndarray, force: np.ndarray) -> np.nd
     width = max(len(order) // (2 * _FEWEST_BACK), 1)
     # means over neighbours in force, whose noise would put them in another order
     weights = np.ones(width) / width
-    return np.interp(level, np.convolve(force[order], weights, "valid"), np.convolve(depth[order], weights, "valid"))
+    return np.asarray(np.interp(level, np.convolve(force[order], weights, "valid"), np.convolve(depth[order], weights, "valid")))

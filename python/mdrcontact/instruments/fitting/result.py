@@ -65,8 +65,8 @@ class FitResult:
     `fitted`, the model at the data; `residuals`, (data - model) in standard deviations of the model; `noise`, factor of the
     standard deviations of the data (1 if they are known), or their standard deviation if none is given; `chi_square`,
     `prior_chi_square`, `degrees_of_freedom`, `log_likelihood`; `pattern_probability`, that random residuals follow each other as
-    smoothly (Durbin and Watson 1950; from 50 points on Bartels 1982); `lag_correlation` of neighbouring residuals, which covariance and intervals include (Cheang and Reinsel
-    2000); `converged`, `iterations`, `evaluations`, `warnings`.
+    smoothly (Durbin and Watson 1950; from 50 points on Bartels 1982); `lag_correlation` of neighbouring residuals, which covariance
+    and intervals include (Cheang and Reinsel 2000); `converged`, `iterations`, `evaluations`, `warnings`.
 
     Parameters
     ----------
@@ -288,7 +288,7 @@ class FitResult:
         along[self.data.order()] = noise
         return along
 
-    def summary(self, level: float = 0.95) -> str:
+    def summary(self, level: float = 0.95, method: str = "normal", intervals: Mapping[str, Interval] = MappingProxyType({})) -> str:
         """Return estimates, intervals, quality of the fit and warnings as text.
 
         The numbers of the problem are taken as SI.
@@ -297,13 +297,18 @@ class FitResult:
         ----------
         level : float, optional
             Level of the intervals, 0 < level < 1 [1].
+        method : {"normal", "profile", "monte-carlo"}, optional
+            Method that found `intervals`.
+        intervals : mapping of str to Interval, optional
+            Intervals at this level, by parameter; those of the covariance are computed.
 
         Returns
         -------
         str
             Several lines.
         """
-        rows = [["", "estimate", f"{100.0 * level:g} % interval", ""]]
+        how = "" if method == "normal" else f" ({method})"
+        rows = [["", "estimate ± standard error", f"{100.0 * level:g} % interval{how}", ""]]
         for name in self.names:
             ends = self.interval_as_text(name, level, intervals.get(name))
             rows.append([f"{words_of(name)} ({name})", self.as_text(name), ends, "; ".join(self.doubts(name))])
@@ -391,7 +396,7 @@ class FitResult:
             return "not determined"
         return measured(name, value, error)
 
-    def interval_as_text(self, name: str, level: float = 0.95) -> str:
+    def interval_as_text(self, name: str, level: float = 0.95, given: Interval | None = None) -> str:
         """Return the interval of an estimate as text, in the unit of the estimate.
 
         Parameters
@@ -400,6 +405,8 @@ class FitResult:
             Name of the parameter.
         level : float, optional
             Level, 0 < level < 1 [1].
+        given : Interval, optional
+            Another interval of the estimate.
 
         Returns
         -------
