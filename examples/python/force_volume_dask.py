@@ -59,8 +59,8 @@ def draw(forces: np.ndarray) -> None:
     """The map of the largest forces."""
     figure, axes = plt.subplots(figsize=(6, 4.5), layout="constrained")
     image = axes.imshow(1e6 * forces, origin="lower")
-    axes.set(xlabel="pixel", ylabel="pixel", title="Largest force of each curve of a tilted film")
-    figure.colorbar(image, label="F [uN]")
+    axes.set(xlabel="pixel", ylabel="pixel", title="curves on a tilted film")
+    figure.colorbar(image, label="largest force F [µN]")
     path = Path(f"{Path(__file__).stem}.png")
     figure.savefig(path, dpi=120)
     print(f"written: {path}")

@@ -50,16 +50,19 @@ def main() -> None:
     figure, (left, right) = plt.subplots(1, 2, figsize=(10.0, 4.4), layout="constrained")
     for part, line in zip(SLIPPING, lines, strict=False):
         left.loglog(RATIOS, line / 1e-9, color="0.6", linewidth=1.0)
-        left.annotate(f"{100 * part:.0f} % slips", (RATIOS[0], line[0] / 1e-9), va="top", fontsize=8)
+        words = f"{100 * part:.0f} % slips"
+        left.annotate(words, (RATIOS[0], line[0] / 1e-9), (0, -9), textcoords="offset points", va="top", fontsize=8)
     left.loglog(RATIOS, lines[-1] / 1e-9, color="#D55E00", label="gross slip above")
-    left.set(xlabel="E of the coating over that of the steel", ylabel="amplitude of the shift [nm]")
+    left.set(xlabel="modulus ratio $E_0/E_1$", ylabel="amplitude of the shift s [nm]")
     left.set_title(f"ball of {BALL / 1e-3:g} mm, {FORCE:g} N, {THICKNESS / 1e-6:g} µm coating, friction {MU:g}")
     left.legend()
     for energy, words in zip(energies, (f"shift ±{shift / 1e-9:.0f} nm", f"tangential force ±{tangential_force:g} N"), strict=True):
         right.loglog(RATIOS, energy, label=words)
     right.axhline(1.0, color="0.6", linewidth=0.8)
-    right.set(xlabel="E of the coating over that of the steel", ylabel="energy of a cycle over that of bare steel")
+    right.set(xlabel="modulus ratio $E_0/E_1$", ylabel="dissipated energy of a cycle, relative to bare steel")
     right.legend()
+    right.set_yticks([0.3, 0.5, 1.0, 2.0, 3.0], ["0.3", "0.5", "1", "2", "3"])
+    right.yaxis.minorticks_off()
     for axis in (left, right):
         axis.grid(color="0.9")
     figure.savefig("fretting_map.png", dpi=150)
