@@ -73,6 +73,27 @@ def test_three_paths_of_five_pages_that_end_with_the_reader():
         assert anchor in anchors(f"## {last}") and anchor.startswith("your-own-")
 
 
+def without_caption(text):
+    """Pictures that no line in italics follows."""
+    lines = [line for line in text.splitlines() if line.strip()]
+    return [
+        a
+        for a, b in zip(lines, [*lines[1:], ""], strict=True)
+        if a.startswith("![") and not re.search(r"(^|<br>)\*[^ *]", a[2:] + "\n" + b, re.MULTILINE)
+    ]
+
+
+@pytest.mark.parametrize("path", [ROOT / "README.md", *PAGES, *THEORY], ids=lambda path: str(path.relative_to(ROOT)))
+def test_every_picture_has_a_caption(path):
+    assert not without_caption(path.read_text(encoding="utf-8"))
+
+
+def test_a_picture_without_a_caption_is_found():
+    assert without_caption("![a](a.png)\n\n*What is plotted.*\n\n![b](b.png)\n\n* an item\n\n![c](c.png)<br>*c*\n") == [
+        "![b](b.png)"
+    ]
+
+
 def test_examples_are_listed():
     listed = {link for link in LINK.findall(EXAMPLES.read_text(encoding="utf-8")) if not link.startswith("../")}
     examples = {path.relative_to(EXAMPLES.parent) for path in EXAMPLES.parent.glob("*/*")}
