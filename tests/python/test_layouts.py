@@ -3,6 +3,8 @@
 
 from __future__ import annotations
 
+import random
+
 import instruments
 import numpy as np
 import pytest
@@ -60,6 +62,10 @@ TITLES = {
     "symbols behind names": ("Depth h (nm)\tLoad, P (mN)\n", "\t"),
     "a row of units": ("Depth\tLoad\n(nm)\t(mN)\n", "\t"),
     "German": ("Eindringtiefe [nm];Pr\xfcfkraft [mN]\n", ";"),
+    "a row of units above": ("nm\tmN\nDepth\tLoad\n", "\t"),
+    "the largest values": ("hmax (nm)\tPmax (mN)\n", "\t"),
+    "Japanese": ("\u6df1\u3055(nm),\u8377\u91cd(mN)\n", ","),
+    "Chinese": ("\u538b\u5165\u6df1\u5ea6[nm],\u8f7d\u8377[mN]\n", ","),
     "French": ("Profondeur (nm);Charge (mN)\n", ";"),
 }
 
@@ -172,6 +178,8 @@ SIDE_BY_SIDE = {
     "words": "Test 1 Depth [nm]\tTest 1 Load [mN]\tTest 2 Depth [nm]\tTest 2 Load [mN]\n",
     "the same in turn": "Depth [nm]\tLoad [mN]\tDepth [nm]\tLoad [mN]\n",
     "the names of tests": "X_A_Depth_[nm]\tY_A_Load_[mN]\tX_B_Depth_[nm]\tY_B_Load_[mN]\n",
+    "names of samples": "A_1 Depth [nm]\tA_1 Load [mN]\tB_1 Depth [nm]\tB_1 Load [mN]\n",
+    "other units": "X_A_Depth_[nm]\tY_A_Load_[mN]\tX_B_Depth_(nm)\tY_B_Load_(mN)\n",
     "units in a row": "Depth 1\tLoad 1\tDepth 2\tLoad 2\nnm\tmN\tnm\tmN\n",
 }
 
@@ -187,6 +195,27 @@ def test_tests_side_by_side(kind, tmp_path):
     # a column is named by its title in the file
     title = SIDE_BY_SIDE[kind].split("\n")[0].split("\t")[3]
     assert column(two, "force", force=title).values == pytest.approx(2e-3 * FORCE, abs=1e-7)
+
+
+def test_an_empty_column_between_tests(tmp_path):
+    head = "Depth [nm]\tLoad [mN]\t\tDepth [nm]\tLoad [mN]\n"
+    cells = rows(DEPTH, FORCE, DEPTH + 1.0, 2.0 * FORCE).splitlines()
+    text = head + "".join("{}\t{}\t\t{}\t{}\n".format(*line.split("\t")) for line in cells)
+    assert [len(table.titles) for table in tables(tmp_path, text)] == [2, 2]
+    assert column(tables(tmp_path, text)[1], "depth").values == pytest.approx(1e-9 * (DEPTH + 1.0))
+
+
+def test_each_test_has_its_own_units(tmp_path):
+    head = "X_A_Depth_[nm]\tY_A_Load_[mN]\tX_B_Depth_[um]\tY_B_Load_[uN]\n"
+    _, two = tables(tmp_path, head + rows(DEPTH, FORCE, DEPTH, FORCE))
+    for said in ({}, {"depth": "X_A_Depth_[nm]"}, {"depth": "X_B_Depth_[um]"}):
+        assert column(two, "depth", **said).values == pytest.approx(1e-6 * DEPTH)
+
+
+@pytest.mark.parametrize(("encoding", "name"), [("cp932", "\u6df1\u3055"), ("gb18030", "\u538b\u5165\u6df1\u5ea6")])
+def test_encodings_of_japan_and_china(encoding, name, tmp_path):
+    (table,) = tables(tmp_path, f"{name}(nm),F(mN)\n" + rows(DEPTH, FORCE, separator=","), encoding=encoding)
+    assert column(table, "depth").values == pytest.approx(1e-9 * DEPTH)
 
 
 def test_a_time_of_all_tests(tmp_path):
@@ -356,3 +385,65 @@ def test_results_of_a_series_without_its_tests(tmp_path):
     (tmp_path / "problem.toml").write_text(RESULTS.format(kind="stiffness-depth"))
     data, _ = load_fit_file(tmp_path / "problem.toml").read_data(path)
     assert len(data) == 8 and data.x[0] == pytest.approx(251e-9)
+
+
+PARTS = (
+    *(
+        b"",
+        b"\t",
+        b";",
+        b",",
+        b"#",
+        b"[",
+        b"(",
+        b"nm",
+        b"\xb5N",
+        b"\n",
+        b"\r",
+        b'"',
+        b"1e999",
+        b"nan",
+        b"_",
+        b" ",
+        b"Test 1",
+        b".1",
+        b"_Ex",
+    ),
+    *(
+        b"_Rt",
+        b"# units: m N\n",
+        b"# columns: a b\n",
+        b"# segment: extend\n",
+        b"C0: 24.5\nC1: 3\n",
+        b"1: depth\n",
+        b"%",
+        b"kp/mm2",
+        b"?m",
+    ),
+)
+
+
+@pytest.mark.parametrize("kind", [*TITLES, *SIDE_BY_SIDE, "anton_paar.TXT", "nanoscope.spm.txt"])
+def test_damaged_layouts_are_read_or_refused(kind, tmp_path):
+    """Damage found a title that was looked for where it was not, and an overflow."""
+    if kind in TITLES:
+        head, separator = TITLES[kind]
+        content = (head + rows(DEPTH, FORCE, separator=separator)).encode()
+    elif kind in SIDE_BY_SIDE:
+        content = (SIDE_BY_SIDE[kind] + rows(DEPTH, FORCE, DEPTH, FORCE)).encode()
+    else:
+        content = b"\n".join((CASES / kind).read_bytes().split(b"\n")[:40])
+    draw = random.Random(kind)
+    path = tmp_path / "damaged.txt"
+    for _ in range(60):
+        damaged = content
+        for _ in range(draw.randrange(1, 5)):
+            place = draw.randrange(min(len(damaged), draw.choice([80, 2000])) + 1)
+            damaged = damaged[:place] + draw.choice(PARTS) + damaged[place + draw.choice([0, 0, 1, 3, 30]) :]
+        path.write_bytes(damaged)
+        try:
+            found = read_tables(path)
+        except ProblemError as refusal:
+            assert "\n" not in str(refusal)
+            continue
+        assert all(table.values.shape[1] == len(table.titles) for table in found)

@@ -21,6 +21,7 @@ from numpy.typing import NDArray
 from ... import _progress
 from ..._choices import nearest
 from ...problem.named import ContentError, ProblemError
+from ...problem.roles import ROLES
 from .block import Part, Stretch, find_block
 from .numerals import Exact
 from .units import like_ascii
@@ -33,6 +34,10 @@ _SAMPLES, _SAMPLE = 8, 100
 """Samples, and lines in each, that show how columns are separated."""
 _LONGEST_CELL = 3
 """Lines. What is longer has a quote that does not end."""
+_EASTERN = ("cp932", "gb18030")
+"""Encodings of Japan and China."""
+_HEAD = 20_000
+"""Bytes in which titles stand."""
 _STRETCH, _MANY_LINES = 4096, 100_000
 
 
@@ -235,14 +240,22 @@ def is_spreadsheet(path: Path, content: bytes) -> bool:
     return is_named and (content.startswith((*_OLD_SPREADSHEET, _NEW_SPREADSHEET)) or b"\0" in content[:4096] or not content)
 
 
+def _of_words(content: bytes) -> list[str]:
+    """Encodings in which a file holds the name of a column in Japanese or Chinese; in Latin-1 it may be text, too."""
+    begin = content[:_HEAD]
+    names = [name for _, aliases in ROLES.values() for name in aliases if len(name) > 1 and name > "\u3000"]
+    words = {encoding: [word for name in names if (word := name.encode(encoding, "ignore"))] for encoding in _EASTERN}
+    return [encoding for encoding in _EASTERN if any(len(word) > 2 and word in begin for word in words[encoding])]
+
+
 def decode(path: Path, content: bytes) -> tuple[str, str]:
-    """The text of a file in UTF-8, UTF-16 or Latin-1, and which it was."""
+    """The text of a file in UTF-8, UTF-16, Latin-1, or an encoding of Japan or China, and which it was."""
     if content.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)):
         encodings: tuple[str, ...] = ("utf-16",)
     elif content[1:200:2].count(0) > len(content[1:200:2]) // 2:
         encodings = ("utf-16-le",)
     else:
-        encodings = ("utf-8-sig", "cp1252")
+        encodings = ("utf-8-sig", *_of_words(content), "cp1252", *_EASTERN)
     if b"\0" in content[:4096] and not encodings[0].startswith("utf-16"):
         raise ProblemError(f"{path}: it is not a text file")
     for encoding in encodings:

@@ -284,13 +284,21 @@ def _table_of(cells: Cells, block: Block, header: Header, options: TableOptions,
 
 def _split(table: MeasuredTable, options: TableOptions) -> list[MeasuredTable]:
     """A table as tables of one test each: tests stand side by side, the way out beside the way in."""
+    table = _without_gaps(table)
     pairs = layouts.in_and_out(table.titles)
     if pairs:
         return [_joined(table, pairs)]
     tests = layouts.side_by_side(table.titles)
     if len(tests) == 1 and len(set(tests[0].titles)) == len(table.titles):
-        return [table._replace(titles=tests[0].titles, others=_others(table, tests), units=_units(table, tests[0]))]
+        return [table._replace(titles=tests[0].titles, others=_others(table, tests[0], tests), units=_units(table, tests[0]))]
     return [_one_of(table, test, tests, options) for test in tests]
+
+
+def _without_gaps(table: MeasuredTable) -> MeasuredTable:
+    """A table without columns that have neither a title nor a number, which stand between tests."""
+    empty = [not np.isfinite(column).any() for column in table.values.T]
+    kept = [i for i, title in enumerate(table.titles) if not (empty[i] and title == f"column {i + 1}")]
+    return table._replace(titles=[table.titles[i] for i in kept], values=table.values[:, kept]) if len(kept) < len(empty) else table
 
 
 def _one_of(table: MeasuredTable, test: layouts.Test, tests: Sequence[layouts.Test], options: TableOptions) -> MeasuredTable:
@@ -312,7 +320,7 @@ def _one_of(table: MeasuredTable, test: layouts.Test, tests: Sequence[layouts.Te
         notes=notes,
         warnings=_doubts(values),
         units=_units(table, test),
-        others=_others(table, tests),
+        others=_others(table, test, tests),
         marks=table.marks if len(tests) == 1 else (),
     )
 
@@ -323,10 +331,11 @@ def _units(table: MeasuredTable, test: layouts.Test) -> dict[str, str]:
     return {title: table.units[table.titles[place]] for title, place in own if table.titles[place] in table.units}
 
 
-def _others(table: MeasuredTable, tests: Sequence[layouts.Test]) -> dict[str, str]:
-    """Titles of the file with those of its tests, where they differ."""
-    pairs = [(table.titles[place], title) for test in tests for title, place in zip(test.titles, test.columns, strict=True)]
-    return {own: title for own, title in pairs if own != title}
+def _others(table: MeasuredTable, test: layouts.Test, tests: Sequence[layouts.Test]) -> dict[str, str]:
+    """Titles of the file, of any of its tests, with the title of the same quantity in one of them."""
+    own = {bare(title): title for title in test.titles}
+    pairs = [(table.titles[place], own[bare(title)]) for one in tests for title, place in zip(one.titles, one.columns, strict=True)]
+    return {title: one for title, one in pairs if title != one}
 
 
 def _two_of_a_title(table: MeasuredTable, place: int) -> ProblemError:

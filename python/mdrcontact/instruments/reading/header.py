@@ -67,7 +67,8 @@ def _of_rows(rows: Sequence[Sequence[str]], width: int, most: int) -> tuple[list
     titled = [row for row in fitting[:-1] if row in full]
     units = _units_of(fitting[-1]) if titled else []
     if not units:
-        return full[-1], []
+        # a line of units may stand above the titles
+        return full[-1], _units_of(fitting[-2]) if titled else []
     return next((row for row in reversed(titled) if any(map(is_measured, row))), titled[-1]), units
 
 

@@ -11,13 +11,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...problem.roles import ROLES
-from .titles import DIRECTIONS, is_one_of, parts
+from .titles import DIRECTIONS, bare, is_one_of, parts
 
 Array = NDArray[np.float64]
 
-NAMED_TESTS = (re.compile(r"[XY]_(?P<test>.+?)_(?P<name>[^_]+)_(?P<unit>\[[^\]]*\])"),)
+NAMED_TESTS = (re.compile(r"[XY]_(?P<test>.+?)_(?P<name>[^_]+)_(?P<unit>[\[(][^\])]*[\])])"),)
 """Titles that name their test: Anton Paar."""
 _NUMBER = re.compile(r"(?<!\d)(?<!\d\.)\d+(?!\.?\d)")
+_WORD = re.compile(r"[^\W_]+")
 _BRACKETS = re.compile(r"[\[({].*?[\])}]")
 _FEWEST = 2
 """Columns of a test."""
@@ -36,9 +37,10 @@ class Test(NamedTuple):
 
 def side_by_side(titles: Sequence[str]) -> list[Test]:
     """The tests whose columns stand side by side; one without a name where there is no more than one."""
-    for find in (_named, _in_turn, _numbered):
+    for find in (_named, _in_turn, _numbered, _prefixed):
         tests = find(titles)
-        if len({test.name for test in tests}) > 1 and all(set(test.titles) == set(tests[0].titles) for test in tests):
+        names = [set(map(bare, test.titles)) for test in tests]
+        if len({test.name for test in tests}) > 1 and all(one == names[0] for one in names):
             return tests
     named = _named(titles)
     return named if len(named) == 1 else [Test("", list(titles), list(range(len(titles))))]
@@ -91,6 +93,19 @@ def _has_role(title: str) -> bool:
     return any(is_one_of(name, aliases) for name, _ in parts(title) for _, aliases in ROLES.values())
 
 
+def _prefixed(titles: Sequence[str]) -> list[Test]:
+    """By names with a number before what is measured, as in "A_1 Depth [nm]"."""
+    split = []
+    for title in titles:
+        name = bare(title)
+        words = list(_WORD.finditer(name))
+        begin = next((word.start() for word in reversed(words) if _has_role(name[word.start() :])), 0)
+        test = name[:begin].strip(" _.-:#")
+        split.append((test, title[begin:]) if re.search(r"\d", test) else ("", title))
+    tests = _grouped(split) if all(test for test, _ in split) else []
+    return tests if all(sum(map(_has_role, test.titles)) >= _FEWEST for test in tests) else []
+
+
 def _number_of(title: str) -> tuple[str, str]:
     """The number of the test in a title, and the title without it."""
     hidden = _BRACKETS.sub(lambda match: len(match[0]) * "\0", title)
@@ -125,8 +140,8 @@ def in_and_out(titles: Sequence[str]) -> Mapping[int, int]:
     for words in DIRECTIONS:
         into, out = (re.compile(rf"(?<![^\W_]){word}(?![^\W_])", re.IGNORECASE) for word in words)
         plain = {out.sub("", title): place for place, title in enumerate(titles) if out.search(title)}
-        pairs = {i: plain[bare] for i, title in enumerate(titles) if into.search(title) and (bare := into.sub("", title)) in plain}
-        if len(pairs) > 1 and all(re.search(r"\w{2}", bare) for bare in plain):
+        pairs = {i: plain[rest] for i, title in enumerate(titles) if into.search(title) and (rest := into.sub("", title)) in plain}
+        if len(pairs) > 1 and all(re.search(r"\w{2}", rest) for rest in plain):
             return pairs
     return {}
 
@@ -136,7 +151,8 @@ def joined(values: Array, pairs: Mapping[int, int]) -> tuple[Array, int]:
     into, out = (values[:, list(places)] for places in (pairs.keys(), pairs.values()))
     into, out = (half[np.isfinite(half).any(axis=1)] for half in (into, out))
     if len(into) and len(out):
-        scale = np.nanmax(np.abs(into), axis=0) + np.finfo(float).tiny
-        ends = [float(np.nansum(np.abs((row - into[-1]) / scale))) for row in (out[0], out[-1])]
+        scale = np.abs(np.nan_to_num(into)).max(axis=0) + np.finfo(float).tiny
+        with np.errstate(all="ignore"):
+            ends = [float(np.nansum(np.abs(row / scale - into[-1] / scale))) for row in (out[0], out[-1])]
         out = out[::-1] if ends[1] < ends[0] else out
     return np.vstack([into, out]), len(into)

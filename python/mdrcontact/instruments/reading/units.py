@@ -56,7 +56,8 @@ def like_ascii(text: str) -> str:
 @lru_cache(maxsize=1000)
 def spelled(unit: str) -> str:
     """A unit in the spelling of the library: "kp/mm2" is "kgf/mm^2"; others stay as they are."""
-    unit = like_ascii(unit).strip()
+    # a question mark stands for a sign that was lost
+    unit = re.sub(r"^\?(?=[NmsVJ]$)", "u", like_ascii(unit).strip())
     if not unit or is_unit(unit) and unit not in _WORDS:
         return unit
     known = _PARTS.sub(lambda part: _WORDS.get(part[0], part[0]), unit)
