@@ -356,6 +356,7 @@ def test_a_jump_into_contact_is_no_pop_in(steps, barrier):
     force += barrier * np.exp(np.minimum(depth - depth[at], 0.0) / 5e-8) * (np.arange(steps) <= at)
     assert find_pull(depth, force) is not None
     assert find_pop_in(depth, force) is None
+    assert find_pop_in(depth + 2e-7 * (np.arange(steps) >= steps // 4), force) is None, "a step in the air"
     # one behind it, under load, is found
     late = int(0.95 * steps)
     popped = find_pop_in(depth + 2e-7 * (np.arange(steps) >= late), force)

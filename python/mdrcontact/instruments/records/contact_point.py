@@ -24,6 +24,8 @@ _WINDOW = 0.05
 _CANDIDATES = 200
 _LOW = 0.1
 """Of the force: so far a contact is taken as a power law."""
+_BINS = 20
+"""Parts of the way of the piezo."""
 _CLEAR = 0.8
 """The baseline ends before this part of the way to the contact point."""
 
@@ -198,15 +200,15 @@ def height_sign(height: Array, deflection: Array) -> int:
 def deflection_sign(height: ArrayLike, deflection: ArrayLike) -> int:
     """1 where the deflection grows as the tip is pressed into the sample, -1 where it falls.
 
-    Contact is at that end of the height where the deflection changes more; what the cantilever reads there lies above the readings
-    of the other end.
+    Contact is at that end of the way of the piezo where the deflection changes more; what the cantilever reads there lies above
+    the readings of the other end. A hold counts by its way, not by its readings.
     """
     z, x = curve(height, deflection)
-    order = np.argsort(z)
-    tenth, few = max(len(z) // 10, 2), max(len(z) // 50, 1)
-    low, high = order[:tenth], order[::-1][:tenth]
-    contact, far = (high, low) if np.std(x[high]) > np.std(x[low]) else (low, high)
-    return 1 if np.mean(x[contact[:few]]) >= np.median(x[far]) else -1
+    place = np.minimum(((z - z.min()) / np.ptp(z) * _BINS).astype(np.int64), _BINS - 1)
+    levels = np.array([np.median(x[place == i]) for i in np.unique(place)])
+    few = max(len(levels) // 5, 1)
+    from_contact = levels if np.ptp(levels[: few + 1]) > np.ptp(levels[-few - 1 :]) else levels[::-1]
+    return 1 if from_contact[0] >= np.median(from_contact[len(levels) // 2 :]) else -1
 
 
 def depth_from_height(height: ArrayLike, deflection: ArrayLike, sign: int | None = None) -> Array:

@@ -33,9 +33,6 @@ ways."""
 _HARDLY = 1.5
 _UNCLEAR = 3.0
 """Times the noise of a rate: slower is not told from still."""
-_FINER, _CORRELATED = 7.0, 1.5
-"""The noise of a rate is a tenth of what is still over this many parts of noise; noise is correlated if a longer reach has so many
-times as much."""
 _JUMP = 5.0
 """A pop-in is a step this much larger than its neighbours ..."""
 _LARGE_JUMP = 0.01
@@ -203,8 +200,8 @@ def segmentation(depth: ArrayLike, force: ArrayLike) -> Segmentation:
     The noise from reading to reading follows from second differences. The curve turns where depth and force, relative to their
     ranges, together go back by 10 standard deviations of their sum; both must go the same way, and for more points than a jump. Two
     or more ways in a row, each of less than 5 % of the force, without progress are a hold that wanders. Between turns a point
-    belongs to a hold if depth and force each change by less than 15 % of their usual rate in that part, at an almost constant force
-    or depth. Rates are taken over more readings if neighbouring readings share their errors.
+    belongs to a hold if depth and force each change by less than 15 % of their usual rate in that part, or by no more than the
+    errors that neighbouring readings share, at an almost constant force or depth.
 
     Examples
     --------
@@ -374,7 +371,9 @@ def _moves_and_holds(d: Array, f: Array, start: int, stop: int) -> list[Segment]
     if n < 2 or not all(ranges):
         return [Segment("hold", start, stop)]
     kind = "loading" if (h[-1] - h[0]) / ranges[0] + (p[-1] - p[0]) / ranges[1] > 0.0 else "unloading"
-    reach = _reach(h, p, ranges)
+    # the noise of a rate is to be a tenth of what counts as still
+    noise = max(_noise(v) / r for v, r in zip((h, p), ranges, strict=True))
+    reach = max(2, n // _SHORTEST, min(n // _LONGEST, round(7.0 * noise * n)))
     i = np.arange(n)
     first, last = np.maximum(i - reach, 0), np.minimum(i + reach, n - 1)
     still_both = np.ones(n, dtype=bool)
@@ -390,20 +389,6 @@ def _moves_and_holds(d: Array, f: Array, start: int, stop: int) -> list[Segment]
         if still and b - a >= 3 * reach and _is_held(h, p, a, b, f, _noise(p, reach)):
             held[a:b] = True
     return [Segment("hold" if still else kind, start + a, start + b) for still, a, b in _runs(held.astype(np.int64))]
-
-
-def _reach(h: Array, p: Array, ranges: list[float]) -> int:
-    """Readings to either side between which a rate is taken: its noise is a tenth of what counts as still."""
-    n = len(h)
-
-    def needed(lag: int) -> int:
-        return round(_FINER * n * max(_noise(v, lag) / r for v, r in zip((h, p), ranges, strict=True)))
-
-    shortest, longest = max(2, n // _SHORTEST), n // _LONGEST
-    reach = max(shortest, min(longest, needed(1)))
-    while reach < longest and needed(reach) > _CORRELATED * reach:
-        reach = min(longest, math.ceil(_CORRELATED * reach))
-    return reach
 
 
 def _is_held(h: Array, p: Array, a: int, b: int, force: Array, noise: float) -> bool:
