@@ -32,12 +32,12 @@ class LawSteps(LawFile):
 
     @property
     def twists(self) -> bool:
-        """True if the sliders resist a twist about the normal, with a torque, instead of a shift."""
+        """True if the sliders resist a twist about the normal instead of a shift."""
         return bool(self._facts["twists"])
 
     @property
     def sliders(self) -> int:
-        """Number of vector sliders that represent the springs of a contact; 0 without friction."""
+        """Number of vector sliders of a contact; 0 without friction."""
         return int(self._facts["sliders"])
 
     @property
@@ -47,22 +47,26 @@ class LawSteps(LawFile):
 
     @property
     def largest_sliding_shift(self) -> float:
-        """Shift of first shear at which the contact slides at the end of the range [length].
+        """Shift of first shear at which the contact slides [length].
 
-        It is 0 without friction and of a twist, whose axis always sticks.
+        It is that at the end of the range, and 0 without friction and of a twist, whose axis always sticks.
         """
         return float(self._facts["highest_sliding_shift"])
 
     @property
     def first_shear_error(self) -> float:
-        """Largest error of T in first shear, relative to T in sliding [1]; 0 without friction."""
+        """Largest error of T in first shear, relative to T in sliding [1].
+
+        It is 0 without friction.
+        """
         return float(self._facts["first_shear_error"])
 
     @property
     def path_error(self) -> float | None:
-        """Largest error of T along cycles of depth and shift, relative to coefficient F [1].
+        """Largest error of T along cycles, relative to the largest coefficient F [1].
 
-        The reference is the exact history. It is None on bodies other than homogeneous ones, and without friction.
+        The cycles are those of depth and shift, and the reference is the exact history. It is None on bodies other than homogeneous
+        ones, and without friction.
         """
         error = float(self._facts["path_error"])
         return error if self.sliders and error >= 0.0 else None

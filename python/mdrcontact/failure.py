@@ -49,7 +49,7 @@ class Failure(_FailureNumbers, Warned):
 
     @property
     def at_once(self) -> bool:
-        """True if the smallest contact examined already exceeds the strength, as below a sharp tip."""
+        """True if the strength is exceeded at any load, as below a sharp tip."""
         return self.at.value > 1.001 * self.strength
 
 

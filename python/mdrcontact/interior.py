@@ -100,13 +100,16 @@ class Interior(_InteriorNumbers):
 
     @property
     def tresca(self) -> FloatOrArray:
-        """Largest shear stress, (s_1 - s_3)/2; twice this is Tresca's equivalent stress [modulus]."""
+        """Largest shear stress, half of Tresca's equivalent stress [modulus]."""
         principal = self.principal
         return _like(self.s_rr, 0.5 * (principal[..., 0] - principal[..., 2]), self._is_infinite())
 
     @property
     def principal(self) -> NDArray[np.float64]:
-        """Principal stresses s_1 >= s_2 >= s_3 along an additional last axis; NaN at singular points [modulus]."""
+        """Principal stresses s_1 >= s_2 >= s_3 along an additional last axis [modulus].
+
+        They are NaN at singular points.
+        """
         components = np.broadcast_arrays(self.s_rr, self.s_rt, self.s_rz, self.s_rt, self.s_tt, self.s_tz, self.s_rz, self.s_tz,
                                          self.s_zz)  # fmt: skip
         tensor = np.stack(components, axis=-1).reshape(*np.shape(self.s_rr), 3, 3)

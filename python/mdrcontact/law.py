@@ -440,7 +440,10 @@ class ContactLaw(LawSteps):
 
     @property
     def depth_range(self) -> tuple[float, float]:
-        """Smallest and largest compiled depth [length]; the smallest is at pull-off with adhesion."""
+        """Smallest and largest compiled depth [length].
+
+        With adhesion the smallest is that of pull-off.
+        """
         return float(self._facts["lowest_depth"]), float(self._facts["highest_depth"])
 
     @property

@@ -226,7 +226,7 @@ class TransverselyIsotropic(WithParameters):
 
     @property
     def tangential_modulus(self) -> float:
-        """`G_0*`; the tangential stiffness of a contact without slip is `2 a G_0*` [modulus]."""
+        """`G_0*`, with the tangential stiffness `2 a G_0*` without slip [modulus]."""
         quantity = _layout.TANGENTIAL_MODULUS
         return float(evaluate("a", 1.0, lambda radii: native.medium_values(self._handle, quantity, radii)))
 

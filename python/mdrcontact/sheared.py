@@ -249,9 +249,10 @@ class ShearedContact:
 
     @cached_property
     def sliding_force(self) -> FloatOrArray:
-        """coefficient F [modulus length^2]; of a twist the limit of the torque [modulus length^3].
+        """Force in sliding, coefficient F [modulus length^2].
 
-        The limit is coefficient int r p dA, (3 pi/16) coefficient F a under a paraboloid.
+        Of a twist it is the limit of the torque, coefficient int r p dA [modulus length^3]: (3 pi/16) coefficient F a under a
+        paraboloid.
         """
         return self._sliding[1]
 

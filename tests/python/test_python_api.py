@@ -137,9 +137,19 @@ def member_faults(kind: type) -> list[str]:
         function = value.__func__ if isinstance(value, (classmethod, staticmethod)) else value
         if isinstance(function, FunctionType):
             found += [f"{name}: {fault}" for fault in faults(function, is_method=True)]
-        elif isinstance(function, (property, cached_property)) and not function.__doc__:
-            found.append(f"{name}: there is no docstring")
+        elif isinstance(function, (property, cached_property)):
+            found += [f"{name}: {fault}" for fault in property_faults(function)]
     return found
+
+
+def property_faults(value: property | cached_property) -> list[str]:
+    """What the docstring of a property lacks."""
+    if not value.__doc__:
+        return ["there is no docstring"]
+    function = value.fget if isinstance(value, property) else value.func
+    kind = str(function.__annotations__.get("return"))
+    has_unit = "[" in value.__doc__ or not re.search("float|Array", kind, re.IGNORECASE)
+    return Docstring(value.__doc__).faults() + ([] if has_unit else ["the unit in brackets is missing"])
 
 
 @pytest.mark.parametrize("name", DOCUMENTED)

@@ -101,17 +101,17 @@ class FrictionHeat:
     """
 
     total: FloatOrArray
-    """Q, heat per time, mu F speed for a sliding contact"""
+    """Q, heat per time, mu F speed for a sliding contact [energy/time]"""
     share: FloatOrArray
     """part of the heat that the lower body takes, 1 without an upper body [1]"""
     centre: FloatOrArray
-    """temperature rise at r = 0, accurate to 1e-8; of a moving source that of the lower body, as all below"""
+    """temperature rise at r = 0, accurate to 1e-8; of a moving source that of the lower body, as all below [temperature]"""
     flux_mean: FloatOrArray
-    """mean temperature rise weighted with the heat flux"""
+    """mean temperature rise weighted with the heat flux [temperature]"""
     area_mean: FloatOrArray | None
-    """mean temperature rise over the contact; None for a moving source"""
+    """mean temperature rise over the contact; None for a moving source [temperature]"""
     largest: FloatOrArray | None
-    """largest temperature rise on the line of motion through the centre, of a moving source; else None"""
+    """largest temperature rise on the line of motion through the centre, of a moving source; else None [temperature]"""
     behind: FloatOrArray | None
     """distance of that point behind the centre [length]; else None"""
     _field: Any = field(repr=False, compare=False)

@@ -38,13 +38,13 @@ class Data:
     given_name: ClassVar[str] = ""
     """what else is known of each point"""
     contact_points: Mapping[str, float] = MappingProxyType({})
-    """depth of first contact by each estimator that has looked at the record"""
+    """depth of initial contact by each estimator that examined the record [length]"""
     pulls: Mapping[str, float] = MappingProxyType({})
-    """what the record shows without a model: forces of "jump-in" and "pull-off", depth of the "last rupture", "energy lost" """
+    """numbers of the record without a model: forces of "jump-in" and "pull-off", depth of the "last rupture", "energy lost" """
     tests: NDArray[np.intp] | None = None
-    """which test each point belongs to, where there are several"""
+    """number of the test of each point, if there are several tests"""
     also_free: tuple[str, ...] = ()
-    """numbers of the instrument that a fit finds beside those that it names"""
+    """parameters of the instrument that a fit frees in addition to the given ones"""
 
     def __init__(
         self, x: ArrayLike, y: ArrayLike, given: ArrayLike | None, sd: ArrayLike | None, relative_sd: float | None, missing: str

@@ -474,9 +474,10 @@ class FitResult:
 
     @property
     def is_random(self) -> bool | None:
-        """True if the residuals are random and not too large; None if neither can be shown.
+        """True if the residuals are random and not too large.
 
-        Residuals well within the given standard deviations, or of rounding, support the model, with any pattern.
+        It is None if neither can be shown. Residuals well within the given standard deviations, or of rounding, support the model,
+        with any pattern.
         """
         if self.scatter != 0:
             return self.scatter < 0
