@@ -341,8 +341,22 @@ class AdhesionRateWarning(MDRWarning):
 
 
 class PathEndsWarning(MDRWarning):
-    """A path of wear ends before its last part, as where the contact would grow beyond the end of the indenter. The states are
-    those of the parts before it, and the history stays at the last of them."""
+    """A path of wear ends before its last part.
+
+    An example is a contact that would grow beyond the end of the indenter. The states are those of the parts before, and the
+    history remains at the last of them.
+
+    Examples
+    --------
+    >>> import warnings
+    >>> wear = mdr.wear.Wear(mdr.Contact(mdr.Sphere(1.0), mdr.Homogeneous(mdr.Elastic(1.0, 0.3))), 1.0)
+    >>> history = wear.history(force=0.1, intervals=16, scheme="rings")
+    >>> with warnings.catch_warnings(record=True) as issued:
+    ...     warnings.simplefilter("always")
+    ...     states = history.advance([0.1, 60.0], force=[0.1, 0.1])
+    >>> print({one.category.__name__ for one in issued})
+    {'PathEndsWarning'}
+    """
 
 
 _BY_STATUS: dict[int, type[MDRError]] = {

@@ -498,8 +498,10 @@ class FitResult:
 
     @property
     def hidden(self) -> float:
-        """The largest misfit that the pattern of the residuals would not show, as a part of the largest force; infinite with less
-        than two degrees of freedom, 0 where it is at most 5 % or the noise is known."""
+        """Largest misfit that the residuals would not show, over the largest force [1].
+
+        It is infinite with less than two degrees of freedom, and 0 if it is at most 5 % or the noise is known.
+        """
         if self.is_random is None:
             return math.inf
         if self.departure or self.noise_is_known or self.is_without_noise:
@@ -512,12 +514,15 @@ class FitResult:
 
     @property
     def describes_data(self) -> bool | None:
-        """True if the departure is at most 5 %; None with too few points."""
-        return None if self.is_random is None else self.departure <= LARGE
+        """True if the departure is at most 5 %.
+
+        It is None if the points are too few to distinguish a larger one from noise.
+        """
+        return None if self.hidden else self.departure <= LARGE
 
     @property
     def verdict(self) -> str:
-        """ "describes", "describes to 2 %", "misses by 12 %" or "too few points"."""
+        """Verdict as text: "describes", "describes to 2 %", "misses by 12 %" or the like."""
         if self.is_random is None:
             return "too few points"
         if self.hidden:
@@ -546,7 +551,13 @@ class FitResult:
         return f"describes the data to {size}" if self.departure else f"describes the data: misfit {size}"
 
     def hidden_words(self) -> str:
-        """What so few readings cannot tell; empty where they can."""
+        """Return what so few readings cannot distinguish, as text.
+
+        Returns
+        -------
+        str
+            One sentence; empty if `hidden` is 0.
+        """
         if not self.hidden:
             return ""
         share = f" of {percent(self.hidden)}" if math.isfinite(self.hidden) else ""
