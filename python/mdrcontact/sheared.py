@@ -293,7 +293,7 @@ class ShearedContact:
         Parameters
         ----------
         amplitude : array_like
-            Amplitudes > 0, any shape; as in `loop`.
+            Amplitudes of either sign, any shape; as in `loop`.
         control : {"shift", "force"}, optional
             What has the amplitude.
 

@@ -174,7 +174,7 @@ class State:
         Raises
         ------
         InvalidArgumentError
-            The body does not exist, or the displacement of the medium is not known.
+            The displacement of the medium is not known.
         """
         field = _layout.DISPLACEMENT if body is None else code("body", body, _DISPLACEMENTS)
         return self._field(field, "r", r)

@@ -224,7 +224,9 @@ class Wear(Value):
         ArgumentTypeError
             `state` is not a `State`.
         InvalidArgumentError
-            The stick radius is outside its range.
+            `constant` is unknown.
+        DomainError
+            The stick radius is larger than the contact radius.
 
         References
         ----------
@@ -261,6 +263,8 @@ class Wear(Value):
         ------
         ArgumentTypeError
             `state` is not a `State`.
+        InvalidArgumentError
+            `body_coefficient` is 0.
         """
         count, rows = number("passes", passes), _row(state)
         return evaluate("y", y, lambda places: native.wear_track(self._handle, rows, count, places))
@@ -283,7 +287,7 @@ class Wear(Value):
         Raises
         ------
         InvalidArgumentError
-            The depth is not greater than 0.
+            The depth is not greater than 0, or `body_coefficient` is 0.
         """
         return float(call(native.wear_passes, self._handle, _row(state), number("depth", depth)))
 
@@ -495,8 +499,8 @@ class WornProfile(Profile):
 
     Raises
     ------
-    InvalidArgumentError
-        The numbers do not belong to the contact.
+    ValueError
+        The numbers are not those of a worn profile.
 
     Examples
     --------
@@ -654,7 +658,7 @@ class WearHistory:
         ------
         ArgumentTypeError
             Not exactly one of force and depth is given.
-        InvalidArgumentError
+        DomainError
             The contact would shrink under the scheme "disc", as under a falling force. After an error the history is unchanged.
         """
         return self._advance(sliding, force, depth)[0]

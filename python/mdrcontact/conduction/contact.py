@@ -329,7 +329,9 @@ class Conduction(Value):
         Raises
         ------
         InvalidArgumentError
-            `kappa` is not greater than 0, or the contact is adhesive or its edge carries a line force.
+            `kappa` is not greater than 0.
+        DomainError
+            The pressure is not greater than 0 everywhere, as with adhesion, or the edge carries a line force.
         """
         contact = state._owner._handle
         return float(call(native.conduction_rough, self._handle, contact, state._row(), number("kappa", kappa)))
@@ -435,7 +437,9 @@ class Conduction(Value):
         Raises
         ------
         InvalidArgumentError
-            A time is too small, or the response is unknown.
+            The response is unknown.
+        DomainError
+            A time is too small.
         """
         wanted, a = code("answer", answer, ANSWERS), number("radius", radius)
         return evaluate("time", time, lambda t: native.conduction_follow(self._handle, wanted, a, t, None))
@@ -572,7 +576,7 @@ class Spot:
 
     Raises
     ------
-    InvalidArgumentError
+    ArgumentTypeError
         Fields are requested of several radii.
 
     Examples

@@ -67,9 +67,9 @@ class CallableMedium(Medium):
     Raises
     ------
     InvalidArgumentError
-        A radius is outside its range, or the function returns a modulus <= 0.
+        A radius is outside its range.
     CallbackError
-        The function returns NaN, infinity or no number. An exception that it raises is passed on unchanged.
+        The function returns NaN, infinity, no number or a modulus <= 0. An exception that it raises is passed on unchanged.
 
     Notes
     -----
