@@ -40,7 +40,7 @@ class Refusal(Exception):
 
 
 def check(status: int, *, single: bool = False) -> None:
-    """Raises the exception that belongs to `status`, with the library's words; does nothing on success.
+    """Raises the exception that belongs to `status`, with the message of the library; does nothing on success.
 
     single : whether the array in question is one number of the user's, which has no entry 1
     """
@@ -49,7 +49,7 @@ def check(status: int, *, single: bool = False) -> None:
 
 
 def number(name: str, value: Any) -> float:
-    """`value` as a float. Range and sign are the library's business, the type is checked here."""
+    """Return `value` as a float. The type is checked here, range and sign in the library."""
     array = np.asarray(value)
     if array.ndim or array.dtype.kind not in "iuf":
         raise ArgumentTypeError(f"{name} = {value!r}: it must be a real number")
@@ -57,7 +57,7 @@ def number(name: str, value: Any) -> float:
 
 
 def not_zero(name: str, value: Any) -> float:
-    """`value` as a float; the library takes 0 for the default."""
+    """Return `value` as a float; 0 is the default of the library and raises."""
     if number(name, value) == 0.0:
         raise InvalidArgumentError(f"{name} = {value!r}: it must not be 0")
     return float(value)
@@ -74,7 +74,7 @@ def whole(name: str, value: Any, smallest: int, largest: int | None = None) -> i
 
 
 def thread_count(threads: Any) -> int:
-    """`threads` as a whole number. Its range is the library's business."""
+    """Return `threads` as a whole number. The library checks its range."""
     if isinstance(threads, bool) or not isinstance(threads, int):
         raise ArgumentTypeError(f"threads = {threads!r}: it must be a whole number")
     return threads
@@ -202,7 +202,7 @@ def records(layout: np.dtype[Any], rows: Sequence[Mapping[str, Any]]) -> Record:
 
 
 def words_of(*codes: int) -> dict[str, int]:
-    """Codes of the library by their words, which all languages and problem files write."""
+    """Codes of the library by their names, which are equal in all languages and problem files."""
     return {ctypes.string_at(native.name_of(code)).decode(): code for code in codes}
 
 

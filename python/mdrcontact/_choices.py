@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Wrong names are answered with the nearest right one."""
+"""Messages for wrong names, with the nearest right one."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ _SYNONYMS: Mapping[str, str] = {
 
 
 def nearest(wrong: str, right: Iterable[str]) -> str:
-    """Words to append to an error message: the nearest right name, or all of them where none is near."""
+    """Return text for an error message: the nearest right name, or all names if none is near."""
     by_lower = {name.lower(): name for name in right}
     if not by_lower:
         return "there is none to choose from"
@@ -72,7 +72,7 @@ def _meant(wrong: str) -> Iterator[str]:
 
 
 def code(name: str, value: Any, codes: dict[str, int], *allowed: str) -> int:
-    """The code of a word; wrong words are answered with the nearest right one."""
+    """Return the code of a name; the message for a wrong name has the nearest right one."""
     known = allowed or tuple(codes)
     if not isinstance(value, str) or value not in known:
         raise InvalidArgumentError(f"{name} = {value!r}: {nearest(str(value), known)}")

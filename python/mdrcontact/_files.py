@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The one way in which results get into files.
+"""Writing of result files.
 
 A file is written next to its place, flushed, closed and then moved there: a reader of the name finds the old content or the new,
 and a full disk costs nothing but an error. A symbolic link is followed, its target replaced. What exists and is not a regular file
@@ -17,7 +17,7 @@ from .errors import FileError
 
 
 def check_place(path: str | os.PathLike[str]) -> Path:
-    """The file that `path` means once links are followed; `FileError` where nothing may be written."""
+    """The file that `path` means once links are followed; `FileError` if it must not be written."""
     place = Path(os.path.realpath(path))
     try:
         mode = place.lstat().st_mode

@@ -20,7 +20,7 @@ Law = TypeVar("Law", bound="LawFile")
 
 
 class LawFile:
-    """A compiled law with a file. It never changes."""
+    """A compiled law with a file, immutable."""
 
     __slots__ = ("_handle", "_facts")
 

@@ -112,7 +112,7 @@ def _error(force: Callable[[Reals], Reals], depth: Reals, F: Reals) -> float:
 
 
 def _about(table: Table, sign: str) -> str:
-    """The lines that say what a table is, in ASCII, as old readers need."""
+    """Return the header of a table, in ASCII for old readers."""
     words = " ".join(table.description.replace("µ", "u").split()) or "compiled law"
     unit = "" if table.length == 1.0 else f"; lengths in {table.length:g} of the law's unit"
     error = f"{table.depth.size} rows{unit}; F by linear interpolation is off by at most {table.error:.1e} of the largest |F|"

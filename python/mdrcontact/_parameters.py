@@ -14,7 +14,7 @@ from .errors import ArgumentTypeError, InvalidArgumentError
 Self = TypeVar("Self", bound="WithParameters")
 
 _WITHOUT_NAME = ("material", "lower")
-"""Fields whose numbers are called as if they were the object's own: "E" of a half-space, not "material.E"."""
+"""Fields whose numbers have the names of the object itself: "E" of a half-space, not "material.E"."""
 
 
 class WithParameters(Value):

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""SciPy, which maps, sliding and fits of gels and of adhesion need and `import mdrcontact` does not."""
+"""Import of SciPy, for maps, sliding, and fits of gels and adhesion."""
 
 from __future__ import annotations
 

@@ -17,7 +17,7 @@ from ._choices import nearest
 
 
 class UnitError(ValueError):
-    """A text is not the quantity it should be; the words say what is expected."""
+    """A text is not the expected quantity; the message states what is expected."""
 
 
 class Dimension(NamedTuple):

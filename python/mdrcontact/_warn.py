@@ -57,7 +57,7 @@ class _Silence(list[Caution]):
 
 
 def warn(text: str, kind: type[Warning]) -> None:
-    """Warns the one that listens: the computation around the present one, or the user, at the line outside this package."""
+    """Report a warning to the collecting computation, or to the user at the line outside this package."""
     collector, channel = _COLLECTOR.get(), _CHANNEL.get()
     if collector is not None:
         collector.append(Caution(text, kind))
@@ -126,7 +126,7 @@ def _kept_by(collector: list[Caution]) -> Iterator[None]:
 
 @contextmanager
 def reported_to(channel: Channel) -> Iterator[None]:
-    """The user reads by `channel` in place of Python's `warnings`."""
+    """Report to the user by `channel` instead of Python's `warnings`."""
     before = _CHANNEL.set(channel)
     try:
         yield

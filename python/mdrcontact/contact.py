@@ -553,7 +553,7 @@ class Contact(Value):
         return states
 
     def _warn_at(self, depth: float) -> list[Caution]:
-        """Warns of the state of a depth that the library reached without a state of Python's, whose doubts it returns."""
+        """Report and return the warnings of the state at a depth that the library reached without a state of Python."""
         with collected() as found, contextlib.suppress(MDRError):
             self._states("depth", _layout.DEPTH, depth, "unloading")
         self._reported.report(found)
@@ -561,7 +561,7 @@ class Contact(Value):
 
 
 def _table(zeta: Any) -> Table:
-    """A user's pair (radii, values), checked for its form; the values are the library's business."""
+    """Return a pair (radii, values) of the user, checked for its form; the library checks the values."""
     try:
         radii, values = zeta
     except (TypeError, ValueError) as problem:

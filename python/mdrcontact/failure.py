@@ -83,7 +83,7 @@ def first_failure(
 
 
 def _wanted(contact: Any, strengths: Mapping[str, Sequence[float | None]], body: str) -> list[tuple[str, int, float]]:
-    """Mode, place and strength of every failure to look for."""
+    """Return mode, place and strength of every failure of the search."""
     interfaces, rigid = layers_of(contact.medium, body)
     if not isinstance(strengths, Mapping):
         raise ArgumentTypeError(f"strengths = {strengths!r}: it must be a dict of lists, as in {{'von_mises': [1e9, None]}}")

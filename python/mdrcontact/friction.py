@@ -288,7 +288,7 @@ class FrictionHistory:
 
 
 def _led_again(given: tuple[Any, ...], steps: array[float]) -> FrictionHistory:
-    """A history from the steps that it was led."""
+    """Return a history from its steps."""
     history, rows = FrictionHistory(*given), np.array(steps).reshape(-1, 4)
     turns = np.flatnonzero(np.any(np.diff(rows[:, :2], axis=0) != 0.0, axis=1)) + 1
     for part in np.split(rows, turns):

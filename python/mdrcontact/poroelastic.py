@@ -45,7 +45,7 @@ class NoElasticStates(Handle):
 
     @property
     def _address(self) -> int:  # type: ignore[override]
-        """Refuses."""
+        """Raises."""
         raise InvalidArgumentError(_NO_STATES)
 
 
@@ -178,7 +178,7 @@ def table(nu: float, drainage: int, ratio: float) -> Handle:
 
 
 def drainage_code(drainage: str | None) -> int:
-    """The number of a drainage, which has no default."""
+    """Return the code of a drainage, which has no default."""
     if drainage is None or drainage not in DRAINAGES:
         given = "drainage is missing" if drainage is None else f"drainage = {drainage!r}"
         raise InvalidArgumentError(
@@ -200,7 +200,7 @@ def body_of(medium: Any, gel: Poroelastic) -> Any:
 
 
 def contact_radius(indenter: Profile, radius: float | None) -> float:
-    """That of a flat punch, or the one given."""
+    """Return the radius of a flat punch, or the given one."""
     if radius is not None:
         check_radius(indenter, number("radius", radius))
         return float(radius)
@@ -260,7 +260,7 @@ def pressure(
 
 
 def _check_held(indenter: Profile) -> None:
-    """Refuses an indenter for which a held radius is not solved."""
+    """Raise for an indenter without a solution at a constant radius."""
     if not isinstance(indenter, (FlatPunch, Paraboloid)):
         raise InvalidArgumentError(
             f"indenter = {indenter!r}: contacts with gels are solved for FlatPunch(...), and for "

@@ -408,7 +408,7 @@ class State:
 
     @property
     def _load(self) -> Handle:
-        """The load of this one state, solved once for all that is read from it; where threads make it at a time, one stays."""
+        """The load of this one state, solved once; if several threads make it simultaneously, one stays."""
         load: Handle | None = self.__dict__.get("_kept")
         return load or self.__dict__.setdefault("_kept", self._load_of(self._row()))
 
@@ -436,7 +436,7 @@ class State:
         return found
 
     def _cautions(self) -> tuple[int, list[str]]:
-        """Sum of the codes, and texts, of the doubts about one state."""
+        """Return the sum of the codes, and the texts, of the warnings about one state."""
         buffer = np.zeros(1000, np.uint8)
         found = call(native.contact_warnings, self._owner._handle, self._row(), buffer, buffer.size)
         return found, bytes(buffer).rstrip(b"\0").decode().splitlines()

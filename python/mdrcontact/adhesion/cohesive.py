@@ -134,7 +134,7 @@ def adhesive_history(
 def controlled_path(
     time: ArrayLike, given: dict[str, ArrayLike | None], spring_stiffness: float | None, tolerance: float | None
 ) -> tuple[int, float, float, NDArray[np.float64], NDArray[np.float64]]:
-    """The library's code of what is controlled, the stiffness of a spring, the tolerance (0: the library's), times and values."""
+    """Return the code of the controlled quantity, the stiffness of a spring, the tolerance (0: the library's), times and values."""
     name, t, s = one_path(time, **given)
     if (name == "position") != (spring_stiffness is not None):
         raise ArgumentTypeError("spring_stiffness belongs to position=, the far end of the spring. Give both or none")

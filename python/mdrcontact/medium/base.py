@@ -83,7 +83,7 @@ class Medium(WithParameters):
         raise InvalidArgumentError(f"medium = {self!r}: it must be Coated or Layered, with a coating to lose")
 
     def _tolerance(self) -> float:
-        """The tolerance that was given for its solution, 0 where none was."""
+        """Return the given tolerance of its solution, 0 if there is none."""
         return 0.0
 
     def modulus(self, a: ArrayLike) -> FloatOrArray:

@@ -68,7 +68,7 @@ class Settings(NamedTuple):
 
 
 def settings(model: str, options: Mapping[str, Any], *, layers: bool = False, graded: bool = False) -> Settings:
-    """Checks a model's name and its options; wrong names are answered with the nearest right one."""
+    """Check the name of a model and its options; the message for a wrong name has the nearest right one."""
     known = {name: row for name, row in MODELS.items() if row.layers >= layers and row.graded >= graded}
     if not isinstance(model, str) or model not in known:
         raise InvalidArgumentError(f"model = {model!r}: {nearest(str(model), known)}")

@@ -65,7 +65,7 @@ class Surface(WithParameters):
 
 
 def given_surface(surface: object, *, elastic: bool) -> Surface | None:
-    """The surface if there is one that adds something; an exception if it is anything else, or the body is not elastic."""
+    """Return the surface if it has an effect; raise if it is anything else, or if the body is not elastic."""
     if surface is None:
         return None
     if not isinstance(surface, Surface):

@@ -42,15 +42,15 @@ class CompareResult(Result):
     problem: Problem
     answers: tuple[Answer, ...]
     refusals: tuple[tuple[str, str], ...]
-    """models that refuse the problem, and their words"""
+    """models that do not support the problem, and their messages"""
     response: str
-    """what the models are compared by: "force", or "depth" where the force is prescribed"""
+    """compared quantity: "force", or "depth" if the force is prescribed"""
     dimension: Dimension
     """of the response"""
     values: Array
-    """the response, a row for each answer"""
+    """the response, a row for each result"""
     basis: str
-    """what the models are measured by: "exact", or "median of the models" """
+    """reference of the models: "exact", or "median of the models" """
     base: Array
     """the response of the basis"""
 

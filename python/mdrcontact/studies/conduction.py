@@ -28,7 +28,7 @@ class SectionField(NamedTuple):
     x: Array
     z: Array
     values: Array
-    """(z, x): temperature rise [K] where friction heats, else the part of the potential"""
+    """(z, x): temperature rise [K] with heat of friction, else the share of the potential"""
     is_heated: bool
 
 
@@ -55,7 +55,7 @@ class ConductionResult(Result):
 
 
 def _section_panel(found: ConductionResult, section: SectionField) -> Panel:
-    """What the lower body has at the last state; the contact as a bar, the interfaces as lines."""
+    """The field in the lower body at the last state; the contact as a bar, the interfaces as lines."""
     a, depth = float(found.states[-1].radius), 0.0
     x, length = along("x", LENGTH, section.x)
     name = Axis("temperature rise", "K") if section.is_heated else Axis("potential over that of the contact")
@@ -141,7 +141,7 @@ def conduction(problem: Problem, *, section: bool = False, progress: Progress | 
 
 
 def _numbers(conductors: Conduction, radius: float, dimension: Dimension) -> dict[str, Number]:
-    """The last conductance, and that without the film in the spot."""
+    """Return the last conductance, and that without the film in the contact area."""
     value = float(np.asarray(conductors.at_radius(radius).conductance))
     numbers = {"contact radius": Number(radius, LENGTH), "conductance": Number(value, dimension)}
     if conductors.film:
@@ -151,7 +151,7 @@ def _numbers(conductors: Conduction, radius: float, dimension: Dimension) -> dic
 
 
 def _section(problem: Problem, given: Conducting, conductors: Conduction, states: States) -> SectionField:
-    """What the lower body has at the last state."""
+    """Return the field in the lower body at the last state."""
     last = states[-1]
     a = float(last.radius)
     thicknesses = [thickness for _, thickness in problem.medium._stack()]

@@ -207,7 +207,7 @@ def _at_thickness(contact: Contact, medium: Medium) -> State | None:
 
 
 def _thickness_note(problem: Problem, found: Curve, at: State | None) -> str | None:
-    """One sentence on where the contact becomes as wide as the coating is thick."""
+    """Return a sentence on the state at a = h."""
     h = thickness(problem.medium)
     if h is None:
         return None
@@ -220,7 +220,7 @@ def _thickness_note(problem: Problem, found: Curve, at: State | None) -> str | N
 
 
 def _rigid_note(problem: Problem, found: Curve) -> str | None:
-    """One sentence on what it would have cost to take a deformable indenter as rigid."""
+    """Return a sentence on the error of a rigid indenter."""
     if not isinstance(problem.medium, Pair):
         return None
     lower: Any = problem.medium.lower
@@ -234,13 +234,13 @@ def _rigid_note(problem: Problem, found: Curve) -> str | None:
 
 
 def _pressures(contact: Contact, found: Curve) -> tuple[tuple[Pressure, ...], InvalidArgumentError | None]:
-    """The distributions, or why there are none; points where theory gives infinite pressure are left out."""
+    """Return the distributions, or why there are none; points of infinite pressure are omitted."""
     result = []
     count = len(found.depth)
     quarters = spread_over(count, 4)
     try:
         for i in (quarters[0], quarters[1], quarters[3]) if count > 3 else range(count):
-            # dense towards the edge, where pressures are steep, and a hair inside it: the edge itself is a matter of rounding
+            # dense towards the edge, where pressures are steep, and a hair inside it: the edge itself depends on rounding
             r = found.radius[i] * (1.0 - 1e-9) * np.sin(np.linspace(0.0, np.pi / 2, _PRESSURE_POINTS))
             p = np.asarray(contact.at_depth(float(found.depth[i])).pressure(r))
             finite = np.isfinite(p)

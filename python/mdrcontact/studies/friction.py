@@ -38,7 +38,7 @@ class FrictionResult(Result):
     """the tangential states at the amplitudes, or after each step"""
 
     def figure(self) -> Figure:
-        """Return what the cycles or the path look like."""
+        """Return the figure of the cycles or of the path."""
         raise NotImplementedError
 
 

@@ -35,7 +35,7 @@ class HistoryResult(Result):
     history: History
     """at all times that were computed"""
     edge: RateHistory | AdhesiveHistory | None = None
-    """the whole answer where adhesion depends on speed, or has a range"""
+    """the complete result with rate-dependent or finite-range adhesion"""
 
     def figure(self) -> Figure:
         """Return what changes in time, and force over depth where both change."""
@@ -144,7 +144,7 @@ def _follow(contact: Contact, path: HistoryPath, progress: Progress) -> tuple[Hi
 
 
 def _follow_edge(contact: Contact, path: HistoryPath, spring: float | None, progress: Progress) -> RateHistory | AdhesiveHistory:
-    """The history where adhesion depends on speed, or has a range; led by depth, force or the far end of a spring."""
+    """Return the history with rate-dependent or finite-range adhesion, under depth, force or spring control."""
     name = "position" if spring is not None and path.name == "depth" else path.name
     prescribed: dict[str, Any] = {name: path.values}
     refuse_drainage(path.drainage)

@@ -34,11 +34,11 @@ class InspectResult(Result):
     facts: tuple[Fact, ...]
     """what the file states about the instrument"""
     curves: tuple[str, ...] = ()
-    """what would be fitted of each curve, or why it would not be"""
+    """what would be fitted of each curve, or the reason why not"""
     doubts: tuple[str, ...] = ()
     """about the curves; `warnings` has them too"""
     guessed: tuple[str, ...]
-    """what the file does not say"""
+    """what the file does not contain"""
     refusal: MDRError | None = None
     """why no curve would be fitted"""
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The study `many`: what many measured curves, of a folder or a map, say of a body."""
+"""The study `many`: a body from many measured curves of a folder or a map."""
 
 from __future__ import annotations
 
