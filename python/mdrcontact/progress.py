@@ -31,16 +31,22 @@ def _never() -> bool:
 
 
 class Progress:
-    """The state of long work, for the program that waits for it.
+    """Progress of long work, for the program that waits for it.
 
     Parameters
     ----------
-    step : callable(done, total, what), optional
-        Called when a phase of the work begins and after each of its parts: `done` of `total` parts, named `what`, as
-        "states". `total` is None for a phase whose length is not known. A viscoelastic history calls it from a thread of its own.
-    stop : callable() -> bool, optional
-        Called between two parts and, about 20 times a second, within calls into the library, in the thread that works. If it
-        returns True, the work ends with `CancelledError`.
+    step : callable, optional
+        Function of (done, total, what), called when a phase of the work begins and after each of its parts: `done` of `total`
+        parts, named `what`, as "states". `total` is None for a phase of unknown length. A viscoelastic history calls it from a
+        thread of its own.
+    stop : callable, optional
+        Function without arguments, called between two parts and, about 20 times a second, within calls into the library, in the
+        thread that works. If it returns True, the work ends with `CancelledError`.
+
+    Raises
+    ------
+    CancelledError
+        The work ends because `stop` returned True.
 
     Examples
     --------
@@ -54,18 +60,54 @@ class Progress:
         self._step, self._stop = step, stop
 
     def step(self, done: float, total: float | None, what: str) -> None:
-        """Report `done` of `total` parts named `what`; raise `CancelledError` if the work must stop."""
+        """Report `done` of `total` parts named `what`.
+
+        Parameters
+        ----------
+        done : float
+            Number of completed parts.
+        total : float or None
+            Number of all parts, if it is known.
+        what : str
+            Name of the parts.
+
+        Raises
+        ------
+        CancelledError
+            The work must stop.
+        """
         if self._stop():
             raise CancelledError(_STOPPED)
         self.report(done, total, what)
 
     def report(self, done: float, total: float | None, what: str) -> None:
-        """Report as `step` does, from a thread that only watches the work."""
+        """Report as `step` does, from a thread that only watches the work.
+
+        Parameters
+        ----------
+        done : float
+            As in `step`.
+        total : float or None
+            As in `step`.
+        what : str
+            As in `step`.
+        """
         self._step(done, total, what)
 
     @contextmanager
     def listened(self) -> Iterator[None]:
-        """Let `stop` end calls into the library that this thread makes within the block."""
+        """Let `stop` end calls into the library that this thread makes within the block.
+
+        Returns
+        -------
+        context manager
+            The block.
+
+        Raises
+        ------
+        CancelledError
+            `stop` returned True.
+        """
         if self._stop is _never:
             yield
             return
