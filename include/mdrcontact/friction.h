@@ -155,7 +155,7 @@ typedef struct mdr_friction_history mdr_friction_history;
 
 /** Create a history of a contact that has not been loaded.
  *
- *  On homogeneous bodies the springs do not interact and each step is exact, whatever its size. On exact layered bodies, and on
+ *  On homogeneous bodies the springs do not interact and each step of any size is exact. On exact layered bodies, and on
  *  homogeneous ones if largest_depth > 0, the contact is divided into rings that each obey Coulomb's law. With 100 rings the error
  *  of T is 2e-4 coefficient F, that of the stick radius a third of a ring, that of the energy 2e-3. Twice the number of rings
  *  reduces the errors by a factor of two or more. Steps are divided at the radii of the rings, so a long step gives the result, and

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> What stands behind the handle of a body.
+!> The object of the handle of a body.
 module mdrcontact_api_any_body
     use, intrinsic :: iso_c_binding, only: c_int, c_ptr
     use mdrcontact_api_handles, only: return_object

@@ -1,8 +1,8 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Opaque handles: what an `mdr_profile *`, `mdr_medium *` and so on points to, from birth to death.
 !>
-!> All handles are of one kind: a tag, and an object whose type says what it is. A pointer to something else is refused by its tag,
-!> a handle of another object by its type. A freed handle loses its tag, which catches some uses after the end but cannot catch all.
+!> All handles are of one kind: a tag, and an object whose type identifies it. A pointer to something else is refused by its tag, a
+!> handle of another object by its type. A freed handle loses its tag, which catches some uses after the end but cannot catch all.
 module mdrcontact_api_handles
     use, intrinsic :: iso_c_binding, only: c_associated, c_char, c_double, c_f_pointer, c_int, c_int64_t, c_loc, c_null_char, &
                                            c_null_ptr, c_ptr

@@ -164,7 +164,7 @@ contains
         first = 0
         do k = 1, size(cells, 3)
             do j = 1, size(cells, 2)
-                ! beyond the largest label there is no phase, whatever the number
+                ! beyond the largest label there is no phase, for any number
                 cells(:, j, k) = max(0, min(labels(first + 1:first + size(cells, 1)), huge(1) - 1) + 1)
                 first = first + size(cells, 1)
             end do

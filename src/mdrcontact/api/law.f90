@@ -76,7 +76,7 @@ contains
         status = return_object(object, out, error)
     end function mdr_law_new
 
-    !> What stands behind options.conduction, of whatever extension.
+    !> The object of options.conduction, of any extension.
     subroutine open_conductors(handle, conductors, error)
         type(c_ptr), intent(in) :: handle
         class(conducting_t), pointer, intent(out) :: conductors
@@ -221,7 +221,7 @@ contains
         call write_facts(facts, c_loc(made), used)
     end function mdr_law_about
 
-    !> What a law with friction has beside.
+    !> What a law with friction has in addition.
     subroutine add_friction(friction, facts)
         type(friction_law_t), intent(in) :: friction
         type(c_law_facts_t), intent(inout) :: facts

@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
-/* What the entries say of arguments that the header does not allow, whatever the function does. */
+/* What the entries say of arguments that the header does not allow, for any function. */
 #ifndef MDRCONTACT_REFUSE_H
 #define MDRCONTACT_REFUSE_H
 

@@ -1,8 +1,8 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Work on many entries, on one thread or several: the same numbers and the same error, however many threads there are.
 !>
-!> The caller says how many threads; nothing is remembered between calls. Called from within a parallel region, all stays on the
-!> calling thread.
+!> The caller sets the number of threads; nothing is remembered between calls. Called from within a parallel region, all stays on
+!> the calling thread.
 module mdrcontact_batch
     use, intrinsic :: iso_c_binding, only: c_int, c_int64_t, c_loc, c_null_ptr
     use mdrcontact_cancel, only: check_cancelled, poll_for_team
@@ -22,7 +22,7 @@ module mdrcontact_batch
         procedure(entries), deferred :: work
     end type batch_t
 
-    !> A function of one number, for arrays. No value may depend on where in the array it stands.
+    !> A function of one number, for arrays. No value may depend on its index in the array.
     type, abstract :: map_t
     contains
         procedure(mapped), deferred :: values

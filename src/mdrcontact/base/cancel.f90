@@ -90,7 +90,7 @@ contains
         call mdrcontact_poll_for_team(team_flag)
     end subroutine poll_for_team
 
-    !> Raises if the caller wants the call to end. It costs about ten nanoseconds: for anything that is done thousands of times.
+    !> Raises if the caller cancels the call. It costs about ten nanoseconds: for anything that is done thousands of times.
     subroutine check_cancelled(error)
         type(error_t), allocatable, intent(inout) :: error
 

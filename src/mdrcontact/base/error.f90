@@ -55,7 +55,7 @@ contains
         call compose(error)
     end subroutine raise
 
-    !> Says that an error belongs to one entry of an array.
+    !> Assigns an error to one entry of an array.
     pure subroutine raise_at(error, entry)
         type(error_t), intent(inout) :: error
         integer, intent(in) :: entry
@@ -64,7 +64,7 @@ contains
         call compose(error)
     end subroutine raise_at
 
-    !> Says what an error of an inner layer means for the outer one: `before` and `after` enclose its words.
+    !> Explains an error of an inner layer for the outer one: `before` and `after` enclose its words.
     pure subroutine explain(error, before, after)
         type(error_t), intent(inout) :: error
         character(len=*), intent(in) :: before, after

@@ -23,7 +23,7 @@ module mdrcontact_gsl
     public :: gsl_interp_bsearch, gsl_sort, gsl_sort_index
     public :: gsl_interp_steffen, gsl_spline_alloc, gsl_spline_init, gsl_spline_free, gsl_spline_eval_deriv
 
-    !> Status of a call that did what it says.
+    !> Status of a successful call.
     integer(c_int), parameter :: gsl_success = 0
 
     !> GSL's `gsl_function`: a C function pointer and its parameters.
@@ -291,7 +291,7 @@ module mdrcontact_gsl
 
 contains
 
-    !> Makes GSL return status codes instead of ending the process. Idempotent; called by whatever is about to use GSL.
+    !> Makes GSL return status codes instead of ending the process. Idempotent; called before any use of GSL.
     subroutine disable_gsl_abort()
         call mdrcontact_switch_gsl_handler_off()
     end subroutine disable_gsl_abort

@@ -41,7 +41,7 @@ module mdrcontact_profile
         procedure :: mdr_at
         !> g'(x) [1]
         procedure(radial_function), deferred :: mdr_slope
-        !> g' at a distance beyond a radius, with full accuracy beside the edge of a flat end, where it is infinite
+        !> g' at a distance beyond a radius, with full accuracy next to the edge of a flat end, where it is infinite
         procedure :: mdr_slope_beyond
         !> int_0^x s g'(s) ds [length^2]; a homogeneous body's force is 2 E* times it
         procedure(radial_function), deferred :: mdr_moment

@@ -287,7 +287,7 @@ contains
         end associate
     end function degrees_of_freedom
 
-    !> Everything that is said about the point found.
+    !> The statistics of the point found.
     subroutine describe(residuals, u, outcome, fit, error)
         type(fit_residuals_t), intent(inout) :: residuals
         real(wp), intent(in) :: u(:)

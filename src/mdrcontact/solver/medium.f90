@@ -163,7 +163,7 @@ contains
         if (allocated(self%relaxing)) call refuse_states(error)
     end subroutine check_elastic
 
-    !> Raises what is said of states of a viscoelastic body, wherever they are requested.
+    !> Raises the error of states of a viscoelastic body, wherever they are requested.
     pure subroutine refuse_states(error)
         type(error_t), allocatable, intent(inout) :: error
 

@@ -256,7 +256,7 @@ contains
         if (.not. allocated(error)) answer = size(layers%thickness) == 0
     end function has_no_layers
 
-    !> Raises unless the model exists and knows this kind of body.
+    !> Raises unless the model exists and accepts this kind of body.
     pure subroutine check_model(body, model, error)
         class(body_t), intent(in) :: body
         integer, intent(in) :: model

@@ -32,7 +32,7 @@ module mdrcontact_weights
     end type weight_map_t
 
     !> Depths taken at a time. They are filled up to a whole number of vectors, so that every value comes from the same
-    !> instructions, wherever in an array it stands.
+    !> instructions, at any index of an array.
     integer, parameter :: chunk = 64, widest_vector = 8
 
 contains

@@ -7,7 +7,7 @@ module mdrcontact_numerics_lowest
     private
     public :: find_lowest, in_six_digits
 
-    !> The smaller part of the golden section; how near the place is found: beyond it f says no more.
+    !> The smaller part of the golden section; how near the place is found: beyond it f has no information.
     real(wp), parameter :: part = 0.3819660112501051_wp, accuracy = 1.0e-8_wp
 
 contains

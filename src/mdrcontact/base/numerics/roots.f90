@@ -81,13 +81,12 @@ contains
         end if
     end subroutine find_root
 
-    !> The root of an increasing f in [smallest, largest] that is close to linear: Newton's steps where f knows its slope, and
+    !> The root of an increasing f in [smallest, largest] that is close to linear: Newton's steps where f provides its slope, and
     !> from the second on a cubic through two points with theirs, in y, or in x where f is nearly flat or falls for a while; else
-    !> secant steps, from `guess` until they converge, bracketed
-    !> by the signs seen on the way; Brent's method if they do not. The last step, which leaves less than rounding or than f needs
-    !> for, is taken without looking at f again, unless f is rough. Far from the root f is evaluated with less accuracy.
-    !> A step up to where f has no value is halved, a few times.
-    !> `found` is false, and `root` the nearer end, if f keeps its sign over the whole interval.
+    !> secant steps, from `guess` until they converge, bracketed by the signs seen on the way; Brent's method if they do not. The
+    !> last step, which leaves less than rounding or than f needs for, is taken without looking at f again, unless f is rough. Far
+    !> from the root f is evaluated with less accuracy. A step up to where f has no value is halved, a few times. `found` is false,
+    !> and `root` the nearer end, if f keeps its sign over the whole interval.
     subroutine solve_increasing(f, guess, slope, smallest, largest, root, found, error, distance)
         class(scalar_function_t), intent(inout) :: f
         !> starting point and the expected slope of f there

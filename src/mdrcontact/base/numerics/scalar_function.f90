@@ -13,7 +13,7 @@ module mdrcontact_numerics_scalar_function
     type, abstract :: scalar_function_t
         !> allocated by an evaluation that failed
         type(error_t), allocatable :: error
-        !> df/dx at the x of the last evaluation, if the function knows it; 0 if it does not
+        !> df/dx at the x of the last evaluation, if the function provides it; 0 if it does not
         real(wp) :: known_slope = 0.0_wp
         !> f is rough at the level of its rounding errors: a root counts only if f was considered there
         logical :: is_rough = .false.

@@ -30,7 +30,7 @@ module mdrcontact_numerics_waves
         integer :: order = 0
         !> wavenumbers: of products of two real numbers, then of products of two outgoing waves
         complex(wp), allocatable :: k(:)
-        !> weights with 2/pi, and b_j (order, node) for the first ones; b_0 - cos k, what is left beside the value at the edge
+        !> weights with 2/pi, and b_j (order, node) for the first ones; b_0 - cos k, what is left next to the value at the edge
         real(wp), allocatable :: weight(:), b(:, :), inner(:)
         !> the same for the others, whose cos k is 1
         complex(wp), allocatable :: far_weight(:), outgoing(:, :)

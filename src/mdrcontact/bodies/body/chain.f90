@@ -334,7 +334,7 @@ contains
         real(wp), intent(in) :: k
         !> in parts of the stiffnesses that hold the place
         real(wp) :: least
-        !> of what holds a place from above, beside a fixed place, so that it has an inverse
+        !> of what holds a place from above, next to a fixed place, so that it has an inverse
         real(wp), parameter :: rigid = 1.0e-15_wp
         complex(wp), parameter :: held(2, 2) = 0.0_wp
         complex(wp) :: below(2, 2), above(2, 2), wave

@@ -5,7 +5,7 @@
 !> and q = K_m k/(2 G) of the sheet,
 !>     S_ext = (S^-1 - diag(q, 0))^-1,   1 + chi = s (S_22 - q det S)/(1 - q S_11),   s = S_11/det S of the surface's half-space,
 !> relative to what short waves meet, a surface that cannot move sideways: E0* = E* 4 (1 - nu)^2/(3 - 4 nu) of an isotropic one.
-!> On a half-space chi = c/(1 + k l) with c = S_12 S_21/det S: it falls as 1/k only, and X(y) is a logarithm beside y = 0, as on
+!> On a half-space chi = c/(1 + k l) with c = S_12 S_21/det S: it falls as 1/k only, and X(y) is a logarithm next to y = 0, as on
 !> graded bodies. Waves far shorter than all lengths are left out as those do it, by a factor exp(-2 k h_0).
 module mdrcontact_body_membrane
     use, intrinsic :: iso_fortran_env, only: int64

@@ -42,7 +42,7 @@ contains
                    to_text(in_six_digits(2.0_wp*pi/k)))
     end subroutine check_stable
 
-    !> The wave that the body opposes least: at the surface beside a half-space of its material, 1/one_plus_chi(k), or inside.
+    !> The wave that the body opposes least: at the surface next to a half-space of its material, 1/one_plus_chi(k), or inside.
     subroutine softest_wave(body, k, stiffness, error)
         class(body_t), intent(in) :: body
         !> its wavenumber [1/length], and how stiff the body is to it [1], 0 or less where it is unstable

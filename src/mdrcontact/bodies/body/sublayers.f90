@@ -43,7 +43,7 @@ contains
         answer = all(abs(whole - halves) <= max(rule_tolerance, rounding)*halves)
     end function is_integrated_by
 
-    !> int {G, 1/G, 1 + nu} dz between two depths, and the same times z - start. Whatever is integrated lies between G and 1/G.
+    !> int {G, 1/G, 1 + nu} dz between two depths, and the same times z - start. All integrands lie between G and 1/G.
     pure function moments(body, places, weights, from, to, start) result(values)
         class(body_t), intent(in) :: body
         real(wp), intent(in) :: places(:), weights(:), from, to, start

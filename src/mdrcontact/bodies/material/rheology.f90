@@ -2,7 +2,7 @@
 !> An isotropic linear viscoelastic material: how its shear modulus relaxes, and what its Poisson's ratio or bulk modulus is.
 !>
 !> Laplace transforms of moduli are multiplied by s, so that s = i omega gives the complex modulus and an elastic formula holds
-!> between them as it stands: theory/time.md (1.5)-(1.7).
+!> between them as it is: theory/time.md (1.5)-(1.7).
 module mdrcontact_material_rheology
     use mdrcontact_parameter, only: nature_fraction, nature_not_negative, nature_poisson, parameter_t
     use mdrcontact_error, only: check_not_negative, check_poisson, check_positive, count_text, error_invalid, error_t, raise, &
@@ -364,7 +364,7 @@ contains
     end function contact_series
 
     !> A material with a glassy and a relaxed modulus that answers as this one between two times: a power law is a sum of
-    !> exponentials, a dashpot in parallel relaxes before the first time, a liquid bears something long after the last.
+    !> exponentials, a dashpot in parallel relaxes before the first time, a liquid carries load long after the last.
     function between(self, shortest, longest, tolerance) result(solid)
         class(rheology_t), intent(in) :: self
         !> > 0 [time]

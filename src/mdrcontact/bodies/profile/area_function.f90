@@ -15,7 +15,7 @@ module mdrcontact_profile_area_function
     private
     public :: area_function_t, new_area_function_profile
 
-    !> A tip that knows the area function from which it was sampled.
+    !> A tip with the area function from which it was sampled.
     type, extends(sampled_profile_t) :: area_function_t
         private
         real(wp), allocatable :: coefficients(:)
@@ -90,7 +90,7 @@ contains
                                 scatter_of_heights(coefficients, min_height, max_height), error)
     end subroutine new_area_function_profile
 
-    !> Its coefficients. The last one is the area beside the apex, unless another shape is below min_height.
+    !> Its coefficients. The last one is the area next to the apex, unless another shape is below min_height.
     pure subroutine parameters(self, list)
         class(area_function_t), intent(in) :: self
         type(parameter_t), allocatable, intent(out) :: list(:)

@@ -12,7 +12,7 @@ module mdrcontact_profile_corners
     private
     public :: add_corners
 
-    !> Panels below this part of their planned width stand beside a corner, or where f varies so fast that a split does no harm.
+    !> Panels below this part of their planned width stand next to a corner, or where f varies so fast that a split does no harm.
     real(wp), parameter :: narrow = 2.0_wp**(-4)
     !> A corner this near to another, relative to its radius, is the same.
     real(wp), parameter :: same = 1.0e-4_wp

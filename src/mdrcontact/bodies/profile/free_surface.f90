@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> A height between two radii c and b that rises from c as the free surface beside a contact does: analytic not in r but in
-!> s = sqrt(r^2 - c^2). Chebyshev series of s on panels.
+!> A height between two radii c and b that rises from c as the free surface next to a contact does: analytic not in r but in s =
+!> sqrt(r^2 - c^2). Chebyshev series of s on panels.
 module mdrcontact_profile_free_surface
     use, intrinsic :: iso_fortran_env, only: int64
     use mdrcontact_object, only: real_bytes

@@ -170,7 +170,7 @@ contains
         end do
     end function shifted
 
-    !> What stands under the integral beside the kernel, in a panel.
+    !> The factor of the kernel under the integral, in a panel.
     pure subroutine density(self, panel, r, phi)
         class(transform_t), intent(in) :: self
         integer, intent(in) :: panel

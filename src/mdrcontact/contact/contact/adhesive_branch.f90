@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> What a contact needs of its adhesive equilibria, whatever the range of adhesion: the stable segments under a control, and the
-!> states on them. All equilibria lie on one curve with a coordinate, and are stable where what the machine controls grows along it.
+!> What a contact needs of its adhesive equilibria, for any range of adhesion: the stable segments under a control, and the states
+!> on them. All equilibria lie on one curve with a coordinate, and are stable where what the machine controls grows along it.
 module mdrcontact_contact_adhesive_branch
     use mdrcontact_contact_control, only: control_t, depth_control, force_control
     use mdrcontact_contact_equilibrium, only: equilibrium_t

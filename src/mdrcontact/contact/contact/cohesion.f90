@@ -69,7 +69,7 @@ module mdrcontact_contact_cohesion
     real(wp), parameter :: fewer_unknowns = 0.85_wp
     !> Where c - a of a state has lost its digits [a].
     real(wp), parameter :: shortest_length = 1.0e-9_wp
-    !> The opening beside the contact may be below 0 by so much of the range: rounding.
+    !> The opening next to the contact may be below 0 by so much of the range: rounding.
     real(wp), parameter :: negligible = 1.0e-7_wp
 
 contains

@@ -405,7 +405,7 @@ contains
         self%known_slope = exp(x)*solved%depth_slope*self%control%of(1.0_wp, 2.0_wp*radius*solved%modulus)/s
         ! Unknown to both formula and solution; or infinite, as d' at the rim of a flat end.
         if (solved%depth_slope < 0.0_wp .and. solved%depth_slope == formula) self%known_slope = 0.0_wp
-        ! And that of ln s says nothing where rounding has left nothing of s, beside a flat end.
+        ! And that of ln s says nothing where rounding has left nothing of s, next to a flat end.
         if (.not. abs(self%known_slope) <= huge(s) .or. s <= tiny(s)) self%known_slope = 0.0_wp
         ! The radius closest to x is not exactly there, least so next to a flat end.
         if (radius < self%equilibrium%last_radius) y = y + self%known_slope*(x - self%equilibrium%coordinate_of(radius))

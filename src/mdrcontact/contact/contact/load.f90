@@ -30,7 +30,7 @@ module mdrcontact_contact_load
         type(equilibrium_t), pointer :: equilibrium => null()
         !> whose load it is
         type(contact_state_t) :: state
-        !> what the surface bears
+        !> what the surface supports
         class(load_t), allocatable :: surface
     contains
         procedure :: line_load

@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The equilibria of a contact sampled along their curve, whatever the range of adhesion: evaluated, inverted, searched for extrema
-!> and integrated for the price of short polynomials, by branches, loops, laws and fits.
+!> The equilibria of a contact sampled along their curve, for any range of adhesion: evaluated, inverted, searched for extrema and
+!> integrated for the price of short polynomials, by branches, loops, laws and fits.
 module mdrcontact_contact_samples
     use mdrcontact_contact_control, only: control_t, depth_control
     use mdrcontact_contact_equilibrium, only: equilibrium_t

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> What a state says of its own validity: linear elasticity holds for small slopes and strains, and answers beyond them too.
+!> Validity of a state: linear elasticity holds for small slopes and strains, and answers beyond them too.
 module mdrcontact_contact_warnings
     use mdrcontact_body, only: body_t
     use mdrcontact_codes, only: warning_compression, warning_contrast, warning_pressure, warning_short_zone, warning_slope, &
@@ -22,7 +22,7 @@ module mdrcontact_contact_warnings
     real(wp), parameter :: largest_pressure = 0.5_wp*largest_slope
     !> The largest part of their thickness by which layers are compressed.
     real(wp), parameter :: largest_compression = 0.5_wp
-    !> The largest ratio of two Young's moduli: a gel of 1 kPa on glass has 7e7, GPa beside Pa 1e9.
+    !> The largest ratio of two Young's moduli: a gel of 1 kPa on glass has 7e7, GPa with Pa 1e9.
     real(wp), parameter :: largest_contrast = 1.0e9_wp
 
     !> The largest work of adhesion over the surface tension, 1 - cos theta of the angle of contact: 18 degrees.

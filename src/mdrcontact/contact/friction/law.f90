@@ -217,7 +217,7 @@ contains
         end associate
     end subroutine find_share
 
-    !> T after one step at constant F, against what the contact itself says.
+    !> T after one step at constant F, compared with the contact itself.
     subroutine verify_first_shear(self, friction, largest_depth, error)
         type(friction_law_t), intent(inout) :: self
         type(friction_t), intent(in) :: friction

@@ -170,7 +170,7 @@ contains
         if (.not. allocated(error)) call load%check_one_disc("friction", error)
     end subroutine check_load
 
-    !> First shear from what a medium knows of it.
+    !> First shear from what a medium provides.
     subroutine new_first_shear(self, slip, coefficient)
         type(first_shear_t), intent(out) :: self
         !> moved
@@ -239,7 +239,7 @@ contains
         state%tangential_force = force
     end subroutine at_tangential_force
 
-    !> What the annulus beyond a radius bears as it slips, less what it would by sticking with the disc inside: T - k_t(c) s at the
+    !> What the annulus beyond a radius transmits in slip, less what it would in stick with the disc inside: T - k_t(c) s at the
     !> stick radius c, for a coefficient of friction of 1.
     subroutine load_beyond(self, radius, load, error)
         class(first_shear_t), intent(in) :: self

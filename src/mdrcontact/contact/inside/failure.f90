@@ -18,7 +18,7 @@ module mdrcontact_inside_failure
     private
     public :: failure_load_t, first_failure, strength_t
 
-    !> What a layer or an interface bears.
+    !> Strength of a layer or an interface.
     type :: strength_t
         !> a quantity of maximum_t: von_mises, tresca (half the yield stress by Tresca), tension, which of the first
         !> layer includes the free surface; interface_shear, interface_tension; free_surface_tension
@@ -289,7 +289,7 @@ contains
         end do
     end subroutine close_in
 
-    !> Excess of the largest stress over the strength at a radius, relative to it; -1 beside a singular edge.
+    !> Excess of the largest stress over the strength at a radius, relative to it; -1 next to a singular edge.
     subroutine find_excess(search, strength, radius, failure, excess, error)
         type(search_t), intent(in) :: search
         type(strength_t), intent(in) :: strength

@@ -2,8 +2,8 @@
 !> The states of a body whose constants vary with depth, and the images that represent its short waves near the surface.
 !>
 !> The equation of the state is integrated (theory/stress.md (2.5)), by the power series in k of mdrcontact_body_elements_gradient:
-!> compliances go up, tractions down. Near the surface what remains beside the homogeneous half-space falls only as 1/k. It is a
-!> Laplace transform, and from a wavenumber on a sum of (alpha + beta k z) e^(-k (z + s)) over few s follows it: fields of
+!> compliances go up, tractions down. Near the surface what remains in addition to the homogeneous half-space falls only as 1/k. It
+!> is a Laplace transform, and from a wavenumber on a sum of (alpha + beta k z) e^(-k (z + s)) over few s follows it: fields of
 !> half-spaces again, s deeper. They are found by least squares and compared with the states between the wavenumbers of the fit.
 module mdrcontact_inside_gradient_states
     use mdrcontact_body, only: body_t
@@ -210,7 +210,7 @@ contains
         end do
     end subroutine find_images
 
-    !> What has a closed form beside the half-space.
+    !> What has a closed form in addition to the half-space.
     pure subroutine add_images(self, rule, load, depth, r, sums)
         class(gradient_states_t), intent(in) :: self
         type(half_space_rule_t), intent(in) :: rule

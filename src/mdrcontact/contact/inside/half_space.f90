@@ -24,7 +24,7 @@ module mdrcontact_inside_half_space
     !> A panel is not made shorter than this part of a.
     real(wp), parameter :: shortest = 1.0e-18_wp
 
-    !> Length of the panel beside an axis where q' is a broken power, relative to the distance of the point, and, for the point at
+    !> Length of the panel next to an axis where q' is a broken power, relative to the distance of the point, and, for the point at
     !> the apex itself, of the part that is integrated as a power.
     real(wp), parameter :: first_beside_axis = 1.0e-6_wp, first_at_apex = 1.0e-17_wp
 
@@ -245,15 +245,15 @@ contains
         else
             length = min(length, (low - segment%kink)/merge(3.0_wp, 1.0_wp, ends_at_r))
         end if
-        ! beside the axis a broken power, which s^2 alone does not cure
+        ! next to the axis a broken power, which s^2 alone does not cure
         if (at_kink .and. segment%start <= 0.0_wp) then
             length = min(length, merge(first_at_apex, first_beside_axis*min(1.0_wp, hypot(segment%r, z)), &
                                        segment%r <= 0.0_wp .and. z <= 0.0_wp))
         end if
     end function reach
 
-    !> Nodes and weights of a panel relative to r and their distances from the segment's `start`; s^2 instead of s beside a kink,
-    !> and beside r where the point is on the surface.
+    !> Nodes and weights of a panel relative to r and their distances from the segment's `start`; s^2 instead of s next to a kink,
+    !> and next to r where the point is on the surface.
     pure subroutine place_nodes(rule, load, segment, low, length, on_surface, t, distance, weight)
         type(half_space_rule_t), intent(in) :: rule
         class(load_t), intent(in) :: load

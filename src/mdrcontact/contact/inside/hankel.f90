@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Hankel integrals of the layers' states: int p_hat(k) y(k, z) J_n(k r) dk and the like, at single points or on grids of r and z.
 !>
-!> A prepared integral knows layers and load; points and grids then cost sums over its nodes, on a grid as products of matrices.
+!> A prepared integral contains layers and load; points and grids then cost sums over its nodes, on a grid as products of matrices.
 module mdrcontact_inside_hankel
     use, intrinsic :: iso_c_binding, only: c_size_t
     use mdrcontact_batch, only: batch_t, run_batch
@@ -109,7 +109,7 @@ contains
         sizes = merge([2, 4, 2], [3, 2, 0], self%states%along_surface)
     end function groups
 
-    !> What stands beside the Bessel functions in each sum, times p_hat dk: (node, sum). The last shear sum is with J2 itself.
+    !> What multiplies the Bessel functions in each sum, times p_hat dk: (node, sum). The last shear sum is with J2 itself.
     pure subroutine weighted_state(self, depth, first, last, columns)
         type(hankel_t), intent(in) :: self
         type(depth_t), intent(in) :: depth

@@ -56,7 +56,7 @@ module mdrcontact_inside_largest
     !> What the quantities are the largest of: functions without the kinks that a largest one has.
     integer, parameter :: by_mises = 1, in_plane = 2, down_from_hoop = 3, up_from_hoop = 4, along_plane = 5, hoop = 6, &
                           shear_outward = 7, shear_inward = 8, across = 9, size_of_parts = 9
-    !> Radii of a grid over its length, as many beside the edge of the contact, and depths.
+    !> Radii of a grid over its length, as many next to the edge of the contact, and depths.
     integer, parameter :: grid_r = 20, grid_z = 25
     !> Distance of the former from the edge [a].
     real(wp), parameter :: beside_edge = 0.3_wp
@@ -195,7 +195,7 @@ contains
         length = ends(2) - ends(1)
     end function length
 
-    !> The values of some parts on a grid; -infinity beside what is singular.
+    !> The values of some parts on a grid; -infinity next to what is singular.
     subroutine find_values(self, r, z, angle, parts, values, error)
         class(stressed_t), intent(in) :: self
         !> [length]
@@ -322,7 +322,7 @@ contains
         peaks(:, :) = found(:, :n)
     end function peaks_of
 
-    !> Radii of a box, as many beside the edge of the contact, and some beside places where stresses are infinite.
+    !> Radii of a box, as many next to the edge of the contact, and some next to places where stresses are infinite.
     pure function radii_in(ends, radius, singular) result(r)
         !> a, and radii of those places [length]
         real(wp), intent(in) :: ends(2), radius, singular(:)
@@ -346,7 +346,7 @@ contains
         r = ascending_within(ends, all_r)
     end function radii_in
 
-    !> Depths of a box, denser towards the surface, and some beside places where stresses are infinite.
+    !> Depths of a box, denser towards the surface, and some next to places where stresses are infinite.
     pure function depths_in(ends, radius, singular) result(z)
         real(wp), intent(in) :: ends(2), radius, singular(:)
         real(wp), allocatable :: z(:)

@@ -43,7 +43,7 @@ module mdrcontact_inside_states
     contains
         !> to the load in one direction, before anything else
         procedure :: turn
-        !> what has a closed form beside the half-space
+        !> what has a closed form in addition to the half-space
         procedure :: add_images
         !> the states at wavenumbers k > 0, ascending [1/a]
         procedure(prepare_at), deferred :: prepare

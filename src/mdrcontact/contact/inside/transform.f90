@@ -29,7 +29,7 @@ module mdrcontact_inside_transform
         real(wp), allocatable :: length(:)
         !> -q' dx at the nodes of all panels
         real(wp), allocatable :: part(:)
-        !> (n, panel): what stands beside j_n in the integrals over a panel
+        !> (n, panel): the factor of j_n in the integrals over a panel
         real(wp), allocatable :: series(:, :)
         !> where sines are wanted: nodes of all panels, centres of all panels, halves of their lengths
         real(wp), allocatable :: x(:)
@@ -92,7 +92,7 @@ contains
         integer :: i, n, stat
 
         call gauss_legendre(node, weight, error)
-        ! beside a kink x = b + s^2 doubles the phase
+        ! next to a kink x = b + s^2 doubles the phase
         call load%panels(0.5_wp*longest_phase/k, panels, error)
         if (allocated(error)) return
         self%panels = size(panels)

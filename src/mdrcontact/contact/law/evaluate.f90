@@ -107,7 +107,7 @@ contains
         call point_in(table, interval_for(table, branch, min(s, table%highest)), s, other, slope, radius, stiffness)
     end subroutine point_at
 
-    !> point_at where the interval is known, as interval_for says at the lesser of s and the highest.
+    !> point_at where the interval is known, as interval_for returns at the lesser of s and the highest.
     pure subroutine point_in(table, interval, s, other, slope, radius, stiffness)
         type(law_table_t), intent(in) :: table
         integer, intent(in) :: interval
@@ -133,7 +133,7 @@ contains
     pure function energy_at(table, interval, s) result(energy)
         !> by depth
         type(law_table_t), intent(in) :: table
-        !> as interval_for says at the lesser of s and the highest depth
+        !> as interval_for returns at the lesser of s and the highest depth
         integer, intent(in) :: interval
         real(wp), intent(in) :: s
         real(wp) :: energy

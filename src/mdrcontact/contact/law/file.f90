@@ -22,8 +22,8 @@ module mdrcontact_law_file
     character(len=*), parameter :: title = "mdrcontact compiled contact law, format ", version = "5"
     !> How files of versions of the library began in which laws with friction were apart.
     character(len=*), parameter :: former_title = "mdrcontact compiled friction law, format "
-    !> Numbers of a law beside its two tables and its friction; those of its friction beside tables and shares, and those in their
-    !> place where the shear strength is constant.
+    !> Numbers of a law in addition to its two tables and its friction; those of its friction in addition to tables and shares, and
+    !> those in their place where the shear strength is constant.
     integer, parameter :: own_numbers = 5, friction_numbers = 4, radius_numbers = 3
     !> A larger coefficient of a share is not valid.
     real(wp), parameter :: largest_share = 1.0e3_wp

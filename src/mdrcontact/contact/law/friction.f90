@@ -157,7 +157,7 @@ contains
     end subroutine find_levels
 
     !> The sliders of these bodies if F and S at each contact radius are a factor times what they were, and k_t is as it was: shares
-    !> of springs that interact are those of contact radii, and so is what a constant shear strength bears.
+    !> of springs that interact are those of contact radii, and so is the load at a constant shear strength.
     subroutine scale(self, factor)
         class(friction_law_t), intent(inout) :: self
         !> > 0
@@ -260,7 +260,7 @@ contains
         call run_batch(work, size(contacts%force), block_size, smallest_parallel, threads, error)
     end subroutine steps
 
-    !> How many contacts, from the first one on, certainly have no error; of another check_step says it.
+    !> How many contacts, from the first one on, certainly have no error; check_step reports another one.
     function valid_steps(self, contacts, first) result(valid)
         type(friction_law_t), intent(in) :: self
         type(contact_steps_t), intent(in) :: contacts

@@ -18,7 +18,7 @@ module mdrcontact_law_levels
     public :: levels_t, new_levels, new_radius_levels, allocate_shares, share_index, count_shares, by_shear, by_twist
     public :: fewest_sliders, most_sliders, most_levels, share_nodes
 
-    !> Sliders of a law, and levels whatever its range.
+    !> Sliders of a law, and levels for any range.
     integer, parameter :: fewest_sliders = 4, most_sliders = 64, most_levels = 320
     !> Coefficients of a share between two levels: of powers of (S - S_m)/(S_m+1 - S_m).
     integer, parameter :: share_nodes = 3

@@ -19,7 +19,7 @@ module mdrcontact_law_segments
 
 contains
 
-    !> Moves the ends of the segments of an adhesive contact to the extrema of its samples, and says which end at one.
+    !> Moves the ends of the segments of an adhesive contact to the extrema of its samples, and marks those that end at one.
     subroutine move_to_folds(table, curve, list, ends_at_fold, error)
         type(law_table_t), intent(in) :: table
         class(samples_t), intent(in) :: curve

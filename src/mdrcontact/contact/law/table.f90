@@ -13,7 +13,7 @@ module mdrcontact_law_table
     public :: interval_for, segment_for, interval_in, below_range, no_contact, fewest_roots, most_roots
     public :: conductance_in, values_in, value_below, values_below, energy_in, energy_below, find_direct, add_energies, scale_table
 
-    !> What interval_for says where there is no interval: below the compiled range of a contact without adhesion; open.
+    !> Result of interval_for if there is no interval: below the compiled range of a contact without adhesion; open.
     integer, parameter :: below_range = -1, no_contact = 0
     !> Least and largest lowest power of the root of s below the range.
     integer, parameter :: fewest_roots = 2, most_roots = 12

@@ -52,8 +52,8 @@ contains
         call verify(self, slip, error)
     end subroutine new_twist_law
 
-    !> M after one step at constant F, against what the contact itself says: phi and M at the largest radius times the ratio of
-    !> another one to it, to the powers of 1 and 4, are those of that one.
+    !> M after one step at constant F, compared with the contact itself: phi and M at the largest radius times the ratio of another
+    !> one to it, to the powers of 1 and 4, are those of that one.
     subroutine verify(self, slip, error)
         type(friction_law_t), intent(inout) :: self
         type(twisted_slip_t), intent(in) :: slip

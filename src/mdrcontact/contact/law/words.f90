@@ -103,7 +103,7 @@ contains
         self%next = self%next + 1
     end function whole
 
-    !> The inverse of put_table; reader%valid says whether the result can be used.
+    !> The inverse of put_table; reader%valid is true if the result is valid.
     subroutine read_table(reader, table, error)
         type(reader_t), intent(inout) :: reader
         type(law_table_t), intent(out) :: table

@@ -25,7 +25,7 @@ module mdrcontact_adhesion_cohesive_history
     real(wp), parameter :: part_of_zone = 0.2_wp, part_of_span = 0.01_wp
     !> The first after a kink, of the shortest time of creep, or of the interval; how fast they grow, and what is a kink [steepest].
     real(wp), parameter :: first_of_time = 0.1_wp, first_of_interval = 0.01_wp, growth = 1.5_wp, kink = 0.1_wp
-    !> The end of the zone goes by so much of its way to a turn, and beside one by so much of the zone.
+    !> The end of the zone goes by so much of its way to a turn, and next to one by so much of the zone.
     real(wp), parameter :: part_of_way = 0.3_wp, part_beside_turn = 1.0e-4_wp
     integer, parameter :: most_levels = 7
     !> Steps this much shorter find no state either: it jumps, memories as they are [step, and shortest time of creep].

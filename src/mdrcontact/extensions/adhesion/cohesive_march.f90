@@ -41,7 +41,7 @@ module mdrcontact_adhesion_cohesive_march
     !> The longest panels in and outside the contact [largest radius].
     real(wp), parameter :: longest_inside = 0.4_wp, longest_outside = 0.1_wp
 
-    !> Where a history stands.
+    !> State of a history.
     type :: cohesive_march_t
         class(profile_t), allocatable :: profile
         !> the step that is taken, and with it the body; a(2) and c(2) are the radii of contact and zone
@@ -67,7 +67,7 @@ module mdrcontact_adhesion_cohesive_march
     !> What belongs to a place at the end of a step.
     type :: trial_t
         real(wp) :: a = 0.0_wp, c = 0.0_wp, depth = 0.0_wp, force = 0.0_wp
-        !> h(c), and the least of w - (d - g) beside the contact [range]
+        !> h(c), and the least of w - (d - g) next to the contact [range]
         real(wp) :: gap = 1.0_wp, least = 0.0_wp
         !> memories, where the force is known
         type(panels_t) :: panels
@@ -189,7 +189,7 @@ contains
                 low = x
             end if
             next = x - y*(x - x_before)/(y - y_before)
-            ! where the contact vanishes s has a kink, beside which secants go to and fro
+            ! where the contact vanishes s has a kink, next to which secants go to and fro
             if (i > enough .and. modulo(i, 2) == 0 .and. low > -huge(x) .and. high < huge(x)) next = 0.5_wp*(low + high)
             found = abs(next - x) <= tolerance*most
             if (found) exit
@@ -544,7 +544,7 @@ contains
             if (ends(i) > extent) exit
             edges = [edges, ends(i)]
         end do
-        ! a turn beside an edge gives way to it
+        ! a turn next to an edge gives way to it
         do i = 2, size(edges)
             if (abs(edges(i) - trial%a) <= slack) edges(i) = trial%a
             if (abs(edges(i) - trial%c) <= slack) edges(i) = trial%c

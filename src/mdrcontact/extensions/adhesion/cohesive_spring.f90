@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> One spring of a viscoelastic half-space beside a contact that attracts its surroundings (Haiat, Phan Huy, Barthel, J. Mech. Phys.
-!> Solids 51 (2003) 69; theory/adhesion.md (5.1), (5.2)): the spring at x displaces by
+!> One spring of a viscoelastic half-space next to a contact that attracts its surroundings (Haiat, Phan Huy, Barthel, J. Mech.
+!> Phys. Solids 51 (2003) 69; theory/adhesion.md (5.1), (5.2)): the spring at x displaces by
 !>     w = J_0 q + sum J_l z_l,    dz_l/dt = rate_l (q - z_l)
 !> and over a step in time, in which the contact's radius a and the cohesive zone's radius c are linear in time,
 !>     x < a(t): q linear in time;    a < x < c: q = -2 sigma_0 sqrt(c^2 - x^2);    x > c: q = 0

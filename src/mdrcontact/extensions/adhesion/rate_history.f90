@@ -28,7 +28,7 @@ module mdrcontact_adhesion_rate_history
     real(wp), parameter :: stride = 0.02_wp
     integer, parameter :: halvings = 60
 
-    !> Where the integration stands.
+    !> State of the integration.
     type :: progress_t
         !> whether there is a contact, its coordinate and dx/dt
         logical :: touches = .false.
@@ -47,7 +47,7 @@ contains
         type(control_t), intent(in) :: control
         !> ascending [time]
         real(wp), intent(in) :: time(:)
-        !> as many; before the first the bodies are as `state` says
+        !> as many; before the first the bodies are as `state` describes
         real(wp), intent(in) :: s(:)
         !> at the first time; receives that of the last. Unchanged after an error
         type(rate_state_t), intent(inout) :: state
@@ -319,7 +319,7 @@ contains
             call note_force(state, here, origin + t + h, -slopes(stages)*exp(reached(stages)))
         end if
         t = merge(whole, t + h, ends)
-        ! a step that a sample has cut short says nothing about the next one
+        ! a step that a sample has cut short does not determine the next one
         now%step = merge(max(now%step, change*h), change*h, ends)
         now%x = reached(stages)
         now%slope = slopes(stages)

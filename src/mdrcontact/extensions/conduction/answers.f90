@@ -234,7 +234,7 @@ contains
 
     contains
 
-        !> Where a pair of times stands.
+        !> Index of a pair of times.
         pure integer function place(i, j)
             integer, intent(in) :: i, j
 

@@ -213,7 +213,7 @@ contains
         value = (-1)**(m - n)/(4.0_wp*pi*(m + n + 0.5_wp)*(m + n + 1.5_wp)*(0.25_wp - real(m - n, wp)**2))
     end function of_half_space
 
-    !> J_1, J_3, ... at z > 0; those that are nothing beside the others are 0.
+    !> J_1, J_3, ... at z > 0; those that are negligible are 0.
     subroutine odd_waves(z, values)
         real(wp), intent(in) :: z
         real(wp), intent(out) :: values(:)

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Temperatures under the heat of friction: w = (1 + K_1) q_1/(2 S_1) on the line, whatever heat q_1 enters the lower body.
+!> Temperatures under the heat of friction: w = (1 + K_1) q_1/(2 S_1) on the line, for any heat q_1 that enters the lower body.
 !>
 !> Of two bodies on both of which the source rests (small amplitudes or speeds), each takes what makes the temperatures equal all
 !> over the contact: (C_1 + C_2) q_1 = C_2 q. One body takes it all
@@ -128,8 +128,8 @@ contains
         end do
     end function unknowns_for
 
-    !> What the lower body takes beside its part S_0/S_2 of the source, (1 + H) c' = (S_0/S_2) (H_2 - H) t, and what the layers of
-    !> the lower body add to the line's temperature, c' + H_1 c.
+    !> What the lower body takes in addition to its part S_0/S_2 of the source, (1 + H) c' = (S_0/S_2) (H_2 - H) t, and what the
+    !> layers of the lower body add to the line's temperature, c' + H_1 c.
     subroutine share_out(conduction, source, n, flux_into_lower, temperature, reached, error)
         type(conduction_t), intent(in) :: conduction
         type(source_t), intent(in) :: source

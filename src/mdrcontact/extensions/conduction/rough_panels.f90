@@ -6,7 +6,7 @@
 !>     j = (1/pi) [q(0)/t + int_0^(pi/2) q'(s) d beta],  s = t sin beta,
 !> and G the largest value of 2 f - A over all q, G = 2 pi f.inv(A).f, with
 !>     A = (1/(2 pi S_0)) int_0^a q (1 + H) q dx + int R_c j^2 r dr,  f = (1/pi) int_0^a q dx.
-!> Whatever q is, G is too small: more polynomials come from below, and the error is the square of that of q:
+!> For any q, G is too small: more polynomials come from below, and the error is the square of that of q:
 !> theory/conduction.md (4.11), (4.12).
 module mdrcontact_conduction_rough_panels
     use mdrcontact_conduction_bodies, only: conduction_t, tolerance

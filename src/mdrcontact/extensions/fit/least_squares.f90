@@ -1,8 +1,8 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Least squares over GSL's trust region (Levenberg-Marquardt steps, scaled after More, solved by QR).
 !>
-!> The search ends when one more step could lower the sum of squares by a negligible part of its own statistical spread
-!> only: an ending that knows no units. Where the function has no value it is taken to be very large, so the step is refused.
+!> The search ends when one more step could lower the sum of squares by a negligible part of its own statistical spread only: an
+!> ending that is independent of units. Where the function has no value it is taken to be very large, so the step is refused.
 module mdrcontact_fit_least_squares
     use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_funloc, c_int, c_loc, c_null_funptr, c_null_ptr, &
                                            c_ptr, c_size_t

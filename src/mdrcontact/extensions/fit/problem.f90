@@ -91,7 +91,7 @@ module mdrcontact_fit_problem
         real(wp), allocatable :: x(:)
         !> F, k, E_eff or d, same size
         real(wp), allocatable :: y(:)
-        !> what is known of each point beside x, same size; see data_...
+        !> the second known quantity of each point, same size; see data_...
         real(wp), allocatable :: given(:)
         !> standard deviations of y > 0, same size; not allocated: equal and unknown
         real(wp), allocatable :: sd(:)
@@ -331,7 +331,7 @@ contains
         if (answer .and. data_kind == data_dynamic_stiffness) answer = self%given(i) > 0.0_wp
     end function is_good
 
-    !> Whether points have something known beside x.
+    !> Whether points have a second known quantity.
     pure function needs_given(data_kind) result(answer)
         integer, intent(in) :: data_kind
         logical :: answer

@@ -27,7 +27,7 @@ contains
         if (position > 0) position = position + problem%body%of_indenter
     end function proportional_modulus
 
-    !> Whether the body is a power law that stands alone or on a rigid base; its first number is its modulus.
+    !> Whether the body is a power law alone or on a rigid base; its first number is its modulus.
     pure function is_one_power_law(body) result(answer)
         type(fit_body_t), intent(in) :: body
         logical :: answer

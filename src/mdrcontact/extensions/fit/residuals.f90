@@ -106,7 +106,7 @@ contains
         values(self%variables%free) = self%variables%number_at([(i, i=1, size(u))], u)
     end function values_at
 
-    !> What the model says at the unknowns u.
+    !> The model at the unknowns u.
     subroutine fitted(self, u, y, error)
         class(fit_residuals_t), intent(inout) :: self
         real(wp), intent(in) :: u(:)

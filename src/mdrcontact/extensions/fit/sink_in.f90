@@ -4,7 +4,7 @@
 !> At one contact radius d, f and F of an indenter f = c r^n grow proportionally to c, so that sink depends on radius and body
 !> alone. On a half-space it is Oliver and Pharr's epsilon: 2 (pi - 2)/pi of a cone, 0.75 of a paraboloid, 1 of a punch. An indent
 !> that has yielded unloads as if a smooth indenter c r^n lay in it (Pharr, Bolshakov, J. Mater. Res. 17 (2002) 2660); a film lets
-!> that indenter sink in more or less deeply than a half-space does, and the exact contact says how deeply.
+!> that indenter sink in more or less deeply than a half-space does, and the exact contact determines the depth.
 module mdrcontact_fit_sink_in
     use mdrcontact_contact_curve, only: curve_point_t, curve_t, new_curve
     use mdrcontact_contact_equilibrium, only: equilibrium_t, new_equilibrium

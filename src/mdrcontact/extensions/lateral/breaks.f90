@@ -24,7 +24,7 @@ module mdrcontact_lateral_breaks
 
 contains
 
-    !> Depths over a where sections are not analytic, any order, and last the one to which panels resolve what lies beside.
+    !> Depths over a where sections are not analytic, any order, and last the one to which panels resolve what lies next to.
     function depths_between(shapes, x, y, a) result(breaks)
         type(shape_t), intent(in) :: shapes(:)
         real(wp), intent(in) :: x, y, a
@@ -41,7 +41,7 @@ contains
         do i = 1, size(shapes)
             call depth_breaks(shapes(i), x, y, depths, found)
             if (.not. is_ball(i)) breaks = [breaks, depths(:found)/a]
-            ! what lies far beside the contact is seen from depths as large
+            ! what lies far next to the contact is seen from depths as large
             beside = surface
             if (found == 2 .and. all(is_finite(depths))) beside = max(surface, 0.5_wp*sum(depths)/a)
             call touching_radii(section_at(shapes(i), x, y, a, beside), touching, found)
@@ -145,8 +145,8 @@ contains
         answer = .true.
     end function is_seen
 
-    !> Where two outlines cross: `half` beside `middle`, at right angles to the unit vector `towards` the second centre; half < 0 if
-    !> they do not.
+    !> Where two outlines cross: `half` next to `middle`, at right angles to the unit vector `towards` the second centre; half < 0
+    !> if they do not.
     pure subroutine cross(self, i, j, towards, middle, half)
         type(round_t), intent(in) :: self
         integer, intent(in) :: i, j

@@ -2,10 +2,9 @@
 !> Weights of boxes: rectangular cells of a slab (theory/lateral.md (2.9)). Lengths in units of the contact radius, the contact at
 !> the origin.
 !>
-!> With D(rho) = int_rho^inf W rho drho the integral of W over a rectangle is -(closed integral of D dtheta along its
-!> boundary), plus the whole for the rectangle that holds the axis. So the singular edge of the contact is integrated once,
-!> in D, and neighbouring cells share their edges: whatever the quadrature along an edge loses in one cell it gives to the
-!> next.
+!> With D(rho) = int_rho^inf W rho drho the integral of W over a rectangle is -(closed integral of D dtheta along its boundary),
+!> plus the whole for the rectangle that holds the axis. So the singular edge of the contact is integrated once, in D, and
+!> neighbouring cells share their edges: what the quadrature along an edge loses in one cell it gives to the next.
 module mdrcontact_lateral_cells
     use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_error, only: error_t

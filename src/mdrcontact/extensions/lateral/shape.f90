@@ -149,7 +149,7 @@ contains
             case (shape_box)
                 depths = p(5:6)
             case (shape_fibre)
-                ! around the point of the axis that is nearest beside the contact, as far as the fibre is thick above and below
+                ! around the point of the axis that is nearest next to the contact, as far as the fibre is thick above and below
                 slope = norm2(p(4:5))
                 count = merge(2, 0, slope >= horizontal)
                 if (count == 0) return

@@ -99,7 +99,7 @@ contains
     end subroutine modulus
 
     !> The bracket of E_eff(a, x, y) [modulus]: with the mean of G in series below, in parallel above. At one Poisson's ratio the
-    !> exact E_eff lies between them, whatever the contrast (theory/lateral.md (3.1)).
+    !> exact E_eff lies between them, for any contrast (theory/lateral.md (3.1)).
     subroutine bounds(self, x, y, a, lower, upper, error)
         class(structure_t), intent(in) :: self
         !> all of equal size [length]

@@ -27,7 +27,7 @@ module mdrcontact_lateral_voxels
         real(wp) :: spacing(3) = 0.0_wp, origin(2) = 0.0_wp
         logical :: periodic = .true.
         integer :: images = 1
-        !> what lies below the array and, unless it is periodic, beside it
+        !> what lies below the array and, unless it is periodic, next to it
         type(material_t) :: below, beside
     contains
         procedure :: means
@@ -45,7 +45,7 @@ contains
         real(wp), intent(in) :: spacing(3)
         type(material_t), intent(in) :: below
         type(error_t), allocatable, intent(out) :: error
-        !> what lies beside the array; default: the array repeats itself in x and y
+        !> what lies next to the array; default: the array repeats itself in x and y
         type(material_t), intent(in), optional :: beside
         !> x and y of the array's lower corner; default 0 [length]
         real(wp), intent(in), optional :: origin(2)

@@ -26,7 +26,7 @@ module mdrcontact_time_march
     real(wp), parameter :: fallen = 0.1_wp
     integer, parameter :: most_trials = 200
 
-    !> Where a history stands.
+    !> State of a history.
     type :: march_t
         class(profile_t), allocatable :: profile
         type(memory_t) :: memory

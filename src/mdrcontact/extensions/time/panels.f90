@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Functions of x on panels, x = low + (high - low) (3 s^2 - 2 s^3), polynomials in s: what goes as the root of the distance from an
-!> end, as memories do where an edge has turned and g(x) does beside a flat end, is smooth in s. Gauss-Lobatto nodes of s: the ends
+!> end, as memories do where an edge has turned and g(x) does next to a flat end, is smooth in s. Gauss-Lobatto nodes of s: the ends
 !> are nodes.
 module mdrcontact_time_panels
     use mdrcontact_kinds, only: pi, wp

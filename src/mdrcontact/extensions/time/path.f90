@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The growing part of a history as panels on which the elastic stiffness k(d) is a polynomial, with the hereditary integrals
 !>     S(t) = int exp(-rate (t - u)) dF(d(u)),    D(t) = int exp(-rate (t - u)) d'(u) du
-!> at the end of each, one for every rate: exact where the depth is linear in time, whatever the rate.
+!> at the end of each, one for every rate: exact where the depth is linear in time, for any rate.
 module mdrcontact_time_path
     use mdrcontact_error, only: check_memory, error_t
     use mdrcontact_gsl, only: gsl_sf_bessel_il_scaled_array, gsl_success
@@ -228,7 +228,7 @@ contains
         do j = 1, size(z)
             if (z(j) <= slow) cycle
             if (z(j) > n**2) then
-                ! upwards, which keeps digits as long as n^2 is small beside z
+                ! upwards, which keeps digits as long as n^2 is small compared with z
                 moments(j, 1) = (1.0_wp - decay(j))/z(j)
                 if (n > 1) moments(j, 2) = (1.0_wp + decay(j))/z(j) - 2.0_wp*moments(j, 1)/z(j)
                 do l = 1, n - 2

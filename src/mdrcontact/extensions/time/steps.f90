@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> A history marched with steps that are halved until it does not change any more: second order, extrapolated.
+!> A history integrated with steps that are halved until it does not change any more: second order, extrapolated.
 module mdrcontact_time_steps
     use mdrcontact_body_elements_interface, only: bond_t
     use mdrcontact_body_stack, only: new_stack, stack_t

@@ -24,7 +24,7 @@ module mdrcontact_time_stiffness
     !> Nodes of the inverse Laplace transform.
     integer, parameter :: nodes = 16
     real(wp), parameter :: tolerance = 1.0e-13_wp
-    !> Largest error of the table of chi. Beside a dashpot, at times far below its own, layers are millions of times stiffer than
+    !> Largest error of the table of chi. With a dashpot, at times far below its own, layers are millions of times stiffer than
     !> others, and the rounding of their waves is as much larger.
     real(wp), parameter :: allowed_misfit = 1.0e-7_wp
     !> Parts of the sum that may be left out where a body has no kernel: the last nodes lie near the negative axis, where springs

@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Histories under a prescribed force of a body whose materials relax proportionally, from its elastic curve: whenever the contact
-!> is as large as it ever was, F_el(t) = int j(t - u) dF(u), j the creep function (Lee, Radok, J. Appl. Mech. 27 (1960) 438),
-!> whatever it did before: the springs outside carried nothing then, so that the sum of their displacements over the contact is F_el
+!> is as large as it ever was, F_el(t) = int j(t - u) dF(u), j the creep function (Lee, Radok, J. Appl. Mech. 27 (1960) 438), for
+!> any previous history: the springs outside carried nothing then, so that the sum of their displacements over the contact is F_el
 !> (theory/time.md (3.3), (3.4)).
 !>
 !> In between, where a force that wavers lets the contact shrink, F_el misses what the springs between a and the largest radius A

@@ -44,7 +44,7 @@ module mdrcontact_wear_disc
     !> The contact may shrink by this part of an interval in a step under a target that falls, and under any other, where it only
     !> seems to: that is error of the scheme.
     real(wp), parameter :: shrinks = 0.1_wp, seems_to_shrink = 1.0_wp
-    !> An edge is slow that moves by less than so many of the last intervals in a step; so many of them are beside it.
+    !> An edge is slow that moves by less than so many of the last intervals in a step; so many of them are next to it.
     real(wp), parameter :: slow = 4.0_wp, zone = 16.0_wp
     !> Over so many of them beyond the edge of the step before the weights go over from those of places in contact to those of fresh
     !> ones.
@@ -279,7 +279,7 @@ contains
         end if
     end function new_weight
 
-    !> More of the end of the step beside an edge that moves by less than some of the intervals there: the hats at it, which wear
+    !> More of the end of the step next to an edge that moves by less than some of the intervals there: the hats at it, which wear
     !> fastest, would swing about the pressure from step to step.
     elemental function more_at_end(weight, r, from, to, n) result(more)
         real(wp), intent(in) :: weight, r, from, to

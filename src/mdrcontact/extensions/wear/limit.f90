@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Where fretting ends: a disc of radius c sticks for good, all outside slips and wears until it carries nothing:
-!> theory/wear.md (7.1)-(7.3).
+!> Where fretting ends: a disc of radius c sticks permanently, all outside slips and wears until it carries nothing: theory/wear.md
+!> (7.1)-(7.3).
 !>
 !> Inside c the profile is unworn, and the load that of the unworn disc of radius c pressed on as a flat punch,
 !>
@@ -304,7 +304,7 @@ contains
                     i = i + 1
                 else
                     cuts = cuts + 1
-                    ! beside the disc the distance from what is singular there counts
+                    ! next to the disc the distance from what is singular there counts
                     middle = 0.5_wp*(ends(i) + ends(i + 1))
                     if (i == 1) middle = 0.25_wp*ends(2)
                     ends = [ends(:i), middle, ends(i + 1:)]

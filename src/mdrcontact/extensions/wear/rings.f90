@@ -6,8 +6,8 @@
 !>
 !>     sum_j B_ij p_j + int phi_i f_0 2 pi r dr + A_i [W(int p ds + ds p_i) - d] >= 0,   p_i >= 0,   one of both 0,
 !>
-!> B_ij = int phi_i S phi_j 2 pi r dr, is one contact under an added layer of springs: it has one solution, whatever the load does.
-!> What is worn off is sum A_i k p_i ds = k F ds to machine precision.
+!> B_ij = int phi_i S phi_j 2 pi r dr, is one contact under an added layer of springs: it has one solution, for any load does. What
+!> is worn off is sum A_i k p_i ds = k F ds to machine precision.
 module mdrcontact_wear_rings
     use mdrcontact_error, only: error_domain, error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: pi, wp

@@ -2,9 +2,8 @@
 !> The line load of a state as a Legendre series, and what follows from it in closed sums (theory/exact.md (3.10), (3.11)):
 !> q = E0* (d - g - v).
 !>
-!> The part d - g belongs to a half-space of the surface material and is left to it; v(x) = (K q)(x)/E0* is smooth at the
-!> kernel's width whatever g is. P_2j(x/a) as a line load is the pressure P_2j(cosine)/(P_2j(0) pi sqrt(a^2 - r^2)),
-!> cosine = sqrt(1 - r^2/a^2).
+!> The part d - g belongs to a half-space of the surface material and is left to it; v(x) = (K q)(x)/E0* is smooth at the kernel's
+!> width for any g. P_2j(x/a) as a line load is the pressure P_2j(cosine)/(P_2j(0) pi sqrt(a^2 - r^2)), cosine = sqrt(1 - r^2/a^2).
 module mdrcontact_line_fields
     use mdrcontact_cancel, only: check_cancelled
     use mdrcontact_error, only: check_memory, error_t

@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> A contact of radius a with a cohesive zone on a body whose constants vary with depth (see `zone`). X is nearly singular, and with
-!> it what contact and zone do to each other beside the edge a.
+!> it what contact and zone do to each other next to the edge a.
 !>
 !> Depth, force and gap are sums of products <x, y> of right-hand sides of the equation (see `remainder`): 1, values at the edge e,
 !> the indenter's g, the zone's effect t = K q_zone on the contact, and o, which gives the gap: o_j is the integral of

@@ -198,7 +198,7 @@ contains
         value = merge(self%origin, 0.0_wp, panel == 0 .or. (panel - 1)/self%parts() < self%plateau)
     end function held_back
 
-    !> chi(0) - (2/pi) int_0^inf X dy of the table as it stands, which would be 0.
+    !> chi(0) - (2/pi) int_0^inf X dy of the table as it is, which would be 0.
     pure function defect(self) result(difference)
         class(kernel_t), intent(in) :: self
         real(wp) :: difference

@@ -25,7 +25,7 @@ module mdrcontact_line_legendre
         real(wp) :: a = 0.0_wp
         !> T_k, k >= 0
         real(wp), allocatable :: t(:)
-        !> what 1 + K leaves on the diagonal beside the matrix made of the moments
+        !> what 1 + K leaves on the diagonal next to the matrix made of the moments
         real(wp) :: diagonal = 1.0_wp
         !> the part of X that is left out of the moments: a constant, and one that represents a delta function
         real(wp) :: shift = 0.0_wp, spike = 0.0_wp

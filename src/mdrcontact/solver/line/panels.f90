@@ -20,7 +20,7 @@ module mdrcontact_line_panels
     !> Nodes of a panel, and how a panel grows with its distance from a kink.
     integer, parameter :: nodes = 20
     real(wp), parameter :: growth = 4.0_wp
-    !> The same towards the logarithm of X, beside polynomials of degree nodes - 1.
+    !> The same towards the logarithm of X, in addition to polynomials of degree nodes - 1.
     real(wp), parameter :: near_growth = 3.0_wp
     !> No panel is shorter, relative to the contact radius: under roots that start at a kink the shortest one errs by its power 3/2.
     real(wp), parameter :: shortest = 1.0e-8_wp
@@ -186,7 +186,7 @@ contains
             if (length > 2.0_wp*shortest*a) then
                 slope(:, j) = -profile%mdr_slope(self%x(:, j)) - matmul(derivatives(self, j), self%v(:, j))
             else
-                ! beside a corner q' may be infinite as a root; from elsewhere its mean is seen
+                ! next to a corner q' may be infinite as a root; from elsewhere its mean is seen
                 slope(:, j) = (profile%mdr(self%edges(j)) - profile%mdr(self%edges(j + 1)) &
                                + sum(self%v(:, j)*(ends - 1.0_wp)))/length
             end if

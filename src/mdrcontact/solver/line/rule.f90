@@ -9,7 +9,7 @@ module mdrcontact_line_rule
     private
     public :: rule_t, new_rule, largest_rule
 
-    !> Sizes of which GSL knows nodes and weights to machine precision.
+    !> Sizes of which GSL has nodes and weights to machine precision.
     integer, parameter :: known(*) = [20, 32, 64, 96, 128, 256, 512, 1024]
     !> The largest of them.
     integer, parameter :: largest_rule = known(size(known))

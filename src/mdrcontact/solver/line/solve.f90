@@ -117,7 +117,7 @@ contains
         nodes = min((11.5_wp*sqrt(a) + 10.0_wp)*(1.0_wp - 0.025_wp*log(tolerance/1.0e-10_wp)), 1.0e4_wp)
     end function nodes_of_film
 
-    !> Says that the tolerance was missed, and what to do.
+    !> Raises the error of a missed tolerance, with its remedy.
     pure subroutine raise_missed(error, what, tolerance, a, reached)
         type(error_t), allocatable, intent(inout) :: error
         !> what was requested

@@ -12,8 +12,8 @@ module mdrcontact_line_zone_effect
 
     !> Nodes of a panel, and how many there may be in all for one place.
     integer, parameter :: nodes = 16, most = 80*nodes
-    !> A panel is so long, in units of the kernel, or so many times as long as it is away from the place; one in which the load
-    !> has its root, or begins to vary beside one, is shorter.
+    !> A panel is so long, in units of the kernel, or so many times as long as it is away from the place; one in which the load has
+    !> its root, or begins to vary next to one, is shorter.
     real(wp), parameter :: shortest = 2.0_wp, longest = 3.0_wp, longest_at_root = 2.0_wp
     !> Of what is left up to a root a panel takes so much.
     real(wp), parameter :: towards_root = 0.6_wp

@@ -33,11 +33,11 @@ module mdrcontact_line_zone_rule
 
 contains
 
-    !> Radii where a rule must be split whatever its zone: the kinks of g, and where g is a broken power at the axis some more
-    !> towards it.
+    !> Radii where a rule must be split for any zone: the kinks of g, and where g is a broken power at the axis some more towards
+    !> it.
     pure subroutine rule_breaks(profile, is_power, breaks, error)
         class(profile_t), intent(in) :: profile
-        !> g is analytic beside the axis
+        !> g is analytic next to the axis
         logical, intent(in) :: is_power
         !> ascending [length]; the first is 0, from which panels shrink if g is not analytic there, else negative
         real(wp), allocatable, intent(out) :: breaks(:)
@@ -103,7 +103,7 @@ contains
     end subroutine new_zone_rule
 
     !> How many nodes leave the tolerance on a panel: errors fall as rho^(-2n) for the ellipse through the nearest singularity, that
-    !> of the kernel beside the panel, the root at the end of the zone, or a kink of g behind the panel.
+    !> of the kernel next to the panel, the root at the end of the zone, or a kink of g behind the panel.
     pure function nodes_for(end, left, long, has_root, passed, unit, away, tolerance) result(nodes)
         !> c, what is left of the zone behind the panel, its own length
         real(wp), intent(in) :: end, left, long
@@ -112,7 +112,7 @@ contains
         !> distance of the last kink behind the panel, 0 at its beginning
         real(wp), intent(in) :: passed
         real(wp), intent(in) :: unit
-        !> distance behind the panel at which the kernel may be singular, beside what the unit says
+        !> distance behind the panel at which the kernel may be singular, in addition to the unit
         real(wp), intent(in) :: away
         real(wp), intent(in) :: tolerance
         integer :: nodes

@@ -2,8 +2,8 @@
 !> Media described by an effective modulus E_eff(a) (theory/paper.md (3.1), (4.1)-(4.4); Popov 2014, equations (9), (10),
 !> (21)-(27)).
 !>
-!> The rule: contact radius from the shape, stiffness from the radius, force by integrating the stiffness from first contact.
-!> Beside a flat end g' is infinite; it is taken at distances from there: the rounding of s would be seen far beyond that of a.
+!> The rule: contact radius from the shape, stiffness from the radius, force by integrating the stiffness from first contact. Next
+!> to a flat end g' is infinite; it is taken at distances from there: the rounding of s would be seen far beyond that of a.
 module mdrcontact_medium_effective
     use mdrcontact_nonfinite, only: infinity
     use mdrcontact_error, only: error_t

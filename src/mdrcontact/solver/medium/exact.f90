@@ -2,7 +2,7 @@
 !> The exact layered medium (theory/exact.md (1.4), (1.5)): no approximation in contact radius, depth or stiffness.
 !>
 !> Once made, the medium holds its body and the kernel; a contact radius then costs a small symmetric positive definite system.
-!> Results meet the stated relative tolerance, or an error says that they do not.
+!> Results meet the stated relative tolerance, or an error is raised.
 module mdrcontact_medium_exact
     use mdrcontact_nonfinite, only: infinity
     use mdrcontact_body, only: body_t, copy

@@ -74,7 +74,7 @@ contains
         self%edge = springs%modulus*self%line%edge
     end subroutine new_exact_load
 
-    !> q/E0* as a series in any case; where it stands on panels it is solved again.
+    !> q/E0* as a series in any case; where it is on panels it is solved again.
     subroutine take_series(self, line, error)
         class(exact_load_t), intent(in) :: self
         type(line_load_t), intent(out) :: line

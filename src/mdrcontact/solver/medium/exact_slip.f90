@@ -181,8 +181,8 @@ contains
             call new_line_load(stuck, springs%kernel, springs%tolerance, self%profile, start, 0.0_wp, error)
         end associate
         if (allocated(error)) return
-        ! everything varies at the length of the kernel beside c and a, and more slowly between, but for g: radii are
-        ! counted from one length below c
+        ! everything varies at the length of the kernel next to c and a, and more slowly between, but for g: radii are counted from
+        ! one length below c
         length = merge(self%radius, self%tangential%springs%kernel%unit, self%tangential%springs%kernel%vanishes)
         call self%profile%base%powers(exponents, coefficients)
         if (size(exponents) == 0 .or. any(modulo(exponents, 1.0_wp) > 0.0_wp)) breaks = [0.0_wp]

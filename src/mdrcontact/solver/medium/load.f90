@@ -81,7 +81,7 @@ module mdrcontact_medium_load
         procedure :: panels
         !> makes the axis a kink where q' behaves as a broken power there
         procedure :: mark_axis
-        !> e of q' ~ x^e beside the axis
+        !> e of q' ~ x^e next to the axis
         procedure :: order_on_axis
     end type load_t
 
@@ -197,11 +197,11 @@ contains
         end do
     end function square_integral
 
-    !> Panels for integrals over [0, a] with q', ascending: halved until in each a polynomial of degree 15 follows q', in s of
-    !> x = b + s^2 beside a kink b, at its nodes and between them.
+    !> Panels for integrals over [0, a] with q', ascending: halved until in each a polynomial of degree 15 follows q', in s of x = b
+    !> + s^2 next to a kink b, at its nodes and between them.
     subroutine panels(self, first, list, error)
         class(load_t), intent(in) :: self
-        !> the longest panel beside a kink [length]
+        !> the longest panel next to a kink [length]
         real(wp), intent(in) :: first
         type(panel_t), allocatable, intent(out) :: list(:)
         type(error_t), allocatable, intent(inout) :: error
@@ -389,7 +389,7 @@ contains
         if (abs(order - anint(order)) > merge(1.0e-6_wp, 1.0e-4_wp, order < 0.5_wp)) self%kinks = [0.0_wp, self%kinks]
     end subroutine mark_axis
 
-    !> e of q' ~ x^e beside the axis: 0 also where q' does not vary, huge() where it is so flat that it underflows.
+    !> e of q' ~ x^e next to the axis: 0 also where q' does not vary, huge() where it is so flat that it underflows.
     pure function order_on_axis(self) result(order)
         class(load_t), intent(in) :: self
         real(wp) :: order

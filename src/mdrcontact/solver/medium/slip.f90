@@ -43,7 +43,7 @@ module mdrcontact_medium_slip
         !> length in which everything varies but for powers of c [length]; 0 where that is not known
         real(wp) :: scale = 0.0_wp
     contains
-        !> s where the medium knows it directly, eta, k_t and k_t' at stick radii
+        !> s if the medium provides it directly, eta, k_t and k_t' at stick radii
         procedure(rates_at), deferred :: rates
         !> radii between which these are integrated, and whether a square root starts at the lower end of each interval
         procedure(panels_from), deferred :: panels
@@ -194,7 +194,7 @@ contains
     end subroutine integrate
 
     !> How many nodes a panel takes: their error falls as rho^(-2 nodes), rho that of the largest ellipse around it without the
-    !> axis, where a power of c may begin, and without what lies `scale` beside it.
+    !> axis, where a power of c may begin, and without what lies `scale` next to it.
     pure function nodes_for(edge, length, scale, most) result(nodes)
         real(wp), intent(in) :: edge, length, scale
         integer, intent(in) :: most
@@ -209,7 +209,7 @@ contains
         if (rho > 1.0_wp) nodes = ceiling(min(max(-0.5_wp*log(negligible)/log(rho), real(fewest_nodes, wp)), real(most, wp)))
     end function nodes_for
 
-    !> Where a traction that is the difference of two pressures is taken in the stick zone: beside the apex and the edge of a flat
+    !> Where a traction that is the difference of two pressures is taken in the stick zone: next to the apex and the edge of a flat
     !> end, where both may be infinite.
     elemental function beside(r, c, end_radius) result(near)
         !> position, stick radius and radius of the flat end [length]

@@ -54,7 +54,8 @@ module mdrcontact_medium_surface_tension_solver
     end type surface_tension_solver_t
 
     !> The load on the sheet. Line load and pressure are infinite at an edge that carries a line force. Inside the contact the
-    !> springs' depth is d - g, as on a half-space without a sheet. What the sheet hands on to the body beside it is not part of it.
+    !> springs' depth is d - g, as on a half-space without a sheet. What the sheet hands on to the body next to it is not part of
+    !> it.
     type, extends(load_t) :: on_tension_load_t
         private
         class(surface_tension_solver_t), pointer :: medium => null()

@@ -4,7 +4,7 @@
 !>
 !> GSL has sine, cosine and exponential integrals of real arguments only; a plate's poles are complex. With E1,
 !>     g - i f = e^{iw} E1(iw),   g + i f = e^{-iw} E1(-iw),
-!> by the power series of E1 beside the origin and its negative axis, by its continued fraction elsewhere (DLMF 6.6.2, 6.9.1).
+!> by the power series of E1 next to the origin and its negative axis, by its continued fraction elsewhere (DLMF 6.6.2, 6.9.1).
 module mdrcontact_tension_auxiliary
     use mdrcontact_kinds, only: pi, wp
     implicit none (type, external)

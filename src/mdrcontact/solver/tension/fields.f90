@@ -123,7 +123,7 @@ contains
             if (low + 1.01_wp*length > half_pi) length = half_pi - low
             theta = low + length*t
             call chebyshev_sums(self%cosines, -1.0_wp, 1.0_wp, cos(2.0_wp*theta), psi)
-            ! both halves of the contact, from the points beside x on; x - a cos theta without cancellation
+            ! both halves of the contact, from the points next to x on; x - a cos theta without cancellation
             y = (x - self%radius) + 2.0_wp*self%radius*sin(0.5_wp*theta)**2
             call green%at(y, phi)
             w = w + length/pi*sum(weight*psi*phi(:, of_load))

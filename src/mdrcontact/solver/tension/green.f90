@@ -3,9 +3,9 @@
 !>     Phi(y) = int_0^inf kappa_0(k) cos ky dk,   kappa_0 = 1/(1/s_0 + l k + b k^3) = sum R/(k - k_r),
 !>     l = 2 tau/E0*, b = 2 B/E0*.
 !>
-!> s_0 = 1 + c/(1 + l_m k) where the surface is stiff in its plane (mdrcontact_body_membrane), else 1.
-!> Phi = sum R g(-k_r y), g of sine and cosine integrals. Beside y = 0 it is P(y) + Q(y) ln y with analytic P and Q; elsewhere it is
-!> tabulated. One pole without a plate, a real one and a pair with it; one more where the surface is stiff in its plane.
+!> s_0 = 1 + c/(1 + l_m k) where the surface is stiff in its plane (mdrcontact_body_membrane), else 1. Phi = sum R g(-k_r y), g of
+!> sine and cosine integrals. Next to y = 0 it is P(y) + Q(y) ln y with analytic P and Q; elsewhere it is tabulated. One pole
+!> without a plate, a real one and a pair with it; one more where the surface is stiff in its plane.
 module mdrcontact_tension_green
     use mdrcontact_nonfinite, only: is_finite
     use mdrcontact_error, only: error_no_convergence, error_t, raise

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Nodes of an angle in (0, pi/2) for functions P(sin) + Q(sin) ln sin times waves: a panel beside 0 whose rule has weights for the
+!> Nodes of an angle in (0, pi/2) for functions P(sin) + Q(sin) ln sin times waves: a panel next to 0 whose rule has weights for the
 !> logarithm as well, and panels that double away from it.
 module mdrcontact_tension_grid
     use mdrcontact_error, only: error_t
@@ -9,7 +9,7 @@ module mdrcontact_tension_grid
     private
     public :: grid_t, new_grid, order_for
 
-    !> Nodes of a panel without waves, and more of them for each radian of a wave; beside 0, where weights for the logarithm hold
+    !> Nodes of a panel without waves, and more of them for each radian of a wave; next to 0, where weights for the logarithm hold
     !> for polynomials of the degree n - 1 only, instead of 2 n - 1, for twice as many.
     real(wp), parameter :: fewest = 14.0_wp, per_radian = 0.29_wp, per_radian_beside = 2.0_wp*per_radian
 
@@ -22,7 +22,7 @@ module mdrcontact_tension_grid
         real(wp), allocatable :: angle(:), sine(:)
         !> weights of int h d(angle) and of int h ln(sin) d(angle)
         real(wp), allocatable :: weight(:), log_weight(:)
-        !> how many nodes lie in the panel beside 0
+        !> how many nodes lie in the panel next to 0
         integer :: beside = 0
     end type grid_t
 

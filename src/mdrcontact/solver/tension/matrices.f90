@@ -60,7 +60,7 @@ contains
         slope(1, 1) = -4.0_wp*a/pi*couples(grid, kernel(:, :, of_couples_slope))
     end subroutine half_space_matrices
 
-    !> The first columns of Phi between the nodes, times the weights of both. Beside 0 in either angle with weights for the
+    !> The first columns of Phi between the nodes, times the weights of both. Next to 0 in either angle with weights for the
     !> logarithm.
     pure subroutine fill_kernel(green, grid, a, kernel)
         type(green_t), intent(in) :: green

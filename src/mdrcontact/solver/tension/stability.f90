@@ -19,7 +19,7 @@ module mdrcontact_tension_stability
     !> Part of the critical tension that is allowed: beyond it the compliance is nearly infinite at k_c.
     real(wp), parameter :: largest_part = 0.95_wp
 
-    !> What waves meet beside the tension, over the logarithm of their wavenumbers.
+    !> The stiffness of waves without the tension, over the logarithm of their wavenumbers.
     type, extends(scalar_function_t) :: resistance_t
         real(wp) :: bending = 0.0_wp
         class(compliance_t), pointer :: compliance => null()

@@ -2,9 +2,9 @@
 !> One contact under Coulomb's law, at constant shear strength, or twisted, as a few vector sliders, each of them the springs
 !> between two material levels (theory/friction.md (7.5)-(7.8)).
 !>
-!> A slider bears a vector t, has a stiffness K and a strength mu B, |t| <= mu B. A step to F, S with the shift ds brings
+!> A slider transmits a vector t, has a stiffness K and a strength mu B, |t| <= mu B. A step to F, S with the shift ds brings
 !>     y = t + K ds + A g,    t = y min(1, mu B/|y|),    T = sum of t,
-!> A g what springs bear that touched in the step: g = ds/max(S - S_old, |ds|/mu). K of a slider never falls while it bears
+!> A g what springs bear that touched in the step: g = ds/max(S - S_old, |ds|/mu). K of a slider never falls while it is loaded
 !> anything, which is why no cycle of F and shift yields energy: T.ds is at least the growth of the sum of |t|^2/(2 K).
 !>
 !> K and P are differences between neighbours, all is done for two or four sliders at a time: step.c.

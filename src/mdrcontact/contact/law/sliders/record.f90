@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The memory of the sliders of a contact: where each number stands, and what it means together with the levels of the law.
+!> The memory of the sliders of a contact: the index of each number, and its meaning together with the levels of the law.
 module mdrcontact_law_sliders_record
     use, intrinsic :: iso_c_binding, only: c_double, c_int32_t
     use mdrcontact_kinds, only: wp
