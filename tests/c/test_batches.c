@@ -177,9 +177,9 @@ static void test_errors(const objects *o)
 
         CHECK_SUCCESS(mdr_set_threads(threads));
         CHECK_STATUS(columns_of(o->exact, MDR_DEPTH, STATES, bad, out, NULL, NULL, NULL), MDR_EUNREACHABLE,
-                     "entry 4 of depth = -4:");
+                     "entry 4 of depth = -4");
         CHECK_STATUS(mdr_contact_states(o->contact, MDR_FORCE, MDR_ON_LOADING, STATES, bad, states), MDR_EUNREACHABLE,
-                     "entry 4 of force = -4:");
+                     "entry 4 of force = -4");
         CHECK_STATUS(field_at(o->exact, MDR_PRESSURE, MDR_RADIUS, 1.0, STATES, x, out), MDR_EDOMAIN, "r = 3:");
         CHECK_STATUS(mdr_weight(MDR_WEIGHT_I0, 0.3, STATES, bad, out), MDR_EINVALID, "entry 4 of xi");
 #ifdef MDRCONTACT_LATERAL_H

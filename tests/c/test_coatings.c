@@ -83,7 +83,7 @@ static void refusals(void)
     CHECK_STATUS(medium_of_layers(1, &film, &base, MDR_MODEL_EXACT, NULL, NULL), MDR_ENULL, "out is NULL");
     CHECK_STATUS(medium_of_layers(0, NULL, NULL, MDR_MODEL_EXACT, NULL, &m), MDR_EINVALID, "a rigid base needs at least one layer");
     CHECK_STATUS(medium_of_layers(-1, &film, &base, MDR_MODEL_EXACT, NULL, &m), MDR_EINVALID, "n = -1");
-    CHECK_STATUS(medium_of_layers(1, &film, &base, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "choose from exact");
+    CHECK_STATUS(medium_of_layers(1, &film, &base, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "Use one of exact");
     film.C13 = 300.0;
     CHECK_STATUS(medium_of_layers(1, &film, &base, MDR_MODEL_EXACT, NULL, &m), MDR_EINVALID, "layer 1 C13 = 300");
     film = zinc_oxide(1.0);
@@ -124,7 +124,7 @@ static void wrinkles(void)
     CHECK_STATUS(mdr_body_wrinkling(other, 1, &stress, NULL), MDR_EINVALID, "elastic layers");
     CHECK_FREE(other);
     CHECK_SUCCESS(mdr_body_layered(0, NULL, &base, NULL, &other));
-    CHECK_STATUS(mdr_body_wrinkling(other, 1, &stress, NULL), MDR_EINVALID, "one of the 0 layers");
+    CHECK_STATUS(mdr_body_wrinkling(other, 1, &stress, NULL), MDR_EINVALID, "from 1 (at the surface) to 0");
     CHECK_FREE(other);
 }
 

@@ -39,10 +39,10 @@ static void test_profiles(void)
     CHECK_TRUE(height >= 0.0 && height < 1e-15); /* to the accuracy of the largest value between 0.5 and 1 */
     CHECK_FREE(p);
 
-    CHECK_STATUS(mdr_profile_table(MDR_HEIGHT, 3, tiny, tiny, &p), MDR_EINVALID, "must be between");
-    CHECK_STATUS(mdr_profile_table(MDR_G, 3, tiny, tiny, &p), MDR_EINVALID, "must be between");
-    CHECK_STATUS(mdr_profile_function(overflowing, NULL, 1.0, &p), MDR_EINVALID, "must be between");
-    CHECK_STATUS(mdr_profile_area_function(3, area, 0.0, 1e-304, &p), MDR_EINVALID, "must be between");
+    CHECK_STATUS(mdr_profile_table(MDR_HEIGHT, 3, tiny, tiny, &p), MDR_EINVALID, "must lie between");
+    CHECK_STATUS(mdr_profile_table(MDR_G, 3, tiny, tiny, &p), MDR_EINVALID, "must lie between");
+    CHECK_STATUS(mdr_profile_function(overflowing, NULL, 1.0, &p), MDR_EINVALID, "must lie between");
+    CHECK_STATUS(mdr_profile_area_function(3, area, 0.0, 1e-304, &p), MDR_EINVALID, "must lie between");
     /* small, but far from the end of the number range: relative accuracy does not depend on the unit of length */
     CHECK_SUCCESS(mdr_profile_area_function(3, area, 0.0, 1e-120, &p));
     CHECK_FREE(p);
@@ -71,11 +71,11 @@ static void test_closed_forms(void)
     CHECK_CLOSE(out, 32.0 / 3.0, 1e-14);
     out = untouched;
     CHECK_STATUS(mdr_closed_form(MDR_FORM_PARABOLOID_FORCE, 1, &large, (const double[]){1.0, 3.0, 2.0, 1.0}, &out),
-                 MDR_ENOCONVERGENCE, "number range");
+                 MDR_ENOCONVERGENCE, "double precision");
     CHECK_STATUS(mdr_closed_form(MDR_FORM_CONE_FORCE, 1, &large, (const double[]){0.2, 3.0, 2.0, 1.0}, &out), MDR_ENOCONVERGENCE,
-                 "number range");
+                 "double precision");
     CHECK_STATUS(mdr_closed_form(MDR_FORM_RADIUS_SCALE, 1, (const double[]){1e200}, (const double[]){1.0, 1.0}, &out),
-                 MDR_ENOCONVERGENCE, "number range");
+                 MDR_ENOCONVERGENCE, "double precision");
     CHECK_UNTOUCHED(1, &out);
 }
 

@@ -89,12 +89,12 @@ static void refusals(void)
     CHECK_STATUS(mdr_medium_values(film, MDR_TANGENTIAL_MODULUS, 2, bad, G), MDR_EINVALID, "entry 2 of a");
     CHECK_STATUS(mdr_medium_values(film, MDR_TANGENTIAL_MODULUS, 2, NULL, G), MDR_ENULL, "a is NULL");
     CHECK_STATUS(mdr_medium_values(film, MDR_TANGENTIAL_MODULUS, 2, a, NULL), MDR_ENULL, "out is NULL");
-    CHECK_STATUS(mdr_medium_values(modulus, MDR_TANGENTIAL_MODULUS, 2, a, G), MDR_EINVALID, "give E and nu");
+    CHECK_STATUS(mdr_medium_values(modulus, MDR_TANGENTIAL_MODULUS, 2, a, G), MDR_EINVALID, "needs E and nu");
     CHECK_STATUS(mdr_medium_values(rigid, MDR_TANGENTIAL_MODULUS, 2, a, G), MDR_EINVALID, "rigid");
     CHECK_UNTOUCHED(2, G);
     CHECK_SUCCESS(mdr_medium_values(film, MDR_TANGENTIAL_MODULUS, 0, NULL, NULL));
     CHECK_STATUS(mdr_medium_values(NULL, MDR_TORSIONAL_STIFFNESS, 2, a, G), MDR_ENULL, "m is NULL");
-    CHECK_STATUS(mdr_medium_values(modulus, MDR_TORSIONAL_STIFFNESS, 2, a, G), MDR_EINVALID, "give E and nu");
+    CHECK_STATUS(mdr_medium_values(modulus, MDR_TORSIONAL_STIFFNESS, 2, a, G), MDR_EINVALID, "needs E and nu");
     CHECK_STATUS(mdr_medium_values(film, MDR_TORSIONAL_STIFFNESS, 2, bad, G), MDR_EINVALID, "entry 2 of a");
     CHECK_STATUS(mdr_medium_values(film, MDR_TORSIONAL_STIFFNESS, 2, a, NULL), MDR_ENULL, "out is NULL");
     CHECK_UNTOUCHED(2, G);
@@ -112,13 +112,13 @@ static void refusals(void)
     CHECK_STATUS(mdr_friction_new(c, 0.0, &f), MDR_EINVALID, "coefficient = 0");
     CHECK_STATUS(mdr_friction_new(c, NAN, &f), MDR_EINVALID, "coefficient");
     CHECK_STATUS(mdr_friction_new(c, mu, NULL), MDR_ENULL, "out is NULL");
-    CHECK_STATUS(mdr_friction_new(unknown, mu, &f), MDR_EINVALID, "give E and nu");
+    CHECK_STATUS(mdr_friction_new(unknown, mu, &f), MDR_EINVALID, "needs E and nu");
     CHECK_TRUE(f == NULL);
     CHECK_SUCCESS(mdr_friction_new(c, mu, &f));
     fill_untouched(12, &out[0].shift);
     a[0] = 0.0;
     CHECK_STATUS(shear_states(c, NULL, &state, MDR_ALONG, 1, 2, a, out), MDR_ENULL, "f is NULL");
-    CHECK_STATUS(shear_states(c, (mdr_friction *)c, &state, MDR_ALONG, 1, 2, a, out), MDR_EINVALID, "not an mdr_friction");
+    CHECK_STATUS(shear_states(c, (mdr_friction *)c, &state, MDR_ALONG, 1, 2, a, out), MDR_EINVALID, "not a handle of type mdr_friction");
     CHECK_STATUS(shear_states(c, f, NULL, MDR_ALONG, 1, 2, a, out), MDR_ENULL, "state is NULL");
     CHECK_STATUS(shear_states(c, f, &nowhere, MDR_ALONG, 1, 2, a, out), MDR_EINVALID, "contact radius");
     CHECK_STATUS(shear_states(c, f, &state, MDR_ALONG, 3, 2, a, out), MDR_EINVALID, "given = 3");
@@ -230,7 +230,7 @@ static void histories(void)
     CHECK_STATUS(mdr_friction_history_advance(h, MDR_DEPTH, MDR_SHIFT, 1, depth, shift, states, NULL), MDR_ENULL, "out is NULL");
     CHECK_STATUS(mdr_friction_history_advance(NULL, 1, 1, 1, depth, shift, states, &once), MDR_ENULL, "h is NULL");
     CHECK_STATUS(mdr_friction_history_advance(h, MDR_DEPTH, MDR_SHIFT, 1, &(double){-1.0}, shift, states, &once),
-                 MDR_EUNREACHABLE, "apart");
+                 MDR_EUNREACHABLE, "no contact below");
     CHECK_STATUS(mdr_friction_history_advance(h, MDR_DEPTH, MDR_SHIFT, 1, depth, &(double){NAN}, states, &once), MDR_EINVALID,
                  "shift");
     CHECK_UNTOUCHED(6, &once.shift);
@@ -366,13 +366,13 @@ static void laws(void)
     options.sliders = 65;
     CHECK_STATUS(mdr_law_new(c, 0.1, &options, &none), MDR_EINVALID, "sliders = 65");
     options.friction = (mdr_friction *)c;
-    CHECK_STATUS(mdr_law_new(c, 0.1, &options, &none), MDR_EINVALID, "options.friction is not an mdr_friction");
+    CHECK_STATUS(mdr_law_new(c, 0.1, &options, &none), MDR_EINVALID, "options.friction: it is not a handle of type mdr_friction");
     /* a law without friction, and friction of another contact */
     options.friction = NULL;
     CHECK_SUCCESS(mdr_law_new(c, 0.1, &options, &none));
-    CHECK_STATUS(mdr_law_advance(none, 2, force, shift, 0, NULL, memory, T), MDR_EINVALID, "law has no friction");
-    CHECK_STATUS(mdr_law_energies(none, 2, memory, stored, dissipated), MDR_EINVALID, "law has no friction");
-    CHECK_STATUS(mdr_law_turn(none, 2, shift, NULL, memory), MDR_EINVALID, "law has no friction");
+    CHECK_STATUS(mdr_law_advance(none, 2, force, shift, 0, NULL, memory, T), MDR_EINVALID, "law: it has no friction");
+    CHECK_STATUS(mdr_law_energies(none, 2, memory, stored, dissipated), MDR_EINVALID, "law: it has no friction");
+    CHECK_STATUS(mdr_law_turn(none, 2, shift, NULL, memory), MDR_EINVALID, "law: it has no friction");
     CHECK_FREE(none);
     CHECK_SUCCESS(mdr_profile_paraboloid(7.0, &ball));
     CHECK_SUCCESS(new_homogeneous(1.0, 0.3, &body));
@@ -486,7 +486,7 @@ static void law_files(void)
     CHECK_FREE(again);
     content[length / 2] ^= 1;
     CHECK_STATUS(mdr_law_read(content, length, &again), MDR_EFILE, "damaged");
-    CHECK_STATUS(mdr_law_read(content, length - 1, &again), MDR_EFILE, "cut off");
+    CHECK_STATUS(mdr_law_read(content, length - 1, &again), MDR_EFILE, "truncated");
     CHECK_STATUS(mdr_law_read(content, -1, &again), MDR_EINVALID, "length");
     CHECK_STATUS(mdr_law_read(NULL, length, &again), MDR_ENULL, "buffer is NULL");
     CHECK_STATUS(mdr_law_write(law, NULL, length, &length), MDR_ENULL, "buffer is NULL");
@@ -538,7 +538,7 @@ static void torsion(void)
     CHECK_CLOSE(tau[1], mu * lost, 1e-12);
     CHECK_SUCCESS(shear_field(c, f, &state, MDR_AROUND, &out[1], MDR_TANGENTIAL_LINE_LOAD, 1, &out[1].stick_radius, tau));
     CHECK_CLOSE(tau[0], 4.0 * G * twists[1] * out[1].stick_radius, 1e-9);
-    CHECK_STATUS(shear_states(c, f, &state, MDR_AROUND, MDR_TORQUE, 1, &limit, again), MDR_EUNREACHABLE, "growing twist");
+    CHECK_STATUS(shear_states(c, f, &state, MDR_AROUND, MDR_TORQUE, 1, &limit, again), MDR_EUNREACHABLE, "less than the torque of sliding");
     CHECK_STATUS(shear_states(c, f, &state, MDR_AROUND, 3, 1, twists, again), MDR_EINVALID, "given = 3");
     twists[1] = NAN;
     CHECK_STATUS(shear_states(c, f, &state, MDR_AROUND, MDR_TWIST, 2, twists, again), MDR_EINVALID, "entry 2");

@@ -55,7 +55,7 @@ static void test_materials(void)
     CHECK_STATUS(mdr_material_viscoelastic(1.0, 0, NULL, NULL, 0.0, 0.3, 0.0, NULL), MDR_ENULL, "out");
     CHECK_STATUS(mdr_material_viscoelastic(1.0, 2, NULL, times, 0.0, 0.4, 0.0, &none), MDR_ENULL, "moduli");
     CHECK_STATUS(mdr_material_viscoelastic(1.0, 2, times, moduli, 1.0, 0.4, 1.0, &none), MDR_EINVALID, "viscosity = 1");
-    CHECK_STATUS(mdr_material_viscoelastic(0.0, 0, NULL, NULL, 1.0, 0.4, 0.0, &none), MDR_EINVALID, "liquid");
+    CHECK_STATUS(mdr_material_viscoelastic(0.0, 0, NULL, NULL, 1.0, 0.4, 0.0, &none), MDR_EINVALID, "it must be greater than 0");
     CHECK_TRUE(none == NULL && untouched == 7.0);
     CHECK_FREE(material);
     CHECK_FREE(power);
@@ -139,7 +139,7 @@ static void test_histories(void)
     CHECK_STATUS(medium_of_layers(2, of_crystal, NULL, MDR_MODEL_EXACT, NULL, &none), MDR_EINVALID, "prestress of layer 2");
     mdr_body *relaxing = NULL;
     CHECK_SUCCESS(mdr_body_layered(1, of_crystal, NULL, NULL, &relaxing));
-    CHECK_STATUS(mdr_body_wrinkling(relaxing, 1, NULL, NULL), MDR_EINVALID, "relaxes");
+    CHECK_STATUS(mdr_body_wrinkling(relaxing, 1, NULL, NULL), MDR_EINVALID, "viscoelastic");
     CHECK_FREE(relaxing);
     of_crystal[0].normal_compliance = -1.0;
     CHECK_STATUS(medium_of_layers(1, of_crystal, NULL, MDR_MODEL_EXACT, NULL, &none), MDR_EINVALID, "normal_compliance = -1");
@@ -199,7 +199,7 @@ static void test_marching(void)
         }
         if (i > 0) {
             CHECK_STATUS(mdr_contact_history(contact, MDR_DEPTH, 1e-3, 5, t, jump, untouched, untouched, untouched),
-                         MDR_EINVALID, "begin with 0");
+                         MDR_EINVALID, "Begin with 0");
         }
         CHECK_STATUS(mdr_contact_history(contact, MDR_DEPTH, 1e-3, 5, twice, path, untouched, untouched, untouched),
                      MDR_EINVALID, "ascending");

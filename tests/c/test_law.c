@@ -133,7 +133,7 @@ static void test_files(void)
     CHECK_FREE(copy);
     content[length / 2] ^= 4;
     CHECK_STATUS(mdr_law_read(content, length, &copy), MDR_EFILE, "damaged");
-    CHECK_STATUS(mdr_law_read(content, length / 2, &copy), MDR_EFILE, "cut off");
+    CHECK_STATUS(mdr_law_read(content, length / 2, &copy), MDR_EFILE, "truncated");
     CHECK_STATUS(mdr_law_read("hello", 5, &copy), MDR_EFILE, "not a compiled contact law");
     CHECK_TRUE(copy == NULL);
     file = fopen(path, "ab");
@@ -170,7 +170,7 @@ static void test_refusals(void)
     CHECK_STATUS(mdr_law_force(law, MDR_ON_UNLOADING, INFINITY, out, NULL), MDR_EINVALID, "depth = infinity");
     CHECK_STATUS(mdr_law_force(law, MDR_ON_UNLOADING, 1.5, out, NULL), MDR_EDOMAIN, "compiled up to");
     CHECK_STATUS(mdr_law_force(NULL, MDR_ON_UNLOADING, 0.1, out, NULL), MDR_ENULL, "law");
-    CHECK_STATUS(mdr_law_force((const mdr_law *)contact, MDR_ON_UNLOADING, 0.1, out, NULL), MDR_EINVALID, "mdr_law handle");
+    CHECK_STATUS(mdr_law_force((const mdr_law *)contact, MDR_ON_UNLOADING, 0.1, out, NULL), MDR_EINVALID, "handle of type mdr_law");
     CHECK_STATUS(mdr_law_values(law, MDR_DEPTH, MDR_ON_UNLOADING, 3, in, NULL, NULL, out, NULL, NULL, NULL), MDR_EINVALID,
                  "entry 2 of depth = ");
     CHECK_STATUS(mdr_law_values(law, MDR_DEPTH, MDR_ON_UNLOADING, -1, in, NULL, NULL, out, NULL, NULL, NULL), MDR_EINVALID,

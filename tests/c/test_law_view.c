@@ -319,7 +319,7 @@ static void test_refusals(void)
     CHECK_INT(mdr_law_view_from(NULL, MDR_ON_UNLOADING, &view), MDR_ENULL);
     CHECK_INT(mdr_law_view_from((double[22]){1.0}, MDR_ON_UNLOADING, &view), MDR_EINVALID);
     CHECK_STATUS(law_point(law, MDR_DEPTH, MDR_ON_UNLOADING, NAN, &point), MDR_EINVALID, "depth = NaN");
-    CHECK_STATUS(law_point(law, MDR_FORCE, MDR_ON_UNLOADING, -1.0, &point), MDR_EUNREACHABLE, "cannot be reached");
+    CHECK_STATUS(law_point(law, MDR_FORCE, MDR_ON_UNLOADING, -1.0, &point), MDR_EUNREACHABLE, "the lowest force");
     CHECK_STATUS(mdr_law_values(law, MDR_DEPTH, MDR_ON_UNLOADING, 2, d, NULL, NULL, NULL, NULL, NULL, U), MDR_EDOMAIN,
                  "entry 2 of depth = 2");
     CHECK_STATUS(mdr_law_values(law, MDR_RADIUS, MDR_ON_UNLOADING, 2, d, NULL, NULL, NULL, NULL, NULL, U), MDR_EINVALID,

@@ -70,7 +70,7 @@ static void loop_refuses(const mdr_contact *c)
     fill_untouched(5, &point.position);
     CHECK_STATUS(mdr_loop_points(NULL, 1, &point, &number), MDR_ENULL, "l is NULL");
     CHECK_STATUS(mdr_loop_about(NULL, &facts), MDR_ENULL, "l is NULL");
-    CHECK_STATUS(mdr_loop_about((const mdr_loop *)(const void *)c, &facts), MDR_EINVALID, "not an mdr_loop");
+    CHECK_STATUS(mdr_loop_about((const mdr_loop *)(const void *)c, &facts), MDR_EINVALID, "not a handle of type mdr_loop");
     CHECK_SUCCESS(mdr_free(NULL));
     CHECK_FREE(l);
     CHECK_SUCCESS(mdr_loop_new(c, MDR_DEPTH, 0.5, 10, 0.0, &l));

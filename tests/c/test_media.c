@@ -67,7 +67,7 @@ static void evaluations_refuse(void)
     for (size_t i = 0; i < SIZE(quantities); i++) {
         const int of = quantities[i];
         CHECK_STATUS(mdr_medium_values(NULL, of, 2, a, out), MDR_ENULL, "m is NULL");
-        CHECK_STATUS(mdr_medium_values((const mdr_medium *)(void *)p, of, 2, a, out), MDR_EINVALID, "not an mdr_medium");
+        CHECK_STATUS(mdr_medium_values((const mdr_medium *)(void *)p, of, 2, a, out), MDR_EINVALID, "not a handle of type mdr_medium");
         CHECK_STATUS(mdr_medium_values(m, of, -1, a, out), MDR_EINVALID, "n = -1");
         CHECK_STATUS(mdr_medium_values(m, of, 2, NULL, out), MDR_ENULL, "a is NULL");
         CHECK_STATUS(mdr_medium_values(m, of, 2, a, NULL), MDR_ENULL, "out is NULL");
@@ -290,7 +290,7 @@ static void bottom_effect(void)
         CHECK_SUCCESS(mdr_profile_paraboloid(R, &p));
         CHECK_SUCCESS(mdr_contact_new(p, m, NULL, &c));
         CHECK_STATUS(mdr_medium_values(m, MDR_MODULUS, 1, too_far, F), MDR_EDOMAIN,
-                     "defined up to 0.5; the models dimitriadis and garcia");
+                     "defined up to 0.5. The models dimitriadis and garcia");
         CHECK_STATUS(columns_of(c, MDR_RADIUS, 1, too_far, NULL, NULL, F, NULL), MDR_EDOMAIN,
                      "defined up to 0.5. The models dimitriadis and garcia are valid for a < h. For larger contacts use the");
         CHECK_STATUS(columns_of(c, MDR_DEPTH, 1, too_deep, NULL, NULL, F, NULL), MDR_EUNREACHABLE, "garcia are valid for a < h");

@@ -91,7 +91,7 @@ static void callbacks_refuse(void)
     CHECK_STATUS(medium_of_functions(constant, fails_at_the_surface, &number, 1.0, MDR_MODEL_GAO, NULL, &m), MDR_ECALLBACK,
                  "the function nu reported failure 9 at x = ");
     CHECK_STATUS(medium_of_functions(constant, gives_nan, &number, 1.0, MDR_MODEL_GAO, NULL, &m), MDR_ECALLBACK,
-                 "the function nu gave NaN at x = ");
+                 "the function nu returned NaN at x = ");
     CHECK_STATUS(medium_of_functions(constant, constant, &negative, 1.0, MDR_MODEL_GAO, NULL, &m), MDR_EINVALID, "E at ");
 
     CHECK_STATUS(mdr_medium_function(constant, &number, 0.1, 1.0, NULL), MDR_ENULL, "out is NULL");
@@ -100,7 +100,7 @@ static void callbacks_refuse(void)
     CHECK_STATUS(mdr_medium_function(constant, &number, 0.1, NAN, &m), MDR_EINVALID, "largest_radius = NaN");
     CHECK_STATUS(mdr_medium_function(constant, &number, 1.0, 0.5, &m), MDR_EINVALID, "largest_radius = 0.5");
     CHECK_STATUS(mdr_medium_function(fails, &number, 0.1, 1.0, &m), MDR_ECALLBACK, "reported failure 7 at x = ");
-    CHECK_STATUS(mdr_medium_function(gives_nan, &number, 0.1, 1.0, &m), MDR_ECALLBACK, "gave NaN at x = ");
+    CHECK_STATUS(mdr_medium_function(gives_nan, &number, 0.1, 1.0, &m), MDR_ECALLBACK, "returned NaN at x = ");
     CHECK_STATUS(mdr_medium_function(constant, &negative, 0.1, 1.0, &m), MDR_ECALLBACK, "-1");
     CHECK_TRUE(m == NULL);
 }
@@ -148,12 +148,12 @@ static void bodies_become_media(void)
     CHECK_FREE(body);
     CHECK_STATUS(mdr_body_rigid(NULL), MDR_ENULL, "out is NULL");
     CHECK_SUCCESS(mdr_body_rigid(&body));
-    CHECK_STATUS(mdr_medium_new(body, &options, &m), MDR_EINVALID, "choose from exact");
+    CHECK_STATUS(mdr_medium_new(body, &options, &m), MDR_EINVALID, "Use exact");
     CHECK_FREE(body);
     CHECK_SUCCESS(mdr_body_layered(1, &film, &base, NULL, &body));
-    CHECK_STATUS(mdr_medium_new((const mdr_body *)(const void *)&film, NULL, &m), MDR_EINVALID, "body is not an mdr_body handle");
+    CHECK_STATUS(mdr_medium_new((const mdr_body *)(const void *)&film, NULL, &m), MDR_EINVALID, "body: it is not a handle of type mdr_body");
     options.model = MDR_DEPTH;
-    CHECK_STATUS(mdr_medium_new(body, &options, &m), MDR_EINVALID, "model = 101 (depth): it must be");
+    CHECK_STATUS(mdr_medium_new(body, &options, &m), MDR_EINVALID, "model = 101 (depth): it is not available");
     CHECK_TRUE(m == NULL);
     options.model = MDR_MODEL_GAO;
     CHECK_SUCCESS(mdr_medium_new(body, NULL, &m));

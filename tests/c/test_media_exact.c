@@ -287,10 +287,10 @@ static void compliances(void)
     CHECK_STATUS(mdr_body_compliance(body, MDR_LOAD_NORMAL, 0.0, 2, NULL, C, NULL), MDR_ENULL, "k is NULL");
     CHECK_STATUS(mdr_body_compliance(body, MDR_LOAD_NORMAL, 0.0, 2, k, NULL, NULL), MDR_ENULL, "out is NULL");
     CHECK_STATUS(mdr_body_compliance((const mdr_body *)medium, MDR_LOAD_NORMAL, 0.0, 2, k, C, NULL), MDR_EINVALID,
-                 "not an mdr_body");
+                 "not a handle of type mdr_body");
     CHECK_STATUS(mdr_body_compliance(rigid, MDR_LOAD_NORMAL, 0.0, 2, k, C, NULL), MDR_EINVALID, "rigid");
     CHECK_STATUS(mdr_body_compliance(power, MDR_LOAD_NORMAL, 0.0, 2, k, C, NULL), MDR_EINVALID, "power-law graded");
-    CHECK_STATUS(mdr_body_compliance(tense, MDR_LOAD_SHEAR, 0.0, 2, k, C, NULL), MDR_EINVALID, "under a pressure");
+    CHECK_STATUS(mdr_body_compliance(tense, MDR_LOAD_SHEAR, 0.0, 2, k, C, NULL), MDR_EINVALID, "for a pressure only");
     CHECK_UNTOUCHED(2, C);
     CHECK_SUCCESS(mdr_body_compliance(body, MDR_LOAD_NORMAL, 0.0, 0, NULL, NULL, NULL));
     /* 1/C + tension k^2 in place of 1/C: short waves see nothing but the tension */

@@ -106,7 +106,7 @@ int main(void)
     CHECK_STATUS(mdr_law_read(large_text, LARGE_TEXT, &law), MDR_ENOMEMORY, "not enough memory");
     law_options.description = large_text;
     CHECK_STATUS(mdr_law_new(c, 0.1, &law_options, &law), MDR_ENOMEMORY, "not enough memory");
-    CHECK_STATUS(mdr_medium_table(COUNT, in, in, &table), MDR_ENOMEMORY, "no memory");
+    CHECK_STATUS(mdr_medium_table(COUNT, in, in, &table), MDR_ENOMEMORY, "not enough memory");
 #ifdef MDRCONTACT_FIT_H
     CHECK_STATUS(mdr_fit_predict(&problem, COUNT, in, in, NULL, out, NULL), MDR_ENOMEMORY, "not enough memory");
 #endif

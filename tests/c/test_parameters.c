@@ -101,7 +101,7 @@ static void refusals(void)
     CHECK_SUCCESS(new_homogeneous(1.0, 0.3, &m));
     CHECK_SUCCESS(mdr_contact_new(p, m, NULL, &c));
     CHECK_STATUS(mdr_parameters(c, 0, NULL, &count), MDR_EINVALID,
-                 "object is not an mdr_profile, mdr_material, mdr_body or mdr_medium");
+                 "object: it is not a handle of type mdr_profile, mdr_material, mdr_body or mdr_medium");
     CHECK_STATUS(mdr_parameters(NULL, 0, NULL, &count), MDR_ENULL, "object is NULL");
     CHECK_STATUS(mdr_parameters(p, 1, NULL, &count), MDR_ENULL, "out is NULL");
     CHECK_STATUS(mdr_parameters(p, 1, &out, NULL), MDR_ENULL, "count is NULL");

@@ -102,8 +102,8 @@ static void callback_refuses(void)
     CHECK_STATUS(mdr_profile_function(parabola, &number, 0.0, &p), MDR_EINVALID, "largest_radius = 0");
     CHECK_STATUS(mdr_profile_function(parabola, &number, NAN, &p), MDR_EINVALID, "largest_radius = NaN");
     CHECK_STATUS(mdr_profile_function(fails_beyond, &number, 1.0, &p), MDR_ECALLBACK, "reported failure 42 at x = ");
-    CHECK_STATUS(mdr_profile_function(gives_nan, NULL, 1.0, &p), MDR_ECALLBACK, "the function height gave NaN at x = ");
-    CHECK_STATUS(mdr_profile_function(forgets_the_value, NULL, 1.0, &p), MDR_ECALLBACK, "gave NaN at x = ");
+    CHECK_STATUS(mdr_profile_function(gives_nan, NULL, 1.0, &p), MDR_ECALLBACK, "the function height returned NaN at x = ");
+    CHECK_STATUS(mdr_profile_function(forgets_the_value, NULL, 1.0, &p), MDR_ECALLBACK, "returned NaN at x = ");
     CHECK_STATUS(mdr_profile_function(starts_above, NULL, 1.0, &p), MDR_EINVALID, "f(0) = 1");
     CHECK_STATUS(mdr_profile_function(falls, NULL, 1.0, &p), MDR_EINVALID, "decreases");
     CHECK_TRUE(p == NULL);
@@ -122,7 +122,7 @@ static void sum_refuses(void)
     CHECK_STATUS(mdr_profile_sum(-1, good, &p), MDR_EINVALID, "n = -1");
     CHECK_STATUS(mdr_profile_sum(0, NULL, &p), MDR_EINVALID, "terms: the array is empty");
     CHECK_STATUS(mdr_profile_sum(2, hole, &p), MDR_ENULL, "entry 2 of terms is NULL");
-    CHECK_STATUS(mdr_profile_sum(1, wrong, &p), MDR_EINVALID, "entry 1 of terms is not an mdr_profile");
+    CHECK_STATUS(mdr_profile_sum(1, wrong, &p), MDR_EINVALID, "entry 1 of terms: it is not a handle of type mdr_profile");
     CHECK_TRUE(p == NULL);
     CHECK_FREE(term);
     CHECK_FREE(medium);
@@ -200,7 +200,7 @@ static void callback_says_what_is_lost(void)
     same_profile(p, expected, 1e-6, 1e-10);
     CHECK_FREE(expected);
     p = NULL;
-    CHECK_STATUS(mdr_profile_function(sphere_of_differences, &radius, 1e-9, &p), MDR_ENOCONVERGENCE, "loses digits");
+    CHECK_STATUS(mdr_profile_function(sphere_of_differences, &radius, 1e-9, &p), MDR_ENOCONVERGENCE, "is inaccurate near the axis");
     CHECK_TRUE(p == NULL);
 }
 

@@ -126,10 +126,10 @@ static void what_is_no_handle_is_refused(void)
     double out = 0.0;
 
     CHECK_STATUS(mdr_profile_values((const mdr_profile *)anything, MDR_HEIGHT, 1, &r, &out), MDR_EINVALID,
-                 "is not an mdr_profile handle");
+                 "it is not a handle of type mdr_profile");
     for (int i = 0; i < 128; i++) anything[i] = 1.0;
     CHECK_STATUS(mdr_profile_values((const mdr_profile *)anything, MDR_HEIGHT, 1, &r, &out), MDR_EINVALID,
-                 "is not an mdr_profile handle");
+                 "it is not a handle of type mdr_profile");
 }
 
 int main(void)

@@ -90,7 +90,7 @@ static void fail(task *t)
     char expected[40];
     mdr_profile *p = NULL;
 
-    snprintf(expected, sizeof expected, "radius = -%d is", t->number);
+    snprintf(expected, sizeof expected, "radius = -%d: ", t->number);
     if (mdr_profile_paraboloid(-(double)t->number, &p) != MDR_EINVALID) t->wrong_texts++;
     evaluate(t);
     if (strstr(mdr_last_error(), expected) != mdr_last_error()) t->wrong_texts++;
