@@ -30,7 +30,8 @@ static void creation_refuses(void)
     CHECK_STATUS(mdr_contact_new(p, NULL, NULL, &c), MDR_ENULL, "medium is NULL");
     CHECK_STATUS(mdr_contact_new(p, m, NULL, NULL), MDR_ENULL, "out is NULL");
     CHECK_STATUS(mdr_contact_new((mdr_profile *)(void *)m, m, NULL, &c), MDR_EINVALID, "profile: it is not a handle of type");
-    CHECK_STATUS(mdr_contact_new(p, (mdr_medium *)(void *)p, NULL, &c), MDR_EINVALID, "medium: it is not a handle of type mdr_medium");
+    CHECK_STATUS(mdr_contact_new(p, (mdr_medium *)(void *)p, NULL, &c),
+                 MDR_EINVALID, "medium: it is not a handle of type mdr_medium");
     options = MDR_SIZED(mdr_contact_options);
     options.zeta_count = -1;
     CHECK_STATUS(mdr_contact_new(p, m, &options, &c), MDR_EINVALID, "zeta_count = -1");
@@ -76,7 +77,8 @@ static void states_refuse(void)
     for (size_t i = 0; i < SIZE(givens); i++) {
         const int given = givens[i];
         CHECK_STATUS(columns_of(NULL, given, 2, good, d, a, F, k), MDR_ENULL, "c is NULL");
-        CHECK_STATUS(columns_of((mdr_contact *)(void *)m, given, 2, good, d, a, F, k), MDR_EINVALID, "not a handle of type mdr_contact");
+        CHECK_STATUS(columns_of((mdr_contact *)(void *)m, given, 2, good, d, a, F, k),
+                     MDR_EINVALID, "not a handle of type mdr_contact");
         CHECK_STATUS(columns_of(c, given, -1, good, d, a, F, k), MDR_EINVALID, "n = -1");
         CHECK_STATUS(columns_of(c, given, 2, NULL, d, a, F, k), MDR_ENULL, "in is NULL");
         CHECK_STATUS(columns_of(c, given, 2, not_a_number, d, a, F, k), MDR_EINVALID, "entry 1 of ");

@@ -18,7 +18,8 @@ int main(void)
     CHECK_SUCCESS(mdr_contact_new(ball, base, NULL, &contact));
     mdr_law_options options = MDR_SIZED(mdr_law_options);
     options.conduction = (const struct mdr_conduction *)ball;
-    CHECK_STATUS(mdr_law_new(contact, 0.1, &options, &law), MDR_EINVALID, "options.conduction: it is not a handle of type mdr_conduction");
+    CHECK_STATUS(mdr_law_new(contact, 0.1, &options, &law),
+                 MDR_EINVALID, "options.conduction: it is not a handle of type mdr_conduction");
     CHECK_TRUE(law == NULL);
 
     /* a contact with a body that relaxes has histories in place of states */

@@ -32,7 +32,8 @@ static void refusals(void)
         mdr_state wrong = state;
 
         CHECK_STATUS(state_field(NULL, field, &state, 2, r, out), MDR_ENULL, "c is NULL");
-        CHECK_STATUS(state_field((mdr_contact *)(void *)p, field, &state, 2, r, out), MDR_EINVALID, "not a handle of type mdr_contact");
+        CHECK_STATUS(state_field((mdr_contact *)(void *)p, field, &state, 2, r, out),
+                     MDR_EINVALID, "not a handle of type mdr_contact");
         CHECK_STATUS(state_field(c, field, NULL, 2, r, out), MDR_ENULL, "state is NULL");
         CHECK_STATUS(state_field(c, field, &state, -1, r, out), MDR_EINVALID, "n = -1");
         CHECK_STATUS(state_field(c, field, &state, 2, NULL, out), MDR_ENULL, "r is NULL");

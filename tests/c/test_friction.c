@@ -118,7 +118,8 @@ static void refusals(void)
     fill_untouched(12, &out[0].shift);
     a[0] = 0.0;
     CHECK_STATUS(shear_states(c, NULL, &state, MDR_ALONG, 1, 2, a, out), MDR_ENULL, "f is NULL");
-    CHECK_STATUS(shear_states(c, (mdr_friction *)c, &state, MDR_ALONG, 1, 2, a, out), MDR_EINVALID, "not a handle of type mdr_friction");
+    CHECK_STATUS(shear_states(c, (mdr_friction *)c, &state, MDR_ALONG, 1, 2, a, out),
+                 MDR_EINVALID, "not a handle of type mdr_friction");
     CHECK_STATUS(shear_states(c, f, NULL, MDR_ALONG, 1, 2, a, out), MDR_ENULL, "state is NULL");
     CHECK_STATUS(shear_states(c, f, &nowhere, MDR_ALONG, 1, 2, a, out), MDR_EINVALID, "contact radius");
     CHECK_STATUS(shear_states(c, f, &state, MDR_ALONG, 3, 2, a, out), MDR_EINVALID, "given = 3");
@@ -538,7 +539,8 @@ static void torsion(void)
     CHECK_CLOSE(tau[1], mu * lost, 1e-12);
     CHECK_SUCCESS(shear_field(c, f, &state, MDR_AROUND, &out[1], MDR_TANGENTIAL_LINE_LOAD, 1, &out[1].stick_radius, tau));
     CHECK_CLOSE(tau[0], 4.0 * G * twists[1] * out[1].stick_radius, 1e-9);
-    CHECK_STATUS(shear_states(c, f, &state, MDR_AROUND, MDR_TORQUE, 1, &limit, again), MDR_EUNREACHABLE, "less than the torque of sliding");
+    CHECK_STATUS(shear_states(c, f, &state, MDR_AROUND, MDR_TORQUE, 1, &limit, again),
+                 MDR_EUNREACHABLE, "less than the torque of sliding");
     CHECK_STATUS(shear_states(c, f, &state, MDR_AROUND, 3, 1, twists, again), MDR_EINVALID, "given = 3");
     twists[1] = NAN;
     CHECK_STATUS(shear_states(c, f, &state, MDR_AROUND, MDR_TWIST, 2, twists, again), MDR_EINVALID, "entry 2");

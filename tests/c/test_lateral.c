@@ -224,7 +224,8 @@ static void weights(void)
     CHECK_SUCCESS(mdr_lateral_cells(0.3, 0.34, 0.0, DBL_MAX, 2, lines, 2, lines, shear, poisson));
     CHECK_CLOSE(shear[0] + shear[1] + shear[2] + shear[3], 1.0, 1e-5);
     CHECK_CLOSE(poisson[0] + poisson[1] + poisson[2] + poisson[3], 1.0, 1e-5);
-    CHECK_STATUS(mdr_lateral_cells(0.3, 1.0, top, depth, 2, falling, 2, lines, shear, poisson), MDR_EINVALID, "must be strictly ascending");
+    CHECK_STATUS(mdr_lateral_cells(0.3, 1.0, top, depth, 2, falling, 2, lines, shear, poisson),
+                 MDR_EINVALID, "must be strictly ascending");
     CHECK_STATUS(mdr_lateral_cells(0.3, 1.0, top, depth, 2, lines, 2, (const double[3]){0.0, 0.5, 0.5}, shear, poisson),
                  MDR_EINVALID, "entry 3 of y = 0.5: y must be strictly ascending");
     CHECK_STATUS(mdr_lateral_cells(0.3, 1.0, depth, top, 2, lines, 2, lines, shear, poisson), MDR_EINVALID, "z_bottom = 0");

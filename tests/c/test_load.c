@@ -45,9 +45,11 @@ static void refusals(void)
     CHECK_STATUS(mdr_load_lowest_pressure((mdr_load *)(void *)c, out, out + 1), MDR_EINVALID, "not a handle of type mdr_load");
     CHECK_STATUS(mdr_load_interior(NULL, MDR_BODY_LOWER, MDR_SIDE_BELOW, 0.0, 0, NULL, NULL, NULL, NULL), MDR_ENULL,
                  "load is NULL");
-    CHECK_STATUS(mdr_load_interior_error((mdr_load *)(void *)c, MDR_BODY_LOWER, out), MDR_EINVALID, "not a handle of type mdr_load");
+    CHECK_STATUS(mdr_load_interior_error((mdr_load *)(void *)c, MDR_BODY_LOWER, out),
+                 MDR_EINVALID, "not a handle of type mdr_load");
     CHECK_STATUS(mdr_load_layer_energies(NULL, MDR_BODY_LOWER, POINTS, out, &count), MDR_ENULL, "load is NULL");
-    CHECK_STATUS(mdr_load_critical((mdr_load *)(void *)c, MDR_BODY_LOWER, 0.0, 0, NULL, &count), MDR_EINVALID, "not a handle of type mdr_load");
+    CHECK_STATUS(mdr_load_critical((mdr_load *)(void *)c, MDR_BODY_LOWER, 0.0, 0, NULL, &count),
+                 MDR_EINVALID, "not a handle of type mdr_load");
     CHECK_SUCCESS(mdr_friction_new(c, 0.3, &f));
     CHECK_STATUS(mdr_shear_new(f, NULL, MDR_ALONG, &shear), MDR_ENULL, "load is NULL");
     CHECK_STATUS(mdr_shear_new(f, (mdr_load *)(void *)c, MDR_ALONG, &shear), MDR_EINVALID, "not a handle of type mdr_load");

@@ -67,7 +67,8 @@ static void evaluations_refuse(void)
     for (size_t i = 0; i < SIZE(quantities); i++) {
         const int of = quantities[i];
         CHECK_STATUS(mdr_medium_values(NULL, of, 2, a, out), MDR_ENULL, "m is NULL");
-        CHECK_STATUS(mdr_medium_values((const mdr_medium *)(void *)p, of, 2, a, out), MDR_EINVALID, "not a handle of type mdr_medium");
+        CHECK_STATUS(mdr_medium_values((const mdr_medium *)(void *)p, of, 2, a, out),
+                     MDR_EINVALID, "not a handle of type mdr_medium");
         CHECK_STATUS(mdr_medium_values(m, of, -1, a, out), MDR_EINVALID, "n = -1");
         CHECK_STATUS(mdr_medium_values(m, of, 2, NULL, out), MDR_ENULL, "a is NULL");
         CHECK_STATUS(mdr_medium_values(m, of, 2, a, NULL), MDR_ENULL, "out is NULL");

@@ -151,7 +151,8 @@ static void bodies_become_media(void)
     CHECK_STATUS(mdr_medium_new(body, &options, &m), MDR_EINVALID, "Use exact");
     CHECK_FREE(body);
     CHECK_SUCCESS(mdr_body_layered(1, &film, &base, NULL, &body));
-    CHECK_STATUS(mdr_medium_new((const mdr_body *)(const void *)&film, NULL, &m), MDR_EINVALID, "body: it is not a handle of type mdr_body");
+    CHECK_STATUS(mdr_medium_new((const mdr_body *)(const void *)&film, NULL, &m),
+                 MDR_EINVALID, "body: it is not a handle of type mdr_body");
     options.model = MDR_DEPTH;
     CHECK_STATUS(mdr_medium_new(body, &options, &m), MDR_EINVALID, "model = 101 (depth): it is not available");
     CHECK_TRUE(m == NULL);

@@ -68,7 +68,8 @@ static void evaluations_refuse(void)
         const int of = quantities[i];
         const char *name = i < 2 ? " of r" : " of x";
         CHECK_STATUS(mdr_profile_values(NULL, of, 2, r, out), MDR_ENULL, "p is NULL");
-        CHECK_STATUS(mdr_profile_values((const mdr_profile *)medium, of, 2, r, out), MDR_EINVALID, "not a handle of type mdr_profile");
+        CHECK_STATUS(mdr_profile_values((const mdr_profile *)medium, of, 2, r, out),
+                     MDR_EINVALID, "not a handle of type mdr_profile");
         CHECK_STATUS(mdr_profile_values(p, of, -2, r, out), MDR_EINVALID, "n = -2");
         CHECK_STATUS(mdr_profile_values(p, of, 2, NULL, out), MDR_ENULL, "x is NULL");
         CHECK_STATUS(mdr_profile_values(p, of, 2, r, NULL), MDR_ENULL, "out is NULL");

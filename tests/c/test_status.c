@@ -37,7 +37,8 @@ static void wrong_words_are_answered(void)
     int code = 77;
 
     CHECK_STATUS(mdr_code_of(MDR_MODEL_EXACT, "gauss", &code), MDR_EINVALID, "name = gauss: did you mean gao?");
-    CHECK_STATUS(mdr_code_of(MDR_MODEL_EXACT, "exakt", &code), MDR_EINVALID, "did you mean exact? It must be one of gao, gao-series");
+    CHECK_STATUS(mdr_code_of(MDR_MODEL_EXACT, "exakt", &code),
+                 MDR_EINVALID, "did you mean exact? It must be one of gao, gao-series");
     CHECK_STATUS(mdr_code_of(MDR_ON_LOADING, "depth", &code), MDR_EINVALID, "one of loading, unloading");
     CHECK_STATUS(mdr_code_of(MDR_MODEL_EXACT, "exact ", &code), MDR_EINVALID, "did you mean exact?");
     CHECK_STATUS(mdr_code_of(MDR_ON_LOADING, "", &code), MDR_EINVALID, "did you mean loading?");
