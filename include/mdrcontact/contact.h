@@ -6,7 +6,7 @@
  * A contact combines an indenter (profile.h) with a medium (medium.h). Given a depth, a force or a contact radius,
  * mdr_contact_states() computes states. mdr_contact_load() turns a state into a load, from which all fields are computed:
  * - on the surface: mdr_load_field(), mdr_load_lowest_pressure(), mdr_load_energy();
- * - below the surface: mdr_load_interior(), mdr_load_layer_energies(), mdr_load_critical(). mdr_contact_first_failure() finds the
+ * - below the surface: mdr_load_interior(), mdr_load_layer_energies(), mdr_load_critical(). mdr_contact_first_failure() finds the *
  *   states at which strengths are reached.
  *
  * A contact with a viscoelastic body has no states; see time.h. Tangential loading is in friction.h, fast evaluation in law.h.
@@ -79,17 +79,17 @@ typedef struct mdr_contact_options {
  */
 int mdr_contact_new(const mdr_profile *profile, const mdr_medium *medium, const mdr_contact_options *options, mdr_contact **out);
 
-/** A state of a contact: what fields are computed from. */
+/** A state of a contact. */
 typedef struct mdr_state {
-    double depth;     /**< d, indentation depth, positive into the medium [length]. */
-    double radius;    /**< a, contact radius [length]. */
-    double force;     /**< F, normal force, positive in compression [modulus length^2]. */
-    double stiffness; /**< k = dF/dd at constant a, 2 a E_eff(a) [modulus length]; along the branch dF/dd is that of
-                           mdr_contact_slope(), which differs from k under adhesion. */
-    double punch_depth;    /**< Depth beyond that of the non-adhesive state of this radius: 0 without adhesion, less than 0 with it, the
-                           whole depth under a flat punch [length]. */
-    double zone_radius; /**< c, outer radius of the cohesive zone: the bodies pull on each other where a < r < c; 0 without a
-                             cohesive stress [length]. With radius 0 they attract each other without contact. */
+    double depth;       /**< d, indentation depth, positive into the medium [length]. */
+    double radius;      /**< a, contact radius [length]. */
+    double force;       /**< F, normal force, positive in compression [modulus length^2]. */
+    double stiffness;   /**< k = dF/dd at constant a, 2 a E_eff(a) [modulus length]; along the branch dF/dd is that of
+                             mdr_contact_slope(), which differs from k under adhesion. */
+    double punch_depth; /**< d - d0(a): depth relative to the non-adhesive state of the same radius [length]. 0 without adhesion,
+                             negative with adhesion, equal to d under a flat punch. */
+    double zone_radius; /**< c, outer radius of the cohesive zone a < r < c in which the surfaces attract each other; 0 without a
+                             cohesive stress [length]. With a = 0 and c > 0 the surfaces attract each other before contact. */
 } mdr_state;
 
 /** Compute states from depths, forces or radii.
@@ -116,9 +116,9 @@ int mdr_contact_states(const mdr_contact *c, int given, int branch, int n, const
 
 /** Compute dF/dd along the branch of equilibria, on which the contact radius changes with the depth.
  *
- *  Without adhesion, and at a vertical wall of the indenter, it is the stiffness of the state, dF/dd at constant radius. With adhesion
- *  it is dF/dd = k - k'(a) dl/(d0'(a) - dl'(a)), with dl = -punch_depth. For a paraboloid on a half-space it is k/3 at d = 0, 0 at
- *  pull-off under force control, infinite at pull-off under depth control, and negative between the two. It has about eight
+ *  Without adhesion, and at a vertical wall of the indenter, it is the stiffness of the state, dF/dd at constant radius. With
+ *  adhesion it is dF/dd = k - k'(a) dl/(d0'(a) - dl'(a)), with dl = -punch_depth. For a paraboloid on a half-space it is k/3 at d =
+ *  0, 0 at pull-off under force control, infinite at pull-off under depth control, and negative between the two. It has about eight
  *  significant digits.
  *  @param c       contact
  *  @param n       number of states
@@ -128,7 +128,7 @@ int mdr_contact_states(const mdr_contact *c, int given, int branch, int n, const
  *          indenter or of the medium, MDR_ENOCONVERGENCE
  *  @code
  *  double slope;
- *  status = mdr_contact_slope(contact, 1, &states[0], &slope);
+ *  status = mdr_contact_slope(contact, 1, &state, &slope);
  *  @endcode
  */
 int mdr_contact_slope(const mdr_contact *c, int n, const mdr_state states[], double out[]);
@@ -435,18 +435,19 @@ typedef struct mdr_strength {
     double value; /**< The strength > 0 [modulus]. */
 } mdr_strength;
 
-/** A strength that is reached: the state, whose six numbers are those of mdr_state, and where in the body. */
+/** A strength that is reached: the state, with the members of mdr_state, and the position in the body. */
 typedef struct mdr_failure_load {
     double depth;       /**< d [length]. */
-    double radius;      /**< a [length]; the smallest one looked at where the strength is reached at any load: a sharp tip. */
+    double radius;      /**< a [length]; the smallest radius of the search if the strength is exceeded at any load, as under a sharp
+                             tip. */
     double force;       /**< F [modulus length^2]. */
     double stiffness;   /**< k [modulus length]. */
-    double punch_depth; /**< Depth beyond that of the non-adhesive state [length]. */
+    double punch_depth; /**< Depth relative to the non-adhesive state [length]. */
     double zone_radius; /**< 0 [length]. */
-    int quantity;       /**< Of the strength. */
-    int place;          /**< Of the strength. */
-    double strength;    /**< [modulus] */
-    double value;       /**< The largest stress: the strength, or more where that is reached at any load [modulus]. */
+    int quantity;       /**< Quantity of the strength. */
+    int place;          /**< Place of the strength. */
+    double strength;    /**< The strength [modulus]. */
+    double value;       /**< The largest stress: the strength, or more if the strength is exceeded at any load [modulus]. */
     double r;           /**< Distance from the axis [length]. */
     double z;           /**< Depth in the body [length]. */
     double angle;       /**< Azimuth from the direction of sliding, 0 or pi; 0 without friction [radian]. */
