@@ -115,7 +115,7 @@ def coverage_table(readings: list[int], draws: int) -> list[str]:
 
 def verdict_table(readings: list[int], draws: int) -> list[str]:
     """Shares [%] of "misses" or "describes to", and of "cannot tell", at two sizes of noise."""
-    noises = (0.01, 0.05)
+    noises = (0.01, 0.05, 0.2)
     titles = [f"{count} readings, noise {100.0 * noise:g} %" for noise in noises for count in readings]
     lines = ["| model | " + " | ".join(titles) + " |", "|---|" + len(titles) * "---|"]
     for name in models(readings[0]):
@@ -146,7 +146,7 @@ def main() -> None:
         "",
         'Shares [%] of curves whose verdict is "misses" or "describes to", and of those with "cannot tell":',
         "",
-        *verdict_table([5, 8, 20, 100, 500], arguments.draws // 5),
+        *verdict_table([5, 8, 20, 100], arguments.draws // 20),
     ]
     if arguments.table:
         arguments.table.write_text("\n".join(lines) + "\n")

@@ -79,6 +79,7 @@ def test_folder_reports_bad_curves_and_fits_the_rest(tmp_path, capsys):
         ),
         ("relative_sd = 0.01", 'force = "P"', "there is no column"),
         ("[data]", "[daten]", "data"),
+        ("[data]", '[adhesion]\nwork_of_adhesion = "50 mJ/m^2"\n[data]', "Write work_of_adhesion in [instrument]"),
         (
             "[fit.free]",
             '[fit]\nsd_is_absolute = "no"\n[fit.free]',
@@ -93,6 +94,21 @@ def test_faults_of_the_problem_file_are_told(old, new, words, tmp_path, capsys):
     problem.write_text(text.replace(old, new))
     assert main(["fit", str(FOLDER / "sphere_on_oxide.csv"), "--problem", str(problem)]) == 2
     assert words in capsys.readouterr().err
+
+
+def test_intervals_and_moduli_by_depth_stand_in_tables(tmp_path, capsys):
+    files = ["--ranges", str(tmp_path / "ranges.png"), "--json", str(tmp_path / "fit.json"), "--interval", "profile"]
+    data = FOLDER / "sphere_on_oxide"
+    assert main(["fit", f"{data}.csv", "--problem", f"{data}.toml", *files]) == 0
+    lines = capsys.readouterr().out.splitlines()
+    title = next(i for i, line in enumerate(lines) if "95 % interval (profile)" in line)
+    assert "estimate ± standard error" in lines[title] and lines[title + 1].count("GPa") == 2
+    found = json.loads((tmp_path / "fit.json").read_text())
+    low, high = (end / 1e9 for end in found["parameters"]["coating.E"]["profile_interval"])
+    assert f"{low:.2f} to {high:.2f} GPa" in lines[title + 1]
+    first = next(i for i, line in enumerate(lines) if line.startswith("end of the depth [nm]"))
+    assert "film modulus E [GPa]" in lines[first] and "±" in lines[first + 1]
+    assert lines[first + len(found["ranges"])].split()[0] and len(found["ranges"]) >= 5
 
 
 def test_data_in_wrong_units_are_refused(tmp_path, capsys):
