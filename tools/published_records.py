@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Published records with known answers: tools/published_records.py FOLDER
+"""Published records: tools/published_records.py FOLDER
 
 Fits every file of FOLDER whose name is in the tables below and prints the modulus beside that of another program, and calibrates a
 tip on half of the tests on fused silica to measure the other half. It fetches nothing: the files are those of the test data of
