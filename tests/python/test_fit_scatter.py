@@ -55,7 +55,7 @@ def test_both_sides_are_told(noise, said, scatter):
     assert result.describes_data is True and MISSES not in result.summary(), "by one part in a hundred"
     assert result.verdict.startswith("describes to") == (scatter > 0)
     assert (TOO_LARGE in result.summary()) == (scatter < 0)
-    assert any("further from the fit" in words for words in result.warnings) == (scatter > 0)
+    assert any("deviate from the fit by more" in words for words in result.warnings) == (scatter > 0)
 
 
 @pytest.mark.parametrize("said", [0.001, None])

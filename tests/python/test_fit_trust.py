@@ -256,7 +256,7 @@ def test_the_ranking_marks_models_that_are_wrong_at_these_contacts():
     assert entries["gao"].is_wrong
     text = ranking.summary()
     assert "WRONG HERE" in next(line for line in text.splitlines() if line.startswith("gao "))
-    assert "not which model is right" in text and "GPa" in text
+    assert "not the correct model" in text and "GPa" in text
 
 
 def test_priors_leave_the_correlation_to_be_seen():
@@ -279,7 +279,7 @@ def test_the_end_of_a_search_is_not_called_a_bound_of_the_user():
     assert "at its upper bound" in result.doubts("coating.E")
     result = mdi.fit(mdi.ForceDepth(DEPTH, FORCE, relative_sd=0.01), BALL, FILM, ["coating.E"])
     result.at_bound["coating.E"] = 1
-    assert any("end of what is allowed or searched" in words for words in result.doubts("coating.E"))
+    assert any("end of its range" in words for words in result.doubts("coating.E"))
 
 
 def test_data_that_contradict_a_prior_end_the_search():

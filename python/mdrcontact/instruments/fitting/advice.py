@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Why a fit may not be believed, in words: no convergence, bounds, parameters that the data do not determine, patterns left."""
+"""Text of the reasons why a fit may not be believed: no convergence, bounds, parameters that the data do not determine, patterns left."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ def advice(result: FitResult) -> list[str]:
 
 
 def _contact_point(result: FitResult) -> list[str]:
-    """Where the estimators that looked at the record beforehand put first contact."""
+    """Depths of first contact that the estimators found in the record before the fit."""
     found = list(result.data.contact_points.values())
     apart, deepest = float(np.ptp(found or [0.0])), float(np.max(result.data.x)) - result.values["depth_offset"]
     if not apart > max(_FAR_APART * deepest, 0.0):
@@ -140,21 +140,21 @@ def _relative(result: FitResult, name: str) -> float:
 
 
 def _regime(result: FitResult, radius: np.ndarray) -> str | None:
-    """Where the contacts are on the scale of the film, which says what they can feel."""
+    """Contact radii relative to the film thickness, which determine the sensitivity to film and substrate."""
     span = _ratio_range(result, radius)
     if span is None:
         return None
     low, high = span
     reach = f"a/h runs from {low:.3g} to {high:.3g}"
     if high < _SMALL_CONTACT:
-        return f"{reach}: the contacts are small against the thickness and hardly feel thickness and substrate"
+        return f"{reach}: the contacts are small against the thickness and hardly depend on thickness and substrate"
     if low > _LARGE_CONTACT:
-        return f"{reach}: the contacts are wide against the thickness and hardly feel the film; only its stiffness times thickness"
+        return f"{reach}: the contacts are wide against the thickness; of the film they show only its stiffness times thickness"
     if high < 0.5:
         return f"{reach}: larger contacts would distinguish the film from the substrate"
     if low > 0.3:
         return f"{reach}: smaller contacts would show the film alone"
-    return f"{reach}: film and substrate are both felt, so the noise limits the estimates"
+    return f"{reach}: the contacts depend on both film and substrate, so the noise limits the estimates"
 
 
 def _ratio_range(result: FitResult, radius: np.ndarray) -> tuple[float, float] | None:
@@ -170,15 +170,15 @@ def _pattern(result: FitResult) -> list[str]:
     words = []
     if result.is_without_noise and not result.noise_is_known:
         words.append(
-            "the residuals are no larger than the rounding of data and model: standard errors that are estimated from them say "
-            "nothing about those of real readings"
+            "the residuals are no larger than the rounding of data and model: standard errors estimated from them do not hold "
+            "for real readings"
         )
     elif result.departure > SMALL:
         widest = max(result.widening.values(), default=1.0)
         errors = f", widened up to {widest:.2g} times for correlated neighbours" if widest > 1.0 else ""
         words.append(
-            f"the model {result.misfit_words()}. What this does to the estimates is not in their standard errors{errors}: see "
-            "how far they move with the range that is fitted"
+            f"the model {result.misfit_words()}. The standard errors{errors} do not include its effect on the estimates: check "
+            "how much they change with the fitted range"
         )
     if result.hidden:
         words.append(
@@ -187,17 +187,17 @@ def _pattern(result: FitResult) -> list[str]:
         )
     ratio = f"chi-square/dof = {result.reduced_chi_square:.3g}"
     if result.scatter > 0:
-        words.append(f"the data lie further from the fit than their standard deviations say: {ratio}")
+        words.append(f"the data deviate from the fit by more than their standard deviations: {ratio}")
     elif result.scatter < 0:
         words.append(
             f"the standard deviations given are {result.excess_words()} the scatter of the data about the fit ({ratio}): they are "
-            "too large, or hold errors that all readings share. Standard errors and intervals are as large as they make them"
+            "too large, or include errors that all readings share. Standard errors and intervals are based on them"
         )
     return words
 
 
 def _tip(result: FitResult, radius: np.ndarray) -> list[str]:
-    """An ideal tip is an assumption that no data support: what a usual bluntness would do to the area."""
+    """Effect of a usual tip rounding on the area, if the tip is assumed to be ideal."""
     tip = result.indenter
     inclination = _inclination(tip)
     if inclination is None or isinstance(result.data, (ModulusRadius, StiffnessRadius)):
@@ -212,8 +212,8 @@ def _tip(result: FitResult, radius: np.ndarray) -> list[str]:
         return []
     return [
         f"the tip is taken as ideally sharp. A rounding of {_BLUNT * 1e9:.0f} nm, usual for a used tip, would make the contact "
-        f"area {100.0 * share:.0f} % larger in the middle of the depths, and the moduli wrong by about half of that or more; "
-        "nothing of it is in the errors. Use the area function of the tip's calibration, or a prior on area_factor"
+        f"area {100.0 * share:.0f} % larger in the middle of the depths, and the moduli wrong by about half of that or more. "
+        "The errors do not include this. Use the area function of the tip's calibration, or a prior on area_factor"
     ]
 
 
@@ -234,14 +234,14 @@ def _softer_than_base(result: FitResult) -> list[str]:
     return [
         f"{name} = {shown(result.values[name], MODULUS, 3)} is softer than what lies below, where the search began at "
         f"{shown(problem.table[0, problem.names.index(name)], MODULUS, 3)}: the readings are softer than the base would be without "
-        "the film. That says nothing of the film: look for a blunter or rougher tip, yield, a wrong contact point or radius, or a "
-        "softer base"
+        "the film. They do not determine the film: check for a blunter or rougher tip, yield, a wrong contact point or radius, or "
+        "a softer base"
         for name in names
     ]
 
 
 def _pile_up(result: FitResult) -> list[str]:
-    """What no contact depth sees: an unloading curve of the power 1.5 leaves h - 1.5 P/S behind."""
+    """Pile-up, which no contact depth includes: an unloading curve of the power 1.5 leaves a residual depth of h - 1.5 P/S."""
     data, tool = result.data, result.instrument
     if not isinstance(data, StiffnessDepth) or data.force is None or {"contact_depth_factor", "area_factor"} & set(result.names):
         return []
@@ -252,8 +252,8 @@ def _pile_up(result: FitResult) -> list[str]:
         return []
     return [
         f"the contact is plastic: about {100.0 * stays:.0f} % of the depth stay. Surfaces of materials that hardly harden then "
-        f"pile up: the area is up to 60 % larger than at any contact depth (Bolshakov and Pharr 1998), the modulus up to "
-        f"{100.0 * (math.sqrt(1.6) - 1.0):.0f} % too high, and nothing of it is in the errors. Look at an indent, or give "
+        f"pile up: the area is up to 60 % larger than at any contact depth (Bolshakov and Pharr 1998), and the modulus up to "
+        f"{100.0 * (math.sqrt(1.6) - 1.0):.0f} % too high. The errors do not include this. Inspect an indent, or give "
         "contact_depth_factor or area_factor a prior"
     ]
 
@@ -271,12 +271,12 @@ def _branches(result: FitResult, alone: np.ndarray) -> list[str]:
         return []
     return [
         f"{differs} of {len(data)} readings are in contact where the fitted model is apart, or apart where it is in contact: "
-        "pull-off or first touch lies elsewhere than the model says. They are fitted as what they are"
+        "pull-off or initial contact differs from that of the model. The fit uses the measured state of these readings"
     ]
 
 
 def _apart(data: ForceDepth) -> list[str]:
-    """Loading and unloading under one law that has but one way."""
+    """Loading and unloading, fitted by one law that is the same for both."""
     if data.branch is None or len(np.unique(data.branch)) < 2:
         return []
     ways = [data.on(branch) for branch in ("loading", "unloading")]
@@ -313,8 +313,8 @@ def _indent(result: FitResult, data: ForceDepth) -> list[str]:
         return []
     return [
         f"unloading gives back {percent(1.0 - lost)} of the work of loading and ends {shown(left, LENGTH, 3)} deeper, "
-        f"{percent(share)} of the depth: the body has yielded, or creeps. Its loading is fitted as elastic, so the modulus is too "
-        'low. Fit the shallow part, or the unloading curve, branch = "unloading" or kind = "unloading"'
+        f"{percent(share)} of the depth: the body has yielded, or creeps. The fit treats its loading as elastic, so the modulus is "
+        'too low. Fit the shallow part, or the unloading curve, branch = "unloading" or kind = "unloading"'
     ]
 
 

@@ -157,5 +157,5 @@ def _prior_precision(result: FitResult) -> Array:
 
 
 def _response(result: FitResult, name: str) -> Array:
-    """How far the estimate follows each prior."""
+    """The derivative of the estimate with respect to each prior."""
     return np.asarray((result.covariance @ _prior_precision(result))[result.names.index(name)])

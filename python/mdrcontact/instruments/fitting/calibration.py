@@ -58,7 +58,7 @@ def _mean(curves: Sequence[StiffnessDepth]) -> StiffnessDepth:
         force.append(np.interp(depth, c.x[order], c.force[order]))
         stiffness.append(np.interp(depth, c.x[order], c.y[order]))
     mean = np.mean(stiffness, axis=0)
-    # of few curves the scatter at one depth says little: its ratio to the stiffness is taken as the same along the curve
+    # few curves do not determine the scatter at one depth: its ratio to the stiffness is taken as constant along the curve
     scatter = np.sqrt(np.mean((np.std(stiffness, axis=0, ddof=1) / mean) ** 2))
     return StiffnessDepth(depth, np.mean(force, axis=0), mean, sd=np.maximum(scatter * mean / np.sqrt(len(curves)), 1e-6 * mean))
 

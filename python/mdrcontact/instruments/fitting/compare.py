@@ -53,9 +53,9 @@ class RankedModel(NamedTuple):
 
 
 _WRONG = 0.05
-"""A model whose E_eff is off by more is wrong at these contacts, however well it fits."""
+"""A model whose E_eff has a larger error is wrong at these contacts, however well it fits."""
 _CAUTION = (
-    "A low AIC says whose curve lies closest to the data, not which model is right: with its other numbers free a formula may "
+    "A low AIC identifies the curve closest to the data, not the correct model: with its other parameters free a formula may "
     "mimic a "
     "blunt tip, a wrong contact point or pile-up. The error of E_eff is that of each model against the exact solution of the "
     "same body."

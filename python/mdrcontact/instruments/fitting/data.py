@@ -24,7 +24,7 @@ _CLIPPED = 0.04
 _FINEST = 1e-15
 """Standard deviation over reading: less is less than the rounding of the reading, and leaves intervals that are none."""
 REVERSIBLE, _FEWEST_FOR_SLOPE = 0.05, 5
-"""How near to 1 the rise of the force over the integral of the stiffness must be, and from how many points on it says something."""
+"""Largest deviation from 1 of the rise of the force over the integral of the stiffness, and the fewest points for this test."""
 _RETURN = 0.2
 """A curve whose x goes back over this part of its range holds loading and unloading."""
 
@@ -52,7 +52,7 @@ class Data:
         if missing not in ("raise", "drop"):
             raise InvalidArgumentError(f"missing = {missing!r}: choose from 'raise', 'drop'")
         if sd is not None and relative_sd is not None:
-            raise InvalidArgumentError("sd and relative_sd say the same thing twice: keep one")
+            raise InvalidArgumentError("sd and relative_sd: both are standard deviations of the data. Give one of them")
         columns = {self.x_name: column_of(self.x_name, x), self.y_name: column_of(self.y_name, y)}
         if given is not None:
             columns[self.given_name] = column_of(self.given_name, given)

@@ -27,15 +27,15 @@ __all__ = ["GelFit", "fit_gel", "compare_drainages"]
 
 NAMES = ("shear_modulus", "nu", "diffusivity")
 _LOWEST, _HIGHEST = 0.0, 0.499
-"""Poisson's ratios between which one is sought."""
+"""Range of the search for Poisson's ratio."""
 _END = 0.55
-"""Answers of films change as 1/(1/2 - nu) does: polynomials of ln(_END - nu) follow them best."""
+"""Responses of films scale with 1/(1/2 - nu): polynomials of ln(_END - nu) interpolate them best."""
 _AGREE = 5e-5
-"""Of the largest reading: answers between the tables that are further from a table of their own are refused."""
+"""Largest error of an interpolated response, relative to the largest reading; a larger one raises an error."""
 _DECADES = np.linspace(-7.0, 5.0, 25)
 """Starts of the diffusivity, in powers of 10 of the squared contact radius over the duration."""
 _MOST = 100
-"""Readings that a start is sought with."""
+"""Number of readings used in the search for starting values."""
 _ROUNDS = 200
 """Of the search, at the most."""
 _STEP = 1e-5
@@ -146,8 +146,8 @@ def fit_gel(
     if "nu" in names:
         _check_between_tables(answers, gel.nu, gel.diffusivity)
     if "nu" in names and not _LOWEST < gel.nu < _HIGHEST:
-        fields["notes"] += (f"nu is at the end of its range, {gel.nu:.3g}: its interval is none",)
-    fields["notes"] += ("the drainage is no parameter: compare_drainages shows how far the numbers move with it",)
+        fields["notes"] += (f"nu is at the end of its range, {gel.nu:.3g}: it has no interval",)
+    fields["notes"] += ("the drainage is not a fit parameter: compare_drainages shows its effect on the estimates",)
     return GelFit(**fields, medium=body_of(medium, gel), drainage=drainage, fitted=search.model(found.u))
 
 
@@ -202,7 +202,7 @@ def _names(free: Iterable[str]) -> tuple[str, ...]:
 
 
 def _case(data: Any, indenter: Any) -> str:
-    """What kind of answer the data are; refuses what is not solved."""
+    """The kind of response in the data; raises an error for a kind that is not supported."""
     if isinstance(data, DynamicStiffness):
         if data.given is None or not len(data) or not (data.given == data.given[0]).all():
             raise InvalidArgumentError("radius: oscillations of gels are fitted at one contact radius")
@@ -213,8 +213,8 @@ def _case(data: Any, indenter: Any) -> str:
     if isinstance(indenter, Paraboloid) and isinstance(data, ForceTime) and held[0] > 0.0 and (held == held[0]).all():
         return "held"
     raise InvalidArgumentError(
-        "these data are not fitted on a gel: a flat punch takes ForceTime and DepthTime along any path, a paraboloid ForceTime at "
-        "one constant depth > 0, held from the first time on, and both DynamicStiffness; contacts that grow are not solved"
+        "these data cannot be fitted on a gel. A flat punch takes ForceTime and DepthTime along any path, a paraboloid ForceTime "
+        "at one constant depth > 0, held from the first time on. Both take DynamicStiffness. Growing contacts are not supported"
     )
 
 
@@ -227,7 +227,7 @@ def _radius(data: Any, indenter: Any) -> float:
 
 
 def _time_scale(data: Any, indenter: Any) -> float:
-    """A diffusivity with which a contact drains in the duration of the test, or a period."""
+    """A diffusivity for which the drainage of the contact takes as long as the test, or a period."""
     a = _radius(data, indenter)
     duration = 1.0 / float(data.x.max()) if isinstance(data, DynamicStiffness) else float(np.ptp(data.x))
     if not duration > 0.0:
@@ -253,11 +253,11 @@ def _place(nu: float) -> float:
 
 _PLACES = chebyshev.chebpts1(9)
 _TABLES = [_END - (_END - _HIGHEST) * ((_END - _LOWEST) / (_END - _HIGHEST)) ** (0.5 * (float(x) + 1.0)) for x in _PLACES]
-"""Poisson's ratios of which there are tables; the answers between are interpolated."""
+"""Poisson's ratios of the tables; responses between them are interpolated."""
 
 
 def _check_between_tables(shape: Any, nu: float, diffusivity: float) -> None:
-    """Refuses an interpolation that is not its source midway between the two tables around nu."""
+    """Raise an error if the interpolation is inaccurate midway between the two tables around nu."""
     edges = np.array([_LOWEST, *_TABLES[::-1], _HIGHEST])
     i = min(max(int(np.searchsorted(edges, nu)), 1), len(edges) - 1)
     between = float(0.5 * (edges[i - 1] + edges[i]))

@@ -147,7 +147,7 @@ class Estimate(NamedTuple):
 def solve(residuals: Residuals, start: Array, *, is_absolute: bool = False, unit: float = 1.0, **options: Any) -> Estimate:
     """Where the sum of squares is least.
 
-    residuals : where `is_absolute` in standard deviations; otherwise their size says how large those are
+    residuals : in standard deviations if `is_absolute`; otherwise their size determines the standard deviations
     unit : of the residuals in the search
     options : of SciPy's `least_squares`
     """

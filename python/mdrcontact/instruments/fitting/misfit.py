@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How far a fitted model departs from its data, as a part of what is measured."""
+"""The deviation of a fitted model from its data, as a part of what is measured."""
 
 from __future__ import annotations
 

@@ -33,7 +33,7 @@ _AXES = {
 _LINE = 84
 """Letters in a line of the title."""
 _BEFORE, _MARGIN = 2.0, 0.03
-"""How much of a baseline is shown, in depths of the contact, and what is left free beside it, of the width."""
+"""Length of baseline shown, in depths of the contact, and the margin next to it, as a fraction of the width."""
 _BLUE, _RED, _GREY, _PALE = "#0072B2", "#D55E00", "#707070", "#cccccc"
 
 

@@ -35,7 +35,7 @@ _SEEN: Mapping[type[Data], tuple[str, ...]] = {
 }
 """The numbers of the instrument that each kind of data depends on; all of elastic bodies depend on its indenter."""
 _BY_THE_LIBRARY = ("work_of_adhesion", "frame_compliance")
-"""Numbers that the library itself refuses with viscoelastic bodies, and says why."""
+"""Numbers for which the library itself raises an error with viscoelastic bodies."""
 LOSSES = words_of(_layout.FIT_LINEAR, _layout.FIT_HUBER, _layout.FIT_CAUCHY)
 
 
@@ -161,7 +161,7 @@ def make_problem(
         for name, value in zip(prior.names, prior.values, strict=True):
             table[3, names.index(name)] = value
     if not len(data):
-        raise InvalidArgumentError("too few points: there are none")
+        raise InvalidArgumentError("too few points: 0. A fit needs at least one")
     problem = record(
         _layout.fit_problem,
         data_kind=data.code,
@@ -183,7 +183,7 @@ def _set_or_free(name: str, instrument: Instrument, free: Mapping[str, Free]) ->
 
 
 def _check_seen(data: Data, instrument: Instrument, free: Mapping[str, Free]) -> None:
-    """Refuses numbers of the instrument that these data say nothing of, and that would be passed over."""
+    """Raise an error for numbers of the instrument that these data do not depend on and that would be ignored."""
     seen = next(names for kind, names in _SEEN.items() if isinstance(data, kind))
     in_time = isinstance(data, _IN_TIME)
     for name in dimensions(Instrument):
@@ -217,7 +217,7 @@ def _made_again(data: Data, given: tuple[Any, ...], table: NDArray[np.float64]) 
 
 
 def _is_elastic(data: Data, instrument: Instrument, free: Mapping[str, Free]) -> bool:
-    """Whether the surface sinks in as under the indenter itself: as the data say, or look where the contact depth is left alone."""
+    """Whether the surface sinks in as under the indenter itself: as the data state, or as found if the contact depth is default."""
     if not isinstance(data, StiffnessDepth):
         return False
     changed = [name for name in _OF_CONTACT_DEPTH if _set_or_free(name, instrument, free)]
@@ -239,7 +239,7 @@ def _missing_offset(refusal: Refusal, problem: Problem) -> str:
 
 
 def _named(refusal: Refusal, problem: Problem) -> Refusal:
-    """The library counts parameters and knows x and y; people know their names."""
+    """Translate an error of the library: it numbers parameters and calls data x and y, while users know names."""
     of_library, _, part = refusal.argument.partition(":")
     if of_library == "parameters" and refusal.entry:
         refusal.text += _missing_offset(refusal, problem)

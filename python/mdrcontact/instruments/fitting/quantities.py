@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What the parameters of a fit are called in words, and their values with units. Values are taken as SI."""
+"""Descriptions of the parameters of a fit, and their values with units. Values are taken as SI."""
 
 from __future__ import annotations
 
@@ -66,7 +66,7 @@ def _below(cls: type[Any]) -> Iterator[type[Any]]:
 
 
 _DIMENSIONS = {**dimensions(*_below(WithParameters), Instrument), **_ENGINEERING, "indenter_modulus": MODULUS}
-"""What classes say of their fields, and of arguments in the place of some."""
+"""Descriptions of the fields of classes, and of arguments that replace some of them."""
 
 
 def words_of(name: str) -> str:

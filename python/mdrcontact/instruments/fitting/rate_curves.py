@@ -32,7 +32,7 @@ _FEWEST = 5
 _RISEN = 0.85
 """Of the lowest force: from where it has risen to this on, readings are not fitted."""
 _LAGS = np.concatenate([np.linspace(0.0, 0.9, 91), np.linspace(0.9025, 0.99, 36)])
-"""Among which that of the noise is sought."""
+"""Range of the search for the level of the noise."""
 
 
 @dataclass(frozen=True, eq=False)

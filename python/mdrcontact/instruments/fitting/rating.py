@@ -16,7 +16,7 @@ from .result import FitResult
 _MISFIT, _NOISE, _ERROR = 0.1, 0.5, 0.5
 """At which nothing is left of the rating: parts of the force, of the force, of the estimate."""
 _LOUD, _VAGUE, _FEWEST, _HIDDEN = 0.2, 0.3, 10, 0.1
-"""Noise, standard error, readings in contact and misfit that may be noise, beyond which a curve says too little."""
+"""Limits of a usable curve: noise, standard error, readings in contact and a misfit that may be noise."""
 
 
 class Rating(NamedTuple):

@@ -52,7 +52,7 @@ def heading(words: str) -> str:
 
 
 def paragraph(words: str, doubt: bool = False) -> str:
-    """A paragraph; a doubt stands out."""
+    """A paragraph; `doubt` highlights it as a warning."""
     return f'<p class="doubt">{escape(words)}</p>' if doubt else f"<p>{escape(words)}</p>"
 
 

@@ -44,7 +44,7 @@ _NUMBERS = (
 _SHOWS = 3.09
 """Standard errors beyond which a pattern is unlikely."""
 _FEWEST_FREE = 2.0
-"""Degrees of freedom from which on residuals say something of the model."""
+"""Fewest degrees of freedom for which the residuals are evidence about the model."""
 _ROUNDING = 1e-8
 """Of the largest reading: the model itself is no more accurate."""
 
@@ -470,7 +470,7 @@ class FitResult:
             return "20 standard deviations from its prior: the data contradict it"
         if name.startswith("indenter.C"):
             return "at 0, below which there is no tip next to its apex: leave this term out"
-        return f"at the {end} end of what is allowed or searched: the data do not limit it, or it began too far away"
+        return f"at the {end} end of its range: the data do not limit it, or its starting value was too far away"
 
     @property
     def is_random(self) -> bool | None:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Whether data scatter about a fit as much as their standard deviations say."""
+"""Whether the scatter of data about a fit agrees with their standard deviations."""
 
 from __future__ import annotations
 

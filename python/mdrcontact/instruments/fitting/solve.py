@@ -114,7 +114,7 @@ def fit(
         if not isinstance(data, ForceDepth):
             raise InvalidArgumentError("contact_weight: it belongs to forces against depth")
         first = _fitted(make_problem(data, indenter, medium, free, *options))
-        # weights beside standard deviations that are not known are their ratios
+        # if the standard deviations are unknown, weights are their ratios
         absolute = bool(sd_is_absolute) and data.sd is not None
         options = (*options[:4], absolute, *options[5:])
         return fit_weighted(first, distance, moves, lambda part: make_problem(part, indenter, medium, free, *options), _fitted)

@@ -30,7 +30,7 @@ class _InTime(Data):
             raise InvalidArgumentError(f"entry {back[0] + 2} of time = {self.x[back[0] + 1]:.7g}: times must ascend")
 
     def _follow_path(self) -> tuple[float, float]:
-        """Puts straight pieces in the place of prescribed readings whose noise goes back and forth; how far the pieces lie from the
+        """Replace prescribed readings whose noise goes back and forth by straight pieces; the distance of the pieces from the
         readings (root mean square), and that as a part of their range. Readings of another kind of path are left as they are."""
         assert self.given is not None
         path = _rise_and_fall(self.x, self.given)
@@ -228,7 +228,7 @@ class DynamicStiffness(Data):
         self.branch = np.tile(np.array([_layout.STORAGE, _layout.LOSS], np.int32), len(w))[self._kept]
 
     def _check_order(self) -> None:
-        """Frequencies may stand in any order."""
+        """Frequencies may have any order."""
 
 
 def _rise_and_fall(time: Array, depth: Array) -> Array:

@@ -185,7 +185,7 @@ def _doubts(law: _Law, low: float, high: float, h: Array, p: Array, largest: flo
     if not _EXPONENTS[0] < law.exponent < _EXPONENTS[1]:
         words.append(
             f"the unloading curve has the power {law.exponent:.3g}; those of homogeneous bodies lie between {_EXPONENTS[0]} and "
-            f"{_EXPONENTS[1]}: look at its upper part for creep, drift or a pop-out, unless the film is much softer than its base"
+            f"{_EXPONENTS[1]}: check its upper part for creep, drift or a pop-out, unless the film is much softer than its base"
         )
     half = 0.5 * (low + high)
     h_half, p_half = _part(h, p, half * largest, high * largest)
@@ -206,7 +206,7 @@ def _doubts(law: _Law, low: float, high: float, h: Array, p: Array, largest: flo
 
 
 def _doubts_of_record(h: Array, p: Array, first: Segment) -> list[str]:
-    """Whether depths begin at contact, and the rows stand in the order of measurement, where loading is in the record."""
+    """Whether depths begin at contact and the rows are in the order of measurement, if loading is in the record."""
     rise, deepest = float(np.ptp(p)), float(np.ptp(h))
     if first.kind == "unloading" and p[0] > p.min() + _BEGINS[1] * rise:
         return ["the record begins with unloading: its first reading is taken as the largest force of the test"]
@@ -225,7 +225,7 @@ def _doubts_of_record(h: Array, p: Array, first: Segment) -> list[str]:
         )
     # work that goes in stays, or comes out in part
     if float(0.5 * (p[1:] + p[:-1]) @ np.diff(h)) < -_GAIN * rise * deepest:
-        words.append("unloading gives back more work than loading took: the rows seem to stand in reverse order")
+        words.append("unloading gives back more work than loading took: the rows seem to be in reverse order")
     return words
 
 

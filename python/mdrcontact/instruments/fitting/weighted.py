@@ -111,7 +111,7 @@ class _Weighted:
         return 0.5 * (low + high)
 
     def freed(self, found: FitResult) -> FitResult:
-        """The same estimates, with the errors that they have when the contact point and its weights move, too."""
+        """The same estimates, with errors that also include the change of the contact point and its weights."""
         problem = self.problem(found.values["depth_offset"], found)
         _, _, widening, bounds, direction, *_, summary = problem.answer()
         values = _begin(problem, found)
@@ -138,5 +138,5 @@ class _Weighted:
 
 
 def _begin(problem: Problem, result: FitResult) -> Array:
-    """What has been found, to go on from."""
+    """The values found, from which the search continues."""
     return np.array([result.values.get(name, value) for name, value in zip(problem.names, problem.table[0], strict=True)])
