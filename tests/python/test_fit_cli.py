@@ -75,7 +75,7 @@ def test_folder_reports_bad_curves_and_fits_the_rest(tmp_path, capsys):
         (
             "[fit.free]",
             '[[fit.joint_prior]]\nnames = ["coating.nu", "coating.nu"]\nvalues = [0.2, 0.3]\nsds = [0.1, 0.1]\n[fit.free]',
-            "name each parameter once",
+            "Name each parameter once",
         ),
         ("relative_sd = 0.01", 'force = "P"', "there is no column"),
         ("[data]", "[daten]", "data"),

@@ -112,7 +112,7 @@ def test_sheets_of_a_spreadsheet(tmp_path):
 
 
 BAD = {
-    "only its unit is missing": (table(["depth\tload", *POINT]).encode(), TableOptions(), "does not say its unit"),
+    "only its unit is missing": (table(["depth\tload", *POINT]).encode(), TableOptions(), "does not state its unit"),
     "no header": (table(POINT).encode(), TableOptions(), "columns ="),
     "decimal commas between commas": (b"depth [nm],load [mN]\n1,5,2,5\n2,5,3,5\n", TableOptions(), "decimal signs"),
     "some decimal commas between commas": (b"depth [nm],load [mN]\n1,2,5\n2,3,5\n", TableOptions(), "decimal signs"),

@@ -177,7 +177,7 @@ def test_a_path_on_a_film_by_rings(tmp_path, capsys):
 @pytest.mark.parametrize(
     ("titles", "columns", "keys", "words", "status"),
     [
-        ("depth [nm],shift", ([1, 2], [0, 1]), "", "the column 'shift' should be the shift, but does not say its unit", 2),
+        ("depth [nm],shift", ([1, 2], [0, 1]), "", "the column 'shift' should be the shift, but does not state its unit", 2),
         ("depth [nm],height [nm]", ([1, 2], [0, 1]), "", "no column is the shift or tangential_force", 2),
         ("depth [nm],shift [nm]", ([1, -2], [0, 1]), "", "depth = -2 nm in row 2 of the numbers: it must be", 2),
         ("depth [nm],shift [nm]", ([0, 0], [0, 1]), "", "never touch", 2),

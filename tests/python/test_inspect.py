@@ -57,7 +57,7 @@ def test_what_the_file_says_stands_in_the_problem_file(tmp_path, capsys):
     path.write_bytes(instruments.optics11())
     assert main(["inspect", str(path)]) == 0
     out = capsys.readouterr().out
-    assert 'radius = "27.5 um"  # the file says so' in out and "modulus by the maker's program, E_eff 156.01 Pa" in out
+    assert 'radius = "27.5 um"  # stated in the file' in out and "modulus by the maker's program, E_eff 156.01 Pa" in out
     assert "guessed in the problem file: the body" in out
 
 

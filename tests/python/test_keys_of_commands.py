@@ -117,7 +117,7 @@ def test_a_fit_refuses_what_it_would_pass_over(key, tmp_path):
 @pytest.mark.parametrize(
     ("kind", "keys", "words"),
     [
-        ("modulus-radius", 'radius = "a"\narea = "A"', "radius and area say the same thing twice"),
+        ("modulus-radius", 'radius = "a"\narea = "A"', "radius and area: both are the same quantity"),
         ("stiffness-radius", 'area = "A"\nradius_over_thickness = "x"\nthickness = "1 um"', "area and radius_over_thickness"),
         ("dynamic-stiffness", 'radius = "a"\ncontact_radius = "1 um"', "radius and contact_radius"),
         ("force-depth", 'depth = "h"\nheight = "z"', "depth and height"),

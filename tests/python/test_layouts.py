@@ -126,7 +126,7 @@ def test_lengths_of_atoms(tmp_path):
     assert column(table, "depth").values == pytest.approx(DEPTH * 1e-10)
     assert column(table, "force").values == pytest.approx(FORCE * 1e-9, abs=1e-13)
     (table,) = tables(tmp_path, lammps)
-    with pytest.raises(ProblemError, match="'v_depth' should be the depth, but does not say its unit"):
+    with pytest.raises(ProblemError, match="'v_depth' should be the depth, but does not state its unit"):
         column(table, "depth")
 
 
@@ -162,7 +162,7 @@ def test_text_of_jpk(tmp_path):
     assert column(table, "force").values[: len(FORCE)] == pytest.approx(1e-9 * FORCE)
     assert [(mark.row, mark.kind) for mark in table.marks] == [(0, "loading"), (11, "hold"), (22, "unloading")]
     assert {fact.name: fact.value for fact in table.facts} == {"spring_constant": 0.05, "deflection_sensitivity": 6e-8}
-    # volts become a force by what the file says
+    # volts become a force by the constants in the file
     (table,) = tables(tmp_path, text.replace("m N m s", "m V m s"))
     record = measured.record_of(
         Section({"kind": "force-depth"}, "data", measured.KNOWN), measured.Cantilever(), table, "force-depth"

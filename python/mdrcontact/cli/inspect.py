@@ -45,7 +45,7 @@ def run(arguments: argparse.Namespace) -> None:
     if "tests" in found.tables:
         print("\n".join([as_text(found.tables["tests"], left=1), *found.notes.values()]) + "\n")
     for fact in found.facts:
-        print(f"the file says: {fact}")
+        print(f"stated in the file: {fact}")
     if found.refusal:
         raise found.refusal
     print(listed(f'would be fitted as kind = "{found.inspection.kind}":', found.curves))

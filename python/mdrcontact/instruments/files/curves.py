@@ -33,15 +33,15 @@ class Curve(NamedTuple):
 
     name: str
     read: Callable[[], tuple[Data, list[str]]]
-    """its data, and what was understood"""
+    """its data, and notes on how the file was interpreted"""
     place: tuple[float, float] | None = None
     """column and row in a map"""
     position: tuple[float, float] | None = None
     """x and y there [m]"""
     facts: tuple[Fact, ...] = ()
-    """what the file says of the instrument"""
+    """the properties of the instrument that the file states"""
     record: Callable[[], Record] | None = None
-    """depth or height and force as they stand in the file, of records of an instrument"""
+    """depth or height and force as the file contains them, of records of an instrument"""
     number: int | None = None
     """of the curve, as a file of an AFM counts from 1"""
 
@@ -59,7 +59,7 @@ def curves(section: Section, cantilever: Cantilever, path: Path) -> list[Curve]:
     except ProblemError:
         known = _known_to_afmformats(section, cantilever, path) if kind in RECORDS else []
         if len(known) != 1:
-            # the words about the table are the better ones
+            # the message about the table is the more helpful one
             raise
         _check_keys_of_afm(section, path)
         return known
@@ -90,7 +90,7 @@ def first_notes(curves: Iterable[Curve]) -> list[str]:
 
 
 def _position(facts: Iterable[Fact]) -> tuple[float, float] | None:
-    """x and y that a header says."""
+    """x and y that a header states."""
     said = {fact.name: fact.value for fact in facts}
     return (said["position x"], said["position y"]) if {"position x", "position y"} <= set(said) else None
 

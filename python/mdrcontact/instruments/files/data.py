@@ -74,7 +74,7 @@ class NoCantilever(ProblemError):
 _FEWEST_STEPS, _TURNING = 5, 0.25
 """Steps, and the share of them in the rarer direction, by which rows are in no order."""
 OF_A_TABLE = (*ROLES, "columns", "units", "skip", "sheet", "leave_out", "decimal", "sd")
-"""Keys that say how a table is to be read."""
+"""Keys that describe how to read a table."""
 
 
 def check(section: Section) -> None:
@@ -83,7 +83,7 @@ def check(section: Section) -> None:
     section.only(KNOWN.keys_of("kind", kind), f"kind = {kind!r}")
     for group in KNOWN.at_most_one_of:
         if len(given := [key for key in group if key in section]) > 1:
-            raise ProblemError(f"[data]: {given[0]} and {given[1]} say the same thing twice: keep one")
+            raise ProblemError(f"[data]: {given[0]} and {given[1]}: both are the same quantity. Keep one of them")
     if "time" in section and kind in RECORDS and kind not in IN_TIME and "drift" not in section:
         raise ProblemError(f"[data]: kind = {kind!r} reads a time for drift alone: give drift, or leave time out")
     if "thickness" in section and "radius_over_thickness" not in section:
@@ -91,7 +91,7 @@ def check(section: Section) -> None:
 
 
 def read_data(section: Section, cantilever: Cantilever, table: MeasuredTable, kind: str) -> tuple[Data, list[str]]:
-    """The data of one table, and what was understood and done."""
+    """The data of one table, with notes on how it was interpreted."""
     if kind not in RECORDS:
         return _read_columns(section, table, kind)
     try:
@@ -103,7 +103,7 @@ def read_data(section: Section, cantilever: Cantilever, table: MeasuredTable, ki
 
 
 def table_options(section: Section) -> TableOptions:
-    """What [data] says of a table that does not say it itself."""
+    """Properties of a table that [data] states and the table does not contain."""
     columns = section.plain("columns", [])
     if not isinstance(columns, list) or not all(isinstance(title, str) and title for title in columns):
         raise ProblemError('[data]: columns must be a list of titles, as in columns = ["depth [nm]", "load [mN]"]')
@@ -216,7 +216,7 @@ def _read_columns(section: Section, table: MeasuredTable, kind: str) -> tuple[Da
     columns = [found[role].values[keep] for role in roles]
     if last == "stiffness" and _are_results(columns[0]):
         notes.append(
-            "the rows stand in no order, as in a table of results with one indent a row: one body is fitted to all of them; "
+            "the rows are not ordered, as in a table of results with one indent a row: one body is fitted to all of them; "
             'mdrcontact modulus with kind = "stiffness-depth" gives the modulus of each'
         )
     if "oscillation" in section:
@@ -264,14 +264,14 @@ def _loading(
 
 
 def _with_facts(cantilever: Cantilever, facts: Sequence[Fact]) -> Cantilever:
-    """The settings of the file where the problem says none."""
+    """The settings of the file where the problem has none."""
     said = {fact.name: fact.value for fact in facts}
     missing = [name for name in cantilever._fields if getattr(cantilever, name) is None]
     return cantilever._replace(**{name: said.get(name) for name in missing})
 
 
 def record_of(section: Section, cantilever: Cantilever, table: MeasuredTable, kind: str) -> Record:
-    """What a table holds, as it stands there, with the segments that it marks."""
+    """The unchanged content of a table, with the segments that it marks."""
     found: _Found = {}
     depth = height = time = None
     if "height" not in section and has(section, table, "depth") or not has(section, table, "height"):
@@ -292,7 +292,7 @@ def record_of(section: Section, cantilever: Cantilever, table: MeasuredTable, ki
     if "deflection" in section and "deflection" not in found:
         read = ", ".join(f"{role} {one.title!r}" for role, one in found.items())
         raise ProblemError(
-            f"[data]: deflection is not read, as the table has {read}: leave it out, or name the height of the piezo in place of a "
+            f"[data]: deflection is not read, as the table has {read}: leave it out, or name the height of the piezo instead of a "
             "depth"
         )
     _check_units(section, table, found)
@@ -324,7 +324,7 @@ def _check_units(section: Section, table: MeasuredTable, found: _Found) -> None:
 
 
 def _check_cantilever(cantilever: Cantilever, table: MeasuredTable, found: _Found) -> None:
-    """Refuses settings of the cantilever beside columns that need none of them; what the file says of it may be checked."""
+    """Raise an error for settings of the cantilever that no column needs; those that the file also states may be checked."""
     deflection = found.get("deflection")
     if cantilever.deflection_sensitivity is not None and (deflection is None or deflection.dimension is not VOLTAGE):
         raise ProblemError(
@@ -340,7 +340,7 @@ def _check_cantilever(cantilever: Cantilever, table: MeasuredTable, found: _Foun
 
 
 def data_of(section: Section, cantilever: Cantilever, record: Record, kind: str) -> tuple[Data, list[str]]:
-    """Data of a fit from a record, and what was understood and done."""
+    """Data of a fit from a record, with notes on how it was interpreted."""
     prepare(section, cantilever, record, kind)
     assert record.depth is not None
     keep = _between(section, {"depth": record.depth})
@@ -393,7 +393,7 @@ def has_deflection(section: Section, table: MeasuredTable) -> bool:
 
 
 def _force_of_deflection(section: Section, cantilever: Cantilever, table: MeasuredTable, found: _Found) -> Array:
-    """Spring constant times deflection, which stands in the file as a length or a voltage."""
+    """Spring constant times deflection, which the file contains as a length or a voltage."""
     if cantilever.spring_constant is None:
         raise NoCantilever('a deflection becomes a force by the spring constant: give [instrument] spring_constant = "0.2 N/m"')
     try:

@@ -136,12 +136,12 @@ class FitFile(NamedTuple):
     def _read(self, curve: files.Curve) -> tuple[Data, list[str]]:
         data, notes = curve.read()
         if curve.facts:
-            notes = [*notes, f"the file says: {', '.join(map(str, curve.facts))}"]
+            notes = [*notes, f"stated in the file: {', '.join(map(str, curve.facts))}"]
         data.warnings += [*self._contradictions(curve.facts), *self._other_tip(terms_of(curve.facts), data)]
         return data, notes
 
     def _contradictions(self, facts: Sequence[Fact]) -> list[str]:
-        """What the file and the problem say of one number, where they differ."""
+        """Numbers that differ between the file and the problem."""
         said = {"indenter.radius": getattr(self.indenter, "radius", None), "spring_constant": self.cantilever.spring_constant}
         words = []
         for fact in facts:
@@ -154,7 +154,7 @@ class FitFile(NamedTuple):
         return words
 
     def _other_tip(self, terms: Mapping[int, float], data: Data) -> list[str]:
-        """That the tip of the problem has another area than the file says, at the depths of the data."""
+        """That the tip of the problem has another area than the tip of the file, at the depths of the data."""
         if not terms or not isinstance(data, StiffnessDepth):
             return []
         height = 0.7 * float(np.median(data.x))
@@ -311,7 +311,7 @@ def _read(table: dict[str, Any], title: str) -> FitFile:
     else:
         fit.only([key for key in schema.OPTIONS if key != "drainage"], "a body without a fluid")
         if "contact_weight_rule" in fit and "contact_weight" not in fit:
-            raise ProblemError("[fit]: contact_weight_rule says how contact_weight counts: give that too, or leave it out")
+            raise ProblemError("[fit]: contact_weight_rule needs contact_weight. Give both, or leave it out")
         names = pattern_of(tip, body, instrument).names
         options = {key: fit.value(key) for key in schema.TAKEN if key in fit}
         if "joint_prior" in fit:
@@ -376,7 +376,7 @@ def _read_joint_prior(section: Section, names: list[str]) -> JointPrior:
                 f"[{section.path}]: {name!r} is not a parameter of this problem: {nearest(str(name), [n for n in names if n])}"
             )
     if len(set(chosen)) < len(chosen):
-        raise ProblemError(f"[{section.path}]: names say the same thing twice: name each parameter once")
+        raise ProblemError(f"[{section.path}]: names contains a parameter twice. Name each parameter once")
     columns = []
     for key in ("values", "sds"):
         given = section.plain(key)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What a file of measurements is, what would be fitted, and a problem file to begin with."""
+"""The kind of a file of measurements, the data for a fit, and a problem file to begin with."""
 
 from __future__ import annotations
 
@@ -37,12 +37,12 @@ from .start_file import BERKOVICH, Size, Start
 Array = NDArray[np.float64]
 
 _CANTILEVER = {"spring_constant": "0.2 N/m", "deflection_sensitivity": "50 nm/V"}
-"""Usual ones, to begin with where a file does not say its own."""
+"""Usual ones, as starting values if a file does not state its own."""
 _DIMENSIONS = {"spring_constant": STIFFNESS, "deflection_sensitivity": SENSITIVITY}
 _UNITS = (("depth", "nm"), ("height", "nm")), (("force", "uN"), ("deflection", "nm"))
-"""What a record has one of, and units to begin with where no title says one."""
+"""Roles that a record has once, and units to begin with if no title states one."""
 _THICKNESS = 500e-9
-"""Of a film of which the file says nothing [m]."""
+"""Thickness of a film that the file does not describe [m]."""
 _OVER_THICKNESS = re.compile(r"(a|radius|contact radius)\s*(/|over|_over_|_per_)\s*(h|t|thickness)", re.IGNORECASE)
 _REDUCED = re.compile(r"\s*(e_?r\b|reduced)", re.IGNORECASE)
 """A modulus of body and tip together; E_eff is that of the body."""
@@ -53,7 +53,7 @@ _SOFT = 1e8
 _APART = 0.05
 """Of the largest force: a record that begins with less begins before contact."""
 _FREE_READINGS, _CLEAR = 10, 3.0
-"""Readings before contact that say a force there, and standard errors by which it is not 0, or noises by which it is not level."""
+"""Fewest readings that determine the force before contact, and standard errors or noises beyond which it is not 0 or not level."""
 _MOVED = 0.02
 """Of the depth: contact that begins so far from 0."""
 _IN_TIME = "time"
@@ -65,11 +65,11 @@ _WIDEST = 9
 
 
 class Given(NamedTuple):
-    """What a file does not say itself."""
+    """Information that a file does not contain."""
 
     cantilever: Cantilever = Cantilever()
     data: Mapping[str, object] = MappingProxyType({})
-    """keys of [data] that say how a table is read"""
+    """keys of [data] that describe how to read a table"""
 
     @property
     def said(self) -> dict[str, str]:
@@ -79,7 +79,7 @@ class Given(NamedTuple):
 
 
 def given_by(path: Path) -> Given:
-    """What a problem file says of how a file of measurements is read."""
+    """Keys of a problem file that describe how to read a file of measurements."""
     table = parse_file(path)
     try:
         whole = {name: table.get(name, {}) for name in ("data", "instrument")}
@@ -170,10 +170,10 @@ def inspect_file(path: Path, given: Given | None = None) -> Inspection:
 
 
 def _curves(path: Path, given: Given) -> tuple[list[Curve], list[Record], Mapping[str, str]]:
-    """The curves of a file, their records, and what is taken for settings of the cantilever that it does not say."""
+    """The curves of a file, their records, and the values assumed for settings of the cantilever that it lacks."""
     section = _section(given, "force-depth")
     missing: MDRError | None = None
-    # what a file says itself is not to be guessed
+    # values that a file states are not guessed
     for names in ((), ("spring_constant",), ("deflection_sensitivity",), tuple(_CANTILEVER)):
         guessed = {name: _CANTILEVER[name] for name in names}
         if any(getattr(given.cantilever, name) is not None for name in names):
@@ -236,7 +236,7 @@ def _test(one: Curve, record: Record) -> Test:
 
 
 def _options(path: Path, given: Given, one: Curve, record: Record, test: Test) -> dict[str, object]:
-    """[data] for a file, from what is in it."""
+    """[data] for a file, from its content."""
     is_raw = record.depth is None
     in_time = next((note for note in record.notes if "a test of" in note), "")
     if is_of_afm(path):
@@ -289,7 +289,7 @@ def _depth(record: Record, facts: Sequence[Fact], cantilever: Cantilever) -> Arr
 
 
 def _size(tests: Sequence[Test]) -> Size:
-    """Of all tests; a height says how far the piezo moved, mostly without contact."""
+    """Of all tests; a height is the travel of the piezo, most of it without contact."""
     reached = (0.0 if test.along_name == "height" else float(test.along.max()) for test in tests)
     return Size(max(float(np.ptp(t.along)) for t in tests), max(float(np.ptp(t.force)) for t in tests), max(reached))
 
@@ -326,21 +326,21 @@ def _is_soft(test: Test) -> bool:
 
 
 def _has_stiffness(path: Path, given: Given) -> bool:
-    """Whether a table has stiffnesses beside depths and forces."""
+    """Whether a table has stiffnesses in addition to depths and forces."""
     section = _section(given, "stiffness-depth")
     tables = _tables_with(path, given, "stiffness")
     return any(np.isfinite(measured.column(section, table, "stiffness").values).sum() >= _FEWEST for table in tables)
 
 
 def _tables_with(path: Path, given: Given, role: str) -> list[MeasuredTable]:
-    """The tables of tests that have a column of this role, too."""
+    """The tables of tests that also have a column of this role."""
     section = _section(given, "stiffness-depth")
     tables = read_tables(path, measured.table_options(section))
     return [table for table in tables if measured.has(section, table, role) and fits(section, table, "unloading")]
 
 
 def _further_columns(path: Path, given: Given, kind: str) -> list[str]:
-    """What a kind reads beside depth and force, in the first test of a table."""
+    """Columns that a kind reads in addition to depth and force, in the first test of a table."""
     role = "stiffness" if kind == "stiffness-depth" else "time"
     if is_of_afm(path) or kind not in ("stiffness-depth", "force-time", "depth-time"):
         return []
@@ -359,7 +359,7 @@ def _of_columns(path: Path, given: Given, problem: ProblemError) -> Inspection:
     for kind, (_, roles) in measured.TABLES.items():
         options = _of_roles(_section(given, kind), tables[0], kind, roles)
         if options is not None:
-            # beside the columns, which the user may have named
+            # in addition to the columns, which the user may have named
             data, notes = measured.read_data(_section(Given(data=options), kind), given.cantilever, tables[0], kind)
             size = Size(_depth_of(kind, data), modulus=_modulus_of(kind, data))
             over = "radius_over_thickness" in options
@@ -388,7 +388,7 @@ def _of_roles(section: Section, table: MeasuredTable, kind: str, roles: Sequence
 
 
 def _modulus_of(kind: str, data: Any) -> float:
-    """E_eff in the middle of readings that say it; 0: they do not [Pa]."""
+    """E_eff in the middle of the readings; 0 if they do not determine it [Pa]."""
     if kind == "modulus-radius":
         return float(np.median(data.y))
     return float(np.median(data.y / (2.0 * data.x))) if kind == "stiffness-radius" else 0.0
@@ -408,7 +408,7 @@ def _without_titles(path: Path) -> list[MeasuredTable]:
 
 
 def _columns(table: MeasuredTable) -> str:
-    """The columns with their ranges, for a refusal."""
+    """The columns with their ranges, for an error message."""
     words = []
     for title, values in zip(table.titles, table.values.T, strict=True):
         finite = values[np.isfinite(values)]

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""From what an instrument recorded to depth and force of a contact, as [data] of a problem file says."""
+"""From the record of an instrument to depth and force of a contact, as described by [data] of a problem file."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ _PASSES = 3
 
 
 class Cantilever(NamedTuple):
-    """What turns a deflection into lengths and forces; None where the file does not say it."""
+    """Constants that convert a deflection into lengths and forces; None where the file does not state them."""
 
     deflection_sensitivity: float | None = None
     """[m/V]"""
@@ -58,9 +58,9 @@ class Record:
     height: Array | None
     time: Array | None
     notes: list[str]
-    """what was understood and done"""
+    """notes on how the record was interpreted"""
     warnings: list[str] = field(default_factory=list)
-    """doubts about it"""
+    """warnings about it"""
     sd: Array | None = None
     sign: int | None = None
     """of the height, 1 if it grows into the sample; None: to be found"""
@@ -73,7 +73,7 @@ class Record:
     also_free: tuple[str, ...] = ()
     """offsets that the fit finds, whether it names them or not"""
     segments: Sequence[Segment] | None = None
-    """as the file says them; None: to be found from the readings"""
+    """as the file states them; None: determined from the readings"""
     unused: list[tuple[Array, Array]] = field(default_factory=list)
     """depths and forces that are not used"""
     contact: int = 0
@@ -114,7 +114,7 @@ class Record:
             self.keep(kept)
 
     def turn_deflection(self) -> None:
-        """Gives a deflection, or its force, that falls as the tip is pressed the other sign; `sign` says that of a file known."""
+        """Gives a deflection, or its force, that falls as the tip is pressed the other sign; `sign` is that of a known file."""
         if self.depth is None and self.height is not None and self.sign is None and deflection_sign(self.height, self.force) < 0:
             self.force = -self.force
             self.notes.append("the deflection falls as the tip is pressed into the sample: its sign is turned")
@@ -131,7 +131,7 @@ class Record:
         noise = f"noise {shown(found.noise[0], LENGTH, 3)} and {shown(found.noise[1], FORCE, 3)}"
         if found.unsure:
             begins = ", ".join(str(found.segments[i].start) for i in found.unsure[:5])
-            noise += f"; unsure of what begins at reading {begins}: it is hardly more than the noise"
+            noise += f"; the segments that begin at reading {begins} are uncertain: they hardly exceed the noise"
         return found.segments, f"segments by their readings ({noise})"
 
     def counts(self) -> str:
@@ -140,7 +140,7 @@ class Record:
 
 
 def prepare(section: Section, cantilever: Cantilever, record: Record, kind: str) -> None:
-    """Depth from height, drift, contact point, baseline, pop-in and branch, in this order; says what it did."""
+    """Depth from height, drift, contact point, baseline, pop-in and branch, in this order; notes list each step."""
     columns = [v for v in (record.depth, record.force, record.height, record.time, record.sd) if v is not None]
     finite = np.all([np.isfinite(v) for v in columns], axis=0)
     if not finite.all():
@@ -157,7 +157,7 @@ def prepare(section: Section, cantilever: Cantilever, record: Record, kind: str)
         if len(strays):
             record.warnings.append(
                 f"{len(strays)} readings of the {what} lie far from both neighbours, the first is reading {strays[0]}: lost "
-                "digits, missing numbers written as 0, or rows out of order; look at the file"
+                "digits, missing numbers written as 0, or rows out of order. Check the file"
             )
     is_raw = record.depth is None
     if is_raw:
@@ -191,7 +191,7 @@ def _subtract_deflection(cantilever: Cantilever, record: Record) -> None:
         )
     assert record.height is not None
     record.depth = depth_from_height(record.height, record.force / cantilever.spring_constant, record.sign)
-    record.notes.append("depth from height less deflection; the moduli are in proportion to the spring constant")
+    record.notes.append("depth from height less deflection; the moduli are proportional to the spring constant")
 
 
 def _subtract_drift(section: Section, record: Record) -> None:
@@ -262,11 +262,11 @@ def _find_zero(section: Section, record: Record, is_raw: bool, kind: str) -> Non
     record.notes.append(f"contact point by {begins} ({SOURCES[begins]}), reading {contact}; {others}")
     if method == "fit":
         record.also_free = ("depth_offset", "force_offset")
-        record.notes.append("what is left of contact point and baseline is fitted: depth_offset and force_offset are free")
+        record.notes.append("the remaining offsets of contact point and baseline are free: depth_offset and force_offset")
 
 
 def _find_pulls(record: Record) -> None:
-    """Of a record with its baseline: what approach and retract say without a model."""
+    """Of a record with its baseline: results of approach and retract without a model."""
     depth, top = _depth(record), int(np.argmax(record.force))
     for name, part in (("jump-in", slice(0, top + 1)), ("pull-off", slice(top, None))):
         try:
@@ -344,8 +344,8 @@ def _choose_branch(section: Section, record: Record) -> None:
 
 
 def _choose_creep(record: Record) -> None:
-    """Of a creep test the readings from first contact to the end of the hold: without contact no force says the depth, and under a
-    falling force adhesion holds the contact."""
+    """Of a creep test the readings from first contact to the end of the hold: without contact no force determines the depth, and
+    under a falling force adhesion holds the contact."""
     segments, words = record.parts()
     top = int(np.argmax(record.force))
     end = next((s.start for s in segments if s.kind == "unloading" and s.start > top), len(record.force))

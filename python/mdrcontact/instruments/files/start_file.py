@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A problem file to begin with, for a file of measurements; what the measurements do not say is marked."""
+"""A problem file to begin with, for a file of measurements; values that the measurements do not contain are marked."""
 
 from __future__ import annotations
 
@@ -15,9 +15,9 @@ from ..reading.formats import Fact, terms_of
 
 MARK = "  # not in the file: put in yours"
 _RADIUS, _USUAL = 5e-6, 1e4
-"""Of a ball of which the file says nothing [m], and E of a body of which it says nothing [Pa]."""
+"""Radius of a ball [m] and E of a body [Pa] that the file does not describe."""
 _HARD = 70e9
-"""E of a body under a sharp tip of which the file says nothing [Pa]."""
+"""E of a body under a sharp tip that the file does not describe [Pa]."""
 BERKOVICH = 24.5
 """Projected area of a Berkovich tip over the square of its depth."""
 _HEIGHTS = 2.0
@@ -43,7 +43,7 @@ class Size(NamedTuple):
     reached: float = 0.0
     """depth of the contact, at most [m]"""
     modulus: float = 0.0
-    """E_eff that the readings say without a model [Pa]"""
+    """E_eff from the readings without a model [Pa]"""
 
 
 class Start(NamedTuple):
@@ -56,7 +56,7 @@ class Start(NamedTuple):
     size: Size
     facts: Sequence[Fact] = ()
     said: Mapping[str, str] = MappingProxyType({})
-    """[instrument], as the user says it"""
+    """[instrument], as given by the user"""
     guessed: Mapping[str, str] = MappingProxyType({})
     """[instrument], of which nothing is known"""
     marked: Sequence[str] = ()
@@ -77,7 +77,7 @@ class Start(NamedTuple):
             free.insert(1, "work_of_adhesion")
         lines = [f"# mdrcontact fit {self.name} --problem THIS.toml", f'title = "{title}"', ""]
         lines += [*self._indenter(kind), "", *self._medium(kind), ""]
-        lines += [f"# the file says: {fact}" for fact in self.facts]
+        lines += [f"# stated in the file: {fact}" for fact in self.facts]
         instrument = [*self._instrument(kind)]
         lines += ["[instrument]", *instrument, ""] if instrument else []
         lines += ["[data]", *(_line(key, value, key in self.marked) for key, value in self.data.items()), ""]
@@ -96,12 +96,12 @@ class Start(NamedTuple):
                 f'max_height = "{height}"',
             )
         else:
-            note = MARK if self._said_radius is None else "  # the file says so"
+            note = MARK if self._said_radius is None else "  # stated in the file"
             yield from ("[indenter]", 'shape = "sphere"', f'radius = "{shown(self.radius, LENGTH)}"{note}')
 
     @property
     def radius(self) -> float:
-        """Of a ball, as the file says, or one that can go as deep [m]."""
+        """Radius of a ball: that of the file, or one that allows the largest depth [m]."""
         guess = _RADIUS if self.size.reached <= _RADIUS else float(f"{_HEIGHTS * self.size.reached:.1g}")
         return guess if self._said_radius is None else self._said_radius
 
@@ -128,7 +128,7 @@ class Start(NamedTuple):
             yield f'material = {{ E = "{shown(modulus, MODULUS, 3)}", nu = 0.5 }}  # E is where the search begins'
 
     def _modulus(self, kind: str) -> float:
-        """Where the search begins: E that the readings say; of an incompressible half-space under a ball that the largest force
+        """Start of the search: E from the readings; of an incompressible half-space under a ball that the largest force
         presses to the largest depth (Hertz) [Pa]."""
         if self.size.modulus > 0.0:
             return self.size.modulus

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Text of the reasons why a fit may not be believed: no convergence, bounds, parameters that the data do not determine, patterns left."""
+"""Text of warnings about a fit: no convergence, bounds, parameters that the data do not determine, patterns left."""
 
 from __future__ import annotations
 

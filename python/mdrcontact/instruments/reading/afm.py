@@ -23,13 +23,13 @@ from .nanoscope import SIGNS, read_nanoscope
 from .nanosurf import read_nid
 
 _OWN: Mapping[str, Callable[[Path, Lever], list[AfmCurve]]] = {".nid": read_nid, ".spm": read_nanoscope}
-"""Readers of files that afmformats does not know."""
+"""Readers of files that afmformats does not support."""
 SUFFIXES = (".jpk-force", ".jpk-force-map", ".jpk-qi-data", ".jpk-qi-series", ".h5", ".ibw", ".tab", ".zip", *_OWN)
 """Endings of files that are no tables."""
 _NUMBERED = re.compile(r"\.\d{3}")
 """Endings that NanoScope gives its files."""
 TEXT_SUFFIXES = (".csv", ".txt")
-"""Endings of files that it may know where they are no plain tables."""
+"""Endings of files that it may support if they are no plain tables."""
 _HINTS = {
     ".zip": "; unpack it, and give the folder of its files",
     ".h5": "; of HDF5 only force curves that it wrote are read: export depth, force and time as text",
@@ -100,7 +100,7 @@ def read_afm(path: Path, spring_constant: float | None = None, deflection_sensit
 def _by_own(
     read: Callable[[Path, Lever], list[AfmCurve]], path: Path, given: Lever, refusal: FileError | None = None
 ) -> list[AfmCurve]:
-    """The curves of a reader, with refusals that name the file. refusal : that of another reader, which damage keeps"""
+    """The curves of a reader, with errors that name the file. refusal : error of another reader, raised if the file is damaged"""
     try:
         return read(path, given)
     except MDRError as problem:
@@ -117,7 +117,7 @@ def _by_afmformats(path: Path, lever: Lever) -> list[AfmCurve]:
         afmformats: Any = importlib.import_module("afmformats")
     except ImportError as problem:
         raise MDRError(f'{path}: files of this kind need afmformats: pip install "mdrcontact[afm]"') from problem
-    # they log what they raise, one of them with all of the file
+    # they log their errors, one of them with the whole file
     for name in ("afmformats", "igor2"):
         logging.getLogger(name).setLevel(logging.CRITICAL + 1)
     given = {"spring constant": lever.spring_constant, "sensitivity": lever.sensitivity}
@@ -125,7 +125,7 @@ def _by_afmformats(path: Path, lever: Lever) -> list[AfmCurve]:
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("ignore")
-            # what NumPy says of a text without numbers, which is no curve
+            # the warning of NumPy about a text without numbers, which is no curve
             warnings.filterwarnings("error", message=".*no data")
             try:
                 loaded = afmformats.load_data(path)
@@ -153,7 +153,7 @@ def _curve(data: Any, chosen: dict[str, float]) -> AfmCurve:
     meta = data.metadata
     if "sensitivity" in chosen and not meta.get("sensitivity"):
         raise MissingSettings(
-            "deflection_sensitivity: the file has forces and does not say by which sensitivity; leave it out, and "
+            "deflection_sensitivity: the file has forces and does not state their sensitivity. Leave it out, and "
             "correct the spring_constant"
         )
     # forces are deflection [V] times sensitivity times spring constant
@@ -185,7 +185,7 @@ def _curve(data: Any, chosen: dict[str, float]) -> AfmCurve:
 
 
 def numbered(curves: Sequence[tuple[Any, AfmCurve]]) -> list[AfmCurve]:
-    """The curves in the order in which the file counts them; in the order in which they stand where it does not."""
+    """The curves in the order in which the file counts them; in the order of the file where it does not."""
     counts = [count for count, _ in curves]
     known = all(isinstance(count, (int, np.integer)) for count in counts) and len(set(counts)) == len(counts)
     found = [one._replace(number=int(count) + 1 if known else i) for i, (count, one) in enumerate(curves, start=1)]

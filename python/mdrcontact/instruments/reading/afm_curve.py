@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""One force curve of an atomic force microscope, whatever file it comes from."""
+"""One force curve of an atomic force microscope, from any file."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ Array = NDArray[np.float64]
 
 
 class MissingSettings(FileError):
-    """The file does not say what a cantilever's deflection means."""
+    """The file does not state the constants of the cantilever's deflection."""
 
 
 class AfmCurve(NamedTuple):
@@ -51,7 +51,7 @@ class Phase(NamedTuple):
 
 
 class Lever(NamedTuple):
-    """What a file, or a problem in its place, says of the cantilever."""
+    """Properties of the cantilever, from the file or the problem file."""
 
     spring_constant: float | None
     """[N/m]"""

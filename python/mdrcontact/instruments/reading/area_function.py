@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""The area function of a tip, A = C0 h^2 + C1 h + C2 h^(1/2) + ..., as headers of instruments say it."""
+"""The area function of a tip, A = C0 h^2 + C1 h + C2 h^(1/2) + ..., as headers of instruments state it."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def power_of_term(i: int) -> float:
 
 
 def find_terms(lines: Sequence[Sequence[str]]) -> list[float]:
-    """C0, C1, ... in SI units, up to the last that is not 0; empty where the lines say no area function."""
+    """C0, C1, ... in SI units, up to the last that is not 0; empty if the lines contain no area function."""
     found: dict[int, float] = {}
     for i, value, unit in (*_in_words(lines), *_in_rows(lines)):
         length = next((size for sign, size in _UNITS.items() if re.match(rf"{sign}m\b", unit)), 1e-9)
@@ -62,7 +62,7 @@ def _in_words(lines: Sequence[Sequence[str]]) -> Iterator[tuple[int, float, str]
 
 
 def _in_rows(lines: Sequence[Sequence[str]]) -> Iterator[tuple[int, float, str]]:
-    """Terms whose values stand in the row below their names."""
+    """Terms whose values are in the row below their names."""
     for names, values in zip(lines[:-1], lines[1:], strict=True):
         for name, value in zip(names, values, strict=False):
             match = _NAME.fullmatch(name.strip())

@@ -32,7 +32,7 @@ class _Wave(NamedTuple):
 
 
 def read_waves(path: Path, given: Lever) -> list[AfmCurve]:
-    """The force curve of a wave of several channels, or of it and its partner. given : what the problem says of the cantilever"""
+    """The force curve of a wave of several channels, or of it and its partner. given : the cantilever in the problem"""
     wave = _load(path)
     columns, notes = dict(wave.columns), dict(wave.notes)
     if len(columns) == 1:
@@ -71,7 +71,7 @@ def read_waves(path: Path, given: Lever) -> list[AfmCurve]:
 
 
 def is_second(path: Path) -> bool:
-    """Whether a wave is the height whose deflection lies beside it: both are one curve."""
+    """Whether a wave is the height of a deflection in the same folder: both are one curve."""
     match = _CHANNEL.fullmatch(path.stem)
     return bool(match and _is_height(match[2]) and any(not _is_height(_channel(other)) for other in _partners(path)))
 
@@ -86,7 +86,7 @@ def _channel(path: Path) -> str:
 
 
 def _partners(path: Path) -> list[Path]:
-    """The waves beside a wave that have its name and another channel."""
+    """The waves in the folder of a wave that have its name and another channel."""
     match = _CHANNEL.fullmatch(path.stem)
     if match is None:
         return []

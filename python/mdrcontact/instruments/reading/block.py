@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Where in a file the numbers of a table stand."""
+"""Positions of the numbers of a table in a file."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ class Stretch(NamedTuple):
     """Rows that follow each other: their cells, or their numbers where all are finite."""
 
     lines: Sequence[int]
-    """where each stands in the file"""
+    """position of each in the file"""
     end: int
     """the line after the last"""
     rows: list[list[str]]
@@ -82,7 +82,7 @@ class Block:
         return int(2 * self.counts[self.first : self.last].sum() - self.used[self.first : self.last].sum())
 
     def line(self, row: int) -> int:
-        """Where a row stands in the file."""
+        """Position of a row in the file."""
         part = next(part for part in self.parts if row < part.last)
         return part.stretch.lines[row - part.first]
 
@@ -153,7 +153,7 @@ def _runs(file: Block) -> list[_Run]:
 
 
 def _counted(row: Sequence[str]) -> tuple[int, int, int]:
-    """How many cells are numbers, how many stand for missing ones, and how many are used, without empty ones at the end."""
+    """Counts of cells with numbers, of cells that mark missing numbers, and of used cells, without empty ones at the end."""
     numbers = gaps = used = 0
     for i, cell in enumerate(row, start=1):
         if not cell:

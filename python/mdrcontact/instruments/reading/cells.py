@@ -48,7 +48,7 @@ class Cells(ABC):
     name = ""
     """of the sheet"""
     notes: list[str]
-    """what was understood"""
+    """notes on how the file was interpreted"""
     by_blanks = False
     """whether blanks separate the columns: a missing cell then leaves no trace"""
 
@@ -62,7 +62,7 @@ class Cells(ABC):
 
     @abstractmethod
     def place(self, line: int) -> str:
-        """Where a line stands in the file."""
+        """Position of a line in the file."""
 
     def shows_point(self, line: int) -> bool:
         """Whether a point in this line can only be a decimal one."""
@@ -77,7 +77,7 @@ class Cells(ABC):
         return []
 
     def between(self, parts: Iterable[Part], first: int, last: int) -> Iterator[tuple[int, int, list[str]]]:
-        """Those of rows first ... last - 1 that stand in some parts of the file: number, line, cells."""
+        """Those of rows first ... last - 1 that are in some parts of the file: number, line, cells."""
         for part in parts:
             begin, end = max(first - part.first, 0), min(last, part.last) - part.first
             if begin < end:
@@ -235,7 +235,7 @@ def _old_sheets(content: bytes) -> dict[str, _Rows]:
 
 
 def is_spreadsheet(path: Path, content: bytes) -> bool:
-    """Whether a file is to be read as a spreadsheet; instruments write text under the name .xls, too."""
+    """Whether to read a file as a spreadsheet; instruments also write text under the name .xls."""
     is_named = path.suffix.lower() in SHEETS
     return is_named and (content.startswith((*_OLD_SPREADSHEET, _NEW_SPREADSHEET)) or b"\0" in content[:4096] or not content)
 
@@ -273,7 +273,7 @@ def _is_passed_over(line: str) -> bool:
 
 
 def _like_ascii(text: str) -> str:
-    """Signs that stand for others as those; blanks that cannot break, within a number, as apostrophes."""
+    """Replace typographic variants of signs by plain ones, and non-breaking blanks within a number by apostrophes."""
     if text.isascii():
         return text
     return like_ascii(re.sub("(?<=[0-9])[\xa0\N{THIN SPACE}\N{NARROW NO-BREAK SPACE}](?=[0-9]{3})", "'", text))
@@ -335,7 +335,7 @@ def _best_separator(lines: Sequence[str]) -> str:
         except csv.Error:  # a cell without end
             continue
         block = find_block([Stretch((), 0, rows)])
-        # commas may be decimal ones, unless they separate the titles too
+        # commas may be decimal ones, unless they also separate the titles
         is_clear = separator in "\t;" or separator == "," and block.first > 0 and len(rows[block.first - 1]) == block.width
         if is_clear and block.width > 1 and block.pure[block.first : block.last].all():
             # blanks and commas within its cells make groups of thousands

@@ -32,16 +32,16 @@ from .values import read_values
 
 _NO_NUMBER = 1e300
 _ROUNDED = 1e-3
-"""Of the largest deflection: what digits that are left out may do."""
+"""Possible effect of omitted digits, relative to the largest deflection."""
 _SETTINGS = 200
-"""Rows of a sheet in which an area function of the tip may stand."""
+"""Rows of a sheet that may contain an area function of the tip."""
 _MANY_REPEATED, _MANY_OUTSIDE = 0.02, 0.05
-"""Of the rows: more that stand twice, or outside of the table, are no accident."""
+"""Fraction of the rows: more that occur twice, or outside of the table, are no accident."""
 
 
 @dataclass(frozen=True)
 class TableOptions:
-    """What a problem file may say about a table that does not say it itself."""
+    """Properties of a table that a problem file may give if the table lacks them."""
 
     columns: tuple[str, ...] = ()
     """titles of the columns in order, for a table without a header"""
@@ -56,7 +56,7 @@ class TableOptions:
 
 
 class MeasuredTable(NamedTuple):
-    """A table as it stands in the file: titles, units where a row of their own, the format or the problem file gives them, and
+    """A table as the file contains it: titles, units where a row of their own, the format or the problem file gives them, and
     numbers; cells that are no numbers are NaN."""
 
     path: Path
@@ -65,13 +65,13 @@ class MeasuredTable(NamedTuple):
     notes: list[str]
     units: Mapping[str, str]
     warnings: list[str]
-    """doubts about it"""
+    """warnings about it"""
     name: str = ""
     """of the sheet or the test, where the file has several"""
     marks: tuple[Mark, ...] = ()
     """of the instrument, in the order of the rows"""
     facts: tuple[Fact, ...] = ()
-    """what the file says of the instrument"""
+    """properties of the instrument that the file states"""
     is_named: bool = False
     """whether a problem names the file, of which errors then repeat nothing"""
     others: Mapping[str, str] = {}
@@ -85,7 +85,7 @@ class MeasuredTable(NamedTuple):
             raise ProblemError(f"{self.path}: there is no column {title!r}: {best}")
         unit = self.unit_of(own, dimension)
         if unit is None:
-            raise ProblemError(f"{self.path}: the column {title!r} does not say its unit: {self._remedy(own, dimension)}")
+            raise ProblemError(f"{self.path}: the column {title!r} does not state its unit: {self._remedy(own, dimension)}")
         return self.values[:, self.titles.index(own)] * (factor(unit, dimension) if unit else 1.0), unit
 
     def own(self, title: str) -> str | None:
@@ -98,7 +98,7 @@ class MeasuredTable(NamedTuple):
         return alike[0] if len(alike) == 1 else None
 
     def find(self, role: str, aliases: Sequence[str], dimension: Dimension) -> str:
-        """The column whose name, without unit, is one of the aliases and whose unit fits; a refusal names the true reason."""
+        """The column whose name, without unit, is one of the aliases and whose unit fits; an error states the true reason."""
         named = self.named(aliases, dimension)
         for title in sorted(named, key=lambda title: "measured" not in title.lower()):
             if self.unit_of(title, dimension) is not None:
@@ -107,7 +107,7 @@ class MeasuredTable(NamedTuple):
         named = [title for title in named if len(bare(title)) > 1 or title not in self.units and bare(title) in aliases]
         if named:
             raise ProblemError(
-                f"{self.path}: the column {named[0]!r} should be the {role}, but does not say its unit: "
+                f"{self.path}: the column {named[0]!r} should be the {role}, but does not state its unit: "
                 f"{self._remedy(named[0], dimension)}"
             )
         for title in self.titles:
@@ -170,8 +170,8 @@ def read_tables(path: Path, options: TableOptions | None = None) -> list[Measure
 
 
 def read_named(file: NamedFile) -> MeasuredTable:
-    """Reads the only table, or the first, of a file that a problem names. Errors say where something is wrong and repeat nothing of
-    it: it need not be a table."""
+    """Read the only table, or the first, of a file that a problem names. The file need not be a table, so errors name the place
+    and do not repeat its content."""
     content = file.content()
     try:
         return _parsed(file.path, content, TableOptions())[0]._replace(is_named=True)
@@ -182,7 +182,7 @@ def read_named(file: NamedFile) -> MeasuredTable:
 
 
 class _Kept(NamedTuple):
-    """A spreadsheet that was read, and what it was read by."""
+    """A spreadsheet that was read, and the options for it."""
 
     path: Path
     digest: bytes
@@ -223,7 +223,7 @@ def _chosen(path: Path, tables: list[MeasuredTable], name: str) -> list[Measured
 
 
 def _tables_of_sheets(path: Path, sheets: Sequence[Sheet], options: TableOptions) -> list[MeasuredTable]:
-    """The tables of all sheets that hold one; what is wrong with all of them is what is wrong with the longest."""
+    """The tables of all sheets that hold one; if all fail, the error of the longest is raised."""
     tables: list[MeasuredTable] = []
     faults: list[tuple[int, ProblemError]] = []
     for sheet in sheets:
@@ -355,11 +355,11 @@ def _two_of_a_title(table: MeasuredTable, place: int) -> ProblemError:
 
 
 def _joined(table: MeasuredTable, pairs: Mapping[int, int]) -> MeasuredTable:
-    """A table of one test whose way out stands beside the way in."""
+    """A table of one test whose unloading is in columns next to those of loading."""
     values, count = layouts.joined(table.values, pairs)
     titles = [table.titles[place] for place in pairs]
     others = {table.titles[out]: table.titles[into] for into, out in pairs.items()}
-    notes = [f"{table.notes[0]}; {count} rows of the way in, {len(values) - count} of the way out from the columns beside them"]
+    notes = [f"{table.notes[0]}; {count} rows of loading, {len(values) - count} of unloading from the columns next to them"]
     units = {title: unit for title, unit in table.units.items() if title in titles}
     marks = (Mark(0, "segment: extend"), Mark(count, "segment: retract")) if 0 < count < len(values) else ()
     whole = table._replace(
@@ -387,7 +387,7 @@ def _lever_of(table: MeasuredTable) -> list[Fact]:
 
 
 def _ratio(one: NDArray[np.float64], other: NDArray[np.float64]) -> float:
-    """By how much one column is a multiple of another; 0 where it is none."""
+    """The factor by which one column is a multiple of another; 0 if it is not one."""
     finite = np.isfinite(one) & np.isfinite(other)
     if not finite.any():
         return 0.0
@@ -416,7 +416,7 @@ def _check_rows(cells: Cells, block: Block) -> None:
 
 
 def _named(cells: Cells, header: Header, width: int, options: TableOptions) -> tuple[list[str], dict[str, str]]:
-    """Titles of the columns, and units that stand beside them."""
+    """Titles of the columns, and units next to them."""
     if options.columns:
         titles, row_of_units = list(map(words, options.columns)), width * [""]
         if len(titles) != width:
@@ -433,7 +433,7 @@ def _named(cells: Cells, header: Header, width: int, options: TableOptions) -> t
 
 
 def _doubts_outside(block: Block, read: int) -> list[str]:
-    """That rows of numbers stand outside of the tables; `read` of them belong to other tests."""
+    """Warning that rows of numbers are outside of the tables; `read` of them belong to other tests."""
     rows, outside = block.last - block.first, block.outside() - read
     if outside <= max(2, _MANY_OUTSIDE * rows):
         return []

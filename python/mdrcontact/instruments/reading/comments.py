@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Titles of columns, and their units, in lines that begin with # or stand one below the other."""
+"""Titles of columns, and their units, in lines that begin with #, or one title a line."""
 
 from __future__ import annotations
 
@@ -69,7 +69,7 @@ def _keyed(lines: Iterable[str], key: re.Pattern[str], width: int) -> Iterator[l
 
 
 def by_place(lines: Iterable[str], width: int) -> list[str]:
-    """Titles that stand one below the other with their places, counted from 0 or 1."""
+    """Titles, one a line, with their columns, counted from 0 or 1."""
     found = {int(match[1]): match[2].strip(" \"'") for line in lines if (match := _BY_PLACE.fullmatch(line.strip()))}
     for first in (1, 0):
         places = range(first, first + width)
@@ -79,5 +79,5 @@ def by_place(lines: Iterable[str], width: int) -> list[str]:
 
 
 def are_words(row: Sequence[str]) -> bool:
-    """Whether a row has a cell that is neither a number nor stands for one."""
+    """Whether a row has a cell that is neither a number nor a mark of a missing one."""
     return not all(is_gap(cell) or is_number(cell) for cell in row)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Formats of instruments: what their headers say, and files that are refused by name with the way to export them."""
+"""Formats of instruments: facts in their headers, and unsupported files with instructions for their export."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ from .area_function import dimension_of_term, find_terms
 
 
 class Fact(NamedTuple):
-    """A number that a file says of its instrument, SI units."""
+    """A property of the instrument that a file states, SI units."""
 
     name: str
-    """"indenter.radius", "spring_constant", or what it is in words"""
+    """"indenter.radius", "spring_constant", or a description"""
     value: float
     dimension: Dimension
 
@@ -37,12 +37,12 @@ class Format(NamedTuple):
     sign: str
     """pattern of such a line"""
     units: Mapping[str, str] = {}
-    """of columns whose titles do not say them"""
+    """of columns whose titles do not state them"""
     numbers: tuple[tuple[str, str, float, Dimension], ...] = ()
     """name, pattern before the number, its unit in SI, dimension"""
 
     def facts(self, header: Sequence[Sequence[str]]) -> tuple[Fact, ...]:
-        """What the header says."""
+        """The facts in the header."""
         lines = [" ".join(row) for row in header]
         found = []
         for name, pattern, unit, dimension in self.numbers:
@@ -116,7 +116,7 @@ def recognise(header: Sequence[Sequence[str]]) -> Format | None:
 
 
 class _Foreign(NamedTuple):
-    """Files that are not read: endings or first bytes, what they are, and what to do."""
+    """Unsupported files: endings or first bytes, name and remedy."""
 
     name: str
     suffixes: str
@@ -147,9 +147,9 @@ _FOREIGN = (
 
 
 def refuse_foreign(path: Path, content: bytes) -> None:
-    """Raises for a file of a format that is not read, and says how to export it."""
+    """Raise an error for a file of an unsupported format, with instructions for its export."""
     for one in _FOREIGN:
         is_named = re.fullmatch(one.suffixes, path.suffix.lower()) and (not one.begins or b"\0" in content[:4096])
-        # a header may stand above numbers in text
+        # a header may precede numbers in text
         if is_named or one.begins and content.startswith(one.begins) and b"\0" in content:
             raise ProblemError(f"{path}: {one.name} is not read: {one.remedy}")

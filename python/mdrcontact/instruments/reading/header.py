@@ -15,7 +15,7 @@ from .units import is_any_unit
 
 
 class Header(NamedTuple):
-    """What stands above a table."""
+    """The lines above a table."""
 
     rows: list[list[str]]
     """cells of the lines that are no comments"""
@@ -35,7 +35,7 @@ def above(cells: Cells, block: Block, begin: int) -> Header:
 
 
 def titles_above(cells: Cells, block: Block) -> list[str]:
-    """The words of the last line above a block that is no line of units."""
+    """The text of the last line above a block that is no line of units."""
     for row in reversed(above(cells, block, max(block.first - 2, 0)).rows):
         if not _units_of(row):
             return row
@@ -45,7 +45,7 @@ def titles_above(cells: Cells, block: Block) -> list[str]:
 def read_header(cells: Cells, header: Header, width: int, known: Container[str]) -> tuple[list[str], list[str]]:
     """Titles and units of the columns: a line of titles, and perhaps one of units below it; comments where there is none.
 
-    known : titles whose units a problem file says
+    known : titles whose units a problem file gives
     """
     titles, units = _of_rows(header.rows, width, width if cells.by_blanks else width + 1)
     if not titles:
@@ -92,12 +92,12 @@ def _units_of(row: Sequence[str]) -> list[str]:
 
 
 def _checked(cells: Cells, titles: list[str], units: Sequence[str], known: Container[str]) -> list[str]:
-    """The titles, with units that stand twice compared."""
+    """The titles; units that occur twice are compared."""
     for place, (title, unit) in enumerate(zip(titles, units, strict=False), start=1):
         own = bracketed(title)
         if unit and own and own != unit and is_any_unit(own) and title not in known:
             raise ContentError(
-                f"{cells.path}: the unit of the column {title!r} is {unit!r} in the row below the titles: say which it is in the "
+                f"{cells.path}: the unit of the column {title!r} is {unit!r} in the row below the titles: give one in the "
                 f'problem file: [data] units = {{ "{title}" = "{own}" }}',
                 f"{cells.path}: the title of column {place} and the row below the titles have two units: keep one",
             )

@@ -136,7 +136,7 @@ def _are_equal(one: Array, other: Array) -> bool:
 
 
 def in_and_out(titles: Sequence[str]) -> Mapping[int, int]:
-    """For each column of the way in that of the way out, by the words for them in their titles; empty where not all have one."""
+    """For each column of loading that of unloading, found by the titles; empty if one has none."""
     for words in DIRECTIONS:
         into, out = (re.compile(rf"(?<![^\W_]){word}(?![^\W_])", re.IGNORECASE) for word in words)
         plain = {out.sub("", title): place for place, title in enumerate(titles) if out.search(title)}

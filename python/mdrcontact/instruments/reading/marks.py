@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Marks of instruments: rows at which their files say that loading, a hold or unloading begins."""
+"""Marks of instruments: rows at which loading, a hold or unloading begins according to the file."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ _FEWEST = 20
 
 
 class Mark(NamedTuple):
-    """Words that stand beside a row of a table, counted from 0."""
+    """Words next to a row of a table, counted from 0."""
 
     row: int
     words: str

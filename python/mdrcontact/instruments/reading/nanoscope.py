@@ -35,7 +35,7 @@ class _List(NamedTuple):
 
 
 def read_nanoscope(path: Path, given: Lever) -> list[AfmCurve]:
-    """The force curve of a file. given : what the problem says of the cantilever"""
+    """The force curve of a file. given : properties of the cantilever in the problem"""
     content = content_of(path)
     head, mark, _ = content.partition(_END)
     if not mark or not content.startswith(SIGNS):
@@ -89,7 +89,7 @@ def _readings(keys: Mapping[str, str], lists: Sequence[_List], content: bytes) -
     out = next((int(one.keys["Samps/line, retrace"]) for one in lists if "Samps/line, retrace" in one.keys), counts[0])
     into = sum(counts) - out if len(counts) > 1 else counts[0]
     begin, length = int(keys["Data offset"]), int(keys["Data length"])
-    # the header says 2 bytes where there are 4
+    # the header states 2 bytes where there are 4
     size = length // max(into + out, 1)
     if size not in (2, 4) or into < 2 or out < 0 or begin + size * (into + out) > len(content):
         raise FileError(f"its data have {length} bytes for {into} and {out} readings, or end before: {_EXPORT}")

@@ -48,7 +48,7 @@ class _Channel(NamedTuple):
 
 
 def read_nid(path: Path, given: Lever) -> list[AfmCurve]:
-    """The force curves of a file. given : what the problem says of the cantilever"""
+    """The force curves of a file. given : properties of the cantilever in the problem"""
     head, mark, numbers = content_of(path).partition(_BEGIN)
     if not mark or not head.startswith(b"[DataSet]"):
         raise FileError("it is no .nid file: it does not begin with data sets")
@@ -64,7 +64,7 @@ def read_nid(path: Path, given: Lever) -> list[AfmCurve]:
     factor = lever.force_per("V") / own.force_per("V") if unit == "N" and given != (None, None) else 1.0
     factor = factor if unit == "N" else lever.force_per(unit)
     notes = [f"Nanosurf .nid: {_DEFLECTION.lower()} in {unit}, {lines} curves"]
-    notes += [f"forces times {factor:.4g}, for what [instrument] says"] if unit == "N" and factor != 1.0 else []
+    notes += [f"forces times {factor:.4g}, according to [instrument]"] if unit == "N" and factor != 1.0 else []
     return [_curve(channels, i, factor, lever, notes) for i in range(lines)]
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Numbers as they stand in tables: decimal points and commas, groups of thousands, and what stands for a missing number."""
+"""Numbers as tables contain them: decimal points and commas, groups of thousands, and marks of missing numbers."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ import re
 from typing import Any
 
 _GAPS = ("", "-", "--", "---", "n/a", "#n/a", "null", "none", "1.#qnan", "1.#ind", "-1.#ind")
-"""What stands in tables where a number is missing, besides nan and inf."""
+"""Marks of missing numbers in tables, in addition to nan and inf."""
 _ONE_MARK = re.compile(r"[+-]?([0-9]*)([.,])([0-9]*)([eEdD][+-]?[0-9]+)?")
 _GROUPED = re.compile(r"[+-]?[1-9][0-9]{0,2}([.,' ])[0-9]{3}(?:\1[0-9]{3})*(?:(?!\1)([.,])[0-9]*)?")
 _SWAP = str.maketrans(".,", ",.")
@@ -41,7 +41,7 @@ def mark_of(cell: str) -> str:
     grouped = _GROUPED.fullmatch(cell.strip())
     if grouped is None:
         return ""
-    # a mark that stands twice makes groups
+    # a mark that occurs twice separates groups
     return grouped[2] or grouped[1].translate(_SWAP).strip("' ")
 
 
@@ -68,7 +68,7 @@ def is_number(cell: str) -> bool:
 
 
 def is_gap(cell: str) -> bool:
-    """Whether a cell stands for a number that is missing."""
+    """Whether a cell marks a missing number."""
     cell = cell.strip().lower()
     if cell in _GAPS:
         return True

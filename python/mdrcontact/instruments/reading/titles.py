@@ -23,7 +23,7 @@ DIRECTIONS = (
     *(("Ex", "Rt"), ("Extend", "Retract"), ("Ext", "Ret"), ("Approach", "Retract"), ("App", "Ret"), ("Trace", "Retrace")),
     *(("Forward", "Backward"), ("Fwd", "Bwd"), ("Loading", "Unloading")),
 )
-"""Words of titles for the way in and the way out, which stand side by side."""
+"""Words of titles for loading and unloading in columns side by side."""
 _DIRECTION = re.compile(rf"(.+?)[ _](?:{'|'.join(word.lower() for words in DIRECTIONS for word in words)})")
 
 
@@ -75,13 +75,13 @@ def unit_in(title: str) -> tuple[str, str] | None:
 
 
 def bare(title: str) -> str:
-    """The name of a title whose unit stands elsewhere: without what is in brackets at its end."""
+    """The name of a title whose unit is given elsewhere: without what is in brackets at its end."""
     match = _WHOLE.fullmatch(title)
     return match[1] if match else title
 
 
 def bracketed(title: str) -> str:
-    """What stands in brackets at the end of a title."""
+    """The text in brackets at the end of a title."""
     match = _WHOLE.fullmatch(title)
     return match[2] if match else ""
 
@@ -97,7 +97,7 @@ def is_one_of(name: str, aliases: Sequence[str]) -> bool:
 
 
 def is_measured(title: str) -> bool:
-    """Whether a title is the name of what instruments measure, or has a unit in brackets."""
+    """Whether a title names a measured quantity, or has a unit in brackets."""
     match = _WHOLE.fullmatch(title)
     name, unit = (match[1], match[2]) if match else (title, "")
     return bool(unit and units.is_any_unit(unit)) or any(name.lower() in names for _, names in ROLES.values())

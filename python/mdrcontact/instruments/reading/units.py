@@ -45,7 +45,7 @@ _POWER = re.compile(r"(?<![\w^*-])([^\W\d_]+)(-?[1-4])(?![\w.])")
 
 
 def like_ascii(text: str) -> str:
-    """Signs that stand for others as those, of titles, units, and words."""
+    """Replace typographic variants of signs in titles, units and words by plain ones."""
     if text.isascii():
         return text
     for pattern, sign in _SPELLINGS:

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""From the cells of a table to numbers: one decimal mark for all of it, found from all of it."""
+"""From the cells of a table to numbers: one decimal mark for the whole table, found from all cells."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ class _Cell(NamedTuple):
 
 
 def read_values(cells: Cells, block: Block, titles: Sequence[str], decimal: str) -> NDArray[np.float64]:
-    """The numbers of a table, NaN where there is none; `decimal` is its decimal mark, "" if that is to be found."""
+    """The numbers of a table, NaN where there is none; `decimal` is its decimal mark, "" to find it."""
     shown = None if decimal else _evidence(cells, block, titles)
     mark = decimal or (mark_of(shown.text) if shown else ".")
     table = np.full((block.last - block.first, block.width), math.nan)
@@ -68,7 +68,7 @@ def _evidence(cells: Cells, block: Block, titles: Sequence[str]) -> _Cell | None
                 columns.add(j)
             elif mark:
                 return _Cell(line, j, cell)
-    # three decimals in every cell of a column are fixed digits, thousands stand beside smaller numbers
+    # three decimals in every cell of a column are fixed digits, thousands occur next to smaller numbers
     if doubtful is None or cells.shows_point(doubtful.line) and not columns & unmarked:
         return None
     text = doubtful.text.strip()
@@ -92,7 +92,7 @@ def _two_marks(cells: Cells, titles: Sequence[str], cell: _Cell, shown: _Cell | 
 
 
 def _place(cells: Cells, cell: _Cell) -> str:
-    """Where a cell stands, without a word of the file."""
+    """Position of a cell, without a word of the file."""
     return f"{cells.path}: {cells.place(cell.line)}, column {cell.column + 1}: it"
 
 

@@ -18,7 +18,7 @@ Array = NDArray[np.float64]
 METHODS = ("piecewise", "ratio-of-variances")
 SOURCES = {"piecewise": "Lin, Dimitriadis, Horkay 2007", "ratio-of-variances": "Gavara 2016"}
 FEWEST = 20
-"""Readings in which a contact point is looked for."""
+"""Fewest readings for the search for a contact point."""
 _WINDOW = 0.05
 """Of the points: those to either side whose variances are compared."""
 _CANDIDATES = 200

@@ -69,7 +69,7 @@ def find_pull(depth: ArrayLike, force: ArrayLike) -> Pull | None:
         return None
     level, noise = _far_away(d, f)
     at = int(np.argmin(f))
-    # of n readings the lowest is several standard deviations below by chance: its neighbours are low, too
+    # of n readings the lowest is several standard deviations below by chance: its neighbours are also low
     low = float(np.median(f[max(at - 1, 0) : at + 2]))
     pull = level - low
     return Pull(pull, float(d[at]), noise) if pull > max(_CLEAR * noise, 0.0) else None

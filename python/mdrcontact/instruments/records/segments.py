@@ -226,7 +226,7 @@ def segmentation(depth: ArrayLike, force: ArrayLike) -> Segmentation:
         return part.kind != "hold" and way < limit
 
     found = joined(parts)
-    # between two holds it is a ripple of one; beside one, of a few points or at one force, a part of it
+    # between two holds it is a ripple of one; next to one, of a few points or at one force, a part of it
     kinds, few = ["", *(s.kind for s in found), ""], max(2, len(d) // _SHORTEST) + 1
     holds = [(kinds[i] == "hold") + (kinds[i + 2] == "hold") for i in range(len(found))]
     inside = [
@@ -514,7 +514,7 @@ def drift_rate(time: ArrayLike, depth: ArrayLike) -> Drift:
     t, d = curve(time, depth, fewest=5)
     t, d = t[len(t) // 5 :], d[len(d) // 5 :]
     if np.ptp(t) == 0.0:
-        raise InvalidArgumentError("time is the same at all points of the hold: it says no rate")
+        raise InvalidArgumentError("time is the same at all points of the hold: it determines no rate")
     design = np.column_stack([np.ones_like(t), t - t.mean()])
     (_, rate), *_ = np.linalg.lstsq(design, d, rcond=None)
     left = d - d.mean() - rate * design[:, 1]
