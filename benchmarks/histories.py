@@ -66,7 +66,7 @@ def main():
     film = mdr.Coated(mdr.Viscoelastic(1.0, [(2.0, 0.5)], nu=0.5), 1.0, mdr.Viscoelastic(0.6, [(0.4, 2.0)], nu=0.3))
     layered, path = mdr.Contact(mdr.Paraboloid(1.0), film), np.linspace(0.0, 2.0, 201)
     marched = fastest(lambda: layered.history(path, depth=0.8 * np.minimum(path, 2.0 - path), tolerance=1e-4), rounds=3)
-    rows.append(("layers that do not relax in proportion, 200 samples, to 1e-4", marched, 0.5))
+    rows.append(("layers that do not relax proportionally, 200 samples, to 1e-4", marched, 0.5))
 
     coated, rate = mdr.Coated(mdr.Elastic(1.0, 0.5), 1.0, mdr.Elastic(100.0, 0.3)), mdr.adhesion.RateAdhesion(0.02, 1e-3, 0.33)
     turning = np.interp(np.linspace(0.0, 400.0, 1000), [0.0, 60.0, 80.0, 400.0], [-0.01, 0.05, 0.05, -0.6])

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""What MkDocs does not do by itself: formulas as MathML, which needs no network, links to the repository's files, and notebooks.
+"""Functions that MkDocs lacks: formulas as MathML, which needs no network, links to the repository's files, and notebooks.
 
 A formula stands between single dollar signs, or between double ones when it is displayed. `\\tag{2.1}` at the end of a displayed
 formula is its number: it appears at the right, and `#eq-2.1` leads to it. A block of code that is a file,

@@ -290,7 +290,7 @@ def wear(quick: bool) -> Any:
 
 
 def coatings(quick: bool) -> Any:
-    """A graphite layer and its isotropic readings; a film on interfaces that give; a skin under stress: modulus against radius."""
+    """A graphite layer and its isotropic readings; a film on compliant interfaces; a skin under stress: modulus against radius."""
     figure, axes = plt.subplots(1, 3, figsize=(12.0, 3.2), layout="constrained")
     a = np.geomspace(0.03, 30.0, 20 if quick else 80)
     graphite, silicon = mdr.CRYSTALS["graphite"].material, mdr.Elastic(163e9, 0.22)

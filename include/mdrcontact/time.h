@@ -46,7 +46,7 @@ int mdr_contact_history(const mdr_contact *c, int given, double tolerance, int n
 
 /** Compute the dynamic stiffness k* = k' + i k'' for small oscillations about a contact radius on a viscoelastic body. The energy
  *  dissipated per cycle is pi k'' times the amplitude squared. With MDR_MODEL_EXACT it is exact for all materials, power laws
- *  included; with other models for materials that relax proportionally.
+ *  included; with other models for proportional relaxation of all materials.
  *  @param c        contact; the shape of the indenter has no influence
  *  @param n        number of frequencies
  *  @param omega    [n] angular frequencies > 0; consecutive equal values save time [1/time]

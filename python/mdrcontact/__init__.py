@@ -10,7 +10,7 @@
     state = contact.at_depth([20e-9, 50e-9, 100e-9])    # States(depth, radius, force, ...)
 
 Further physics: `mdr.adhesion`, `mdr.conduction`, `mdr.lateral`, `mdr.poroelastic`, `mdr.time`, `mdr.wear`; measured data:
-`mdr.instruments`; functions of the source: `mdr.closed_forms`, `mdr.weights`.
+`mdr.instruments`; functions of Popov (2014): `mdr.closed_forms`, `mdr.weights`.
 
 Any consistent units: the descriptions give the unit of each number in brackets: [length], [modulus] (that of pressure),
 and forces are in [modulus length^2]; [1] has none. Equation numbers such as (10) are those of Popov (2014); the pages in

@@ -115,7 +115,7 @@ def _about(table: Table, sign: str) -> str:
     """Return the header of a table, in ASCII for old readers."""
     words = " ".join(table.description.replace("µ", "u").split()) or "compiled law"
     unit = "" if table.length == 1.0 else f"; lengths in {table.length:g} of the law's unit"
-    error = f"{table.depth.size} rows{unit}; F by linear interpolation is off by at most {table.error:.1e} of the largest |F|"
+    error = f"{table.depth.size} rows{unit}; F by linear interpolation has an error of at most {table.error:.1e} of the largest |F|"
     lines = [error, *textwrap.wrap(words.encode("ascii", "replace").decode(), 100)]
     return "".join(f"{sign} {line}\n" for line in lines)
 

@@ -42,8 +42,8 @@ _WARNINGS = {
 }
 """Warnings about a state, in the order of the library."""
 _DEVIATES = (
-    "displacements and stresses inside are off by about {:.1e} of the depth and of the largest pressure: by that they differ on "
-    "the surface from the displacement and the pressure of the contact"
+    "displacements and stresses inside have an error of about {:.1e} of the depth and of the largest pressure: "
+    "on the surface they differ by this from the displacement and the pressure of the contact"
 )
 
 
@@ -84,7 +84,7 @@ class StateWarnings:
                 off = (
                     "nor are depth and force: a plate does not follow a tip or a flank that no plate can take the shape of"
                     if _has_plate(states._owner.medium)
-                    else "F(d) is off by at most a few per cent where the coating is up to 200 times stiffer than the body"
+                    else "F(d) has an error of at most a few per cent where the coating is up to 200 times stiffer than the body"
                 )
                 text = (
                     f"this contact is not a single area: {fault} (contact radius {radii[place]:.3g}). Its pressure is not "

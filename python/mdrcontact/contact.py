@@ -438,7 +438,7 @@ class Contact(Value):
         Parameters
         ----------
         control : {"force", "depth"}, optional
-            What is prescribed while the bodies are drawn apart.
+            Quantity prescribed while the bodies are separated.
 
         Returns
         -------
@@ -458,7 +458,7 @@ class Contact(Value):
         Parameters
         ----------
         control : {"force", "depth", "spring"}
-            What is prescribed. "spring" prescribes the far end of a spring, as the base of an AFM cantilever.
+            Prescribed quantity. "spring" prescribes the far end of a spring, as the base of an AFM cantilever.
         largest : float
             Largest prescribed value, at which the motion turns back, > 0 [length], [modulus length^2] for "force".
         points : int, optional

@@ -33,7 +33,7 @@ class Maximum(NamedTuple):
     """
 
     value: float
-    """the stress, negative if all of it is compression [modulus]"""
+    """the stress, negative if only compression occurs [modulus]"""
     r: float
     """distance from the axis [length]"""
     z: float

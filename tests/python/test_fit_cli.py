@@ -116,7 +116,7 @@ def test_data_in_wrong_units_are_refused(tmp_path, capsys):
     data = tmp_path / "curve.csv"
     data.write_text((FOLDER / "sphere_on_oxide.csv").read_text().replace("[mN]", "[N]"))
     assert main(["fit", str(data), "--problem", str(FOLDER / "sphere_on_oxide.toml")]) == 1
-    assert "check the units" in capsys.readouterr().err
+    assert "Check the units" in capsys.readouterr().err
 
 
 def test_separators_and_decimal_commas(tmp_path, capsys):

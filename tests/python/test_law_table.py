@@ -27,7 +27,7 @@ def adhesive():
 
 def stated(text):
     """The error that a table names."""
-    return float(re.search(r"off by at most (\S+) of", text)[1])
+    return float(re.search(r"error of at most (\S+) of", text)[1])
 
 
 def rows(text):

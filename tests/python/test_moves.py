@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""How far a modulus moves with the range that is fitted, the branch and the contact point."""
+"""How far a modulus moves with the fitted range, the branch and the contact point."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def test_a_film_taken_for_a_half_space_moves():
     values = [move.value for move in found.ranges]
     assert values == sorted(values) and values[0] < 0.8 * values[-1]
     (line,) = found.summary()
-    assert line.startswith("modulus E moves by -") and "with the range that is fitted" in line
+    assert line.startswith("modulus E moves by -") and "with the fitted range" in line
     figure = found.plot()
     assert figure.axes[0].get_xlabel() == "end of the range: depth [µm]" and figure.axes[0].get_ylabel() == "modulus E [kPa]"
 

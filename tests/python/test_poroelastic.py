@@ -306,7 +306,7 @@ def test_a_fit_compares_its_tables_with_their_source(monkeypatch):
     data = mdi.ForceTime(
         time, held, mdr.poroelastic.history(mdr.Contact(tip, body), time, depth=held, drainage="sealed").force, sd=1e-6
     )
-    with pytest.raises(mdr.MDRError, match="fix nu"):
+    with pytest.raises(mdr.MDRError, match="Fix nu"):
         mdi.fit_gel(data, tip, body, gel.NAMES, drainage="sealed")
 
 

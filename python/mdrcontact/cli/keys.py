@@ -105,7 +105,7 @@ def _commented(line: str, comment: str) -> str:
 
 
 def _value(one: Field) -> str:
-    """Return a value as a file has it: the default, the first of the words, or an example."""
+    """Return a value as a file contains it: the default, the first choice, or an example."""
     if one.example:
         return one.example
     if one.is_boolean:

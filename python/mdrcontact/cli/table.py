@@ -70,7 +70,7 @@ def as_csv(table: Table) -> bytes:
 
 
 def _full(column: Column | Mixed | Words, row: int) -> str:
-    """Return a cell with all digits."""
+    """Return a cell in full precision."""
     if isinstance(column, Column) and row not in column.instead:
         return repr(float(column.unit.of(column.values[row])))
     return _cell(column, row)

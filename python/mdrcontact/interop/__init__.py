@@ -25,8 +25,8 @@ def numba_function(law: ContactLaw, branch: str = "unloading") -> Any:
 
 
 def jax_function(law: ContactLaw, quantity: str = "force", branch: str = "unloading") -> Any:
-    """A function of JAX that takes depths of any shape and returns F [modulus length^2], or U [modulus length^3], to the last
-    digits of the law's; NaN where the law raises. It has derivatives of any order and passes through jit, vmap, grad and hessian.
+    """A function of JAX that takes depths of any shape and returns F [modulus length^2], or U [modulus length^3], to the precision
+    of the law; NaN where the law raises. It has derivatives of any order and passes through jit, vmap, grad and hessian.
 
     quantity : "force" or "energy", whose gradient is F to the tolerance of the law
     branch : as in `numba_function`

@@ -71,7 +71,7 @@ class Medium(WithParameters):
         self: Self, layer: Callable[[Any], Any], substrate: Callable[[Any], Any], interface: Callable[[Any], Any] | None = None
     ) -> Self:
         """Return the same body of other materials, by functions of the material of a layer and of the substrate; interfaces also,
-        where that is given. All else stays: thickness, prestress, surface, model and options."""
+        where that is given. The rest does not change: thickness, prestress, surface, model and options."""
         return self
 
     def _relaxes(self) -> bool:

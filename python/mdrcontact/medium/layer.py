@@ -98,7 +98,7 @@ class Layer(WithParameters):
     ArgumentTypeError
         The material is not a material, or the interface is not an `Interface`.
     InvalidArgumentError
-        A layer that relaxes has a prestress.
+        A viscoelastic layer has a prestress.
 
     Examples
     --------

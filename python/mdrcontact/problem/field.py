@@ -41,7 +41,7 @@ class Field(NamedTuple):
     Words, files, booleans and tables have no `dimension`, numbers have `RATIO`. An absent key means `default` [SI units]; without
     a default the key is required unless `optional`. Instead of one of its `choices` a key can have a quantity or a table, if the
     field has one. `range` bounds a number, or each entry if there are `many`. A whole number is a multiple of `step`. The field
-    belongs to its table if one of the keys of `when` is there with one of the words, () for any value; the key "" is the kind of
+    belongs to its table if one of the keys of `when` is present with one of its values, () for any value; the key "" is the kind of
     a material. `example` is a value as a file has it, if neither dimension, default nor choices give one.
     """
 

@@ -39,7 +39,7 @@ def _bounds(allowed: Range) -> str:
 class Section:
     """One table of a problem file.
 
-    `known` has its keys: a `Table` of the schema, or a mapping with a `Dimension` for quantities, None or `RATIO` for all else. A
+    `known` has its keys: a `Table` of the schema, or a mapping with a `Dimension` for quantities, None or `RATIO` for the rest. A
     quantity has its unit in the value, radius = "500 nm", or in the key, radius_nm = 500. Files that it names are among `files`;
     None: it may not name files.
     """

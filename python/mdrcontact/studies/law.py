@@ -97,7 +97,7 @@ def law(
         notes[name] = f"{first} to {last}"
     notes["error"] = f"{found.error:.0e} relative, tolerance {found.tolerance:.0e}; {found.solutions} contact states"
     if found.sliders:
-        off = f"T off by {found.first_shear_error:.1%} of sliding in first shear"
+        off = f"error of T {found.first_shear_error:.1%} of sliding in first shear"
         notes["sliders"] = f"{found.sliders}, {found.memory_size} numbers a contact; {off}"
     return LawResult(
         title=problem.title,

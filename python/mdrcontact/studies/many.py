@@ -371,7 +371,7 @@ def _rows(curves: Sequence[Curve], results: Sequence[FitResult | FailedFit], fit
 
 
 def _estimates(curves: Sequence[Curve], results: Sequence[FitResult | FailedFit], fitted: Sequence[Fitted]) -> Table:
-    """Estimates and marks of each curve; a failure is a row with its reason."""
+    """Estimates and marks of each curve; a failure is a row with its error."""
     good = [one.fit for one in fitted]
     missing = {i: "" for i, result in enumerate(results) if isinstance(result, FailedFit)}
     columns: list[Column | Words] = [Words("file", [curve.name for curve in curves]), *_places(curves)]

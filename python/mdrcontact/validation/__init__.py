@@ -24,7 +24,7 @@ GROUPS: tuple[Group, ...] = (
     Group("inside", "Stresses inside", INSIDE),
     Group("adhesion", "Adhesion", ADHESION),
     Group("friction", "Friction", RUBBING),
-    Group("time", "Bodies that relax", RELAXING),
+    Group("time", "Viscoelastic bodies and gels", RELAXING),
     Group("conduction", "Heat and current", CONDUCTING),
     Group("wear", "Wear", WEARING),
     Group("products", "Laws, fits, composites", PRODUCTS),

@@ -50,7 +50,7 @@ class Check:
 
 
 def comparison(x_name: str, x: ArrayLike, here: ArrayLike, there: ArrayLike, scale: Any = None) -> Comparison:
-    """A comparison; the deviation is relative to each number of the source, unless a scale is given."""
+    """A comparison; the deviation is relative to each reference value, unless a scale is given."""
     at, ours, theirs = (np.atleast_1d(np.asarray(values, dtype=float)) for values in (x, here, there))
     return Comparison(x_name, at, ours, theirs, np.abs(theirs) if scale is None else scale)
 

@@ -77,7 +77,7 @@ LIMITS: tuple[Limit, ...] = (
     Limit("power-law grading", "exact", "exponent 1", lambda: PowerLawGraded(1.0, 1.0, 1.0, 0.3)),
     Limit("dimitriadis, garcia", "model", "a/h = 1.5", lambda: Contact(Paraboloid(5.0), _BONDED).at_radius(1.5)),
     Limit("dimitriadis, garcia", "model", "a cone", lambda: Contact(Cone(0.3), _BONDED).at_radius(0.1)),
-    Limit("adhesion with a range", _EXACT, "a model of the medium", lambda: Contact(
+    Limit("finite-range adhesion", _EXACT, "a model of the medium", lambda: Contact(
         Paraboloid(1.0), _FILM.with_model("gao"), work_of_adhesion=1.0, cohesive_stress=1.0).at_radius(0.1)),
     Limit("adhesion", "exact", "a viscoelastic body", lambda: Contact(Paraboloid(1.0), _RELAXING, work_of_adhesion=1.0)),
     Limit("stresses inside", "exact, to ten digits", "power-law grading", lambda: Contact(

@@ -161,7 +161,7 @@ _ACROSS = 3
 
 
 def figure(rows: Sequence[Row]) -> Any:
-    """A panel for each row that was run: circles are the source, crosses the library."""
+    """A panel for each row that was run: circles are the reference, crosses the library."""
     drawn_rows = [(row, row.found) for row in rows if row.found is not None]
     across, down = min(len(drawn_rows), _ACROSS), -(-len(drawn_rows) // _ACROSS)
     figure_class = importlib.import_module("matplotlib.figure").Figure

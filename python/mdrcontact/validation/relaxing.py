@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Bodies that relax: viscoelastic, and gels whose fluid drains."""
+"""Viscoelastic bodies, and gels whose fluid drains."""
 
 from __future__ import annotations
 
@@ -73,7 +73,7 @@ def oscillation() -> Comparison:
 
 
 def biot() -> Comparison:
-    """At once an incompressible body, at last its skeleton: F falls from 8 G a d to 4 G a d/(1 - nu)."""
+    """An incompressible body initially, its drained skeleton finally: F falls from 8 G a d to 4 G a d/(1 - nu)."""
     nu = np.array([0.0, 0.3])
     early, late = [], []
     for ratio in nu:
@@ -84,7 +84,7 @@ def biot() -> Comparison:
     both = np.repeat(nu, 2)
     x = np.concatenate([both, both + 0.6])
     there = np.concatenate([np.full(both.size, 8.0), 4.0 / (1.0 - both)])
-    return comparison("nu: at once, then at last", x, np.concatenate([early, late]), there)
+    return comparison("nu: initial, then final", x, np.concatenate([early, late]), there)
 
 
 def lai_hu() -> Comparison:

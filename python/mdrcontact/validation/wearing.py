@@ -17,7 +17,7 @@ _EIGENVALUE = 1.1577738837
 
 
 def limit() -> Comparison:
-    """Final force of fretting at constant depth: 2 E* (d c - c^3/(3 R)) that a disc of stick radius c keeps."""
+    """Final force of fretting at constant depth: 2 E* (d c - c^3/(3 R)) that a stick zone of radius c keeps."""
     contact, a, c = ball(), 0.1, np.linspace(0.005, 0.095, 10)
     worn, state = Wear(contact, 1.0), contact.at_radius(a)
     here = [float(worn.limit(state, radius).state.force) for radius in c]

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: GPL-3.0-or-later */
 /*
- * Whether the calling thread is to stop what it is doing, and how far it is. Both belong to the thread and live here because Fortran
+ * Cancellation and progress of the calling thread. Both belong to the thread and live here because Fortran
  * has no thread-local variables.
  */
 #include "mdrcontact.h"
@@ -18,7 +18,7 @@ static _Thread_local struct {
     int answer;
     /* in a thread that helps another one: whether that one was cancelled */
     const volatile int *helped;
-    /* who wants to know how far it is */
+    /* receives the progress */
     volatile double *progress;
 } cancel_state;
 

@@ -65,7 +65,7 @@ def _numbers(result: FitResult) -> dict[str, Any]:
 
 
 def _quantity(name: str, value: float) -> Any:
-    """A value with its unit, all digits kept."""
+    """A value with its unit, in full precision."""
     si = dimension_of(name).si
     return f"{value!r} {si}" if si else value
 

@@ -116,7 +116,7 @@ def _identifiability(result: FitResult, radius: np.ndarray) -> list[str]:
         regime = _regime(result, radius)
         weak = ", ".join(f"{name} {100.0 * change:+.0f}" for name, change in result.weakest_direction.items() if abs(change) > 0.02)
         if result.weakest < 0.05 and len(result.names) > 1:
-            words.append(f"the change that the data notice least (in proportion): {weak}")
+            words.append(f"the data determine this combination least (relative changes): {weak}")
         if regime:
             words.append(regime)
     return words

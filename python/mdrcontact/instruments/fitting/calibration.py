@@ -121,7 +121,7 @@ def _of_tests(result: FitResult) -> float:
 
 
 def words_of_tests(result: FitResult) -> list[str]:
-    """How far the tests of a calibration lie apart as wholes, where that is more than their readings scatter."""
+    """The systematic difference between the tests of a calibration, where that is more than their readings scatter."""
     tests = result.data.tests
     if tests is None or not _of_tests(result) > _APART * max(result.reduced_chi_square, 1.0):
         return []

@@ -265,8 +265,8 @@ def _check_between_tables(shape: Any, nu: float, diffusivity: float) -> None:
     off = float(np.max(np.abs(shape(None, between, diffusivity, slice(None)) - exact)) / np.max(np.abs(exact)))
     if not off <= _AGREE:
         raise NoConvergenceError(
-            f"the answers between the tables of {len(_TABLES)} Poisson's ratios are off by {off:.1e} at nu = {between:.3f}: more "
-            f"than is allowed, {_AGREE:g}; fix nu"
+            f"the responses between the tables of {len(_TABLES)} Poisson's ratios have an error of {off:.1e} at nu = "
+            f"{between:.3f}, which exceeds {_AGREE:g}. Fix nu"
         )
 
 

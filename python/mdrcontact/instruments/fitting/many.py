@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Many curves at once, over all cores: force-volume maps, series of indents."""
+"""Fits of many curves over all cores: force-volume maps, series of indents."""
 
 from __future__ import annotations
 

@@ -86,7 +86,7 @@ class Moves(NamedTuple):
         """
         value = self.result.estimates[self.name]
         words = {
-            "the range that is fitted": self.ranges,
+            "the fitted range": self.ranges,
             "the branch": self.branches,
             "the contact point": self.contact_points,
         }
@@ -186,7 +186,7 @@ def find_moves(result: FitResult, name: str | None = None) -> Moves:
 
 
 _Choice = tuple[str, float, Data, dict[str, float]]
-"""In words, end of the range, data, parameters that are held."""
+"""Description, end of the range, data, fixed parameters."""
 
 
 def _moved(result: FitResult, name: str, words: str, end: float, data: Data, held: dict[str, float]) -> Move | None:

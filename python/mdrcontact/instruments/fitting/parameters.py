@@ -307,7 +307,7 @@ def _in_python(part: Any, name: str) -> str:
 
 
 def _of_relaxing(known: Mapping[str, float]) -> list[str]:
-    """The numbers of each material from the surface down, behind those of a layer its thickness and interface; terms in
+    """The numbers of each material from top to bottom, behind those of a layer its thickness and interface; terms in
     any order."""
     times = [(name.split("terms[")[0], value) for name, value in known.items() if name.endswith("].time")]
     if len(set(times)) < len(times):
@@ -347,7 +347,7 @@ def with_indenter(instrument: Instrument, medium: Any) -> Instrument:
 
 
 def read_free(free: Any, names: Sequence[str]) -> dict[str, Free]:
-    """The free parameters by name; a wrong name is answered with the nearest right one."""
+    """The free parameters by name; the error for a wrong name suggests the nearest right one."""
     if isinstance(free, str):
         free = [free]
     chosen = dict(free) if isinstance(free, Mapping) else {name: Free() for name in free}

@@ -70,7 +70,7 @@ _DIMENSIONS = {**dimensions(*_below(WithParameters), Instrument), **_ENGINEERING
 
 
 def words_of(name: str) -> str:
-    """A parameter in words: "film modulus E" for "coating.E"."""
+    """Description of a parameter: "film modulus E" for "coating.E"."""
     if name in _WORDS:
         return _WORDS[name]
     layer = re.fullmatch(r"layers\[(\d+)\]\.(E|nu|thickness)", name)

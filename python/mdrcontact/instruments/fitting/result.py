@@ -493,7 +493,7 @@ class FitResult:
         """
         if self.is_random is not False:
             return 0.0
-        # a scatter beyond the standard deviations is a departure, too
+        # a scatter beyond the standard deviations is also a departure
         return self.misfit.whole if self.scatter > 0 else self.misfit.rms
 
     @property

@@ -292,7 +292,7 @@ def _through(time: Array, depth: Array, at: Array) -> Array:
 
 
 def _slows_down(time: Array, values: Array, tolerance: float) -> int | None:
-    """A corner of the retract at which it slows down by no more than noise: a body that relaxes would touch again there."""
+    """A corner of the retract at which it slows down by no more than noise: a viscoelastic body would touch again there."""
     slopes = np.diff(values) / np.diff(time)
     for i in range(int(np.argmax(values)) + 1, len(values) - 1):
         chord = float(np.interp(time[i], time[[i - 1, i + 1]], values[[i - 1, i + 1]]))

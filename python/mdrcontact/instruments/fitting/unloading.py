@@ -256,7 +256,7 @@ class Unloading(StiffnessDepth):
 
     Each curve is one point. S follows from a power law through the upper part of each curve. In a fit the points are
     `StiffnessDepth` data. `unloadings` are the results of each curve; `unused_unloadings` are the curves without a result, with the
-    reason.
+    error.
 
     Parameters
     ----------

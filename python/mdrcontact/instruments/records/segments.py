@@ -467,7 +467,7 @@ def find_strays(values: ArrayLike, *, ends: bool = False) -> NDArray[np.intp]:
 
 
 def _far(values: Array) -> float:
-    """How far from its neighbours a reading strays at least."""
+    """Smallest distance of a stray reading from its neighbours."""
     return max(_FAR * float(np.ptp(values)), _FAR_NOISE * _noise(values))
 
 

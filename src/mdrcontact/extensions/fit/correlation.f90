@@ -71,7 +71,7 @@ module mdrcontact_fit_correlation
 
 contains
 
-    !> The mean rho, and by how much the interval of each parameter is longer than for independent noise.
+    !> The mean rho, and the factor by which the interval of each parameter is longer than for independent noise.
     subroutine correlated_spread(r, jacobian, order, prior_r, prior_jacobian, inverse, noise_is_known, freedom, rho, widening)
         !> residuals of the data in their standard deviations
         real(wp), intent(in) :: r(:)

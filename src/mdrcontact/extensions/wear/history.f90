@@ -37,7 +37,7 @@ module mdrcontact_wear_history
     !> to change, or ceased to, they are at most this multiple of a/n in k E0* s. So are all those under a given depth, where the
     !> force falls exponentially, and of coated tips, where the pressure jumps at the end of the coating.
     real(wp), parameter :: step_power = 1.5_wp, longest_step = 4.0_wp
-    !> A place's int p ds has errors in proportion to the step, which a much shorter one after it would turn into pressures. Long
+    !> A place's int p ds has errors proportional to the step, which a much shorter one after it would turn into pressures. Long
     !> steps are at least this part of the one before, and at most this part of what is left, down to a part of their length.
     real(wp), parameter :: shrinking = 0.5_wp, last_part = 0.05_wp
     !> Pressures below minus this part of the mean one are no errors of the hats.
