@@ -12,7 +12,7 @@ module mdrcontact_numerics_radius_law
     use mdrcontact_kinds, only: wp
     use mdrcontact_numerics_monotone_table, only: monotone_table_t, new_monotone_table
     use mdrcontact_numerics_quadrature, only: merge_breaks
-    use mdrcontact_numerics_sampler, only: new_sampled_function, sampled_function_t
+    use mdrcontact_numerics_sampled_function, only: new_sampled_function, sampled_function_t
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
     implicit none (type, external)
     private

@@ -15,7 +15,7 @@ module mdrcontact_body_graded
     use mdrcontact_kinds, only: wp
     use mdrcontact_material, only: material_t
     use mdrcontact_numerics_quadrature, only: merge_breaks, new_antiderivative
-    use mdrcontact_numerics_sampler, only: new_sampled_function, sampled_function_t
+    use mdrcontact_numerics_sampled_function, only: new_sampled_function, sampled_function_t
     use mdrcontact_numerics_scalar_function, only: scalar_function_t, watched_function_t
     use mdrcontact_numerics_search, only: interval_of
     implicit none (type, external)

@@ -6,7 +6,7 @@ module mdrcontact_profile_corners
     use mdrcontact_kinds, only: wp
     use mdrcontact_numerics_chebyshev, only: chebyshev_sum, cosine_transform, differentiate
     use mdrcontact_numerics_quadrature, only: merge_breaks
-    use mdrcontact_numerics_sampler, only: sampled_function_t
+    use mdrcontact_numerics_sampled_function, only: sampled_function_t
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
     implicit none (type, external)
     private

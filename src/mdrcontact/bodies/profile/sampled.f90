@@ -10,7 +10,7 @@ module mdrcontact_profile_sampled
     use mdrcontact_profile, only: profile_t
     use mdrcontact_profile_corners, only: add_corners
     use mdrcontact_profile_transform, only: new_transform, transform_t
-    use mdrcontact_numerics_sampler, only: new_sampled_function, sampled_function_t
+    use mdrcontact_numerics_sampled_function, only: new_sampled_function, sampled_function_t
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
     implicit none (type, external)
     private

@@ -12,7 +12,7 @@ module mdrcontact_profile_transform
     use mdrcontact_kinds, only: half_pi, wp
     use mdrcontact_numerics_chebyshev, only: chebyshev_sum, cosine_transform
     use mdrcontact_numerics_quadrature, only: gauss_legendre
-    use mdrcontact_numerics_sampler, only: sampled_function_t
+    use mdrcontact_numerics_sampled_function, only: sampled_function_t
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
     use mdrcontact_numerics_search, only: interval_of
     implicit none (type, external)

@@ -15,7 +15,8 @@ module mdrcontact_contact_curve
     use mdrcontact_medium_solver, only: solver_t
     use mdrcontact_numerics_chebyshev, only: node, nodes => terms, series_of_values
     use mdrcontact_numerics_quadrature, only: gauss_legendre
-    use mdrcontact_numerics_sampler, only: column_source_t, new_columns, sampling_t
+    use mdrcontact_numerics_sampled_columns, only: new_columns
+    use mdrcontact_numerics_sampler, only: column_source_t, sampling_t
     implicit none (type, external)
     private
     public :: curve_t, curve_point_t, new_curve

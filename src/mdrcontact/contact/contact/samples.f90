@@ -9,7 +9,8 @@ module mdrcontact_contact_samples
     use mdrcontact_kinds, only: half_pi, wp
     use mdrcontact_numerics_quadrature, only: gauss_legendre
     use mdrcontact_numerics_roots, only: find_root
-    use mdrcontact_numerics_sampler, only: columns_t, lanes, series
+    use mdrcontact_numerics_sampled_columns, only: columns_t, series
+    use mdrcontact_numerics_sampler, only: lanes
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
     use mdrcontact_numerics_search, only: interval_of
     implicit none (type, external)

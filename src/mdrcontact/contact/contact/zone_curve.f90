@@ -13,7 +13,8 @@ module mdrcontact_contact_zone_curve
     use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: wp
     use mdrcontact_numerics_roots, only: find_root
-    use mdrcontact_numerics_sampler, only: column_source_t, new_columns, sampling_t
+    use mdrcontact_numerics_sampled_columns, only: new_columns
+    use mdrcontact_numerics_sampler, only: column_source_t, sampling_t
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
     implicit none (type, external)
     private

@@ -12,7 +12,7 @@ module mdrcontact_adhesion_steady_crack
     use mdrcontact_material_rheology, only: rheology_t
     use mdrcontact_numerics_quadrature, only: gauss_legendre
     use mdrcontact_numerics_roots, only: find_root
-    use mdrcontact_numerics_sampler, only: new_sampled_function, sampled_function_t
+    use mdrcontact_numerics_sampled_function, only: new_sampled_function, sampled_function_t
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
     implicit none (type, external)
     private

@@ -15,7 +15,7 @@ module mdrcontact_medium_power_graded
     use mdrcontact_medium_solver, only: set_pair, solved_t, solver_t
     use mdrcontact_profile, only: profile_t
     use mdrcontact_numerics_quadrature, only: gauss_jacobi, gauss_legendre, graded_rule, smallest_panel_ratio
-    use mdrcontact_numerics_sampler, only: new_sampled_function, sampled_function_t
+    use mdrcontact_numerics_sampled_function, only: new_sampled_function, sampled_function_t
     use mdrcontact_numerics_scalar_function, only: scalar_function_t
     implicit none (type, external)
     private
