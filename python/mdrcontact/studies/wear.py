@@ -73,7 +73,7 @@ def wear(problem: Problem, *, progress: Progress | None = None) -> WearResult:
     >>> archard = {"coefficient": "1e-6 mm^3/(N*m)", "sliding": ["1 m"]}
     >>> found = studies.wear(problem.read({**tables, "wear": archard}))
     >>> print(found.numbers["worn volume"])
-    1.0001 um^3
+    1 um^3
     """
     given: Rubbing = problem.part("wear")
     (progress or Progress()).step(0, None, "wear")
