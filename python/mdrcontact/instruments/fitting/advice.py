@@ -306,7 +306,9 @@ def _indent(result: FitResult, data: ForceDepth) -> list[str]:
         return []
     level = np.linspace(low, high, count) * largest
     way, back = _depths_at(level, loading[0], loading[1] - offset), _depths_at(level, depth[beyond], force[beyond])
-    lost = 1.0 - float(np.trapezoid(level, back) / np.trapezoid(level, way))
+    mean = 0.5 * (level[1:] + level[:-1])
+    work = float(mean @ np.diff(way))
+    lost = 1.0 - float(mean @ np.diff(back)) / work if work > 0.0 else 0.0
     left = float(back[0] - way[0])
     share = left / float(data.x.max() - result.values["depth_offset"])
     if not (lost > _LOST and share > _LEFT):
