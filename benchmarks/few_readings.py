@@ -103,8 +103,8 @@ def verdicts(readings: int, name: str, noise: float, draws: int, seed: int = 0) 
 
 def coverage_table(readings: list[int], draws: int) -> list[str]:
     """Coverage [%] and length of intervals, a row for each number of readings."""
-    cells = [(known, lag) for known in (False, True) for lag in LAGS]
-    titles = [f"sd {'known' if known else 'unknown'}, correlation {lag:g}" for known, lag in cells]
+    cells = [(known, lag) for known in (True, False) for lag in LAGS]
+    titles = [f"sd {'known' if known else 'unknown'}, {f'correlation {lag:g}' if lag else 'independent'}" for known, lag in cells]
     lines = ["| readings | " + " | ".join(titles) + " |", "|---|" + len(cells) * "---|"]
     for count in readings:
         found = [intervals(count, lag, known, draws) for known, lag in cells]
