@@ -14,7 +14,7 @@ Further physics: `mdr.adhesion`, `mdr.conduction`, `mdr.lateral`, `mdr.poroelast
 
 Any consistent units: the descriptions give the unit of each number in brackets: [length], [modulus] (that of pressure),
 and forces are in [modulus length^2]; [1] has none. Equation numbers such as (10) are those of Popov (2014); the pages in
-docs/theory/ state the equations under numbers such as (3.1). Numbers give floats, arrays give arrays of the same shape. All
+docs/theory/ state the equations under numbers such as (3.1). Numbers give floats, arrays give arrays of equal shape. All
 objects are immutable, compare and pickle by their constructor arguments, and may be shared between threads. Errors are
 `MDRError` and its subclasses in `mdr.errors`.
 """

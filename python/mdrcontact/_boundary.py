@@ -15,7 +15,7 @@ from . import _layout, _native
 from .errors import ArgumentTypeError, InvalidArgumentError, MDRError, error_class
 
 FloatOrArray = float | NDArray[np.float64]
-"""Result of an evaluation: a float for a number, an array of the same shape for an array."""
+"""Result of an evaluation: a float for a number, an array of equal shape for an array."""
 
 ComplexOrArray = complex | NDArray[np.complex128]
 """Result of a complex evaluation."""

@@ -47,7 +47,7 @@ class WithParameters(Value):
         Returns
         -------
         object
-            An object of the same class.
+            An object of this class.
 
         Raises
         ------

@@ -46,7 +46,7 @@ class Value:
         Returns
         -------
         object
-            An object of the same class.
+            An object of this class.
         """
         return type(self)(**{**self._given(), **changes})
 

@@ -52,7 +52,7 @@ class Contact(Value):
         where it is exact, and equation (28) for all others.
     zeta : tuple of array_like, "exact" or None, optional
         Ratio d/g(a) of equation (9), which corrects the contact radius. None, the default, is 1. A table (radii, values) has at
-        least 3 ascending radii > 0 [length] and values > 0. "exact" is the ratio of the same coated or layered body solved exactly,
+        least 3 ascending radii > 0 [length] and values > 0. "exact" is the ratio of the exact solution of this body,
         for radii up to 1000 thicknesses; E_eff is then the only approximation.
     cohesive_stress : float, optional
         sigma_0 >= 0 [modulus]. The surfaces attract each other with this stress wherever their gap is less than

@@ -92,7 +92,7 @@ class ContactLaw(LawSteps):
         True continues the law along its tangent beyond its largest depth and force, with a `BeyondRangeWarning`. False raises
         `DomainError` there.
     conduction : Conduction, optional
-        Conduction of the same bodies; the law then also has their conductance.
+        Conduction of these bodies; the law then also has their conductance.
 
     Raises
     ------
@@ -416,7 +416,7 @@ class ContactLaw(LawSteps):
         return table_text(self, form, error, branch, length, touch, area)
 
     def with_radius(self, radius: float) -> ContactLaw:
-        """Return the law of the same bodies for a paraboloid of another radius.
+        """Return the law of these bodies for a paraboloid of another radius.
 
         Parameters
         ----------

@@ -2,7 +2,7 @@
 """Derivatives of a contact's force with respect to the constants of bodies and indenter.
 
 At a given depth the line load q minimizes the energy, so that a change of the body's compliance C(k) changes F by what the old q
-and the line load q1 of a flat punch of the same radius, of depth 1, say of it (reciprocity):
+and the line load q1 of a flat punch of equal radius, of depth 1, determine (reciprocity):
 
     dF/dp = -1/(2 pi) int_0^inf P1(k) P(k) d(k C)/dp dk,   P(k) = 2 int_0^a q(x) cos(k x) dx
 

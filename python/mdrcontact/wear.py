@@ -739,7 +739,7 @@ class WearHistory:
         return np.array(values[:count])
 
     def restored(self, past: ArrayLike) -> WearHistory:
-        """Return a history of the same contact that continues from a saved past.
+        """Return a history of this contact that continues from a saved past.
 
         Parameters
         ----------

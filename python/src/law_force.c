@@ -11,7 +11,7 @@
 PyObject *law_force_scalar(PyObject *self, PyObject *const *given, Py_ssize_t count);
 PyObject *law_state_scalar(PyObject *self, PyObject *const *given, Py_ssize_t count);
 
-/* The law of a `Handle` of _boundary.py, which the caller's arguments keep; NULL with an exception. */
+/* The law of a `Handle` of _boundary.py, which the arguments of the caller keep; NULL with an exception. */
 static const mdr_law *law_of(PyObject *handle)
 {
     static PyObject *name = NULL; /* made once, under the interpreter's lock: twice as quick as from a C string */

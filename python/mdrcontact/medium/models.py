@@ -123,7 +123,7 @@ class UnderModel(Medium):
         Returns
         -------
         Coated, Layered or Graded
-            A body of the same class.
+            A body of this class.
 
         Raises
         ------

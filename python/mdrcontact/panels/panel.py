@@ -78,7 +78,7 @@ class Cells(NamedTuple):
     x: Array
     y: Array
     values: Array
-    """a row for each y; NaN where there is none"""
+    """a row for each y; NaN for missing values"""
     axis: Axis
     """of the values; beyond its limits the colours end, and the bar has an arrow"""
     two_sided: bool = False

@@ -36,7 +36,7 @@ POSITIVE, NOT_NEGATIVE = Range(0.0), Range(0.0, has_least=True)
 
 
 class Field(NamedTuple):
-    """One key of a table, or one of its rules: `when` distinguishes fields of the same name.
+    """One key of a table, or one of its rules: `when` distinguishes fields of equal names.
 
     Words, files, booleans and tables have no `dimension`, numbers have `RATIO`. An absent key means `default` [SI units]; without
     a default the key is required unless `optional`. Instead of one of its `choices` a key can have a quantity or a table, if the

@@ -64,7 +64,7 @@ class NamedFile(NamedTuple):
         return content
 
     def open(self) -> BinaryIO:
-        """Open the file for reading; OSError if there is none. Devices and pipes are not opened."""
+        """Open the file for reading; OSError if it does not exist. Devices and pipes are not opened."""
         assert self.place is not None
         _check_regular(self.place.stat().st_mode)
         number = os.open(self.place, os.O_RDONLY | _NO_WAIT)

@@ -70,7 +70,7 @@ class Section:
     def value(self, key: str, **words: str) -> Any:
         """Return the value of a key in SI units, checked by its field of the schema; if it is absent, the default.
 
-        Lists must ascend, and a table is a `Section`. The words of other keys choose among fields of the same name.
+        Lists must ascend, and a table is a `Section`. The words of other keys choose among fields of equal names.
         """
         assert self._schema is not None
         field = self._schema.field(key, **words)

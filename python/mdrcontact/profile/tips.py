@@ -26,7 +26,7 @@ __all__ = [
 
 @dataclass(frozen=True)
 class _Pyramid(Profile):
-    """A pyramid as the cone of the same projected area at every height; `inclination` is that cone's [radian]."""
+    """A pyramid as the cone of equal projected area at every height; `inclination` is that cone's [radian]."""
 
     half_angle_degrees: ClassVar[float]
 

@@ -199,7 +199,7 @@ def _ends(found: Curve) -> Iterator[tuple[str, Array, Dimension]]:
 
 
 def _at_thickness(contact: Contact, medium: Medium) -> State | None:
-    """Return the state at a = h, None if there is none. It may lie beyond the curve: its warnings do not belong to the result."""
+    """Return the state at a = h, None if it does not exist. It may lie beyond the curve, so its warnings are left out."""
     h = thickness(medium)
     with suppress(MDRError), silence():
         return None if h is None else contact.at_radius(h)

@@ -72,7 +72,7 @@ class FittedCurves(Result):
         return Figure(self.title, tuple(panels), columns=2)
 
     def to_dict(self) -> dict[str, Any]:
-        """The fit of each curve, or why there is none, as plain Python values."""
+        """The fit of each curve, or the reason of its failure, as plain Python values."""
         return {
             curve.name: {
                 **_place(curve),

@@ -12,7 +12,7 @@ _NUMBER = re.compile(
 
 
 def by_cause(warned: Iterable[tuple[str, str]]) -> list[str]:
-    """(curve, words) as one line for each cause, the most frequent first: how many curves have it, and the words of the first."""
+    """(curve, words) as one line for each cause, the most frequent first: how many curves have it, and the text of the first."""
     groups: dict[str, list[tuple[str, str]]] = {}
     for curve, words in warned:
         groups.setdefault(_NUMBER.sub("#", words), []).append((curve, words))

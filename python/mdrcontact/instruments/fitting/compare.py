@@ -44,7 +44,7 @@ class RankedModel(NamedTuple):
     bias: dict[str, float]
     """relative deviation of each free parameter from that of the exact model; empty without it [1]"""
     error: float | None
-    """largest error of E_eff at the contact radii of the data, against the exact solution of the same body; None without it [1]"""
+    """largest error of E_eff at the contact radii of the data, against the exact solution of the body; None without it [1]"""
 
     @property
     def is_wrong(self) -> bool:

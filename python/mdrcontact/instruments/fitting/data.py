@@ -127,7 +127,7 @@ class Data:
         Returns
         -------
         Data
-            Data of the same class.
+            Data of this class.
         """
         copy = object.__new__(type(self))
         copy.__dict__.update(self.__dict__, y=np.asarray(y, dtype=float))

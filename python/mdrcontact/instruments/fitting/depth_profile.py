@@ -46,7 +46,7 @@ class DepthProfile(NamedTuple):
     analysis: OliverPharr
     """depths, contact radii, reduced moduli and hardness, on the body with the modulus at zero depth"""
     modulus: Array
-    """modulus at each point, NaN if there is none [modulus]"""
+    """modulus at each point, NaN if it does not exist [modulus]"""
     standard_error: Array
     """standard error from the stiffness alone [modulus]"""
     common_error: Array

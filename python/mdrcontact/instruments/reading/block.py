@@ -68,7 +68,7 @@ class Block:
     """all runs of rows of numbers"""
 
     def of(self, run: _Run, others: Sequence[_Run]) -> Block:
-        """Another run of the same file."""
+        """Another run of this file."""
         width = int(self.used[run.first : run.last].max(initial=0))
         return replace(self, first=run.first, last=run.last, width=width, others=others)
 

@@ -267,7 +267,7 @@ def _table_of(cells: Cells, block: Block, header: Header, options: TableOptions,
     """The table of a block below a header, of a known format or of one that the header names."""
     titles, units = _named(cells, header, block.width, options)
     values = read_values(cells, block, titles, options.decimal)
-    # of programs that write the largest number where there is none
+    # of programs that write the largest number for a missing one
     values[np.abs(values) > _NO_NUMBER] = np.nan
     lines = header.lines
     known = known or recognise(lines)

@@ -43,7 +43,7 @@ def titles_above(cells: Cells, block: Block) -> list[str]:
 
 
 def read_header(cells: Cells, header: Header, width: int, known: Container[str]) -> tuple[list[str], list[str]]:
-    """Titles and units of the columns: a line of titles, and perhaps one of units below it; comments where there is none.
+    """Titles and units of the columns: a line of titles, and perhaps one of units below it; comments if it does not exist.
 
     known : titles whose units a problem file gives
     """

@@ -79,5 +79,5 @@ def is_gap(cell: str) -> bool:
 
 
 def is_mangled(cell: str) -> bool:
-    """Whether a cell is of the digits and marks of a number, and is none."""
+    """Whether a cell is of the digits and marks of a number, but is not one."""
     return re.fullmatch(r"[0-9.,' +eEdD-]*[.,'][0-9.,' +eEdD-]*", cell) is not None and any(map(str.isdigit, cell))

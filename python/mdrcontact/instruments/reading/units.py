@@ -71,7 +71,7 @@ def is_any_unit(text: str) -> bool:
 
 
 def factor(unit: str, dimension: Dimension) -> float:
-    """How many SI units of `dimension` one `unit` is; `UnitError` where it is none of these."""
+    """How many SI units of `dimension` one `unit` is; `UnitError` if it is not one of these."""
     known = spelled(unit)
     try:
         return to_si(1.0, known, dimension)

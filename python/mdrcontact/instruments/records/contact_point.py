@@ -143,7 +143,7 @@ def _misfits(d: Array, f: Array, places: NDArray[np.int64], power: float) -> Arr
     into = np.maximum(d - d[places, None], 0.0) ** power
     into -= (into @ line) @ line.T
     share, size = into @ left, np.maximum((into**2).sum(axis=1), 1e-300)
-    # a contact that pulls is none
+    # a contact under tension does not count
     return np.asarray(left @ left - np.where(share > 0.0, share**2 / size, 0.0))
 
 
