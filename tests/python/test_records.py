@@ -24,6 +24,7 @@ from mdrcontact.instruments.records import (
     segments,
     without_drift,
 )
+from mdrcontact.instruments.records.contact_point import deflection_sign
 from mdrcontact.instruments.records.segments import effective_points
 
 GLASS, RUBBER = mdr.Elastic(70e9, 0.23), mdr.Elastic(2e6, 0.49)
@@ -390,3 +391,16 @@ def test_how_a_tip_comes_off():
     assert found.energy == pytest.approx(path.dissipated[-1], rel=5e-3)
     assert found.rupture_depth == path.depth[np.flatnonzero(path.radius)[-1]]
     assert find_parting(path.depth, 3e-8 + 5e-9 * random) is None
+
+
+@pytest.mark.parametrize("height", [1.0, -1.0])
+@pytest.mark.parametrize("deflection", [1, -1])
+def test_the_sign_of_a_deflection_in_a_liquid(height, deflection):
+    """Drag gives the way out another baseline, and the cantilever swings when it comes off: only the way in counts."""
+    z = np.linspace(-1.3e-6, 0.0, 300)
+    noise = 1e-11 * np.random.default_rng(0).standard_normal(600)
+    way_in = 1e-10 * np.maximum(z / 6e-8 + 1.0, 0.0) ** 1.5
+    swing = 1.2e-10 * np.exp(z / 2e-7) * np.sin(z / 1e-8)
+    force = np.concatenate([way_in, np.where(z > -2e-8, way_in, swing - 1.4e-10)[::-1]]) + noise
+    found = deflection_sign(height * np.concatenate([z, z[::-1]]), deflection * force)
+    assert found == deflection

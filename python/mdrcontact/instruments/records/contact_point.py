@@ -204,6 +204,9 @@ def deflection_sign(height: ArrayLike, deflection: ArrayLike) -> int:
     the readings of the other end. A hold counts by its way, not by its readings.
     """
     z, x = curve(height, deflection)
+    # one way: in a liquid the other has another baseline
+    turn = int(np.argmax(np.abs(z - z[0])))
+    z, x = z[: turn + 1], x[: turn + 1]
     place = np.minimum(((z - z.min()) / np.ptp(z) * _BINS).astype(np.int64), _BINS - 1)
     levels = np.array([np.median(x[place == i]) for i in np.unique(place)])
     few = max(len(levels) // 5, 1)
