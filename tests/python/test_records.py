@@ -397,10 +397,10 @@ def test_how_a_tip_comes_off():
 @pytest.mark.parametrize("deflection", [1, -1])
 def test_the_sign_of_a_deflection_in_a_liquid(height, deflection):
     """Drag gives the way out another baseline, and the cantilever swings when it comes off: only the way in counts."""
-    z = np.linspace(-1.3e-6, 0.0, 300)
-    noise = 1e-11 * np.random.default_rng(0).standard_normal(600)
-    way_in = 1e-10 * np.maximum(z / 6e-8 + 1.0, 0.0) ** 1.5
-    swing = 1.2e-10 * np.exp(z / 2e-7) * np.sin(z / 1e-8)
-    force = np.concatenate([way_in, np.where(z > -2e-8, way_in, swing - 1.4e-10)[::-1]]) + noise
-    found = deflection_sign(height * np.concatenate([z, z[::-1]]), deflection * force)
+    way_in, way_out = np.linspace(-1.3e-6, 0.0, 300), np.linspace(0.0, -0.7e-6, 500)
+    noise = 1e-11 * np.random.default_rng(0).standard_normal(800)
+    contact = 1e-10 * np.maximum(way_in / 3e-8 + 1.0, 0.0) ** 1.5
+    swing = 6e-11 * np.exp(way_out / 2e-7) * np.sin(way_out / 1e-8) - 1.4e-10
+    force = np.concatenate([contact, swing]) + noise
+    found = deflection_sign(height * np.concatenate([way_in, way_out]), deflection * force)
     assert found == deflection
