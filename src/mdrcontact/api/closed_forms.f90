@@ -24,7 +24,7 @@ contains
         count = counts(findloc(formulas, formula, dim=1))
     end function constant_count
 
-    !> What x is.
+    !> Meaning of x.
     pure function variable_name(formula) result(name)
         integer, intent(in) :: formula
         character(len=14) :: name

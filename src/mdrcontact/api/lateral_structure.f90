@@ -125,7 +125,7 @@ contains
         status = return_object(object, out, error)
     end function mdr_structure_voxels
 
-    !> What the caller gave, with the defaults of the rest.
+    !> Options of the caller, with defaults for the rest.
     subroutine read_structure_options(error, structure, options)
         type(error_t), allocatable, intent(inout) :: error
         type(c_ptr), intent(in) :: structure

@@ -108,7 +108,7 @@ contains
         if (.not. allocated(error)) call read_text(given%description, chosen%description, error)
     end subroutine read_law_options
 
-    !> What law_force.c does not do alone.
+    !> Cases that law_force.c passes to Fortran.
     function mdrcontact_law_at_depth(law, branch, d, point) result(status) bind(C)
         type(c_ptr), value :: law
         integer(c_int), value :: branch

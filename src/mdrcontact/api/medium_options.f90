@@ -16,7 +16,7 @@ module mdrcontact_api_medium_options
 
 contains
 
-    !> What the caller gave, or the defaults for a null pointer.
+    !> Options of the caller, or the defaults for a null pointer.
     subroutine read_medium_options(error, structure, model, options)
         type(error_t), allocatable, intent(inout) :: error
         type(c_ptr), intent(in) :: structure

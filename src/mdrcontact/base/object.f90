@@ -14,7 +14,7 @@ module mdrcontact_object
     !> Of one real number.
     integer(int64), parameter :: real_bytes = storage_size(1.0_wp)/8
 
-    !> What never changes once it is made, and is copied by `room(from%bytes(), error)` and `allocate (to, source=from)`.
+    !> An object that is immutable once created, and is copied by `room(from%bytes(), error)` and `allocate (to, source=from)`.
     type, abstract :: object_t
     contains
         !> what a copy takes for points, layers or cells [byte]; the rest is some MiB at most and is not counted

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> A number of an object that a fit may vary: what it is called, its value, and which values it may take.
+!> A number of an object that a fit may vary: its name, value and range.
 module mdrcontact_parameter
     use mdrcontact_kinds, only: wp
     implicit none (type, external)

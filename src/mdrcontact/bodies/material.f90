@@ -13,7 +13,7 @@ module mdrcontact_material
     !> A material that was given by E and nu; the other forms are those of mdrcontact_material_transverse.
     integer, parameter :: isotropic = 0
 
-    !> What a material opposes to a load: real of an elastic one, complex of one that relaxes.
+    !> Moduli of a material: real for an elastic one, complex for a viscoelastic one.
     type :: moduli_t
         !> G of waves across their plane and E* [modulus]; of an isotropic material E* = 2 G/(1 - nu)
         complex(wp) :: shear = 0.0_wp, contact = 0.0_wp

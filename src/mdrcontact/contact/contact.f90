@@ -28,7 +28,7 @@ module mdrcontact_contact
     public :: contact_t, new_contact, check_adhesion, check_cohesion, contact_options_t
     public :: on_loading, on_unloading, check_branch
 
-    !> What a contact can have beyond indenter and medium.
+    !> Optional properties of a contact.
     type :: contact_options_t
         !> gamma >= 0 [modulus length]
         real(wp) :: work_of_adhesion = 0.0_wp

@@ -347,7 +347,7 @@ contains
         call write_points(self%by_force, forces, wanted, error, branch, threads)
     end subroutine from_forces
 
-    !> What is wanted of the states at many s; nothing is written where one of them is refused.
+    !> Requested quantities of the states at many s; nothing is written if one of them fails.
     subroutine write_points(table, s, wanted, error, branch, threads)
         type(law_table_t), intent(in) :: table
         real(wp), intent(in), contiguous :: s(:)

@@ -46,10 +46,10 @@ module mdrcontact_model
                    gao_power = model_gao_power
     end type model_codes_t
 
-    !> The codes by name: models%exact
+    !> Codes of the models by name, as models%exact
     type(model_codes_t), parameter :: models = model_codes_t()
 
-    !> What a model leaves to choose, struct mdr_medium_options; a model looks only at what concerns it.
+    !> Options of the models, struct mdr_medium_options; a model uses only its own.
     type, bind(C) :: model_options_t
         !> decay constant > 0 of Doerner-Nix and Mencik
         real(c_double) :: alpha = 1.0_c_double

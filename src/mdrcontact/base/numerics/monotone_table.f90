@@ -84,7 +84,7 @@ contains
         end if
     end function end_slope
 
-    !> What a copy takes [byte].
+    !> Size of a copy [byte].
     pure function bytes(self)
         class(monotone_table_t), intent(in) :: self
         integer(int64) :: bytes

@@ -19,7 +19,7 @@ module mdrcontact_numerics_radius_law
     public :: radius_law_t, new_radius_law_from_table, new_radius_law_from_function
     public :: interpolation_roughness
 
-    !> What the slope of an interpolated quantity may lack, relative: a function that is itself computed to 1e-9 has no better one.
+    !> Relative error of the slope of an interpolated quantity: a function that is itself computed to 1e-9 has no better one.
     real(wp), parameter :: interpolation_roughness = 1.0e-6_wp
     !> Relative, of the values of a user function, which may itself have been solved with ever more unknowns.
     real(wp), parameter :: noise_of_values = 1.0e-10_wp
@@ -127,7 +127,7 @@ contains
         end if
     end subroutine new_radius_law_from_function
 
-    !> What a copy takes [byte].
+    !> Size of a copy [byte].
     pure function bytes(self)
         class(radius_law_t), intent(in) :: self
         integer(int64) :: bytes

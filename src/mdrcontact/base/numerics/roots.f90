@@ -228,7 +228,7 @@ contains
             step_before = x - x_before
         end subroutine take_step
 
-        !> What a step will leave of the distance to the root, from how the steps have shrunk: after Newton by the square of the
+        !> Distance to the root after a step, estimated from how the steps have shrunk: after Newton by the square of the
         !> last ratio, after secants by the product of the last two.
         function error_after(step, newton) result(distance)
             real(wp), intent(in) :: step

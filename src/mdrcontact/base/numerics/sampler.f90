@@ -57,7 +57,7 @@ module mdrcontact_numerics_sampler
         real(wp) :: roughness = 0.0_wp, steps = 0.0_wp
     end type sampling_t
 
-    !> What is sampled.
+    !> Sampled functions.
     type, abstract :: column_source_t
         !> columns, how many of them, the first ones, must meet the tolerance, and how many are continuous at breaks
         integer :: columns = lanes, counted = lanes, continuous = lanes
@@ -464,7 +464,7 @@ contains
         accuracy = 0.0_wp
     end function attainable
 
-    !> What the last terms of columns may be.
+    !> Limits of the last terms of columns.
     pure function allowed_of_columns(self, sampling, panel, left, right, tail, before) result(allowed)
         class(column_source_t), intent(in) :: self
         type(sampling_t), intent(in) :: sampling

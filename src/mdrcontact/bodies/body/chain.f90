@@ -18,7 +18,7 @@ module mdrcontact_body_chain
     private
     public :: chain_t, new_chain
 
-    !> What lies deeper than this, in units of 1/k below the first interface, changes chi by less than rounding.
+    !> Deeper layers, in units of 1/k below the first interface, change chi by less than rounding.
     real(wp), parameter :: deepest = 25.0_wp
     !> Waves so long that k times the total thickness is below `longest` see all layers through a power series of this order.
     integer, parameter :: series_order = 10
@@ -118,7 +118,7 @@ contains
         if (allocated(self%numbers)) bytes = bytes + real_bytes*size(self%numbers)
     end function bytes
 
-    !> What the surface compliance takes of the series of transfer matrices above the base.
+    !> Contribution of the series of transfer matrices above the base to the surface compliance.
     pure subroutine add_series(self)
         type(chain_t), intent(inout) :: self
         complex(wp) :: transfer(4, 4, 0:series_order), rows(4, 2)

@@ -20,7 +20,7 @@ module mdrcontact_body_stability
     !> waves in each.
     integer, parameter :: lowest = -30, highest = 5, in_octave = 8
 
-    !> What waves meet, over the logarithm of their wavenumbers.
+    !> Stiffness of waves against the logarithm of their wavenumbers.
     type, extends(scalar_function_t) :: stiffness_t
         class(compliance_t), allocatable :: compliance
     contains

@@ -45,7 +45,7 @@ module mdrcontact_profile_sampled
     real(wp), parameter :: first_edge = 0.7390851332151607_wp
     !> Keeps the radii of considers f off the edges of panels.
     real(wp), parameter :: irrational = 0.8603335890193797_wp
-    !> What scatter of f leaves of the accuracy of f and g at most.
+    !> Best accuracy of f and g for a given scatter of f.
     real(wp), parameter :: height_roughness = 20.0_wp, transform_roughness = 30.0_wp
     !> No panel behind a break reaches further, relative to where it begins: it is as accurate as its largest value.
     real(wp), parameter :: largest_step = 4.0_wp
@@ -267,7 +267,7 @@ contains
         call merge_breaks(radii, self%breaks, error)
     end subroutine add_breaks
 
-    !> What is lost by rounding behind a flat end: relative accuracy of the transform at the first break.
+    !> Loss of accuracy by rounding behind a flat end: relative accuracy of the transform at the first break.
     function flat_noise(transform, flat_radius, first) result(noise)
         class(scalar_function_t), intent(inout) :: transform
         real(wp), intent(in) :: flat_radius, first

@@ -39,7 +39,7 @@ module mdrcontact_profile_user_height
     real(wp), parameter :: lost = 1.0e-13_wp
     !> Where lost digits are searched for: down to this radius and height, relative to the largest.
     real(wp), parameter :: smallest_radius = 1.0e-10_wp, smallest_value = 1.0e-20_wp
-    !> What the height may be off close to the axis, relative, when it is continued by a series.
+    !> Largest relative error of the height close to the axis, where a series continues it.
     real(wp), parameter :: series_accuracy = 3.0e-10_wp
     !> Values of which every other one is fitted and the others are compared, and terms of a series in r^2 and in r at most.
     integer, parameter :: samples = 128, most_terms(2) = [12, 6]

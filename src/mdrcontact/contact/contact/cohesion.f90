@@ -38,7 +38,7 @@ module mdrcontact_contact_cohesion
         procedure :: load
     end type cohesion_t
 
-    !> What is known of a zone before it is solved.
+    !> Data of a zone before its solution.
     type :: zone_guess_t
         !> c - a [length], and d ln h/d ln(c - a) there [1]
         real(wp) :: length = 0.0_wp, slope = 1.1_wp

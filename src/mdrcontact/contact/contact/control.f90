@@ -1,13 +1,13 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> What a machine controls: s = depth_weight d + force_weight F. Depth (1, 0), force (0, 1), or the far end of a spring of stiffness
-!> K that presses the indenter (1, 1/K).
+!> The quantity that a machine controls: s = depth_weight d + force_weight F. Depth (1, 0), force (0, 1), or the far end of a spring
+!> of stiffness K that presses the indenter (1, 1/K).
 module mdrcontact_contact_control
     use mdrcontact_kinds, only: wp
     implicit none (type, external)
     private
     public :: control_t, depth_control, force_control
 
-    !> What the machine prescribes: s = depth_weight d + force_weight F.
+    !> The quantity that the machine prescribes: s = depth_weight d + force_weight F.
     type :: control_t
         !> [1], or [modulus length] where s is a force
         real(wp) :: depth_weight = 1.0_wp

@@ -33,7 +33,7 @@ module mdrcontact_contact_equilibrium
         type(contact_state_t) :: top
     end type unstable_range_t
 
-    !> What determines a state once the contact radius is known.
+    !> Quantities that determine a state at a given contact radius.
     type, extends(object_t) :: equilibrium_t
         !> with zeta g for g where a zeta is given
         class(profile_t), allocatable :: profile
@@ -232,7 +232,7 @@ contains
         x = log(max(radius - self%profile%end_radius, tiny(1.0_wp)))
     end function coordinate_of
 
-    !> What follows a message that the last radius would be passed.
+    !> Remedy in a message that the last radius would be passed.
     pure function why_it_ends(self) result(words)
         class(equilibrium_t), intent(in) :: self
         character(len=reason_length) :: words

@@ -97,7 +97,7 @@ module mdrcontact_contact_samples
 
 contains
 
-    !> What follows from the series: ends of panels, and the rule of work.
+    !> Quantities derived from the series: ends of panels, and the rule of work.
     subroutine prepare(self, error)
         class(samples_t), intent(inout) :: self
         type(error_t), allocatable, intent(inout) :: error

@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The equilibria of a contact with a cohesive zone, sampled once along their curve: from the first attraction at a distance
 !> (x = -1; theory/adhesion.md (2.10)), c growing to touch (x = 0), then a growing as c_0 sinh x, c_0 the zone's radius at touch.
-!> What is sampled says where
+!> The samples show where
 !> depth and force turn, begins the search for a state, and does the work of loops; states themselves are solved.
 module mdrcontact_contact_zone_curve
     use mdrcontact_contact_cohesion, only: zone_guess_t

@@ -24,7 +24,7 @@ module mdrcontact_friction_history
     !> How many rings are allowed.
     integer, parameter :: usual_rings = 100, fewest_rings = 10, most_rings = 1000
 
-    !> What is remembered: the states reached, all 0 at first, with the energy dissipated since then; and by springs, or by rings
+    !> Record of the past: the states reached, all 0 at first, with the energy dissipated since then; and by springs, or by rings
     !> where there are.
     type :: friction_past_t
         type(contact_state_t) :: normal

@@ -28,7 +28,7 @@ module mdrcontact_friction_partial_slip
     !> ln(a^2/c^2 - 1) at least, below which no double changes, and at most: c = 1e-10 a.
     real(wp), parameter :: least = -700.0_wp, most = 46.0_wp
 
-    !> What a contact is sheared by, and its names: a shift under a force, or a twist under a torque.
+    !> Kind of shear of a contact, and its names: a shift under a force, or a twist under a torque.
     integer, parameter :: along_surface = 1, about_axis = 2
     character(len=*), parameter :: ways(*) = [character(len=5) :: "shift", "twist"], &
                                    loads(*) = [character(len=16) :: "tangential_force", "torque"], &
@@ -124,7 +124,7 @@ contains
         bytes = self%contact%equilibrium%bytes() + self%tangential%bytes()
     end function bytes
 
-    !> What happens to a normal state as its indenter is displaced along the surface.
+    !> Response of a normal state to a displacement of its indenter along the surface.
     subroutine first_shear(self, load, shear, error)
         class(friction_t), intent(in) :: self
         !> of a state of the contact
@@ -138,7 +138,7 @@ contains
         if (.not. allocated(error)) call new_first_shear(shear, slip, self%coefficient)
     end subroutine first_shear
 
-    !> What happens to a normal state of a homogeneous medium as its indenter is twisted: twists and torques instead of shifts and
+    !> Response of a normal state of a homogeneous medium to a twist of its indenter: twists and torques instead of shifts and
     !> forces.
     subroutine first_twist(self, load, shear, error)
         class(friction_t), intent(in) :: self

@@ -45,7 +45,7 @@ module mdrcontact_friction_rings
         real(wp) :: largest_depth = 0.0_wp
     end type ring_grid_t
 
-    !> What the rings of a contact remember.
+    !> Record of the rings of a contact.
     type :: rings_t
         !> of the contact: its radius, depth and shift [length]
         real(wp) :: radius = 0.0_wp, depth = 0.0_wp, shift = 0.0_wp

@@ -37,7 +37,7 @@ module mdrcontact_friction_springs
         procedure :: stick_depth
     end type springs_t
 
-    !> What slipping springs did in a step: per spring and over G*, limit v int (d(t) - y) dt from t1 to t2, both straight in y.
+    !> Slip of springs in a step: per spring and over G*, limit v int (d(t) - y) dt from t1 to t2, both straight in y.
     type :: step_t
         real(wp) :: from = 0.0_wp, to = 0.0_wp, first(2) = 0.0_wp, last(2) = 0.0_wp
         real(wp) :: velocity = 0.0_wp, depth = 0.0_wp, rise = 0.0_wp
@@ -93,7 +93,7 @@ contains
         call record(self, piece, middle, to, merge(1, -1, at_to > 0.0_wp), way, rise, [-self%depth/rise, 1.0_wp/rise])
     end subroutine part
 
-    !> Cuts a piece where it meets its limits, and puts what is beyond them there.
+    !> Split a piece at its limits, and set the parts beyond them to the limits.
     pure subroutine clip(self, piece, depth, way, rise, done)
         class(springs_t), intent(inout) :: self
         type(piece_t), intent(in) :: piece
@@ -279,7 +279,7 @@ contains
         total = 2.0_wp*self%limit*total
     end subroutine dissipated
 
-    !> What the slip of some springs takes, over G* and the limit.
+    !> Energy dissipated by the slip of some springs, over G* and the limit.
     pure function spent(step, y, dx) result(total)
         type(step_t), intent(in) :: step
         !> depths of contact and weights of the springs

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> What decides inside a body of layers: the largest stresses of a state in each layer, at each interface and on the free surface
+!> Critical stresses inside a layered body: the largest stresses of a state in each layer, at each interface and on the free surface
 !> (theory/stress.md (5.1), (5.2), (5.4)).
 module mdrcontact_inside_critical
     use mdrcontact_cancel, only: report_progress
@@ -16,7 +16,7 @@ module mdrcontact_inside_critical
 
     !> Maxima are searched for up to so many times a + z from the axis: the ring of tension on a coating need not lie at the edge.
     real(wp), parameter :: farthest = 3.0_wp
-    !> Nothing is searched for nearer to a singular edge of the free surface [a].
+    !> The search excludes smaller distances to a singular edge of the free surface [a].
     real(wp), parameter :: off_edge = 1.0e-3_wp
     !> The face below n layers is considered from n times this part of its depth inside a layer, where nothing takes it for the
     !> face.

@@ -432,8 +432,8 @@ contains
         end do
     end subroutine mark_singular
 
-    !> What friction adds where p is infinite: the traction -f p and, at the edge of the contact, s_rt, which is infinite outside.
-    !> Across a logarithm of p it jumps, and keeps its value halfway.
+    !> Contribution of friction where p is infinite: the traction -f p and, at the edge of the contact, s_rt, which is infinite
+    !> outside. Across a logarithm of p it jumps, and keeps its value halfway.
     pure subroutine mark_sliding(friction, angle, pressure, at_edge, field)
         real(wp), intent(in) :: friction, angle
         !> +-infinity

@@ -53,7 +53,7 @@ module mdrcontact_inside_largest
         procedure :: is_off_singular
     end type stressed_t
 
-    !> What the quantities are the largest of: functions without the kinks that a largest one has.
+    !> Components of the quantities: functions without the kinks of their maximum.
     integer, parameter :: by_mises = 1, in_plane = 2, down_from_hoop = 3, up_from_hoop = 4, along_plane = 5, hoop = 6, &
                           shear_outward = 7, shear_inward = 8, across = 9, size_of_parts = 9
     !> Radii of a grid over its length, as many next to the edge of the contact, and depths.

@@ -30,7 +30,7 @@ module mdrcontact_law_compile
     real(wp), parameter :: singular_scale = 0.5_wp
     !> and those in which F grows from 0, or that do not fit otherwise, this part of it.
     real(wp), parameter :: small_scale = 1.0e-3_wp
-    !> What F and the others have of digits there, in shares of their value at the other end.
+    !> Accuracy of F and the other quantities there, relative to their value at the other end.
     real(wp), parameter :: rounding = 16.0_wp*epsilon(1.0_wp)
     !> A series of roots with a smaller second term is a power.
     real(wp), parameter :: smallest_bend = 1.0e-6_wp
@@ -124,7 +124,7 @@ contains
         table%highest = max(table%highest, table%intervals(last)%highest)
     end subroutine add_segment
 
-    !> What follows from the polynomials.
+    !> Quantities derived from the polynomials.
     subroutine close_table(table)
         type(law_table_t), intent(inout) :: table
 
@@ -133,7 +133,7 @@ contains
         call find_direct(table)
     end subroutine close_table
 
-    !> What continues a table without adhesion below its range with the same value and slope: powers of s; or, where the power of F
+    !> Continuation of a table without adhesion below its range with the same value and slope: powers of s; or, where the power of F
     !> changes along the range as it does if s^(1/2) or s of a series is the cause, as on coated bodies, a series of two terms.
     subroutine continue_below(table)
         type(law_table_t), intent(inout) :: table
@@ -160,7 +160,7 @@ contains
         end associate
     end subroutine continue_below
 
-    !> What the table's argument s is.
+    !> Meaning of the table's argument s.
     pure function control_of(table) result(control)
         type(law_table_t), intent(in) :: table
         type(control_t) :: control

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> What a law needs of conductors that touch at its contact: the conductance of their spots.
+!> Conductors of a law: the conductance of their contact areas.
 module mdrcontact_law_conducting
     use mdrcontact_error, only: error_t
     use mdrcontact_kinds, only: wp

@@ -203,7 +203,7 @@ contains
         end do
     end subroutine read_friction
 
-    !> What follows from the numbers of a law's friction.
+    !> Quantities derived from the numbers of a law's friction.
     subroutine close_friction(friction, shares, error)
         type(friction_law_t), intent(inout) :: friction
         real(wp), intent(in) :: shares(:)

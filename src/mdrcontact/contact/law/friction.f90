@@ -213,7 +213,7 @@ contains
         call step(self, force, shift, level, compliance, .false., memory, traction, tangent)
     end subroutine advance
 
-    !> What advance would say; the record stays as it is.
+    !> Result of `advance`, without a change of the record.
     pure subroutine attempt(self, force, shift, memory, traction, error, tangent)
         class(friction_law_t), intent(in) :: self
         !> as of advance

@@ -50,7 +50,7 @@ module mdrcontact_law_levels
         !> what times P is the strength of springs: mu [1]; the shear strength where that is constant [modulus]; of a twist
         !> -dphi/dc at the edge in sliding [1/length]
         real(wp) :: strength = 0.0_wp
-        !> whether S is the contact radius; then to which power of it k is proportional, by_shear or by_twist
+        !> whether S is the contact radius; if so, k is proportional to this power of S: by_shear or by_twist
         logical :: of_radius = .false.
         integer :: power = 0
         !> of a twist what springs beyond a radius bear, mdrcontact_law_twist
@@ -139,7 +139,7 @@ contains
         self%stiffness([0, self%count + 1]) = [0.0_wp, huge(1.0_wp)]
     end subroutine allocate_levels
 
-    !> What steps read of a level lies together.
+    !> The data of a level that steps read are contiguous.
     pure subroutine lay_rows(self)
         type(levels_t), intent(inout) :: self
 

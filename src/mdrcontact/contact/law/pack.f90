@@ -79,7 +79,7 @@ contains
         end do
     end subroutine pack_table
 
-    !> The number, from 0, of the interval in which nothing has to be searched for; -1: none.
+    !> Index, from 0, of the interval that needs no root search; -1: none.
     pure function direct_of(table) result(number)
         type(law_table_t), intent(in) :: table
         integer :: number

@@ -26,7 +26,7 @@ module mdrcontact_law_table
         real(wp) :: energy = 0.0_wp
     end type table_segment_t
 
-    !> What is seldom needed with F or d: the polynomials of a and k of one panel.
+    !> Quantities that are rarely needed with F or d: the polynomials of a and k of one panel.
     type :: contact_rows_t
         type(row_t) :: radius, stiffness
     end type contact_rows_t

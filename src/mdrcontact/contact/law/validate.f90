@@ -10,9 +10,9 @@ module mdrcontact_law_validate
     private
     public :: is_valid
 
-    !> What a value may lack where two panels or two intervals meet, in shares of it.
+    !> Largest relative mismatch of a value between two panels or two intervals.
     real(wp), parameter :: rounding = 1.0e-6_wp
-    !> What a polynomial that begins at 0 may be below it, in shares of its largest value.
+    !> How negative a polynomial that begins at 0 may be, relative to its largest value.
     real(wp), parameter :: last_digits = 64.0_wp*epsilon(1.0_wp)
 
 contains

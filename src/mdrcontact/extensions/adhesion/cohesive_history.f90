@@ -42,7 +42,7 @@ module mdrcontact_adhesion_cohesive_history
         integer :: count = 0
     end type round_t
 
-    !> What rounds of one fineness give.
+    !> Results of rounds of one fineness.
     type :: estimate_t
         !> (cohesive_columns, samples): of the round, and extrapolated
         real(wp), allocatable :: path(:, :), best(:, :)
@@ -118,9 +118,9 @@ contains
         call check_memory(error, stat)
     end subroutine make_room
 
-    !> What a round and that of twice its steps tend to, and the change of the force, relative to its largest: from the round itself
-    !> where it is the first that has one before, else from what was extrapolated before. Samples at which the bodies attract each
-    !> other in one of the rounds alone are taken as they come.
+    !> Limit extrapolated from a round and one with twice its steps, and the change of the force, relative to its largest: from the
+    !> round itself where it is the first that has one before, else from what was extrapolated before. Samples at which the bodies
+    !> attract each other in one of the rounds alone are taken as they come.
     pure subroutine extrapolate(self, before, is_first, change)
         type(estimate_t), intent(inout) :: self
         type(estimate_t), intent(in) :: before

@@ -23,7 +23,7 @@ module mdrcontact_adhesion_cohesive_march
     !> Newton's steps, and where they end: of ln h, and of what is controlled.
     integer, parameter :: most_trials = 40, enough = 8
     real(wp), parameter :: zone_tolerance = 1.0e-11_wp, tolerance = 1.0e-10_wp, widest_step = 1.5_wp
-    !> What rounding and breaks of w leave of ln h and of what is controlled, at most, where the steps do not end.
+    !> Largest residual of ln h and of the controlled quantity, due to rounding and breaks of w, if the steps do not converge.
     real(wp), parameter :: rounding = 1.0e-7_wp
     !> d ln h/d ln(c - a), about.
     real(wp), parameter :: usual_slope = 1.1_wp
@@ -64,7 +64,7 @@ module mdrcontact_adhesion_cohesive_march
         real(wp), private :: node(nodes) = 0.0_wp, weight(nodes) = 0.0_wp
     end type cohesive_march_t
 
-    !> What belongs to a place at the end of a step.
+    !> Quantities of a place at the end of a step.
     type :: trial_t
         real(wp) :: a = 0.0_wp, c = 0.0_wp, depth = 0.0_wp, force = 0.0_wp
         !> h(c), and the least of w - (d - g) next to the contact [range]
@@ -296,7 +296,7 @@ contains
         self%springs%c(1) = self%springs%c(2)
     end subroutine begin_step
 
-    !> What is controlled where the contact is at a place at the end of the step.
+    !> The controlled quantity if the contact ends at a place at the end of the step.
     function value_at(self, control, place, error) result(s)
         type(cohesive_march_t), intent(inout) :: self
         type(control_t), intent(in) :: control

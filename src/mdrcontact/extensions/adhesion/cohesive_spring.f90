@@ -4,7 +4,7 @@
 !>     w = J_0 q + sum J_l z_l,    dz_l/dt = rate_l (q - z_l)
 !> and over a step in time, in which the contact's radius a and the cohesive zone's radius c are linear in time,
 !>     x < a(t): q linear in time;    a < x < c: q = -2 sigma_0 sqrt(c^2 - x^2);    x > c: q = 0
-!> What passes x on the way cuts the step there; q is continuous.
+!> Events that pass x within a step split the step there; q is continuous.
 module mdrcontact_adhesion_cohesive_spring
     use mdrcontact_error, only: error_t
     use mdrcontact_time_path, only: mean_lag, mean_rise

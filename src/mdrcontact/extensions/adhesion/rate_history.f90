@@ -329,7 +329,7 @@ contains
         now%touches = .false.
     end subroutine step
 
-    !> What is reached at a sample.
+    !> State at a sample.
     subroutine record(contact, control, s, state, now, row)
         type(rate_contact_t), intent(in) :: contact
         type(control_t), intent(in) :: control

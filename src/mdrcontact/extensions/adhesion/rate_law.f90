@@ -16,7 +16,7 @@ module mdrcontact_adhesion_rate_law
 
     !> The edge is not followed above this multiple of its speed at twice or half the work.
     real(wp), parameter :: fastest = 1.0e30_wp
-    !> G is taken as at least this part of the closing work: an edge without tension closes as fast as there is a speed for.
+    !> Lower limit of G, relative to the closing work: an edge without tension closes at the corresponding speed.
     real(wp), parameter :: least = 1.0e-9_wp
 
     !> Made by new_rate_law, never changed.

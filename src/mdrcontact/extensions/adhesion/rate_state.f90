@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> What is remembered of a contact whose work of adhesion depends on the speed of its edge, and what a step in time makes of it
+!> Record of a contact whose work of adhesion depends on the speed of its edge, and its change in a time step
 !> (theory/adhesion.md (3.4)).
 module mdrcontact_adhesion_rate_state
     use, intrinsic :: iso_c_binding, only: c_double

@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> What a spot answers in time: at a frequency, and after a step, by an inverse Laplace transform for all times up to a factor apart
-!> (theory/conduction.md (9.3)-(9.5)).
+!> Response of a contact area in time: at a frequency, and after a step, by an inverse Laplace transform for all times up to a
+!> factor apart (theory/conduction.md (9.3)-(9.5)).
 module mdrcontact_conduction_answers
     use mdrcontact_codes, only: spot_conductance_answer => conductance, spot_resistance_answer => resistance
     use mdrcontact_conduction_bodies, only: conduction_t
@@ -28,7 +28,7 @@ module mdrcontact_conduction_answers
     !> D t/a^2 from which on answers are solved, D the largest diffusivity at the surface, and omega a^2/D up to which.
     real(wp), parameter :: first_time = 1.0e-4_wp, last_frequency = 1.0e5_wp
 
-    !> What the solution is expanded in: without a film in the spot, and with one.
+    !> Expansion of the solution: without a film in the contact area, and with one.
     type :: waves_t
         type(basis_t) :: basis
         type(film_basis_t) :: film
@@ -120,7 +120,7 @@ contains
         call answer_at(conduction, answer, a, s, waves, value, error)
     end subroutine at
 
-    !> What spots at Laplace variables of sizes between two share.
+    !> Data shared by contact areas at Laplace variables of sizes between two.
     subroutine find_waves(conduction, answer, a, smallest, largest, waves, error)
         type(conduction_t), intent(in) :: conduction
         integer, intent(in) :: answer

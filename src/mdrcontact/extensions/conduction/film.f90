@@ -24,7 +24,7 @@ module mdrcontact_conduction_film
     integer, parameter :: first_terms = 40, most_terms = 1280, terms_in_time = 96
     !> Terms from which on values of the flux, with an error n^-4, are accurate.
     integer, parameter, public :: terms_of_flux = 320
-    !> What the extrapolation may change, relative.
+    !> Largest relative change by the extrapolation.
     real(wp), parameter :: allowed = 50.0_wp*tolerance, allowed_in_time = 1.0e-8_wp
     !> Where exp(-2 k H) is nothing.
     real(wp), parameter :: faded = 20.0_wp
@@ -88,7 +88,7 @@ contains
         self%c = real(c, wp)
     end subroutine new_film_spot
 
-    !> What spots at Laplace variables up to this size share.
+    !> Data shared by contact areas at Laplace variables up to this size.
     subroutine new_film_basis(self, conduction, a, largest, error)
         type(film_basis_t), intent(out) :: self
         type(conduction_t), intent(in) :: conduction

@@ -21,7 +21,7 @@ module mdrcontact_conduction_heat
 
     !> Terms of a series for temperatures inside under an indenter that is not smooth.
     integer, parameter :: terms_of_kinked = 200
-    !> What the last terms of a temperature on the line may be, relative, and terms at most.
+    !> Relative limit of the last terms of a temperature on the line, and largest number of terms.
     real(wp), parameter :: settled = 1.0e-10_wp
     integer, parameter :: most_unknowns = 1500
 

@@ -26,7 +26,7 @@ module mdrcontact_conduction_source
     !> Nodes of a panel of a spinning contact, and its shortest panel.
     integer, parameter :: spin_nodes = 20
     real(wp), parameter :: smallest = 1.0e-7_wp
-    !> What the last coefficients of a series may be, relative to their mean square.
+    !> Limit of the last coefficients of a series, relative to their mean square.
     real(wp), parameter :: negligible = 1.0e-5_wp
 
     !> A line load of heat, and what is made of it alone.
@@ -130,7 +130,7 @@ contains
         if (answer) answer = maxval(abs(t(size(t) - 1:))) <= negligible*norm2(t)
     end function has_ended
 
-    !> What follows from the coefficients, which are those of a strength of 1.
+    !> Quantities derived from the coefficients, which are those of a strength of 1.
     pure subroutine take_series(self, strength)
         type(source_t), intent(inout) :: self
         real(wp), intent(in) :: strength

@@ -16,7 +16,7 @@ module mdrcontact_conduction_spot
     public :: spot_conductance, new_spot, set_series
 
     integer, parameter :: most_unknowns = 1500
-    !> What the last coefficients of the flux may be, relative to their mean square: rounding, with some to spare.
+    !> Limit of the last coefficients of the flux, relative to their mean square: rounding with a margin.
     real(wp), parameter :: settled = 1.0e-13_wp
 
 contains

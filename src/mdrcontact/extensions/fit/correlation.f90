@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> What correlation of neighbouring residuals does to intervals.
+!> Effect of correlated neighbouring residuals on intervals.
 !>
 !> The noise is taken as a first-order autoregression of unknown coefficient rho. Its likelihood is that of the error contrasts
 !> only (restricted likelihood), which the fitted parameters do not bias: H. D. Patterson, R. Thompson, Biometrika 58 (1971) 545;
@@ -20,8 +20,8 @@ module mdrcontact_fit_correlation
     !> Values of rho: -0.96, -0.94, ... 0.98.
     integer, parameter :: values = 98
     real(wp), parameter :: spacing = 0.02_wp, first = -0.96_wp
-    !> Of the prior: the standard deviation of its normal part, the largest share of this part where the size of the noise is unknown
-    !> and where it is known, which limits what correlation can do, and from how many contrasts.
+    !> Of the prior: the standard deviation of its normal part, the largest share of this part where the size of the noise is
+    !> unknown and where it is known, which limits what correlation can do, and from how many contrasts.
     real(wp), parameter :: nearly = 0.25_wp, most_share = 0.7_wp, known_share = 0.2_wp
     integer, parameter :: enough_contrasts = 18
     !> A rho of less probability, relative to the best, is left out.

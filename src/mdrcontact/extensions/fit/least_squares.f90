@@ -82,7 +82,7 @@ module mdrcontact_fit_least_squares
         real(wp), allocatable :: r(:), jacobian(:, :)
     end type outcome_t
 
-    !> What travels through GSL's `void *params`.
+    !> Data passed through GSL's `void *params`.
     type :: search_t
         class(residuals_t), pointer :: residuals => null()
         !> the unknowns of the last step and their residuals, from which differences are taken

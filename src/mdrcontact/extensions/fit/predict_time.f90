@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> What an instrument reads of a viscoelastic body: forces or depths in time, and dynamic stiffnesses.
+!> Predicted readings on a viscoelastic body: forces or depths in time, and dynamic stiffnesses.
 module mdrcontact_fit_predict_time
     use mdrcontact_contact_values, only: given_depth, given_force
     use mdrcontact_error, only: check_memory, error_invalid, error_t, raise

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> What is fitted to what: the parameters of indenter, medium and instrument, and the measured data.
+!> A fit: the parameters of indenter, medium and instrument, and the measured data.
 module mdrcontact_fit_problem
     use, intrinsic :: iso_fortran_env, only: int64
     use mdrcontact_nonfinite, only: infinity, is_finite, is_nan
@@ -169,7 +169,7 @@ contains
         end do
     end subroutine ascending_points
 
-    !> What a copy takes at most.
+    !> Upper bound of the size of a copy.
     pure recursive function bytes(self)
         class(fit_data_t), intent(in) :: self
         integer(int64) :: bytes

@@ -19,7 +19,7 @@ module mdrcontact_fit_residuals
     !> Relative step of a reading for the difference quotient, and the least share of its error that is left in a residual.
     real(wp), parameter :: reading_step = 1.0e-4_wp, smallest_share = 0.1_wp
 
-    !> What the model said at some parameters.
+    !> Last values of the model and their parameters.
     type :: prediction_t
         real(wp), allocatable :: values(:), y(:)
     end type prediction_t

@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> From the free parameters of a problem to unknowns of order one, and back.
 !>
-!> What must be positive is sought as its logarithm, u = 1 + ln(p/p0); what may have either sign as u = 1 + (p - p0)/scale; the work
+!> The unknown of a positive parameter is u = 1 + ln(p/p0), that of a parameter of either sign u = 1 + (p - p0)/scale; the work
 !> of adhesion, which may be 0 and enters by its square root, as u = sqrt(p/p0). Beyond a bound the parameter stays at the bound.
 module mdrcontact_fit_variables
     use mdrcontact_parameter, only: fraction => nature_fraction, not_negative => nature_not_negative, parameter_t, &

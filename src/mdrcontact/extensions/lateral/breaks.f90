@@ -2,7 +2,7 @@
 !> Depths and radii between which the integrands of a structure of bodies are analytic (theory/lateral.md (1.2)): those at which an
 !> outline begins or ends, and those at which the outlines of two balls, or of two discs in a plane, cross.
 !>
-!> What a later ball or disc covers has no part in it: however many overlap, only what is seen costs panels.
+!> Parts covered by a later ball or disc do not contribute: only visible parts need panels, for any number of overlaps.
 module mdrcontact_lateral_breaks
     use mdrcontact_nonfinite, only: is_finite
     use mdrcontact_kinds, only: wp

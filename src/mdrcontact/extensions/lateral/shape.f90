@@ -71,7 +71,7 @@ contains
         end select
     end subroutine new_shape
 
-    !> What the plane at depth z = a xi cuts out of the body, in units of a and relative to the axis through (x, y).
+    !> Cross-section of the body at depth z = a xi, in units of a and relative to the axis through (x, y).
     pure function section_at(self, x, y, a, xi) result(section)
         type(shape_t), intent(in) :: self
         real(wp), intent(in) :: x, y, a, xi

@@ -101,7 +101,7 @@ contains
         poisson = poisson + excess(2)
     end subroutine means
 
-    !> What the bodies add to the background's sums for G and nu, with so many nodes in a panel.
+    !> Contribution of the bodies to the background's sums for G and nu, with a given number of nodes in a panel.
     subroutine excess_means(self, contrast, x, y, a, nodes, excess, error)
         class(shapes_t), intent(in) :: self
         !> (2, size(shapes)) of each body: its values less the background's

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> What a laterally heterogeneous structure must answer: its effective moduli for a contact of radius a at (x, y) (theory/lateral.md
+!> Interface of a laterally heterogeneous structure: its effective moduli for a contact of radius a at (x, y) (theory/lateral.md
 !> (1.2)).
 module mdrcontact_lateral_structure
     use mdrcontact_error, only: check_finite, check_positive, error_no_convergence, error_t, raise, to_text

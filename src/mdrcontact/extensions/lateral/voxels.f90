@@ -181,7 +181,7 @@ contains
         end do
     end subroutine window
 
-    !> What a slice that repeats itself is compared with: its own mean.
+    !> Reference for a slice that repeats itself: its own mean.
     pure function slice_mean(self, k, phases, below) result(base)
         class(voxels_t), intent(in) :: self
         integer, intent(in) :: k

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> What a gel answers at one time or frequency, solved there: relaxation, creep and oscillation.
+!> Response of a gel at one time or frequency, solved there: relaxation, creep and oscillation.
 !>
 !> 12 nodes of the inverse Laplace transform give 2e-11 at any time: theory/poroelastic.md (5.1), (5.3), (6.2).
 module mdrcontact_poroelastic_answers
@@ -14,7 +14,7 @@ module mdrcontact_poroelastic_answers
     public :: first_time, basis_for, in_time, at_frequency, at_end, nodes
     public :: columns, relaxation, creep, paraboloid, mean_relaxation, mean_creep, storage, loss
 
-    !> What is tabulated. In time tau, per its value on an incompressible half-space: the force after a step of a flat punch's
+    !> Tabulated quantities. In time tau, per its value on an incompressible half-space: the force after a step of a flat punch's
     !> depth, the depth after a step of its force, the force of a paraboloid pressed in instantaneously whose contact radius is
     !> held, the means of the first two since the step, which answer ramps; of the frequency omega a^2/D: the two parts of a flat
     !> punch's dynamic stiffness.

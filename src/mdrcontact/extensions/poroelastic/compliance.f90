@@ -10,7 +10,7 @@ module mdrcontact_poroelastic_compliance
     private
     public :: poroelastic_compliance
 
-    !> What represents 0 in units of the gel's own.
+    !> Representation of 0 in the units of the gel.
     real(wp), parameter :: lowest_frequency = 1.0e-30_wp
 
 contains

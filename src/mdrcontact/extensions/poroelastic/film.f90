@@ -10,7 +10,7 @@ module mdrcontact_poroelastic_film
 
     !> Below this k the film is compressed as if it were loaded all over: consolidation.
     real(wp), parameter :: longest = 1.0e-4_wp
-    !> What the rows are: along, down, shear, stress, pore pressure and its slope.
+    !> Meaning of the rows: along, down, shear, stress, pore pressure and its slope.
     integer, parameter :: along = 1, down = 2, shear = 3, stress = 4, pore = 5, flux = 6
 
 contains

@@ -56,7 +56,7 @@ contains
         self = gel_t(poisson, drainage, ratio)
     end subroutine new_gel
 
-    !> What a drained body yields beyond an incompressible one, of which it is 1: (1 - nu)/(1/2) - 1.
+    !> Additional compliance of a drained body, relative to an incompressible one: (1 - nu)/(1/2) - 1.
     elemental function local(self) result(part)
         class(gel_t), intent(in) :: self
         real(wp) :: part

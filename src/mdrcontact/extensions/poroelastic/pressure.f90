@@ -18,7 +18,7 @@ module mdrcontact_poroelastic_pressure
 
     !> Under a sealed surface pore pressure is summed over waves up to this k, and this many times sqrt(1/tau).
     real(wp), parameter :: last_wave = 6000.0_wp, last_ratio = 60.0_wp
-    !> What the shortest two thirds of them may add, of the largest value.
+    !> Largest contribution of the shortest two thirds of them, relative to the largest value.
     real(wp), parameter :: allowed = 1.0e-4_wp
 
 contains

@@ -77,7 +77,7 @@ contains
                                                     to_text(self%error)//", more than "//to_text(allowed))
     end subroutine new_poroelastic
 
-    !> What comes before the first decade: fitted to a few answers there and to the beginning of the decade, compared between them.
+    !> Response before the first decade: fitted to a few responses there and to the start of the decade, compared between them.
     subroutine fill_early(self, error)
         type(poroelastic_t), intent(inout) :: self
         type(error_t), allocatable, intent(inout) :: error

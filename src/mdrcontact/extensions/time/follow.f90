@@ -26,7 +26,7 @@ module mdrcontact_time_follow
     real(wp), parameter :: factorial(powers + 1) = [1.0_wp, 2.0_wp, 6.0_wp, 24.0_wp, 120.0_wp, 720.0_wp, 5040.0_wp, 40320.0_wp, &
                                                     362880.0_wp, 3628800.0_wp, 39916800.0_wp]
 
-    !> What is left of the path at a sample of the shrinking phase.
+    !> Rest of the path at a sample of the shrinking phase.
     type :: unloading_t
         !> index of the panel's end below t1, and where t1 lies in the panel after it, 0 to 1
         integer :: panel = 0

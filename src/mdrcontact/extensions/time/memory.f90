@@ -253,7 +253,7 @@ contains
         end do
     end function misfit_between
 
-    !> What an error of c~ at s counts against: its largest value there or initially, and no less than `smallest_chi` of 1/E0*.
+    !> Reference for an error of c~ at s: its largest value there or initially, and no less than `smallest_chi` of 1/E0*.
     pure function size_at(self, s, values) result(size_of)
         type(memory_t), intent(in) :: self
         real(wp), intent(in) :: s, values(:)

@@ -35,7 +35,7 @@ module mdrcontact_time_steps
     real(wp), parameter :: fastest = 16.0_wp
     !> Halvings one after the other without any fall, after which none is expected.
     integer, parameter :: most_rises = 2
-    !> What the common times may add to the error of the transform, which is up to 1000 times smaller than that in time.
+    !> Contribution of the common times to the error of the transform, which is up to 1000 times smaller than that in time.
     real(wp), parameter :: memory_part = 1.0e-3_wp
 
 contains

@@ -25,8 +25,8 @@ module mdrcontact_wear_disc
     !> The radius of a step is sought so often, until force or depth is met to this relative accuracy.
     integer, parameter :: most_rounds = 60
     real(wp), parameter :: close_enough = 1.0e-12_wp
-    !> What is accepted where force and depth change steeply with the radius by less than the error of the scheme, as a point of its
-    !> rules passes the edge of the step before; it does not add up, as each step meets the target anew.
+    !> Accepted residual where force and depth change steeply with the radius by less than the error of the scheme, as a point of
+    !> its rules passes the edge of the step before; it does not add up, as each step meets the target anew.
     real(wp), parameter :: tolerated = 1.0e-4_wp
     !> Targets that differ by less than this part are the same.
     real(wp), parameter :: same_target = 2.0_wp*tolerated
@@ -50,7 +50,7 @@ module mdrcontact_wear_disc
     !> ones.
     real(wp), parameter :: fading = 2.0_wp
 
-    !> What a place loses in a step, or up to a stage of it.
+    !> Wear of a place in a step, or up to a stage of it.
     type :: stage_t
         integer :: kind = trapezoid
         !> distance up to its end, and radius at the beginning [length]
@@ -301,7 +301,7 @@ contains
         length = 0.125_wp*radius*(pi/real(n, wp))**2
     end function last_interval
 
-    !> What wear adds to the matrix, and the right-hand sides -int phi_i f 2 pi r dr, f the profile as far as it is known.
+    !> Contribution of wear to the matrix, and the right-hand sides -int phi_i f 2 pi r dr, f the profile as far as it is known.
     pure subroutine add_wear(hats, rate, load, further, share, a, height, matrix, rhs)
         type(hats_t), intent(in) :: hats
         type(wear_rate_t), intent(in) :: rate

@@ -55,7 +55,7 @@ module mdrcontact_wear_history
     !> Numbers of a saved past before those of the discs, and of each disc before its pressures.
     integer, parameter :: saved_numbers = 6, saved_of_disc = 6
 
-    !> What a history has come to, C's struct mdr_wear_state.
+    !> Current state of a history, C's struct mdr_wear_state.
     type, bind(C) :: wear_state_t
         !> s since the beginning [length]
         real(c_double) :: sliding = 0.0_c_double
@@ -73,7 +73,7 @@ module mdrcontact_wear_history
         real(c_double) :: error = 0.0_c_double
     end type wear_state_t
 
-    !> What is remembered: the discs of n/2 and of n intervals.
+    !> Record of the past: the discs of n/2 and of n intervals.
     type :: wear_past_t
         !> s [length] and int F ds [modulus length^3] since the beginning
         real(wp) :: sliding = 0.0_wp, work = 0.0_wp
@@ -463,7 +463,7 @@ contains
         value = minval(0.25_wp*pressure(:n - 2) + 0.5_wp*pressure(1:n - 1) + 0.25_wp*pressure(2:))
     end function lowest
 
-    !> What it has come to.
+    !> Its current state.
     subroutine state(self, now)
         class(wear_history_t), intent(in) :: self
         type(wear_state_t), intent(out) :: now

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> What each place of a worn disc has seen: int p ds and the pressure, between the places where they are kept.
+!> History of each place of a worn disc: int p ds and the pressure, between the places where they are kept.
 module mdrcontact_wear_history_on_disc
     use mdrcontact_kinds, only: half_pi, wp
     use mdrcontact_wear_hats, only: hat_nodes

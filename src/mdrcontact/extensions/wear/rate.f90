@@ -97,7 +97,7 @@ contains
         k = self%coefficients(self%layer(load))
     end function coefficient
 
-    !> What lies opposite wears at the same places: W is then what both lose.
+    !> The opposite body wears at the same places: W is then the wear of both.
     pure subroutine add(self, coefficient)
         class(wear_rate_t), intent(inout) :: self
         !> of the other side [1/modulus]

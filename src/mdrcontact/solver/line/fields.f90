@@ -368,7 +368,7 @@ contains
         end do
     end subroutine interaction_beyond
 
-    !> What the layers add to the displacement of the surface beyond the contact:
+    !> Contribution of the layers to the displacement of the surface outside the contact:
     !> (2/pi) int_a^r w(x)/sqrt(r^2 - x^2) dx [length], with w(x) = (1/pi) int_-a^a X(x - s) q(s)/E0* ds.
     subroutine displacement_beyond(self, kernel, r, values, error)
         class(line_load_t), intent(in) :: self

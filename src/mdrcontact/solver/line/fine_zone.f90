@@ -49,7 +49,7 @@ module mdrcontact_line_fine_zone
         procedure :: with_zone
     end type fine_springs_t
 
-    !> What a zone makes of the contact; loads are per E0*.
+    !> Effect of a zone on the contact; loads are per E0*.
     type :: fine_zone_t
         !> mean of K q_zone over the contact, and d less that and less the mean of g [length]
         real(wp) :: mean = 0.0_wp, beyond = 0.0_wp
@@ -157,7 +157,7 @@ contains
         end do
     end subroutine place_nodes
 
-    !> What a zone makes of the contact.
+    !> Effect of a zone on the contact.
     subroutine with_zone(self, kernel, rule, load, at_edge, among_edge, found, error)
         class(fine_springs_t), intent(in) :: self
         type(kernel_t), intent(in) :: kernel

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> What a contact of layered bodies takes of an indenter: the even Legendre coefficients of g on the contact (theory/exact.md
+!> Description of an indenter for a contact of layered bodies: the even Legendre coefficients of g on the contact (theory/exact.md
 !> (3.6)), G_j = int_-1^1 g(a |u|) s_j P_2j(u) du.
 !>
 !> Powers of x, and indenters with piecewise linear f', have closed forms. Elsewhere g is integrated between the radii where it is

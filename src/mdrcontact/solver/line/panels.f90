@@ -22,7 +22,7 @@ module mdrcontact_line_panels
     real(wp), parameter :: growth = 4.0_wp
     !> The same towards the logarithm of X, in addition to polynomials of degree nodes - 1.
     real(wp), parameter :: near_growth = 3.0_wp
-    !> No panel is shorter, relative to the contact radius: under roots that start at a kink the shortest one errs by its power 3/2.
+    !> Length of the shortest panel over the contact radius; next to a square root that starts at a kink its error is of order 3/2.
     real(wp), parameter :: shortest = 1.0e-8_wp
     !> The same for the quadrature of X.
     real(wp), parameter :: shortest_near = 1.0e-13_wp
@@ -220,8 +220,8 @@ contains
         derivative = derivative*(2.0_wp/(self%edges(panel + 1) - self%edges(panel)))
     end function derivatives
 
-    !> What a load 1 at each node of a panel, and 1 or -1 at its mirror image, adds to K q/E0* at z: (1/(pi unit)) int [X - shift]
-    !> l(t) dt, l the polynomial that is 1 at the node.
+    !> Contribution of a load 1 at each node of a panel, and 1 or -1 at its mirror image, to K q/E0* at z: (1/(pi unit)) int [X -
+    !> shift] l(t) dt, l the polynomial that is 1 at the node.
     subroutine rows(self, kernel, shift, panel, z, even, odd)
         type(panels_t), intent(in) :: self
         type(kernel_t), intent(in) :: kernel

@@ -20,7 +20,7 @@ module mdrcontact_line_part
         complex(wp), allocatable :: values(:, :)
     end type block_t
 
-    !> What one part leaves to the other, which takes the same wavenumbers: blocks in the order in which they were made.
+    !> Data of one part for the other, which uses the same wavenumbers: blocks in the order in which they were made.
     type :: part_memory_t
         private
         type(block_t), allocatable :: blocks(:)

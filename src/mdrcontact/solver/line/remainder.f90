@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> What coefficients beyond the n unknowns of the springs' equation add to products <x, y> = x' (1 + H)^-1 y of its right-hand
-!> sides, and how uncertainty that is (theory/exact.md (3.8), (3.9)).
+!> Contribution of coefficients beyond the n unknowns of the springs' equation to products <x, y> = x' (1 + H)^-1 y of its
+!> right-hand sides, and how uncertainty that is (theory/exact.md (3.8), (3.9)).
 !>
 !> One iteration of the equation gives as many coefficients more, which enter products to second order. The Schur complement of
 !> the n unknowns is close to its diagonal, S_i, which the pivots approach geometrically to 1. Sums over fewer terms give the error.
@@ -10,7 +10,7 @@ module mdrcontact_line_remainder
     private
     public :: remainder_t, new_remainder
 
-    !> What the estimate is multiplied by: it has been seen too small by a factor 2.
+    !> Safety factor of the estimate, which can be too small by a factor of 2.
     real(wp), parameter :: safety = 4.0_wp
 
     !> Weights of the terms n + 1 ... m.

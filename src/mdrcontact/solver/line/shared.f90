@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> What exact media that are made one after the other share: the waves of the kernel's tabulation, and
+!> Data shared by exact media that are created one after the other: the waves of the kernel's tabulation, and
 !> the kernel itself where only the unit of length changes. It belongs to what makes the media; media do not refer to it.
 module mdrcontact_line_shared
     use mdrcontact_error, only: error_t

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> What layers with real or complex elastic constants oppose to a rigid motion of the contact: that of a flat punch,
+!> Stiffness of layers with real or complex elastic constants for a rigid motion of the contact: that of a flat punch,
 !> d = q + K q with even q, or a twist about the axis, 4 G0 phi x = q + K q with odd q (theory/friction.md (2.8), (5.2)).
 !>
 !> The matrix 1 + K is symmetric, also where it is complex and made of those of the kernel's two parts. Its real part is positive

@@ -40,7 +40,7 @@ module mdrcontact_line_zone
     !> Accuracy of integrals that end nowhere near it.
     real(wp), parameter :: all_digits = epsilon(1.0_wp)
 
-    !> What follows from one length of the zone; loads are per E0*.
+    !> Results for one length of the zone; loads are per E0*.
     type :: zone_state_t
         !> d if q is continuous at a, and h(c): the gap at the end of the zone [length]
         real(wp) :: depth = 0.0_wp, gap = 0.0_wp
@@ -348,7 +348,7 @@ contains
         allocate (load%q(1), load%v(1), source=0.0_wp)
     end subroutine bare_load
 
-    !> What the kernel adds: to the depth, the force of the contact, and the zone's opening.
+    !> Contributions of the kernel: to the depth, the force of the contact, and the zone's opening.
     subroutine interact(self, rule, z, state, opening, load)
         class(zoned_springs_t), intent(in) :: self
         type(zone_rule_t), intent(in) :: rule
@@ -474,7 +474,7 @@ contains
         values = values/(pi*self%unit)
     end subroutine within_zone
 
-    !> What the kernel makes of the zone's load in the displacement of the surface at r > a:
+    !> Contribution of the kernel and the zone's load to the displacement of the surface at r > a:
     !> (2/pi) int_a^r (K z)(x)/sqrt(r^2 - x^2) dx [length].
     function beyond(self, load, r, error) result(displacement)
         class(zoned_springs_t), intent(in) :: self

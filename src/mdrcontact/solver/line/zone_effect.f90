@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> What the load of a cohesive zone, q = -2 sigma_0 sqrt(c^2 - x^2) on a < |x| < c, adds to the displacement in the zone where the
+!> Contribution of the load of a cohesive zone, q = -2 sigma_0 sqrt(c^2 - x^2) on a < |x| < c, to the displacement in it where the
 !> kernel X varies at all lengths: (K q)(x) by panels that grow with the distance from x: theory/adhesion.md (2.4).
 module mdrcontact_line_zone_effect
     use mdrcontact_error, only: error_no_convergence, error_t, raise

@@ -21,7 +21,7 @@ module mdrcontact_medium_exact_load
     private
     public :: exact_load_t, new_exact_load, part_t
 
-    !> What a pair keeps of each of its bodies: the kernel and its part E0*/E_i* of the compliance.
+    !> Data of each body of a pair: the kernel and its part E0*/E_i* of the compliance.
     type :: part_t
         type(kernel_t) :: kernel
         real(wp) :: share = 0.0_wp

@@ -126,7 +126,7 @@ contains
         end associate
     end subroutine energies
 
-    !> What p is not below at some positions; here that is not known.
+    !> Lower bounds of p at some positions; not available here.
     pure subroutine least_pressure(self, r, values)
         class(load_t), intent(in) :: self
         !> 0 <= r < a, ascending [length]
@@ -161,7 +161,7 @@ contains
         call self%profile%add_breaks(radii, error)
     end subroutine add_breaks
 
-    !> What integrals over q' need: a load that is read on the surface alone does without it.
+    !> Data for integrals over q', not needed for a load that is evaluated only on the surface.
     subroutine find_kinks(self, error)
         class(load_t), intent(inout) :: self
         type(error_t), allocatable, intent(inout) :: error

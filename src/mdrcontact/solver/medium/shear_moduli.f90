@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> What homogeneous half-spaces that are pressed together oppose to a twist and to a shift.
+!> Effective moduli of homogeneous half-spaces in contact for a twist and for a shift.
 module mdrcontact_medium_shear_moduli
     use mdrcontact_nonfinite, only: infinity
     use mdrcontact_error, only: error_invalid, error_t, raise

@@ -229,7 +229,7 @@ contains
         call raise(error, error_invalid, "medium: friction is not available")
     end subroutine slip
 
-    !> What is not known of most media.
+    !> Quantities that are not available for most media.
     subroutine for_load(self, load, other, error)
         class(solver_t), intent(in) :: self
         !> shear_load: its modulus is then G_t(a) = k_t(a)/(2 a); twist_load

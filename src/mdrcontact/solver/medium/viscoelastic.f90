@@ -191,7 +191,7 @@ contains
         end if
     end subroutine reference_material
 
-    !> What multiplies the reference body's contact modulus, where all materials relax proportionally [1].
+    !> Factor of the contact modulus of the reference body, for proportional relaxation of all materials [1].
     function relaxation_shape(self, shortest, longest, tolerance) result(series)
         class(viscoelastic_t), intent(in) :: self
         !> times between which it is needed, > 0 [time], and how well, relative, if a power law

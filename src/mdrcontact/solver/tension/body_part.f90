@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> What layers below the surface add to the Galerkin matrices: products of Bessel functions over wavenumbers
+!> Contribution of the layers below the surface to the Galerkin matrices: products of Bessel functions over wavenumbers
 !> (theory/surfaces.md (6.5)).
 !>
 !> kappa - kappa_0 falls as what the layers change of 1 + chi, so that a plain rule over k serves all entries: with s_0 of the

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> What a line load of 1 does to a half-space under a surface with tension or a plate (theory/surfaces.md (6.8)):
+!> Response to a line load of 1 of a half-space under a surface with tension or a plate (theory/surfaces.md (6.8)):
 !>     Phi(y) = int_0^inf kappa_0(k) cos ky dk,   kappa_0 = 1/(1/s_0 + l k + b k^3) = sum R/(k - k_r),
 !>     l = 2 tau/E0*, b = 2 B/E0*.
 !>

@@ -9,7 +9,7 @@ module mdrcontact_tension_surface
     private
     public :: surface_t, check_surface, has_springs, is_bare
 
-    !> What a surface adds to the compliance C(k) of its body: 1/C + tau k^2 + B k^4 instead of 1/C, of a body whose surface moves
+    !> Effect of a surface on the compliance C(k) of its body: 1/C + tau k^2 + B k^4 instead of 1/C, of a body whose surface moves
     !> sideways against K_m k^2.
     type, bind(C) :: surface_t
         !> tau, tension > 0 [modulus length]; less than 0 with a plate only

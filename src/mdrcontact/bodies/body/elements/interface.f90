@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> What lies between two layers: springs per area, normal and along the surface. Tractions pass unchanged, displacements jump by
+!> Interface between two layers: springs per area, normal and along the surface. Tractions pass unchanged, displacements jump by
 !> traction over stiffness (theory/surfaces.md (3.1), (3.2)).
 module mdrcontact_body_elements_interface
     use mdrcontact_nonfinite, only: infinity
@@ -11,8 +11,8 @@ module mdrcontact_body_elements_interface
     private
     public :: interface_t, bond_t, bond_of, check_bond, new_interface
 
-    !> What a sliding interface adds to the compliance along the surface: all other terms are negligible compared with it, so that
-    !> what comes of it is the limit to the last digit.
+    !> Contribution of a sliding interface to the compliance along the surface: all other terms are negligible compared with it, so
+    !> that what comes of it is the limit to the last digit.
     real(wp), parameter :: sliding_compliance = 1.0e100_wp
 
     !> How two layers hold together: compliances per area, 0 where they are bonded.

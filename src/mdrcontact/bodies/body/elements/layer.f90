@@ -102,7 +102,7 @@ contains
         compliance = compliance/self%shear
     end function above
 
-    !> What the layer's bottom adds to a half-space; exponentially small in k h.
+    !> Contribution of the layer's bottom to a half-space; exponentially small in k h.
     pure function reflected(self, k, below) result(compliance)
         class(layer_t), intent(in) :: self
         complex(wp), intent(in) :: k, below(2, 2)
@@ -150,7 +150,7 @@ contains
         above = times(displacement, inverse(traction))
     end function transferred
 
-    !> What the layer's bottom adds to the compliance of a half-space of its material; exponentially small in t, to full
+    !> Contribution of the layer's bottom to the compliance of a half-space of its material; exponentially small in t, to full
     !> relative precision.
     pure function reflected_part(layer, t, below) result(part)
         class(layer_t), intent(in) :: layer

@@ -192,7 +192,7 @@ contains
         end if
     end function above
 
-    !> What the layer's bottom adds to a half-space; exponentially small in k h.
+    !> Contribution of the layer's bottom to a half-space; exponentially small in k h.
     pure function reflected(self, k, below) result(compliance)
         class(transverse_layer_t), intent(in) :: self
         complex(wp), intent(in) :: k, below(2, 2)

@@ -73,7 +73,7 @@ contains
         end associate
     end subroutine choose
 
-    !> What a slider of a width lacks that begins at a distance from the edge, both in levels: of first shear that of the square of
+    !> Deficit of a slider of a given width and distance from the edge, both in levels: of first shear that of the square of
     !> its width times the second derivative of T, and relative to its shift under Coulomb's law; of a twist c^3 in first order.
     pure function lack(levels, width, distance) result(lacking)
         type(levels_t), intent(in) :: levels
