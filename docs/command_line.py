@@ -86,7 +86,7 @@ def tables_of_keys() -> str:
 
 
 def readers() -> str:
-    """Which command reads which table."""
+    """The tables that each command reads."""
     lines = ["| Table | Contents | Commands |", "|---|---|---|"]
     read = {name: title[2].split() for name, one in make_parser()[1].items() if (title := TITLE.search(one.description or ""))}
     fields = {one.name: one for file in (PROBLEM, measured.FIT, MAP) for one in file.fields if one.table}

@@ -46,7 +46,7 @@ typedef struct mdr_law_view {
     const double *force;    /**< [8] for each panel: F in powers of y less the middle. */
     const double *contact;  /**< [16] for each panel: a and k likewise. */
     const double *energy;   /**< For each panel: U in its middle. */
-    const double *buffer;   /**< All of the law: an mdr_law_head, and what it describes. */
+    const double *buffer;   /**< The whole law: an mdr_law_head, followed by its arrays. */
     int branch;             /**< One of enum mdr_branch. */
     int shift;              /**< Of the bits, to give the panel. */
     double open;            /**< Up to this depth the bodies are separated [length]. */

@@ -41,7 +41,7 @@ class NoElasticStates(Handle):
         pass
 
     def __del__(self, free: Any = None) -> None:
-        """Has nothing to free."""
+        """Do nothing: there is no memory to free."""
 
     @property
     def _address(self) -> int:  # type: ignore[override]
@@ -206,7 +206,7 @@ def contact_radius(indenter: Profile, radius: float | None) -> float:
         return float(radius)
     if isinstance(indenter, FlatPunch):
         return float(indenter.radius)
-    raise ArgumentTypeError("radius is missing: only a flat punch has its own. Give the contact radius")
+    raise ArgumentTypeError("radius is missing: only a flat punch determines it. Give the contact radius")
 
 
 def _answers(medium: Any, radius: float, drainage: str | None) -> tuple[Handle, float, float, float]:
@@ -322,7 +322,7 @@ def history(
     _check_held(contact.indenter)
     is_flat = isinstance(contact.indenter, FlatPunch)
     if is_flat and given == "radius":
-        raise InvalidArgumentError("radius: that of a flat punch is its own; give depth or force")
+        raise InvalidArgumentError("radius: the contact radius of a flat punch is constant. Give depth or force")
     if not is_flat and (given != "radius" or not (values == values[:1]).all()):
         raise InvalidArgumentError(
             "this path is not offered: under a paraboloid on a gel the contact radius changes with the fluid's pressure, and the "

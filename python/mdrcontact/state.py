@@ -357,8 +357,8 @@ class State:
         """Return the warnings about the numbers of the state.
 
         They concern slopes and strains, moduli in two units, and contacts that are not a single contact area. They depend on the
-        state alone, while Python's `warnings` issue each kind once for each contact, as states are made. Of several states they are
-        those of the deepest, and whether the largest and some smaller ones are single contact areas.
+        state alone, while Python's `warnings` issue each kind once for each contact, as states are made. For several states they
+        concern the deepest one, and the largest and some smaller ones if those are not single contact areas.
 
         Returns
         -------

@@ -107,9 +107,10 @@ def step(contact: Any, kind: int, time: ArrayLike, radius: float | None) -> Floa
 
 
 def check_radius(indenter: Profile, radius: ArrayLike) -> None:
-    """Refuses a contact radius of a flat punch that is not its own."""
+    """Raise an error if a contact radius differs from the radius of the flat punch."""
     if isinstance(indenter, FlatPunch) and not np.allclose(radius, indenter.radius, rtol=1e-12, atol=0.0):
-        raise InvalidArgumentError(f"radius = {radius!r}: that of a flat punch is its own, {indenter.radius!r}. Leave it out")
+        own = f"the contact radius of a flat punch is its radius, {indenter.radius!r}"
+        raise InvalidArgumentError(f"radius = {radius!r}: {own}. Leave it out")
 
 
 def refuse_drainage(drainage: str | None) -> None:
@@ -123,7 +124,7 @@ def _radius(contact: Any, given: dict[str, ArrayLike]) -> Any:
     if isinstance(contact.indenter, FlatPunch):
         return contact.indenter.radius
     if not given:
-        raise ArgumentTypeError("radius is missing: only a flat punch has its own. Give the contact radius")
+        raise ArgumentTypeError("radius is missing: only a flat punch determines it. Give the contact radius")
     resting = contact.replace(medium=_at_rest(contact.medium, needs_modulus="force" in given))
     return (resting.at_force(given["force"]) if "force" in given else resting.at_depth(given["depth"])).radius
 

@@ -73,7 +73,7 @@ def test_path_from_a_table(tmp_path):
     assert path.name == "force" and path.time.tolist() == [0.0, 0.5, 1.0] and path.values.tolist() == [0.0, 1e-3, 1e-3]
     for titles, words in (
         ("t [ms],load [g]", r"'load \[g\]' should be the force, but 'g' is no unit"),
-        ("t [ms],d [nm]", "no column is the force: name one so, with its unit"),
+        ("t [ms],d [nm]", "no column is the force: give it this title with the unit"),
     ):
         (tmp_path / "path.csv").write_text(f"{titles}\n0,0\n500,1\n1000,1\n", encoding="utf-8")
         with pytest.raises(ProblemError, match=words):

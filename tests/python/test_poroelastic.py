@@ -229,8 +229,8 @@ def on_film(a, drainage):
         (lambda: mdi.fit(mdi.ForceTime([0.0, 1.0], [1.0, 1.0], [2.0, 1.0]), mdr.FlatPunch(1.0), FILM, ["coating.nu"]), "fit_gel"),
         (lambda: mdr.Pair(FILM, mdr.Homogeneous(mdr.Elastic(1.0, 0.2))), "poroelastic"),
         (lambda: mdr.Friction(punch(), 0.1), "poroelastic"),
-        (lambda: punch().relaxation(1.0, 0.3, "surface"), "radius = 0.3: .* flat punch is its own"),
-        (lambda: punch().dynamic_stiffness(1.0, radius=0.3, drainage="surface"), "radius = 0.3: .* flat punch is its own"),
+        (lambda: punch().relaxation(1.0, 0.3, "surface"), "radius = 0.3: .* flat punch is its radius"),
+        (lambda: punch().dynamic_stiffness(1.0, radius=0.3, drainage="surface"), "radius = 0.3: .* flat punch is its radius"),
         (lambda: on_film(9.0, "surface"), "ratio = 9"),
         (lambda: on_film(1.0, "indenter"), "film"),
         (

@@ -129,7 +129,7 @@ def test_a_flat_punch_has_one_radius():
     assert contact.dynamic_stiffness(1.0, radius=[0.5, 0.5])[1] == contact.dynamic_stiffness(1.0)
     calls = (lambda: contact.relaxation(1.0, 2.0), lambda: contact.creep(1.0, 2.0))
     for call in (*calls, lambda: contact.dynamic_stiffness(1.0, radius=[0.5, 2.0])):
-        with pytest.raises(mdr.errors.InvalidArgumentError, match="that of a flat punch is its own, 0.5"):
+        with pytest.raises(mdr.errors.InvalidArgumentError, match="of a flat punch is its radius, 0.5"):
             call()
 
 

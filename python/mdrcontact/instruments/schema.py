@@ -65,7 +65,7 @@ FREE = Table(
     name="coating.E",
 )
 CALIBRATION = Table(
-    "what is known of several parameters together; mdrcontact calibrate writes it",
+    "joint prior of several parameters; mdrcontact calibrate writes it",
     (
         Field("names", "names of the parameters", example='["indenter.C0", "frame_compliance"]'),
         Field("values", "their values", example='[24.5, "0.1 nm/mN"]'),
@@ -122,7 +122,7 @@ OPTIONS = Table(
             choices=tuple(WEIGHT_RULES),
             when=_WEIGHTED,
         ),
-        Field("joint_prior", "what is known of several parameters together", optional=True, table=CALIBRATION, many=True),
+        Field("joint_prior", "joint prior of several parameters", optional=True, table=CALIBRATION, many=True),
         Field("drainage", "where the fluid of a gel may leave; required of a gel", optional=True, choices=tuple(DRAINAGES)),
     ),
     "docs/fitting.md",

@@ -55,7 +55,7 @@ class Medium(WithParameters):
     def _bodies(self) -> list[Handle]:
         """Those whose compliances add; an exception where they are not known."""
         if self._body is None:
-            raise InvalidArgumentError("this medium is known by its modulus alone: give E and nu of its layers")
+            raise InvalidArgumentError("this medium has only an effective modulus. Use one with E and nu of its layers")
         return [self._body]
 
     def _given(self) -> dict[str, Any]:

@@ -322,7 +322,7 @@ def _radians(name: str, angle: float, degrees: bool) -> float:
 
 
 def _acute(name: str, angle: float, degrees: bool) -> float:
-    """`angle` if it is one of a cone. The library uses the inclination in radian only, and would name that one."""
+    """`angle` if it is that of a cone. The library uses only the inclination in radian, and its error would name that."""
     right, unit = (90.0, "90 degrees") if degrees else (math.pi / 2, "pi/2 = 1.570796 radian")
     if not 0.0 < angle < right:
         raise InvalidArgumentError(f"{name} = {angle:g}: it must be greater than 0 and less than {unit}")

@@ -342,7 +342,7 @@ def _spread(
         half = 0.5 * (high - low)
         ends = f"{digits(low, half)} to {digits(high, half)}"
         rows.append([title, digits(value, half), ends, middle, *(f"{x:.2g}" for x in (scatter, error, between, common))])
-        # where contact begins in a record is no property of the body
+        # the position of first contact in a record is not a property of the body
         if error > 0.0 and scatter > 2.0 * error and not name.endswith("offset"):
             words.append(
                 f"{words_of(name)} scatters {scatter / error:.2g} times its errors: the curves differ, which is in the interval of "

@@ -78,7 +78,7 @@ def curves(section: Section, cantilever: Cantilever, path: Path) -> list[Curve]:
 
 
 def first_notes(curves: Iterable[Curve]) -> list[str]:
-    """What was understood of the first curve that can be read."""
+    """Notes on the interpretation of the first curve that can be read."""
     refusal: MDRError | None = None
     for curve in curves:
         try:

@@ -43,7 +43,7 @@ class _Column(NamedTuple):
     dimension: Dimension
 
     def described(self, role: str) -> str:
-        """What was understood: role, title, unit and range."""
+        """Interpretation of a column: role, title, unit and range."""
         finite = self.values[np.isfinite(self.values)]
         span = " to ".join(shown(float(v), self.dimension) for v in (finite.min(), finite.max())) if finite.size else "no numbers"
         return f"{role} from column {self.title!r}" + (f" in {self.unit}" if self.unit else "") + f": {span}"
@@ -163,7 +163,7 @@ def _sd(section: Section, table: MeasuredTable, role: str, found: _Found) -> Arr
 
 
 def _between(section: Section, values: Mapping[str, Array]) -> NDArray[np.bool_]:
-    """Which points lie between the limits of [data]; at least one."""
+    """Mask of the points between the limits of [data]; at least one."""
     keep = np.ones(len(next(iter(values.values()))), dtype=bool)
     for role in ("depth", "radius"):
         if role in values:
@@ -244,7 +244,7 @@ def _are_results(along: Array) -> bool:
 def _loading(
     section: Section, table: MeasuredTable, depth: Array, force: Array, stiffness: Array, notes: list[str]
 ) -> NDArray[np.bool_]:
-    """Which readings of a record with stiffnesses load the contact, where the file or [data] branch separates them."""
+    """Mask of the loading readings of a record with stiffnesses, if the file or [data] branch separates them."""
     if section.value("branch", kind="stiffness-depth") is None and not table.marks:
         return np.ones(len(depth), dtype=bool)
     finite = np.isfinite(depth) & np.isfinite(force)
@@ -313,7 +313,7 @@ def record_of(section: Section, cantilever: Cantilever, table: MeasuredTable, ki
 
 
 def _check_units(section: Section, table: MeasuredTable, found: _Found) -> None:
-    """Refuses units of columns that are not read."""
+    """Raise an error for units of columns that are not read."""
     used = [table.own(one.title) for one in found.values()]
     for title in section.plain("units", {}):
         if table.own(title) not in used:

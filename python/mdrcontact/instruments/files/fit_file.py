@@ -141,7 +141,7 @@ class FitFile(NamedTuple):
         return data, notes
 
     def _contradictions(self, facts: Sequence[Fact]) -> list[str]:
-        """Numbers that differ between the file and the problem."""
+        """Notes on numbers that differ between the file and the problem."""
         said = {"indenter.radius": getattr(self.indenter, "radius", None), "spring_constant": self.cantilever.spring_constant}
         words = []
         for fact in facts:
@@ -154,7 +154,7 @@ class FitFile(NamedTuple):
         return words
 
     def _other_tip(self, terms: Mapping[int, float], data: Data) -> list[str]:
-        """That the tip of the problem has another area than the tip of the file, at the depths of the data."""
+        """Note if the tip of the problem has another area than the tip of the file at the depths of the data."""
         if not terms or not isinstance(data, StiffnessDepth):
             return []
         height = 0.7 * float(np.median(data.x))
@@ -366,7 +366,7 @@ def _read_free(fit: Section, names: list[str]) -> dict[str, Free]:
 
 
 def _read_joint_prior(section: Section, names: list[str]) -> JointPrior:
-    """What is known of several parameters together: values and standard deviations with units, and their correlation."""
+    """Joint prior of several parameters: values and standard deviations with units, and their correlation."""
     chosen = section.plain("names")
     if not isinstance(chosen, list) or not chosen:
         raise ProblemError(f'[{section.path}]: names must be a list of parameters, as in names = ["indenter.C0", "indenter.C1"]')

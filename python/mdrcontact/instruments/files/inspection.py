@@ -105,7 +105,7 @@ class Test(NamedTuple):
 
 @dataclass(frozen=True)
 class Inspection:
-    """What is known of a file."""
+    """Information about a file."""
 
     notes: list[str]
     """of its format, columns and first test"""
@@ -395,7 +395,7 @@ def _modulus_of(kind: str, data: Any) -> float:
 
 
 def _depth_of(kind: str, data: Any) -> float:
-    """How deep a Berkovich tip goes for contacts of these radii; of other data the depth [m]."""
+    """Depth of a Berkovich tip at contacts of these radii; for other data the measured depth [m]."""
     return float(np.max(data.x)) if kind == "stiffness-depth" else float(np.max(data.x)) / math.sqrt(BERKOVICH / math.pi)
 
 

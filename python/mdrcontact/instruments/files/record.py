@@ -135,7 +135,7 @@ class Record:
         return found.segments, f"segments by their readings ({noise})"
 
     def counts(self) -> str:
-        """How many readings are used."""
+        """Number of readings used."""
         return f"{len(self.force)} of {self.readings} readings are used"
 
 
@@ -298,7 +298,7 @@ def _take_off_baseline(record: Record, approach: slice, contact: int, tilts: boo
 
 
 def _pop_in(record: Record) -> PopIn | None:
-    """That of the points up to the largest force; none in a curve that begins there."""
+    """Pop-in of the points up to the largest force; None for a curve that begins there."""
     approach = _approach(record)
     return find_pop_in(_depth(record)[approach], record.force[approach]) if approach.stop > 2 else None
 

@@ -47,7 +47,7 @@ class Size(NamedTuple):
 
 
 class Start(NamedTuple):
-    """What a problem file to begin with is made of."""
+    """Content of a problem file to start from."""
 
     name: str
     """of the file of measurements"""

@@ -219,7 +219,7 @@ def _body(conduction: Conduction) -> LayeredConductor:
 
 
 def _place(body: LayeredConductor, name: str) -> tuple[int | None, str]:
-    """Which layer, None for the substrate, and which of its numbers."""
+    """Layer of a parameter, None for the substrate, and its name there."""
     part, _, key = name.partition(".")
     count = sum(not isinstance(layer, Interface) for layer in body.layers)
     layers = {f"layer{i + 1}": i for i in range(count)}

@@ -158,7 +158,7 @@ class Data:
         return top if both and np.median(np.abs(np.diff(self.x))) < _RETURN * rise else None
 
     def _check_order(self) -> None:
-        """Refuses a curve that goes back over itself. Else the order of the points does not matter."""
+        """Raise an error for a curve that reverses. Otherwise the order of the points does not matter."""
         top = self._turn()
         if top is None:
             return

@@ -55,7 +55,7 @@ class Coordinate(NamedTuple):
 
 @dataclass(frozen=True, eq=False, kw_only=True)
 class ParameterFit:
-    """What was found. Intervals are of 95 %, of positive parameters in their logarithms."""
+    """Result of a search. Intervals are of 95 %, for positive parameters in their logarithms."""
 
     values: Mapping[str, float]
     """estimates of the free parameters by name"""
@@ -133,7 +133,7 @@ class Estimate(NamedTuple):
         }
 
     def _notes(self, coordinates: Sequence[Coordinate]) -> Iterable[str]:
-        """What the data do not determine."""
+        """Combinations of parameters that the data do not determine."""
         for one, sd in zip(coordinates, self.spread, strict=True):
             if not sd <= _LOOSE * one.width:
                 yield f"{one.name} does not follow from these data: fix it, or measure where it matters"

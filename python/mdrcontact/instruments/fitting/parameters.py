@@ -215,7 +215,7 @@ class Instrument(Value):
 
 
 class Pattern(NamedTuple):
-    """What trials of a fit are like, and all parameters in the order in which the library takes them."""
+    """Pattern of the trial objects of a fit, and all parameters in the order of the library."""
 
     indenter: Any
     medium: Any
@@ -300,7 +300,7 @@ def _numbers(part: Any, listed: Sequence[tuple[str, float]], prefix: str = "") -
 
 
 def _in_python(part: Any, name: str) -> str:
-    """What the package calls a number of an elastic object: the one layer of a coated body is its coating."""
+    """Name of a number of an elastic object in the package: the one layer of a coated body is its coating."""
     if isinstance(part, media.Coated):
         return name.replace("layers[0].thickness", "thickness").replace("layers[0]", "coating")
     return name

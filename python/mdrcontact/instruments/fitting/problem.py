@@ -88,13 +88,13 @@ class Problem(NamedTuple):
         return self.pattern.names
 
     def predict(self, values: NDArray[np.float64]) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        """What the instrument would read where the parameters are these, and the contact radii, 0 out of contact."""
+        """Predicted readings for given parameters, and the contact radii, 0 out of contact."""
         radius = np.zeros(len(self.data.x))
         (fitted,) = self.changed(self.data, start=values).call(native.fit_predict, radius, with_sd=False)
         return np.asarray(fitted), radius
 
     def answer(self) -> Any:
-        """What the library finds: the arguments of a FitResult after the problem."""
+        """Solution of the library: the arguments of a FitResult after the problem."""
         n, m = len(self.data.x), self.table.shape[1]
         numbers, points = [np.zeros(m) for _ in range(3)], [np.zeros(n) for _ in range(2)]
         found: list[NDArray[Any]] = [numbers[0], np.zeros((m, m)), numbers[1], np.zeros(m, np.intc), numbers[2], *points]
@@ -195,7 +195,7 @@ def _check_seen(data: Data, instrument: Instrument, free: Mapping[str, Free]) ->
 
 
 def _check_adhesion(data: Data, instrument: Instrument, free: Mapping[str, Free], rule: str) -> None:
-    """Refuses range and rule of an adhesion that is not there."""
+    """Raise an error for range or rule of adhesion if there is no adhesion."""
     adheres = isinstance(data, ForceDepth) and _set_or_free("work_of_adhesion", instrument, free)
     has_range = _set_or_free("cohesive_stress", instrument, free)
     if has_range and not adheres:
@@ -229,7 +229,7 @@ def _is_elastic(data: Data, instrument: Instrument, free: Mapping[str, Free]) ->
 
 
 def _missing_offset(refusal: Refusal, problem: Problem) -> str:
-    """What to try where a search lost a parameter, though it began with it, of a curve that may begin before contact."""
+    """Remedy if a search lost a parameter on the way, for a curve that may begin before contact."""
     begun = problem.table[0, refusal.entry - 1] > 0.0
     lost = "do not depend on it" in refusal.text or begun and "must begin above 0" in refusal.text
     is_curve = isinstance(problem.data, (ForceDepth, ForceTime, DepthTime))

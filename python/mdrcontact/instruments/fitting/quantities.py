@@ -104,7 +104,7 @@ def _of_part(prefix: str, words: str) -> str:
 
 
 def dimension_of(name: str) -> Dimension:
-    """What kind of quantity a parameter is, by its name."""
+    """The dimension of a parameter, from its name."""
     coefficient = re.fullmatch(r"indenter\.C([1-7])", name)
     if coefficient:
         power = 2.0 - 0.5 ** (int(coefficient[1]) - 1)

@@ -360,7 +360,7 @@ def _moduli(contact: Contact) -> dict[str, float]:
 
 
 def _numbers(contact: Contact) -> dict[str, float]:
-    """What can be free, and its value."""
+    """Parameters that can be free, and their values."""
     law = contact.adhesion
     given = {} if law is None else law._given()
     return {**{name: value for name, value in given.items() if isinstance(value, float)}, **_moduli(contact)}

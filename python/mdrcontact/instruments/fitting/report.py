@@ -113,7 +113,7 @@ def _in_joint_prior(result: Any, name: str) -> bool:
 
 
 def assumptions(result: Any) -> str:
-    """What the fit took for granted: bodies, noise, and every number that it held fixed."""
+    """Assumptions of the fit: bodies, noise, and every fixed number."""
     if result.data.sd is None:
         noise = "the noise is the same for all readings and estimated from the residuals"
     elif result.noise_is_known:

@@ -40,7 +40,7 @@ _NUMBERS = (
     *("chi_square", "prior_chi_square", "degrees_of_freedom", "noise", "noise_is_known", "log_likelihood", "aic", "bic"),
     *("pattern_probability", "lag_correlation", "converged", "iterations", "evaluations", "warnings"),
 )
-"""What a dictionary of a result holds by the names of its attributes."""
+"""Attributes that a dictionary of a result contains under their names."""
 _SHOWS = 3.09
 """Standard errors beyond which a pattern is unlikely."""
 _FEWEST_FREE = 2.0

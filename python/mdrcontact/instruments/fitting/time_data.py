@@ -256,7 +256,7 @@ def _straightened(time: Array, depth: Array, steps: Array, noise: float) -> Arra
         corners = _corners(time, steps, tolerance)
     at = time[corners]
     while (i := _slows_down(at, _through(time, depth, at), 3.0 * tolerance)) is not None:
-        # the readings next to a turn are within twice the tolerance of the top, and one corner more may stand behind it
+        # the readings next to a turn are within twice the tolerance of the top, and one more corner may follow it
         at = np.delete(at, i)
     for _ in range(_ROUNDS):
         at = _where_lines_meet(time, depth, at)

@@ -28,7 +28,7 @@ _GOLDEN = 0.5 * (np.sqrt(5.0) - 1.0)
 def fit_weighted(
     first: FitResult, distance: float, moves: bool, make: Callable[[Data], Problem], solve: Callable[[Problem], FitResult]
 ) -> FitResult:
-    """first : the fit without weights; make, solve : from data to a problem to its fit"""
+    """first : the fit without weights; make : problem of given data; solve : fit of a problem"""
     search = _Weighted(first.data, distance, make, solve)
     # where contact begins is known after a fit only
     result = first

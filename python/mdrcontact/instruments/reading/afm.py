@@ -34,7 +34,7 @@ _HINTS = {
     ".zip": "; unpack it, and give the folder of its files",
     ".h5": "; of HDF5 only force curves that it wrote are read: export depth, force and time as text",
 }
-"""What to do with a file whose format is not that of its ending."""
+"""Remedies for files whose format differs from their ending."""
 _MODALITIES = ("force-distance", "creep-compliance", "stress-relaxation")
 _HEIGHTS = ("height (measured)", "height (piezo)")
 

@@ -100,7 +100,7 @@ class Block:
         return None
 
     def outside(self) -> int:
-        """How many rows of other places could be rows of the table."""
+        """Number of rows elsewhere that could be rows of the table."""
         long = self.counts >= max(2, self.width - 1)
         return sum(int(long[other.first : other.last].sum()) for other in self.alike())
 

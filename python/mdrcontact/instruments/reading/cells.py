@@ -296,7 +296,7 @@ def _single_blanks(line: str) -> str:
 
 
 def _numbers_of(lines: list[str], separator: str) -> tuple[NDArray[np.float64], str] | None:
-    """The numbers of lines that hold nothing but finite numbers, as many in each, and the decimal mark; None for other lines."""
+    """The numbers and the decimal mark of lines with the same count of finite numbers and nothing else; None for other lines."""
     text = "\n".join(lines)
     if text.count(f"{separator}\n") == len(lines) - 1 and text.endswith(separator):
         text = text.replace(f"{separator}\n", "\n")[:-1]
@@ -315,7 +315,7 @@ def _numbers_of(lines: list[str], separator: str) -> tuple[NDArray[np.float64], 
 
 
 def _separator_of(lines: Sequence[str]) -> str:
-    """What separates the columns; "" where there is no table."""
+    """The separator of the columns; "" if there is no table."""
     if len(lines) > _SAMPLES * _SAMPLE:
         begins = np.linspace(0, len(lines) - _SAMPLE, _SAMPLES, dtype=int)
         sample = _best_separator([line for begin in begins for line in lines[begin : begin + _SAMPLE]])
@@ -325,7 +325,7 @@ def _separator_of(lines: Sequence[str]) -> str:
 
 
 def _best_separator(lines: Sequence[str]) -> str:
-    """What makes most numbers of these lines, and fewest other cells."""
+    """The separator that gives most numbers in these lines, and fewest other cells."""
     best, found = 0, ""
     for separator in _SEPARATORS:
         if not any(separator in line for line in lines):

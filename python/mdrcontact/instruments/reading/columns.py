@@ -116,12 +116,12 @@ class MeasuredTable(NamedTuple):
                 raise ProblemError(f"{self.path}: the column {title!r} should be the {role}, but {_fault(pair[1], dimension)}")
         unit = dimension.example.split()[-1]
         raise ProblemError(
-            f'{self.path}: no column is the {role}: name one so, with its unit, as in "{role} [{unit}]", or, for a fit, name it in '
-            f'the problem file: [data] {role} = "..."; {self.those()}'
+            f'{self.path}: no column is the {role}: give it this title with the unit, as in "{role} [{unit}]", or, for a fit, name '
+            f'it in the problem file: [data] {role} = "..."; {self.those()}'
         )
 
     def those(self) -> str:
-        """Which columns there are; of a file that a problem names those that are titles of measurements, and how many others."""
+        """List the columns; of a file that a problem names, only titles of measurements and the number of others."""
         shown = [title for title in self.titles if not self.is_named or is_measured(title)]
         others = len(self.titles) - len(shown)
         words = [*map(repr, shown), *([f"{others} with other titles"] if others else [])]
@@ -339,7 +339,7 @@ def _others(table: MeasuredTable, test: layouts.Test, tests: Sequence[layouts.Te
 
 
 def _two_of_a_title(table: MeasuredTable, place: int) -> ProblemError:
-    """That two columns of a test have one title; with the list that tells them apart."""
+    """Error for two columns of a test with one title, with a list of distinct titles."""
     title = table.titles[place]
     seen: dict[str, int] = {}
     apart: list[str] = []
@@ -400,7 +400,7 @@ def _ratio(one: NDArray[np.float64], other: NDArray[np.float64]) -> float:
 
 
 def _check_rows(cells: Cells, block: Block) -> None:
-    """Refuses rows of another number of cells, where nothing shows which of them are missing."""
+    """Raise an error for rows with another number of cells, if the missing ones cannot be identified."""
     odd = block.odd_row() if cells.by_blanks else None
     if odd is not None:
         raise ProblemError(
@@ -444,7 +444,7 @@ def _doubts_outside(block: Block, read: int) -> list[str]:
 
 
 def _doubts(values: NDArray[np.float64]) -> list[str]:
-    """What a table should not have: rows that repeat others."""
+    """Warning about rows that repeat others."""
     complete = values[np.isfinite(values).all(axis=1)]
     in_order = complete[np.lexsort(complete.T)]
     repeated = int((in_order[1:] == in_order[:-1]).all(axis=1).sum())
@@ -457,5 +457,5 @@ def _doubts(values: NDArray[np.float64]) -> list[str]:
 
 
 def _fault(unit: str, dimension: Dimension) -> str:
-    """That a unit does not fit, and which one does."""
+    """Text that a unit does not fit, and which one does."""
     return f'{unit!r} is no unit of {dimension.name}: one is "{dimension.example.split()[-1]}"{dimension.hint}'

@@ -24,7 +24,7 @@ _KINDS = (
     ("unloading", r"unload|end of hold|end drift|segment: retract"),
     ("loading", r"load segment|surface marker|surface index$|cycle begin|segment: extend"),
 )
-"""What begins at a mark whose words match; other marks begin nothing."""
+"""Kind of segment after a mark whose words match; other marks begin no segment."""
 _REMARK = re.compile(r"#\s*(segment: (?:extend|retract|pause)).*")
 """Comments of JPK above the rows of a segment."""
 _FEWEST = 20
@@ -39,7 +39,7 @@ class Mark(NamedTuple):
 
     @property
     def kind(self) -> str:
-        """What begins here, "loading", "hold" or "unloading"; "" for nothing."""
+        """Kind of segment that begins here, "loading", "hold" or "unloading"; "" for none."""
         return next((kind for kind, pattern in _KINDS if re.search(pattern, self.words.lower())), "")
 
 
@@ -85,7 +85,7 @@ def segments_of_marks(marks: Sequence[Mark], depth: Array, force: Array) -> list
 
 
 def _by_depth(marks: Sequence[Mark], i: int, depth: Array) -> str:
-    """What a numbered segment is, by the way its depth goes."""
+    """Kind of a numbered segment, from the change of its depth."""
     if not marks[i].words.startswith("segment "):
         return ""
     stop = marks[i + 1].row if i + 1 < len(marks) else len(depth)

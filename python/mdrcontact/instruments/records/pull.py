@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 from .segments import curve
 
 _CLEAR, _FAR = 5.0, 0.2
-"""Times the noise that a pull must be, and the part of the readings, farthest away, that is without contact."""
+"""Smallest pull over the noise, and the fraction of the readings, the farthest ones, that are out of contact."""
 _FEWEST = 20
 
 

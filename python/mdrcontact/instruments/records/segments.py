@@ -239,7 +239,7 @@ def segmentation(depth: ArrayLike, force: ArrayLike) -> Segmentation:
 
 
 def kind_of_way(way: float, whole: float) -> str:
-    """What a segment is whose depth or height goes by `way`, in a record where it goes by `whole`."""
+    """Kind of a segment whose depth or height changes by `way`, in a record where it changes by `whole`."""
     return "hold" if abs(way) < _MOVES * whole else "loading" if way > 0.0 else "unloading"
 
 
