@@ -98,7 +98,7 @@ def test_coating_like_the_substrate_is_homogeneous(model, profile):
     depth = np.array([1e-9, 1e-8, 3e-8])
     same = mdr.Contact(profile, mdr.Coated(OXIDE, 500e-9, OXIDE, model)).at_depth(depth)
     plain = mdr.Contact(profile, mdr.Homogeneous(OXIDE)).at_depth(depth)
-    for found, expected in zip(same, plain, strict=True):
+    for found, expected in zip(numbers_of(same), numbers_of(plain), strict=True):
         assert found == pytest.approx(expected, rel=QUADRATURE)
 
 

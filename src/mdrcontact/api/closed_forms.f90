@@ -16,7 +16,7 @@ module mdrcontact_api_closed_forms
 
 contains
 
-    !> How many constants a formula has.
+    !> Number of constants of a formula.
     pure function constant_count(formula) result(count)
         integer, intent(in) :: formula
         integer :: count

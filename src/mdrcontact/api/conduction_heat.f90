@@ -55,7 +55,7 @@ contains
         if (.not. allocated(error)) out(:n) = records
     end function mdr_conduction_heat
 
-    !> Of one state.
+    !> Temperatures of one state.
     subroutine take_heat(conduction, contact, state, motion, strength, speed, record, error)
         type(conduction_t), intent(in) :: conduction
         type(contact_t), intent(in) :: contact

@@ -38,7 +38,7 @@ module mdrcontact_api_handles
     end type handle_t
 
     interface
-        !> Of owners.c; how many there are then.
+        !> Change the number of owners, see owners.c; returns the new number.
         function mdrcontact_count_owners(owners, change) result(count) bind(C)
             import :: c_int
             integer(c_int), intent(inout) :: owners
@@ -46,7 +46,7 @@ module mdrcontact_api_handles
             integer(c_int) :: count
         end function mdrcontact_count_owners
 
-        !> Of law_force.c; 0.
+        !> Create a view of a law, see law_force.c; returns 0.
         function mdrcontact_law_view_from(buffer, branch, view) result(status) bind(C)
             import :: c_double, c_int, law_view_t
             real(c_double), intent(in) :: buffer(*)

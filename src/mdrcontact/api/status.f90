@@ -34,7 +34,7 @@ contains
                                     len(error%text, c_int), int(error%entry, c_int))
     end function status_of
 
-    !> How many threads the calls of the calling thread may use, as set by mdr_set_threads().
+    !> Number of threads for calls of the calling thread, as set by mdr_set_threads().
     function wanted_threads() result(threads)
         integer :: threads
 

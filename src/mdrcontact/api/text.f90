@@ -59,7 +59,7 @@ contains
         characters(copied + 1) = c_null_char
     end subroutine write_text
 
-    !> All of the text.
+    !> Write the whole text.
     subroutine write_characters(text, pointer)
         character(len=*), intent(in) :: text
         type(c_ptr), intent(in) :: pointer

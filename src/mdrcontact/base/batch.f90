@@ -168,7 +168,7 @@ contains
         call self%map%values(self%x(first:last), self%y(first:last))
     end subroutine map_entries
 
-    !> How many threads to use for so many entries.
+    !> Number of threads for a number of entries.
     function team_size(n, smallest, threads) result(team)
         integer, intent(in) :: n, smallest, threads
         integer :: team

@@ -11,7 +11,7 @@ module mdrcontact_object
     private
     public :: object_t, room, real_bytes
 
-    !> Of one real number.
+    !> Size of one real number.
     integer(int64), parameter :: real_bytes = storage_size(1.0_wp)/8
 
     !> An object that is immutable once created, and is copied by `room(from%bytes(), error)` and `allocate (to, source=from)`.

@@ -41,7 +41,7 @@ contains
                                    trim(word_of(codes(minloc(edits, dim=1))))//"? It must be one of "//known(3:), "name")
     end subroutine code_of
 
-    !> How many letters must be put in, left out or changed to make one word of the other (Levenshtein).
+    !> Number of insertions, deletions and substitutions that turn one word into the other (Levenshtein).
     pure function edits_between(first, second) result(edits)
         character(len=*), intent(in) :: first, second
         integer :: edits

@@ -23,7 +23,7 @@ module mdrcontact_law
     public :: contact_law_t, law_point_t
     public :: check_points
 
-    !> Of two, beyond which with_radius would come near over- or underflow.
+    !> Largest power of two in with_radius, which avoids over- and underflow.
     integer, parameter :: largest_power = 500
 
     !> A state of the law; struct mdr_law_point of the header.

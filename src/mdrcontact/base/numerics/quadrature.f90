@@ -217,7 +217,7 @@ contains
         call move_alloc(first, list)
     end subroutine shorten
 
-    !> How many leading entries are not above `limit`.
+    !> Number of leading entries not above `limit`.
     pure function count_upto(list, limit) result(number)
         real(wp), intent(in) :: list(:), limit
         integer :: number

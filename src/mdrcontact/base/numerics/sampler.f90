@@ -18,7 +18,7 @@ module mdrcontact_numerics_sampler
 
     !> Columns that are summed side by side.
     integer, parameter :: lanes = 4
-    !> How often a panel is halved at most.
+    !> Largest number of halvings of a panel.
     integer, parameter :: most_halvings = 64
     !> Halving a panel makes its last terms many times smaller: where more than this part is left, slopes may be less exact than
     !> values.
@@ -34,7 +34,7 @@ module mdrcontact_numerics_sampler
     !> The slope in x of a function of t = sqrt(x - left edge) is taken no closer to the edge than this t: 1/t amplifies rounding.
     real(wp), parameter :: smallest_root = 1.0e-5_wp
 
-    !> How functions are sampled.
+    !> Options of the sampling of functions.
     type :: sampling_t
         !> of the values of counted columns
         real(wp) :: tolerance = 0.0_wp

@@ -10,12 +10,12 @@ module mdrcontact_numerics_stiff_step
     private
     public :: equation_t, stages, places, weights, stiff_step
 
-    !> Of each step.
+    !> Number of stages of a step.
     integer, parameter :: stages = 5
     real(wp), parameter :: diagonal = 0.25_wp
     !> Where in the step the stages lie, the last at its end.
     real(wp), parameter :: places(stages) = [0.25_wp, 0.75_wp, 0.55_wp, 0.5_wp, 1.0_wp]
-    !> Of the stages in the step.
+    !> Weights of the stages in the step.
     real(wp), parameter :: weights(stages) = [25.0_wp/24.0_wp, -49.0_wp/48.0_wp, 125.0_wp/16.0_wp, -85.0_wp/12.0_wp, diagonal]
     !> Column i: how much of the slopes before it stage i takes.
     real(wp), parameter :: taken(stages, stages) = reshape([ &

@@ -413,7 +413,7 @@ contains
         chi = self%links(1)%element%reflected_across(k, compliance)
     end subroutine chi_across
 
-    !> How many elements matter at this k; the one below them may be taken for a half-space.
+    !> Number of elements that matter at this k; the next one acts as a half-space.
     pure function elements_seen(self, k) result(count)
         class(chain_t), intent(in) :: self
         complex(wp), intent(in) :: k

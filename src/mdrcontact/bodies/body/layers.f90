@@ -54,7 +54,7 @@ contains
         if (allocated(self%materials)) answer = answer .and. all(self%materials(:self%bodies())%is_plain)
     end function is_plain
 
-    !> How many layers and half-spaces deform.
+    !> Number of deformable layers and half-spaces.
     pure function bodies(self) result(number)
         class(layers_t), intent(in) :: self
         integer :: number

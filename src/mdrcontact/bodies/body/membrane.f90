@@ -123,7 +123,7 @@ contains
         end do
     end subroutine chi_at
 
-    !> Of the surface's half-space, and what the layers change of it.
+    !> Compliance of a half-space of the surface material, and the change by the layers.
     subroutine split(self, k, bare, change)
         class(membrane_t), intent(in) :: self
         complex(wp), intent(in) :: k(:)
@@ -158,7 +158,7 @@ contains
         change = (top*ratio + q*d(1, 1)*(self%excess + ratio))/(below*ratio)
     end subroutine parts
 
-    !> That of the body and the sheet's length.
+    !> Key of the body and the length of the sheet.
     pure subroutine key(self, values, error)
         class(membrane_t), intent(in) :: self
         real(wp), allocatable, intent(out) :: values(:)

@@ -154,8 +154,8 @@ contains
         materials(count + 1) = self%substrate
     end subroutine join
 
-    !> Of each layer the numbers of its material, thickness, prestress, and K_n and K_t of the interface below it; then those of the
-    !> substrate, whose names stand alone where there is no layer.
+    !> For each layer the numbers of its material, thickness, prestress, and K_n and K_t of the interface below it; then those of
+    !> the substrate, whose names stand alone where there is no layer.
     pure subroutine parameters(self, list)
         class(stack_t), intent(in) :: self
         type(parameter_t), allocatable, intent(out) :: list(:)

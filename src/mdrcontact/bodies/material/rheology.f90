@@ -136,8 +136,8 @@ contains
         allocate (self%shear%weight(0), self%shear%rate(0))
     end function new_elastic_rheology
 
-    !> Of an elastic material E, nu; of a power law modulus, time, exponent, nu; of a Prony series the relaxed modulus, modulus and
-    !> time of each term, viscosity, and nu or the bulk modulus.
+    !> Numbers of an elastic material: E, nu; of a power law: modulus, time, exponent, nu; of a Prony series the relaxed modulus,
+    !> modulus and time of each term, viscosity, and nu or the bulk modulus.
     pure subroutine parameters(self, list)
         class(rheology_t), intent(in) :: self
         type(parameter_t), allocatable, intent(out) :: list(:)

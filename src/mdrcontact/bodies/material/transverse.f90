@@ -18,7 +18,7 @@ module mdrcontact_material_transverse
     public :: transverse_t, from_given, from_stiffness, from_engineering, given_parameters, of_isotropic
     public :: by_stiffness, by_engineering
 
-    !> How constants are given: C11, C12, C13, C33, C44; E_t, E_z, nu_t, nu_tz, G_z. 0 is an isotropic material.
+    !> Forms of the constants: C11, C12, C13, C33, C44; E_t, E_z, nu_t, nu_tz, G_z. 0 is an isotropic material.
     integer, parameter :: by_stiffness = 1, by_engineering = 2
 
     !> The six numbers. Made by the procedures of this module, never changed.
@@ -147,7 +147,7 @@ contains
         call raise(error, error_invalid, name//" = "//to_text(value)//": a positive strain energy needs "//condition)
     end subroutine check_condition
 
-    !> Those of an isotropic medium.
+    !> Constants of an isotropic medium.
     elemental function of_isotropic(shear, poisson) result(self)
         !> G > 0 [modulus], and nu [1]
         real(wp), intent(in) :: shear, poisson
@@ -184,7 +184,7 @@ contains
         call raise(error, error_invalid, prefix//"prestress = "//to_text(prestress)//words)
     end subroutine stretched
 
-    !> Of constants that are refused: what is 0 or less.
+    !> Text that names the invalid constants, which are 0 or less.
     pure subroutine vanishing(self, words)
         class(transverse_t), intent(in) :: self
         !> which stiffness, as part of a sentence

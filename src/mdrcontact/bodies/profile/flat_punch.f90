@@ -52,7 +52,7 @@ contains
         call new_flat_punch(self, values(1), error)
     end subroutine set
 
-    !> Of all its functions.
+    !> Value of all its functions.
     elemental function zero(self, x) result(y)
         class(flat_punch_t), intent(in) :: self
         real(wp), intent(in) :: x

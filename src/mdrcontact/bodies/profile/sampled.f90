@@ -49,7 +49,7 @@ module mdrcontact_profile_sampled
     real(wp), parameter :: height_roughness = 20.0_wp, transform_roughness = 30.0_wp
     !> No panel behind a break reaches further, relative to where it begins: it is as accurate as its largest value.
     real(wp), parameter :: largest_step = 4.0_wp
-    !> How often f is sampled anew with the corners that were found.
+    !> Largest number of times that f is sampled again with the corners found.
     integer, parameter :: most_rounds = 4
     !> Lengths below it, and above its inverse, are refused.
     real(wp), parameter :: smallest_length = 1.0e-150_wp
@@ -128,7 +128,7 @@ contains
                                   roughness=height_roughness*roughness, everywhere=.true.)
     end subroutine sample_height
 
-    !> Takes g = `mdr` on [0, largest] and transforms it back to f.
+    !> Transform g = `mdr` on [0, largest] back to f.
     subroutine sample_from_mdr(self, mdr, largest, flat_radius, breaks, error)
         type(sampled_profile_t), intent(out) :: self
         !> g(x) >= 0 with g(0) = 0, not decreasing [length]
@@ -301,7 +301,7 @@ contains
         end do
     end subroutine check_ascending
 
-    !> How many times the first panel is halved towards the axis: until the height is negligible and a power of the radius.
+    !> Number of halvings of the first panel towards the axis: until the height is negligible and a power of the radius.
     subroutine descending_edges(f, flat_radius, first, top, roughness, count, error)
         class(scalar_function_t), intent(inout) :: f
         real(wp), intent(in) :: flat_radius, first, top, roughness

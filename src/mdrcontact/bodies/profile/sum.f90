@@ -166,7 +166,7 @@ contains
         call merge_breaks(radii, own(:count(own < self%largest_radius)), error)
     end subroutine add_breaks
 
-    !> Those of all terms, if each is a sum of powers.
+    !> Powers of all terms, if each is a sum of powers.
     pure subroutine powers(self, exponents, coefficients)
         class(profile_sum_t), intent(in) :: self
         real(wp), allocatable, intent(out) :: exponents(:), coefficients(:)

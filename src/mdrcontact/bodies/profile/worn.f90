@@ -236,7 +236,7 @@ contains
         end do
     end function mdr_moment
 
-    !> Those of the indenter, and where wear begins and ends.
+    !> Breaks of the indenter, and the ends of the worn part.
     pure subroutine add_breaks(self, radii, error)
         class(worn_profile_t), intent(in) :: self
         real(wp), allocatable, intent(inout) :: radii(:)

@@ -256,7 +256,7 @@ contains
         end associate
     end subroutine find_between
 
-    !> That of a contact so small that the search goes up from there, in steps of bounded length.
+    !> Coordinate of a contact small enough to start an upward search, in steps of bounded length.
     pure function narrow_coordinate(equilibrium) result(x)
         type(equilibrium_t), intent(in) :: equilibrium
         real(wp) :: x

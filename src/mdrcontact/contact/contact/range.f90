@@ -109,7 +109,7 @@ contains
         y = log(max(state%depth, tiny(x))) - log(self%ratio) - log(max(-state%punch_depth, tiny(x)))
     end function handover_at
 
-    !> That of the medium's smallest radius, or `otherwise`.
+    !> Coordinate of the smallest radius of the medium, or `otherwise`.
     pure function first_coordinate(equilibrium, otherwise) result(x)
         type(equilibrium_t), intent(in) :: equilibrium
         real(wp), intent(in) :: otherwise

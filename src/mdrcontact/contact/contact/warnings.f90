@@ -100,7 +100,7 @@ contains
                  "elasticity is not valid")
     end subroutine look_at_pressure
 
-    !> That of the surface of one body or two, 0 where it is not known [modulus].
+    !> Modulus at the surface of one body or two, 0 if it is not known [modulus].
     pure function surface_modulus(equilibrium) result(modulus)
         type(equilibrium_t), intent(in) :: equilibrium
         real(wp) :: modulus

@@ -21,7 +21,7 @@ module mdrcontact_friction_history
     public :: friction_history_t, friction_past_t, new_friction_history, given_shift, given_tangential_force
 
     integer, parameter :: most_doublings = 60
-    !> How many rings are allowed.
+    !> Default number of rings, and its range.
     integer, parameter :: usual_rings = 100, fewest_rings = 10, most_rings = 1000
 
     !> Record of the past: the states reached, all 0 at first, with the energy dissipated since then; and by springs, or by rings

@@ -372,7 +372,7 @@ contains
         end do
     end subroutine check_strengths
 
-    !> How many layers, interfaces or free surfaces a quantity can belong to; -1: not one.
+    !> Number of layers, interfaces or free surfaces that have a quantity; -1: none.
     pure subroutine find_places(layers, quantity, places, whose)
         type(layers_t), intent(in) :: layers
         integer, intent(in) :: quantity

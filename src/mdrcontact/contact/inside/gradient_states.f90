@@ -304,7 +304,7 @@ contains
         end do
     end subroutine take_image
 
-    !> Of the surface material; see add_normal_sums and add_shear_sums.
+    !> State of a half-space of the surface material; see add_normal_sums and add_shear_sums.
     pure function half_space_state(self, k, z) result(y)
         class(gradient_states_t), intent(in) :: self
         real(wp), intent(in) :: k(:), z

@@ -14,7 +14,7 @@ module mdrcontact_inside_half_space
     public :: half_space_t, half_space_rule_t, new_half_space_rule, integrate, on_surface
     public :: normal_sums, shear_sums
 
-    !> How many sums describe the field of a normal and of a shear load, see add_normal and add_shear.
+    !> Number of sums for the field of a normal and of a shear load, see add_normal and add_shear.
     integer, parameter :: normal_sums = 5, shear_sums = 8
 
     !> Nodes of a panel no longer than its distance to the nearest singularity: 1e-15 of the integral.
@@ -219,7 +219,7 @@ contains
         end do
     end function is_smooth
 
-    !> How long a panel from `low` to `high` may be: its distance to the nearest singularity.
+    !> Largest length of a panel from `low` to `high`: its distance to the nearest singularity.
     pure function reach(segment, z, aside, low, high) result(length)
         type(segment_t), intent(in) :: segment
         !> distance of singularities from the real axis, and at most from r along it, and ends of the panel relative to r [a]

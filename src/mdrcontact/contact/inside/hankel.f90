@@ -90,7 +90,7 @@ contains
         found = .not. allocated(error)
     end function next_part
 
-    !> How many nodes a depth needs.
+    !> Number of nodes for a depth.
     pure function wave_count(self, depth) result(number)
         type(hankel_t), intent(in) :: self
         type(depth_t), intent(in) :: depth
@@ -101,7 +101,7 @@ contains
         if (self%k(size(self%k)) <= depth%last) number = size(self%k)
     end function wave_count
 
-    !> How many of the sums have J0, J1/r and J2/r^2, in this order.
+    !> Numbers of sums with J0, J1/r and J2/r^2, in this order.
     pure function groups(self) result(sizes)
         type(hankel_t), intent(in) :: self
         integer :: sizes(0:2)

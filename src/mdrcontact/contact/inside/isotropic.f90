@@ -16,7 +16,7 @@ module mdrcontact_inside_isotropic
     !> The integrals by their place in a list.
     integer, parameter :: a0 = 1, a1 = 2, a2 = 3, b0 = 4, b1 = 5, b2 = 6, c0 = 7, c1 = 8, kernels = 8
 
-    !> Of one Poisson's ratio.
+    !> Isotropic half-space of one Poisson's ratio.
     type, extends(half_space_t) :: isotropic_half_space_t
         real(wp) :: poisson = 0.0_wp
     contains
@@ -29,7 +29,7 @@ module mdrcontact_inside_isotropic
 
 contains
 
-    !> Of nu.
+    !> Create an isotropic half-space of Poisson's ratio nu.
     pure subroutine new_isotropic_half_space(self, poisson)
         type(isotropic_half_space_t), intent(out) :: self
         real(wp), intent(in) :: poisson

@@ -232,7 +232,7 @@ contains
         end do
     end subroutine find_values
 
-    !> Of which parts a quantity is the largest one.
+    !> Parts whose maximum a quantity is.
     pure function parts_of(quantity) result(parts)
         !> one of those of maximum_t
         integer, intent(in) :: quantity

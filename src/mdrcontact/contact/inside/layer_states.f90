@@ -59,7 +59,7 @@ module mdrcontact_inside_layer_states
 
 contains
 
-    !> Of layers under a contact of radius a.
+    !> Create the states of layers under a contact of radius a.
     subroutine new_layer_states(self, layers, radius, error)
         type(layer_states_t), intent(out) :: self
         type(layers_t), intent(in) :: layers

@@ -14,7 +14,7 @@ module mdrcontact_inside_states
     !> Numbers of a state under a normal load, y1 to y4, and of one under a shear load, y1 to y5 and N.
     integer, parameter :: normal_rows = 4, shear_rows = 6
 
-    !> How the state at a depth is integrated.
+    !> Rule of integration for the state at a depth.
     type :: depth_t
         !> [a]
         real(wp) :: z = 0.0_wp

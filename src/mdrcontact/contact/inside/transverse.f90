@@ -20,7 +20,7 @@ module mdrcontact_inside_transverse
     !> their values for waves across the plane.
     integer, parameter :: j0 = 1, k_j0 = 2, j1 = 3, k_j1 = 4, j2 = 5, kinds = 5, parted = kinds, across = 2*kinds
 
-    !> Of six numbers, without a stress in its plane.
+    !> Transversely isotropic half-space of six numbers, without a stress in its plane.
     type, extends(half_space_t) :: transverse_half_space_t
         private
         !> in units of 2 G of the body's surface
@@ -36,7 +36,7 @@ module mdrcontact_inside_transverse
 
 contains
 
-    !> Of six numbers in units of 2 G.
+    !> Create a half-space of six numbers in units of 2 G.
     pure subroutine new_transverse_half_space(self, constants)
         type(transverse_half_space_t), intent(out) :: self
         type(transverse_t), intent(in) :: constants

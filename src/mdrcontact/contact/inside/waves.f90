@@ -16,7 +16,7 @@ module mdrcontact_inside_waves
 
 contains
 
-    !> How many nodes to work on together in a body of so many layers: memory for all of them would grow with both.
+    !> Number of nodes in a block for a given number of layers: memory for all nodes would grow with both.
     pure function part_of_waves(layers) result(number)
         integer, intent(in) :: layers
         integer :: number

@@ -171,7 +171,7 @@ contains
         call run_batch(points, size(s), block_size, smallest_parallel, threads, unused)
     end subroutine run_points
 
-    !> How many values lie between two limits: a loop that is vectorized; no NaN does.
+    !> Number of values between two limits: a loop that is vectorized; no NaN does.
     pure function count_within(s, lowest, highest) result(inside)
         real(wp), intent(in) :: s(:), lowest, highest
         integer :: inside

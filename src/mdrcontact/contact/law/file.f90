@@ -20,7 +20,7 @@ module mdrcontact_law_file
 
     character(len=*), parameter :: new_line_character = achar(10)
     character(len=*), parameter :: title = "mdrcontact compiled contact law, format ", version = "5"
-    !> How files of versions of the library began in which laws with friction were apart.
+    !> First line of files of former versions, in which laws with friction were separate.
     character(len=*), parameter :: former_title = "mdrcontact compiled friction law, format "
     !> Numbers of a law in addition to its two tables and its friction; those of its friction in addition to tables and shares, and
     !> those in their place where the shear strength is constant.
@@ -84,7 +84,7 @@ contains
         call frame(words, law%description, text, error)
     end subroutine law_to_text
 
-    !> How many words the friction of a law takes; the first of them, the number of sliders, is 0 if it does not exist, and negative
+    !> Number of words for the friction of a law; the first of them, the number of sliders, is 0 if it does not exist, and negative
     !> where they are twisted.
     pure function friction_count(friction) result(count)
         type(friction_law_t), intent(in) :: friction

@@ -34,7 +34,7 @@ module mdrcontact_law_friction
     private
     public :: friction_law_t, contact_steps_t, default_sliders, find_levels, check_sliders
 
-    !> How many sliders represents the springs of a contact where the caller does not say.
+    !> Default number of sliders for the springs of a contact.
     integer, parameter :: default_sliders = 8
 
     !> The law of a contact with friction. It never changes. The memory of a contact is a record of the caller, an array of
@@ -107,7 +107,7 @@ module mdrcontact_law_friction
 
 contains
 
-    !> How many numbers a contact's record has.
+    !> Number of numbers in the record of a contact.
     pure function memory_size(self) result(count)
         class(friction_law_t), intent(in) :: self
         integer :: count

@@ -113,7 +113,7 @@ contains
         shift = mantissa_bits - self%bits
     end function shift_of
 
-    !> How many panels an interval has.
+    !> Number of panels of an interval.
     pure function panel_count(self) result(count)
         type(interval_t), intent(in) :: self
         integer :: count

@@ -214,7 +214,7 @@ contains
         place = m*(m + 3)/2 + l
     end function share_index
 
-    !> How many shares are not whole for what they are.
+    !> Number of partial shares.
     pure function count_shares(self) result(count)
         type(levels_t), intent(in) :: self
         integer :: count

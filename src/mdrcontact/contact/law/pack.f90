@@ -16,7 +16,7 @@ module mdrcontact_law_pack
 
 contains
 
-    !> How many numbers pack_table writes.
+    !> Count of numbers that pack_table writes.
     pure function packed_size(table) result(size_of_all)
         !> by depth
         type(law_table_t), intent(in) :: table

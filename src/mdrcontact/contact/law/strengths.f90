@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> How much the springs beyond a level can bear, in units of the coefficient of friction or of the shear strength
+!> Strength of the springs beyond a level, in units of the coefficient of friction or of the shear strength
 !> (theory/friction.md (7.4), (7.11), (7.12)),
 !>     P_l = max over s of [T(s) - k_l s],
 !> T(s) first shear. Where springs do not interact that is, under Coulomb's law and at constant shear strength,

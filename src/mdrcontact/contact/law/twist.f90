@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> How much the springs beyond a radius c bear of the torque as a paraboloid's contact of radius a slips about its axis under
+!> Torque of the springs beyond a radius c as a paraboloid's contact of radius a slips about its axis under
 !> Coulomb's law (theory/friction.md (7.12)). Springs slip at the twist, over mu and in units of that by which it falls at the edge,
 !>     phi(c) = (2 a/pi) [K - E],    K, E of the modulus sqrt(1 - (c/a)^2)
 !> (Lubkin, J. Appl. Mech. 18 (1951) 183), and bear M - k phi, k = k_a (c/a)^3, dM = k dphi:

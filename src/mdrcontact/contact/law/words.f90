@@ -30,7 +30,7 @@ module mdrcontact_law_words
 
 contains
 
-    !> How many words a table takes.
+    !> Number of words for a table.
     pure function word_count(table) result(count)
         type(law_table_t), intent(in) :: table
         integer :: count
@@ -39,7 +39,7 @@ contains
                 row_words*size(table%other)
     end function word_count
 
-    !> All of a table, word_count(table) of them from `next` on, which moves behind them.
+    !> Write a whole table, word_count(table) of them from `next` on, which moves behind them.
     pure subroutine put_table(table, words, next)
         type(law_table_t), intent(in) :: table
         integer(int64), intent(inout) :: words(:)

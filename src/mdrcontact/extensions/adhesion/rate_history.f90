@@ -20,7 +20,7 @@ module mdrcontact_adhesion_rate_history
     integer, parameter :: most_steps = 1000000
     !> A step changes by at most these factors, and aims at this part of what would just do.
     real(wp), parameter :: shortest = 0.2_wp, longest = 5.0_wp, careful = 0.85_wp, after_failure = 0.125_wp
-    !> Of an interval of time: the first step.
+    !> First step, as a fraction of an interval of time.
     real(wp), parameter :: first_part = 1.0e-3_wp
     !> A contact begins at this multiple of the radius at which it ends.
     real(wp), parameter :: seed = 1.1_wp

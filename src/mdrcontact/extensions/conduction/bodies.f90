@@ -16,7 +16,7 @@ module mdrcontact_conduction_bodies
     private
     public :: conduction_t, new_conduction, tolerance
 
-    !> Of steady conductances, relative.
+    !> Relative tolerance of steady conductances.
     real(wp), parameter :: tolerance = 1.0e-11_wp
     !> Contact radii up to this many depths of all layers are offered.
     real(wp), parameter :: largest_ratio = 1.0e4_wp

@@ -29,7 +29,7 @@ module mdrcontact_conduction_compliance
 
 contains
 
-    !> Of a body.
+    !> Create the compliance of a body.
     pure subroutine new_flux_compliance(self, body)
         type(flux_compliance_t), intent(out) :: self
         type(conductors_t), intent(in) :: body

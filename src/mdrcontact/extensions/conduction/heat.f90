@@ -192,7 +192,7 @@ contains
         end associate
     end subroutine springs_of
 
-    !> Of w = (part q + sum of temperature)/(2 S_1).
+    !> Results for w = (part q + sum of temperature)/(2 S_1).
     pure subroutine take_means(conduction, source, flux_into_lower, temperature, heat)
         type(conduction_t), intent(in) :: conduction
         type(source_t), intent(in) :: source

@@ -82,7 +82,7 @@ contains
         heat = heat_t(heat%total, share, share*heat%centre, share*heat%flux_mean, 0.0_wp, share*heat%largest, heat%behind)
     end subroutine moving_heat
 
-    !> One of the bodies.
+    !> Conduction in one of the bodies.
     pure subroutine single_body(conduction, body, one)
         type(conduction_t), intent(in) :: conduction
         integer, intent(in) :: body
@@ -176,7 +176,7 @@ contains
         end do
     end subroutine find_waves
 
-    !> Of the centre, and of the mean over the heat.
+    !> Add the temperatures at the centre and the mean over the heat.
     subroutine add_means(body, a, speed, waves, heat, error)
         type(conductors_t), intent(in) :: body
         real(wp), intent(in) :: a, speed

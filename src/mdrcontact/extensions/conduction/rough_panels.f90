@@ -111,7 +111,7 @@ contains
         call solve_lower(size(f, 1), size(f, 1), 1, matrix, f)
     end subroutine solve_flux
 
-    !> How many panels.
+    !> Number of panels.
     pure integer function number(self)
         class(panels_t), intent(in) :: self
 

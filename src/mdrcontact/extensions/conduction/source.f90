@@ -144,7 +144,7 @@ contains
         self%arc = self%radius*values(2)
     end subroutine take_series
 
-    !> Of a series in s_j P_2j(u): its value at 0, and int_0^1 of it sqrt(1 - u^2) du.
+    !> For a series in s_j P_2j(u), its value at 0, and int_0^1 of it sqrt(1 - u^2) du.
     pure function centre_and_arc(t) result(values)
         real(wp), intent(in) :: t(:)
         real(wp) :: values(2)

@@ -12,7 +12,7 @@ module mdrcontact_conduction_table
     private
     public :: tabulate_conductance
 
-    !> Of a table's values, relative.
+    !> Range of the relative tolerance of a table's values.
     real(wp), parameter :: smallest_tolerance = 1.0e-10_wp, largest_tolerance = 1.0e-2_wp
 
     !> G(a)/a.

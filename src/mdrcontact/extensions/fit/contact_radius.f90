@@ -16,7 +16,7 @@ module mdrcontact_fit_contact_radius
     public :: contact_radii
 
     integer, parameter :: most_steps = 200
-    !> How often the range of radii is widened, and by what factor.
+    !> Number of times that the range of radii is widened, and the factor.
     integer, parameter :: most_ranges = 6
     real(wp), parameter :: wider = 2.0_wp
     !> Contact depths below this part of the depth are beyond the first range, and room about it.

@@ -16,7 +16,7 @@ module mdrcontact_fit_interval
     private
     public :: profile_interval, interval_quantile
 
-    !> How well the rise of the sum of squares must meet the threshold, in its square root.
+    !> Tolerance of the rise of the sum of squares at the threshold, in its square root.
     real(wp), parameter :: tolerance = 1.0e-3_wp
     integer, parameter :: most_steps = 40
     !> So many standard errors away the sum of squares has not risen enough: there is no end on this side.

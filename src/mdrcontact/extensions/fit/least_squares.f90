@@ -72,7 +72,7 @@ module mdrcontact_fit_least_squares
         end subroutine neighbours_of
     end interface
 
-    !> How a search ended.
+    !> Outcome of a search.
     type :: outcome_t
         logical :: converged = .false.
         !> no step lowered the sum of squares

@@ -19,7 +19,7 @@ module mdrcontact_fit_pattern
 
     !> Eigenvalues of a quadratic form that are smaller, relative to the largest, are rounding.
     real(wp), parameter :: smallest_form = 1.0e-12_wp
-    !> Of the trapezoidal rule in the logarithm of Imhof's variable: its step, where it begins and ends, a negligible integrand.
+    !> Trapezoidal rule in the logarithm of Imhof's variable: step, start, end, and a negligible integrand.
     real(wp), parameter :: step = 0.25_wp, begin = -40.0_wp, end = 200.0_wp, negligible = 1.0e-17_wp
 
     interface

@@ -16,7 +16,7 @@ module mdrcontact_fit_predict_time
     private
     public :: predict_time
 
-    !> Of histories: what noise of the depths does to the edge of a shrinking contact is less.
+    !> Tolerance of histories, more than the effect of noisy depths on the edge of a shrinking contact.
     real(wp), parameter :: history_tolerance = 1.0e-3_wp
 
 contains

@@ -136,7 +136,7 @@ contains
         self%oldest = modulo(self%oldest, size(self%recent)) + 1
     end subroutine fitted
 
-    !> Whether what the model says at the one parameters follows from what it says at the others.
+    !> Whether the values of the model at one set of parameters follow linearly from those at the other.
     pure function is_linear_change(self, known, values) result(answer)
         type(fit_residuals_t), intent(in) :: self
         real(wp), intent(in) :: known(:), values(:)

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> How much each point of a half-space counts in the effective modulus at contact radius a (theory/lateral.md (2.4), (2.5)), lengths
+!> Weight of each point of a half-space in the effective modulus at contact radius a (theory/lateral.md (2.4), (2.5)), lengths
 !> in units of a.
 !>
 !> First-order perturbation of the frictionless flat punch: the relative change of the stiffness is the strain energy that a

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> How a gel's answers begin: in powers of sqrt(tau) with logarithms, which come from the edge, where the pressure of the
+!> Early response of a gel: a series in powers of sqrt(tau) with logarithms, which come from the edge, where the pressure of the
 !> incompressible body is infinite: sqrt(tau) (c1 + c2 ln tau) + tau (c3 + c4 ln tau + c5 ln^2 tau):
 !> theory/poroelastic.md (6.3).
 module mdrcontact_poroelastic_early

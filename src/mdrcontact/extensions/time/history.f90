@@ -17,7 +17,7 @@ module mdrcontact_time_history
     public :: contact_history
 
     real(wp), parameter :: default_tolerance = 1.0e-5_wp, smallest_tolerance = 1.0e-9_wp, largest_tolerance = 1.0e-2_wp
-    !> How much better power laws are followed than that, which costs little: to machine precision at tolerances that are not
+    !> Factor by which power laws are more accurate than that, at little cost: to machine precision at tolerances that are not
     !> coarse.
     real(wp), parameter :: of_power_laws = 1.0e-7_wp
 

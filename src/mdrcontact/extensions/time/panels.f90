@@ -11,7 +11,7 @@ module mdrcontact_time_panels
 
     !> Nodes in a panel.
     integer, parameter :: per_panel = 16
-    !> Of radii between panels.
+    !> Largest number of turns of the radius between panels.
     integer, parameter :: most_turns = 16
     !> Ends weigh nothing, and what is divided by weights nothing else.
     real(wp), parameter :: no_weight = 1.0e-30_wp

@@ -15,7 +15,7 @@ module mdrcontact_time_path
     !> Coefficients of a panel; up to which rate times length their moments are sums of powers, and of how many.
     integer, parameter :: most = 16, fewest = 4, powers = 22
     real(wp), parameter :: slow = 16.0_wp
-    !> How many are enough where half of that product is at most 1, and 0.01; rates for which they are summed side by side.
+    !> Number of powers if half of that product is at most 1, and 0.01; number of rates in a block of the sum.
     integer, parameter :: few_powers = 8, fewest_powers = 3, block_size = 8
     !> Digits that k has on each panel.
     real(wp), parameter :: digits_wanted = 13.0_wp

@@ -30,7 +30,7 @@ module mdrcontact_wear_disc
     real(wp), parameter :: tolerated = 1.0e-4_wp
     !> Targets that differ by less than this part are the same.
     real(wp), parameter :: same_target = 2.0_wp*tolerated
-    !> How often the coefficient is adapted to the depth that a place reaches.
+    !> Number of times that the coefficient is adapted to the depth of a place.
     integer, parameter :: most_changes = 40
     !> Steps of the trapezoidal rule are at most so many times a/n in k E0* s: the pressure oscillates under longer ones.
     real(wp), parameter :: longest_trapezoid = 4.01_wp

@@ -358,7 +358,7 @@ contains
                    " contact radii over coefficient times contact modulus. Divide the path")
     end subroutine check_length
 
-    !> How much of a distance is done.
+    !> Completed fraction of a distance.
     elemental function part(done, all) result(ratio)
         real(wp), intent(in) :: done, all
         real(wp) :: ratio
@@ -577,7 +577,7 @@ contains
         call on_disc%at(r, load, values)
     end subroutine pressure
 
-    !> How many numbers a saved past has.
+    !> Size of a saved past.
     pure function saved_size(self) result(count)
         class(wear_history_t), intent(in) :: self
         integer :: count

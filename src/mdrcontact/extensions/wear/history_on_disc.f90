@@ -36,7 +36,7 @@ module mdrcontact_wear_history_on_disc
 
 contains
 
-    !> Of a disc.
+    !> Create the history of a disc.
     pure subroutine new_wear_history_on_disc(self, disc)
         type(wear_history_on_disc_t), intent(out) :: self
         type(disc_t), intent(in) :: disc

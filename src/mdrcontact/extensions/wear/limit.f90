@@ -34,7 +34,7 @@ module mdrcontact_wear_limit
     !> any case, relative to where they end and to the radius of the disc that sticks, and how often panels are cut at most.
     real(wp), parameter :: last_terms = 1.0e-12_wp, short = 0.02_wp, shortest = 1.0e-6_wp
     integer, parameter :: most_cuts = 60
-    !> How often the search for the rim of the scar is widened.
+    !> Number of times that the search for the edge of the scar is widened.
     integer, parameter :: most_doublings = 60
 
     !> The state at the end, and the scar.

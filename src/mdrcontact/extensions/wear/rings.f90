@@ -275,7 +275,7 @@ contains
         depth = unknowns(m + 1)
     end subroutine press
 
-    !> That of a disc of the area that touches; of the outermost ring a part that goes from 0, when it begins to carry, to 1, when
+    !> Radius of a disc of the contact area; the outermost ring counts with a part from 0, when it begins to carry, to 1, when
     !> the next one does.
     pure function touching_radius(matrix, areas, softness, gap, touching, pressure) result(radius)
         real(wp), intent(in) :: matrix(0:, 0:), areas(0:), softness(0:), gap(0:), pressure(0:)

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> How a flat punch runs in (theory/wear.md (4.4)-(4.6)): what its pressure still differs by from that at the end falls as
+!> Running-in of a flat punch (theory/wear.md (4.4)-(4.6)): the deviation of its pressure from the final one finally falls as
 !> exp(-s/l) at last.
 !>
 !> With the radius fixed the equation of wear on the line is linear, (L q)' = E0* d' - k E0*/(2 a) |D| q, L = 1 + K, x in units of

@@ -16,7 +16,7 @@ module mdrcontact_line_legendre
     public :: moments_t, new_interaction, interaction_matrix, contact_rule, edge_kernel, edge_row, edge_slopes, is_fine, &
               normalisation
 
-    !> Of a rule of N nodes, moments up to order 0.8 N are right.
+    !> Moments of a rule of N nodes are accurate up to order 0.8 N.
     real(wp), parameter :: trusted = 0.8_wp
 
     !> The kernel's moments for one contact radius.
@@ -62,7 +62,7 @@ contains
         call fill_matrix(moments, h, work(:rows, 1), work(:, 2), work(:, 3), work(:, 4), work(:, 5), odd)
     end subroutine new_interaction
 
-    !> All of H_ij, i, j = 0 ... n - 1, with `diagonal`; 0 where there are no layers.
+    !> Matrix H_ij, i, j = 0 ... n - 1, with `diagonal`; 0 where there are no layers.
     subroutine interaction_matrix(kernel, a, n, nodes, matrix, error)
         type(kernel_t), intent(in) :: kernel
         !> [length]

@@ -349,7 +349,7 @@ contains
 
     end subroutine place_edges
 
-    !> Where places are on a panel, -1 to 1.
+    !> Coordinates on a panel, -1 to 1.
     elemental function local(self, panel, x) result(u)
         type(panels_t), intent(in) :: self
         integer, intent(in) :: panel

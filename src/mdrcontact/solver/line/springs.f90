@@ -36,8 +36,8 @@ contains
     !> int u dA over discs around the axis, u the displacement by a pressure of 1 on another one. With it what rings of constant
     !> pressure do to each other is a sum of four terms.
     !>
-    !> Of free springs int of 4 sqrt(a^2 - x^2) sqrt(b^2 - x^2) dx over the smaller disc, by complete elliptic integrals of modulus
-    !> b/a; of the kernel by Gauss and Chebyshev's rule of the second kind for both discs' springs 2 sqrt(r^2 - x^2).
+    !> Integral of free springs, int of 4 sqrt(a^2 - x^2) sqrt(b^2 - x^2) dx over the smaller disc, by complete elliptic integrals
+    !> of modulus b/a; of the kernel by Gauss and Chebyshev's rule of the second kind for both discs' springs 2 sqrt(r^2 - x^2).
     subroutine disc_products(self, radius, radii, products, error)
         class(springs_t), intent(in) :: self
         !> of the disc under pressure, and of the others [length]

@@ -35,7 +35,7 @@ module mdrcontact_line_tabulate
     !> than they decay.
     integer, parameter :: ray_denominator(*) = [6, 6, 12, 24, 12, 24, 24, 48], ray_panels(*) = [1, 2, 3, 6, 3, 6, 6, 12], &
                           ray_halvings(*) = [0, 0, 0, 0, 1, 1, 2, 2]
-    !> How many rays there are.
+    !> Number of rays.
     integer, parameter :: attempts = size(ray_panels)
 
 contains

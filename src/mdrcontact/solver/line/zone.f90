@@ -259,7 +259,7 @@ contains
         reached = max(part(1), merge(part(2), sqrt(part(1)*part(2)), at_points))
     end subroutine factorize_with
 
-    !> How large the last coefficients of K q are against q.
+    !> Size of the last coefficients of K q relative to q.
     pure function last_terms(rhs, q) result(part)
         real(wp), intent(in) :: rhs(:), q(:)
         real(wp) :: part

@@ -15,7 +15,7 @@ module mdrcontact_line_zone_effect
     !> A panel is so long, in units of the kernel, or so many times as long as it is away from the place; one in which the load has
     !> its root, or begins to vary next to one, is shorter.
     real(wp), parameter :: shortest = 2.0_wp, longest = 3.0_wp, longest_at_root = 2.0_wp
-    !> Of what is left up to a root a panel takes so much.
+    !> Length of a panel over the remaining distance to a root.
     real(wp), parameter :: towards_root = 0.6_wp
 
     !> Nodes around one place.

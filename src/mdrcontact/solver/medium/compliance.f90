@@ -83,7 +83,7 @@ contains
         call check_values(error, values)
     end subroutine of_relaxing
 
-    !> Of the body as it is under the sheet's stiffness in its plane, 1/C + tau k^2 + B k^4 instead of 1/C (theory/surfaces.md
+    !> Compliance of the body under the in-plane stiffness of the sheet, 1/C + tau k^2 + B k^4 instead of 1/C (theory/surfaces.md
     !> (5.1)).
     pure subroutine add_sheet(sheet, load, k, values, error)
         type(surface_t), intent(in) :: sheet

@@ -230,7 +230,7 @@ contains
         end do
     end subroutine modulus
 
-    !> All of them from one solution: k'(a) = 2 E0* q_1(a; a)^2, where E_eff + a E_eff' would cancel on a soft film.
+    !> All quantities from one solution: k'(a) = 2 E0* q_1(a; a)^2, where E_eff + a E_eff' would cancel on a soft film.
     subroutine solve(self, profile, a, solved, error, adhesive, accuracy, series)
         class(layered_exact_t), intent(in) :: self
         class(profile_t), intent(in) :: profile

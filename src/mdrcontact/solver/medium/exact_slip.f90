@@ -141,7 +141,7 @@ contains
         end do
     end subroutine rates
 
-    !> Of a thin annulus, see dissipation. At its edge R varies at the length of the kernel.
+    !> Panels of a thin annulus, see dissipation. At its edge R varies at the length of the kernel.
     subroutine panels(self, c, edges, has_root, error)
         class(layered_slip_t), intent(in) :: self
         real(wp), intent(in) :: c

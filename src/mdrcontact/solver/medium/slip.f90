@@ -23,7 +23,7 @@ module mdrcontact_medium_slip
     real(wp), parameter :: thin = 0.01_wp
     !> A stiffness that falls by a smaller power of the radius is one that does not vary.
     real(wp), parameter :: falling = 1.0e-9_wp
-    !> How close to a singular point of the pressure the traction is taken, relative.
+    !> Relative distance to a singular point of the pressure at which the traction is taken.
     real(wp), parameter :: close = 1.0e-9_wp
 
     !> First shear of one normal state. Media give what fits them.

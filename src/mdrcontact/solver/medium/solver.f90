@@ -194,7 +194,7 @@ contains
         if (.not. allocated(radii)) allocate (radii(0))
     end subroutine add_breaks
 
-    !> Of its bodies.
+    !> Size of its bodies.
     pure recursive function bytes(self)
         class(solver_t), intent(in) :: self
         integer(int64) :: bytes

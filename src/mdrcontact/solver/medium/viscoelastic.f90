@@ -106,8 +106,8 @@ contains
         end if
     end subroutine new_viscoelastic_medium
 
-    !> Of each material top to bottom its numbers, and behind those of a layer its thickness, and K_n and K_t of the interface below
-    !> it.
+    !> For each material, top to bottom, its numbers, and behind those of a layer its thickness, and K_n and K_t of the interface
+    !> below it.
     pure subroutine parameters(self, list)
         class(viscoelastic_t), intent(in) :: self
         type(parameter_t), allocatable, intent(out) :: list(:)

@@ -109,7 +109,7 @@ contains
         end associate
     end subroutine find_poles
 
-    !> Those of kappa_0 with s_0, the eigenvalues of its companion matrix, made more exact by Newton's steps.
+    !> All poles of kappa_0 with s_0: the eigenvalues of its companion matrix, refined by Newton's steps.
     subroutine find_all_poles(self, error)
         type(green_t), intent(inout) :: self
         type(error_t), allocatable, intent(inout) :: error

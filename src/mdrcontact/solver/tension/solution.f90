@@ -42,7 +42,7 @@ module mdrcontact_tension_solution
 
 contains
 
-    !> How many cosines a contact of radius a needs.
+    !> Number of cosines for a contact of radius a.
     pure function cosines_for(green, a, first_depth) result(n)
         type(green_t), intent(in) :: green
         real(wp), intent(in) :: a

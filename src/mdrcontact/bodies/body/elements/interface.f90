@@ -15,7 +15,7 @@ module mdrcontact_body_elements_interface
     !> that what comes of it is the limit to the last digit.
     real(wp), parameter :: sliding_compliance = 1.0e100_wp
 
-    !> How two layers hold together: compliances per area, 0 where they are bonded.
+    !> Bond of two layers: compliances per area, 0 if they are bonded rigidly.
     type :: bond_t
         !> 1/K_n and 1/K_t; an infinite second one slides without friction [length/modulus]
         real(wp) :: normal = 0.0_wp, tangential = 0.0_wp

@@ -79,7 +79,7 @@ module mdrcontact_law_sliders_motion
             integer(c_int32_t) :: done
         end function mdrcontact_sliders_steps
 
-        !> How many of n contacts, from the first one on, can certainly take their steps, with F up to the highest.
+        !> Number of the n contacts, from the first one on, whose steps are certainly valid, with F up to the highest.
         ! allow(assumed-size)
         function mdrcontact_sliders_sound(row, count, sliders, mark, highest, n, force, shift, memory) result(valid) bind(C)
             import :: c_double, c_int32_t

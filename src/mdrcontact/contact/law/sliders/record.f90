@@ -32,7 +32,7 @@ module mdrcontact_law_sliders_record
 
 contains
 
-    !> How many numbers a record of a law with so many sliders has.
+    !> Size of a record of a law with a number of sliders.
     pure function record_size(sliders) result(count)
         integer, intent(in) :: sliders
         integer :: count
