@@ -5,7 +5,7 @@ import math
 
 import numpy as np
 import pytest
-from conftest import ELASTIC_MODELS, OXIDE, SILICON, every_medium, every_profile
+from conftest import ELASTIC_MODELS, OXIDE, SILICON, every_medium, every_profile, numbers_of
 from scipy.integrate import quad
 
 import mdrcontact as mdr

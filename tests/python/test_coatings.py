@@ -307,7 +307,7 @@ def test_stiffnesses_and_engineering_constants_are_one_material():
             lambda: mdr.Layer(mdr.PowerLawRheology(1.0, 1.0, 0.2, 0.5), 1.0, prestress=1.0),
             "prestress: it must be 0 in a viscoelastic layer",
         ),
-        (lambda: mdr.Layered([mdr.Layer(GAN, 1.0, interface=mdr.SLIDING)], mdr.SMOOTH), "slides by itself"),
+        (lambda: mdr.Layered([mdr.Layer(GAN, 1.0, interface=mdr.SLIDING)], mdr.SMOOTH), "base already slides"),
         (
             lambda: mdr.Layered([mdr.Layer(GAN, 1.0, interface=mdr.SLIDING)], GAN).tangential_modulus(1.0),
             "no tangential stiffness",
