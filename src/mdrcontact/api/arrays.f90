@@ -96,7 +96,7 @@ contains
         type(error_t), allocatable, intent(inout) :: error
         character(len=*), intent(in) :: name, whose
         real(c_double), intent(in) :: values(:), smallest, largest
-        !> what follows where a value is too large
+        !> text if a value is too large
         character(len=*), intent(in), optional :: reason
         character(len=:), allocatable :: end_words
         integer :: i

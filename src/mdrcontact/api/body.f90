@@ -169,7 +169,7 @@ contains
     !> A layer, or a half-space, whose thickness and interface are then not considered.
     subroutine read_layer(error, role, given, material, thickness, bond, rheology, relaxes, alone)
         type(error_t), allocatable, intent(inout) :: error
-        !> what it is called in an error message
+        !> its name in error messages
         character(len=*), intent(in) :: role
         !> struct mdr_layer
         type(c_ptr), intent(in) :: given

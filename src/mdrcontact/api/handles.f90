@@ -137,7 +137,7 @@ contains
         status = return_object(object, out, error)
     end function return_solver
 
-    !> Frees what there is, of any kind.
+    !> Free an object of any kind.
     function mdr_free(handle) result(status) bind(C)
         type(c_ptr), value :: handle
         integer(c_int) :: status

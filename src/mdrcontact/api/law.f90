@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Compiled contact laws for C: making them, one point, and what they are.
+!> Compiled contact laws for C: creation, evaluation at one point, and properties.
 module mdrcontact_api_law
     use, intrinsic :: iso_c_binding, only: c_associated, c_double, c_f_pointer, c_int, c_loc, c_ptr, c_size_t, c_sizeof
     use mdrcontact_api_handles, only: description_of, return_object, look_inside, refuse_kind

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The optional settings of a medium, `mdr_medium_options`, and what models take, for C.
+!> The options of a medium, `mdr_medium_options`, and the arguments of models, for C.
 module mdrcontact_api_medium_options
     use, intrinsic :: ieee_arithmetic, only: ieee_positive_inf, ieee_value
     use, intrinsic :: iso_c_binding, only: c_char, c_double, c_int, c_loc, c_null_char, c_ptr, c_size_t, c_sizeof

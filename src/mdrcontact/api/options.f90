@@ -14,7 +14,7 @@ module mdrcontact_api_options
 
 contains
 
-    !> Overwrites the defaults with what the caller gave, which may be nothing. Members the caller does not know stay 0.
+    !> Overwrites the defaults with what the caller gave, which may be nothing. Members unknown to the caller stay 0.
     subroutine read_options(error, name, given, chosen, full)
         type(error_t), allocatable, intent(inout) :: error
         !> the argument's name

@@ -2,7 +2,7 @@
 !> Errors travel as values: an allocated `error_t` means failure and contains the reason.
 !>
 !> The codes are the status values of the C API (`MDR_E...` in mdrcontact.h) and select the
-!> exception class in Python. A message names the argument, its value and what is allowed.
+!> exception class in Python. A message names the argument, its value and the rule.
 module mdrcontact_error
     use mdrcontact_nonfinite, only: infinity, is_finite
     use mdrcontact_codes, only: error_callback => ecallback, error_cancelled => ecancelled, error_domain => edomain, &
@@ -23,7 +23,7 @@ module mdrcontact_error
     type :: error_t
         !> one of the constants of this module; a status of mdrcontact.h
         integer :: code = success
-        !> the finished sentence: names the argument, its value and what is allowed
+        !> the finished sentence: names the argument, its value and the rule
         character(len=:), allocatable :: message
         !> its parts, for a layer with messages of its own: the argument, if it is known,
         character(len=:), allocatable :: argument
@@ -35,12 +35,12 @@ module mdrcontact_error
 
 contains
 
-    !> Allocates `error` with a code and its words: all of them, or what follows the name of the argument.
+    !> Allocate `error` with a code and its message: the whole text, or the part after the name of the argument.
     pure subroutine raise(error, code, text, argument, entry)
         type(error_t), allocatable, intent(inout) :: error
         integer, intent(in) :: code
         character(len=*), intent(in) :: text
-        !> what is to blame
+        !> argument at fault
         character(len=*), intent(in), optional :: argument
         !> which entry of it, from 1; 0: none
         integer, intent(in), optional :: entry
@@ -105,7 +105,7 @@ contains
         if (stat /= 0) call raise(error, error_memory, "not enough memory")
     end subroutine check_memory
 
-    !> Raises unless first <= choice <= last; `allowed` are the codes and what they mean.
+    !> Raises unless first <= choice <= last; `allowed` are the codes and their meanings.
     pure subroutine check_choice(error, name, choice, first, last, allowed)
         type(error_t), allocatable, intent(inout) :: error
         character(len=*), intent(in) :: name, allowed

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Whole files as text: see file.c for what writing and reading hold to.
+!> Whole files as text; file.c states the guarantees of writing and reading.
 module mdrcontact_file
     use, intrinsic :: iso_c_binding, only: c_char, c_int, c_long_long, c_null_char, c_size_t
     use mdrcontact_error, only: check_memory, error_file, error_t, raise
@@ -41,7 +41,7 @@ module mdrcontact_file
 
 contains
 
-    !> Makes or replaces the file `path`; when that fails, what was there stays.
+    !> Makes or replaces the file `path`; if that fails, the old file stays.
     subroutine write_file(path, text, error)
         !> up to its trailing blanks, or up to a null character before which blanks count
         character(len=*), intent(in) :: path, text

@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The indented body: an elastic half-space whose constants vary with depth.
 !>
-!> Its surface answers to a load with its compliance in Hankel space (mdrcontact_body_compliance, theory/exact.md (1.1)).
+!> Its surface responds to a load with its compliance in Hankel space (mdrcontact_body_compliance, theory/exact.md (1.1)).
 !> Concrete bodies are made by their `new_...` procedures, keep their materials and never change afterwards.
 module mdrcontact_body
     use mdrcontact_object, only: object_t, room

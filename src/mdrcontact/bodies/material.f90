@@ -60,7 +60,7 @@ contains
         !> E > 0 [modulus], and -1 < nu <= 1/2 [1]
         real(wp), intent(in) :: young, poisson
         type(error_t), allocatable, intent(out) :: error
-        !> what the body is called in an error message
+        !> name of the body in error messages
         character(len=*), intent(in), optional :: role
         character(len=:), allocatable :: prefix
 
@@ -81,7 +81,7 @@ contains
         !> in the order of `parameters`
         real(wp), intent(in) :: numbers(5)
         type(error_t), allocatable, intent(inout) :: error
-        !> what the body is called in an error message
+        !> name of the body in error messages
         character(len=*), intent(in) :: role
         type(transverse_t) :: constants
 
@@ -115,7 +115,7 @@ contains
         real(wp), intent(in) :: values(:)
         type(material_t), intent(out) :: material
         type(error_t), allocatable, intent(inout) :: error
-        !> what the body is called in an error message
+        !> name of the body in error messages
         character(len=*), intent(in) :: role
 
         if (allocated(error)) return
@@ -141,7 +141,7 @@ contains
         !> tension > 0 [modulus]
         real(wp), intent(in) :: prestress
         type(error_t), allocatable, intent(inout) :: error
-        !> what the layer is called in an error message
+        !> name of the layer in error messages
         character(len=*), intent(in) :: role
         type(transverse_t) :: constants
 

@@ -209,7 +209,7 @@ contains
         if (.not. self%is_adhesive()) return
         associate (profile => self%equilibrium%profile)
             if (profile%has_wall .and. state%radius >= profile%largest_radius*(1.0_wp - 1.0e-12_wp)) return
-            ! at the rim of a flat end the depth moves before the radius
+            ! at the edge of a flat end the depth moves before the radius
             if (.not. allocated(self%equilibrium%cohesion) .and. state%radius <= profile%end_radius*(1.0_wp + 1.0e-12_wp)) return
         end associate
         call self%branch%slope_at(self%equilibrium, state, found, error)

@@ -77,7 +77,7 @@ contains
 
     !> The law of the same bodies for a paraboloid of another radius R. At a given contact radius depth and force are proportional
     !> to 1/R on any linear body, and the stiffness is the same: F(d; R) = (R0/R) F0(d R/R0), up to R0/R times the largest depth.
-    !> The memory of a contact with friction belongs to one law: records of the other are refused.
+    !> The memory of a contact with friction belongs to one law: records of the other raise an error.
     subroutine with_radius(self, radius, law, error)
         class(contact_law_t), intent(in) :: self
         !> R > 0 [length]
@@ -303,7 +303,7 @@ contains
         end if
     end subroutine force_elsewhere
 
-    !> The states at many depths: at_depth for arrays. Where one is refused the error is that of the first, and nothing is written.
+    !> The states at many depths: at_depth for arrays. If one fails, the error is that of the first, and nothing is written.
     subroutine from_depths(self, depths, error, force, slope, radius, stiffness, branch, threads)
         class(contact_law_t), intent(in) :: self
         !> [length]

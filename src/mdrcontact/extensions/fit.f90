@@ -116,7 +116,7 @@ contains
             if (.not. any(lost)) exit
             centred%parameters%value = residuals%values_at(u)
         end do
-        ! no minimum was found, and the value says only where the search began
+        ! no minimum was found, and the value is only the start of the search
         if (any(lost)) outcome%converged = .false.
         call describe(residuals, u, outcome, fit, error)
     end subroutine solve_fit

@@ -52,9 +52,9 @@ contains
         type(error_t), allocatable, intent(out) :: error
         !> without it: the defaults
         type(model_options_t), intent(in), optional :: options
-        !> what exact media made one after the other have in common
+        !> data shared by exact media created one after the other
         type(kernel_cache_t), intent(inout), optional :: shared
-        !> what its surface has; default none
+        !> properties of its surface; default none
         type(surface_t), intent(in), optional :: surface
 
         self%model = model
@@ -111,7 +111,7 @@ contains
         real(wp), intent(in) :: values(:)
         type(medium_t), intent(out) :: medium
         type(error_t), allocatable, intent(out) :: error
-        !> what exact media made one after the other have in common
+        !> data shared by exact media created one after the other
         type(kernel_cache_t), intent(inout) :: shared
         type(power_graded_t) :: power_graded
 

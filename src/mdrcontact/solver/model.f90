@@ -176,7 +176,7 @@ contains
         type(error_t), allocatable, intent(out) :: error
         !> without it: the defaults
         type(model_options_t), intent(in), optional :: options
-        !> what exact media made one after the other have in common
+        !> data shared by exact media created one after the other
         type(kernel_cache_t), intent(inout), optional :: shared
         !> tension and plate of its surface; default none
         type(surface_t), intent(in), optional :: surface
@@ -357,7 +357,7 @@ contains
         end if
     end subroutine new_layered_medium
 
-    !> The models that know one coating only.
+    !> The models for a single coating.
     subroutine new_coated_medium(medium, coating, h, substrate, model, options, error)
         class(solver_t), allocatable, intent(out) :: medium
         type(material_t), intent(in) :: coating, substrate

@@ -57,7 +57,7 @@ contains
         call gsl_integration_glfixed_table_free(table)
     end subroutine gauss_legendre
 
-    !> Legendre polynomials P_0(u), P_1(u), ...: (place, polynomial). GSL refuses places that rounding puts beyond +-1.
+    !> Legendre polynomials P_0(u), P_1(u), ...: (place, polynomial). GSL rejects places that rounding puts beyond +-1.
     pure function legendre(number, u) result(p)
         !> how many, > 0
         integer, intent(in) :: number

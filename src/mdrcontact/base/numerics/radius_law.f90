@@ -56,7 +56,7 @@ contains
         type(radius_law_t), intent(out) :: self
         !> ascending contact radii > 0, at least 3 [length]
         real(wp), intent(in) :: radius(:)
-        !> what the values are, for error messages
+        !> name of the values in error messages
         character(len=*), intent(in) :: name
         !> positive, same size as radius
         real(wp), intent(in) :: values(:)
@@ -88,7 +88,7 @@ contains
         type(radius_law_t), intent(out) :: self
         !> a positive, smooth function of the contact radius
         class(scalar_function_t), intent(inout), target :: f
-        !> what the values are, for error messages
+        !> name of the values in error messages
         character(len=*), intent(in) :: name
         !> 0 < smallest < largest [length]
         real(wp), intent(in) :: smallest, largest

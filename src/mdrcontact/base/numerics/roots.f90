@@ -174,7 +174,8 @@ contains
             real(wp) :: next, rate, widest, cubic
             logical :: newton, in_y
 
-            ! Where the last step did not help, as close to a vertical wall, the slope at x says little about the way back.
+            ! Where the last step did not help, as close to a vertical wall, the slope at x gives little information about the way
+            ! back.
             newton = f%known_slope > 0.0_wp .and. (y_before == 0.0_wp .or. abs(y) < 0.5_wp*abs(y_before) + accuracy_before)
             rate = slope
             slope_is_local = .true.

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> A real function of one real variable that carries its own data: what root finders, samplers and callbacks take.
+!> A real function of one real variable that carries its own data: the argument of root finders, samplers and callbacks.
 module mdrcontact_numerics_scalar_function
     use mdrcontact_nonfinite, only: is_finite
     use mdrcontact_error, only: error_callback, error_t, raise, to_text
@@ -26,10 +26,10 @@ module mdrcontact_numerics_scalar_function
         procedure(value_at), deferred :: value
     end type scalar_function_t
 
-    !> A user's function, whose values are refused where they are not numbers.
+    !> A user's function, whose values raise an error if they are not numbers.
     type, extends(scalar_function_t) :: watched_function_t
         class(scalar_function_t), pointer :: f => null()
-        !> what it and its argument are called
+        !> its name and that of its argument
         character(len=16) :: name = "function"
         character(len=1) :: argument = "x"
     contains

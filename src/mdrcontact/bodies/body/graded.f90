@@ -25,7 +25,7 @@ module mdrcontact_body_graded
     !> Octaves of depth above the first entry of a table, and in the range of a function, before the homogeneous top.
     integer, parameter :: table_octaves = 30, function_octaves = 50
     real(wp), parameter :: function_tolerance = 1.0e-13_wp
-    !> Functions that want more panels than this are not smooth.
+    !> Functions that need more panels than this are not smooth.
     integer, parameter :: most_panels = 500
 
     !> A graded half-space.

@@ -16,7 +16,7 @@ module mdrcontact_body_layers
         real(wp), allocatable :: thickness(:)
         !> materials of the layers and, one more, of the half-space; not allocated of layers that were not given as such
         type(material_t), allocatable :: materials(:)
-        !> how each holds to what lies below it; not allocated: all are bonded
+        !> bond of each to what lies below it; not allocated: all are bonded
         type(bond_t), allocatable :: bonds(:)
         !> shear moduli mu [modulus] and Poisson's ratios of the layers and, one more, of the half-space
         real(wp), allocatable :: shear(:), poisson(:)

@@ -25,7 +25,7 @@ module mdrcontact_body_stack
         type(material_t), allocatable :: layers(:)
         !> their thicknesses [length]
         real(wp), allocatable :: thickness(:)
-        !> how each holds to what lies below it
+        !> bond of each to what lies below it
         type(bond_t), allocatable :: bonds(:)
         !> what lies below them, unless the base is rigid
         type(material_t) :: substrate
@@ -58,7 +58,7 @@ contains
         type(error_t), allocatable, intent(out) :: error
         !> bonded to a rigid base instead of the substrate, which is then ignored; default false. At least one layer then.
         logical, intent(in), optional :: rigid_base
-        !> how each layer holds to what lies below it; without it all are bonded
+        !> bond of each layer to what lies below it; without it all are bonded
         type(bond_t), intent(in), optional :: bonds(:)
         type(material_t), allocatable :: kept(:)
         real(wp), allocatable :: kept_thickness(:)
@@ -155,7 +155,7 @@ contains
     end subroutine join
 
     !> For each layer the numbers of its material, thickness, prestress, and K_n and K_t of the interface below it; then those of
-    !> the substrate, whose names stand alone where there is no layer.
+    !> the substrate, whose names have no prefix if there is no layer.
     pure subroutine parameters(self, list)
         class(stack_t), intent(in) :: self
         type(parameter_t), allocatable, intent(out) :: list(:)

@@ -97,7 +97,7 @@ contains
             if (refused%code == error_memory) call move_alloc(refused, error)
         end function is_stable
 
-        !> The body with the layer under a stress; refused where that is unstable.
+        !> The body with the layer under a stress; an error if that is unstable.
         subroutine stretched_stack(trial, refused)
             real(wp), intent(in) :: trial
             type(error_t), allocatable, intent(inout) :: refused

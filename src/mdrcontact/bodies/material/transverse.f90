@@ -51,7 +51,7 @@ contains
         !> in the order of `given_parameters`
         real(wp), intent(in) :: numbers(5)
         type(error_t), allocatable, intent(inout) :: error
-        !> what the body is called in an error message, with a blank behind it, or nothing
+        !> name of the body in error messages, with a blank behind it, or nothing
         character(len=*), intent(in) :: prefix
 
         associate (n => numbers)
@@ -87,7 +87,7 @@ contains
         !> C44 > 0, C11 > |C12|, C33 > 0, C33 (C11 + C12) > 2 C13^2 [modulus]
         real(wp), intent(in) :: c11, c12, c13, c33, c44
         type(error_t), allocatable, intent(inout) :: error
-        !> what the body is called in an error message, with a blank behind it, or nothing
+        !> name of the body in error messages, with a blank behind it, or nothing
         character(len=*), intent(in) :: prefix
 
         call check_positive(error, prefix//"C11", c11)
@@ -115,7 +115,7 @@ contains
         !> > 0 [modulus]
         real(wp), intent(in) :: g_z
         type(error_t), allocatable, intent(inout) :: error
-        !> what the body is called in an error message, with a blank behind it, or nothing
+        !> name of the body in error messages, with a blank behind it, or nothing
         character(len=*), intent(in) :: prefix
         real(wp) :: rest
 
@@ -167,7 +167,7 @@ contains
         real(wp), intent(in) :: prestress
         type(transverse_t), intent(out) :: stressed
         type(error_t), allocatable, intent(inout) :: error
-        !> what the layer is called in an error message, with a blank behind it, or nothing
+        !> name of the layer in error messages, with a blank behind it, or nothing
         character(len=*), intent(in) :: prefix
         character(len=:), allocatable :: words
         logical :: is_stable

@@ -51,7 +51,7 @@ module mdrcontact_profile_sampled
     real(wp), parameter :: largest_step = 4.0_wp
     !> Largest number of times that f is sampled again with the corners found.
     integer, parameter :: most_rounds = 4
-    !> Lengths below it, and above its inverse, are refused.
+    !> Lengths below it, and above its inverse, raise an error.
     real(wp), parameter :: smallest_length = 1.0e-150_wp
     !> The range over which f and g are sampled: down to this fraction of their largest value or of the largest radius,
     real(wp), parameter :: smallest_value = 1.0e-20_wp, smallest_radius = 1.0e-10_wp

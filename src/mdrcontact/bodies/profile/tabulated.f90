@@ -55,7 +55,7 @@ contains
         type(sampled_profile_t), intent(out) :: self
         !> f(r) on [0, largest_radius]: f(0) = 0, not decreasing, smooth but for corners and a power of r at the axis. Where it
         !> loses digits towards the axis, as R - sqrt(R^2 - r^2) does and r^2/(R + sqrt(R^2 - r^2)) does not, it is continued
-        !> by a series in r that its values determine to 3e-10, or refused with error_no_convergence.
+        !> by a series in r that its values determine to 3e-10, or error_no_convergence is raised.
         class(scalar_function_t), intent(inout), target :: height
         !> up to where contacts reach, > 0 [length]
         real(wp), intent(in) :: largest_radius

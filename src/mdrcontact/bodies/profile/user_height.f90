@@ -3,8 +3,8 @@
 !>
 !> A formula such as R - sqrt(R^2 - r^2) loses its digits towards the axis. Below the radius where that shows as scatter of the
 !> values, f is continued by the series r^s (c_0 + c_1 r^k + c_2 r^2k + ...), k = 2 or 1, that agrees with the values there within
-!> their scatter, if they determine it well enough; else it is refused. A curvature is no scatter: where the values do not scatter
-!> they are taken as they are.
+!> their scatter, if they determine it well enough; else an error is raised. A curvature is no scatter: where the values do not
+!> scatter they are taken as they are.
 module mdrcontact_profile_user_height
     use mdrcontact_error, only: error_invalid, error_no_convergence, error_t, raise, to_text
     use mdrcontact_kinds, only: wp

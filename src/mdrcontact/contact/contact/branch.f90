@@ -106,7 +106,7 @@ contains
         allocate (turns(size(brackets, 2) + 2))
         turns(1) = curve%edges(1)
         turns(size(turns)) = curve%edges(size(curve%edges))
-        ! Behind a flat end s rises with the root of a - b: the branch begins at the rim itself.
+        ! Behind a flat end s rises with the root of a - b: the branch begins at the edge itself.
         if (equilibrium%profile%end_radius > 0.0_wp) turns(1) = smallest_log
         do i = 1, size(brackets, 2)
             turns(i + 1) = refined_extremum(equilibrium, control, brackets(1, i), brackets(2, i), error)

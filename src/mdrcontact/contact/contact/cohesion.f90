@@ -261,7 +261,7 @@ contains
         end if
     end subroutine solve_for_length
 
-    !> The load of a state of this contact, with the springs that bear it.
+    !> The load of a state of this contact, with the springs that carry it.
     subroutine load(self, profile, state, springs, found, error)
         class(cohesion_t), intent(in), target :: self
         class(profile_t), intent(in), target :: profile

@@ -29,7 +29,7 @@ module mdrcontact_contact_equilibrium
     type :: unstable_range_t
         !> coordinates x = ln(a - end radius) of its ends
         real(wp) :: first = 0.0_wp, last = 0.0_wp
-        !> at the first end: the most that contacts up to there bear
+        !> at the first end: the most that contacts up to there carry
         type(contact_state_t) :: top
     end type unstable_range_t
 

@@ -55,7 +55,7 @@ module mdrcontact_contact_inversion
     !> The radius of a homogeneous body is but a guess: found to this part of itself, and in at most so many steps.
     real(wp), parameter :: short_step = 0.01_wp
     integer, parameter :: most_steps = 50
-    !> Parts of the medium's largest radius: wider states cost much where they are solved for, and may be refused; near the other
+    !> Parts of the medium's largest radius: wider states cost much where they are solved for, and may fail; near the other
     !> one, states are as those of the surface alone.
     real(wp), parameter :: wide = 1.0e-2_wp, narrow = 1.0e-7_wp
     !> So far below the coordinate from which on the depth falls a search begins that would begin beyond it.
@@ -246,7 +246,7 @@ contains
             end if
             if (allocated(error) .and. mismatch%near_enough > 0.0_wp) then
                 if (error%code == error_no_convergence) then
-                    ! That a state farther out is refused says nothing of those further in.
+                    ! That a state farther out is refused gives no information on those further in.
                     deallocate (error)
                     if (allocated(mismatch%error)) deallocate (mismatch%error)
                     call solve_increasing(mismatch, narrow_coordinate(equilibrium), expected_slope, first, last, root, found, error)
@@ -403,7 +403,7 @@ contains
         s = max(self%control%of(solved%depth, solved%force), tiny(s))
         y = log(s/self%target_value)
         self%known_slope = exp(x)*solved%depth_slope*self%control%of(1.0_wp, 2.0_wp*radius*solved%modulus)/s
-        ! Unknown to both formula and solution; or infinite, as d' at the rim of a flat end.
+        ! Unknown to both formula and solution; or infinite, as d' at the edge of a flat end.
         if (solved%depth_slope < 0.0_wp .and. solved%depth_slope == formula) self%known_slope = 0.0_wp
         ! And that of ln s says nothing where rounding has left nothing of s, next to a flat end.
         if (.not. abs(self%known_slope) <= huge(s) .or. s <= tiny(s)) self%known_slope = 0.0_wp

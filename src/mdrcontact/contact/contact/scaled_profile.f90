@@ -151,7 +151,7 @@ contains
         if (.not. upper > lower) return
         call graded_edges(lower, upper, [lower], self%profile%singular_radius, edges, error)
         if (allocated(error)) then
-            ! a moment has no status: the state that it belongs to is refused as not finite
+            ! a moment has no status: the state that it belongs to is rejected as not finite
             moment = quiet_nan
             return
         end if

@@ -50,7 +50,7 @@ contains
             call new_curve(curve, equilibrium, coordinates, tolerance, error, largest_noise)
             if (.not. allocated(error)) exit
             if (error%code /= error_no_convergence) return
-            ! wide contacts may be refused
+            ! wide contacts may fail
             deallocate (error)
             last = last - decade
         end do

@@ -51,7 +51,7 @@ contains
         type(law_options_t), intent(in), optional :: options
         !> 4 to 64 vector sliders for the springs of the contact; default 8
         integer, intent(in), optional :: sliders
-        !> whether they bear a twist about the normal, with its torque, instead of the shift; of a paraboloid on homogeneous bodies
+        !> whether they carry a twist about the normal, with its torque, instead of the shift; of a paraboloid on homogeneous bodies
         logical, intent(in), optional :: twist
 
         if (present(sliders)) call check_sliders(error, sliders)

@@ -57,7 +57,7 @@ module mdrcontact_friction_partial_slip
         type(contact_t) :: contact
         !> of friction, > 0 [1]
         real(wp) :: coefficient = 0.0_wp
-        !> what answers to a shift as the contact's medium does to a depth: its modulus is G_t(a) = k_t(a)/(2 a)
+        !> what responds to a shift as the contact's medium does to a depth: its modulus is G_t(a) = k_t(a)/(2 a)
         class(solver_t), allocatable :: tangential
     contains
         procedure :: first_shear

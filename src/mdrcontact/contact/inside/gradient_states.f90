@@ -34,7 +34,7 @@ module mdrcontact_inside_gradient_states
     real(wp), parameter :: first_cutoff = 800.0_wp, last_cutoff = 2.0e5_wp, shortest_wave = 1.0e6_wp
     !> Shifts and wavenumbers of the fit: each so many times as large as the one before.
     real(wp), parameter :: shift_ratio = 1.4_wp, wave_ratio = 1.12_wp
-    !> Misfit of the images, weighted with (k/cutoff)^(-1/2), that is searched for and that is refused, and what the amplitudes
+    !> Misfit of the images, weighted with (k/cutoff)^(-1/2), that is the target and that is an error, and what the amplitudes
     !> count in the fit. Under a smooth load the error of a stress is 1/20 of the misfit.
     real(wp), parameter :: tolerance = 3.0e-9_wp, refused = 2.0e-7_wp, ridge = 1.0e-13_wp
 

@@ -3,7 +3,7 @@
 !>
 !> A wave exp(-lambda k z) represents a function f of zeta = lambda z + i x under the integral I[f] = (1/pi) int_0^a q Re f dx, and
 !> I[f] = (1/pi) {q(a) Im P(lambda z + i a) - int_0^a q' Im P dx} with dP/dzeta = f (theory/stress.md (4.1), (4.8)): no factor a/z
-!> is lost near the surface. Which functions P, the extensions know: mdrcontact_inside_isotropic, mdrcontact_inside_transverse.
+!> is lost near the surface. The extensions provide the functions P: mdrcontact_inside_isotropic, mdrcontact_inside_transverse.
 module mdrcontact_inside_half_space
     use mdrcontact_medium_load, only: load_t, panel_t
     use mdrcontact_error, only: check_memory, error_t

@@ -25,7 +25,7 @@ module mdrcontact_inside_interior
     !> The components by their place in a result.
     integer, parameter :: u_r = 1, u_t = 2, u_z = 3, s_rr = 4, s_tt = 5, s_zz = 6, s_rz = 7, s_rt = 8, s_tz = 9, components = 9
 
-    !> Points farther away than this are refused [a].
+    !> Points farther away than this raise an error [a].
     real(wp), parameter :: farthest_point = 1.0e12_wp
     !> On a grid the whole state is integrated from this part of the surface layer on: the waves are shared there.
     real(wp), parameter :: shared_from = 0.5_wp

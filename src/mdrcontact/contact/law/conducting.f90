@@ -8,7 +8,7 @@ module mdrcontact_law_conducting
     private
     public :: conducting_t, conductance_function_t
 
-    !> Conductors whose spots have a steady conductance.
+    !> Conductors whose contact areas have a steady conductance.
     type, abstract :: conducting_t
     contains
         procedure(conductance_of), deferred :: conductance

@@ -10,7 +10,7 @@
 !> Springs slip by Coulomb's law, or where their traction reaches a constant shear strength. The latter does not depend on F: a step
 !> is then one of the contact radius, which any contact has, one with adhesion too.
 !>
-!> Sliders of a twist bear a torque M where the others bear T, and turn by phi where these move by s: the spin of a ball about the
+!> Sliders of a twist carry a torque M where the others carry T, and turn by phi where these move by s: the spin of a ball about the
 !> normal, under Coulomb's law and any path of phi and F (mdrcontact_law_twist).
 module mdrcontact_law_friction
     use, intrinsic :: iso_fortran_env, only: int32
@@ -97,7 +97,7 @@ module mdrcontact_law_friction
     !> Contacts for which the law is evaluated at a time, and below how many each alone is quicker; from how many on several threads
     !> pay.
     integer, parameter :: block_size = 256, few = 6, smallest_parallel = 16*block_size
-    !> Forces, shifts and records of larger size are refused: their squares are no numbers.
+    !> Forces, shifts and records of larger size raise an error: their squares overflow.
     real(wp), parameter :: largest = 1.0e150_wp
     !> A normal force of less than this part of the largest counts as 0: slopes there are no numbers.
     real(wp), parameter :: nothing = 1.0e-100_wp
@@ -232,7 +232,7 @@ contains
     end subroutine attempt
 
     !> One step of each of many contacts, on `threads` threads (0: as many as the runtime offers), as advance or attempt does it.
-    !> After an error all records are as before, and the error names the first contact that is at fault.
+    !> After an error all records are as before, and the error names the first contact that failed.
     subroutine steps(self, contacts, threads, error)
         class(friction_law_t), intent(in), target :: self
         type(contact_steps_t), intent(in) :: contacts

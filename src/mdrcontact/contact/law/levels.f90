@@ -36,7 +36,7 @@ module mdrcontact_law_levels
         real(wp), allocatable :: shift(:), force(:), stiffness(:)
         !> k at initial contact: a flat end touches with all of its springs simultaneously
         real(wp) :: first_stiffness = 0.0_wp
-        !> distance below the next level at which the lower ends of sliders best stand, in levels, ascending
+        !> distance below the next level at which the lower ends of sliders best lie, in levels, ascending
         integer, allocatable :: places(:)
         !> the same together, with 1/(S_l+1 - S_l), 0 for the last: (4, 0:count + 1)
         real(wp), allocatable :: row(:, :)
@@ -53,7 +53,7 @@ module mdrcontact_law_levels
         !> whether S is the contact radius; if so, k is proportional to this power of S: by_shear or by_twist
         logical :: of_radius = .false.
         integer :: power = 0
-        !> of a twist what springs beyond a radius bear, mdrcontact_law_twist
+        !> of a twist what springs beyond a radius carry, mdrcontact_law_twist
         real(wp), allocatable :: twist_load(:, :)
     end type levels_t
 
@@ -150,7 +150,7 @@ contains
         self%row(4, :self%count - 1) = 1.0_wp/(self%shift(1:self%count) - self%shift(:self%count - 1))
     end subroutine lay_rows
 
-    !> Where lower ends of sliders best stand: such that each lacks as much of first shear, T(s) being that of a paraboloid, and
+    !> Where lower ends of sliders best lie: such that each lacks as much of first shear, T(s) being that of a paraboloid, and
     !> under Coulomb's law relative to the s at which it lacks that. S_l/S = cos^2 x there, c/a = cos x: to be found are equal
     !> parts of the integral of the root of cos x, of sin 2 x at constant shear strength, and of cos x sin^2 x of a twist.
     pure subroutine find_places(self, ratio)

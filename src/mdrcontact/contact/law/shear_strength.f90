@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> From any contact on homogeneous bodies, one with adhesion too, to the sliders of a constant shear strength tau0: smooth, dry,
-!> molecular contacts (Homola et al., Wear 136 (1990) 65). Springs at x bear up to b(x) = 2 tau0 sqrt(a^2 - x^2). In first shear
+!> molecular contacts (Homola et al., Wear 136 (1990) 65). Springs at x carry up to b(x) = 2 tau0 sqrt(a^2 - x^2). In first shear
 !>     T = 2 tau0 a^2 (y sqrt(1 - y^2) + arcsin y),  y = G_t s/(2 tau0 a) <= 1,  k_t = 2 G_t a,
 !> so that T = pi a^2 tau0 in sliding (theory/friction.md (7.10)). That T makes a smaller is neglected.
 module mdrcontact_law_shear_strength

@@ -139,8 +139,8 @@ contains
         end do
     end subroutine halve_lack
 
-    !> int (k - k_l) dS from S_l, what springs beyond it bear for each unit of shift and S that grow together from there on; and its
-    !> derivative.
+    !> int (k - k_l) dS from S_l, what springs beyond it carry for each unit of shift and S that grow together from there on; and
+    !> its derivative.
     pure subroutine growth_beyond(levels, from, place, load, slope)
         type(levels_t), intent(in) :: levels
         !> S_l, F_l and k_l

@@ -268,7 +268,7 @@ contains
         if (self%intervals(1)%first_panel == 0 .and. contains_ends(self%intervals(1))) self%direct = self%intervals(1)
     end subroutine find_direct
 
-    !> F or d there, and its slope: all of values_below that many callers want.
+    !> F or d there, and its slope: the part of values_below that many callers need.
     pure subroutine value_below(self, s, other, slope)
         type(law_table_t), intent(in) :: self
         !> between 0 and the lowest

@@ -2,7 +2,7 @@
 !> Torque of the springs beyond a radius c as a paraboloid's contact of radius a slips about its axis under
 !> Coulomb's law (theory/friction.md (7.12)). Springs slip at the twist, over mu and in units of that by which it falls at the edge,
 !>     phi(c) = (2 a/pi) [K - E],    K, E of the modulus sqrt(1 - (c/a)^2)
-!> (Lubkin, J. Appl. Mech. 18 (1951) 183), and bear M - k phi, k = k_a (c/a)^3, dM = k dphi:
+!> (Lubkin, J. Appl. Mech. 18 (1951) 183), and carry M - k phi, k = k_a (c/a)^3, dM = k dphi:
 !>     P(c) = k_a a p(c/a),    p(y) = (6/pi) int_y^1 t^2 [K - E] dt,
 !> p(0) = 3 pi/32. The integral is not an elliptic one: p is a table of cubic pieces that have its derivativesalso.
 module mdrcontact_law_twist

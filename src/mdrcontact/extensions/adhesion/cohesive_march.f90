@@ -27,7 +27,7 @@ module mdrcontact_adhesion_cohesive_march
     real(wp), parameter :: rounding = 1.0e-7_wp
     !> d ln h/d ln(c - a), about.
     real(wp), parameter :: usual_slope = 1.1_wp
-    !> Trials nearer to each other say nothing of a slope but their rounding [ln l].
+    !> Trials nearer to each other give no information on a slope but their rounding [ln l].
     real(wp), parameter :: same_slope = 1.0e-8_wp
     !> Largest displacement of the place in one step [zone], at first [of that], and in a jump from one trial to the next [1].
     real(wp), parameter :: farthest = 0.6_wp, first_part = 1.0e-3_wp, stride = 0.03_wp
@@ -178,7 +178,7 @@ contains
             if (allocated(error) .or. x < smallest*self%touching - self%touching) return
             y = value_at(self, control, x, error) - s
             if (allocated(error)) return
-            ! s grows with the contact, or the state is not stable; where the edge rests rounding may say otherwise
+            ! s grows with the contact, or the state is not stable; where the edge rests rounding may contradict this
             grows = (y - y_before)*(x - x_before) > 0.0_wp
             found = abs(y) <= merge(tolerance, rounding, grows)*scale
             if (found) exit

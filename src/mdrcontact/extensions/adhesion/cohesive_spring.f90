@@ -139,7 +139,7 @@ contains
     end subroutine hold
 
     !> In the zone from one part of the step to another. The integrand is the distance of q from its end: of short times little is
-    !> left, whatever the rule makes of them.
+    !> left, for any rule.
     pure subroutine attract(self, x, parts, q_to, z)
         type(spring_step_t), intent(in) :: self
         real(wp), intent(in) :: x, parts(2), q_to

@@ -25,7 +25,7 @@ module mdrcontact_conduction_answers
     integer, parameter :: shared_nodes = 28, own_nodes = 16
     !> Largest relative difference of time steps that count as equal.
     real(wp), parameter :: even = 1.0e-9_wp
-    !> D t/a^2 from which on answers are solved, D the largest diffusivity at the surface, and omega a^2/D up to which.
+    !> D t/a^2 from which on responses are solved, D the largest diffusivity at the surface, and omega a^2/D up to which.
     real(wp), parameter :: first_time = 1.0e-4_wp, last_frequency = 1.0e5_wp
 
     !> Expansion of the solution: without a film in the contact area, and with one.
@@ -160,7 +160,7 @@ contains
         if (answer == spot_resistance_answer .and. .not. allocated(error)) value = 1.0_wp/value
     end subroutine answer_at
 
-    !> Whether the potential of the spot is given, not its flux.
+    !> Whether the potential of the contact area is given, not its flux.
     elemental function is_of_spot(answer)
         integer, intent(in) :: answer
         logical :: is_of_spot
@@ -184,8 +184,8 @@ contains
         call respond(conduction, answer, a, time, .false., values, error)
     end subroutine step_of
 
-    !> The answer to a history of potential or flux that begins with 0 and goes evenly from one value to the next: ramps that begin
-    !> at each time, superposed.
+    !> The response to a history of potential or flux that begins with 0 and goes evenly from one value to the next: ramps that
+    !> begin at each time, superposed.
     subroutine follow_history(conduction, answer, a, time, given, values, error)
         type(conduction_t), intent(in) :: conduction
         !> as in admittance_of
@@ -298,7 +298,7 @@ contains
         end do
     end subroutine respond
 
-    !> Flux density through a spot without a film, a time after a step of its potential to 1.
+    !> Flux density through a contact area without a film, a time after a step of its potential to 1.
     subroutine flux_after_step(conduction, a, time, r, values, error)
         type(conduction_t), intent(in) :: conduction
         !> > 0 [length]

@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> One or two conductors that exchange a flux through a circular spot, and the kernels of their springs: compliances of both sides
-!> add, 1/S_0 = 1/S_1 + 1/S_2 of the surface layers and X = S_0 (X_1/S_1 + X_2/S_2): theory/conduction.md (3.1).
+!> One or two conductors that exchange a flux through a circular contact area, and the kernels of their springs: compliances of both
+!> sides add, 1/S_0 = 1/S_1 + 1/S_2 of the surface layers and X = S_0 (X_1/S_1 + X_2/S_2): theory/conduction.md (3.1).
 module mdrcontact_conduction_bodies
     use mdrcontact_conduction_compliance, only: flux_compliance_t, new_flux_compliance
     use mdrcontact_conduction_conductors, only: conductors_t, insulating_base
@@ -20,7 +20,8 @@ module mdrcontact_conduction_bodies
     real(wp), parameter :: tolerance = 1.0e-11_wp
     !> Contact radii up to this many depths of all layers are offered.
     real(wp), parameter :: largest_ratio = 1.0e4_wp
-    !> The sink lies this many thicknesses of an insulated body beyond the spot: the potential around it is uniform through them.
+    !> The sink lies this many thicknesses of an insulated body beyond the contact area: the potential around it is uniform through
+    !> them.
     real(wp), parameter :: nearest_sink = 8.5_wp
 
     !> To be read only.
@@ -37,11 +38,11 @@ module mdrcontact_conduction_bodies
         real(wp), allocatable :: share(:)
         !> G(a)/a where it has been tabulated
         type(radius_law_t), allocatable :: table
-        !> R_c >= 0, resistance in the spot
+        !> R_c >= 0, resistance in the contact area
         real(wp) :: film = 0.0_wp
         !> b, where the flux leaves a body on an insulating base; 0: not given
         real(wp) :: sink = 0.0_wp
-        !> of spots
+        !> of contact areas
         real(wp) :: largest_radius = huge(1.0_wp)
         !> whether one of them lies on an insulating base
         logical :: is_insulated = .false.
@@ -153,7 +154,7 @@ contains
         end do
     end function waves_in
 
-    !> C(k): potential over flux at the surface of a wave, of two bodies the sum of both; what lies in the spot is left out.
+    !> C(k): potential over flux at the surface of a wave, of two bodies the sum of both; what lies in the contact area is left out.
     pure subroutine compliance(self, k, omega, values)
         class(conduction_t), intent(in) :: self
         !> wavenumbers > 0 [1/length]
@@ -196,7 +197,7 @@ contains
         if (self%is_insulated) self%kernel%one_plus_chi_zero = 1.0_wp
     end subroutine tabulate
 
-    !> Raises unless spots of this radius are offered.
+    !> Raises unless contact areas of this radius are offered.
     pure subroutine check_radius(self, a, error)
         class(conduction_t), intent(in) :: self
         !> [length]

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Layers that conduct, electrically or thermally, on a base, and what their surface answers to a flux (Hankel space).
+!> Layers that conduct, electrically or thermally, on a base, and the response of their surface to a flux (Hankel space).
 !>
 !> A layer of conductivities kappa_z into the body and kappa_r along the surface is the isotropic one of S = sqrt(kappa_r kappa_z)
 !> and thickness h sqrt(kappa_r/kappa_z). With heat capacity c and Laplace variable s its waves fall as exp(-beta z),
@@ -17,7 +17,7 @@ module mdrcontact_conduction_conductors
     private
     public :: conductor_t, conductors_t, new_conductors, half_space_base, perfect_base, insulating_base, layer_at
 
-    !> C of an insulating base: all other terms are negligible compared with it, so that what comes of it is the limit to the last
+    !> C of an insulating base: all other terms are negligible compared with it, so that the result equals the limit to the last
     !> digit.
     real(wp), parameter :: without_end = 1.0e100_wp
 

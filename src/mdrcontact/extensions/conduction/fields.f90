@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Fields of the steady spot at potential difference 1, with or without a film in it: flux density through the spot, potential and
-!> flux density in each body.
+!> Fields of the steady contact area at potential difference 1, with or without a film in it: flux density through the contact area,
+!> potential and flux density in each body.
 module mdrcontact_conduction_fields
     use mdrcontact_conduction_bodies, only: conduction_t
     use mdrcontact_conduction_film, only: film_spot_t, new_film_spot, terms_of_flux
@@ -58,7 +58,7 @@ contains
         call raise(error, error_domain, "film: it is not available on layers with an insulating base. Omit the film")
     end subroutine check
 
-    !> Raises unless points lie in a spot.
+    !> Raises unless points lie in a contact area.
     pure subroutine check_inside(r, a, error)
         !> [length]
         real(wp), intent(in) :: r(:)
@@ -75,7 +75,7 @@ contains
         end do
     end subroutine check_inside
 
-    !> j(r) in the spot.
+    !> j(r) in the contact area.
     subroutine flux_at(self, a, r, density, error)
         type(conduction_t), intent(in) :: self
         !> > 0 [length]

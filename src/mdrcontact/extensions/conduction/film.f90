@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> A spot with a film of constant area resistance R_c in it, R_c j + phi = V, steady or at one Laplace variable.
+!> A contact area with a film of constant area resistance R_c in it, R_c j + phi = V, steady or at one Laplace variable.
 !>
 !>     j(r) = sum c_n P_n(1 - 2 r^2/a^2),  j_hat = a^2 sum c_n J_(2n+1)(ka)/(ka),  A c = V (a^2/2) e_0,  G = pi a^2 c_0/V
 !>     A_mn = (a^3/S_0) [N_mn + int_0^inf chi(z/a) J_(2m+1)(z) J_(2n+1)(z) z^-2 dz] + R_c (a^2/2) delta_mn/(2n + 1)
@@ -20,7 +20,7 @@ module mdrcontact_conduction_film
     private
     public :: film_spot_t, new_film_spot, film_basis_t, new_film_basis, film_spot_at
 
-    !> Terms of the steady spot at first and at most, and in time.
+    !> Terms of the steady contact area at first and at most, and in time.
     integer, parameter :: first_terms = 40, most_terms = 1280, terms_in_time = 96
     !> Terms from which on values of the flux, with an error n^-4, are accurate.
     integer, parameter, public :: terms_of_flux = 320
@@ -39,7 +39,7 @@ module mdrcontact_conduction_film
         real(wp), allocatable :: z(:), weight(:), waves(:, :)
     end type film_basis_t
 
-    !> The flux through a steady spot at potential 1.
+    !> The flux through a steady contact area at potential 1.
     type :: film_spot_t
         real(wp) :: radius = 0.0_wp
         !> G and dG/da
@@ -54,7 +54,7 @@ module mdrcontact_conduction_film
 
 contains
 
-    !> The spot by as many terms as its conductance takes.
+    !> The contact area by as many terms as its conductance takes.
     subroutine new_film_spot(self, conduction, a, error, fewest)
         type(film_spot_t), intent(out) :: self
         type(conduction_t), intent(in) :: conduction

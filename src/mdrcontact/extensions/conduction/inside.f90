@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> Potential and flux density in a conductor under a steady flux through a spot, whose line load is a Legendre series:
+!> Potential and flux density in a conductor under a steady flux through a contact area, whose line load is a Legendre series:
 !> the closed ones of a half-space of the surface material, and as an integral over wavenumbers what the layers below it add
 !> (theory/conduction.md (7.1)-(7.5)).
 module mdrcontact_conduction_inside
@@ -64,7 +64,7 @@ contains
             end if
             call add_waves(body, layer, r(i), distance, k, amplitude, potential(i), flux_z(i), flux_r(i))
             if (.not. in_base) cycle
-            ! a perfect conductor has the potential 0, takes the flux across its surface, and says nothing of that along it
+            ! a perfect conductor has the potential 0, takes the flux across its surface, and gives no information on that along it
             potential(i) = 0.0_wp
             flux_r(i) = 0.0_wp
         end do
@@ -132,7 +132,7 @@ contains
     end subroutine add_half_space
 
     !> Parts of the potential that fall downward from the top of a layer and upward from its bottom, less in the surface layer
-    !> those of a half-space, times j_hat, k and the rule's weights: what a flux through the spot makes of each wave.
+    !> those of a half-space, times j_hat, k and the rule's weights: what a flux through the contact area makes of each wave.
     pure subroutine find_amplitudes(body, layer, k, hat, amplitude)
         type(conductors_t), intent(in) :: body
         integer, intent(in) :: layer

@@ -120,7 +120,7 @@ contains
         end associate
     end subroutine heat_all
 
-    !> The largest temperature on the line of motion: sought among long waves, found by parabolas through three values.
+    !> The largest temperature on the line of motion: searched for among long waves, found by parabolas through three values.
     subroutine find_largest(body, a, speed, load, waves, heat, error)
         type(conductors_t), intent(in) :: body
         real(wp), intent(in) :: a, speed, load(:)

@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> A spot between rough surfaces, whose area conductance goes with the pressure of the contact: R_c(r) = kappa/p(r).
+!> A contact area between rough surfaces, whose area conductance goes with the pressure of the contact: R_c(r) = kappa/p(r).
 !>
 !> With j = w sum c_n P_n(1 - 2 r^2/a^2), w = sqrt(1 - r^2/a^2), line loads are polynomials times 1 - u^2, and with their Legendre
 !> coefficients T_nj and the springs' matrix H
@@ -125,7 +125,7 @@ contains
         end do
     end subroutine fill_spectrum
 
-    !> (a/(4 pi S_0)) T (1 + H) T^t, T of a spot of radius a being a times that of radius 1.
+    !> (a/(4 pi S_0)) T (1 + H) T^t, T of a contact area of radius a being a times that of radius 1.
     subroutine fill_springs(conduction, a, spectrum, matrix, error)
         type(conduction_t), intent(in) :: conduction
         real(wp), intent(in) :: a, spectrum(:, :)

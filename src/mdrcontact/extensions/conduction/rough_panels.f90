@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> A spot whose area resistance R_c(r) = kappa/p(r) is small, or not smooth: by polynomials on panels that shrink towards the edge,
-!> where the flux changes within a width of about a (S_0 R_c/a)^(2/3), and towards kinks of the pressure.
+!> A contact area whose area resistance R_c(r) = kappa/p(r) is small, or not smooth: by polynomials on panels that shrink towards
+!> the edge, where the flux changes within a width of about a (S_0 R_c/a)^(2/3), and towards kinks of the pressure.
 !>
 !> The unknown is the line load q as a function of s, x^2 = a^2 - s^2, continuous; at r^2 = a^2 - t^2 it is the flux density
 !>     j = (1/pi) [q(0)/t + int_0^(pi/2) q'(s) d beta],  s = t sin beta,
@@ -35,8 +35,8 @@ module mdrcontact_conduction_rough_panels
     integer, parameter :: most_kinks = 4
     !> Nodes of a panel, and of what it gives to a flux, a polynomial of s.
     integer, parameter :: nodes = 32, nodes_of_flux = 20
-    !> Beyond this distance t/a from the edge the pressure is taken as it comes: r says nothing of smaller ones, over which the
-    !> pressure is a power. One that grows by this power of t at most is infinite at the edge.
+    !> Beyond this distance t/a from the edge the pressure is taken as it comes: r gives no information on smaller ones, over which
+    !> the pressure is a power. One that grows by this power of t at most is infinite at the edge.
     real(wp), parameter :: from_edge = 1.0e-4_wp, singular = -0.05_wp
 
     !> The panels, at a = 1, and their polynomials: one for each end of a panel, which the next shares, and bubbles.

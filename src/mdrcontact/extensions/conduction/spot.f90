@@ -1,5 +1,5 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The steady equipotential spot: a flat punch whose depth is the potential and whose force is the flux, with E_0* = 2 S_0:
+!> The steady equipotential contact area: a flat punch whose depth is the potential and whose force is the flux, with E_0* = 2 S_0:
 !>     G = 4 S_0 int_0^a q_1 dx,  dG/da = 4 S_0 q_1(a)^2
 !> (theory/conduction.md (2.1)-(2.3)).
 module mdrcontact_conduction_spot
@@ -38,7 +38,7 @@ contains
         slope = 4.0_wp*self%scale*solution%punch_edge**2
     end subroutine spot_conductance
 
-    !> The flux over 2 S_0 through a spot at potential 1, as long a series as its coefficients say.
+    !> The flux over 2 S_0 through a contact area at potential 1, with as many terms as its coefficients need.
     subroutine new_spot(load, conduction, a, error)
         type(line_load_t), intent(out) :: load
         type(conduction_t), intent(in) :: conduction
@@ -77,7 +77,7 @@ contains
         call set_series(load, a, normalisation(n)*c(:, 1), sum(equation%rhs(:, 2)*c(:, 1)))
     end subroutine new_spot
 
-    !> The line load with the coefficients q of P_2j(x/a) and a value at the edge: what lies in the spot moves by 1.
+    !> The line load with the coefficients q of P_2j(x/a) and a value at the edge: what lies in the contact area moves by 1.
     pure subroutine set_series(load, a, q, edge)
         type(line_load_t), intent(out) :: load
         real(wp), intent(in) :: a, q(:), edge

@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> The conductance of spots between two radii, sampled once: for codes that integrate motion, to which a compiled law of the contact
-!> gives the radius. It is compared with the solution between its nodes.
+!> The conductance of contact areas between two radii, sampled once: for codes that integrate motion, to which a compiled law of the
+!> contact gives the radius. It is compared with the solution between its nodes.
 module mdrcontact_conduction_table
     use mdrcontact_conduction_bodies, only: conduction_t
     use mdrcontact_conduction_fields, only: conductance_at

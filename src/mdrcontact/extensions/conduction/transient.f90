@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> A spot at one Laplace variable s, or at i omega: conductance of an equipotential spot, and potentials under a given flux
-!> (theory/conduction.md (5.1), (5.2), (9.1), (9.2), (9.6)).
+!> A contact area at one Laplace variable s, or at i omega: conductance of an equipotential contact area, and potentials under a
+!> given flux (theory/conduction.md (5.1), (5.2), (9.1), (9.2), (9.6)).
 module mdrcontact_conduction_transient
     use mdrcontact_codes, only: gaussian => gaussian_potential, uniform_centre => centre_potential, &
                                 uniform_mean => mean_potential
@@ -19,7 +19,7 @@ contains
     !> The polynomials and waves for Laplace variables of sizes between two.
     subroutine basis_for(conduction, a, smallest, largest, basis, error)
         type(conduction_t), intent(in) :: conduction
-        !> spot's radius [length]; |s| [1/time]
+        !> contact area's radius [length]; |s| [1/time]
         real(wp), intent(in) :: a, smallest, largest
         type(basis_t), intent(out) :: basis
         type(error_t), allocatable, intent(inout) :: error
@@ -41,7 +41,7 @@ contains
         call new_basis(basis, order, 0.05_wp*first, max(4.0_wp*order, 20.0_wp*depth, 1.5_wp*waves, 40.0_wp), error)
     end subroutine basis_for
 
-    !> G of an equipotential spot without a film, and on request the series of its flux.
+    !> G of an equipotential contact area without a film, and on request the series of its flux.
     subroutine spot_at(conduction, a, s, basis, conductance, error, series)
         type(conduction_t), intent(in) :: conduction
         real(wp), intent(in) :: a

@@ -1,7 +1,7 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> Indenter and medium as functions of a vector of numbers: what a fit varies.
 !>
-!> The vector is [indenter, medium, counterbody, instrument]. Objects say which numbers they have; trials are objects like them with
+!> The vector is [indenter, medium, counterbody, instrument]. Objects list their numbers; trials are objects like them with
 !> other numbers.
 module mdrcontact_fit_body
     use mdrcontact_object, only: room

@@ -31,7 +31,7 @@ module mdrcontact_fit_correlation
     integer, parameter :: most_steps = 100
     !> Directions with smaller eigenvalues, of the matrix scaled to a unit diagonal, are determined by nothing.
     real(wp), parameter :: smallest_eigenvalue = 1.0e-10_wp
-    !> Fewer points and priors above the number of parameters say nothing about rho.
+    !> Fewer points and priors above the number of parameters give no information on rho.
     integer, parameter :: fewest_contrasts = 2
     !> More cannot come out at the largest rho; only rounding in a direction that nothing determines would exceed it.
     real(wp), parameter :: most_widening = 20.0_wp

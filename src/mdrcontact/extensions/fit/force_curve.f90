@@ -149,7 +149,7 @@ contains
     end function pull_off_depth
 
     !> F and a in contact at a depth. Without adhesion 0 for d <= 0; with it those of pull-off below the pull-off depth, where
-    !> there is no contact: whether a point belongs there is for the caller to say. Beyond the end of the curve an error.
+    !> there is no contact: whether a point belongs there is decided by the caller. Beyond the end of the curve an error.
     elemental subroutine at(self, d, force, radius, reached)
         class(force_curve_t), intent(in) :: self
         !> [length]

@@ -141,7 +141,7 @@ contains
         if (outcome%is_stuck .and. .not. outcome%converged) call use_central_differences(search, u, outcome)
         call gsl_multifit_nlinear_free(workspace)
         if (allocated(residuals%error)) deallocate (residuals%error)
-        ! a model that was not computed to its end was a step refused
+        ! a model that was not computed to its end was a rejected step
         call check_cancelled(error)
         if (residuals%lacked_memory) call raise(error, error_memory, "not enough memory for a fit")
     end subroutine minimize

@@ -81,7 +81,8 @@ module mdrcontact_fit_problem
         logical :: sd_is_absolute = .true.
         !> of one search, at least 1
         integer :: max_iterations = 100
-        !> refuses data that are more than 300 times larger or smaller than the model at the start: they are in other units
+        !> raises an error for data that are more than 300 times larger or smaller than the model at the start: they are in other
+        !> units
         logical :: check_units = .true.
     end type fit_problem_t
 

@@ -80,7 +80,7 @@ contains
         if (allocated(data%sd)) weight(:) = 1.0_wp/data%sd**2
         offset = problem%parameters(size(problem%body%parameters) + at_force_offset)%value
         y(:) = y - offset
-        ! no force where the search begins, or one of the other sign, says nothing
+        ! no force where the search begins, or one of the other sign, gives no information
         if (.not. sum(weight*y**2) > 0.0_wp) return
         associate (modulus => problem%parameters(position))
             divided = modulus%value*sum(weight*y*(data%y - offset))/sum(weight*y**2)

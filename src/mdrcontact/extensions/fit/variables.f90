@@ -41,7 +41,7 @@ module mdrcontact_fit_variables
 
 contains
 
-    !> Chooses the scale of each free parameter; refuses a start outside its bounds.
+    !> Chooses the scale of each free parameter; raises an error for a start outside its bounds.
     subroutine new_variables(self, problem, data, error)
         type(variables_t), intent(out) :: self
         type(fit_problem_t), intent(in) :: problem

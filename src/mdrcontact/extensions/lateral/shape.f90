@@ -35,7 +35,7 @@ contains
         type(shape_t), intent(out) :: self
         !> one of shape_...
         integer, intent(in) :: kind
-        !> as said with the constants shape_... [length]; directions of any length
+        !> as defined with the constants shape_... [length]; directions of any length
         real(wp), intent(in) :: parameters(7)
         type(material_t), intent(in) :: material
         type(error_t), allocatable, intent(out) :: error

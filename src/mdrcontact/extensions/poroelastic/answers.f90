@@ -16,8 +16,8 @@ module mdrcontact_poroelastic_answers
 
     !> Tabulated quantities. In time tau, per its value on an incompressible half-space: the force after a step of a flat punch's
     !> depth, the depth after a step of its force, the force of a paraboloid pressed in instantaneously whose contact radius is
-    !> held, the means of the first two since the step, which answer ramps; of the frequency omega a^2/D: the two parts of a flat
-    !> punch's dynamic stiffness.
+    !> held, the means of the first two since the step, which are responses to ramps; of the frequency omega a^2/D: the two parts of
+    !> a flat punch's dynamic stiffness.
     integer, parameter :: columns = 7, relaxation = 1, creep = 2, paraboloid = 3, mean_relaxation = 4, mean_creep = 5, &
                           storage = 6, loss = 7
     !> of the inverse Laplace transform
@@ -25,7 +25,7 @@ module mdrcontact_poroelastic_answers
 
 contains
 
-    !> From this tau on answers are solved. Before it, what drains is a layer at the surface so thin that few polynomials do not
+    !> From this tau on responses are solved. Before it, what drains is a layer at the surface so thin that few polynomials do not
     !> follow it at the edge, and that a film's base does not matter.
     elemental function first_time(gel) result(tau)
         type(gel_t), intent(in) :: gel

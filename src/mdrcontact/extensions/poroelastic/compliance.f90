@@ -19,7 +19,7 @@ contains
     subroutine poroelastic_compliance(poisson, drainage, thickness, shear_modulus, diffusivity, omega, k, values, error)
         !> drained Poisson's ratio
         real(wp), intent(in) :: poisson
-        !> drains_by_surface or sealed: under the third drainage the surface answers to no single wave
+        !> drains_by_surface or sealed: under the third drainage the surface responds to no single wave
         integer, intent(in) :: drainage
         !> of a film on a rigid base that lets no fluid through; 0: half-space [length]
         real(wp), intent(in) :: thickness

@@ -14,7 +14,7 @@ module mdrcontact_poroelastic_response
     public :: poroelastic_response, poroelastic_dynamic_stiffness, poroelastic_pressure
     public :: relaxation, creep, paraboloid, mean_relaxation, mean_creep, total_pressure, pore_pressure
 
-    !> The answers in the order of the table's columns.
+    !> The responses in the order of the table's columns.
     integer, parameter :: columns(*) = [relaxation, creep, paraboloid, mean_relaxation, mean_creep]
 
     !> Smallest D t/a^2 of a pressure.

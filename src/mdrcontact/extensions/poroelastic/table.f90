@@ -1,9 +1,9 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
-!> One table of a gel's answers: of a half-space it serves all contact radii, times and diffusivities of one drained Poisson's ratio
-!> and drainage; of a film those of one ratio of contact radius to thickness.
+!> One table of a gel's responses: of a half-space it serves all contact radii, times and diffusivities of one drained Poisson's
+!> ratio and drainage; of a film those of one ratio of contact radius to thickness.
 !>
 !> Chebyshev series in log tau, one a decade. Construction ends with a look between their nodes, at finer waves and more
-!> polynomials. Shorter times follow from the terms with which the answers begin, longer ones are solved one by one.
+!> polynomials. Shorter times follow from the terms with which the responses begin, longer ones are solved one by one.
 module mdrcontact_poroelastic_table
     use mdrcontact_nonfinite, only: is_finite
     use mdrcontact_error, only: error_no_convergence, error_t, raise, to_text
@@ -21,13 +21,13 @@ module mdrcontact_poroelastic_table
     real(wp), parameter :: last_time = 1.0e8_wp
     !> A table that has an error of more than this part of the force is not valid.
     real(wp), parameter :: allowed = 2.0e-5_wp
-    !> Where the early answers are fitted, and compared, in units of where the series begin.
+    !> Where the early responses are fitted, and compared, in units of where the series begin.
     real(wp), parameter :: early(*) = [0.1_wp, 0.2_wp, 0.45_wp], joined(*) = [1.0_wp, 1.6_wp, 2.5_wp, 4.0_wp], &
                            between(*) = [0.06_wp, 0.15_wp, 0.65_wp]
     !> From this tau on what is left to relax, which falls as tau^-1/2, is rounding.
     real(wp), parameter :: at_rest = 1.0e28_wp
 
-    !> A gel's answers, in units of those of an incompressible half-space.
+    !> A gel's responses, in units of those of an incompressible half-space.
     type :: poroelastic_t
         !> nu, drainage and the film's thickness
         type(gel_t) :: gel

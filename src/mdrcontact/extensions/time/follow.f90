@@ -234,7 +234,7 @@ contains
         answer = pull - memory <= noise*(abs(pull) + sum(abs(phi%weight*phi%rate*behind)))
     end function retreats
 
-    !> Where int_t1^t phi(t - u) d'(u) du = 0, sought from where it was before.
+    !> Where int_t1^t phi(t - u) d'(u) du = 0, searched for from where it was before.
     pure subroutine find_edge(path, phi, rise, rate, time, depth, before, place)
         type(path_t), intent(in) :: path
         type(prony_t), intent(in) :: phi

@@ -2,7 +2,7 @@
 !> Any history of any viscoelastic stack, step by step (theory/time.md (6.1)-(6.5)):
 !>     J_g q + sum J_l z_l(x) + (2/pi) int cos(kx) [X_g q^ + sum R_m y_m] dk = d(t) - g(x),   x < a(t)
 !>     th_l dz_l/dt = q - z_l,    th_m dy_m/dt = q^ - y_m
-!> with q linear in time over a step. The memory y of the smooth part lives in k-space and never needs to know a(t); that of the
+!> with q linear in time over a step. The memory y of the smooth part lives in k-space and never needs a(t); that of the
 !> springs themselves, z, lives on panels of x which end at the edge of the contact and at the radii where it has turned.
 module mdrcontact_time_march
     use mdrcontact_cancel, only: check_cancelled

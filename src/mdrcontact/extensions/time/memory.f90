@@ -35,7 +35,7 @@ module mdrcontact_time_memory
     real(wp), parameter :: slow = 1000.0_wp
     !> Relative error that rounding leaves of the transform.
     real(wp), parameter :: reachable = 1.0e-12_wp
-    !> Rounding of chi, which says what is added to 1: where layers hardly differ, chi is as small, and its misfit is seen against
+    !> Rounding of chi, the term added to 1: where layers hardly differ, chi is as small, and its misfit is seen against
     !> what leaves `reachable` of rounding.
     real(wp), parameter :: rounding = 1.0e-15_wp, smallest_chi = rounding/reachable
 

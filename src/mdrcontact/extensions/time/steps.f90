@@ -20,8 +20,8 @@ module mdrcontact_time_steps
     private
     public :: march_through
 
-    !> Contacts are expected to be at most this much wider than elastic ones; if they are not, they are sought in twice that, so
-    !> many times at most.
+    !> Contacts are expected to be at most this much wider than elastic ones; if they are not, they are searched for in twice that,
+    !> so many times at most.
     real(wp), parameter :: margin = 1.3_wp
     integer, parameter :: most_widenings = 6
     !> Relative tolerance of elastic contacts from which only a bound is wanted.

@@ -1,6 +1,6 @@
 ! SPDX-License-Identifier: GPL-3.0-or-later
 !> The contact stiffness k(a; s) of a viscoelastic body at constant contact radius (theory/time.md (4.1)-(4.3)): at s = i omega the
-!> dynamic stiffness, its inverse Laplace transform the answer of a flat punch to a step.
+!> dynamic stiffness, its inverse Laplace transform the response of a flat punch to a step.
 module mdrcontact_time_stiffness
     use mdrcontact_body_chain, only: chain_t
     use mdrcontact_body_compliance, only: normal_load

@@ -22,7 +22,7 @@ module mdrcontact_wear_disc
     private
     public :: step_disc, worn_volume
 
-    !> The radius of a step is sought so often, until force or depth is met to this relative accuracy.
+    !> The radius of a step is searched for so often, until force or depth is met to this relative accuracy.
     integer, parameter :: most_rounds = 60
     real(wp), parameter :: close_enough = 1.0e-12_wp
     !> Accepted residual where force and depth change steeply with the radius by less than the error of the scheme, as a point of

@@ -275,8 +275,8 @@ contains
         call new_worn_profile(profile, gap%load%equilibrium%profile, r, depths, slopes, error, surface)
     end subroutine make_profile
 
-    !> The free surface from the disc that sticks to the rim, panels cut until their series end. Short ones are needed where
-    !> something singular is near, as the axis, or a radius within the disc at which the indenter has a kink.
+    !> The free surface from the disc that sticks to the edge of the scar, panels cut until their series end. Short ones are needed
+    !> where something singular is near, as the axis, or a radius within the disc at which the indenter has a kink.
     subroutine find_surface(gap, limit, surface, error)
         type(gap_t), intent(in) :: gap
         type(wear_limit_t), intent(in) :: limit

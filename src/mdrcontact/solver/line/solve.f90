@@ -120,7 +120,7 @@ contains
     !> Raises the error of a missed tolerance, with its remedy.
     pure subroutine raise_missed(error, what, tolerance, a, reached)
         type(error_t), allocatable, intent(inout) :: error
-        !> what was requested
+        !> the requested quantity
         character(len=*), intent(in) :: what
         !> relative; contact radius [length]; what was reached
         real(wp), intent(in) :: tolerance, a, reached

@@ -107,7 +107,7 @@ contains
         first = [first_coefficient(n, fewer, matrix, before), first_coefficient(n, n, matrix, y)]
     end subroutine solve_with
 
-    !> From the first m steps of the elimination: their part, back substitution, and what the equation's other rows say.
+    !> From the first m steps of the elimination: their part, back substitution, and the other rows of the equation.
     pure function first_coefficient(n, m, matrix, eliminated) result(first)
         integer, intent(in) :: n, m
         !> the factor L D in the first n rows

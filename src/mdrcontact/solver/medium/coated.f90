@@ -22,7 +22,7 @@ module mdrcontact_medium_coated
 
 contains
 
-    !> Checks and stores what every model needs; the materials have been checked when they were made.
+    !> Check and store the data that every model needs; the materials have been checked when they were made.
     pure subroutine set_bodies(self, coating, thickness, substrate, error)
         class(coated_t), intent(inout) :: self
         type(material_t), intent(in) :: coating, substrate

@@ -22,7 +22,7 @@ module mdrcontact_medium_compliance
 
 contains
 
-    !> Raises for what no surface has, and where the surface of the body wrinkles.
+    !> Raise an error for impossible surfaces, and if the surface of the body wrinkles.
     subroutine check_body_surface(body, surface, error)
         class(body_t), intent(in) :: body
         type(surface_t), intent(in) :: surface
@@ -47,7 +47,7 @@ contains
     !> a twist consists of. Under a load along the wave it is twice the second less the third.
     subroutine of_elastic(body, surface, load, k, values, error)
         class(body_t), intent(in) :: body
-        !> what its surface has
+        !> properties of its surface
         type(surface_t), intent(in) :: surface
         !> normal_load, shear_load or twist_load
         integer, intent(in) :: load

@@ -32,9 +32,9 @@ module mdrcontact_medium_effective
         procedure :: find_series
         procedure :: load => new_load
         procedure :: slip
-        !> what the upper body takes of a small change of depth at radius a [1]
+        !> part of the upper body in a small change of depth at radius a [1]
         procedure :: upper_share
-        !> what the upper body takes of the depth of the non-adhesive contact [length]
+        !> part of the upper body in the depth of the non-adhesive contact [length]
         procedure :: upper_depth
         procedure, non_overridable :: all_breaks
     end type effective_medium_t

@@ -42,7 +42,7 @@ contains
         !> relative, of E_eff, d and F, 1e-12 to 1e-2
         real(wp), intent(in) :: tolerance
         type(error_t), allocatable, intent(inout) :: error
-        !> what this medium has in common with others made before it, which then costs less
+        !> data shared with media created before, which make this one cheaper
         type(kernel_cache_t), intent(inout), optional :: shared
         class(compliance_t), allocatable :: compliance
         type(membrane_t) :: membrane

@@ -70,7 +70,7 @@ contains
         type(error_t), allocatable, intent(out) :: error
         !> relative tolerance of E_eff, d and F, 1e-12 to 1e-2; default 1e-10
         real(wp), intent(in), optional :: tolerance
-        !> what this medium has in common with others made before it, which then costs less
+        !> data shared with media created before, which make this one cheaper
         type(kernel_cache_t), intent(inout), optional :: shared
 
         allocate (self%springs)

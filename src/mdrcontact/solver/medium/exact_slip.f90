@@ -23,7 +23,7 @@ module mdrcontact_medium_exact_slip
     !> Largest apparent excess of the first shift over that of sliding where they are equal, as under a punch on a homogeneous body.
     real(wp), parameter :: largest_excess = 1.0e-9_wp
 
-    !> One normal state, the medium that answers to shear, and the profile above.
+    !> One normal state, the medium that responds to shear, and the profile above.
     type, extends(slip_t) :: layered_slip_t
         private
         class(solver_t), allocatable :: normal, tangential

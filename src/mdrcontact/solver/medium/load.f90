@@ -55,7 +55,7 @@ module mdrcontact_medium_load
         real(wp) :: edge = 0.0_wp
         !> the indenter
         class(profile_t), pointer :: profile => null()
-        !> what the upper body takes of each displacement, unless a pair is one of displacement_of_body's own [1]
+        !> part of the upper body in each displacement, unless a pair is one of displacement_of_body's own [1]
         real(wp) :: share_of_upper = 0.0_wp
         !> whether q' is known and nothing else loads the body: stresses inside and energies follow from it
         logical :: is_complete = .false.
@@ -188,7 +188,7 @@ contains
         call self%panels(self%radius, list, error)
         if (allocated(error)) return
         before = self%edge
-        ! panel by panel from the edge inwards; in a panel q' dx is as smooth in the rule's variable as its nodes say
+        ! panel by panel from the edge inwards; in a panel q' dx is as smooth in the rule's variable as its nodes indicate
         do i = size(list), 1, -1
             call list(i)%place_nodes(node, w, distance, dx)
             integral = matmul(to_node, dx*self%slope(list(i)%start, distance)/w)

@@ -61,7 +61,7 @@ module mdrcontact_medium_power_graded
     real(wp), parameter :: nearest_axis = 1.0e-8_wp
     !> Distance from a singular end, relative to the radius, below which the integrand is its leading power.
     real(wp), parameter :: closest = 1.0e-15_wp
-    !> The same behind a rim or kink at b, where g' needs digits of x - b: least and most, relative to b, and a part of the
+    !> The same behind an edge or kink at b, where g' needs digits of x - b: least and most, relative to b, and a part of the
     !> distance of r from b.
     real(wp), parameter :: behind_corner(3) = [1.0e-13_wp, 1.0e-10_wp, 1.0e-3_wp]
     !> At the edge itself, where g' is taken as the power that it is.

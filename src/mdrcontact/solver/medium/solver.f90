@@ -32,7 +32,7 @@ module mdrcontact_medium_solver
     type :: solved_t
         !> d [length], F [modulus length^2], E_eff [modulus] and k'(a) = 2 (E_eff + a E_eff') [modulus]
         real(wp) :: depth = 0.0_wp, force = 0.0_wp, modulus = 0.0_wp, stiffness_slope = 0.0_wp
-        !> d'(a) [1]; negative where the solution does not know it
+        !> d'(a) [1]; negative if the solution does not provide it
         real(wp) :: depth_slope = -1.0_wp
     end type solved_t
 
@@ -47,7 +47,7 @@ module mdrcontact_medium_solver
         type(surface_t) :: sheet
         !> whether it represents two deformable bodies, and whether it holds for paraboloids and spheres alone
         logical :: is_pair = .false., spherical_only = .false.
-        !> what the upper body takes of a change of depth, where that is the same at all radii: 0 if the indenter is rigid [1]
+        !> part of the upper body in a change of depth, where that is the same at all radii: 0 if the indenter is rigid [1]
         real(wp) :: share_of_upper = 0.0_wp
         !> the smallest and the largest contact radius at which it is defined [length]; huge() where there is no end
         real(wp) :: smallest_radius = 0.0_wp, largest_radius = huge(1.0_wp)
@@ -80,7 +80,7 @@ module mdrcontact_medium_solver
         procedure(load_of_state), deferred :: load
         !> first shear of a state
         procedure :: slip
-        !> the medium that answers to another load as this one does to a pressure
+        !> the medium that responds to another load as this one does to a pressure
         procedure :: for_load
         !> radii where E_eff is not analytic, ascending [length]
         procedure :: add_breaks
@@ -214,7 +214,7 @@ contains
         if (.not. allocated(error)) allocate (to, source=from)
     end subroutine copy_solver
 
-    !> Only of media that answer to a shear is it known.
+    !> Only of media that respond to a shear is it known.
     subroutine slip(self, tangential, load, found, error)
         class(solver_t), intent(in) :: self
         !> the same medium under shear
@@ -271,10 +271,10 @@ contains
                     "modulus has no equation for springs", "its springs do not exist or are nearly singular", error)
     end subroutine check_springs
 
-    !> The refusal of what only other media answer.
+    !> Error for a quantity that only other media provide.
     pure subroutine refuse(self, what, instead, under_sheet, error)
         class(solver_t), intent(in) :: self
-        !> with its verb; media that answer; why none does under a surface with tension or a sheet
+        !> with its verb; media that provide it; why none does under a surface with tension or a sheet
         character(len=*), intent(in) :: what, instead, under_sheet
         type(error_t), allocatable, intent(inout) :: error
 

@@ -21,7 +21,7 @@ module mdrcontact_medium_superposed_slip
     !> Nodes in a panel: a singularity lies at least a third of its length away, where they give rounding.
     integer, parameter :: nodes = 16
 
-    !> One normal state and the media that answer to its parts.
+    !> One normal state and the media that respond to its parts.
     type, extends(slip_t) :: superposed_slip_t
         private
         class(solver_t), allocatable :: normal, tangential

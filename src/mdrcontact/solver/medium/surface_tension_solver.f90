@@ -78,7 +78,7 @@ contains
         !> not bare
         type(surface_t), intent(in) :: surface
         type(error_t), allocatable, intent(inout) :: error
-        !> what this medium has in common with others made before it, which then costs less
+        !> data shared with media created before, which make this one cheaper
         type(kernel_cache_t), intent(inout), optional :: shared
 
         type(membrane_t), allocatable :: membrane

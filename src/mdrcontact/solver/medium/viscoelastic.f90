@@ -27,7 +27,7 @@ module mdrcontact_medium_viscoelastic
         type(rheology_t), allocatable :: materials(:)
         !> of the layers [length]
         real(wp), allocatable :: thickness(:)
-        !> how each layer holds to what lies below it
+        !> bond of each layer to what lies below it
         type(bond_t), allocatable :: bonds(:)
         !> below the last layer, instead of a half-space
         logical :: rigid_base = .false.
@@ -63,9 +63,9 @@ contains
         integer, intent(in) :: model
         type(model_options_t), intent(in) :: options
         type(error_t), allocatable, intent(out) :: error
-        !> what exact media have in common from one body to the next, which then cost less
+        !> data shared by exact media, which make the next ones cheaper
         type(kernel_cache_t), intent(inout), optional :: shared
-        !> how each layer holds to what lies below it, by springs that do not relax; without it all are bonded
+        !> bond of each layer to what lies below it, by springs that do not relax; without it all are bonded
         type(bond_t), intent(in), optional :: bonds(:)
         type(material_t), allocatable :: elastic(:)
         type(homogeneous_t) :: homogeneous
@@ -136,7 +136,7 @@ contains
         real(wp), intent(in) :: values(:)
         type(viscoelastic_t), intent(out) :: body
         type(error_t), allocatable, intent(out) :: error
-        !> what exact media have in common from one body to the next
+        !> data shared by exact media
         type(kernel_cache_t), intent(inout) :: shared
         type(rheology_t), allocatable :: materials(:)
         real(wp), allocatable :: thickness(:)

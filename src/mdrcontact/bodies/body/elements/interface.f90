@@ -12,7 +12,7 @@ module mdrcontact_body_elements_interface
     public :: interface_t, bond_t, bond_of, check_bond, new_interface
 
     !> Contribution of a sliding interface to the compliance along the surface: all other terms are negligible compared with it, so
-    !> that what comes of it is the limit to the last digit.
+    !> that the result equals the limit to the last digit.
     real(wp), parameter :: sliding_compliance = 1.0e100_wp
 
     !> Bond of two layers: compliances per area, 0 if they are bonded rigidly.

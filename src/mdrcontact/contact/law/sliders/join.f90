@@ -35,7 +35,7 @@ contains
         end do
     end subroutine join_sliders
 
-    !> A long step: of its new sliders those remain that stand where they best do.
+    !> A long step: of its new sliders those remain that are best placed.
     pure subroutine thin_out(levels, motion, lost)
         type(levels_t), intent(in) :: levels
         type(motion_t), intent(inout) :: motion

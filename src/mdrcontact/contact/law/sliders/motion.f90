@@ -41,7 +41,7 @@ module mdrcontact_law_sliders_motion
         real(c_double), dimension(0:most) :: stiffness, beyond, strength, factor
         !> t after the step
         real(c_double) :: borne(0:most, 3)
-        !> where S is the contact radius the derivative of P, what springs that touch bear from a slider on, and its derivative
+        !> where S is the contact radius the derivative of P, what springs that touch carry from a slider on, and its derivative
         real(c_double), dimension(0:most) :: slope, newborn, newborn_slope
     end type motion_t
 
@@ -146,7 +146,7 @@ contains
         motion%cell = next
     end subroutine begin
 
-    !> P and what springs that touch bear where S is the contact radius.
+    !> P and what springs that touch carry where S is the contact radius.
     pure subroutine find_loads(levels, place, motion)
         type(levels_t), intent(in) :: levels
         type(place_t), intent(in) :: place

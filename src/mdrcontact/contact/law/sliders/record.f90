@@ -15,7 +15,7 @@ module mdrcontact_law_sliders_record
     !> y and z of the sliders' t.
     integer, parameter :: at_law = 1, at_next = 2, at_used = 3, at_shift = 4, at_top = 5, at_lost = 8, at_normal = 9, head = 11
 
-    !> Numbers of larger size are refused.
+    !> Larger numbers raise an error.
     real(wp), parameter :: largest = 1.0e150_wp
 
     interface
