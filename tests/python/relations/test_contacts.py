@@ -215,9 +215,10 @@ def test_threads_give_the_same_bits(tip, medium, share, threads):
         many = contact.at_depth(depth)
     finally:
         mdr.set_threads(1)
-    for column, expected in zip(many, one, strict=True):
+    for column, expected in zip(numbers_of(many), numbers_of(one), strict=True):
         same(column, expected)
-    near(contact.at_depth(float(depth[0, 0, 0])), [np.ravel(np.broadcast_to(column, depth.shape))[0] for column in many], 1e-12)
+    first = [np.ravel(np.broadcast_to(column, depth.shape))[0] for column in numbers_of(many)]
+    near(contact.at_depth(float(depth[0, 0, 0])), first, 1e-12)
 
 
 @relation(40, tip=d.tips, medium=d.everything, share=d.shares)
