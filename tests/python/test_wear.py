@@ -461,6 +461,13 @@ def test_the_distances_of_a_tribometer_by_rings(intervals, accuracy):
     assert np.all(np.abs(states.radius / late_radii(5.0, DISTANCES) - 1.0) < states.error)
 
 
+def test_rings_begin_with_the_unworn_radius():
+    """Half a ring is 0.9 % with 80 intervals."""
+    for intervals, accuracy in ((40, 1e-2), (80, 3e-3), (160, 3e-3)):
+        radius = Wear(HERTZ, 1.0).history(force=0.17, scheme="rings", intervals=intervals).state.radius
+        assert radius == pytest.approx(HERTZ.at_force(0.17).radius, rel=accuracy)
+
+
 def test_halved_steps_converge():
     """Parts of the path add ends of steps, and change no more than the error that is stated."""
     wear = Wear(BALL_ON_DISC, 1e-14)
