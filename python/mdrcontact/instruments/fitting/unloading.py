@@ -113,10 +113,11 @@ def _parabola(h: Array, p: Array, largest: float) -> _Law:
     x, y = (h - lowest) / scale, p / largest
     design = np.column_stack([np.ones_like(x), x, x**2])
     inverse = np.linalg.pinv(design)
-    # to the largest force along the straight line: a parabola need not reach it
+    a, b, c = inverse @ y
+    # the largest force by the straight line, and one step of Newton from there: a parabola need not reach it
     line = np.polyfit(x, y, 1)
     top = float((1.0 - line[1]) / line[0])
-    a, b, c = inverse @ y
+    top += float((1.0 - a - b * top - c * top**2) / max(b + 2.0 * c * top, 0.5 * line[0]))
     row = np.array([0.0, 1.0, 2.0 * top]) @ inverse
     left = y - design @ (a, b, c)
     worth = effective_points(left[np.argsort(x)])
