@@ -261,14 +261,12 @@ def test_terms_of_an_area_function_may_begin_at_zero():
 
 def test_the_last_term_of_an_area_function_is_an_area():
     """Next to the apex it is all of the area: searches went below 0, where there is no tip, and ended anywhere."""
-    curves = []
-    for seed in range(6):
-        force = 1e-3 * 2.0 ** np.arange(6)
-        points = [
-            mdi.Unloading(*indentation(f, c1=C1, frame=FRAME, noise=2e-6, seed=10 * seed + i)[1:3]) for i, f in enumerate(force)
-        ]
-        curves.append(together(points))
-    data = together(curves)
+    points = [
+        mdi.Unloading(*indentation(1e-3 * 2.0**i, c1=C1, frame=FRAME, noise=2e-6, seed=10 * seed + i)[1:3])
+        for seed in range(6)
+        for i in range(6)
+    ]
+    data = together(points)
     assert np.all(np.diff(data.x) >= 0.0), "by depth"
     names = ["indenter.C0", "indenter.C1", "frame_compliance"]
     tip = mdr.AreaFunction([24.5, 0.0, 0.0], max_height=1e-6)
