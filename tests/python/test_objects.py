@@ -148,7 +148,7 @@ def test_threads_get_their_own_errors(coated):
 
     with ThreadPoolExecutor(8) as pool:
         for i, words in enumerate(pool.map(fail, range(1, 400)), start=1):
-            assert f"depth = -{i} " in words
+            assert f"depth = -{i}: " in words
 
 
 def test_threads_make_objects_with_callbacks():
