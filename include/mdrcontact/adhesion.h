@@ -20,7 +20,7 @@ typedef struct mdr_rate mdr_rate;
  *  G = closing_work/(1 + (|v|/closing_speed)^closing_exponent). The edge is at rest while closing_work < G < work (Gent and Schultz
  *  1972, Maugis and Barquins 1978). Initialize with MDR_SIZED. */
 typedef struct mdr_rate_options {
-    size_t size;                  /**< Of this structure; MDR_SIZED sets it. */
+    size_t size;                  /**< Size of this structure; MDR_SIZED sets it. */
     double work;                  /**< G of an opening edge at v = 0, > 0 [modulus length]. */
     double speed;                 /**< Speed at which G of an opening edge is twice `work`, > 0 [length/time]. */
     double exponent;              /**< 0 < n <= 2 [1]. */

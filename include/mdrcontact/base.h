@@ -183,7 +183,7 @@ const char *mdr_last_error(void);
 /** The parts of a failure, for programs that compose their own message. For the text "entry 3 of xi = -1: ...", `argument` is "xi",
  *  `entry` is 3, and `text` is " = -1: ...". */
 typedef struct mdr_failure {
-    size_t size;       /**< Of this structure; MDR_SIZED sets it. */
+    size_t size;       /**< Size of this structure; MDR_SIZED sets it. */
     int status;        /**< One of enum mdr_status; MDR_SUCCESS before the first failure. */
     int entry;         /**< Entry of the array argument, from 1; 0: none. */
     char argument[64]; /**< Argument with which the text begins; empty if the text is complete. */

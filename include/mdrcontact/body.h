@@ -19,7 +19,7 @@ typedef struct mdr_body mdr_body;
 /** A layer or a half-space, and the interface below it. The material is isotropic, or transversely isotropic with its axis z along
  *  the normal, and may be under a stress in its plane. Initialize with MDR_SIZED. */
 typedef struct mdr_layer {
-    size_t size;                  /**< Of this structure; MDR_SIZED sets it. The elements of an array have the size of the first. */
+    size_t size;                  /**< Size of this structure; MDR_SIZED sets it. In an array all elements have that of the first. */
     double thickness;             /**< h > 0; ignored in a substrate [length]. */
     double E;                     /**< Young's modulus > 0; of a transversely isotropic material E_t, in the plane [modulus]. */
     double nu;                    /**< Poisson's ratio, -1 < nu <= 1/2; of a transversely isotropic material nu_t, in the plane, -1
@@ -68,7 +68,7 @@ static inline mdr_layer mdr_isotropic(double E, double nu, double thickness)
  *  MDR_MODEL_EXACT. Contacts return states, adhesion, surface fields and laws, to 1e-9 (cones 1e-8). Friction, subsurface stresses,
  *  energies and pairs of deformable bodies return MDR_EINVALID. Initialize with MDR_SIZED. */
 typedef struct mdr_surface {
-    size_t size;       /**< Of this structure; MDR_SIZED sets it. */
+    size_t size;       /**< Size of this structure; MDR_SIZED sets it. */
     double tension;    /**< tau, for example of a gel; > 0, or with a plate greater than 0.95 times the tension at which it
                             wrinkles; 0: none [modulus length]. */
     double bending;    /**< B >= 0, bending stiffness of a plate that slides on the surface; 0: none [modulus length^3]. */

@@ -47,7 +47,7 @@ enum mdr_branch {
 
 /** Options of mdr_contact_new(), which copies the arrays. Initialize with MDR_SIZED. */
 typedef struct mdr_contact_options {
-    size_t size;               /**< Of this structure; MDR_SIZED sets it. */
+    size_t size;               /**< Size of this structure; MDR_SIZED sets it. */
     int zeta_count;            /**< Size of the table of zeta in (9), d = zeta(a) g(a), at least 3; default 0: zeta = 1. */
     const double *zeta_radius; /**< [zeta_count] contact radii > 0, strictly ascending; contacts reach the last one [length]. */
     const double *zeta;        /**< [zeta_count] zeta > 0 [1]; zeta(a) g(a) must not decrease. */
@@ -191,7 +191,7 @@ int mdr_loop_points(const mdr_loop *l, int capacity, mdr_loop_point out[], int *
 
 /** Properties of a loop. */
 typedef struct mdr_loop_facts {
-    size_t size;              /**< Of this structure; MDR_SIZED sets it. */
+    size_t size;              /**< Size of this structure; MDR_SIZED sets it. */
     double dissipated_energy; /**< Energy dissipated in the loop, its area. Under force control the loop ends at pull-off, because
                                    the distance that the bodies then move apart is unknown [modulus length^3]. */
     int points;               /**< Number of points. */

@@ -71,7 +71,7 @@ typedef struct mdr_fit_parameter {
 /** A fit problem. Initialize with MDR_SIZED. Handles and parameters are read during the call only. The handles are patterns: the
  *  fit uses objects of the same kind, with the same layers, models and options, whose numbers are the parameters. */
 typedef struct mdr_fit_problem {
-    size_t size;                         /**< Of this structure; MDR_SIZED sets it. */
+    size_t size;                         /**< Size of this structure; MDR_SIZED sets it. */
     int data_kind;                       /**< One of enum mdr_fit_data_kind; default MDR_FIT_FORCE_DEPTH. */
     const mdr_profile *profile;          /**< The indenter. */
     const mdr_medium *medium;            /**< The medium; a pair has no parameters. */
@@ -102,7 +102,7 @@ typedef struct mdr_fit_problem {
 
 /** Statistics of a fit. */
 typedef struct mdr_fit_summary {
-    size_t size;                /**< Of this structure; MDR_SIZED sets it. */
+    size_t size;                /**< Size of this structure; MDR_SIZED sets it. */
     int converged;              /**< 1, or 0: the parameters are the best point found. */
     int iterations;             /**< Steps of the search. */
     int evaluations;            /**< Number of evaluations of the model at all data. */

@@ -96,7 +96,7 @@ int mdr_shear_states(const mdr_shear *s, int given, int n, const double in[], md
 
 /** Properties of a tangential response. */
 typedef struct mdr_shear_facts {
-    size_t size;          /**< Of this structure; MDR_SIZED sets it. */
+    size_t size;          /**< Size of this structure; MDR_SIZED sets it. */
     double sliding_shift; /**< Shift at which the last point begins to slip [length]. Twist: the axis always sticks; twist at which
                                the member `sliding` of a state becomes 1 [radian]. */
     double sliding_force; /**< coefficient F [modulus length^2]. Twist: torque of sliding, coefficient times int r p dA, for example

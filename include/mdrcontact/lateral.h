@@ -42,7 +42,7 @@ enum mdr_shape {
 
 /** Options of structures. A structure ignores the members of other kinds. Initialize with MDR_SIZED. */
 typedef struct mdr_structure_options {
-    size_t size;               /**< Of this structure; MDR_SIZED sets it. */
+    size_t size;               /**< Size of this structure; MDR_SIZED sets it. */
     double reference_nu;       /**< Poisson's ratio of the weights, -1 < nu <= 1/2 [1]; default: that of the background, or the mean
                                     of all voxels. */
     double tolerance;          /**< Shapes, functions: relative error of G_eff and nu_eff, 1e-10 to 0.1; default 1e-5. */

@@ -28,7 +28,7 @@ typedef struct mdr_law mdr_law;
 
 /** Options of mdr_law_new(). Initialize with MDR_SIZED. */
 typedef struct mdr_law_options {
-    size_t size;                             /**< Of this structure; MDR_SIZED sets it. */
+    size_t size;                             /**< Size of this structure; MDR_SIZED sets it. */
     double smallest_depth;                   /**< Without adhesion: depth > 0 above which the tolerance holds, at most half the
                                                   largest depth. Closer to initial contact the law continues value and slope.
                                                   Default 0: 1e-4 of the largest depth, or the start of the medium [length]. */
@@ -155,7 +155,7 @@ int mdr_law_values(const mdr_law *law, int given, int branch, int n, const doubl
 
 /** Properties of a law. */
 typedef struct mdr_law_facts {
-    size_t size;                  /**< Of this structure; MDR_SIZED sets it. */
+    size_t size;                  /**< Size of this structure; MDR_SIZED sets it. */
     double lowest_depth;          /**< Lower end of the compiled range; with adhesion pull-off [length]. */
     double highest_depth;         /**< Upper end of the compiled range [length]. */
     double lowest_force;          /**< Force at the lower end [modulus length^2]. */

@@ -47,7 +47,7 @@ enum mdr_model_base {
 
 /** Properties of a model. */
 typedef struct mdr_model_facts {
-    size_t size;             /**< Of this structure; MDR_SIZED sets it. */
+    size_t size;             /**< Size of this structure; MDR_SIZED sets it. */
     double largest_ratio;    /**< Largest valid a/h; INFINITY: no limit. */
     int base;                /**< One of enum mdr_model_base. */
     int takes_layers;        /**< 1: any number of layers; 0: one coating. */
@@ -80,7 +80,7 @@ enum mdr_weight_nu {
 /** Options of mdr_medium_new(): the model and its constants. A model ignores the members of other models. Initialize with
  *  MDR_SIZED. */
 typedef struct mdr_medium_options {
-    size_t size;           /**< Of this structure; MDR_SIZED sets it. */
+    size_t size;           /**< Size of this structure; MDR_SIZED sets it. */
     int model;             /**< One of enum mdr_model; default MDR_MODEL_EXACT. */
     double alpha;          /**< Doerner-Nix, Mencik: decay constant > 0 [1]; default 1. */
     double wave_factor;    /**< Wave: q a > 0 [1]; default pi/2. */

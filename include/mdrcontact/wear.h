@@ -139,7 +139,7 @@ enum mdr_wear_scheme {
 
 /** Options of mdr_wear_history_new(). Initialize with MDR_SIZED. */
 typedef struct mdr_wear_options {
-    size_t size;   /**< Of this structure; MDR_SIZED sets it. */
+    size_t size;   /**< Size of this structure; MDR_SIZED sets it. */
     int intervals; /**< n, a multiple of 4, 16 to 640; default 0: 80. */
     int places;    /**< Of enum mdr_wear_places; default 0: MDR_WEAR_FRESH. */
     int scheme;    /**< Of enum mdr_wear_scheme; default 0: MDR_WEAR_DISC. */

@@ -108,7 +108,7 @@ def _changed(medium: Any, name: str, value: float) -> Any:
 
 
 def _steps(constants: dict[str, float], name: str) -> list[tuple[Any, float]]:
-    """Rules and steps of differences, the best one first: others stay within what a constant may be."""
+    """Rules and steps of differences, the best one first; the others stay within the range of a constant."""
     body, dot, last = name.rpartition(".")
     step = 2e-3 * abs(constants[name])
     if last in ("nu", "nu_t"):

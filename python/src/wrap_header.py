@@ -6,8 +6,8 @@ module `_native`. The module's types, its structures, constants and the places o
 tools/generate.py. A file that is up to date is left alone.
 
 In Python a function has the name without mdr_, takes the inputs in the header's order, lengths of arrays excepted, and returns the
-status, or another result, followed by the outputs. What f2py does not know travels as an address, a Python int: handles, functions,
-texts, structures (which are NumPy records), and arrays that may be missing. `_boundary.native` takes the objects in their place. A
+status, or another result, followed by the outputs. Types that f2py does not support are passed as an address, a Python int:
+handles, functions, texts, structures (which are NumPy records), and arrays that may be missing. `_boundary.native` takes the objects in their place. A
 structure of doubles only is a row of doubles.
 """
 
@@ -134,7 +134,7 @@ class Function:
                 self.lengths.setdefault(argument.length()[0], (argument.name, argument.length()[1]))
 
     def signature(self):
-        """What f2py reads. All functions give the lock of the interpreter back: they know nothing of Python."""
+        """The signature for f2py. All functions give the lock of the interpreter back: they do not use Python."""
         kind = f"{self.result[0]} function" if self.result else "subroutine"
         lines = [f"{kind} {self.name}({', '.join(argument.name for argument in self.arguments)})", f"  fortranname {self.c_name}"]
         lines += ["  threadsafe", f"  intent(c) {self.name}"]

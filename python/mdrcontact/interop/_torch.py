@@ -21,7 +21,7 @@ class _TorchBranch(Branch):
         )
 
     def pick(self, rows: Any, index: Any) -> Any:
-        # under vmap a tensor of no dimension is no index
+        # under vmap a tensor of no dimension is not an index
         return torch.index_select(rows, 0, index.reshape(-1)).reshape(index.shape + rows.shape[1:])
 
     def whole(self, numbers: Any) -> Any:

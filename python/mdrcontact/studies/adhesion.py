@@ -69,7 +69,7 @@ def adhesion(problem: Problem, *, progress: Progress | None = None) -> AdhesionR
     problem : Problem
         A problem with the table [adhesion]. The motion turns back in the last state of [compute].
     progress : Progress, optional
-        Stops the work.
+        Can stop the work.
 
     Returns
     -------

@@ -44,7 +44,7 @@ def calibrate(problem: FitFile, tests: Sequence[tuple[str, Data]], *, progress: 
     tests : sequence of (str, StiffnessDepth)
         Name and data of each indent, unloading curves or CSM curves.
     progress : Progress, optional
-        Stops the work.
+        Can stop the work.
 
     Returns
     -------

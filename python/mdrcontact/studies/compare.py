@@ -105,7 +105,7 @@ def compare(problem: Problem, *, progress: Progress | None = None) -> CompareRes
     problem : Problem
         A problem with a coated, layered or graded medium; its adhesion is neglected.
     progress : Progress, optional
-        Follows the states of all models, and stops them.
+        Reports the states of all models, and can stop the work.
 
     Returns
     -------

@@ -80,7 +80,7 @@ def conduction(problem: Problem, *, section: bool = False, progress: Progress | 
     section : bool, optional
         Compute the potential, or the temperature, in a section through the lower body at the last state as well.
     progress : Progress, optional
-        Stops the work.
+        Can stop the work.
 
     Returns
     -------

@@ -80,7 +80,7 @@ def fit(
     compare : bool, optional
         Fit under every medium model, or drainage of a gel, as well.
     progress : Progress, optional
-        Follows the intervals, and stops the work.
+        Reports the intervals, and can stop the work.
 
     Returns
     -------

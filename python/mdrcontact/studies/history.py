@@ -72,7 +72,7 @@ def history(problem: Problem, *, progress: Progress | None = None) -> HistoryRes
     problem : Problem
         A problem with the table [history] and a viscoelastic or poroelastic body, or with rate-dependent adhesion.
     progress : Progress, optional
-        Follows the samples of each round of the integration in time, and stops them.
+        Reports the samples of each round of the time integration, and can stop the work.
 
     Returns
     -------

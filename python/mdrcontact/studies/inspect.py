@@ -85,7 +85,7 @@ def inspect(
     like : str or Path, optional
         A problem file whose [data] and [instrument] state how the table is read.
     progress : Progress, optional
-        Follows the tests, and stops between two of them.
+        Reports each test, and can stop the work between two of them.
 
     Returns
     -------

@@ -52,7 +52,7 @@ def law(
     shear_strength : float, optional
         Constant shear strength of the contact, > 0 [Pa], instead of [friction].
     progress : Progress, optional
-        Stops the work.
+        Can stop the work.
 
     Returns
     -------

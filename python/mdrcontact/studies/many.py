@@ -155,7 +155,7 @@ def _ends(values: Array, errors: Array) -> tuple[float, float]:
 
 
 def _by_place(grid: _Grid, axis: Axis, values: Array, chosen: Array, counts: NDArray[np.bool_]) -> Panel:
-    """A map whose colours a few bad places do not take; places without a fit are white."""
+    """A map whose colour range ignores a few outliers; places without a fit are white."""
     cells = np.full((len(grid.y_values), len(grid.x_values)), np.nan)
     cells[grid.rows, grid.columns] = values
     low, high = np.percentile(chosen, [2.0, 98.0])
@@ -179,7 +179,7 @@ def many(problem: FitFile, curves: Sequence[Curve], *, keep_all: bool = False, p
     keep_all : bool, optional
         Include all fits in the mean, also those that `instruments.rate` does not consider sound.
     progress : Progress, optional
-        Follows the curves, and stops between two of them.
+        Reports each curve, and can stop the work between two of them.
 
     Returns
     -------

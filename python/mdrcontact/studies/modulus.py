@@ -38,7 +38,7 @@ def modulus(problem: FitFile, data: Data, *, progress: Progress | None = None) -
     data : StiffnessDepth
         Depths [m], forces [N] and contact stiffnesses [N/m] with standard deviations.
     progress : Progress, optional
-        Follows the points, and stops between two of them.
+        Reports each point, and can stop the work between two of them.
 
     Returns
     -------

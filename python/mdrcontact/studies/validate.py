@@ -36,7 +36,7 @@ def validate(*, full: bool = False, only: str | None = None, progress: Progress 
     only : str, optional
         Name of the comparison to run; by default all run.
     progress : Progress, optional
-        Follows the comparisons, and stops them.
+        Reports the comparisons, and can stop the work.
 
     Returns
     -------

@@ -20,7 +20,7 @@ def holm() -> Comparison:
 
 
 def dryden() -> Comparison:
-    """A layer much thicker than the spot: 1/G = 1/(4 S_0 a) + ln((1 + S_0/S_1)/2)/(2 pi S_0 H)."""
+    """A layer much thicker than the contact area: 1/G = 1/(4 S_0 a) + ln((1 + S_0/S_1)/2)/(2 pi S_0 H)."""
     a, first, second = np.array([0.01, 0.02, 0.03]), 2.0, 0.1
     spot = Conduction(LayeredConductor(((Conductor(first), 1.0),), Conductor(second))).at_radius(a)
     there = math.log(0.5 * (1.0 + first / second)) / (2.0 * math.pi * first) * np.ones(a.size)

@@ -383,8 +383,8 @@ class StiffnessDepth(Data):
         self.seems_elastic = abs(self._reversibility() - 1.0) < REVERSIBLE
 
     def _reversibility(self) -> float:
-        """The rise of the force over the integral of the stiffness, 1 where the contact is elastic, whatever body, tip, frame and
-        offsets are; 0 where the points are too few to say."""
+        """The rise of the force over the integral of the stiffness, 1 if the contact is elastic, for any body, tip, frame and
+        offsets; 0 if there are too few points."""
         order = np.argsort(self.x)
         h, s = self.x[order], self.y[order]
         p = np.zeros_like(h) if self.given is None else self.given[order]

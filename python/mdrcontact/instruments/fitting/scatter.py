@@ -13,7 +13,7 @@ _LOG_FAR = math.log(3.2e-5)
 
 def compare_scatter(chi_square: float, degrees_of_freedom: float) -> int:
     """1 where a chi-square is too large for its degrees of freedom, -1 where it is too small, 0 where it may be chance or there are
-    too few degrees of freedom to say. By Wilson and Hilferty's normal deviate; below, also by P <= (chi^2/2)^(n/2)/Gamma(n/2 + 1),
+    too few degrees of freedom. By Wilson and Hilferty's normal deviate; below, also by P <= (chi^2/2)^(n/2)/Gamma(n/2 + 1),
     for the deviate has no small probabilities at few degrees of freedom."""
     n = degrees_of_freedom
     if not n >= 1.0:

@@ -224,7 +224,7 @@ def _doubts_of_record(h: Array, p: Array, first: Segment) -> list[str]:
             f"contact begins at a depth between {shown(low, LENGTH)} and {shown(high, LENGTH)}, not at 0: contact depth and area "
             "are wrong by as much. Subtract it from the depths, or let the contact point be found"
         )
-    # work that goes in stays, or comes out in part
+    # the work of loading is dissipated, or returned in part
     if float(0.5 * (p[1:] + p[:-1]) @ np.diff(h)) < -_GAIN * rise * deepest:
         words.append("unloading gives back more work than loading took: the rows seem to be in reverse order")
     return words

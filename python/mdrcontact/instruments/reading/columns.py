@@ -191,7 +191,7 @@ class _Kept(NamedTuple):
 
 
 _last: _Kept | None = None
-"""The spreadsheet that was read last: whoever inspects a file asks for it several times, and each time takes seconds."""
+"""The spreadsheet that was read last: an inspection reads a file several times, and each reading takes seconds."""
 
 
 def _spreadsheet(path: Path, content: bytes, options: TableOptions) -> list[MeasuredTable]:

@@ -16,7 +16,7 @@ MARKS = {".": "point", ",": "comma"}
 
 
 class Exact(str):
-    """The digits of a number that its file holds as a number: it has no mark of a language."""
+    """The digits of a number that its file holds as a number: it has no decimal mark of a language."""
 
     def translate(self, _: Any) -> Exact:
         """Itself: there is nothing to translate."""

@@ -54,7 +54,7 @@ module mdrcontact_inside_failure
     real(wp), parameter :: beyond_end = 3.0_wp
     !> On the coarse grid a maximum may be missed by some per cent: the strength may be reached a little before the sample.
     real(wp), parameter :: slack = 1.1_wp
-    !> The stress is the strength but for this part, or the radius lies between two that differ by less.
+    !> Relative tolerance of the stress at the strength, or of the radius.
     real(wp), parameter :: tolerance = 1.0e-9_wp, narrowest = 1.0e-12_wp
     integer, parameter :: most_steps = 100
     !> Where no state is known at the largest radius, it is shortened by this factor, so often at most.

@@ -493,7 +493,7 @@ contains
     subroutine remember(self, trial, reach, error)
         type(cohesive_march_t), intent(inout) :: self
         type(trial_t), intent(inout) :: trial
-        !> a for the force alone, else c: memories as far as the surface has been attracted
+        !> a for the force alone, else c, the radius up to which the surface has been attracted
         real(wp), intent(in) :: reach
         type(error_t), allocatable, intent(inout) :: error
         real(wp), allocatable :: past(:, :)

@@ -18,7 +18,7 @@ module mdrcontact_conduction_bodies
 
     !> Relative tolerance of steady conductances.
     real(wp), parameter :: tolerance = 1.0e-11_wp
-    !> Contact radii up to this many depths of all layers are offered.
+    !> Largest contact radius over the total depth of the layers.
     real(wp), parameter :: largest_ratio = 1.0e4_wp
     !> The sink lies this many thicknesses of an insulated body beyond the contact area: the potential around it is uniform through
     !> them.
@@ -197,7 +197,7 @@ contains
         if (self%is_insulated) self%kernel%one_plus_chi_zero = 1.0_wp
     end subroutine tabulate
 
-    !> Raises unless contact areas of this radius are offered.
+    !> Raise an error for unsupported contact radii.
     pure subroutine check_radius(self, a, error)
         class(conduction_t), intent(in) :: self
         !> [length]

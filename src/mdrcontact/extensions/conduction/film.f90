@@ -20,7 +20,7 @@ module mdrcontact_conduction_film
     private
     public :: film_spot_t, new_film_spot, film_basis_t, new_film_basis, film_spot_at
 
-    !> Terms of the steady contact area at first and at most, and in time.
+    !> Terms of the steady solution at the start and at most, and in time.
     integer, parameter :: first_terms = 40, most_terms = 1280, terms_in_time = 96
     !> Terms from which on values of the flux, with an error n^-4, are accurate.
     integer, parameter, public :: terms_of_flux = 320
@@ -54,7 +54,7 @@ module mdrcontact_conduction_film
 
 contains
 
-    !> The contact area by as many terms as its conductance takes.
+    !> Solution with as many terms as its conductance needs.
     subroutine new_film_spot(self, conduction, a, error, fewest)
         type(film_spot_t), intent(out) :: self
         type(conduction_t), intent(in) :: conduction

@@ -77,7 +77,7 @@ contains
         call set_series(load, a, normalisation(n)*c(:, 1), sum(equation%rhs(:, 2)*c(:, 1)))
     end subroutine new_spot
 
-    !> The line load with the coefficients q of P_2j(x/a) and a value at the edge: what lies in the contact area moves by 1.
+    !> The line load with the coefficients q of P_2j(x/a) and a value at the edge: the displacement in the contact area is 1.
     pure subroutine set_series(load, a, q, edge)
         type(line_load_t), intent(out) :: load
         real(wp), intent(in) :: a, q(:), edge

@@ -19,7 +19,7 @@ module mdrcontact_line_solve
     public :: equation_t, new_equation, solution_t, solve, first_unknowns, next_unknowns, nodes_of_film, factorize, needed, &
               solve_lower, solve_upper, raise_missed
 
-    !> Unknowns at most, and those that a graded body is begun with at most.
+    !> Largest number of unknowns, and the largest at the start for a graded body.
     integer, parameter :: most_unknowns = 1500, first_graded = 16
     !> From this size on LAPACK factorizes: beyond a/h of some thousands. Below it a BLAS with threads of its own would start them
     !> for microseconds of work, which costs many times that where the processors are busy.

@@ -24,7 +24,7 @@ module mdrcontact_law_sliders_motion
     !> The last of as many sliders as a step may meet, a multiple of four.
     integer, parameter :: most = most_sliders + most_levels + 3
 
-    !> A step: its sliders, those of levels passed in it included.
+    !> Sliders of a step, including those of the levels that it passes.
     type, bind(C) :: motion_t
         !> sliders, those of the record among them; the level below S, where there are shares, and where these begin
         integer(c_int32_t) :: used, before, cell, first_share
