@@ -7,8 +7,8 @@ tools/generate.py. A file that is up to date is left alone.
 
 In Python a function has the name without mdr_, takes the inputs in the header's order, lengths of arrays excepted, and returns the
 status, or another result, followed by the outputs. Types that f2py does not support are passed as an address, a Python int:
-handles, functions, texts, structures (which are NumPy records), and arrays that may be missing. `_boundary.native` takes the objects in their place. A
-structure of doubles only is a row of doubles.
+handles, functions, texts, structures (which are NumPy records), and arrays that may be missing. `_boundary.native` takes the objects instead
+of addresses. A structure of doubles only is a row of doubles.
 """
 
 import re
