@@ -80,6 +80,12 @@ def test_what_five_readings_cannot_tell_is_said():
     assert result.verdict in mdi.rate(result).reasons
 
 
+def test_one_reading_shows_no_model():
+    result = fit([1e-7], [70e9], FILM, sd=1e9)
+    assert result.verdict == "too few points" and result.describes_data is None and result.doubts("coating.E") == []
+    assert result.warnings[-1] == "1 reading cannot show whether the model is right. Take more readings"
+
+
 @pytest.mark.parametrize(("readings", "known"), [(8, False), (8, True), (200, False)])
 def test_good_fits_of_few_readings_describe(readings, known):
     result = fit(*noisy(readings, 1, 0.005), FILM, relative_sd=0.005 if known else None)

@@ -306,7 +306,7 @@ def usual(tmp_path_factory):
     """The first words of the warnings of each sound file: whatever numbers follow, they speak of no damage."""
     folder = tmp_path_factory.mktemp("sound")
     shown = {name: {words[:20] for words in fitted(folder, name)[2]} for name in FILES}
-    assert set().union(*shown.values()) == {"the tip is taken as ", "1 readings cannot te"}
+    assert set().union(*shown.values()) == {"the tip is taken as ", "1 reading cannot sho"}
     return shown
 
 

@@ -181,10 +181,9 @@ def _pattern(result: FitResult) -> list[str]:
             "how much they change with the fitted range"
         )
     if result.hidden:
-        words.append(
-            f"{result.hidden_words()}: the model may be wrong. Take more readings, or give the standard deviations of the "
-            "readings, sd or relative_sd"
-        )
+        finite = math.isfinite(result.hidden)
+        more = "more readings, or give the standard deviations of the readings, sd or relative_sd" if finite else "more readings"
+        words.append(f"{result.hidden_words()}. Take {more}")
     ratio = f"chi-square/dof = {result.reduced_chi_square:.3g}"
     if result.scatter > 0:
         words.append(f"the data deviate from the fit by more than their standard deviations: {ratio}")

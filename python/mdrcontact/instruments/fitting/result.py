@@ -82,6 +82,8 @@ class FitResult:
     ----------
     bartels-1982
     cheang-2000
+    durbin-1950
+    zellner-1964
 
     Examples
     --------
@@ -441,7 +443,7 @@ class FitResult:
             return [*words, self.bound_words(name)]
         if self.widening[name] > 1.3:
             words.append(f"error widened {self.widening[name]:.2g} times for correlated residuals")
-        if self.hidden:
+        if 0.0 < self.hidden < math.inf:
             words.append(self.hidden_words())
         if self.describes_data is False:
             words.append(f"THE MODEL MISSES THE DATA BY {percent(self.departure)}")
@@ -560,8 +562,10 @@ class FitResult:
         """
         if not self.hidden:
             return ""
-        share = f" of {percent(self.hidden)}" if math.isfinite(self.hidden) else ""
-        return f"{len(self.data)} readings cannot tell a misfit{share} from noise"
+        readings = "1 reading" if len(self.data) == 1 else f"{len(self.data)} readings"
+        if not math.isfinite(self.hidden):
+            return f"{readings} cannot show whether the model is right"
+        return f"{readings} cannot tell a misfit of {percent(self.hidden)} from noise"
 
     @property
     def scatter(self) -> int:
