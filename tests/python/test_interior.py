@@ -338,12 +338,12 @@ def test_a_field_that_deviates_warns_once_and_is_refused_beyond():
         warnings.simplefilter("error")
         state.interior(r, 0.1)
         off.interior(r[:999], 0.1)
-    with pytest.warns(mdr.errors.InteriorAccuracyWarning, match=r"off by about 1\.0e-06") as seen:
+    with pytest.warns(mdr.errors.InteriorAccuracyWarning, match=r"an error of about 1\.0e-06") as seen:
         off.interior(0.3, 0.1)
         off.interior(r, 0.1)
     assert len(seen) == 1 and seen[0].filename == __file__
     for _ in range(2):
-        with pytest.raises(mdr.errors.NoConvergenceError, match=r"off by about 9\.9e-03"):
+        with pytest.raises(mdr.errors.NoConvergenceError, match=r"an error of about 9\.9e-03"):
             wrong.interior(r, 0.1)
     # what a tolerance allows brings no warning
     loose = mdr.Contact(mdr.Paraboloid(1.0), mdr.Pair(mdr.Coated(TIN, 1.0, STEEL, tolerance=1e-6), STEEL))

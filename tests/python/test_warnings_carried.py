@@ -80,7 +80,7 @@ CASES = {
     mdr.errors.UnitsWarning: (in_units, 72.0, 72e9, "from 72 to"),
     mdr.errors.ShortZoneWarning: (short_zone, 1e7, 0.1, "JKR limit"),
     mdr.errors.SeparationInsideWarning: (on_a_film, STIFF, STIFF.with_model("gao"), "not a single area"),
-    mdr.errors.InteriorAccuracyWarning: (inside, 1e-6, 0.0, "off by about 1.0e-06"),
+    mdr.errors.InteriorAccuracyWarning: (inside, 1e-6, 0.0, "an error of about 1.0e-06"),
     mdr.errors.SlipInsideWarning: (sheared, 3.5, 3.57, "slip would begin inside"),
     mdr.errors.BeyondRangeWarning: (of_a_law, 0.2, 0.05, "1 of 2 values of depth lie beyond 0.1"),
     mdr.errors.AdhesionRateWarning: (at_speed, 5e-3, 2e-4, "beyond its range"),
@@ -169,8 +169,8 @@ def test_a_field_is_refused_whatever_was_asked_before():
     wrong, r = state.replace(depth=state.depth * 1.01), np.linspace(0.0, 2.0, 1000)
     for _ in range(3):
         few = wrong.interior(r[:400], 0.1)
-        assert "off by about 9.9e-03" in few.warnings[0]
-        with pytest.raises(mdr.errors.NoConvergenceError, match="off by about 9"):
+        assert "an error of about 9.9e-03" in few.warnings[0]
+        with pytest.raises(mdr.errors.NoConvergenceError, match="an error of about 9"):
             wrong.interior(r, 0.1)
     assert state.interior(0.1, 0.1).warnings == () == state.interior(r, 0.1).warnings
 
@@ -188,7 +188,7 @@ def test_objects_made_of_states_carry_theirs():
     film = mdr.Contact(mdr.Paraboloid(1.0), FILM)
     assert film.at_radius(1.0).critical().warnings == ()
     state = film.at_radius(1.0)
-    assert "off by about" in state.replace(depth=state.depth * (1.0 + 1e-5)).critical().warnings[0]
+    assert "an error of about" in state.replace(depth=state.depth * (1.0 + 1e-5)).critical().warnings[0]
     (failure,) = film.first_failure({"von_mises": [None, 1.0]})
     assert failure.warnings == failure.state.warnings() != ()
     shear = sheared(3.5)
