@@ -5,10 +5,10 @@ Reads include/mdrcontact/all.h with its parts and writes for f2py a signature fi
 module `_native`. The module's types, its structures, constants and the places of its pointers lie in the repository:
 tools/generate.py. A file that is up to date is left alone.
 
-In Python a function has the name without mdr_, takes the inputs in the header's order, lengths of arrays excepted, and returns the
-status, or another result, followed by the outputs. Types that f2py does not support are passed as an address, a Python int:
-handles, functions, texts, structures (which are NumPy records), and arrays that may be missing. `_boundary.native` takes the objects instead
-of addresses. A structure of doubles only is a row of doubles.
+In Python a function has the name without mdr_, takes the inputs in the header's order, lengths of arrays excepted, and returns
+the status, or another result, followed by the outputs. Types that f2py does not support are passed as an address, a Python int:
+handles, functions, texts, structures (which are NumPy records), and arrays that may be missing. `_boundary.native` takes the
+objects instead of addresses. A structure of doubles only is a row of doubles.
 """
 
 import re
